@@ -1,0 +1,33 @@
+// What a hull set is worth: cover, protrusion (with proof), volumes.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "collision_hulls/check/solid.h"
+#include "collision_hulls/control.h"
+#include "collision_hulls/geometry/convex_hull.h"
+
+namespace collision_hulls {
+
+/// Largest distance [m] of a point of the mesh's surface to the union of the hulls; 0 when they cover it. Exact over the
+/// triangles: a triangle whose corners lie in one hull is covered, any other is clipped by the hulls until nothing is left.
+/// Distances below 1e-12 of the coordinates' size are rounding of this computation and count as 0.
+double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls);
+
+/// The protrusion of a hull set: max over points of the hulls of the distance to S; one-sided Hausdorff distance.
+struct Protrusion {
+  double bound = 0;  ///< [m] certified: no point of a hull is further from S
+  double found = 0;  ///< [m] largest distance found, at `where`
+  Eigen::Vector3d where = Eigen::Vector3d::Zero();    ///< a point of a hull at distance `found`
+  Eigen::Vector3d nearest = Eigen::Vector3d::Zero();  ///< the point of S nearest to it
+  int hull = -1;                                      ///< the hull that `where` belongs to
+};
+
+/// Branch and bound over each hull's faces and interior; bound - found <= gap (> 0, [m]) on return.
+Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, double gap, const RunControl& control = {});
+
+/// Volume of the union of the hulls [m^3], by quasi-Monte-Carlo with a fixed sequence (relative error about 1 %).
+double unionVolume(const std::vector<ConvexHull>& hulls);
+
+}  // namespace collision_hulls

@@ -1,0 +1,33 @@
+// The solid S that a mesh stands for, and the distance to it: what protrusion is measured against.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <vector>
+
+#include "collision_hulls/mesh/repair.h"
+
+namespace collision_hulls {
+
+/// S: the surface, and the points inside it (per component by its Interior rule: generalized winding number > 1/2; components are
+/// oriented outward, so that a closed cavity within a housing is inside). Immutable, thread safe.
+class Solid {
+ public:
+  explicit Solid(const RepairedMesh& mesh);
+  ~Solid();
+  Solid(Solid&&) noexcept;
+
+  bool contains(const Eigen::Vector3d& p) const;           ///< inside by the winding rule (the surface itself: either)
+  double distanceToSurface(const Eigen::Vector3d& p) const;  ///< [m] exact
+  double distance(const Eigen::Vector3d& p) const;         ///< [m] to S; 0 inside
+  double volume() const;                                   ///< [m^3] of the components that have an inside (sum)
+  Interior interior() const;
+
+  struct Impl;
+  const Impl& impl() const { return *impl_; }
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace collision_hulls

@@ -1,0 +1,41 @@
+// The methods' common interface: a repaired mesh in, convex hulls that cover it out.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/control.h"
+#include "collision_hulls/geometry/convex_hull.h"
+#include "collision_hulls/mesh/repair.h"
+
+namespace collision_hulls {
+
+enum class Method {
+  kHacd,         ///< Mamou & Ghorbel 2009, see hacd.h
+  kSingleHull,   ///< the convex hull of everything
+  kBoundingBox   ///< the smallest oriented box found
+};
+const char* name(Method method);                          ///< "hacd", "single_hull", "bounding_box"
+std::optional<Method> methodNamed(const std::string& name);
+const std::vector<Method>& allMethods();
+
+struct DecomposeOptions {
+  Method method = Method::kHacd;
+  double tolerance = 0;    ///< [m] > 0: protrusion that the caller accepts (hacd: the paper's concavity epsilon)
+  int max_hulls = 0;       ///< most hulls per mesh; 0: no cap
+  int max_vertices = 64;   ///< most vertices per hull, at least 8; 0: no cap. Reduced outward only
+  std::uint64_t seed = 1;  ///< of whatever is random
+};
+
+struct Decomposition {
+  std::vector<ConvexHull> hulls;  ///< they cover mesh and loose points up to rounding; in a fixed order
+  bool capped = false;            ///< a cap (hulls or vertices) made the result coarser than the tolerance alone would
+};
+
+/// Decomposes a mesh. Deterministic: same input and options, same bytes, whatever else runs. Thread safe.
+/// Throws kBadOption, kEmptyMesh, kCancelled.
+Decomposition decompose(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control = {});
+
+}  // namespace collision_hulls

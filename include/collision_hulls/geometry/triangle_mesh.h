@@ -1,0 +1,42 @@
+// A triangle mesh, the value that every stage exchanges.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <vector>
+
+namespace collision_hulls {
+
+using Triangle = std::array<int, 3>;
+
+/// Indexed triangles; coordinates in metres, in the frame of the caller (a link's, unless said otherwise). Corners are
+/// counter-clockwise seen from outside, where the mesh has an outside. No invariant: meshes as read may hold anything.
+struct TriangleMesh {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<Triangle> triangles;
+
+  const Eigen::Vector3d& corner(int triangle, int k) const {
+    return vertices[static_cast<std::size_t>(triangles[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(k)])];
+  }
+};
+
+/// The axis-aligned box of the vertices that triangles use; empty for a mesh without triangles.
+Eigen::AlignedBox3d boundingBox(const TriangleMesh& mesh);
+
+/// D of the paper: the diagonal of boundingBox() [m]; 0 for a mesh without triangles.
+double diagonal(const TriangleMesh& mesh);
+
+/// Sum of the triangles' areas [m^2].
+double area(const TriangleMesh& mesh);
+
+/// Sum of the signed tetrahedra to the origin [m^3]: the enclosed volume of a closed, outward mesh; negative for an inward one.
+double signedVolume(const TriangleMesh& mesh);
+
+/// The mesh with every vertex scaled per axis and, for a mirroring scale (negative product), its triangles turned over, so
+/// that outside stays outside. Throws kBadScale for a zero or non-finite factor.
+TriangleMesh scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale);
+
+/// The mesh moved by a rigid transform.
+TriangleMesh transformed(const TriangleMesh& mesh, const Eigen::Isometry3d& pose);
+
+}  // namespace collision_hulls

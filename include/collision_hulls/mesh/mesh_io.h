@@ -1,0 +1,47 @@
+// Meshes from and to files. The only room that sees Assimp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/geometry/convex_hull.h"
+#include "collision_hulls/geometry/triangle_mesh.h"
+
+namespace collision_hulls {
+
+struct MeshLimits {
+  std::uintmax_t max_bytes = std::uintmax_t{1} << 30;  ///< largest file [bytes]
+  std::size_t max_triangles = 20'000'000;              ///< most triangles in a file
+};
+
+/// What a file held.
+struct LoadedMesh {
+  TriangleMesh mesh;                   ///< metres; node transforms, Collada unit and up-axis applied as rviz shows them
+  int submeshes = 0;                   ///< sub-meshes that gave triangles (a node's instance counts once each)
+  std::size_t skipped_primitives = 0;  ///< lines and points, which have no surface, left out
+  double resolution = 0;               ///< [m] largest rounding of a coordinate by the single precision of the reader
+};
+
+/// The extensions that readMesh takes, lower case with the dot: .stl .dae .obj .off .ply (any case in a file's name).
+const std::vector<std::string>& meshExtensions();
+
+/// Reads a mesh file. Units: Collada's are converted to metres, the other formats' numbers are taken as metres.
+/// Throws kFileNotFound, kUnsupportedFormat, kNotAMesh, kEmptyMesh, kTooLarge, kNonFiniteCoordinate, kIndexOutOfRange,
+/// kTooFarFromOrigin (single precision resolves less than a thousandth of the mesh's diagonal). Thread safe.
+LoadedMesh readMesh(const std::string& path, const MeshLimits& limits = {});
+
+enum class MeshFormat { kStl, kObj };
+
+/// The extension of a format, with the dot.
+const char* extension(MeshFormat format);
+
+/// The text of a mesh file that holds one hull: binary STL, or OBJ. Coordinates are written as single-precision numbers
+/// (exactly, so a hull whose vertices are single-precision numbers is read back unchanged).
+std::string encodeHull(const ConvexHull& hull, MeshFormat format, const std::string& object_name);
+
+/// One OBJ with an object ("o <name>_<m>") per hull; coordinates as in encodeHull.
+std::string encodeHullsObj(const std::vector<ConvexHull>& hulls, const std::string& name);
+
+}  // namespace collision_hulls

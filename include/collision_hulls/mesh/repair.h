@@ -1,0 +1,55 @@
+// From a mesh as read to a mesh with topology: weld, drop, orient, count.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "collision_hulls/geometry/triangle_mesh.h"
+
+namespace collision_hulls {
+
+struct RepairOptions {
+  /// Vertices closer than this share of the mesh's extent (longest side of the bounding box) are one vertex.
+  double weld_tolerance = 1e-5;
+};
+
+/// What was found and done, as counts.
+struct RepairCounts {
+  std::size_t welded = 0;             ///< vertices that were joined to another one
+  std::size_t degenerate = 0;         ///< triangles without area, dropped (their corners stay in `loose`)
+  std::size_t duplicate = 0;          ///< triangles with the corners of an earlier one, in either order, dropped
+  std::size_t flipped = 0;            ///< triangles turned over
+  std::size_t components = 0;         ///< edge-connected components
+  std::size_t open_edges = 0;         ///< edges of one triangle
+  std::size_t nonmanifold_edges = 0;  ///< edges of more than two triangles
+  double weld_distance = 0;           ///< [m] furthest that a vertex was moved; at most the tolerance
+};
+
+/// Which rule says what lies inside a component.
+enum class Interior {
+  kClosed,   ///< no open edge: inside is what the surface encloses
+  kWinding,  ///< small openings: inside is where the generalized winding number exceeds 1/2
+  kSurface   ///< a sheet: nothing is inside, the solid is the surface alone
+};
+const char* name(Interior interior);  ///< "closed", "winding", "surface"
+
+struct RepairedMesh {
+  TriangleMesh mesh;                   ///< welded, without degenerate or duplicate triangles, each component consistently oriented
+  std::vector<int> component;          ///< per triangle: its component, 0 .. counts.components - 1, in order of first triangle
+  std::vector<Interior> interior;      ///< per component
+  std::vector<Eigen::Vector3d> loose;  ///< [m] corners of dropped degenerate triangles that no kept triangle uses; part of the surface
+  RepairCounts counts;
+};
+
+/// Repairs a mesh. Orientation is made consistent within each component across its manifold edges; then a component that
+/// encloses a negative volume is turned over (a closed one always, an open one by that majority vote too), so that a cavity's
+/// own wall counts as a solid's. An open component is kWinding where the area that would close its boundary loops (fan of
+/// each loop about its centre) is below a tenth of its own area, else kSurface. Moves no vertex further than the weld
+/// tolerance. Deterministic: the lowest index stands for the welded vertices. A mesh of degenerate triangles alone gives an
+/// empty mesh and `loose` points.
+RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options = {});
+
+/// The rule of the whole mesh, as it stands in reports: kClosed if every component is, kSurface if every one is, else kWinding.
+Interior interiorOf(const RepairedMesh& mesh);
+
+}  // namespace collision_hulls

@@ -1,0 +1,73 @@
+// The main job: a robot description, or one mesh, to validated convex collision models.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/control.h"
+#include "collision_hulls/pipeline/options.h"
+#include "collision_hulls/pipeline/report.h"
+#include "collision_hulls/robot/robot_description.h"
+
+namespace collision_hulls {
+
+/// One mesh of one link, done. Coordinates after `scale`, in the element's own frame (before its <origin>).
+struct ElementResult {
+  ElementReport report;
+  GeometryElement source;
+  TriangleMesh original;          ///< as read and scaled
+  std::vector<ConvexHull> hulls;  ///< as written; empty where the status is failed
+};
+
+struct RobotResult {
+  Report report;
+  std::vector<ElementResult> elements;  ///< same order as report.links
+  std::string robot_name;               ///< or the mesh's stem
+  std::string urdf;                     ///< rewritten description, URIs as the output package will hold them; empty for a single mesh
+  bool single_mesh = false;
+};
+
+/// What a run is doing, for bars and feedback. Calls come one at a time, from any thread.
+struct Step {
+  std::string stage;   ///< "decompose", "validate", "write"
+  std::string item;    ///< link (and element) just finished
+  std::size_t done = 0, total = 0, hulls = 0;
+};
+using StepCallback = std::function<void(const Step&)>;
+
+/// The flow on one screen: for each mesh of each link read, repair, decompose, cover and round, certify; then validate.
+/// One bad mesh is a failed row and loses nothing else (its link keeps its <collision> elements as they were).
+/// `output` is the folder that the URIs in RobotResult::urdf will refer to (see outputName); nothing is written here.
+/// Throws kBadOption, kCancelled.
+RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& find_package, const Options& options,
+                           const std::string& output, const RunControl& control = {}, const StepCallback& step = {});
+
+/// The same for one mesh file; the report has one row whose link is the file's stem.
+RobotResult decomposeMesh(const std::string& path, const Options& options, const RunControl& control = {}, const StepCallback& step = {});
+
+/// What INPUT of the command line means.
+struct Input {
+  enum class Kind { kRobot, kMesh } kind = Kind::kRobot;
+  std::string path;           ///< mesh file
+  RobotDescription robot;
+  PackageFinder find_package;
+};
+/// INPUT: a package name, a .urdf or .xacro file, or a mesh file. Throws the readers' errors; for a package with several
+/// descriptions the message lists them.
+Input openInput(const std::string& input);
+
+/// Decomposes what `input` holds.
+RobotResult decompose(const Input& input, const Options& options, const std::string& output, const RunControl& control = {},
+                      const StepCallback& step = {});
+
+/// Default output folder: ./<robot>_collision
+std::string defaultOutput(const Input& input);
+
+/// Writes the output package (or a single mesh's folder) and its report.json: into a temporary folder beside `output`, read
+/// back and compared, then put in place with one rename (exchange) so that a kill at any moment leaves the old or the new.
+/// Replaces an earlier output; refuses (kNotOurOutput) a folder that is not one. Fills seconds.write and files in the report.
+/// Throws kUnwritableOutput.
+void writeOutput(RobotResult& result, const std::string& output);
+
+}  // namespace collision_hulls

@@ -1,0 +1,51 @@
+// The options of a run, as values; the command line, the service and the parameters all end here.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "collision_hulls/decompose/decompose.h"
+#include "collision_hulls/mesh/mesh_io.h"
+#include "collision_hulls/robot/robot_description.h"
+
+namespace collision_hulls {
+
+/// A length, or a share of each mesh's bounding-box diagonal.
+struct Length {
+  double value = 0;       ///< metres, or a fraction (0.01 for 1 %)
+  bool relative = false;
+  double metres(double diagonal) const { return relative ? value * diagonal : value; }
+};
+
+/// "5mm", "0.5 cm", "0.005", "0.005m", "1%" ... Units: m, cm, mm, um, in, %. Throws kBadOption for anything else, for a value
+/// that is not positive or not finite, and for a percentage above 100; the message says what is understood.
+Length parseLength(const std::string& text);
+std::string toString(const Length& length);  ///< parseLength reads it back
+
+enum class UriStyle { kPackage, kFile, kRelative };
+std::optional<UriStyle> uriStyleNamed(const std::string& name);
+
+struct Options {
+  Length tolerance{0.01, true};
+  Method method = Method::kHacd;
+  int max_hulls = 0;      ///< per mesh; 0: no cap
+  int max_vertices = 64;  ///< per hull; 0: no cap
+  std::string links;      ///< regular expression (ECMAScript) that a link's whole name must match; empty: all
+  Source source = Source::kAuto;
+  MeshFormat format = MeshFormat::kStl;
+  UriStyle uri = UriStyle::kPackage;
+  int jobs = 0;           ///< threads; 0: as many as cores
+  bool validate = true;
+  bool cache = true;
+  std::uint64_t seed = 1;
+};
+
+/// Throws kBadOption naming the option, its value and its range.
+void check(const Options& options);
+
+/// Sets the caps that suit a consumer of the hulls: fcl, moveit (none beyond 64 vertices), bullet (64 vertices), physx (255
+/// vertices, 64 hulls), gazebo (64 hulls). Throws kBadOption for another name.
+void applyProfile(const std::string& profile, Options& options);
+
+}  // namespace collision_hulls

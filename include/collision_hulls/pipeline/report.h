@@ -1,0 +1,62 @@
+// The report of a run: report.json as a value. Field names are a contract that other tools read.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/check/validate.h"
+#include "collision_hulls/mesh/repair.h"
+#include "collision_hulls/pipeline/options.h"
+
+namespace collision_hulls {
+
+enum class Status { kOk, kDegraded, kFailed };
+const char* name(Status status);  ///< "ok", "degraded", "failed"
+
+struct StageSeconds {
+  double read = 0, repair = 0, decompose = 0, certify = 0, write = 0;
+};
+
+/// One mesh of one link. Lengths in metres, in the link's frame after `scale`.
+struct ElementReport {
+  std::string link;
+  int element = 0;        ///< among the link's source elements, primitives counted
+  bool visual = false;    ///< "source"
+  std::string uri, sha256;
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();
+  std::size_t triangles = 0, skipped_primitives = 0;
+  Status status = Status::kOk;
+  std::string reason;     ///< why degraded or failed; names item, value, limit and remedy
+  RepairCounts repair;
+  Method method = Method::kHacd;
+  double tolerance = 0;
+  std::size_t hulls = 0, hull_vertices = 0;
+  double uncovered = 0, protrusion = 0, protrusion_found = 0;
+  Eigen::Vector3d worst = Eigen::Vector3d::Zero(), worst_nearest = Eigen::Vector3d::Zero();  ///< place of protrusion_found, and of S
+  std::string interior;
+  double volume = 0, hull_volume = 0, diagonal = 0;
+  double nudge = 0;       ///< [m] how far hulls were moved outward for rounding (reader, weld, writer)
+  double thickness = 0;   ///< [m] thickness given to flat hulls
+  StageSeconds seconds;
+  std::vector<std::string> files;  ///< relative to the output folder
+};
+
+struct Report {
+  std::string input_path, input_sha256;
+  Options options;
+  std::vector<ElementReport> links;  ///< a row for every mesh of every link, in document order
+  Validation validation;
+  double seconds = 0;                ///< wall clock of the whole run
+};
+
+/// report.json's text, with the fields and totals of the contract.
+std::string toJson(const Report& report);
+
+/// The table of the command line: a row per mesh, then totals and validation.
+std::string toTable(const Report& report);
+
+bool anyFailed(const Report& report);
+
+}  // namespace collision_hulls

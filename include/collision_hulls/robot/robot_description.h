@@ -1,0 +1,87 @@
+// Robot descriptions in and out. The only room that sees urdfdom and tinyxml2.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace collision_hulls {
+
+/// A geometry of a link: one <visual> or <collision> of the description.
+struct GeometryElement {
+  enum class Kind { kMesh, kBox, kSphere, kCylinder };
+  Kind kind = Kind::kMesh;
+  std::string uri;                                            ///< of a mesh, as written in the description
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();            ///< of a mesh
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();             ///< [m] box: sides; sphere: radius, -, -; cylinder: radius, length, -
+  Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();   ///< element in the link's frame
+  std::string name;                                           ///< the element's name attribute, often empty
+};
+
+struct LinkDescription {
+  std::string name;
+  std::vector<GeometryElement> visuals, collisions;           ///< in document order
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();     ///< in the root link's frame, all joints at zero (or their nearest limit)
+  std::string parent;                                         ///< link; empty for the root
+};
+
+struct RobotDescription {
+  std::string name;
+  std::string text;                    ///< the URDF, byte for byte as given
+  std::string path;                    ///< file it came from; empty for a parameter or a service call
+  std::vector<LinkDescription> links;  ///< in document order
+};
+
+/// Parses a URDF. `path` (may be empty) stands in messages and is what relative URIs are relative to.
+/// Throws kNotXml, kNotARobot, kNoLinks; the message gives line and reason where the parser does.
+RobotDescription parseRobotDescription(const std::string& urdf_text, const std::string& path = "");
+
+/// Reads a .urdf, or a .xacro through the user's xacro program (kXacroMissing where there is none). Also throws kFileNotFound.
+RobotDescription readRobotDescription(const std::string& path);
+
+/// Finds the folder of a package; nullopt when it is unknown. ROS code injects its own.
+using PackageFinder = std::function<std::optional<std::string>(const std::string& package)>;
+
+/// Looks in ROS_PACKAGE_PATH (crawling as rospack does: a folder with package.xml is a package; CATKIN_IGNORE stops) and,
+/// before it, in the packages that enclose `near` (a file or folder; may be empty). CMAKE_PREFIX_PATH's share/<package> last.
+PackageFinder defaultPackageFinder(const std::string& near = "");
+
+/// The file that a URI means: package://, file://, an absolute path, or one relative to the folder of `base` (a file).
+/// Throws kPackageNotFound (names the package and how to make it known) and kFileNotFound.
+std::string resolveUri(const std::string& uri, const std::string& base, const PackageFinder& find_package);
+
+/// The robot descriptions in a package's urdf/ and robots/ folders (.urdf before .xacro, sorted); for INPUT given as a package.
+std::vector<std::string> robotDescriptionsIn(const std::string& package_folder);
+
+enum class Source { kAuto, kVisual, kCollision };  ///< auto: a link's collision elements if it has any, else its visual ones
+std::optional<Source> sourceNamed(const std::string& name);
+
+/// Which elements of a link are decomposed, and whether they are visual or collision ones.
+struct SourceElements {
+  bool visual = false;
+  std::vector<GeometryElement> elements;
+};
+SourceElements sourceElements(const LinkDescription& link, Source source);
+
+/// A <collision> to be written: a mesh by its URI at an origin, or a primitive.
+struct CollisionElement {
+  std::string name;
+  GeometryElement geometry;
+};
+
+/// What a link's collision model becomes.
+struct LinkCollisions {
+  std::vector<CollisionElement> elements;  ///< written as new <collision> elements, in this order
+  bool keep_primitives = false;            ///< the link's <collision> elements without a mesh stay, byte for byte; else they go too
+};
+
+/// The description with the <collision> elements of the given links replaced; links that are not given keep theirs.
+/// Everything else stays byte for byte: comments, unknown tags, order, line ends. New elements are indented like their
+/// neighbours and stand where the first replaced one stood (after the last <visual>, else first in the link, where there was none).
+/// A name that is taken elsewhere in the description gets a number added.
+std::string rewriteCollisions(const RobotDescription& robot, const std::map<std::string, LinkCollisions>& links);
+
+}  // namespace collision_hulls

@@ -1,0 +1,30 @@
+#include "collision_hulls/error.h"
+
+namespace collision_hulls {
+
+const char* name(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::kFileNotFound: return "FileNotFound";
+    case ErrorCode::kPackageNotFound: return "PackageNotFound";
+    case ErrorCode::kUnsupportedFormat: return "UnsupportedFormat";
+    case ErrorCode::kNotAMesh: return "NotAMesh";
+    case ErrorCode::kEmptyMesh: return "EmptyMesh";
+    case ErrorCode::kTooLarge: return "TooLarge";
+    case ErrorCode::kNonFiniteCoordinate: return "NonFiniteCoordinate";
+    case ErrorCode::kIndexOutOfRange: return "IndexOutOfRange";
+    case ErrorCode::kTooFarFromOrigin: return "TooFarFromOrigin";
+    case ErrorCode::kBadScale: return "BadScale";
+    case ErrorCode::kNotXml: return "NotXml";
+    case ErrorCode::kNotARobot: return "NotARobot";
+    case ErrorCode::kNoLinks: return "NoLinks";
+    case ErrorCode::kXacroMissing: return "XacroMissing";
+    case ErrorCode::kBadOption: return "BadOption";
+    case ErrorCode::kUnwritableOutput: return "UnwritableOutput";
+    case ErrorCode::kNotOurOutput: return "NotOurOutput";
+    case ErrorCode::kCancelled: return "Cancelled";
+    case ErrorCode::kInternal: return "Internal";
+  }
+  return "Unknown";
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,54 @@
+// Distance, and inside or outside, over a bounding-volume tree of triangles.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <limits>
+#include <vector>
+
+#include "collision_hulls/geometry/triangle_mesh.h"
+
+namespace collision_hulls {
+
+/// The point of triangle abc nearest to p (Ericson, Real-Time Collision Detection, 5.1.5). Degenerate triangles are allowed.
+Eigen::Vector3d closestPoint(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& p);
+
+/// A bounding-volume tree over a mesh's triangles. Keeps copies of them; immutable and thread safe.
+class TriangleBvh {
+ public:
+  explicit TriangleBvh(const TriangleMesh& mesh);
+
+  struct Nearest {
+    double distance = std::numeric_limits<double>::infinity();  ///< [m]; infinite where nothing lies within the limit
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    int triangle = -1;  ///< index in the mesh
+  };
+  /// The nearest point of the surface that is closer than `limit` [m]. Exact. `hint`, a triangle's index or -1, is tried
+  /// first: neighbouring queries that pass on each other's answer are faster, with the same result.
+  Nearest nearest(const Eigen::Vector3d& p, double limit = std::numeric_limits<double>::infinity(), int hint = -1) const;
+
+  /// The generalized winding number (Jacobson et al. 2013), far clusters replaced by dipoles (Barill et al. 2018): 1 inside a
+  /// closed outward surface, 0 outside, with an error of about 0.01.
+  double windingNumber(const Eigen::Vector3d& p) const;
+
+  bool empty() const { return corners_.empty(); }
+
+ private:
+  struct Node {
+    Eigen::AlignedBox3d box;
+    int first = 0, count = 0;  // leaf: triangles [first, first + count); inner: children first, first + 1 and count 0
+    Eigen::Vector3d dipole_centre = Eigen::Vector3d::Zero(), dipole = Eigen::Vector3d::Zero();  // middle, area vector
+    double radius = 0;                                                                          // of the triangles about dipole_centre
+  };
+  struct Corners {
+    Eigen::Vector3d a, b, c;
+  };
+  void build(std::vector<int>& order, const std::vector<Eigen::Vector3d>& centres);
+  void fit(int node);
+
+  std::vector<Node> nodes_;
+  std::vector<Corners> corners_;  // in leaf order
+  std::vector<int> index_;        // leaf order to mesh
+  std::vector<int> position_;     // mesh to leaf order
+};
+
+}  // namespace collision_hulls

@@ -1,0 +1,246 @@
+#include "collision_hulls/geometry/convex_hull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "collision_hulls/error.h"
+#include "collision_hulls/geometry/triangle_bvh.h"
+#include "geometry/qhull.h"
+
+namespace collision_hulls {
+
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+// Least thickness of a hull as a share of its extent: faces of a body this thin still have normals that double precision
+// tells apart, and single precision keeps its two sides apart after rounding outward.
+constexpr double kLeastThickness = 1e-6;
+// The same for the coordinates' size, for small bodies far from the origin; and for a lone point at the origin [m].
+constexpr double kLeastThicknessFar = 1e-12, kLeastThicknessAtOrigin = 1e-9;
+
+/// An orthonormal frame in which a point set is long, broad and thin, in this order.
+struct Frame {
+  Eigen::Vector3d origin, middle;
+  Eigen::Matrix3d axes;                              // columns
+  Eigen::Vector3d extent = Eigen::Vector3d::Zero();  // along the axes
+
+  Eigen::Vector3d local(const Eigen::Vector3d& p) const { return axes.transpose() * (p - origin); }
+};
+
+/// The point that maximises f; the first of equals.
+template <class F>
+const Eigen::Vector3d& furthest(const Points& points, F f) {
+  std::size_t best = 0;
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double value = f(points[i]);
+    if (value > most) most = value, best = i;
+  }
+  return points[best];
+}
+
+/// Axes along a longest chord, the point furthest from it, and their normal.
+Frame spanningFrame(const Points& points) {
+  Frame frame;
+  const Eigen::Vector3d a = furthest(points, [&](const auto& p) { return (p - points[0]).squaredNorm(); });
+  const Eigen::Vector3d b = furthest(points, [&](const auto& p) { return (p - a).squaredNorm(); });
+  frame.origin = a;
+  Eigen::Vector3d x = b - a;
+  if (x.isZero(0)) x = Eigen::Vector3d::UnitX();
+  x.normalize();
+  const Eigen::Vector3d c = furthest(points, [&](const auto& p) { return (p - a - x * x.dot(p - a)).squaredNorm(); });
+  Eigen::Vector3d y = c - a - x * x.dot(c - a);
+  y -= x * x.dot(y);
+  // Beneath this share of the length y is rounding and may point anywhere, along x too.
+  constexpr double kCollinear = 1e-12;
+  if (!(y.norm() > kCollinear * (b - a).norm())) y = x.unitOrthogonal();
+  y.normalize();
+  frame.axes << x, y, x.cross(y).normalized();
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : points) box.extend(frame.local(p));
+  frame.extent = box.sizes();
+  frame.middle = frame.origin + frame.axes * box.center();
+  return frame;
+}
+
+double leastThickness(const Points& points, const Frame& frame) {
+  double size = 0;
+  for (const Eigen::Vector3d& p : points) size = std::max(size, p.cwiseAbs().maxCoeff());
+  return std::max(
+      {kLeastThickness * frame.extent.maxCoeff(), kLeastThicknessFar * size, frame.extent.maxCoeff() > 0 ? 0 : kLeastThicknessAtOrigin});
+}
+
+/// Corners of the 2D convex hull, counter-clockwise (monotone chain); collinear points left out.
+std::vector<Eigen::Vector2d> hull2d(std::vector<Eigen::Vector2d> p) {
+  std::sort(p.begin(), p.end(), [](const auto& a, const auto& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
+  std::vector<Eigen::Vector2d> chain;
+  const auto turns = [&](const Eigen::Vector2d& c) {
+    const Eigen::Vector2d u = chain[chain.size() - 1] - chain[chain.size() - 2], v = c - chain[chain.size() - 2];
+    return u.x() * v.y() - u.y() * v.x() > 0;
+  };
+  const auto walk = [&](const Eigen::Vector2d& c, std::size_t fixed) {
+    while (chain.size() > fixed && chain.size() >= 2 && !turns(c)) chain.pop_back();
+    chain.push_back(c);
+  };
+  for (const auto& c : p) walk(c, 1);
+  const std::size_t lower = chain.size();
+  for (std::size_t i = p.size(); i-- > 0;) walk(p[i], lower);
+  chain.pop_back();
+  return chain;
+}
+
+/// A flat set as a plate: its outline in the frame's plane, between two planes `thickness` apart at least.
+Points plate(const Points& points, const Frame& frame, double thickness) {
+  std::vector<Eigen::Vector2d> flat;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Eigen::Vector3d& p : points) {
+    Eigen::Vector3d q = frame.local(p);
+    low = std::min(low, q.z()), high = std::max(high, q.z());
+    flat.emplace_back(q.x(), q.y());
+    if (frame.extent.y() < thickness) {  // a line or a point: give it breadth too, and a point length
+      const double along = frame.extent.x() < thickness ? thickness / 2 : 0;
+      flat.back() += Eigen::Vector2d(along, thickness / 2);
+      flat.emplace_back(q.x() - along, q.y() - thickness / 2);
+      if (along > 0) flat.emplace_back(q.x() + along, q.y() - thickness / 2);
+    }
+  }
+  const double grow = std::max(0.0, thickness - (high - low)) / 2;
+  Points corners;
+  for (const Eigen::Vector2d& c : hull2d(std::move(flat)))
+    for (double z : {low - grow, high + grow}) corners.push_back(frame.origin + frame.axes * Eigen::Vector3d(c.x(), c.y(), z));
+  return corners;
+}
+
+/// A prism from the corners that plate() made: bottom and top alternate.
+ConvexHull prism(const Points& corners, const Frame& frame) {
+  ConvexHull hull;
+  hull.vertices = corners;
+  const int n = static_cast<int>(corners.size()) / 2;
+  const Eigen::Vector3d up = frame.axes.col(2);
+  hull.faces.push_back({-up, -up.dot(corners[0])});
+  hull.faces.push_back({up, up.dot(corners[1])});
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n, a = 2 * i, b = 2 * j;
+    hull.triangles.push_back({a, b, b + 1});
+    hull.triangles.push_back({a, b + 1, a + 1});
+    const Eigen::Vector3d normal = (corners[static_cast<std::size_t>(b)] - corners[static_cast<std::size_t>(a)]).cross(up).normalized();
+    hull.faces.push_back({normal, normal.dot(corners[static_cast<std::size_t>(a)])});
+    if (i >= 1 && i + 1 < n) {
+      hull.triangles.push_back({0, b, a});
+      hull.triangles.push_back({1, a + 1, b + 1});
+    }
+  }
+  return hull;
+}
+
+/// Vertices joined by a triangle's edge, as one list per vertex.
+class Neighbours {
+ public:
+  explicit Neighbours(const ConvexHull& hull) : first_(hull.vertices.size() + 1), list_(hull.triangles.size() * 3) {
+    for (const Triangle& t : hull.triangles)
+      for (int v : t) ++first_[index(v) + 1];
+    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (const Triangle& t : hull.triangles)
+      for (std::size_t k = 0; k < 3; ++k) list_[next[index(t[k])]++] = t[(k + 1) % 3];
+  }
+
+  /// The vertex furthest along a direction: uphill from `start`, which on a convex surface ends at the summit.
+  int support(const ConvexHull& hull, const Eigen::Vector3d& direction, int start) const {
+    for (int best = start;;) {
+      const int from = best;
+      for (std::size_t i = first_[index(from)]; i < first_[index(from) + 1]; ++i)
+        if (direction.dot(hull.vertices[index(list_[i])]) > direction.dot(hull.vertices[index(best)])) best = list_[i];
+      if (best == from) return best;
+    }
+  }
+
+ private:
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  std::vector<std::size_t> first_;
+  std::vector<int> list_;
+};
+
+/// Moves each face out until all vertices lie beneath it, and records how far vertices then lie off their faces.
+void measure(ConvexHull& hull) {
+  const Neighbours neighbours(hull);
+  int start = 0;
+  for (HalfSpace& face : hull.faces) {
+    face.normal.normalize();
+    start = neighbours.support(hull, face.normal, start);
+    const double most = face.normal.dot(hull.vertices[static_cast<std::size_t>(start)]);
+    hull.slack = std::max(hull.slack, std::abs(most - face.offset));
+    face.offset = std::max(most, face.offset);
+  }
+}
+
+/// Works about the set's middle, where double precision is finest.
+std::optional<ConvexHull> spatialHull(const Points& points, const Eigen::Vector3d& middle) {
+  Points centred(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) centred[i] = points[i] - middle;
+  std::optional<ConvexHull> hull = qhull(centred);
+  if (!hull) return hull;
+  measure(*hull);
+  for (Eigen::Vector3d& v : hull->vertices) v += middle;
+  for (HalfSpace& face : hull->faces) face.offset += face.normal.dot(middle);
+  return hull;
+}
+
+void requireFinite(const Points& points) {
+  if (points.empty()) throw Error(ErrorCode::kEmptyMesh, "convex hull of no point; at least one is needed");
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!points[i].allFinite()) throw Error(ErrorCode::kNonFiniteCoordinate, "convex hull: point " + std::to_string(i) + " is not finite");
+}
+
+}  // namespace
+
+ConvexHull convexHull(const Points& points) {
+  requireFinite(points);
+  const Frame frame = spanningFrame(points);
+  const double least = leastThickness(points, frame);
+  if (frame.extent.z() >= least) {
+    if (auto hull = spatialHull(points, frame.middle)) return *hull;
+  }
+  // Flat, or so nearly that Qhull gave up: a plate holds everything.
+  ConvexHull hull = prism(plate(points, frame, least), frame);
+  hull.thickness = least;
+  measure(hull);
+  return hull;
+}
+
+double volume(const ConvexHull& hull) {
+  return signedVolume(surface(hull));
+}
+
+Eigen::AlignedBox3d boundingBox(const ConvexHull& hull) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& v : hull.vertices) box.extend(v);
+  return box;
+}
+
+double planeDistance(const ConvexHull& hull, const Eigen::Vector3d& p) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (const HalfSpace& face : hull.faces) most = std::max(most, face.distance(p));
+  return most;
+}
+
+double distance(const ConvexHull& hull, const Eigen::Vector3d& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Triangle& t : hull.triangles) {
+    const auto& a = hull.vertices[static_cast<std::size_t>(t[0])];
+    const auto& b = hull.vertices[static_cast<std::size_t>(t[1])];
+    const auto& c = hull.vertices[static_cast<std::size_t>(t[2])];
+    const bool faces_p = (b - a).cross(c - a).dot(p - a) > 0;
+    if (faces_p) least = std::min(least, (closestPoint(a, b, c, p) - p).squaredNorm());
+  }
+  return std::isinf(least) ? 0 : std::sqrt(least);
+}
+
+TriangleMesh surface(const ConvexHull& hull) {
+  return {hull.vertices, hull.triangles};
+}
+
+}  // namespace collision_hulls

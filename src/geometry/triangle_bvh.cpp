@@ -1,0 +1,176 @@
+// Tree: median splits along the longest side of the centres' box, leaves of four triangles, children stored side by side.
+// Queries: depth first, nearer child first, O(log n) on surfaces.
+#include "collision_hulls/geometry/triangle_bvh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace collision_hulls {
+
+namespace {
+
+constexpr int kLeafSize = 4;
+constexpr double kDipoleDistance = 2.3;  // in radii: dipoles nearer than this would err by more than 0.01
+
+/// Signed solid angle of a triangle seen from the origin, over 2 (Van Oosterom & Strackee 1983).
+double halfSolidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  const double la = a.norm(), lb = b.norm(), lc = c.norm();
+  const double y = a.dot(b.cross(c)), x = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+  return x == 0 && y == 0 ? 0 : std::atan2(y, x);
+}
+
+}  // namespace
+
+Eigen::Vector3d closestPoint(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& p) {
+  const Eigen::Vector3d ab = b - a, ac = c - a, ap = p - a;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+  if (d1 <= 0 && d2 <= 0) return a;
+  const Eigen::Vector3d bp = p - b;
+  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+  if (d3 >= 0 && d4 <= d3) return b;
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + ab * (d1 == d3 ? 0 : d1 / (d1 - d3));
+  const Eigen::Vector3d cp = p - c;
+  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d6 >= 0 && d5 <= d6) return c;
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + ac * (d2 == d6 ? 0 : d2 / (d2 - d6));
+  const double va = d3 * d6 - d5 * d4;
+  const double along = d4 - d3, back = d5 - d6;
+  if (va <= 0 && along >= 0 && back >= 0) return b + (c - b) * (along + back == 0 ? 0 : along / (along + back));
+  const double sum = va + vb + vc;
+  return a + ab * (vb / sum) + ac * (vc / sum);
+}
+
+TriangleBvh::TriangleBvh(const TriangleMesh& mesh) {
+  const std::size_t n = mesh.triangles.size();
+  std::vector<Eigen::Vector3d> centres(n);
+  for (std::size_t t = 0; t < n; ++t) {
+    const int i = static_cast<int>(t);
+    centres[t] = (mesh.corner(i, 0) + mesh.corner(i, 1) + mesh.corner(i, 2)) / 3;
+  }
+  index_.resize(n);
+  std::iota(index_.begin(), index_.end(), 0);
+  if (n > 0) build(index_, centres);
+  corners_.reserve(n);
+  position_.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    corners_.push_back({mesh.corner(index_[k], 0), mesh.corner(index_[k], 1), mesh.corner(index_[k], 2)});
+    position_[static_cast<std::size_t>(index_[k])] = static_cast<int>(k);
+  }
+  for (int node = static_cast<int>(nodes_.size()); node-- > 0;) fit(node);
+}
+
+void TriangleBvh::build(std::vector<int>& order, const std::vector<Eigen::Vector3d>& centres) {
+  nodes_.push_back({});
+  nodes_[0].count = static_cast<int>(order.size());
+  for (std::size_t node = 0; node < nodes_.size(); ++node) {
+    const int first = nodes_[node].first, count = nodes_[node].count;
+    if (count <= kLeafSize) continue;
+    Eigen::AlignedBox3d box;
+    for (int k = first; k < first + count; ++k) box.extend(centres[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])]);
+    int axis = 0;
+    box.sizes().maxCoeff(&axis);
+    const auto begin = order.begin() + first;
+    std::nth_element(begin, begin + count / 2, begin + count, [&](int a, int b) {
+      const double ca = centres[static_cast<std::size_t>(a)][axis], cb = centres[static_cast<std::size_t>(b)][axis];
+      return ca < cb || (ca == cb && a < b);
+    });
+    Node left, right;
+    left.first = first, left.count = count / 2;
+    right.first = first + count / 2, right.count = count - count / 2;
+    nodes_[node].first = static_cast<int>(nodes_.size());
+    nodes_[node].count = 0;
+    nodes_.push_back(left);
+    nodes_.push_back(right);
+  }
+}
+
+/// Box and dipole of a node from its triangles or its (already fitted) children.
+void TriangleBvh::fit(int id) {
+  Node& node = nodes_[static_cast<std::size_t>(id)];
+  double area = 0;
+  Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
+  if (node.count > 0) {
+    for (int k = node.first; k < node.first + node.count; ++k) {
+      const Corners& t = corners_[static_cast<std::size_t>(k)];
+      node.box.extend(t.a).extend(t.b).extend(t.c);
+      const Eigen::Vector3d vector = (t.b - t.a).cross(t.c - t.a) / 2;
+      node.dipole += vector;
+      area += vector.norm();
+      weighted += vector.norm() * (t.a + t.b + t.c) / 3;
+    }
+    node.dipole_centre = area > 0 ? Eigen::Vector3d(weighted / area) : Eigen::Vector3d(node.box.center());
+  } else {
+    const Node &l = nodes_[static_cast<std::size_t>(node.first)], &r = nodes_[static_cast<std::size_t>(node.first) + 1];
+    node.box = l.box.merged(r.box);
+    node.dipole = l.dipole + r.dipole;
+    node.dipole_centre = node.box.center();
+  }
+  for (int corner = 0; corner < 8; ++corner)
+    node.radius =
+        std::max(node.radius, (node.box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) - node.dipole_centre).norm());
+}
+
+TriangleBvh::Nearest TriangleBvh::nearest(const Eigen::Vector3d& p, double limit, int hint) const {
+  Nearest best;
+  double least = limit * limit;
+  const auto visit = [&](int k) {
+    const Corners& t = corners_[static_cast<std::size_t>(k)];
+    const Eigen::Vector3d q = closestPoint(t.a, t.b, t.c, p);
+    const double d = (q - p).squaredNorm();
+    if (d < least) least = d, best.point = q, best.triangle = index_[static_cast<std::size_t>(k)];
+  };
+  if (nodes_.empty()) return best;
+  if (hint >= 0) visit(position_[static_cast<std::size_t>(hint)]);
+  struct Open {
+    int node;
+    double distance;
+  };
+  Open stack[96];
+  int top = 0;
+  stack[top++] = {0, nodes_[0].box.squaredExteriorDistance(p)};
+  while (top > 0) {
+    const Open open = stack[--top];
+    if (open.distance >= least) continue;
+    const Node& node = nodes_[static_cast<std::size_t>(open.node)];
+    if (node.count > 0) {
+      for (int k = node.first; k < node.first + node.count; ++k) visit(k);
+      continue;
+    }
+    Open l{node.first, nodes_[static_cast<std::size_t>(node.first)].box.squaredExteriorDistance(p)};
+    Open r{node.first + 1, nodes_[static_cast<std::size_t>(node.first) + 1].box.squaredExteriorDistance(p)};
+    if (l.distance < r.distance) std::swap(l, r);
+    if (l.distance < least) stack[top++] = l;
+    if (r.distance < least) stack[top++] = r;
+  }
+  if (best.triangle >= 0) best.distance = std::sqrt(least);
+  return best;
+}
+
+double TriangleBvh::windingNumber(const Eigen::Vector3d& p) const {
+  double sum = 0;  // of half solid angles
+  int stack[96];
+  int top = 0;
+  if (!nodes_.empty()) stack[top++] = 0;
+  while (top > 0) {
+    const Node& node = nodes_[static_cast<std::size_t>(stack[--top])];
+    const Eigen::Vector3d to = node.dipole_centre - p;
+    const double distance = to.norm();
+    if (distance > kDipoleDistance * node.radius) {
+      sum += node.dipole.dot(to) / (2 * distance * distance * distance);
+    } else if (node.count > 0) {
+      for (int k = node.first; k < node.first + node.count; ++k) {
+        const Corners& t = corners_[static_cast<std::size_t>(k)];
+        sum += halfSolidAngle(t.a - p, t.b - p, t.c - p);
+      }
+    } else {
+      stack[top++] = node.first;
+      stack[top++] = node.first + 1;
+    }
+  }
+  return sum / (2 * 3.14159265358979323846);
+}
+
+}  // namespace collision_hulls

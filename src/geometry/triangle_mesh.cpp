@@ -1,0 +1,57 @@
+#include "collision_hulls/geometry/triangle_mesh.h"
+
+#include <utility>
+
+#include "collision_hulls/error.h"
+
+namespace collision_hulls {
+
+Eigen::AlignedBox3d boundingBox(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Triangle& t : mesh.triangles)
+    for (int i : t) box.extend(mesh.vertices[static_cast<std::size_t>(i)]);
+  return box;
+}
+
+double diagonal(const TriangleMesh& mesh) {
+  const Eigen::AlignedBox3d box = boundingBox(mesh);
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+double area(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    const Eigen::Vector3d& a = mesh.corner(t, 0);
+    sum += (mesh.corner(t, 1) - a).cross(mesh.corner(t, 2) - a).norm() / 2;
+  }
+  return sum;
+}
+
+double signedVolume(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) return 0;
+  // About a corner of the mesh instead of the origin: far from the origin the tetrahedra would cancel badly.
+  const Eigen::Vector3d apex = mesh.corner(0, 0);
+  double sum = 0;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+    sum += (mesh.corner(t, 0) - apex).dot((mesh.corner(t, 1) - apex).cross(mesh.corner(t, 2) - apex)) / 6;
+  return sum;
+}
+
+TriangleMesh scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale) {
+  if (!scale.allFinite() || (scale.array() == 0).any())
+    throw Error(ErrorCode::kBadScale, "mesh scale [" + std::to_string(scale.x()) + " " + std::to_string(scale.y()) + " " +
+                                          std::to_string(scale.z()) + "]: each factor must be finite and not zero; mend the URDF's scale");
+  TriangleMesh result = mesh;
+  for (Eigen::Vector3d& v : result.vertices) v = v.cwiseProduct(scale);
+  if (scale.prod() < 0)
+    for (Triangle& t : result.triangles) std::swap(t[1], t[2]);
+  return result;
+}
+
+TriangleMesh transformed(const TriangleMesh& mesh, const Eigen::Isometry3d& pose) {
+  TriangleMesh result = mesh;
+  for (Eigen::Vector3d& v : result.vertices) v = pose * v;
+  return result;
+}
+
+}  // namespace collision_hulls

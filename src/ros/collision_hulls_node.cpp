@@ -1,0 +1,21 @@
+// rosrun collision_hulls collision_hulls_node: see node.h and the README.
+#include <ros/ros.h>
+
+#include <csignal>
+
+#include "node.h"
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "collision_hulls");
+  std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
+  ros::AsyncSpinner spinner(4);
+  {
+    collision_hulls::Node node;
+    spinner.start();
+    // Not waitForShutdown(): the shutdown itself waits for a service call that is being answered, which stop() cuts short.
+    while (!ros::isShuttingDown()) ros::WallDuration(0.02).sleep();
+    node.stop();
+    spinner.stop();
+  }
+  return 0;
+}

@@ -1,0 +1,164 @@
+#include "node.h"
+
+#include <ros/package.h>
+
+#include <filesystem>
+#include <future>
+#include <memory>
+#include <utility>
+
+#include "conversions.h"
+#include "parameters.h"
+
+namespace collision_hulls {
+namespace {
+
+const char* const kServiceCall = "a service call";
+const char* const kStartUp = "the robot description found at start-up";
+
+/// Asks ROS, then the places that are known without it.
+PackageFinder packageFinder(const std::string& near) {
+  return [fallback = defaultPackageFinder(near)](const std::string& package) -> std::optional<std::string> {
+    const std::string folder = ros::package::getPath(package);
+    return folder.empty() ? fallback(package) : folder;
+  };
+}
+
+/// The fields that the goal has in common with the service's request: all of them.
+DecomposeRequest toRequest(const DecomposeGoal& goal) {
+  DecomposeRequest request;
+  request.robot_description = goal.robot_description;
+  request.output = goal.output;
+  request.links = goal.links;
+  request.tolerance = goal.tolerance;
+  request.relative_tolerance = goal.relative_tolerance;
+  request.max_hulls = goal.max_hulls;
+  request.max_vertices = goal.max_vertices;
+  request.method = goal.method;
+  return request;
+}
+
+DecomposeResult toResult(const DecomposeResponse& response) {
+  DecomposeResult result;
+  result.success = response.success;
+  result.message = response.message;
+  result.robot_description = response.robot_description;
+  result.urdf_path = response.urdf_path;
+  result.report = response.report;
+  result.links = response.links;
+  return result;
+}
+
+std::string absolute(const std::string& path) {
+  return std::filesystem::absolute(path).lexically_normal().string();
+}
+
+}  // namespace
+
+Node::Node()
+    : markers_(private_.advertise<visualization_msgs::MarkerArray>("markers", 1, true)),
+      action_(
+          private_, "decompose_action", [this](GoalHandle goal) { pursue(std::move(goal)); },
+          [this](const GoalHandle& goal) { worker_.cancel(goal.getGoalID().id); }, false) {
+  // First, so that it is not told "busy" because of an earlier caller.
+  if (private_.param("auto", false)) decomposeAtStart();
+  action_.start();
+  service_ = private_.advertiseService("decompose", &Node::serve, this);
+}
+
+std::string Node::busy() const {
+  const std::string job = worker_.current();
+  return "busy: working on " + (job.empty() ? "another request" : job) + ", try again when it is done";
+}
+
+bool Node::serve(DecomposeRequest& request, DecomposeResponse& response) {
+  std::promise<void> answered;
+  const auto work = [&](const RunControl& control) { response = answer(request, control, {}); };
+  if (worker_.start({kServiceCall, work, [&] { answered.set_value(); }})) {
+    answered.get_future().wait();
+  } else {
+    response.message = busy();
+  }
+  return true;
+}
+
+void Node::pursue(GoalHandle goal) {
+  const auto response = std::make_shared<DecomposeResponse>();
+  const auto cancelled = std::make_shared<bool>(false);
+  const auto work = [=](const RunControl& control) mutable {
+    goal.setAccepted();
+    if (goal.getGoalStatus().status == actionlib_msgs::GoalStatus::PREEMPTING) control.cancel();  // it came before the job began
+    *response = answer(toRequest(*goal.getGoal()), control, [&](const Step& step) { goal.publishFeedback(toMessage(step)); });
+    *cancelled = control.cancelled() && response->urdf_path.empty();
+  };
+  const auto reply = [=]() mutable {
+    if (*cancelled) {
+      goal.setCanceled(toResult(*response), response->message);
+    } else if (response->success) {
+      goal.setSucceeded(toResult(*response), response->message);
+    } else {
+      goal.setAborted(toResult(*response), response->message);
+    }
+  };
+  if (worker_.start({goal.getGoalID().id, work, reply})) return;
+  response->message = busy();
+  goal.setRejected(toResult(*response), response->message);
+}
+
+void Node::decomposeAtStart() {
+  const auto work = [this](const RunControl& control) { answer({}, control, {}); };
+  worker_.start({kStartUp, work, [] {}});
+}
+
+DecomposeResponse Node::answer(const DecomposeRequest& request, const RunControl& control, const StepCallback& step) const {
+  try {
+    return decompose(request, control, step);
+  } catch (const std::exception& error) {
+    ROS_ERROR("%s", error.what());
+    DecomposeResponse response;
+    response.message = error.what();
+    return response;
+  }
+}
+
+DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunControl& control, const StepCallback& step) const {
+  const std::string base = readText(private_, "base");
+  const RobotDescription robot = readRobot(request.robot_description, base);
+  const Options options = requestedOptions(readOptions(private_), request, robot);
+  const Input input{Input::Kind::kRobot, "", robot, packageFinder(robot.path)};
+  const std::string wanted = request.output.empty() ? readText(private_, "output") : request.output;
+  const std::string output = absolute(wanted.empty() ? defaultOutput(input) : wanted);
+
+  RobotResult result = decomposeRobot(robot, input.find_package, options, output, control, step);
+  control.check();
+  writeOutput(result, output);
+  show(result);
+
+  DecomposeResponse response;
+  response.success = !anyFailed(result.report);
+  response.message = summary(result.report) + "\nwritten to " + output;
+  response.robot_description = result.urdf;
+  response.urdf_path = output + "/urdf/" + result.robot_name + ".urdf";
+  response.report = toJson(result.report);
+  response.links = toMessages(result.report);
+  ROS_INFO("%s", response.message.c_str());
+  return response;
+}
+
+RobotDescription Node::readRobot(const std::string& text, const std::string& base) const {
+  const std::string path = base.empty() ? "" : resolveUri(base, "", packageFinder(""));
+  if (!text.empty()) return parseRobotDescription(text, path);
+  std::string key, parameter;
+  if (!node_.searchParam("robot_description", key) || !node_.getParam(key, parameter)) {
+    throw Error(ErrorCode::kFileNotFound, "no robot description: the request has none and the parameter " +
+                                              node_.resolveName("robot_description") + " is not set to a text; give either");
+  }
+  return parseRobotDescription(parameter, path);
+}
+
+void Node::show(const RobotResult& result) const {
+  markers_.publish(toMarkers(result));
+  private_.setParam("robot_description", result.urdf);
+}
+
+}  // namespace collision_hulls

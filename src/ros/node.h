@@ -1,0 +1,49 @@
+// The node: the service, the action and the topic over one worker.
+#pragma once
+
+#include <actionlib/server/action_server.h>
+#include <collision_hulls/Decompose.h>
+#include <collision_hulls/DecomposeAction.h>
+#include <ros/ros.h>
+
+#include <functional>
+#include <string>
+
+#include "collision_hulls/pipeline/decompose_robot.h"
+#include "worker.h"
+
+namespace collision_hulls {
+
+/// Serves ~decompose and ~decompose_action, publishes ~markers and sets ~robot_description. One request is worked on at a time, on
+/// a thread of its own; another one that arrives meanwhile is refused at once. A request that cannot be met gets the library's
+/// message; the node lives on. Needs a spinner with at least two threads: a service call keeps one until it is answered.
+class Node {
+ public:
+  Node();
+
+  /// Cancels what is being worked on and refuses further requests; for the way out.
+  void stop() { worker_.stop(); }
+
+ private:
+  using ActionServer = actionlib::ActionServer<DecomposeAction>;
+  using GoalHandle = ActionServer::GoalHandle;
+
+  bool serve(DecomposeRequest& request, DecomposeResponse& response);
+  void pursue(GoalHandle goal);
+  void decomposeAtStart();
+  std::string busy() const;
+
+  /// The whole job, all errors caught and turned into an answer.
+  DecomposeResponse answer(const DecomposeRequest& request, const RunControl& control, const StepCallback& step) const;
+  DecomposeResponse decompose(const DecomposeRequest& request, const RunControl& control, const StepCallback& step) const;
+  RobotDescription readRobot(const std::string& text, const std::string& base) const;
+  void show(const RobotResult& result) const;
+
+  ros::NodeHandle node_, private_{"~"};
+  ros::Publisher markers_;
+  ActionServer action_;
+  ros::ServiceServer service_;
+  Worker worker_;  // after what its jobs use, so that it ends before
+};
+
+}  // namespace collision_hulls

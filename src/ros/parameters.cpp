@@ -1,0 +1,133 @@
+#include "parameters.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "collision_hulls/error.h"
+
+namespace collision_hulls {
+namespace {
+
+/// A parameter's value, or nothing where it is not set. getParam alone would take a value of the wrong type for an unset one.
+template <typename T>
+std::optional<T> read(const ros::NodeHandle& node, const std::string& name, const char* type) {
+  if (!node.hasParam(name)) return std::nullopt;
+  T value{};
+  if (!node.getParam(name, value))
+    throw Error(ErrorCode::kBadOption, "parameter " + node.resolveName(name) + " is not " + type + ": set it to one");
+  return value;
+}
+
+void readFlag(const ros::NodeHandle& node, const std::string& name, bool& value) {
+  value = read<bool>(node, name, "true or false").value_or(value);
+}
+
+void readNumber(const ros::NodeHandle& node, const std::string& name, int& value) {
+  value = read<int>(node, name, "a whole number").value_or(value);
+}
+
+/// The enumerator that a text parameter or field names.
+template <typename T>
+T named(std::optional<T> (*parse)(const std::string&), const std::string& option, const std::string& value, const std::string& choices) {
+  const std::optional<T> result = parse(value);
+  if (!result) throw Error(ErrorCode::kBadOption, option + " '" + value + "' is unknown: use one of " + choices);
+  return *result;
+}
+
+template <typename T>
+void readNamed(const ros::NodeHandle& node, const std::string& name, std::optional<T> (*parse)(const std::string&),
+               const std::string& choices, T& value) {
+  const std::string text = readText(node, name);
+  if (!text.empty()) value = named(parse, "parameter " + node.resolveName(name), text, choices);
+}
+
+std::string methodChoices() {
+  std::string choices;
+  for (const Method method : allMethods()) choices += (choices.empty() ? "" : ", ") + std::string(name(method));
+  return choices;
+}
+
+std::optional<MeshFormat> meshFormatNamed(const std::string& name) {
+  for (const MeshFormat format : {MeshFormat::kStl, MeshFormat::kObj}) {
+    if (extension(format) == "." + name) return format;
+  }
+  return std::nullopt;
+}
+
+/// YAML reads "1%" as a text, 0.005 as a number and 1 as a whole one.
+Length readLength(const ros::NodeHandle& node, const std::string& name, const Length& fallback) {
+  double metres = 0;
+  if (node.getParam(name, metres)) return {metres, false};
+  const std::string text = readText(node, name);
+  return text.empty() ? fallback : parseLength(text);
+}
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (std::string("^$\\.*+?()[]{}|").find(c) != std::string::npos) result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+/// The regular expression that these names match, and no other name.
+std::string linksExpression(const std::vector<std::string>& names, const RobotDescription& robot) {
+  std::string expression;
+  for (const std::string& name : names) {
+    const auto has_name = [&](const LinkDescription& link) { return link.name == name; };
+    if (std::none_of(robot.links.begin(), robot.links.end(), has_name)) {
+      std::string known;
+      for (const LinkDescription& link : robot.links) known += (known.empty() ? "" : ", ") + link.name;
+      throw Error(ErrorCode::kBadOption, "links: robot '" + robot.name + "' has no link '" + name + "': use some of " + known);
+    }
+    expression += (expression.empty() ? "" : "|") + escaped(name);
+  }
+  return expression;
+}
+
+}  // namespace
+
+std::string readText(const ros::NodeHandle& node, const std::string& name, const std::string& fallback) {
+  return read<std::string>(node, name, "a text").value_or(fallback);
+}
+
+Options readOptions(const ros::NodeHandle& node) {
+  Options options;
+  const std::string profile = readText(node, "profile");
+  if (!profile.empty()) applyProfile(profile, options);
+  options.tolerance = readLength(node, "tolerance", options.tolerance);
+  readNamed(node, "method", methodNamed, methodChoices(), options.method);
+  readNumber(node, "max_hulls", options.max_hulls);
+  readNumber(node, "max_vertices", options.max_vertices);
+  options.links = readText(node, "links");
+  readNamed(node, "source", sourceNamed, "auto, visual, collision", options.source);
+  readNamed(node, "format", meshFormatNamed, "stl, obj", options.format);
+  readNamed(node, "uri", uriStyleNamed, "package, file, relative", options.uri);
+  readNumber(node, "jobs", options.jobs);
+  readFlag(node, "validate", options.validate);
+  readFlag(node, "cache", options.cache);
+  int seed = static_cast<int>(options.seed);
+  readNumber(node, "seed", seed);
+  if (seed < 0) throw Error(ErrorCode::kBadOption, "parameter " + node.resolveName("seed") + " is negative: use a number from 0");
+  options.seed = static_cast<std::uint64_t>(seed);
+  check(options);
+  return options;
+}
+
+Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot) {
+  if (request.tolerance != 0) {
+    options.tolerance = {request.tolerance, false};
+  } else if (request.relative_tolerance != 0) {
+    options.tolerance = {request.relative_tolerance, true};
+  }
+  if (request.max_hulls != 0) options.max_hulls = request.max_hulls;
+  if (request.max_vertices != 0) options.max_vertices = request.max_vertices;
+  if (!request.method.empty()) options.method = named(methodNamed, "method", request.method, methodChoices());
+  if (!request.links.empty()) options.links = linksExpression(request.links, robot);
+  check(options);
+  return options;
+}
+
+}  // namespace collision_hulls

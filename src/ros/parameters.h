@@ -1,0 +1,23 @@
+// From the node's private parameters and a request to the options of a run.
+#pragma once
+
+#include <collision_hulls/DecomposeRequest.h>
+#include <ros/node_handle.h>
+
+#include "collision_hulls/pipeline/options.h"
+#include "collision_hulls/robot/robot_description.h"
+
+namespace collision_hulls {
+
+/// Options as the parameters ~profile, ~tolerance ("1%", "5mm" or a number of metres), ~method, ~max_hulls, ~max_vertices, ~links (regular
+/// expression), ~source, ~format, ~uri, ~jobs, ~validate, ~cache and ~seed say; those that are not set keep their defaults.
+/// Throws kBadOption for a value of the wrong type or range.
+Options readOptions(const ros::NodeHandle& node);
+
+/// A text parameter; `fallback` where it is not set. Throws kBadOption where it is not a text.
+std::string readText(const ros::NodeHandle& node, const std::string& name, const std::string& fallback = "");
+
+/// `options` with what the request asks for. Throws kBadOption, also for the name of a link that the robot does not have.
+Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot);
+
+}  // namespace collision_hulls

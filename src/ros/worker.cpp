@@ -1,0 +1,50 @@
+#include "worker.h"
+
+#include <utility>
+
+namespace collision_hulls {
+
+Worker::~Worker() {
+  stop();
+  if (thread_.joinable()) thread_.join();
+}
+
+bool Worker::start(Job job) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (running_ || stopped_) return false;
+  if (thread_.joinable()) thread_.join();  // it has done its work and does not need the mutex any more
+  running_ = true;
+  current_ = job.name;
+  control_ = std::make_shared<RunControl>();
+  thread_ = std::thread([this, job = std::move(job), control = control_] { run(job, *control); });
+  return true;
+}
+
+void Worker::run(const Job& job, const RunControl& control) {
+  job.work(control);
+  {
+    // Free before the reply: whoever gets it may ask for the next job right away.
+    const std::lock_guard<std::mutex> lock(mutex_);
+    running_ = false;
+    current_.clear();
+  }
+  job.reply();
+}
+
+void Worker::cancel(const std::string& name) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (running_ && current_ == name) control_->cancel();
+}
+
+void Worker::stop() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  stopped_ = true;
+  if (running_) control_->cancel();
+}
+
+std::string Worker::current() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return current_;
+}
+
+}  // namespace collision_hulls

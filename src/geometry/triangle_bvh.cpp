@@ -78,8 +78,8 @@ void TriangleBvh::build(std::vector<int>& order, const std::vector<Eigen::Vector
       return ca < cb || (ca == cb && a < b);
     });
     Node left, right;
-    left.first = first, left.count = count / 2;
-    right.first = first + count / 2, right.count = count - count / 2;
+    left.first = first, lefcount = count / 2;
+    right.first = first + count / 2, righcount = count - count / 2;
     nodes_[node].first = static_cast<int>(nodes_.size());
     nodes_[node].count = 0;
     nodes_.push_back(left);
@@ -94,12 +94,12 @@ void TriangleBvh::fit(int id) {
   Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
   if (node.count > 0) {
     for (int k = node.first; k < node.first + node.count; ++k) {
-      const Corners& t = corners_[static_cast<std::size_t>(k)];
-      node.box.extend(t.a).extend(t.b).extend(t.c);
-      const Eigen::Vector3d vector = (t.b - t.a).cross(t.c - t.a) / 2;
+      const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
+      node.box.extend(a).extend(b).extend(c);
+      const Eigen::Vector3d vector = (b - a).cross(c - a) / 2;
       node.dipole += vector;
       area += vector.norm();
-      weighted += vector.norm() * (t.a + t.b + t.c) / 3;
+      weighted += vector.norm() * (a + b + c) / 3;
     }
     node.dipole_centre = area > 0 ? Eigen::Vector3d(weighted / area) : Eigen::Vector3d(node.box.center());
   } else {
@@ -117,8 +117,8 @@ TriangleBvh::Nearest TriangleBvh::nearest(const Eigen::Vector3d& p, double limit
   Nearest best;
   double least = limit * limit;
   const auto visit = [&](int k) {
-    const Corners& t = corners_[static_cast<std::size_t>(k)];
-    const Eigen::Vector3d q = closestPoint(t.a, t.b, t.c, p);
+    const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
+    const Eigen::Vector3d q = closestPoint(a, b, c, p);
     const double d = (q - p).squaredNorm();
     if (d < least) least = d, best.point = q, best.triangle = index_[static_cast<std::size_t>(k)];
   };
@@ -162,8 +162,8 @@ double TriangleBvh::windingNumber(const Eigen::Vector3d& p) const {
       sum += node.dipole.dot(to) / (2 * distance * distance * distance);
     } else if (node.count > 0) {
       for (int k = node.first; k < node.first + node.count; ++k) {
-        const Corners& t = corners_[static_cast<std::size_t>(k)];
-        sum += halfSolidAngle(t.a - p, t.b - p, t.c - p);
+        const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
+        sum += halfSolidAngle(a - p, b - p, c - p);
       }
     } else {
       stack[top++] = node.first;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "collision_hulls/geometry/triangle_bvh.h"
 #include "collision_hulls/mesh/repair.h"
 
 namespace collision_hulls {
@@ -17,16 +18,16 @@ class Solid {
   ~Solid();
   Solid(Solid&&) noexcept;
 
-  bool contains(const Eigen::Vector3d& p) const;           ///< inside by the winding rule (the surface itself: either)
+  bool contains(const Eigen::Vector3d& p) const;             ///< inside by the winding rule (the surface itself: either)
   double distanceToSurface(const Eigen::Vector3d& p) const;  ///< [m] exact
-  double distance(const Eigen::Vector3d& p) const;         ///< [m] to S; 0 inside
-  double volume() const;                                   ///< [m^3] of the components that have an inside (sum)
+  double distance(const Eigen::Vector3d& p) const;           ///< [m] to S; 0 inside
+  double volume() const;                                     ///< [m^3] of the components that have an inside (sum)
   Interior interior() const;
 
-  struct Impl;
-  const Impl& impl() const { return *impl_; }
+  const TriangleBvh& surface() const;  ///< its triangles are those of the mesh, then one for each loose point
 
  private:
+  struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 

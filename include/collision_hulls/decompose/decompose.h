@@ -13,11 +13,11 @@
 namespace collision_hulls {
 
 enum class Method {
-  kHacd,         ///< Mamou & Ghorbel 2009, see hacd.h
-  kSingleHull,   ///< the convex hull of everything
-  kBoundingBox   ///< the smallest oriented box found
+  kHacd,        ///< Mamou & Ghorbel 2009, see hacd.h
+  kSingleHull,  ///< the convex hull of everything
+  kBoundingBox  ///< the smallest oriented box found
 };
-const char* name(Method method);                          ///< "hacd", "single_hull", "bounding_box"
+const char* name(Method method);  ///< "hacd", "single_hull", "bounding_box"
 std::optional<Method> methodNamed(const std::string& name);
 const std::vector<Method>& allMethods();
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -30,6 +31,11 @@ class TriangleBvh {
   /// closed outward surface, 0 outside, with an error of about 0.01.
   double windingNumber(const Eigen::Vector3d& p) const;
 
+  /// The corners of a triangle, by its index in the mesh.
+  const std::array<Eigen::Vector3d, 3>& corners(int triangle) const {
+    return corners_[static_cast<std::size_t>(position_[static_cast<std::size_t>(triangle)])];
+  }
+
   bool empty() const { return corners_.empty(); }
 
  private:
@@ -39,16 +45,13 @@ class TriangleBvh {
     Eigen::Vector3d dipole_centre = Eigen::Vector3d::Zero(), dipole = Eigen::Vector3d::Zero();  // middle, area vector
     double radius = 0;                                                                          // of the triangles about dipole_centre
   };
-  struct Corners {
-    Eigen::Vector3d a, b, c;
-  };
   void build(std::vector<int>& order, const std::vector<Eigen::Vector3d>& centres);
   void fit(int node);
 
   std::vector<Node> nodes_;
-  std::vector<Corners> corners_;  // in leaf order
-  std::vector<int> index_;        // leaf order to mesh
-  std::vector<int> position_;     // mesh to leaf order
+  std::vector<std::array<Eigen::Vector3d, 3>> corners_;  // in leaf order
+  std::vector<int> index_;                               // leaf order to mesh
+  std::vector<int> position_;                            // mesh to leaf order
 };
 
 }  // namespace collision_hulls

@@ -1,0 +1,156 @@
+// A triangle whose corners lie in one hull is covered, since hulls are convex. Any other is clipped by each hull in turn: what
+// lies outside a face is kept as a polygon, what remains inside all faces is covered and dropped.
+#include "check/cover.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "collision_hulls/check/measures.h"
+
+namespace collision_hulls {
+
+namespace {
+
+// Rounding of a plane's distance to a point, as a share of the coordinates' size.
+constexpr double kRounding = 1e-12;
+
+using Polygon = std::vector<Eigen::Vector3d>;
+
+struct Hulls {
+  const std::vector<ConvexHull>& hulls;
+  std::vector<Eigen::AlignedBox3d> boxes;
+  double tolerance = 0;
+
+  Hulls(const TriangleMesh& mesh, const std::vector<ConvexHull>& set) : hulls(set) {
+    double size = 0;
+    for (const Eigen::Vector3d& v : mesh.vertices) size = std::max(size, v.cwiseAbs().maxCoeff());
+    tolerance = kRounding * size;
+    for (const ConvexHull& hull : hulls) {
+      const Eigen::AlignedBox3d box = boundingBox(hull);
+      boxes.emplace_back(box.min().array() - tolerance, box.max().array() + tolerance);
+    }
+  }
+
+  bool holds(std::size_t hull, const Eigen::Vector3d& p) const {
+    if (!boxes[hull].contains(p)) return false;
+    for (const HalfSpace& face : hulls[hull].faces)
+      if (face.distance(p) > tolerance) return false;
+    return true;
+  }
+
+  bool holds(std::size_t hull, const Polygon& polygon) const {
+    return std::all_of(polygon.begin(), polygon.end(), [&](const auto& p) { return holds(hull, p); });
+  }
+
+  double distanceTo(const Eigen::Vector3d& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t h = 0; h < hulls.size(); ++h)
+      if (boxes[h].exteriorDistance(p) < least) least = std::min(least, holds(h, p) ? 0.0 : distance(hulls[h], p));
+    return least <= tolerance ? 0 : least;
+  }
+};
+
+/// Divides a polygon by a face: what lies beyond it goes to `outside`, the rest is returned.
+Polygon split(const Polygon& polygon, const HalfSpace& face, double tolerance, Polygon& outside) {
+  Polygon inside;
+  outside.clear();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector3d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double da = face.distance(a) - tolerance, db = face.distance(b) - tolerance;
+    (da > 0 ? outside : inside).push_back(a);
+    if ((da > 0) != (db > 0)) {
+      const Eigen::Vector3d cut = a + (b - a) * (da / (da - db));
+      inside.push_back(cut);
+      outside.push_back(cut);
+    }
+  }
+  return inside;
+}
+
+/// polygon less the hull, as convex polygons added to `rest`.
+void subtract(const Polygon& polygon, const ConvexHull& hull, double tolerance, std::vector<Polygon>& rest) {
+  const std::size_t before = rest.size();
+  Polygon inside = polygon, outside;
+  for (const HalfSpace& face : hull.faces) {
+    inside = split(inside, face, tolerance, outside);
+    if (outside.size() >= 3) rest.push_back(outside);
+    if (inside.size() < 3) {  // nothing in common: keep the polygon whole
+      rest.resize(before);
+      rest.push_back(polygon);
+      return;
+    }
+  }
+}
+
+/// The distance of what the hulls leave of a triangle; 0 where they leave nothing.
+double uncoveredDistance(const Polygon& triangle, const Hulls& set) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : triangle) box.extend(p);
+  std::vector<Polygon> left{triangle}, next;
+  for (std::size_t h = 0; h < set.hulls.size() && !left.empty(); ++h) {
+    if (!set.boxes[h].intersects(box)) continue;
+    next.clear();
+    for (const Polygon& polygon : left) subtract(polygon, set.hulls[h], set.tolerance, next);
+    std::swap(left, next);
+  }
+  double most = 0;
+  for (const Polygon& polygon : left)
+    for (const Eigen::Vector3d& p : polygon) most = std::max(most, set.distanceTo(p));
+  return most;
+}
+
+}  // namespace
+
+std::vector<UncoveredTriangle> uncoveredTriangles(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls) {
+  const Hulls set(mesh, hulls);
+  std::vector<double> distance(mesh.triangles.size(), 0.0);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.triangles.size(), 256), [&](const auto& range) {
+    std::size_t last = 0;  // neighbouring triangles tend to lie in the same hull
+    for (std::size_t t = range.begin(); t < range.end(); ++t) {
+      const int i = static_cast<int>(t);
+      const Polygon triangle{mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2)};
+      bool covered = last < hulls.size() && set.holds(last, triangle);
+      for (std::size_t h = 0; h < hulls.size() && !covered; ++h)
+        if (set.holds(h, triangle)) covered = true, last = h;
+      if (!covered) distance[t] = uncoveredDistance(triangle, set);
+    }
+  });
+  std::vector<UncoveredTriangle> result;
+  for (std::size_t t = 0; t < distance.size(); ++t)
+    if (distance[t] > 0) result.push_back({static_cast<int>(t), distance[t]});
+  return result;
+}
+
+double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls) {
+  double most = 0;
+  for (const UncoveredTriangle& u : uncoveredTriangles(mesh, hulls)) most = std::max(most, u.distance);
+  return most;
+}
+
+double unionVolume(const std::vector<ConvexHull>& hulls) {
+  Eigen::AlignedBox3d all;
+  for (const ConvexHull& hull : hulls) all.extend(boundingBox(hull));
+  if (all.isEmpty()) return 0;
+  // Points of the R3 sequence (fractional parts of multiples of the plastic number's powers) spread more evenly than random ones.
+  constexpr int kPoints = 20000;
+  const Eigen::Vector3d step(0.8191725133961645, 0.6710436067037893, 0.5497004779019703);
+  std::vector<char> held(kPoints, 0);
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const ConvexHull& hull : hulls) boxes.push_back(boundingBox(hull));
+  tbb::parallel_for(tbb::blocked_range<int>(0, kPoints, 256), [&](const auto& range) {
+    for (int i = range.begin(); i < range.end(); ++i) {
+      Eigen::Vector3d u = (i + 0.5) * step;
+      u -= u.array().floor().matrix();
+      const Eigen::Vector3d p = all.min() + all.sizes().cwiseProduct(u);
+      for (std::size_t h = 0; h < hulls.size() && !held[static_cast<std::size_t>(i)]; ++h)
+        held[static_cast<std::size_t>(i)] = boxes[h].contains(p) && planeDistance(hulls[h], p) <= 0;
+    }
+  });
+  return all.volume() * static_cast<double>(std::count(held.begin(), held.end(), 1)) / kPoints;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,21 @@
+# Tests of the package as a whole: its form, its programs as a user calls them, and its use by another package.
+# Exit status 77 of a script means that a program it needs is not there.
+
+function(add_script_test name)
+  add_test(NAME ${name} COMMAND ${ARGN} WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
+  set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "ROS_HOSTNAME=localhost;PYTHONDONTWRITEBYTECODE=1")
+endfunction()
+
+set(PROGRAMS_DIR "${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION}")
+add_script_test(catkin_lint test/scripts/catkin_lint)
+add_script_test(clang_format test/scripts/clang_format)
+add_script_test(shellcheck test/scripts/shell_scripts)
+add_script_test(core_without_ros test/scripts/core_without_ros $<TARGET_FILE:${PROJECT_NAME}>)
+add_script_test(readme_options test/scripts/readme_options ${PROGRAMS_DIR}/decompose)
+add_script_test(demo test/scripts/demo ${PROJECT_BINARY_DIR})
+
+# catkin bakes the prefix into what it installs, so the test needs one of its own: scripts/test sets it.
+string(FIND "${CMAKE_INSTALL_PREFIX}" "${PROJECT_BINARY_DIR}/" prefix_in_build)
+if(prefix_in_build EQUAL 0)
+  add_script_test(consumer test/scripts/consumer "${PROJECT_BINARY_DIR}" "${CMAKE_INSTALL_PREFIX}")
+endif()

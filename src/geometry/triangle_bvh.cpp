@@ -78,8 +78,8 @@ void TriangleBvh::build(std::vector<int>& order, const std::vector<Eigen::Vector
       return ca < cb || (ca == cb && a < b);
     });
     Node left, right;
-    left.first = first, lefcount = count / 2;
-    right.first = first + count / 2, righcount = count - count / 2;
+    left.first = first, left.count = count / 2;
+    right.first = first + count / 2, right.count = count - count / 2;
     nodes_[node].first = static_cast<int>(nodes_.size());
     nodes_[node].count = 0;
     nodes_.push_back(left);

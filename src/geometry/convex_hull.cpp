@@ -8,10 +8,14 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
 #include "geometry/qhull.h"
+#include "geometry/quickhull.h"
 
 namespace collision_hulls {
 
 namespace {
+
+// Planes closer than this in normal, and in offset as a share of the extent, are one.
+constexpr double kSamePlane = 1e-10;
 
 using Points = std::vector<Eigen::Vector3d>;
 
@@ -177,12 +181,34 @@ void measure(ConvexHull& hull) {
   }
 }
 
+/// Leaves one of the faces that are the same plane; the outermost stands for all.
+void joinCoplanarFaces(ConvexHull& hull) {
+  double extent = 0;
+  for (const Eigen::Vector3d& v : hull.vertices) extent = std::max(extent, v.cwiseAbs().maxCoeff());
+  const auto key = [](const HalfSpace& f) { return std::llround(f.normal.x() / kSamePlane); };
+  std::sort(hull.faces.begin(), hull.faces.end(), [&](const HalfSpace& a, const HalfSpace& b) { return a.normal.x() < b.normal.x(); });
+  std::vector<HalfSpace> kept;
+  for (const HalfSpace& face : hull.faces) {
+    bool known = false;
+    for (std::size_t i = kept.size(); i-- > 0 && key(face) - key(kept[i]) <= 1 && !known;)
+      if ((kept[i].normal - face.normal).cwiseAbs().maxCoeff() <= kSamePlane &&
+          std::abs(kept[i].offset - face.offset) <= kSamePlane * extent) {
+        kept[i].offset = std::max(kept[i].offset, face.offset);
+        known = true;
+      }
+    if (!known) kept.push_back(face);
+  }
+  hull.faces = std::move(kept);
+}
+
 /// Works about the set's middle, where double precision is finest.
 std::optional<ConvexHull> spatialHull(const Points& points, const Eigen::Vector3d& middle) {
   Points centred(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) centred[i] = points[i] - middle;
-  std::optional<ConvexHull> hull = qhull(centred);
+  std::optional<ConvexHull> hull = quickhull(centred);
+  if (!hull) hull = qhull(centred);
   if (!hull) return hull;
+  joinCoplanarFaces(*hull);
   measure(*hull);
   for (Eigen::Vector3d& v : hull->vertices) v += middle;
   for (HalfSpace& face : hull->faces) face.offset += face.normal.dot(middle);

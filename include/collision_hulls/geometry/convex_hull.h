@@ -1,4 +1,4 @@
-// Convex hulls of point sets, over Qhull.
+// Convex hulls of point sets: quickhull for what is in general position, Qhull for what is not.
 //
 // The guarantee: every hull is measured against the points it was built from, and its planes are moved out until each point
 // lies within all of them. A hull is closed, outward, convex up to `slack`, and never thinner than it must be to be a body.

@@ -1,17 +1,15 @@
-// Fewer vertices for a hull, outward only.
+// Fewer vertices for a hull, outward only: a cap on vertices must never uncover what the hull covered.
 #pragma once
 
 #include "collision_hulls/geometry/convex_hull.h"
 
 namespace collision_hulls {
 
-struct ReducedHull {
-  ConvexHull hull;   ///< contains the given one
-  double added = 0;  ///< [m] largest distance of its points to the given hull (of its vertices: distance is convex)
-};
-
-/// A hull of at most `max_vertices` (>= 8) vertices that contains `hull`: faces are dropped, those first whose loss adds least.
-/// A hull that has no more vertices is returned as it is. Deterministic, thread safe.
-ReducedHull reduceVertices(const ConvexHull& hull, int max_vertices);
+/// A hull of at most `max_vertices` (at least 8) vertices that contains `hull` (checked) and protrudes little beyond it:
+/// edges are collapsed, cheapest first, into a new vertex outside (progressive hulls, Sander et al. 2000, kept convex). Where
+/// rounding spoils that, the smallest oriented box found. `added_distance` receives the largest distance [m] of a point of the
+/// result to `hull`. A hull that has no more vertices than that is returned as it is. Deterministic. Thread safe.
+/// Throws kBadOption for max_vertices < 8.
+ConvexHull reduceVertices(const ConvexHull& hull, int max_vertices, double* added_distance = nullptr);
 
 }  // namespace collision_hulls

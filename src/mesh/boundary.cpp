@@ -1,0 +1,120 @@
+#include "mesh/boundary.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "mesh/edges.h"
+
+namespace collision_hulls {
+namespace {
+
+using Boundary = std::vector<BoundaryEdge>;
+
+std::tuple<int, int, int> undirected(const BoundaryEdge& e) {
+  return {e.surface, std::min(e.from, e.to), std::max(e.from, e.to)};
+}
+
+/// Leaves, of each undirected edge, the surplus of one direction over the other.
+Boundary withoutOpposites(Boundary edges) {
+  std::sort(edges.begin(), edges.end(), [](const BoundaryEdge& a, const BoundaryEdge& b) { return undirected(a) < undirected(b); });
+  Boundary kept;
+  for (auto first = edges.begin(); first != edges.end();) {
+    const auto last = std::find_if(first, edges.end(), [&](const BoundaryEdge& e) { return undirected(e) != undirected(*first); });
+    const auto rising = std::count_if(first, last, [](const BoundaryEdge& e) { return e.from < e.to; });
+    const auto surplus = 2 * rising - (last - first);
+    const auto [surface, low, high] = undirected(*first);
+    for (auto i = surplus; i > 0; --i) kept.push_back({surface, low, high});
+    for (auto i = surplus; i < 0; ++i) kept.push_back({surface, high, low});
+    first = last;
+  }
+  return kept;
+}
+
+/// Splits the edges of each surface into simple loops and adds up their fans. A walk takes unused edges; each time it meets a
+/// vertex of its own path, the path since that vertex is a loop and is cut off.
+class LoopWalk {
+ public:
+  /// `edges`: sorted by surface, then by start.
+  LoopWalk(const std::vector<Eigen::Vector3d>& vertices, const Boundary& edges, const Eigen::Vector3d& origin)
+      : vertices_(vertices), edges_(edges), origin_(origin), next_(vertices.size(), 0), place_(vertices.size(), kNowhere) {}
+
+  /// Edges [begin, end) are those of one surface.
+  Closure close(std::size_t begin, std::size_t end) {
+    closure_ = {};
+    end_ = end;
+    for (std::size_t e = end; e-- > begin;) next_[start(e)] = e;
+    for (std::size_t e = begin; e < end; ++e)
+      while (hasNext(start(e))) walk(start(e));
+    return closure_;
+  }
+
+ private:
+  static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
+
+  std::size_t start(std::size_t e) const { return static_cast<std::size_t>(edges_[e].from); }
+  bool hasNext(std::size_t v) const { return next_[v] < end_ && start(next_[v]) == v; }
+
+  void walk(std::size_t v) {
+    while (true) {
+      if (place_[v] != kNowhere) cut(place_[v]);
+      place_[v] = path_.size();
+      path_.push_back(v);
+      if (!hasNext(v)) break;
+      v = static_cast<std::size_t>(edges_[next_[v]++].to);
+    }
+    cut(0);
+  }
+
+  /// Adds the fan over the path from place `first` on, and takes that part off the path.
+  void cut(std::size_t first) {
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
+    for (std::size_t i = first; i < path_.size(); ++i) center += vertices_[path_[i]] - origin_;
+    center /= static_cast<double>(path_.size() - first);
+    for (std::size_t i = first; i < path_.size(); ++i) {
+      const Eigen::Vector3d a = vertices_[path_[i]] - origin_;
+      const Eigen::Vector3d b = vertices_[path_[i + 1 < path_.size() ? i + 1 : first]] - origin_;
+      closure_.area += (a - center).cross(b - center).norm() / 2;
+      closure_.volume += b.cross(a).dot(center) / 6;
+      place_[path_[i]] = kNowhere;
+    }
+    path_.resize(first);
+  }
+
+  const std::vector<Eigen::Vector3d>& vertices_;
+  const Boundary& edges_;
+  Eigen::Vector3d origin_;
+  std::size_t end_ = 0;             // of the current surface's edges
+  std::vector<std::size_t> next_;   // per vertex: the first unused edge that starts there
+  std::vector<std::size_t> place_;  // per vertex: its place on the path, or kNowhere
+  std::vector<std::size_t> path_;
+  Closure closure_;
+};
+
+}  // namespace
+
+BoundaryEdge boundaryEdge(const TriangleMesh& mesh, int half_edge, const std::vector<char>& turn, const std::vector<int>& surface) {
+  const auto triangle = static_cast<std::size_t>(half_edge / 3);
+  BoundaryEdge edge{surface[triangle], startOf(mesh.triangles, half_edge), endOf(mesh.triangles, half_edge)};
+  if (turn[triangle]) std::swap(edge.from, edge.to);
+  return edge;
+}
+
+std::vector<Closure> closures(const std::vector<Eigen::Vector3d>& vertices, std::vector<BoundaryEdge> boundary, std::size_t surfaces,
+                              const Eigen::Vector3d& origin) {
+  Boundary edges = withoutOpposites(std::move(boundary));
+  std::sort(edges.begin(), edges.end(), [](const BoundaryEdge& a, const BoundaryEdge& b) {
+    return std::tie(a.surface, a.from, a.to) < std::tie(b.surface, b.from, b.to);
+  });
+  std::vector<Closure> result(surfaces);
+  LoopWalk walk(vertices, edges, origin);
+  for (std::size_t begin = 0; begin < edges.size();) {
+    std::size_t end = begin;
+    while (end < edges.size() && edges[end].surface == edges[begin].surface) ++end;
+    result[static_cast<std::size_t>(edges[begin].surface)] = walk.close(begin, end);
+    begin = end;
+  }
+  return result;
+}
+
+}  // namespace collision_hulls

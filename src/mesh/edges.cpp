@@ -1,0 +1,100 @@
+// Half-edges are put into a bucket per lower end (a counting sort) and each small bucket is sorted by upper end: no hash, no
+// global sort.
+#include "mesh/edges.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace collision_hulls {
+namespace {
+
+/// Half-edges, those of a lower end v in [begin[v], begin[v + 1]), sorted by upper end, then by number.
+struct Buckets {
+  struct Entry {
+    int upper;
+    int half_edge;
+  };
+  std::vector<int> begin;
+  std::vector<Entry> entries;
+};
+
+Buckets fillBuckets(const std::vector<Triangle>& triangles, std::size_t vertices) {
+  Buckets buckets;
+  const int half_edges = static_cast<int>(3 * triangles.size());
+  const auto lower = [&](int h) { return static_cast<std::size_t>(std::min(startOf(triangles, h), endOf(triangles, h))); };
+  buckets.begin.assign(vertices + 1, 0);
+  for (int h = 0; h < half_edges; ++h) ++buckets.begin[lower(h) + 1];
+  std::partial_sum(buckets.begin.begin(), buckets.begin.end(), buckets.begin.begin());
+  buckets.entries.resize(static_cast<std::size_t>(half_edges));
+  std::vector<int> end(buckets.begin.begin(), buckets.begin.end() - 1);
+  for (int h = 0; h < half_edges; ++h)
+    buckets.entries[static_cast<std::size_t>(end[lower(h)]++)] = {std::max(startOf(triangles, h), endOf(triangles, h)), h};
+  const auto order = [](const Buckets::Entry& a, const Buckets::Entry& b) {
+    return a.upper != b.upper ? a.upper < b.upper : a.half_edge < b.half_edge;
+  };
+  for (std::size_t v = 0; v < vertices; ++v)
+    std::sort(buckets.entries.begin() + buckets.begin[v], buckets.entries.begin() + buckets.begin[v + 1], order);
+  return buckets;
+}
+
+/// Union-find over triangles, the lowest triangle of a set as its root.
+class Sets {
+ public:
+  explicit Sets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  int find(int t) {
+    while (parent(t) != t) t = parent(t) = parent(parent(t));
+    return t;
+  }
+  void join(int a, int b) {
+    a = find(a);
+    b = find(b);
+    parent(std::max(a, b)) = std::min(a, b);
+  }
+
+ private:
+  int& parent(int t) { return parent_[static_cast<std::size_t>(t)]; }
+  std::vector<int> parent_;
+};
+
+/// Half-edges first .. last lie on one edge.
+void record(const Buckets::Entry* first, const Buckets::Entry* last, Edges* edges, Sets* sets) {
+  const auto count = last - first;
+  if (count == 1) ++edges->open;
+  if (count > 2) ++edges->nonmanifold;
+  for (const Buckets::Entry* e = first; e != last; ++e) {
+    int& twin = edges->twin[static_cast<std::size_t>(e->half_edge)];
+    twin = count == 1 ? Edges::kOpen : count > 2 ? Edges::kNonManifold : (e == first ? first + 1 : first)->half_edge;
+    sets->join(first->half_edge / 3, e->half_edge / 3);
+  }
+}
+
+void numberComponents(Sets* sets, Edges* edges) {
+  for (std::size_t t = 0; t < edges->component.size(); ++t) {
+    const auto root = static_cast<std::size_t>(sets->find(static_cast<int>(t)));
+    edges->component[t] = root == t ? static_cast<int>(edges->components++) : edges->component[root];
+  }
+}
+
+}  // namespace
+
+Edges findEdges(const std::vector<Triangle>& triangles, std::size_t vertices) {
+  Edges edges;
+  edges.twin.resize(3 * triangles.size());
+  edges.component.resize(triangles.size());
+  Sets sets(triangles.size());
+  const Buckets buckets = fillBuckets(triangles, vertices);
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const Buckets::Entry* const end = buckets.entries.data() + buckets.begin[v + 1];
+    for (const Buckets::Entry* first = buckets.entries.data() + buckets.begin[v]; first != end;) {
+      const Buckets::Entry* last = first;
+      while (last != end && last->upper == first->upper) ++last;
+      record(first, last, &edges, &sets);
+      first = last;
+    }
+  }
+  numberComponents(&sets, &edges);
+  return edges;
+}
+
+}  // namespace collision_hulls

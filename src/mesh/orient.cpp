@@ -1,0 +1,134 @@
+#include "mesh/orient.h"
+
+#include <cmath>
+
+#include "mesh/boundary.h"
+
+namespace collision_hulls {
+namespace {
+
+/// A volume below this share of area^1.5 is nil: a plate as thin as that is thinner than the weld tolerance leaves any.
+constexpr double kNilVolume = 1e-6;
+
+struct Patch {
+  int component = 0;
+  double area = 0;
+  double turned_area = 0;  // of the triangles that differ from the patch's first
+  double volume = 0;       // closed by the fans
+  bool closed = false;     // as good as, on its own
+  bool turn = false;
+};
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+class Orientation {
+ public:
+  Orientation(const TriangleMesh& mesh, const Edges& edges)
+      : mesh_(mesh),
+        edges_(edges),
+        origin_(boundingBox(mesh).center()),
+        turned_(mesh.triangles.size(), 0),
+        patch_of_(mesh.triangles.size(), -1) {}
+
+  std::vector<char> solve() {
+    for (int t = 0; t < static_cast<int>(turned_.size()); ++t)
+      if (patch_of_[at(t)] < 0) growPatch(t);
+    turn([](const Patch& patch) { return 2 * patch.turned_area > patch.area; });
+    measureVolumes();
+    const std::vector<char> negative = negativeComponents();
+    turn([&](const Patch& patch) { return negative[at(patch.component)] != 0; });
+    turn([](const Patch& patch) { return patch.closed && isNegative(patch.volume, patch.area); });
+    return std::move(turned_);
+  }
+
+ private:
+  static bool isNegative(double volume, double area) { return volume < -kNilVolume * area * std::sqrt(area); }
+
+  double triangleArea(int t) const {
+    return (mesh_.corner(t, 1) - mesh_.corner(t, 0)).cross(mesh_.corner(t, 2) - mesh_.corner(t, 0)).norm() / 2;
+  }
+
+  /// Numbers the triangles that manifold edges connect to `seed`, and turns over those that disagree with it.
+  void growPatch(int seed) {
+    const int number = static_cast<int>(patches_.size());
+    Patch patch;
+    patch.component = edges_.component[at(seed)];
+    std::vector<int> front{seed};
+    patch_of_[at(seed)] = number;
+    while (!front.empty()) {
+      const int t = front.back();
+      front.pop_back();
+      const double area = triangleArea(t);
+      patch.area += area;
+      if (turned_[at(t)]) patch.turned_area += area;
+      for (int h = 3 * t; h < 3 * t + 3; ++h) {
+        const int twin = edges_.twin[at(h)];
+        if (twin < 0 || patch_of_[at(twin / 3)] >= 0) continue;
+        const bool agrees = startOf(mesh_.triangles, h) == endOf(mesh_.triangles, twin);
+        turned_[at(twin / 3)] = agrees ? turned_[at(t)] : !turned_[at(t)];
+        patch_of_[at(twin / 3)] = number;
+        front.push_back(twin / 3);
+      }
+    }
+    patches_.push_back(patch);
+  }
+
+  /// Turns the chosen patches over.
+  template <typename Choice>
+  void turn(const Choice& choice) {
+    for (Patch& patch : patches_) {
+      patch.turn = choice(patch);
+      if (patch.turn) patch.volume = -patch.volume;
+    }
+    for (std::size_t t = 0; t < turned_.size(); ++t)
+      if (patches_[at(patch_of_[t])].turn) turned_[t] = !turned_[t];
+  }
+
+  void measureVolumes() {
+    for (int t = 0; t < static_cast<int>(turned_.size()); ++t) {
+      const Eigen::Vector3d a = mesh_.corner(t, 0) - origin_, b = mesh_.corner(t, 1) - origin_, c = mesh_.corner(t, 2) - origin_;
+      patches_[at(patch_of_[at(t)])].volume += (turned_[at(t)] ? -1 : 1) * a.cross(b).dot(c) / 6;
+    }
+    const std::vector<Closure> closing = closures(mesh_.vertices, patchBoundaries(), patches_.size(), origin_);
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+      patches_[i].volume += closing[i].volume;
+      patches_[i].closed = closing[i].area < kSmallOpening * patches_[i].area;
+    }
+  }
+
+  std::vector<BoundaryEdge> patchBoundaries() const {
+    std::vector<BoundaryEdge> boundary;
+    for (int h = 0; h < static_cast<int>(edges_.twin.size()); ++h)
+      if (edges_.twin[at(h)] < 0) boundary.push_back(boundaryEdge(mesh_, h, turned_, patch_of_));
+    return boundary;
+  }
+
+  std::vector<char> negativeComponents() const {
+    std::vector<double> volume(edges_.components, 0), area(edges_.components, 0);
+    for (const Patch& patch : patches_) {
+      volume[at(patch.component)] += patch.volume;
+      area[at(patch.component)] += patch.area;
+    }
+    std::vector<char> negative(edges_.components);
+    for (std::size_t c = 0; c < negative.size(); ++c) negative[c] = isNegative(volume[c], area[c]);
+    return negative;
+  }
+
+  const TriangleMesh& mesh_;
+  const Edges& edges_;
+  Eigen::Vector3d origin_;
+  std::vector<char> turned_;
+  std::vector<int> patch_of_;
+  std::vector<Patch> patches_;
+};
+
+}  // namespace
+
+std::vector<char> trianglesToTurn(const TriangleMesh& mesh, const Edges& edges) {
+  if (mesh.triangles.empty()) return {};
+  return Orientation(mesh, edges).solve();
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,185 @@
+#include "collision_hulls/mesh/repair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "collision_hulls/error.h"
+#include "mesh/boundary.h"
+#include "mesh/edges.h"
+#include "mesh/orient.h"
+#include "mesh/weld.h"
+
+namespace collision_hulls {
+namespace {
+
+/// A triangle is flat when its height over its longest edge is below this share of the mesh's extent: what double precision
+/// leaves of three collinear points.
+constexpr double kFlatHeight = 1e-14;
+
+constexpr double kLargestWeldTolerance = 0.1;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+void check(const TriangleMesh& mesh, const RepairOptions& options) {
+  if (!(options.weld_tolerance >= 0 && options.weld_tolerance <= kLargestWeldTolerance))
+    throw Error(ErrorCode::kBadOption, "weld tolerance " + std::to_string(options.weld_tolerance) +
+                                           ": it is a share of the mesh's extent, from 0 to " + std::to_string(kLargestWeldTolerance));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const int v : mesh.triangles[t]) {
+      if (v < 0 || at(v) >= mesh.vertices.size())
+        throw Error(ErrorCode::kIndexOutOfRange, "triangle " + std::to_string(t) + " names vertex " + std::to_string(v) +
+                                                     ", the mesh has " + std::to_string(mesh.vertices.size()) +
+                                                     " vertices, counted from 0");
+      if (!mesh.vertices[at(v)].allFinite())
+        throw Error(ErrorCode::kNonFiniteCoordinate, "vertex " + std::to_string(v) + " has a coordinate that is no finite number");
+    }
+}
+
+bool isDegenerate(const std::vector<Eigen::Vector3d>& vertices, const Triangle& t, double extent) {
+  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return true;
+  const Eigen::Vector3d a = vertices[at(t[1])] - vertices[at(t[0])], b = vertices[at(t[2])] - vertices[at(t[0])];
+  const double longest = std::max({a.norm(), b.norm(), (b - a).norm()});
+  return a.cross(b).norm() <= kFlatHeight * extent * longest;
+}
+
+/// The triangles seen so far, found by their corners in any order.
+class TriangleSet {
+ public:
+  TriangleSet(const std::vector<Triangle>& triangles, std::size_t most) : triangles_(triangles) {
+    std::size_t size = 64;
+    while (size < 2 * most) size *= 2;
+    table_.assign(size, -1);
+  }
+
+  /// Puts triangle `t` of the list into the set; false if one with the same corners is there.
+  bool insert(int t) {
+    const Triangle key = sorted(t);
+    std::uint64_t hash = 0;
+    for (const int v : key) hash = (hash ^ static_cast<std::uint64_t>(v)) * 0x9E3779B97F4A7C15u + (hash >> 29);
+    for (std::size_t place = (hash ^ (hash >> 32)) & (table_.size() - 1);; place = (place + 1) & (table_.size() - 1)) {
+      if (table_[place] < 0) {
+        table_[place] = t;
+        return true;
+      }
+      if (sorted(table_[place]) == key) return false;
+    }
+  }
+
+ private:
+  Triangle sorted(int t) const {
+    Triangle key = triangles_[at(t)];
+    std::sort(key.begin(), key.end());
+    return key;
+  }
+
+  const std::vector<Triangle>& triangles_;
+  std::vector<int> table_;  // open addressing, at most half full
+};
+
+/// The triangles of the welded mesh that have an area and are no repetition; the corners of those without go to `flat`.
+std::vector<Triangle> keptTriangles(const TriangleMesh& mesh, const std::vector<int>& representative, double extent, RepairCounts* counts,
+                                    std::vector<int>* flat) {
+  std::vector<Triangle> kept;
+  kept.reserve(mesh.triangles.size());
+  TriangleSet seen(kept, mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) {
+    const Triangle welded{representative[at(t[0])], representative[at(t[1])], representative[at(t[2])]};
+    if (isDegenerate(mesh.vertices, welded, extent)) {
+      ++counts->degenerate;
+      flat->insert(flat->end(), welded.begin(), welded.end());
+      continue;
+    }
+    kept.push_back(welded);
+    if (!seen.insert(static_cast<int>(kept.size()) - 1)) {
+      ++counts->duplicate;
+      kept.pop_back();
+    }
+  }
+  return kept;
+}
+
+/// Numbers the vertices anew that the triangles use, in their old order; puts those of `flat` that no triangle uses into `loose`.
+void compact(const std::vector<Eigen::Vector3d>& vertices, const std::vector<int>& flat, RepairedMesh* result) {
+  std::vector<int> number(vertices.size(), -1);
+  for (const Triangle& t : result->mesh.triangles)
+    for (const int v : t) number[at(v)] = 0;
+  for (const int v : flat)
+    if (number[at(v)] < 0) number[at(v)] = -2;
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    if (number[v] == -2) result->loose.push_back(vertices[v]);
+    if (number[v] < 0) continue;
+    number[v] = static_cast<int>(result->mesh.vertices.size());
+    result->mesh.vertices.push_back(vertices[v]);
+  }
+  for (Triangle& t : result->mesh.triangles)
+    for (int& v : t) v = number[at(v)];
+}
+
+/// Per component, where the triangles marked in `turn` are turned over.
+std::vector<Interior> findInteriors(const TriangleMesh& mesh, const Edges& edges, const std::vector<char>& turn) {
+  std::vector<double> area(edges.components, 0);
+  std::vector<Interior> interior(edges.components, Interior::kClosed);
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+    area[at(edges.component[at(t)])] += (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0)).norm() / 2;
+  std::vector<BoundaryEdge> boundary;
+  for (int h = 0; h < static_cast<int>(edges.twin.size()); ++h)
+    if (edges.twin[at(h)] == Edges::kOpen) boundary.push_back(boundaryEdge(mesh, h, turn, edges.component));
+  for (const BoundaryEdge& edge : boundary) interior[at(edge.surface)] = Interior::kWinding;
+  const std::vector<Closure> closing = closures(mesh.vertices, std::move(boundary), edges.components, Eigen::Vector3d::Zero());
+  for (std::size_t c = 0; c < interior.size(); ++c)
+    if (interior[c] == Interior::kWinding && closing[c].area >= kSmallOpening * area[c]) interior[c] = Interior::kSurface;
+  return interior;
+}
+
+}  // namespace
+
+const char* name(Interior interior) {
+  switch (interior) {
+    case Interior::kClosed: return "closed";
+    case Interior::kWinding: return "winding";
+    case Interior::kSurface: return "surface";
+  }
+  return "unknown";
+}
+
+RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options) {
+  check(mesh, options);
+  RepairedMesh result;
+  if (mesh.triangles.empty()) return result;
+  const double extent = boundingBox(mesh).sizes().maxCoeff();
+
+  const Welding welding = weld(mesh, options.weld_tolerance * extent);
+  result.counts.welded = welding.joined;
+  result.counts.weld_distance = welding.distance;
+
+  std::vector<int> flat;
+  result.mesh.triangles = keptTriangles(mesh, welding.representative, extent, &result.counts, &flat);
+  compact(mesh.vertices, flat, &result);
+
+  Edges edges = findEdges(result.mesh.triangles, result.mesh.vertices.size());
+  result.counts.components = edges.components;
+  result.counts.open_edges = edges.open;
+  result.counts.nonmanifold_edges = edges.nonmanifold;
+
+  const std::vector<char> turn = trianglesToTurn(result.mesh, edges);
+  result.counts.flipped = static_cast<std::size_t>(std::count(turn.begin(), turn.end(), 1));
+  result.interior = findInteriors(result.mesh, edges, turn);
+  for (std::size_t t = 0; t < turn.size(); ++t)
+    if (turn[t]) std::swap(result.mesh.triangles[t][1], result.mesh.triangles[t][2]);
+  result.component = std::move(edges.component);
+  return result;
+}
+
+Interior interiorOf(const RepairedMesh& mesh) {
+  const auto all = [&](Interior kind) {
+    return std::all_of(mesh.interior.begin(), mesh.interior.end(), [&](Interior i) { return i == kind; });
+  };
+  if (all(Interior::kSurface)) return Interior::kSurface;
+  return all(Interior::kClosed) ? Interior::kClosed : Interior::kWinding;
+}
+
+}  // namespace collision_hulls

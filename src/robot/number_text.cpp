@@ -1,0 +1,61 @@
+#include "robot/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <locale>
+#include <sstream>
+
+namespace collision_hulls {
+namespace {
+
+std::string formatted(double value, int digits, bool scientific) {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << (scientific ? std::scientific : std::fixed);
+  out.precision(digits);
+  out << value;
+  return out.str();
+}
+
+double parsed(const std::string& text) {
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  double value = 0;
+  in >> value;
+  return value;
+}
+
+// Decimals after the point that the shortest exact text of `value` needs; negative where zeros stand before the point.
+int decimalsNeeded(double value) {
+  constexpr int kMostDigits = std::numeric_limits<double>::max_digits10;
+  std::string text;
+  int digits = 0;
+  do {
+    text = formatted(value, digits++, true);
+  } while (digits < kMostDigits && parsed(text) != value);
+  const int exponent = std::stoi(text.substr(text.find('e') + 1));
+  return digits - 1 - exponent;
+}
+
+}  // namespace
+
+std::string numberText(double value) {
+  if (value == 0) return "0";
+  return formatted(value, std::max(0, decimalsNeeded(value)), false);
+}
+
+std::string vectorText(const Eigen::Vector3d& vector) {
+  return numberText(vector.x()) + " " + numberText(vector.y()) + " " + numberText(vector.z());
+}
+
+Eigen::Vector3d rollPitchYaw(const Eigen::Matrix3d& r) {
+  const double yaw = std::atan2(r(1, 0), r(0, 0));
+  const double s = std::sin(yaw), c = std::cos(yaw);
+  const double pitch = std::atan2(-r(2, 0), c * r(0, 0) + s * r(1, 0));
+  // Roll is read after yaw is undone, so that both agree where the entries that yaw was read from are rounding alone.
+  const double roll = std::atan2(s * r(0, 2) - c * r(1, 2), c * r(1, 1) - s * r(0, 1));
+  return {roll, pitch, yaw};
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,206 @@
+// <collision> elements replaced in the text of a description, everything else byte for byte.
+//
+// The text is never parsed and printed again: the spans of the <collision> elements are cut out, each with the white space
+// before it, and the new elements are put in with white space like their neighbours'.
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "collision_hulls/error.h"
+#include "collision_hulls/robot/robot_description.h"
+#include "robot/collision_text.h"
+#include "robot/xml_spans.h"
+
+namespace collision_hulls {
+namespace {
+
+bool replaced(const GeometryElement& collision, const LinkCollisions& by) {
+  return !by.keep_primitives || collision.kind == GeometryElement::Kind::kMesh;
+}
+
+// Gives every new element a name that nothing else in the description has.
+class Names {
+ public:
+  Names(const RobotDescription& robot, const std::map<std::string, LinkCollisions>& links) {
+    for (const LinkDescription& link : robot.links) {
+      const auto by = links.find(link.name);
+      for (const GeometryElement& visual : link.visuals) taken_.insert(visual.name);
+      for (const GeometryElement& collision : link.collisions) {
+        if (by == links.end() || !replaced(collision, by->second)) taken_.insert(collision.name);
+      }
+    }
+  }
+
+  std::string unique(const std::string& wanted) {
+    if (wanted.empty()) return wanted;
+    std::string name = wanted;
+    while (!taken_.insert(name).second) name = wanted + "_" + std::to_string(++used_[wanted] + 1);
+    return name;
+  }
+
+ private:
+  std::unordered_set<std::string> taken_;
+  std::unordered_map<std::string, int> used_;  // numbers tried per wanted name
+};
+
+// A place in the text and what comes there instead.
+struct Edit {
+  std::size_t begin = 0, end = 0;
+  std::string text;
+};
+
+// One link: its spans, its meaning, and what its collision model becomes.
+struct LinkText {
+  const std::string& text;
+  const std::vector<XmlElement>& elements;
+  std::size_t index;  // of its <link> among the elements
+  const LinkDescription& link;
+  const LinkCollisions& by;
+
+  const XmlElement& span() const { return elements[index]; }
+  std::vector<std::size_t> children(const char* name) const { return childrenNamed(elements, index, name); }
+  std::string spaceBefore(std::size_t offset) const {
+    const std::size_t last = text.find_last_not_of(kXmlSpace, offset - 1);
+    return text.substr(last + 1, offset - last - 1);
+  }
+};
+
+// The spans that go, in order.
+std::vector<XmlElement> removedSpans(const LinkText& at) {
+  std::vector<XmlElement> removed;
+  const std::vector<std::size_t> children = at.children("collision");
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    if (replaced(at.link.collisions.at(i), at.by)) removed.push_back(at.elements[children[i]]);
+  }
+  return removed;
+}
+
+// The element whose indentation the new ones take: the first replaced, else the last <visual>, else the first child.
+std::optional<XmlElement> neighbour(const LinkText& at, const std::vector<XmlElement>& removed) {
+  if (!removed.empty()) return removed.front();
+  const std::vector<std::size_t> visuals = at.children("visual");
+  if (!visuals.empty()) return at.elements[visuals.back()];
+  if (at.span().subtree_end > at.index + 1) return at.elements[at.index + 1];
+  return std::nullopt;
+}
+
+Layout layoutOf(const LinkText& at, const std::vector<XmlElement>& removed) {
+  const std::string space = at.spaceBefore(at.span().begin);
+  const auto beside = neighbour(at, removed);
+  return beside ? layoutBeside(at.spaceBefore(beside->begin), space) : layoutWithin(space);
+}
+
+// The bytes of each source <origin> that can be used again as they are, by the transform that they mean.
+std::vector<KnownOrigin> knownOrigins(const LinkText& at) {
+  std::vector<KnownOrigin> known;
+  const auto add = [&](const char* name, const std::vector<GeometryElement>& meaning) {
+    const std::vector<std::size_t> children = at.children(name);
+    for (std::size_t i = 0; i < children.size(); ++i) {
+      const std::vector<std::size_t> origins = childrenNamed(at.elements, children[i], "origin");
+      if (origins.empty() || !at.elements[origins.front()].self_closing) continue;
+      const XmlElement& origin = at.elements[origins.front()];
+      known.push_back({meaning.at(i).origin, at.text.substr(origin.begin, origin.end - origin.begin)});
+    }
+  };
+  add("visual", at.link.visuals);
+  add("collision", at.link.collisions);
+  return known;
+}
+
+std::string newElements(const LinkText& at, const Layout& layout, Names& names) {
+  const std::vector<KnownOrigin> origins = knownOrigins(at);
+  std::string text;
+  for (const CollisionElement& element : at.by.elements) {
+    text += collisionText({names.unique(element.name), element.geometry}, origins, layout);
+  }
+  return text;
+}
+
+Edit openedLink(const LinkText& at, const std::string& added, const Layout& layout) {
+  const std::size_t slash = at.span().tag_end - 2;
+  const std::size_t begin = slash - at.spaceBefore(slash).size();
+  return {begin, at.span().end, ">" + added + layout.lineEnd(-1) + "</link>"};
+}
+
+std::size_t insertionPoint(const LinkText& at) {
+  const std::vector<std::size_t> visuals = at.children("visual");
+  return visuals.empty() ? at.span().tag_end : at.elements[visuals.back()].end;
+}
+
+// In the order of the text; the first one brings the new elements.
+std::vector<Edit> editsOf(const LinkText& at, Names& names) {
+  const std::vector<XmlElement> removed = removedSpans(at);
+  const Layout layout = layoutOf(at, removed);
+  const std::string added = newElements(at, layout, names);
+  if (removed.empty() && added.empty()) return {};
+  if (removed.empty() && at.span().self_closing) return {openedLink(at, added, layout)};
+  if (removed.empty()) return {{insertionPoint(at), insertionPoint(at), added}};
+  std::vector<Edit> edits;
+  for (const XmlElement& element : removed) edits.push_back({element.begin - at.spaceBefore(element.begin).size(), element.end, ""});
+  edits.front().text = added;
+  return edits;
+}
+
+std::string applied(const std::string& text, const std::vector<Edit>& edits) {
+  std::string result;
+  std::size_t done = 0;
+  for (const Edit& edit : edits) {
+    result.append(text, done, edit.begin - done);
+    result += edit.text;
+    done = edit.end;
+  }
+  return result.append(text, done, std::string::npos);
+}
+
+[[noreturn]] void failInternal(const std::string& reason) {
+  throw Error(ErrorCode::kInternal, "rewriting <collision> elements: " + reason);
+}
+
+// What was written is read back: the same links, and in each the elements that were asked for.
+void checkWritten(const RobotDescription& before, const std::map<std::string, LinkCollisions>& links, const RobotDescription& after) {
+  for (std::size_t i = 0; i < before.links.size(); ++i) {
+    const LinkDescription& old_link = before.links[i];
+    const auto by = links.find(old_link.name);
+    std::vector<std::string> expected, found;
+    for (const GeometryElement& collision : old_link.collisions) {
+      if (by == links.end() || !replaced(collision, by->second)) expected.push_back(collision.uri);
+    }
+    if (by != links.end()) {
+      for (const CollisionElement& element : by->second.elements) expected.push_back(element.geometry.uri);
+    }
+    for (const GeometryElement& collision : after.links.at(i).collisions) found.push_back(collision.uri);
+    std::sort(expected.begin(), expected.end());
+    std::sort(found.begin(), found.end());
+    if (found != expected) failInternal("link '" + old_link.name + "' reads back with other elements than were written");
+  }
+}
+
+void checkLinksExist(const RobotDescription& robot, const std::map<std::string, LinkCollisions>& links) {
+  std::unordered_set<std::string> known;
+  for (const LinkDescription& link : robot.links) known.insert(link.name);
+  for (const auto& [name, by] : links) {
+    if (!known.count(name)) failInternal("'" + robot.name + "' has no link '" + name + "'");
+  }
+}
+
+}  // namespace
+
+std::string rewriteCollisions(const RobotDescription& robot, const std::map<std::string, LinkCollisions>& links) {
+  checkLinksExist(robot, links);
+  const std::vector<XmlElement> elements = scanXml(robot.text);
+  const std::vector<std::size_t> spans = childrenNamed(elements, 0, "link");
+  if (spans.size() != robot.links.size()) failInternal("text and links do not belong together");
+  Names names(robot, links);
+  std::vector<Edit> edits;
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const auto by = links.find(robot.links[i].name);
+    if (by == links.end()) continue;
+    const std::vector<Edit> of_link = editsOf({robot.text, elements, spans[i], robot.links[i], by->second}, names);
+    edits.insert(edits.end(), of_link.begin(), of_link.end());
+  }
+  const std::string written = applied(robot.text, edits);
+  checkWritten(robot, links, parseRobotDescription(written, robot.path));
+  return written;
+}
+
+}  // namespace collision_hulls

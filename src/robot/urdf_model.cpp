@@ -1,0 +1,161 @@
+#include "robot/urdf_model.h"
+
+#include <console_bridge/console.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <algorithm>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+namespace collision_hulls {
+namespace {
+
+// Keeps what urdfdom logs on this thread, which would go to stderr; other threads' messages go where they went before.
+class LogCapture : public console_bridge::OutputHandler {
+ public:
+  void start() {
+    previous_ = console_bridge::getOutputHandler();
+    owner_ = std::this_thread::get_id();
+    errors_.clear();
+    console_bridge::useOutputHandler(this);
+  }
+
+  std::string stop() {
+    console_bridge::restorePreviousOutputHandler();
+    return errors_;
+  }
+
+  void log(const std::string& text, console_bridge::LogLevel level, const char* file, int line) override {
+    if (std::this_thread::get_id() != owner_) {
+      if (previous_) previous_->log(text, level, file, line);
+    } else if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) {
+      errors_ += (errors_.empty() ? "" : "; ") + text;
+    }
+  }
+
+ private:
+  console_bridge::OutputHandler* previous_ = nullptr;
+  std::thread::id owner_;
+  std::string errors_;
+};
+
+struct ParseResult {
+  urdf::ModelInterfaceSharedPtr model;
+  std::string errors;
+};
+
+// The log handler belongs to the whole process: one description at a time. It lives as long as the process does, because
+// console_bridge keeps a pointer to a handler that was replaced.
+ParseResult parse(const std::string& text) {
+  static std::mutex mutex;
+  static LogCapture* const capture = new LogCapture;
+  const std::lock_guard<std::mutex> lock(mutex);
+  ParseResult result;
+  capture->start();
+  try {
+    result.model = urdf::parseURDF(text);
+  } catch (const std::exception& error) {
+    result.errors = capture->stop() + error.what();
+    return result;
+  }
+  result.errors = capture->stop();
+  return result;
+}
+
+Eigen::Vector3d toEigen(const urdf::Vector3& v) {
+  return {v.x, v.y, v.z};
+}
+
+Eigen::Isometry3d toEigen(const urdf::Pose& pose) {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.linear() = Eigen::Quaterniond(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z).toRotationMatrix();
+  result.translation() = toEigen(pose.position);
+  return result;
+}
+
+void setShape(const urdf::Geometry& geometry, GeometryElement& element) {
+  if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(&geometry)) {
+    element.kind = GeometryElement::Kind::kMesh;
+    element.uri = mesh->filename;
+    element.scale = toEigen(mesh->scale);
+  } else if (const auto* box = dynamic_cast<const urdf::Box*>(&geometry)) {
+    element.kind = GeometryElement::Kind::kBox;
+    element.size = toEigen(box->dim);
+  } else if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(&geometry)) {
+    element.kind = GeometryElement::Kind::kSphere;
+    element.size.x() = sphere->radius;
+  } else if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(&geometry)) {
+    element.kind = GeometryElement::Kind::kCylinder;
+    element.size = {cylinder->radius, cylinder->length, 0};
+  } else {
+    throw std::runtime_error("a geometry is neither a mesh nor a box, sphere or cylinder");
+  }
+}
+
+template <class Elements>  // urdf::Visual or urdf::Collision
+std::vector<GeometryElement> toElements(const Elements& from) {
+  std::vector<GeometryElement> elements;
+  for (const auto& source : from) {
+    GeometryElement element;
+    setShape(*source->geometry, element);
+    element.origin = toEigen(source->origin);
+    element.name = source->name;
+    elements.push_back(element);
+  }
+  return elements;
+}
+
+// The joint's own motion at zero, or at the limit nearest to it where zero is out of reach.
+Eigen::Isometry3d motion(const urdf::Joint& joint) {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  const bool turns = joint.type == urdf::Joint::REVOLUTE, slides = joint.type == urdf::Joint::PRISMATIC;
+  if (!joint.limits || !(turns || slides) || joint.limits->lower > joint.limits->upper) return result;
+  const double value = std::clamp(0.0, joint.limits->lower, joint.limits->upper);
+  const Eigen::Vector3d axis = toEigen(joint.axis).stableNormalized();
+  if (turns) result.linear() = Eigen::AngleAxisd(value, axis).toRotationMatrix();
+  if (slides) result.translation() = value * axis;
+  return result;
+}
+
+using Poses = std::map<std::string, Eigen::Isometry3d>;
+
+// From the root along each link's own parent joint, so that joints which share a child are not followed twice.
+Poses posesFromRoot(const urdf::ModelInterface& model) {
+  Poses poses{{model.getRoot()->name, Eigen::Isometry3d::Identity()}};
+  std::vector<urdf::LinkConstSharedPtr> open{model.getRoot()};
+  while (!open.empty()) {
+    const urdf::LinkConstSharedPtr link = open.back();
+    open.pop_back();
+    for (const urdf::JointSharedPtr& joint : link->child_joints) {
+      const urdf::LinkConstSharedPtr child = model.getLink(joint->child_link_name);
+      if (child->parent_joint != joint) continue;
+      poses[child->name] = poses[link->name] * toEigen(joint->parent_to_joint_origin_transform) * motion(*joint);
+      open.push_back(child);
+    }
+  }
+  return poses;
+}
+
+LinkDescription toLink(const urdf::Link& link, const Poses& poses) {
+  LinkDescription result;
+  result.name = link.name;
+  result.visuals = toElements(link.visual_array);
+  result.collisions = toElements(link.collision_array);
+  result.pose = poses.at(link.name);
+  if (link.parent_joint) result.parent = link.parent_joint->parent_link_name;
+  return result;
+}
+
+}  // namespace
+
+UrdfModel readUrdfModel(const std::string& urdf_text) {
+  const ParseResult parsed = parse(urdf_text);
+  if (!parsed.model) throw std::runtime_error(parsed.errors.empty() ? "no reason is given" : parsed.errors);
+  UrdfModel model{parsed.model->getName(), {}, parsed.errors};
+  const Poses poses = posesFromRoot(*parsed.model);
+  for (const auto& [name, link] : parsed.model->links_) model.links.push_back(toLink(*link, poses));
+  return model;
+}
+
+}  // namespace collision_hulls

@@ -13,9 +13,11 @@ namespace collision_hulls {
 struct RunControl {
   /// Called with the share of the work that is done, in [0, 1], never decreasing; empty: nobody asks.
   std::function<void(double fraction)> progress;
+  /// The run that this one is a part of; its cancel() stops the part too. Null for a whole run.
+  const RunControl* whole = nullptr;
 
   void cancel() const { cancelled_.store(true); }
-  bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+  bool cancelled() const { return cancelled_.load(std::memory_order_relaxed) || (whole && whole->cancelled()); }
   /// Throws Error(kCancelled) once cancel() was called. Stages call it at least every 0.1 s.
   void check() const {
     if (cancelled()) throw Error(ErrorCode::kCancelled, "cancelled by the caller");

@@ -16,6 +16,7 @@ namespace collision_hulls {
 struct ElementResult {
   ElementReport report;
   GeometryElement source;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< of the element's frame in the robot's zero configuration
   TriangleMesh original;          ///< as read and scaled
   std::vector<ConvexHull> hulls;  ///< as written; empty where the status is failed
 };
@@ -38,12 +39,12 @@ using StepCallback = std::function<void(const Step&)>;
 
 /// The flow on one screen: for each mesh of each link read, repair, decompose, cover and round, certify; then validate.
 /// One bad mesh is a failed row and loses nothing else (its link keeps its <collision> elements as they were).
-/// `output` is the folder that the URIs in RobotResult::urdf will refer to (see outputName); nothing is written here.
+/// `output` is the folder that the URIs in RobotResult::urdf will refer to (see defaultOutput); nothing is written here.
 /// Throws kBadOption, kCancelled.
 RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& find_package, const Options& options,
                            const std::string& output, const RunControl& control = {}, const StepCallback& step = {});
 
-/// The same for one mesh file; the report has one row whose link is the file's stem.
+/// The same for one mesh file; the report has one row, whose link is the file's stem.
 RobotResult decomposeMesh(const std::string& path, const Options& options, const RunControl& control = {}, const StepCallback& step = {});
 
 /// What INPUT of the command line means.
@@ -66,8 +67,14 @@ std::string defaultOutput(const Input& input);
 
 /// Writes the output package (or a single mesh's folder) and its report.json: into a temporary folder beside `output`, read
 /// back and compared, then put in place with one rename (exchange) so that a kill at any moment leaves the old or the new.
-/// Replaces an earlier output; refuses (kNotOurOutput) a folder that is not one. Fills seconds.write and files in the report.
-/// Throws kUnwritableOutput.
-void writeOutput(RobotResult& result, const std::string& output);
+/// Replaces an earlier output; refuses (kNotOurOutput) a folder that is not one. Fills seconds.write in the report.
+/// Throws kUnwritableOutput, and kCancelled, which leaves everything as it was.
+void writeOutput(RobotResult& result, const std::string& output, const RunControl& control = {});
+
+/// Throws what writeOutput would throw for such a folder, before the long work. Writes nothing.
+void checkOutput(const std::string& output);
+
+/// Writes the report alone, as JSON, in one rename. Throws kUnwritableOutput.
+void writeReport(const Report& report, const std::string& file);
 
 }  // namespace collision_hulls

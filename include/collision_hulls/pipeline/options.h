@@ -44,8 +44,8 @@ struct Options {
 /// Throws kBadOption naming the option, its value and its range.
 void check(const Options& options);
 
-/// Sets the caps that suit a consumer of the hulls: fcl, moveit (none beyond 64 vertices), bullet (64 vertices), physx (255
-/// vertices, 64 hulls), gazebo (64 hulls). Throws kBadOption for another name.
+/// Sets the caps that suit a consumer of the hulls: 64 vertices a hull for each; for physx and gazebo also 64 hulls a mesh, for
+/// fcl, moveit and bullet as many as it takes. Throws kBadOption for another name.
 void applyProfile(const std::string& profile, Options& options);
 
 }  // namespace collision_hulls

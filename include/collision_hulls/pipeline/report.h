@@ -12,6 +12,9 @@
 
 namespace collision_hulls {
 
+/// The version of this library, as in package.xml.
+const char* version();
+
 enum class Status { kOk, kDegraded, kFailed };
 const char* name(Status status);  ///< "ok", "degraded", "failed"
 
@@ -29,6 +32,7 @@ struct ElementReport {
   std::size_t triangles = 0, skipped_primitives = 0;
   Status status = Status::kOk;
   std::string reason;     ///< why degraded or failed; names item, value, limit and remedy
+  std::string error;      ///< of a failed row: the name of its ErrorCode
   RepairCounts repair;
   Method method = Method::kHacd;
   double tolerance = 0;
@@ -39,7 +43,7 @@ struct ElementReport {
   double volume = 0, hull_volume = 0, diagonal = 0;
   double nudge = 0;       ///< [m] how far hulls were moved outward for rounding (reader, weld, writer)
   double thickness = 0;   ///< [m] thickness given to flat hulls
-  StageSeconds seconds;
+  StageSeconds seconds;   ///< a mesh that several links use is worked on once: the first row has the time, the others have 0
   std::vector<std::string> files;  ///< relative to the output folder
 };
 
@@ -47,14 +51,14 @@ struct Report {
   std::string input_path, input_sha256;
   Options options;
   std::vector<ElementReport> links;  ///< a row for every mesh of every link, in document order
-  Validation validation;
+  Validation validation;             ///< meaningful where options.validate; null in JSON otherwise
   double seconds = 0;                ///< wall clock of the whole run
 };
 
 /// report.json's text, with the fields and totals of the contract.
 std::string toJson(const Report& report);
 
-/// The table of the command line: a row per mesh, then totals and validation.
+/// The table of the command line: a row per mesh, then totals and validation. Reasons of failed rows are left to the caller.
 std::string toTable(const Report& report);
 
 bool anyFailed(const Report& report);

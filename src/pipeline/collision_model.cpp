@@ -1,0 +1,104 @@
+#include "pipeline/collision_model.h"
+
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "pipeline/elements.h"
+#include "pipeline/names.h"
+
+namespace collision_hulls {
+namespace {
+
+/// The elements of a link by their index among its source elements.
+using LinkElements = std::map<int, const ElementResult*>;
+
+std::string uriPrefix(const std::string& robot_name, UriStyle style, const std::string& output) {
+  switch (style) {
+    case UriStyle::kPackage: return "package://" + outputPackage(robot_name) + "/";
+    case UriStyle::kFile: return "file://" + std::filesystem::absolute(output).lexically_normal().string() + "/";
+    case UriStyle::kRelative: return "../";  // the description lies in urdf/
+  }
+  return "";
+}
+
+/// A collision element keeps its name, with a number for each hull.
+std::string baseName(const std::string& link, int index, const SourceElements& source) {
+  const std::string& given = source.elements[static_cast<std::size_t>(index)].name;
+  return source.visual || given.empty() ? link + "_" + std::to_string(index) : given;
+}
+
+LinkCollisions linkCollisions(const std::string& link, const SourceElements& source, const LinkElements& meshes, const std::string& prefix,
+                              UniqueNames& names) {
+  LinkCollisions result;
+  result.keep_primitives = !source.visual;
+  for (std::size_t i = 0; i < source.elements.size(); ++i) {
+    const int index = static_cast<int>(i);
+    const std::string base = baseName(link, index, source);
+    const auto mesh = meshes.find(index);
+    if (mesh == meshes.end()) {
+      if (source.visual) result.elements.push_back({names.take(base), source.elements[i]});
+      continue;
+    }
+    const std::vector<std::string>& files = mesh->second->report.files;
+    for (std::size_t m = 0; m < files.size(); ++m) {
+      GeometryElement hull;
+      hull.uri = prefix + files[m];
+      hull.origin = source.elements[i].origin;
+      result.elements.push_back({names.take(base + "_" + std::to_string(m)), hull});
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+void nameHullFiles(RobotResult& result) {
+  const std::string suffix = extension(result.report.options.format);
+  UniqueNames names;
+  std::map<std::string, std::string> folders;
+  for (ElementResult& element : result.elements) {
+    ElementReport& row = element.report;
+    std::string stem = "hull_";
+    if (!result.single_mesh) {
+      std::string& folder = folders[row.link];
+      if (folder.empty()) folder = names.take(fileName(row.link));
+      stem = "meshes/" + folder + "/" + std::to_string(row.element) + "_";
+    } else if (!element.hulls.empty()) {
+      row.files.push_back(fileName(result.robot_name) + "_hulls.obj");
+    }
+    for (std::size_t m = 0; m < element.hulls.size(); ++m) row.files.push_back(stem + std::to_string(m) + suffix);
+  }
+}
+
+std::string outputPackage(const std::string& robot_name) {
+  return packageName(robot_name) + "_collision";
+}
+
+std::string urdfFile(const std::string& robot_name) {
+  return "urdf/" + fileName(robot_name) + ".urdf";
+}
+
+std::string rewrittenDescription(const RobotDescription& robot, const RobotResult& result, const std::string& output) {
+  const Options& options = result.report.options;
+  std::map<std::string, LinkElements> meshes;
+  std::set<std::string> failed;
+  for (const ElementResult& element : result.elements) {
+    meshes[element.report.link][element.report.element] = &element;
+    if (element.report.status == Status::kFailed) failed.insert(element.report.link);
+  }
+
+  const std::string prefix = uriPrefix(robot.name, options.uri, output);
+  const LinkChoice chosen(options.links, robot);
+  UniqueNames names;
+  std::map<std::string, LinkCollisions> links;
+  for (const LinkDescription& link : robot.links) {
+    const SourceElements source = sourceElements(link, options.source);
+    const bool has_new_ones = meshes.count(link.name) || (source.visual && !source.elements.empty());
+    if (!has_new_ones || !chosen(link.name) || failed.count(link.name)) continue;
+    links[link.name] = linkCollisions(link.name, source, meshes[link.name], prefix, names);
+  }
+  return rewriteCollisions(robot, links);
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,240 @@
+#include "collision_hulls/pipeline/decompose_robot.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "collision_hulls/check/measures.h"
+#include "collision_hulls/check/solid.h"
+#include "collision_hulls/check/validate.h"
+#include "collision_hulls/decompose/decompose.h"
+#include "collision_hulls/decompose/fit_cover.h"
+#include "collision_hulls/error.h"
+#include "pipeline/collision_model.h"
+#include "pipeline/elements.h"
+#include "pipeline/parallel.h"
+#include "pipeline/progress.h"
+#include "pipeline/sha256.h"
+#include "pipeline/stopwatch.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr double kCertificateGap = 0.02;  // of the tolerance: how far apart the two bounds of the protrusion may stay
+constexpr double kDecomposeShare = 0.7;   // of an element's time, about
+
+std::string millimetres(double metres) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.4g mm", 1000 * metres);
+  return text;
+}
+
+double toleranceFor(const TriangleMesh& mesh, const Options& options) {
+  const double size = diagonal(mesh);
+  if (size > 0 || !options.tolerance.relative) return options.tolerance.metres(size);
+  throw Error(ErrorCode::kEmptyMesh, "all " + std::to_string(mesh.triangles.size()) +
+                                         " triangles lie in one point, which a relative tolerance means nothing for; give a tolerance in "
+                                         "metres or mend the mesh");
+}
+
+/// Why hulls reach further than the caller accepts, and what to do about it.
+std::string excuse(const Options& options, bool capped) {
+  if (capped) {
+    return "the caps (max-hulls " + std::to_string(options.max_hulls) + ", max-vertices " + std::to_string(options.max_vertices) +
+           ") made the hulls coarser; raise them";
+  }
+  if (options.method == Method::kHacd) {
+    return "hacd goes by a concavity measured along rays, which does not bound the protrusion; a smaller tolerance gives more hulls";
+  }
+  return std::string(name(options.method)) + " pays no heed to the tolerance; another method does";
+}
+
+void grade(ElementReport& row, const Options& options, bool capped) {
+  if (row.uncovered > 0) {
+    throw Error(ErrorCode::kInternal, "the hulls leave the surface uncovered by up to " + millimetres(row.uncovered) +
+                                          ", where 0 is the limit; please report the mesh '" + row.uri + "'");
+  }
+  if (row.protrusion <= row.tolerance) return;
+  row.status = Status::kDegraded;
+  row.reason = "the hulls protrude by up to " + millimetres(row.protrusion) + ", more than the tolerance of " + millimetres(row.tolerance) +
+               ": " + excuse(options, capped);
+}
+
+void describe(const std::vector<ConvexHull>& hulls, ElementReport& row) {
+  row.hulls = hulls.size();
+  row.hull_volume = unionVolume(hulls);
+  for (const ConvexHull& hull : hulls) {
+    row.hull_vertices += hull.vertices.size();
+    row.thickness = std::max(row.thickness, hull.thickness);
+  }
+}
+
+/// The stages for one mesh. Fills report, original and hulls of `element`, whose row says which scale it has.
+void decomposeElement(const std::string& file, const Options& options, Progress& progress, std::size_t task, ElementResult& element) {
+  ElementReport& row = element.report;
+  RunControl decomposing, certifying;
+  progress.follow(decomposing, task, 0, kDecomposeShare);
+  progress.follow(certifying, task, kDecomposeShare, 1);
+  Stopwatch stage;
+
+  // 1. Read, and scale as the description says.
+  const LoadedMesh loaded = readMesh(file);
+  row.triangles = loaded.mesh.triangles.size();
+  row.skipped_primitives = loaded.skipped_primitives;
+  element.original = scaled(loaded.mesh, row.scale);
+  row.diagonal = diagonal(element.original);
+  row.tolerance = toleranceFor(element.original, options);
+  row.seconds.read = stage.lap();
+
+  // 2. Repair: a mesh with topology.
+  const RepairedMesh repaired = repair(element.original);
+  row.repair = repaired.counts;
+  row.seconds.repair = stage.lap();
+
+  // 3. Decompose, then cover the mesh as it was read with the hulls as they are written.
+  const DecomposeOptions method{options.method, row.tolerance, options.max_hulls, options.max_vertices, options.seed};
+  const Decomposition parts = decompose(repaired, method, decomposing);
+  const double margin = loaded.resolution * row.scale.cwiseAbs().maxCoeff() + repaired.counts.weld_distance;
+  const FittedHulls fitted = fitCover(parts.hulls, element.original, margin, options.max_vertices);
+  row.nudge = fitted.nudge;
+  describe(fitted.hulls, row);
+  row.seconds.decompose = stage.lap();
+
+  // 4. Certify. The solid is known up to the margin, so the bound has it added.
+  const Solid solid(repaired);
+  row.interior = name(solid.interior());
+  row.volume = solid.volume();
+  row.uncovered = uncovered(element.original, fitted.hulls);
+  const Protrusion found = protrusion(fitted.hulls, solid, kCertificateGap * row.tolerance, certifying);
+  row.protrusion = found.bound + margin;
+  row.protrusion_found = found.found;
+  row.worst = found.where;
+  row.worst_nearest = found.nearest;
+  row.seconds.certify = stage.lap();
+
+  grade(row, options, parts.capped);
+  element.hulls = fitted.hulls;
+}
+
+/// Gives the result of `from` to an element that has the same mesh elsewhere; the time was spent once.
+void copyResult(const ElementResult& from, ElementResult& to) {
+  ElementReport row = from.report;
+  row.link = to.report.link;
+  row.element = to.report.element;
+  row.visual = to.report.visual;
+  row.uri = to.report.uri;
+  row.seconds = {};
+  to.report = row;
+  to.original = from.original;
+  to.hulls = from.hulls;
+}
+
+void decomposeTask(const MeshTask& task, std::size_t index, const Options& options, Progress& progress,
+                   std::vector<ElementResult>& elements) {
+  ElementResult& first = elements[task.elements.front()];
+  try {
+    decomposeElement(task.file, options, progress, index, first);
+  } catch (...) {
+    fail(first.report);
+  }
+  progress.taskDone(index);
+  for (const std::size_t i : task.elements) {
+    if (i != task.elements.front()) copyResult(first, elements[i]);
+    progress.finished(elements[i].report.link, elements[i].hulls.size());
+  }
+}
+
+ConvexHull transformed(ConvexHull hull, const Eigen::Isometry3d& pose) {
+  for (Eigen::Vector3d& v : hull.vertices) v = pose * v;
+  for (HalfSpace& face : hull.faces) {
+    face.normal = pose.linear() * face.normal;
+    face.offset += face.normal.dot(pose.translation());
+  }
+  return hull;
+}
+
+Validation validateElements(const std::vector<ElementResult>& elements, const Options& options, Progress& progress) {
+  std::vector<ValidationPair> pairs;
+  for (const ElementResult& element : elements) {
+    if (element.hulls.empty()) continue;
+    ValidationPair pair;
+    pair.name = element.report.link + "/" + std::to_string(element.report.element);
+    pair.original = transformed(element.original, element.pose);
+    for (const ConvexHull& hull : element.hulls) pair.hulls.push_back(transformed(hull, element.pose));
+    pair.protrusion = element.report.protrusion;
+    pairs.push_back(std::move(pair));
+  }
+  RunControl control;
+  progress.followValidation(control);
+  ValidationOptions validation;
+  validation.seed = options.seed;
+  return validate(pairs, validation, control);
+}
+
+using UriResolver = std::function<std::string(const std::string& uri)>;
+
+/// All elements of a result, then the validation.
+void decomposeElements(RobotResult& result, const UriResolver& resolve, const RunControl& control, const StepCallback& step) {
+  const Options& options = result.report.options;
+  std::vector<ElementResult>& elements = result.elements;
+  withJobs(options.jobs, [&] {
+    const std::vector<MeshTask> tasks = meshTasks(elements, resolve);
+    Progress progress(control, step, tasks.size(), elements.size());
+    for (const ElementResult& element : elements) {
+      if (element.report.status == Status::kFailed) progress.finished(element.report.link, 0);
+    }
+    forEach(tasks.size(), [&](std::size_t i) { decomposeTask(tasks[i], i, options, progress, elements); });
+    if (options.validate) result.report.validation = validateElements(elements, options, progress);
+    progress.validated();
+  });
+  nameHullFiles(result);
+  for (const ElementResult& element : elements) result.report.links.push_back(element.report);
+}
+
+}  // namespace
+
+RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& find_package, const Options& options,
+                           const std::string& output, const RunControl& control, const StepCallback& step) {
+  check(options);
+  Stopwatch run;
+  RobotResult result;
+  result.robot_name = robot.name;
+  result.report.input_path = robot.path;
+  result.report.input_sha256 = sha256(robot.text);
+  result.report.options = options;
+  result.elements = meshElements(robot, options);
+  decomposeElements(
+      result, [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); }, control, step);
+  result.urdf = rewrittenDescription(robot, result, output);
+  result.report.seconds = run.lap();
+  return result;
+}
+
+RobotResult decomposeMesh(const std::string& path, const Options& options, const RunControl& control, const StepCallback& step) {
+  check(options);
+  Stopwatch run;
+  RobotResult result;
+  result.single_mesh = true;
+  result.robot_name = std::filesystem::path(path).stem().string();
+  result.report.input_path = path;
+  result.report.options = options;
+  ElementResult element;
+  element.source.uri = path;
+  element.report.link = result.robot_name;
+  element.report.uri = path;
+  element.report.method = options.method;
+  result.elements.push_back(element);
+  decomposeElements(
+      result, [](const std::string& file) { return file; }, control, step);
+  result.report.input_sha256 = result.elements.front().report.sha256;
+  result.report.seconds = run.lap();
+  return result;
+}
+
+RobotResult decompose(const Input& input, const Options& options, const std::string& output, const RunControl& control,
+                      const StepCallback& step) {
+  return input.kind == Input::Kind::kMesh ? decomposeMesh(input.path, options, control, step)
+                                          : decomposeRobot(input.robot, input.find_package, options, output, control, step);
+}
+
+}  // namespace collision_hulls

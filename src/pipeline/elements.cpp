@@ -1,0 +1,111 @@
+#include "pipeline/elements.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <tuple>
+
+#include "collision_hulls/error.h"
+#include "pipeline/sha256.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr std::size_t kNamesShown = 12;
+
+std::string linkNames(const RobotDescription& robot) {
+  std::string text;
+  const std::size_t shown = std::min(robot.links.size(), kNamesShown);
+  for (std::size_t i = 0; i < shown; ++i) text += (i ? ", " : "") + robot.links[i].name;
+  if (shown < robot.links.size()) text += " and " + std::to_string(robot.links.size() - shown) + " more";
+  return text;
+}
+
+ElementResult meshElement(const LinkDescription& link, const SourceElements& source, std::size_t index, const Options& options) {
+  ElementResult result;
+  result.source = source.elements[index];
+  result.pose = link.pose * result.source.origin;
+  result.report.link = link.name;
+  result.report.element = static_cast<int>(index);
+  result.report.visual = source.visual;
+  result.report.uri = result.source.uri;
+  result.report.scale = result.source.scale;
+  result.report.method = options.method;
+  return result;
+}
+
+/// What makes two elements the same work. The extension counts, since it says how the content is read.
+using Sameness = std::tuple<std::string, std::string, double, double, double>;
+
+Sameness sameness(const ElementReport& row, const std::string& file) {
+  return {row.sha256, std::filesystem::path(file).extension().string(), row.scale.x(), row.scale.y(), row.scale.z()};
+}
+
+}  // namespace
+
+LinkChoice::LinkChoice(const std::string& expression, const RobotDescription& robot) {
+  if (expression.empty()) {
+    matches_ = [](const std::string&) { return true; };
+    return;
+  }
+  matches_ = [regex = std::regex(expression)](const std::string& link) { return std::regex_match(link, regex); };
+  const auto chosen = [this](const LinkDescription& link) { return matches_(link.name); };
+  if (std::any_of(robot.links.begin(), robot.links.end(), chosen)) return;
+  throw Error(ErrorCode::kBadOption, "links '" + expression + "' matches no whole name of a link of robot '" + robot.name +
+                                         "', whose links are: " + linkNames(robot));
+}
+
+std::vector<ElementResult> meshElements(const RobotDescription& robot, const Options& options) {
+  const LinkChoice chosen(options.links, robot);
+  std::vector<ElementResult> result;
+  for (const LinkDescription& link : robot.links) {
+    if (!chosen(link.name)) continue;
+    const SourceElements source = sourceElements(link, options.source);
+    for (std::size_t i = 0; i < source.elements.size(); ++i) {
+      if (source.elements[i].kind == GeometryElement::Kind::kMesh) result.push_back(meshElement(link, source, i, options));
+    }
+  }
+  return result;
+}
+
+std::vector<MeshTask> meshTasks(std::vector<ElementResult>& elements, const std::function<std::string(const std::string& uri)>& resolve) {
+  std::vector<MeshTask> tasks;
+  std::map<std::string, std::string> hashes;  // by file
+  std::map<Sameness, std::size_t> known;      // index of the task
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    ElementReport& row = elements[i].report;
+    try {
+      const std::string file = resolve(row.uri);
+      std::string& hash = hashes[file];
+      if (hash.empty()) hash = sha256OfFile(file);
+      row.sha256 = hash;
+      const auto [place, is_new] = known.emplace(sameness(row, file), tasks.size());
+      if (is_new) tasks.push_back({file, std::filesystem::file_size(file), {}});
+      tasks[place->second].elements.push_back(i);
+    } catch (...) {
+      fail(row);
+    }
+  }
+  std::stable_sort(tasks.begin(), tasks.end(), [](const MeshTask& a, const MeshTask& b) { return a.bytes > b.bytes; });
+  return tasks;
+}
+
+void fail(ElementReport& row) {
+  row.status = Status::kFailed;
+  row.error = name(ErrorCode::kInternal);
+  row.hulls = row.hull_vertices = 0;  // nothing is written
+  try {
+    throw;
+  } catch (const Error& e) {
+    if (e.code() == ErrorCode::kCancelled) throw;
+    row.error = name(e.code());
+    row.reason = e.what();
+  } catch (const std::bad_alloc&) {
+    row.reason = "out of memory for a mesh of " + std::to_string(row.triangles) + " triangles; use fewer --jobs or a coarser mesh";
+  } catch (const std::exception& e) {
+    row.reason = e.what();
+  }
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,41 @@
+// Which meshes a run works on, and which of them are the same.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/pipeline/decompose_robot.h"
+
+namespace collision_hulls {
+
+/// Tells whether Options::links chooses a link.
+class LinkChoice {
+ public:
+  /// Throws kBadOption where the expression matches no link of the robot.
+  LinkChoice(const std::string& expression, const RobotDescription& robot);
+  bool operator()(const std::string& link) const { return matches_(link); }
+
+ private:
+  std::function<bool(const std::string&)> matches_;
+};
+
+/// An element for every mesh of every chosen link, in document order: who and where it is, nothing computed yet.
+std::vector<ElementResult> meshElements(const RobotDescription& robot, const Options& options);
+
+/// A mesh to work on, and the elements (indices) that it is worked on for: same content, kind of file and scale.
+struct MeshTask {
+  std::string file;
+  std::uintmax_t bytes = 0;
+  std::vector<std::size_t> elements;  ///< ascending
+};
+
+/// Finds the elements' files and fills their sha256; an element without a file becomes a failed row and is in no task.
+/// Largest file first, so that no long task begins last.
+std::vector<MeshTask> meshTasks(std::vector<ElementResult>& elements, const std::function<std::string(const std::string& uri)>& resolve);
+
+/// Marks a row as failed for the exception that is being handled; throws it again where it is kCancelled.
+void fail(ElementReport& row);
+
+}  // namespace collision_hulls

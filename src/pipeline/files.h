@@ -1,0 +1,18 @@
+// Whole files, written and read back.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace collision_hulls {
+
+/// The content of a file; empty where it cannot be read.
+std::string readText(const std::filesystem::path& file);
+
+/// Writes a file (and the folders above it), reads it back and compares. Throws kUnwritableOutput with the system's reason.
+void writeText(const std::filesystem::path& file, const std::string& text);
+
+/// kUnwritableOutput for a path, with what went wrong and what to do.
+[[noreturn]] void throwUnwritable(const std::filesystem::path& path, const std::string& why);
+
+}  // namespace collision_hulls

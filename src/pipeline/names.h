@@ -1,0 +1,25 @@
+// Names that a file system, a ROS package and a robot description accept, each given out once.
+#pragma once
+
+#include <set>
+#include <string>
+
+namespace collision_hulls {
+
+/// A file or folder name of letters, digits, '_', '-' and '.', which is not hidden and not longer than file systems take.
+std::string fileName(const std::string& text);
+
+/// A legal ROS package name: lower-case letters, digits and '_', a letter first.
+std::string packageName(const std::string& text);
+
+/// Hands out names that differ also where upper and lower case do not count, as on some file systems.
+class UniqueNames {
+ public:
+  /// `wanted`, or `wanted` with a number added where it was taken before.
+  std::string take(const std::string& wanted);
+
+ private:
+  std::set<std::string> taken_;
+};
+
+}  // namespace collision_hulls

@@ -1,0 +1,118 @@
+#include <unistd.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "collision_hulls/error.h"
+#include "collision_hulls/mesh/mesh_io.h"
+#include "collision_hulls/pipeline/decompose_robot.h"
+#include "pipeline/collision_model.h"
+#include "pipeline/files.h"
+#include "pipeline/names.h"
+#include "pipeline/replace_folder.h"
+#include "pipeline/stopwatch.h"
+
+namespace collision_hulls {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kReport = "report.json";
+
+bool isEarlierOutput(const fs::path& folder) {
+  const nlohmann::json report = nlohmann::json::parse(readText(folder / kReport), nullptr, false);
+  return report.is_object() && report.count("collision_hulls") > 0;
+}
+
+void refuseForeign(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::exists(folder, error)) return;
+  if (!fs::is_directory(folder, error)) {
+    throw Error(ErrorCode::kNotOurOutput, "'" + folder.string() + "' is not a folder; choose another output");
+  }
+  if (fs::is_empty(folder, error) || isEarlierOutput(folder)) return;
+  throw Error(ErrorCode::kNotOurOutput, "'" + folder.string() +
+                                            "' holds something else than an earlier output (it has no report.json of collision_hulls) and "
+                                            "is left alone; choose another output, or remove it yourself");
+}
+
+std::string packageXml(const std::string& robot_name) {
+  return "<?xml version=\"1.0\"?>\n<package format=\"2\">\n  <name>" + outputPackage(robot_name) +
+         "</name>\n  <version>0.0.0</version>\n"
+         "  <description>Convex collision model of a robot, made by collision_hulls " +
+         version() +
+         "; report.json says from what and how well it fits.</description>\n"
+         "  <maintainer email=\"nobody@example.com\">nobody</maintainer>\n"
+         "  <license>as the robot description that it was made from</license>\n"
+         "  <buildtool_depend>catkin</buildtool_depend>\n"
+         "  <export>\n    <architecture_independent/>\n  </export>\n</package>\n";
+}
+
+/// So that the package can lie in the source folder of a workspace.
+std::string cmakeLists(const std::string& robot_name) {
+  return "cmake_minimum_required(VERSION 3.0.2)\nproject(" + outputPackage(robot_name) +
+         ")\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+         "install(DIRECTORY meshes urdf DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION} OPTIONAL)\n"
+         "install(FILES report.json DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n";
+}
+
+void writeHulls(const ElementResult& element, MeshFormat format, const fs::path& folder) {
+  const std::vector<std::string>& files = element.report.files;
+  const std::size_t first = files.size() - element.hulls.size();  // the OBJ of all hulls stands before a file for each
+  if (first > 0) writeText(folder / files.front(), encodeHullsObj(element.hulls, fileName(element.report.link)));
+  for (std::size_t m = 0; m < element.hulls.size(); ++m) {
+    const fs::path file = folder / files[first + m];
+    writeText(file, encodeHull(element.hulls[m], format, file.stem().string()));
+  }
+}
+
+}  // namespace
+
+void checkOutput(const std::string& output) {
+  const fs::path folder = replacedFolder(output);
+  refuseForeign(folder);
+  fs::path above = folder.parent_path();
+  std::error_code error;
+  while (!fs::exists(above, error) && above.has_relative_path()) above = above.parent_path();
+  if (!fs::is_directory(above, error)) throwUnwritable(folder, "'" + above.string() + "' is not a folder");
+  if (access(above.c_str(), W_OK | X_OK) != 0) throwUnwritable(folder, "no permission to write in '" + above.string() + "'");
+}
+
+void writeOutput(RobotResult& result, const std::string& output, const RunControl& control) {
+  Stopwatch run;
+  checkOutput(output);
+  FolderReplacement replacement(output);
+  const fs::path& folder = replacement.folder();
+  for (std::size_t i = 0; i < result.elements.size(); ++i) {
+    control.check();
+    Stopwatch stage;
+    writeHulls(result.elements[i], result.report.options.format, folder);
+    result.elements[i].report.seconds.write = result.report.links[i].seconds.write = stage.lap();
+  }
+  if (!result.single_mesh) {
+    writeText(folder / urdfFile(result.robot_name), result.urdf);
+    writeText(folder / "package.xml", packageXml(result.robot_name));
+    writeText(folder / "CMakeLists.txt", cmakeLists(result.robot_name));
+  }
+  result.report.seconds += run.lap();
+  writeText(folder / kReport, toJson(result.report));
+  refuseForeign(replacedFolder(output));
+  control.check();
+  replacement.commit();
+}
+
+void writeReport(const Report& report, const std::string& file) {
+  const fs::path temporary = file + ".part-" + std::to_string(getpid());
+  std::error_code error;
+  try {
+    writeText(temporary, toJson(report));
+    fs::rename(temporary, file, error);
+    if (error) throwUnwritable(file, error.message());
+  } catch (const Error&) {
+    fs::remove(temporary, error);
+    throw;
+  }
+}
+
+}  // namespace collision_hulls

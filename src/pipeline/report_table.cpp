@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/pipeline/report.h"
+#include "pipeline/totals.h"
+
+namespace collision_hulls {
+namespace {
+
+using Cells = std::vector<std::string>;
+constexpr std::size_t kTextColumns = 2;  // link and mesh stand left, numbers right
+
+std::string number(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string millimetres(double metres) {
+  return number("%.4g", 1000 * metres);
+}
+
+std::string lastPart(const std::string& uri) {
+  return uri.substr(uri.find_last_of('/') + 1);
+}
+
+/// Bytes that start a character: what a terminal gives a column to, near enough.
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+Cells cells(const ElementReport& row) {
+  const StageSeconds& s = row.seconds;
+  Cells result = {row.link, lastPart(row.uri)};
+  if (row.status == Status::kFailed) {
+    result.insert(result.end(), {row.triangles ? std::to_string(row.triangles) : "-", "-", "-", "-", "-", "-"});
+  } else {
+    result.insert(result.end(), {std::to_string(row.triangles), std::to_string(row.hulls), std::to_string(row.hull_vertices),
+                                 millimetres(row.uncovered), millimetres(row.protrusion), millimetres(row.tolerance)});
+  }
+  result.push_back(number("%.2f", s.read + s.repair + s.decompose + s.certify + s.write));
+  result.push_back(name(row.status));
+  return result;
+}
+
+std::string aligned(const std::vector<Cells>& rows) {
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const Cells& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+  }
+  std::string text;
+  for (const Cells& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string padding(widths[i] - width(row[i]), ' ');
+      const bool last = i + 1 == row.size();
+      text += i < kTextColumns ? row[i] + padding : last ? row[i] : padding + row[i];
+      text += last ? "\n" : "  ";
+    }
+  }
+  return text;
+}
+
+/// The reason of the first degraded row: the others are of its kind, and in the report.
+std::string degradedLine(const Report& report) {
+  const auto degraded = [](const ElementReport& row) { return row.status == Status::kDegraded; };
+  const auto row = std::find_if(report.links.begin(), report.links.end(), degraded);
+  if (row == report.links.end()) return "";
+  return "degraded: " + row->link + ", " + lastPart(row->uri) + ": " + row->reason + "\n";
+}
+
+std::string sums(const Report& report) {
+  const Totals sum = totals(report);
+  return std::to_string(sum.meshes) + " meshes of " + std::to_string(sum.links) + " links, " + std::to_string(sum.triangles) +
+         " triangles -> " + std::to_string(sum.hulls) + " hulls with " + std::to_string(sum.hull_vertices) + " vertices; " +
+         std::to_string(sum.degraded) + " degraded, " + std::to_string(sum.failed) + " failed; " + number("%.1f", report.seconds) + " s\n";
+}
+
+std::string validationLine(const Report& report) {
+  if (!report.options.validate) return "validation: not done\n";
+  const Validation& v = report.validation;
+  std::string text = "validation: " + std::to_string(v.queries) + " queries, " + std::to_string(v.missed) + " missed, " +
+                     std::to_string(v.phantom) + " phantom, distance underestimated by at most " + millimetres(v.max_underestimate) +
+                     " mm; FCL: " + std::to_string(v.exceptions) + " exceptions, " + std::to_string(v.disagreements) + " disagreements; " +
+                     number("%.1f", v.mesh_query_us) + " us a query to the meshes, " + number("%.1f", v.hull_query_us) +
+                     " us to the hulls\n";
+  for (const std::string& remark : v.remarks) text += "  " + remark + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string toTable(const Report& report) {
+  std::vector<Cells> rows = {
+      {"link", "mesh", "triangles", "hulls", "vertices", "uncovered/mm", "protrusion/mm", "tolerance/mm", "seconds", "status"}};
+  for (const ElementReport& row : report.links) rows.push_back(cells(row));
+  return aligned(rows) + degradedLine(report) + sums(report) + validationLine(report);
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,23 @@
+// Wall-clock seconds of the stages of a run.
+#pragma once
+
+#include <chrono>
+
+namespace collision_hulls {
+
+class Stopwatch {
+ public:
+  /// Seconds since the last lap, or since the start.
+  double lap() {
+    const Clock::time_point now = Clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+};
+
+}  // namespace collision_hulls

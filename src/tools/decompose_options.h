@@ -1,0 +1,129 @@
+// The options of a decomposition on a command line. The programs that take them share this; CLI11 enters here.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "collision_hulls/error.h"
+#include "collision_hulls/pipeline/options.h"
+
+namespace collision_hulls {
+
+/// A number without sign or unit, up to `limit`.
+inline std::uint64_t wholeNumber(const std::string& option, const std::string& text, std::uint64_t limit) {
+  std::istringstream in(text);
+  std::uint64_t value = 0;
+  const bool digits_only = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  if (digits_only && in >> value && value <= limit) return value;
+  throw Error(ErrorCode::kBadOption,
+              option + " '" + text + "' is not understood: it takes a whole number from 0 to " + std::to_string(limit));
+}
+
+/// The enumerator that a text names.
+template <typename T>
+T choice(const std::string& option, const std::string& text, std::optional<T> (*parse)(const std::string&), const std::string& choices) {
+  if (const std::optional<T> value = parse(text)) return *value;
+  throw Error(ErrorCode::kBadOption, option + " '" + text + "' is unknown: it takes one of " + choices);
+}
+
+inline std::string methodChoices() {
+  std::string choices;
+  for (const Method method : allMethods()) choices += (choices.empty() ? "" : ", ") + std::string(name(method));
+  return choices;
+}
+
+inline std::optional<MeshFormat> formatNamed(const std::string& name) {
+  for (const MeshFormat format : {MeshFormat::kStl, MeshFormat::kObj}) {
+    if (extension(format) == "." + name) return format;
+  }
+  return std::nullopt;
+}
+
+/// Adds options whose callbacks fill `options`. A wrong value throws kBadOption from parse().
+class DecomposeOptionAdder {
+ public:
+  DecomposeOptionAdder(CLI::App& app, Options& options) : app_(app), options_(options) {}
+
+  void addAll() {
+    addAccuracy();
+    addCaps();
+    addInput();
+    addOutput();
+    addRun();
+  }
+
+ private:
+  using Setter = std::function<void(const std::string& option, const std::string& text)>;
+
+  void add(const std::string& group, const std::string& names, const std::string& type, const std::string& fallback,
+           const std::string& help, const Setter& set) {
+    const std::string option = names.substr(names.find("--"));
+    CLI::Option* const added = app_.add_option_function<std::string>(
+        names, [=](const std::string& text) { set(option, text); }, help);
+    added->type_name(type)->group(group);
+    if (!fallback.empty()) added->default_str(fallback);
+  }
+
+  void addNumber(const std::string& group, const std::string& names, int& value, const std::string& help) {
+    add(group, names, "N", std::to_string(value), help, [&value](const std::string& option, const std::string& text) {
+      value = static_cast<int>(wholeNumber(option, text, std::numeric_limits<int>::max()));
+    });
+  }
+
+  template <typename T>
+  void addChoice(const std::string& group, const std::string& names, T& value, std::optional<T> (*parse)(const std::string&),
+                 const std::string& choices, const std::string& fallback, const std::string& help) {
+    add(group, names, "NAME", fallback, help + ": " + choices,
+        [=, &value](const std::string& option, const std::string& text) { value = choice(option, text, parse, choices); });
+  }
+
+  void addAccuracy() {
+    add("Accuracy", "-t,--tolerance", "LENGTH", toString(options_.tolerance),
+        "How far the hulls may protrude from the part: 5mm, 0.005 (metres), or 1% of each mesh's bounding-box diagonal",
+        [this](const std::string&, const std::string& text) { options_.tolerance = parseLength(text); });
+    addChoice("Accuracy", "-m,--method", options_.method, methodNamed, methodChoices(), name(options_.method), "How meshes are decomposed");
+  }
+
+  void addCaps() {
+    // Before the caps themselves: callbacks run in this order, so that a cap given by hand wins.
+    add("Caps", "--profile", "NAME", "", "Caps that suit a consumer: fcl, moveit, bullet, physx, gazebo",
+        [this](const std::string&, const std::string& text) { applyProfile(text, options_); });
+    addNumber("Caps", "--max-hulls", options_.max_hulls, "Most hulls per mesh; 0: no cap");
+    addNumber("Caps", "--max-vertices", options_.max_vertices, "Most vertices per hull, at least 8; 0: no cap");
+  }
+
+  void addInput() {
+    add("Input", "--links", "REGEX", "", "Links to work on: a regular expression that the whole name matches; all if not given",
+        [this](const std::string&, const std::string& text) { options_.links = text; });
+    addChoice("Input", "--source", options_.source, sourceNamed, "auto, visual, collision", "auto",
+              "Which meshes of a link are taken; auto: its collision elements if it has any, else its visual ones");
+  }
+
+  void addOutput() {
+    addChoice("Output", "--format", options_.format, formatNamed, "stl, obj", "stl", "Mesh files of the hulls");
+    addChoice("Output", "--uri", options_.uri, uriStyleNamed, "package, file, relative", "package", "How the description names them");
+  }
+
+  void addRun() {
+    addNumber("Run", "--jobs", options_.jobs, "Threads; 0: as many as cores. The result is the same for any number");
+    add("Run", "--seed", "N", std::to_string(options_.seed), "Seed of the validation's probes and of whatever else is random",
+        [this](const std::string& option, const std::string& text) {
+          options_.seed = wholeNumber(option, text, std::numeric_limits<std::uint64_t>::max());
+        });
+    app_.add_flag_callback(
+            "--no-validate", [this] { options_.validate = false; },
+            "Leave out the collision queries that compare the hulls with the meshes")
+        ->group("Run");
+    app_.add_flag_callback(
+            "--no-cache", [this] { options_.cache = false; }, "Do not use the cache of hull trees")
+        ->group("Run");
+  }
+
+  CLI::App& app_;
+  Options& options_;
+};
+
+}  // namespace collision_hulls

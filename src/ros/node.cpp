@@ -128,10 +128,10 @@ DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunCont
   const Input input{Input::Kind::kRobot, "", robot, packageFinder(robot.path)};
   const std::string wanted = request.output.empty() ? readText(private_, "output") : request.output;
   const std::string output = absolute(wanted.empty() ? defaultOutput(input) : wanted);
+  checkOutput(output);
 
   RobotResult result = decomposeRobot(robot, input.find_package, options, output, control, step);
-  control.check();
-  writeOutput(result, output);
+  writeOutput(result, output, control);
   show(result);
 
   DecomposeResponse response;

@@ -1,0 +1,71 @@
+#!/usr/bin/python3
+"""The node's start and end: a run by itself at start-up, and an interrupt in the middle of one."""
+import os
+import signal
+import subprocess
+import unittest
+
+import robots
+import roslib.packages
+import rospy
+import rostest
+from robots import NODE
+from visualization_msgs.msg import MarkerArray
+
+
+class LifetimeTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = robots.Folder()
+        self.addCleanup(self.folder.remove)
+
+    def start_node(self, robot):
+        rospy.set_param("/robot_description", robot)
+        program = roslib.packages.find_node("collision_hulls", "collision_hulls_node")[0]
+        node = subprocess.Popen([program, "_auto:=true", "_cache:=false", "_output:=" + self.folder.output])
+        self.addCleanup(self.end, node)
+        rospy.wait_for_service(NODE + "/decompose", timeout=30)
+        return node
+
+    @staticmethod
+    def end(node):
+        if node.poll() is None:
+            node.kill()
+        node.wait()
+
+    def test_run_at_start(self):
+        node = self.start_node(self.folder.small_robot())
+        markers = rospy.wait_for_message(NODE + "/markers", MarkerArray, timeout=60).markers
+        self.assertIn("hulls/base", [marker.ns for marker in markers])
+        self.assertTrue(os.path.isfile(os.path.join(self.folder.output, "report.json")))
+        node.send_signal(signal.SIGINT)
+        self.assertEqual(0, node.wait(10))
+
+    def test_rubbish_at_start(self):
+        node = self.start_node("rubbish")
+        self.assertTrue(robots.answers())
+        self.assertIsNone(node.poll())
+
+    def test_interrupt_in_the_middle(self):
+        for interrupt in (signal.SIGINT, signal.SIGTERM):
+            node = self.start_node(self.folder.slow_robot())
+            refused = robots.decompose(robot_description=self.folder.small_robot())
+            self.assertIn("busy: ", refused.message)
+            node.send_signal(interrupt)
+            self.assertEqual(0, node.wait(10))
+            self.assertEqual([], os.listdir(self.folder.results))
+
+    def test_interrupt_during_a_service_call(self):
+        node = self.start_node("rubbish")
+        caller = subprocess.Popen(["rosservice", "call", NODE + "/decompose",
+                                   str({"robot_description": self.folder.slow_robot(), "output": self.folder.output})],
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(self.end, caller)
+        self.assertTrue(robots.wait_until(lambda: "busy: " in robots.decompose(robot_description="rubbish").message))
+        node.send_signal(signal.SIGINT)
+        self.assertEqual(0, node.wait(10))
+        self.assertEqual([], os.listdir(self.folder.results))
+
+
+if __name__ == "__main__":
+    rospy.init_node("lifetime_test")
+    rostest.rosrun("collision_hulls", "lifetime_test", LifetimeTest)

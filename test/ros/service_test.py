@@ -1,0 +1,170 @@
+#!/usr/bin/python3
+"""The service: what it makes, its options, rubbish, and two callers at once."""
+import json
+import os
+import threading
+import unittest
+
+import robots
+import rospy
+import rostest
+from robots import NODE, decompose
+
+
+class ServiceTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = robots.Folder()
+        self.addCleanup(self.folder.remove)
+        self.robot = self.folder.small_robot()
+
+    def set_parameter(self, name, value):
+        rospy.set_param(name, value)
+        self.addCleanup(lambda: rospy.has_param(name) and rospy.delete_param(name))
+
+    def decompose(self, **request):
+        return decompose(**{"robot_description": self.robot, "output": self.folder.output, **request})
+
+    def decompose_well(self, **request):
+        response = self.decompose(**request)
+        self.assertTrue(response.success, response.message)
+        return response
+
+    def assert_refused(self, words, **request):
+        response = self.decompose(**request)
+        self.assertFalse(response.success)
+        for word in words:
+            self.assertIn(word, response.message)
+        self.assertEqual("", response.urdf_path)
+        self.assertTrue(robots.answers())
+        self.assertEqual([], os.listdir(self.folder.results))
+
+    # Refusals first: each leaves the node alive and nothing behind.
+
+    def test_no_description_at_all(self):
+        self.assert_refused(["robot_description"], robot_description="")
+
+    def test_not_xml(self):
+        self.assert_refused(["XML"], robot_description="rubbish")
+
+    def test_not_a_robot(self):
+        self.assert_refused(["robot"], robot_description="<sofa/>")
+
+    def test_no_links(self):
+        self.assert_refused(["link"], robot_description='<robot name="none"/>')
+
+    def test_negative_tolerance(self):
+        self.assert_refused(["tolerance", "-0.5"], tolerance=-0.5)
+
+    def test_tolerance_that_is_no_number(self):
+        self.assert_refused(["tolerance", "nan"], tolerance=float("nan"))
+
+    def test_unknown_method(self):
+        self.assert_refused(["'magic'", "hacd"], method="magic")
+
+    def test_unknown_link(self):
+        self.assert_refused(["'leg'", "base, arm, tip"], links=["base", "leg"])
+
+    def test_link_names_are_no_expressions(self):
+        self.assert_refused(["'b.*'"], links=["b.*"])
+
+    def test_output_below_a_file(self):
+        self.assert_refused(["bracket.obj"], output=self.folder.file("bracket.obj/made"))
+
+    def test_output_that_is_something_else(self):
+        self.assert_refused([self.folder.path], output=self.folder.path)
+
+    def test_parameter_of_the_wrong_type(self):
+        self.set_parameter(NODE + "/max_hulls", "many")
+        self.assert_refused(["max_hulls", "whole number"])
+
+    def test_one_bad_link_among_good_ones(self):
+        os.remove(self.folder.file("box.stl"))
+        response = self.decompose()
+        self.assertFalse(response.success)
+        self.assertIn("box.stl", response.message)
+        self.assertEqual([("base", "ok"), ("arm", "failed")], [(row.link, row.status) for row in response.links])
+        self.assertTrue(os.path.isfile(response.urdf_path))
+
+    # What it makes.
+
+    def test_small_robot(self):
+        response = self.decompose_well()
+        self.assertEqual([("base", "ok", 20), ("arm", "ok", 12)], [(row.link, row.status, row.triangles) for row in response.links])
+        self.assertGreaterEqual(response.links[0].hulls, 2)
+        self.assertEqual([0, 0], [row.uncovered for row in response.links])
+        with open(response.urdf_path, encoding="utf-8") as file:
+            self.assertEqual(file.read(), response.robot_description)
+        self.assertEqual(response.robot_description, rospy.get_param(NODE + "/robot_description"))
+        self.assertIn("<collision", response.robot_description)
+        with open(os.path.join(self.folder.output, "report.json"), encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["links"], json.loads(response.report)["links"])
+
+    def test_description_from_the_parameter(self):
+        self.set_parameter("/robot_description", self.robot)
+        self.assertEqual(2, len(self.decompose_well(robot_description="").links))
+
+    def test_paths_relative_to_the_base(self):
+        self.set_parameter(NODE + "/base", self.folder.file("small.urdf"))
+        with open(self.folder.file("small.urdf"), "w", encoding="utf-8") as file:
+            file.write(self.folder.small_robot(relative=True))
+        self.decompose_well(robot_description=self.folder.small_robot(relative=True))
+
+    def test_package_paths(self):
+        robot = robots.chain("packaged", [("finger", robots.link("finger", "package://collision_hulls/meshes/finger.stl"))])
+        self.assertEqual("finger", self.decompose_well(robot_description=robot).links[0].link)
+
+    # Options: the request's before the parameters'.
+
+    def test_links(self):
+        self.assertEqual(["arm"], [row.link for row in self.decompose_well(links=["arm", "tip"]).links])
+
+    def test_method(self):
+        self.assertEqual([1, 1], [row.hulls for row in self.decompose_well(method="single_hull").links])
+
+    def test_tolerance(self):
+        self.assertEqual(0.004, self.decompose_well(tolerance=0.004).links[0].tolerance)
+        diagonal = (0.1**2 + 0.05**2 + 0.03**2) ** 0.5
+        self.assertAlmostEqual(0.02 * diagonal, self.decompose_well(relative_tolerance=0.02).links[1].tolerance, places=8)
+
+    def test_tolerance_parameter(self):
+        for value, expected in (("3mm", 0.003), (0.002, 0.002), (1, 1.0)):
+            self.set_parameter(NODE + "/tolerance", value)
+            self.assertEqual(expected, self.decompose_well().links[0].tolerance)
+        self.assertEqual(0.004, self.decompose_well(tolerance=0.004).links[0].tolerance)
+
+    def test_other_parameters(self):
+        for name, value in (("method", "bounding_box"), ("links", "b.*"), ("format", "obj"), ("uri", "relative"), ("validate", False),
+                            ("jobs", 1), ("seed", 7), ("max_vertices", 32)):
+            self.set_parameter(f"{NODE}/{name}", value)
+        self.set_parameter(NODE + "/output", self.folder.output)
+        response = self.decompose_well(output="")
+        self.assertEqual([("base", 1, 8)], [(row.link, row.hulls, row.hull_vertices) for row in response.links])
+        self.assertEqual(["report.json"], [name for name in os.listdir(self.folder.output) if name == "report.json"])
+        self.assertIn(".obj", response.robot_description)
+        self.assertNotIn("package://", response.robot_description)
+        self.assertEqual(7, json.loads(response.report)["seed"])
+
+    # Two at once.
+
+    def test_second_caller_is_told_busy(self):
+        slow = robots.chain("slow", [("slow", robots.link("slow", self.folder.uri("torus.obj")))])
+        robots.write_obj(self.folder.file("torus.obj"), robots.torus(0.1, 0.03, 60, 40))
+        first = []
+        caller = threading.Thread(target=lambda: first.append(self.decompose(robot_description=slow)))
+        caller.start()
+        refusals = []
+        while caller.is_alive():
+            second = self.decompose(output=self.folder.file("results/second"))
+            self.assertTrue(robots.answers())
+            if not second.success:
+                refusals.append(second.message)
+        caller.join()
+        self.assertTrue(first[0].success or first[0].message.startswith("busy: "), first[0].message)
+        self.assertTrue(refusals or not first[0].success)
+        self.assertTrue(all(message.startswith("busy: ") for message in refusals), refusals)
+        self.decompose_well()
+
+
+if __name__ == "__main__":
+    rospy.init_node("service_test")
+    rostest.rosrun("collision_hulls", "service_test", ServiceTest)

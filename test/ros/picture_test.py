@@ -1,0 +1,58 @@
+#!/usr/bin/python3
+"""What rviz draws of the demo robot: hulls in colours of their own."""
+import collections
+import colorsys
+import os
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+import rospkg
+import rostest
+
+PROGRAMS = ("Xvfb", "rviz", "import", "convert")
+LEAST_PIXELS = 500  # of a hue, to count as a hull that is seen
+
+
+class PictureTest(unittest.TestCase):
+    def setUp(self):
+        missing = [program for program in PROGRAMS if shutil.which(program) is None]
+        if missing:
+            self.skipTest("no picture without " + ", ".join(missing))
+        self.folder = tempfile.mkdtemp(prefix="collision_hulls_test_")
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def take_picture(self, *arguments):
+        script = os.path.join(rospkg.RosPack().get_path("collision_hulls"), "scripts", "rviz_picture")
+        return subprocess.run([script, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=150, check=False,
+                              universal_newlines=True)
+
+    def hues(self, picture):
+        """How many pixels are of each of twelve hues; pale and dark ones left out."""
+        pixels = subprocess.run(["convert", picture, "-depth", "8", "rgb:-"], stdout=subprocess.PIPE, check=True).stdout
+        colours = collections.Counter(zip(pixels[0::3], pixels[1::3], pixels[2::3]))
+        counts = collections.Counter()
+        for (red, green, blue), count in colours.items():
+            hue, saturation, value = colorsys.rgb_to_hsv(red / 255, green / 255, blue / 255)
+            if saturation > 0.5 and value > 0.3:
+                counts[int(12 * hue)] += count
+        return counts
+
+    def test_hulls_are_seen_in_colours(self):
+        picture = os.path.join(self.folder, "rviz.png")
+        run = self.take_picture("-o", picture)
+        self.assertEqual(0, run.returncode, run.stdout)
+        counts = self.hues(picture)
+        seen = [hue for hue, count in counts.items() if count >= LEAST_PIXELS]
+        self.assertGreaterEqual(len(seen), 3, counts)
+
+    def test_failure_is_told(self):
+        run = self.take_picture("/nowhere.urdf", "-o", os.path.join(self.folder, "none.png"))
+        self.assertEqual(2, run.returncode, run.stdout)
+        self.assertIn("/nowhere.urdf", run.stdout)
+        self.assertEqual([], os.listdir(self.folder))
+
+
+if __name__ == "__main__":
+    rostest.rosrun("collision_hulls", "picture_test", PictureTest)

@@ -1,0 +1,65 @@
+// Distance queries of FCL in the settings that were found to be safe, with exceptions and NaN turned into values.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <string>
+
+#include "collision_hulls/geometry/convex_hull.h"
+#include "collision_hulls/geometry/triangle_mesh.h"
+
+namespace collision_hulls {
+
+/// The largest error of a distance, as a share of the bodies' size, that is taken for FCL's rounding and not for a fault.
+constexpr double kFclTolerance = 1e-6;
+
+/// One answer of FCL.
+struct FclAnswer {
+  enum class Status { kDistance, kException, kNan };
+  Status status = Status::kDistance;
+  double distance = 0;                                  ///< 0: in contact or overlapping
+  Eigen::Vector3d on_first = Eigen::Vector3d::Zero();   ///< nearest points, between separated hulls alone
+  Eigen::Vector3d on_second = Eigen::Vector3d::Zero();  ///< in the frame of the first body
+  double microseconds = 0;                              ///< what FCL's call took
+  std::string error;                                    ///< the text of an exception
+};
+
+/// A mesh as FCL and MoveIt hold one: a tree of triangles, a surface without inside. Triangles with two equal corners are left
+/// out: they are edges of others, and FCL cannot fit a box to a point. Immutable, thread safe.
+class FclMesh {
+ public:
+  explicit FclMesh(const TriangleMesh& mesh);
+  ~FclMesh();
+  FclMesh(FclMesh&&) noexcept;
+  bool empty() const;  ///< no triangle is left; such a mesh must not be asked for distances
+
+  struct Impl;
+  const Impl& impl() const { return *impl_; }
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+/// A hull as FCL's Convex. FCL trusts it to be convex; where its triangles are not closed, FCL searches all vertices instead of
+/// walking along edges. Immutable, thread safe.
+class FclHull {
+ public:
+  explicit FclHull(const ConvexHull& hull);
+  ~FclHull();
+  FclHull(FclHull&&) noexcept;
+
+  struct Impl;
+  const Impl& impl() const { return *impl_; }
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+// Distance from the first body to a point, or to a second body placed at `pose` in the first one's frame. A sphere is asked
+// for by its centre. FCL's tolerances are absolute: bodies are expected to be about one unit in size.
+FclAnswer fclDistance(const FclMesh& mesh, const Eigen::Vector3d& point);
+FclAnswer fclDistance(const FclHull& hull, const Eigen::Vector3d& point);
+FclAnswer fclDistance(const FclMesh& mesh, const FclMesh& other, const Eigen::Isometry3d& pose);
+FclAnswer fclDistance(const FclHull& hull, const FclHull& other, const Eigen::Isometry3d& pose);
+
+}  // namespace collision_hulls

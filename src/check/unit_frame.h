@@ -1,0 +1,31 @@
+// A frame in which an element lies at the origin and is about one unit in size.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "collision_hulls/check/validate.h"
+
+namespace collision_hulls {
+
+/// FCL's tolerances are absolute; here they are shares of the element's size. The factor is a power of two, so that nothing is
+/// rounded but the shift.
+class UnitFrame {
+ public:
+  /// The coordinates of the pair are finite and it has triangles or hulls.
+  explicit UnitFrame(const ValidationPair& pair);
+
+  double rounding() const { return rounding_; }  ///< of our own distances, in units
+  double units(double metres) const { return metres * scale_; }
+  double metres(double units) const { return units / scale_; }
+  Eigen::Vector3d metres(const Eigen::Vector3d& p) const { return p / scale_ + centre_; }
+  TriangleMesh units(TriangleMesh mesh) const;
+  ConvexHull units(ConvexHull hull) const;
+  std::vector<ConvexHull> units(std::vector<ConvexHull> hulls) const;
+
+ private:
+  Eigen::Vector3d centre_;
+  double scale_ = 1, rounding_ = 0;
+};
+
+}  // namespace collision_hulls

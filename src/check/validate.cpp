@@ -1,0 +1,134 @@
+// Pairs are checked in parallel and summed up in their order.
+#include "collision_hulls/check/validate.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include "check/validate_pair.h"
+
+namespace collision_hulls {
+
+namespace {
+
+constexpr std::size_t kMostNeighbours = 4;
+constexpr double kNeighbourhood = 0.25;  // how far neighbours may be, as a share of the element's diagonal
+
+/// The boxes of each pair's hulls; none for pairs that cannot be checked.
+using HullBoxes = std::vector<std::vector<Eigen::AlignedBox3d>>;
+
+Eigen::AlignedBox3d united(const std::vector<Eigen::AlignedBox3d>& boxes) {
+  Eigen::AlignedBox3d result;
+  for (const auto& box : boxes) result.extend(box);
+  return result;
+}
+
+/// The hulls of other elements whose boxes come nearest to the element's.
+std::vector<Neighbour> neighboursOf(std::size_t index, const std::vector<ValidationPair>& pairs, const HullBoxes& boxes) {
+  const Eigen::AlignedBox3d box = united(boxes[index]);
+  if (box.isEmpty()) return {};
+  std::vector<std::pair<double, Neighbour>> near;
+  for (std::size_t other = 0; other < pairs.size(); ++other) {
+    for (std::size_t h = 0; other != index && h < boxes[other].size(); ++h) {
+      const double apart = box.exteriorDistance(boxes[other][h]);
+      if (apart <= kNeighbourhood * box.diagonal().norm()) near.push_back({apart, {pairs[other].name, &pairs[other].hulls[h]}});
+    }
+  }
+  std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Neighbour> result;
+  for (std::size_t i = 0; i < std::min(near.size(), kMostNeighbours); ++i) result.push_back(near[i].second);
+  return result;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Validation merged(const std::vector<PairResult>& results) {
+  Validation sum;
+  std::vector<double> mesh_us, hull_us;
+  for (const PairResult& result : results) {
+    const Validation& counts = result.counts;
+    sum.queries += counts.queries;
+    sum.missed += counts.missed;
+    sum.phantom += counts.phantom;
+    sum.max_underestimate = std::max(sum.max_underestimate, counts.max_underestimate);
+    sum.exceptions += counts.exceptions;
+    sum.timeouts += counts.timeouts;
+    sum.nan += counts.nan;
+    sum.disagreements += counts.disagreements;
+    for (const std::string& remark : counts.remarks)
+      if (sum.remarks.size() < kMostRemarks) sum.remarks.push_back(remark);
+    mesh_us.insert(mesh_us.end(), result.mesh_us.begin(), result.mesh_us.end());
+    hull_us.insert(hull_us.end(), result.hull_us.begin(), result.hull_us.end());
+  }
+  sum.mesh_query_us = median(std::move(mesh_us));
+  sum.hull_query_us = median(std::move(hull_us));
+  return sum;
+}
+
+/// A pair that gives no answers is said to be one; where that is a fault, its queries count as NaN.
+PairResult notChecked(const ValidationPair& pair, const std::string& why, std::size_t queries) {
+  PairResult result;
+  result.counts.queries = result.counts.nan = queries;
+  result.counts.remarks.push_back(pair.name + ": not checked, " + why);
+  return result;
+}
+
+/// Reports the share of finished pairs from any thread.
+class Finished {
+ public:
+  Finished(std::size_t total, const RunControl& control) : total_(total), control_(control) {}
+  void one() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    control_.report(static_cast<double>(++done_) / static_cast<double>(total_));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::size_t done_ = 0;
+  const std::size_t total_;
+  const RunControl& control_;
+};
+
+}  // namespace
+
+Validation validate(const std::vector<ValidationPair>& pairs, const ValidationOptions& options, const RunControl& control) {
+  if (options.queries_per_pair < 0)
+    throw Error(ErrorCode::kBadOption, "validation: " + std::to_string(options.queries_per_pair) + " queries per pair; give 0 or more");
+  std::vector<std::string> faults;
+  HullBoxes hull_boxes(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    faults.push_back(fault(pairs[i]));
+    if (!faults[i].empty()) continue;
+    for (const ConvexHull& hull : pairs[i].hulls) hull_boxes[i].push_back(boundingBox(hull));
+  }
+  const std::vector<ProbeShape> boxes = boxShapes();
+  std::vector<PairResult> results(pairs.size());
+  Finished finished(pairs.size(), control);
+  const auto check = [&](std::size_t i) {
+    control.check();
+    if (!faults[i].empty())
+      results[i] = notChecked(pairs[i], faults[i], static_cast<std::size_t>(options.queries_per_pair));
+    else if (pairs[i].original.triangles.empty())
+      results[i] = notChecked(pairs[i], "its original has no triangle", 0);
+    else
+      results[i] = validatePair(pairs[i], i, boxes, neighboursOf(i, pairs, hull_boxes), options, control);
+    finished.one();
+  };
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, pairs.size(), 1),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) check(i);
+      },
+      tbb::simple_partitioner());
+  return merged(results);
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,35 @@
+// The check of one element: original against hulls, query by query.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "check/validate_probes.h"
+#include "collision_hulls/check/validate.h"
+
+namespace collision_hulls {
+
+/// What the queries of one pair gave, before they are summed up.
+struct PairResult {
+  Validation counts;                     ///< all but the times
+  std::vector<double> mesh_us, hull_us;  ///< [us] of each probe that both were asked about
+};
+
+constexpr std::size_t kMostRemarks = 20;
+
+/// A hull of another element that comes near, in the frame of the pair.
+struct Neighbour {
+  std::string name;
+  const ConvexHull* hull;
+};
+
+/// Why a pair cannot be checked, as the end of a sentence; empty if it can. Throws kIndexOutOfRange.
+std::string fault(const ValidationPair& pair);
+
+/// Runs the queries of a pair without fault whose original has triangles; `index` and the seed choose the poses. `boxes`: see boxShapes().
+/// Deterministic but for the times.
+PairResult validatePair(const ValidationPair& pair, std::size_t index, const std::vector<ProbeShape>& boxes,
+                        const std::vector<Neighbour>& neighbours, const ValidationOptions& options, const RunControl& control);
+
+}  // namespace collision_hulls

@@ -1,0 +1,180 @@
+#include "check/validate_probes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "check/validate_exact.h"
+
+namespace collision_hulls {
+
+namespace {
+
+// Shares of the element's size.
+constexpr double kSurroundings = 0.25;          // how far around the element free poses reach
+constexpr double kNudge = 1e-4;                 // of the first pose of a neighbour, and in radians
+constexpr double kNearest = 1e-5, kNear = 0.1;  // distances of poses near contact
+constexpr double kBoxSides[][3] = {{0.001, 0.001, 0.001}, {0.02, 0.02, 0.02}, {0.1, 0.06, 0.04},
+                                   {0.3, 0.01, 0.01},     {0.2, 0.15, 0.005}, {0.35, 0.25, 0.2}};
+
+/// A point of a triangle: a corner, a point of an edge or of the inside.
+Eigen::Vector3d pointOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, Random& random) {
+  const std::size_t kind = random.below(4);
+  if (kind == 0) return a;
+  const double u = random.uniform(0, 1), v = random.uniform(0, 1);
+  if (kind == 1) return a + (b - a) * u;
+  return u + v <= 1 ? a + (b - a) * u + (c - a) * v : a + (b - a) * (1 - u) + (c - a) * (1 - v);
+}
+
+Eigen::Vector3d pointOf(const TriangleMesh& mesh, std::size_t triangle, Random& random) {
+  const int t = static_cast<int>(triangle), first = static_cast<int>(random.below(3));
+  return pointOf(mesh.corner(t, first), mesh.corner(t, (first + 1) % 3), mesh.corner(t, (first + 2) % 3), random);
+}
+
+}  // namespace
+
+Random::Random(std::uint64_t seed, std::uint64_t pair, std::uint64_t query) : state_(seed) {
+  state_ = bits() ^ pair;
+  state_ = bits() ^ query;
+}
+
+std::uint64_t Random::bits() {
+  std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  return z ^ (z >> 31);
+}
+
+std::size_t Random::below(std::size_t n) {
+  return static_cast<std::size_t>(bits() % n);
+}
+
+double Random::uniform(double low, double high) {
+  return low + (high - low) * std::ldexp(static_cast<double>(bits() >> 11), -53);
+}
+
+double Random::logUniform(double low, double high) {
+  return low * std::exp(uniform(0, std::log(high / low)));
+}
+
+Eigen::Vector3d Random::direction() {
+  for (;;) {
+    const Eigen::Vector3d v{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};  // braces: drawn in this order
+    const double n = v.squaredNorm();
+    if (n > 0.01 && n <= 1) return v.normalized();
+  }
+}
+
+Eigen::Quaterniond Random::rotation() {
+  for (;;) {
+    const Eigen::Vector4d v{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
+    const double n = v.squaredNorm();
+    if (n > 0.01 && n <= 1) return Eigen::Quaterniond(Eigen::Vector4d(v.normalized()));
+  }
+}
+
+ProbeShape::ProbeShape(std::string probe_name, const ConvexHull& probe_hull)
+    : name(std::move(probe_name)), hull(probe_hull), convex(probe_hull), mesh(surface(probe_hull)) {}
+
+std::vector<ProbeShape> boxShapes() {
+  std::vector<ProbeShape> shapes;
+  for (const auto& sides : kBoxSides) {
+    std::vector<Eigen::Vector3d> corners;
+    for (int corner = 0; corner < 8; ++corner)
+      corners.emplace_back(((corner & 1) - 0.5) * sides[0], ((corner >> 1 & 1) - 0.5) * sides[1], ((corner >> 2) - 0.5) * sides[2]);
+    shapes.emplace_back("box", convexHull(corners));
+  }
+  return shapes;
+}
+
+Probe sphere(const Eigen::Vector3d& centre, double radius) {
+  Probe probe;
+  probe.centre = centre;
+  probe.radius = radius;
+  probe.box = Eigen::AlignedBox3d(centre.array() - radius, centre.array() + radius);
+  return probe;
+}
+
+Probe placed(const ProbeShape& shape, const Eigen::Isometry3d& pose) {
+  Probe probe;
+  probe.shape = &shape;
+  probe.pose = pose;
+  probe.body = transformed(shape.hull, pose);
+  for (const Eigen::Vector3d& v : probe.body.vertices) probe.centre += v / static_cast<double>(probe.body.vertices.size());
+  for (const Eigen::Vector3d& v : probe.body.vertices) probe.radius = std::max(probe.radius, (v - probe.centre).norm());
+  probe.box = boundingBox(probe.body);
+  return probe;
+}
+
+PoseSampler::PoseSampler(const TriangleMesh& original, const std::vector<ConvexHull>& hulls)
+    : original_(original), hulls_(hulls), surroundings_(boundingBox(original)) {
+  for (const ConvexHull& hull : hulls) surroundings_.extend(boundingBox(hull));
+  surroundings_.min().array() -= kSurroundings;
+  surroundings_.max().array() += kSurroundings;
+  double sum = 0;
+  for (int t = 0; t < static_cast<int>(original.triangles.size()); ++t) {
+    const Eigen::Vector3d& a = original.corner(t, 0);
+    sum += (original.corner(t, 1) - a).cross(original.corner(t, 2) - a).norm();
+    area_below_.push_back(sum);
+  }
+}
+
+Eigen::Vector3d PoseSampler::onOriginal(Random& random) const {
+  // Half by area, half by triangle: small parts have many small ones.
+  std::size_t triangle = random.below(area_below_.size());
+  if (random.below(2) == 0) {
+    const auto chosen = std::upper_bound(area_below_.begin(), area_below_.end() - 1, random.uniform(0, area_below_.back()));
+    triangle = static_cast<std::size_t>(chosen - area_below_.begin());
+  }
+  return pointOf(original_, triangle, random);
+}
+
+Eigen::Vector3d PoseSampler::inHull(Random& random) const {
+  const ConvexHull& hull = hulls_[random.below(hulls_.size())];
+  const TriangleMesh skin = surface(hull);
+  const Eigen::Vector3d p = pointOf(skin, random.below(skin.triangles.size()), random);
+  if (random.below(2) == 0) return p;
+  const Eigen::Vector3d q = pointOf(skin, random.below(skin.triangles.size()), random);
+  return p + (q - p) * random.uniform(0, 1);
+}
+
+/// Where something is to be touched: on the original, on or in a hull, or anywhere around.
+Eigen::Vector3d PoseSampler::anchor(Random& random) const {
+  const std::size_t kind = random.below(5);
+  if (kind < 2) return onOriginal(random);
+  if (kind < 4 && !hulls_.empty()) return inHull(random);
+  Eigen::Vector3d p;
+  for (int axis = 0; axis < 3; ++axis) p[axis] = random.uniform(surroundings_.min()[axis], surroundings_.max()[axis]);
+  return p;
+}
+
+Eigen::Vector3d PoseSampler::offset(Random& random) const {
+  const double length = random.logUniform(kNearest, kNear);
+  return random.direction() * length;
+}
+
+Eigen::Vector3d PoseSampler::sphereCentre(Random& random, double radius) const {
+  Eigen::Vector3d centre = anchor(random);
+  centre += offset(random);
+  if (random.below(2) == 0) centre += random.direction() * radius;
+  return centre;
+}
+
+Eigen::Isometry3d PoseSampler::pose(Random& random, const ConvexHull& probe) const {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = random.rotation().toRotationMatrix();
+  const TriangleMesh skin = surface(probe);
+  const Eigen::Vector3d handle = pointOf(skin, random.below(skin.triangles.size()), random);
+  pose.translation() = anchor(random) - pose.linear() * handle;
+  pose.translation() += offset(random);
+  return pose;
+}
+
+Eigen::Isometry3d PoseSampler::nudge(Random& random) const {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = Eigen::AngleAxisd(kNudge, random.direction()).toRotationMatrix();
+  pose.translation() = random.direction() * kNudge;
+  return pose;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,77 @@
+// The bodies that validation touches an element with, and where: seeded, independent of the order of the queries.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "check/fcl_queries.h"
+#include "collision_hulls/geometry/convex_hull.h"
+#include "collision_hulls/geometry/triangle_mesh.h"
+
+namespace collision_hulls {
+
+/// Random numbers that are the same on every platform (SplitMix64, Steele et al. 2014), a stream for each query.
+class Random {
+ public:
+  Random(std::uint64_t seed, std::uint64_t pair, std::uint64_t query);
+  std::uint64_t bits();
+  std::size_t below(std::size_t n);  ///< 0 .. n - 1; n > 0
+  double uniform(double low, double high);
+  double logUniform(double low, double high);  ///< 0 < low < high
+  Eigen::Vector3d direction();                 ///< of unit length
+  Eigen::Quaterniond rotation();
+
+ private:
+  std::uint64_t state_;
+};
+
+/// A polyhedral probe, for FCL and for us.
+struct ProbeShape {
+  explicit ProbeShape(std::string probe_name, const ConvexHull& probe_hull);
+  std::string name;  ///< for messages
+  ConvexHull hull;
+  FclHull convex;
+  FclMesh mesh;
+};
+
+/// Boxes, plates and rods about the origin for an element of unit size, from a thousandth to a third of it.
+std::vector<ProbeShape> boxShapes();
+
+/// A sphere, or a shape at its place.
+struct Probe {
+  const ProbeShape* shape = nullptr;  ///< null: a sphere
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  ConvexHull body;                                   ///< the shape at the pose
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< a point of the probe
+  double radius = 0;                                 ///< of the sphere, or of the ball about `centre` that holds the body
+  Eigen::AlignedBox3d box;
+};
+Probe sphere(const Eigen::Vector3d& centre, double radius);
+Probe placed(const ProbeShape& shape, const Eigen::Isometry3d& pose);  ///< keeps the address of the shape
+
+/// Places about an element of unit size.
+class PoseSampler {
+ public:
+  /// Keeps references. `original` has triangles.
+  PoseSampler(const TriangleMesh& original, const std::vector<ConvexHull>& hulls);
+
+  Eigen::Vector3d onOriginal(Random& random) const;  ///< a vertex, a point of an edge or of a triangle
+  Eigen::Vector3d inHull(Random& random) const;      ///< a vertex, a point of a hull's face or of its inside; there are hulls
+  // Never exactly in place: contacts to the last bit, as between flush faces, can run into an assert of FCL, which ends the process.
+  Eigen::Vector3d sphereCentre(Random& random, double radius) const;      ///< near contact, or anywhere
+  Eigen::Isometry3d pose(Random& random, const ConvexHull& probe) const;  ///< turned anyhow, near contact or anywhere
+  Eigen::Isometry3d nudge(Random& random) const;                          ///< a small motion
+
+ private:
+  Eigen::Vector3d anchor(Random& random) const;
+  Eigen::Vector3d offset(Random& random) const;
+
+  const TriangleMesh& original_;
+  const std::vector<ConvexHull>& hulls_;
+  std::vector<double> area_below_;  // of the triangles up to and with each
+  Eigen::AlignedBox3d surroundings_;
+};
+
+}  // namespace collision_hulls

@@ -138,7 +138,7 @@ DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunCont
   response.success = !anyFailed(result.report);
   response.message = summary(result.report) + "\nwritten to " + output;
   response.robot_description = result.urdf;
-  response.urdf_path = output + "/urdf/" + result.robot_name + ".urdf";
+  response.urdf_path = std::filesystem::directory_iterator(output + "/urdf")->path().string();  // the only file there
   response.report = toJson(result.report);
   response.links = toMessages(result.report);
   ROS_INFO("%s", response.message.c_str());

@@ -1,0 +1,292 @@
+#include "collision_hulls/pipeline/decompose_robot.h"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "collision_hulls/error.h"
+#include "pipeline/fixtures.h"
+#include "shapes.h"
+
+namespace collision_hulls {
+namespace {
+
+using fixtures::link;
+using fixtures::meshTag;
+using fixtures::TempFolder;
+
+/// The text without its <collision> elements.
+std::string withoutCollisions(const std::string& urdf) {
+  return std::regex_replace(urdf, std::regex("\\s*<collision[^]*?</collision>"), "");
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+class DecomposeRobot : public ::testing::Test {
+ protected:
+  DecomposeRobot() {
+    fixtures::write(folder_ / "meshes/box.obj", fixtures::obj(test_shapes::box(0.1, 0.2, 0.3)));
+    fixtures::write(folder_ / "meshes/bracket.obj", fixtures::obj(test_shapes::lBracket(0.2, 0.03, 0.1)));
+    fixtures::write(folder_ / "meshes/channel.obj", fixtures::obj(test_shapes::uChannel(0.2, 0.2, 0.02, 0.4)));
+    fixtures::write(folder_ / "meshes/rubbish.stl", "no mesh at all");
+    options_.jobs = 2;
+  }
+
+  RobotDescription description(const std::string& links) {
+    return readRobotDescription(fixtures::write(folder_ / "urdf/arm.urdf", fixtures::robot("arm", links)));
+  }
+
+  RobotResult run(const std::string& links, const RunControl& control = {}, const StepCallback& step = {}) {
+    return decomposeRobot(description(links), defaultPackageFinder(), options_, folder_ / "out", control, step);
+  }
+
+  static std::string collision(const std::string& mesh, const std::string& more = "") {
+    return "    <collision" + more + ">\n      <origin xyz=\"0 0 0.1\"/>\n      " + meshTag("../meshes/" + mesh) + "\n    </collision>\n";
+  }
+  static std::string visual(const std::string& mesh, const std::string& scale = "1 1 1") {
+    return "    <visual>\n      " + meshTag("../meshes/" + mesh, " scale=\"" + scale + "\"") + "\n    </visual>\n";
+  }
+
+  TempFolder folder_;
+  Options options_;
+};
+
+TEST_F(DecomposeRobot, NoMeshAtAll) {
+  const std::string sphere = "    <collision><geometry><sphere radius=\"0.1\"/></geometry></collision>\n";
+  const RobotResult result = run(link("base", "") + link("ball", sphere, "base"));
+  EXPECT_TRUE(result.report.links.empty());
+  EXPECT_EQ(result.urdf, fixtures::read(folder_ / "urdf/arm.urdf"));
+}
+
+TEST_F(DecomposeRobot, ARowForEveryMeshInDocumentOrder) {
+  const std::string sphere = "    <collision><geometry><sphere radius=\"0.1\"/></geometry></collision>\n";
+  const RobotResult result = run(link("base", visual("box.obj") + sphere + collision("bracket.obj")) + link("frame", "", "base") +
+                                 link("tip", visual("channel.obj") + visual("box.obj", "1 -2 1"), "base"));
+  ASSERT_EQ(result.report.links.size(), 3u);
+  const ElementReport& bracket = result.report.links[0];
+  EXPECT_EQ(bracket.link, "base");
+  EXPECT_EQ(bracket.element, 1) << "primitives count";
+  EXPECT_FALSE(bracket.visual);
+  const ElementReport& mirrored = result.report.links[2];
+  EXPECT_EQ(mirrored.link, "tip");
+  EXPECT_EQ(mirrored.element, 1);
+  EXPECT_TRUE(mirrored.visual);
+  EXPECT_NEAR(mirrored.volume, 2 * 0.1 * 0.2 * 0.3, 1e-9);
+  EXPECT_EQ(mirrored.hulls, 1u);
+  for (const ElementReport& row : result.report.links) {
+    EXPECT_NE(row.status, Status::kFailed) << row.reason;
+    EXPECT_EQ(row.uncovered, 0);
+    EXPECT_LE(row.protrusion_found, row.protrusion);
+    EXPECT_NEAR(row.tolerance, 0.01 * row.diagonal, 1e-15);
+    EXPECT_EQ(row.files.size(), row.hulls);
+    EXPECT_EQ(row.sha256.size(), 64u);
+  }
+  EXPECT_GT(result.report.validation.queries, 0u);
+  EXPECT_EQ(result.report.validation.missed, 0u);
+  EXPECT_EQ(result.report.validation.phantom, 0u);
+}
+
+TEST_F(DecomposeRobot, RewritesCollisionsAlone) {
+  const std::string sphere = "    <collision name=\"knob\"><geometry><sphere radius=\"0.1\"/></geometry></collision>\n";
+  const RobotResult result = run(link("base", visual("box.obj") + sphere + collision("bracket.obj", " name=\"body\"")));
+  const std::string before = fixtures::read(folder_ / "urdf/arm.urdf");
+  EXPECT_EQ(withoutCollisions(result.urdf), withoutCollisions(before));
+  EXPECT_EQ(count(result.urdf, "<collision"), 1 + result.report.links[0].hulls);
+  EXPECT_NE(result.urdf.find(sphere), std::string::npos);
+  EXPECT_NE(result.urdf.find("name=\"body_0\""), std::string::npos);
+  EXPECT_NE(result.urdf.find("package://arm_collision/meshes/base/1_0.stl"), std::string::npos);
+  const RobotDescription again = parseRobotDescription(result.urdf);
+  EXPECT_EQ(again.links[0].collisions[1].origin.translation(), Eigen::Vector3d(0, 0, 0.1));
+}
+
+TEST_F(DecomposeRobot, VisualPrimitivesBecomeCollisionsWhereThereAreNone) {
+  const std::string cylinder = "    <visual><geometry><cylinder radius=\"0.1\" length=\"1\"/></geometry></visual>\n";
+  const RobotResult result = run(link("base", cylinder + visual("box.obj")));
+  const RobotDescription again = parseRobotDescription(result.urdf);
+  ASSERT_EQ(again.links[0].collisions.size(), 2u);
+  EXPECT_EQ(again.links[0].collisions[0].kind, GeometryElement::Kind::kCylinder);
+  EXPECT_EQ(again.links[0].collisions[1].kind, GeometryElement::Kind::kMesh);
+}
+
+TEST_F(DecomposeRobot, UriStyles) {
+  const auto uri = [&](UriStyle style) {
+    options_.uri = style;
+    const RobotResult result = run(link("base", collision("box.obj")));
+    return parseRobotDescription(result.urdf).links[0].collisions[0].uri;
+  };
+  EXPECT_EQ(uri(UriStyle::kPackage), "package://arm_collision/meshes/base/0_0.stl");
+  EXPECT_EQ(uri(UriStyle::kFile), "file://" + (folder_ / "out/meshes/base/0_0.stl"));
+  EXPECT_EQ(uri(UriStyle::kRelative), "../meshes/base/0_0.stl");
+}
+
+TEST_F(DecomposeRobot, OneBadLinkLosesNoOther) {
+  options_.uri = UriStyle::kRelative;
+  const std::string bad = link("bad", collision("box.obj") + collision("rubbish.stl"), "base");
+  const RobotResult result = run(link("base", collision("box.obj")) + bad + link("gone", collision("gone.stl"), "base") +
+                                 link("lost", "    <collision>" + meshTag("package://no_such_package/a.stl") + "</collision>\n", "base") +
+                                 link("last", collision("bracket.obj"), "base"));
+  const auto& rows = result.report.links;
+  ASSERT_EQ(rows.size(), 6u);
+  EXPECT_TRUE(anyFailed(result.report));
+  EXPECT_EQ(rows[0].status, Status::kOk) << rows[0].reason;
+  EXPECT_EQ(rows[1].status, Status::kOk) << rows[1].reason;
+  EXPECT_EQ(rows[2].error, "NotAMesh");
+  EXPECT_EQ(rows[3].error, "FileNotFound");
+  EXPECT_EQ(rows[4].error, "PackageNotFound");
+  for (int i : {2, 3, 4}) EXPECT_EQ(rows[static_cast<std::size_t>(i)].status, Status::kFailed);
+  EXPECT_NE(rows[2].reason.find("rubbish.stl"), std::string::npos) << rows[2].reason;
+  EXPECT_NE(rows[4].reason.find("no_such_package"), std::string::npos) << rows[4].reason;
+  EXPECT_NE(rows[5].status, Status::kFailed) << rows[5].reason;
+  EXPECT_NE(result.urdf.find(bad), std::string::npos) << "a link with a failed mesh must stay as it was";
+  EXPECT_NE(result.urdf.find("meshes/last/0_0.stl"), std::string::npos);
+  EXPECT_EQ(result.report.validation.missed, 0u);
+}
+
+TEST_F(DecomposeRobot, ChosenLinks) {
+  const std::string links = link("left_arm", collision("box.obj")) + link("right_arm", collision("box.obj"), "left_arm");
+  options_.links = "right.*";
+  const RobotResult result = run(links);
+  ASSERT_EQ(result.report.links.size(), 1u);
+  EXPECT_EQ(result.report.links[0].link, "right_arm");
+  EXPECT_NE(result.urdf.find(link("left_arm", collision("box.obj"))), std::string::npos);
+  options_.links = "arm";  // the whole name counts
+  try {
+    run(links);
+    ADD_FAILURE();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::kBadOption);
+    EXPECT_NE(std::string(e.what()).find("left_arm, right_arm"), std::string::npos) << e.what();
+  }
+}
+
+TEST_F(DecomposeRobot, EqualMeshesAreWorkedOnOnce) {
+  fixtures::write(folder_ / "meshes/copy.obj", fixtures::read(folder_ / "meshes/bracket.obj"));
+  const RobotResult result =
+      run(link("a", visual("bracket.obj")) + link("b", visual("copy.obj"), "a") + link("c", visual("bracket.obj", "2 2 2"), "a"));
+  const auto& rows = result.report.links;
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].sha256, rows[1].sha256);
+  EXPECT_EQ(rows[1].link, "b");
+  EXPECT_EQ(rows[1].hulls, rows[0].hulls);
+  EXPECT_EQ(rows[1].seconds.decompose, 0);
+  EXPECT_EQ(rows[1].files.front(), "meshes/b/0_0.stl");
+  EXPECT_EQ(result.elements[1].hulls.front().vertices, result.elements[0].hulls.front().vertices);
+  EXPECT_GT(rows[2].seconds.decompose, 0) << "another scale is another mesh";
+  EXPECT_NEAR(rows[2].diagonal, 2 * rows[0].diagonal, 1e-12);
+}
+
+TEST_F(DecomposeRobot, LinkNamesThatFileSystemsDoNotTake) {
+  const RobotResult result =
+      run(link("a/b", collision("box.obj")) + link("a b", collision("box.obj"), "a/b") + link("..", collision("box.obj"), "a/b"));
+  EXPECT_EQ(result.report.links[0].files.front(), "meshes/a_b/0_0.stl");
+  EXPECT_EQ(result.report.links[1].files.front(), "meshes/a_b_2/0_0.stl");
+  EXPECT_EQ(result.report.links[2].files.front(), "meshes/_../0_0.stl");
+}
+
+// The paper's method fills the channel: its ray concavity sees nothing there. The certificate does, and says so.
+TEST_F(DecomposeRobot, DegradedWithNumbersWhereTheToleranceIsNotKept) {
+  options_.tolerance = {0.03, true};
+  const RobotResult result = run(link("base", collision("channel.obj")));
+  const ElementReport& row = result.report.links[0];
+  ASSERT_EQ(row.status, Status::kDegraded);
+  EXPECT_GT(row.protrusion_found, row.tolerance);
+  EXPECT_NE(row.reason.find("mm"), std::string::npos) << row.reason;
+  EXPECT_NE(row.reason.find("concavity"), std::string::npos) << row.reason;
+  EXPECT_FALSE(anyFailed(result.report));
+}
+
+TEST_F(DecomposeRobot, OtherMethodsAndTheirReasons) {
+  options_.method = Method::kSingleHull;
+  const RobotResult single = run(link("base", collision("channel.obj")));
+  EXPECT_EQ(single.report.links[0].hulls, 1u);
+  EXPECT_EQ(single.report.links[0].status, Status::kDegraded);
+  EXPECT_NE(single.report.links[0].reason.find("single_hull"), std::string::npos);
+  options_.method = Method::kBoundingBox;
+  const RobotResult box = run(link("base", collision("box.obj")));
+  EXPECT_EQ(box.report.links[0].hull_vertices, 8u);
+  EXPECT_EQ(box.report.links[0].status, Status::kOk) << box.report.links[0].reason;
+}
+
+TEST_F(DecomposeRobot, SameBytesWhateverTheThreads) {
+  const std::string links =
+      link("a", collision("bracket.obj")) + link("b", collision("channel.obj"), "a") + link("c", collision("box.obj"), "a");
+  options_.validate = false;
+  const auto written = [&](int jobs) {
+    options_.jobs = jobs;
+    RobotResult result = run(links);
+    writeOutput(result, folder_ / "out");
+    auto files = fixtures::contents(folder_ / "out");
+    files.erase("report.json");  // it holds times
+    return files;
+  };
+  const auto one = written(1);
+  EXPECT_GT(one.size(), 5u);
+  EXPECT_EQ(written(4), one);
+}
+
+TEST_F(DecomposeRobot, TellsWhatItDoes) {
+  RunControl control;
+  std::vector<double> fractions;
+  control.progress = [&](double fraction) { fractions.push_back(fraction); };
+  std::vector<Step> steps;
+  run(link("a", collision("bracket.obj")) + link("b", collision("rubbish.stl"), "a"), control,
+      [&](const Step& step) { steps.push_back(step); });
+  ASSERT_EQ(steps.size(), 3u);
+  EXPECT_EQ(steps[0].item, "b");
+  EXPECT_EQ(steps[1].item, "a");
+  EXPECT_EQ(steps[1].done, 2u);
+  EXPECT_EQ(steps[1].total, 2u);
+  EXPECT_GT(steps[1].hulls, 0u);
+  EXPECT_EQ(steps[2].stage, "validate");
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_EQ(fractions.back(), 1);
+}
+
+TEST_F(DecomposeRobot, Cancelled) {
+  const RunControl control;
+  try {
+    run(link("a", collision("bracket.obj")) + link("b", collision("channel.obj"), "a"), control, [&](const Step&) { control.cancel(); });
+    ADD_FAILURE();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::kCancelled);
+  }
+}
+
+TEST_F(DecomposeRobot, BadOptionsAreRefusedFirst) {
+  options_.max_vertices = 5;
+  EXPECT_THROW(run(link("a", collision("rubbish.stl"))), Error);
+}
+
+TEST(DecomposeMesh, HasOneRow) {
+  const TempFolder folder;
+  const std::string path = fixtures::write(folder / "my part.obj", fixtures::obj(test_shapes::lBracket()));
+  RobotResult result = decomposeMesh(path, {});
+  ASSERT_EQ(result.report.links.size(), 1u);
+  EXPECT_EQ(result.report.links[0].link, "my part");
+  EXPECT_EQ(result.report.input_sha256, result.report.links[0].sha256);
+  EXPECT_TRUE(result.single_mesh);
+  writeOutput(result, folder / "out");
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/hull_0.stl"));
+  EXPECT_EQ(count("\n" + fixtures::read(folder / "out/my_part_hulls.obj"), "\no "), result.report.links[0].hulls);
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/package.xml"));
+}
+
+TEST(DecomposeMesh, Degenerate) {
+  const TempFolder folder;
+  const std::string point = fixtures::write(folder / "point.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");
+  EXPECT_EQ(decomposeMesh(point, {}).report.links[0].status, Status::kFailed);
+  const std::string triangle = fixtures::write(folder / "triangle.obj", fixtures::obj(test_shapes::singleTriangle()));
+  const ElementReport flat = decomposeMesh(triangle, {}).report.links[0];
+  EXPECT_EQ(flat.status, Status::kOk) << flat.reason;
+  EXPECT_EQ(flat.interior, "surface");
+  EXPECT_EQ(flat.uncovered, 0);
+  const std::string missing = folder / "missing.obj";
+  EXPECT_EQ(decomposeMesh(missing, {}).report.links[0].error, "FileNotFound");
+}
+
+}  // namespace
+}  // namespace collision_hulls

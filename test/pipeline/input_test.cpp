@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include "collision_hulls/error.h"
+#include "collision_hulls/pipeline/decompose_robot.h"
+#include "pipeline/fixtures.h"
+
+namespace collision_hulls {
+namespace {
+
+using fixtures::TempFolder;
+
+class OpenInput : public ::testing::Test {
+ protected:
+  OpenInput() {
+    if (const char* old = getenv("ROS_PACKAGE_PATH")) old_path_ = old;
+    setenv("ROS_PACKAGE_PATH", folder_.path().c_str(), 1);
+  }
+  ~OpenInput() override { setenv("ROS_PACKAGE_PATH", old_path_.c_str(), 1); }
+
+  void addPackage(const std::string& name) {
+    fixtures::write(folder_ / (name + "/package.xml"), "<package format=\"2\"><name>" + name + "</name></package>");
+  }
+  void addRobot(const std::string& file) { fixtures::write(folder_ / file, fixtures::robot("arm", fixtures::link("base", ""))); }
+
+  void expectError(const std::string& input, ErrorCode code, const std::vector<std::string>& parts) {
+    try {
+      openInput(input);
+      ADD_FAILURE() << input;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), code) << e.what();
+      for (const std::string& part : parts) EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
+    }
+  }
+
+  TempFolder folder_;
+  std::string old_path_;
+};
+
+TEST_F(OpenInput, NothingThere) {
+  expectError("", ErrorCode::kFileNotFound, {"INPUT ''"});
+  expectError("no/such.stl", ErrorCode::kFileNotFound, {"'no/such.stl'", "looked at '/"});
+  expectError("missing.urdf", ErrorCode::kFileNotFound, {"'missing.urdf'"});
+  expectError("no_such_package", ErrorCode::kPackageNotFound, {"no_such_package", "ROS_PACKAGE_PATH", folder_.path().string()});
+  expectError(folder_.path().string(), ErrorCode::kFileNotFound, {"no package's folder"});
+}
+
+TEST_F(OpenInput, NotWhatIsUnderstood) {
+  expectError(fixtures::write(folder_ / "part.step", "ISO-10303-21;"), ErrorCode::kUnsupportedFormat, {"'.step'", ".urdf", ".stl"});
+  expectError(fixtures::write(folder_ / "broken.urdf", "no xml"), ErrorCode::kNotXml, {"broken.urdf"});
+  expectError(fixtures::write(folder_ / "empty.urdf", fixtures::robot("empty", "")), ErrorCode::kNoLinks, {"empty"});
+}
+
+TEST_F(OpenInput, AMeshIsNotReadYet) {
+  const Input input = openInput(fixtures::write(folder_ / "Part.STL", "anything"));
+  EXPECT_EQ(input.kind, Input::Kind::kMesh);
+  EXPECT_EQ(input.path, folder_ / "Part.STL");
+  EXPECT_EQ(defaultOutput(input), "./Part_collision");
+}
+
+TEST_F(OpenInput, ARobotByFilePackageOrFolder) {
+  addPackage("arm_description");
+  addRobot("arm_description/urdf/arm.urdf");
+  for (const std::string& text : {folder_ / "arm_description/urdf/arm.urdf", std::string("arm_description"), folder_ / "arm_description"}) {
+    const Input input = openInput(text);
+    EXPECT_EQ(input.kind, Input::Kind::kRobot);
+    EXPECT_EQ(input.robot.name, "arm");
+    EXPECT_EQ(input.find_package("arm_description"), folder_ / "arm_description");
+    EXPECT_EQ(defaultOutput(input), "./arm_collision");
+  }
+}
+
+TEST_F(OpenInput, APackageWithNoneOrSeveralRobots) {
+  addPackage("two_description");
+  expectError("two_description", ErrorCode::kFileNotFound, {"two_description", ".urdf", "give the file"});
+  addRobot("two_description/urdf/left.urdf");
+  addRobot("two_description/urdf/right.urdf");
+  expectError("two_description", ErrorCode::kNotARobot, {"2 robot descriptions", "urdf/left.urdf", "urdf/right.urdf", "give one of them"});
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -1,0 +1,126 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "collision_hulls/error.h"
+#include "collision_hulls/pipeline/decompose_robot.h"
+#include "pipeline/fixtures.h"
+#include "shapes.h"
+
+namespace collision_hulls {
+namespace {
+
+namespace fs = std::filesystem;
+using fixtures::TempFolder;
+
+ConvexHull box() {
+  return convexHull(test_shapes::box(1, 2, 3).vertices);
+}
+
+/// A result of two links, made by hand.
+RobotResult sample() {
+  RobotResult result;
+  result.robot_name = "My Arm";
+  result.urdf = "<robot name=\"My Arm\"/>\n";
+  for (const char* link : {"a", "b"}) {
+    ElementResult element;
+    element.report.link = link;
+    element.hulls = {box(), box()};
+    for (const char* m : {"0", "1"}) element.report.files.push_back("meshes/" + std::string(link) + "/0_" + m + ".stl");
+    result.report.links.push_back(element.report);
+    result.elements.push_back(element);
+  }
+  return result;
+}
+
+void expectError(const std::string& output, ErrorCode code) {
+  for (const bool write : {false, true}) {
+    try {
+      RobotResult result = sample();
+      if (write) {
+        writeOutput(result, output);
+      } else {
+        checkOutput(output);
+      }
+      ADD_FAILURE() << output << " was accepted";
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), code) << e.what();
+      EXPECT_NE(std::string(e.what()).find("choose another output"), std::string::npos) << e.what();
+    }
+  }
+}
+
+TEST(WriteOutput, RefusesWhatItDidNotWrite) {
+  const TempFolder folder;
+  fixtures::write(folder / "foreign/notes.txt", "mine");
+  fixtures::write(folder / "other_report/report.json", "{\"report\": 1}");
+  fixtures::write(folder / "no_json/report.json", "collision_hulls");
+  fixtures::write(folder / "file", "");
+  const auto before = fixtures::contents(folder.path());
+  for (const char* name : {"foreign", "other_report", "no_json", "file"}) expectError(folder / name, ErrorCode::kNotOurOutput);
+  EXPECT_EQ(fixtures::contents(folder.path()), before);
+}
+
+TEST(WriteOutput, UnwritablePlaces) {
+  const TempFolder folder;
+  fixtures::write(folder / "file", "");
+  expectError(folder / "file/out", ErrorCode::kUnwritableOutput);
+  if (geteuid() != 0) {  // root may write everywhere
+    fs::create_directory(folder / "locked");
+    fs::permissions(folder / "locked", fs::perms::owner_read | fs::perms::owner_exec);
+    expectError(folder / "locked/out", ErrorCode::kUnwritableOutput);
+  }
+}
+
+TEST(WriteOutput, APackage) {
+  const TempFolder folder;
+  RobotResult result = sample();
+  writeOutput(result, folder / "out");
+  const auto files = fixtures::contents(folder.path());
+  std::vector<std::string> names;
+  for (const auto& [name, text] : files) names.push_back(name);
+  EXPECT_EQ(names, (std::vector<std::string>{"out/CMakeLists.txt", "out/meshes/a/0_0.stl", "out/meshes/a/0_1.stl", "out/meshes/b/0_0.stl",
+                                             "out/meshes/b/0_1.stl", "out/package.xml", "out/report.json", "out/urdf/My_Arm.urdf"}));
+  EXPECT_EQ(files.at("out/urdf/My_Arm.urdf"), result.urdf);
+  EXPECT_NE(files.at("out/package.xml").find("<name>my_arm_collision</name>"), std::string::npos);
+  const auto report = nlohmann::json::parse(files.at("out/report.json"));
+  EXPECT_GT(report["links"][1]["seconds"]["write"].get<double>(), 0);
+}
+
+TEST(WriteOutput, ReplacesAnEarlierOutputAsAWhole) {
+  const TempFolder folder;
+  RobotResult result = sample();
+  fs::create_directory(folder / "out");  // an empty folder is welcome
+  writeOutput(result, folder / "out");
+  result.elements.pop_back();
+  result.report.links.pop_back();
+  writeOutput(result, folder / "out");
+  EXPECT_FALSE(fs::exists(folder / "out/meshes/b"));
+  EXPECT_TRUE(fs::exists(folder / "out/meshes/a/0_1.stl"));
+}
+
+TEST(WriteOutput, CancelLeavesTheOldOne) {
+  const TempFolder folder;
+  RobotResult result = sample();
+  writeOutput(result, folder / "out");
+  const auto before = fixtures::contents(folder.path());
+  const RunControl control;
+  control.cancel();
+  EXPECT_THROW(writeOutput(result, folder / "out", control), Error);
+  EXPECT_EQ(fixtures::contents(folder.path()), before);
+}
+
+TEST(WriteReport, InOneRename) {
+  const TempFolder folder;
+  const Report report = sample().report;
+  writeReport(report, folder / "deep/report.json");
+  EXPECT_EQ(fixtures::read(folder / "deep/report.json"), toJson(report));
+  EXPECT_EQ(fixtures::contents(folder.path()).size(), 1u);
+  fs::create_directory(folder / "folder");
+  EXPECT_THROW(writeReport(report, folder / "folder"), Error);
+  EXPECT_EQ(fixtures::contents(folder.path()).size(), 1u) << "a half-written file is left";
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -1,0 +1,189 @@
+// The program itself: exit status, what stands on which stream, what is on the disk.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/fixtures.h"
+#include "shapes.h"
+
+namespace collision_hulls {
+namespace {
+
+namespace fs = std::filesystem;
+using fixtures::TempFolder;
+using nlohmann::json;
+
+struct Finished {
+  int status = -1;
+  std::string out, err;
+};
+
+class DecomposeProgram : public ::testing::Test {
+ protected:
+  DecomposeProgram() {
+    fixtures::write(folder_ / "arm/package.xml", "<package format=\"2\"><name>arm_description</name></package>");
+    fixtures::write(folder_ / "arm/meshes/bracket.obj", fixtures::obj(test_shapes::lBracket(0.2, 0.03, 0.1)));
+    fixtures::write(folder_ / "arm/meshes/rubbish.stl", "no mesh");
+    addRobot("arm/urdf/arm.urdf", fixtures::link("base", collision("bracket.obj")));
+  }
+
+  static std::string collision(const std::string& mesh) {
+    return "    <collision>" + fixtures::meshTag("package://arm_description/meshes/" + mesh) + "</collision>\n";
+  }
+  void addRobot(const std::string& file, const std::string& links) { fixtures::write(folder_ / file, fixtures::robot("arm", links)); }
+
+  /// Runs in the folder, through a shell: quote what has spaces.
+  Finished run(const std::string& arguments) {
+    const std::string command = "cd '" + folder_.path().string() + "' && ROS_PACKAGE_PATH='" + folder_.path().string() +
+                                "' '" PROGRAMS "/decompose' " + arguments + " >'" + (folder_ / ".out") + "' 2>'" + (folder_ / ".err") + "'";
+    const int status = std::system(command.c_str());
+    Finished result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, fixtures::read(folder_ / ".out"), fixtures::read(folder_ / ".err")};
+    fs::remove(folder_ / ".out");
+    fs::remove(folder_ / ".err");
+    return result;
+  }
+
+  void expectWrongUse(const std::string& arguments, const std::vector<std::string>& parts) {
+    const auto before = fixtures::contents(folder_.path());
+    const Finished result = run(arguments);
+    EXPECT_EQ(result.status, 2) << arguments;
+    EXPECT_EQ(result.out, "") << arguments;
+    for (const std::string& part : parts) EXPECT_NE(result.err.find(part), std::string::npos) << arguments << "\n" << result.err;
+    EXPECT_EQ(fixtures::contents(folder_.path()), before) << arguments;
+  }
+
+  TempFolder folder_;
+};
+
+TEST_F(DecomposeProgram, HelpNamesUnitsAndDefaults) {
+  const Finished result = run("--help");
+  EXPECT_EQ(result.status, 0);
+  for (const char* part : {"INPUT", "--tolerance", "5mm", "[1%]", "--max-vertices", "[64]", "Examples:", "Exit status:"})
+    EXPECT_NE(result.out.find(part), std::string::npos) << part;
+  EXPECT_EQ(result.err, "");
+}
+
+TEST_F(DecomposeProgram, Version) {
+  const Finished result = run("--version");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out.rfind("decompose of collision_hulls ", 0), 0u) << result.out;
+}
+
+TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {
+  expectWrongUse("", {"INPUT", "--help"});
+  expectWrongUse("arm/urdf/arm.urdf --fine", {"--fine"});
+  expectWrongUse("arm/urdf/arm.urdf another", {"another"});
+  expectWrongUse("arm/urdf/arm.urdf -t 5furlongs", {"tolerance", "'5furlongs'", "5mm"});
+  expectWrongUse("arm/urdf/arm.urdf -t 0", {"tolerance", "'0'"});
+  expectWrongUse("arm/urdf/arm.urdf -t 101%", {"tolerance", "'101%'", "100%"});
+  expectWrongUse("arm/urdf/arm.urdf -m vhacd", {"--method", "'vhacd'", "hacd", "bounding_box"});
+  expectWrongUse("arm/urdf/arm.urdf --max-hulls few", {"--max-hulls", "'few'", "whole number"});
+  expectWrongUse("arm/urdf/arm.urdf --max-vertices 7", {"max-vertices", "'7'", "from 8"});
+  expectWrongUse("arm/urdf/arm.urdf --max-hulls=-1", {"--max-hulls", "'-1'"});
+  expectWrongUse("arm/urdf/arm.urdf --jobs 99999", {"jobs", "'99999'", "1024"});
+  expectWrongUse("arm/urdf/arm.urdf --seed 99999999999999999999", {"--seed", "18446744073709551615"});
+  expectWrongUse("arm/urdf/arm.urdf --format dxf", {"--format", "'dxf'", "stl"});
+  expectWrongUse("arm/urdf/arm.urdf --source both", {"--source", "'both'", "visual"});
+  expectWrongUse("arm/urdf/arm.urdf --uri http", {"--uri", "'http'", "relative"});
+  expectWrongUse("arm/urdf/arm.urdf --profile havok", {"profile", "'havok'", "physx"});
+  expectWrongUse("arm/urdf/arm.urdf --links '('", {"links", "'('"});
+  expectWrongUse("arm/urdf/arm.urdf --links elbow", {"links", "'elbow'", "base"});
+}
+
+TEST_F(DecomposeProgram, UnreadableInput) {
+  fixtures::write(folder_ / "no_xml.urdf", "robot: arm\n");
+  fixtures::write(folder_ / "no_links.urdf", "<robot name=\"arm\"/>\n");
+  fixtures::write(folder_ / "no_robot.urdf", "<html/>\n");
+  fixtures::write(folder_ / "empty.stl", "");
+  fixtures::write(folder_ / "no_triangle.obj", "v 0 0 0\n");
+  expectWrongUse("missing.urdf", {"'missing.urdf'", "looked at"});
+  expectWrongUse("missing_package", {"'missing_package'", "ROS_PACKAGE_PATH"});
+  expectWrongUse("no_xml.urdf", {"no_xml.urdf"});
+  expectWrongUse("no_links.urdf", {"no_links.urdf"});
+  expectWrongUse("no_robot.urdf", {"no_robot.urdf"});
+  expectWrongUse("arm/meshes/rubbish.stl --quiet", {"rubbish.stl"});
+  expectWrongUse("empty.stl --quiet", {"empty.stl"});
+  expectWrongUse("no_triangle.obj --quiet", {"no_triangle.obj"});
+}
+
+TEST_F(DecomposeProgram, OutputThatCannotBe) {
+  fixtures::write(folder_ / "file", "");
+  fixtures::write(folder_ / "mine/thesis.tex", "\\documentclass{book}");
+  expectWrongUse("arm/urdf/arm.urdf -o file/out", {"file/out"});
+  expectWrongUse("arm/urdf/arm.urdf -o file", {"file"});
+  expectWrongUse("arm/urdf/arm.urdf -o mine", {"mine", "left alone"});
+}
+
+TEST_F(DecomposeProgram, ARobotByItsPackageName) {
+  const Finished result = run("arm_description --json here.json");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("base"), std::string::npos);
+  EXPECT_NE(result.err.find("decompose 1/1"), std::string::npos) << "lines of progress where there is no terminal";
+  EXPECT_EQ(fixtures::read(folder_ / "here.json"), fixtures::read(folder_ / "arm_collision/report.json"));
+  const json report = json::parse(fixtures::read(folder_ / "here.json"));
+  EXPECT_EQ(report["links"][0]["uncovered"], 0.0);
+  for (const std::string file : report["links"][0]["files"]) EXPECT_TRUE(fs::exists(folder_ / ("arm_collision/" + file))) << file;
+}
+
+TEST_F(DecomposeProgram, OptionsArriveInTheReport) {
+  const Finished result =
+      run("arm_description --json - -t 2mm -m single_hull --profile physx --max-hulls 3 --seed 7 --jobs 2 --format obj "
+          "--uri relative --no-validate --no-cache -o deep/out");
+  EXPECT_EQ(result.status, 0) << result.err;
+  const json report = json::parse(result.out);  // nothing but JSON
+  EXPECT_EQ(report["options"]["tolerance"], "0.002m");
+  EXPECT_EQ(report["options"]["method"], "single_hull");
+  EXPECT_EQ(report["options"]["max-hulls"], 3) << "a cap given by hand wins over the profile's";
+  EXPECT_EQ(report["options"]["max-vertices"], 64);
+  EXPECT_EQ(report["options"]["format"], "obj");
+  EXPECT_EQ(report["seed"], 7);
+  EXPECT_TRUE(report["validation"].is_null());
+  EXPECT_TRUE(fs::exists(folder_ / "deep/out/meshes/base/0_0.obj"));
+}
+
+TEST_F(DecomposeProgram, AMesh) {
+  const Finished result = run("arm/meshes/bracket.obj --quiet");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err, "");
+  for (const char* file : {"hull_0.stl", "bracket_hulls.obj", "report.json"})
+    EXPECT_TRUE(fs::exists(folder_ / "bracket_collision" / file)) << file;
+}
+
+TEST_F(DecomposeProgram, OneBadLinkAmongGoodOnes) {
+  addRobot("bad.urdf", fixtures::link("base", collision("bracket.obj")) + fixtures::link("bad", collision("rubbish.stl"), "base"));
+  const Finished result = run("bad.urdf --quiet -o out");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("bad, package://arm_description/meshes/rubbish.stl failed: "), std::string::npos) << result.err;
+  EXPECT_EQ(result.err.find("base"), std::string::npos);
+  EXPECT_TRUE(fs::exists(folder_ / "out/meshes/base/0_0.stl"));
+}
+
+// A torus of many triangles: long enough to be interrupted in the middle.
+TEST_F(DecomposeProgram, InterruptLeavesTheOutputAsItWas) {
+  run("arm/meshes/bracket.obj -o out --quiet");
+  const auto before = fixtures::contents(folder_ / "out");
+  ASSERT_FALSE(before.empty());
+  const std::string mesh = fixtures::write(folder_ / "torus.obj", fixtures::obj(test_shapes::torus(1, 0.3, 600, 300)));
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const std::string out = folder_ / "out";
+    const pid_t child = fork();
+    if (child == 0) {
+      execl(PROGRAMS "/decompose", "decompose", mesh.c_str(), "-o", out.c_str(), "--quiet", static_cast<char*>(nullptr));
+      _exit(99);
+    }
+    usleep(300'000);
+    kill(child, signal);
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 130);
+    EXPECT_EQ(fixtures::contents(folder_ / "out"), before);
+  }
+}
+
+}  // namespace
+}  // namespace collision_hulls

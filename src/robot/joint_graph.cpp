@@ -3,7 +3,7 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
-#include <unordered_map>
+#include <map>
 #include <vector>
 
 namespace collision_hulls {
@@ -17,7 +17,7 @@ struct Node {
   int open_parents = 0;  // joints to it whose parent was not visited yet
   std::vector<std::string> children;
 };
-using Graph = std::unordered_map<std::string, Node>;
+using Graph = std::map<std::string, Node>;
 
 const char* nameOf(const tinyxml2::XMLElement* element, const char* attribute) {
   const char* name = element ? element->Attribute(attribute) : nullptr;

@@ -1,6 +1,7 @@
 // A robot description from text: structure by the span scanner, attributes by tinyxml2, meaning by urdfdom.
 #include <tinyxml2.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -35,22 +36,30 @@ void checkEncoding(const Subject& subject) {
   }
 }
 
-XmlElement scanRoot(const Subject& subject) {
+XmlOutline scan(const Subject& subject) {
   try {
-    return scanXml(subject.text).front();
+    return scanXml(subject.text);
   } catch (const XmlSyntaxError& error) {
     subject.failAt(ErrorCode::kNotXml, lineOf(subject.text, error.offset()), std::string(error.what()) + "; the description has to be XML");
   }
 }
 
-// The root alone: tinyxml2 ends a document type at its first '>', even within an internal subset.
-void loadRoot(const Subject& subject, const XmlElement& root, tinyxml2::XMLDocument& document) {
-  document.Parse(subject.text.data() + root.begin, root.end - root.begin);
+// The root alone and without processing instructions, which are legal XML: tinyxml2 ends a document type at its first '>', even
+// within an internal subset, and takes every instruction for a misplaced XML declaration. Lines stay what they were.
+std::string readableRoot(const Subject& subject, const XmlOutline& outline) {
+  std::string text(subject.text.substr(0, outline.elements.front().end));
+  for (const XmlSpan& span : outline.instructions) {
+    for (std::size_t i = span.begin; i < std::min(span.end, text.size()); ++i) text[i] = text[i] == '\n' ? '\n' : ' ';
+  }
+  return text.substr(outline.elements.front().begin);
+}
+
+void load(const Subject& subject, const std::string& root, tinyxml2::XMLDocument& document) {
+  document.Parse(root.data(), root.size());
   if (!document.Error()) return;
   const std::size_t line = subject.lineFromRoot(document.ErrorLineNum());
   if (document.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {
-    subject.failAt(ErrorCode::kNotXml, line,
-                   "elements nest deeper than " + std::to_string(TINYXML2_MAX_ELEMENT_DEPTH) + " levels");
+    subject.failAt(ErrorCode::kNotXml, line, "elements nest deeper than " + std::to_string(TINYXML2_MAX_ELEMENT_DEPTH) + " levels");
   }
   subject.failAt(ErrorCode::kNotXml, line, std::string("the XML cannot be read (") + document.ErrorName() + ")");
 }
@@ -71,6 +80,15 @@ void checkIsRobot(const Subject& subject, const tinyxml2::XMLElement& root) {
   if (name != "robot") subject.failAt(ErrorCode::kNotARobot, line, "the root element is <" + name + ">; a URDF's is <robot>");
   if (!root.FirstChildElement("link")) {
     subject.failAt(ErrorCode::kNoLinks, line, "<robot> has no <link>; a robot has at least one" + xacroHint(subject, root));
+  }
+}
+
+// urdfdom lets them pass.
+void checkLinksHaveNames(const Subject& subject, const tinyxml2::XMLElement& root) {
+  for (const auto* link = root.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
+    const char* name = link->Attribute("name");
+    if (name && *name) continue;
+    subject.failAt(ErrorCode::kNotARobot, subject.lineFromRoot(link->GetLineNum()), "a <link> has no name");
   }
 }
 
@@ -106,11 +124,10 @@ std::vector<LinkDescription> inDocumentOrder(const Subject& subject, const tinyx
   for (LinkDescription& link : model.links) by_name[link.name] = &link;
   std::vector<LinkDescription> links;
   for (const auto* element = root.FirstChildElement("link"); element; element = element->NextSiblingElement("link")) {
-    const char* name = element->Attribute("name");
-    const auto found = by_name.find(name ? name : "");
+    const std::string name = element->Attribute("name");
+    const auto found = by_name.find(name);
     if (found == by_name.end()) {
-      subject.failAt(ErrorCode::kNotARobot, subject.lineFromRoot(element->GetLineNum()),
-                     name ? "urdfdom does not know link '" + std::string(name) + "'" : "a <link> has no name");
+      subject.failAt(ErrorCode::kNotARobot, subject.lineFromRoot(element->GetLineNum()), "urdfdom does not know link '" + name + "'");
     }
     checkNothingLost(subject, *element, *found->second, model.complaints);
     links.push_back(std::move(*found->second));
@@ -124,13 +141,15 @@ std::vector<LinkDescription> inDocumentOrder(const Subject& subject, const tinyx
 RobotDescription parseRobotDescription(const std::string& urdf_text, const std::string& path) {
   Subject subject{urdf_text, path.empty() ? "robot description" : "'" + path + "'"};
   checkEncoding(subject);
-  const XmlElement root = scanRoot(subject);
-  subject.root_offset = root.begin;
+  const XmlOutline outline = scan(subject);
+  subject.root_offset = outline.elements.front().begin;
   tinyxml2::XMLDocument document;
-  loadRoot(subject, root, document);
-  checkIsRobot(subject, *document.RootElement());
-  UrdfModel model = loadModel(subject, *document.RootElement());
-  std::vector<LinkDescription> links = inDocumentOrder(subject, *document.RootElement(), model);
+  load(subject, readableRoot(subject, outline), document);
+  const tinyxml2::XMLElement& robot = *document.RootElement();
+  checkIsRobot(subject, robot);
+  checkLinksHaveNames(subject, robot);
+  UrdfModel model = loadModel(subject, robot);
+  std::vector<LinkDescription> links = inDocumentOrder(subject, robot, model);
   return {model.name, urdf_text, path, std::move(links)};
 }
 

@@ -187,7 +187,7 @@ void checkLinksExist(const RobotDescription& robot, const std::map<std::string, 
 
 std::string rewriteCollisions(const RobotDescription& robot, const std::map<std::string, LinkCollisions>& links) {
   checkLinksExist(robot, links);
-  const std::vector<XmlElement> elements = scanXml(robot.text);
+  const std::vector<XmlElement> elements = scanXml(robot.text).elements;
   const std::vector<std::size_t> spans = childrenNamed(elements, 0, "link");
   if (spans.size() != robot.links.size()) failInternal("text and links do not belong together");
   Names names(robot, links);

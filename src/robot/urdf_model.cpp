@@ -11,6 +11,9 @@
 namespace collision_hulls {
 namespace {
 
+// Enough of urdfdom's complaints to say what is wrong; a broken file can have any number of them.
+constexpr std::size_t kMostComplaints = 2000;
+
 // Keeps what urdfdom logs on this thread, which would go to stderr; other threads' messages go where they went before.
 class LogCapture : public console_bridge::OutputHandler {
  public:
@@ -29,7 +32,7 @@ class LogCapture : public console_bridge::OutputHandler {
   void log(const std::string& text, console_bridge::LogLevel level, const char* file, int line) override {
     if (std::this_thread::get_id() != owner_) {
       if (previous_) previous_->log(text, level, file, line);
-    } else if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) {
+    } else if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && errors_.size() < kMostComplaints) {
       errors_ += (errors_.empty() ? "" : "; ") + text;
     }
   }

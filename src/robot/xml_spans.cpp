@@ -13,11 +13,11 @@ class Scanner {
     if (text_.substr(0, kByteOrderMark.size()) == kByteOrderMark) at_ = kByteOrderMark.size();
   }
 
-  std::vector<XmlElement> run() {
+  XmlOutline run() {
     while (skipCharacters()) markup();
     if (!open_.empty()) fail(elements_[open_.back()].begin, "<" + std::string(elements_[open_.back()].name) + "> is never closed");
     if (elements_.empty()) fail(0, "there is no element");
-    return std::move(elements_);
+    return {std::move(elements_), std::move(instructions_)};
   }
 
  private:
@@ -39,7 +39,7 @@ class Scanner {
   void markup() {
     if (startsWith("<!--")) return skipPast("<!--", "-->", "a comment");
     if (startsWith("<![CDATA[")) return skipPast("<![CDATA[", "]]>", "a CDATA section");
-    if (startsWith("<?")) return skipPast("<?", "?>", "a processing instruction");
+    if (startsWith("<?")) return skipInstruction();
     if (startsWith("<!DOCTYPE")) return skipDocumentType();
     if (startsWith("</")) return endTag();
     startTag();
@@ -49,6 +49,12 @@ class Scanner {
     const std::size_t close = text_.find(closing, at_ + opening.size());
     if (close == std::string_view::npos) fail(at_, std::string(what) + " is never closed");
     at_ = close + closing.size();
+  }
+
+  void skipInstruction() {
+    const std::size_t begin = at_;
+    skipPast("<?", "?>", "a processing instruction");
+    instructions_.push_back({begin, at_});
   }
 
   // The '>' that ends a document type is outside quotes, comments and the brackets of its internal subset.
@@ -136,12 +142,13 @@ class Scanner {
   std::string_view text_;
   std::size_t at_ = 0;
   std::vector<XmlElement> elements_;
+  std::vector<XmlSpan> instructions_;
   std::vector<std::size_t> open_;  // elements whose end tag has not come yet
 };
 
 }  // namespace
 
-std::vector<XmlElement> scanXml(std::string_view text) {
+XmlOutline scanXml(std::string_view text) {
   return Scanner(text).run();
 }
 

@@ -21,6 +21,15 @@ struct XmlElement {
   bool self_closing = false;
 };
 
+struct XmlSpan {
+  std::size_t begin = 0, end = 0;
+};
+
+struct XmlOutline {
+  std::vector<XmlElement> elements;   ///< the first is the root
+  std::vector<XmlSpan> instructions;  ///< processing instructions, the XML declaration among them
+};
+
 /// Thrown for a text that is not well-formed.
 class XmlSyntaxError : public std::runtime_error {
  public:
@@ -31,10 +40,10 @@ class XmlSyntaxError : public std::runtime_error {
   std::size_t offset_;
 };
 
-/// The elements of `text` (which must outlive them); the first is the root. Knows comments, CDATA, processing instructions,
+/// What stands where in `text`, which must outlive the result. Knows comments, CDATA, processing instructions,
 /// a document type with internal subset, and both kinds of quotes. Does not look at character data or decode entities.
 /// Linear in the text's length, no recursion. Throws XmlSyntaxError.
-std::vector<XmlElement> scanXml(std::string_view text);
+XmlOutline scanXml(std::string_view text);
 
 /// Indices of the children of element `parent` that are called `name`.
 std::vector<std::size_t> childrenNamed(const std::vector<XmlElement>& elements, std::size_t parent, std::string_view name);

@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <thread>
+
+#include "collision_hulls/robot/robot_description.h"
+#include "robot/robot_tests.h"
+
+namespace collision_hulls {
+namespace {
+
+std::string manifest(const std::string& name) {
+  return "<?xml version='1.0'?>\n<package>\n  <name> " + name + "\n</name>\n</package>\n";
+}
+
+class Packages : public testing::Test {
+ protected:
+  std::optional<std::string> find(const std::string& package, const std::string& near = "") const {
+    const ScopedVariable path("ROS_PACKAGE_PATH", ros_path_), prefix("CMAKE_PREFIX_PATH", prefix_path_);
+    return defaultPackageFinder(near)(package);
+  }
+
+  TemporaryFolder folder_;
+  std::string ros_path_ = folder_.path("nowhere") + "::" + folder_.path("src") + "/", prefix_path_;
+};
+
+TEST_F(Packages, UnknownOnes) {
+  folder_.write("src/a/package.xml", manifest("a"));
+  for (const char* name : {"", ".", "..", "b", "a/b", "../a"}) EXPECT_EQ(find(name), std::nullopt) << name;
+}
+
+TEST_F(Packages, ThePathItselfMayBeOne) {
+  folder_.write("src/package.xml", manifest("whole"));
+  EXPECT_EQ(find("whole"), folder_.path("src"));
+}
+
+TEST_F(Packages, CrawlGoesDownAndTakesTheManifestsName) {
+  folder_.write("src/group/deep/folder/package.xml", manifest("arm"));
+  EXPECT_EQ(find("arm"), folder_.path("src/group/deep/folder"));
+  EXPECT_EQ(find("folder"), std::nullopt);
+}
+
+TEST_F(Packages, OldManifestsAreNamedByTheirFolder) {
+  folder_.write("src/old/manifest.xml", "<package/>");
+  EXPECT_EQ(find("old"), folder_.path("src/old"));
+}
+
+TEST_F(Packages, CrawlStopsWhereRospackDoes) {
+  folder_.write("src/a/package.xml", manifest("a"));
+  folder_.write("src/a/inner/package.xml", manifest("inner"));
+  folder_.write("src/off/CATKIN_IGNORE");
+  folder_.write("src/off/b/package.xml", manifest("off"));
+  folder_.write("src/flat/rospack_nosubdirs");
+  folder_.write("src/flat/c/package.xml", manifest("flat_c"));
+  folder_.write("src/.hidden/d/package.xml", manifest("hidden"));
+  for (const char* name : {"inner", "off", "flat_c", "hidden"}) EXPECT_EQ(find(name), std::nullopt) << name;
+}
+
+TEST_F(Packages, FirstOfANameCounts) {
+  folder_.write("other/z/package.xml", manifest("arm"));
+  folder_.write("src/b/package.xml", manifest("arm"));
+  folder_.write("src/a/package.xml", manifest("arm"));
+  EXPECT_EQ(find("arm"), folder_.path("src/a"));
+  ros_path_ = folder_.path("other") + ":" + folder_.path("src");
+  EXPECT_EQ(find("arm"), folder_.path("other/z"));
+}
+
+TEST_F(Packages, BrokenManifestsAndLinkLoopsAreSurvived) {
+  folder_.write("src/broken/package.xml", "<package><name>");
+  folder_.write("src/nameless/package.xml", "<package><name/></package>");
+  folder_.write("src/z/arm/package.xml", manifest("arm"));
+  std::filesystem::create_directory_symlink(folder_.path("src"), folder_.path("src/loop"));
+  EXPECT_EQ(find("arm"), folder_.path("src/z/arm"));
+  EXPECT_EQ(find("broken"), folder_.path("src/broken"));
+  EXPECT_EQ(find("nameless"), folder_.path("src/nameless"));
+}
+
+TEST_F(Packages, EnclosingPackageComesFirst) {
+  folder_.write("src/arm/package.xml", manifest("arm"));
+  folder_.write("mine/checkout/package.xml", manifest("arm"));
+  const std::string urdf = folder_.write("mine/checkout/urdf/arm.urdf");
+  EXPECT_EQ(find("arm", urdf), folder_.path("mine/checkout"));
+  EXPECT_EQ(find("arm", folder_.path("mine/checkout/urdf")), folder_.path("mine/checkout"));
+  EXPECT_EQ(find("arm", folder_.path("mine")), folder_.path("src/arm"));
+}
+
+TEST_F(Packages, InstalledOnesComeAfterTheCrawl) {
+  prefix_path_ = folder_.path("p") + ":" + folder_.path("q");
+  folder_.write("q/share/arm/package.xml", manifest("arm"));
+  EXPECT_EQ(find("arm"), folder_.path("q/share/arm"));
+  folder_.write("src/arm/package.xml", manifest("arm"));
+  EXPECT_EQ(find("arm"), folder_.path("src/arm"));
+}
+
+TEST_F(Packages, AFolderOfTheNameIsTheLastResort) {
+  const std::string urdf = folder_.write("robots/arm_description/urdf/arm.urdf");
+  folder_.write("robots/gripper_description/meshes/finger.stl");
+  EXPECT_EQ(find("arm_description", urdf), folder_.path("robots/arm_description"));
+  EXPECT_EQ(find("gripper_description", urdf), folder_.path("robots/gripper_description"));
+  folder_.write("src/x/package.xml", manifest("arm_description"));
+  EXPECT_EQ(find("arm_description", urdf), folder_.path("src/x"));
+}
+
+TEST_F(Packages, CopiesShareOneCrawl) {
+  folder_.write("src/arm/package.xml", manifest("arm"));
+  const ScopedVariable path("ROS_PACKAGE_PATH", ros_path_);
+  const PackageFinder finder = defaultPackageFinder();
+  const PackageFinder copy = finder;
+  std::thread other([&] { EXPECT_TRUE(copy("arm")); });
+  EXPECT_TRUE(finder("arm"));
+  other.join();
+  folder_.write("src/late/package.xml", manifest("late"));
+  EXPECT_EQ(copy("late"), std::nullopt);
+  EXPECT_TRUE(defaultPackageFinder()("late"));
+}
+
+TEST_F(Packages, DescriptionsInAPackage) {
+  for (const char* name : {"urdf/b.urdf", "urdf/a.urdf.xacro", "urdf/readme.txt", "robots/z.urdf", "robots/c.xacro", "meshes/no.urdf"}) {
+    folder_.write(std::string("arm/") + name);
+  }
+  std::filesystem::create_directory(folder_.path("arm/urdf/folder.urdf"));
+  const std::vector<std::string> expected{folder_.path("arm/robots/z.urdf"), folder_.path("arm/urdf/b.urdf"),
+                                          folder_.path("arm/robots/c.xacro"), folder_.path("arm/urdf/a.urdf.xacro")};
+  EXPECT_EQ(robotDescriptionsIn(folder_.path("arm")), expected);
+  EXPECT_TRUE(robotDescriptionsIn(folder_.path("nowhere")).empty());
+}
+
+}  // namespace
+}  // namespace collision_hulls

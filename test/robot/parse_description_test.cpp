@@ -1,0 +1,224 @@
+#include <gtest/gtest.h>
+
+#include <locale>
+#include <thread>
+
+#include "collision_hulls/robot/robot_description.h"
+#include "robot/robot_tests.h"
+
+namespace collision_hulls {
+namespace {
+
+const double kRounding = 1e-15;
+
+std::string robotWith(const std::string& content) {
+  return "<robot name=\"r\">\n" + content + "\n</robot>\n";
+}
+
+std::string joint(const std::string& name, const std::string& type, const std::string& parent, const std::string& child,
+                  const std::string& more) {
+  return "<joint name='" + name + "' type='" + type + "'><parent link='" + parent + "'/><child link='" + child + "'/>" + more +
+         "</joint>\n";
+}
+
+// Rubbish.
+
+void expectRefused(ErrorCode code, const std::vector<std::string>& parts, const std::string& text) {
+  expectError(code, parts, [&] { parseRobotDescription(text, "a.urdf"); });
+}
+
+TEST(ParseDescription, RefusesWhatIsNotXml) {
+  expectRefused(ErrorCode::kNotXml, {"'a.urdf'", "no element"}, "");
+  expectRefused(ErrorCode::kNotXml, {"line 2", "outside the root"}, "\nsolid cube");
+  expectRefused(ErrorCode::kNotXml, {"line 3", "</robot>", "<link> of line 2"}, "<robot name='r'>\n<link name='a'>\n</robot>");
+  expectRefused(ErrorCode::kNotXml, {"line 1", "zero byte"}, std::string("<robot\0/>", 9));
+  expectRefused(ErrorCode::kNotXml, {"UTF-16"}, std::string("\xFF\xFE<\0", 4));
+  expectRefused(ErrorCode::kNotXml, {"line 3", "ATTRIBUTE"}, "<!-- -->\n<robot name='r'>\n<link name='a' name='b'/></robot>");
+}
+
+TEST(ParseDescription, RefusesNestingThatXmlReadersDoNotFollow) {
+  std::string text = "<robot name='r'><link name='a'>";
+  for (int i = 0; i < 5000; ++i) text += "<a>";
+  for (int i = 0; i < 5000; ++i) text += "</a>";
+  expectRefused(ErrorCode::kNotXml, {"nest deeper"}, text + "</link></robot>");
+}
+
+TEST(ParseDescription, RefusesWhatIsNoRobot) {
+  expectRefused(ErrorCode::kNotARobot, {"line 2", "<sdf>"}, "<?xml version='1.0'?>\n<sdf><robot/></sdf>");
+  expectRefused(ErrorCode::kNotARobot, {"No name given for the robot"}, "<robot><link name='a'/></robot>");
+  expectRefused(ErrorCode::kNotARobot, {"line 3", "<link> has no name"}, robotWith("<link name='a'/>\n<link/>"));
+  expectRefused(ErrorCode::kNotARobot, {"line 2", "<link> has no name"}, robotWith("<link name=''/>"));
+  expectRefused(ErrorCode::kNotARobot, {"link 'a' is not unique"}, robotWith("<link name='a'/><link name='a'/>"));
+  expectRefused(ErrorCode::kNotARobot, {"Two root links"}, robotWith("<link name='a'/><link name='b'/>"));
+  expectRefused(ErrorCode::kNotARobot, {"version"}, "<robot name='r' version='7.1'><link name='a'/></robot>");
+}
+
+TEST(ParseDescription, RefusesRobotsWithoutLinks) {
+  expectRefused(ErrorCode::kNoLinks, {"line 1", "no <link>"}, "<robot name='r'/>");
+  expectRefused(ErrorCode::kNoLinks, {"no <link>"}, robotWith("<gazebo><link name='a'/></gazebo><!-- <link name='b'/> -->"));
+}
+
+TEST(ParseDescription, SuspectsXacro) {
+  expectRefused(ErrorCode::kNoLinks, {"<xacro:include> in line 2", ".xacro"}, robotWith("<xacro:include filename='x'/>"));
+}
+
+TEST(ParseDescription, RefusesLoopsOfJoints) {
+  const std::string links = "<link name='r'/><link name='a'/>\n<link name='b'/>";
+  const std::string loop = joint("j", "fixed", "a", "b", "") + joint("k", "fixed", "b", "a", "");
+  expectRefused(ErrorCode::kNotARobot, {"line 2", "link 'a'", "loop"}, robotWith(links + loop));
+  expectRefused(ErrorCode::kNotARobot, {"loop"}, robotWith("<link name='a'/>" + joint("j", "fixed", "a", "a", "")));
+}
+
+TEST(ParseDescription, RefusesEndlessChainsOfJoints) {
+  const auto chain = [](int links) {
+    std::string text;
+    for (int i = 0; i < links; ++i) text += "<link name='" + std::to_string(i) + "'/>";
+    for (int i = 1; i < links; ++i) text += joint(std::to_string(i), "fixed", std::to_string(i - 1), std::to_string(i), "");
+    return robotWith(text);
+  };
+  EXPECT_EQ(parseRobotDescription(chain(2001)).links.size(), 2001u);
+  expectRefused(ErrorCode::kNotARobot, {"2000 joints", "'2001'"}, chain(2002));
+}
+
+// urdfdom goes on after an element that it cannot read and drops the rest of the link.
+TEST(ParseDescription, NamesElementsThatUrdfdomDrops) {
+  const std::string good = "<collision><geometry><box size='1 1 1'/></geometry></collision>";
+  const auto link = [&](const std::string& bad) { return robotWith("\n<link name='a'>" + bad + good + "</link>"); };
+  expectRefused(ErrorCode::kNotARobot, {"line 3", "link 'a'", "capsule"}, link("<visual><geometry><capsule/></geometry></visual>"));
+  expectRefused(ErrorCode::kNotARobot, {"link 'a'", "mass"}, link("<inertial/>"));
+  expectRefused(ErrorCode::kNotARobot, {"link 'a'"}, link("<collision/>"));
+  const std::string huge = "<collision><origin xyz='1e999 0 0'/><geometry><sphere radius='1'/></geometry></collision>";
+  expectRefused(ErrorCode::kNotARobot, {"link 'a'"}, link(huge));
+}
+
+TEST(ParseDescription, KeepsUrdfdomQuiet) {
+  testing::internal::CaptureStderr();
+  EXPECT_THROW(parseRobotDescription("<robot><link name='a'/></robot>"), Error);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+// Meaning.
+
+TEST(ParseDescription, KeepsTextPathAndOrder) {
+  const std::string text =
+      robotWith("<link name='z'/><link name='a'/><link name='m'/>" + joint("j", "fixed", "z", "a", "") + joint("k", "fixed", "z", "m", ""));
+  const RobotDescription robot = parseRobotDescription(text, "some/where.urdf");
+  EXPECT_EQ(robot.name, "r");
+  EXPECT_EQ(robot.text, text);
+  EXPECT_EQ(robot.path, "some/where.urdf");
+  ASSERT_EQ(robot.links.size(), 3u);
+  EXPECT_EQ(robot.links[0].name, "z");
+  EXPECT_EQ(robot.links[1].name, "a");
+  EXPECT_EQ(robot.links[2].name, "m");
+  EXPECT_EQ(robot.links[0].parent, "");
+  EXPECT_EQ(robot.links[2].parent, "z");
+}
+
+TEST(ParseDescription, ReadsElementsInOrder) {
+  const RobotDescription robot = parseRobotDescription(robotWith(R"(<link name="a">
+    <visual name="one" group="high"><geometry><mesh filename="package://p/a b.dae" scale="1 -2 0.5"/></geometry></visual>
+    <collision><geometry><cylinder length="3" radius="0.25"/></geometry></collision>
+    <visual><origin xyz="1 2 3"/><geometry><mesh filename="b.stl"/></geometry></visual>
+    <collision name="s"><geometry><sphere radius="2"/></geometry></collision>
+    <collision><geometry><box size="1 2 3"/></geometry></collision></link>)"));
+  using Kind = GeometryElement::Kind;
+  const LinkDescription& link = robot.links.at(0);
+  ASSERT_EQ(link.visuals.size(), 2u);
+  ASSERT_EQ(link.collisions.size(), 3u);
+  EXPECT_EQ(link.visuals[0].name, "one");
+  EXPECT_EQ(link.visuals[0].uri, "package://p/a b.dae");
+  EXPECT_EQ(link.visuals[0].scale, Eigen::Vector3d(1, -2, 0.5));
+  EXPECT_EQ(link.visuals[1].name, "");
+  EXPECT_EQ(link.visuals[1].scale, Eigen::Vector3d(1, 1, 1));
+  EXPECT_EQ(link.visuals[1].origin.translation(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(link.collisions[0].kind, Kind::kCylinder);
+  EXPECT_EQ(link.collisions[0].size, Eigen::Vector3d(0.25, 3, 0));
+  EXPECT_EQ(link.collisions[1].kind, Kind::kSphere);
+  EXPECT_EQ(link.collisions[1].size.x(), 2);
+  EXPECT_EQ(link.collisions[2].kind, Kind::kBox);
+  EXPECT_EQ(link.collisions[2].size, Eigen::Vector3d(1, 2, 3));
+}
+
+TEST(ParseDescription, DecodesEntities) {
+  const RobotDescription robot = parseRobotDescription(
+      robotWith("<link name='a&amp;&lt;&#98;'><visual><geometry><mesh filename='x&amp;y.stl'/></geometry></visual></link>"));
+  EXPECT_EQ(robot.links.at(0).name, "a&<b");
+  EXPECT_EQ(robot.links[0].visuals.at(0).uri, "x&y.stl");
+}
+
+TEST(ParseDescription, ReadsPastADocumentType) {
+  const std::string text = "\xEF\xBB\xBF<?xml version='1.0'?>\n<!DOCTYPE robot [ <!ENTITY x \"y>\"> ]>\n" + robotWith("<link name='a'/>");
+  EXPECT_EQ(parseRobotDescription(text).links.size(), 1u);
+}
+
+TEST(ParseDescription, ReadsPastProcessingInstructions) {
+  const std::string text = robotWith("<?p <link/>\n ?><link name='a'><?q ?></link>");
+  EXPECT_EQ(parseRobotDescription(text).links.size(), 1u);
+  expectRefused(ErrorCode::kNotARobot, {"line 4"}, robotWith("<?p\n?>\n<link/>"));
+}
+
+TEST(ParseDescription, OriginIsFixedAxisRollPitchYaw) {
+  const RobotDescription robot =
+      parseRobotDescription(robotWith("<link name='a'><visual><origin rpy='1.5707963267948966 0 1.5707963267948966'/><geometry><sphere "
+                                      "radius='1'/></geometry></visual></link>"));
+  Eigen::Matrix3d expected;
+  expected << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  EXPECT_LT((robot.links.at(0).visuals.at(0).origin.linear() - expected).norm(), kRounding);
+}
+
+TEST(ParseDescription, PosesAddUpAlongTheTree) {
+  const RobotDescription robot = parseRobotDescription(
+      robotWith("<link name='a'/><link name='b'/><link name='c'/>" + joint("k", "fixed", "b", "c", "<origin xyz='1 0 0'/>") +
+                joint("j", "continuous", "a", "b", "<origin xyz='0 0 2' rpy='0 0 1.5707963267948966'/><axis xyz='0 0 1'/>")));
+  EXPECT_LT((robot.links[1].pose.translation() - Eigen::Vector3d(0, 0, 2)).norm(), kRounding);
+  EXPECT_LT((robot.links[2].pose.translation() - Eigen::Vector3d(0, 1, 2)).norm(), kRounding);
+}
+
+Eigen::Isometry3d poseBehind(const std::string& type, const std::string& limit) {
+  const std::string more = "<axis xyz='0 0 2'/><limit effort='1' velocity='1' " + limit + "/>";
+  return parseRobotDescription(robotWith("<link name='a'/><link name='b'/>" + joint("j", type, "a", "b", more))).links.at(1).pose;
+}
+
+TEST(ParseDescription, JointsStandAtZeroOrTheNearestLimit) {
+  EXPECT_TRUE(poseBehind("prismatic", "lower='-1' upper='1'").isApprox(Eigen::Isometry3d::Identity()));
+  EXPECT_NEAR(poseBehind("prismatic", "lower='0.5' upper='1'").translation().z(), 0.5, kRounding);
+  EXPECT_NEAR(poseBehind("prismatic", "lower='-1' upper='-0.25'").translation().z(), -0.25, kRounding);
+  EXPECT_NEAR(Eigen::AngleAxisd(poseBehind("revolute", "lower='0.5' upper='1'").linear()).angle(), 0.5, kRounding);
+  EXPECT_TRUE(poseBehind("revolute", "lower='1' upper='0.5'").isApprox(Eigen::Isometry3d::Identity()));
+}
+
+TEST(ParseDescription, ALinkOfTwoJointsIsPlacedOnce) {
+  const RobotDescription robot = parseRobotDescription(
+      robotWith("<link name='a'/><link name='b'/><link name='c'/>" + joint("i", "fixed", "a", "b", "") +
+                joint("j", "fixed", "a", "c", "<origin xyz='1 0 0'/>") + joint("k", "fixed", "b", "c", "<origin xyz='2 0 0'/>")));
+  EXPECT_EQ(robot.links[2].parent, "b");
+  EXPECT_EQ(robot.links[2].pose.translation().x(), 2);
+}
+
+struct CommaPunctuation : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+};
+
+TEST(ParseDescription, NumbersDoNotDependOnTheLocale) {
+  const std::locale old = std::locale::global(std::locale(std::locale::classic(), new CommaPunctuation));
+  const RobotDescription robot = parseRobotDescription(
+      robotWith("<link name='a'><visual><origin xyz='0.5 1e-3 0'/><geometry><sphere radius='1.25'/></geometry></visual></link>"));
+  std::locale::global(old);
+  EXPECT_EQ(robot.links.at(0).visuals.at(0).size.x(), 1.25);
+  EXPECT_EQ(robot.links[0].visuals[0].origin.translation(), Eigen::Vector3d(0.5, 0.001, 0));
+}
+
+TEST(ParseDescription, ThreadsDoNotMixTheirMessages) {
+  const auto complain = [](const std::string& name) {
+    for (int i = 0; i < 50; ++i) {
+      expectError(ErrorCode::kNotARobot, {"link '" + name + "' is not unique"},
+                  [&] { parseRobotDescription(robotWith("<link name='" + name + "'/><link name='" + name + "'/>")); });
+    }
+  };
+  std::thread other(complain, "x");
+  complain("y");
+  other.join();
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -1,0 +1,80 @@
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "collision_hulls/robot/robot_description.h"
+#include "robot/robot_tests.h"
+#include "robot/run_program.h"
+
+namespace collision_hulls {
+namespace {
+
+const char kUrdf[] = "<robot name=\"r\">\r\n<link name=\"a\"/></robot>";
+
+void writeProgram(const TemporaryFolder& folder, const std::string& name, const std::string& script) {
+  chmod(folder.write(name, "#!/bin/sh\n" + script).c_str(), 0755);
+}
+
+TEST(ReadDescription, MissingFileAndFolder) {
+  const TemporaryFolder folder;
+  expectError(ErrorCode::kFileNotFound, {folder.path("no.urdf"), "no such file"}, [&] { readRobotDescription(folder.path("no.urdf")); });
+  expectError(ErrorCode::kFileNotFound, {"is a folder"}, [&] { readRobotDescription(folder.path()); });
+}
+
+TEST(ReadDescription, EndlessFile) {
+  expectError(ErrorCode::kTooLarge, {"/dev/zero", "bytes"}, [] { readRobotDescription("/dev/zero"); });
+}
+
+TEST(ReadDescription, KeepsEveryByte) {
+  const TemporaryFolder folder;
+  const RobotDescription robot = readRobotDescription(folder.write("a.urdf", kUrdf));
+  EXPECT_EQ(robot.text, kUrdf);
+  EXPECT_EQ(robot.path, folder.path("a.urdf"));
+}
+
+TEST(ReadDescription, NamesTheFileThatIsNotXml) {
+  const TemporaryFolder folder;
+  expectError(ErrorCode::kNotXml, {folder.path("a.urdf"), "line 2"},
+              [&] { readRobotDescription(folder.write("a.urdf", "<robot>\n<a</robot>")); });
+}
+
+TEST(ReadDescription, XacroIsMissing) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("a.urdf.xacro", kUrdf);
+  const ScopedVariable path("PATH", folder.path());
+  expectError(ErrorCode::kXacroMissing, {file, "install", "xacro FILE.xacro > FILE.urdf"}, [&] { readRobotDescription(file); });
+}
+
+TEST(ReadDescription, XacroExpands) {
+  const TemporaryFolder folder;
+  writeProgram(folder, "xacro", "echo warning >&2; exec cat \"$1\"");
+  const std::string file = folder.write("a '; exit 3; $(b).XACRO", kUrdf);
+  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
+  const RobotDescription robot = readRobotDescription(file);
+  EXPECT_EQ(robot.text, kUrdf);
+  EXPECT_EQ(robot.path, file);
+}
+
+TEST(ReadDescription, XacroFails) {
+  const TemporaryFolder folder;
+  writeProgram(folder, "xacro", "echo '<robot'; echo 'undefined macro: wheel' >&2; exit 2");
+  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
+  expectError(ErrorCode::kNotARobot, {"status 2", "undefined macro: wheel"}, [&] { readRobotDescription(folder.write("a.xacro", kUrdf)); });
+}
+
+TEST(ReadDescription, XacroCannotBeRun) {
+  const TemporaryFolder folder;
+  folder.write("xacro", "not executable");
+  const ScopedVariable path("PATH", folder.path());
+  expectError(ErrorCode::kXacroMissing, {"cannot be run"}, [&] { readRobotDescription(folder.write("a.xacro", kUrdf)); });
+}
+
+TEST(RunProgram, TakesAnyAmountOfOutput) {
+  const auto result = runProgram({"sh", "-c", "head -c 3000000 /dev/zero; head -c 2000000 /dev/zero >&2; cat; kill -9 $$"});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->out.size(), 3000000u);
+  EXPECT_EQ(result->errors.size(), 2000000u);
+  EXPECT_EQ(result->status, 128 + 9);
+}
+
+}  // namespace
+}  // namespace collision_hulls

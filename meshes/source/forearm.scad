@@ -5,18 +5,19 @@ axis = 215;
 inner = 24;  // half the gap
 outer = 36;
 floor_end = 168;
+tube_end = 118;
 
 module tube() {
   along_x() {
     cylinder(h = 12, r = 40);
     translate([0, 0, 10]) cylinder(h = 10, r1 = 38, r2 = 31);
-    translate([0, 0, 10]) cylinder(h = 112, r1 = 32, r2 = 29);
+    translate([0, 0, 10]) cylinder(h = tube_end - 10, r1 = 32, r2 = 29);
   }
 }
 
 module transition() {
   hull() {
-    along_x() translate([0, 0, 112]) cylinder(h = 8, r = 29);
+    along_x() translate([0, 0, tube_end]) cylinder(h = 1, r = 29);
     plate_yz(142, 150) rounded(2 * outer, 60, 8);
   }
 }

@@ -15,7 +15,7 @@ from mesh_files import Material, Node, scaled, y_up
 SOURCE = pathlib.Path(__file__).resolve().parent
 MM = 0.001  # in metres
 
-GRAPHITE = Material("graphite", (0.20, 0.22, 0.25))
+GRAPHITE = Material("graphite", (0.30, 0.33, 0.37))
 ORANGE = Material("orange", (0.93, 0.47, 0.10))
 STEEL = Material("steel", (0.72, 0.74, 0.77))
 

@@ -1,6 +1,8 @@
 // Motor housing: a cup, open at z = 0, with ribs inside and cooling fins outside.
 include <shapes.scad>
 
+$fn = 36;
+
 depth = 46;
 wall = 4;
 radius = 31;

@@ -1,0 +1,243 @@
+// Reading meshes with Assimp: bytes, checks, Assimp's scene, its instances in metres.
+#include <assimp/MemoryIOWrapper.h>
+#include <assimp/config.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <assimp/IOStream.hpp>
+#include <assimp/IOSystem.hpp>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "collision_hulls/error.h"
+#include "collision_hulls/mesh/mesh_io.h"
+#include "mesh/source_checks.h"
+#include "mesh/triangulate.h"
+
+namespace collision_hulls {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Single precision must resolve this share of a mesh's diagonal.
+constexpr double kCoarsestResolution = 1e-3;
+
+/// Three corners of a triangle stay below the range of int.
+constexpr std::size_t kMostTriangles = std::numeric_limits<int>::max() / 3;
+
+std::string lowerExtension(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return extension;
+}
+
+void checkExtension(const std::string& path, const std::string& extension) {
+  const std::vector<std::string>& known = meshExtensions();
+  if (std::find(known.begin(), known.end(), extension) != known.end()) return;
+  std::string list;
+  for (const std::string& e : known) list += " " + e;
+  throw Error(ErrorCode::kUnsupportedFormat, path + ": extension '" + extension + "' is not read; convert it to one of" + list);
+}
+
+std::string readBytes(const std::string& path, std::uintmax_t max_bytes) {
+  std::error_code failure;
+  if (!fs::is_regular_file(path, failure))
+    throw Error(ErrorCode::kFileNotFound, path + (fs::exists(path, failure) ? ": is no regular file" : ": no such file"));
+  const std::uintmax_t size = fs::file_size(path, failure);
+  if (failure) throw Error(ErrorCode::kFileNotFound, path + ": " + failure.message());
+  if (size > max_bytes)
+    throw Error(ErrorCode::kTooLarge, path + ": " + std::to_string(size) + " bytes, above the limit of " + std::to_string(max_bytes) +
+                                          "; simplify the mesh or raise the limit");
+  std::string bytes(size, '\0');
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(bytes.data(), static_cast<std::streamsize>(size)))
+    throw Error(ErrorCode::kFileNotFound, path + ": cannot be read; check its permissions");
+  return bytes;
+}
+
+void checkSource(const std::string& bytes, const std::string& path, const std::string& extension, std::size_t max_triangles) {
+  if (bytes.empty()) throw Error(ErrorCode::kEmptyMesh, path + ": the file is empty (0 bytes); export the mesh again");
+  if (extension == ".stl") checkStl(bytes, path, max_triangles);
+  if (extension == ".obj") checkObj(bytes, path);
+  if (extension == ".off") checkOff(bytes, path, max_triangles);
+  if (extension == ".ply") checkPly(bytes, path, max_triangles);
+  if (extension == ".dae") checkDae(bytes, path);
+}
+
+/// Shows Assimp one file and nothing else: materials and textures play no part, so a missing or hostile one does no harm.
+class OneFile : public Assimp::IOSystem {
+ public:
+  OneFile(std::string name, const std::string& bytes) : name_(std::move(name)), bytes_(bytes) {}
+
+  bool Exists(const char* file) const override { return name_ == file; }
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char* file, const char* /*mode*/) override {
+    if (!Exists(file)) return nullptr;
+    return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes_.data()), bytes_.size());
+  }
+  void Close(Assimp::IOStream* stream) override { delete stream; }
+
+ private:
+  std::string name_;
+  const std::string& bytes_;
+};
+
+/// The first part of a text, printable.
+std::string excerpt(std::string text) {
+  constexpr std::size_t kLength = 200;
+  if (text.size() > kLength) text = text.substr(0, kLength) + "...";
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, ' ');
+  return text;
+}
+
+const aiScene* import(Assimp::Importer* importer, const std::string& bytes, const std::string& path, const std::string& extension) {
+  const std::string name = "mesh" + extension;
+  importer->SetIOHandler(new OneFile(name, bytes));  // the importer deletes it
+  // Without this a Collada file without geometry comes back as a made-up skeleton.
+  importer->SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  const aiScene* scene = importer->ReadFile(name, 0);
+  if (scene == nullptr || scene->mRootNode == nullptr)
+    throw Error(ErrorCode::kNotAMesh, path + ": cannot be read as " + extension.substr(1) + " (" + excerpt(importer->GetErrorString()) +
+                                          "); check the file or export it again");
+  return scene;
+}
+
+/// Assimp's matrix in double precision, so that chains of nodes add no rounding.
+Eigen::Affine3d toEigen(const aiMatrix4x4& m) {
+  Eigen::Affine3d result;
+  result.matrix() << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, 0, 0, 0, 1;
+  return result;
+}
+
+/// The root's transform as rviz applies it. Assimp puts a Collada file's unit there, and a turn to make Y the upward axis; rviz
+/// keeps the scale and the position and drops the turn, so that up_axis has no effect and coordinates stay as written.
+Eigen::Affine3d rootTransform(const aiMatrix4x4& m, const std::string& path) {
+  Eigen::Affine3d root = toEigen(m);
+  const Eigen::Vector3d scale = root.linear().colwise().norm();
+  if (!(scale.minCoeff() > 0) || !scale.allFinite())
+    throw Error(ErrorCode::kNotAMesh, path + ": its <unit meter> is " + std::to_string(scale.minCoeff()) + "; it must be positive");
+  root.linear() = scale.asDiagonal();
+  return root;
+}
+
+/// Collects the triangles of a scene's nodes, each instance of a mesh on its own.
+class SceneReader {
+ public:
+  SceneReader(const aiScene& scene, const std::string& path, std::size_t max_triangles)
+      : scene_(scene), path_(path), max_triangles_(std::min(max_triangles, kMostTriangles)) {}
+
+  LoadedMesh read() {
+    visit(*scene_.mRootNode, rootTransform(scene_.mRootNode->mTransformation, path_));
+    if (result_.mesh.triangles.empty())
+      throw Error(ErrorCode::kEmptyMesh, path_ + ": no triangle in it (" + std::to_string(result_.skipped_primitives) +
+                                             " lines and points, which have no surface); export the surface");
+    checkResolution();
+    return std::move(result_);
+  }
+
+ private:
+  void visit(const aiNode& node, const Eigen::Affine3d& to_root) {
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) addInstance(*scene_.mMeshes[node.mMeshes[i]], to_root);
+    for (unsigned i = 0; i < node.mNumChildren; ++i) visit(*node.mChildren[i], to_root * toEigen(node.mChildren[i]->mTransformation));
+  }
+
+  void addInstance(const aiMesh& source, const Eigen::Affine3d& to_root) {
+    const std::size_t before = result_.mesh.triangles.size();
+    number_.assign(source.mNumVertices, -1);
+    for (unsigned f = 0; f < source.mNumFaces; ++f) {
+      const aiFace& face = source.mFaces[f];
+      if (face.mNumIndices < 3) {
+        ++result_.skipped_primitives;
+      } else {
+        addFace(source, f, to_root);
+      }
+    }
+    if (result_.mesh.triangles.size() > before) ++result_.submeshes;
+  }
+
+  void addFace(const aiMesh& source, unsigned f, const Eigen::Affine3d& to_root) {
+    const aiFace& face = source.mFaces[f];
+    if (result_.mesh.triangles.size() + face.mNumIndices - 2 > max_triangles_)
+      throw Error(ErrorCode::kTooLarge, path_ + ": more triangles than the limit of " + std::to_string(max_triangles_) +
+                                            "; simplify the mesh or raise the limit");
+    polygon_.clear();
+    for (unsigned k = 0; k < face.mNumIndices; ++k) polygon_.push_back(vertexNumber(source, f, k, to_root));
+    if (polygon_.size() == 3) {
+      result_.mesh.triangles.push_back({polygon_[0], polygon_[1], polygon_[2]});
+      return;
+    }
+    std::vector<Eigen::Vector3d> corners;
+    for (const int v : polygon_) corners.push_back(result_.mesh.vertices[static_cast<std::size_t>(v)]);
+    for (const Triangle& t : triangulate(corners)) result_.mesh.triangles.push_back({polygonAt(t[0]), polygonAt(t[1]), polygonAt(t[2])});
+  }
+
+  int polygonAt(int k) const { return polygon_[static_cast<std::size_t>(k)]; }
+
+  /// The number in the result of corner k of face f.
+  int vertexNumber(const aiMesh& source, unsigned f, unsigned k, const Eigen::Affine3d& to_root) {
+    const unsigned index = source.mFaces[f].mIndices[k];
+    if (index >= source.mNumVertices)
+      throw Error(ErrorCode::kIndexOutOfRange, path_ + ": face " + std::to_string(f) + " names vertex " + std::to_string(index) +
+                                                   ", there are " + std::to_string(source.mNumVertices) +
+                                                   ", counted from 0; export it again");
+    int& number = number_[index];
+    if (number < 0) number = addVertex(source.mVertices[index], index, f, to_root);
+    return number;
+  }
+
+  int addVertex(const aiVector3D& source, unsigned index, unsigned f, const Eigen::Affine3d& to_root) {
+    const Eigen::Vector3d local(source.x, source.y, source.z);
+    const Eigen::Vector3d p = to_root * local;
+    if (!p.allFinite())
+      throw Error(ErrorCode::kNonFiniteCoordinate, path_ + ": vertex " + std::to_string(index) + " (of face " + std::to_string(f) +
+                                                       ", both counted from 0) has a coordinate that is no finite number; export it again");
+    const Eigen::Vector3d magnitude = to_root.linear().cwiseAbs() * local.cwiseAbs() + to_root.translation().cwiseAbs();
+    largest_ = std::max(largest_, magnitude.maxCoeff());
+    result_.mesh.vertices.push_back(p);
+    return static_cast<int>(result_.mesh.vertices.size()) - 1;
+  }
+
+  void checkResolution() {
+    result_.resolution = largest_ > 0 ? std::ldexp(1.0, std::max(std::ilogb(largest_), std::numeric_limits<float>::min_exponent - 1) -
+                                                            std::numeric_limits<float>::digits)
+                                      : 0;
+    const double size = diagonal(result_.mesh);
+    if (result_.resolution > kCoarsestResolution * size)
+      throw Error(ErrorCode::kTooFarFromOrigin, path_ + ": the mesh is " + std::to_string(size) + " m across and up to " +
+                                                    std::to_string(largest_) + " m away from its origin, where single precision resolves " +
+                                                    std::to_string(result_.resolution) + " m; move the mesh to its origin");
+  }
+
+  const aiScene& scene_;
+  const std::string& path_;
+  std::size_t max_triangles_;
+  LoadedMesh result_;
+  double largest_ = 0;        // [m] of the numbers that single precision rounded
+  std::vector<int> number_;   // of the current instance's vertices in the result, -1 before their first use
+  std::vector<int> polygon_;  // the current face
+};
+
+}  // namespace
+
+const std::vector<std::string>& meshExtensions() {
+  static const std::vector<std::string> extensions{".stl", ".dae", ".obj", ".off", ".ply"};
+  return extensions;
+}
+
+LoadedMesh readMesh(const std::string& path, const MeshLimits& limits) {
+  const std::string extension = lowerExtension(path);
+  checkExtension(path, extension);
+  std::string bytes = readBytes(path, limits.max_bytes);
+  checkSource(bytes, path, extension, limits.max_triangles);
+  if (extension == ".obj" || extension == ".off") bytes += '\n';  // Assimp loses a last line that does not end
+  Assimp::Importer importer;
+  const aiScene* scene = import(&importer, bytes, path, extension);
+  return SceneReader(*scene, path, limits.max_triangles).read();
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,21 @@
+// What Assimp's readers take on trust, checked beforehand.
+//
+// They clamp or drop what is out of range, allocate what a header announces, read past arrays, and stop silently where a file
+// is cut off. A file that passes here is read whole or not at all.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace collision_hulls {
+
+/// Each takes the bytes of a file, and the file's name for the message; `max_triangles` bounds what the file announces.
+/// Throws kNotAMesh, kEmptyMesh, kIndexOutOfRange or kTooLarge.
+void checkStl(std::string_view bytes, const std::string& path, std::size_t max_triangles);
+void checkObj(std::string_view bytes, const std::string& path);
+void checkOff(std::string_view bytes, const std::string& path, std::size_t max_triangles);
+void checkPly(std::string_view bytes, const std::string& path, std::size_t max_triangles);
+void checkDae(std::string_view bytes, const std::string& path);
+
+}  // namespace collision_hulls

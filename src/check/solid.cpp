@@ -1,8 +1,11 @@
 #include "collision_hulls/check/solid.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "collision_hulls/geometry/triangle_bvh.h"
+#include "mesh/edges.h"
 
 namespace collision_hulls {
 
@@ -29,12 +32,50 @@ TriangleMesh withLoosePoints(const RepairedMesh& mesh) {
   return result;
 }
 
+// How many triangles' outer sides are looked at for a winding number below zero.
+constexpr std::size_t kMostProbes = 2000;
+constexpr double kProbeStep = 1e-3;  // off the triangle, in lengths of its shortest altitude or so
+
+/// Whether some region is enclosed inside out: then a triangle's back may face the outside.
+bool hasInvertedRegion(const TriangleMesh& walls, const TriangleBvh& tree) {
+  const std::size_t n = walls.triangles.size(), stride = std::max<std::size_t>(1, n / kMostProbes);
+  for (std::size_t t = 0; t < n; t += stride) {
+    const int i = static_cast<int>(t);
+    const Eigen::Vector3d &a = walls.corner(i, 0), &b = walls.corner(i, 1), &c = walls.corner(i, 2);
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    if (!(normal.norm() > 0)) continue;
+    const Eigen::Vector3d probe = (a + b + c) / 3 + normal.normalized() * (kProbeStep * std::sqrt(normal.norm()));
+    if (tree.windingNumber(probe) < -0.5) return true;
+  }
+  return false;
+}
+
+/// Per triangle of withLoosePoints(): whether both of its sides may face the outside.
+std::vector<char> twoSided(const RepairedMesh& mesh, bool all) {
+  const std::vector<Triangle>& triangles = mesh.mesh.triangles;
+  std::vector<char> result(triangles.size() + mesh.loose.size(), 1);
+  if (all) return result;
+  const Edges edges = findEdges(triangles, mesh.mesh.vertices.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    bool sheet = mesh.interior[static_cast<std::size_t>(mesh.component[t])] == Interior::kSurface;
+    for (int h = static_cast<int>(3 * t); h < static_cast<int>(3 * t) + 3; ++h) {
+      const int twin = edges.twin[static_cast<std::size_t>(h)];
+      sheet = sheet || twin < 0 || startOf(triangles, twin) != endOf(triangles, h);
+    }
+    result[t] = sheet;
+  }
+  return result;
+}
+
 }  // namespace
 
 struct Solid::Impl {
   explicit Impl(const RepairedMesh& mesh)
-      : surface(withLoosePoints(mesh)), walls(enclosing(mesh)), interior(interiorOf(mesh)), volume(signedVolume(enclosing(mesh))) {}
-  TriangleBvh surface, walls;
+      : walls(enclosing(mesh)),
+        surface(withLoosePoints(mesh), twoSided(mesh, hasInvertedRegion(enclosing(mesh), walls))),
+        interior(interiorOf(mesh)),
+        volume(signedVolume(enclosing(mesh))) {}
+  TriangleBvh walls, surface;
   Interior interior;
   double volume;
 };
@@ -57,6 +98,9 @@ double Solid::volume() const {
 }
 Interior Solid::interior() const {
   return impl_->interior;
+}
+bool Solid::withoutSummit(const Eigen::Vector3d& p, double radius) const {
+  return impl_->surface.facesOneWay(p, distanceToSurface(p) + 2 * radius);
 }
 const TriangleBvh& Solid::surface() const {
   return impl_->surface;

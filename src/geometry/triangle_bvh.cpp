@@ -13,11 +13,37 @@ namespace {
 constexpr int kLeafSize = 4;
 constexpr double kDipoleDistance = 2.3;  // in radii: dipoles nearer than this would err by more than 0.01
 
+constexpr double kAnyDirection = 3.14159265358979323846;
+constexpr double kNarrow = 0.35;  // [rad] cones narrower than this stand for their triangles
+constexpr std::size_t kMostCones = 64;
+constexpr double kLevel = 1e-6;  // directions whose cosine is below this count as level: not within the half-space
+constexpr int kHalfSpaceRounds = 24;
+
 /// Signed solid angle of a triangle seen from the origin, over 2 (Van Oosterom & Strackee 1983).
 double halfSolidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
   const double y = a.dot(b.cross(c)), x = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
   return x == 0 && y == 0 ? 0 : std::atan2(y, x);
+}
+
+/// Looks for a direction that all cones' directions make an acute angle with: begins with the mean, then leans toward the worst.
+template <class Cone>
+bool inOneHalfSpace(const Cone* cones, std::size_t count) {
+  Eigen::Vector3d u = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < count; ++i) u += cones[i].axis;
+  for (int round = 0; round < kHalfSpaceRounds; ++round) {
+    if (!(u.norm() > kLevel)) return count == 0;
+    u.normalize();
+    std::size_t worst = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < count; ++i) {
+      const double margin = u.dot(cones[i].axis) - std::sin(cones[i].angle);
+      if (margin < least) least = margin, worst = i;
+    }
+    if (least > kLevel) return true;
+    u += cones[worst].axis * (0.3 - least);
+  }
+  return false;
 }
 
 }  // namespace
@@ -43,7 +69,7 @@ Eigen::Vector3d closestPoint(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
   return a + ab * (vb / sum) + ac * (vc / sum);
 }
 
-TriangleBvh::TriangleBvh(const TriangleMesh& mesh) {
+TriangleBvh::TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_sided) {
   const std::size_t n = mesh.triangles.size();
   std::vector<Eigen::Vector3d> centres(n);
   for (std::size_t t = 0; t < n; ++t) {
@@ -59,6 +85,8 @@ TriangleBvh::TriangleBvh(const TriangleMesh& mesh) {
     corners_.push_back({mesh.corner(index_[k], 0), mesh.corner(index_[k], 1), mesh.corner(index_[k], 2)});
     position_[static_cast<std::size_t>(index_[k])] = static_cast<int>(k);
   }
+  if (!two_sided.empty())
+    for (int t : index_) two_sided_.push_back(two_sided[static_cast<std::size_t>(t)]);
   for (int node = static_cast<int>(nodes_.size()); node-- > 0;) fit(node);
 }
 
@@ -108,9 +136,68 @@ void TriangleBvh::fit(int id) {
     node.dipole = l.dipole + r.dipole;
     node.dipole_centre = node.box.center();
   }
+  fitCone(node);
   for (int corner = 0; corner < 8; ++corner)
     node.radius =
         std::max(node.radius, (node.box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) - node.dipole_centre).norm());
+}
+
+/// The cone about the mean normal of a leaf's triangles, or about both children's cones.
+void TriangleBvh::fitCone(Node& node) const {
+  std::array<Cone, kLeafSize> parts;
+  std::size_t count = 0;
+  if (node.count > 0) {
+    for (int k = node.first; k < node.first + node.count; ++k) parts[count++] = cone(k);
+  } else {
+    for (int k = node.first; k < node.first + 2; ++k)
+      parts[count++] = {nodes_[static_cast<std::size_t>(k)].cone_axis, nodes_[static_cast<std::size_t>(k)].cone_angle};
+  }
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < count; ++i) axis += parts[i].axis;
+  node.cone_angle = kAnyDirection;
+  if (!(axis.norm() > kLevel)) return;
+  node.cone_axis = axis.normalized();
+  double angle = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    angle = std::max(angle, parts[i].angle + std::acos(std::clamp(node.cone_axis.dot(parts[i].axis), -1.0, 1.0)));
+  node.cone_angle = std::min(angle, kAnyDirection);
+}
+
+TriangleBvh::Cone TriangleBvh::cone(int k) const {
+  const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
+  const Eigen::Vector3d vector = (b - a).cross(c - a);
+  const double length = vector.norm();
+  if (!(length > 0) || (!two_sided_.empty() && two_sided_[static_cast<std::size_t>(k)])) return {Eigen::Vector3d::Zero(), kAnyDirection};
+  return {vector / length, 0};
+}
+
+bool TriangleBvh::facesOneWay(const Eigen::Vector3d& p, double radius) const {
+  std::array<Cone, kMostCones> cones;
+  std::size_t count = 0;
+  int stack[96];
+  int top = 0;
+  if (!nodes_.empty()) stack[top++] = 0;
+  const auto add = [&](const Cone& c) {
+    if (c.angle >= kAnyDirection || count == kMostCones) return false;
+    cones[count++] = c;
+    return true;
+  };
+  while (top > 0) {
+    const Node& node = nodes_[static_cast<std::size_t>(stack[--top])];
+    if (node.box.squaredExteriorDistance(p) > radius * radius) continue;
+    if (node.cone_angle < kNarrow) {
+      if (!add({node.cone_axis, node.cone_angle})) return false;
+    } else if (node.count > 0) {
+      for (int k = node.first; k < node.first + node.count; ++k) {
+        const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
+        if ((closestPoint(a, b, c, p) - p).squaredNorm() <= radius * radius && !add(cone(k))) return false;
+      }
+    } else {
+      stack[top++] = node.first;
+      stack[top++] = node.first + 1;
+    }
+  }
+  return inOneHalfSpace(cones.data(), count);
 }
 
 TriangleBvh::Nearest TriangleBvh::nearest(const Eigen::Vector3d& p, double limit, int hint) const {

@@ -16,7 +16,8 @@ Eigen::Vector3d closestPoint(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
 /// A bounding-volume tree over a mesh's triangles. Keeps copies of them; immutable and thread safe.
 class TriangleBvh {
  public:
-  explicit TriangleBvh(const TriangleMesh& mesh);
+  /// `two_sided`: per triangle, whether both of its sides may face outward (empty: none).
+  explicit TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_sided = {});
 
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();  ///< [m]; infinite where nothing lies within the limit
@@ -31,6 +32,10 @@ class TriangleBvh {
   /// closed outward surface, 0 outside, with an error of about 0.01.
   double windingNumber(const Eigen::Vector3d& p) const;
 
+  /// Whether the normals of all triangles within `radius` [m] of p lie in one open half-space, no two-sided or degenerate one
+  /// among them. May say no where it is so (many triangles); never yes where it is not.
+  bool facesOneWay(const Eigen::Vector3d& p, double radius) const;
+
   /// The corners of a triangle, by its index in the mesh.
   const std::array<Eigen::Vector3d, 3>& corners(int triangle) const {
     return corners_[static_cast<std::size_t>(position_[static_cast<std::size_t>(triangle)])];
@@ -43,15 +48,24 @@ class TriangleBvh {
     Eigen::AlignedBox3d box;
     int first = 0, count = 0;  // leaf: triangles [first, first + count); inner: children first, first + 1 and count 0
     Eigen::Vector3d dipole_centre = Eigen::Vector3d::Zero(), dipole = Eigen::Vector3d::Zero();  // middle, area vector
+    Eigen::Vector3d cone_axis = Eigen::Vector3d::Zero();                                        // cone of the normals
+    double cone_angle = 0;                                                                      // [rad] half opening; pi: any direction
     double radius = 0;                                                                          // of the triangles about dipole_centre
   };
+  struct Cone {
+    Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+    double angle = 0;  // [rad] half opening
+  };
+  Cone cone(int position) const;
   void build(std::vector<int>& order, const std::vector<Eigen::Vector3d>& centres);
   void fit(int node);
+  void fitCone(Node& node) const;
 
   std::vector<Node> nodes_;
   std::vector<std::array<Eigen::Vector3d, 3>> corners_;  // in leaf order
   std::vector<int> index_;                               // leaf order to mesh
   std::vector<int> position_;                            // mesh to leaf order
+  std::vector<char> two_sided_;                          // in leaf order; empty: none
 };
 
 }  // namespace collision_hulls

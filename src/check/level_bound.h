@@ -1,0 +1,65 @@
+// An upper bound of the distance to a surface over a convex polytope, tight where that distance is level.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "collision_hulls/geometry/triangle_bvh.h"
+
+namespace collision_hulls {
+
+/// The distance f to the surface is at most the distance d_j to any one of its triangles, so f <= min_j d_j <= sum_j w_j d_j for
+/// any weights w that sum to 1. That sum is convex: over a polytope its largest value lies at a corner. One triangle bounds
+/// well beside a wall, two do midway between walls. The best weights are those of a small matrix game, corner against triangle.
+template <std::size_t Corners, std::size_t MostTriangles>
+class LevelBound {
+ public:
+  /// Adds a triangle of the surface (-1, a known one, or one too many: nothing is added).
+  void add(int triangle) {
+    if (triangle < 0 || count_ == MostTriangles) return;
+    for (std::size_t k = 0; k < count_; ++k)
+      if (triangles_[k] == triangle) return;
+    triangles_[count_++] = triangle;
+  }
+
+  double over(const std::array<Eigen::Vector3d, Corners>& corners, const TriangleBvh& surface) const {
+    Distances distance(Corners, static_cast<Eigen::Index>(count_));
+    double best = std::numeric_limits<double>::infinity();
+    for (std::size_t j = 0; j < count_; ++j) {
+      const auto& [a, b, c] = surface.corners(triangles_[j]);
+      const Eigen::Index column = static_cast<Eigen::Index>(j);
+      for (std::size_t i = 0; i < Corners; ++i)
+        distance(static_cast<Eigen::Index>(i), column) = (closestPoint(a, b, c, corners[i]) - corners[i]).norm();
+      best = std::min(best, distance.col(column).maxCoeff());
+    }
+    return count_ > 1 ? std::min(best, gameValue(distance)) : best;
+  }
+
+ private:
+  static constexpr int kRounds = 16;
+  static constexpr int kRows = static_cast<int>(Corners), kColumns = static_cast<int>(MostTriangles);
+  using Distances = Eigen::Matrix<double, kRows, Eigen::Dynamic, 0, kRows, kColumns>;
+
+  /// Min over weights of max over corners, by fictitious play: any weights give an upper bound, good ones a tight one.
+  static double gameValue(const Distances& distance) {
+    Eigen::Matrix<double, kRows, 1> total = Eigen::Matrix<double, kRows, 1>::Zero();
+    Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kColumns> against = distance.colwise().sum() / kRows;
+    double best = std::numeric_limits<double>::infinity();
+    for (int round = 1; round <= kRounds; ++round) {
+      int triangle = 0, corner = 0;
+      against.minCoeff(&triangle);
+      total += distance.col(triangle);
+      best = std::min(best, total.maxCoeff(&corner) / round);
+      if (round == 1) against.setZero();
+      against += distance.row(corner);
+    }
+    return best;
+  }
+
+  std::array<int, MostTriangles> triangles_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace collision_hulls

@@ -1,0 +1,185 @@
+#include "check/outside_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+
+#include "check/level_bound.h"
+
+namespace collision_hulls {
+
+namespace {
+
+const double kSqrt3 = std::sqrt(3.0);
+constexpr double kBoxMargin = 1e-4;        // the root's size beyond the box, as a share
+constexpr double kOnFace = 1e-9;           // a point this far beyond a face, in cells, still lies in the hull
+constexpr std::size_t kMostCells = 40000;  // of one size that a search for intruders divides further
+
+}  // namespace
+
+/// The faces of a hull that cut a cell, and the point of the hull in the cell that is nearest to its centre, roughly.
+struct OutsideDistance::View {
+  std::vector<int> faces;
+  bool outside = false;  // the cell and the hull have nothing in common
+  double offset = 0;     // how far `point` lies from the centre
+  bool has_point = false;
+  Eigen::Vector3d point;
+
+  View(const Cell& cell, const ConvexHull& hull, const std::vector<int>& candidates) : point(cell.centre) {
+    int beyond = 0, worst = -1;
+    for (int f : candidates) {
+      const HalfSpace& face = hull.faces[static_cast<std::size_t>(f)];
+      const double d = face.distance(cell.centre), reach = cell.half * face.normal.lpNorm<1>();
+      if (d > reach) {
+        outside = true;
+        return;
+      }
+      if (d > -reach) faces.push_back(f);
+      if (d > 0) ++beyond;
+      if (d > offset) offset = d, worst = f;
+    }
+    has_point = beyond == 0;
+    if (has_point) return;
+    point -= offset * hull.faces[static_cast<std::size_t>(worst)].normal;
+    has_point = std::all_of(faces.begin(), faces.end(),
+                            [&](int f) { return hull.faces[static_cast<std::size_t>(f)].distance(point) <= kOnFace * cell.half; });
+  }
+};
+
+OutsideDistance::OutsideDistance(const Solid& solid, const Eigen::AlignedBox3d& box) : solid_(solid) {
+  Cell root;
+  root.centre = box.center();
+  root.half = box.sizes().maxCoeff() / 2 * (1 + kBoxMargin);
+  measure(root, nullptr);
+  cells_.push_back(root);
+}
+
+double OutsideDistance::radius(const Cell& cell) const {
+  return cell.half * kSqrt3;
+}
+
+/// Where the parent's distance exceeds the way between the centres, no surface lies between them and the sign is the same.
+void OutsideDistance::measure(Cell& cell, const Cell* parent) const {
+  const TriangleBvh::Nearest n =
+      solid_.surface().nearest(cell.centre, std::numeric_limits<double>::infinity(), parent ? parent->triangle : -1);
+  cell.triangle = n.triangle;
+  const bool same_side = parent && std::abs(parent->distance) > (parent->centre - cell.centre).norm();
+  const bool inside = same_side ? parent->distance < 0 : solid_.contains(cell.centre);
+  cell.distance = inside ? -n.distance : n.distance;
+}
+
+int OutsideDistance::children(int id) {
+  if (cells_[static_cast<std::size_t>(id)].children >= 0) return cells_[static_cast<std::size_t>(id)].children;
+  const Cell parent = cells_[static_cast<std::size_t>(id)];
+  const int first = static_cast<int>(cells_.size());
+  for (int k = 0; k < 8; ++k) {
+    Cell cell;
+    cell.half = parent.half / 2;
+    cell.centre = parent.centre + cell.half * Eigen::Vector3d(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+    measure(cell, &parent);
+    if (parent.summit == 0) cell.summit = 0;
+    cells_.push_back(cell);
+  }
+  return cells_[static_cast<std::size_t>(id)].children = first;
+}
+
+bool OutsideDistance::mayHoldSummit(int id) {
+  Cell& cell = cells_[static_cast<std::size_t>(id)];
+  if (cell.summit < 0) cell.summit = !solid_.surface().facesOneWay(cell.centre, std::abs(cell.distance) + 2 * radius(cell));
+  return cell.summit != 0;
+}
+
+/// Bound over a divided cell by the distances to the triangles nearest to its own and its children's centres.
+double OutsideDistance::levelBound(int id) const {
+  const Cell& cell = cells_[static_cast<std::size_t>(id)];
+  LevelBound<8, 9> bound;
+  bound.add(cell.triangle);
+  std::array<Eigen::Vector3d, 8> corners;
+  for (int k = 0; k < 8; ++k) {
+    const Cell& child = cells_[static_cast<std::size_t>(cell.children + k)];
+    bound.add(child.triangle);
+    corners[static_cast<std::size_t>(k)] = cell.centre + 2 * (child.centre - cell.centre);
+  }
+  return bound.over(corners, solid_.surface());
+}
+
+OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const Query& query) {
+  struct Open {
+    double bound;
+    int cell;
+    std::size_t faces;
+    bool operator<(const Open& other) const { return bound < other.bound; }
+  };
+  Largest result;
+  result.bound = query.floor;
+  std::vector<std::vector<int>> faces(1, std::vector<int>(hull.faces.size()));
+  std::iota(faces[0].begin(), faces[0].end(), 0);
+  std::priority_queue<Open> queue;
+  queue.push({std::numeric_limits<double>::infinity(), 0, 0});
+  const auto enough = [&] { return std::max(result.found, query.floor); };
+  while (!queue.empty() && queue.top().bound > enough()) {
+    const Open open = queue.top();
+    queue.pop();
+    const Cell cell = cells_[static_cast<std::size_t>(open.cell)];
+    View view(cell, hull, faces[open.faces]);
+    if (view.outside) continue;
+    if (view.has_point && cell.distance - view.offset > result.found) {
+      result.found = cell.distance - view.offset;
+      result.where = view.point;
+      if (result.found > query.ceiling) {
+        result.bound = std::numeric_limits<double>::infinity();
+        return result;
+      }
+    }
+    const double bound = cell.distance + radius(cell);
+    if (bound <= enough() || (query.summits_only && !mayHoldSummit(open.cell))) continue;
+    if (radius(cell) < query.resolution) {
+      result.bound = std::max(result.bound, bound);
+      continue;
+    }
+    faces.push_back(std::move(view.faces));
+    const int first = children(open.cell);
+    if (query.summits_only && levelBound(open.cell) <= enough()) continue;
+    for (int k = first; k < first + 8; ++k) {
+      const Cell& child = cells_[static_cast<std::size_t>(k)];
+      if (child.distance + radius(child) > enough()) queue.push({child.distance + radius(child), k, faces.size() - 1});
+    }
+  }
+  result.bound = std::max(result.bound, result.found);
+  return result;
+}
+
+std::vector<OutsideDistance::Intruder> OutsideDistance::intruders(const ConvexHull& hull, double tolerance, std::size_t wanted,
+                                                                  double resolution) {
+  struct Open {
+    int cell;
+    std::vector<int> faces;
+  };
+  std::vector<Open> level(1, Open{0, std::vector<int>(hull.faces.size())}), divided;
+  std::iota(level[0].faces.begin(), level[0].faces.end(), 0);
+  std::vector<Intruder> found;
+  while (!level.empty()) {
+    found.clear();
+    divided.clear();
+    for (const Open& open : level) {
+      const Cell& cell = cells_[static_cast<std::size_t>(open.cell)];
+      if (cell.distance + radius(cell) <= tolerance) continue;
+      View view(cell, hull, open.faces);
+      if (view.outside) continue;
+      if (view.has_point && cell.distance - view.offset > tolerance)
+        found.push_back({view.point, cell.distance - view.offset, 8 * cell.half * cell.half * cell.half});
+      if (radius(cell) >= resolution) divided.push_back({open.cell, std::move(view.faces)});
+    }
+    if (found.size() >= wanted || divided.size() > kMostCells / 8) break;
+    level.clear();
+    for (const Open& open : divided) {
+      const int first = children(open.cell);
+      for (int k = first; k < first + 8; ++k) level.push_back({k, open.faces});
+    }
+  }
+  return found;
+}
+
+}  // namespace collision_hulls

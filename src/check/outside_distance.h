@@ -1,0 +1,63 @@
+// The distance to a solid over space, sampled where it is asked for: an octree that grows under the queries.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "collision_hulls/check/solid.h"
+#include "collision_hulls/geometry/convex_hull.h"
+
+namespace collision_hulls {
+
+/// A cell knows the signed distance at its centre (positive outside), which bounds it over the cell by the cell's radius. Queries
+/// descend where the bound leaves something open, and what one query computed the next one finds. Values are a function of
+/// the solid and the box alone, so answers do not depend on the order of queries. Not thread safe.
+class OutsideDistance {
+ public:
+  /// `box`: what queried hulls lie in; `solid` must live as long.
+  OutsideDistance(const Solid& solid, const Eigen::AlignedBox3d& box);
+
+  struct Query {
+    double floor = 0;           ///< [m] distances up to here do not matter
+    double ceiling = 0;         ///< [m] the search ends when a larger distance is found
+    double resolution = 0;      ///< [m] cells of a smaller radius are not divided
+    bool summits_only = false;  ///< leave out cells without a local maximum: for hulls whose surface was searched already
+  };
+  struct Largest {
+    double found = 0;  ///< [m] largest distance found at a point of the hull
+    double bound = 0;  ///< [m] no point of the hull, or no summit in it, is further; infinite if the ceiling ended the search
+    Eigen::Vector3d where = Eigen::Vector3d::Zero();
+  };
+  Largest largest(const ConvexHull& hull, const Query& query);
+
+  struct Intruder {
+    Eigen::Vector3d p;
+    double distance = 0;  ///< [m]
+    double weight = 0;    ///< [m^3] of the cell
+  };
+  /// Points of the hull at a distance above `tolerance`, one per cell, all cells of one size: the largest cells that give
+  /// `wanted` points, or the smallest of radius >= resolution.
+  std::vector<Intruder> intruders(const ConvexHull& hull, double tolerance, std::size_t wanted, double resolution);
+
+ private:
+  struct Cell {
+    Eigen::Vector3d centre;
+    double half = 0;          // side / 2
+    double distance = 0;      // signed, at the centre
+    int triangle = -1;        // nearest
+    int children = -1;        // first of eight
+    signed char summit = -1;  // whether it may hold a local maximum; -1: not yet asked
+  };
+  struct View;  // of a cell by a hull
+
+  double radius(const Cell& cell) const;
+  void measure(Cell& cell, const Cell* parent) const;
+  int children(int cell);
+  bool mayHoldSummit(int cell);
+  double levelBound(int cell) const;
+
+  const Solid& solid_;
+  std::vector<Cell> cells_;
+};
+
+}  // namespace collision_hulls

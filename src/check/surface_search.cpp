@@ -1,0 +1,126 @@
+// Put the hull's triangles into a queue, largest bound first; until the largest bound is at most found + gap, halve that triangle
+// at its longest edge and put both halves back.
+//
+// The distance f to the solid is 1-Lipschitz: within a radius r of the centre c it is at most f(c) + r. Where f is level that closes
+// slowly, and LevelBound takes over.
+#include "check/surface_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "check/level_bound.h"
+
+namespace collision_hulls {
+
+namespace {
+
+constexpr int kStepsBetweenChecks = 1024;
+
+/// A corner of patches, and the triangle of the solid's surface nearest to it.
+struct Corner {
+  Eigen::Vector3d p;
+  int triangle = -1;
+};
+
+struct Patch {
+  std::array<Corner, 3> corner;
+  double bound = 0;
+
+  bool operator<(const Patch& other) const { return bound < other.bound; }
+  Eigen::Vector3d centre() const { return (corner[0].p + corner[1].p + corner[2].p) / 3; }
+};
+
+/// The search over one hull.
+class Search {
+ public:
+  Search(const Solid& solid, const SurfaceQuery& query) : solid_(solid), query_(query) {}
+
+  Protrusion run(const ConvexHull& hull, const RunControl& control) {
+    std::vector<Corner> corners;
+    for (const Eigen::Vector3d& v : hull.vertices) corners.push_back(visit(v, corners.empty() ? -1 : corners.back().triangle));
+    for (const Triangle& t : hull.triangles) {
+      const auto at = [&](std::size_t k) { return corners[static_cast<std::size_t>(t[k])]; };
+      push({{at(0), at(1), at(2)}, 0});
+    }
+    for (int step = 0; !queue_.empty() && queue_.top().bound > threshold() && best_.found <= query_.ceiling; ++step) {
+      if (step % kStepsBetweenChecks == 0) control.check();
+      halve();
+    }
+    best_.bound = std::max(best_.found, dropped_);
+    if (best_.found > query_.ceiling)
+      best_.bound = std::numeric_limits<double>::infinity();
+    else if (!queue_.empty())
+      best_.bound = std::max(best_.bound, queue_.top().bound);
+    return best_;
+  }
+
+ private:
+  /// What a patch must promise to exceed to be worth halving.
+  double threshold() const { return std::max(best_.found, query_.floor) + query_.gap; }
+
+  /// A corner at p, whose distance from the solid is a candidate for the largest.
+  Corner visit(const Eigen::Vector3d& p, int hint) {
+    const TriangleBvh::Nearest n = solid_.surface().nearest(p, std::numeric_limits<double>::infinity(), hint);
+    if (n.distance > best_.found && n.distance > query_.floor && !solid_.contains(p)) {
+      best_.found = n.distance, best_.where = p, best_.nearest = n.point;
+    }
+    return {p, n.triangle};
+  }
+
+  /// Bound by the distances to the triangles nearest to the corners and, where there is one, to the centre.
+  double levelBound(const Patch& patch, int centre_triangle) const {
+    LevelBound<3, 4> bound;
+    for (const Corner& c : patch.corner) bound.add(c.triangle);
+    bound.add(centre_triangle);
+    return bound.over({patch.corner[0].p, patch.corner[1].p, patch.corner[2].p}, solid_.surface());
+  }
+
+  void push(Patch patch) {
+    patch.bound = levelBound(patch, -1);
+    if (patch.bound > threshold()) {
+      const Eigen::Vector3d c = patch.centre();
+      double radius = 0;
+      for (const Corner& v : patch.corner) radius = std::max(radius, (v.p - c).norm());
+      const TriangleBvh::Nearest n = solid_.surface().nearest(c, std::numeric_limits<double>::infinity(), patch.corner[0].triangle);
+      const double outside = solid_.contains(c) ? -n.distance : n.distance;
+      if (outside > best_.found && outside > query_.floor) best_.found = outside, best_.where = c, best_.nearest = n.point;
+      patch.bound = std::min({patch.bound, std::max(0.0, outside + radius), levelBound(patch, n.triangle)});
+    }
+    if (patch.bound > threshold())
+      queue_.push(patch);
+    else
+      dropped_ = std::max(dropped_, patch.bound);
+  }
+
+  void halve() {
+    Patch patch = queue_.top();
+    queue_.pop();
+    std::size_t a = 0;
+    const auto length = [&](std::size_t i) { return (patch.corner[i].p - patch.corner[(i + 1) % 3].p).squaredNorm(); };
+    for (std::size_t i = 1; i < 3; ++i)
+      if (length(i) > length(a)) a = i;
+    const std::size_t b = (a + 1) % 3;
+    const Corner middle = visit((patch.corner[a].p + patch.corner[b].p) / 2, patch.corner[a].triangle);
+    Patch other = patch;
+    patch.corner[b] = other.corner[a] = middle;
+    push(patch);
+    push(other);
+  }
+
+  const Solid& solid_;
+  const SurfaceQuery query_;
+  double dropped_ = 0;
+  std::priority_queue<Patch> queue_;
+  Protrusion best_;
+};
+
+}  // namespace
+
+Protrusion largestOnSurface(const ConvexHull& hull, const Solid& solid, const SurfaceQuery& query, const RunControl& control) {
+  return Search(solid, query).run(hull, control);
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,19 @@
+// The largest distance to a solid over the surface of a convex hull.
+#pragma once
+
+#include <limits>
+
+#include "collision_hulls/check/measures.h"
+
+namespace collision_hulls {
+
+struct SurfaceQuery {
+  double floor = 0;                                          ///< [m] distances up to here do not matter
+  double gap = 0;                                            ///< [m] the bound may exceed max(found, floor) by this; > 0
+  double ceiling = std::numeric_limits<double>::infinity();  ///< [m] the search ends when a larger distance is found
+};
+
+/// Branch and bound over the hull's triangles. bound is infinite if the ceiling ended the search.
+Protrusion largestOnSurface(const ConvexHull& hull, const Solid& solid, const SurfaceQuery& query, const RunControl& control);
+
+}  // namespace collision_hulls

@@ -71,8 +71,8 @@ TEST(DemoArm, UnitsAxesAndScalesAgree) {
   expectBox("shoulder_link", 0, {-0.072, -0.072, 0}, {0.072, 0.072, 0.15});            // OBJ, millimetres
   expectBox("elbow_link", 0, {-0.034, -0.04, -0.034}, {0.085, 0.049, 0.096});          // OBJ, metres
   expectBox("shoulder_link", 1, {-0.04, -0.11725, 0.07}, {0.04, -0.056, 0.15});        // STL, metres, stretched
-  expectBox("left_finger_link", 0, {-0.011, -0.011, -0.022}, {0.094, 0.011, 0.022});   // STL, millimetres
-  expectBox("right_finger_link", 0, {-0.011, -0.011, -0.022}, {0.094, 0.011, 0.022});  // the same, mirrored
+  expectBox("left_finger_link", 0, {-0.011, -0.011, -0.022}, {0.094, 0.010, 0.022});   // STL, millimetres
+  expectBox("right_finger_link", 0, {-0.011, -0.010, -0.022}, {0.094, 0.011, 0.022});  // the same, mirrored
   EXPECT_EQ(readMesh((kMeshes / "gripper.dae").string()).submeshes, 3);
 }
 

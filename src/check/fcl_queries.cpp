@@ -3,6 +3,8 @@
 //   asserts end the process; the other solver, GST_INDEP, is wrong in some pairs and in most at millimetre scale.
 // - A sphere is its centre, the radius being taken off the answer: GJK stops up to 1e-5 early on a curved body, and a sphere that
 //   overlaps a BVH's triangle leaves the distance uninitialised.
+// - Bodies are given to FCL enlarged: its thresholds are absolute, and libccd's GJK takes 6 % of the overlaps of millimetre cubes
+//   (in metres) for separated.
 // - Polyhedra against a mesh go as meshes: BVH against BVH is exact to rounding, BVH against Convex only to 2e-5.
 #include "check/fcl_queries.h"
 
@@ -29,9 +31,15 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kDistanceTolerance = 1e-9;  // libccd's default, 1e-6, is off by up to 5e-4 near contact
+constexpr double kEnlarged = 1024;           // a power of two, so that nothing is rounded
 
-FclAnswer ask(const fcl::CollisionGeometryd& first, const fcl::CollisionGeometryd& second, const Eigen::Isometry3d& pose,
-              bool nearest_points) {
+std::vector<Eigen::Vector3d> enlarged(std::vector<Eigen::Vector3d> vertices) {
+  for (Eigen::Vector3d& v : vertices) v *= kEnlarged;
+  return vertices;
+}
+
+FclAnswer ask(const fcl::CollisionGeometryd& first, const fcl::CollisionGeometryd& second, Eigen::Isometry3d pose, bool nearest_points) {
+  pose.translation() *= kEnlarged;
   FclAnswer answer;
   const fcl::DistanceRequestd request(nearest_points, false, 0, 0, kDistanceTolerance, fcl::GST_LIBCCD);
   fcl::DistanceResultd result;
@@ -45,8 +53,11 @@ FclAnswer ask(const fcl::CollisionGeometryd& first, const fcl::CollisionGeometry
   answer.microseconds = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
   if (answer.status == FclAnswer::Status::kException) return answer;
   if (std::isnan(result.min_distance)) answer.status = FclAnswer::Status::kNan;
-  answer.distance = std::max(0.0, result.min_distance);
-  if (nearest_points) answer.on_first = result.nearest_points[0], answer.on_second = result.nearest_points[1];
+  answer.distance = std::max(0.0, result.min_distance) / kEnlarged;
+  if (nearest_points) {
+    answer.on_first = result.nearest_points[0] / kEnlarged;
+    answer.on_second = result.nearest_points[1] / kEnlarged;
+  }
   return answer;
 }
 
@@ -62,16 +73,11 @@ struct FclMesh::Impl {
 
 FclMesh::FclMesh(const TriangleMesh& mesh) : impl_(std::make_unique<Impl>()) {
   std::vector<fcl::Triangle> triangles;
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    const auto &a = mesh.corner(t, 0), &b = mesh.corner(t, 1), &c = mesh.corner(t, 2);
-    const Triangle& corners = mesh.triangles[static_cast<std::size_t>(t)];
-    if (a != b && b != c && c != a)
-      triangles.emplace_back(static_cast<std::size_t>(corners[0]), static_cast<std::size_t>(corners[1]),
-                             static_cast<std::size_t>(corners[2]));
-  }
+  for (const Triangle& t : mesh.triangles)
+    triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2]));
   if (triangles.empty()) return;
   impl_->model.beginModel(static_cast<int>(triangles.size()), static_cast<int>(mesh.vertices.size()));
-  impl_->model.addSubModel(mesh.vertices, triangles);
+  impl_->model.addSubModel(enlarged(mesh.vertices), triangles);
   if (impl_->model.endModel() != fcl::BVH_OK)
     throw Error(ErrorCode::kInternal, "FCL refused a mesh of " + std::to_string(triangles.size()) + " triangles");
 }
@@ -91,7 +97,7 @@ FclHull::FclHull(const ConvexHull& hull) : impl_(std::make_unique<Impl>()) {
   // FCL's face array: for each face its number of vertices, then their indices counter-clockwise.
   const auto faces = std::make_shared<std::vector<int>>();
   for (const Triangle& t : hull.triangles) faces->insert(faces->end(), {3, t[0], t[1], t[2]});
-  const auto vertices = std::make_shared<std::vector<Eigen::Vector3d>>(hull.vertices);
+  const auto vertices = std::make_shared<std::vector<Eigen::Vector3d>>(enlarged(hull.vertices));
   impl_->convex = std::make_unique<fcl::Convexd>(vertices, static_cast<int>(hull.triangles.size()), faces);
 }
 

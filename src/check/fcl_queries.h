@@ -24,14 +24,14 @@ struct FclAnswer {
   std::string error;                                    ///< the text of an exception
 };
 
-/// A mesh as FCL and MoveIt hold one: a tree of triangles, a surface without inside. Triangles with two equal corners are left
-/// out: they are edges of others, and FCL cannot fit a box to a point. Immutable, thread safe.
+/// A mesh as FCL and MoveIt hold one: a tree of triangles, a surface without inside. Triangles must have an area: FCL fits
+/// no box to a line or a point, and its answers about them are wrong. Immutable, thread safe.
 class FclMesh {
  public:
   explicit FclMesh(const TriangleMesh& mesh);
   ~FclMesh();
   FclMesh(FclMesh&&) noexcept;
-  bool empty() const;  ///< no triangle is left; such a mesh must not be asked for distances
+  bool empty() const;  ///< no triangle; such a mesh must not be asked for distances
 
   struct Impl;
   const Impl& impl() const { return *impl_; }

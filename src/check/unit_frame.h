@@ -15,7 +15,7 @@ class UnitFrame {
   /// The coordinates of the pair are finite and it has triangles or hulls.
   explicit UnitFrame(const ValidationPair& pair);
 
-  double rounding() const { return rounding_; }  ///< of our own distances, in units
+  double rounding() const { return rounding_; }  ///< of our own distances, where no triangle is a sliver, in units
   double units(double metres) const { return metres * scale_; }
   double metres(double units) const { return units / scale_; }
   Eigen::Vector3d metres(const Eigen::Vector3d& p) const { return p / scale_ + centre_; }

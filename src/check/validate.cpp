@@ -17,23 +17,29 @@ namespace {
 constexpr std::size_t kMostNeighbours = 4;
 constexpr double kNeighbourhood = 0.25;  // how far neighbours may be, as a share of the element's diagonal
 
-/// The boxes of each pair's hulls; none for pairs that cannot be checked.
-using HullBoxes = std::vector<std::vector<Eigen::AlignedBox3d>>;
+/// The boxes of a pair; empty for one that cannot be checked.
+struct Boxes {
+  Eigen::AlignedBox3d all;
+  std::vector<Eigen::AlignedBox3d> hulls;
+};
 
-Eigen::AlignedBox3d united(const std::vector<Eigen::AlignedBox3d>& boxes) {
-  Eigen::AlignedBox3d result;
-  for (const auto& box : boxes) result.extend(box);
-  return result;
+Boxes boxesOf(const ValidationPair& pair) {
+  Boxes boxes;
+  boxes.all = boundingBox(pair.original);
+  for (const ConvexHull& hull : pair.hulls) {
+    boxes.hulls.push_back(boundingBox(hull));
+    boxes.all.extend(boxes.hulls.back());
+  }
+  return boxes;
 }
 
 /// The hulls of other elements whose boxes come nearest to the element's.
-std::vector<Neighbour> neighboursOf(std::size_t index, const std::vector<ValidationPair>& pairs, const HullBoxes& boxes) {
-  const Eigen::AlignedBox3d box = united(boxes[index]);
-  if (box.isEmpty()) return {};
+std::vector<Neighbour> neighboursOf(std::size_t index, const std::vector<ValidationPair>& pairs, const std::vector<Boxes>& boxes) {
+  const Eigen::AlignedBox3d& box = boxes[index].all;
   std::vector<std::pair<double, Neighbour>> near;
   for (std::size_t other = 0; other < pairs.size(); ++other) {
-    for (std::size_t h = 0; other != index && h < boxes[other].size(); ++h) {
-      const double apart = box.exteriorDistance(boxes[other][h]);
+    for (std::size_t h = 0; other != index && h < boxes[other].hulls.size(); ++h) {
+      const double apart = box.exteriorDistance(boxes[other].hulls[h]);
       if (apart <= kNeighbourhood * box.diagonal().norm()) near.push_back({apart, {pairs[other].name, &pairs[other].hulls[h]}});
     }
   }
@@ -103,11 +109,10 @@ Validation validate(const std::vector<ValidationPair>& pairs, const ValidationOp
   if (options.queries_per_pair < 0)
     throw Error(ErrorCode::kBadOption, "validation: " + std::to_string(options.queries_per_pair) + " queries per pair; give 0 or more");
   std::vector<std::string> faults;
-  HullBoxes hull_boxes(pairs.size());
+  std::vector<Boxes> pair_boxes(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     faults.push_back(fault(pairs[i]));
-    if (!faults[i].empty()) continue;
-    for (const ConvexHull& hull : pairs[i].hulls) hull_boxes[i].push_back(boundingBox(hull));
+    if (faults[i].empty()) pair_boxes[i] = boxesOf(pairs[i]);
   }
   const std::vector<ProbeShape> boxes = boxShapes();
   std::vector<PairResult> results(pairs.size());
@@ -119,7 +124,7 @@ Validation validate(const std::vector<ValidationPair>& pairs, const ValidationOp
     else if (pairs[i].original.triangles.empty())
       results[i] = notChecked(pairs[i], "its original has no triangle", 0);
     else
-      results[i] = validatePair(pairs[i], i, boxes, neighboursOf(i, pairs, hull_boxes), options, control);
+      results[i] = validatePair(pairs[i], i, boxes, neighboursOf(i, pairs, pair_boxes), options, control);
     finished.one();
   };
   tbb::parallel_for(

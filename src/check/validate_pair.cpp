@@ -19,7 +19,19 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kLeastRadius = 0.001, kLargestRadius = 0.25;  // of spheres, as shares of the element's size
+constexpr double kThinnest = 1e-12;                            // height over length of a triangle that has an area
 constexpr double kTimeout = 1e6;                               // [us]
+
+/// The triangles that have an area to rounding, or the others.
+TriangleMesh selected(const TriangleMesh& mesh, bool with_area) {
+  TriangleMesh result{mesh.vertices, {}};
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    const Eigen::Vector3d u = mesh.corner(t, 1) - mesh.corner(t, 0), v = mesh.corner(t, 2) - mesh.corner(t, 0);
+    const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()});
+    if ((u.cross(v).norm() > kThinnest * longest) == with_area) result.triangles.push_back(mesh.triangles[static_cast<std::size_t>(t)]);
+  }
+  return result;
+}
 
 class PairCheck {
  public:
@@ -36,7 +48,7 @@ class PairCheck {
   double toHulls(const Probe& probe);
   double toHull(const Probe& probe, std::size_t hull, const FclAnswer& answer);
   double toOriginal(const Probe& probe);
-  double toOriginal(const Probe& probe, const FclAnswer& answer);
+  double toSurface(const Probe& probe, const FclAnswer& answer);
   bool holdsAComponent(const Probe& probe) const;
   double settled(const Probe& probe, FclAnswer answer, double ours, const char* against);
   void judge(const Probe& probe, double original, double hulls);
@@ -46,13 +58,15 @@ class PairCheck {
   const std::string name_;
   const UnitFrame frame_;
   const TriangleMesh original_;
+  const TriangleMesh with_area_, without_area_;  // its triangles: those that FCL is asked about, and the others
   const std::vector<ConvexHull> hulls_;
   const RepairedMesh repaired_;
   const Solid solid_;
-  const TriangleBvh bvh_;
+  const TriangleBvh bvh_, bvh_without_area_;
   const FclMesh fcl_original_;
   const PoseSampler sampler_;
-  const double allowed_;  // the certified protrusion, and what rounding and welding add to it
+  const double tolerance_;  // of a verdict
+  const double allowed_;    // the certified protrusion, and what the tolerance and welding add to it
   const std::vector<ProbeShape>& boxes_;
   std::vector<ProbeShape> neighbours_;
   std::vector<FclHull> fcl_hulls_;
@@ -64,13 +78,17 @@ PairCheck::PairCheck(const ValidationPair& pair, const std::vector<ProbeShape>& 
     : name_(pair.name),
       frame_(pair),
       original_(frame_.units(pair.original)),
+      with_area_(selected(original_, true)),
+      without_area_(selected(original_, false)),
       hulls_(frame_.units(pair.hulls)),
       repaired_(repair(original_)),
       solid_(repaired_),
-      bvh_(original_),
-      fcl_original_(original_),
+      bvh_(with_area_),
+      bvh_without_area_(without_area_),
+      fcl_original_(with_area_),
       sampler_(original_, hulls_),
-      allowed_(frame_.units(pair.protrusion) + frame_.rounding() + repaired_.counts.weld_distance),
+      tolerance_(kFclTolerance + frame_.rounding()),
+      allowed_(frame_.units(pair.protrusion) + tolerance_ + repaired_.counts.weld_distance),
       boxes_(boxes) {
   for (const Neighbour& neighbour : neighbours) neighbours_.emplace_back("hull of " + neighbour.name, frame_.units(*neighbour.hull));
   for (const ConvexHull& hull : hulls_) {
@@ -113,13 +131,13 @@ void PairCheck::pointOnOriginal(const Eigen::Vector3d& p) {
 }
 
 void PairCheck::pointInHull(const Eigen::Vector3d& p) {
-  judge(sphere(p, 0), bvh_.nearest(p).distance, 0);
+  judge(sphere(p, 0), std::min(bvh_.nearest(p).distance, bvh_without_area_.nearest(p).distance), 0);
 }
 
 void PairCheck::probe(const Probe& probe) {
   double original = toOriginal(probe);
   const double hulls = toHulls(probe);
-  const bool speaks_against = (original == 0 && hulls > frame_.rounding()) || original - hulls > allowed_;
+  const bool speaks_against = (original == 0 && hulls > tolerance_) || original - hulls > allowed_;
   if (speaks_against && probe.shape) {
     FclAnswer again;
     again.distance = original;
@@ -158,25 +176,27 @@ double PairCheck::toHull(const Probe& probe, std::size_t hull, const FclAnswer& 
   return settled(probe, answer, bodyDistance(hulls_[hull], probe.body), "hulls");
 }
 
+/// FCL's part and what it cannot be asked about.
 double PairCheck::toOriginal(const Probe& probe) {
-  if (fcl_original_.empty())
-    return probe.shape ? distanceToBody(original_, probe.body) : std::max(0.0, bvh_.nearest(probe.centre).distance - probe.radius);
+  const double without_area = probe.shape ? distanceToBody(without_area_, probe.body)
+                                          : std::max(0.0, bvh_without_area_.nearest(probe.centre).distance - probe.radius);
+  if (fcl_original_.empty()) return without_area;
   const FclAnswer answer =
       probe.shape ? fclDistance(fcl_original_, probe.shape->mesh, probe.pose) : fclDistance(fcl_original_, probe.centre);
   result.mesh_us.push_back(answer.microseconds);
-  return toOriginal(probe, answer);
+  return std::min(without_area, toSurface(probe, answer));
 }
 
-double PairCheck::toOriginal(const Probe& probe, const FclAnswer& answer) {
+double PairCheck::toSurface(const Probe& probe, const FclAnswer& answer) {
   const double centre = bvh_.nearest(probe.centre).distance;
   if (!probe.shape) return settled(probe, answer, std::max(0.0, centre - probe.radius), "original");
   if (answer.status == FclAnswer::Status::kDistance) {
     if (holdsAComponent(probe)) return 0;  // as a surface among surfaces FCL sees it apart
     const bool possible = answer.distance <= centre + kFclTolerance && answer.distance >= centre - probe.radius - kFclTolerance;
     if (answer.distance > 0 && possible) return answer.distance;
-    if (answer.distance == 0 && distanceToBody(original_, probe.body, kFclTolerance) < kFclTolerance) return 0;
+    if (answer.distance == 0 && distanceToBody(with_area_, probe.body, kFclTolerance) < kFclTolerance) return 0;
   }
-  return settled(probe, answer, distanceToBody(original_, probe.body), "original");
+  return settled(probe, answer, distanceToBody(with_area_, probe.body), "original");
 }
 
 bool PairCheck::holdsAComponent(const Probe& probe) const {
@@ -215,7 +235,7 @@ double PairCheck::toSolid(const Eigen::Vector3d& p, double original, double hull
 
 void PairCheck::judge(const Probe& probe, double original, double hulls) {
   std::ostringstream text;
-  if (original == 0 && hulls > frame_.rounding()) {
+  if (original == 0 && hulls > tolerance_) {
     ++result.counts.missed;
     text << "missed: original hit, hulls " << frame_.metres(hulls) << " m away";
   }

@@ -35,9 +35,9 @@ struct Validation {
   std::size_t exceptions = 0;    ///< thrown by FCL, answered by our own computation instead
   std::size_t timeouts = 0;
   std::size_t nan = 0;
-  std::size_t disagreements = 0;  ///< FCL and our own computation differ by more than FCL's tolerance; ours counted
-  double mesh_query_us = 0;       ///< [us] median time of a distance query to the original (BVH)
-  double hull_query_us = 0;       ///< [us] the same to its hulls
+  std::size_t disagreements = 0;     ///< FCL and our own computation differ by more than FCL's tolerance; ours counted
+  double mesh_query_us = 0;          ///< [us] median time of a distance query to the original (BVH)
+  double hull_query_us = 0;          ///< [us] the same to its hulls
   std::vector<std::string> remarks;  ///< one line for each missed, phantom, exception or disagreement, at most 20
 };
 

@@ -16,8 +16,10 @@ module plate_yz(x0, x1) { multmatrix([[0, 0, 1, x0], [1, 0, 0, 0], [0, 1, 0, 0]]
 // Extrudes a drawing from z0 to z1.
 module plate_xy(z0, z1) { translate([0, 0, z0]) linear_extrude(z1 - z0) children(); }
 
-// A rectangle about the origin with round corners.
-module rounded(width, height, radius) { offset(radius) square([width - 2 * radius, height - 2 * radius], center = true); }
+// A rectangle about the origin with round corners; a slot where the radius is half a side.
+module rounded(width, height, radius) {
+  hull() for (x = [-1, 1], y = [-1, 1]) translate([x * (width / 2 - radius), y * (height / 2 - radius)]) circle(radius);
+}
 
 // Copies of a drawing on a pitch circle.
 module pattern(count, pitch_radius, start = 0) {

@@ -2,7 +2,7 @@
 // at its longest edge and put both halves back.
 //
 // The distance f to the solid is 1-Lipschitz: within a radius r of the centre c it is at most f(c) + r. Where f is level that closes
-// slowly, and LevelBound takes over.
+// slowly, and LevelBound takes over; TriangleBvh::frontBound settles patches within the solid that end at its surface.
 #include "check/surface_search.h"
 
 #include <algorithm>
@@ -88,6 +88,9 @@ class Search {
       const double outside = solid_.contains(c) ? -n.distance : n.distance;
       if (outside > best_.found && outside > query_.floor) best_.found = outside, best_.where = c, best_.nearest = n.point;
       patch.bound = std::min({patch.bound, std::max(0.0, outside + radius), levelBound(patch, n.triangle)});
+      if (patch.bound > threshold())
+        patch.bound = std::min(patch.bound, solid_.surface().frontBound({patch.corner[0].p, patch.corner[1].p, patch.corner[2].p}, c,
+                                                                        n.distance + 2 * radius));
     }
     if (patch.bound > threshold())
       queue_.push(patch);

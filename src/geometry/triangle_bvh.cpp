@@ -18,6 +18,7 @@ constexpr double kNarrow = 0.35;  // [rad] cones narrower than this stand for th
 constexpr std::size_t kMostCones = 64;
 constexpr double kLevel = 1e-6;  // directions whose cosine is below this count as level: not within the half-space
 constexpr int kHalfSpaceRounds = 24;
+constexpr double kLean = 0.3, kEnough = 1.01;  // how hard it leans; the gain per round that is worth another one
 
 /// Signed solid angle of a triangle seen from the origin, over 2 (Van Oosterom & Strackee 1983).
 double halfSolidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
@@ -27,23 +28,25 @@ double halfSolidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const 
 }
 
 /// Looks for a direction that all cones' directions make an acute angle with: begins with the mean, then leans toward the worst.
+/// Returns the least cosine of the best direction found; 0 where none was found.
 template <class Cone>
-bool inOneHalfSpace(const Cone* cones, std::size_t count) {
+double leastCosine(const Cone* cones, std::size_t count) {
   Eigen::Vector3d u = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < count; ++i) u += cones[i].axis;
-  for (int round = 0; round < kHalfSpaceRounds; ++round) {
-    if (!(u.norm() > kLevel)) return count == 0;
+  double best = count == 0 ? 1 : 0;
+  for (int round = 0; round < kHalfSpaceRounds && u.norm() > kLevel; ++round) {
     u.normalize();
     std::size_t worst = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < count; ++i) {
-      const double margin = u.dot(cones[i].axis) - std::sin(cones[i].angle);
-      if (margin < least) least = margin, worst = i;
+      const double cosine = u.dot(cones[i].axis) - std::sin(cones[i].angle);
+      if (cosine < least) least = cosine, worst = i;
     }
-    if (least > kLevel) return true;
-    u += cones[worst].axis * (0.3 - least);
+    if (least > kLevel && least < best * kEnough) break;
+    best = std::max(best, least > kLevel ? least : 0);
+    u += cones[worst].axis * (kLean - least);
   }
-  return false;
+  return best;
 }
 
 }  // namespace
@@ -171,33 +174,61 @@ TriangleBvh::Cone TriangleBvh::cone(int k) const {
   return {vector / length, 0};
 }
 
-bool TriangleBvh::facesOneWay(const Eigen::Vector3d& p, double radius) const {
-  std::array<Cone, kMostCones> cones;
-  std::size_t count = 0;
+/// Calls visit(k) for the triangles within `radius` of p and, where their cone is narrower than `narrow`, skip(node) for whole
+/// nodes; ends and returns false as soon as one of them does.
+template <class Visit, class Skip>
+bool TriangleBvh::forEachNear(const Eigen::Vector3d& p, double radius, double narrow, Visit visit, Skip skip) const {
   int stack[96];
   int top = 0;
   if (!nodes_.empty()) stack[top++] = 0;
-  const auto add = [&](const Cone& c) {
-    if (c.angle >= kAnyDirection || count == kMostCones) return false;
-    cones[count++] = c;
-    return true;
-  };
   while (top > 0) {
     const Node& node = nodes_[static_cast<std::size_t>(stack[--top])];
     if (node.box.squaredExteriorDistance(p) > radius * radius) continue;
-    if (node.cone_angle < kNarrow) {
-      if (!add({node.cone_axis, node.cone_angle})) return false;
+    if (node.cone_angle < narrow) {
+      if (!skip(node)) return false;
     } else if (node.count > 0) {
       for (int k = node.first; k < node.first + node.count; ++k) {
         const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
-        if ((closestPoint(a, b, c, p) - p).squaredNorm() <= radius * radius && !add(cone(k))) return false;
+        if ((closestPoint(a, b, c, p) - p).squaredNorm() <= radius * radius && !visit(k)) return false;
       }
     } else {
       stack[top++] = node.first;
       stack[top++] = node.first + 1;
     }
   }
-  return inOneHalfSpace(cones.data(), count);
+  return true;
+}
+
+bool TriangleBvh::facesOneWay(const Eigen::Vector3d& p, double radius) const {
+  std::array<Cone, kMostCones> cones;
+  std::size_t count = 0;
+  const auto add = [&](const Cone& c) {
+    if (c.angle >= kAnyDirection || count == kMostCones) return false;
+    cones[count++] = c;
+    return true;
+  };
+  return forEachNear(
+             p, radius, kNarrow, [&](int k) { return add(cone(k)); },
+             [&](const Node& node) {
+               return add({node.cone_axis, node.cone_angle});
+             }) &&
+         leastCosine(cones.data(), count) > 0;
+}
+
+double TriangleBvh::frontBound(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& p, double radius) const {
+  std::array<Cone, kMostCones> cones;
+  std::size_t count = 0;
+  double front = 0;
+  const auto add = [&](int k) {
+    const Cone c = cone(k);
+    if (c.angle >= kAnyDirection || count == kMostCones) return false;
+    cones[count++] = c;
+    for (const Eigen::Vector3d& corner : corners) front = std::max(front, c.axis.dot(corner - corners_[static_cast<std::size_t>(k)][0]));
+    return true;
+  };
+  if (!forEachNear(p, radius, -1, add, [](const Node&) { return false; })) return std::numeric_limits<double>::infinity();
+  const double cosine = leastCosine(cones.data(), count);
+  return cosine > 0 ? front / cosine : std::numeric_limits<double>::infinity();
 }
 
 TriangleBvh::Nearest TriangleBvh::nearest(const Eigen::Vector3d& p, double limit, int hint) const {

@@ -36,6 +36,12 @@ class TriangleBvh {
   /// among them. May say no where it is so (many triangles); never yes where it is not.
   bool facesOneWay(const Eigen::Vector3d& p, double radius) const;
 
+  /// A bound of the distance to the solid that the triangles enclose, over the convex hull of `corners` [m]; `radius` about p must
+  /// hold, for each of its points outside, the nearest point of the surface. Infinite where the triangles there do not face one
+  /// way. For x outside with nearest point y, x - y lies in the cone of the normals n_i at y, all of which have a cosine of c at
+  /// least with some direction; hence |x - y| <= max_i n_i . (x - y) / c, and each of those is linear in x.
+  double frontBound(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& p, double radius) const;
+
   /// The corners of a triangle, by its index in the mesh.
   const std::array<Eigen::Vector3d, 3>& corners(int triangle) const {
     return corners_[static_cast<std::size_t>(position_[static_cast<std::size_t>(triangle)])];
@@ -60,6 +66,8 @@ class TriangleBvh {
   void build(std::vector<int>& order, const std::vector<Eigen::Vector3d>& centres);
   void fit(int node);
   void fitCone(Node& node) const;
+  template <class Visit, class Skip>
+  bool forEachNear(const Eigen::Vector3d& p, double radius, double narrow, Visit visit, Skip skip) const;
 
   std::vector<Node> nodes_;
   std::vector<std::array<Eigen::Vector3d, 3>> corners_;  // in leaf order

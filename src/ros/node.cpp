@@ -72,10 +72,10 @@ std::string Node::busy() const {
 }
 
 bool Node::serve(DecomposeRequest& request, DecomposeResponse& response) {
-  std::promise<void> answered;
+  const auto answered = std::make_shared<std::promise<void>>();  // shared, as this call may return before set_value() does
   const auto work = [&](const RunControl& control) { response = answer(request, control, {}); };
-  if (worker_.start({kServiceCall, work, [&] { answered.set_value(); }})) {
-    answered.get_future().wait();
+  if (worker_.start({kServiceCall, work, [answered] { answered->set_value(); }})) {
+    answered->get_future().wait();
   } else {
     response.message = busy();
   }

@@ -45,6 +45,7 @@ class DaeCheck {
     for (std::string_view rest = bytes_; nextTag(&rest, &tag);) {
       collada = collada || tag.name == "COLLADA";
       if (tag.opens) open(tag);
+      if (tag.name == "p" && tag.opens && !tag.closes) checkIndices(rest);
       if (tag.closes) close(tag);
     }
     if (!collada) failNotAMesh(path_, "has no element <COLLADA>");
@@ -107,6 +108,12 @@ class DaeCheck {
     if (tag.name == "vcount") has_vcount_ = true;
     if (tag.name == "p" && !(has_vertex_input_ && has_vcount_))
       failNotAMesh(path_, "a <p> without an input VERTEX or a <vcount> before it");
+  }
+
+  /// `rest` begins with the text of a <p>. At anything but numbers Assimp would add indices until memory is used up.
+  void checkIndices(std::string_view rest) const {
+    const std::size_t end = std::min(rest.find_first_not_of("-0123456789 \t\n\r"), rest.size());
+    if (rest.substr(end, 2) != "</") failNotAMesh(path_, "a <p> that holds something else than numbers");
   }
 
   void check(const Accessor& accessor) const {

@@ -125,6 +125,20 @@ Eigen::Affine3d rootTransform(const aiMatrix4x4& m, const std::string& path) {
   return root;
 }
 
+/// Where a node stands, and the sums of absolute values in it, which bound what single precision rounded on the way: numbers
+/// that are large and cancel each other lose as much as those that stay large.
+struct Placement {
+  Eigen::Affine3d to_root;
+  Eigen::Affine3d magnitude;
+
+  static Eigen::Affine3d absolute(Eigen::Affine3d m) {
+    m.matrix() = m.matrix().cwiseAbs();
+    return m;
+  }
+  explicit Placement(const Eigen::Affine3d& m) : to_root(m), magnitude(absolute(m)) {}
+  Placement(const Placement& parent, const Eigen::Affine3d& m) : to_root(parent.to_root * m), magnitude(parent.magnitude * absolute(m)) {}
+};
+
 /// Collects the triangles of a scene's nodes, each instance of a mesh on its own.
 class SceneReader {
  public:
@@ -132,7 +146,7 @@ class SceneReader {
       : scene_(scene), path_(path), max_triangles_(std::min(max_triangles, kMostTriangles)) {}
 
   LoadedMesh read() {
-    visit(*scene_.mRootNode, rootTransform(scene_.mRootNode->mTransformation, path_));
+    visit(*scene_.mRootNode, Placement(rootTransform(scene_.mRootNode->mTransformation, path_)));
     if (result_.mesh.triangles.empty())
       throw Error(ErrorCode::kEmptyMesh, path_ + ": no triangle in it (" + std::to_string(result_.skipped_primitives) +
                                              " lines and points, which have no surface); export the surface");
@@ -141,12 +155,13 @@ class SceneReader {
   }
 
  private:
-  void visit(const aiNode& node, const Eigen::Affine3d& to_root) {
-    for (unsigned i = 0; i < node.mNumMeshes; ++i) addInstance(*scene_.mMeshes[node.mMeshes[i]], to_root);
-    for (unsigned i = 0; i < node.mNumChildren; ++i) visit(*node.mChildren[i], to_root * toEigen(node.mChildren[i]->mTransformation));
+  void visit(const aiNode& node, const Placement& placement) {
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) addInstance(*scene_.mMeshes[node.mMeshes[i]], placement);
+    for (unsigned i = 0; i < node.mNumChildren; ++i)
+      visit(*node.mChildren[i], Placement(placement, toEigen(node.mChildren[i]->mTransformation)));
   }
 
-  void addInstance(const aiMesh& source, const Eigen::Affine3d& to_root) {
+  void addInstance(const aiMesh& source, const Placement& placement) {
     const std::size_t before = result_.mesh.triangles.size();
     number_.assign(source.mNumVertices, -1);
     for (unsigned f = 0; f < source.mNumFaces; ++f) {
@@ -154,19 +169,19 @@ class SceneReader {
       if (face.mNumIndices < 3) {
         ++result_.skipped_primitives;
       } else {
-        addFace(source, f, to_root);
+        addFace(source, f, placement);
       }
     }
     if (result_.mesh.triangles.size() > before) ++result_.submeshes;
   }
 
-  void addFace(const aiMesh& source, unsigned f, const Eigen::Affine3d& to_root) {
+  void addFace(const aiMesh& source, unsigned f, const Placement& placement) {
     const aiFace& face = source.mFaces[f];
     if (result_.mesh.triangles.size() + face.mNumIndices - 2 > max_triangles_)
       throw Error(ErrorCode::kTooLarge, path_ + ": more triangles than the limit of " + std::to_string(max_triangles_) +
                                             "; simplify the mesh or raise the limit");
     polygon_.clear();
-    for (unsigned k = 0; k < face.mNumIndices; ++k) polygon_.push_back(vertexNumber(source, f, k, to_root));
+    for (unsigned k = 0; k < face.mNumIndices; ++k) polygon_.push_back(vertexNumber(source, f, k, placement));
     if (polygon_.size() == 3) {
       result_.mesh.triangles.push_back({polygon_[0], polygon_[1], polygon_[2]});
       return;
@@ -179,25 +194,24 @@ class SceneReader {
   int polygonAt(int k) const { return polygon_[static_cast<std::size_t>(k)]; }
 
   /// The number in the result of corner k of face f.
-  int vertexNumber(const aiMesh& source, unsigned f, unsigned k, const Eigen::Affine3d& to_root) {
+  int vertexNumber(const aiMesh& source, unsigned f, unsigned k, const Placement& placement) {
     const unsigned index = source.mFaces[f].mIndices[k];
     if (index >= source.mNumVertices)
       throw Error(ErrorCode::kIndexOutOfRange, path_ + ": face " + std::to_string(f) + " names vertex " + std::to_string(index) +
                                                    ", there are " + std::to_string(source.mNumVertices) +
                                                    ", counted from 0; export it again");
     int& number = number_[index];
-    if (number < 0) number = addVertex(source.mVertices[index], index, f, to_root);
+    if (number < 0) number = addVertex(source.mVertices[index], index, f, placement);
     return number;
   }
 
-  int addVertex(const aiVector3D& source, unsigned index, unsigned f, const Eigen::Affine3d& to_root) {
+  int addVertex(const aiVector3D& source, unsigned index, unsigned f, const Placement& placement) {
     const Eigen::Vector3d local(source.x, source.y, source.z);
-    const Eigen::Vector3d p = to_root * local;
+    const Eigen::Vector3d p = placement.to_root * local;
     if (!p.allFinite())
       throw Error(ErrorCode::kNonFiniteCoordinate, path_ + ": vertex " + std::to_string(index) + " (of face " + std::to_string(f) +
                                                        ", both counted from 0) has a coordinate that is no finite number; export it again");
-    const Eigen::Vector3d magnitude = to_root.linear().cwiseAbs() * local.cwiseAbs() + to_root.translation().cwiseAbs();
-    largest_ = std::max(largest_, magnitude.maxCoeff());
+    largest_ = std::max(largest_, (placement.magnitude * local.cwiseAbs()).maxCoeff());
     result_.mesh.vertices.push_back(p);
     return static_cast<int>(result_.mesh.vertices.size()) - 1;
   }

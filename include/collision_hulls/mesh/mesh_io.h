@@ -21,15 +21,17 @@ struct LoadedMesh {
   TriangleMesh mesh;                   ///< metres; node transforms, Collada unit and up-axis applied as rviz shows them
   int submeshes = 0;                   ///< sub-meshes that gave triangles (a node's instance counts once each)
   std::size_t skipped_primitives = 0;  ///< lines and points, which have no surface, left out
-  double resolution = 0;               ///< [m] largest rounding of a coordinate by the single precision of the reader
+  double resolution = 0;               ///< [m] half a unit in the last place of the largest number that the single-precision reader rounded
 };
 
 /// The extensions that readMesh takes, lower case with the dot: .stl .dae .obj .off .ply (any case in a file's name).
 const std::vector<std::string>& meshExtensions();
 
-/// Reads a mesh file. Units: Collada's are converted to metres, the other formats' numbers are taken as metres.
-/// Throws kFileNotFound, kUnsupportedFormat, kNotAMesh, kEmptyMesh, kTooLarge, kNonFiniteCoordinate, kIndexOutOfRange,
-/// kTooFarFromOrigin (single precision resolves less than a thousandth of the mesh's diagonal). Thread safe.
+/// Reads a mesh file. Collada's <unit> scales, its <up_axis> has no effect, and node transforms apply, as in rviz. Polygons are
+/// triangulated without loss; materials and textures are not looked for; vertices that no triangle uses are left out. A file
+/// that is cut off or contradicts itself is an error, never half a mesh. Units: Collada's are converted to metres, the other formats'
+/// numbers are taken as metres. Throws kFileNotFound, kUnsupportedFormat, kNotAMesh, kEmptyMesh, kTooLarge, kNonFiniteCoordinate,
+/// kIndexOutOfRange, kTooFarFromOrigin (single precision resolves less than a thousandth of the mesh's diagonal). Thread safe.
 LoadedMesh readMesh(const std::string& path, const MeshLimits& limits = {});
 
 enum class MeshFormat { kStl, kObj };
@@ -38,7 +40,8 @@ enum class MeshFormat { kStl, kObj };
 const char* extension(MeshFormat format);
 
 /// The text of a mesh file that holds one hull: binary STL, or OBJ. Coordinates are written as single-precision numbers
-/// (exactly, so a hull whose vertices are single-precision numbers is read back unchanged).
+/// (exactly, so a hull whose vertices are single-precision numbers is read back unchanged; Assimp reads an OBJ's numbers below
+/// 1e-6 m with an error of a few units in their last place). The same hull gives the same bytes. Blanks in names become '_'.
 std::string encodeHull(const ConvexHull& hull, MeshFormat format, const std::string& object_name);
 
 /// One OBJ with an object ("o <name>_<m>") per hull; coordinates as in encodeHull.

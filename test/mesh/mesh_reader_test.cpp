@@ -1,0 +1,314 @@
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cmath>
+
+#include "collision_hulls/error.h"
+#include "collision_hulls/mesh/mesh_io.h"
+#include "files.h"
+
+namespace collision_hulls {
+namespace {
+
+using namespace test_files;
+
+LoadedMesh read(const std::string& name, const std::string& bytes, const MeshLimits& limits = {}) {
+  const TempFile file(name, bytes);
+  return readMesh(file.path(), limits);
+}
+
+/// Expects an error with this code whose text names the file and holds `part`.
+void expectError(ErrorCode code, const std::string& part, const std::string& name, const std::string& bytes,
+                 const MeshLimits& limits = {}) {
+  try {
+    read(name, bytes, limits);
+    ADD_FAILURE() << name << " was read; expected " << collision_hulls::name(code) << " with '" << part << "'";
+  } catch (const Error& error) {
+    EXPECT_EQ(code, error.code()) << error.what();
+    EXPECT_NE(std::string::npos, std::string(error.what()).find(part)) << error.what();
+    EXPECT_NE(std::string::npos, std::string(error.what()).find(name)) << error.what();
+  }
+}
+
+void expectBox(const LoadedMesh& loaded, const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
+  const Eigen::AlignedBox3d box = boundingBox(loaded.mesh);
+  const double tolerance = 1e-6 * box.diagonal().norm();
+  EXPECT_LT((box.min() - min).norm(), tolerance) << box.min().transpose();
+  EXPECT_LT((box.max() - max).norm(), tolerance) << box.max().transpose();
+}
+
+const std::string kObjCorners = "v 0 0 0\nv 1 0 0\nv 1 2 0\nv 0 2 0\nv 0 0 3\n";
+const std::string kOffCorners = "0 0 0\n1 0 0\n1 2 0\n0 2 0\n0 0 3\n";
+const std::string kTextStl =
+    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 0\nendloop\nendfacet\nendsolid a\n";
+
+std::string plyHeader(const std::string& format, int vertices, int faces) {
+  return "ply\nformat " + format + " 1.0\ncomment made up\nelement vertex " + std::to_string(vertices) +
+         "\nproperty float x\nproperty float y\nproperty float z\nelement face " + std::to_string(faces) +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+// --- Errors, one by one ---
+
+TEST(ReadMeshError, FileNotFound) {
+  try {
+    readMesh("/nowhere/at_all.stl");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(ErrorCode::kFileNotFound, error.code());
+    EXPECT_STREQ("/nowhere/at_all.stl: no such file", error.what());
+  }
+}
+
+TEST(ReadMeshError, AFolderIsNoFile) {
+  const TempFile file("a.stl/b.txt", "");
+  std::filesystem::create_directories(file.path() + ".stl");
+  EXPECT_THROW(readMesh(file.path() + ".stl"), Error);
+}
+
+TEST(ReadMeshError, UnsupportedFormat) {
+  expectError(ErrorCode::kUnsupportedFormat, "'.fbx' is not read; convert it to one of .stl .dae .obj .off .ply", "a.fbx", "x");
+  expectError(ErrorCode::kUnsupportedFormat, "''", "no_extension", "x");
+}
+
+TEST(ReadMeshError, NotAMesh) {
+  const std::string text = "Dear sir, I enclose the mesh that you asked for. It is attached to the next letter, not to this one.\n";
+  for (const std::string& extension : meshExtensions()) expectError(ErrorCode::kNotAMesh, "check the file", "letter" + extension, text);
+}
+
+TEST(ReadMeshError, NotAMeshGivesAssimpsReason) {
+  expectError(ErrorCode::kNotAMesh, "cannot be read as obj (OBJ: Invalid", "w.obj", "v 1 2 3 0\nf 1 1 1\n");
+  expectError(ErrorCode::kNotAMesh, "cannot be read as off (", "words.off", "OFF\n3 1 0\none two three\n0 1 0\n1 0 0\n3 0 1 2\n");
+}
+
+TEST(ReadMeshError, EmptyMesh) {
+  for (const std::string& extension : meshExtensions()) expectError(ErrorCode::kEmptyMesh, "0 bytes", "nothing" + extension, "");
+  expectError(ErrorCode::kEmptyMesh, "0 triangles", "nothing.stl", binaryStl("", 0, 0));
+  expectError(ErrorCode::kEmptyMesh, "no triangle", "nothing.obj", kObjCorners);
+  expectError(ErrorCode::kEmptyMesh, "1 vertices and 0 faces", "nothing.off", "OFF\n1 0 0\n0 0 0\n");
+  expectError(ErrorCode::kEmptyMesh, "no triangle", "nothing.dae", dae("", "", "<node id=\"empty\"/>"));
+}
+
+TEST(ReadMeshError, LinesAloneAreAnEmptyMesh) {
+  expectError(ErrorCode::kEmptyMesh, "2 lines and points", "lines.obj", kObjCorners + "l 1 2 3\n");
+}
+
+TEST(ReadMeshError, TooLarge) {
+  MeshLimits limits;
+  limits.max_bytes = 100;
+  expectError(ErrorCode::kTooLarge, "184 bytes, above the limit of 100", "big.stl", binaryStl("", 2, 2), limits);
+  limits = {};
+  limits.max_triangles = 1;
+  const std::string two_faces = "3 0 1 2\n3 0 2 4\n";
+  expectError(ErrorCode::kTooLarge, "limit of 1;", "big.stl", binaryStl("", 2, 2), limits);
+  expectError(ErrorCode::kTooLarge, "limit of 1;", "big.obj", kObjCorners + "f 1 2 3 4\n", limits);
+  expectError(ErrorCode::kTooLarge, "limit of 1;", "big.off", "OFF\n5 2 0\n" + kOffCorners + two_faces, limits);
+  expectError(ErrorCode::kTooLarge, "limit of 1;", "big.ply", plyHeader("ascii", 5, 2) + kOffCorners + two_faces, limits);
+  expectError(ErrorCode::kTooLarge, "limit of 1;", "big.dae", dae("", kTwoTriangles, kPlainNode), limits);
+}
+
+TEST(ReadMeshError, NonFiniteCoordinateIsNamed) {
+  expectError(ErrorCode::kNonFiniteCoordinate, "vertex 1 (of face 0", "nan.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n");
+  expectError(ErrorCode::kNonFiniteCoordinate, "vertex 2 (of face 0", "inf.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1e39 0\n3 0 1 2\n");
+  std::string stl = binaryStl("", 2, 2);
+  stl.replace(84 + 50 + 12 + 24, 4, raw(std::nanf("")));  // second triangle, third corner
+  expectError(ErrorCode::kNonFiniteCoordinate, "vertex 5 (of face 1", "nan.stl", stl);
+}
+
+TEST(ReadMeshError, IndexOutOfRange) {
+  expectError(ErrorCode::kIndexOutOfRange, "line 6 names vertex 6, there are 5", "a.obj", kObjCorners + "f 1 2 6\n");
+  expectError(ErrorCode::kIndexOutOfRange, "line 6 names vertex 0, there are 5", "b.obj", kObjCorners + "f 0 1 2\n");
+  expectError(ErrorCode::kIndexOutOfRange, "line 6 names vertex -6", "c.obj", kObjCorners + "f -1 -2 -6\n");
+  expectError(ErrorCode::kIndexOutOfRange, "line 9 names vertex 5, there are 5", "a.off",
+              "OFF\n# corners\n5 1 0\n" + kOffCorners + "3 0 1 5\n");
+  expectError(ErrorCode::kIndexOutOfRange, "face 0 names vertex 5, there are 5", "a.ply",
+              plyHeader("ascii", 5, 1) + kOffCorners + "3 0 1 5\n");
+  std::string beyond = dae("", kTwoTriangles, kPlainNode);
+  beyond.replace(beyond.find("count=\"5\""), 9, "count=\"6\"");
+  expectError(ErrorCode::kIndexOutOfRange, "reaches to value 18 of the array 'array', which has 15", "a.dae", beyond);
+}
+
+TEST(ReadMeshError, TooFarFromOrigin) {
+  expectError(ErrorCode::kTooFarFromOrigin, "move the mesh to its origin", "far.obj",
+              "v 1600 0 0\nv 1600.001 0 0\nv 1600 0.001 0\nf 1 2 3\n");
+}
+
+TEST(ReadMeshError, FarInTheFileAndBroughtBackByItsNodeIsTooFarToo) {
+  const std::string node = R"(<node id="n"><translate>1e4 0 0</translate><instance_geometry url="#shape"/></node>)";
+  const std::string moved = R"(<node id="m"><translate>-1e4 0 0</translate>)" + node + "</node>";
+  EXPECT_NO_THROW(read("back.dae", dae("", kTwoTriangles, moved)));
+  std::string further = moved;
+  for (std::size_t at = further.find("1e4"); at != std::string::npos; at = further.find("1e4")) further.replace(at, 3, "1e6");
+  expectError(ErrorCode::kTooFarFromOrigin, "single precision", "back.dae", dae("", kTwoTriangles, further));
+}
+
+// --- What a reader that trusts its input gets wrong ---
+
+TEST(ReadMeshTrust, StlThatIsCutOff) {
+  expectError(ErrorCode::kNotAMesh, "announces 3 triangles, which take 234 bytes, but it has 184", "cut.stl", binaryStl("", 2, 3));
+  expectError(ErrorCode::kNotAMesh, "announces 4294967295", "huge.stl", binaryStl("", 2, 0xffffffffu));
+  expectError(ErrorCode::kNotAMesh, "without 'endsolid'", "cut.stl", kTextStl.substr(0, kTextStl.size() - 11));
+}
+
+TEST(ReadMeshTrust, TextStlWithFourVerticesInAFacet) {
+  std::string four = kTextStl;
+  four.insert(four.find("endloop"), "vertex 1 2 0\n");
+  expectError(ErrorCode::kNotAMesh, "facet 1 has 4 vertices instead of 3", "four.stl", four);
+}
+
+TEST(ReadMeshTrust, ObjVerticesOfOddLength) {
+  expectError(ErrorCode::kNotAMesh, "line 1: a vertex of 2 numbers", "two.obj", "v 0 0\n" + kObjCorners + "f 1 2 3\n");
+  expectError(ErrorCode::kNotAMesh, "line 6: 'x' is no corner", "word.obj", kObjCorners + "f 1 x 3\n");
+  expectError(ErrorCode::kNotAMesh, "zero byte", "zero.obj", kObjCorners + std::string(1, '\0'));
+}
+
+TEST(ReadMeshTrust, OffThatAnnouncesMoreThanItHas) {
+  expectError(ErrorCode::kNotAMesh, "ends after 6 lines", "short.off", "OFF\n5 4000000000 0\n" + kOffCorners + "3 0 1 2\n",
+              {1 << 20, std::size_t{5'000'000'000}});
+  expectError(ErrorCode::kNotAMesh, "line 8: a face line begins with its number of corners, from 1 to 9", "ten.off",
+              "OFF\n5 1 0\n" + kOffCorners + "10 0 1 2 3 0 1 2 3 0 1\n");
+}
+
+TEST(ReadMeshTrust, PlyThatAnnouncesMoreThanItHas) {
+  expectError(ErrorCode::kNotAMesh, "ends within the 6 rows", "short.ply", plyHeader("ascii", 4, 6) + kOffCorners);
+  expectError(ErrorCode::kNotAMesh, "too few values", "list.ply", plyHeader("ascii", 5, 1) + kOffCorners + "2000000000 0 1 2\n");
+  expectError(ErrorCode::kNotAMesh, "ends within the 1 rows", "cut.ply",
+              plyHeader("binary_little_endian", 0, 1) + std::string(1, '\3') + raw(0) + raw(1));
+  std::string no_z = plyHeader("ascii", 5, 1);
+  no_z.replace(no_z.find("float z"), 7, "float q");
+  expectError(ErrorCode::kNotAMesh, "lack an x, y or z", "no_z.ply", no_z + kOffCorners + "3 0 1 2\n");
+}
+
+TEST(ReadMeshTrust, DaeThatNestsForever) {
+  const std::string circle = R"(<node id="a"><instance_node url="#b"/></node><node id="b"><instance_node url="#a"/></node>)";
+  expectError(ErrorCode::kNotAMesh, "instance each other in a circle", "circle.dae", dae("", kTwoTriangles, circle));
+  std::string deep;
+  for (int i = 0; i < 300; ++i) deep += "<node>";
+  expectError(ErrorCode::kNotAMesh, "nest deeper than 200", "deep.dae", dae("", kTwoTriangles, deep));
+  std::string doubling = "<node id=\"n0\"><instance_geometry url=\"#shape\"/></node>";
+  for (int i = 1; i < 40; ++i) {
+    const std::string inner = "<instance_node url=\"#n" + std::to_string(i - 1) + "\"/>";
+    doubling += "<node id=\"n" + std::to_string(i) + "\">" + inner + inner + "</node>";
+  }
+  expectError(ErrorCode::kTooLarge, "nodes with all instances", "doubling.dae", dae("", kTwoTriangles, doubling));
+}
+
+TEST(ReadMeshTrust, DaeWithoutVertexInput) {
+  expectError(ErrorCode::kNotAMesh, "without an input VERTEX", "a.dae",
+              dae("", "<triangles count=\"1\"><p>0 1 2</p></triangles>", kPlainNode));
+  expectError(ErrorCode::kNotAMesh, "count=\"4294967295\"", "b.dae",
+              dae("", "<triangles count=\"4294967295\">" + kVertexInput + "<p>0 1 2</p></triangles>", kPlainNode));
+  expectError(ErrorCode::kNotAMesh, "<unit meter> is 0", "c.dae", dae(unit("0"), kTwoTriangles, kPlainNode));
+}
+
+// --- Formats ---
+
+TEST(ReadMesh, BinaryStlWhoseHeaderBeginsLikeAText) {
+  const LoadedMesh loaded = read("UPPER.STL", binaryStl("solid from a CAD program", 2, 2));
+  EXPECT_EQ(2u, loaded.mesh.triangles.size());
+  expectBox(loaded, {0, 0, 0}, {1, 1, 0});
+}
+
+TEST(ReadMesh, TextStl) {
+  const LoadedMesh loaded = read("a.stl", kTextStl + kTextStl);
+  EXPECT_EQ(2u, loaded.mesh.triangles.size());
+  EXPECT_EQ(2, loaded.submeshes);
+  expectBox(loaded, {0, 0, 0}, {1, 2, 0});
+}
+
+TEST(ReadMesh, ObjWithQuadsNegativeIndicesContinuedLinesAndNoMaterialFile) {
+  const LoadedMesh loaded =
+      read("a.obj", "mtllib missing.mtl\no one\n" + kObjCorners +
+                        "usemtl steel\nf 1/1/1 2//2 3 4\nf -5 -4 \\\n  -1\n# no line end after the last face\no two\nf 1 4 5");
+  EXPECT_EQ(4u, loaded.mesh.triangles.size());
+  EXPECT_EQ(2, loaded.submeshes);
+  expectBox(loaded, {0, 0, 0}, {1, 2, 3});
+}
+
+TEST(ReadMesh, LinesAndPointsAreLeftOutAndCounted) {
+  const LoadedMesh obj = read("a.obj", kObjCorners + "f 1 2 3\nl 1 2 3 4\np 1\n");
+  EXPECT_EQ(1u, obj.mesh.triangles.size());
+  EXPECT_EQ(4u, obj.skipped_primitives);
+  const LoadedMesh collada =
+      read("a.dae", dae("", kTwoTriangles + "<lines count=\"2\">" + kVertexInput + "<p>0 1 2 3</p></lines>", kPlainNode));
+  EXPECT_EQ(2u, collada.mesh.triangles.size());
+  EXPECT_EQ(2u, collada.skipped_primitives);
+  EXPECT_EQ(1, collada.submeshes);
+}
+
+TEST(ReadMesh, OffWithPolygonsAndComments) {
+  const LoadedMesh loaded = read("a.OFF", "# a comment\nOFF\n5 2 0\n\n" + kOffCorners + "4 0 1 2 3\n3 0 1 4");
+  EXPECT_EQ(3u, loaded.mesh.triangles.size());
+  expectBox(loaded, {0, 0, 0}, {1, 2, 3});
+}
+
+TEST(ReadMesh, PlyTextAndBinaryOfEitherByteOrder) {
+  expectBox(read("a.ply", plyHeader("ascii", 5, 2) + kOffCorners + "4 0 1 2 3\n3 0 1 4\n"), {0, 0, 0}, {1, 2, 3});
+  for (const bool big : {false, true}) {
+    const auto word = [&](std::string bytes) { return big ? std::string(bytes.rbegin(), bytes.rend()) : bytes; };
+    std::string bytes = plyHeader(big ? "binary_big_endian" : "binary_little_endian", 3, 1);
+    for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 2.f, 0.5f}) bytes += word(raw(x));
+    bytes += '\3' + word(raw(0)) + word(raw(1)) + word(raw(2));
+    expectBox(read("b.ply", bytes), {0, 0, 0}, {1, 2, 0.5});
+  }
+}
+
+TEST(ReadMesh, SameMeshInstancedTwiceCountsTwice) {
+  const std::string scene = R"(<node id="a"><instance_geometry url="#shape"/></node>
+    <node id="b"><translate>10 0 0</translate><instance_geometry url="#shape"/></node>
+    <node id="c"><translate>0 10 0</translate><instance_node url="#library"/></node>)";
+  const std::string library =
+      R"(<library_nodes><node id="library"><scale>2 2 2</scale><instance_geometry url="#shape"/></node></library_nodes>)";
+  const LoadedMesh loaded = read("a.dae", dae("", kTwoTriangles, scene, library));
+  EXPECT_EQ(3, loaded.submeshes);
+  EXPECT_EQ(6u, loaded.mesh.triangles.size());
+  expectBox(loaded, {0, 0, 0}, {11, 14, 6});
+}
+
+TEST(ReadMesh, NodeTransformsNest) {
+  const std::string scene = R"(<node id="a"><translate>5 0 0</translate><rotate>0 0 1 90</rotate><node id="b"><scale>2 1 1</scale>
+    <instance_geometry url="#shape"/></node></node>)";
+  expectBox(read("a.dae", dae("", kTwoTriangles, scene)), {3, 0, 0}, {5, 2, 3});
+}
+
+// --- Collada's unit and up-axis as rviz shows them: the unit counts, the up-axis does not ---
+
+struct UnitCase {
+  const char* meter;
+  double factor;
+};
+class ColladaUnit : public testing::TestWithParam<UnitCase> {};
+
+TEST_P(ColladaUnit, IsConvertedToMetres) {
+  for (const std::string up : {"", "<up_axis>X_UP</up_axis>", "<up_axis>Y_UP</up_axis>", "<up_axis>Z_UP</up_axis>"}) {
+    const std::string scene = R"(<node id="n"><translate>4 0 0</translate><instance_geometry url="#shape"/></node>)";
+    const LoadedMesh loaded = read("a.dae", dae(unit(GetParam().meter) + up, kTwoTriangles, scene));
+    expectBox(loaded, GetParam().factor * Eigen::Vector3d(4, 0, 0), GetParam().factor * Eigen::Vector3d(5, 2, 3));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Units, ColladaUnit,
+                         testing::Values(UnitCase{"1", 1}, UnitCase{"0.01", 0.01}, UnitCase{"0.001", 0.001}, UnitCase{"0.0254", 0.0254}));
+
+TEST(ReadMesh, ColladaWithoutUnitIsInMetres) {
+  expectBox(read("a.dae", dae("", kTwoTriangles, kPlainNode)), {0, 0, 0}, {1, 2, 3});
+}
+
+// --- Resolution ---
+
+TEST(ReadMesh, ResolutionIsHalfAUnitInTheLastPlaceOfTheLargestCoordinate) {
+  EXPECT_EQ(std::ldexp(1, -24), read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").resolution);
+  EXPECT_EQ(std::ldexp(1, -25), read("a.obj", "v 0 0 0\nv 0.9 0 0\nv 0 0.9 0\nf 1 2 3\n").resolution);
+  EXPECT_EQ(std::ldexp(1, -21), read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 -8.5 0\nf 1 2 3\n").resolution);
+  const double millimetres = read("a.dae", dae(unit("0.001"), kTwoTriangles, kPlainNode)).resolution;
+  EXPECT_EQ(std::ldexp(1, -33), millimetres) << "of 0.003, after the unit";
+}
+
+TEST(ReadMesh, VerticesThatNoTriangleUsesPlayNoPart) {
+  const LoadedMesh loaded = read("a.off", "OFF\n4 1 0\n0 0 0\nnan 1e30 0\n1 0 0\n0 1 0\n3 0 2 3\n");
+  EXPECT_EQ(3u, loaded.mesh.vertices.size());
+  expectBox(loaded, {0, 0, 0}, {1, 1, 0});
+}
+
+}  // namespace
+}  // namespace collision_hulls

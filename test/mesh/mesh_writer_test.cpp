@@ -1,0 +1,124 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <locale>
+#include <random>
+#include <sstream>
+
+#include "collision_hulls/mesh/mesh_io.h"
+#include "files.h"
+
+namespace collision_hulls {
+namespace {
+
+using test_files::TempFile;
+
+ConvexHull tetrahedron(const Eigen::Vector3d& origin, double size) {
+  ConvexHull hull;
+  hull.vertices = {origin, origin + size * Eigen::Vector3d::UnitX(), origin + size * Eigen::Vector3d::UnitY(),
+                   origin + size * Eigen::Vector3d::UnitZ()};
+  hull.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  return hull;
+}
+
+LoadedMesh readBack(const std::string& name, const std::string& bytes) {
+  const TempFile file(name, bytes);
+  return readMesh(file.path());
+}
+
+/// The corners of all triangles, one after the other.
+std::vector<Eigen::Vector3d> corners(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles) {
+  std::vector<Eigen::Vector3d> result;
+  for (const Triangle& t : triangles)
+    for (const int v : t) result.push_back(vertices[static_cast<std::size_t>(v)]);
+  return result;
+}
+
+/// A hull-like body whose vertices are random single-precision numbers of sizes from `smallest` to `largest`.
+ConvexHull randomBody(double smallest, double largest, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> exponent(std::log(smallest), std::log(largest));
+  ConvexHull hull = tetrahedron({0, 0, 0}, 1);
+  for (Eigen::Vector3d& v : hull.vertices)
+    for (double& x : v) x = static_cast<float>((random() % 2 ? 1 : -1) * std::exp(exponent(random)));
+  return hull;
+}
+
+TEST(EncodeHull, StlHasTheLengthOfItsTrianglesAndNoTextMark) {
+  const std::string bytes = encodeHull(tetrahedron({0, 0, 0}, 1), MeshFormat::kStl, "unused");
+  ASSERT_EQ(84u + 4 * 50, bytes.size());
+  EXPECT_NE("solid", bytes.substr(0, 5));
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + 80, sizeof count);
+  EXPECT_EQ(4u, count);
+  float normal[3];
+  std::memcpy(normal, bytes.data() + 84, sizeof normal);
+  EXPECT_EQ(0, normal[0]);
+  EXPECT_EQ(0, normal[1]);
+  EXPECT_EQ(-1, normal[2]);
+}
+
+TEST(EncodeHull, ObjAsText) {
+  EXPECT_EQ(
+      "# convex hulls, metres, written by collision_hulls\n"
+      "o arm_link_0\nv 0 0 0\nv 0.5 0 0\nv 0 0.5 0\nv 0 0 0.5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
+      encodeHull(tetrahedron({0, 0, 0}, 0.5), MeshFormat::kObj, "arm link\n0"));
+}
+
+TEST(EncodeHull, BothFormatsAreReadBackUnchanged) {
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    const ConvexHull hull = randomBody(1e-6, 1e4, seed);
+    const std::vector<Eigen::Vector3d> expected = corners(hull.vertices, hull.triangles);
+    for (const MeshFormat format : {MeshFormat::kStl, MeshFormat::kObj}) {
+      const TriangleMesh mesh = readBack(std::string("hull") + extension(format), encodeHull(hull, format, "hull")).mesh;
+      EXPECT_EQ(expected, corners(mesh.vertices, mesh.triangles)) << "seed " << seed << extension(format);
+    }
+  }
+}
+
+TEST(EncodeHull, ObjKeepsNumbersOfAnySize) {
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    const ConvexHull hull = randomBody(1e-37, 1e37, seed);
+    std::istringstream text(encodeHull(hull, MeshFormat::kObj, "hull"));
+    std::size_t v = 0;
+    for (std::string word; text >> word;)
+      if (word == "v") {
+        for (const double x : hull.vertices[v]) {
+          text >> word;
+          EXPECT_EQ(static_cast<float>(x), std::strtof(word.c_str(), nullptr)) << word << ", seed " << seed;
+        }
+        ++v;
+      }
+    EXPECT_EQ(hull.vertices.size(), v);
+  }
+}
+
+TEST(EncodeHull, ObjectsOfOneFileNumberTheirVerticesOn) {
+  const std::vector<ConvexHull> hulls{tetrahedron({0, 0, 0}, 1), tetrahedron({2, 0, 0}, 1)};
+  const std::string text = encodeHullsObj(hulls, "arm");
+  EXPECT_NE(std::string::npos, text.find("o arm_0\n"));
+  EXPECT_NE(std::string::npos, text.find("o arm_1\n"));
+  const LoadedMesh loaded = readBack("arm_hulls.obj", text);
+  EXPECT_EQ(2, loaded.submeshes);
+  std::vector<Eigen::Vector3d> expected = corners(hulls[0].vertices, hulls[0].triangles);
+  const std::vector<Eigen::Vector3d> second = corners(hulls[1].vertices, hulls[1].triangles);
+  expected.insert(expected.end(), second.begin(), second.end());
+  EXPECT_EQ(expected, corners(loaded.mesh.vertices, loaded.mesh.triangles));
+}
+
+TEST(EncodeHull, LocaleChangesNothing) {
+  const ConvexHull hull = tetrahedron({0.5, 0, 0}, 12345);
+  const std::string before = encodeHull(hull, MeshFormat::kObj, "hull");
+  struct German : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+  };
+  const std::locale old = std::locale::global(std::locale(std::locale::classic(), new German));
+  EXPECT_EQ(before, encodeHull(hull, MeshFormat::kObj, "hull"));
+  std::locale::global(old);
+}
+
+}  // namespace
+}  // namespace collision_hulls

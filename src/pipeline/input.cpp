@@ -65,8 +65,8 @@ Input packageInput(const std::string& name, const std::string& folder) {
 }
 
 [[noreturn]] void throwNotFound(const std::string& input, bool package_tried) {
-  std::string text =
-      "INPUT '" + input + "' is no file and no package's folder (looked at '" + fs::absolute(input).lexically_normal().string() + "')";
+  std::string text = "INPUT '" + input + "' is no file and no package's folder (looked at '" +
+                     (fs::current_path() / input).lexically_normal().string() + "')";
   if (!package_tried) throw Error(ErrorCode::kFileNotFound, text + "; check the path");
   const char* const packages = std::getenv("ROS_PACKAGE_PATH");
   throw Error(ErrorCode::kPackageNotFound, text + " and no known package (looked in ROS_PACKAGE_PATH, which is " +

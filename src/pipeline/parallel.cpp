@@ -3,12 +3,14 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <atomic>
 
 namespace collision_hulls {
 
 void withJobs(int jobs, const std::function<void()>& work) {
-  tbb::task_arena arena(jobs > 0 ? jobs : tbb::task_arena::automatic);
+  const int threads = tbb::this_task_arena::max_concurrency();  // more than cores would only make TBB print a warning
+  tbb::task_arena arena(jobs > 0 ? std::min(jobs, threads) : threads);
   arena.execute(work);
 }
 

@@ -6,7 +6,8 @@
 
 namespace collision_hulls {
 
-/// Runs `work` so that it, and what is parallel inside, uses at most `jobs` threads; 0: as many as cores.
+/// Runs `work` so that it, and what is parallel inside, uses at most `jobs` threads, and never more than cores; 0: as many
+/// as cores.
 void withJobs(int jobs, const std::function<void()>& work);
 
 /// Calls work(0) .. work(count - 1), each once, on the threads there are; they begin in this order. The first exception is

@@ -63,8 +63,8 @@ class DecomposeOptionAdder {
     const std::string option = names.substr(names.find("--"));
     CLI::Option* const added = app_.add_option_function<std::string>(
         names, [=](const std::string& text) { set(option, text); }, help);
-    added->type_name(type)->group(group);
-    if (!fallback.empty()) added->default_str(fallback);
+    // The default stands in the type's name, since versions of CLI11 write default_str() differently.
+    added->type_name(fallback.empty() ? type : type + " [" + fallback + "]")->group(group);
   }
 
   void addNumber(const std::string& group, const std::string& names, int& value, const std::string& help) {

@@ -150,7 +150,7 @@ TEST_F(DecomposeProgram, AMesh) {
   EXPECT_EQ(result.out, "");
   EXPECT_EQ(result.err, "");
   for (const char* file : {"hull_0.stl", "bracket_hulls.obj", "report.json"})
-    EXPECT_TRUE(fs::exists(folder_ / "bracket_collision" / file)) << file;
+    EXPECT_TRUE(fs::exists(folder_.path() / "bracket_collision" / file)) << file;
 }
 
 TEST_F(DecomposeProgram, OneBadLinkAmongGoodOnes) {

@@ -1,0 +1,157 @@
+#include "decompose/bounding_box.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace collision_hulls {
+
+namespace {
+
+// Projections of a vertex along a direction that a search may take; hulls of up to 2,000 vertices try 500 faces or more.
+constexpr std::size_t kMostProjections = 1'000'000;
+constexpr std::size_t kLeastDirections = 20;
+
+struct OrientedBox {
+  Eigen::Matrix3d axes;  // columns
+  Eigen::Vector3d low, high;
+  double volume() const { return (high - low).prod(); }
+};
+
+using Points2d = std::vector<Eigen::Vector2d>;
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Corners of the convex hull, counter-clockwise (monotone chain).
+Points2d outline(Points2d p) {
+  std::sort(p.begin(), p.end(), [](const auto& a, const auto& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
+  Points2d chain;
+  const auto walk = [&](const Eigen::Vector2d& c, std::size_t fixed) {
+    while (chain.size() > fixed && cross(chain.back() - chain[chain.size() - 2], c - chain.back()) <= 0) chain.pop_back();
+    chain.push_back(c);
+  };
+  for (const auto& c : p) walk(c, 1);
+  const std::size_t lower = chain.size();
+  for (std::size_t i = p.size() - 1; i-- > 0;) walk(p[i], lower);
+  chain.pop_back();
+  return chain;
+}
+
+/// The direction of a side of the smallest rectangle about a convex outline: it is flush with one of the outline's edges.
+/// Rotating calipers: the furthest corners along, across and against an edge move on as the edge does.
+Eigen::Vector2d smallestRectangle(const Points2d& corners) {
+  const std::size_t n = corners.size();
+  std::array<std::size_t, 3> far{1, 1, 1};
+  Eigen::Vector2d best = Eigen::Vector2d::UnitX();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Eigen::Vector2d side = (corners[(i + 1) % n] - corners[i]).normalized(), across(-side.y(), side.x());
+    const std::array<Eigen::Vector2d, 3> directions{side, across, -side};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (k > 0 && i == 0) far[k] = far[k - 1];
+      for (std::size_t step = 0; step < n && directions[k].dot(corners[(far[k] + 1) % n] - corners[far[k]]) > 0; ++step)
+        far[k] = (far[k] + 1) % n;
+    }
+    const double area = side.dot(corners[far[0]] - corners[far[2]]) * across.dot(corners[far[1]] - corners[i]);
+    if (area < least) least = area, best = side;
+  }
+  return best;
+}
+
+OrientedBox boxAlong(const std::vector<Eigen::Vector3d>& points, const Eigen::Matrix3d& axes) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : points) box.extend(Eigen::Vector3d(axes.transpose() * p));
+  return {axes, box.min(), box.max()};
+}
+
+/// The smallest box with a side across `direction`.
+OrientedBox boxAcross(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d u = direction.unitOrthogonal(), v = direction.cross(u);
+  Points2d flat;
+  flat.reserve(points.size());
+  for (const Eigen::Vector3d& p : points) flat.emplace_back(u.dot(p), v.dot(p));
+  const Eigen::Vector2d side = smallestRectangle(outline(std::move(flat)));
+  const Eigen::Vector3d x = side.x() * u + side.y() * v;
+  Eigen::Matrix3d axes;
+  axes << x, direction.cross(x), direction;
+  return boxAlong(points, axes);
+}
+
+/// Normals of the largest faces first, each plane counted once.
+std::vector<Eigen::Vector3d> faceNormals(const ConvexHull& hull, std::size_t most) {
+  std::vector<std::pair<double, Eigen::Vector3d>> normals;
+  for (const Triangle& t : hull.triangles) {
+    const Eigen::Vector3d& a = hull.vertices[t[0]];
+    const Eigen::Vector3d twice_area = (hull.vertices[t[1]] - a).cross(hull.vertices[t[2]] - a);
+    if (twice_area.norm() > 0) normals.emplace_back(twice_area.norm(), twice_area.normalized());
+  }
+  std::stable_sort(normals.begin(), normals.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<Eigen::Vector3d> result;
+  for (const auto& [area, normal] : normals) {
+    if (result.size() == most) break;
+    constexpr double kSame = 1e-12;
+    const auto same = [&n = normal](const Eigen::Vector3d& other) { return std::abs(n.dot(other)) > 1 - kSame; };
+    if (std::none_of(result.begin(), result.end(), same)) result.push_back(normal);
+  }
+  return result;
+}
+
+std::vector<Eigen::Vector3d> corners(const OrientedBox& box, const Eigen::Vector3d& middle) {
+  std::vector<Eigen::Vector3d> result;
+  for (int k = 0; k < 8; ++k) {
+    const Eigen::Vector3d local(k & 1 ? box.high.x() : box.low.x(), k & 2 ? box.high.y() : box.low.y(), k & 4 ? box.high.z() : box.low.z());
+    result.push_back(middle + box.axes * local);
+  }
+  return result;
+}
+
+}  // namespace
+
+ConvexHull orientedBox(const ConvexHull& hull, const RunControl& control) {
+  const Eigen::Vector3d middle = boundingBox(hull).center();
+  std::vector<Eigen::Vector3d> points = hull.vertices;
+  for (Eigen::Vector3d& p : points) p -= middle;
+  std::vector<Eigen::Vector3d> directions = faceNormals(hull, std::max(kLeastDirections, kMostProjections / points.size()));
+  const Eigen::Matrix3d principal = principalAxes(points);
+  for (int k = 0; k < 3; ++k) directions.insert(directions.end(), {Eigen::Vector3d::Unit(k), principal.col(k)});
+  OrientedBox best = boxAlong(points, Eigen::Matrix3d::Identity());
+  for (const Eigen::Vector3d& direction : directions) {
+    control.check();
+    const OrientedBox box = boxAcross(points, direction);
+    if (box.volume() < best.volume()) best = box;
+  }
+  std::optional<ConvexHull> result = hullHolding(corners(best, middle), hull.vertices);
+  if (!result) throw Error(ErrorCode::kInternal, "an oriented box does not hold the hull that it was built about");
+  result->thickness = std::max(result->thickness, hull.thickness);
+  return *result;
+}
+
+Eigen::Matrix3d principalAxes(const std::vector<Eigen::Vector3d>& points) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : points) mean += p / static_cast<double>(points.size());
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& p : points) covariance += (p - mean) * (p - mean).transpose();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors();
+}
+
+std::optional<ConvexHull> hullHolding(std::vector<Eigen::Vector3d> corners, const std::vector<Eigen::Vector3d>& held) {
+  constexpr int kTries = 8;
+  constexpr double kMostGrowth = 1e-6;  // share of the size; more than this is no rounding
+  for (int k = 0; k < kTries; ++k) {
+    ConvexHull hull = convexHull(corners);
+    double excess = 0;
+    for (const Eigen::Vector3d& p : held) excess = std::max(excess, planeDistance(hull, p));
+    if (excess <= 0) return hull;
+    const Eigen::Vector3d middle = boundingBox(hull).center();
+    const double depth = -planeDistance(hull, middle);
+    if (!(depth > 0) || excess > kMostGrowth * boundingBox(hull).diagonal().norm()) return std::nullopt;
+    for (Eigen::Vector3d& c : corners) c += (c - middle) * (2 * excess / depth);
+  }
+  return std::nullopt;
+}
+
+}  // namespace collision_hulls

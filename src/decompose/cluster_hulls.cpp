@@ -1,0 +1,68 @@
+#include "decompose/cluster_hulls.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace collision_hulls {
+
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+/// Corners of a cluster's triangles, each once.
+Points corners(const TriangleMesh& mesh, const std::vector<int>& cluster) {
+  std::vector<int> indices;
+  for (int t : cluster) indices.insert(indices.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  Points points;
+  for (int v : indices) points.push_back(mesh.vertices[v]);
+  return points;
+}
+
+/// The hull nearest to a point, or -1 if one holds it.
+int nearestOutside(const std::vector<ConvexHull>& hulls, const std::vector<Eigen::AlignedBox3d>& boxes, const Eigen::Vector3d& p) {
+  int best = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t h = 0; h < hulls.size(); ++h) {
+    if (boxes[h].exteriorDistance(p) >= least) continue;
+    if (planeDistance(hulls[h], p) <= 0) return -1;
+    const double d = distance(hulls[h], p);
+    if (d < least) least = d, best = static_cast<int>(h);
+  }
+  return best;
+}
+
+void addLoose(std::vector<ConvexHull>& hulls, const Points& loose, const RunControl& control) {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const ConvexHull& hull : hulls) boxes.push_back(boundingBox(hull));
+  std::vector<Points> extra(hulls.size());
+  for (const Eigen::Vector3d& p : loose) {
+    control.check();
+    const int h = nearestOutside(hulls, boxes, p);
+    if (h >= 0) extra[h].push_back(p);
+  }
+  for (std::size_t h = 0; h < hulls.size(); ++h) {
+    if (extra[h].empty()) continue;
+    control.check();
+    extra[h].insert(extra[h].end(), hulls[h].vertices.begin(), hulls[h].vertices.end());
+    const double thickness = hulls[h].thickness;
+    hulls[h] = convexHull(extra[h]);
+    hulls[h].thickness = std::max(hulls[h].thickness, thickness);
+  }
+}
+
+}  // namespace
+
+std::vector<ConvexHull> clusterHulls(const RepairedMesh& mesh, const std::vector<std::vector<int>>& clusters, const RunControl& control) {
+  if (clusters.empty()) return {convexHull(mesh.loose)};
+  std::vector<ConvexHull> hulls;
+  for (const std::vector<int>& cluster : clusters) {
+    control.check();
+    hulls.push_back(convexHull(corners(mesh.mesh, cluster)));
+  }
+  addLoose(hulls, mesh.loose, control);
+  return hulls;
+}
+
+}  // namespace collision_hulls

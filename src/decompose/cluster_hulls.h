@@ -1,0 +1,17 @@
+// From clusters of triangles to the hulls that cover them.
+#pragma once
+
+#include <vector>
+
+#include "collision_hulls/control.h"
+#include "collision_hulls/geometry/convex_hull.h"
+#include "collision_hulls/mesh/repair.h"
+
+namespace collision_hulls {
+
+/// The hull of each cluster's corners. Every loose point that lies in none of them is given to the nearest hull, which is built
+/// again with its points; without any cluster the loose points have a hull of their own. Deterministic; ties go to the first.
+/// Throws kCancelled.
+std::vector<ConvexHull> clusterHulls(const RepairedMesh& mesh, const std::vector<std::vector<int>>& clusters, const RunControl& control);
+
+}  // namespace collision_hulls

@@ -1,0 +1,86 @@
+#include "collision_hulls/decompose/decompose.h"
+
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "collision_hulls/decompose/hacd.h"
+#include "collision_hulls/decompose/reduce_vertices.h"
+#include "decompose/bounding_box.h"
+#include "decompose/cap_hulls.h"
+#include "decompose/cluster_hulls.h"
+
+namespace collision_hulls {
+
+namespace {
+
+void check(const DecomposeOptions& options) {
+  const auto refuse = [](const std::string& text) { throw Error(ErrorCode::kBadOption, text); };
+  constexpr int kLeastVertices = 8;
+  if (options.method == Method::kHacd && !(options.tolerance > 0 && std::isfinite(options.tolerance)))
+    refuse("tolerance is " + std::to_string(options.tolerance) + " m; it must be a positive length");
+  if (options.max_hulls < 0) refuse("max_hulls is " + std::to_string(options.max_hulls) + "; it must be at least 1, or 0 for no cap");
+  if (options.max_vertices != 0 && options.max_vertices < kLeastVertices)
+    refuse("max_vertices is " + std::to_string(options.max_vertices) + "; it must be at least 8, or 0 for no cap");
+}
+
+std::vector<std::vector<int>> clusters(const TriangleMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
+  if (mesh.triangles.empty()) return {};
+  if (options.method == Method::kHacd) return hacdPartition(mesh, options.tolerance, control);
+  std::vector<int> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  return {all};
+}
+
+/// Applies the cap on vertices to each hull; whether it changed one.
+bool capVertices(std::vector<ConvexHull>& hulls, int max_vertices, const RunControl& control) {
+  bool capped = false;
+  for (ConvexHull& hull : hulls) {
+    control.check();
+    if (max_vertices == 0 || hull.vertices.size() <= static_cast<std::size_t>(max_vertices)) continue;
+    hull = reduceVertices(hull, max_vertices).hull;
+    capped = true;
+  }
+  return capped;
+}
+
+}  // namespace
+
+const char* name(Method method) {
+  switch (method) {
+    case Method::kHacd: return "hacd";
+    case Method::kSingleHull: return "single_hull";
+    case Method::kBoundingBox: return "bounding_box";
+  }
+  return "unknown";
+}
+
+const std::vector<Method>& allMethods() {
+  static const std::vector<Method> methods{Method::kHacd, Method::kSingleHull, Method::kBoundingBox};
+  return methods;
+}
+
+std::optional<Method> methodNamed(const std::string& text) {
+  for (Method method : allMethods())
+    if (text == name(method)) return method;
+  return std::nullopt;
+}
+
+Decomposition decompose(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
+  check(options);
+  if (mesh.mesh.triangles.empty() && mesh.loose.empty())
+    throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangle; decomposing it needs at least one");
+  control.check();
+  Decomposition result;
+  result.hulls = clusterHulls(mesh, clusters(mesh.mesh, options, control), control);
+  if (options.method == Method::kBoundingBox) result.hulls = {orientedBox(result.hulls.front(), control)};
+  if (options.max_hulls > 0 && result.hulls.size() > static_cast<std::size_t>(options.max_hulls)) {
+    result.hulls = capHulls(result.hulls, options.max_hulls, control);
+    result.capped = true;
+  }
+  if (capVertices(result.hulls, options.max_vertices, control)) result.capped = true;
+  control.report(1);
+  return result;
+}
+
+}  // namespace collision_hulls

@@ -39,6 +39,18 @@ Graph readGraph(const tinyxml2::XMLElement& robot) {
   return graph;
 }
 
+// After all links that can be were visited: names the first in the document that is left.
+void refuseLoops(const Graph& graph) {
+  const Node* looped = nullptr;
+  std::string looped_name;
+  for (const auto& [name, node] : graph) {
+    if (node.open_parents == 0 || (looped && node.line >= looped->line)) continue;
+    looped = &node;
+    looped_name = name;
+  }
+  if (looped) throw JointGraphError(looped->line, "link '" + looped_name + "' hangs on joints that form a loop; a URDF is a tree");
+}
+
 }  // namespace
 
 // Kahn's topological order: a link is visited after all its parents; what is never visited lies on or behind a loop.
@@ -61,14 +73,7 @@ void checkJointGraph(const tinyxml2::XMLElement& robot) {
       if (--child.open_parents == 0) open.push_back(&child);
     }
   }
-  const Node* looped = nullptr;
-  std::string looped_name;
-  for (const auto& [name, node] : graph) {
-    if (node.open_parents == 0 || (looped && node.line >= looped->line)) continue;
-    looped = &node;
-    looped_name = name;
-  }
-  if (looped) throw JointGraphError(looped->line, "link '" + looped_name + "' hangs on joints that form a loop; a URDF is a tree");
+  refuseLoops(graph);
 }
 
 }  // namespace collision_hulls

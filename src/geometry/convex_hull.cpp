@@ -254,15 +254,13 @@ double planeDistance(const ConvexHull& hull, const Eigen::Vector3d& p) {
 }
 
 double distance(const ConvexHull& hull, const Eigen::Vector3d& p) {
+  if (planeDistance(hull, p) <= 0) return 0;
   double least = std::numeric_limits<double>::infinity();
   for (const Triangle& t : hull.triangles) {
-    const auto& a = hull.vertices[static_cast<std::size_t>(t[0])];
-    const auto& b = hull.vertices[static_cast<std::size_t>(t[1])];
-    const auto& c = hull.vertices[static_cast<std::size_t>(t[2])];
-    const bool faces_p = (b - a).cross(c - a).dot(p - a) > 0;
-    if (faces_p) least = std::min(least, (closestPoint(a, b, c, p) - p).squaredNorm());
+    const auto at = [&](std::size_t k) -> const Eigen::Vector3d& { return hull.vertices[static_cast<std::size_t>(t[k])]; };
+    least = std::min(least, (closestPoint(at(0), at(1), at(2), p) - p).squaredNorm());
   }
-  return std::isinf(least) ? 0 : std::sqrt(least);
+  return std::sqrt(least);
 }
 
 TriangleMesh surface(const ConvexHull& hull) {

@@ -158,7 +158,7 @@ std::string summary(const Report& report) {
 
 std_msgs::ColorRGBA hullColour(std::size_t index) {
   constexpr double kGoldenRatio = 0.6180339887498949;
-  constexpr double kSaturation[] = {0.75, 0.55, 0.9}, kValue[] = {0.95, 1.0, 0.75};
+  constexpr double kSaturation[] = {0.7, 0.5, 0.85}, kValue[] = {1.0, 1.0, 0.9};
   const double turns = kGoldenRatio * static_cast<double>(index);
   return fromHsv(turns - std::floor(turns), kSaturation[index % 3], kValue[index % 3]);
 }
@@ -175,7 +175,7 @@ visualization_msgs::MarkerArray toMarkers(const RobotResult& result) {
     if (!element.original.triangles.empty()) {
       Marker& marker = markers.add(element, "original", Marker::TRIANGLE_LIST);
       addTriangles(element.original.vertices, element.original.triangles, marker);
-      marker.color = colour(0.6, 0.6, 0.6, 0.35);
+      marker.color = colour(0.6, 0.6, 0.6, 0.25);
     }
     if (element.report.protrusion_found > 0) addWorst(element, markers);
   }

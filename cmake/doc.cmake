@@ -6,6 +6,7 @@ if(DOXYGEN_FOUND)
   set(DOXYGEN_JAVADOC_AUTOBRIEF YES)
   set(DOXYGEN_EXTRACT_ALL YES)  # a name that says it all has no comment
   set(DOXYGEN_QUIET YES)
+  set(DOXYGEN_WARN_AS_ERROR YES)
   set(DOXYGEN_HAVE_DOT NO)
   doxygen_add_docs(doc include README.md WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
 endif()

@@ -183,7 +183,9 @@ void decomposeElements(RobotResult& result, const UriResolver& resolve, const Ru
     for (const ElementResult& element : elements) {
       if (element.report.status == Status::kFailed) progress.finished(element.report.link, 0);
     }
+    // 1 to 4, each mesh once.
     forEach(tasks.size(), [&](std::size_t i) { decomposeTask(tasks[i], i, options, progress, elements); });
+    // 5. Validate: by queries, original against hulls.
     if (options.validate) result.report.validation = validateElements(elements, options, progress);
     progress.validated();
   });

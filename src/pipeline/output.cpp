@@ -79,6 +79,7 @@ void checkOutput(const std::string& output) {
   if (access(above.c_str(), W_OK | X_OK) != 0) throwUnwritable(folder, "no permission to write in '" + above.string() + "'");
 }
 
+// 6. Write.
 void writeOutput(RobotResult& result, const std::string& output, const RunControl& control) {
   Stopwatch run;
   checkOutput(output);

@@ -28,7 +28,7 @@ struct LoadedMesh {
 /// The extensions that readMesh takes, lower case with the dot: .stl .dae .obj .off .ply (any case in a file's name).
 const std::vector<std::string>& meshExtensions();
 
-/// Reads a mesh file. Collada's <unit> scales, its <up_axis> has no effect, and node transforms apply, as in rviz. Polygons are
+/// Reads a mesh file. Collada's `<unit>` scales, its `<up_axis>` has no effect, and node transforms apply, as in rviz. Polygons are
 /// triangulated without loss; materials and textures are not looked for; vertices that no triangle uses are left out. A file
 /// that is cut off or contradicts itself is an error, never half a mesh. Units: Collada's are converted to metres, the other formats'
 /// numbers are taken as metres. Throws kFileNotFound, kUnsupportedFormat, kNotAMesh, kEmptyMesh, kTooLarge, kNonFiniteCoordinate,
@@ -45,7 +45,7 @@ const char* extension(MeshFormat format);
 /// 1e-6 m with an error of a few units in their last place). The same hull gives the same bytes. Blanks in names become '_'.
 std::string encodeHull(const ConvexHull& hull, MeshFormat format, const std::string& object_name);
 
-/// One OBJ with an object ("o <name>_<m>") per hull; coordinates as in encodeHull.
+/// One OBJ with an object (`o <name>_<m>`) per hull; coordinates as in encodeHull.
 std::string encodeHullsObj(const std::vector<ConvexHull>& hulls, const std::string& name);
 
 }  // namespace collision_hulls

@@ -12,13 +12,13 @@
 
 namespace collision_hulls {
 
-/// One mesh of one link, done. Coordinates after `scale`, in the element's own frame (before its <origin>).
+/// One mesh of one link, done. Coordinates after `scale`, in the element's own frame (before its `<origin>`).
 struct ElementResult {
   ElementReport report;
   GeometryElement source;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< of the element's frame in the robot's zero configuration
-  TriangleMesh original;          ///< as read and scaled
-  std::vector<ConvexHull> hulls;  ///< as written; empty where the status is failed
+  TriangleMesh original;                                   ///< as read and scaled
+  std::vector<ConvexHull> hulls;                           ///< as written; empty where the status is failed
 };
 
 struct RobotResult {
@@ -31,14 +31,14 @@ struct RobotResult {
 
 /// What a run is doing, for bars and feedback. Calls come one at a time, from any thread.
 struct Step {
-  std::string stage;   ///< "decompose", "validate", "write"
-  std::string item;    ///< link (and element) just finished
+  std::string stage;  ///< "decompose", "validate", "write"
+  std::string item;   ///< link (and element) just finished
   std::size_t done = 0, total = 0, hulls = 0;
 };
 using StepCallback = std::function<void(const Step&)>;
 
 /// The flow on one screen: for each mesh of each link read, repair, decompose, cover and round, certify; then validate.
-/// One bad mesh is a failed row and loses nothing else (its link keeps its <collision> elements as they were).
+/// One bad mesh is a failed row and loses nothing else (its link keeps its `<collision>` elements as they were).
 /// `output` is the folder that the URIs in RobotResult::urdf will refer to (see defaultOutput); nothing is written here.
 /// Throws kBadOption, kCancelled.
 RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& find_package, const Options& options,
@@ -50,7 +50,7 @@ RobotResult decomposeMesh(const std::string& path, const Options& options, const
 /// What INPUT of the command line means.
 struct Input {
   enum class Kind { kRobot, kMesh } kind = Kind::kRobot;
-  std::string path;           ///< mesh file
+  std::string path;  ///< mesh file
   RobotDescription robot;
   PackageFinder find_package;
 };
@@ -62,7 +62,7 @@ Input openInput(const std::string& input);
 RobotResult decompose(const Input& input, const Options& options, const std::string& output, const RunControl& control = {},
                       const StepCallback& step = {});
 
-/// Default output folder: ./<robot>_collision
+/// Default output folder: `./<robot>_collision`
 std::string defaultOutput(const Input& input);
 
 /// Writes the output package (or a single mesh's folder) and its report.json: into a temporary folder beside `output`, read

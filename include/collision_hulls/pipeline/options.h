@@ -13,7 +13,7 @@ namespace collision_hulls {
 
 /// A length, or a share of each mesh's bounding-box diagonal.
 struct Length {
-  double value = 0;       ///< metres, or a fraction (0.01 for 1 %)
+  double value = 0;  ///< metres, or a fraction (0.01 for 1 %)
   bool relative = false;
   double metres(double diagonal) const { return relative ? value * diagonal : value; }
 };
@@ -35,7 +35,7 @@ struct Options {
   Source source = Source::kAuto;
   MeshFormat format = MeshFormat::kStl;
   UriStyle uri = UriStyle::kPackage;
-  int jobs = 0;           ///< threads; 0: as many as cores
+  int jobs = 0;  ///< threads; 0: as many as cores
   bool validate = true;
   bool cache = true;
   std::uint64_t seed = 1;

@@ -25,14 +25,14 @@ struct StageSeconds {
 /// One mesh of one link. Lengths in metres, in the link's frame after `scale`.
 struct ElementReport {
   std::string link;
-  int element = 0;        ///< among the link's source elements, primitives counted
-  bool visual = false;    ///< "source"
+  int element = 0;      ///< among the link's source elements, primitives counted
+  bool visual = false;  ///< "source"
   std::string uri, sha256;
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
   std::size_t triangles = 0, skipped_primitives = 0;
   Status status = Status::kOk;
-  std::string reason;     ///< why degraded or failed; names item, value, limit and remedy
-  std::string error;      ///< of a failed row: the name of its ErrorCode
+  std::string reason;  ///< why degraded or failed; names item, value, limit and remedy
+  std::string error;   ///< of a failed row: the name of its ErrorCode
   RepairCounts repair;
   Method method = Method::kHacd;
   double tolerance = 0;
@@ -41,9 +41,9 @@ struct ElementReport {
   Eigen::Vector3d worst = Eigen::Vector3d::Zero(), worst_nearest = Eigen::Vector3d::Zero();  ///< place of protrusion_found, and of S
   std::string interior;
   double volume = 0, hull_volume = 0, diagonal = 0;
-  double nudge = 0;       ///< [m] how far hulls were moved outward for rounding (reader, weld, writer)
-  double thickness = 0;   ///< [m] thickness given to flat hulls
-  StageSeconds seconds;   ///< a mesh that several links use is worked on once: the first row has the time, the others have 0
+  double nudge = 0;                ///< [m] how far hulls were moved outward for rounding (reader, weld, writer)
+  double thickness = 0;            ///< [m] thickness given to flat hulls
+  StageSeconds seconds;            ///< a mesh that several links use is worked on once: the first row has the time, the others have 0
   std::vector<std::string> files;  ///< relative to the output folder
 };
 

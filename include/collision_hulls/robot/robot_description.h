@@ -10,22 +10,22 @@
 
 namespace collision_hulls {
 
-/// A geometry of a link: one <visual> or <collision> of the description.
+/// A geometry of a link: one `<visual>` or `<collision>` of the description.
 struct GeometryElement {
   enum class Kind { kMesh, kBox, kSphere, kCylinder };
   Kind kind = Kind::kMesh;
-  std::string uri;                                            ///< of a mesh, as written in the description
-  Eigen::Vector3d scale = Eigen::Vector3d::Ones();            ///< of a mesh
-  Eigen::Vector3d size = Eigen::Vector3d::Zero();             ///< [m] box: sides; sphere: radius, -, -; cylinder: radius, length, -
-  Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();   ///< element in the link's frame
-  std::string name;                                           ///< the element's name attribute, often empty
+  std::string uri;                                           ///< of a mesh, as written in the description
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();           ///< of a mesh
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();            ///< [m] box: sides; sphere: radius, -, -; cylinder: radius, length, -
+  Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();  ///< element in the link's frame
+  std::string name;                                          ///< the element's name attribute, often empty
 };
 
 struct LinkDescription {
   std::string name;
-  std::vector<GeometryElement> visuals, collisions;           ///< in document order
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();     ///< in the root link's frame, all joints at zero (or their nearest limit)
-  std::string parent;                                         ///< link; empty for the root
+  std::vector<GeometryElement> visuals, collisions;        ///< in document order
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< in the root link's frame, all joints at zero (or their nearest limit)
+  std::string parent;                                      ///< link; empty for the root
 };
 
 struct RobotDescription {
@@ -46,7 +46,7 @@ RobotDescription readRobotDescription(const std::string& path);
 using PackageFinder = std::function<std::optional<std::string>(const std::string& package)>;
 
 /// Looks in ROS_PACKAGE_PATH (crawling as rospack does: a folder with package.xml is a package; CATKIN_IGNORE stops) and,
-/// before it, in the packages that enclose `near` (a file or folder; may be empty). CMAKE_PREFIX_PATH's share/<package> last.
+/// before it, in the packages that enclose `near` (a file or folder; may be empty). CMAKE_PREFIX_PATH's `share/<package>` last.
 PackageFinder defaultPackageFinder(const std::string& near = "");
 
 /// The file that a URI means: package://, file://, an absolute path, or one relative to the folder of `base` (a file).
@@ -66,7 +66,7 @@ struct SourceElements {
 };
 SourceElements sourceElements(const LinkDescription& link, Source source);
 
-/// A <collision> to be written: a mesh by its URI at an origin, or a primitive.
+/// A `<collision>` to be written: a mesh by its URI at an origin, or a primitive.
 struct CollisionElement {
   std::string name;
   GeometryElement geometry;
@@ -74,13 +74,13 @@ struct CollisionElement {
 
 /// What a link's collision model becomes.
 struct LinkCollisions {
-  std::vector<CollisionElement> elements;  ///< written as new <collision> elements, in this order
-  bool keep_primitives = false;            ///< the link's <collision> elements without a mesh stay, byte for byte; else they go too
+  std::vector<CollisionElement> elements;  ///< written as new `<collision>` elements, in this order
+  bool keep_primitives = false;            ///< the link's `<collision>` elements without a mesh stay, byte for byte; else they go too
 };
 
-/// The description with the <collision> elements of the given links replaced; links that are not given keep theirs.
+/// The description with the `<collision>` elements of the given links replaced; links that are not given keep theirs.
 /// Everything else stays byte for byte: comments, unknown tags, order, line ends. New elements are indented like their
-/// neighbours and stand where the first replaced one stood (after the last <visual>, else first in the link, where there was none).
+/// neighbours and stand where the first replaced one stood (after the last `<visual>`, else first in the link, where there was none).
 /// A name that is taken elsewhere in the description gets a number added.
 std::string rewriteCollisions(const RobotDescription& robot, const std::map<std::string, LinkCollisions>& links);
 

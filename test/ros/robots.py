@@ -103,12 +103,11 @@ class Folder:
                                ("tip", '<link name="tip"/>')])
 
     def slow_robot(self):
-        """A box, done at once, and three meshes that take many seconds."""
-        write_stl(self.file("box.stl"), box(0.1, 0.05, 0.03))
-        links = [("first", link("first", self.uri("box.stl")))]
-        for number in (1, 2, 3):
-            write_obj(self.file(f"torus{number}.obj"), torus(0.1 + 0.01 * number, 0.03, 200, 100))
-            links.append((f"slow{number}", link(f"slow{number}", self.uri(f"torus{number}.obj"))))
+        """Many meshes that take a second or so each."""
+        links = []
+        for number in range(15):
+            write_obj(self.file(f"torus{number}.obj"), torus(0.1 + 0.01 * number, 0.03, 100, 50))
+            links.append((f"ring{number}", link(f"ring{number}", self.uri(f"torus{number}.obj"))))
         return chain("slow", links)
 
 

@@ -11,13 +11,12 @@ namespace collision_hulls {
 
 namespace {
 
-/// The triangles of the components that have an inside.
-TriangleMesh enclosing(const RepairedMesh& mesh) {
+/// The triangles of the components of one kind.
+TriangleMesh componentsOf(const RepairedMesh& mesh, Interior kind) {
   TriangleMesh result;
   result.vertices = mesh.mesh.vertices;
   for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t)
-    if (mesh.interior[static_cast<std::size_t>(mesh.component[t])] != Interior::kSurface)
-      result.triangles.push_back(mesh.mesh.triangles[t]);
+    if (mesh.interior[static_cast<std::size_t>(mesh.component[t])] == kind) result.triangles.push_back(mesh.mesh.triangles[t]);
   return result;
 }
 
@@ -36,19 +35,35 @@ TriangleMesh withLoosePoints(const RepairedMesh& mesh) {
 constexpr std::size_t kMostProbes = 2000;
 constexpr double kProbeStep = 1e-3;  // off the triangle, in lengths of its shortest altitude or so
 
-/// Whether some region is enclosed inside out: then a triangle's back may face the outside.
-bool hasInvertedRegion(const TriangleMesh& walls, const TriangleBvh& tree) {
-  const std::size_t n = walls.triangles.size(), stride = std::max<std::size_t>(1, n / kMostProbes);
-  for (std::size_t t = 0; t < n; t += stride) {
-    const int i = static_cast<int>(t);
-    const Eigen::Vector3d &a = walls.corner(i, 0), &b = walls.corner(i, 1), &c = walls.corner(i, 2);
-    const Eigen::Vector3d normal = (b - a).cross(c - a);
-    if (!(normal.norm() > 0)) continue;
-    const Eigen::Vector3d probe = (a + b + c) / 3 + normal.normalized() * (kProbeStep * std::sqrt(normal.norm()));
-    if (tree.windingNumber(probe) < -0.5) return true;
+/// What lies inside, by the components that have an inside.
+struct Walls {
+  explicit Walls(const RepairedMesh& mesh) : Walls(componentsOf(mesh, Interior::kClosed), componentsOf(mesh, Interior::kWinding)) {}
+  Walls(const TriangleMesh& closed_mesh, const TriangleMesh& open_mesh)
+      : closed(closed_mesh),
+        open(open_mesh),
+        volume(signedVolume(closed_mesh) + signedVolume(open_mesh)),
+        inverted(hasInvertedRegion(closed_mesh) || hasInvertedRegion(open_mesh)) {}
+
+  double windingNumber(const Eigen::Vector3d& p) const { return closed.signedCrossings(p) + (open.empty() ? 0 : open.windingNumber(p)); }
+
+  /// Whether some region is enclosed inside out: then a triangle's back may face the outside.
+  bool hasInvertedRegion(const TriangleMesh& walls) const {
+    const std::size_t n = walls.triangles.size(), stride = std::max<std::size_t>(1, n / kMostProbes);
+    for (std::size_t t = 0; t < n; t += stride) {
+      const int i = static_cast<int>(t);
+      const Eigen::Vector3d &a = walls.corner(i, 0), &b = walls.corner(i, 1), &c = walls.corner(i, 2);
+      const Eigen::Vector3d normal = (b - a).cross(c - a);
+      if (!(normal.norm() > 0)) continue;
+      const Eigen::Vector3d probe = (a + b + c) / 3 + normal.normalized() * (kProbeStep * std::sqrt(normal.norm()));
+      if (windingNumber(probe) < -0.5) return true;
+    }
+    return false;
   }
-  return false;
-}
+
+  TriangleBvh closed, open;
+  double volume;
+  bool inverted;
+};
 
 /// Per triangle of withLoosePoints(): whether both of its sides may face the outside.
 std::vector<char> twoSided(const RepairedMesh& mesh, bool all) {
@@ -71,13 +86,10 @@ std::vector<char> twoSided(const RepairedMesh& mesh, bool all) {
 
 struct Solid::Impl {
   explicit Impl(const RepairedMesh& mesh)
-      : walls(enclosing(mesh)),
-        surface(withLoosePoints(mesh), twoSided(mesh, hasInvertedRegion(enclosing(mesh), walls))),
-        interior(interiorOf(mesh)),
-        volume(signedVolume(enclosing(mesh))) {}
-  TriangleBvh walls, surface;
+      : walls(mesh), surface(withLoosePoints(mesh), twoSided(mesh, walls.inverted)), interior(interiorOf(mesh)) {}
+  Walls walls;
+  TriangleBvh surface;
   Interior interior;
-  double volume;
 };
 
 Solid::Solid(const RepairedMesh& mesh) : impl_(std::make_unique<Impl>(mesh)) {}
@@ -85,7 +97,7 @@ Solid::~Solid() = default;
 Solid::Solid(Solid&&) noexcept = default;
 
 bool Solid::contains(const Eigen::Vector3d& p) const {
-  return !impl_->walls.empty() && impl_->walls.windingNumber(p) > 0.5;
+  return impl_->walls.windingNumber(p) > 0.5;
 }
 double Solid::distanceToSurface(const Eigen::Vector3d& p) const {
   return impl_->surface.nearest(p).distance;
@@ -94,7 +106,7 @@ double Solid::distance(const Eigen::Vector3d& p) const {
   return contains(p) ? 0 : distanceToSurface(p);
 }
 double Solid::volume() const {
-  return impl_->volume;
+  return impl_->walls.volume;
 }
 Interior Solid::interior() const {
   return impl_->interior;

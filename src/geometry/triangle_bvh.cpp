@@ -13,6 +13,7 @@ namespace {
 constexpr int kLeafSize = 4;
 constexpr double kDipoleDistance = 2.3;  // in radii: dipoles nearer than this would err by more than 0.01
 
+constexpr double kAside = 1e-9;  // of a ray from its point, as a share of the extent
 constexpr double kAnyDirection = 3.14159265358979323846;
 constexpr double kNarrow = 0.35;  // [rad] cones narrower than this stand for their triangles
 constexpr std::size_t kMostCones = 64;
@@ -47,6 +48,24 @@ double leastCosine(const Cone* cones, std::size_t count) {
     u += cones[worst].axis * (kLean - least);
   }
   return best;
+}
+
+/// Twice the signed area of a, b and the origin, seen along z; evaluated alike for both directions of an edge, so that two
+/// triangles that share it agree on which side of it the origin lies.
+double edgeSide(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const bool swap = b.x() < a.x() || (b.x() == a.x() && b.y() < a.y());
+  const Eigen::Vector3d &u = swap ? b : a, &v = swap ? a : b;
+  const double side = u.x() * v.y() - u.y() * v.x();
+  return swap ? -side : side;
+}
+
+/// Where the triangle crosses the z axis above the origin: 1 upward, -1 downward, 0 not.
+int crossing(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  const double ab = edgeSide(a, b), bc = edgeSide(b, c), ca = edgeSide(c, a);
+  const bool up = ab > 0 && bc > 0 && ca > 0, down = ab < 0 && bc < 0 && ca < 0;
+  if (!up && !down) return 0;
+  const double height = (a.z() * bc + b.z() * ca + c.z() * ab) / (ab + bc + ca);
+  return height > 0 ? (up ? 1 : -1) : 0;
 }
 
 }  // namespace
@@ -172,6 +191,31 @@ TriangleBvh::Cone TriangleBvh::cone(int k) const {
   const double length = vector.norm();
   if (!(length > 0) || (!two_sided_.empty() && two_sided_[static_cast<std::size_t>(k)])) return {Eigen::Vector3d::Zero(), kAnyDirection};
   return {vector / length, 0};
+}
+
+int TriangleBvh::signedCrossings(const Eigen::Vector3d& p) const {
+  if (nodes_.empty()) return 0;
+  // A step aside that no drawing's coordinates share: a ray through an edge or a vertex would be ambiguous.
+  const double extent = nodes_[0].box.sizes().maxCoeff();
+  const Eigen::Vector3d q = p + extent * kAside * Eigen::Vector3d(0.7548776662, 0.5698402910, 0);
+  int sum = 0, top = 0;
+  int stack[96];
+  stack[top++] = 0;
+  while (top > 0) {
+    const Node& node = nodes_[static_cast<std::size_t>(stack[--top])];
+    const Eigen::Vector3d &low = node.box.min(), &high = node.box.max();
+    if (q.x() < low.x() || q.x() > high.x() || q.y() < low.y() || q.y() > high.y() || q.z() > high.z()) continue;
+    if (node.count > 0) {
+      for (int k = node.first; k < node.first + node.count; ++k) {
+        const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
+        sum += crossing(a - q, b - q, c - q);
+      }
+    } else {
+      stack[top++] = node.first;
+      stack[top++] = node.first + 1;
+    }
+  }
+  return sum;
 }
 
 /// Calls visit(k) for the triangles within `radius` of p and, where their cone is narrower than `narrow`, skip(node) for whole

@@ -32,6 +32,10 @@ class TriangleBvh {
   /// closed outward surface, 0 outside, with an error of about 0.01.
   double windingNumber(const Eigen::Vector3d& p) const;
 
+  /// The winding number of closed surfaces, exactly: signed crossings of a ray from p along z. Much faster. Within 1e-9 of the
+  /// tree's extent of the surface the answer may be that of the other side.
+  int signedCrossings(const Eigen::Vector3d& p) const;
+
   /// Whether the normals of all triangles within `radius` [m] of p lie in one open half-space, no two-sided or degenerate one
   /// among them. May say no where it is so (many triangles); never yes where it is not.
   bool facesOneWay(const Eigen::Vector3d& p, double radius) const;

@@ -102,7 +102,8 @@ void fail(ElementReport& row) {
     row.error = name(e.code());
     row.reason = e.what();
   } catch (const std::bad_alloc&) {
-    row.reason = "out of memory for a mesh of " + std::to_string(row.triangles) + " triangles; use fewer --jobs or a coarser mesh";
+    row.reason =
+        "out of memory for a mesh of " + std::to_string(row.triangles) + " triangles; use fewer jobs, a larger tolerance or a coarser mesh";
   } catch (const std::exception& e) {
     row.reason = e.what();
   }

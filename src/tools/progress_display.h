@@ -39,6 +39,7 @@ class ProgressDisplay {
 
  private:
   std::string text() const {
+    if (step_.total == 0) return "";  // nothing is finished yet
     return step_.stage + " " + std::to_string(step_.done) + "/" + std::to_string(step_.total) + ", " + std::to_string(step_.hulls) +
            " hulls" + (step_.item.empty() ? "" : ": " + step_.item);
   }

@@ -78,7 +78,7 @@ Input packageInput(const std::string& name, const std::string& folder) {
 
 Input openInput(const std::string& input) {
   std::error_code error;
-  if (fs::exists(fs::path(input) / "package.xml", error)) return packageInput(input, input);
+  if (!input.empty() && fs::exists(fs::path(input) / "package.xml", error)) return packageInput(input, input);
   if (fs::exists(input, error) && !fs::is_directory(input, error)) return fileInput(input);
   const std::string extension = extensionOf(input);
   const bool file_meant =

@@ -3,7 +3,9 @@
 //   inner hull: begin with the extreme points along the axes
 //   until there are max_vertices points, add the hull's vertices furthest outside of the inner hull, as quickhull does
 //   move each of the inner hull's vertices out, beyond the hull's touching planes parallel to the faces around it
-//   then let each sink again, as far as the faces around it can turn before they cut into the hull
+//   let each sink again, as far as the faces around it can turn before they cut into the hull
+//   a few times: draw the vertices half way to the middle of their neighbours, move them out and let them sink again;
+//   keep the result that protrudes least
 //
 // All corners of a moved face lie beyond a touching plane, so no face meets the hull's interior, and the hull stays within.
 // Collapsing edges outward (progressive hulls) was tried instead: twice the protrusion on round hulls, and several times slower.
@@ -30,8 +32,8 @@ constexpr double kThinnest = 0.01;
 constexpr double kShareOfFurthest = 0.5;
 // Points that lie outside of the inner hull by less than this share of the extent are not worth a vertex.
 constexpr double kNegligible = 1e-9;
-// Times that every vertex sinks; further ones change little.
-constexpr int kSinkings = 2;
+// Attempts to space the vertices more evenly.
+constexpr int kRelaxations = 3;
 
 Eigen::Vector3d areaVector(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   return (b - a).cross(c - a) / 2;
@@ -89,6 +91,19 @@ class OuterSurface {
       for (int v : triangles_[t]) around_[v].push_back(static_cast<int>(t));
   }
 
+  /// Draws every vertex half way to the mean of its neighbours.
+  void relax() {
+    Points relaxed;
+    for (std::size_t v = 0; v < vertices_.size(); ++v) {
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (int t : around_[v])
+        for (int n : triangles_[t]) sum += vertices_[n];
+      const auto count = static_cast<double>(around_[v].size());  // of neighbours, each in two triangles; and v in all
+      relaxed.push_back(vertices_[v] / 2 + (sum - count * vertices_[v]) / (4 * count));
+    }
+    vertices_ = std::move(relaxed);
+  }
+
   /// Moves every vertex out to where the touching planes of all faces around it are beneath; false if one has no such place.
   bool rise() {
     std::vector<HalfSpace> touching;
@@ -110,6 +125,13 @@ class OuterSurface {
     return true;
   }
 
+  void sink(const TriangleBvh& held) {
+    for (std::size_t v = 0; v < vertices_.size(); ++v) sink(static_cast<int>(v), held);
+  }
+
+  ConvexHull hull() const { return convexHull(vertices_); }
+
+ private:
   /// Moves a vertex to where its faces hold the hull and least else, if it gets no further from the hull. Each face turns about
   /// the edge opposite to the vertex, so the vertex must stay beyond the plane through that edge that touches the hull.
   void sink(int v, const TriangleBvh& held) {
@@ -127,10 +149,6 @@ class OuterSurface {
     if (x && held.nearest(*x).distance <= held.nearest(vertices_[v]).distance) vertices_[v] = *x;
   }
 
-  std::size_t size() const { return vertices_.size(); }
-  ConvexHull hull() const { return convexHull(vertices_); }
-
- private:
   /// Length of the longest edge at a vertex.
   double reach(int v) const {
     double furthest = 0;
@@ -173,18 +191,37 @@ class OuterSurface {
   const ConvexHull& held_;
 };
 
+/// The hull of a start's vertices once they have risen beyond `held` and sunk again; nullopt where one cannot rise.
+std::optional<ConvexHull> risenAndSunk(const ConvexHull& start, const ConvexHull& held, const TriangleBvh& bvh) {
+  OuterSurface surface(start, held);
+  if (!surface.rise()) return std::nullopt;
+  OuterSurface risen(surface.hull(), held);
+  risen.sink(bvh);
+  return risen.hull();
+}
+
+double largestDistance(const ConvexHull& outer, const TriangleBvh& held) {
+  double most = 0;
+  for (const Eigen::Vector3d& v : outer.vertices) most = std::max(most, held.nearest(v).distance);
+  return most;
+}
+
 /// Points whose hull holds `hull`; nullopt where that fails.
 std::optional<Points> outerPoints(const ConvexHull& hull, std::size_t max_vertices) {
-  OuterSurface surface(innerHull(hull.vertices, max_vertices), hull);
-  if (!surface.rise()) return std::nullopt;
-  ConvexHull outer = surface.hull();
-  const TriangleBvh bvh(collision_hulls::surface(hull));
-  for (int k = 0; k < kSinkings; ++k) {
-    OuterSurface sinking(outer, hull);
-    for (std::size_t v = 0; v < sinking.size(); ++v) sinking.sink(static_cast<int>(v), bvh);
-    outer = sinking.hull();
+  const TriangleBvh bvh(surface(hull));
+  std::optional<ConvexHull> outer = risenAndSunk(innerHull(hull.vertices, max_vertices), hull, bvh);
+  if (!outer) return std::nullopt;
+  Points best = outer->vertices;
+  double least = largestDistance(*outer, bvh);
+  for (int k = 0; k < kRelaxations; ++k) {
+    OuterSurface relaxed(*outer, hull);
+    relaxed.relax();
+    outer = risenAndSunk(relaxed.hull(), hull, bvh);
+    if (!outer || outer->vertices.size() > max_vertices) break;
+    const double most = largestDistance(*outer, bvh);
+    if (most < least) least = most, best = outer->vertices;
   }
-  return outer.vertices;
+  return best;
 }
 
 /// An affine map that makes thin sets thicker; volumes keep their order under it, and what holds what.
@@ -210,7 +247,7 @@ struct Stretch {
 
 std::optional<ConvexHull> outerHull(const ConvexHull& hull, std::size_t max_vertices) {
   const Stretch stretch(hull.vertices);
-  const std::optional<Points> points = outerPoints(convexHull(stretch.forward(hull.vertices)), max_vertices);
+  const std::optional<Points> points = outerPoints({stretch.forward(hull.vertices), hull.triangles, {}, 0, 0}, max_vertices);
   if (!points) return std::nullopt;
   std::optional<ConvexHull> result = hullHolding(stretch.back(*points), hull.vertices);
   return result && result->vertices.size() <= max_vertices ? result : std::nullopt;

@@ -50,7 +50,8 @@ std::vector<DualEdge> dualGraph(const TriangleMesh& mesh) {
     while (end < sides.size() && sides[end].low == sides[first].low && sides[end].high == sides[first].high) ++end;
     const std::size_t before = edges.size();
     for (std::size_t i = first; i < end; ++i)
-      for (std::size_t j = i + 1; j < std::min(end, i + 1 + kFanReach); ++j) edges.push_back({sides[i].triangle, sides[j].triangle, 0});
+      for (std::size_t j = i + 1; j < std::min(end, i + 1 + kFanReach); ++j)
+        if (sides[i].triangle != sides[j].triangle) edges.push_back({sides[i].triangle, sides[j].triangle, 0});
     const double length = (mesh.vertices[sides[first].low] - mesh.vertices[sides[first].high]).norm();
     const double share = static_cast<double>(end - first) / (2.0 * static_cast<double>(edges.size() - before));
     for (std::size_t e = before; e < edges.size(); ++e) edges[e].border = share * length;

@@ -192,6 +192,7 @@ class Decimation {
 }  // namespace
 
 double aspectRatio(double perimeter, double area) {
+  if (!(area > 0)) return std::numeric_limits<double>::infinity();
   return perimeter * perimeter / (4 * kPi * area);
 }
 

@@ -12,7 +12,8 @@
 
 namespace collision_hulls {
 
-/// Equation (3): E_shape = rho^2 / (4 pi sigma) of a surface with perimeter rho [m] and area sigma [m^2]; 1 for a disk.
+/// Equation (3): E_shape = rho^2 / (4 pi sigma) of a surface with perimeter rho [m] and area sigma [m^2]; 1 for a
+/// disk, infinite without area.
 double aspectRatio(double perimeter, double area);
 
 /// Equation (4): E = C / D + alpha E_shape; concavity C and diagonal D in metres.

@@ -1,0 +1,121 @@
+#include "collision_hulls/decompose/reduce_vertices.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "collision_hulls/error.h"
+#include "shapes.h"
+
+namespace collision_hulls {
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+void expectHolds(const ConvexHull& outer, const ConvexHull& inner) {
+  for (const Eigen::Vector3d& v : inner.vertices) EXPECT_LE(planeDistance(outer, v), 0);
+}
+
+Points ellipsoid(std::size_t count, const Eigen::Vector3d& radii, std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  Points points;
+  for (std::size_t i = 0; i < count; ++i)
+    points.push_back(radii.cwiseProduct(Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized()));
+  return points;
+}
+
+Points cylinder(int segments, double radius, double height) {
+  Points points;
+  for (int i = 0; i < segments; ++i) {
+    const double a = 2 * test_shapes::kPi * i / segments;
+    for (double z : {0.0, height}) points.emplace_back(radius * std::cos(a), radius * std::sin(a), z);
+  }
+  return points;
+}
+
+TEST(ReduceVertices, FewEnoughAreLeftAlone) {
+  const ConvexHull cube = convexHull(test_shapes::box(1, 1, 1).vertices);
+  const ReducedHull reduced = reduceVertices(cube, 8);
+  EXPECT_EQ(reduced.hull.vertices.size(), 8u);
+  EXPECT_EQ(reduced.hull.vertices, cube.vertices);
+  EXPECT_EQ(reduced.added_distance, 0);
+}
+
+TEST(ReduceVertices, FewerThanABoxIsRefused) {
+  try {
+    reduceVertices(convexHull(test_shapes::box(1, 1, 1).vertices), 7);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadOption);
+    EXPECT_NE(std::string(error.what()).find("at least 8"), std::string::npos);
+  }
+}
+
+TEST(ReduceVertices, RoundHullIsHeldClosely) {
+  const ConvexHull sphere = convexHull(test_shapes::sphere(1, 14).vertices);
+  ASSERT_EQ(sphere.vertices.size(), 1962u);
+  const ReducedHull reduced = reduceVertices(sphere, 64);
+  EXPECT_LE(reduced.hull.vertices.size(), 64u);
+  expectHolds(reduced.hull, sphere);
+  EXPECT_GT(reduced.added_distance, 0.03);
+  EXPECT_LT(reduced.added_distance, 0.09);
+}
+
+TEST(ReduceVertices, CylinderStaysACylinder) {
+  const ConvexHull hull = convexHull(cylinder(128, 1, 2));
+  const ReducedHull reduced = reduceVertices(hull, 64);
+  expectHolds(reduced.hull, hull);
+  EXPECT_LT(reduced.added_distance, 0.03);
+  EXPECT_LT(volume(reduced.hull), 1.02 * volume(hull));
+}
+
+TEST(ReduceVertices, AddedDistanceIsThatOfTheFurthestVertex) {
+  const ConvexHull hull = convexHull(cylinder(128, 1, 2));
+  const ReducedHull reduced = reduceVertices(hull, 16);
+  double most = 0;
+  for (const Eigen::Vector3d& v : reduced.hull.vertices) most = std::max(most, distance(hull, v));
+  EXPECT_DOUBLE_EQ(reduced.added_distance, most);
+}
+
+TEST(ReduceVertices, FlatHullStaysFlat) {
+  Points disc;
+  for (const Eigen::Vector3d& p : cylinder(200, 1, 0)) disc.push_back(p);
+  const ConvexHull hull = convexHull(disc);
+  ASSERT_GT(hull.thickness, 0);
+  const ReducedHull reduced = reduceVertices(hull, 64);
+  expectHolds(reduced.hull, hull);
+  EXPECT_LE(reduced.hull.vertices.size(), 64u);
+  EXPECT_LT(reduced.added_distance, 0.03);
+  EXPECT_LT(boundingBox(reduced.hull).sizes().z(), 1e-4);
+  EXPECT_GE(reduced.hull.thickness, hull.thickness);
+}
+
+TEST(ReduceVertices, HoldsWhateverTheShapeSizeAndPlace) {
+  const unsigned seed = 3;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> exponent(-3, 0);
+  for (int repeat = 0; repeat < 30; ++repeat) {
+    const double size = std::pow(10, 2 * exponent(random));
+    const Eigen::Vector3d radii(size, size * std::pow(10, exponent(random)), size * std::pow(10, exponent(random)));
+    Points points = ellipsoid(150, radii, random);
+    for (Eigen::Vector3d& p : points) p += Eigen::Vector3d(1, -2, 3) * (repeat % 3);
+    const ConvexHull hull = convexHull(points);
+    const int cap = repeat % 2 ? 32 : 8;
+    const ReducedHull reduced = reduceVertices(hull, cap);
+    SCOPED_TRACE("repeat " + std::to_string(repeat));
+    EXPECT_LE(reduced.hull.vertices.size(), static_cast<std::size_t>(cap));
+    expectHolds(reduced.hull, hull);
+    EXPECT_LT(reduced.added_distance, (cap == 8 ? 2.0 : 0.4) * size);
+  }
+}
+
+TEST(ReduceVertices, SameInputSameResult) {
+  std::mt19937 random(9);
+  const ConvexHull hull = convexHull(ellipsoid(300, {3, 2, 1}, random));
+  EXPECT_EQ(reduceVertices(hull, 40).hull.vertices, reduceVertices(hull, 40).hull.vertices);
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -17,8 +17,8 @@ double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls)
 
 /// The protrusion of a hull set: max over points of the hulls of the distance to S; one-sided Hausdorff distance.
 struct Protrusion {
-  double bound = 0;  ///< [m] certified: no point of a hull is further from S
-  double found = 0;  ///< [m] largest distance found, at `where`
+  double bound = 0;                                   ///< [m] certified: no point of a hull is further from S
+  double found = 0;                                   ///< [m] largest distance found, at `where`
   Eigen::Vector3d where = Eigen::Vector3d::Zero();    ///< a point of a hull at distance `found`
   Eigen::Vector3d nearest = Eigen::Vector3d::Zero();  ///< the point of S nearest to it
   int hull = -1;                                      ///< the hull that `where` belongs to

@@ -22,8 +22,9 @@ constexpr std::size_t kMostCells = 40000;  // of one size that a search for intr
 /// The faces of a hull that cut a cell, and the point of the hull in the cell that is nearest to its centre, roughly.
 struct OutsideDistance::View {
   std::vector<int> faces;
-  bool outside = false;  // the cell and the hull have nothing in common
-  double offset = 0;     // how far `point` lies from the centre
+  double depth = std::numeric_limits<double>::infinity();  // no point of both lies deeper beneath the hull's surface
+  bool outside = false;                                    // the cell and the hull have nothing in common
+  double offset = 0;                                       // how far `point` lies from the centre
   bool has_point = false;
   Eigen::Vector3d point;
 
@@ -37,6 +38,7 @@ struct OutsideDistance::View {
         return;
       }
       if (d > -reach) faces.push_back(f);
+      depth = std::min(depth, reach - d);
       if (d > 0) ++beyond;
       if (d > offset) offset = d, worst = f;
     }
@@ -133,7 +135,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
         return result;
       }
     }
-    const double bound = cell.distance + radius(cell);
+    const double bound = std::min(cell.distance + radius(cell), query.surface_bound + view.depth);
     if (bound <= enough() || (query.summits_only && !mayHoldSummit(open.cell))) continue;
     if (radius(cell) < query.resolution) {
       result.bound = std::max(result.bound, bound);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <limits>
 #include <vector>
 
 #include "collision_hulls/check/solid.h"
@@ -18,9 +19,10 @@ class OutsideDistance {
   OutsideDistance(const Solid& solid, const Eigen::AlignedBox3d& box);
 
   struct Query {
-    double floor = 0;           ///< [m] distances up to here do not matter
-    double ceiling = 0;         ///< [m] the search ends when a larger distance is found
-    double resolution = 0;      ///< [m] cells of a smaller radius are not divided
+    double floor = 0;                                                ///< [m] distances up to here do not matter
+    double ceiling = 0;                                              ///< [m] the search ends when a larger distance is found
+    double resolution = 0;                                           ///< [m] cells of a smaller radius are not divided
+    double surface_bound = std::numeric_limits<double>::infinity();  ///< [m] no point of the hull's surface is further
     bool summits_only = false;  ///< leave out cells without a local maximum: for hulls whose surface was searched already
   };
   struct Largest {

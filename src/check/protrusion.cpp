@@ -25,13 +25,15 @@ void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const S
   for (const ConvexHull& hull : hulls) box.extend(boundingBox(hull));
   if (box.isEmpty()) return;
   OutsideDistance outside(solid, box);
+  OutsideDistance::Query query;
+  query.surface_bound = worst.bound;
+  query.floor = worst.bound + gap;
+  query.ceiling = std::numeric_limits<double>::infinity();
+  query.resolution = gap / 4;
+  query.summits_only = true;
   for (std::size_t i = 0; i < hulls.size(); ++i) {
     control.check();
-    OutsideDistance::Query query;
-    query.floor = worst.found + gap;
-    query.ceiling = std::numeric_limits<double>::infinity();
-    query.resolution = gap / 4;
-    query.summits_only = true;
+    query.floor = std::max(query.floor, worst.found);
     const OutsideDistance::Largest largest = outside.largest(hulls[i], query);
     Protrusion summit;
     summit.bound = largest.bound;
@@ -57,13 +59,13 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
   tbb::parallel_for(std::size_t{0}, hulls.size(), [&](std::size_t i) {
     SurfaceQuery query;
     query.floor = floor * (1 - 1e-9);  // so that the vertex itself is found again
-    query.gap = gap;
+    query.gap = gap / 2;
     each[i] = largestOnSurface(hulls[i], solid, query, control);
     each[i].hull = static_cast<int>(i);
   });
   Protrusion worst;
   for (const Protrusion& p : each) add(worst, p);
-  addSummits(worst, hulls, solid, gap, control);
+  addSummits(worst, hulls, solid, gap / 2, control);
   return worst;
 }
 

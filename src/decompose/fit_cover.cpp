@@ -1,14 +1,17 @@
 #include "collision_hulls/decompose/fit_cover.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "check/cover.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "collision_hulls/error.h"
+#include "decompose/bounding_box.h"
 
 namespace collision_hulls {
 
@@ -16,54 +19,79 @@ namespace {
 
 // Half a unit in the last place of a single-precision number, as a share of its size; times sqrt(3) for three coordinates.
 constexpr double kSinglePrecision = 5.97e-8 * 1.7321;
-// A vertex of a sharp hull would have to move far to move its faces a little; beyond this many times the distance it is cut
-// off instead, by points moved along each face's normal, unless the cap on vertices leaves no room for them.
-constexpr double kMitreLimit = 20;
-constexpr int kTries = 12;
-
-/// How far to grow a hull.
-struct Growth {
-  double distance = 0;               // [m] of each face
-  double mitre_limit = kMitreLimit;  // longest step of a vertex, in distances
-};
+// A vertex of a sharp hull has to move far to move its faces a little. Beyond the first limit, in distances, it is replaced by an
+// octahedron about it; the second limit is for hulls whose cap on vertices leaves no room for those.
+constexpr std::array<double, 2> kMitreLimits{20, 1e4};
+constexpr int kDoublings = 6;
+constexpr int kRounds = 12;
+constexpr double kParallel = 1e-12;       // normals and planes that cannot be told apart
+constexpr std::size_t kManyNormals = 12;  // beyond so many, triples are tried only until a step is found
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/// The shortest step (nearly) that takes a point at least `distance` along each of the normals: projections onto the half-spaces
-/// in turn (Hildreth's method, a fixed number of rounds), then scaled to satisfy all. Empty step where none is short.
-Eigen::Vector3d outwardStep(const std::vector<Eigen::Vector3d>& normals, const Growth& growth) {
-  const double distance = growth.distance;
-  Eigen::Vector3d step = Eigen::Vector3d::Zero();
-  std::vector<double> multiplier(normals.size(), 0.0);
-  for (int round = 0; round < 32; ++round)
-    for (std::size_t i = 0; i < normals.size(); ++i) {
-      const double correction = std::max(-multiplier[i], distance - normals[i].dot(step));
-      multiplier[i] += correction;
-      step += correction * normals[i];
+/// How far to grow a hull.
+struct Growth {
+  double distance = 0;     // [m] of each face
+  double mitre_limit = 0;  // longest step of a vertex, in distances
+};
+
+bool reaches(const std::vector<Eigen::Vector3d>& normals, const Eigen::Vector3d& step, double distance) {
+  constexpr double kRounding = 1e-9;
+  return std::all_of(normals.begin(), normals.end(), [&](const auto& n) { return n.dot(step) >= distance * (1 - kRounding); });
+}
+
+/// The shortest step that takes a point at least `distance` along each of the normals, which lies on one, two or three of those
+/// planes; nullopt if there is none within the limit.
+std::optional<Eigen::Vector3d> outwardStep(const std::vector<Eigen::Vector3d>& normals, const Growth& growth) {
+  double shortest = growth.mitre_limit * growth.distance;
+  std::optional<Eigen::Vector3d> best;
+  const auto consider = [&](const Eigen::Vector3d& step) {
+    if (step.norm() < shortest && reaches(normals, step, growth.distance)) shortest = step.norm(), best = step;
+  };
+  const std::size_t n = normals.size();
+  for (std::size_t i = 0; i < n; ++i) consider(growth.distance * normals[i]);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const double cosine = normals[i].dot(normals[j]);
+      if (1 + cosine > 0) consider(growth.distance / (1 + cosine) * (normals[i] + normals[j]));
+      if (best && n > kManyNormals) continue;
+      for (std::size_t k = j + 1; k < n; ++k) {
+        Eigen::Matrix3d planes;
+        planes << normals[i].transpose(), normals[j].transpose(), normals[k].transpose();
+        if (std::abs(planes.determinant()) > kParallel) consider(planes.inverse() * Eigen::Vector3d::Constant(growth.distance));
+      }
     }
-  double least = std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3d& n : normals) least = std::min(least, n.dot(step));
-  if (!(least > 0)) return Eigen::Vector3d::Zero();
-  step *= std::max(1.0, distance / least);
-  return step.norm() <= growth.mitre_limit * distance ? step : Eigen::Vector3d::Zero();
+  return best;
+}
+
+/// Different outward normals of the triangles at each vertex.
+std::vector<std::vector<Eigen::Vector3d>> normalsAtVertices(const ConvexHull& hull) {
+  std::vector<std::vector<Eigen::Vector3d>> normals(hull.vertices.size());
+  for (const Triangle& t : hull.triangles) {
+    const auto at = [&](std::size_t k) -> const Eigen::Vector3d& { return hull.vertices[static_cast<std::size_t>(t[k])]; };
+    const Eigen::Vector3d n = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
+    if (!(n.norm() > 0)) continue;
+    for (int v : t) {
+      auto& known = normals[static_cast<std::size_t>(v)];
+      if (std::none_of(known.begin(), known.end(), [&](const auto& k) { return (k - n).norm() < kParallel; })) known.push_back(n);
+    }
+  }
+  return normals;
 }
 
 /// Points whose hull has each face of the hull moved outward by the growth's distance, at least.
 Points grown(const ConvexHull& hull, const Growth& growth) {
-  std::vector<std::vector<Eigen::Vector3d>> normals(hull.vertices.size());
-  for (const Triangle& t : hull.triangles) {
-    const auto at = [&](std::size_t k) -> const Eigen::Vector3d& { return hull.vertices[static_cast<std::size_t>(t[k])]; };
-    const Eigen::Vector3d n = (at(1) - at(0)).cross(at(2) - at(0));
-    if (n.norm() > 0)
-      for (int v : t) normals[static_cast<std::size_t>(v)].push_back(n.normalized());
-  }
+  const std::vector<std::vector<Eigen::Vector3d>> normals = normalsAtVertices(hull);
   Points points;
   for (std::size_t v = 0; v < hull.vertices.size(); ++v) {
-    const Eigen::Vector3d step = outwardStep(normals[v], growth);
-    if (!step.isZero(0))
-      points.push_back(hull.vertices[v] + step);
-    else
-      for (const Eigen::Vector3d& n : normals[v]) points.push_back(hull.vertices[v] + growth.distance * n);
+    if (const auto step = outwardStep(normals[v], growth)) {
+      points.push_back(hull.vertices[v] + *step);
+      continue;
+    }
+    // An octahedron that holds a ball of the distance.
+    for (int axis = 0; axis < 3; ++axis)
+      for (double sign : {1.0, -1.0})
+        points.push_back(hull.vertices[v] + sign * std::sqrt(3.0) * growth.distance * Eigen::Vector3d::Unit(axis));
   }
   return points;
 }
@@ -86,20 +114,26 @@ struct Rounded {
   ConvexHull hull;
   double nudge = 0;
 };
-Rounded roundOutward(const ConvexHull& hull, double margin, int max_vertices) {
+std::optional<Rounded> roundOutward(const ConvexHull& hull, const Points& held, double margin, int max_vertices) {
   double size = 0;
   for (const Eigen::Vector3d& v : hull.vertices) size = std::max(size, v.cwiseAbs().maxCoeff());
-  Growth growth{margin + 2 * kSinglePrecision * size + std::numeric_limits<float>::min(), kMitreLimit};
-  for (int i = 0; i < kTries; ++i) {
-    Rounded result{convexHull(roundedToSingle(grown(hull, growth))), growth.distance};
-    const bool fits = !overCap(result.hull, max_vertices);
-    if (fits && result.hull.thickness == 0 && holdsAll(result.hull, hull.vertices, margin)) return result;
-    if (fits)
-      growth.distance *= 2;
-    else
-      growth.mitre_limit *= 10;
+  for (double mitre_limit : kMitreLimits) {
+    Growth growth{margin + 2 * kSinglePrecision * size + std::numeric_limits<float>::min(), mitre_limit};
+    for (int i = 0; i < kDoublings; ++i, growth.distance *= 2) {
+      Rounded result{convexHull(roundedToSingle(grown(hull, growth))), growth.distance};
+      if (overCap(result.hull, max_vertices)) break;
+      if (result.hull.thickness == 0 && holdsAll(result.hull, held, margin)) return result;
+    }
   }
-  throw Error(ErrorCode::kInternal, "a hull of size " + std::to_string(size) + " m cannot be rounded outward to single precision");
+  return std::nullopt;
+}
+
+/// The same for every hull: one that is too sharp for its cap on vertices gives way to its oriented box.
+Rounded roundOutward(const ConvexHull& hull, double margin, int max_vertices) {
+  if (const auto result = roundOutward(hull, hull.vertices, margin, max_vertices)) return *result;
+  if (const auto result = roundOutward(orientedBox(hull), hull.vertices, margin, max_vertices)) return *result;
+  throw Error(ErrorCode::kInternal, "a hull of " + std::to_string(hull.vertices.size()) + " vertices about " +
+                                        std::to_string(hull.vertices.front().x()) + " m cannot be rounded outward to single precision");
 }
 
 /// The hull that a triangle's corners lie least outside of.
@@ -134,7 +168,7 @@ FittedHulls fitCover(const std::vector<ConvexHull>& hulls, const TriangleMesh& o
     fitted.hulls.push_back(rounded.hull);
     fitted.nudge = std::max(fitted.nudge, rounded.nudge);
   }
-  for (int i = 0; i < kTries; ++i) {
+  for (int i = 0; i < kRounds; ++i) {
     const std::vector<UncoveredTriangle> missing = uncoveredTriangles(original, fitted.hulls);
     if (missing.empty()) return fitted;
     fitted.completed += missing.size();
@@ -148,7 +182,7 @@ FittedHulls fitCover(const std::vector<ConvexHull>& hulls, const TriangleMesh& o
     for (const auto& [h, points] : extra)
       fitted.hulls[h] = roundOutward(withPoints(fitted.hulls[h], points, max_vertices), 0, max_vertices).hull;
   }
-  throw Error(ErrorCode::kInternal, "the hulls still leave a part of the mesh uncovered after " + std::to_string(kTries) + " rounds");
+  throw Error(ErrorCode::kInternal, "the hulls still leave a part of the mesh uncovered after " + std::to_string(kRounds) + " rounds");
 }
 
 }  // namespace collision_hulls

@@ -13,43 +13,42 @@ from robots import NODE, decompose
 
 
 class ActionTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        # Not a SimpleActionClient: it drops what comes before its send_goal() has returned, as it may for a small robot.
+        cls.client = actionlib.ActionClient(NODE + "/decompose_action", DecomposeAction)
+        if not cls.client.wait_for_server(rospy.Duration(30)):
+            raise RuntimeError("no action server")
+
     def setUp(self):
         self.folder = robots.Folder()
         self.addCleanup(self.folder.remove)
         self.feedback = []
-        self.client = self.new_client()
-
-    def new_client(self):
-        client = actionlib.SimpleActionClient(NODE + "/decompose_action", DecomposeAction)
-        self.assertTrue(client.wait_for_server(rospy.Duration(30)))
-        return client
 
     def send(self, robot, **fields):
+        """The handle of a new goal."""
         goal = DecomposeGoal(robot_description=robot, output=self.folder.output, **fields)
-        self.client.send_goal(goal, feedback_cb=self.feedback.append)
+        return self.client.send_goal(goal, feedback_cb=lambda _, feedback: self.feedback.append(feedback))
 
     def send_slow(self):
-        """Sends a goal that is still being worked on when this returns."""
-        self.send(self.folder.slow_robot())
+        """The handle of a goal that is still being worked on when this returns."""
+        handle = self.send(self.folder.slow_robot())
         self.assertTrue(robots.wait_until(lambda: self.feedback), "no feedback")
+        return handle
 
-    def cancel(self):
-        self.client.cancel_goal()
-        self.assertTrue(self.client.wait_for_result(rospy.Duration(10)))
-        self.assertEqual(GoalStatus.PREEMPTED, self.client.get_state())
+    def assert_ends(self, state, handle):
+        """The result, once it is there."""
+        self.assertTrue(robots.wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE), "no end")
+        self.assertEqual(state, handle.get_goal_status(), handle.get_goal_status_text())
+        return handle.get_result()
 
     def test_rubbish_is_aborted(self):
-        self.send("rubbish")
-        self.assertTrue(self.client.wait_for_result(rospy.Duration(10)))
-        self.assertEqual(GoalStatus.ABORTED, self.client.get_state())
-        self.assertFalse(self.client.get_result().success)
-        self.assertIn("XML", self.client.get_result().message)
+        result = self.assert_ends(GoalStatus.ABORTED, self.send("rubbish"))
+        self.assertFalse(result.success)
+        self.assertIn("XML", result.message)
 
     def test_result_is_the_services(self):
-        self.send(self.folder.small_robot())
-        self.assertTrue(self.client.wait_for_result(rospy.Duration(60)))
-        self.assertEqual(GoalStatus.SUCCEEDED, self.client.get_state())
-        result = self.client.get_result()
+        result = self.assert_ends(GoalStatus.SUCCEEDED, self.send(self.folder.small_robot()))
         response = decompose(robot_description=self.folder.small_robot(), output=self.folder.output)
         self.assertTrue(result.success)
         self.assertEqual(response.robot_description, result.robot_description)
@@ -58,39 +57,36 @@ class ActionTest(unittest.TestCase):
                          [(row.link, row.hulls, row.protrusion) for row in result.links])
 
     def test_feedback(self):
-        self.send(self.folder.small_robot())
-        self.assertTrue(self.client.wait_for_result(rospy.Duration(60)))
-        steps = [feedback for feedback in self.feedback if feedback.stage == "decompose"]
-        self.assertEqual([1, 2], [step.done for step in steps])
+        result = self.assert_ends(GoalStatus.SUCCEEDED, self.send(self.folder.small_robot()))
+        # Messages of two topics: the last feedback may come after the result.
+        self.assertTrue(robots.wait_until(lambda: [step.done for step in self.feedback if step.stage == "decompose"] == [1, 2], 10))
+        steps = [step for step in self.feedback if step.stage == "decompose"]
         self.assertEqual([2, 2], [step.total for step in steps])
         self.assertEqual(["arm", "base"], sorted(step.link.split()[0] for step in steps))
-        self.assertEqual(sum(row.hulls for row in self.client.get_result().links), steps[-1].hulls)
+        self.assertEqual(sum(row.hulls for row in result.links), steps[-1].hulls)
 
     def test_cancel_in_the_middle(self):
-        self.send_slow()
-        self.cancel()
-        self.assertFalse(self.client.get_result().success)
+        handle = self.send_slow()
+        handle.cancel()
+        self.assertFalse(self.assert_ends(GoalStatus.PREEMPTED, handle).success)
         self.assertEqual([], os.listdir(self.folder.results))
         self.assertTrue(decompose(robot_description=self.folder.small_robot(), output=self.folder.output).success)
 
     def test_others_meanwhile(self):
-        self.send_slow()
+        handle = self.send_slow()
         response = decompose(robot_description=self.folder.small_robot(), output=self.folder.output)
         self.assertFalse(response.success)
         self.assertTrue(response.message.startswith("busy: "), response.message)
-        second = self.new_client()
-        second.send_goal_and_wait(DecomposeGoal(robot_description=self.folder.small_robot()), rospy.Duration(10))
-        self.assertEqual(GoalStatus.REJECTED, second.get_state())
-        self.assertTrue(second.get_goal_status_text().startswith("busy: "), second.get_goal_status_text())
+        second = self.send(self.folder.small_robot())
+        self.assertTrue(self.assert_ends(GoalStatus.REJECTED, second).message.startswith("busy: "))
         self.assertTrue(robots.answers())
-        self.assertEqual(GoalStatus.ACTIVE, self.client.get_state())
-        self.cancel()
+        self.assertEqual(GoalStatus.ACTIVE, handle.get_goal_status())
+        handle.cancel()
+        self.assert_ends(GoalStatus.PREEMPTED, handle)
 
     def test_next_goal_follows_at_once(self):
         for _ in range(5):
-            self.send(self.folder.small_robot(), links=["arm"])
-            self.assertTrue(self.client.wait_for_result(rospy.Duration(60)))
-            self.assertEqual(GoalStatus.SUCCEEDED, self.client.get_state(), self.client.get_goal_status_text())
+            self.assert_ends(GoalStatus.SUCCEEDED, self.send(self.folder.small_robot(), links=["arm"]))
 
 
 if __name__ == "__main__":

@@ -10,10 +10,11 @@ struct ReducedHull {
   double added_distance = 0;  ///< [m] largest distance of a point of it to the hull that it stands for
 };
 
-/// A hull of at most `max_vertices` (at least 8) vertices that contains `hull` (checked) and protrudes little beyond it: edges
-/// are collapsed, cheapest first, into a new vertex outside (progressive hulls, Sander et al. 2000, kept convex). Where
-/// rounding spoils that, the smallest oriented box found. A hull that has no more vertices than that is returned as it is.
-/// Deterministic. Thread safe. Throws kBadOption for max_vertices < 8.
+/// A hull of at most `max_vertices` (at least 8) vertices that contains `hull` (checked: all of its vertices lie within all of the
+/// result's faces) and protrudes little beyond it: an inner hull of well-chosen vertices, moved outward. A sphere with 64
+/// vertices gains 7 % of its radius. Where rounding spoils that, as for hulls that are next to nothing, the smallest oriented
+/// box found. A hull that has no more vertices than that is returned as it is. Deterministic. Thread safe. Throws kBadOption
+/// for max_vertices < 8.
 ReducedHull reduceVertices(const ConvexHull& hull, int max_vertices);
 
 }  // namespace collision_hulls

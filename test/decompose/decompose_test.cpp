@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -46,7 +47,6 @@ void expectError(ErrorCode code, const RepairedMesh& mesh, const DecomposeOption
 TEST(Method, NamesAreReadBack) {
   for (Method method : allMethods()) EXPECT_EQ(methodNamed(name(method)), method);
   EXPECT_FALSE(methodNamed("HACD"));
-  EXPECT_EQ(allMethods().size(), 3u);
 }
 
 TEST(Decompose, EmptyMeshIsRefused) {
@@ -83,23 +83,26 @@ TEST(Decompose, EveryMethodCoversEveryShape) {
       const Decomposition result = run(mesh, method);
       expectCovers(result, mesh);
       for (const ConvexHull& hull : result.hulls) EXPECT_LE(hull.vertices.size(), 64u);
-      if (method != Method::kHacd) {
+      if (method == Method::kSingleHull || method == Method::kBoundingBox) {
         EXPECT_EQ(result.hulls.size(), 1u);
       }
     }
 }
 
-TEST(Decompose, LoosePointsAloneHaveAHull) {
+TEST(Decompose, LoosePointsAloneAreCovered) {
   RepairedMesh mesh;
   mesh.loose = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}};
   for (Method method : allMethods()) {
+    SCOPED_TRACE(name(method));
     DecomposeOptions options;
     options.method = method;
     options.tolerance = 1;
     const Decomposition result = decompose(mesh, options);
-    ASSERT_EQ(result.hulls.size(), 1u);
-    EXPECT_GT(result.hulls[0].thickness, 0);
-    for (const Eigen::Vector3d& p : mesh.loose) EXPECT_LE(planeDistance(result.hulls[0], p), 1e-12);
+    for (const ConvexHull& hull : result.hulls) EXPECT_GT(hull.thickness, 0);
+    for (const Eigen::Vector3d& p : mesh.loose) {
+      const auto holds = [&p](const ConvexHull& hull) { return planeDistance(hull, p) <= 1e-12; };
+      EXPECT_TRUE(std::any_of(result.hulls.begin(), result.hulls.end(), holds));
+    }
   }
 }
 

@@ -78,7 +78,7 @@ std::vector<int> unionOf(const std::vector<int>& a, const std::vector<int>& b) {
 
 double concavityOfTriangle(const ConvexHull& hull, const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& normal,
                            double known) {
-  const Eigen::Vector3d origin = corners[0];
+  const Eigen::Vector3d& origin = corners[0];
   const std::vector<ExitFunction> exits = exitFunctions(hull, origin, normal);
   if (exits.empty()) return 0;
   const ConvexPolygon whole{Eigen::Vector3d::Zero(), corners[1] - origin, corners[2] - origin};

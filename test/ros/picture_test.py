@@ -41,7 +41,7 @@ class PictureTest(unittest.TestCase):
 
     def test_hulls_are_seen_in_colours(self):
         picture = os.path.join(self.folder, "rviz.png")
-        run = self.take_picture("-o", picture)
+        run = self.take_picture("-m", "hacd", "-o", picture)
         self.assertEqual(0, run.returncode, run.stdout)
         counts = self.hues(picture)
         seen = [hue for hue, count in counts.items() if count >= LEAST_PIXELS]

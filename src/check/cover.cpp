@@ -86,6 +86,19 @@ void subtract(const Polygon& polygon, const ConvexHull& hull, double tolerance, 
   }
 }
 
+/// The largest distance to the hulls over the corners, the middle, and half way between. Corners of what is left alone would
+/// not do: they lie on the faces that cut it.
+double furthestOf(const Polygon& polygon, const Hulls& set) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : polygon) middle += p / static_cast<double>(polygon.size());
+  double most = set.distanceTo(middle);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector3d &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    most = std::max({most, set.distanceTo(p), set.distanceTo((p + q) / 2), set.distanceTo((p + middle) / 2)});
+  }
+  return most;
+}
+
 /// The distance of what the hulls leave of a triangle; 0 where they leave nothing.
 double uncoveredDistance(const Polygon& triangle, const Hulls& set) {
   Eigen::AlignedBox3d box;
@@ -98,8 +111,7 @@ double uncoveredDistance(const Polygon& triangle, const Hulls& set) {
     std::swap(left, next);
   }
   double most = 0;
-  for (const Polygon& polygon : left)
-    for (const Eigen::Vector3d& p : polygon) most = std::max(most, set.distanceTo(p));
+  for (const Polygon& polygon : left) most = std::max(most, furthestOf(polygon, set));
   return most;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace collision_hulls {
 namespace {
@@ -38,6 +39,7 @@ class EarCutter {
 
   std::vector<Triangle> cut() {
     std::vector<Triangle> triangles;
+    if (fanFits()) return fan({});
     while (rest_.size() > 3) {
       const std::size_t ear = findEar();
       if (ear == rest_.size()) break;
@@ -45,11 +47,23 @@ class EarCutter {
       rest_.erase(rest_.begin() + static_cast<std::ptrdiff_t>(ear));
       start_ = ear > 0 ? ear - 1 : 0;
     }
+    return fan(std::move(triangles));
+  }
+
+ private:
+  /// `triangles` and those from the first corner left to the others.
+  std::vector<Triangle> fan(std::vector<Triangle> triangles) const {
     for (std::size_t i = 1; i + 1 < rest_.size(); ++i) triangles.push_back({rest_[0], rest_[i], rest_[i + 1]});
     return triangles;
   }
 
- private:
+  /// Whether the first corner sees all others, as in every convex polygon.
+  bool fanFits() const {
+    for (std::size_t i = 1; i + 1 < rest_.size(); ++i)
+      if (area(point(rest_[0]), point(rest_[i]), point(rest_[i + 1])) < 0) return false;
+    return true;
+  }
+
   Triangle triangle(std::size_t i) const { return {rest_[(i + rest_.size() - 1) % rest_.size()], rest_[i], rest_[(i + 1) % rest_.size()]}; }
   const Point& point(int corner) const { return points_[static_cast<std::size_t>(corner)]; }
 

@@ -20,7 +20,7 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kCertificateGap = 0.02;  // of the tolerance: how far apart the two bounds of the protrusion may stay
+constexpr double kCertificateGap = 0.01;  // of the tolerance: how far apart the two bounds of the protrusion may stay
 constexpr double kDecomposeShare = 0.7;   // of an element's time, about
 
 std::string millimetres(double metres) {
@@ -46,6 +46,7 @@ std::string excuse(const Options& options, bool capped) {
   if (options.method == Method::kHacd) {
     return "hacd goes by a concavity measured along rays, which does not bound the protrusion; a smaller tolerance gives more hulls";
   }
+  if (options.method == Method::kCertified) return "the surface has details there that no plane divided; mend the mesh or accept it";
   return std::string(name(options.method)) + " pays no heed to the tolerance; another method does";
 }
 

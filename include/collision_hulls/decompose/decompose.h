@@ -13,16 +13,17 @@
 namespace collision_hulls {
 
 enum class Method {
+  kCertified,   ///< ours: fewest hulls whose protrusion provably stays within the tolerance, see certified.h
   kHacd,        ///< Mamou & Ghorbel 2009, see hacd.h
   kSingleHull,  ///< the convex hull of everything
   kBoundingBox  ///< the smallest oriented box found
 };
-const char* name(Method method);  ///< "hacd", "single_hull", "bounding_box"
+const char* name(Method method);  ///< "certified", "hacd", "single_hull", "bounding_box"
 std::optional<Method> methodNamed(const std::string& name);
 const std::vector<Method>& allMethods();
 
 struct DecomposeOptions {
-  Method method = Method::kHacd;
+  Method method = Method::kCertified;
   double tolerance = 0;    ///< [m] > 0: protrusion that the caller accepts (hacd: the paper's concavity epsilon)
   int max_hulls = 0;       ///< most hulls per mesh; 0: no cap
   int max_vertices = 64;   ///< most vertices per hull, at least 8; 0: no cap. Reduced outward only

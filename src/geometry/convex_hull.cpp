@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "collision_hulls/error.h"
@@ -24,6 +25,11 @@ using Points = std::vector<Eigen::Vector3d>;
 constexpr double kLeastThickness = 1e-6;
 // The same for the coordinates' size, for small bodies far from the origin; and for a lone point at the origin [m].
 constexpr double kLeastThicknessFar = 1e-12, kLeastThicknessAtOrigin = 1e-9;
+
+// Points off a line by less than this share of its length lie on it.
+constexpr double kCollinear = 1e-12;
+// Rounding of the way into a frame and back, as a share of the coordinates' size.
+constexpr double kFrameRounding = 4e-15;
 
 /// An orthonormal frame in which a point set is long, broad and thin, in this order.
 struct Frame {
@@ -59,7 +65,6 @@ Frame spanningFrame(const Points& points) {
   Eigen::Vector3d y = c - a - x * x.dot(c - a);
   y -= x * x.dot(y);
   // Beneath this share of the length y is rounding and may point anywhere, along x too.
-  constexpr double kCollinear = 1e-12;
   if (!(y.norm() > kCollinear * (b - a).norm())) y = x.unitOrthogonal();
   y.normalize();
   frame.axes << x, y, x.cross(y).normalized();
@@ -70,30 +75,45 @@ Frame spanningFrame(const Points& points) {
   return frame;
 }
 
-double leastThickness(const Points& points, const Frame& frame) {
+double largestCoordinate(const Points& points) {
   double size = 0;
   for (const Eigen::Vector3d& p : points) size = std::max(size, p.cwiseAbs().maxCoeff());
+  return size;
+}
+
+double leastThickness(double size, const Frame& frame) {
   return std::max(
       {kLeastThickness * frame.extent.maxCoeff(), kLeastThicknessFar * size, frame.extent.maxCoeff() > 0 ? 0 : kLeastThicknessAtOrigin});
 }
 
-/// Corners of the 2D convex hull, counter-clockwise (monotone chain); collinear points left out.
-std::vector<Eigen::Vector2d> hull2d(std::vector<Eigen::Vector2d> p) {
-  std::sort(p.begin(), p.end(), [](const auto& a, const auto& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
-  std::vector<Eigen::Vector2d> chain;
-  const auto turns = [&](const Eigen::Vector2d& c) {
-    const Eigen::Vector2d u = chain[chain.size() - 1] - chain[chain.size() - 2], v = c - chain[chain.size() - 2];
-    return u.x() * v.y() - u.y() * v.x() > 0;
+/// Corners of the 2D convex hull, counter-clockwise (monotone chain); points less than `flat` beyond their neighbours' chord are
+/// left out, and no point then lies further than that beyond the outline.
+std::vector<Eigen::Vector2d> hull2d(std::vector<Eigen::Vector2d> p, double flat) {
+  struct Corner {
+    Eigen::Vector2d at;
+    double lost = 0;  // how far points were left beyond the edge that ends here
   };
-  const auto walk = [&](const Eigen::Vector2d& c, std::size_t fixed) {
-    while (chain.size() > fixed && chain.size() >= 2 && !turns(c)) chain.pop_back();
-    chain.push_back(c);
+  std::sort(p.begin(), p.end(), [](const auto& a, const auto& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
+  std::vector<Corner> chain;
+  const auto walk = [&](const Eigen::Vector2d& at, std::size_t fixed) {
+    Corner next{at, 0};
+    while (chain.size() > fixed && chain.size() >= 2) {
+      const Eigen::Vector2d u = chain.back().at - chain[chain.size() - 2].at, v = at - chain[chain.size() - 2].at;
+      const double height = (u.x() * v.y() - u.y() * v.x()) / v.norm();
+      const double lost = std::max(chain.back().lost, next.lost) + std::max(0.0, height);
+      if (height > 0 && lost > flat) break;
+      next.lost = lost;
+      chain.pop_back();
+    }
+    chain.push_back(next);
   };
   for (const auto& c : p) walk(c, 1);
   const std::size_t lower = chain.size();
   for (std::size_t i = p.size(); i-- > 0;) walk(p[i], lower);
   chain.pop_back();
-  return chain;
+  std::vector<Eigen::Vector2d> corners;
+  for (const Corner& c : chain) corners.push_back(c.at);
+  return corners;
 }
 
 /// A flat set as a plate: its outline in the frame's plane, between two planes `thickness` apart at least.
@@ -113,28 +133,30 @@ Points plate(const Points& points, const Frame& frame, double thickness) {
   }
   const double grow = std::max(0.0, thickness - (high - low)) / 2;
   Points corners;
-  for (const Eigen::Vector2d& c : hull2d(std::move(flat)))
+  for (const Eigen::Vector2d& c : hull2d(std::move(flat), kCollinear * frame.extent.x()))
     for (double z : {low - grow, high + grow}) corners.push_back(frame.origin + frame.axes * Eigen::Vector3d(c.x(), c.y(), z));
   return corners;
 }
 
-/// A prism from the corners that plate() made: bottom and top alternate.
-ConvexHull prism(const Points& corners, const Frame& frame) {
+/// A prism from the corners that plate() made: bottom and top alternate. Its planes lie `slack` outside of them, for what
+/// rounding left beyond.
+ConvexHull prism(const Points& corners, const Frame& frame, double slack) {
   ConvexHull hull;
   hull.vertices = corners;
+  const auto add = [&](const Triangle& t, const Eigen::Vector3d& normal) {
+    hull.triangles.push_back(t);
+    hull.faces.push_back({normal, normal.dot(corners[static_cast<std::size_t>(t[0])]) + slack});
+  };
   const int n = static_cast<int>(corners.size()) / 2;
   const Eigen::Vector3d up = frame.axes.col(2);
-  hull.faces.push_back({-up, -up.dot(corners[0])});
-  hull.faces.push_back({up, up.dot(corners[1])});
   for (int i = 0; i < n; ++i) {
     const int j = (i + 1) % n, a = 2 * i, b = 2 * j;
-    hull.triangles.push_back({a, b, b + 1});
-    hull.triangles.push_back({a, b + 1, a + 1});
     const Eigen::Vector3d normal = (corners[static_cast<std::size_t>(b)] - corners[static_cast<std::size_t>(a)]).cross(up).normalized();
-    hull.faces.push_back({normal, normal.dot(corners[static_cast<std::size_t>(a)])});
+    add({a, b, b + 1}, normal);
+    add({a, b + 1, a + 1}, normal);
     if (i >= 1 && i + 1 < n) {
-      hull.triangles.push_back({0, b, a});
-      hull.triangles.push_back({1, a + 1, b + 1});
+      add({0, b, a}, -up);
+      add({1, a + 1, b + 1}, up);
     }
   }
   return hull;
@@ -168,37 +190,46 @@ class Neighbours {
   std::vector<int> list_;
 };
 
-/// Moves each face out until all vertices lie beneath it, and records how far vertices then lie off their faces.
-void measure(ConvexHull& hull) {
+/// Leaves one of the faces that are the same plane; the outermost stands for all. Takes one face per triangle and returns, per
+/// triangle, which of those that are left is its own.
+std::vector<std::size_t> joinCoplanarFaces(ConvexHull& hull) {
+  const double extent = largestCoordinate(hull.vertices);
+  // Same planes are neighbours along any direction; few others are along one that is no drawing's.
+  const Eigen::Vector3d direction = Eigen::Vector3d(0.5773, 0.3141, 0.7541).normalized();
+  std::vector<double> along;
+  for (const HalfSpace& face : hull.faces) along.push_back(direction.dot(face.normal));
+  std::vector<std::size_t> order(hull.faces.size()), joined(hull.faces.size()), first;
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return along[a] < along[b]; });
+  std::vector<HalfSpace> kept;
+  for (std::size_t f : order) {
+    const HalfSpace& face = hull.faces[f];
+    std::size_t same = kept.size();
+    for (std::size_t i = kept.size(); i-- > 0 && along[f] - along[first[i]] <= 2 * kSamePlane && same == kept.size();)
+      if ((kept[i].normal - face.normal).cwiseAbs().maxCoeff() <= kSamePlane &&
+          std::abs(kept[i].offset - face.offset) <= kSamePlane * extent)
+        same = i;
+    if (same == kept.size()) kept.push_back(face), first.push_back(f);
+    kept[same].offset = std::max(kept[same].offset, face.offset);
+    joined[f] = same;
+  }
+  hull.faces = std::move(kept);
+  return joined;
+}
+
+/// Joins coplanar faces, moves each out until all vertices lie beneath it, and records how far they then lie off their faces.
+void finish(ConvexHull& hull) {
+  for (HalfSpace& face : hull.faces) face.normal.normalize();
+  const std::vector<std::size_t> face_of = joinCoplanarFaces(hull);
   const Neighbours neighbours(hull);
   int start = 0;
   for (HalfSpace& face : hull.faces) {
-    face.normal.normalize();
     start = neighbours.support(hull, face.normal, start);
-    const double most = face.normal.dot(hull.vertices[static_cast<std::size_t>(start)]);
-    hull.slack = std::max(hull.slack, std::abs(most - face.offset));
-    face.offset = std::max(most, face.offset);
+    face.offset = std::max(face.normal.dot(hull.vertices[static_cast<std::size_t>(start)]), face.offset);
   }
-}
-
-/// Leaves one of the faces that are the same plane; the outermost stands for all.
-void joinCoplanarFaces(ConvexHull& hull) {
-  double extent = 0;
-  for (const Eigen::Vector3d& v : hull.vertices) extent = std::max(extent, v.cwiseAbs().maxCoeff());
-  const auto key = [](const HalfSpace& f) { return std::llround(f.normal.x() / kSamePlane); };
-  std::sort(hull.faces.begin(), hull.faces.end(), [&](const HalfSpace& a, const HalfSpace& b) { return a.normal.x() < b.normal.x(); });
-  std::vector<HalfSpace> kept;
-  for (const HalfSpace& face : hull.faces) {
-    bool known = false;
-    for (std::size_t i = kept.size(); i-- > 0 && key(face) - key(kept[i]) <= 1 && !known;)
-      if ((kept[i].normal - face.normal).cwiseAbs().maxCoeff() <= kSamePlane &&
-          std::abs(kept[i].offset - face.offset) <= kSamePlane * extent) {
-        kept[i].offset = std::max(kept[i].offset, face.offset);
-        known = true;
-      }
-    if (!known) kept.push_back(face);
-  }
-  hull.faces = std::move(kept);
+  for (std::size_t t = 0; t < hull.triangles.size(); ++t)
+    for (int v : hull.triangles[t])
+      hull.slack = std::max(hull.slack, std::abs(hull.faces[face_of[t]].distance(hull.vertices[static_cast<std::size_t>(v)])));
 }
 
 /// Works about the set's middle, where double precision is finest.
@@ -208,8 +239,7 @@ std::optional<ConvexHull> spatialHull(const Points& points, const Eigen::Vector3
   std::optional<ConvexHull> hull = quickhull(centred);
   if (!hull) hull = qhull(centred);
   if (!hull) return hull;
-  joinCoplanarFaces(*hull);
-  measure(*hull);
+  finish(*hull);
   for (Eigen::Vector3d& v : hull->vertices) v += middle;
   for (HalfSpace& face : hull->faces) face.offset += face.normal.dot(middle);
   return hull;
@@ -226,14 +256,14 @@ void requireFinite(const Points& points) {
 ConvexHull convexHull(const Points& points) {
   requireFinite(points);
   const Frame frame = spanningFrame(points);
-  const double least = leastThickness(points, frame);
+  const double size = largestCoordinate(points), least = leastThickness(size, frame);
   if (frame.extent.z() >= least) {
     if (auto hull = spatialHull(points, frame.middle)) return *hull;
   }
   // Flat, or so nearly that Qhull gave up: a plate holds everything.
-  ConvexHull hull = prism(plate(points, frame, least), frame);
+  ConvexHull hull = prism(plate(points, frame, least), frame, kCollinear * frame.extent.x() + kFrameRounding * size);
   hull.thickness = least;
-  measure(hull);
+  finish(hull);
   return hull;
 }
 

@@ -36,7 +36,6 @@ class QhullRun {
   ConvexHull hull(const std::vector<Eigen::Vector3d>& points) {
     ConvexHull result;
     std::unordered_map<int, int> vertex_of_point;
-    std::unordered_map<const facetT*, int> face_of_owner;
     qhT* qh = &qh_;
     // Points that were merged into a face may lie this far beyond it.
     const double outside = std::max(0.0, static_cast<double>(qh->max_outside));
@@ -55,9 +54,7 @@ class QhullRun {
       if (k != 3) return {};
       if (!facet->toporient != !qh_ORIENTclock) std::swap(t[1], t[2]);
       result.triangles.push_back(t);
-      const facetT* owner = facet->tricoplanar ? facet->f.triowner : facet;
-      if (face_of_owner.try_emplace(owner, static_cast<int>(result.faces.size())).second)
-        result.faces.push_back({Eigen::Vector3d(facet->normal[0], facet->normal[1], facet->normal[2]), outside - facet->offset});
+      result.faces.push_back({Eigen::Vector3d(facet->normal[0], facet->normal[1], facet->normal[2]), outside - facet->offset});
     }
     return result;
   }

@@ -10,7 +10,7 @@
 namespace collision_hulls {
 
 /// The hull of points that span three dimensions, as Qhull finds it; nullopt where Qhull gives up or its result is not a
-/// closed 2-manifold. Vertices are among the points; faces are not yet measured against them.
+/// closed 2-manifold. Vertices are among the points; face i is that of triangle i, not yet measured against them.
 std::optional<ConvexHull> qhull(const std::vector<Eigen::Vector3d>& points);
 
 }  // namespace collision_hulls

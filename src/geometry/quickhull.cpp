@@ -20,6 +20,7 @@ namespace {
 constexpr double kVisible = 1e-12;  // share of the extent that a point must lie beyond a face to be seen by it
 constexpr double kSliver = 1e-9;    // least height of a face over its longest side, likewise
 constexpr double kDent = 1e-10;     // most that a vertex may lie beyond a neighbouring face
+constexpr double kFlat = 1e-11;     // an edge whose faces' far corners lie no further from each other's planes is none
 
 struct Face {
   std::array<int, 3> vertex{};
@@ -50,8 +51,28 @@ class Builder {
     return result();
   }
 
+  /// The vertices that at least three sharp edges meet at; the others lie within a face or along an edge, up to rounding.
+  struct Vertices {
+    std::vector<Eigen::Vector3d> corners, others;
+  };
+  Vertices vertices() const {
+    std::vector<int> sharp(points_.size(), -1);  // -1: no vertex
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      for (std::size_t k = 0; k < 3 && faces_[i].alive; ++k) {
+        int& edges = sharp[static_cast<std::size_t>(faces_[i].vertex[k])];
+        edges = std::max(edges, 0) + isSharp(static_cast<int>(i), k);
+      }
+    Vertices result;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if (sharp[i] >= 0) (sharp[i] >= 3 ? result.corners : result.others).push_back(points_[i]);
+    return result;
+  }
+
+  double extent() const { return extent_; }
+
  private:
   Face& face(int i) { return faces_[static_cast<std::size_t>(i)]; }
+  const Face& face(int i) const { return faces_[static_cast<std::size_t>(i)]; }
   const Eigen::Vector3d& point(int i) const { return points_[static_cast<std::size_t>(i)]; }
 
   template <class F>
@@ -172,6 +193,18 @@ class Builder {
     return true;
   }
 
+  /// How far beneath face f the vertices of its neighbour n lie.
+  double drop(const Face& f, const Face& n) const {
+    double least = 0;
+    for (int v : n.vertex) least = std::min(least, f.normal.dot(point(v)) - f.offset);
+    return -least;
+  }
+
+  bool isSharp(int i, std::size_t edge) const {
+    const Face &f = face(i), &n = face(f.neighbour[edge]);
+    return std::min(drop(f, n), drop(n, f)) > kFlat * extent_;
+  }
+
   std::optional<ConvexHull> result() {
     ConvexHull hull;
     std::vector<int> vertex(points_.size(), -1);
@@ -208,7 +241,19 @@ class Builder {
 }  // namespace
 
 std::optional<ConvexHull> quickhull(const std::vector<Eigen::Vector3d>& points) {
-  return Builder(points).build();
+  Builder builder(points);
+  std::optional<ConvexHull> hull = builder.build();
+  if (!hull) return hull;
+  // Of points in one plane quickhull may take some that are no corners. A second run leaves them out.
+  const Builder::Vertices vertices = builder.vertices();
+  if (vertices.others.empty()) return hull;
+  std::optional<ConvexHull> lean = Builder(vertices.corners).build();
+  if (!lean) return hull;
+  double beyond = 0;
+  for (const Eigen::Vector3d& p : vertices.others) beyond = std::max(beyond, planeDistance(*lean, p));
+  if (beyond > kDent * builder.extent()) return hull;
+  for (HalfSpace& face : lean->faces) face.offset += beyond + kVisible * builder.extent();  // the first run's own margin
+  return lean;
 }
 
 }  // namespace collision_hulls

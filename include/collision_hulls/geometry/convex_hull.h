@@ -29,7 +29,7 @@ struct ConvexHull {
 
 /// The convex hull of `points` (metres, any frame). Degenerate sets are thickened outward: a point becomes a small
 /// tetrahedron-like body, a line a thin rod, a plane a thin plate, by the least amount that still gives a body whose faces
-/// can be told apart in double precision (about 1e-7 of the set's extent; reported as `thickness`).
+/// can be told apart in double precision (1e-6 of the set's extent; reported as `thickness`).
 /// Deterministic. Thread safe. Throws kEmptyMesh for no point and kNonFiniteCoordinate for a NaN or an infinity.
 ConvexHull convexHull(const std::vector<Eigen::Vector3d>& points);
 

@@ -134,7 +134,8 @@ class Builder {
     }
   }
 
-  bool sees(int p, int f) { return face(f).normal.dot(point(p)) - face(f).offset > kVisible * extent_; }
+  /// A face that p lies level with counts as seen: were it not, an edge of it that p lies in line with would give a sliver.
+  bool sees(int p, int f) { return face(f).normal.dot(point(p)) - face(f).offset > -kVisible * extent_; }
 
   /// Walks the patch that p sees, depth first around each face, so that the horizon comes out in order.
   void findHorizon(int p, int start) {
@@ -170,6 +171,10 @@ class Builder {
     }
   }
 
+  bool onHorizon(int v) const {
+    return std::any_of(horizon_.begin(), horizon_.end(), [&](const HorizonEdge& e) { return e.from == v; });
+  }
+
   bool add(int start) {
     const int p = face(start).furthest;
     findHorizon(p, start);
@@ -184,6 +189,8 @@ class Builder {
     }
     for (int f : patch_) {
       face(f).alive = false;
+      for (int v : face(f).vertex)
+        if (!onHorizon(v)) assign(v, first);  // it may stick out by a rounding, once level faces are gone
       for (int q = face(f).first_point; q >= 0;) {
         const int following = next_[static_cast<std::size_t>(q)];
         if (q != p) assign(q, first);

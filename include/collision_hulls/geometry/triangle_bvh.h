@@ -10,7 +10,8 @@
 
 namespace collision_hulls {
 
-/// The point of triangle abc nearest to p (Ericson, Real-Time Collision Detection, 5.1.5). Degenerate triangles are allowed.
+/// The point of triangle abc nearest to p (Ericson, Real-Time Collision Detection, 5.1.5). Its distance from p is the least up to
+/// rounding, of slivers too; degenerate triangles are allowed.
 Eigen::Vector3d closestPoint(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& p);
 
 /// A bounding-volume tree over a mesh's triangles. Keeps copies of them; immutable and thread safe.

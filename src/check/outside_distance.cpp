@@ -13,9 +13,10 @@ namespace collision_hulls {
 namespace {
 
 const double kSqrt3 = std::sqrt(3.0);
-constexpr double kBoxMargin = 1e-4;        // the root's size beyond the box, as a share
-constexpr double kOnFace = 1e-9;           // a point this far beyond a face, in cells, still lies in the hull
-constexpr std::size_t kMostCells = 40000;  // of one size that a search for intruders divides further
+constexpr double kBoxMargin = 1e-4;          // the root's size beyond the box, as a share
+constexpr double kOnFace = 1e-9;             // a point this far beyond a face, in cells, still lies in the hull
+constexpr std::size_t kMostVisits = 200000;  // of one query; then the largest bound left over is the answer's
+constexpr std::size_t kMostCells = 40000;    // of one size that a search for intruders divides further
 
 }  // namespace
 
@@ -121,8 +122,12 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
   std::priority_queue<Open> queue;
   queue.push({std::numeric_limits<double>::infinity(), 0, 0});
   const auto enough = [&] { return std::max(result.found, query.floor); };
-  while (!queue.empty() && queue.top().bound > enough()) {
+  for (std::size_t visits = 0; !queue.empty() && queue.top().bound > enough(); ++visits) {
     const Open open = queue.top();
+    if (visits == kMostVisits) {
+      result.bound = std::max(result.bound, open.bound);
+      break;
+    }
     queue.pop();
     const Cell cell = cells_[static_cast<std::size_t>(open.cell)];
     View view(cell, hull, faces[open.faces]);

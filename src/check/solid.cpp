@@ -75,7 +75,7 @@ std::vector<char> twoSided(const RepairedMesh& mesh, bool all) {
     bool sheet = mesh.interior[static_cast<std::size_t>(mesh.component[t])] == Interior::kSurface;
     for (int h = static_cast<int>(3 * t); h < static_cast<int>(3 * t) + 3; ++h) {
       const int twin = edges.twin[static_cast<std::size_t>(h)];
-      sheet = sheet || twin < 0 || startOf(triangles, twin) != endOf(triangles, h);
+      sheet = sheet || twin == Edges::kOpen || (twin >= 0 && startOf(triangles, twin) != endOf(triangles, h));
     }
     result[t] = sheet;
   }

@@ -17,10 +17,11 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kVisible = 1e-12;  // share of the extent that a point must lie beyond a face to be seen by it
-constexpr double kSliver = 1e-9;    // least height of a face over its longest side, likewise
-constexpr double kDent = 1e-10;     // most that a vertex may lie beyond a neighbouring face
-constexpr double kFlat = 1e-11;     // an edge whose faces' far corners lie no further from each other's planes is none
+constexpr double kVisible = 1e-12;       // share of the extent that a point must lie beyond a face to be seen by it
+constexpr double kSliver = 1e-9;         // least height of a face over its longest side, likewise
+constexpr std::size_t kMostFaces = 100;  // made in all, per point; more means that rounding goes round in circles
+constexpr double kDent = 1e-10;          // most that a vertex may lie beyond a neighbouring face
+constexpr double kFlat = 1e-11;          // an edge whose faces' far corners lie no further from each other's planes is none
 
 struct Face {
   std::array<int, 3> vertex{};
@@ -47,7 +48,7 @@ class Builder {
     if (!tetrahedron()) return std::nullopt;
     for (std::size_t k = 0; k < faces_.size(); ++k)
       while (faces_[k].alive && faces_[k].furthest >= 0)
-        if (!add(static_cast<int>(k))) return std::nullopt;
+        if (faces_.size() > kMostFaces * points_.size() || !add(static_cast<int>(k))) return std::nullopt;
     return result();
   }
 
@@ -134,8 +135,20 @@ class Builder {
     }
   }
 
-  /// A face that p lies level with counts as seen: were it not, an edge of it that p lies in line with would give a sliver.
-  bool sees(int p, int f) { return face(f).normal.dot(point(p)) - face(f).offset > -kVisible * extent_; }
+  double height(int p, int f) { return face(f).normal.dot(point(p)) - face(f).offset; }
+
+  /// Whether p and an edge are so nearly in line that a face over them would be a sliver.
+  bool isSliver(int p, int from, int to) const {
+    const Eigen::Vector3d edge = point(to) - point(from), way = point(p) - point(from);
+    const double longest = std::sqrt(std::max({edge.squaredNorm(), way.squaredNorm(), (way - edge).squaredNorm()}));
+    return !(edge.cross(way).norm() > 2 * kSliver * extent_ * longest);
+  }
+
+  /// A face that p lies level with counts as seen where p is in line with the edge that leads to it: it is spanned anew from p.
+  bool sees(int p, int f, int from, int to) {
+    const double h = height(p, f);
+    return h > kVisible * extent_ || (h > -kVisible * extent_ && isSliver(p, from, to));
+  }
 
   /// Walks the patch that p sees, depth first around each face, so that the horizon comes out in order.
   void findHorizon(int p, int start) {
@@ -157,7 +170,8 @@ class Builder {
       --step.left;
       const int n = face(f).neighbour[static_cast<std::size_t>(e)];
       if (face(n).seen_by == p) continue;
-      if (sees(p, n)) {
+      const int from = face(f).vertex[static_cast<std::size_t>(e)], to = face(f).vertex[static_cast<std::size_t>((e + 1) % 3)];
+      if (sees(p, n, from, to)) {
         face(n).seen_by = p;
         patch_.push_back(n);
         const auto& back = face(n).neighbour;
@@ -166,7 +180,7 @@ class Builder {
       } else {
         const auto& back = face(n).neighbour;
         const int across = back[0] == f ? 0 : back[1] == f ? 1 : 2;
-        horizon_.push_back({n, across, face(f).vertex[static_cast<std::size_t>(e)], face(f).vertex[static_cast<std::size_t>((e + 1) % 3)]});
+        horizon_.push_back({n, across, from, to});
       }
     }
   }
@@ -190,7 +204,7 @@ class Builder {
     for (int f : patch_) {
       face(f).alive = false;
       for (int v : face(f).vertex)
-        if (!onHorizon(v)) assign(v, first);  // it may stick out by a rounding, once level faces are gone
+        if (!onHorizon(v)) assign(v, first);  // once level faces are gone it may stick out
       for (int q = face(f).first_point; q >= 0;) {
         const int following = next_[static_cast<std::size_t>(q)];
         if (q != p) assign(q, first);

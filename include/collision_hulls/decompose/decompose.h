@@ -23,7 +23,7 @@ std::optional<Method> methodNamed(const std::string& name);
 const std::vector<Method>& allMethods();
 
 struct DecomposeOptions {
-  Method method = Method::kCertified;
+  Method method = Method::kHacd;
   double tolerance = 0;    ///< [m] > 0: protrusion that the caller accepts (hacd: the paper's concavity epsilon)
   int max_hulls = 0;       ///< most hulls per mesh; 0: no cap
   int max_vertices = 64;   ///< most vertices per hull, at least 8; 0: no cap. Reduced outward only

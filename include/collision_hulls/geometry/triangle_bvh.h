@@ -58,7 +58,8 @@ class TriangleBvh {
   struct Node {
     Eigen::AlignedBox3d box;
     int first = 0, count = 0;  // leaf: triangles [first, first + count); inner: children first, first + 1 and count 0
-    Eigen::Vector3d dipole_centre = Eigen::Vector3d::Zero(), dipole = Eigen::Vector3d::Zero();  // middle, area vector
+    double area = 0;
+    Eigen::Vector3d dipole_centre = Eigen::Vector3d::Zero(), dipole = Eigen::Vector3d::Zero();  // centroid, area vector
     Eigen::Vector3d cone_axis = Eigen::Vector3d::Zero();                                        // cone of the normals
     double cone_angle = 0;                                                                      // [rad] half opening; pi: any direction
     double radius = 0;                                                                          // of the triangles about dipole_centre

@@ -11,7 +11,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr int kLeafSize = 4;
-constexpr double kDipoleDistance = 2.3;  // in radii: dipoles nearer than this would err by more than 0.01
+constexpr double kDipoleDistance = 4;  // in radii: dipoles nearer than this would err by more than 0.01
 
 constexpr double kThin = 1e-6;   // squared height over length below which a triangle is a sliver
 constexpr double kAside = 1e-9;  // of a ray from its point, as a share of the extent
@@ -170,7 +170,6 @@ void TriangleBvh::build(std::vector<int>& order, const std::vector<Eigen::Vector
 /// Box and dipole of a node from its triangles or its (already fitted) children.
 void TriangleBvh::fit(int id) {
   Node& node = nodes_[static_cast<std::size_t>(id)];
-  double area = 0;
   Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
   if (node.count > 0) {
     for (int k = node.first; k < node.first + node.count; ++k) {
@@ -178,16 +177,17 @@ void TriangleBvh::fit(int id) {
       node.box.extend(a).extend(b).extend(c);
       const Eigen::Vector3d vector = (b - a).cross(c - a) / 2;
       node.dipole += vector;
-      area += vector.norm();
+      node.area += vector.norm();
       weighted += vector.norm() * (a + b + c) / 3;
     }
-    node.dipole_centre = area > 0 ? Eigen::Vector3d(weighted / area) : Eigen::Vector3d(node.box.center());
   } else {
     const Node &l = nodes_[static_cast<std::size_t>(node.first)], &r = nodes_[static_cast<std::size_t>(node.first) + 1];
     node.box = l.box.merged(r.box);
     node.dipole = l.dipole + r.dipole;
-    node.dipole_centre = node.box.center();
+    node.area = l.area + r.area;
+    weighted = l.area * l.dipole_centre + r.area * r.dipole_centre;
   }
+  node.dipole_centre = node.area > 0 ? Eigen::Vector3d(weighted / node.area) : Eigen::Vector3d(node.box.center());
   fitCone(node);
   for (int corner = 0; corner < 8; ++corner)
     node.radius =

@@ -1,0 +1,337 @@
+#include "collision_hulls/geometry/triangle_bvh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "random_points.h"
+#include "shapes.h"
+
+namespace collision_hulls {
+namespace {
+
+using Eigen::Vector3d;
+using test_shapes::RandomPoints;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// closestPoint()
+
+double distanceTo(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& p) {
+  return (closestPoint(a, b, c, p) - p).norm();
+}
+
+double distanceToSegment(const Vector3d& a, const Vector3d& b, const Vector3d& p) {
+  const double length = (b - a).squaredNorm();
+  const double t = length > 0 ? std::clamp((p - a).dot(b - a) / length, 0.0, 1.0) : 0;
+  return (a + t * (b - a) - p).norm();
+}
+
+TEST(ClosestPoint, DegenerateTriangles) {
+  const Vector3d a(1, 2, 3), b(4, 2, 3), p(2, 6, 3);
+  EXPECT_EQ(closestPoint(a, a, a, p), a);
+  EXPECT_EQ(closestPoint(a, a, b, p), Vector3d(2, 2, 3));
+  EXPECT_EQ(closestPoint(a, b, a, p), Vector3d(2, 2, 3));
+  EXPECT_EQ(closestPoint(b, a, a, p), Vector3d(2, 2, 3));
+  EXPECT_EQ(closestPoint(a, b, (a + b) / 2, p), Vector3d(2, 2, 3));
+  EXPECT_EQ(closestPoint((a + b) / 2, a, b, p), Vector3d(2, 2, 3));
+  EXPECT_EQ(closestPoint(a, (a + b) / 2, b, Vector3d(9, 2, 3)), b);
+}
+
+TEST(ClosestPoint, EachOfTheSevenRegions) {
+  const Vector3d a(0, 0, 0), b(4, 0, 0), c(0, 4, 0);
+  EXPECT_EQ(closestPoint(a, b, c, {1, 1, 5}), Vector3d(1, 1, 0));
+  EXPECT_EQ(closestPoint(a, b, c, {-1, -1, 5}), a);
+  EXPECT_EQ(closestPoint(a, b, c, {9, 0, 5}), b);
+  EXPECT_EQ(closestPoint(a, b, c, {0, 9, 5}), c);
+  EXPECT_EQ(closestPoint(a, b, c, {1, -1, 5}), Vector3d(1, 0, 0));
+  EXPECT_EQ(closestPoint(a, b, c, {-1, 1, 5}), Vector3d(0, 1, 0));
+  EXPECT_EQ(closestPoint(a, b, c, {4, 4, 5}), Vector3d(2, 2, 0));
+}
+
+/// A triangle with corners (0, 0), (1, 0) and (x, h) of a plane, and a point at (t, s) of it and d above: the nearest point is a
+/// matter of two dimensions, where thinness is harmless.
+void expectExact(const Eigen::Isometry3d& pose, double x, double h, const Vector3d& p, double scale) {
+  const Vector3d a(0, 0, 0), b(1, 0, 0), c(x, h, 0), flat(p.x(), p.y(), 0);
+  const auto left = [](const Vector3d& u, const Vector3d& v) { return u.x() * v.y() - u.y() * v.x() >= 0; };
+  const bool inside = left(b - a, flat - a) && left(c - b, flat - b) && left(a - c, flat - c);
+  const double edges = std::min({distanceToSegment(a, b, flat), distanceToSegment(b, c, flat), distanceToSegment(c, a, flat)});
+  const double expected = scale * std::hypot(inside ? 0 : edges, p.z());
+  const auto at = [&](const Vector3d& v) -> Vector3d { return pose * (scale * v); };
+  const double tolerance = 2e-15 * scale * (1 + p.norm());
+  EXPECT_NEAR(distanceTo(at(a), at(b), at(c), at(p)), expected, tolerance) << "x " << x << ", h " << h << ", p " << p.transpose();
+  EXPECT_NEAR(distanceTo(at(b), at(c), at(a), at(p)), expected, tolerance) << "x " << x << ", h " << h << ", p " << p.transpose();
+  EXPECT_NEAR(distanceTo(at(c), at(b), at(a), at(p)), expected, tolerance) << "x " << x << ", h " << h << ", p " << p.transpose();
+}
+
+TEST(ClosestPoint, IsExactHoweverThinTheTriangle) {
+  RandomPoints random(1);
+  for (int thinness = 0; thinness <= 18; ++thinness)
+    for (int i = 0; i < 300; ++i) {
+      const double h = std::pow(10.0, -thinness), far = std::pow(10.0, random.number(-3, 1));
+      const Eigen::Isometry3d pose(random.rotation());
+      const double x = i % 4 == 0 ? random.index(2) + random.number(-h, h) : random.number(0, 1);
+      Vector3d p(random.number(-0.2, 1.2), random.number(-0.5, 1.5) * h, random.number(-far, far));
+      if (i % 3 == 1) p = random.inCube(far) + Vector3d(0.5, 0, 0);
+      if (i % 3 == 2) p.z() *= h;
+      expectExact(pose, x, h, p, i % 2 ? 1 : 1e-3);
+    }
+}
+
+// TriangleBvh: degenerate input.
+
+TEST(TriangleBvh, OfNoTriangle) {
+  const TriangleBvh bvh(TriangleMesh{});
+  EXPECT_TRUE(bvh.empty());
+  EXPECT_EQ(bvh.nearest({0, 0, 0}).distance, kInfinity);
+  EXPECT_EQ(bvh.nearest({0, 0, 0}).triangle, -1);
+  EXPECT_EQ(bvh.windingNumber({0, 0, 0}), 0);
+  EXPECT_EQ(bvh.signedCrossings({0, 0, 0}), 0);
+  EXPECT_TRUE(bvh.facesOneWay({0, 0, 0}, 1));
+}
+
+TEST(TriangleBvh, OfTrianglesWithoutArea) {
+  TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {}};
+  for (int i = 0; i < 20; ++i) mesh.triangles.push_back(i % 2 ? Triangle{0, 1, 2} : Triangle{1, 1, 1});
+  const TriangleBvh bvh(mesh);
+  EXPECT_EQ(bvh.nearest({1.5, 3, 4}).distance, 5);
+  EXPECT_EQ(bvh.windingNumber({1, 1, 1}), 0);
+  EXPECT_EQ(bvh.signedCrossings({1, 0, -1}), 0);
+  EXPECT_FALSE(bvh.facesOneWay({1, 1, 1}, 2));
+  EXPECT_EQ(bvh.frontBound({{1, 1, 1}}, {1, 1, 1}, 2), kInfinity);
+}
+
+TEST(TriangleBvh, OneTriangleManyTimes) {
+  TriangleMesh mesh = test_shapes::singleTriangle();
+  mesh.triangles.resize(1000, mesh.triangles[0]);
+  const TriangleBvh bvh(mesh);
+  EXPECT_DOUBLE_EQ(bvh.nearest({0.25, 0.25, 2}).distance, 2);
+  EXPECT_EQ(bvh.signedCrossings({0.25, 0.25, -1}), 1000);
+  EXPECT_EQ(bvh.signedCrossings({0.25, 0.25, 1}), 0);
+  EXPECT_TRUE(bvh.facesOneWay({0.25, 0.25, 1}, 2));
+}
+
+TEST(TriangleBvh, APointThatIsNoNumberHasNoNearest) {
+  const TriangleBvh bvh(test_shapes::box(1, 1, 1, 3));
+  EXPECT_EQ(bvh.nearest(Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())).triangle, -1);
+}
+
+// nearest()
+
+double bruteForce(const TriangleMesh& mesh, const Vector3d& p) {
+  double least = kInfinity;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+    least = std::min(least, distanceTo(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), p));
+  return least;
+}
+
+TEST(TriangleBvh, NearestAgreesWithBruteForce) {
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomPoints random(seed);
+    TriangleMesh mesh = seed % 3 == 0 ? test_shapes::torus(1, 0.3, 20, 10) : random.soup(1 + 40 * static_cast<int>(seed), 0.3);
+    if (seed % 4 == 1) mesh = test_shapes::moved(mesh, {1e5, -1e5, 1e5});
+    const TriangleBvh bvh(mesh);
+    Eigen::AlignedBox3d box = boundingBox(mesh);
+    box.extend(box.max() + box.sizes()).extend(box.min() - box.sizes());
+    int hint = -1;
+    for (int i = 0; i < 200; ++i) {
+      const Vector3d p = i % 3 == 0 ? Vector3d(random.on(mesh)) : random.inBox(box);
+      const double expected = bruteForce(mesh, p);
+      const TriangleBvh::Nearest n = bvh.nearest(p), hinted = bvh.nearest(p, kInfinity, hint);
+      EXPECT_EQ(n.distance, expected);
+      EXPECT_EQ(hinted.distance, expected);
+      EXPECT_EQ((n.point - p).norm(), expected);
+      const auto& [a, b, c] = bvh.corners(n.triangle);
+      EXPECT_EQ(a, mesh.corner(n.triangle, 0));
+      EXPECT_EQ(distanceTo(a, b, c, p), expected);
+      EXPECT_EQ(bvh.nearest(p, expected * 0.999).triangle, -1);
+      EXPECT_EQ(bvh.nearest(p, expected * 0.999, n.triangle).distance, kInfinity);
+      EXPECT_EQ(bvh.nearest(p, expected * 1.001 + 1e-100).distance, expected);
+      hint = random.index(mesh.triangles.size());
+    }
+  }
+}
+
+// Inside or outside.
+
+/// Solid angles of all triangles (Van Oosterom & Strackee), over 4 pi.
+double winding(const TriangleMesh& mesh, const Vector3d& p) {
+  double sum = 0;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    const Vector3d a = mesh.corner(t, 0) - p, b = mesh.corner(t, 1) - p, c = mesh.corner(t, 2) - p;
+    sum +=
+        2 * std::atan2(a.dot(b.cross(c)), a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() + b.dot(c) * a.norm() + c.dot(a) * b.norm());
+  }
+  return sum / (4 * test_shapes::kPi);
+}
+
+TEST(TriangleBvh, WindingNumberWithinAHundredth) {
+  for (std::uint32_t seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomPoints random(seed);
+    const std::vector<TriangleMesh> meshes{test_shapes::torus(1, 0.3, 24, 12), test_shapes::openBox(1, 1, 1, 0.05, 4),
+                                           test_shapes::sheet(1, 1, 12), random.soup(200, 0.2)};
+    for (const TriangleMesh& mesh : meshes) {
+      const TriangleBvh bvh(mesh);
+      for (int i = 0; i < 60; ++i) {
+        const Vector3d p = random.inCube(1.5);
+        EXPECT_NEAR(bvh.windingNumber(p), winding(mesh, p), 0.012);
+      }
+    }
+  }
+}
+
+/// Asks at p unless the surface is so near that either answer would do.
+void expectCrossings(const TriangleBvh& bvh, const TriangleMesh& mesh, const Vector3d& p) {
+  if (bruteForce(mesh, p) <= 2e-9 * diagonal(mesh)) return;
+  EXPECT_EQ(bvh.signedCrossings(p), std::lround(winding(mesh, p))) << p.transpose();
+}
+
+TEST(TriangleBvh, CrossingsAtPositionsThatShareTheMeshsCoordinates) {
+  // Rays through vertices, along edges and within faces.
+  const std::vector<TriangleMesh> meshes{test_shapes::box(1, 1, 1, 4), test_shapes::openBox(1, 1, 1, 0.25, 4),
+                                         test_shapes::uChannel(1, 1, 0.25, 2, 2), test_shapes::flange(6, 0.4, 1, 0.12, 0.15, 2, 1),
+                                         test_shapes::sphere(1, 3)};
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    SCOPED_TRACE(m);
+    const TriangleMesh& mesh = meshes[m];
+    const TriangleBvh bvh(mesh);
+    const double low = boundingBox(mesh).min().z(), high = boundingBox(mesh).max().z();
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+      for (double share : {-0.1, 0.0, 0.25, 0.3, 0.5, 0.9, 1.0, 1.1}) {
+        Vector3d p = mesh.vertices[v];
+        p.z() = low + share * (high - low);
+        expectCrossings(bvh, mesh, p);
+        p.head<2>() = (p.head<2>() + mesh.vertices[(v * 7 + 3) % mesh.vertices.size()].head<2>()) / 2;
+        expectCrossings(bvh, mesh, p);
+      }
+  }
+}
+
+TEST(TriangleBvh, CrossingsAgreeWithSolidAngles) {
+  for (std::uint32_t seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomPoints random(seed);
+    TriangleMesh mesh =
+        test_shapes::merged({test_shapes::torus(1, 0.3, 24, 12), test_shapes::moved(test_shapes::sphere(0.5, 3), {0.8, 0, 0})});
+    const Eigen::Isometry3d pose(random.rotation());
+    mesh = transformed(mesh, pose);
+    if (seed % 2) mesh = test_shapes::moved(mesh, {1e4, 1e4, -1e4});
+    const TriangleBvh bvh(mesh);
+    for (int i = 0; i < 300; ++i) expectCrossings(bvh, mesh, random.inBox(boundingBox(mesh)));
+    for (const Vector3d& v : mesh.vertices) expectCrossings(bvh, mesh, v + Vector3d(0, 0, random.number(-0.5, 0.5)));
+  }
+}
+
+TEST(TriangleBvh, CrossingsOfAnInwardSurfaceAreNegative) {
+  TriangleMesh box = test_shapes::box(1, 1, 1, 2);
+  for (Triangle& t : box.triangles) std::swap(t[0], t[1]);
+  EXPECT_EQ(TriangleBvh(box).signedCrossings({0.5, 0.5, 0.5}), -1);
+}
+
+// facesOneWay() and frontBound(): they may fall short, and never claim too much.
+
+/// Whether some direction makes an acute angle with all normals of the triangles within the radius: if one does, then the point
+/// of the normals' convex hull that is nearest to 0 does (Gilbert's method).
+bool openHalfSpace(const TriangleMesh& mesh, const Vector3d& p, double radius) {
+  std::vector<Vector3d> normals;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    const Vector3d &a = mesh.corner(t, 0), &b = mesh.corner(t, 1), &c = mesh.corner(t, 2);
+    if (distanceTo(a, b, c, p) <= radius * (1 - 1e-9)) normals.push_back((b - a).cross(c - a).normalized());
+  }
+  if (normals.empty()) return true;
+  Vector3d u = normals[0];
+  for (int round = 0; round < 2000; ++round) {
+    const Vector3d& worst =
+        *std::min_element(normals.begin(), normals.end(), [&](const auto& m, const auto& n) { return u.dot(m) < u.dot(n); });
+    if (u.dot(worst) > 0) return true;
+    const Vector3d way = worst - u;
+    u += way * std::clamp(-u.dot(way) / way.squaredNorm(), 0.0, 1.0);
+  }
+  return false;
+}
+
+TEST(TriangleBvh, FacesOneWayClosedForm) {
+  const TriangleBvh box(test_shapes::box(1, 1, 1, 8));
+  EXPECT_TRUE(box.facesOneWay({0.5, 0.5, 1.2}, 0.3));   // one face
+  EXPECT_TRUE(box.facesOneWay({0.5, 1.1, 1.1}, 0.3));   // two at an edge
+  EXPECT_TRUE(box.facesOneWay({1.1, 1.1, 1.1}, 0.3));   // three at a corner
+  EXPECT_TRUE(box.facesOneWay({2, 2, 2}, 0.1));         // none
+  EXPECT_FALSE(box.facesOneWay({0.5, 0.5, 0.5}, 0.6));  // opposite ones
+  const TriangleBvh channel(test_shapes::uChannel(1, 1, 0.1, 2, 6));
+  EXPECT_TRUE(channel.facesOneWay({0.2, 0.5, 1}, 0.15));
+  EXPECT_FALSE(channel.facesOneWay({0.5, 0.5, 1}, 0.45));
+}
+
+TEST(TriangleBvh, TwoSidedTrianglesFaceNoWay) {
+  const TriangleMesh sheet = test_shapes::sheet(1, 1, 4);
+  EXPECT_TRUE(TriangleBvh(sheet).facesOneWay({0.5, 0.5, 0.1}, 0.2));
+  std::vector<char> two_sided(sheet.triangles.size(), 0);
+  const TriangleBvh one(sheet, two_sided);
+  two_sided[static_cast<std::size_t>(one.nearest({0.9, 0.9, 0.1}).triangle)] = 1;
+  const TriangleBvh bvh(sheet, two_sided);
+  EXPECT_FALSE(bvh.facesOneWay({0.9, 0.9, 0.1}, 0.2));
+  EXPECT_EQ(bvh.frontBound({{0.9, 0.9, 0.1}}, {0.9, 0.9, 0.1}, 0.2), kInfinity);
+  EXPECT_TRUE(bvh.facesOneWay({0.1, 0.1, 0.1}, 0.2));
+  EXPECT_NEAR(bvh.frontBound({{0.1, 0.1, 0.1}}, {0.1, 0.1, 0.1}, 0.2), 0.1, 1e-9);
+}
+
+TEST(TriangleBvh, FacesOneWayNeverClaimsWhatIsNotSo) {
+  int claimed = 0, refuted = 0;
+  for (std::uint32_t seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomPoints random(seed);
+    const std::vector<TriangleMesh> meshes{test_shapes::torus(1, 0.3, 16, 10), test_shapes::openBox(1, 1, 1, 0.1, 3), random.soup(60, 0.4),
+                                           test_shapes::sphere(1, 4)};
+    for (const TriangleMesh& mesh : meshes) {
+      const TriangleBvh bvh(mesh);
+      for (int i = 0; i < 60; ++i) {
+        const Vector3d p = random.inCube(1.3);
+        const double radius = bvh.nearest(p).distance + random.number(0, 0.5);
+        const bool so = openHalfSpace(mesh, p, radius);
+        if (bvh.facesOneWay(p, radius)) {
+          ++claimed;
+          EXPECT_TRUE(so) << p.transpose() << ", radius " << radius;
+        }
+        refuted += !so;
+      }
+    }
+  }
+  EXPECT_GT(claimed, 100);
+  EXPECT_GT(refuted, 100);
+}
+
+TEST(TriangleBvh, FrontBoundIsNeverTooSmall) {
+  int bounded = 0;
+  for (std::uint32_t seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomPoints random(seed);
+    const std::vector<TriangleMesh> meshes{test_shapes::torus(1, 0.3, 16, 10), test_shapes::openBox(1, 1, 1, 0.1, 3),
+                                           test_shapes::lBracket(1, 0.2, 1, 3), test_shapes::sphere(1, 4)};
+    for (const TriangleMesh& mesh : meshes) {
+      const TriangleBvh bvh(mesh);
+      for (int i = 0; i < 60; ++i) {
+        const Vector3d p = random.inCube(1.2);
+        const double size = std::pow(10.0, random.number(-2, -0.3));
+        const std::vector<Vector3d> corners{p + random.inCube(size), p + random.inCube(size), p + random.inCube(size)};
+        double reach = 0;
+        for (const Vector3d& c : corners) reach = std::max(reach, (c - p).norm());
+        const double bound = bvh.frontBound(corners, p, bvh.nearest(p).distance + 2 * reach);
+        if (bound == kInfinity) continue;
+        ++bounded;
+        for (int k = 0; k < 20; ++k) {
+          const Vector3d x = random.inTriangle(corners[0], corners[1], corners[2]);
+          const bool inside = bvh.signedCrossings(x) > 0;
+          EXPECT_LE(inside ? 0 : bruteForce(mesh, x), bound + 1e-12);
+        }
+      }
+    }
+  }
+  EXPECT_GT(bounded, 100);
+}
+
+}  // namespace
+}  // namespace collision_hulls

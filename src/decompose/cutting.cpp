@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "decompose/cut_planes.h"
@@ -132,7 +133,7 @@ class Cutting {
     return {std::move(beneath), std::move(above)};
   }
 
-  /// Both sides of the best plane; the piece alone if no plane divides it.
+  /// Both sides of the best plane that divides the piece; the piece alone if none does.
   std::vector<SurfacePiece> bestCut(const SurfacePiece& piece, const ConvexHull& hull) {
     Scene scene;
     scene.intruders = oracle_.intruders(hull);
@@ -144,9 +145,15 @@ class Cutting {
     const std::vector<HalfSpace> planes = cutPlanes(fine ? piece : scene.piece, scene.intruders, oracle_.solid(), oracle_.tolerance());
     std::vector<double> scores(planes.size());
     tbb::parallel_for(std::size_t{0}, planes.size(), [&](std::size_t i) { scores[i] = score(scene, planes[i]); });
-    const auto best = std::min_element(scores.begin(), scores.end());
-    if (best == scores.end() || *best == kUseless) return {piece};
-    return divide(piece, planes[static_cast<std::size_t>(best - scores.begin())]);
+    std::vector<std::size_t> order(planes.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return scores[a] < scores[b]; });
+    for (std::size_t i : order) {
+      if (scores[i] == kUseless) break;
+      std::vector<SurfacePiece> parts = divide(piece, planes[i]);
+      if (parts.size() > 1) return parts;  // what divides the simplified piece may pass the real one by
+    }
+    return halves(piece);
   }
 
   ProtrusionOracle& oracle_;

@@ -6,8 +6,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <queue>
+#include <utility>
 
 #include "collision_hulls/check/measures.h"
 
@@ -52,6 +55,20 @@ struct Hulls {
       if (boxes[h].exteriorDistance(p) < least) least = std::min(least, holds(h, p) ? 0.0 : distance(hulls[h], p));
     return least <= tolerance ? 0 : least;
   }
+
+  /// The hulls nearest to p, `most` of them if there are as many.
+  std::vector<std::size_t> nearest(const Eigen::Vector3d& p, std::size_t most) const {
+    std::vector<std::pair<double, std::size_t>> near;
+    for (std::size_t h = 0; h < hulls.size(); ++h) {
+      if (near.size() == most && boxes[h].exteriorDistance(p) >= near.back().first) continue;
+      near.emplace_back(distance(hulls[h], p), h);
+      std::sort(near.begin(), near.end());
+      if (near.size() > most) near.pop_back();
+    }
+    std::vector<std::size_t> result;
+    for (const auto& [d, h] : near) result.push_back(h);
+    return result;
+  }
 };
 
 /// Divides a polygon by a face: what lies beyond it goes to `outside`, the rest is returned.
@@ -86,18 +103,73 @@ void subtract(const Polygon& polygon, const ConvexHull& hull, double tolerance, 
   }
 }
 
-/// The largest distance to the hulls over the corners, the middle, and half way between. Corners of what is left alone would
-/// not do: they lie on the faces that cut it.
-double furthestOf(const Polygon& polygon, const Hulls& set) {
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& p : polygon) middle += p / static_cast<double>(polygon.size());
-  double most = set.distanceTo(middle);
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Eigen::Vector3d &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-    most = std::max({most, set.distanceTo(p), set.distanceTo((p + q) / 2), set.distanceTo((p + middle) / 2)});
+/// The largest distance to the hulls over polygons that lie outside of them all, by branch and bound. Corners of what is left of
+/// a triangle would not do: they lie on the faces that cut it.
+///
+/// The distance to one hull is convex, so over a piece its largest value lies at a corner; the mean of two such distances bounds
+/// the smaller one, and tightly so midway between two hulls.
+class Furthest {
+ public:
+  explicit Furthest(const Hulls& set) : set_(set) {}
+
+  void add(const Polygon& polygon) {
+    for (const Eigen::Vector3d& p : polygon) visit(p);
+    for (std::size_t i = 2; i < polygon.size(); ++i) push({{polygon[0], polygon[i - 1], polygon[i]}, 0});
   }
-  return most;
-}
+
+  /// Never too small; too large by kGap unless it takes too many pieces.
+  double bound() {
+    for (int pieces = 0; pieces < kMostPieces && !queue_.empty() && queue_.top().bound > found_ * (1 + kGap); ++pieces) halve();
+    const double most = queue_.empty() ? found_ : std::max(found_, queue_.top().bound);
+    return most <= set_.tolerance ? 0 : most;
+  }
+
+ private:
+  static constexpr double kGap = 0.01;
+  static constexpr int kMostPieces = 300;
+  static constexpr std::size_t kNearHulls = 4;
+
+  struct Piece {
+    std::array<Eigen::Vector3d, 3> corner;
+    double bound;
+    bool operator<(const Piece& other) const { return bound < other.bound; }
+  };
+
+  void visit(const Eigen::Vector3d& p) { found_ = std::max(found_, set_.distanceTo(p)); }
+
+  void push(Piece piece) {
+    const Eigen::Vector3d centre = (piece.corner[0] + piece.corner[1] + piece.corner[2]) / 3;
+    visit(centre);
+    const std::vector<std::size_t> near = set_.nearest(centre, kNearHulls);
+    std::array<Eigen::Array3d, kNearHulls> distances;
+    piece.bound = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      for (int k = 0; k < 3; ++k) distances[i][k] = distance(set_.hulls[near[i]], piece.corner[static_cast<std::size_t>(k)]);
+      for (std::size_t j = 0; j <= i; ++j) piece.bound = std::min(piece.bound, (distances[i] + distances[j]).maxCoeff() / 2);
+    }
+    if (piece.bound > found_) queue_.push(piece);
+  }
+
+  void halve() {
+    Piece piece = queue_.top();
+    queue_.pop();
+    std::size_t a = 0;
+    const auto length = [&](std::size_t i) { return (piece.corner[i] - piece.corner[(i + 1) % 3]).squaredNorm(); };
+    for (std::size_t i = 1; i < 3; ++i)
+      if (length(i) > length(a)) a = i;
+    const std::size_t b = (a + 1) % 3;
+    const Eigen::Vector3d middle = (piece.corner[a] + piece.corner[b]) / 2;
+    visit(middle);
+    Piece other = piece;
+    piece.corner[b] = other.corner[a] = middle;
+    push(piece);
+    push(other);
+  }
+
+  const Hulls& set_;
+  double found_ = 0;
+  std::priority_queue<Piece> queue_;
+};
 
 /// The distance of what the hulls leave of a triangle; 0 where they leave nothing.
 double uncoveredDistance(const Polygon& triangle, const Hulls& set) {
@@ -110,9 +182,9 @@ double uncoveredDistance(const Polygon& triangle, const Hulls& set) {
     for (const Polygon& polygon : left) subtract(polygon, set.hulls[h], set.tolerance, next);
     std::swap(left, next);
   }
-  double most = 0;
-  for (const Polygon& polygon : left) most = std::max(most, furthestOf(polygon, set));
-  return most;
+  Furthest furthest(set);
+  for (const Polygon& polygon : left) furthest.add(polygon);
+  return furthest.bound();
 }
 
 }  // namespace

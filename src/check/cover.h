@@ -9,7 +9,7 @@ namespace collision_hulls {
 
 struct UncoveredTriangle {
   int triangle = 0;
-  double distance = 0;  ///< [m] largest distance to the hulls found on what they leave of the triangle
+  double distance = 0;  ///< [m] largest distance to the hulls over what they leave of the triangle; see uncovered()
 };
 
 /// The triangles that are not wholly within the union of the hulls, in ascending order.

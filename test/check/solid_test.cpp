@@ -1,0 +1,142 @@
+#include "collision_hulls/check/solid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solids.h"
+
+namespace collision_hulls {
+namespace {
+
+using Eigen::Vector3d;
+using test_shapes::RandomPoints;
+using test_shapes::solidOf;
+
+// Degenerate input.
+
+TEST(Solid, OfTrianglesWithoutAreaIsItsCorners) {
+  const Solid solid = solidOf({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}});
+  EXPECT_EQ(solid.volume(), 0);
+  EXPECT_FALSE(solid.contains({1, 0, 0}));
+  EXPECT_NEAR(solid.distance({2, 3, 4}), 5, 1e-12);
+  EXPECT_FALSE(solid.withoutSummit({1, 1, 1}, 0.1));
+}
+
+TEST(Solid, LoosePointsAreSurface) {
+  TriangleMesh mesh = test_shapes::box(1, 1, 1);
+  mesh.vertices.push_back({5, 5, 5});
+  mesh.triangles.push_back({8, 8, 8});
+  const Solid solid = solidOf(mesh);
+  EXPECT_NEAR(solid.distance({5, 5, 6}), 1, 1e-12);
+  EXPECT_TRUE(solid.contains({0.5, 0.5, 0.5}));
+}
+
+// Closed form.
+
+TEST(Solid, Box) {
+  const Solid solid = solidOf(test_shapes::box(1, 2, 3, 4));
+  EXPECT_EQ(solid.interior(), Interior::kClosed);
+  EXPECT_NEAR(solid.volume(), 6, 1e-12);
+  EXPECT_TRUE(solid.contains({0.5, 1, 1.5}));
+  EXPECT_FALSE(solid.contains({1.5, 1, 1.5}));
+  EXPECT_EQ(solid.distance({0.5, 1, 1.5}), 0);
+  EXPECT_NEAR(solid.distanceToSurface({0.5, 1, 1.5}), 0.5, 1e-12);
+  EXPECT_NEAR(solid.distance({4, 6, 1}), 5, 1e-12);
+}
+
+TEST(Solid, AnInsideOutBoxIsABox) {
+  TriangleMesh mesh = test_shapes::box(1, 1, 1, 2);
+  for (Triangle& t : mesh.triangles) std::swap(t[0], t[1]);
+  const Solid solid = solidOf(mesh);
+  EXPECT_TRUE(solid.contains({0.5, 0.5, 0.5}));
+  EXPECT_NEAR(solid.volume(), 1, 1e-12);
+}
+
+TEST(Solid, AClosedCavityIsInside) {
+  TriangleMesh cavity = test_shapes::moved(test_shapes::box(0.4, 0.4, 0.4), {0.3, 0.3, 0.3});
+  for (Triangle& t : cavity.triangles) std::swap(t[0], t[1]);
+  const Solid solid = solidOf(test_shapes::merged({test_shapes::box(1, 1, 1), cavity}));
+  EXPECT_TRUE(solid.contains({0.5, 0.5, 0.5}));
+  EXPECT_TRUE(solid.contains({0.1, 0.1, 0.1}));
+  EXPECT_EQ(solid.distance({0.5, 0.5, 0.5}), 0);
+}
+
+TEST(Solid, AnOpenVesselIsHollow) {
+  const Solid box = solidOf(test_shapes::openBox()), flask = solidOf(test_shapes::flask());
+  EXPECT_NEAR(box.volume(), 1 - 0.9 * 0.9 * 0.95, 1e-12);
+  EXPECT_NEAR(box.distance({0.5, 0.5, 0.55}), 0.45, 1e-12);
+  EXPECT_NEAR(flask.volume(), 27 - 8 - 0.16 * 0.5, 1e-12);
+  EXPECT_NEAR(flask.distance({0, 0, 1.5}), 1, 1e-12);
+}
+
+TEST(Solid, ASheetHasNoInside) {
+  const Solid solid = solidOf(test_shapes::sheet(1, 1, 3));
+  EXPECT_EQ(solid.interior(), Interior::kSurface);
+  EXPECT_EQ(solid.volume(), 0);
+  EXPECT_NEAR(solid.distance({0.5, 0.5, 0.25}), 0.25, 1e-12);
+  EXPECT_NEAR(solid.distance({0.5, 0.5, -0.25}), 0.25, 1e-12);
+  EXPECT_FALSE(solid.withoutSummit({0.5, 0.5, 0.25}, 0.01));
+}
+
+TEST(Solid, ASmallWindowLeavesAnInside) {
+  const Solid solid = solidOf(test_shapes::boxWithWindow(0.2));
+  EXPECT_EQ(solid.interior(), Interior::kWinding);
+  EXPECT_TRUE(solid.contains({0.5, 0.5, 0.5}));
+  EXPECT_TRUE(solid.contains({0.5, 0.5, 0.95}));
+  EXPECT_FALSE(solid.contains({0.5, 0.5, 1.05}));
+  EXPECT_FALSE(solid.contains({0.5, 0.5, -0.05}));
+}
+
+TEST(Solid, ComponentsThatOverlapAreOneSolid) {
+  const Solid solid =
+      solidOf(test_shapes::merged({test_shapes::box(1, 1, 1), test_shapes::moved(test_shapes::box(1, 1, 1), {0.5, 0.25, 0.25})}));
+  EXPECT_TRUE(solid.contains({0.75, 0.5, 0.5}));
+  EXPECT_TRUE(solid.contains({1.2, 0.5, 0.5}));
+  EXPECT_TRUE(solid.contains({0.2, 0.5, 0.5}));
+  EXPECT_FALSE(solid.contains({1.2, 0.1, 0.1}));
+}
+
+TEST(Solid, FarFromTheOriginAndTiny) {
+  const Solid far = solidOf(test_shapes::moved(test_shapes::openBox(), {1e6, 1e6, 1e6}));
+  EXPECT_NEAR(far.distance(Vector3d(0.5, 0.5, 0.55) + Vector3d::Constant(1e6)), 0.45, 1e-8);
+  const Solid tiny = solidOf(scaled(test_shapes::openBox(), Vector3d::Constant(1e-9)));
+  EXPECT_NEAR(tiny.distance(1e-9 * Vector3d(0.5, 0.5, 0.55)), 0.45e-9, 1e-20);
+}
+
+// Random.
+
+TEST(Solid, WhereThereIsNoSummitTheDistanceHasNone) {
+  // A maximum within a ball that is larger than all on its border is a summit.
+  int without = 0, with = 0;
+  for (std::uint32_t seed = 0; seed < 4; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomPoints random(seed);
+    const std::vector<TriangleMesh> meshes{test_shapes::openBox(1, 1, 1, 0.05, 3), test_shapes::torus(0.8, 0.2, 16, 8),
+                                           test_shapes::uChannel(1, 1, 0.1, 1, 2)};
+    for (const TriangleMesh& mesh : meshes) {
+      const Solid solid = solidOf(mesh);
+      for (int i = 0; i < 60; ++i) {
+        const Vector3d p = random.inBox(boundingBox(mesh));
+        const double radius = random.number(0.01, 0.15);
+        if (!solid.withoutSummit(p, radius)) {
+          ++with;
+          continue;
+        }
+        ++without;
+        double within = 0, border = 0;
+        for (int k = 0; k < 200; ++k) {
+          within = std::max(within, solid.distance(p + radius * random.number(0, 0.5) * random.onSphere()));
+          border = std::max(border, solid.distance(p + radius * random.onSphere()));
+        }
+        EXPECT_LE(within, border) << p.transpose() << ", radius " << radius;
+      }
+    }
+  }
+  EXPECT_GT(without, 50);
+  EXPECT_GT(with, 20);
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -1,0 +1,69 @@
+// Solids and hulls for the tests of the check and the decompose room.
+#pragma once
+
+#include <vector>
+
+#include "collision_hulls/check/solid.h"
+#include "collision_hulls/geometry/convex_hull.h"
+#include "collision_hulls/mesh/repair.h"
+#include "random_points.h"
+#include "shapes.h"
+
+namespace collision_hulls {
+namespace test_shapes {
+
+inline Solid solidOf(const TriangleMesh& mesh) {
+  return Solid(repair(mesh));
+}
+
+inline ConvexHull boxHull(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
+  const Eigen::Vector3d sides = high - low;
+  return convexHull(moved(box(sides.x(), sides.y(), sides.z()), low).vertices);
+}
+
+inline ConvexHull hullOf(const TriangleMesh& mesh) {
+  return convexHull(mesh.vertices);
+}
+
+/// Squares about the z axis, of half sides `rings[i].x()` at heights `rings[i].y()`, joined by walls, closed at both ends.
+inline TriangleMesh squareVessel(const std::vector<Eigen::Vector2d>& rings) {
+  const auto corner = [&](std::size_t ring, std::size_t k) {
+    const double half = rings[ring].x(), x = k == 1 || k == 2 ? half : -half, y = k >= 2 ? half : -half;
+    return Eigen::Vector3d(x, y, rings[ring].y());
+  };
+  const std::size_t last = rings.size() - 1;
+  MeshBuilder builder;
+  builder.quad(corner(0, 0), corner(0, 3), corner(0, 2), corner(0, 1));
+  for (std::size_t i = 0; i < last; ++i)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t l = (k + 1) % 4;
+      builder.quad(corner(i, k), corner(i, l), corner(i + 1, l), corner(i + 1, k));
+    }
+  builder.quad(corner(last, 0), corner(last, 1), corner(last, 2), corner(last, 3));
+  return builder.mesh();
+}
+
+/// A block of 3 x 3 x 3 about the z axis from z = 0, with a hollow of 2 x 2 x 2 and a neck 2 * neck wide to the top. The middle
+/// of the hollow, at distance 1, is further from the block than anything on the surface of its hull.
+inline TriangleMesh flask(double neck = 0.2, int n = 1) {
+  return subdivided(squareVessel({{1.5, 0}, {1.5, 3}, {neck, 3}, {neck, 2.5}, {1, 2.5}, {1, 0.5}}), n);
+}
+
+/// A box [0, 1]^3 without its top's middle, [0.5 - half, 0.5 + half]^2: an open surface.
+inline TriangleMesh boxWithWindow(double half = 0.2) {
+  TriangleMesh shell = squareVessel({{0.5, 0}, {0.5, 1}, {half, 1}});
+  shell.triangles.resize(shell.triangles.size() - 2);
+  return moved(shell, {0.5, 0.5, 0});
+}
+
+inline Eigen::Vector3d inHull(const ConvexHull& hull, RandomPoints& random) {
+  const Eigen::AlignedBox3d box = boundingBox(hull);
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Vector3d p = random.inBox(box);
+    if (planeDistance(hull, p) <= 0) return p;
+  }
+  return random.on(surface(hull));
+}
+
+}  // namespace test_shapes
+}  // namespace collision_hulls

@@ -42,7 +42,8 @@ inline std::optional<MeshFormat> formatNamed(const std::string& name) {
   return std::nullopt;
 }
 
-/// Adds options whose callbacks fill `options`. A wrong value throws kBadOption from parse().
+/// Adds options whose callbacks fill `options`, which has to outlive the parsing; this object need not. A wrong value throws
+/// kBadOption from parse().
 class DecomposeOptionAdder {
  public:
   DecomposeOptionAdder(CLI::App& app, Options& options) : app_(app), options_(options) {}
@@ -83,21 +84,21 @@ class DecomposeOptionAdder {
   void addAccuracy() {
     add("Accuracy", "-t,--tolerance", "LENGTH", toString(options_.tolerance),
         "How far the hulls may protrude from the part: 5mm, 0.005 (metres), or 1% of each mesh's bounding-box diagonal",
-        [this](const std::string&, const std::string& text) { options_.tolerance = parseLength(text); });
+        [&options = options_](const std::string&, const std::string& text) { options.tolerance = parseLength(text); });
     addChoice("Accuracy", "-m,--method", options_.method, methodNamed, methodChoices(), name(options_.method), "How meshes are decomposed");
   }
 
   void addCaps() {
     // Before the caps themselves: callbacks run in this order, so that a cap given by hand wins.
     add("Caps", "--profile", "NAME", "", "Caps that suit a consumer: fcl, moveit, bullet, physx, gazebo",
-        [this](const std::string&, const std::string& text) { applyProfile(text, options_); });
+        [&options = options_](const std::string&, const std::string& text) { applyProfile(text, options); });
     addNumber("Caps", "--max-hulls", options_.max_hulls, "Most hulls per mesh; 0: no cap");
     addNumber("Caps", "--max-vertices", options_.max_vertices, "Most vertices per hull, at least 8; 0: no cap");
   }
 
   void addInput() {
     add("Input", "--links", "REGEX", "", "Links to work on: a regular expression that the whole name matches; all if not given",
-        [this](const std::string&, const std::string& text) { options_.links = text; });
+        [&options = options_](const std::string&, const std::string& text) { options.links = text; });
     addChoice("Input", "--source", options_.source, sourceNamed, "auto, visual, collision", "auto",
               "Which meshes of a link are taken; auto: its collision elements if it has any, else its visual ones");
   }
@@ -110,15 +111,15 @@ class DecomposeOptionAdder {
   void addRun() {
     addNumber("Run", "--jobs", options_.jobs, "Threads; 0: as many as cores. The result is the same for any number");
     add("Run", "--seed", "N", std::to_string(options_.seed), "Seed of the validation's probes and of whatever else is random",
-        [this](const std::string& option, const std::string& text) {
-          options_.seed = wholeNumber(option, text, std::numeric_limits<std::uint64_t>::max());
+        [&options = options_](const std::string& option, const std::string& text) {
+          options.seed = wholeNumber(option, text, std::numeric_limits<std::uint64_t>::max());
         });
     app_.add_flag_callback(
-            "--no-validate", [this] { options_.validate = false; },
+            "--no-validate", [&options = options_] { options.validate = false; },
             "Leave out the collision queries that compare the hulls with the meshes")
         ->group("Run");
     app_.add_flag_callback(
-            "--no-cache", [this] { options_.cache = false; }, "Do not use the cache of hull trees")
+            "--no-cache", [&options = options_] { options.cache = false; }, "Do not use the cache of hull trees")
         ->group("Run");
   }
 

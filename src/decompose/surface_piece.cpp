@@ -11,7 +11,9 @@ namespace collision_hulls {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 std::uint64_t key(int a, int b) {
   const auto [low, high] = std::minmax(a, b);
@@ -121,7 +123,8 @@ SurfacePiece clustered(const SurfacePiece& piece, const Eigen::AlignedBox3d& box
   std::vector<int> index;
   for (const Eigen::Vector3d& v : piece.vertices) {
     const Eigen::Vector3d cell = ((v - box.min()) / side).array().floor();
-    const auto id = (static_cast<std::uint64_t>(cell.x()) << 42) | (static_cast<std::uint64_t>(cell.y()) << 21) | static_cast<std::uint64_t>(cell.z());
+    const auto id =
+        (static_cast<std::uint64_t>(cell.x()) << 42) | (static_cast<std::uint64_t>(cell.y()) << 21) | static_cast<std::uint64_t>(cell.z());
     const auto [place, fresh] = cells.try_emplace(id, static_cast<int>(result.vertices.size()));
     if (fresh) result.vertices.push_back(v);
     index.push_back(place->second);

@@ -15,7 +15,7 @@ namespace {
 
 /// Keeps the further of two places, and the larger of two bounds.
 void add(Protrusion& worst, const Protrusion& other) {
-  const double bound = std::max(worst.bound, other.bound);
+  const double bound = std::max({worst.bound, other.bound, other.found});
   if (other.found > worst.found) worst = other;
   worst.bound = bound;
 }
@@ -38,9 +38,10 @@ void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const S
     Protrusion summit;
     summit.bound = largest.bound;
     if (largest.found > worst.found) {
-      summit.found = largest.found;
+      const TriangleBvh::Nearest n = solid.surface().nearest(largest.where);
+      summit.found = n.distance;  // largest.found is a bound of it, from the middle of a cell
       summit.where = largest.where;
-      summit.nearest = solid.surface().nearest(largest.where).point;
+      summit.nearest = n.point;
       summit.hull = static_cast<int>(i);
     }
     add(worst, summit);

@@ -11,16 +11,28 @@ namespace {
 
 constexpr double kCuttingShare = 0.7;  // of the time, for progress
 
+/// The mesh moved so that `middle` is the origin: near it coordinates are finest, however far away the mesh lies.
+RepairedMesh about(const Eigen::Vector3d& middle, RepairedMesh mesh) {
+  for (Eigen::Vector3d& v : mesh.mesh.vertices) v -= middle;
+  for (Eigen::Vector3d& p : mesh.loose) p -= middle;
+  return mesh;
+}
+
+void moveBack(ConvexHull& hull, const Eigen::Vector3d& middle) {
+  for (Eigen::Vector3d& v : hull.vertices) v += middle;
+  for (HalfSpace& face : hull.faces) face.offset += face.normal.dot(middle);
+}
+
+Eigen::AlignedBox3d boxOf(const RepairedMesh& mesh) {
+  Eigen::AlignedBox3d box = boundingBox(mesh.mesh);
+  for (const Eigen::Vector3d& p : mesh.loose) box.extend(p);
+  return box;
+}
+
 /// What both entry points need: the solid, and an oracle about it.
 struct Job {
   Job(const RepairedMesh& mesh, double tolerance, const RunControl& run)
       : solid(mesh), control(run), oracle(solid, boxOf(mesh), tolerance, run) {}
-
-  static Eigen::AlignedBox3d boxOf(const RepairedMesh& mesh) {
-    Eigen::AlignedBox3d box = boundingBox(mesh.mesh);
-    for (const Eigen::Vector3d& p : mesh.loose) box.extend(p);
-    return box;
-  }
 
   HullTree tree(const RepairedMesh& mesh, int max_vertices, bool to_root) {
     const std::vector<Leaf> leaves = cutIntoLeaves(mesh, oracle, max_vertices, [&](double done) { control.report(kCuttingShare * done); });
@@ -54,7 +66,9 @@ void addCapped(const HullTree& tree, int id, const DecomposeOptions& options, Pr
 
 }  // namespace
 
-Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
+Decomposition certified(const RepairedMesh& original, const DecomposeOptions& options, const RunControl& control) {
+  const Eigen::Vector3d middle = boxOf(original).center();
+  const RepairedMesh mesh = about(middle, original);
   Job job(mesh, options.tolerance, control);
   HullTree tree = job.tree(mesh, options.max_vertices, false);
   std::vector<int> cut = rootsOf(tree);
@@ -65,6 +79,7 @@ Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& option
     result.capped = true;
   }
   for (int id : cut) addCapped(tree, id, options, job.oracle, result);
+  for (ConvexHull& hull : result.hulls) moveBack(hull, middle);
   control.report(1);
   return result;
 }
@@ -74,7 +89,11 @@ HullTree hullTree(const RepairedMesh& mesh, double tolerance, int max_vertices, 
     throw Error(ErrorCode::kBadOption, "tolerance is " + std::to_string(tolerance) + " m; it must be a positive length");
   if (mesh.mesh.triangles.empty() && mesh.loose.empty())
     throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangle; a hull tree needs at least one");
-  return Job(mesh, tolerance, control).tree(mesh, max_vertices, true);
+  const Eigen::Vector3d middle = boxOf(mesh).center();
+  const RepairedMesh local = about(middle, mesh);
+  HullTree tree = Job(local, tolerance, control).tree(local, max_vertices, true);
+  for (HullNode& node : tree.nodes) moveBack(node.hull, middle);
+  return tree;
 }
 
 }  // namespace collision_hulls

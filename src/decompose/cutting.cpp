@@ -27,6 +27,7 @@ constexpr std::size_t kScoringVertices = 400;         // of the simplified piece
 constexpr std::size_t kEdgesOfPiece = 4000;           // a piece with fewer triangles shows its own reflex edges
 constexpr double kOnPlane = 1e-9;                     // in extents of the whole mesh
 constexpr double kVolumeGain = 0.5, kSideDone = 0.1;  // weights of a score, against 1 for all intruders cured
+constexpr std::size_t kMostLeaves = 5000;             // beyond so many the rest is left uncut
 constexpr int kDeepest = 200;                         // cuts above a piece; only rounding could bring more
 
 using Points = std::vector<Eigen::Vector3d>;
@@ -97,7 +98,7 @@ class Cutting {
     const ConvexHull hull = convexHull(piece.vertices);
     const double protrusion = oracle_.within(hull);
     const bool within = protrusion <= oracle_.tolerance();
-    if (depth >= kDeepest || (within && withinWhenCapped(hull))) return leaf(piece, hull, protrusion);
+    if (depth >= kDeepest || leaves.size() >= kMostLeaves || (within && withinWhenCapped(hull))) return leaf(piece, hull, protrusion);
     std::vector<SurfacePiece> parts = components(piece);
     if (parts.size() == 1) parts = within ? halves(piece) : bestCut(piece, hull);
     if (parts.size() == 1) return leaf(piece, hull, protrusion);

@@ -63,14 +63,17 @@ double OutsideDistance::radius(const Cell& cell) const {
   return cell.half * kSqrt3;
 }
 
-/// Where the parent's distance exceeds the way between the centres, no surface lies between them and the sign is the same.
+/// Where the parent's distance exceeds the way between the centres, no surface lies between them and the sign is the same, unless
+/// there are openings.
 void OutsideDistance::measure(Cell& cell, const Cell* parent) const {
   const TriangleBvh::Nearest n =
       solid_.surface().nearest(cell.centre, std::numeric_limits<double>::infinity(), parent ? parent->triangle : -1);
   cell.triangle = n.triangle;
-  const bool same_side = parent && std::abs(parent->distance) > (parent->centre - cell.centre).norm();
-  const bool inside = same_side ? parent->distance < 0 : solid_.contains(cell.centre);
-  cell.distance = inside ? -n.distance : n.distance;
+  cell.to_surface = n.distance;
+  if (parent && !solid_.hasOpenings() && parent->to_surface > (parent->centre - cell.centre).norm())
+    cell.distance = parent->distance < 0 ? -n.distance : n.distance;
+  else
+    cell.distance = solid_.signedDistance(cell.centre, n.distance);
 }
 
 int OutsideDistance::children(int id) {
@@ -90,7 +93,7 @@ int OutsideDistance::children(int id) {
 
 bool OutsideDistance::mayHoldSummit(int id) {
   Cell& cell = cells_[static_cast<std::size_t>(id)];
-  if (cell.summit < 0) cell.summit = !solid_.surface().facesOneWay(cell.centre, std::abs(cell.distance) + 2 * radius(cell));
+  if (cell.summit < 0) cell.summit = !solid_.surface().facesOneWay(cell.centre, cell.to_surface + 2 * radius(cell));
   return cell.summit != 0;
 }
 

@@ -45,7 +45,8 @@ class OutsideDistance {
   struct Cell {
     Eigen::Vector3d centre;
     double half = 0;          // side / 2
-    double distance = 0;      // signed, at the centre
+    double to_surface = 0;    // at the centre
+    double distance = 0;      // the same, signed: see Solid::signedDistance()
     int triangle = -1;        // nearest
     int children = -1;        // first of eight
     signed char summit = -1;  // whether it may hold a local maximum; -1: not yet asked

@@ -1,7 +1,11 @@
 #include "collision_hulls/check/solid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <map>
 #include <utility>
 
 #include "collision_hulls/geometry/triangle_bvh.h"
@@ -11,13 +15,57 @@ namespace collision_hulls {
 
 namespace {
 
-/// The triangles of the components of one kind.
-TriangleMesh componentsOf(const RepairedMesh& mesh, Interior kind) {
+/// The boundary of the oriented surface: edges whose triangles do not run along them equally often in both directions.
+struct Rim {
+  std::vector<std::array<int, 2>> edges;  // as often as one direction prevails
+  std::vector<char> has_some;             // per component
+};
+
+Rim rimOf(const RepairedMesh& mesh) {
+  const std::vector<Triangle>& triangles = mesh.mesh.triangles;
+  const Edges all = findEdges(triangles, mesh.mesh.vertices.size());
+  std::map<std::array<int, 2>, std::pair<int, int>> surplus;  // and the component
+  for (int h = 0; h < static_cast<int>(all.twin.size()); ++h) {
+    const int from = startOf(triangles, h), to = endOf(triangles, h), twin = all.twin[static_cast<std::size_t>(h)];
+    if (twin >= 0 && startOf(triangles, twin) == to) continue;
+    auto& [count, component] = surplus[{std::min(from, to), std::max(from, to)}];
+    count += from < to ? 1 : -1;
+    component = mesh.component[static_cast<std::size_t>(h / 3)];
+  }
+  Rim rim;
+  rim.has_some.resize(mesh.interior.size(), 0);
+  for (const auto& [edge, value] : surplus) {
+    const auto& [count, component] = value;
+    for (int i = 0; i < std::abs(count); ++i) rim.edges.push_back(edge);
+    if (count != 0) rim.has_some[static_cast<std::size_t>(component)] = 1;
+  }
+  return rim;
+}
+
+/// The triangles of the components that have an inside and a rim, or an inside and none.
+TriangleMesh componentsWith(bool a_rim, const RepairedMesh& mesh, const Rim& rim) {
   TriangleMesh result;
   result.vertices = mesh.mesh.vertices;
-  for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t)
-    if (mesh.interior[static_cast<std::size_t>(mesh.component[t])] == kind) result.triangles.push_back(mesh.mesh.triangles[t]);
+  for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t) {
+    const auto component = static_cast<std::size_t>(mesh.component[t]);
+    if (mesh.interior[component] != Interior::kSurface && (rim.has_some[component] != 0) == a_rim)
+      result.triangles.push_back(mesh.mesh.triangles[t]);
+  }
   return result;
+}
+
+/// Edges as triangles of no area, for their distance.
+TriangleMesh edgeMesh(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
+  TriangleMesh result;
+  result.vertices = vertices;
+  for (const auto& [a, b] : rim.edges) result.triangles.push_back({a, b, b});
+  return result;
+}
+
+double lengthOf(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
+  double sum = 0;
+  for (const auto& [a, b] : rim.edges) sum += (vertices[static_cast<std::size_t>(b)] - vertices[static_cast<std::size_t>(a)]).norm();
+  return sum;
 }
 
 /// Loose points as triangles of no area, so that they count as surface.
@@ -35,16 +83,34 @@ TriangleMesh withLoosePoints(const RepairedMesh& mesh) {
 constexpr std::size_t kMostProbes = 2000;
 constexpr double kProbeStep = 1e-3;  // off the triangle, in lengths of its shortest altitude or so
 
+// What the winding number may err by.
+constexpr double kWindingError = 0.02;
+
 /// What lies inside, by the components that have an inside.
 struct Walls {
-  explicit Walls(const RepairedMesh& mesh) : Walls(componentsOf(mesh, Interior::kClosed), componentsOf(mesh, Interior::kWinding)) {}
-  Walls(const TriangleMesh& closed_mesh, const TriangleMesh& open_mesh)
+  Walls(const RepairedMesh& mesh, const Rim& rim)
+      : Walls(componentsWith(false, mesh, rim), componentsWith(true, mesh, rim), edgeMesh(mesh.mesh.vertices, rim),
+              lengthOf(mesh.mesh.vertices, rim)) {}
+  Walls(const TriangleMesh& closed_mesh, const TriangleMesh& open_mesh, const TriangleMesh& rim_edges, double length)
       : closed(closed_mesh),
         open(open_mesh),
+        rim(rim_edges),
+        rim_length(length),
         volume(signedVolume(closed_mesh) + signedVolume(open_mesh)),
         inverted(hasInvertedRegion(closed_mesh) || hasInvertedRegion(open_mesh)) {}
 
   double windingNumber(const Eigen::Vector3d& p) const { return closed.signedCrossings(p) + (open.empty() ? 0 : open.windingNumber(p)); }
+
+  /// Radius of a ball about p in which the winding number exceeds 1/2, if no surface is met. Its gradient depends on the rim alone,
+  /// as a current's magnetic field does (Biot-Savart): it is at most length / (4 pi d^2) at a distance of d from the rim.
+  double insideRadius(const Eigen::Vector3d& p) const {
+    const double margin = windingNumber(p) - 0.5 - kWindingError;
+    if (margin <= 0) return 0;
+    if (open.empty()) return std::numeric_limits<double>::infinity();
+    constexpr double kPi = 3.14159265358979323846;
+    const double d = rim.nearest(p).distance, k = rim_length / (4 * kPi * margin), b = 2 * d + k;
+    return 2 * d * d / (b + std::sqrt(b * b - 4 * d * d));  // r with k r = (d - r)^2
+  }
 
   /// Whether some region is enclosed inside out: then a triangle's back may face the outside.
   bool hasInvertedRegion(const TriangleMesh& walls) const {
@@ -60,7 +126,8 @@ struct Walls {
     return false;
   }
 
-  TriangleBvh closed, open;
+  TriangleBvh closed, open, rim;
+  double rim_length;
   double volume;
   bool inverted;
 };
@@ -86,7 +153,7 @@ std::vector<char> twoSided(const RepairedMesh& mesh, bool all) {
 
 struct Solid::Impl {
   explicit Impl(const RepairedMesh& mesh)
-      : walls(mesh), surface(withLoosePoints(mesh), twoSided(mesh, walls.inverted)), interior(interiorOf(mesh)) {}
+      : walls(mesh, rimOf(mesh)), surface(withLoosePoints(mesh), twoSided(mesh, walls.inverted)), interior(interiorOf(mesh)) {}
   Walls walls;
   TriangleBvh surface;
   Interior interior;
@@ -104,6 +171,12 @@ double Solid::distanceToSurface(const Eigen::Vector3d& p) const {
 }
 double Solid::distance(const Eigen::Vector3d& p) const {
   return contains(p) ? 0 : distanceToSurface(p);
+}
+double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface) const {
+  return contains(p) ? -std::min(to_surface, impl_->walls.insideRadius(p)) : to_surface;
+}
+bool Solid::hasOpenings() const {
+  return !impl_->walls.open.empty();
 }
 double Solid::volume() const {
   return impl_->walls.volume;

@@ -85,7 +85,7 @@ class Search {
       double radius = 0;
       for (const Corner& v : patch.corner) radius = std::max(radius, (v.p - c).norm());
       const TriangleBvh::Nearest n = solid_.surface().nearest(c, std::numeric_limits<double>::infinity(), patch.corner[0].triangle);
-      const double outside = solid_.contains(c) ? -n.distance : n.distance;
+      const double outside = solid_.signedDistance(c, n.distance);
       if (outside > best_.found && outside > query_.floor) best_.found = outside, best_.where = c, best_.nearest = n.point;
       patch.bound = std::min({patch.bound, std::max(0.0, outside + radius), levelBound(patch, n.triangle)});
       if (patch.bound > threshold())

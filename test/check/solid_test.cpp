@@ -89,6 +89,45 @@ TEST(Solid, ASmallWindowLeavesAnInside) {
   EXPECT_FALSE(solid.contains({0.5, 0.5, -0.05}));
 }
 
+TEST(Solid, APartitionWithinABoxChangesNothingOutside) {
+  // Three triangles meet at the partition's edges: the surface is closed, but what it encloses is not a matter of counting.
+  for (bool up : {true, false}) {
+    TriangleMesh partition = test_shapes::moved(test_shapes::sheet(1, 1, 1), {0, 0, 0.5});
+    if (!up)
+      for (Triangle& t : partition.triangles) std::swap(t[0], t[1]);
+    TriangleMesh walls = test_shapes::squareVessel({{0.5, 0}, {0.5, 0.5}, {0.5, 1}});
+    const Solid solid = solidOf(test_shapes::merged({test_shapes::moved(walls, {0.5, 0.5, 0}), partition}));
+    EXPECT_FALSE(solid.contains({0.5, 0.5, -0.1}));
+    EXPECT_FALSE(solid.contains({0.4, 0.3, 1.1}));
+    EXPECT_FALSE(solid.contains({0.4, 0.3, -2}));
+    EXPECT_TRUE(solid.contains({0.5, 0.5, 0.1}));
+    EXPECT_TRUE(solid.contains({0.5, 0.5, 0.9}));
+  }
+}
+
+TEST(Solid, TheSignedDistanceStaysInside) {
+  for (double half : {0.05, 0.1, 0.2}) {
+    const TriangleMesh mesh = test_shapes::boxWithWindow(half);
+    const Solid solid = solidOf(mesh);
+    ASSERT_TRUE(solid.hasOpenings());
+    RandomPoints random(1);
+    double largest = 0;
+    for (int i = 0; i < 500; ++i) {
+      const Vector3d p = random.inBox(boundingBox(mesh));
+      const double to_surface = solid.distanceToSurface(p), d = solid.signedDistance(p, to_surface);
+      EXPECT_EQ(d > 0, !solid.contains(p) && to_surface > 0);
+      EXPECT_LE(-d, to_surface);
+      largest = std::max(largest, -d);
+      for (int k = 0; k < 20; ++k) EXPECT_TRUE(solid.contains(p - 0.999 * std::min(d, 0.0) * random.onSphere())) << p.transpose();
+    }
+    EXPECT_GT(largest, 0.15);
+  }
+  const Solid closed = solidOf(test_shapes::box(1, 1, 1));
+  EXPECT_FALSE(closed.hasOpenings());
+  EXPECT_EQ(closed.signedDistance({0.5, 0.5, 0.5}, 0.5), -0.5);
+  EXPECT_EQ(closed.signedDistance({0.5, 0.5, 1.5}, 0.5), 0.5);
+}
+
 TEST(Solid, ComponentsThatOverlapAreOneSolid) {
   const Solid solid =
       solidOf(test_shapes::merged({test_shapes::box(1, 1, 1), test_shapes::moved(test_shapes::box(1, 1, 1), {0.5, 0.25, 0.25})}));

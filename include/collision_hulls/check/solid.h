@@ -21,7 +21,11 @@ class Solid {
   bool contains(const Eigen::Vector3d& p) const;             ///< inside by the winding rule (the surface itself: either)
   double distanceToSurface(const Eigen::Vector3d& p) const;  ///< [m] exact
   double distance(const Eigen::Vector3d& p) const;           ///< [m] to S; 0 inside
-  double volume() const;                                     ///< [m^3] of the components that have an inside (sum)
+  /// [m] distance(p) outside; inside, the negative radius of a ball about p that lies within S: the distance to the surface, or
+  /// less near openings. `to_surface`: distanceToSurface(p).
+  double signedDistance(const Eigen::Vector3d& p, double to_surface) const;
+  bool hasOpenings() const;  ///< whether S has borders that are no surface: distance() then jumps where they are crossed
+  double volume() const;     ///< [m^3] of the components that have an inside (sum)
   Interior interior() const;
 
   /// Whether no point within `radius` of p can be a local maximum of the distance to S, S itself apart: all of the surface that

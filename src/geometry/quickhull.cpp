@@ -226,6 +226,22 @@ class Builder {
     return std::min(drop(f, n), drop(n, f)) > kFlat * extent_;
   }
 
+  /// Every point was dropped because some faces did not see it; whether none does is asked once more of all faces.
+  bool holdsAll(const ConvexHull& hull) const {
+    Eigen::Matrix<double, Eigen::Dynamic, 3> normals(static_cast<Eigen::Index>(hull.faces.size()), 3);
+    Eigen::VectorXd offsets(normals.rows());
+    for (Eigen::Index i = 0; i < normals.rows(); ++i) {
+      normals.row(i) = hull.faces[static_cast<std::size_t>(i)].normal.transpose();
+      offsets[i] = hull.faces[static_cast<std::size_t>(i)].offset + kDent * extent_;
+    }
+    Eigen::VectorXd reach(normals.rows());
+    for (const Eigen::Vector3d& p : points_) {
+      reach.noalias() = normals * p;
+      if ((reach - offsets).maxCoeff() > 0) return false;
+    }
+    return true;
+  }
+
   std::optional<ConvexHull> result() {
     ConvexHull hull;
     std::vector<int> vertex(points_.size(), -1);
@@ -248,6 +264,7 @@ class Builder {
       hull.triangles.push_back(t);
       hull.faces.push_back({f.normal, f.offset + kVisible * extent_});
     }
+    if (!holdsAll(hull)) return std::nullopt;
     return hull;
   }
 

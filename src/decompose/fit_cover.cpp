@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "check/cover.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
@@ -96,8 +97,14 @@ Points grown(const ConvexHull& hull, const Growth& growth) {
   return points;
 }
 
+/// GCC 12.2 optimises the way to single precision and back away where it vectorizes; a volatile number keeps it.
+double roundedToSingle(double x) {
+  const volatile float single = static_cast<float>(x);
+  return single;
+}
+
 Points roundedToSingle(Points points) {
-  for (Eigen::Vector3d& p : points) p = p.cast<float>().cast<double>();
+  for (Eigen::Vector3d& p : points) p = {roundedToSingle(p.x()), roundedToSingle(p.y()), roundedToSingle(p.z())};
   return points;
 }
 
@@ -121,6 +128,7 @@ std::optional<Rounded> roundOutward(const ConvexHull& hull, const Points& held, 
     Growth growth{margin + 2 * kSinglePrecision * size + std::numeric_limits<float>::min(), mitre_limit};
     for (int i = 0; i < kDoublings; ++i, growth.distance *= 2) {
       Rounded result{convexHull(roundedToSingle(grown(hull, growth))), growth.distance};
+      result.hull.vertices = roundedToSingle(std::move(result.hull.vertices));  // convexHull() may turn a last bit
       if (overCap(result.hull, max_vertices)) break;
       if (result.hull.thickness == 0 && holdsAll(result.hull, held, margin)) return result;
     }
@@ -171,6 +179,8 @@ FittedHulls fitCover(const std::vector<ConvexHull>& hulls, const TriangleMesh& o
   for (int i = 0; i < kRounds; ++i) {
     const std::vector<UncoveredTriangle> missing = uncoveredTriangles(original, fitted.hulls);
     if (missing.empty()) return fitted;
+    if (fitted.hulls.empty())
+      throw Error(ErrorCode::kInternal, "no hull for " + std::to_string(missing.size()) + " triangles to be added to");
     fitted.completed += missing.size();
     std::map<std::size_t, Points> extra;
     for (const UncoveredTriangle& m : missing) {

@@ -69,6 +69,16 @@ std::optional<Method> methodNamed(const std::string& text) {
   return std::nullopt;
 }
 
+const char* name(Effort effort) {
+  return effort == Effort::kBest ? "best" : "quick";
+}
+
+std::optional<Effort> effortNamed(const std::string& text) {
+  for (Effort effort : {Effort::kQuick, Effort::kBest})
+    if (text == name(effort)) return effort;
+  return std::nullopt;
+}
+
 Decomposition decompose(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
   check(options);
   if (mesh.mesh.triangles.empty() && mesh.loose.empty())

@@ -93,7 +93,7 @@ void decomposeElement(const std::string& file, const Options& options, Progress&
   row.seconds.repair = stage.lap();
 
   // 3. Decompose, then cover the mesh as it was read with the hulls as they are written.
-  const DecomposeOptions method{options.method, row.tolerance, options.max_hulls, options.max_vertices, options.seed};
+  const DecomposeOptions method{options.method, row.tolerance, options.max_hulls, options.max_vertices, options.seed, options.effort};
   const Decomposition parts = decompose(repaired, method, decomposing);
   const double margin = loaded.resolution * row.scale.cwiseAbs().maxCoeff() + repaired.counts.weld_distance;
   const FittedHulls fitted = fitCover(parts.hulls, element.original, margin, options.max_vertices);

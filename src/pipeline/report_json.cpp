@@ -32,10 +32,18 @@ json toJson(const Eigen::Vector3d& v) {
 
 /// The names and values of the command line.
 json toJson(const Options& options) {
-  return {{"tolerance", toString(options.tolerance)}, {"method", name(options.method)}, {"max-hulls", options.max_hulls},
-          {"max-vertices", options.max_vertices},     {"links", options.links},         {"source", toText(options.source)},
-          {"format", extension(options.format) + 1},  {"uri", toText(options.uri)},     {"jobs", options.jobs},
-          {"no-validate", !options.validate},         {"no-cache", !options.cache}};
+  return {{"tolerance", toString(options.tolerance)},
+          {"method", name(options.method)},
+          {"effort", name(options.effort)},
+          {"max-hulls", options.max_hulls},
+          {"max-vertices", options.max_vertices},
+          {"links", options.links},
+          {"source", toText(options.source)},
+          {"format", extension(options.format) + 1},
+          {"uri", toText(options.uri)},
+          {"jobs", options.jobs},
+          {"no-validate", !options.validate},
+          {"no-cache", !options.cache}};
 }
 
 json toJson(const RepairCounts& counts) {

@@ -99,6 +99,7 @@ Options readOptions(const ros::NodeHandle& node) {
   if (!profile.empty()) applyProfile(profile, options);
   options.tolerance = readLength(node, "tolerance", options.tolerance);
   readNamed(node, "method", methodNamed, methodChoices(), options.method);
+  readNamed(node, "effort", effortNamed, "quick, best", options.effort);
   readNumber(node, "max_hulls", options.max_hulls);
   readNumber(node, "max_vertices", options.max_vertices);
   options.links = readText(node, "links");

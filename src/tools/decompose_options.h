@@ -86,6 +86,8 @@ class DecomposeOptionAdder {
         "How far the hulls may protrude from the part: 5mm, 0.005 (metres), or 1% of each mesh's bounding-box diagonal",
         [&options = options_](const std::string&, const std::string& text) { options.tolerance = parseLength(text); });
     addChoice("Accuracy", "-m,--method", options_.method, methodNamed, methodChoices(), name(options_.method), "How meshes are decomposed");
+    addChoice("Accuracy", "--effort", options_.effort, effortNamed, "quick, best", "quick",
+              "best searches longer for fewer hulls (method certified)");
   }
 
   void addCaps() {

@@ -134,7 +134,7 @@ class ServiceTest(unittest.TestCase):
 
     def test_other_parameters(self):
         for name, value in (("method", "bounding_box"), ("links", "b.*"), ("format", "obj"), ("uri", "relative"), ("validate", False),
-                            ("jobs", 1), ("seed", 7), ("max_vertices", 32)):
+                            ("jobs", 1), ("seed", 7), ("max_vertices", 32), ("effort", "best")):
             self.set_parameter(f"{NODE}/{name}", value)
         self.set_parameter(NODE + "/output", self.folder.output)
         response = self.decompose_well(output="")

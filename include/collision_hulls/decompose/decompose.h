@@ -22,12 +22,21 @@ const char* name(Method method);  ///< "certified", "hacd", "single_hull", "boun
 std::optional<Method> methodNamed(const std::string& name);
 const std::vector<Method>& allMethods();
 
+/// How long certified looks for fewer hulls; both keep within the tolerance.
+enum class Effort {
+  kQuick,  ///< cut, merge, and a short search
+  kBest    ///< several cuts, and a long search
+};
+const char* name(Effort effort);  ///< "quick", "best"
+std::optional<Effort> effortNamed(const std::string& name);
+
 struct DecomposeOptions {
   Method method = Method::kHacd;
   double tolerance = 0;    ///< [m] > 0: protrusion that the caller accepts (hacd: the paper's concavity epsilon)
   int max_hulls = 0;       ///< most hulls per mesh; 0: no cap
   int max_vertices = 64;   ///< most vertices per hull, at least 8; 0: no cap. Reduced outward only
   std::uint64_t seed = 1;  ///< of whatever is random
+  Effort effort = Effort::kQuick;
 };
 
 struct Decomposition {

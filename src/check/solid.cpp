@@ -184,9 +184,6 @@ double Solid::volume() const {
 Interior Solid::interior() const {
   return impl_->interior;
 }
-bool Solid::withoutSummit(const Eigen::Vector3d& p, double radius) const {
-  return impl_->surface.facesOneWay(p, distanceToSurface(p) + 2 * radius);
-}
 const TriangleBvh& Solid::surface() const {
   return impl_->surface;
 }

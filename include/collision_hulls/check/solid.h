@@ -28,12 +28,11 @@ class Solid {
   double volume() const;     ///< [m^3] of the components that have an inside (sum)
   Interior interior() const;
 
-  /// Whether no point within `radius` of p can be a local maximum of the distance to S, S itself apart: all of the surface that
-  /// could be nearest to it faces one way, so that the distance grows in a common direction. May say no where it is so.
-  /// Assumes that a region of negative winding, if there is one, is met by one of 2,000 probes over the surface.
-  bool withoutSummit(const Eigen::Vector3d& p, double radius) const;
-
-  const TriangleBvh& surface() const;  ///< its triangles are those of the mesh, then one for each loose point
+  /// Its triangles are those of the mesh, then one for each loose point. Where it facesOneWay(p, distanceToSurface(p) + 2 * radius)
+  /// no point within `radius` of p is a local maximum of the distance to S, S itself apart: all of the surface that could be
+  /// nearest to it faces one way, so that the distance grows in a common direction. Assumes that a region of negative winding, if
+  /// there is one, is met by one of 2,000 probes over the surface.
+  const TriangleBvh& surface() const;
 
  private:
   struct Impl;

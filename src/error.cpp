@@ -20,6 +20,7 @@ const char* name(ErrorCode code) {
     case ErrorCode::kXacroMissing: return "XacroMissing";
     case ErrorCode::kBadOption: return "BadOption";
     case ErrorCode::kUnwritableOutput: return "UnwritableOutput";
+    case ErrorCode::kNotAHullTree: return "NotAHullTree";
     case ErrorCode::kNotOurOutput: return "NotOurOutput";
     case ErrorCode::kCancelled: return "Cancelled";
     case ErrorCode::kInternal: return "Internal";

@@ -23,6 +23,7 @@ enum class ErrorCode {
   kXacroMissing,         ///< a .xacro was given and no xacro program is installed
   kBadOption,            ///< an option's value is out of its range
   kUnwritableOutput,     ///< the output folder cannot be created or written
+  kNotAHullTree,         ///< the file is no hull tree, or is damaged, or of another version
   kNotOurOutput,         ///< the output path holds something that this program did not write
   kCancelled,            ///< the caller asked to stop
   kInternal              ///< a check of our own output failed

@@ -1,0 +1,48 @@
+#include "geometry/bytes.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr std::size_t kHeader = 8 + 4 + 8;  // magic, version, size of the payload
+constexpr std::size_t kChecksum = 8;
+
+/// FNV-1a (Fowler, Noll, Vo). Each step is one-to-one in the state, so a single changed byte always changes the sum.
+std::uint64_t checksum(const char* bytes, std::size_t size) {
+  std::uint64_t sum = 0xcbf29ce484222325u;
+  for (std::size_t i = 0; i < size; ++i) sum = (sum ^ static_cast<unsigned char>(bytes[i])) * 0x100000001b3u;
+  return sum;
+}
+
+}  // namespace
+
+std::string sealed(const FileKind& kind, const std::string& payload) {
+  std::string bytes = toBytes(kind.magic, kind.version, std::uint64_t{payload.size()});
+  bytes.reserve(bytes.size() + payload.size() + kChecksum);
+  bytes += payload;
+  bytes += toBytes(checksum(bytes.data(), bytes.size()));
+  return bytes;
+}
+
+std::string opened(const FileKind& kind, const std::string& bytes) {
+  FileKind found{};
+  std::uint64_t size = 0, sum = 0;
+  ByteReader in(bytes);
+  in(found.magic);
+  if (found.magic != kind.magic) throw ByteFault("it does not begin as such a file does");
+  in(found.version);
+  if (found.version != kind.version) {
+    throw ByteFault("its format has version " + std::to_string(found.version) + ", and version " + std::to_string(kind.version) +
+                    " is what this program reads");
+  }
+  in(size);
+  const std::size_t around = kHeader + kChecksum;
+  if (bytes.size() < around || bytes.size() - around != size) {
+    throw ByteFault("it has " + std::to_string(bytes.size()) + " bytes, where its header says " + std::to_string(size) + " and " +
+                    std::to_string(around) + " around them");
+  }
+  fromBytes(bytes.substr(bytes.size() - kChecksum), sum);
+  if (sum != checksum(bytes.data(), bytes.size() - kChecksum)) throw ByteFault("its checksum is wrong");
+  return bytes.substr(kHeader, size);
+}
+
+}  // namespace collision_hulls

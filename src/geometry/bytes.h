@@ -1,0 +1,173 @@
+// Values to bytes and back, without loss: what files of our own are made of.
+//
+// A type takes part by a function `fields(archive, value)` that names its members once, for both directions:
+//
+//   template <typename Archive>
+//   void fields(Archive& archive, HalfSpace& face) { archive(face.normal, face.offset); }
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "collision_hulls/geometry/convex_hull.h"
+#include "collision_hulls/geometry/triangle_mesh.h"
+
+namespace collision_hulls {
+
+// Files are little-endian, which is how the machines that this runs on hold numbers.
+static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "numbers are copied as they lie in memory");
+
+/// What is wrong with bytes, as the end of a sentence that names the file.
+class ByteFault : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Numbers and enumerators, which are copied as they are.
+template <typename Value>
+constexpr bool kIsPlain = std::is_arithmetic_v<Value> || std::is_enum_v<Value>;
+
+/// Puts values one after the other.
+class ByteWriter {
+ public:
+  template <typename... Values>
+  void operator()(const Values&... values) {
+    (put(values), ...);
+  }
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  template <typename Value>
+  void put(const Value& value) {
+    if constexpr (kIsPlain<Value>) {
+      char raw[sizeof value];
+      std::memcpy(raw, &value, sizeof value);
+      bytes_.append(raw, sizeof value);
+    } else {
+      fields(*this, const_cast<Value&>(value));  // which changes nothing: this archive takes const references
+    }
+  }
+  void put(const std::string& text) {
+    put(std::uint64_t{text.size()});
+    bytes_ += text;
+  }
+  void put(const Eigen::Vector3d& v) { (*this)(v.x(), v.y(), v.z()); }
+  template <typename Value, std::size_t n>
+  void put(const std::array<Value, n>& values) {
+    for (const Value& value : values) put(value);
+  }
+  template <typename Value>
+  void put(const std::vector<Value>& values) {
+    put(std::uint64_t{values.size()});
+    for (const Value& value : values) put(value);
+  }
+
+  std::string bytes_;
+};
+
+/// Gets them back in the same order. Never reads, or reserves memory for, more than there is. Throws ByteFault.
+class ByteReader {
+ public:
+  explicit ByteReader(const std::string& bytes) : bytes_(bytes) {}
+
+  template <typename... Values>
+  void operator()(Values&... values) {
+    (get(values), ...);
+  }
+  /// Throws ByteFault where something is left.
+  void expectEnd() const {
+    if (left() > 0) throw ByteFault(std::to_string(left()) + " bytes follow after its end");
+  }
+
+ private:
+  template <typename Value>
+  void get(Value& value) {
+    if constexpr (kIsPlain<Value>) {
+      std::memcpy(&value, take(sizeof value), sizeof value);
+    } else {
+      fields(*this, value);
+    }
+  }
+  void get(std::string& text) {
+    const std::uint64_t size = count();
+    text.assign(take(size), size);
+  }
+  void get(Eigen::Vector3d& v) { (*this)(v.x(), v.y(), v.z()); }
+  template <typename Value, std::size_t n>
+  void get(std::array<Value, n>& values) {
+    for (Value& value : values) get(value);
+  }
+  template <typename Value>
+  void get(std::vector<Value>& values) {
+    const std::uint64_t size = count();
+    values.clear();
+    values.reserve(std::min<std::uint64_t>(size, left() / sizeof(Value) + 1));
+    for (std::uint64_t i = 0; i < size; ++i) get(values.emplace_back());
+  }
+
+  std::uint64_t count() {
+    std::uint64_t count = 0;
+    get(count);
+    return count;
+  }
+  const char* take(std::uint64_t size) {
+    if (size > left()) throw ByteFault("it ends within a value: " + std::to_string(left()) + " bytes of " + std::to_string(size));
+    at_ += size;
+    return bytes_.data() + (at_ - size);
+  }
+  std::uint64_t left() const { return bytes_.size() - at_; }
+
+  const std::string& bytes_;
+  std::uint64_t at_ = 0;
+};
+
+/// The bytes of some values, and back; fromBytes also throws where bytes are left over.
+template <typename... Values>
+std::string toBytes(const Values&... values) {
+  ByteWriter out;
+  out(values...);
+  return out.take();
+}
+template <typename... Values>
+void fromBytes(const std::string& bytes, Values&... values) {
+  ByteReader in(bytes);
+  in(values...);
+  in.expectEnd();
+}
+
+/// The kind of a file and the version of its format, as they stand at its beginning.
+struct FileKind {
+  std::array<char, 8> magic;
+  std::uint32_t version;
+};
+
+/// A file's bytes: magic, version, size of the payload, payload, checksum (64 bits) of all that. A change of one byte is always found.
+std::string sealed(const FileKind& kind, const std::string& payload);
+
+/// The payload of a file. Throws ByteFault where kind, version, size or checksum are not as they should be.
+std::string opened(const FileKind& kind, const std::string& bytes);
+
+template <typename Archive>
+void fields(Archive& archive, TriangleMesh& mesh) {
+  archive(mesh.vertices, mesh.triangles);
+}
+
+template <typename Archive>
+void fields(Archive& archive, HalfSpace& face) {
+  archive(face.normal, face.offset);
+}
+
+template <typename Archive>
+void fields(Archive& archive, ConvexHull& hull) {
+  archive(hull.vertices, hull.triangles, hull.faces, hull.thickness, hull.slack);
+}
+
+}  // namespace collision_hulls

@@ -33,6 +33,8 @@ int nearestOutside(const std::vector<ConvexHull>& hulls, const std::vector<Eigen
   return best;
 }
 
+}  // namespace
+
 void addLoose(std::vector<ConvexHull>& hulls, const Points& loose, const RunControl& control) {
   std::vector<Eigen::AlignedBox3d> boxes;
   for (const ConvexHull& hull : hulls) boxes.push_back(boundingBox(hull));
@@ -51,8 +53,6 @@ void addLoose(std::vector<ConvexHull>& hulls, const Points& loose, const RunCont
     hulls[h].thickness = std::max(hulls[h].thickness, thickness);
   }
 }
-
-}  // namespace
 
 std::vector<ConvexHull> clusterHulls(const RepairedMesh& mesh, const std::vector<std::vector<int>>& clusters, const RunControl& control) {
   if (clusters.empty()) return {convexHull(mesh.loose)};

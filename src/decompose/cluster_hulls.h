@@ -14,4 +14,7 @@ namespace collision_hulls {
 /// Throws kCancelled.
 std::vector<ConvexHull> clusterHulls(const RepairedMesh& mesh, const std::vector<std::vector<int>>& clusters, const RunControl& control);
 
+/// What clusterHulls does with loose points. `hulls` must not be empty.
+void addLoose(std::vector<ConvexHull>& hulls, const std::vector<Eigen::Vector3d>& loose, const RunControl& control);
+
 }  // namespace collision_hulls

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <string>
 
+#include "collision_hulls/decompose/acd.h"
 #include "collision_hulls/decompose/certified.h"
 #include "collision_hulls/decompose/hacd.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
@@ -18,8 +19,8 @@ namespace {
 void check(const DecomposeOptions& options) {
   const auto refuse = [](const std::string& text) { throw Error(ErrorCode::kBadOption, text); };
   constexpr int kLeastVertices = 8;
-  if ((options.method == Method::kHacd || options.method == Method::kCertified) &&
-      !(options.tolerance > 0 && std::isfinite(options.tolerance)))
+  const bool needs_tolerance = options.method != Method::kSingleHull && options.method != Method::kBoundingBox;
+  if (needs_tolerance && !(options.tolerance > 0 && std::isfinite(options.tolerance)))
     refuse("tolerance is " + std::to_string(options.tolerance) + " m; it must be a positive length");
   if (options.max_hulls < 0) refuse("max_hulls is " + std::to_string(options.max_hulls) + "; it must be at least 1, or 0 for no cap");
   if (options.max_vertices != 0 && options.max_vertices < kLeastVertices)
@@ -52,6 +53,7 @@ const char* name(Method method) {
   switch (method) {
     case Method::kCertified: return "certified";
     case Method::kHacd: return "hacd";
+    case Method::kAcd: return "acd";
     case Method::kSingleHull: return "single_hull";
     case Method::kBoundingBox: return "bounding_box";
   }
@@ -59,7 +61,7 @@ const char* name(Method method) {
 }
 
 const std::vector<Method>& allMethods() {
-  static const std::vector<Method> methods{Method::kCertified, Method::kHacd, Method::kSingleHull, Method::kBoundingBox};
+  static const std::vector<Method> methods{Method::kCertified, Method::kHacd, Method::kAcd, Method::kSingleHull, Method::kBoundingBox};
   return methods;
 }
 
@@ -86,7 +88,8 @@ Decomposition decompose(const RepairedMesh& mesh, const DecomposeOptions& option
   control.check();
   if (options.method == Method::kCertified) return certified(mesh, options, control);
   Decomposition result;
-  result.hulls = clusterHulls(mesh, clusters(mesh.mesh, options, control), control);
+  result.hulls = options.method == Method::kAcd ? acdHulls(mesh, options.tolerance, control)
+                                                : clusterHulls(mesh, clusters(mesh.mesh, options, control), control);
   if (options.method == Method::kBoundingBox) result.hulls = {orientedBox(result.hulls.front(), control)};
   if (options.max_hulls > 0 && result.hulls.size() > static_cast<std::size_t>(options.max_hulls)) {
     result.hulls = capHulls(result.hulls, options.max_hulls, control);

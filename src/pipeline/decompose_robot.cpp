@@ -46,6 +46,9 @@ std::string excuse(const Options& options, bool capped) {
   if (options.method == Method::kHacd) {
     return "hacd goes by a concavity measured along rays, which does not bound the protrusion; a smaller tolerance gives more hulls";
   }
+  if (options.method == Method::kAcd) {
+    return "acd goes by a concavity measured at reflex edges, which does not bound the protrusion; a smaller tolerance gives more hulls";
+  }
   if (options.method == Method::kCertified) return "the surface has details there that no plane divided; mend the mesh or accept it";
   return std::string(name(options.method)) + " pays no heed to the tolerance; another method does";
 }

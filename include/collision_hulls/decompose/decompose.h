@@ -15,10 +15,11 @@ namespace collision_hulls {
 enum class Method {
   kCertified,   ///< ours: fewest hulls whose protrusion provably stays within the tolerance, see certified.h
   kHacd,        ///< Mamou & Ghorbel 2009, see hacd.h
+  kAcd,         ///< Lien & Amato 2007, see acd.h
   kSingleHull,  ///< the convex hull of everything
   kBoundingBox  ///< the smallest oriented box found
 };
-const char* name(Method method);  ///< "certified", "hacd", "single_hull", "bounding_box"
+const char* name(Method method);  ///< "certified", "hacd", "acd", "single_hull", "bounding_box"
 std::optional<Method> methodNamed(const std::string& name);
 const std::vector<Method>& allMethods();
 
@@ -32,7 +33,7 @@ std::optional<Effort> effortNamed(const std::string& name);
 
 struct DecomposeOptions {
   Method method = Method::kHacd;
-  double tolerance = 0;    ///< [m] > 0: protrusion that the caller accepts (hacd: the paper's concavity epsilon)
+  double tolerance = 0;    ///< [m] > 0: protrusion that the caller accepts (hacd, acd: the papers' concavity epsilon)
   int max_hulls = 0;       ///< most hulls per mesh; 0: no cap
   int max_vertices = 64;   ///< most vertices per hull, at least 8; 0: no cap. Reduced outward only
   std::uint64_t seed = 1;  ///< of whatever is random

@@ -1,0 +1,144 @@
+#include "bench/child_process.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+#include "pipeline/stopwatch.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr int kNotStarted = 127;       // the shell's status for a command that is not found
+constexpr long kMostOutput = 4000;     // characters
+constexpr double kLongestWait = 1e-1;  // [s] between looks at the clock, should a signal be lost
+
+[[noreturn]] void fail(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+/// Blocks SIGCHLD, so that it can be waited for together with a time limit.
+class ChildSignal {
+ public:
+  ChildSignal() {
+    sigemptyset(&child_);
+    sigaddset(&child_, SIGCHLD);
+    sigprocmask(SIG_BLOCK, &child_, &before_);
+  }
+  ~ChildSignal() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  ChildSignal(const ChildSignal&) = delete;
+  ChildSignal& operator=(const ChildSignal&) = delete;
+
+  const sigset_t& before() const { return before_; }
+  void wait(double seconds) const {
+    timespec time{};
+    time.tv_sec = static_cast<time_t>(seconds);
+    time.tv_nsec = static_cast<long>(1e9 * (seconds - std::floor(seconds)));
+    sigtimedwait(&child_, nullptr, &time);
+  }
+
+ private:
+  sigset_t child_{}, before_{};
+};
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// In the new process, where nothing but system calls may be used: its own group, so that it can be killed with all that it starts.
+[[noreturn]] void become(const std::vector<char*>& argv, int output, const sigset_t& mask) {
+  setpgid(0, 0);
+  sigprocmask(SIG_SETMASK, &mask, nullptr);
+  dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
+  dup2(output, STDOUT_FILENO);
+  dup2(output, STDERR_FILENO);
+  execvp(argv[0], argv.data());
+  const char reason[] = "cannot be started: no such program, or no permission\n";
+  if (write(STDERR_FILENO, reason, sizeof reason - 1) < 0) _exit(kNotStarted);
+  _exit(kNotStarted);
+}
+
+std::string endOf(std::FILE* file) {
+  std::fseek(file, 0, SEEK_END);
+  std::fseek(file, std::max(0L, std::ftell(file) - kMostOutput), SEEK_SET);
+  std::string text(kMostOutput, '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), file));
+  return text;
+}
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// Waits for the process, killing its group when the time is up; true when it had to be.
+bool await(pid_t process, double limit, const ChildSignal& signal, int& status, rusage& used) {
+  Stopwatch clock;
+  double waited = 0;
+  for (bool killed = false;; waited += clock.lap()) {
+    const pid_t done = wait4(process, &status, WNOHANG, &used);
+    if (done == process) return killed;
+    if (done < 0 && errno != EINTR) fail("waiting for a process");
+    if (waited >= limit && !killed) killed = kill(-process, SIGKILL) == 0;
+    signal.wait(killed ? kLongestWait : std::min(kLongestWait, std::max(0.0, limit - waited)));
+  }
+}
+
+}  // namespace
+
+ChildResult runChild(const std::vector<std::string>& arguments, double limit) {
+  const File output(std::tmpfile(), &std::fclose);
+  if (!output) fail("temporary file");
+  std::vector<char*> argv;
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+
+  const ChildSignal signal;
+  Stopwatch clock;
+  const pid_t process = fork();
+  if (process < 0) fail("a new process");
+  if (process == 0) become(argv, fileno(output.get()), signal.before());
+  setpgid(process, process);  // here too: whichever of the two processes comes first
+
+  int status = 0;
+  rusage used{};
+  ChildResult result;
+  const bool killed = await(process, limit, signal, status, used);
+  result.wall_seconds = clock.lap();
+  kill(-process, SIGKILL);
+  result.end = killed ? ChildResult::End::kTimeout : WIFSIGNALED(status) ? ChildResult::End::kSignal : ChildResult::End::kExit;
+  result.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
+  result.cpu_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
+  result.peak_mb = static_cast<double>(used.ru_maxrss) / 1024;
+  result.output = endOf(output.get());
+  return result;
+}
+
+std::string filledIn(const std::string& command, const std::vector<std::pair<std::string, std::string>>& values) {
+  const auto quoted = [](const std::string& text) {
+    std::string result = "'";
+    for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return result + "'";
+  };
+  std::string result;
+  for (std::size_t at = 0; at < command.size();) {
+    const std::size_t before = at;
+    for (const auto& [name, value] : values) {
+      const std::string place = "{" + name + "}";
+      if (command.compare(at, place.size(), place) != 0) continue;
+      result += quoted(value);
+      at += place.size();
+      break;
+    }
+    if (at == before) result += command[at++];
+  }
+  return result;
+}
+
+}  // namespace collision_hulls

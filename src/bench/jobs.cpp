@@ -1,0 +1,105 @@
+#include "bench/jobs.h"
+
+#include <cstdio>
+#include <fstream>
+
+#include "bench/hull_objects.h"
+#include "collision_hulls/check/measures.h"
+#include "collision_hulls/decompose/decompose.h"
+#include "collision_hulls/decompose/fit_cover.h"
+#include "collision_hulls/error.h"
+#include "collision_hulls/mesh/mesh_io.h"
+#include "pipeline/files.h"
+
+namespace collision_hulls {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kCertificateGap = 0.01;  // of the tolerance: how far apart the two bounds of the protrusion may stay
+
+/// A mesh as read and scaled, and what repairing makes of it.
+struct Original {
+  TriangleMesh mesh;
+  RepairedMesh repaired;
+  double margin = 0;  // [m] how far the two may lie apart
+};
+
+Original readOriginal(const json& job) {
+  const Eigen::Vector3d scale(job["scale"][0], job["scale"][1], job["scale"][2]);
+  const LoadedMesh loaded = readMesh(job["file"]);
+  Original original{scaled(loaded.mesh, scale), {}, 0};
+  original.repaired = repair(original.mesh);
+  original.margin = loaded.resolution * scale.cwiseAbs().maxCoeff() + original.repaired.counts.weld_distance;
+  return original;
+}
+
+std::string toObj(const TriangleMesh& mesh) {
+  std::string text;
+  char line[128];
+  for (const Eigen::Vector3d& v : mesh.vertices) {
+    std::snprintf(line, sizeof line, "v %.17g %.17g %.17g\n", v.x(), v.y(), v.z());
+    text += line;
+  }
+  for (const Triangle& t : mesh.triangles) {
+    std::snprintf(line, sizeof line, "f %d %d %d\n", t[0] + 1, t[1] + 1, t[2] + 1);
+    text += line;
+  }
+  return text;
+}
+
+json prepare(const json& job) {
+  const Original original = readOriginal(job);
+  writeText(job["cleaned"].get<std::string>(), toObj(original.repaired.mesh));
+  return {{"triangles", original.mesh.triangles.size()}, {"diagonal", diagonal(original.mesh)}};
+}
+
+json decomposeMesh(const json& job) {
+  const Original original = readOriginal(job);
+  DecomposeOptions options;
+  options.method = *methodNamed(job["method"]);
+  if (const auto effort = effortNamed(job["effort"])) options.effort = *effort;
+  options.tolerance = job["tolerance"];
+  options.seed = job["seed"];
+  const Decomposition parts = decompose(original.repaired, options);
+  const FittedHulls fitted = fitCover(parts.hulls, original.mesh, original.margin, options.max_vertices);
+  writeText(job["hulls"].get<std::string>(), encodeHullsObj(fitted.hulls, "hull"));
+  return json::object();
+}
+
+}  // namespace
+
+nlohmann::json score(const json& job) {
+  json hashes = json::array();
+  for (const json& file : job["hulls"]) hashes.push_back(hashOf(readHullObjects(file)));
+  std::vector<ConvexHull> hulls;
+  std::size_t vertices = 0;
+  for (const auto& points : readHullObjects(job["hulls"][0])) {
+    hulls.push_back(convexHull(points));
+    vertices += hulls.back().vertices.size();
+  }
+  if (hulls.empty()) throw Error(ErrorCode::kEmptyMesh, "the program wrote no hull; it must write an object for each");
+
+  const Original original = readOriginal(job);
+  const Solid solid(original.repaired);
+  const double gap = kCertificateGap * job["tolerance"].get<double>();
+  const Protrusion found = protrusion(hulls, solid, gap);
+  json result = {{"hulls", hulls.size()},
+                 {"hull_vertices", vertices},
+                 {"uncovered", uncovered(original.mesh, hulls)},
+                 {"protrusion", found.bound + original.margin},
+                 {"protrusion_found", found.found},
+                 {"volume_ratio", nullptr},
+                 {"hashes", hashes}};
+  if (solid.volume() > 0) result["volume_ratio"] = unionVolume(hulls) / solid.volume();
+  return result;
+}
+
+void doJob(const std::string& job_file, const std::string& result_file) {
+  const json job = json::parse(readText(job_file));
+  const std::string kind = job["job"];
+  const json result = kind == "prepare" ? prepare(job) : kind == "decompose" ? decomposeMesh(job) : score(job);
+  writeText(result_file, result.dump());
+}
+
+}  // namespace collision_hulls

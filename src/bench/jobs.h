@@ -1,0 +1,21 @@
+// The steps of a run that are done in a process of their own, so that whatever happens there is a row and not the end.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace collision_hulls {
+
+/// Does the job that a JSON file describes and writes what came of it to another file. Jobs, by "job":
+///   prepare    "file", "scale"                          -> writes the repaired mesh to "cleaned" (OBJ);   "triangles", "diagonal"
+///   decompose  "file", "scale", "method", "effort", "tolerance", "seed"  -> writes the hulls to "hulls", an object each
+///   score      "file", "scale", "tolerance", "hulls": [files of equal runs]  -> scores the first against the mesh as it was read:
+///              "hulls", "hull_vertices", "uncovered", "protrusion", "protrusion_found", "volume_ratio" (null: encloses nothing),
+///              "hashes" of all
+/// Throws Error and what the libraries throw.
+void doJob(const std::string& job_file, const std::string& result_file);
+
+/// Scores hulls against a mesh: what the job `score` does. See there.
+nlohmann::json score(const nlohmann::json& job);
+
+}  // namespace collision_hulls

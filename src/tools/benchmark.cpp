@@ -1,0 +1,157 @@
+// benchmark INPUT...: build time against certified accuracy, for the methods and for other programs.
+#include "bench/benchmark.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "bench/child_process.h"
+#include "bench/jobs.h"
+#include "bench/machine.h"
+#include "decompose_options.h"
+#include "pipeline/files.h"
+
+namespace collision_hulls {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kChartLimit = 600;  // [s]
+
+struct Command {
+  std::vector<std::string> inputs, peers;
+  std::string methods, tolerances, efforts;  // between commas
+  bool charts = true;
+  BenchmarkOptions options;
+};
+
+constexpr const char* kFooter = R"(
+Writes benchmark.csv (a row per mesh, method and tolerance), machine.json, charts (SVG, PNG) and index.html.
+Exit status: 0 done, whatever the methods did: a run that hangs, dies or fails is a row; 2 wrong use.
+
+Examples:
+  benchmark part.stl my_robot_description -t 5%,2%,1% -m certified,hacd -o out --repeat 5
+  benchmark meshes/ -o out --peer bullet_hacd --peer vhacd='my_vhacd {in} -o {out} -e {tolerance}')";
+
+void addOptions(CLI::App& app, Command& command) {
+  BenchmarkOptions& options = command.options;
+  app.add_option("INPUT", command.inputs, "Mesh files, folders of them, and robots (package, .urdf or .xacro)")->type_name("")->required();
+  app.add_option("-m,--methods", command.methods, "Methods: " + methodChoices() + "; all if not given")->type_name("LIST");
+  app.add_option("-t,--tolerances", command.tolerances, "Tolerances: lengths, or shares of each mesh's diagonal")
+      ->type_name("LIST [5%,2%,1%]");
+  app.add_option("--effort", command.efforts, "Efforts of the method certified: quick, best")->type_name("LIST [quick]");
+  app.add_option("-o,--output", options.folder, "Output folder; files of an earlier run there are replaced")->type_name("DIR")->required();
+  app.add_option("--repeat", options.repeat, "Runs of each; times and memory are their medians")
+      ->type_name("N [1]")
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--time-limit", options.time_limit, "For each run, in seconds")->type_name("S [60]")->check(CLI::Range(0.1, 1e6));
+  app.add_option("--peer", command.peers,
+                 "Another program, NAME='command {in} {out} {tolerance}': OBJ in, OBJ with an object per hull out, metres. "
+                 "NAME alone: the program peer_NAME of this package")
+      ->type_name("NAME[=COMMAND]")
+      ->allow_extra_args(false);
+  app.add_option("--seed", options.seed, "Of whatever is random")->type_name("N [1]");
+  app.add_flag("!--no-charts", command.charts, "Leave out the charts and the page");
+}
+
+Peer peer(const std::string& text, const fs::path& programs) {
+  const std::size_t equals = text.find('=');
+  if (equals != std::string::npos) return {text.substr(0, equals), text.substr(equals + 1)};
+  const std::string program = (programs / ("peer_" + text)).string();
+  if (access(program.c_str(), X_OK) == 0) return {text, filledIn("{program}", {{"program", program}}) + " {in} {out} {tolerance}"};
+  throw Error(ErrorCode::kBadOption, "--peer '" + text + "': there is no program '" + program +
+                                         "'; install what it is built from, or give a command, NAME='program {in} {out} {tolerance}'");
+}
+
+template <typename T>
+std::vector<T> parsedList(const std::string& text, const std::function<T(const std::string&)>& parse) {
+  std::vector<T> items;
+  std::istringstream in(text);
+  for (std::string item; std::getline(in, item, ',');) items.push_back(parse(item));
+  return items;
+}
+
+/// The options that CLI11 leaves as text.
+void interpret(Command& command) {
+  BenchmarkOptions& options = command.options;
+  options.program = fs::read_symlink("/proc/self/exe").string();
+  if (!command.methods.empty()) {
+    options.methods = parsedList<Method>(command.methods,
+                                         [](const std::string& text) { return choice("--methods", text, methodNamed, methodChoices()); });
+  }
+  if (!command.tolerances.empty()) options.tolerances = parsedList<Length>(command.tolerances, parseLength);
+  if (!command.efforts.empty()) {
+    options.efforts =
+        parsedList<Effort>(command.efforts, [](const std::string& text) { return choice("--effort", text, effortNamed, "quick, best"); });
+  }
+  for (const std::string& text : command.peers) options.peers.push_back(peer(text, fs::path(options.program).parent_path()));
+}
+
+std::string summary(const BenchmarkRow& row) {
+  std::string text = row.mesh + " " + row.method + (row.effort.empty() ? "" : " " + row.effort) + " " + row.requested + ": " + row.status;
+  if (row.hulls) text += ", " + std::to_string(*row.hulls) + " hulls, protrusion " + csvNumber(row.protrusion) + " m";
+  if (row.cpu_seconds) text += ", " + csvNumber(row.cpu_seconds) + " s CPU";
+  return text + (row.message.empty() ? "" : " (" + row.message + ")");
+}
+
+void writeMachine(const Command& command) {
+  nlohmann::json machine = describeMachine();
+  machine["seed"] = command.options.seed;
+  machine["repeat"] = command.options.repeat;
+  machine["time_limit"] = command.options.time_limit;
+  for (const Peer& peer : command.options.peers) machine["peers"][peer.name] = peer.command;
+  writeText(fs::path(command.options.folder) / "machine.json", machine.dump(1) + "\n");
+}
+
+void drawCharts(const BenchmarkOptions& options) {
+  const std::string script = (fs::path(options.program).parent_path() / "benchmark_charts").string();
+  const ChildResult drawn = runChild({script, options.folder}, kChartLimit);
+  std::cerr << drawn.output;
+  if (drawn.code != 0) std::cerr << "benchmark: no charts; `" << script << " " << options.folder << "` draws them from the CSV files\n";
+}
+
+int run(Command& command) {
+  interpret(command);
+  const std::vector<BenchmarkMesh> meshes = benchmarkMeshes(command.inputs);
+  writeMachine(command);
+  std::ofstream csv(fs::path(command.options.folder) / "benchmark.csv", std::ios::trunc);
+  csv << benchmarkHeader();
+  runBenchmark(meshes, command.options, [&](const BenchmarkRow& row) {
+    csv << toCsv(row) << std::flush;
+    std::cerr << summary(row) << "\n";
+  });
+  csv.close();
+  if (command.charts) drawCharts(command.options);
+  return 0;
+}
+
+int main(int argc, char** argv) {
+  CLI::App app("Measures methods of decomposition: time and memory against accuracy, which is proved for each result.", "benchmark");
+  app.footer(kFooter);
+  Command command;
+  addOptions(app, command);
+  try {
+    if (argc == 4 && argv[1] == std::string(kJobCommand)) {
+      doJob(argv[2], argv[3]);
+      return 0;
+    }
+    app.parse(argc, argv);
+    return run(command);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);
+    std::cerr << "benchmark: " << e.what() << "; see benchmark --help\n";
+  } catch (const std::exception& e) {
+    std::cerr << "benchmark: " << e.what() << "\n";
+  }
+  return 2;
+}
+
+}  // namespace
+}  // namespace collision_hulls
+
+int main(int argc, char** argv) {
+  return collision_hulls::main(argc, argv);
+}

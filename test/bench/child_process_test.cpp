@@ -1,0 +1,86 @@
+#include "bench/child_process.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include "pipeline/fixtures.h"
+
+namespace collision_hulls {
+namespace {
+
+using End = ChildResult::End;
+
+ChildResult shell(const std::string& command, double limit = 30) {
+  return runChild({"/bin/sh", "-c", command}, limit);
+}
+
+TEST(ChildProcess, ExitStatusAndOutput) {
+  const ChildResult result = shell("echo out; echo err >&2; exit 3");
+  EXPECT_EQ(result.end, End::kExit);
+  EXPECT_EQ(result.code, 3);
+  EXPECT_EQ(result.output, "out\nerr\n");
+  EXPECT_GT(result.wall_seconds, 0);
+  EXPECT_GT(result.peak_mb, 0);
+}
+
+TEST(ChildProcess, KeepsTheEndOfLongOutput) {
+  const ChildResult result = shell("i=0; while [ $i -lt 2000 ]; do echo line $i; i=$((i+1)); done");
+  EXPECT_EQ(result.output.substr(result.output.size() - 10), "line 1999\n");
+  EXPECT_LE(result.output.size(), 4000u);
+}
+
+TEST(ChildProcess, ItsInputIsEmpty) {
+  EXPECT_EQ(shell("wc -c").output, "0\n");
+}
+
+TEST(ChildProcess, AProgramThatIsNotThere) {
+  const ChildResult result = runChild({"/no/such/program"}, 30);
+  EXPECT_EQ(result.end, End::kExit);
+  EXPECT_EQ(result.code, 127);
+  EXPECT_NE(result.output.find("cannot be started"), std::string::npos);
+}
+
+TEST(ChildProcess, ASignalIsTold) {
+  const ChildResult result = shell("kill -SEGV $$");
+  EXPECT_EQ(result.end, End::kSignal);
+  EXPECT_EQ(result.code, SIGSEGV);
+}
+
+TEST(ChildProcess, TheTimeLimitEndsAllThatItStarted) {
+  const fixtures::TempFolder folder;
+  const std::string late = folder / "late";
+  const ChildResult result = shell("(sleep 1; touch '" + late + "') & sleep 100", 0.2);
+  EXPECT_EQ(result.end, End::kTimeout);
+  EXPECT_GE(result.wall_seconds, 0.2);
+  EXPECT_LT(result.wall_seconds, 50);
+  shell("sleep 1.5");
+  EXPECT_FALSE(std::filesystem::exists(late));
+}
+
+TEST(ChildProcess, WhatAFinishedProgramLeavesBehindEndsToo) {
+  const fixtures::TempFolder folder;
+  const std::string late = folder / "late";
+  EXPECT_EQ(shell("(sleep 1; touch '" + late + "') & exit 0").code, 0);
+  shell("sleep 1.5");
+  EXPECT_FALSE(std::filesystem::exists(late));
+}
+
+TEST(ChildProcess, CpuTimeAndMemoryOfWhatItRan) {
+  const ChildResult idle = shell("sleep 0.3");
+  const ChildResult busy = shell("i=0; while [ $i -lt 300000 ]; do i=$((i+1)); done");
+  EXPECT_GE(idle.wall_seconds, 0.3);
+  EXPECT_LT(idle.cpu_seconds, 0.1);
+  EXPECT_GT(busy.cpu_seconds, idle.cpu_seconds);
+  const ChildResult large = shell("head -c 100000000 /dev/zero | tail -c 80000000 | wc -c");
+  EXPECT_GT(large.peak_mb, 70);
+}
+
+TEST(FilledIn, QuotesForTheShell) {
+  const std::string odd = "it's a $HOME `x` \"path\" {out}";
+  const std::string command = filledIn("printf %s {in}{other}", {{"in", odd}, {"out", "no"}});
+  EXPECT_EQ(shell(command).output, odd + "{other}");
+  EXPECT_EQ(filledIn("cmd {in} {in} $${x", {{"in", "a"}}), "cmd 'a' 'a' $${x");
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -1,0 +1,97 @@
+// The evaluator on shapes whose cover, protrusion and volume are known.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bench/jobs.h"
+#include "collision_hulls/error.h"
+#include "collision_hulls/mesh/mesh_io.h"
+#include "pipeline/fixtures.h"
+#include "solids.h"
+
+namespace collision_hulls {
+namespace {
+
+using nlohmann::json;
+using namespace test_shapes;
+
+constexpr double kTolerance = 0.01;
+
+class Score : public ::testing::Test {
+ protected:
+  json of(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls) {
+    const std::string mesh_file = fixtures::write(folder_ / "mesh.obj", fixtures::obj(mesh));
+    const std::string hulls_file = fixtures::write(folder_ / "hulls.obj", encodeHullsObj(hulls, "hull"));
+    return score({{"file", mesh_file}, {"scale", {1, 1, 1}}, {"tolerance", kTolerance}, {"hulls", {hulls_file}}});
+  }
+
+  void expectProtrusion(const json& scored, double truth, double faceting = 1e-6) {
+    EXPECT_GE(scored["protrusion"].get<double>(), truth - faceting);
+    EXPECT_LE(scored["protrusion"].get<double>(), truth + kTolerance * 0.02 + faceting);
+    EXPECT_LE(scored["protrusion_found"].get<double>(), truth + faceting);
+  }
+
+  fixtures::TempFolder folder_;
+};
+
+TEST_F(Score, NoHullIsAnError) {
+  EXPECT_THROW(of(box(1, 1, 1), {}), Error);
+}
+
+TEST_F(Score, AConvexShapeByItsHull) {
+  const json scored = of(box(1, 2, 3), {boxHull({0, 0, 0}, {1, 2, 3})});
+  EXPECT_EQ(scored["hulls"], 1);
+  EXPECT_EQ(scored["hull_vertices"], 8);
+  EXPECT_EQ(scored["uncovered"], 0.0);
+  EXPECT_NEAR(scored["volume_ratio"].get<double>(), 1, 0.01);
+  expectProtrusion(scored, 0);
+}
+
+TEST_F(Score, AUChannelInOneHull) {  // width 1, depth 1, walls 0.1, height 2: the middle of the mouth is 0.4 from the walls
+  const TriangleMesh channel = uChannel();
+  const json scored = of(channel, {hullOf(channel)});
+  EXPECT_EQ(scored["uncovered"], 0.0);
+  EXPECT_NEAR(scored["volume_ratio"].get<double>(), 1 / (1 - 0.8 * 0.9), 0.05);
+  expectProtrusion(scored, 0.4);
+}
+
+TEST_F(Score, ATorusInOneHull) {  // furthest at the middle of the flat top: sqrt(R^2 + r^2) - r
+  const TriangleMesh ring = torus(1, 0.3, 64, 32);
+  expectProtrusion(of(ring, {hullOf(ring)}), std::sqrt(1 + 0.09) - 0.3, 4e-3);
+}
+
+TEST_F(Score, ASphereInABox) {  // the corner of the cube about the unit sphere: sqrt(3) - 1
+  const json scored = of(sphere(1, 24), {boxHull({-1, -1, -1}, {1, 1, 1})});
+  EXPECT_NEAR(scored["volume_ratio"].get<double>(), 6 / kPi, 0.05);
+  expectProtrusion(scored, std::sqrt(3.0) - 1, 2e-3);
+}
+
+TEST_F(Score, TwoBoxesInOneHull) {  // half the gap between them
+  const TriangleMesh pair = merged({box(1, 1, 1), moved(box(1, 1, 1), {1.5, 0, 0})});
+  const json scored = of(pair, {hullOf(pair)});
+  EXPECT_NEAR(scored["volume_ratio"].get<double>(), 1.25, 0.02);
+  expectProtrusion(scored, 0.25);
+}
+
+TEST_F(Score, WhatIsLeftUncovered) {  // of two boxes one has a hull; the far side of the other is 1.5 away
+  const TriangleMesh pair = merged({box(1, 1, 1), moved(box(1, 1, 1), {1.5, 0, 0})});
+  const json scored = of(pair, {boxHull({0, 0, 0}, {1, 1, 1})});
+  EXPECT_NEAR(scored["uncovered"].get<double>(), 1.5, 0.02);
+  expectProtrusion(scored, 0);
+}
+
+TEST_F(Score, ASheetHasNoVolume) {
+  const TriangleMesh plate = sheet();
+  const json scored = of(plate, {hullOf(plate)});
+  EXPECT_TRUE(scored["volume_ratio"].is_null());
+  EXPECT_EQ(scored["uncovered"], 0.0);
+}
+
+TEST_F(Score, HullsOverlapOnce) {
+  const json scored = of(box(1, 1, 1), {boxHull({0, 0, 0}, {1, 1, 0.75}), boxHull({0, 0, 0.25}, {1, 1, 1})});
+  EXPECT_EQ(scored["hulls"], 2);
+  EXPECT_NEAR(scored["volume_ratio"].get<double>(), 1, 0.01);
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -1,0 +1,31 @@
+# A digest of the library's sources, of the compiler with its flags, and of the libraries that hulls depend on, so that the cache finds
+# nothing of another library. As a script (-P) it writes OUTPUT for the sources in ROOT and the text BUILD; the build runs it whenever a source
+# changes.
+if(CMAKE_SCRIPT_MODE_FILE)
+  file(GLOB_RECURSE sources RELATIVE "${ROOT}" "${ROOT}/include/*.h" "${ROOT}/src/*.h" "${ROOT}/src/*.cpp")
+  list(FILTER sources EXCLUDE REGEX "^src/(bench|ros|tools)/")
+  set(text "${BUILD}")
+  foreach(source ${sources})
+    file(SHA256 "${ROOT}/${source}" digest)
+    string(APPEND text "\n${source} ${digest}")
+  endforeach()
+  string(SHA256 digest "${text}")
+  file(WRITE "${OUTPUT}" "#include \"pipeline/source_digest.h\"
+
+const char* collision_hulls::sourceDigest() {
+  return \"${digest}\";
+}
+")
+  return()
+endif()
+
+set(output "${CMAKE_CURRENT_BINARY_DIR}/source_digest.cpp")
+set(build "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_SYSTEM_PROCESSOR} ${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS}")
+string(APPEND build " assimp ${assimp_VERSION} eigen ${Eigen3_VERSION} fcl ${fcl_VERSION}")
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS include/*.h src/*.h)
+add_custom_command(
+  OUTPUT "${output}"
+  COMMAND "${CMAKE_COMMAND}" "-DROOT=${PROJECT_SOURCE_DIR}" "-DOUTPUT=${output}" "-DBUILD=${build}" -P "${CMAKE_CURRENT_LIST_FILE}"
+  DEPENDS "${CMAKE_CURRENT_LIST_FILE}" ${CORE_SOURCES} ${headers}
+  VERBATIM)
+target_sources(${PROJECT_NAME} PRIVATE "${output}")

@@ -42,7 +42,7 @@ struct HorizonEdge {
 
 class Builder {
  public:
-  explicit Builder(const std::vector<Eigen::Vector3d>& points) : points_(points), next_(points.size(), -1) {}
+  explicit Builder(const std::vector<Eigen::Vector3d>& points) : points_(points), next_(points.size(), -1), freed_by_(points.size(), -1) {}
 
   std::optional<ConvexHull> build() {
     if (!tetrahedron()) return std::nullopt;
@@ -204,7 +204,10 @@ class Builder {
     for (int f : patch_) {
       face(f).alive = false;
       for (int v : face(f).vertex)
-        if (!onHorizon(v)) assign(v, first);  // once level faces are gone it may stick out
+        if (!onHorizon(v) && freed_by_[static_cast<std::size_t>(v)] != p) {
+          freed_by_[static_cast<std::size_t>(v)] = p;  // several faces of the patch share it, and it may be in one list only
+          assign(v, first);                            // once level faces are gone it may stick out
+        }
       for (int q = face(f).first_point; q >= 0;) {
         const int following = next_[static_cast<std::size_t>(q)];
         if (q != p) assign(q, first);
@@ -270,6 +273,7 @@ class Builder {
 
   const std::vector<Eigen::Vector3d>& points_;
   std::vector<int> next_;
+  std::vector<int> freed_by_;  // the last point that took a vertex's faces away
   std::vector<Face> faces_;
   std::vector<int> patch_;
   std::vector<HorizonEdge> horizon_;

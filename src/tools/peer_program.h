@@ -1,0 +1,69 @@
+// What small programs around another library's decomposition share: PROGRAM in.obj out.obj tolerance.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/mesh/mesh_io.h"
+#include "collision_hulls/mesh/repair.h"
+#include "pipeline/files.h"
+
+namespace collision_hulls {
+
+/// Decomposes a mesh, welded, at a tolerance [m] into surfaces, one for each convex part.
+using PeerDecompose = std::function<std::vector<TriangleMesh>(const TriangleMesh& mesh, double tolerance)>;
+
+/// An object per part; one that has points alone gets a face of them all, so that it is not lost.
+inline std::string toObj(const std::vector<TriangleMesh>& parts) {
+  std::string text;
+  char line[128];
+  std::size_t first = 1;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    text += "o part_" + std::to_string(i) + "\n";
+    std::string all = "f";
+    for (std::size_t v = 0; v < parts[i].vertices.size(); ++v) {
+      const Eigen::Vector3d& p = parts[i].vertices[v];
+      std::snprintf(line, sizeof line, "v %.9g %.9g %.9g\n", p.x(), p.y(), p.z());
+      text += line;
+      all += " " + std::to_string(first + v);
+    }
+    for (const Triangle& t : parts[i].triangles) {
+      text += "f";
+      for (const int corner : t) text += " " + std::to_string(first + static_cast<std::size_t>(corner));
+      text += "\n";
+    }
+    if (parts[i].triangles.empty() && !parts[i].vertices.empty()) text += all + "\n";
+    first += parts[i].vertices.size();
+  }
+  return text;
+}
+
+/// The program's main. Exit status: 0 done, 1 no result, 2 wrong use or unreadable input.
+inline int peerMain(int argc, char** argv, const char* help, const PeerDecompose& decompose) try {
+  if (argc == 2 && std::string(argv[1]) == "--help") {
+    std::printf("usage: %s in.obj out.obj tolerance\n\n%s", argv[0], help);
+    return 0;
+  }
+  char* end = nullptr;
+  const double tolerance = argc == 4 ? std::strtod(argv[3], &end) : 0;
+  if (argc != 4 || *end != '\0' || !(tolerance > 0)) {
+    std::fprintf(stderr, "usage: %s in.obj out.obj tolerance; the tolerance is a positive length in metres\n", argv[0]);
+    return 2;
+  }
+  const std::vector<TriangleMesh> parts = decompose(repair(readMesh(argv[1]).mesh).mesh, tolerance);
+  if (parts.empty()) {
+    std::fprintf(stderr, "%s: the library gave no hull\n", argv[0]);
+    return 1;
+  }
+  writeText(argv[2], toObj(parts));
+  return 0;
+} catch (const std::exception& e) {
+  std::fprintf(stderr, "%s: %s\n", argv[0], e.what());
+  return 2;
+}
+
+}  // namespace collision_hulls

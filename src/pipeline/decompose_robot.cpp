@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include "collision_hulls/check/measures.h"
 #include "collision_hulls/check/solid.h"
@@ -10,6 +11,7 @@
 #include "collision_hulls/decompose/decompose.h"
 #include "collision_hulls/decompose/fit_cover.h"
 #include "collision_hulls/error.h"
+#include "pipeline/cache.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/elements.h"
 #include "pipeline/parallel.h"
@@ -133,11 +135,26 @@ void copyResult(const ElementResult& from, ElementResult& to) {
   to.hulls = from.hulls;
 }
 
-void decomposeTask(const MeshTask& task, std::size_t index, const Options& options, Progress& progress,
+/// What an earlier run made of the mesh; false where there was none.
+bool takeFromCache(const std::string& key, Cache& cache, ElementResult& element) {
+  Stopwatch stage;
+  const std::optional<ElementResult> known = cache.findElement(key);
+  if (!known) return false;
+  copyResult(*known, element);
+  element.report.cached = true;
+  element.report.seconds.read = stage.lap();
+  return true;
+}
+
+void decomposeTask(const MeshTask& task, std::size_t index, const Options& options, Cache& cache, Progress& progress,
                    std::vector<ElementResult>& elements) {
   ElementResult& first = elements[task.elements.front()];
+  const std::string key = elementKey(first.report, task.file, options);
   try {
-    decomposeElement(task.file, options, progress, index, first);
+    if (!takeFromCache(key, cache, first)) {
+      decomposeElement(task.file, options, progress, index, first);
+      cache.storeElement(key, first);
+    }
   } catch (...) {
     fail(first.report);
   }
@@ -175,12 +192,27 @@ Validation validateElements(const std::vector<ElementResult>& elements, const Op
   return validate(pairs, validation, control);
 }
 
+/// Fills the report's validation, from the cache if it can.
+void validateOrRemember(RobotResult& result, const std::vector<MeshTask>& tasks, Cache& cache, Progress& progress) {
+  const Options& options = result.report.options;
+  std::vector<std::string> keys(result.elements.size());
+  for (const MeshTask& task : tasks) {
+    for (const std::size_t i : task.elements) keys[i] = elementKey(result.elements[i].report, task.file, options);
+  }
+  const std::string key = validationKey(result.elements, keys, options);
+  const std::optional<Validation> known = cache.findValidation(key);
+  result.report.validation = known ? *known : validateElements(result.elements, options, progress);
+  result.report.validation_cached = known.has_value();
+  if (!known) cache.storeValidation(key, result.report.validation);
+}
+
 using UriResolver = std::function<std::string(const std::string& uri)>;
 
 /// All elements of a result, then the validation.
 void decomposeElements(RobotResult& result, const UriResolver& resolve, const RunControl& control, const StepCallback& step) {
   const Options& options = result.report.options;
   std::vector<ElementResult>& elements = result.elements;
+  Cache cache(options.cache ? cacheFolder() : std::filesystem::path());
   withJobs(options.jobs, [&] {
     const std::vector<MeshTask> tasks = meshTasks(elements, resolve);
     Progress progress(control, step, tasks.size(), elements.size());
@@ -188,11 +220,13 @@ void decomposeElements(RobotResult& result, const UriResolver& resolve, const Ru
       if (element.report.status == Status::kFailed) progress.finished(element.report.link, 0);
     }
     // 1 to 4, each mesh once.
-    forEach(tasks.size(), [&](std::size_t i) { decomposeTask(tasks[i], i, options, progress, elements); });
+    forEach(tasks.size(), [&](std::size_t i) { decomposeTask(tasks[i], i, options, cache, progress, elements); });
     // 5. Validate: by queries, original against hulls.
-    if (options.validate) result.report.validation = validateElements(elements, options, progress);
+    if (options.validate) validateOrRemember(result, tasks, cache, progress);
     progress.validated();
   });
+  cache.trim();
+  result.report.notes = cache.notes();
   nameHullFiles(result);
   for (const ElementResult& element : elements) result.report.links.push_back(element.report);
 }

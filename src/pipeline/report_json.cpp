@@ -92,12 +92,14 @@ json toJson(const ElementReport& row) {
           {"diagonal", row.diagonal},
           {"nudge", row.nudge},
           {"thickness", row.thickness},
+          {"cached", row.cached},
           {"seconds", toJson(row.seconds)},
           {"files", row.files}};
 }
 
-json toJson(const Validation& v) {
-  return {{"queries", v.queries},
+json toJson(const Validation& v, bool cached) {
+  return {{"cached", cached},
+          {"queries", v.queries},
           {"missed", v.missed},
           {"phantom", v.phantom},
           {"max_underestimate", v.max_underestimate},
@@ -132,7 +134,8 @@ std::string toJson(const Report& report) {
                          {"options", toJson(report.options)},
                          {"seed", report.options.seed},
                          {"links", rows},
-                         {"validation", report.options.validate ? toJson(report.validation) : json()},
+                         {"validation", report.options.validate ? toJson(report.validation, report.validation_cached) : json()},
+                         {"notes", report.notes},
                          {"totals", totalsToJson(report)}};
   // Names in a description may be no UTF-8, which JSON cannot hold: such bytes are shown as U+FFFD. Non-finite numbers become null.
   return document.dump(1, ' ', false, json::error_handler_t::replace) + "\n";

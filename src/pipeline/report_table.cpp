@@ -89,13 +89,19 @@ std::string validationLine(const Report& report) {
   return text;
 }
 
+std::string noteLines(const Report& report) {
+  std::string text;
+  for (const std::string& note : report.notes) text += "note: " + note + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string toTable(const Report& report) {
   std::vector<Cells> rows = {
       {"link", "mesh", "triangles", "hulls", "vertices", "uncovered/mm", "protrusion/mm", "tolerance/mm", "seconds", "status"}};
   for (const ElementReport& row : report.links) rows.push_back(cells(row));
-  return aligned(rows) + degradedLine(report) + sums(report) + validationLine(report);
+  return aligned(rows) + degradedLine(report) + sums(report) + validationLine(report) + noteLines(report);
 }
 
 }  // namespace collision_hulls

@@ -214,7 +214,7 @@ TEST_F(DecomposeRobot, OtherMethodsAndTheirReasons) {
 TEST_F(DecomposeRobot, SameBytesWhateverTheThreads) {
   const std::string links =
       link("a", collision("bracket.obj")) + link("b", collision("channel.obj"), "a") + link("c", collision("box.obj"), "a");
-  options_.validate = false;
+  options_.validate = options_.cache = false;
   const auto written = [&](int jobs) {
     options_.jobs = jobs;
     RobotResult result = run(links);

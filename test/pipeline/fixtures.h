@@ -40,6 +40,23 @@ class TempFolder {
   fs::path path_;
 };
 
+/// A cache for each test, empty when it begins: neither tests nor the programs that they run find or leave anything in the user's.
+class OwnCache : public ::testing::EmptyTestEventListener {
+ public:
+  OwnCache() { setenv("COLLISION_HULLS_CACHE", path().c_str(), 1); }
+  fs::path path() const { return folder_.path() / "cache"; }
+  void OnTestStart(const ::testing::TestInfo&) override { fs::remove_all(path()); }
+
+  static OwnCache* listener() {
+    static auto* const only = new OwnCache;  // googletest deletes it
+    return only;
+  }
+
+ private:
+  TempFolder folder_;
+};
+inline const bool has_own_cache = (::testing::UnitTest::GetInstance()->listeners().Append(OwnCache::listener()), true);
+
 inline std::string read(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};

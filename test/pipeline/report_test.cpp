@@ -18,6 +18,7 @@ Report sample() {
   report.options.seed = 18446744073709551615u;
   report.validation.queries = 400;
   report.validation.remarks = {"a remark"};
+  report.notes = {"a note"};
   report.seconds = 1.5;
   ElementReport row;
   row.link = "upper";
@@ -86,6 +87,7 @@ TEST(ReportJson, ValuesComeBack) {
   const json totals = {{"links", 2},          {"meshes", 3},    {"triangles", 24}, {"hulls", 6},
                        {"hull_vertices", 48}, {"seconds", 1.5}, {"failed", 1},     {"degraded", 1}};
   EXPECT_EQ(document["totals"], totals);
+  EXPECT_EQ(document["notes"], json({"a note"}));
 }
 
 TEST(ReportJson, NoRows) {
@@ -111,7 +113,7 @@ TEST(ReportTable, ARowForEveryMesh) {
   std::istringstream table(toTable(sample()));
   std::vector<std::string> lines;
   for (std::string line; std::getline(table, line);) lines.push_back(line);
-  ASSERT_EQ(lines.size(), 8u);
+  ASSERT_EQ(lines.size(), 9u);
   EXPECT_EQ(lines[0].rfind("link   mesh       triangles", 0), 0u) << lines[0];
   EXPECT_EQ(lines[1].rfind("upper  upper.stl         12      3        24", 0), 0u) << lines[1];
   EXPECT_NE(lines[1].find("333.3"), std::string::npos) << "protrusion in mm";
@@ -122,6 +124,7 @@ TEST(ReportTable, ARowForEveryMesh) {
   EXPECT_EQ(lines[5], "3 meshes of 2 links, 24 triangles -> 6 hulls with 48 vertices; 1 degraded, 1 failed; 1.5 s");
   EXPECT_EQ(lines[6].rfind("validation: 400 queries, 0 missed, 0 phantom", 0), 0u);
   EXPECT_EQ(lines[7], "  a remark");
+  EXPECT_EQ(lines[8], "note: a note");
 }
 
 TEST(Report, AnyFailed) {

@@ -45,6 +45,7 @@ struct ElementReport {
   double thickness = 0;            ///< [m] thickness given to flat hulls
   StageSeconds seconds;            ///< a mesh that several links use is worked on once: the first row has the time, the others have 0
   std::vector<std::string> files;  ///< relative to the output folder
+  bool cached = false;             ///< remembered from an earlier run; seconds.read is what finding it took
 };
 
 struct Report {
@@ -52,6 +53,8 @@ struct Report {
   Options options;
   std::vector<ElementReport> links;  ///< a row for every mesh of every link, in document order
   Validation validation;             ///< meaningful where options.validate; null in JSON otherwise
+  bool validation_cached = false;    ///< remembered from an earlier run, times too
+  std::vector<std::string> notes;    ///< what to know about the result as a whole
   double seconds = 0;                ///< wall clock of the whole run
 };
 

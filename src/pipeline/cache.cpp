@@ -1,0 +1,141 @@
+#include "pipeline/cache.h"
+
+#include <utility>
+
+#include "collision_hulls/decompose/hull_tree_file.h"
+#include "collision_hulls/error.h"
+#include "geometry/bytes.h"
+#include "pipeline/sha256.h"
+#include "pipeline/source_digest.h"
+
+namespace collision_hulls {
+
+// Members are taken apart by name: one that is added does not compile until it is decided whether entries hold it.
+
+template <typename Archive>
+void fields(Archive& archive, RepairCounts& counts) {
+  auto& [welded, degenerate, duplicate, flipped, components, open_edges, nonmanifold_edges, weld_distance] = counts;
+  archive(welded, degenerate, duplicate, flipped, components, open_edges, nonmanifold_edges, weld_distance);
+}
+
+template <typename Archive>
+void fields(Archive& archive, ElementReport& row) {
+  auto& [link, element, visual, uri, sha256, scale, triangles, skipped_primitives, status, reason, error, repair, method, tolerance, hulls,
+         hull_vertices, uncovered, protrusion, protrusion_found, worst, worst_nearest, interior, volume, hull_volume, diagonal, nudge,
+         thickness, seconds, files, cached] = row;
+  archive(sha256, scale, triangles, skipped_primitives, status, reason, error, repair, method, tolerance, hulls, hull_vertices, uncovered,
+          protrusion, protrusion_found, worst, worst_nearest, interior, volume, hull_volume, diagonal, nudge, thickness);
+}
+
+template <typename Archive>
+void fields(Archive& archive, ElementResult& element) {
+  archive(element.report, element.original, element.hulls);
+}
+
+template <typename Archive>
+void fields(Archive& archive, Validation& validation) {
+  auto& [queries, missed, phantom, max_underestimate, exceptions, timeouts, nan, disagreements, mesh_query_us, hull_query_us, remarks] =
+      validation;
+  archive(queries, missed, phantom, max_underestimate, exceptions, timeouts, nan, disagreements, mesh_query_us, hull_query_us, remarks);
+}
+
+template <typename Archive>
+void fields(Archive& archive, Length& length) {
+  archive(length.value, length.relative);
+}
+
+namespace {
+
+constexpr FileKind kKind{{'C', 'H', 'U', 'L', 'C', 'A', 'C', 'H'}, 1};
+
+template <typename... Values>
+std::string keyOf(const std::string& kind, const Values&... values) {
+  return sha256(toBytes(kind, kKind.version, std::string(version()), std::string(sourceDigest()), values...));
+}
+
+/// The mesh itself. The extension counts, since it says how the content is read.
+std::string meshBytes(const ElementReport& row, const std::string& file) {
+  return toBytes(row.sha256, std::filesystem::path(file).extension().string(), row.scale);
+}
+
+}  // namespace
+
+std::string elementKey(const ElementReport& row, const std::string& file, const Options& options) {
+  const auto& [tolerance, method, effort, max_hulls, max_vertices, links, source, format, uri, jobs, validate, cache, seed] = options;
+  return keyOf("element", meshBytes(row, file), tolerance, method, effort, max_hulls, max_vertices, seed);
+}
+
+std::string treeKey(const ElementReport& row, const std::string& file, const Options& options, double tolerance) {
+  return keyOf("tree", meshBytes(row, file), tolerance, options.method, options.effort, options.max_vertices, options.seed);
+}
+
+std::string validationKey(const std::vector<ElementResult>& elements, const std::vector<std::string>& keys, const Options& options) {
+  ByteWriter pairs;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const ElementResult& element = elements[i];
+    if (element.hulls.empty()) continue;
+    pairs(element.report.link, element.report.element, keys[i]);
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 4; ++column) pairs(element.pose(row, column));
+    }
+  }
+  return keyOf("validation", pairs.take(), options.seed);
+}
+
+Cache::Cache(std::filesystem::path folder, std::uintmax_t most_bytes) : folder_(std::move(folder), most_bytes) {}
+
+// An entry begins with its own name, so that one that was copied to another name is not taken.
+template <typename Value>
+std::optional<Value> Cache::find(const std::string& name) {
+  const std::optional<std::string> bytes = folder_.find(name);
+  if (!bytes) return std::nullopt;
+  try {
+    std::string own_name;
+    Value value;
+    fromBytes(opened(kKind, *bytes), own_name, value);
+    if (own_name == name) return value;
+  } catch (const ByteFault&) {
+    // Damaged, as the one with the wrong name.
+  }
+  folder_.discard(name);
+  return std::nullopt;
+}
+
+template <typename Value>
+void Cache::store(const std::string& name, const Value& value) {
+  folder_.store(name, sealed(kKind, toBytes(name, value)));
+}
+
+std::optional<ElementResult> Cache::findElement(const std::string& key) {
+  return find<ElementResult>(key + ".element");
+}
+
+void Cache::storeElement(const std::string& key, const ElementResult& element) {
+  store(key + ".element", element);
+}
+
+std::optional<Validation> Cache::findValidation(const std::string& key) {
+  return find<Validation>(key + ".validation");
+}
+
+void Cache::storeValidation(const std::string& key, const Validation& validation) {
+  if (validation.timeouts == 0) store(key + ".validation", validation);
+}
+
+std::optional<HullTree> Cache::findTree(const std::string& key) {
+  const std::string name = key + ".tree";
+  const std::optional<std::string> bytes = find<std::string>(name);
+  if (!bytes) return std::nullopt;
+  try {
+    return decodeHullTree(*bytes, name);
+  } catch (const Error&) {
+    folder_.discard(name);
+    return std::nullopt;
+  }
+}
+
+void Cache::storeTree(const std::string& key, const HullTree& tree) {
+  store(key + ".tree", encodeHullTree(tree));
+}
+
+}  // namespace collision_hulls

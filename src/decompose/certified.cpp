@@ -1,15 +1,33 @@
 #include "collision_hulls/decompose/certified.h"
 
+#include <array>
 #include <cmath>
+#include <memory>
 
 #include "collision_hulls/decompose/reduce_vertices.h"
+#include "decompose/local_search.h"
 #include "decompose/merging.h"
+#include "decompose/tree_building.h"
 
 namespace collision_hulls {
 
 namespace {
 
-constexpr double kCuttingShare = 0.7;  // of the time, for progress
+constexpr double kLeafShare = 0.7;  // of the tolerance that leaves are cut for: merging has room left
+
+/// How hard to try.
+struct Plan {
+  std::vector<ScoreWeights> cuts;  // ways to cut that are tried
+  std::size_t elements = 0;        // that leaves are divided into for the search; 0: leaves as they are
+  long first_evaluations = 0;      // of the search after each cut,
+  long evaluations = 0;            // and of that with the best of them
+};
+
+Plan planFor(Effort effort) {
+  const ScoreWeights large_sides{0.5, 0.3, 0}, any_side{0.5, 0, 0.1}, little_volume{0.1, 0, 0};
+  if (effort == Effort::kQuick) return {{large_sides}, 0, 0, 400};
+  return {{large_sides, any_side, little_volume}, 150, 200, 2000};
+}
 
 /// The mesh moved so that `middle` is the origin: near it coordinates are finest, however far away the mesh lies.
 RepairedMesh about(const Eigen::Vector3d& middle, RepairedMesh mesh) {
@@ -29,39 +47,66 @@ Eigen::AlignedBox3d boxOf(const RepairedMesh& mesh) {
   return box;
 }
 
-/// What both entry points need: the solid, and an oracle about it.
-struct Job {
-  Job(const RepairedMesh& mesh, double tolerance, const RunControl& run)
-      : solid(mesh), control(run), oracle(solid, boxOf(mesh), tolerance, run) {}
+/// Reports shares of a stretch of the whole work.
+std::function<void(double)> stretch(const RunControl& control, double from, double to) {
+  return [&control, from, to](double share) { control.report(from + (to - from) * share); };
+}
 
-  HullTree tree(const RepairedMesh& mesh, int max_vertices, bool to_root) {
-    const std::vector<Leaf> leaves = cutIntoLeaves(mesh, oracle, max_vertices, [&](double done) { control.report(kCuttingShare * done); });
-    return merged(leaves, oracle, to_root, [&](double done) { control.report(kCuttingShare + (1 - kCuttingShare) * done); });
+/// A decomposition under way.
+class Job {
+ public:
+  Job(const RepairedMesh& mesh, double tolerance, int max_vertices, Effort effort, const RunControl& control)
+      : mesh_(mesh),
+        tolerance_(tolerance),
+        max_vertices_(max_vertices),
+        plan_(planFor(effort)),
+        control_(control),
+        solid_(mesh),
+        oracle_(solid_, boxOf(mesh), tolerance, control) {}
+
+  Cover cover(std::uint64_t seed) {
+    std::unique_ptr<SurfaceGroups> groups;
+    Cover best;
+    const double step = 0.7 / static_cast<double>(plan_.cuts.size());
+    for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
+      const double from = step * static_cast<double>(i);
+      auto mine = std::make_unique<SurfaceGroups>(
+          elementsOf(leaves(plan_.cuts[i], stretch(control_, from, from + 0.8 * step)), plan_.elements), oracle_, max_vertices_);
+      Cover cover = mergedBest(mine->leaves(), *mine);
+      if (plan_.first_evaluations > 0)
+        cover = improved(std::move(cover), *mine, {plan_.first_evaluations, seed}, stretch(control_, from + 0.8 * step, from + step));
+      if (groups && cover.size() >= best.size()) continue;
+      best = std::move(cover);
+      groups = std::move(mine);
+    }
+    best = improved(std::move(best), *groups, {plan_.evaluations, seed}, stretch(control_, 0.7, 0.9));
+    best = withoutPockets(std::move(best), *groups);
+    for (Group& group : best) group.hull = std::make_shared<ConvexHull>(groups->exactHull(group));
+    return best;
   }
 
-  Solid solid;
-  const RunControl& control;
-  ProtrusionOracle oracle;
+  HullTree treeOver(const Cover& cover) { return treeAbove(cover, oracle_, stretch(control_, 0.9, 1)); }
+
+ private:
+  std::vector<Leaf> leaves(const ScoreWeights& weights, const std::function<void(double)>& progress) {
+    oracle_.setTolerance(kLeafShare * tolerance_);
+    std::vector<Leaf> leaves = cutIntoLeaves(mesh_, oracle_, {weights, max_vertices_}, progress);
+    oracle_.setTolerance(tolerance_);
+    return leaves;
+  }
+
+  const RepairedMesh& mesh_;
+  const double tolerance_;
+  const int max_vertices_;
+  const Plan plan_;
+  const RunControl& control_;
+  const Solid solid_;
+  ProtrusionOracle oracle_;
 };
 
-/// The hull of a node with its vertices capped; where that protrudes too far, those of its children instead, unless the number of
-/// hulls is capped too.
-void addCapped(const HullTree& tree, int id, const DecomposeOptions& options, ProtrusionOracle& oracle, Decomposition& result) {
-  const HullNode& node = tree.nodes[static_cast<std::size_t>(id)];
-  if (options.max_vertices == 0 || node.hull.vertices.size() <= static_cast<std::size_t>(options.max_vertices)) {
-    result.hulls.push_back(node.hull);
-    return;
-  }
-  const ConvexHull reduced = reduceVertices(node.hull, options.max_vertices).hull;
-  const bool within = std::isfinite(oracle.within(reduced, node.protrusion));
-  const bool may_open = options.max_hulls == 0 && node.left >= 0;
-  if (!within && may_open) {
-    addCapped(tree, node.left, options, oracle, result);
-    addCapped(tree, node.right, options, oracle, result);
-    return;
-  }
-  result.capped = result.capped || !within;
-  result.hulls.push_back(reduced);
+ConvexHull capped(const ConvexHull& hull, int max_vertices) {
+  if (max_vertices == 0 || hull.vertices.size() <= static_cast<std::size_t>(max_vertices)) return hull;
+  return reduceVertices(hull, max_vertices).hull;
 }
 
 }  // namespace
@@ -69,29 +114,33 @@ void addCapped(const HullTree& tree, int id, const DecomposeOptions& options, Pr
 Decomposition certified(const RepairedMesh& original, const DecomposeOptions& options, const RunControl& control) {
   const Eigen::Vector3d middle = boxOf(original).center();
   const RepairedMesh mesh = about(middle, original);
-  Job job(mesh, options.tolerance, control);
-  HullTree tree = job.tree(mesh, options.max_vertices, false);
-  std::vector<int> cut = rootsOf(tree);
+  Job job(mesh, options.tolerance, options.max_vertices, options.effort, control);
   Decomposition result;
-  if (options.max_hulls > 0 && cut.size() > static_cast<std::size_t>(options.max_hulls)) {
-    tree = job.tree(mesh, options.max_vertices, true);
-    cut = tree.cutTo(options.max_hulls);
-    result.capped = true;
+  const Cover cover = job.cover(options.seed);
+  result.capped = options.max_hulls > 0 && cover.size() > static_cast<std::size_t>(options.max_hulls);
+  if (result.capped) {
+    const HullTree tree = job.treeOver(cover);
+    result.hulls = tree.hullsOf(tree.cutTo(options.max_hulls));
+  } else {
+    for (const Group& group : cover) result.hulls.push_back(*group.hull);
   }
-  for (int id : cut) addCapped(tree, id, options, job.oracle, result);
-  for (ConvexHull& hull : result.hulls) moveBack(hull, middle);
+  for (ConvexHull& hull : result.hulls) {
+    hull = capped(hull, options.max_vertices);
+    moveBack(hull, middle);
+  }
   control.report(1);
   return result;
 }
 
-HullTree hullTree(const RepairedMesh& mesh, double tolerance, int max_vertices, const RunControl& control) {
-  if (!(tolerance > 0 && std::isfinite(tolerance)))
-    throw Error(ErrorCode::kBadOption, "tolerance is " + std::to_string(tolerance) + " m; it must be a positive length");
+HullTree hullTree(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
+  if (!(options.tolerance > 0 && std::isfinite(options.tolerance)))
+    throw Error(ErrorCode::kBadOption, "tolerance is " + std::to_string(options.tolerance) + " m; it must be a positive length");
   if (mesh.mesh.triangles.empty() && mesh.loose.empty())
     throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangle; a hull tree needs at least one");
   const Eigen::Vector3d middle = boxOf(mesh).center();
   const RepairedMesh local = about(middle, mesh);
-  HullTree tree = Job(local, tolerance, control).tree(local, max_vertices, true);
+  Job job(local, options.tolerance, options.max_vertices, options.effort, control);
+  HullTree tree = job.treeOver(job.cover(options.seed));
   for (HullNode& node : tree.nodes) moveBack(node.hull, middle);
   return tree;
 }

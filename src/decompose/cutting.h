@@ -5,21 +5,26 @@
 #include <vector>
 
 #include "collision_hulls/mesh/repair.h"
+#include "decompose/plane_score.h"
 #include "decompose/protrusion_oracle.h"
 #include "decompose/surface_piece.h"
 
 namespace collision_hulls {
 
-/// A piece of surface, as the hull of its points, and a bound of how far that hull protrudes [m].
-struct Leaf {
-  ConvexHull hull;
-  double protrusion = 0;
+struct CutOptions {
+  ScoreWeights weights;
+  int max_vertices = 0;  ///< of a leaf's hull, which has to fit also when reduced to so many; 0: no cap
 };
 
-/// Leaves whose pieces make up the whole surface (loose points included), none further than the oracle's tolerance from the solid
-/// unless its piece could not be cut any more; nor further if its hull is reduced to `max_vertices` (0: no cap). In a fixed order. Calls
-/// `progress` with the share of the area that is done.
-std::vector<Leaf> cutIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& oracle, int max_vertices,
+/// A piece of surface and the hull of its points.
+struct Leaf {
+  SurfacePiece piece;
+  ConvexHull hull;
+};
+
+/// Leaves whose pieces make up the whole surface (loose points included); each hull fits in the eyes of the oracle unless its piece
+/// could not be cut any more. In a fixed order. Calls `progress` with the share of the area that is done.
+std::vector<Leaf> cutIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& oracle, const CutOptions& options,
                                 const std::function<void(double)>& progress);
 
 }  // namespace collision_hulls

@@ -1,126 +1,122 @@
-// The paper's decimation with the true protrusion p in place of ray concavity, and between any near clusters:
+// The paper's decimation, between any near groups, with the true protrusion in place of ray concavity:
 //
-//   queue every pair of near nodes under a lower bound of its cost p + w * diagonal
+//   queue every pair of near groups under its cost
 //   while the queue holds a pair: take the cheapest
-//     if a node of it was merged meanwhile: drop it
-//     if its cost is only a lower bound: build the hull of both, ask the oracle, and put it back, or drop it beyond the tolerance
-//     else merge: both nodes get a parent, and the parent is paired with what is near
+//     if a group of it was merged meanwhile, or is known to be apart from the other: drop it
+//     if the hull of both protrudes too far: they are apart
+//     else merge: the union is paired with what is near, and is apart from what either part is apart from
 //
-// p never falls under merging, so max(p of both), and the boxes' common diagonal, bound a pair's cost from below.
+// A hull that protrudes too far does so as well when it grows: what is apart stays apart.
 #include "decompose/merging.h"
 
 #include <algorithm>
-#include <cmath>
-#include <memory>
+#include <array>
 #include <queue>
 #include <tuple>
+
+#include "decompose/dice.h"
 
 namespace collision_hulls {
 
 namespace {
 
-constexpr double kDiagonalWeight = 0.05;  // keeps merges small among those that protrude alike
-constexpr double kNear = 2;               // hulls further apart than this, in tolerances, cannot merge within the tolerance
+constexpr double kNear = 2;         // a hull across a wider gap, in tolerances, protrudes by more than one in its middle
+constexpr double kTieBreak = 1e-3;  // of the union's size, for squares that cancel out
+constexpr int kTrials = 8;          // of proving what was merged on trust
 
 struct Pair {
-  double cost = 0;
-  int a = 0, b = 0;
-  std::shared_ptr<const ConvexHull> hull;  // of both; null while the cost is only a lower bound
-  double protrusion = 0;
+  double cost;
+  int a, b;
 
   bool operator<(const Pair& o) const { return std::tie(cost, a, b) > std::tie(o.cost, o.a, o.b); }  // cheapest on top
 };
 
+double costOf(const Group& a, const Group& b, const MergeCost& cost) {
+  const double u = a.widths.merged(b.widths).mean(), wa = a.widths.mean(), wb = b.widths.mean();
+  double value = u;
+  if (cost.kind == MergeCost::kGrowth) value = u - std::max(wa, wb);
+  if (cost.kind == MergeCost::kMeanGrowth) value = u - (wa + wb) / 2;
+  if (cost.kind == MergeCost::kSquares) value = u * u - wa * wa - wb * wb + kTieBreak * u * u;
+  if (cost.noise > 0) value += u * cost.noise * (unitInterval(mixed(a.key ^ b.key ^ cost.seed)) - 0.5);
+  return value;
+}
+
 class Merging {
  public:
-  Merging(const std::vector<Leaf>& leaves, ProtrusionOracle& oracle, const std::function<void(double)>& progress)
-      : oracle_(oracle), progress_(progress), leaves_(leaves.size()) {
-    tree_.tolerance = oracle.tolerance();
-    for (const Leaf& leaf : leaves) add({leaf.hull, leaf.protrusion, -1, -1, -1});
-  }
+  Merging(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof proof)
+      : cover_(std::move(cover)), groups_(groups), cost_(cost), proof_(proof) {}
 
-  HullTree run(bool to_root) {
-    decimate(true);
-    if (to_root) decimate(false);
-    return std::move(tree_);
+  Cover run() {
+    for (int b = 0; b < size(); ++b) pairWithEarlier(b, -1, -1);
+    while (!queue_.empty()) {
+      const Pair pair = queue_.top();
+      queue_.pop();
+      if (group(pair.a).hull && group(pair.b).hull) tryMerge(pair.a, pair.b);
+    }
+    cover_.erase(std::remove_if(cover_.begin(), cover_.end(), [](const Group& g) { return !g.hull; }), cover_.end());
+    return std::move(cover_);
   }
 
  private:
-  HullNode& node(int i) { return tree_.nodes[static_cast<std::size_t>(i)]; }
+  int size() const { return static_cast<int>(cover_.size()); }
+  Group& group(int i) { return cover_[static_cast<std::size_t>(i)]; }
+  bool apart(int a, int b) const { return apart_[static_cast<std::size_t>(std::max(a, b))][static_cast<std::size_t>(std::min(a, b))] != 0; }
 
-  void add(const HullNode& n) {
-    tree_.nodes.push_back(n);
-    boxes_.push_back(boundingBox(n.hull));
-  }
-
-  void decimate(bool within_tolerance) {
-    queue_ = {};
-    for (int b = 0; b < static_cast<int>(tree_.nodes.size()); ++b) pairWithEarlier(b, within_tolerance);
-    while (!queue_.empty()) {
-      Pair pair = queue_.top();
-      queue_.pop();
-      if (node(pair.a).parent >= 0 || node(pair.b).parent >= 0) continue;
-      if (!pair.hull)
-        evaluate(std::move(pair), within_tolerance);
-      else
-        merge(pair, within_tolerance);
-    }
-  }
-
-  void pairWithEarlier(int b, bool within_tolerance) {
-    if (node(b).parent >= 0) return;
+  /// Pairs group b, the union of `left` and `right` if there are such, with those before it. Merged groups have no hull any more.
+  void pairWithEarlier(int b, int left, int right) {
+    apart_.emplace_back(static_cast<std::size_t>(b), 0);
     for (int a = 0; a < b; ++a) {
-      if (node(a).parent >= 0) continue;
-      const double apart = boxes_[static_cast<std::size_t>(a)].exteriorDistance(boxes_[static_cast<std::size_t>(b)]);
-      if (within_tolerance && apart > kNear * oracle_.tolerance()) continue;
-      Pair pair;
-      pair.a = a, pair.b = b;
-      const Eigen::AlignedBox3d box = boxes_[static_cast<std::size_t>(a)].merged(boxes_[static_cast<std::size_t>(b)]);
-      pair.cost = lowerBound(a, b) + kDiagonalWeight * box.diagonal().norm();
-      queue_.push(std::move(pair));
+      if (!group(a).hull) continue;
+      char& is_apart = apart_.back()[static_cast<std::size_t>(a)];
+      is_apart = farApart(group(a), group(b), groups_.tolerance()) || (left >= 0 && (apart(a, left) || apart(a, right)));
+      if (!is_apart) queue_.push({costOf(group(a), group(b), cost_), a, b});
     }
   }
 
-  double lowerBound(int a, int b) { return std::max(node(a).protrusion, node(b).protrusion); }
-
-  void evaluate(Pair pair, bool within_tolerance) {
-    std::vector<Eigen::Vector3d> points = node(pair.a).hull.vertices;
-    points.insert(points.end(), node(pair.b).hull.vertices.begin(), node(pair.b).hull.vertices.end());
-    pair.hull = std::make_shared<ConvexHull>(convexHull(points));
-    const double known = lowerBound(pair.a, pair.b);
-    pair.protrusion = within_tolerance ? oracle_.within(*pair.hull, known) : std::max(known, oracle_.however(*pair.hull));
-    if (std::isinf(pair.protrusion)) return;
-    pair.cost = pair.protrusion + kDiagonalWeight * boundingBox(*pair.hull).diagonal().norm();
-    queue_.push(std::move(pair));
+  void tryMerge(int a, int b) {
+    Group both = groups_.merged(group(a), group(b));
+    if (!both.hull || (proof_ == Proof::kAtOnce && !groups_.proven(both))) {
+      apart_[static_cast<std::size_t>(b)][static_cast<std::size_t>(a)] = 1;  // a < b
+      return;
+    }
+    group(a).hull = group(b).hull = nullptr;
+    cover_.push_back(std::move(both));
+    pairWithEarlier(size() - 1, a, b);
   }
 
-  void merge(const Pair& pair, bool within_tolerance) {
-    const int parent = static_cast<int>(tree_.nodes.size());
-    node(pair.a).parent = node(pair.b).parent = parent;
-    add({*pair.hull, pair.protrusion, -1, pair.a, pair.b});
-    pairWithEarlier(parent, within_tolerance);
-    progress_(static_cast<double>(tree_.nodes.size() - leaves_) / static_cast<double>(leaves_));
-  }
-
-  ProtrusionOracle& oracle_;
-  const std::function<void(double)>& progress_;
-  std::size_t leaves_;
-  HullTree tree_;
-  std::vector<Eigen::AlignedBox3d> boxes_;
+  Cover cover_;
+  SurfaceGroups& groups_;
+  const MergeCost cost_;
+  const Proof proof_;
+  std::vector<std::vector<char>> apart_;  // [b][a] for a < b
   std::priority_queue<Pair> queue_;
 };
 
 }  // namespace
 
-HullTree merged(const std::vector<Leaf>& leaves, ProtrusionOracle& oracle, bool to_root, const std::function<void(double)>& progress) {
-  return Merging(leaves, oracle, progress).run(to_root);
+bool farApart(const Group& a, const Group& b, double tolerance) {
+  return a.widths.gap(b.widths) > kNear * tolerance;
 }
 
-std::vector<int> rootsOf(const HullTree& tree) {
-  std::vector<int> roots;
-  for (std::size_t i = 0; i < tree.nodes.size(); ++i)
-    if (tree.nodes[i].parent < 0) roots.push_back(static_cast<int>(i));
-  return roots;
+Cover merged(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof proof) {
+  return Merging(std::move(cover), groups, cost, proof).run();
+}
+
+/// What was refuted is remembered, so that merging anew takes another way.
+Cover mergedBest(const Cover& cover, SurfaceGroups& groups) {
+  constexpr std::array<MergeCost::Kind, 4> kinds{MergeCost::kSize, MergeCost::kGrowth, MergeCost::kMeanGrowth, MergeCost::kSquares};
+  std::array<std::size_t, kinds.size()> sizes{};
+  for (std::size_t k = 0; k < kinds.size(); ++k) sizes[k] = merged(cover, groups, {kinds[k], 0, 0}, Proof::kLater).size();
+  std::size_t best = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    best = static_cast<std::size_t>(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
+    Cover result = merged(cover, groups, {kinds[best], 0, 0}, Proof::kLater);
+    if (result.size() > sizes[best])
+      sizes[best] = result.size();  // refuted meanwhile: another kind may do better now
+    else if (groups.proven(result))
+      return result;
+  }
+  return merged(cover, groups, {kinds[best], 0, 0}, Proof::kAtOnce);
 }
 
 }  // namespace collision_hulls

@@ -1,19 +1,30 @@
-// Bottom up: leaves merged, cheapest first, into a tree of hulls.
+// Bottom up: groups merged, cheapest first, while their common hull stays within the tolerance.
 #pragma once
 
-#include <functional>
-#include <vector>
+#include <cstdint>
 
-#include "collision_hulls/decompose/hull_tree.h"
-#include "decompose/cutting.h"
+#include "decompose/surface_groups.h"
 
 namespace collision_hulls {
 
-/// Merges leaves while the hull of a merge stays within the oracle's tolerance, then all the rest up to a single root where
-/// `to_root` is set; otherwise the nodes left over are the last ones without a parent. Deterministic.
-HullTree merged(const std::vector<Leaf>& leaves, ProtrusionOracle& oracle, bool to_root, const std::function<void(double)>& progress);
+/// What a merge costs, by the mean widths of the union u and of both parts a and b.
+struct MergeCost {
+  enum Kind { kSize, kGrowth, kMeanGrowth, kSquares };
+  Kind kind = kSize;  ///< u; u - max(a, b); u - (a + b) / 2; u^2 - a^2 - b^2
+  double noise = 0;   ///< random share of u that is added or taken away
+  std::uint64_t seed = 0;
+};
 
-/// The nodes without a parent, ascending.
-std::vector<int> rootsOf(const HullTree& tree);
+/// Whether a merge is taken on trust, to be proven afterwards, or proven before it is made.
+enum class Proof { kLater, kAtOnce };
+
+/// What greedy merging leaves. Deterministic.
+Cover merged(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof proof);
+
+/// The same by the kind of cost that leaves fewest groups, all of them proven.
+Cover mergedBest(const Cover& cover, SurfaceGroups& groups);
+
+/// Whether two groups are so far apart that a common hull cannot fit.
+bool farApart(const Group& a, const Group& b, double tolerance);
 
 }  // namespace collision_hulls

@@ -1,79 +1,144 @@
 #include "decompose/protrusion_oracle.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "check/surface_search.h"
+#include "geometry/quickhull.h"
 
 namespace collision_hulls {
 
 namespace {
 
-// All as shares of the tolerance.
-constexpr double kReserve = 0.02;     // for the certificate, whose bounds come from the hulls as written
-constexpr double kGap = 0.005;        // between the bounds of the surface search
-constexpr double kCoarse = 0.5;       // the octree's resolution where the surface is searched too
-constexpr double kIndifferent = 0.4;  // protrusions below this are as good as none
-constexpr double kFinest = 1.0 / 8;   // of the search for intruders
-constexpr double kGapOfLarge = 0.05;  // of a protrusion that may exceed the tolerance, as a share of itself
-constexpr std::size_t kIntruders = 64;
+// Shares of the tolerance.
+constexpr double kReserve = 0.015;       // left to the certificate, whose bounds come from the hulls as written
+constexpr double kProofGap = 0.003;      // between the bounds of a proof
+constexpr double kQuickCell = 1;         // radius of the smallest cells asked for a quick answer,
+constexpr double kFineCell = 0.5;        // before a proof,
+constexpr double kIntruderCell = 0.125;  // and for intruders
+constexpr double kPocketCell = 0.01;     // where the search for pockets ends
+constexpr double kLooseGap = 0.01;       // between the bounds of large protrusions
+
+constexpr double kLooseShare = 0.02;     // the same, of the protrusion itself
+constexpr double kInward = 1e-9;         // of the way to a vertex, that intruders on a hull's surface are moved into it
+constexpr std::size_t kMostKnown = 400;  // intruders remembered
 
 }  // namespace
 
+ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : points) box.extend(p);
+  const Eigen::Vector3d middle = box.center();
+  std::vector<Eigen::Vector3d> centred;
+  centred.reserve(points.size());
+  for (const Eigen::Vector3d& p : points) centred.push_back(p - middle);
+  std::optional<ConvexHull> hull = quickhull(centred);
+  if (!hull) return convexHull(points);
+  for (Eigen::Vector3d& v : hull->vertices) v += middle;
+  for (HalfSpace& face : hull->faces) face.offset += face.normal.dot(middle);
+  return *std::move(hull);
+}
+
+bool holds(const ConvexHull& hull, const Eigen::Vector3d& p) {
+  return std::none_of(hull.faces.begin(), hull.faces.end(), [&](const HalfSpace& f) { return f.distance(p) > 0; });
+}
+
 ProtrusionOracle::ProtrusionOracle(const Solid& solid, const Eigen::AlignedBox3d& box, double tolerance, const RunControl& control)
-    : solid_(solid), tolerance_(tolerance), control_(control), outside_(solid, box) {}
+    : solid_(solid), control_(control), tolerance_(tolerance), outside_(solid, box) {}
 
-double ProtrusionOracle::within(const ConvexHull& hull, double known) {
-  control_.check();
-  const double most = tolerance_ * (1 - kReserve), floor = std::max(known, kIndifferent * tolerance_);
-  OutsideDistance::Query coarse;
-  coarse.floor = floor;
-  coarse.ceiling = most;
-  coarse.resolution = kCoarse * tolerance_;
-  const OutsideDistance::Largest seen = outside_.largest(hull, coarse);
-  if (seen.found > most) return std::numeric_limits<double>::infinity();
-  SurfaceQuery fine;
-  fine.floor = std::max(floor, seen.found);
-  fine.gap = kGap * tolerance_;
-  fine.ceiling = most;
-  const Protrusion on_surface = largestOnSurface(hull, solid_, fine, control_);
-  if (on_surface.found > most) return std::numeric_limits<double>::infinity();
-  OutsideDistance::Query summits = coarse;
-  summits.floor = std::max(fine.floor, on_surface.found) + fine.gap;
-  summits.resolution = fine.gap;
-  summits.summits_only = true;
-  const OutsideDistance::Largest within_hull = outside_.largest(hull, summits);
-  if (within_hull.found > most) return std::numeric_limits<double>::infinity();
-  return std::max({known, on_surface.bound, within_hull.found});
+void ProtrusionOracle::setTolerance(double tolerance) {
+  tolerance_ = tolerance;
+  known_.clear();
 }
 
-double ProtrusionOracle::however(const ConvexHull& hull) {
-  control_.check();
-  OutsideDistance::Query coarse;
-  coarse.ceiling = std::numeric_limits<double>::infinity();
-  coarse.resolution = kCoarse * tolerance_;
-  const OutsideDistance::Largest seen = outside_.largest(hull, coarse);
-  SurfaceQuery fine;
-  fine.floor = seen.found;
-  fine.gap = std::max(kReserve * tolerance_, kGapOfLarge * seen.found);
-  return std::max({largestOnSurface(hull, solid_, fine, control_).bound, seen.found + fine.gap});
+double ProtrusionOracle::ceiling() const {
+  return (1 - kReserve) * tolerance_;
 }
 
-std::vector<OutsideDistance::Intruder> ProtrusionOracle::intruders(const ConvexHull& hull) {
+bool ProtrusionOracle::mayFit(const ConvexHull& hull) {
   control_.check();
-  std::vector<OutsideDistance::Intruder> all = outside_.intruders(hull, tolerance_ * (1 - kReserve), kIntruders, kFinest * tolerance_);
-  if (all.empty()) return {furthest(hull)};
-  if (all.size() <= 2 * kIntruders) return all;
+  return !holdsKnownIntruder(hull) && !holdsIntruder(hull, kQuickCell);
+}
+
+bool ProtrusionOracle::fits(const ConvexHull& hull) {
+  control_.check();
+  if (holdsKnownIntruder(hull) || holdsIntruder(hull, kFineCell)) return false;
+  SurfaceQuery on;
+  on.floor = on.ceiling = ceiling();
+  on.gap = kProofGap * tolerance_;
+  const Protrusion most = largestOnSurface(hull, solid_, on, control_);
+  if (most.found <= ceiling()) return true;
+  remember(most.where + kInward * (hull.vertices[0] - most.where));
+  return false;
+}
+
+bool ProtrusionOracle::holdsPocket(const ConvexHull& hull) {
+  control_.check();
+  OutsideDistance::Query query;
+  query.floor = query.ceiling = tolerance_;
+  query.resolution = kPocketCell * tolerance_;
+  query.summits_only = true;
+  const OutsideDistance::Largest summit = outside_.largest(hull, query);
+  if (summit.found > tolerance_) remember(summit.where);
+  return summit.bound > tolerance_;
+}
+
+double ProtrusionOracle::bound(const ConvexHull& hull) {
+  control_.check();
+  OutsideDistance::Query query;
+  query.ceiling = std::numeric_limits<double>::infinity();
+  query.resolution = kFineCell * tolerance_;
+  const OutsideDistance::Largest seen = outside_.largest(hull, query);
+  SurfaceQuery on;
+  on.floor = seen.found;
+  on.gap = std::max(kLooseGap * tolerance_, kLooseShare * seen.found);
+  const double on_surface = largestOnSurface(hull, solid_, on, control_).bound;
+  query.floor = std::max(seen.found, on_surface) + on.gap;
+  query.resolution = on.gap;
+  query.summits_only = true;
+  return outside_.largest(hull, query).bound;
+}
+
+bool ProtrusionOracle::holdsIntruder(const ConvexHull& hull, double resolution) {
+  OutsideDistance::Query query;
+  query.floor = query.ceiling = ceiling();
+  query.resolution = resolution * tolerance_;
+  const OutsideDistance::Largest within = outside_.largest(hull, query);
+  if (within.found <= ceiling()) return false;
+  remember(within.where);
+  return true;
+}
+
+/// An intruder that was useful moves forward.
+bool ProtrusionOracle::holdsKnownIntruder(const ConvexHull& hull) {
+  const Eigen::AlignedBox3d box = boundingBox(hull);
+  for (std::size_t i = 0; i < known_.size(); ++i) {
+    if (!box.contains(known_[i]) || !holds(hull, known_[i])) continue;
+    std::swap(known_[i], known_[i / 2]);
+    return true;
+  }
+  return false;
+}
+
+void ProtrusionOracle::remember(const Eigen::Vector3d& intruder) {
+  if (known_.size() == kMostKnown) known_.pop_back();
+  known_.push_back(intruder);
+  std::swap(known_.back(), known_[known_.size() / 2]);
+}
+
+std::vector<OutsideDistance::Intruder> ProtrusionOracle::intruders(const ConvexHull& hull, std::size_t wanted) {
+  control_.check();
+  const std::vector<OutsideDistance::Intruder> all = outside_.intruders(hull, ceiling(), wanted, kIntruderCell * tolerance_);
+  if (all.empty()) {  // thinner than the cells
+    SurfaceQuery on;
+    on.gap = kIntruderCell * tolerance_;
+    const Protrusion most = largestOnSurface(hull, solid_, on, control_);
+    return {{most.where, most.found, 1}};
+  }
+  if (all.size() <= 2 * wanted) return all;
   std::vector<OutsideDistance::Intruder> some;
-  for (std::size_t i = 0; i < 2 * kIntruders; ++i) some.push_back(all[i * all.size() / (2 * kIntruders)]);
+  for (std::size_t i = 0; i < 2 * wanted; ++i) some.push_back(all[i * all.size() / (2 * wanted)]);
   return some;
-}
-
-/// For intrusions thinner than the octree's cells.
-OutsideDistance::Intruder ProtrusionOracle::furthest(const ConvexHull& hull) const {
-  SurfaceQuery query;
-  query.gap = kFinest * tolerance_;
-  const Protrusion p = largestOnSurface(hull, solid_, query, control_);
-  return {p.where, p.found, 1};
 }
 
 }  // namespace collision_hulls

@@ -1,7 +1,7 @@
-// The question that a decomposition asks again and again: how far does this hull protrude?
+// The question that a decomposition asks again and again: does this hull protrude further than the tolerance?
 #pragma once
 
-#include <limits>
+#include <vector>
 
 #include "check/outside_distance.h"
 #include "collision_hulls/check/solid.h"
@@ -9,35 +9,51 @@
 
 namespace collision_hulls {
 
-/// Answers by an octree that finds deep intrusions at once and keeps what it computed, and by an exact search over the hull's
-/// surface where the octree finds none. Not thread safe.
+/// The hull of points near the origin with a face per triangle, as quickhull leaves it where it can: for hulls that are asked
+/// about once and mostly thrown away.
+ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points);
+
+/// Whether p lies in the hull.
+bool holds(const ConvexHull& hull, const Eigen::Vector3d& p);
+
+/// Answers in three tests, cheapest first: intruders (points outside the solid by more than the tolerance) that refuted earlier
+/// hulls, an octree of distances that the hulls share, and a search over the hull's surface, which alone is a proof. Not thread safe.
 class ProtrusionOracle {
  public:
-  /// `tolerance` [m] sets how finely is searched; `box` holds every hull that is asked about.
+  /// `box` holds every hull that is asked about.
   ProtrusionOracle(const Solid& solid, const Eigen::AlignedBox3d& box, double tolerance, const RunControl& control);
 
-  /// An upper bound of the protrusion, within 2 % of the tolerance of the truth, where that does not pass the tolerance;
-  /// infinite where it does. Protrusions up to `known`, a lower bound that the caller has, are not told apart.
-  double within(const ConvexHull& hull, double known = 0);
+  /// False: the hull protrudes too far. True: most likely it does not.
+  bool mayFit(const ConvexHull& hull);
 
-  /// An upper bound of the protrusion however large, within 2 % of the tolerance or 5 % of itself.
-  double however(const ConvexHull& hull);
+  /// True: no point of the hull's surface is further from the solid than 99 % of the tolerance.
+  bool fits(const ConvexHull& hull);
 
-  /// Points of the hull outside the solid by more than the tolerance, evenly spread; at least one, a few dozen where the
-  /// hull protrudes much.
-  std::vector<OutsideDistance::Intruder> intruders(const ConvexHull& hull);
+  /// Whether a pocket of the solid within the hull may be deeper than its surface shows and than the tolerance. Slow on some hulls.
+  bool holdsPocket(const ConvexHull& hull);
+
+  /// An upper bound of the protrusion of any hull, within a few per cent of it or of the tolerance.
+  double bound(const ConvexHull& hull);
+
+  /// Points of the hull outside the solid by more than the tolerance, evenly spread, two times `wanted` at most; at least one.
+  std::vector<OutsideDistance::Intruder> intruders(const ConvexHull& hull, std::size_t wanted);
 
   const Solid& solid() const { return solid_; }
-  double tolerance() const { return tolerance_; }
   const RunControl& control() const { return control_; }
+  double tolerance() const { return tolerance_; }
+  void setTolerance(double tolerance);  ///< [m] what was learned of the solid is kept
 
  private:
-  OutsideDistance::Intruder furthest(const ConvexHull& hull) const;
+  bool holdsKnownIntruder(const ConvexHull& hull);
+  bool holdsIntruder(const ConvexHull& hull, double resolution);
+  void remember(const Eigen::Vector3d& intruder);
+  double ceiling() const;
 
   const Solid& solid_;
-  double tolerance_;
   const RunControl& control_;
+  double tolerance_;
   OutsideDistance outside_;
+  std::vector<Eigen::Vector3d> known_;  // intruders, the most useful ones first
 };
 
 }  // namespace collision_hulls

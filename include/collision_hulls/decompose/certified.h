@@ -17,9 +17,9 @@ namespace collision_hulls {
 /// Hulls by steps 1 to 3. Only what could not be cut, or a cap, leaves a hull beyond the tolerance. See decompose().
 Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control = {});
 
-/// Steps 1 and 2 with leaves for `tolerance` [m] > 0, also when their vertices are capped (0: no cap), merged on up to a single root: any
-/// cut at a larger tolerance, or to any number of hulls, is then a matter of microseconds. Bounds are those of the search, within 2 % of
-/// the tolerance (above it 5 % of the bound) of the truth. Deterministic. Throws kEmptyMesh, kBadOption, kCancelled.
-HullTree hullTree(const RepairedMesh& mesh, double tolerance, int max_vertices = 0, const RunControl& control = {});
+/// The hulls of certified() as leaves, merged on up to a single root: a cut at a larger tolerance, or to any number of hulls, is then
+/// a matter of microseconds. Vertices are not capped (but leaves fit also when they are), nor hulls; `method` is ignored. Bounds are
+/// within a few per cent of the truth. Deterministic. Throws kEmptyMesh, kBadOption, kCancelled.
+HullTree hullTree(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control = {});
 
 }  // namespace collision_hulls

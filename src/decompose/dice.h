@@ -1,0 +1,33 @@
+// Random numbers that are the same everywhere.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace collision_hulls {
+
+/// splitmix64 (Steele, Lea & Flood 2014): a bijection that spreads every bit.
+inline std::uint64_t mixed(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+/// The number in [0, 1) that 64 random bits stand for.
+inline double unitInterval(std::uint64_t bits) {
+  return static_cast<double>(bits >> 11) * 0x1p-53;
+}
+
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : state_(mixed(seed)) {}
+  std::uint64_t bits() { return state_ = mixed(state_); }
+  double unit() { return unitInterval(bits()); }  ///< in [0, 1)
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(unit() * static_cast<double>(n)); }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace collision_hulls

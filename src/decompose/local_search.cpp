@@ -1,0 +1,174 @@
+// A move: dissolve a group (small ones sooner) and up to three of its neighbours. Elements that another group's hull covers anyway go
+// to that group. The others fall into random halves, single elements or the leaves' parts, by lot, and merge again with the groups
+// nearby, by a random kind of cost and with noise. The move counts if groups become fewer or, at their number, if the sum of their
+// squared areas does not fall: so large groups grow, and small ones starve until they can be done without.
+#include "decompose/local_search.h"
+
+#include <algorithm>
+
+#include "decompose/dice.h"
+#include "decompose/merging.h"
+
+namespace collision_hulls {
+
+namespace {
+
+constexpr std::size_t kMostNeighbours = 3;        // dissolved with a group
+constexpr double kInHalves = 0.4, kSingly = 0.2;  // how often groups fall into halves, into elements
+constexpr int kNoiseLevels = 4;                   // 0, 0.1, ...
+constexpr double kNoiseStep = 0.1;
+constexpr long kIdleMovesPerGroup = 20, kIdleMoves = 200;  // without gain before the search ends
+constexpr double kRounding = 1e-12;
+constexpr int kTrials = 20;  // of getting rid of pockets
+
+double squaredAreas(const Cover& cover) {
+  double sum = 0;
+  for (const Group& g : cover) sum += g.area * g.area;
+  return sum;
+}
+
+class Search {
+ public:
+  Search(SurfaceGroups& groups, std::uint64_t seed) : groups_(groups), dice_(seed) {}
+
+  /// A neighbour of a cover; not proven.
+  Cover moved(const Cover& cover) {
+    const std::vector<char> dissolve = chosen(cover);
+    Cover kept;
+    std::vector<int> loose;
+    for (std::size_t i = 0; i < cover.size(); ++i) {
+      if (dissolve[i])
+        loose.insert(loose.end(), cover[i].elements.begin(), cover[i].elements.end());
+      else
+        kept.push_back(cover[i]);
+    }
+    std::sort(loose.begin(), loose.end());
+    handOver(loose, kept);
+    const Cover pieces = parted(loose);
+    Cover near, result;
+    for (Group& g : kept) {
+      const bool is_near = std::any_of(pieces.begin(), pieces.end(), [&](const Group& p) { return !farApart(p, g, groups_.tolerance()); });
+      (is_near ? near : result).push_back(std::move(g));
+    }
+    near.insert(near.end(), pieces.begin(), pieces.end());
+    for (Group& g : merged(std::move(near), groups_, randomCost(), Proof::kLater)) result.push_back(std::move(g));
+    return result;
+  }
+
+ private:
+  std::vector<char> chosen(const Cover& cover) {
+    std::size_t seed = dice_.below(cover.size());
+    const std::size_t other = dice_.below(cover.size());
+    if (cover[other].area < cover[seed].area) seed = other;
+    std::vector<std::size_t> neighbours;
+    for (std::size_t i = 0; i < cover.size(); ++i)
+      if (i != seed && !farApart(cover[seed], cover[i], groups_.tolerance())) neighbours.push_back(i);
+    std::vector<char> dissolve(cover.size(), 0);
+    dissolve[seed] = 1;
+    const std::size_t more = std::min(neighbours.size(), dice_.below(kMostNeighbours + 1));
+    for (std::size_t i = 0; i < more; ++i) dissolve[neighbours[dice_.below(neighbours.size())]] = 1;
+    return dissolve;
+  }
+
+  void handOver(std::vector<int>& loose, Cover& kept) const {
+    std::vector<int> left;
+    for (int e : loose) {
+      const auto taker = std::find_if(kept.begin(), kept.end(), [&](const Group& g) { return groups_.covers(g, e); });
+      if (taker == kept.end())
+        left.push_back(e);
+      else
+        groups_.add(e, *taker);
+    }
+    loose = std::move(left);
+  }
+
+  Cover parted(const std::vector<int>& loose) {
+    const double way = dice_.unit();
+    if (way > kInHalves + kSingly) return groups_.byLeaf(loose);
+    Cover parts;
+    if (way < kInHalves)
+      halve(loose, parts);
+    else
+      for (int e : loose) parts.push_back(groups_.single(e));
+    return parts;
+  }
+
+  /// Divides at random until each part may fit.
+  void halve(const std::vector<int>& elements, Cover& parts) {
+    if (elements.empty()) return;
+    Group whole = groups_.whole(elements);
+    if (whole.hull) {
+      parts.push_back(std::move(whole));
+      return;
+    }
+    const int direction = static_cast<int>(dice_.below(Widths::kDirections));
+    std::vector<std::pair<double, int>> order;
+    for (int e : elements) order.push_back({groups_.single(e).widths.middle(direction), e});
+    std::sort(order.begin(), order.end());
+    const std::size_t first = 1 + dice_.below(order.size() - 1);
+    std::vector<int> low, high;
+    for (std::size_t i = 0; i < order.size(); ++i) (i < first ? low : high).push_back(order[i].second);
+    std::sort(low.begin(), low.end());
+    std::sort(high.begin(), high.end());
+    halve(low, parts);
+    halve(high, parts);
+  }
+
+  MergeCost randomCost() {
+    MergeCost cost;
+    cost.kind = static_cast<MergeCost::Kind>(dice_.below(MergeCost::kSquares + 1));
+    cost.noise = kNoiseStep * static_cast<double>(dice_.below(kNoiseLevels));
+    cost.seed = dice_.bits();
+    return cost;
+  }
+
+  SurfaceGroups& groups_;
+  Dice dice_;
+};
+
+}  // namespace
+
+Cover improved(Cover cover, SurfaceGroups& groups, const SearchOptions& options, const std::function<void(double)>& progress) {
+  Search search(groups, options.seed);
+  const long first = groups.evaluations();
+  long idle = 0;
+  while (cover.size() > 1 && idle < kIdleMovesPerGroup * static_cast<long>(cover.size()) + kIdleMoves) {
+    const long made = groups.evaluations() - first;
+    if (made >= options.evaluations) break;
+    groups.control().check();
+    progress(static_cast<double>(made) / static_cast<double>(options.evaluations));
+    ++idle;
+    Cover next = search.moved(cover);
+    const bool fewer = next.size() < cover.size();
+    const bool no_worse = fewer || (next.size() == cover.size() && squaredAreas(next) >= squaredAreas(cover) * (1 - kRounding));
+    if (!no_worse || !groups.proven(next)) continue;
+    if (fewer) idle = 0;
+    cover = std::move(next);
+  }
+  return cover;
+}
+
+Cover withoutPockets(Cover cover, SurfaceGroups& groups) {
+  for (int trial = 0; trial < kTrials; ++trial) {
+    Cover next;
+    bool changed = false;
+    for (Group& g : cover) {
+      if (!groups.holdsPocket(g)) {
+        next.push_back(std::move(g));
+        continue;
+      }
+      changed = true;
+      Cover parts = groups.byLeaf(g.elements);
+      if (parts.size() == 1) {  // a leaf itself: its elements are smaller
+        parts.clear();
+        for (int e : g.elements) parts.push_back(groups.single(e));
+      }
+      next.insert(next.end(), parts.begin(), parts.end());
+    }
+    if (!changed) return next;
+    cover = merged(std::move(next), groups, {}, Proof::kAtOnce);
+  }
+  return cover;
+}
+
+}  // namespace collision_hulls

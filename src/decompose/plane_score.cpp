@@ -1,0 +1,83 @@
+#include "decompose/plane_score.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "decompose/protrusion_oracle.h"
+
+namespace collision_hulls {
+
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+constexpr double kUseless = std::numeric_limits<double>::infinity();
+constexpr std::size_t kLeastPoints = 4;  // of a side
+
+struct Sides {
+  Points beneath, above;
+};
+
+Sides divided(const SurfacePiece& piece, const std::vector<std::pair<int, int>>& edges, const HalfSpace& plane) {
+  Sides sides;
+  std::vector<double> distance;
+  distance.reserve(piece.vertices.size());
+  for (const Eigen::Vector3d& v : piece.vertices) {
+    distance.push_back(plane.distance(v));
+    if (distance.back() <= 0) sides.beneath.push_back(v);
+    if (distance.back() >= 0) sides.above.push_back(v);
+  }
+  if (sides.beneath.size() < kLeastPoints || sides.above.size() < kLeastPoints) return sides;
+  for (const auto& [a, b] : edges) {
+    const double da = distance[static_cast<std::size_t>(a)], db = distance[static_cast<std::size_t>(b)];
+    if (da * db >= 0) continue;
+    const Eigen::Vector3d& p = piece.vertices[static_cast<std::size_t>(a)];
+    const Eigen::Vector3d crossing = p + (da / (da - db)) * (piece.vertices[static_cast<std::size_t>(b)] - p);
+    sides.beneath.push_back(crossing);
+    sides.above.push_back(crossing);
+  }
+  return sides;
+}
+
+}  // namespace
+
+PlaneScore::PlaneScore(const SurfacePiece& piece, std::size_t vertices, std::vector<OutsideDistance::Intruder> intruders, double volume,
+                       const ScoreWeights& weights)
+    : piece_(simplified(piece, vertices)), edges_(edgesOf(piece_)), intruders_(std::move(intruders)), volume_(volume), weights_(weights) {
+  for (const OutsideDistance::Intruder& i : intruders_) weight_ += i.weight;
+}
+
+/// Less is better.
+double PlaneScore::operator()(const HalfSpace& plane) const {
+  const Sides sides = divided(piece_, edges_, plane);
+  if (sides.beneath.size() < kLeastPoints || sides.above.size() < kLeastPoints) return kUseless;
+  const ConvexHull beneath = roughHull(sides.beneath), above = roughHull(sides.above);
+  double left_beneath = 0, left_above = 0;
+  for (const OutsideDistance::Intruder& i : intruders_) {
+    const bool is_beneath = plane.distance(i.p) <= 0;
+    if (holds(is_beneath ? beneath : above, i.p)) (is_beneath ? left_beneath : left_above) += i.weight;
+  }
+  double score = (left_beneath + left_above) / weight_;
+  if (!(volume_ > 0)) return score;
+  const double v_beneath = volume(beneath), v_above = volume(above);
+  const double finished = std::max(left_beneath == 0 ? v_beneath : 0, left_above == 0 ? v_above : 0) / volume_;
+  score -= weights_.volume_gain * (1 - (v_beneath + v_above) / volume_);
+  score -= weights_.finished_share * finished + (finished > 0 ? weights_.finished : 0);
+  return score;
+}
+
+std::vector<HalfSpace> PlaneScore::best(const std::vector<HalfSpace>& planes, std::size_t most) const {
+  std::vector<double> scores(planes.size());
+  tbb::parallel_for(std::size_t{0}, planes.size(), [&](std::size_t i) { scores[i] = (*this)(planes[i]); });
+  std::vector<std::size_t> order(planes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return scores[a] < scores[b]; });
+  std::vector<HalfSpace> result;
+  for (std::size_t i : order)
+    if (result.size() < most && scores[i] < kUseless) result.push_back(planes[i]);
+  return result;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,217 @@
+#include "decompose/surface_groups.h"
+
+#include <algorithm>
+#include <map>
+#include <queue>
+#include <tuple>
+
+#include "collision_hulls/decompose/reduce_vertices.h"
+#include "decompose/dice.h"
+
+namespace collision_hulls {
+
+namespace {
+
+constexpr double kOnPlane = 1e-9;   // of the largest extent
+constexpr double kSmallest = 1e-6;  // the same: pieces below are not halved
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+struct Part {
+  double area;
+  int leaf, number;
+  SurfacePiece piece;
+
+  bool operator<(const Part& o) const { return std::tie(area, o.leaf, o.number) < std::tie(o.area, leaf, number); }  // largest on top
+};
+
+/// Both halves along the longest side; the piece alone where that divides nothing.
+std::vector<SurfacePiece> halves(const SurfacePiece& piece, double extent) {
+  const Eigen::AlignedBox3d box = boundingBox(piece);
+  Eigen::Index axis = 0;
+  if (!(box.sizes().maxCoeff(&axis) > kSmallest * extent)) return {piece};
+  auto [beneath, above] = cut(piece, {Eigen::Vector3d::Unit(axis), box.center()[axis]}, kOnPlane * extent);
+  if (beneath.triangles.empty() || above.triangles.empty()) return {piece};
+  return {std::move(beneath), std::move(above)};
+}
+
+/// Of a hull that had to be made thicker the piece's own points count.
+Element elementOf(const SurfacePiece& piece, const ConvexHull& hull, int leaf) {
+  return {hull.thickness > 0 ? piece.vertices : hull.vertices, area(piece), leaf};
+}
+
+}  // namespace
+
+std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t count) {
+  std::vector<Element> elements;
+  if (count <= leaves.size()) {
+    for (std::size_t i = 0; i < leaves.size(); ++i) elements.push_back(elementOf(leaves[i].piece, leaves[i].hull, static_cast<int>(i)));
+    return elements;
+  }
+  Eigen::AlignedBox3d box;
+  std::priority_queue<Part> large;
+  int number = 0;
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    large.push({area(leaves[i].piece), static_cast<int>(i), number++, leaves[i].piece});
+    box.extend(boundingBox(leaves[i].hull));
+  }
+  std::vector<Part> done;
+  while (!large.empty()) {
+    Part part = large.top();
+    large.pop();
+    std::vector<SurfacePiece> pieces;
+    if (large.size() + done.size() + 1 < count) pieces = halves(part.piece, box.sizes().maxCoeff());
+    if (pieces.size() < 2) {
+      done.push_back(std::move(part));
+      continue;
+    }
+    for (SurfacePiece& piece : pieces) large.push({area(piece), part.leaf, number++, std::move(piece)});
+  }
+  std::sort(done.begin(), done.end(), [](const Part& a, const Part& b) { return std::tie(a.leaf, a.number) < std::tie(b.leaf, b.number); });
+  for (const Part& part : done) elements.push_back(elementOf(part.piece, roughHull(part.piece.vertices), part.leaf));
+  return elements;
+}
+
+SurfaceGroups::SurfaceGroups(std::vector<Element> elements, ProtrusionOracle& oracle, int max_vertices)
+    : elements_(std::move(elements)), oracle_(oracle), max_vertices_(max_vertices) {
+  for (std::size_t i = 0; i < elements_.size(); ++i) {
+    Group group;
+    group.elements = {static_cast<int>(i)};
+    group.key = mixed(i);
+    group.area = elements_[i].area;
+    for (const Eigen::Vector3d& p : elements_[i].points) group.widths.extend(p);
+    group.hull = std::make_shared<ConvexHull>(roughHull(elements_[i].points));
+    singles_.push_back(std::move(group));
+  }
+}
+
+Cover SurfaceGroups::leaves() {
+  std::vector<int> all(elements_.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+  return byLeaf(all);
+}
+
+Cover SurfaceGroups::byLeaf(const std::vector<int>& elements) {
+  std::map<int, std::vector<int>> leaves;
+  for (int e : elements) leaves[elements_[at(e)].leaf].push_back(e);
+  Cover parts;
+  for (const auto& [leaf, mine] : leaves) {
+    if (mine.size() == 1) {
+      parts.push_back(single(mine[0]));
+      continue;
+    }
+    Group part = groupOf(mine);
+    Known& known = known_[part.key];
+    if (!known.hull) known.hull = std::make_shared<ConvexHull>(roughHull(pointsOf(mine)));
+    known.asked = known.may_fit = known.proven = true;
+    part.hull = known.hull;
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+Group SurfaceGroups::groupOf(const std::vector<int>& elements) const {
+  Group group;
+  group.elements = elements;
+  for (int e : elements) {
+    group.key ^= single(e).key;
+    group.area += single(e).area;
+    group.widths = group.widths.merged(single(e).widths);
+  }
+  return group;
+}
+
+std::vector<Eigen::Vector3d> SurfaceGroups::pointsOf(const std::vector<int>& elements) const {
+  std::vector<Eigen::Vector3d> points;
+  for (int e : elements) points.insert(points.end(), elements_[at(e)].points.begin(), elements_[at(e)].points.end());
+  return points;
+}
+
+ConvexHull SurfaceGroups::exactHull(const Group& group) const {
+  return convexHull(pointsOf(group.elements));
+}
+
+void SurfaceGroups::ask(const std::vector<Eigen::Vector3d>& points, Known& known) {
+  known.asked = true;
+  ++evaluations_;
+  auto hull = std::make_shared<ConvexHull>(roughHull(points));
+  known.may_fit = oracle_.mayFit(*hull);
+  if (known.may_fit) known.hull = std::move(hull);
+}
+
+Group SurfaceGroups::whole(const std::vector<int>& elements) {
+  if (elements.size() == 1) return single(elements[0]);
+  Group group = groupOf(elements);
+  Known& known = known_[group.key];
+  if (!known.asked) ask(pointsOf(elements), known);
+  if (known.may_fit) group.hull = known.hull;
+  return group;
+}
+
+Group SurfaceGroups::merged(const Group& a, const Group& b) {
+  Group both;
+  both.key = a.key ^ b.key;
+  Known& known = known_[both.key];
+  if (!known.asked) {
+    std::vector<Eigen::Vector3d> points = a.hull->vertices;
+    points.insert(points.end(), b.hull->vertices.begin(), b.hull->vertices.end());
+    ask(points, known);
+  }
+  if (!known.may_fit) return both;
+  both.elements.resize(a.elements.size() + b.elements.size());
+  std::merge(a.elements.begin(), a.elements.end(), b.elements.begin(), b.elements.end(), both.elements.begin());
+  both.area = a.area + b.area;
+  both.widths = a.widths.merged(b.widths);
+  both.hull = known.hull;
+  return both;
+}
+
+bool SurfaceGroups::fitsWhenCapped(const ConvexHull& hull) {
+  if (max_vertices_ == 0 || hull.vertices.size() <= static_cast<std::size_t>(max_vertices_)) return true;
+  return oracle_.fits(reduceVertices(hull, max_vertices_).hull);
+}
+
+bool SurfaceGroups::proven(const Group& group) {
+  const auto found = known_.find(group.key);
+  if (found == known_.end()) return true;  // a leaf, or a hull that was proven before it took an element over
+  Known& known = found->second;
+  if (!known.proven) known.proven = known.may_fit = known.may_fit && oracle_.fits(*group.hull) && fitsWhenCapped(*group.hull);
+  return known.proven;
+}
+
+/// Widest first: those are refuted most often.
+bool SurfaceGroups::proven(const Cover& cover) {
+  std::vector<const Group*> order;
+  for (const Group& group : cover) order.push_back(&group);
+  std::stable_sort(order.begin(), order.end(), [](const Group* a, const Group* b) { return a->widths.mean() > b->widths.mean(); });
+  return std::all_of(order.begin(), order.end(), [&](const Group* group) { return proven(*group); });
+}
+
+bool SurfaceGroups::holdsPocket(const Group& group) {
+  Known& known = known_[group.key];
+  if (known.no_pocket) return false;
+  if (oracle_.holdsPocket(*group.hull)) {
+    known.asked = true, known.may_fit = known.proven = false;
+    return true;
+  }
+  known.no_pocket = known.asked = known.may_fit = known.proven = true;
+  known.hull = group.hull;
+  return false;
+}
+
+bool SurfaceGroups::covers(const Group& group, int element) const {
+  if (!group.widths.contains(single(element).widths) && !std::binary_search(group.elements.begin(), group.elements.end(), element))
+    return false;
+  const std::vector<Eigen::Vector3d>& points = elements_[at(element)].points;
+  return std::all_of(points.begin(), points.end(), [&](const Eigen::Vector3d& p) { return holds(*group.hull, p); });
+}
+
+void SurfaceGroups::add(int element, Group& group) const {
+  group.elements.insert(std::lower_bound(group.elements.begin(), group.elements.end(), element), element);
+  group.key ^= single(element).key;
+  group.area += single(element).area;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,93 @@
+// Who covers what: elements of surface, groups of them that share a hull, and a memory of which groups may.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "decompose/cutting.h"
+#include "decompose/protrusion_oracle.h"
+#include "decompose/widths.h"
+
+namespace collision_hulls {
+
+/// A piece of surface that is not divided any more.
+struct Element {
+  std::vector<Eigen::Vector3d> points;  ///< vertices of its hull
+  double area = 0;                      ///< [m^2]
+  int leaf = 0;                         ///< that it was cut from
+};
+
+/// The leaves as elements, halved, largest first, until there are `count` (0: the leaves as they are). Ordered by leaf.
+std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t count);
+
+/// Elements that one hull covers.
+struct Group {
+  std::vector<int> elements;  ///< ascending
+  std::uint64_t key = 0;      ///< of the set of elements
+  double area = 0;            ///< [m^2]
+  Widths widths;              ///< of the elements
+  std::shared_ptr<const ConvexHull> hull;
+};
+
+/// Groups that have every element among them, in one of them.
+using Cover = std::vector<Group>;
+
+/// Groups and what is known of their hulls. The same set of elements is never asked about twice.
+class SurfaceGroups {
+ public:
+  /// A hull with more than `max_vertices` (0: no cap) has to fit also when reduced to so many.
+  SurfaceGroups(std::vector<Element> elements, ProtrusionOracle& oracle, int max_vertices);
+
+  const Group& single(int element) const { return singles_[static_cast<std::size_t>(element)]; }
+  Cover leaves();
+
+  /// These elements (ascending), parted by leaf: each part fits as its leaf does.
+  Cover byLeaf(const std::vector<int>& elements);
+
+  /// The group of these elements (ascending), if its hull may fit; without a hull if not.
+  Group whole(const std::vector<int>& elements);
+
+  /// The union of two groups, if its hull may fit; without a hull if not.
+  Group merged(const Group& a, const Group& b);
+
+  /// Whether the group's hull fits, by proof; what it may do was taken on trust.
+  bool proven(const Group& group);
+  bool proven(const Cover& cover);
+
+  /// Whether the group's hull holds a pocket: then it is not taken for a hull that fits any more.
+  bool holdsPocket(const Group& group);
+
+  /// Whether the group's hull covers the element, be it its own or not.
+  bool covers(const Group& group, int element) const;
+
+  /// Takes another group's element over; the hull must cover it.
+  void add(int element, Group& group) const;
+
+  /// The hull of the group's own elements, which is no larger than the one that it has.
+  ConvexHull exactHull(const Group& group) const;
+
+  long evaluations() const { return evaluations_; }  ///< hulls built and asked about so far
+  double tolerance() const { return oracle_.tolerance(); }
+  const RunControl& control() const { return oracle_.control(); }
+
+ private:
+  struct Known {
+    bool may_fit = false, asked = false, proven = false, no_pocket = false;
+    std::shared_ptr<const ConvexHull> hull;  // where it may fit
+  };
+  Group groupOf(const std::vector<int>& elements) const;
+  std::vector<Eigen::Vector3d> pointsOf(const std::vector<int>& elements) const;
+  void ask(const std::vector<Eigen::Vector3d>& points, Known& known);
+  bool fitsWhenCapped(const ConvexHull& hull);
+
+  std::vector<Element> elements_;
+  std::vector<Group> singles_;
+  ProtrusionOracle& oracle_;
+  int max_vertices_;
+  std::unordered_map<std::uint64_t, Known> known_;
+  long evaluations_ = 0;
+};
+
+}  // namespace collision_hulls

@@ -1,0 +1,13 @@
+// From a cover to the tree of hulls above it.
+#pragma once
+
+#include "collision_hulls/decompose/hull_tree.h"
+#include "decompose/surface_groups.h"
+
+namespace collision_hulls {
+
+/// The groups as leaves, merged on up to a single root; at any tolerance, the coarsest cut is about as good as merging anew would be.
+/// Deterministic. Calls `progress` with the share of merges that are made.
+HullTree treeAbove(const Cover& cover, ProtrusionOracle& oracle, const std::function<void(double)>& progress);
+
+}  // namespace collision_hulls

@@ -4,7 +4,9 @@
 #include <cstring>
 #include <iomanip>
 #include <locale>
+#include <map>
 #include <sstream>
+#include <string_view>
 
 #include "collision_hulls/mesh/mesh_io.h"
 
@@ -63,10 +65,10 @@ class Decimals {
   std::ostringstream text_;
 };
 
-/// A name of one word.
+/// A name of one word that XML takes as it is.
 std::string oneWord(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) <= ' '; }, '_');
+  const auto reserved = [](char c) { return static_cast<unsigned char>(c) <= ' ' || std::strchr("<>&\"'", c) != nullptr; };
+  std::replace_if(name.begin(), name.end(), reserved, '_');
   return name;
 }
 
@@ -83,14 +85,93 @@ std::string objObject(const ConvexHull& hull, const std::string& name, std::size
   return text.text();
 }
 
+// The schema asks for both dates; those of the day would give the same hull other bytes.
+constexpr char kDae[] = R"(<?xml version="1.0" encoding="utf-8"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+  <asset>
+    <contributor><authoring_tool>collision_hulls</authoring_tool></contributor>
+    <created>1970-01-01T00:00:00Z</created>
+    <modified>1970-01-01T00:00:00Z</modified>
+    <unit name="meter" meter="1"/>
+    <up_axis>Z_UP</up_axis>
+  </asset>
+  <library_geometries>
+    <geometry id="hull" name="@name@">
+      <mesh>
+        <source id="positions">
+          <float_array id="coordinates" count="@numbers@">@coordinates@</float_array>
+          <technique_common>
+            <accessor source="#coordinates" count="@vertices@" stride="3">
+              <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/>
+            </accessor>
+          </technique_common>
+        </source>
+        <vertices id="vertices"><input semantic="POSITION" source="#positions"/></vertices>
+        <triangles count="@triangles@">
+          <input semantic="VERTEX" source="#vertices" offset="0"/>
+          <p>@corners@</p>
+        </triangles>
+      </mesh>
+    </geometry>
+  </library_geometries>
+  <library_visual_scenes>
+    <visual_scene id="scene">
+      <node id="node"><instance_geometry url="#hull"/></node>
+    </visual_scene>
+  </library_visual_scenes>
+  <scene><instance_visual_scene url="#scene"/></scene>
+</COLLADA>
+)";
+
+/// The text with each @key@ replaced by its value.
+std::string filled(std::string_view text, const std::map<std::string_view, std::string>& values) {
+  std::string result;
+  for (bool key = false;; key = !key) {
+    const std::string_view part = text.substr(0, text.find('@'));
+    result += key ? values.at(part) : part;
+    if (part.size() == text.size()) return result;
+    text.remove_prefix(part.size() + 1);
+  }
+}
+
+std::string dae(const ConvexHull& hull, const std::string& name) {
+  Decimals coordinates;
+  for (const Eigen::Vector3d& v : hull.vertices) coordinates << v.x() << " " << v.y() << " " << v.z() << " ";
+  std::string corners;
+  for (const Triangle& t : hull.triangles)
+    for (const int v : t) corners += std::to_string(v) + " ";
+  return filled(kDae, {{"name", oneWord(name)},
+                       {"numbers", std::to_string(3 * hull.vertices.size())},
+                       {"coordinates", coordinates.text()},
+                       {"vertices", std::to_string(hull.vertices.size())},
+                       {"triangles", std::to_string(hull.triangles.size())},
+                       {"corners", corners}});
+}
+
 }  // namespace
 
 const char* extension(MeshFormat format) {
-  return format == MeshFormat::kStl ? ".stl" : ".obj";
+  switch (format) {
+    case MeshFormat::kStl: return ".stl";
+    case MeshFormat::kObj: return ".obj";
+    case MeshFormat::kDae: return ".dae";
+  }
+  return "";
+}
+
+std::optional<MeshFormat> meshFormatNamed(const std::string& name) {
+  for (const MeshFormat format : {MeshFormat::kStl, MeshFormat::kObj, MeshFormat::kDae})
+    if (extension(format) == "." + name) return format;
+  return std::nullopt;
 }
 
 std::string encodeHull(const ConvexHull& hull, MeshFormat format, const std::string& object_name) {
-  return format == MeshFormat::kStl ? stl(hull) : kObjHeader + objObject(hull, object_name, 1);
+  switch (format) {
+    case MeshFormat::kStl: return stl(hull);
+    case MeshFormat::kObj: return kObjHeader + objObject(hull, object_name, 1);
+    case MeshFormat::kDae: return dae(hull, object_name);
+  }
+  return "";
 }
 
 std::string encodeHullsObj(const std::vector<ConvexHull>& hulls, const std::string& name) {

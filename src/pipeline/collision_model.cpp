@@ -101,4 +101,25 @@ std::string rewrittenDescription(const RobotDescription& robot, const RobotResul
   return rewriteCollisions(robot, links);
 }
 
+std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::string& output) {
+  const std::string prefix = uriPrefix(result.robot_name, result.report.options.uri, output);
+  std::set<std::string> hulls, kept;
+  for (const ElementResult& element : result.elements) {
+    for (const std::string& file : element.report.files) hulls.insert(prefix + file);
+  }
+  for (const LinkDescription& link : parseRobotDescription(result.urdf).links) {
+    for (const auto* elements : {&link.visuals, &link.collisions}) {
+      for (const GeometryElement& element : *elements) {
+        if (element.kind == GeometryElement::Kind::kMesh && isRelativeUri(element.uri) && !hulls.count(element.uri))
+          kept.insert(element.uri);
+      }
+    }
+  }
+  if (kept.empty()) return {};
+  return {std::to_string(kept.size()) + " mesh URIs are relative to the folder of the description that was read, such as '" +
+          *kept.begin() + "'; they stay as written and mean other places from '" +
+          (std::filesystem::path(output) / urdfFile(result.robot_name)).string() +
+          "'. Use package:// URIs in the description, or copy the new one beside the old one (its hulls by --uri package or file)"};
+}
+
 }  // namespace collision_hulls

@@ -21,4 +21,7 @@ std::string urdfFile(const std::string& robot_name);
 /// The description with a <collision> for every hull. A link with a failed mesh keeps what it has.
 std::string rewrittenDescription(const RobotDescription& robot, const RobotResult& result, const std::string& output);
 
+/// What the user of the rewritten description should know: meshes that it still names relative to the old one's place.
+std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::string& output);
+
 }  // namespace collision_hulls

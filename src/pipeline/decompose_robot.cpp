@@ -69,10 +69,7 @@ void grade(ElementReport& row, const Options& options, bool capped) {
 void describe(const std::vector<ConvexHull>& hulls, ElementReport& row) {
   row.hulls = hulls.size();
   row.hull_volume = unionVolume(hulls);
-  for (const ConvexHull& hull : hulls) {
-    row.hull_vertices += hull.vertices.size();
-    row.thickness = std::max(row.thickness, hull.thickness);
-  }
+  for (const ConvexHull& hull : hulls) row.hull_vertices += hull.vertices.size();
 }
 
 /// The stages for one mesh. Fills report, original and hulls of `element`, whose row says which scale it has.
@@ -103,6 +100,7 @@ void decomposeElement(const std::string& file, const Options& options, Progress&
   const double margin = loaded.resolution * row.scale.cwiseAbs().maxCoeff() + repaired.counts.weld_distance;
   const FittedHulls fitted = fitCover(parts.hulls, element.original, margin, options.max_vertices);
   row.nudge = fitted.nudge;
+  for (const ConvexHull& hull : parts.hulls) row.thickness = std::max(row.thickness, hull.thickness);
   describe(fitted.hulls, row);
   row.seconds.decompose = stage.lap();
 
@@ -246,6 +244,7 @@ RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& f
   decomposeElements(
       result, [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); }, control, step);
   result.urdf = rewrittenDescription(robot, result, output);
+  for (const std::string& note : notesOnRewritten(result, output)) result.report.notes.push_back(note);
   result.report.seconds = run.lap();
   return result;
 }

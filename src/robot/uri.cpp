@@ -69,6 +69,11 @@ bool isFile(const fs::path& path) {
 
 }  // namespace
 
+bool isRelativeUri(const std::string& uri) {
+  if (startsWith(uri, kFileScheme)) return fs::path(filePath(uri)).is_relative();
+  return uri.find("://") == std::string::npos && fs::path(uri).is_relative();
+}
+
 std::string resolveUri(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
   if (uri.empty()) throw Error(ErrorCode::kFileNotFound, "a mesh has an empty file name");
   const fs::path path = pathOf(uri, base, find_package).lexically_normal();

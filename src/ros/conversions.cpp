@@ -152,8 +152,10 @@ std::string summary(const Report& report) {
     ++failed;
     failures += "\n" + element.link + " (element " + std::to_string(element.element) + "): " + element.reason;
   }
-  const std::string made = std::to_string(report.links.size()) + " meshes, " + std::to_string(hulls) + " hulls";
-  return failed == 0 ? made : made + ", " + std::to_string(failed) + " meshes failed:" + failures;
+  std::string text = std::to_string(report.links.size()) + " meshes, " + std::to_string(hulls) + " hulls";
+  if (failed > 0) text += ", " + std::to_string(failed) + " meshes failed:" + failures;
+  for (const std::string& note : report.notes) text += "\nnote: " + note;
+  return text;
 }
 
 std_msgs::ColorRGBA hullColour(std::size_t index) {

@@ -48,13 +48,6 @@ std::string methodChoices() {
   return choices;
 }
 
-std::optional<MeshFormat> meshFormatNamed(const std::string& name) {
-  for (const MeshFormat format : {MeshFormat::kStl, MeshFormat::kObj}) {
-    if (extension(format) == "." + name) return format;
-  }
-  return std::nullopt;
-}
-
 /// YAML reads "1%" as a text, 0.005 as a number and 1 as a whole one.
 Length readLength(const ros::NodeHandle& node, const std::string& name, const Length& fallback) {
   double metres = 0;
@@ -104,7 +97,7 @@ Options readOptions(const ros::NodeHandle& node) {
   readNumber(node, "max_vertices", options.max_vertices);
   options.links = readText(node, "links");
   readNamed(node, "source", sourceNamed, "auto, visual, collision", options.source);
-  readNamed(node, "format", meshFormatNamed, "stl, obj", options.format);
+  readNamed(node, "format", meshFormatNamed, "stl, obj, dae", options.format);
   readNamed(node, "uri", uriStyleNamed, "package, file, relative", options.uri);
   readNumber(node, "jobs", options.jobs);
   readFlag(node, "validate", options.validate);

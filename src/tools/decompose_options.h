@@ -35,13 +35,6 @@ inline std::string methodChoices() {
   return choices;
 }
 
-inline std::optional<MeshFormat> formatNamed(const std::string& name) {
-  for (const MeshFormat format : {MeshFormat::kStl, MeshFormat::kObj}) {
-    if (extension(format) == "." + name) return format;
-  }
-  return std::nullopt;
-}
-
 /// Adds options whose callbacks fill `options`, which has to outlive the parsing; this object need not. A wrong value throws
 /// kBadOption from parse().
 class DecomposeOptionAdder {
@@ -106,7 +99,7 @@ class DecomposeOptionAdder {
   }
 
   void addOutput() {
-    addChoice("Output", "--format", options_.format, formatNamed, "stl, obj", "stl", "Mesh files of the hulls");
+    addChoice("Output", "--format", options_.format, meshFormatNamed, "stl, obj, dae", "stl", "Mesh files of the hulls");
     addChoice("Output", "--uri", options_.uri, uriStyleNamed, "package, file, relative", "package", "How the description names them");
   }
 

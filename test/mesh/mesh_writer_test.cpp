@@ -66,15 +66,29 @@ TEST(EncodeHull, ObjAsText) {
       encodeHull(tetrahedron({0, 0, 0}, 0.5), MeshFormat::kObj, "arm link\n0"));
 }
 
-TEST(EncodeHull, BothFormatsAreReadBackUnchanged) {
+TEST(EncodeHull, EachFormatIsReadBackUnchanged) {
   for (unsigned seed = 1; seed <= 200; ++seed) {
     const ConvexHull hull = randomBody(1e-6, 1e4, seed);
     const std::vector<Eigen::Vector3d> expected = corners(hull.vertices, hull.triangles);
-    for (const MeshFormat format : {MeshFormat::kStl, MeshFormat::kObj}) {
+    for (const MeshFormat format : {MeshFormat::kStl, MeshFormat::kObj, MeshFormat::kDae}) {
       const TriangleMesh mesh = readBack(std::string("hull") + extension(format), encodeHull(hull, format, "hull")).mesh;
       EXPECT_EQ(expected, corners(mesh.vertices, mesh.triangles)) << "seed " << seed << extension(format);
     }
   }
+}
+
+TEST(EncodeHull, DaeIsInMetresWithNamesThatXmlTakes) {
+  const std::string bytes = encodeHull(tetrahedron({0, 0, 0}, 0.5), MeshFormat::kDae, "arm \"<&>'");
+  EXPECT_NE(std::string::npos, bytes.find("name=\"arm______\""));
+  EXPECT_NE(std::string::npos, bytes.find("<unit name=\"meter\" meter=\"1\"/>"));
+  EXPECT_NE(std::string::npos, bytes.find("count=\"12\">0 0 0 0.5 0 0 0 0.5 0 0 0 0.5 </float_array>"));
+  EXPECT_NE(std::string::npos, bytes.find("<p>0 2 1 0 1 3 0 3 2 1 2 3 </p>"));
+}
+
+TEST(MeshFormat, Names) {
+  for (const MeshFormat format : {MeshFormat::kStl, MeshFormat::kObj, MeshFormat::kDae})
+    EXPECT_EQ(format, meshFormatNamed(extension(format) + 1));
+  for (const char* name : {"", "ply", ".stl", "STL"}) EXPECT_FALSE(meshFormatNamed(name)) << name;
 }
 
 TEST(EncodeHull, ObjKeepsNumbersOfAnySize) {

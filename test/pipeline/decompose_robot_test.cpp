@@ -123,6 +123,22 @@ TEST_F(DecomposeRobot, UriStyles) {
   EXPECT_EQ(uri(UriStyle::kRelative), "../meshes/base/0_0.stl");
 }
 
+TEST_F(DecomposeRobot, SaysWhichUrisMeanOtherPlacesNow) {
+  const auto notes = [&](const std::string& links) { return run(links).report.notes; };
+  const std::string absolute = "    <visual>" + meshTag("file://" + (folder_ / "meshes/box.obj")) + "</visual>\n";
+  for (const UriStyle style : {UriStyle::kPackage, UriStyle::kRelative}) {
+    options_.uri = style;
+    EXPECT_TRUE(notes(link("base", absolute + collision("box.obj"))).empty()) << "what is replaced is of no concern";
+    const auto kept = notes(link("base", visual("box.obj") + visual("box.obj", "2 2 2") + collision("box.obj")));
+    ASSERT_EQ(kept.size(), 1u);
+    EXPECT_EQ(kept[0].rfind("1 mesh URIs", 0), 0u) << kept[0];
+    for (const std::string part : {"'../meshes/box.obj'", "out/urdf/arm.urdf'", "package://"})
+      EXPECT_NE(kept[0].find(part), std::string::npos) << kept[0];
+  }
+  options_.links = "tip";
+  EXPECT_EQ(notes(link("base", collision("bracket.obj")) + link("tip", collision("box.obj"), "base")).size(), 1u) << "collisions that stay";
+}
+
 TEST_F(DecomposeRobot, OneBadLinkLosesNoOther) {
   options_.uri = UriStyle::kRelative;
   const std::string bad = link("bad", collision("box.obj") + collision("rubbish.stl"), "base");
@@ -229,6 +245,7 @@ TEST_F(DecomposeRobot, SameBytesWhateverTheThreads) {
 }
 
 TEST_F(DecomposeRobot, TellsWhatItDoes) {
+  options_.jobs = 1;  // the larger file first
   RunControl control;
   std::vector<double> fractions;
   control.progress = [&](double fraction) { fractions.push_back(fraction); };
@@ -236,8 +253,8 @@ TEST_F(DecomposeRobot, TellsWhatItDoes) {
   run(link("a", collision("bracket.obj")) + link("b", collision("rubbish.stl"), "a"), control,
       [&](const Step& step) { steps.push_back(step); });
   ASSERT_EQ(steps.size(), 3u);
-  EXPECT_EQ(steps[0].item, "b");
-  EXPECT_EQ(steps[1].item, "a");
+  EXPECT_EQ(steps[0].item, "a");
+  EXPECT_EQ(steps[1].item, "b");
   EXPECT_EQ(steps[1].done, 2u);
   EXPECT_EQ(steps[1].total, 2u);
   EXPECT_GT(steps[1].hulls, 0u);
@@ -284,6 +301,7 @@ TEST(DecomposeMesh, Degenerate) {
   EXPECT_EQ(flat.status, Status::kOk) << flat.reason;
   EXPECT_EQ(flat.interior, "surface");
   EXPECT_EQ(flat.uncovered, 0);
+  EXPECT_GT(flat.thickness, 0);
   const std::string missing = folder / "missing.obj";
   EXPECT_EQ(decomposeMesh(missing, {}).report.links[0].error, "FileNotFound");
 }

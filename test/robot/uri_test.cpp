@@ -54,6 +54,12 @@ TEST_F(ResolveUri, Path) {
   EXPECT_EQ(resolve("../meshes/a b.stl"), mesh_);
 }
 
+TEST(IsRelativeUri, EachKind) {
+  for (const char* uri : {"a.stl", "../meshes/a.stl", "file://a.stl", ""}) EXPECT_TRUE(isRelativeUri(uri)) << uri;
+  for (const char* uri : {"/a.stl", "file:///a.stl", "file://localhost/a.stl", "package://arm/a.stl", "http://host/a.stl"})
+    EXPECT_FALSE(isRelativeUri(uri)) << uri;
+}
+
 TEST_F(ResolveUri, ALiteralPercentSignComesFirst) {
   const std::string literal = folder_.write("arm/meshes/a%20b.stl");
   EXPECT_EQ(resolve("package://arm/meshes/a%20b.stl"), literal);

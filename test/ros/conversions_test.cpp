@@ -92,6 +92,8 @@ TEST(Summary, NamesEachFailure) {
   report.links[1].status = Status::kFailed;
   report.links[1].reason = "no such file";
   EXPECT_EQ("2 meshes, 3 hulls, 1 meshes failed:\nhand (element 0): no such file", summary(report));
+  report.notes = {"mind the gap"};
+  EXPECT_EQ("2 meshes, 3 hulls, 1 meshes failed:\nhand (element 0): no such file\nnote: mind the gap", summary(report));
 }
 
 TEST(ToMessage, LinkReport) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,14 +36,16 @@ const std::vector<std::string>& meshExtensions();
 /// kIndexOutOfRange, kTooFarFromOrigin (single precision resolves less than a thousandth of the mesh's diagonal). Thread safe.
 LoadedMesh readMesh(const std::string& path, const MeshLimits& limits = {});
 
-enum class MeshFormat { kStl, kObj };
+enum class MeshFormat { kStl, kObj, kDae };
 
 /// The extension of a format, with the dot.
 const char* extension(MeshFormat format);
+std::optional<MeshFormat> meshFormatNamed(const std::string& name);  ///< "stl", "obj", "dae"
 
-/// The text of a mesh file that holds one hull: binary STL, or OBJ. Coordinates are written as single-precision numbers
-/// (exactly, so a hull whose vertices are single-precision numbers is read back unchanged; Assimp reads an OBJ's numbers below
-/// 1e-6 m with an error of a few units in their last place). The same hull gives the same bytes. Blanks in names become '_'.
+/// The text of a mesh file that holds one hull: binary STL, OBJ, or Collada. Coordinates are written as single-precision numbers
+/// (exactly, so a hull whose vertices are single-precision numbers is read back unchanged; Assimp reads a text's numbers below
+/// 1e-6 m with an error of a few units in their last place). The same hull gives the same bytes. Blanks in names become '_', and so
+/// does what XML reserves.
 std::string encodeHull(const ConvexHull& hull, MeshFormat format, const std::string& object_name);
 
 /// One OBJ with an object (`o <name>_<m>`) per hull; coordinates as in encodeHull.

@@ -53,6 +53,9 @@ PackageFinder defaultPackageFinder(const std::string& near = "");
 /// Throws kPackageNotFound (names the package and how to make it known) and kFileNotFound.
 std::string resolveUri(const std::string& uri, const std::string& base, const PackageFinder& find_package);
 
+/// Whether resolveUri's answer depends on `base`.
+bool isRelativeUri(const std::string& uri);
+
 /// The robot descriptions in a package's urdf/ and robots/ folders (.urdf before .xacro, sorted); for INPUT given as a package.
 std::vector<std::string> robotDescriptionsIn(const std::string& package_folder);
 

@@ -150,7 +150,7 @@ RobotDescription parseRobotDescription(const std::string& urdf_text, const std::
   checkLinksHaveNames(subject, robot);
   UrdfModel model = loadModel(subject, robot);
   std::vector<LinkDescription> links = inDocumentOrder(subject, robot, model);
-  return {model.name, urdf_text, path, std::move(links)};
+  return {model.name, urdf_text, path, std::move(links), std::move(model.joints)};
 }
 
 }  // namespace collision_hulls

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "collision_hulls/robot/kinematics.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -109,23 +111,44 @@ std::vector<GeometryElement> toElements(const Elements& from) {
   return elements;
 }
 
-// The joint's own motion at zero, or at the limit nearest to it where zero is out of reach.
-Eigen::Isometry3d motion(const urdf::Joint& joint) {
-  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  const bool turns = joint.type == urdf::Joint::REVOLUTE, slides = joint.type == urdf::Joint::PRISMATIC;
-  if (!joint.limits || !(turns || slides) || joint.limits->lower > joint.limits->upper) return result;
-  const double value = std::clamp(0.0, joint.limits->lower, joint.limits->upper);
-  const Eigen::Vector3d axis = toEigen(joint.axis).stableNormalized();
-  if (turns) result.linear() = Eigen::AngleAxisd(value, axis).toRotationMatrix();
-  if (slides) result.translation() = value * axis;
+JointDescription::Kind kindOf(const urdf::Joint& joint) {
+  using Kind = JointDescription::Kind;
+  switch (joint.type) {
+    case urdf::Joint::REVOLUTE: return Kind::kRevolute;
+    case urdf::Joint::CONTINUOUS: return Kind::kContinuous;
+    case urdf::Joint::PRISMATIC: return Kind::kPrismatic;
+    case urdf::Joint::FLOATING: return Kind::kFloating;
+    case urdf::Joint::PLANAR: return Kind::kPlanar;
+    default: return Kind::kFixed;
+  }
+}
+
+JointDescription toJoint(const urdf::Joint& joint) {
+  constexpr double kPi = 3.14159265358979323846;
+  JointDescription result;
+  result.name = joint.name;
+  result.kind = kindOf(joint);
+  result.parent = joint.parent_link_name;
+  result.child = joint.child_link_name;
+  result.origin = toEigen(joint.parent_to_joint_origin_transform);
+  result.axis = toEigen(joint.axis).stableNormalized();
+  if (result.kind == JointDescription::Kind::kContinuous) {
+    result.lower = -kPi;
+    result.upper = kPi;
+  } else if (joint.limits && joint.limits->lower <= joint.limits->upper) {
+    result.lower = joint.limits->lower;
+    result.upper = joint.limits->upper;
+  }
+  if (!joint.mimic) return result;
+  result.mimic = joint.mimic->joint_name;
+  result.mimic_multiplier = joint.mimic->multiplier;
+  result.mimic_offset = joint.mimic->offset;
   return result;
 }
 
-using Poses = std::map<std::string, Eigen::Isometry3d>;
-
 // From the root along each link's own parent joint, so that joints which share a child are not followed twice.
-Poses posesFromRoot(const urdf::ModelInterface& model) {
-  Poses poses{{model.getRoot()->name, Eigen::Isometry3d::Identity()}};
+std::vector<JointDescription> jointsFromRoot(const urdf::ModelInterface& model) {
+  std::vector<JointDescription> joints;
   std::vector<urdf::LinkConstSharedPtr> open{model.getRoot()};
   while (!open.empty()) {
     const urdf::LinkConstSharedPtr link = open.back();
@@ -133,10 +156,18 @@ Poses posesFromRoot(const urdf::ModelInterface& model) {
     for (const urdf::JointSharedPtr& joint : link->child_joints) {
       const urdf::LinkConstSharedPtr child = model.getLink(joint->child_link_name);
       if (child->parent_joint != joint) continue;
-      poses[child->name] = poses[link->name] * toEigen(joint->parent_to_joint_origin_transform) * motion(*joint);
+      joints.push_back(toJoint(*joint));
       open.push_back(child);
     }
   }
+  return joints;
+}
+
+using Poses = std::map<std::string, Eigen::Isometry3d>;
+
+Poses restPoses(const std::string& root, const std::vector<JointDescription>& joints) {
+  Poses poses{{root, Eigen::Isometry3d::Identity()}};
+  for (const JointDescription& joint : joints) poses[joint.child] = poses[joint.parent] * joint.origin * motion(joint, restValue(joint));
   return poses;
 }
 
@@ -155,8 +186,8 @@ LinkDescription toLink(const urdf::Link& link, const Poses& poses) {
 UrdfModel readUrdfModel(const std::string& urdf_text) {
   const ParseResult parsed = parse(urdf_text);
   if (!parsed.model) throw std::runtime_error(parsed.errors.empty() ? "no reason is given" : parsed.errors);
-  UrdfModel model{parsed.model->getName(), {}, parsed.errors};
-  const Poses poses = posesFromRoot(*parsed.model);
+  UrdfModel model{parsed.model->getName(), {}, jointsFromRoot(*parsed.model), parsed.errors};
+  const Poses poses = restPoses(parsed.model->getRoot()->name, model.joints);
   for (const auto& [name, link] : parsed.model->links_) model.links.push_back(toLink(*link, poses));
   return model;
 }

@@ -12,6 +12,7 @@ namespace collision_hulls {
 struct UrdfModel {
   std::string name;
   std::vector<LinkDescription> links;
+  std::vector<JointDescription> joints;  ///< as in RobotDescription
   std::string complaints;  ///< errors that urdfdom logged though it took the description, "; " between them
 };
 

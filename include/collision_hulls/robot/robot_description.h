@@ -28,11 +28,25 @@ struct LinkDescription {
   std::string parent;                                      ///< link; empty for the root
 };
 
+/// A joint of the description. Values in rad or m.
+struct JointDescription {
+  enum class Kind { kFixed, kRevolute, kContinuous, kPrismatic, kFloating, kPlanar };
+  std::string name;
+  Kind kind = Kind::kFixed;
+  std::string parent, child;                                 ///< links
+  Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();  ///< of the joint, in the parent's frame
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();           ///< of unit length, in the joint's frame
+  double lower = 0, upper = 0;                               ///< -pi and pi where it is continuous; both 0 where the limits are crossed
+  std::string mimic;                                         ///< the joint that this one follows; empty: none
+  double mimic_multiplier = 1, mimic_offset = 0;
+};
+
 struct RobotDescription {
   std::string name;
-  std::string text;                    ///< the URDF, byte for byte as given
-  std::string path;                    ///< file it came from; empty for a parameter or a service call
-  std::vector<LinkDescription> links;  ///< in document order
+  std::string text;                           ///< the URDF, byte for byte as given
+  std::string path;                           ///< file it came from; empty for a parameter or a service call
+  std::vector<LinkDescription> links;         ///< in document order
+  std::vector<JointDescription> joints = {};  ///< a link's own joint to its parent; parents before children
 };
 
 /// Parses a URDF. `path` (may be empty) stands in messages and is what relative URIs are relative to.

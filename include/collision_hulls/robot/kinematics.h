@@ -1,0 +1,71 @@
+// Forward kinematics: where the links of a robot are when its joints have given values.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/robot/robot_description.h"
+
+namespace collision_hulls {
+
+/// A joint that can be set by itself. Limits in rad or m; -pi and pi for a continuous one.
+struct JointVariable {
+  std::string name;
+  double lower = 0, upper = 0;
+};
+
+/// A value [rad or m] for each variable, in the order of Kinematics::variables().
+using Configuration = std::vector<double>;
+
+/// The tree of a robot's joints. Revolute, continuous and prismatic joints that mimic no other are variables; a mimic joint follows
+/// multiplier * value + offset of its master, through any number of masters and without regard to its own limits, as in
+/// robot_state_publisher. Floating and planar joints, which place a robot in the world, stay at their origin. Immutable, thread safe.
+class Kinematics {
+ public:
+  /// Throws kNotARobot for a mimic joint whose master is not there or cannot move, and for such that follow each other in a circle.
+  explicit Kinematics(const RobotDescription& robot);
+
+  const std::vector<JointVariable>& variables() const { return variables_; }
+
+  /// All variables at zero, or at the limit that is nearest to it.
+  Configuration rest() const;
+
+  /// rest() with the values of the named variables. Throws kBadOption for a name that is no variable, a value that is not finite, and
+  /// one that is beyond its limits by more than 1e-6 of them.
+  Configuration configuration(const std::map<std::string, double>& values) const;
+
+  /// Each variable between its limits, from numbers in [0, 1).
+  Configuration sample(const std::function<double()>& uniform) const;
+
+  /// The links' poses in the root link's frame, in the order of RobotDescription::links. Throws kBadOption for a configuration of another
+  /// size.
+  std::vector<Eigen::Isometry3d> poses(const Configuration& configuration) const;
+
+  /// Whether two links (indices) are one, touch by design, or never move against each other: fixed joints make links one, and those that a
+  /// joint joins touch. Collision checks leave such pairs out.
+  bool adjacent(std::size_t link, std::size_t other) const;
+
+ private:
+  struct Joint {
+    JointDescription description;
+    std::size_t parent = 0, child = 0;  // links
+    int variable = -1;                  // -1: none moves it
+    double multiplier = 1, offset = 0;  // of the variable's value
+  };
+  std::vector<Joint> joints_;  // parents before children
+  std::vector<JointVariable> variables_;
+  std::size_t links_ = 0;
+  std::vector<std::size_t> body_;         // per link: the first of those that fixed joints join to it
+  std::vector<std::size_t> parent_body_;  // per body (a link's index): that which its joint hangs on; itself for the root
+};
+
+/// The motion of a joint's child against the joint's origin at a value [rad or m]; none for joints that are no variables.
+Eigen::Isometry3d motion(const JointDescription& joint, double value);
+
+/// Zero, or the limit of the joint that is nearest to it.
+double restValue(const JointDescription& joint);
+
+}  // namespace collision_hulls

@@ -1,0 +1,134 @@
+#include "collision_hulls/robot/kinematics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "collision_hulls/error.h"
+
+namespace collision_hulls {
+namespace {
+
+using Kind = JointDescription::Kind;
+
+constexpr double kBeyondLimit = 1e-6;  // of the limits' size: what decimal text may have rounded away
+
+bool canMove(const JointDescription& joint) {
+  return joint.kind == Kind::kRevolute || joint.kind == Kind::kContinuous || joint.kind == Kind::kPrismatic;
+}
+
+/// The joint that moves another one, and how.
+struct Drive {
+  const JointDescription* master;
+  double multiplier = 1, offset = 0;
+};
+
+Drive driveOf(const JointDescription& joint, const std::map<std::string, const JointDescription*>& by_name) {
+  Drive drive{&joint};
+  for (std::size_t steps = 0; !drive.master->mimic.empty(); ++steps) {
+    const auto found = by_name.find(drive.master->mimic);
+    const std::string who = "joint '" + joint.name + "' mimics '" + drive.master->mimic + "', ";
+    if (found == by_name.end()) throw Error(ErrorCode::kNotARobot, who + "which the robot does not have; mend its <mimic>");
+    if (!canMove(*found->second)) throw Error(ErrorCode::kNotARobot, who + "which does not move; mend its <mimic>");
+    if (steps > by_name.size()) throw Error(ErrorCode::kNotARobot, who + "which leads back to itself; mend the <mimic> of one of them");
+    drive.offset += drive.multiplier * drive.master->mimic_offset;
+    drive.multiplier *= drive.master->mimic_multiplier;
+    drive.master = found->second;
+  }
+  return drive;
+}
+
+}  // namespace
+
+Eigen::Isometry3d motion(const JointDescription& joint, double value) {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  if (joint.kind == Kind::kRevolute || joint.kind == Kind::kContinuous) {
+    result.linear() = Eigen::AngleAxisd(value, joint.axis).toRotationMatrix();
+  } else if (joint.kind == Kind::kPrismatic) {
+    result.translation() = value * joint.axis;
+  }
+  return result;
+}
+
+double restValue(const JointDescription& joint) {
+  return std::clamp(0.0, joint.lower, joint.upper);
+}
+
+Kinematics::Kinematics(const RobotDescription& robot) : links_(robot.links.size()), body_(links_), parent_body_(links_) {
+  std::map<std::string, std::size_t> link_index;
+  for (std::size_t i = 0; i < links_; ++i) link_index[robot.links[i].name] = i;
+  std::map<std::string, const JointDescription*> by_name;
+  std::map<std::string, int> variable_index;
+  for (const JointDescription& joint : robot.joints) {
+    by_name[joint.name] = &joint;
+    if (!canMove(joint) || !joint.mimic.empty()) continue;
+    variable_index[joint.name] = static_cast<int>(variables_.size());
+    variables_.push_back({joint.name, joint.lower, joint.upper});
+  }
+  std::iota(body_.begin(), body_.end(), std::size_t{0});
+  std::iota(parent_body_.begin(), parent_body_.end(), std::size_t{0});
+  for (const JointDescription& description : robot.joints) {
+    Joint joint{description, link_index.at(description.parent), link_index.at(description.child)};
+    if (canMove(description)) {
+      const Drive drive = driveOf(description, by_name);
+      joint.variable = variable_index.at(drive.master->name);
+      joint.multiplier = drive.multiplier;
+      joint.offset = drive.offset;
+      parent_body_[joint.child] = body_[joint.parent];
+    } else {
+      body_[joint.child] = body_[joint.parent];
+    }
+    joints_.push_back(std::move(joint));
+  }
+}
+
+Configuration Kinematics::rest() const {
+  Configuration result;
+  for (const JointVariable& variable : variables_) result.push_back(std::clamp(0.0, variable.lower, variable.upper));
+  return result;
+}
+
+Configuration Kinematics::configuration(const std::map<std::string, double>& values) const {
+  Configuration result = rest();
+  for (const auto& [name, value] : values) {
+    const auto named = [&name = name](const JointVariable& variable) { return variable.name == name; };
+    const auto found = std::find_if(variables_.begin(), variables_.end(), named);
+    if (found == variables_.end()) {
+      throw Error(ErrorCode::kBadOption,
+                  "joint '" + name + "' is none that can be set: the robot has no such joint, or it is fixed or a mimic");
+    }
+    const double slack = kBeyondLimit * std::max(std::abs(found->lower), std::abs(found->upper));
+    if (!(value >= found->lower - slack && value <= found->upper + slack)) {
+      throw Error(ErrorCode::kBadOption, "joint '" + name + "' at " + std::to_string(value) + " is beyond its limits, " +
+                                             std::to_string(found->lower) + " to " + std::to_string(found->upper));
+    }
+    result[static_cast<std::size_t>(found - variables_.begin())] = value;
+  }
+  return result;
+}
+
+Configuration Kinematics::sample(const std::function<double()>& uniform) const {
+  Configuration result;
+  for (const JointVariable& variable : variables_) result.push_back(variable.lower + uniform() * (variable.upper - variable.lower));
+  return result;
+}
+
+std::vector<Eigen::Isometry3d> Kinematics::poses(const Configuration& configuration) const {
+  if (configuration.size() != variables_.size()) {
+    throw Error(ErrorCode::kBadOption, "a configuration of " + std::to_string(configuration.size()) + " values was given; the robot has " +
+                                           std::to_string(variables_.size()) + " joints that can be set");
+  }
+  std::vector<Eigen::Isometry3d> result(links_, Eigen::Isometry3d::Identity());
+  for (const Joint& joint : joints_) {
+    const double value = joint.variable < 0 ? 0 : joint.multiplier * configuration[static_cast<std::size_t>(joint.variable)] + joint.offset;
+    result[joint.child] = result[joint.parent] * joint.description.origin * motion(joint.description, value);
+  }
+  return result;
+}
+
+bool Kinematics::adjacent(std::size_t link, std::size_t other) const {
+  const std::size_t a = body_[link], b = body_[other];
+  return a == b || parent_body_[a] == b || parent_body_[b] == a;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,143 @@
+#include "collision_hulls/robot/kinematics.h"
+
+#include <cmath>
+#include <random>
+
+#include "robot/robot_tests.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+std::string links(int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += "<link name=\"l" + std::to_string(i) + "\"/>";
+  return text;
+}
+
+/// From link l<i> to l<i + 1>, one metre along x, turning about z or sliding along it.
+std::string joint(int i, const std::string& type, const std::string& more = "") {
+  const std::string n = std::to_string(i);
+  return "<joint name=\"j" + n + "\" type=\"" + type + "\"><parent link=\"l" + n + "\"/><child link=\"l" + std::to_string(i + 1) +
+         "\"/><origin xyz=\"1 0 0\"/><axis xyz=\"0 0 2\"/>" + more + "</joint>";
+}
+
+std::string limit(double lower, double upper) {
+  return "<limit lower=\"" + std::to_string(lower) + "\" upper=\"" + std::to_string(upper) + "\" effort=\"1\" velocity=\"1\"/>";
+}
+
+RobotDescription robot(const std::string& content) {
+  return parseRobotDescription("<robot name=\"r\">" + content + "</robot>");
+}
+
+TEST(Kinematics, OneLink) {
+  const Kinematics kinematics(robot(links(1)));
+  EXPECT_TRUE(kinematics.variables().empty());
+  ASSERT_EQ(kinematics.poses({}).size(), 1u);
+  EXPECT_TRUE(kinematics.poses({})[0].isApprox(Eigen::Isometry3d::Identity()));
+  EXPECT_TRUE(kinematics.adjacent(0, 0));
+}
+
+TEST(Kinematics, EachKindOfJoint) {
+  const Kinematics kinematics(robot(links(6) + joint(0, "revolute", limit(-1, 2)) + joint(1, "prismatic", limit(0.5, 1)) +
+                                    joint(2, "fixed") + joint(3, "continuous") + joint(4, "floating")));
+  ASSERT_EQ(kinematics.variables().size(), 3u);
+  EXPECT_EQ(kinematics.variables()[0].name, "j0");
+  EXPECT_EQ(kinematics.variables()[0].upper, 2);
+  EXPECT_EQ(kinematics.variables()[2].lower, -kPi);
+  EXPECT_EQ(kinematics.rest(), (Configuration{0, 0.5, 0}));
+
+  const std::vector<Eigen::Isometry3d> poses = kinematics.poses({kPi / 2, 0.75, kPi / 2});
+  EXPECT_TRUE(poses[1].translation().isApprox(Eigen::Vector3d(1, 0, 0)));
+  EXPECT_TRUE(poses[2].translation().isApprox(Eigen::Vector3d(1, 1, 0.75)));
+  EXPECT_TRUE(poses[3].translation().isApprox(Eigen::Vector3d(1, 2, 0.75)));
+  EXPECT_TRUE(poses[4].translation().isApprox(Eigen::Vector3d(1, 3, 0.75)));
+  EXPECT_TRUE(poses[5].translation().isApprox(Eigen::Vector3d(0, 3, 0.75))) << "turned by the joint before it";
+}
+
+TEST(Kinematics, PosesAreInTheOrderOfTheDocument) {
+  const RobotDescription description = robot(
+      "<link name=\"tip\"/><link name=\"base\"/><joint name=\"j\" type=\"fixed\"><parent link=\"base\"/><child "
+      "link=\"tip\"/><origin xyz=\"0 0 3\"/></joint>");
+  const std::vector<Eigen::Isometry3d> poses = Kinematics(description).poses({});
+  EXPECT_EQ(poses[0].translation().z(), 3);
+  EXPECT_EQ(poses[1].translation().z(), 0);
+}
+
+TEST(Kinematics, AtRestAsInTheDescription) {
+  const RobotDescription description = readRobotDescription(DEMO_ROBOT "/urdf/demo_arm.urdf");
+  const Kinematics kinematics(description);
+  const std::vector<Eigen::Isometry3d> poses = kinematics.poses(kinematics.rest());
+  for (std::size_t i = 0; i < poses.size(); ++i) EXPECT_TRUE(poses[i].isApprox(description.links[i].pose)) << description.links[i].name;
+}
+
+TEST(Kinematics, MimicJointsFollow) {
+  const Kinematics kinematics(robot(links(4) + joint(0, "prismatic", limit(0, 1)) +
+                                    joint(1, "prismatic", limit(0, 1) + "<mimic joint=\"j0\" multiplier=\"-2\" offset=\"0.5\"/>") +
+                                    joint(2, "prismatic", limit(0, 1) + "<mimic joint=\"j1\" multiplier=\"3\" offset=\"1\"/>")));
+  ASSERT_EQ(kinematics.variables().size(), 1u);
+  const std::vector<Eigen::Isometry3d> poses = kinematics.poses({0.25});
+  EXPECT_NEAR(poses[1].translation().z(), 0.25, 1e-12);
+  EXPECT_NEAR(poses[2].translation().z() - poses[1].translation().z(), -2 * 0.25 + 0.5, 1e-12);
+  EXPECT_NEAR(poses[3].translation().z() - poses[2].translation().z(), 3 * (-2 * 0.25 + 0.5) + 1, 1e-12);
+}
+
+TEST(Kinematics, MimicsOfNothing) {
+  const auto mimic = [](int i, const std::string& master) {
+    return joint(i, "prismatic", limit(0, 1) + "<mimic joint=\"" + master + "\"/>");
+  };
+  const auto make = [](const std::string& content) { return [content] { Kinematics kinematics(robot(content)); }; };
+  expectError(ErrorCode::kNotARobot, {"'j0'", "'nowhere'"}, make(links(2) + mimic(0, "nowhere")));
+  expectError(ErrorCode::kNotARobot, {"'j1'", "does not move"}, make(links(3) + joint(0, "fixed") + mimic(1, "j0")));
+  expectError(ErrorCode::kNotARobot, {"back to itself"}, make(links(3) + mimic(0, "j1") + mimic(1, "j0")));
+}
+
+TEST(Kinematics, NamedValues) {
+  const Kinematics kinematics(robot(links(4) + joint(0, "revolute", limit(-1, 1)) + joint(1, "continuous") + joint(2, "fixed")));
+  EXPECT_EQ(kinematics.configuration({}), kinematics.rest());
+  EXPECT_EQ(kinematics.configuration({{"j1", -2}}), (Configuration{0, -2}));
+  EXPECT_EQ(kinematics.configuration({{"j0", 1 + 1e-9}})[0], 1 + 1e-9);
+  const auto set = [&](const std::string& name, double value) {
+    return [&kinematics, name, value] { kinematics.configuration({{name, value}}); };
+  };
+  expectError(ErrorCode::kBadOption, {"'elbow'"}, set("elbow", 0));
+  expectError(ErrorCode::kBadOption, {"'j2'"}, set("j2", 0));
+  expectError(ErrorCode::kBadOption, {"'j0'", "1.5", "limits"}, set("j0", 1.5));
+  expectError(ErrorCode::kBadOption, {"'j1'"}, set("j1", std::nan("")));
+  expectError(ErrorCode::kBadOption, {"1 values", "2 joints"}, [&] { kinematics.poses({0}); });
+}
+
+TEST(Kinematics, CrossedLimitsKeepTheJointAtZero) {
+  const Kinematics kinematics(robot(links(2) + joint(0, "revolute", limit(1, -1))));
+  EXPECT_EQ(kinematics.sample([] { return 0.7; }), (Configuration{0}));
+}
+
+TEST(Kinematics, SamplesStayWithinTheLimits) {
+  const Kinematics kinematics(readRobotDescription(DEMO_ROBOT "/urdf/demo_arm.urdf"));
+  std::mt19937_64 engine(7);
+  for (int i = 0; i < 100; ++i) {
+    const Configuration sample = kinematics.sample([&] { return static_cast<double>(engine() >> 11) * 0x1p-53; });
+    for (std::size_t k = 0; k < sample.size(); ++k) {
+      EXPECT_GE(sample[k], kinematics.variables()[k].lower);
+      EXPECT_LE(sample[k], kinematics.variables()[k].upper);
+    }
+    for (const Eigen::Isometry3d& pose : kinematics.poses(sample)) {
+      EXPECT_TRUE((pose.linear() * pose.linear().transpose()).isApprox(Eigen::Matrix3d::Identity(), 1e-12));
+    }
+  }
+}
+
+TEST(Kinematics, AdjacentLinks) {
+  const Kinematics kinematics(robot(links(5) + joint(0, "revolute", limit(-1, 1)) + joint(1, "fixed") + joint(2, "continuous") +
+                                    joint(3, "prismatic", limit(0, 1))));
+  EXPECT_TRUE(kinematics.adjacent(0, 1));
+  EXPECT_TRUE(kinematics.adjacent(1, 2)) << "fixed to each other";
+  EXPECT_TRUE(kinematics.adjacent(2, 0)) << "link 2 is one with link 1";
+  EXPECT_TRUE(kinematics.adjacent(1, 3));
+  EXPECT_FALSE(kinematics.adjacent(0, 3));
+  EXPECT_FALSE(kinematics.adjacent(1, 4));
+}
+
+}  // namespace
+}  // namespace collision_hulls

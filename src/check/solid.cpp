@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "collision_hulls/geometry/triangle_bvh.h"
@@ -15,42 +16,84 @@ namespace collision_hulls {
 
 namespace {
 
-/// The boundary of the oriented surface: edges whose triangles do not run along them equally often in both directions.
-struct Rim {
-  std::vector<std::array<int, 2>> edges;  // as often as one direction prevails
-  std::vector<char> has_some;             // per component
-};
+/// Edges, from and to.
+using Rim = std::vector<std::array<int, 2>>;
 
+/// The boundary of the oriented surface of the components that have an inside: edges whose triangles do not run along them equally often
+/// in both directions, as the surface runs along them, as often as that direction prevails.
 Rim rimOf(const RepairedMesh& mesh) {
   const std::vector<Triangle>& triangles = mesh.mesh.triangles;
   const Edges all = findEdges(triangles, mesh.mesh.vertices.size());
-  std::map<std::array<int, 2>, std::pair<int, int>> surplus;  // and the component
+  std::map<std::array<int, 2>, int> surplus;
   for (int h = 0; h < static_cast<int>(all.twin.size()); ++h) {
     const int from = startOf(triangles, h), to = endOf(triangles, h), twin = all.twin[static_cast<std::size_t>(h)];
     if (twin >= 0 && startOf(triangles, twin) == to) continue;
-    auto& [count, component] = surplus[{std::min(from, to), std::max(from, to)}];
-    count += from < to ? 1 : -1;
-    component = mesh.component[static_cast<std::size_t>(h / 3)];
+    const int component = mesh.component[static_cast<std::size_t>(h / 3)];
+    if (mesh.interior[static_cast<std::size_t>(component)] == Interior::kSurface) continue;
+    surplus[{std::min(from, to), std::max(from, to)}] += from < to ? 1 : -1;
   }
   Rim rim;
-  rim.has_some.resize(mesh.interior.size(), 0);
-  for (const auto& [edge, value] : surplus) {
-    const auto& [count, component] = value;
-    for (int i = 0; i < std::abs(count); ++i) rim.edges.push_back(edge);
-    if (count != 0) rim.has_some[static_cast<std::size_t>(component)] = 1;
+  for (const auto& [edge, count] : surplus) {
+    for (int i = 0; i < count; ++i) rim.push_back(edge);
+    for (int i = 0; i < -count; ++i) rim.push_back({edge[1], edge[0]});
   }
   return rim;
 }
 
-/// The triangles of the components that have an inside and a rim, or an inside and none.
-TriangleMesh componentsWith(bool a_rim, const RepairedMesh& mesh, const Rim& rim) {
+/// Disjoint sets of vertices.
+class Sets {
+ public:
+  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int find(int i) {
+    int& parent = parent_[static_cast<std::size_t>(i)];
+    return parent == i ? i : parent = find(parent);
+  }
+  void join(int a, int b) { parent_[static_cast<std::size_t>(find(a))] = find(b); }
+
+ private:
+  std::vector<int> parent_;
+};
+
+constexpr double kApexAside = 0.05;  // of a rim's extent
+
+/// Lids that close the surface along its rim: for each connected piece of it a cone of triangles to a point near its middle, but aside
+/// from the plane that it may lie in, where lids would be asked about most.
+TriangleMesh lidsOf(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
+  Sets sets(vertices.size());
+  for (const auto& [from, to] : rim) sets.join(from, to);
+  struct Piece {
+    Eigen::AlignedBox3d box;
+    int apex = -1;
+  };
+  std::map<int, Piece> pieces;
+  for (const auto& [from, to] : rim) pieces[sets.find(from)].box.extend(vertices[static_cast<std::size_t>(from)]);
+  TriangleMesh lids;
+  if (rim.empty()) return lids;
+  lids.vertices = vertices;
+  const Eigen::Vector3d aside = Eigen::Vector3d(0.6180339887, -0.4142135624, 0.7320508076).normalized();
+  for (auto& [set, piece] : pieces) {
+    piece.apex = static_cast<int>(lids.vertices.size());
+    lids.vertices.push_back(piece.box.center() + kApexAside * piece.box.diagonal().norm() * aside);
+  }
+  for (const auto& [from, to] : rim) lids.triangles.push_back({to, from, pieces[sets.find(from)].apex});
+  return lids;
+}
+
+/// The triangles of the components that have an inside.
+TriangleMesh wallsOf(const RepairedMesh& mesh) {
   TriangleMesh result;
   result.vertices = mesh.mesh.vertices;
-  for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t) {
-    const auto component = static_cast<std::size_t>(mesh.component[t]);
-    if (mesh.interior[component] != Interior::kSurface && (rim.has_some[component] != 0) == a_rim)
+  for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t)
+    if (mesh.interior[static_cast<std::size_t>(mesh.component[t])] != Interior::kSurface)
       result.triangles.push_back(mesh.mesh.triangles[t]);
-  }
+  return result;
+}
+
+/// Both, which share their first vertices: those of `mesh`.
+TriangleMesh joined(const TriangleMesh& mesh, const TriangleMesh& lids) {
+  TriangleMesh result = mesh;
+  if (!lids.triangles.empty()) result.vertices = lids.vertices;
+  result.triangles.insert(result.triangles.end(), lids.triangles.begin(), lids.triangles.end());
   return result;
 }
 
@@ -58,13 +101,13 @@ TriangleMesh componentsWith(bool a_rim, const RepairedMesh& mesh, const Rim& rim
 TriangleMesh edgeMesh(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
   TriangleMesh result;
   result.vertices = vertices;
-  for (const auto& [a, b] : rim.edges) result.triangles.push_back({a, b, b});
+  for (const auto& [a, b] : rim) result.triangles.push_back({a, b, b});
   return result;
 }
 
 double lengthOf(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
   double sum = 0;
-  for (const auto& [a, b] : rim.edges) sum += (vertices[static_cast<std::size_t>(b)] - vertices[static_cast<std::size_t>(a)]).norm();
+  for (const auto& [a, b] : rim) sum += (vertices[static_cast<std::size_t>(b)] - vertices[static_cast<std::size_t>(a)]).norm();
   return sum;
 }
 
@@ -86,27 +129,26 @@ constexpr double kProbeStep = 1e-3;  // off the triangle, in lengths of its shor
 // What the winding number may err by.
 constexpr double kWindingError = 0.02;
 
-/// What lies inside, by the components that have an inside.
+/// What lies inside, by the components that have an inside. The winding number is that of the surface closed with lids, which counting
+/// crossings tells, less that of the lids, which are few.
 struct Walls {
-  Walls(const RepairedMesh& mesh, const Rim& rim)
-      : Walls(componentsWith(false, mesh, rim), componentsWith(true, mesh, rim), edgeMesh(mesh.mesh.vertices, rim),
-              lengthOf(mesh.mesh.vertices, rim)) {}
-  Walls(const TriangleMesh& closed_mesh, const TriangleMesh& open_mesh, const TriangleMesh& rim_edges, double length)
-      : closed(closed_mesh),
-        open(open_mesh),
-        rim(rim_edges),
-        rim_length(length),
-        volume(signedVolume(closed_mesh) + signedVolume(open_mesh)),
-        inverted(hasInvertedRegion(closed_mesh) || hasInvertedRegion(open_mesh)) {}
+  Walls(const RepairedMesh& mesh, const Rim& rim_edges) : Walls(wallsOf(mesh), lidsOf(mesh.mesh.vertices, rim_edges), mesh, rim_edges) {}
+  Walls(const TriangleMesh& walls, const TriangleMesh& lid_mesh, const RepairedMesh& mesh, const Rim& rim_edges)
+      : closed(joined(walls, lid_mesh)),
+        lids(lid_mesh),
+        rim(edgeMesh(mesh.mesh.vertices, rim_edges)),
+        rim_length(lengthOf(mesh.mesh.vertices, rim_edges)),
+        volume(signedVolume(walls)),
+        inverted(hasInvertedRegion(walls)) {}
 
-  double windingNumber(const Eigen::Vector3d& p) const { return closed.signedCrossings(p) + (open.empty() ? 0 : open.windingNumber(p)); }
+  double windingNumber(const Eigen::Vector3d& p) const { return closed.signedCrossings(p) - (lids.empty() ? 0 : lids.windingNumber(p)); }
 
   /// Radius of a ball about p in which the winding number exceeds 1/2, if no surface is met. Its gradient depends on the rim alone,
   /// as a current's magnetic field does (Biot-Savart): it is at most length / (4 pi d^2) at a distance of d from the rim.
   double insideRadius(const Eigen::Vector3d& p) const {
     const double margin = windingNumber(p) - 0.5 - kWindingError;
     if (margin <= 0) return 0;
-    if (open.empty()) return std::numeric_limits<double>::infinity();
+    if (lids.empty()) return std::numeric_limits<double>::infinity();
     constexpr double kPi = 3.14159265358979323846;
     const double d = rim.nearest(p).distance, k = rim_length / (4 * kPi * margin), b = 2 * d + k;
     return 2 * d * d / (b + std::sqrt(b * b - 4 * d * d));  // r with k r = (d - r)^2
@@ -126,7 +168,7 @@ struct Walls {
     return false;
   }
 
-  TriangleBvh closed, open, rim;
+  TriangleBvh closed, lids, rim;
   double rim_length;
   double volume;
   bool inverted;
@@ -176,7 +218,7 @@ double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface) const 
   return contains(p) ? -std::min(to_surface, impl_->walls.insideRadius(p)) : to_surface;
 }
 bool Solid::hasOpenings() const {
-  return !impl_->walls.open.empty();
+  return !impl_->walls.lids.empty();
 }
 double Solid::volume() const {
   return impl_->walls.volume;

@@ -57,13 +57,30 @@ std::string cmakeLists(const std::string& robot_name) {
          "install(FILES report.json DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n";
 }
 
-void writeHulls(const ElementResult& element, MeshFormat format, const fs::path& folder) {
+/// The folder that an output is written to, and the earlier output, if there is one, whose place it takes.
+struct Folders {
+  fs::path next, earlier;
+
+  /// A file that the earlier output has, byte for byte, is taken over as a link: nothing to write, to bring to the disk, or to remove.
+  void write(const fs::path& name, const std::string& text) const {
+    const fs::path file = next / name, same = earlier / name;
+    std::error_code error;
+    if (fs::is_regular_file(fs::symlink_status(same, error)) && readText(same) == text) {
+      fs::create_directories(file.parent_path(), error);
+      fs::create_hard_link(same, file, error);
+      if (!error) return;
+    }
+    writeText(file, text);
+  }
+};
+
+void writeHulls(const ElementResult& element, MeshFormat format, const Folders& folders) {
   const std::vector<std::string>& files = element.report.files;
   const std::size_t first = files.size() - element.hulls.size();  // the OBJ of all hulls stands before a file for each
-  if (first > 0) writeText(folder / files.front(), encodeHullsObj(element.hulls, fileName(element.report.link)));
+  if (first > 0) folders.write(files.front(), encodeHullsObj(element.hulls, fileName(element.report.link)));
   for (std::size_t m = 0; m < element.hulls.size(); ++m) {
-    const fs::path file = folder / files[first + m];
-    writeText(file, encodeHull(element.hulls[m], format, file.stem().string()));
+    const fs::path file = files[first + m];
+    folders.write(file, encodeHull(element.hulls[m], format, file.stem().string()));
   }
 }
 
@@ -84,20 +101,20 @@ void writeOutput(RobotResult& result, const std::string& output, const RunContro
   Stopwatch run;
   checkOutput(output);
   FolderReplacement replacement(output);
-  const fs::path& folder = replacement.folder();
+  const Folders folders{replacement.folder(), replacedFolder(output)};
   for (std::size_t i = 0; i < result.elements.size(); ++i) {
     control.check();
     Stopwatch stage;
-    writeHulls(result.elements[i], result.report.options.format, folder);
+    writeHulls(result.elements[i], result.report.options.format, folders);
     result.elements[i].report.seconds.write = result.report.links[i].seconds.write = stage.lap();
   }
   if (!result.single_mesh) {
-    writeText(folder / urdfFile(result.robot_name), result.urdf);
-    writeText(folder / "package.xml", packageXml(result.robot_name));
-    writeText(folder / "CMakeLists.txt", cmakeLists(result.robot_name));
+    folders.write(urdfFile(result.robot_name), result.urdf);
+    folders.write("package.xml", packageXml(result.robot_name));
+    folders.write("CMakeLists.txt", cmakeLists(result.robot_name));
   }
   result.report.seconds += run.lap();
-  writeText(folder / kReport, toJson(result.report));
+  folders.write(kReport, toJson(result.report));
   refuseForeign(replacedFolder(output));
   control.check();
   replacement.commit();

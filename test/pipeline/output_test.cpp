@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
@@ -98,6 +99,38 @@ TEST(WriteOutput, ReplacesAnEarlierOutputAsAWhole) {
   writeOutput(result, folder / "out");
   EXPECT_FALSE(fs::exists(folder / "out/meshes/b"));
   EXPECT_TRUE(fs::exists(folder / "out/meshes/a/0_1.stl"));
+}
+
+/// Files, each with where it lies on the disk.
+std::map<std::string, ino_t> places(const fs::path& folder) {
+  std::map<std::string, ino_t> result;
+  for (const auto& [name, text] : fixtures::contents(folder)) {
+    struct stat file {};
+    if (stat((folder / name).c_str(), &file) == 0) result[name] = file.st_ino;
+  }
+  return result;
+}
+
+TEST(WriteOutput, WhatIsTheSameIsTakenOver) {
+  const TempFolder folder;
+  RobotResult result = sample();
+  writeOutput(result, folder / "out");
+  const auto first = fixtures::contents(folder / "out");
+  const auto before = places(folder / "out");
+  fixtures::write(folder / "out/meshes/a/0_0.stl", "changed by someone");
+  fs::rename(folder / "out/meshes/a/0_1.stl", folder / "elsewhere.stl");
+  fs::create_symlink(folder / "elsewhere.stl", folder / "out/meshes/a/0_1.stl");
+  result.elements[1].hulls[0] = convexHull(test_shapes::box(4, 5, 6).vertices);
+  writeOutput(result, folder / "out");
+  const auto after = places(folder / "out");
+  for (const char* name : {"package.xml", "CMakeLists.txt", "urdf/My_Arm.urdf", "meshes/b/0_1.stl"})
+    EXPECT_EQ(after.at(name), before.at(name));
+  for (const char* name : {"meshes/a/0_0.stl", "meshes/a/0_1.stl", "meshes/b/0_0.stl"}) EXPECT_NE(after.at(name), before.at(name));
+  auto files = fixtures::contents(folder / "out");
+  EXPECT_EQ(files["meshes/a/0_0.stl"], first.at("meshes/a/0_0.stl"));
+  EXPECT_EQ(files["meshes/a/0_1.stl"], first.at("meshes/a/0_1.stl"));
+  EXPECT_NE(files["meshes/b/0_0.stl"], first.at("meshes/b/0_0.stl"));
+  EXPECT_FALSE(fs::is_symlink(folder / "out/meshes/a/0_1.stl"));
 }
 
 TEST(WriteOutput, CancelLeavesTheOldOne) {

@@ -67,7 +67,8 @@ std::string defaultOutput(const Input& input);
 
 /// Writes the output package (or a single mesh's folder) and its report.json: into a temporary folder beside `output`, read
 /// back and compared, then put in place with one rename (exchange) so that a kill at any moment leaves the old or the new.
-/// Replaces an earlier output; refuses (kNotOurOutput) a folder that is not one. Fills seconds.write in the report.
+/// Replaces an earlier output, whose files are taken over where they have the same content; refuses (kNotOurOutput) a folder that is not
+/// one. Fills seconds.write in the report.
 /// Throws kUnwritableOutput, and kCancelled, which leaves everything as it was.
 void writeOutput(RobotResult& result, const std::string& output, const RunControl& control = {});
 

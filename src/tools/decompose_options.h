@@ -114,7 +114,8 @@ class DecomposeOptionAdder {
             "Leave out the collision queries that compare the hulls with the meshes")
         ->group("Run");
     app_.add_flag_callback(
-            "--no-cache", [&options = options_] { options.cache = false; }, "Do not use the cache of hull trees")
+            "--no-cache", [&options = options_] { options.cache = false; },
+            "Work everything out anew: neither read the cache nor add to it")
         ->group("Run");
   }
 

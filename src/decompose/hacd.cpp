@@ -85,6 +85,7 @@ class Decimation {
   void makeClusters(const TriangleMesh& mesh) {
     clusters_.resize(mesh.triangles.size());
     for (std::size_t t = 0; t < clusters_.size(); ++t) {
+      control_.check();
       Cluster& cluster = clusters_[t];
       const int triangle = static_cast<int>(t);
       const Eigen::Vector3d &a = mesh.corner(triangle, 0), &b = mesh.corner(triangle, 1), &c = mesh.corner(triangle, 2);
@@ -97,6 +98,7 @@ class Decimation {
 
   void makeEdges(const TriangleMesh& mesh) {
     for (const DualEdge& dual : dualGraph(mesh)) {
+      control_.check();
       const int e = static_cast<int>(edges_.size());
       edges_.emplace_back();
       edges_.back().v = dual.v;

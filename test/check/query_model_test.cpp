@@ -1,0 +1,88 @@
+#include "check/query_model.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "solids.h"
+
+namespace collision_hulls {
+namespace {
+
+using namespace test_shapes;
+using Poses = std::vector<Eigen::Isometry3d>;
+
+Poses at(const std::vector<Eigen::Vector3d>& places) {
+  Poses poses;
+  for (const Eigen::Vector3d& place : places) poses.push_back(Eigen::Isometry3d(Eigen::Translation3d(place)));
+  return poses;
+}
+
+TEST(QueryModel, NothingTouchesNothing) {
+  QueryModel none, box;
+  none.place({});
+  box.add(0, boxHull({0, 0, 0}, {1, 1, 1}));
+  box.place(at({{0, 0, 0}}));
+  EXPECT_FALSE(none.collides(box));
+  EXPECT_FALSE(none.collides(IgnoredPairs(0)));
+  EXPECT_EQ(none.distance(box), std::numeric_limits<double>::infinity());
+}
+
+TEST(QueryModel, TwoModels) {
+  for (const bool as_mesh : {false, true}) {
+    QueryModel moving, scene;
+    if (as_mesh) moving.add(0, box(0.1, 0.1, 0.1));
+    if (!as_mesh) moving.add(0, boxHull({0, 0, 0}, {0.1, 0.1, 0.1}));
+    scene.add(0, boxHull({0, 0, 0}, {1, 1, 1}));
+    scene.add(1, boxHull({0, 0, 0}, {1, 1, 1}));
+    scene.place(at({{0, 0, 0}, {3, 0, 0}}));
+    moving.place(at({{1.5, 0.2, 0.2}}));
+    EXPECT_FALSE(moving.collides(scene));
+    EXPECT_NEAR(moving.distance(scene), 0.5, 1e-6);
+    moving.place(at({{2.4, 0.2, 0.2}}));
+    EXPECT_NEAR(moving.distance(scene), 0.5, 1e-6) << "now the other one";
+    moving.place(at({{2.95, 0.2, 0.2}}));
+    EXPECT_TRUE(moving.collides(scene));
+    EXPECT_EQ(moving.distance(scene), 0);
+  }
+}
+
+TEST(QueryModel, ItsOwnLinks) {
+  QueryModel chain;
+  for (std::size_t link = 0; link < 4; ++link) chain.add(link, boxHull({0, 0, 0}, {1, 1, 1}));
+  chain.add(3, boxHull({0.5, 0, 0}, {1.5, 1, 1}));  // overlaps its own link's other body, which says nothing
+  chain.place(at({{0, 0, 0}, {0.5, 0, 0}, {3, 0, 0}, {4.25, 0, 0}}));
+  IgnoredPairs ignored(4);
+  EXPECT_TRUE(chain.collides(ignored));
+  EXPECT_EQ(chain.distance(ignored), 0);
+  EXPECT_EQ(chain.touching(ignored), (std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}}));
+  ignored.ignore(1, 0);
+  EXPECT_FALSE(chain.collides(ignored));
+  EXPECT_NEAR(chain.distance(ignored), 0.25, 1e-9);
+  ignored.ignore(2, 3);
+  EXPECT_NEAR(chain.distance(ignored), 1.5, 1e-9);
+}
+
+TEST(QueryModel, AMeshIsASurfaceAndAHullABody) {
+  QueryModel small, shell, body;
+  small.add(0, boxHull({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
+  shell.add(0, moved(box(1, 1, 1), {-0.5, -0.5, -0.5}));
+  body.add(0, boxHull({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}));
+  for (QueryModel* model : {&small, &shell, &body}) model->place(at({{0, 0, 0}}));
+  EXPECT_FALSE(small.collides(shell));
+  EXPECT_TRUE(small.collides(body));
+  EXPECT_NEAR(small.distance(shell), 0.4, 1e-6);
+}
+
+TEST(QueryModel, TrianglesWithoutAreaAreLeftOut) {
+  TriangleMesh line{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}};
+  QueryModel thin, body;
+  thin.add(0, line);
+  body.add(0, boxHull({0, -1, -1}, {1, 1, 1}));
+  thin.place(at({{0, 0, 0}}));
+  body.place(at({{0, 0, 0}}));
+  EXPECT_FALSE(thin.collides(body));
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -34,6 +34,8 @@ Original readOriginal(const json& job) {
   return original;
 }
 
+}  // namespace
+
 std::string toObj(const TriangleMesh& mesh) {
   std::string text;
   char line[128];
@@ -47,6 +49,8 @@ std::string toObj(const TriangleMesh& mesh) {
   }
   return text;
 }
+
+namespace {
 
 json prepare(const json& job) {
   const Original original = readOriginal(job);

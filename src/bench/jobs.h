@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "collision_hulls/geometry/triangle_mesh.h"
+
 namespace collision_hulls {
 
 /// Does the job that a JSON file describes and writes what came of it to another file. Jobs, by "job":
@@ -14,6 +16,9 @@ namespace collision_hulls {
 ///              "hashes" of all
 /// Throws Error and what the libraries throw.
 void doJob(const std::string& job_file, const std::string& result_file);
+
+/// A mesh as OBJ, its coordinates to the last bit.
+std::string toObj(const TriangleMesh& mesh);
 
 /// Scores hulls against a mesh: what the job `score` does. See there.
 nlohmann::json score(const nlohmann::json& job);

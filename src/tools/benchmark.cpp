@@ -1,8 +1,6 @@
 // benchmark INPUT...: build time against certified accuracy, for the methods and for other programs.
 #include "bench/benchmark.h"
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +10,7 @@
 #include "bench/jobs.h"
 #include "bench/machine.h"
 #include "decompose_options.h"
+#include "list_options.h"
 #include "pipeline/files.h"
 
 namespace collision_hulls {
@@ -57,23 +56,6 @@ void addOptions(CLI::App& app, Command& command) {
   app.add_flag("!--no-charts", command.charts, "Leave out the charts and the page");
 }
 
-Peer peer(const std::string& text, const fs::path& programs) {
-  const std::size_t equals = text.find('=');
-  if (equals != std::string::npos) return {text.substr(0, equals), text.substr(equals + 1)};
-  const std::string program = (programs / ("peer_" + text)).string();
-  if (access(program.c_str(), X_OK) == 0) return {text, filledIn("{program}", {{"program", program}}) + " {in} {out} {tolerance}"};
-  throw Error(ErrorCode::kBadOption, "--peer '" + text + "': there is no program '" + program +
-                                         "'; install what it is built from, or give a command, NAME='program {in} {out} {tolerance}'");
-}
-
-template <typename T>
-std::vector<T> parsedList(const std::string& text, const std::function<T(const std::string&)>& parse) {
-  std::vector<T> items;
-  std::istringstream in(text);
-  for (std::string item; std::getline(in, item, ',');) items.push_back(parse(item));
-  return items;
-}
-
 /// The options that CLI11 leaves as text.
 void interpret(Command& command) {
   BenchmarkOptions& options = command.options;
@@ -87,7 +69,7 @@ void interpret(Command& command) {
     options.efforts =
         parsedList<Effort>(command.efforts, [](const std::string& text) { return choice("--effort", text, effortNamed, "quick, best"); });
   }
-  for (const std::string& text : command.peers) options.peers.push_back(peer(text, fs::path(options.program).parent_path()));
+  for (const std::string& text : command.peers) options.peers.push_back(peerOf(text, fs::path(options.program).parent_path()));
 }
 
 std::string summary(const BenchmarkRow& row) {

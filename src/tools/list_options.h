@@ -1,0 +1,37 @@
+// Options of the measuring programs: lists, and other programs to measure.
+#pragma once
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <functional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "bench/benchmark.h"
+#include "bench/child_process.h"
+#include "collision_hulls/error.h"
+
+namespace collision_hulls {
+
+/// What NAME=COMMAND means, or NAME alone: the program peer_NAME in the folder `programs`. Throws kBadOption where there is none.
+inline Peer peerOf(const std::string& text, const std::filesystem::path& programs) {
+  const std::size_t equals = text.find('=');
+  if (equals != std::string::npos) return {text.substr(0, equals), text.substr(equals + 1)};
+  const std::string program = (programs / ("peer_" + text)).string();
+  if (access(program.c_str(), X_OK) == 0) return {text, filledIn("{program}", {{"program", program}}) + " {in} {out} {tolerance}"};
+  throw Error(ErrorCode::kBadOption, "--peer '" + text + "': there is no program '" + program +
+                                         "'; install what it is built from, or give a command, NAME='program {in} {out} {tolerance}'");
+}
+
+/// The items between commas.
+template <typename T>
+std::vector<T> parsedList(const std::string& text, const std::function<T(const std::string&)>& parse) {
+  std::vector<T> items;
+  std::istringstream in(text);
+  for (std::string item; std::getline(in, item, ',');) items.push_back(parse(item));
+  return items;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,152 @@
+// stability INPUT...: where methods of decomposition hold and where they fail, and where FCL's queries do.
+#include "bench/stability.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "bench/fcl_stability.h"
+#include "decompose_options.h"
+#include "list_options.h"
+#include "pipeline/files.h"
+
+namespace collision_hulls {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kChartLimit = 600;  // [s]
+
+struct Command {
+  std::vector<std::string> inputs, peers;
+  std::string methods, tolerance;
+  bool few = false, charts = true;
+  int fcl_trials = 100;
+  StabilityOptions options;
+};
+
+constexpr const char* kFooter = R"(
+Each mesh is perturbed (rotation, jitter, scale, ...) and broken (holes, flipped faces, slivers, NaN, ...); each method then runs on
+it in a process of its own, and its hulls are scored against the mesh in trouble. Without INPUT, FCL's queries alone are looked at.
+Writes stability.csv, fcl.csv, heat maps (SVG, PNG) and index.html.
+Exit status: 0 done, whatever the methods did: a run that hangs, dies or fails is a row; 2 wrong use.
+
+Examples:
+  stability part.stl my_robot_description -m certified,hacd -o out
+  stability meshes/ -o out --peer bullet_hacd --peer bullet_vcd)";
+
+void addOptions(CLI::App& app, Command& command) {
+  StabilityOptions& options = command.options;
+  app.add_option("INPUT", command.inputs, "Mesh files, folders of them, and robots (package, .urdf or .xacro)")->type_name("");
+  app.add_option("-m,--methods", command.methods, "Methods: " + methodChoices() + "; all if not given")->type_name("LIST");
+  app.add_option("-t,--tolerance", command.tolerance, "A length, or a share of each mesh's diagonal")->type_name("LENGTH [2%]");
+  app.add_option("-o,--output", options.folder, "Output folder; files of an earlier run there are replaced")->type_name("DIR")->required();
+  app.add_option("--time-limit", options.time_limit, "For each run, in seconds")->type_name("S [60]")->check(CLI::Range(0.1, 1e6));
+  app.add_option("--peer", command.peers,
+                 "Another program, NAME='command {in} {out} {tolerance}': OBJ in, OBJ with an object per hull out, metres. "
+                 "NAME alone: the program peer_NAME of this package")
+      ->type_name("NAME[=COMMAND]")
+      ->allow_extra_args(false);
+  app.add_option("--seed", options.seed, "Of the troubles, and of whatever else is random")->type_name("N [1]");
+  app.add_flag("--few", command.few, "A third of the troubles");
+  app.add_option("--fcl-trials", command.fcl_trials, "Of FCL for each kind of query and pair; 0: leave FCL out")
+      ->type_name("N [100]")
+      ->check(CLI::Range(0, 100000));
+  app.add_flag("!--no-charts", command.charts, "Leave out the charts and the page");
+}
+
+/// The options that CLI11 leaves as text.
+void interpret(Command& command) {
+  StabilityOptions& options = command.options;
+  options.program = fs::read_symlink("/proc/self/exe").string();
+  if (!command.methods.empty()) {
+    options.methods = parsedList<Method>(command.methods,
+                                         [](const std::string& text) { return choice("--methods", text, methodNamed, methodChoices()); });
+  }
+  if (!command.tolerance.empty()) options.tolerance = parseLength(command.tolerance);
+  if (command.few) options.troubles = fewTroubles();
+  for (const std::string& text : command.peers) options.peers.push_back(peerOf(text, fs::path(options.program).parent_path()));
+}
+
+std::string summary(const StabilityRow& row) {
+  std::string text = row.mesh + " " + name(row.trouble.kind) + " " + csvNumber(row.trouble.amount) + " " + row.method + ": " + row.outcome;
+  if (row.hulls) text += ", " + std::to_string(*row.hulls) + " hulls, protrusion " + csvNumber(row.protrusion) + " m";
+  return text + (row.message.empty() ? "" : " (" + row.message + ")");
+}
+
+void testMethods(const Command& command) {
+  const std::vector<BenchmarkMesh> meshes = benchmarkMeshes(command.inputs);
+  std::ofstream csv(fs::path(command.options.folder) / "stability.csv", std::ios::trunc);
+  csv << stabilityHeader();
+  runStability(meshes, command.options, [&](const StabilityRow& row) {
+    csv << toCsv(row) << std::flush;
+    std::cerr << summary(row) << "\n";
+  });
+}
+
+void testFcl(const Command& command) {
+  std::ofstream csv(fs::path(command.options.folder) / "fcl.csv", std::ios::trunc);
+  csv << fclStabilityHeader();
+  FclStabilityOptions options;
+  options.trials = command.fcl_trials;
+  options.seed = command.options.seed;
+  options.program = command.options.program;
+  options.folder = command.options.folder;
+  runFclStability(options, [&](const FclStabilityRow& row) { csv << toCsv(row) << std::flush; });
+}
+
+void drawCharts(const StabilityOptions& options) {
+  const std::string script = (fs::path(options.program).parent_path() / "stability_charts").string();
+  const ChildResult drawn = runChild({script, options.folder}, kChartLimit);
+  std::cerr << drawn.output;
+  if (drawn.code != 0) std::cerr << "stability: no charts; `" << script << " " << options.folder << "` draws them from the CSV files\n";
+}
+
+int run(Command& command) {
+  interpret(command);
+  fs::create_directories(command.options.folder);
+  if (!command.inputs.empty()) testMethods(command);
+  if (command.fcl_trials > 0) testFcl(command);
+  if (command.charts) drawCharts(command.options);
+  return 0;
+}
+
+/// What this program does as a process of its own for itself.
+bool didJob(int argc, char** argv) {
+  const std::string what = argc > 1 ? argv[1] : "";
+  if (argc == 4 && what == kJobCommand) {
+    doStabilityJob(argv[2], argv[3]);
+  } else if (argc == 4 && what == kFclTrialsCommand) {
+    doFclTrials(argv[2], argv[3]);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+int main(int argc, char** argv) {
+  CLI::App app("Shows where methods of decomposition hold and where they fail, on meshes in trouble, and where FCL's queries do.",
+               "stability");
+  app.footer(kFooter);
+  Command command;
+  addOptions(app, command);
+  try {
+    if (didJob(argc, argv)) return 0;
+    app.parse(argc, argv);
+    return run(command);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);
+    std::cerr << "stability: " << e.what() << "; see stability --help\n";
+  } catch (const std::exception& e) {
+    std::cerr << "stability: " << e.what() << "\n";
+  }
+  return 2;
+}
+
+}  // namespace
+}  // namespace collision_hulls
+
+int main(int argc, char** argv) {
+  return collision_hulls::main(argc, argv);
+}

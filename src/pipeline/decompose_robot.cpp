@@ -73,7 +73,7 @@ void describe(const std::vector<ConvexHull>& hulls, ElementReport& row) {
 }
 
 /// The stages for one mesh. Fills report, original and hulls of `element`, whose row says which scale it has.
-void decomposeElement(const std::string& file, const Options& options, Progress& progress, std::size_t task, ElementResult& element) {
+void decomposeElement(const MeshTask& mesh, const Options& options, Progress& progress, std::size_t task, ElementResult& element) {
   ElementReport& row = element.report;
   RunControl decomposing, certifying;
   progress.follow(decomposing, task, 0, kDecomposeShare);
@@ -81,7 +81,8 @@ void decomposeElement(const std::string& file, const Options& options, Progress&
   Stopwatch stage;
 
   // 1. Read, and scale as the description says.
-  const LoadedMesh loaded = readMesh(file);
+  const LoadedMesh loaded = readMesh(mesh.file);
+  expectUnchanged(mesh);
   row.triangles = loaded.mesh.triangles.size();
   row.skipped_primitives = loaded.skipped_primitives;
   element.original = scaled(loaded.mesh, row.scale);
@@ -150,7 +151,7 @@ void decomposeTask(const MeshTask& task, std::size_t index, const Options& optio
   const std::string key = elementKey(first.report, task.file, options);
   try {
     if (!takeFromCache(key, cache, first)) {
-      decomposeElement(task.file, options, progress, index, first);
+      decomposeElement(task, options, progress, index, first);
       cache.storeElement(key, first);
     }
   } catch (...) {

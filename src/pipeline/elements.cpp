@@ -72,16 +72,20 @@ std::vector<ElementResult> meshElements(const RobotDescription& robot, const Opt
 std::vector<MeshTask> meshTasks(std::vector<ElementResult>& elements, const std::function<std::string(const std::string& uri)>& resolve) {
   std::vector<MeshTask> tasks;
   std::map<std::string, std::string> hashes;  // by file
-  std::map<Sameness, std::size_t> known;      // index of the task
+  std::map<std::string, std::filesystem::file_time_type> times;
+  std::map<Sameness, std::size_t> known;  // index of the task
   for (std::size_t i = 0; i < elements.size(); ++i) {
     ElementReport& row = elements[i].report;
     try {
       const std::string file = resolve(row.uri);
-      std::string& hash = hashes[file];
-      if (hash.empty()) hash = sha256OfFile(file);
-      row.sha256 = hash;
+      if (hashes.count(file) == 0) {
+        std::error_code unreadable;  // as the next line finds, too
+        times[file] = std::filesystem::last_write_time(file, unreadable);
+        hashes[file] = sha256OfFile(file);
+      }
+      row.sha256 = hashes[file];
       const auto [place, is_new] = known.emplace(sameness(row, file), tasks.size());
-      if (is_new) tasks.push_back({file, std::filesystem::file_size(file), {}});
+      if (is_new) tasks.push_back({file, std::filesystem::file_size(file), {}, times[file]});
       tasks[place->second].elements.push_back(i);
     } catch (...) {
       fail(row);
@@ -89,6 +93,12 @@ std::vector<MeshTask> meshTasks(std::vector<ElementResult>& elements, const std:
   }
   std::stable_sort(tasks.begin(), tasks.end(), [](const MeshTask& a, const MeshTask& b) { return a.bytes > b.bytes; });
   return tasks;
+}
+
+void expectUnchanged(const MeshTask& task) {
+  std::error_code error;
+  if (std::filesystem::last_write_time(task.file, error) == task.changed && !error) return;
+  throw Error(ErrorCode::kFileNotFound, "'" + task.file + "' was changed or removed while it was read; run again when it is finished");
 }
 
 void fail(ElementReport& row) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -28,12 +29,16 @@ std::vector<ElementResult> meshElements(const RobotDescription& robot, const Opt
 struct MeshTask {
   std::string file;
   std::uintmax_t bytes = 0;
-  std::vector<std::size_t> elements;  ///< ascending
+  std::vector<std::size_t> elements;             ///< ascending
+  std::filesystem::file_time_type changed = {};  ///< when the file was last changed, as seen before its sha256 was taken
 };
 
 /// Finds the elements' files and fills their sha256; an element without a file becomes a failed row and is in no task.
 /// Largest file first, so that no long task begins last.
 std::vector<MeshTask> meshTasks(std::vector<ElementResult>& elements, const std::function<std::string(const std::string& uri)>& resolve);
+
+/// Throws kFileNotFound where a task's file is no longer the one that its sha256 was taken of: its result would stand under a wrong name.
+void expectUnchanged(const MeshTask& task);
 
 /// Marks a row as failed for the exception that is being handled; throws it again where it is kCancelled.
 void fail(ElementReport& row);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -378,6 +379,26 @@ TEST_F(CachedRun, AnotherMeshOfTheSameNameIsAnotherEntry) {
   const RobotResult result = run();
   EXPECT_EQ(cachedRows(result), (std::vector<bool>{true, false, false, true}));
   EXPECT_FALSE(result.report.validation_cached);
+}
+
+// Its digest was taken at the beginning: what is read later must not be remembered under it.
+TEST_F(CachedRun, AMeshThatChangesDuringTheRun) {
+  const std::string bracket = folder_ / "meshes/bracket.obj", channel = folder_ / "meshes/channel.obj";
+  fixtures::write(bracket, fixtures::read(bracket) + "#" + std::string(1000, '-') + "\n");  // the largest is read first
+  for (const std::string& mesh : {bracket, channel}) fs::last_write_time(mesh, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  const std::string before = fixtures::read(channel);
+  options_.jobs = 1;
+  const auto change = [&](const Step& step) {
+    if (step.item == "a") fixtures::write(channel, fixtures::obj(test_shapes::uChannel(0.2, 0.2, 0.03, 0.4)));
+  };
+  const RobotDescription robot = readRobotDescription(folder_ / "urdf/arm.urdf");
+  const RobotResult changed = decomposeRobot(robot, defaultPackageFinder(), options_, folder_ / "out", {}, change);
+  EXPECT_EQ(changed.report.links[1].error, "FileNotFound");
+  EXPECT_NE(changed.report.links[1].reason.find("channel.obj' was changed"), std::string::npos) << changed.report.links[1].reason;
+  fixtures::write(channel, before);
+  const RobotResult again = run();
+  EXPECT_EQ(cachedRows(again), (std::vector<bool>{true, false, false, true}));
+  EXPECT_NE(again.report.links[1].status, Status::kFailed) << again.report.links[1].reason;
 }
 
 TEST_F(CachedRun, AnotherPlaceIsAnotherValidationOnly) {

@@ -1,6 +1,6 @@
 # A digest of the library's sources, of the compiler with its flags, and of the libraries that hulls depend on, so that the cache finds
-# nothing of another library. As a script (-P) it writes OUTPUT for the sources in ROOT and the text BUILD; the build runs it whenever a source
-# changes.
+# nothing of another library. As a script (-P) it writes OUTPUT for the sources in ROOT and the text BUILD; the build runs it whenever a
+# source changes.
 if(CMAKE_SCRIPT_MODE_FILE)
   file(GLOB_RECURSE sources RELATIVE "${ROOT}" "${ROOT}/include/*.h" "${ROOT}/src/*.h" "${ROOT}/src/*.cpp")
   list(FILTER sources EXCLUDE REGEX "^src/(bench|ros|tools)/")
@@ -12,7 +12,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
   string(SHA256 digest "${text}")
   file(WRITE "${OUTPUT}" "#include \"pipeline/source_digest.h\"
 
-const char* collision_hulls::sourceDigest() {
+const char* ${NAMESPACE}::sourceDigest() {
   return \"${digest}\";
 }
 ")
@@ -25,7 +25,8 @@ string(APPEND build " assimp ${assimp_VERSION} eigen ${Eigen3_VERSION} fcl ${fcl
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS include/*.h src/*.h)
 add_custom_command(
   OUTPUT "${output}"
-  COMMAND "${CMAKE_COMMAND}" "-DROOT=${PROJECT_SOURCE_DIR}" "-DOUTPUT=${output}" "-DBUILD=${build}" -P "${CMAKE_CURRENT_LIST_FILE}"
+  COMMAND "${CMAKE_COMMAND}" "-DROOT=${PROJECT_SOURCE_DIR}" "-DOUTPUT=${output}" "-DNAMESPACE=${PROJECT_NAME}" "-DBUILD=${build}"
+          -P "${CMAKE_CURRENT_LIST_FILE}"
   DEPENDS "${CMAKE_CURRENT_LIST_FILE}" ${CORE_SOURCES} ${headers}
   VERBATIM)
 target_sources(${PROJECT_NAME} PRIVATE "${output}")

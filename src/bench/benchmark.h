@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bench/inputs.h"
+#include "bench/job_runner.h"
 #include "bench/table.h"
 #include "collision_hulls/decompose/decompose.h"
 #include "collision_hulls/pipeline/options.h"
@@ -32,11 +33,10 @@ struct BenchmarkOptions {
   int repeat = 1;          ///< runs of each; the medians of their times and memory count
   double time_limit = 60;  ///< [s] of each run
   std::uint64_t seed = 1;
-  std::string program;  ///< the executable that does jobs: PROGRAM kJobCommand JOB_FILE RESULT_FILE; see jobs.h
-  std::string folder;   ///< for temporary files
+  std::string program;          ///< the executable that does jobs: PROGRAM kJobCommand JOB_FILE RESULT_FILE; see jobs.h
+  std::string folder;           ///< for temporary files
+  std::string keep_hulls = "";  ///< folder for the hulls of all that is ok; empty: not kept
 };
-
-constexpr const char* kJobCommand = "--job";
 
 /// Runs everything, one process at a time, and hands over each row once it is complete. Throws for faults of its own alone.
 void runBenchmark(const std::vector<BenchmarkMesh>& meshes, const BenchmarkOptions& options,

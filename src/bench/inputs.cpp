@@ -21,66 +21,81 @@ bool isMesh(const fs::path& file) {
   return std::find(known.begin(), known.end(), extension) != known.end();
 }
 
-/// A URI without a file stays as it is: the runs on it say what is missing.
-std::vector<BenchmarkMesh> robotMeshes(const Input& input) {
+void addRobot(const Input& input, BenchmarkInputs& all) {
   std::vector<ElementResult> elements = meshElements(input.robot, {});
   const auto resolve = [&](const std::string& uri) { return resolveUri(uri, input.robot.path, input.find_package); };
   std::vector<MeshTask> tasks = meshTasks(elements, resolve);
   std::sort(tasks.begin(), tasks.end(), [](const MeshTask& a, const MeshTask& b) { return a.elements.front() < b.elements.front(); });
-  std::vector<BenchmarkMesh> meshes;
+  std::map<std::string, std::size_t> link_index;
+  for (std::size_t i = 0; i < input.robot.links.size(); ++i) link_index[input.robot.links[i].name] = i;
+  QuerySubject subject{input.robot.name, input.robot, {}};
   for (const MeshTask& task : tasks) {
-    meshes.push_back(
+    for (const std::size_t i : task.elements)
+      subject.parts.push_back({link_index[elements[i].report.link], all.meshes.size(), elements[i].source.origin});
+    all.meshes.push_back(
         {input.robot.name + "/" + fs::path(task.file).filename().string(), task.file, elements[task.elements.front()].report.scale});
   }
+  // A mesh without a file stays: the runs on it say what is missing.
   for (const ElementResult& element : elements) {
     const ElementReport& row = element.report;
-    if (row.status == Status::kFailed) meshes.push_back({input.robot.name + "/" + row.link, row.uri, row.scale});
+    if (row.status == Status::kFailed) all.meshes.push_back({input.robot.name + "/" + row.link, row.uri, row.scale});
   }
-  return meshes;
+  if (!subject.parts.empty()) all.subjects.push_back(std::move(subject));
 }
 
-void addFolder(const fs::path& folder, const fs::path& top, std::vector<BenchmarkMesh>& meshes) {
+void addMesh(const std::string& name, const fs::path& file, BenchmarkInputs& all) {
+  all.subjects.push_back({name, {}, {{0, all.meshes.size(), Eigen::Isometry3d::Identity()}}});
+  all.meshes.push_back({name, file.string(), {1, 1, 1}});
+}
+
+void addFolder(const fs::path& folder, const fs::path& top, BenchmarkInputs& all) {
   if (fs::exists(folder / "package.xml") && !robotDescriptionsIn(folder.string()).empty()) {
-    for (const std::string& description : robotDescriptionsIn(folder.string())) {
-      for (BenchmarkMesh& mesh : robotMeshes(openInput(description))) meshes.push_back(std::move(mesh));
-    }
+    for (const std::string& description : robotDescriptionsIn(folder.string())) addRobot(openInput(description), all);
     return;
   }
   std::vector<fs::path> entries(fs::directory_iterator(folder), fs::directory_iterator{});
   std::sort(entries.begin(), entries.end());
   for (const fs::path& entry : entries) {
-    if (fs::is_directory(entry)) addFolder(entry, top, meshes);
-    if (fs::is_regular_file(entry) && isMesh(entry)) meshes.push_back({fs::relative(entry, top).string(), entry.string(), {1, 1, 1}});
+    if (fs::is_directory(entry)) addFolder(entry, top, all);
+    if (fs::is_regular_file(entry) && isMesh(entry)) addMesh(fs::relative(entry, top).string(), entry, all);
   }
 }
 
-std::vector<BenchmarkMesh> meshesOf(const std::string& input) {
-  std::vector<BenchmarkMesh> meshes;
+void addInput(const std::string& input, BenchmarkInputs& all) {
+  const std::size_t before = all.meshes.size();
   if (fs::is_directory(input)) {
-    addFolder(input, input, meshes);
+    addFolder(input, input, all);
   } else {
     const Input opened = openInput(input);
-    if (opened.kind == Input::Kind::kRobot) return robotMeshes(opened);
-    meshes.push_back({fs::path(input).filename().string(), input, {1, 1, 1}});
+    if (opened.kind == Input::Kind::kRobot) addRobot(opened, all);
+    if (opened.kind == Input::Kind::kMesh) addMesh(fs::path(input).filename().string(), input, all);
   }
-  return meshes;
+  if (all.meshes.size() == before)
+    throw Error(ErrorCode::kFileNotFound, "input '" + input + "' holds no mesh; give mesh files, folders or robots");
+}
+
+/// Appends a number to a name that was there before.
+template <typename Items>
+void makeUnique(Items& items) {
+  std::map<std::string, int> taken;
+  for (auto& item : items) {
+    const int times = ++taken[item.name];
+    if (times > 1) item.name += "#" + std::to_string(times);
+  }
 }
 
 }  // namespace
 
-std::vector<BenchmarkMesh> benchmarkMeshes(const std::vector<std::string>& inputs) {
-  std::vector<BenchmarkMesh> all;
-  std::map<std::string, int> taken;
-  for (const std::string& input : inputs) {
-    std::vector<BenchmarkMesh> meshes = meshesOf(input);
-    if (meshes.empty()) throw Error(ErrorCode::kFileNotFound, "input '" + input + "' holds no mesh; give mesh files, folders or robots");
-    for (BenchmarkMesh& mesh : meshes) {
-      const int times = ++taken[mesh.name];
-      if (times > 1) mesh.name += "#" + std::to_string(times);
-      all.push_back(std::move(mesh));
-    }
-  }
+BenchmarkInputs benchmarkInputs(const std::vector<std::string>& inputs) {
+  BenchmarkInputs all;
+  for (const std::string& input : inputs) addInput(input, all);
+  makeUnique(all.meshes);
+  makeUnique(all.subjects);
   return all;
+}
+
+std::vector<BenchmarkMesh> benchmarkMeshes(const std::vector<std::string>& inputs) {
+  return benchmarkInputs(inputs).meshes;
 }
 
 }  // namespace collision_hulls

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "bench/hull_objects.h"
+#include "bench/query_job.h"
 #include "collision_hulls/check/measures.h"
 #include "collision_hulls/decompose/decompose.h"
 #include "collision_hulls/decompose/fit_cover.h"
@@ -102,7 +103,10 @@ nlohmann::json score(const json& job) {
 void doJob(const std::string& job_file, const std::string& result_file) {
   const json job = json::parse(readText(job_file));
   const std::string kind = job["job"];
-  const json result = kind == "prepare" ? prepare(job) : kind == "decompose" ? decomposeMesh(job) : score(job);
+  const json result = kind == "prepare"     ? prepare(job)
+                      : kind == "decompose" ? decomposeMesh(job)
+                      : kind == "query"     ? query(job)
+                                            : score(job);
   writeText(result_file, result.dump());
 }
 

@@ -14,6 +14,7 @@ namespace collision_hulls {
 ///   score      "file", "scale", "tolerance", "hulls": [files of equal runs]  -> scores the first against the mesh as it was read:
 ///              "hulls", "hull_vertices", "uncovered", "protrusion", "protrusion_found", "volume_ratio" (null: encloses nothing),
 ///              "hashes" of all
+///   query      see query_job.h
 /// Throws Error and what the libraries throw.
 void doJob(const std::string& job_file, const std::string& result_file);
 

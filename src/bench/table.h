@@ -22,9 +22,10 @@ struct BenchmarkRow {
   std::string hash;  ///< SHA-256 of the hulls' vertices
   std::optional<double> diagonal;
   std::uint64_t seed = 1;
-  std::string effort;     ///< of methods that have one
-  std::string requested;  ///< the tolerance as it was asked for: "1%"
-  std::string message;    ///< why there is no result, or what is odd about it
+  std::string effort;      ///< of methods that have one
+  std::string requested;   ///< the tolerance as it was asked for: "1%"
+  std::string message;     ///< why there is no result, or what is odd about it
+  std::string hulls_file;  ///< where the hulls are kept, if they are; no column
 };
 
 /// Column names, and a row, each as a line of benchmark.csv (RFC 4180).

@@ -2,6 +2,7 @@
 #include "bench/benchmark.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -9,6 +10,7 @@
 #include "bench/child_process.h"
 #include "bench/jobs.h"
 #include "bench/machine.h"
+#include "bench/query_benchmark.h"
 #include "decompose_options.h"
 #include "list_options.h"
 #include "pipeline/files.h"
@@ -23,12 +25,12 @@ constexpr double kChartLimit = 600;  // [s]
 struct Command {
   std::vector<std::string> inputs, peers;
   std::string methods, tolerances, efforts;  // between commas
-  bool charts = true;
+  bool charts = true, queries = false;
   BenchmarkOptions options;
 };
 
 constexpr const char* kFooter = R"(
-Writes benchmark.csv (a row per mesh, method and tolerance), machine.json, charts (SVG, PNG) and index.html.
+Writes benchmark.csv (a row per mesh, method and tolerance), queries.csv (with --queries), machine.json, charts (SVG, PNG) and index.html.
 Exit status: 0 done, whatever the methods did: a run that hangs, dies or fails is a row; 2 wrong use.
 
 Examples:
@@ -53,6 +55,8 @@ void addOptions(CLI::App& app, Command& command) {
       ->type_name("NAME[=COMMAND]")
       ->allow_extra_args(false);
   app.add_option("--seed", options.seed, "Of whatever is random")->type_name("N [1]");
+  app.add_flag("--queries", command.queries,
+               "Also collision and distance queries a second against their errors, of the meshes, each method's hulls and single hulls");
   app.add_flag("!--no-charts", command.charts, "Leave out the charts and the page");
 }
 
@@ -79,6 +83,16 @@ std::string summary(const BenchmarkRow& row) {
   return text + (row.message.empty() ? "" : " (" + row.message + ")");
 }
 
+std::string summary(const QueryRow& row) {
+  std::string text = row.subject + " " + row.workload + " " + row.method + (row.effort.empty() ? "" : " " + row.effort) +
+                     (row.requested.empty() ? "" : " " + row.requested) + ": " + row.status;
+  if (row.collisions_per_second)
+    text += ", " + csvNumber(row.collisions_per_second) + " collision and " + csvNumber(row.distances_per_second) +
+            " distance queries a second";
+  if (row.phantom_rate) text += ", phantom rate " + csvNumber(row.phantom_rate);
+  return text + (row.message.empty() ? "" : " (" + row.message + ")");
+}
+
 void writeMachine(const Command& command) {
   nlohmann::json machine = describeMachine();
   machine["seed"] = command.options.seed;
@@ -95,18 +109,47 @@ void drawCharts(const BenchmarkOptions& options) {
   if (drawn.code != 0) std::cerr << "benchmark: no charts; `" << script << " " << options.folder << "` draws them from the CSV files\n";
 }
 
-int run(Command& command) {
-  interpret(command);
-  const std::vector<BenchmarkMesh> meshes = benchmarkMeshes(command.inputs);
-  writeMachine(command);
+std::vector<BenchmarkRow> measureMethods(const Command& command, const std::vector<BenchmarkMesh>& meshes) {
+  std::vector<BenchmarkRow> rows;
   std::ofstream csv(fs::path(command.options.folder) / "benchmark.csv", std::ios::trunc);
   csv << benchmarkHeader();
   runBenchmark(meshes, command.options, [&](const BenchmarkRow& row) {
+    rows.push_back(row);
     csv << toCsv(row) << std::flush;
     std::cerr << summary(row) << "\n";
   });
-  csv.close();
-  if (command.charts) drawCharts(command.options);
+  return rows;
+}
+
+void measureQueries(const Command& command, const BenchmarkInputs& inputs, const std::vector<BenchmarkRow>& rows) {
+  const BenchmarkOptions& options = command.options;
+  std::ofstream csv(fs::path(options.folder) / "queries.csv", std::ios::trunc);
+  csv << queryHeader();
+  QueryOptions queries;
+  queries.seed = options.seed;
+  queries.program = options.program;
+  queries.folder = options.folder;
+  runQueries(inputs, rows, queries, [&](const QueryRow& row) {
+    csv << toCsv(row) << std::flush;
+    std::cerr << summary(row) << "\n";
+  });
+}
+
+int run(Command& command) {
+  interpret(command);
+  BenchmarkOptions& options = command.options;
+  const BenchmarkInputs inputs = benchmarkInputs(command.inputs);
+  writeMachine(command);
+  const fs::path hulls = fs::path(options.folder) / ".hulls";
+  if (command.queries) {
+    if (!std::count(options.methods.begin(), options.methods.end(), Method::kSingleHull)) options.methods.push_back(Method::kSingleHull);
+    options.keep_hulls = hulls.string();
+  }
+  fs::remove(fs::path(options.folder) / "queries.csv");
+  const std::vector<BenchmarkRow> rows = measureMethods(command, inputs.meshes);
+  if (command.queries) measureQueries(command, inputs, rows);
+  fs::remove_all(hulls);
+  if (command.charts) drawCharts(options);
   return 0;
 }
 

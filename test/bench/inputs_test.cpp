@@ -53,6 +53,20 @@ TEST_F(Inputs, ARobotGivesEachMeshOnceAtEachScale) {
   EXPECT_EQ(meshes[1].scale, Eigen::Vector3d(2, 2, 2));
 }
 
+TEST_F(Inputs, WhatMovesAsOneInQueries) {
+  const BenchmarkInputs inputs = benchmarkInputs({folder_ / "meshes/a.obj", folder_ / "arm/urdf/arm.urdf"});
+  ASSERT_EQ(inputs.subjects.size(), 2u);
+  EXPECT_EQ(inputs.subjects[0].name, "a.obj");
+  EXPECT_TRUE(inputs.subjects[0].robot.links.empty());
+  const QuerySubject& arm = inputs.subjects[1];
+  ASSERT_EQ(arm.parts.size(), 3u) << "a mesh that two links share is two parts";
+  EXPECT_EQ(arm.parts[0].mesh, 1u);
+  EXPECT_EQ(arm.parts[1].link, 2u);
+  EXPECT_EQ(arm.parts[1].mesh, 1u);
+  EXPECT_EQ(arm.parts[2].link, 1u);
+  EXPECT_EQ(arm.parts[2].mesh, 2u);
+}
+
 TEST_F(Inputs, AFolderOfPackagesGivesRobots) {
   EXPECT_EQ(names({folder_.path().string()}), (Names{"arm/d.obj", "arm/d.obj#2", "meshes/a.obj", "meshes/b.obj", "meshes/deep/c.OBJ"}));
 }

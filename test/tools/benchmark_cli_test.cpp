@@ -139,6 +139,25 @@ TEST_F(BenchmarkProgram, TwoRunsDifferInTimesOnly) {
   EXPECT_EQ(a, b);
 }
 
+TEST_F(BenchmarkProgram, QueriesOfTheMeshAndOfEachModel) {
+  ASSERT_EQ(run("bracket.obj -m hacd -t 5%,2% --queries -o out --peer fails=false"), 0) << log();
+  const std::vector<Row> all = rows("out/queries.csv");
+  ASSERT_EQ(all.size(), 6u) << log();
+  EXPECT_EQ(all[0].at("method"), "original");
+  EXPECT_EQ(all[1].at("method") + all[1].at("requested"), "hacd5%");
+  EXPECT_EQ(all[2].at("method") + all[2].at("requested"), "hacd2%");
+  EXPECT_EQ(all[3].at("method") + all[3].at("requested"), "single_hull") << "always asked, once";
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(all[i].at("status"), "ok") << all[i].at("message");
+    EXPECT_GT(std::stod(all[i].at("collisions_per_second")), 0);
+    EXPECT_EQ(all[i].at("missed"), i ? "0" : "");
+  }
+  EXPECT_EQ(all[4].at("status"), "error");
+  EXPECT_EQ(all[4].at("message"), "no hulls of 1 meshes");
+  EXPECT_FALSE(fs::exists(folder_ / "out/.hulls"));
+  EXPECT_FALSE(fs::exists(folder_ / "out/.benchmark"));
+}
+
 TEST_F(BenchmarkProgram, AProgramWhoseResultVariesIsToldOf) {
   ASSERT_EQ(run("bracket.obj -m single_hull -t 1% --repeat 3 -o out --peer 'varies=echo o >>count; "
                 "(cat {in}; echo v 0 0 $(wc -l <count); echo f 1 2 -1) >{out}'"),

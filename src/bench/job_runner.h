@@ -1,0 +1,41 @@
+// Jobs and other programs in processes of their own, and what became of them.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "bench/child_process.h"
+
+namespace collision_hulls {
+
+/// How a process ended, as it stands in a row.
+struct JobOutcome {
+  std::string status = "ok";  ///< ok, timeout, crash, error
+  std::string message;        ///< why not ok
+  bool ok() const { return status == "ok"; }
+};
+
+/// Runs jobs (see jobs.h) in a folder of temporary files, which goes with it.
+class JobRunner {
+ public:
+  /// `program` does jobs: PROGRAM kJobCommand JOB_FILE RESULT_FILE.
+  JobRunner(std::string program, const std::string& folder);
+  ~JobRunner();
+  JobRunner(const JobRunner&) = delete;
+  JobRunner& operator=(const JobRunner&) = delete;
+
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  ChildResult run(const nlohmann::json& job, double limit) const;               ///< [s]
+  JobOutcome judge(const ChildResult& used, double limit) const;                ///< without the folder's name, which is another next time
+  nlohmann::json result(const nlohmann::json& job, JobOutcome& outcome) const;  ///< for jobs that are not measured; null unless ok
+  std::string lastWords(const std::string& what, std::string output) const;     ///< what happened, and what a process wrote last
+
+ private:
+  const std::string program_;
+  const std::filesystem::path folder_;
+};
+
+constexpr const char* kJobCommand = "--job";
+
+}  // namespace collision_hulls

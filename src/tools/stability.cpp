@@ -2,6 +2,7 @@
 #include "bench/stability.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -20,7 +21,7 @@ constexpr double kChartLimit = 600;  // [s]
 
 struct Command {
   std::vector<std::string> inputs, peers;
-  std::string methods, tolerance;
+  std::string methods, tolerance, troubles;
   bool few = false, charts = true;
   int fcl_trials = 100;
   StabilityOptions options;
@@ -36,6 +37,15 @@ Examples:
   stability part.stl my_robot_description -m certified,hacd -o out
   stability meshes/ -o out --peer bullet_hacd --peer bullet_vcd)";
 
+std::string troubleChoices() {
+  std::string choices;
+  for (const Trouble& trouble : usualTroubles()) {
+    const std::string text = name(trouble.kind);
+    if (choices.find(text) == std::string::npos) choices += (choices.empty() ? "" : ", ") + text;
+  }
+  return choices;
+}
+
 void addOptions(CLI::App& app, Command& command) {
   StabilityOptions& options = command.options;
   app.add_option("INPUT", command.inputs, "Mesh files, folders of them, and robots (package, .urdf or .xacro)")->type_name("");
@@ -49,11 +59,24 @@ void addOptions(CLI::App& app, Command& command) {
       ->type_name("NAME[=COMMAND]")
       ->allow_extra_args(false);
   app.add_option("--seed", options.seed, "Of the troubles, and of whatever else is random")->type_name("N [1]");
+  app.add_option("--troubles", command.troubles, "Troubles: " + troubleChoices() + "; all if not given")->type_name("LIST");
   app.add_flag("--few", command.few, "A third of the troubles");
   app.add_option("--fcl-trials", command.fcl_trials, "Of FCL for each kind of query and pair; 0: leave FCL out")
       ->type_name("N [100]")
       ->check(CLI::Range(0, 100000));
   app.add_flag("!--no-charts", command.charts, "Leave out the charts and the page");
+}
+
+TroubleKind troubleKind(const std::string& text) {
+  return choice("--troubles", text, troubleNamed, troubleChoices());
+}
+
+/// Leaves those of the chosen kinds, and none at all first, which the others are compared with.
+void choose(const std::vector<TroubleKind>& chosen, std::vector<Trouble>& troubles) {
+  const auto left_out = [&](const Trouble& trouble) {
+    return trouble.kind != TroubleKind::kNone && std::find(chosen.begin(), chosen.end(), trouble.kind) == chosen.end();
+  };
+  troubles.erase(std::remove_if(troubles.begin(), troubles.end(), left_out), troubles.end());
 }
 
 /// The options that CLI11 leaves as text.
@@ -66,6 +89,7 @@ void interpret(Command& command) {
   }
   if (!command.tolerance.empty()) options.tolerance = parseLength(command.tolerance);
   if (command.few) options.troubles = fewTroubles();
+  if (!command.troubles.empty()) choose(parsedList<TroubleKind>(command.troubles, troubleKind), options.troubles);
   for (const std::string& text : command.peers) options.peers.push_back(peerOf(text, fs::path(options.program).parent_path()));
 }
 

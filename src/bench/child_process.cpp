@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -77,6 +78,18 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
+void add(const rusage& used, ChildResult& result) {
+  result.cpu_seconds += seconds(used.ru_utime) + seconds(used.ru_stime);
+  result.peak_mb = std::max(result.peak_mb, static_cast<double>(used.ru_maxrss) / 1024);
+}
+
+/// Kills what is left of the group. Those whose parent is gone have become children of this process.
+void killRest(pid_t group, ChildResult& result) {
+  kill(-group, SIGKILL);
+  rusage used{};
+  while (wait4(-group, nullptr, 0, &used) > 0) add(used, result);
+}
+
 /// Waits for the process, killing its group when the time is up; true when it had to be.
 bool await(pid_t process, double limit, const ChildSignal& signal, int& status, rusage& used) {
   Stopwatch clock;
@@ -99,6 +112,7 @@ ChildResult runChild(const std::vector<std::string>& arguments, double limit) {
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
 
+  prctl(PR_SET_CHILD_SUBREAPER, 1);  // what a killed shell was running can then be waited for, and its time be known
   const ChildSignal signal;
   Stopwatch clock;
   const pid_t process = fork();
@@ -111,11 +125,10 @@ ChildResult runChild(const std::vector<std::string>& arguments, double limit) {
   ChildResult result;
   const bool killed = await(process, limit, signal, status, used);
   result.wall_seconds = clock.lap();
-  kill(-process, SIGKILL);
+  add(used, result);
+  killRest(process, result);
   result.end = killed ? ChildResult::End::kTimeout : WIFSIGNALED(status) ? ChildResult::End::kSignal : ChildResult::End::kExit;
   result.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
-  result.cpu_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
-  result.peak_mb = static_cast<double>(used.ru_maxrss) / 1024;
   result.output = endOf(output.get());
   return result;
 }

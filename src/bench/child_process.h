@@ -10,7 +10,7 @@ namespace collision_hulls {
 struct ChildResult {
   enum class End { kExit, kSignal, kTimeout } end = End::kExit;
   int code = 0;            ///< exit status, or the number of the signal
-  double cpu_seconds = 0;  ///< user and system, over all threads; without processes that it started and did not wait for
+  double cpu_seconds = 0;  ///< user and system, over all threads and processes of its group
   double wall_seconds = 0;
   double peak_mb = 0;  ///< largest resident set of one process [MiB]; the caller's own size when it started is the least it can show
   std::string output;  ///< the end of what it wrote to stdout and stderr

@@ -13,7 +13,7 @@ struct UrdfModel {
   std::string name;
   std::vector<LinkDescription> links;
   std::vector<JointDescription> joints;  ///< as in RobotDescription
-  std::string complaints;  ///< errors that urdfdom logged though it took the description, "; " between them
+  std::string complaints;                ///< errors that urdfdom logged though it took the description, "; " between them
 };
 
 /// Reads a URDF whose root is <robot> and whose joints form no loop (checkJointGraph). urdfdom drops the rest of a link after an element

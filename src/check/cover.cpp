@@ -21,6 +21,9 @@ namespace {
 // Rounding of a plane's distance to a point, as a share of the coordinates' size.
 constexpr double kRounding = 1e-12;
 
+// As many share the choice of hulls and faces that they are compared with.
+constexpr int kTrianglesAtOnce = 256;
+
 using Polygon = std::vector<Eigen::Vector3d>;
 
 struct Hulls {
@@ -45,10 +48,6 @@ struct Hulls {
     return true;
   }
 
-  bool holds(std::size_t hull, const Polygon& polygon) const {
-    return std::all_of(polygon.begin(), polygon.end(), [&](const auto& p) { return holds(hull, p); });
-  }
-
   double distanceTo(const Eigen::Vector3d& p) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t h = 0; h < hulls.size(); ++h)
@@ -69,6 +68,45 @@ struct Hulls {
     for (const auto& [d, h] : near) result.push_back(h);
     return result;
   }
+};
+
+/// The hulls that come near some triangles, each with the faces that those may reach beyond: few, where triangles that follow on
+/// each other lie close together.
+class NearHulls {
+ public:
+  NearHulls(const Hulls& set, const TriangleMesh& mesh, int begin, int end) : tolerance_(set.tolerance) {
+    Eigen::AlignedBox3d box;
+    for (int t = begin; t < end; ++t) box.extend(mesh.corner(t, 0)).extend(mesh.corner(t, 1)).extend(mesh.corner(t, 2));
+    const Eigen::Vector3d centre = box.center(), half = box.max() - centre;
+    for (std::size_t h = 0; h < set.hulls.size(); ++h) {
+      if (!set.boxes[h].intersects(box)) continue;
+      near_.push_back({set.boxes[h], {}});
+      for (const HalfSpace& face : set.hulls[h].faces)
+        if (face.distance(centre) + face.normal.cwiseAbs().dot(half) > 0) near_.back().faces.push_back(face);
+    }
+  }
+
+  std::size_t size() const { return near_.size(); }
+
+  bool holds(std::size_t hull, const TriangleMesh& mesh, int triangle) const {
+    return holds(near_[hull], mesh.corner(triangle, 0)) && holds(near_[hull], mesh.corner(triangle, 1)) &&
+           holds(near_[hull], mesh.corner(triangle, 2));
+  }
+
+ private:
+  struct Near {
+    Eigen::AlignedBox3d box;
+    std::vector<HalfSpace> faces;
+  };
+  bool holds(const Near& hull, const Eigen::Vector3d& p) const {
+    if (!hull.box.contains(p)) return false;
+    for (const HalfSpace& face : hull.faces)
+      if (face.distance(p) > tolerance_) return false;
+    return true;
+  }
+
+  std::vector<Near> near_;
+  double tolerance_;
 };
 
 /// Divides a polygon by a face: what lies beyond it goes to `outside`, the rest is returned.
@@ -189,33 +227,39 @@ double uncoveredDistance(const Polygon& triangle, const Hulls& set) {
 
 }  // namespace
 
-std::vector<UncoveredTriangle> uncoveredTriangles(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls) {
+std::vector<UncoveredTriangle> uncoveredTriangles(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
+                                                  const RunControl& control) {
   const Hulls set(mesh, hulls);
   std::vector<double> distance(mesh.triangles.size(), 0.0);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.triangles.size(), 256), [&](const auto& range) {
-    std::size_t last = 0;  // neighbouring triangles tend to lie in the same hull
-    for (std::size_t t = range.begin(); t < range.end(); ++t) {
-      const int i = static_cast<int>(t);
-      const Polygon triangle{mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2)};
-      bool covered = last < hulls.size() && set.holds(last, triangle);
-      for (std::size_t h = 0; h < hulls.size() && !covered; ++h)
-        if (set.holds(h, triangle)) covered = true, last = h;
-      if (!covered) distance[t] = uncoveredDistance(triangle, set);
-    }
-  });
+  tbb::parallel_for(
+      tbb::blocked_range<int>(0, static_cast<int>(mesh.triangles.size()), kTrianglesAtOnce),
+      [&](const auto& range) {
+        control.check();
+        const NearHulls near(set, mesh, range.begin(), range.end());
+        std::size_t last = 0;  // neighbouring triangles tend to lie in the same hull
+        for (int t = range.begin(); t < range.end(); ++t) {
+          bool covered = last < near.size() && near.holds(last, mesh, t);
+          for (std::size_t h = 0; h < near.size() && !covered; ++h)
+            if (near.holds(h, mesh, t)) covered = true, last = h;
+          if (!covered)
+            distance[static_cast<std::size_t>(t)] = uncoveredDistance({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, set);
+        }
+      },
+      tbb::simple_partitioner());
   std::vector<UncoveredTriangle> result;
   for (std::size_t t = 0; t < distance.size(); ++t)
     if (distance[t] > 0) result.push_back({static_cast<int>(t), distance[t]});
   return result;
 }
 
-double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls) {
+double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls, const RunControl& control) {
   double most = 0;
-  for (const UncoveredTriangle& u : uncoveredTriangles(mesh, hulls)) most = std::max(most, u.distance);
+  for (const UncoveredTriangle& u : uncoveredTriangles(mesh, hulls, control)) most = std::max(most, u.distance);
   return most;
 }
 
 double unionVolume(const std::vector<ConvexHull>& hulls) {
+  if (hulls.size() == 1) return volume(hulls[0]);
   Eigen::AlignedBox3d all;
   for (const ConvexHull& hull : hulls) all.extend(boundingBox(hull));
   if (all.isEmpty()) return 0;
@@ -231,7 +275,8 @@ double unionVolume(const std::vector<ConvexHull>& hulls) {
       u -= u.array().floor().matrix();
       const Eigen::Vector3d p = all.min() + all.sizes().cwiseProduct(u);
       for (std::size_t h = 0; h < hulls.size() && !held[static_cast<std::size_t>(i)]; ++h)
-        held[static_cast<std::size_t>(i)] = boxes[h].contains(p) && planeDistance(hulls[h], p) <= 0;
+        held[static_cast<std::size_t>(i)] = boxes[h].contains(p) && std::none_of(hulls[h].faces.begin(), hulls[h].faces.end(),
+                                                                                 [&](const auto& face) { return face.distance(p) > 0; });
     }
   });
   return all.volume() * static_cast<double>(std::count(held.begin(), held.end(), 1)) / kPoints;

@@ -13,6 +13,7 @@ struct UncoveredTriangle {
 };
 
 /// The triangles that are not wholly within the union of the hulls, in ascending order.
-std::vector<UncoveredTriangle> uncoveredTriangles(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls);
+std::vector<UncoveredTriangle> uncoveredTriangles(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
+                                                  const RunControl& control = {});
 
 }  // namespace collision_hulls

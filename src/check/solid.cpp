@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -19,15 +20,20 @@ namespace {
 /// Edges, from and to.
 using Rim = std::vector<std::array<int, 2>>;
 
+/// Whether a half-edge and its twin, the only other one on its edge, run against each other.
+bool isPaired(const std::vector<Triangle>& triangles, const Edges& edges, int h) {
+  const int twin = edges.twin[static_cast<std::size_t>(h)];
+  return twin >= 0 && startOf(triangles, twin) == endOf(triangles, h);
+}
+
 /// The boundary of the oriented surface of the components that have an inside: edges whose triangles do not run along them equally often
 /// in both directions, as the surface runs along them, as often as that direction prevails.
-Rim rimOf(const RepairedMesh& mesh) {
+Rim rimOf(const RepairedMesh& mesh, const Edges& edges) {
   const std::vector<Triangle>& triangles = mesh.mesh.triangles;
-  const Edges all = findEdges(triangles, mesh.mesh.vertices.size());
   std::map<std::array<int, 2>, int> surplus;
-  for (int h = 0; h < static_cast<int>(all.twin.size()); ++h) {
-    const int from = startOf(triangles, h), to = endOf(triangles, h), twin = all.twin[static_cast<std::size_t>(h)];
-    if (twin >= 0 && startOf(triangles, twin) == to) continue;
+  for (int h = 0; h < static_cast<int>(edges.twin.size()); ++h) {
+    if (isPaired(triangles, edges, h)) continue;
+    const int from = startOf(triangles, h), to = endOf(triangles, h);
     const int component = mesh.component[static_cast<std::size_t>(h / 3)];
     if (mesh.interior[static_cast<std::size_t>(component)] == Interior::kSurface) continue;
     surplus[{std::min(from, to), std::max(from, to)}] += from < to ? 1 : -1;
@@ -59,6 +65,8 @@ constexpr double kApexAside = 0.05;  // of a rim's extent
 /// Lids that close the surface along its rim: for each connected piece of it a cone of triangles to a point near its middle, but aside
 /// from the plane that it may lie in, where lids would be asked about most.
 TriangleMesh lidsOf(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
+  TriangleMesh lids;
+  if (rim.empty()) return lids;
   Sets sets(vertices.size());
   for (const auto& [from, to] : rim) sets.join(from, to);
   struct Piece {
@@ -67,8 +75,6 @@ TriangleMesh lidsOf(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim
   };
   std::map<int, Piece> pieces;
   for (const auto& [from, to] : rim) pieces[sets.find(from)].box.extend(vertices[static_cast<std::size_t>(from)]);
-  TriangleMesh lids;
-  if (rim.empty()) return lids;
   lids.vertices = vertices;
   const Eigen::Vector3d aside = Eigen::Vector3d(0.6180339887, -0.4142135624, 0.7320508076).normalized();
   for (auto& [set, piece] : pieces) {
@@ -100,7 +106,7 @@ TriangleMesh joined(const TriangleMesh& mesh, const TriangleMesh& lids) {
 /// Edges as triangles of no area, for their distance.
 TriangleMesh edgeMesh(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
   TriangleMesh result;
-  result.vertices = vertices;
+  if (!rim.empty()) result.vertices = vertices;
   for (const auto& [a, b] : rim) result.triangles.push_back({a, b, b});
   return result;
 }
@@ -132,16 +138,21 @@ constexpr double kWindingError = 0.02;
 /// What lies inside, by the components that have an inside. The winding number is that of the surface closed with lids, which counting
 /// crossings tells, less that of the lids, which are few.
 struct Walls {
-  Walls(const RepairedMesh& mesh, const Rim& rim_edges) : Walls(wallsOf(mesh), lidsOf(mesh.mesh.vertices, rim_edges), mesh, rim_edges) {}
-  Walls(const TriangleMesh& walls, const TriangleMesh& lid_mesh, const RepairedMesh& mesh, const Rim& rim_edges)
-      : closed(joined(walls, lid_mesh)),
+  /// `surface`: a tree over all triangles, which serves where all of them are walls without a rim.
+  Walls(const RepairedMesh& mesh, const Rim& rim_edges, const std::shared_ptr<const TriangleBvh>& surface)
+      : Walls(wallsOf(mesh), lidsOf(mesh.mesh.vertices, rim_edges), mesh, rim_edges, surface) {}
+  Walls(const TriangleMesh& walls, const TriangleMesh& lid_mesh, const RepairedMesh& mesh, const Rim& rim_edges,
+        const std::shared_ptr<const TriangleBvh>& surface)
+      : closed(lid_mesh.triangles.empty() && walls.triangles.size() == mesh.mesh.triangles.size()
+                   ? surface
+                   : std::make_shared<TriangleBvh>(joined(walls, lid_mesh))),
         lids(lid_mesh),
         rim(edgeMesh(mesh.mesh.vertices, rim_edges)),
         rim_length(lengthOf(mesh.mesh.vertices, rim_edges)),
         volume(signedVolume(walls)),
         inverted(hasInvertedRegion(walls)) {}
 
-  double windingNumber(const Eigen::Vector3d& p) const { return closed.signedCrossings(p) - (lids.empty() ? 0 : lids.windingNumber(p)); }
+  double windingNumber(const Eigen::Vector3d& p) const { return closed->signedCrossings(p) - (lids.empty() ? 0 : lids.windingNumber(p)); }
 
   /// Radius of a ball about p in which the winding number exceeds 1/2, if no surface is met. Its gradient depends on the rim alone,
   /// as a current's magnetic field does (Biot-Savart): it is at most length / (4 pi d^2) at a distance of d from the rim.
@@ -168,40 +179,64 @@ struct Walls {
     return false;
   }
 
-  TriangleBvh closed, lids, rim;
+  std::shared_ptr<const TriangleBvh> closed;
+  TriangleBvh lids, rim;
   double rim_length;
   double volume;
   bool inverted;
 };
 
 /// Per triangle of withLoosePoints(): whether both of its sides may face the outside.
-std::vector<char> twoSided(const RepairedMesh& mesh, bool all) {
+std::vector<char> twoSided(const RepairedMesh& mesh, const Edges& edges) {
   const std::vector<Triangle>& triangles = mesh.mesh.triangles;
   std::vector<char> result(triangles.size() + mesh.loose.size(), 1);
-  if (all) return result;
-  const Edges edges = findEdges(triangles, mesh.mesh.vertices.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    bool sheet = mesh.interior[static_cast<std::size_t>(mesh.component[t])] == Interior::kSurface;
-    for (int h = static_cast<int>(3 * t); h < static_cast<int>(3 * t) + 3; ++h) {
-      const int twin = edges.twin[static_cast<std::size_t>(h)];
-      sheet = sheet || twin == Edges::kOpen || (twin >= 0 && startOf(triangles, twin) != endOf(triangles, h));
-    }
-    result[t] = sheet;
+    const int h = static_cast<int>(3 * t);
+    const auto endsSheet = [&](int half_edge) {
+      return edges.twin[static_cast<std::size_t>(half_edge)] != Edges::kNonManifold && !isPaired(triangles, edges, half_edge);
+    };
+    result[t] = mesh.interior[static_cast<std::size_t>(mesh.component[t])] == Interior::kSurface || endsSheet(h) || endsSheet(h + 1) ||
+                endsSheet(h + 2);
   }
   return result;
+}
+
+/// A corner of each component, and the loose points.
+std::vector<Eigen::Vector3d> pointsOfComponents(const RepairedMesh& mesh) {
+  std::vector<Eigen::Vector3d> points = mesh.loose;
+  int seen = 0;
+  for (std::size_t t = 0; t < mesh.component.size(); ++t) {
+    if (mesh.component[t] < seen) continue;
+    points.push_back(mesh.mesh.corner(static_cast<int>(t), 0));
+    ++seen;
+  }
+  return points;
 }
 
 }  // namespace
 
 struct Solid::Impl {
-  explicit Impl(const RepairedMesh& mesh)
-      : walls(mesh, rimOf(mesh)), surface(withLoosePoints(mesh), twoSided(mesh, walls.inverted)), interior(interiorOf(mesh)) {}
+  explicit Impl(const RepairedMesh& mesh) : Impl(mesh, findEdges(mesh.mesh.triangles, mesh.mesh.vertices.size())) {}
+  Impl(const RepairedMesh& mesh, const Edges& edges)
+      : surface(std::make_shared<TriangleBvh>(withLoosePoints(mesh), twoSided(mesh, edges))),
+        walls(mesh, rimOf(mesh, edges), surface),
+        interior(interiorOf(mesh)),
+        weld_distance(mesh.counts.weld_distance),
+        component_points(pointsOfComponents(mesh)) {
+    const std::vector<char> all(mesh.mesh.triangles.size() + mesh.loose.size(), 1);
+    if (walls.inverted) surface = std::make_shared<TriangleBvh>(withLoosePoints(mesh), all);
+  }
+  std::shared_ptr<const TriangleBvh> surface;
   Walls walls;
-  TriangleBvh surface;
   Interior interior;
+  double weld_distance;
+  std::vector<Eigen::Vector3d> component_points;
 };
 
-Solid::Solid(const RepairedMesh& mesh) : impl_(std::make_unique<Impl>(mesh)) {}
+Solid::Solid(const RepairedMesh& mesh, const RunControl& control) {
+  control.check();
+  impl_ = std::make_unique<Impl>(mesh);
+}
 Solid::~Solid() = default;
 Solid::Solid(Solid&&) noexcept = default;
 
@@ -209,7 +244,7 @@ bool Solid::contains(const Eigen::Vector3d& p) const {
   return impl_->walls.windingNumber(p) > 0.5;
 }
 double Solid::distanceToSurface(const Eigen::Vector3d& p) const {
-  return impl_->surface.nearest(p).distance;
+  return impl_->surface->nearest(p).distance;
 }
 double Solid::distance(const Eigen::Vector3d& p) const {
   return contains(p) ? 0 : distanceToSurface(p);
@@ -226,8 +261,14 @@ double Solid::volume() const {
 Interior Solid::interior() const {
   return impl_->interior;
 }
+double Solid::weldDistance() const {
+  return impl_->weld_distance;
+}
+const std::vector<Eigen::Vector3d>& Solid::componentPoints() const {
+  return impl_->component_points;
+}
 const TriangleBvh& Solid::surface() const {
-  return impl_->surface;
+  return *impl_->surface;
 }
 
 }  // namespace collision_hulls

@@ -19,6 +19,7 @@ class UnitFrame {
   double units(double metres) const { return metres * scale_; }
   double metres(double units) const { return units / scale_; }
   Eigen::Vector3d metres(const Eigen::Vector3d& p) const { return p / scale_ + centre_; }
+  Eigen::Vector3d units(const Eigen::Vector3d& p) const { return (p - centre_) * scale_; }
   TriangleMesh units(TriangleMesh mesh) const;
   ConvexHull units(ConvexHull hull) const;
   std::vector<ConvexHull> units(std::vector<ConvexHull> hulls) const;

@@ -56,10 +56,12 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-Validation merged(const std::vector<PairResult>& results) {
+Validation merged(const std::vector<std::vector<PairResult>>& results) {
   Validation sum;
   std::vector<double> mesh_us, hull_us;
-  for (const PairResult& result : results) {
+  std::vector<PairResult> all;
+  for (const std::vector<PairResult>& of_pair : results) all.insert(all.end(), of_pair.begin(), of_pair.end());
+  for (const PairResult& result : all) {
     const Validation& counts = result.counts;
     sum.queries += counts.queries;
     sum.missed += counts.missed;
@@ -115,14 +117,14 @@ Validation validate(const std::vector<ValidationPair>& pairs, const ValidationOp
     if (faults[i].empty()) pair_boxes[i] = boxesOf(pairs[i]);
   }
   const std::vector<ProbeShape> boxes = boxShapes();
-  std::vector<PairResult> results(pairs.size());
+  std::vector<std::vector<PairResult>> results(pairs.size());
   Finished finished(pairs.size(), control);
   const auto check = [&](std::size_t i) {
     control.check();
     if (!faults[i].empty())
-      results[i] = notChecked(pairs[i], faults[i], static_cast<std::size_t>(options.queries_per_pair));
+      results[i] = {notChecked(pairs[i], faults[i], static_cast<std::size_t>(options.queries_per_pair))};
     else if (pairs[i].original.triangles.empty())
-      results[i] = notChecked(pairs[i], "its original has no triangle", 0);
+      results[i] = {notChecked(pairs[i], "its original has no triangle", 0)};
     else
       results[i] = validatePair(pairs[i], i, boxes, neighboursOf(i, pairs, pair_boxes), options, control);
     finished.one();

@@ -3,39 +3,27 @@
 // measured) is computed again where it would speak against the hulls.
 #include "check/validate_pair.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <sstream>
 #include <utility>
 
-#include "check/unit_frame.h"
 #include "check/validate_exact.h"
-#include "collision_hulls/check/solid.h"
-#include "collision_hulls/geometry/triangle_bvh.h"
 
 namespace collision_hulls {
 
 namespace {
 
 constexpr double kLeastRadius = 0.001, kLargestRadius = 0.25;  // of spheres, as shares of the element's size
-constexpr double kThinnest = 1e-12;                            // height over length of a triangle that has an area
-constexpr double kTimeout = 1e6;                               // [us]
-
-/// The triangles that have an area to rounding, or the others.
-TriangleMesh selected(const TriangleMesh& mesh, bool with_area) {
-  TriangleMesh result{mesh.vertices, {}};
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    const Eigen::Vector3d u = mesh.corner(t, 1) - mesh.corner(t, 0), v = mesh.corner(t, 2) - mesh.corner(t, 0);
-    const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()});
-    if ((u.cross(v).norm() > kThinnest * longest) == with_area) result.triangles.push_back(mesh.triangles[static_cast<std::size_t>(t)]);
-  }
-  return result;
-}
+constexpr std::size_t kQueriesAtOnce = 20;
+constexpr double kTimeout = 1e6;  // [us]
 
 class PairCheck {
  public:
-  PairCheck(const ValidationPair& pair, const std::vector<ProbeShape>& boxes, const std::vector<Neighbour>& neighbours);
+  explicit PairCheck(const PairModel& model) : model_(model) {}
   void query(std::size_t number, Random& random);
   PairResult result;
 
@@ -49,59 +37,15 @@ class PairCheck {
   double toHull(const Probe& probe, std::size_t hull, const FclAnswer& answer);
   double toOriginal(const Probe& probe);
   double toSurface(const Probe& probe, const FclAnswer& answer);
+  bool touches(const Probe& probe) const;
   bool holdsAComponent(const Probe& probe) const;
   double settled(const Probe& probe, FclAnswer answer, double ours, const char* against);
   void judge(const Probe& probe, double original, double hulls);
   double toSolid(const Eigen::Vector3d& p, double original, double hulls) const;
   void remark(const Probe& probe, const std::string& text);
 
-  const std::string name_;
-  const UnitFrame frame_;
-  const TriangleMesh original_;
-  const TriangleMesh with_area_, without_area_;  // its triangles: those that FCL is asked about, and the others
-  const std::vector<ConvexHull> hulls_;
-  const RepairedMesh repaired_;
-  const Solid solid_;
-  const TriangleBvh bvh_, bvh_without_area_;
-  const FclMesh fcl_original_;
-  const PoseSampler sampler_;
-  const double tolerance_;  // of a verdict
-  const double allowed_;    // the certified protrusion, and what the tolerance and welding add to it
-  const std::vector<ProbeShape>& boxes_;
-  std::vector<ProbeShape> neighbours_;
-  std::vector<FclHull> fcl_hulls_;
-  std::vector<Eigen::AlignedBox3d> hull_boxes_;
-  std::vector<Eigen::Vector3d> component_points_;  // a vertex of each
+  const PairModel& model_;
 };
-
-PairCheck::PairCheck(const ValidationPair& pair, const std::vector<ProbeShape>& boxes, const std::vector<Neighbour>& neighbours)
-    : name_(pair.name),
-      frame_(pair),
-      original_(frame_.units(pair.original)),
-      with_area_(selected(original_, true)),
-      without_area_(selected(original_, false)),
-      hulls_(frame_.units(pair.hulls)),
-      repaired_(repair(original_)),
-      solid_(repaired_),
-      bvh_(with_area_),
-      bvh_without_area_(without_area_),
-      fcl_original_(with_area_),
-      sampler_(original_, hulls_),
-      tolerance_(kFclTolerance + frame_.rounding()),
-      allowed_(frame_.units(pair.protrusion) + tolerance_ + repaired_.counts.weld_distance),
-      boxes_(boxes) {
-  for (const Neighbour& neighbour : neighbours) neighbours_.emplace_back("hull of " + neighbour.name, frame_.units(*neighbour.hull));
-  for (const ConvexHull& hull : hulls_) {
-    fcl_hulls_.emplace_back(hull);
-    hull_boxes_.push_back(boundingBox(hull));
-  }
-  component_points_ = repaired_.loose;
-  for (std::size_t t = 0, seen = 0; t < repaired_.component.size(); ++t) {
-    if (static_cast<std::size_t>(repaired_.component[t]) < seen) continue;
-    component_points_.push_back(repaired_.mesh.corner(static_cast<int>(t), 0));
-    ++seen;
-  }
-}
 
 /// Of ten queries three are spheres, two boxes, one a neighbour's hull (the first time where it is, then anywhere), four points.
 void PairCheck::query(std::size_t number, Random& random) {
@@ -109,39 +53,39 @@ void PairCheck::query(std::size_t number, Random& random) {
   const std::size_t kind = number % 10, round = number / 10;
   if (kind < 3) {
     const double radius = random.logUniform(kLeastRadius, kLargestRadius);
-    probe(sphere(sampler_.sphereCentre(random, radius), radius));
-  } else if (kind == 5 && round < neighbours_.size()) {
-    probe(placed(neighbours_[round], sampler_.nudge(random)));
+    probe(sphere(model_.sampler.sphereCentre(random, radius), radius));
+  } else if (kind == 5 && round < model_.neighbours.size()) {
+    probe(placed(model_.neighbours[round], model_.sampler.nudge(random)));
   } else if (kind < 6) {
-    const ProbeShape& shape =
-        kind < 5 || neighbours_.empty() ? boxes_[random.below(boxes_.size())] : neighbours_[round % neighbours_.size()];
-    probe(placed(shape, sampler_.pose(random, shape.hull)));
-  } else if (kind < 8 || hulls_.empty()) {
-    pointOnOriginal(sampler_.onOriginal(random));
+    const ProbeShape& shape = kind < 5 || model_.neighbours.empty() ? model_.boxes[random.below(model_.boxes.size())]
+                                                                    : model_.neighbours[round % model_.neighbours.size()];
+    probe(placed(shape, model_.sampler.pose(random, shape.hull)));
+  } else if (kind < 8 || model_.hulls.empty()) {
+    pointOnOriginal(model_.sampler.onOriginal(random));
   } else {
-    pointInHull(sampler_.inHull(random));
+    pointInHull(model_.sampler.inHull(random));
   }
 }
 
 void PairCheck::pointOnOriginal(const Eigen::Vector3d& p) {
   double hulls = kFurthest;
   for (const auto& [lower, hull] : hullsByBox(Eigen::AlignedBox3d(p)))
-    if (lower < hulls) hulls = std::min(hulls, pointDistance(hulls_[hull], p));
+    if (lower < hulls) hulls = std::min(hulls, pointDistance(model_.hulls[hull], p));
   judge(sphere(p, 0), 0, hulls);
 }
 
 void PairCheck::pointInHull(const Eigen::Vector3d& p) {
-  judge(sphere(p, 0), std::min(bvh_.nearest(p).distance, bvh_without_area_.nearest(p).distance), 0);
+  judge(sphere(p, 0), std::min(model_.bvh->nearest(p).distance, model_.bvh_without_area->nearest(p).distance), 0);
 }
 
 void PairCheck::probe(const Probe& probe) {
   double original = toOriginal(probe);
   const double hulls = toHulls(probe);
-  const bool speaks_against = (original == 0 && hulls > tolerance_) || original - hulls > allowed_;
+  const bool speaks_against = (original == 0 && hulls > model_.tolerance) || original - hulls > model_.allowed;
   if (speaks_against && probe.shape) {
     FclAnswer again;
     again.distance = original;
-    original = settled(probe, again, distanceToBody(original_, probe.body), "original");
+    original = settled(probe, again, distanceToBody(model_.original, probe.body), "original");
   }
   judge(probe, original, hulls);
 }
@@ -149,7 +93,7 @@ void PairCheck::probe(const Probe& probe) {
 /// Hulls in the order of the distances of their boxes, which never exceed their own.
 std::vector<std::pair<double, std::size_t>> PairCheck::hullsByBox(const Eigen::AlignedBox3d& box) const {
   std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < hull_boxes_.size(); ++i) order.emplace_back(hull_boxes_[i].exteriorDistance(box), i);
+  for (std::size_t i = 0; i < model_.hull_boxes.size(); ++i) order.emplace_back(model_.hull_boxes[i].exteriorDistance(box), i);
   std::sort(order.begin(), order.end());
   return order;
 }
@@ -161,46 +105,55 @@ double PairCheck::toHulls(const Probe& probe) {
   double least = kFurthest;
   for (const auto& [lower, hull] : order) {
     if (lower >= least) break;
-    const FclAnswer answer =
-        probe.shape ? fclDistance(fcl_hulls_[hull], probe.shape->convex, probe.pose) : fclDistance(fcl_hulls_[hull], probe.centre);
+    const FclAnswer answer = probe.shape ? fclDistance(model_.fcl_hulls[hull], probe.shape->convex, probe.pose)
+                                         : fclDistance(model_.fcl_hulls[hull], probe.centre);
     microseconds += answer.microseconds;
     least = std::min(least, toHull(probe, hull, answer));
   }
-  if (!fcl_original_.empty()) result.hull_us.push_back(microseconds);
+  if (!model_.fcl_original->empty()) result.hull_us.push_back(microseconds);
   return least;
 }
 
 double PairCheck::toHull(const Probe& probe, std::size_t hull, const FclAnswer& answer) {
-  if (!probe.shape) return settled(probe, answer, std::max(0.0, pointDistance(hulls_[hull], probe.centre) - probe.radius), "hulls");
-  if (proved(answer, hulls_[hull], probe.body, frame_.rounding())) return answer.distance;
-  return settled(probe, answer, bodyDistance(hulls_[hull], probe.body), "hulls");
+  if (!probe.shape) return settled(probe, answer, std::max(0.0, pointDistance(model_.hulls[hull], probe.centre) - probe.radius), "hulls");
+  if (proved(answer, model_.hulls[hull], probe.body, model_.frame.rounding())) return answer.distance;
+  return settled(probe, answer, bodyDistance(model_.hulls[hull], probe.body), "hulls");
 }
 
 /// FCL's part and what it cannot be asked about.
 double PairCheck::toOriginal(const Probe& probe) {
-  const double without_area = probe.shape ? distanceToBody(without_area_, probe.body)
-                                          : std::max(0.0, bvh_without_area_.nearest(probe.centre).distance - probe.radius);
-  if (fcl_original_.empty()) return without_area;
+  const double without_area = probe.shape ? distanceToBody(model_.without_area, probe.body)
+                                          : std::max(0.0, model_.bvh_without_area->nearest(probe.centre).distance - probe.radius);
+  if (model_.fcl_original->empty()) return without_area;
   const FclAnswer answer =
-      probe.shape ? fclDistance(fcl_original_, probe.shape->mesh, probe.pose) : fclDistance(fcl_original_, probe.centre);
+      probe.shape ? fclDistance(*model_.fcl_original, probe.shape->mesh, probe.pose) : fclDistance(*model_.fcl_original, probe.centre);
   result.mesh_us.push_back(answer.microseconds);
   return std::min(without_area, toSurface(probe, answer));
 }
 
 double PairCheck::toSurface(const Probe& probe, const FclAnswer& answer) {
-  const double centre = bvh_.nearest(probe.centre).distance;
+  const double centre = model_.bvh->nearest(probe.centre).distance;
   if (!probe.shape) return settled(probe, answer, std::max(0.0, centre - probe.radius), "original");
   if (answer.status == FclAnswer::Status::kDistance) {
     if (holdsAComponent(probe)) return 0;  // as a surface among surfaces FCL sees it apart
     const bool possible = answer.distance <= centre + kFclTolerance && answer.distance >= centre - probe.radius - kFclTolerance;
     if (answer.distance > 0 && possible) return answer.distance;
-    if (answer.distance == 0 && distanceToBody(with_area_, probe.body, kFclTolerance) < kFclTolerance) return 0;
+    if (answer.distance == 0 && touches(probe)) return 0;
   }
-  return settled(probe, answer, distanceToBody(with_area_, probe.body), "original");
+  return settled(probe, answer, distanceToBody(model_.withArea(), probe.body), "original");
+}
+
+/// Whether the original comes within FCL's tolerance of a polyhedron.
+bool PairCheck::touches(const Probe& probe) const {
+  // Mostly one look is enough.
+  if (distanceToBody(model_.nearestWithArea(probe.centre), probe.body, kFclTolerance) < kFclTolerance) return true;
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kFclTolerance);
+  const TriangleMesh near = model_.withAreaNear({probe.box.min() - margin, probe.box.max() + margin});
+  return distanceToBody(near, probe.body, kFclTolerance) < kFclTolerance;
 }
 
 bool PairCheck::holdsAComponent(const Probe& probe) const {
-  return std::any_of(component_points_.begin(), component_points_.end(),
+  return std::any_of(model_.component_points.begin(), model_.component_points.end(),
                      [&](const Eigen::Vector3d& p) { return probe.box.contains(p) && planeDistance(probe.body, p) <= 0; });
 }
 
@@ -217,11 +170,11 @@ double PairCheck::settled(const Probe& probe, FclAnswer answer, double ours, con
     text << "FCL answered NaN";
   } else if (std::abs(answer.distance - ours) > kFclTolerance) {
     ++result.counts.disagreements;
-    text << "disagreement, FCL " << frame_.metres(answer.distance) << " m";
+    text << "disagreement, FCL " << model_.frame.metres(answer.distance) << " m";
   } else {
     return ours;
   }
-  text << ", ours " << frame_.metres(ours) << " m, counted, to the " << against;
+  text << ", ours " << model_.frame.metres(ours) << " m, counted, to the " << against;
   remark(probe, text.str());
   return ours;
 }
@@ -229,23 +182,23 @@ double PairCheck::settled(const Probe& probe, FclAnswer answer, double ours, con
 /// The distance to the solid: 0 for a probe that touches no surface and is inside. Looked up only where the verdict or the
 /// largest underestimate depends on it.
 double PairCheck::toSolid(const Eigen::Vector3d& p, double original, double hulls) const {
-  const double matters = std::min(allowed_, frame_.units(result.counts.max_underestimate));
-  return original - hulls > matters && solid_.contains(p) ? 0 : original;
+  const double matters = std::min(model_.allowed, model_.frame.units(result.counts.max_underestimate));
+  return original - hulls > matters && model_.inSolid(p) ? 0 : original;
 }
 
 void PairCheck::judge(const Probe& probe, double original, double hulls) {
   std::ostringstream text;
-  if (original == 0 && hulls > tolerance_) {
+  if (original == 0 && hulls > model_.tolerance) {
     ++result.counts.missed;
-    text << "missed: original hit, hulls " << frame_.metres(hulls) << " m away";
+    text << "missed: original hit, hulls " << model_.frame.metres(hulls) << " m away";
   }
   const double solid = toSolid(probe.centre, original, hulls);
-  result.counts.max_underestimate = std::max(result.counts.max_underestimate, frame_.metres(solid - hulls));
-  if (solid - hulls > allowed_) {
+  result.counts.max_underestimate = std::max(result.counts.max_underestimate, model_.frame.metres(solid - hulls));
+  if (solid - hulls > model_.allowed) {
     if (hulls == 0) ++result.counts.phantom;
     text << (hulls == 0 ? "phantom: hulls hit" : "underestimate: hulls ")
-         << (hulls == 0 ? "" : std::to_string(frame_.metres(hulls)) + " m away") << ", original " << frame_.metres(solid)
-         << " m away, protrusion at most " << frame_.metres(allowed_) << " m";
+         << (hulls == 0 ? "" : std::to_string(model_.frame.metres(hulls)) + " m away") << ", original " << model_.frame.metres(solid)
+         << " m away, protrusion at most " << model_.frame.metres(model_.allowed) << " m";
   }
   if (!text.str().empty()) remark(probe, text.str());
 }
@@ -253,12 +206,12 @@ void PairCheck::judge(const Probe& probe, double original, double hulls) {
 void PairCheck::remark(const Probe& probe, const std::string& text) {
   if (result.counts.remarks.size() >= kMostRemarks) return;
   std::ostringstream line;
-  const Eigen::Vector3d at = frame_.metres(probe.centre);
-  line << name_ << ": ";
+  const Eigen::Vector3d at = model_.frame.metres(probe.centre);
+  line << model_.name << ": ";
   if (probe.shape)
     line << probe.shape->name;
   else if (probe.radius > 0)
-    line << "sphere of radius " << frame_.metres(probe.radius) << " m";
+    line << "sphere of radius " << model_.frame.metres(probe.radius) << " m";
   else
     line << "point";
   line << " at (" << at.x() << " " << at.y() << " " << at.z() << ") m: " << text;
@@ -294,15 +247,22 @@ std::string fault(const ValidationPair& pair) {
   return "";
 }
 
-PairResult validatePair(const ValidationPair& pair, std::size_t index, const std::vector<ProbeShape>& boxes,
-                        const std::vector<Neighbour>& neighbours, const ValidationOptions& options, const RunControl& control) {
-  PairCheck check(pair, boxes, neighbours);
-  for (std::size_t number = 0; number < static_cast<std::size_t>(options.queries_per_pair); ++number) {
-    control.check();
-    Random random(options.seed, index, number);
-    check.query(number, random);
-  }
-  return check.result;
+std::vector<PairResult> validatePair(const ValidationPair& pair, std::size_t index, const std::vector<ProbeShape>& boxes,
+                                     const std::vector<Neighbour>& neighbours, const ValidationOptions& options,
+                                     const RunControl& control) {
+  const PairModel model(pair, boxes, neighbours);
+  const auto queries = static_cast<std::size_t>(options.queries_per_pair);
+  std::vector<PairResult> results((queries + kQueriesAtOnce - 1) / kQueriesAtOnce);
+  tbb::parallel_for(std::size_t{0}, results.size(), [&](std::size_t i) {
+    PairCheck check(model);
+    for (std::size_t number = i * kQueriesAtOnce; number < std::min(queries, (i + 1) * kQueriesAtOnce); ++number) {
+      control.check();
+      Random random(options.seed, index, number);
+      check.query(number, random);
+    }
+    results[i] = std::move(check.result);
+  });
+  return results;
 }
 
 }  // namespace collision_hulls

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "check/validate_probes.h"
+#include "check/pair_model.h"
 #include "collision_hulls/check/validate.h"
 
 namespace collision_hulls {
@@ -18,18 +18,12 @@ struct PairResult {
 
 constexpr std::size_t kMostRemarks = 20;
 
-/// A hull of another element that comes near, in the frame of the pair.
-struct Neighbour {
-  std::string name;
-  const ConvexHull* hull;
-};
-
 /// Why a pair cannot be checked, as the end of a sentence; empty if it can. Throws kIndexOutOfRange.
 std::string fault(const ValidationPair& pair);
 
 /// Runs the queries of a pair without fault whose original has triangles; `index` and the seed choose the poses. `boxes`: see boxShapes().
-/// Deterministic but for the times.
-PairResult validatePair(const ValidationPair& pair, std::size_t index, const std::vector<ProbeShape>& boxes,
-                        const std::vector<Neighbour>& neighbours, const ValidationOptions& options, const RunControl& control);
+/// The result of several queries at a time, in their order. Deterministic but for the times.
+std::vector<PairResult> validatePair(const ValidationPair& pair, std::size_t index, const std::vector<ProbeShape>& boxes,
+                                     const std::vector<Neighbour>& neighbours, const ValidationOptions& options, const RunControl& control);
 
 }  // namespace collision_hulls

@@ -169,15 +169,17 @@ ConvexHull withPoints(const ConvexHull& hull, const Points& extra, int max_verti
 
 }  // namespace
 
-FittedHulls fitCover(const std::vector<ConvexHull>& hulls, const TriangleMesh& original, double margin, int max_vertices) {
+FittedHulls fitCover(const std::vector<ConvexHull>& hulls, const TriangleMesh& original, double margin, int max_vertices,
+                     const RunControl& control) {
   FittedHulls fitted;
   for (const ConvexHull& hull : hulls) {
+    control.check();
     const Rounded rounded = roundOutward(capped(hull, max_vertices), margin, max_vertices);
     fitted.hulls.push_back(rounded.hull);
     fitted.nudge = std::max(fitted.nudge, rounded.nudge);
   }
   for (int i = 0; i < kRounds; ++i) {
-    const std::vector<UncoveredTriangle> missing = uncoveredTriangles(original, fitted.hulls);
+    const std::vector<UncoveredTriangle> missing = uncoveredTriangles(original, fitted.hulls, control);
     if (missing.empty()) return fitted;
     if (fitted.hulls.empty())
       throw Error(ErrorCode::kInternal, "no hull for " + std::to_string(missing.size()) + " triangles to be added to");

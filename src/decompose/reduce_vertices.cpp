@@ -14,11 +14,14 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <unordered_set>
+#include <utility>
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
 #include "decompose/bounding_box.h"
 #include "decompose/lowest_point.h"
+#include "geometry/hull_support.h"
 
 namespace collision_hulls {
 
@@ -39,53 +42,64 @@ Eigen::Vector3d areaVector(const Eigen::Vector3d& a, const Eigen::Vector3d& b, c
   return (b - a).cross(c - a) / 2;
 }
 
-/// The furthest of `points` beyond each face of a hull, and how far; a point counts for the face that it is furthest from.
-std::vector<std::pair<double, std::size_t>> furthestOutside(const ConvexHull& hull, const Points& points) {
-  std::vector<std::pair<double, std::size_t>> furthest(hull.faces.size(), {0, 0});
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    double most = 0;
-    std::size_t face = 0;
-    for (std::size_t f = 0; f < hull.faces.size(); ++f) {
-      const double d = hull.faces[f].distance(points[i]);
-      if (d > most) most = d, face = f;
-    }
-    if (most > furthest[face].first) furthest[face] = {most, i};
-  }
-  return furthest;
-}
-
-Points extremePoints(const Points& points) {
+/// The vertices of a hull that are furthest along the axes.
+Points extremeVertices(const ConvexHull& hull, const HullSupport& support) {
   Points result;
-  for (int k = 0; k < 3; ++k) {
-    const auto less = [k](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a[k] < b[k]; };
-    const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
-    result.insert(result.end(), {*low, *high});
-  }
+  int last = 0;
+  for (int k = 0; k < 3; ++k)
+    for (const double sign : {-1.0, 1.0}) {
+      last = support.furthest(sign * Eigen::Vector3d::Unit(k), last);
+      result.push_back(hull.vertices[static_cast<std::size_t>(last)]);
+    }
   return result;
 }
 
-/// A hull of some of the points.
-ConvexHull innerHull(const Points& points, std::size_t max_vertices) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : points) box.extend(p);
-  ConvexHull inner = convexHull(extremePoints(points));
+/// The vertices of a hull that are furthest beyond the faces of another one, each once, with that distance; the furthest first.
+std::vector<std::pair<double, int>> furthestBeyond(const ConvexHull& inner, const ConvexHull& hull, const HullSupport& support) {
+  std::vector<std::pair<double, int>> furthest;
+  int last = 0;
+  for (const HalfSpace& face : inner.faces) {
+    last = support.furthest(face.normal, last);
+    furthest.emplace_back(-face.distance(hull.vertices[static_cast<std::size_t>(last)]), last);
+  }
+  std::sort(furthest.begin(), furthest.end());
+  std::vector<std::pair<double, int>> unique;
+  std::unordered_set<int> seen;
+  for (const auto& [depth, v] : furthest)
+    if (seen.insert(v).second) unique.emplace_back(-depth, v);
+  return unique;
+}
+
+/// The hull of some vertices of a hull.
+ConvexHull innerHull(const ConvexHull& hull, const HullSupport& support, std::size_t max_vertices) {
+  const double negligible = kNegligible * boundingBox(hull).sizes().maxCoeff();
+  ConvexHull inner = convexHull(extremeVertices(hull, support));
   while (inner.vertices.size() < max_vertices) {
-    auto furthest = furthestOutside(inner, points);
-    std::stable_sort(furthest.begin(), furthest.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    const double least = std::max(kShareOfFurthest * furthest.front().first, kNegligible * box.sizes().maxCoeff());
+    const std::vector<std::pair<double, int>> furthest = furthestBeyond(inner, hull, support);
+    const double least = std::max(kShareOfFurthest * furthest.front().first, negligible);
     Points more = inner.vertices;
-    for (const auto& [distance, point] : furthest)
-      if (distance > least && more.size() < max_vertices) more.push_back(points[point]);
+    for (const auto& [distance, v] : furthest)
+      if (distance > least && more.size() < max_vertices) more.push_back(hull.vertices[static_cast<std::size_t>(v)]);
     if (more.size() == inner.vertices.size()) break;
     inner = convexHull(more);
   }
   return inner;
 }
 
+/// A hull that is to be held.
+struct Held {
+  explicit Held(const ConvexHull& the_hull) : hull(the_hull), support(hull), surface(collision_hulls::surface(hull)) {}
+  const Eigen::Vector3d& vertex(int i) const { return hull.vertices[static_cast<std::size_t>(i)]; }
+
+  const ConvexHull& hull;
+  HullSupport support;
+  TriangleBvh surface;
+};
+
 /// A closed surface about a hull, whose vertices move.
 class OuterSurface {
  public:
-  OuterSurface(const ConvexHull& start, const ConvexHull& held)
+  OuterSurface(const ConvexHull& start, const Held& held)
       : vertices_(start.vertices), triangles_(start.triangles), around_(start.vertices.size()), held_(held) {
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       for (int v : triangles_[t]) around_[v].push_back(static_cast<int>(t));
@@ -109,9 +123,8 @@ class OuterSurface {
     std::vector<HalfSpace> touching;
     for (const Triangle& t : triangles_) {
       const Eigen::Vector3d normal = areaVector(vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]).normalized();
-      double offset = normal.dot(vertices_[t[0]]);
-      for (const Eigen::Vector3d& p : held_.vertices) offset = std::max(offset, normal.dot(p));
-      touching.push_back({normal, offset});
+      last_ = held_.support.furthest(normal, last_);
+      touching.push_back({normal, std::max(normal.dot(vertices_[t[0]]), normal.dot(held_.vertex(last_)))});
     }
     Points risen;
     for (std::size_t v = 0; v < vertices_.size(); ++v) {
@@ -125,8 +138,8 @@ class OuterSurface {
     return true;
   }
 
-  void sink(const TriangleBvh& held) {
-    for (std::size_t v = 0; v < vertices_.size(); ++v) sink(static_cast<int>(v), held);
+  void sink() {
+    for (std::size_t v = 0; v < vertices_.size(); ++v) sink(static_cast<int>(v));
   }
 
   ConvexHull hull() const { return convexHull(vertices_); }
@@ -134,7 +147,7 @@ class OuterSurface {
  private:
   /// Moves a vertex to where its faces hold the hull and least else, if it gets no further from the hull. Each face turns about
   /// the edge opposite to the vertex, so the vertex must stay beyond the plane through that edge that touches the hull.
-  void sink(int v, const TriangleBvh& held) {
+  void sink(int v) {
     std::vector<HalfSpace> planes;
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     for (int t : around_[v]) {
@@ -146,7 +159,7 @@ class OuterSurface {
       gradient += areaVector(vertices_[v], a, b);
     }
     const auto x = lowestPointBeyond(planes, gradient, vertices_[v], reach(v));
-    if (x && held.nearest(*x).distance <= held.nearest(vertices_[v]).distance) vertices_[v] = *x;
+    if (x && held_.surface.nearest(*x).distance <= held_.surface.nearest(vertices_[v]).distance) vertices_[v] = *x;
   }
 
   /// Length of the longest edge at a vertex.
@@ -171,15 +184,21 @@ class OuterSurface {
   }
 
   /// The plane through a and b that is lowest at x and has the hull beneath; nullopt where a, b and x are in line.
-  std::optional<HalfSpace> touchingPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& x) const {
+  ///
+  /// It rises by the largest slope that a vertex has from the edge (Dinkelbach 1967): the vertex furthest beyond the plane of one slope
+  /// gives a larger slope, until there is none.
+  std::optional<HalfSpace> touchingPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& x) {
     constexpr double kInLine = 1e-9;
+    constexpr int kMostSteps = 30;
     const Eigen::Vector3d along = (b - a).normalized(), normal = (b - a).cross(x - a);
     if (!(normal.norm() > kInLine * (b - a).norm() * (x - a).norm())) return std::nullopt;
     const Eigen::Vector3d up = normal.normalized(), toward = up.cross(along);
     double slope = -1 / kInLine;
-    for (const Eigen::Vector3d& p : held_.vertices) {
-      const double run = toward.dot(p - a), rise = up.dot(p - a);
-      if (run > 0 && rise > slope * run) slope = rise / run;
+    for (int step = 0; step < kMostSteps; ++step) {
+      last_ = held_.support.furthest(up - slope * toward, last_);
+      const double run = toward.dot(held_.vertex(last_) - a), rise = up.dot(held_.vertex(last_) - a);
+      if (!(run > 0 && rise > slope * run)) break;
+      slope = rise / run;
     }
     const Eigen::Vector3d turned = (up - slope * toward).normalized();
     return HalfSpace{turned, turned.dot(a)};
@@ -188,37 +207,38 @@ class OuterSurface {
   Points vertices_;
   std::vector<Triangle> triangles_;
   std::vector<std::vector<int>> around_;  // triangles by vertex
-  const ConvexHull& held_;
+  const Held& held_;
+  int last_ = 0;  // the vertex of the hull that was found last
 };
 
 /// The hull of a start's vertices once they have risen beyond `held` and sunk again; nullopt where one cannot rise.
-std::optional<ConvexHull> risenAndSunk(const ConvexHull& start, const ConvexHull& held, const TriangleBvh& bvh) {
+std::optional<ConvexHull> risenAndSunk(const ConvexHull& start, const Held& held) {
   OuterSurface surface(start, held);
   if (!surface.rise()) return std::nullopt;
   OuterSurface risen(surface.hull(), held);
-  risen.sink(bvh);
+  risen.sink();
   return risen.hull();
 }
 
-double largestDistance(const ConvexHull& outer, const TriangleBvh& held) {
+double largestDistance(const ConvexHull& outer, const Held& held) {
   double most = 0;
-  for (const Eigen::Vector3d& v : outer.vertices) most = std::max(most, held.nearest(v).distance);
+  for (const Eigen::Vector3d& v : outer.vertices) most = std::max(most, held.surface.nearest(v).distance);
   return most;
 }
 
 /// Points whose hull holds `hull`; nullopt where that fails.
 std::optional<Points> outerPoints(const ConvexHull& hull, std::size_t max_vertices) {
-  const TriangleBvh bvh(surface(hull));
-  std::optional<ConvexHull> outer = risenAndSunk(innerHull(hull.vertices, max_vertices), hull, bvh);
+  const Held held(hull);
+  std::optional<ConvexHull> outer = risenAndSunk(innerHull(hull, held.support, max_vertices), held);
   if (!outer) return std::nullopt;
   Points best = outer->vertices;
-  double least = largestDistance(*outer, bvh);
+  double least = largestDistance(*outer, held);
   for (int k = 0; k < kRelaxations; ++k) {
-    OuterSurface relaxed(*outer, hull);
+    OuterSurface relaxed(*outer, held);
     relaxed.relax();
-    outer = risenAndSunk(relaxed.hull(), hull, bvh);
+    outer = risenAndSunk(relaxed.hull(), held);
     if (!outer || outer->vertices.size() > max_vertices) break;
-    const double most = largestDistance(*outer, bvh);
+    const double most = largestDistance(*outer, held);
     if (most < least) least = most, best = outer->vertices;
   }
   return best;
@@ -265,7 +285,9 @@ ReducedHull reduceVertices(const ConvexHull& hull, int max_vertices) {
   std::optional<ConvexHull> outer = outerHull(hull, most);
   ReducedHull result{outer ? std::move(*outer) : orientedBox(hull), 0};
   result.hull.thickness = std::max(result.hull.thickness, hull.thickness);
-  for (const Eigen::Vector3d& v : result.hull.vertices) result.added_distance = std::max(result.added_distance, distance(hull, v));
+  const TriangleBvh skin(surface(hull));
+  for (const Eigen::Vector3d& v : result.hull.vertices)
+    if (planeDistance(hull, v) > 0) result.added_distance = std::max(result.added_distance, skin.nearest(v).distance);
   return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
+#include "geometry/hull_support.h"
 #include "geometry/qhull.h"
 #include "geometry/quickhull.h"
 
@@ -162,34 +163,6 @@ ConvexHull prism(const Points& corners, const Frame& frame, double slack) {
   return hull;
 }
 
-/// Vertices joined by a triangle's edge, as one list per vertex.
-class Neighbours {
- public:
-  explicit Neighbours(const ConvexHull& hull) : first_(hull.vertices.size() + 1), list_(hull.triangles.size() * 3) {
-    for (const Triangle& t : hull.triangles)
-      for (int v : t) ++first_[index(v) + 1];
-    for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (const Triangle& t : hull.triangles)
-      for (std::size_t k = 0; k < 3; ++k) list_[next[index(t[k])]++] = t[(k + 1) % 3];
-  }
-
-  /// The vertex furthest along a direction: uphill from `start`, which on a convex surface ends at the summit.
-  int support(const ConvexHull& hull, const Eigen::Vector3d& direction, int start) const {
-    for (int best = start;;) {
-      const int from = best;
-      for (std::size_t i = first_[index(from)]; i < first_[index(from) + 1]; ++i)
-        if (direction.dot(hull.vertices[index(list_[i])]) > direction.dot(hull.vertices[index(best)])) best = list_[i];
-      if (best == from) return best;
-    }
-  }
-
- private:
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-  std::vector<std::size_t> first_;
-  std::vector<int> list_;
-};
-
 /// Leaves one of the faces that are the same plane; the outermost stands for all. Takes one face per triangle and returns, per
 /// triangle, which of those that are left is its own.
 std::vector<std::size_t> joinCoplanarFaces(ConvexHull& hull) {
@@ -221,11 +194,11 @@ std::vector<std::size_t> joinCoplanarFaces(ConvexHull& hull) {
 void finish(ConvexHull& hull) {
   for (HalfSpace& face : hull.faces) face.normal.normalize();
   const std::vector<std::size_t> face_of = joinCoplanarFaces(hull);
-  const Neighbours neighbours(hull);
-  int start = 0;
-  for (HalfSpace& face : hull.faces) {
-    start = neighbours.support(hull, face.normal, start);
-    face.offset = std::max(face.normal.dot(hull.vertices[static_cast<std::size_t>(start)]), face.offset);
+  const HullSupport support(hull);
+  for (std::size_t t = 0; t < hull.triangles.size(); ++t) {
+    HalfSpace& face = hull.faces[face_of[t]];
+    const int highest = support.furthest(face.normal, hull.triangles[t][0]);
+    face.offset = std::max(face.normal.dot(hull.vertices[static_cast<std::size_t>(highest)]), face.offset);
   }
   for (std::size_t t = 0; t < hull.triangles.size(); ++t)
     for (int v : hull.triangles[t])
@@ -233,10 +206,10 @@ void finish(ConvexHull& hull) {
 }
 
 /// Works about the set's middle, where double precision is finest.
-std::optional<ConvexHull> spatialHull(const Points& points, const Eigen::Vector3d& middle) {
+std::optional<ConvexHull> spatialHull(const Points& points, const Eigen::Vector3d& middle, const RunControl& control) {
   Points centred(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) centred[i] = points[i] - middle;
-  std::optional<ConvexHull> hull = quickhull(centred);
+  std::optional<ConvexHull> hull = quickhull(centred, control);
   if (!hull) hull = qhull(centred);
   if (!hull) return hull;
   finish(*hull);
@@ -253,12 +226,12 @@ void requireFinite(const Points& points) {
 
 }  // namespace
 
-ConvexHull convexHull(const Points& points) {
+ConvexHull convexHull(const Points& points, const RunControl& control) {
   requireFinite(points);
   const Frame frame = spanningFrame(points);
   const double size = largestCoordinate(points), least = leastThickness(size, frame);
   if (frame.extent.z() >= least) {
-    if (auto hull = spatialHull(points, frame.middle)) return *hull;
+    if (auto hull = spatialHull(points, frame.middle, control)) return *hull;
   }
   // Flat, or so nearly that Qhull gave up: a plate holds everything.
   ConvexHull hull = prism(plate(points, frame, least), frame, kCollinear * frame.extent.x() + kFrameRounding * size);

@@ -1,6 +1,7 @@
 // Barber, Dobkin & Huhdanpaa, "The quickhull algorithm for convex hulls" (1996), for triangles in three dimensions.
 //
-//   begin with a tetrahedron; give each point outside to a face that sees it
+//   begin with a tetrahedron, and with many points the extreme ones along some directions; give each point outside to a face
+//   that sees it
 //   while some face has points: take its furthest point p
 //     the faces that p sees are one patch; its border is the horizon
 //     replace the patch by triangles from the horizon's edges to p, and share out the patch's points anew
@@ -17,10 +18,15 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kVisible = 1e-12;       // share of the extent that a point must lie beyond a face to be seen by it
-constexpr double kSliver = 1e-9;         // least height of a face over its longest side, likewise
+constexpr double kVisible = 1e-12;  // share of the extent that a point must lie beyond a face to be seen by it
+constexpr double kSliver = 1e-9;    // least height of a face over its longest side, likewise
+constexpr std::size_t kMany = 500;  // points from which on extreme ones are added first
+constexpr int kExtremes = 26;
+constexpr double kWorthwhile = 1e-3, kGoldenAngle = 2.399963229728653;
+constexpr std::size_t kFacesBetweenChecks = 10000;
 constexpr std::size_t kMostFaces = 100;  // made in all, per point; more means that rounding goes round in circles
 constexpr double kDent = 1e-10;          // most that a vertex may lie beyond a neighbouring face
+constexpr double kSuspicious = 2e-12;    // dents beyond this are not kVisible's: then vertices are compared with all faces
 constexpr double kFlat = 1e-11;          // an edge whose faces' far corners lie no further from each other's planes is none
 
 struct Face {
@@ -31,8 +37,8 @@ struct Face {
   int first_point = -1;  // list of points that this face is responsible for
   int furthest = -1;
   double furthest_distance = 0;
-  bool alive = true;
-  int seen_by = -1;  // the last point that visited this face
+  int seen_by = -1;      // the last point that visited this face
+  int replaced_by = -1;  // a face made in its place; -1: it is there
 };
 
 struct HorizonEdge {
@@ -42,13 +48,18 @@ struct HorizonEdge {
 
 class Builder {
  public:
-  explicit Builder(const std::vector<Eigen::Vector3d>& points) : points_(points), next_(points.size(), -1), freed_by_(points.size(), -1) {}
+  Builder(const std::vector<Eigen::Vector3d>& points, const RunControl& control)
+      : points_(points), control_(control), next_(points.size(), -1), dropped_(points.size(), -1), settled_by_(points.size(), -1) {}
 
   std::optional<ConvexHull> build() {
-    if (!tetrahedron()) return std::nullopt;
-    for (std::size_t k = 0; k < faces_.size(); ++k)
-      while (faces_[k].alive && faces_[k].furthest >= 0)
-        if (faces_.size() > kMostFaces * points_.size() || !add(static_cast<int>(k))) return std::nullopt;
+    if (!tetrahedron() || (points_.size() > kMany && !addExtremes())) return std::nullopt;
+    shareOut();
+    control_.check();
+    for (std::size_t k = 0; k < faces_.size(); ++k) {
+      if (k % kFacesBetweenChecks == 0) control_.check();
+      while (isThere(faces_[k]) && faces_[k].furthest >= 0)
+        if (faces_.size() > kMostFaces * points_.size() || !add(faces_[k].furthest, static_cast<int>(k))) return std::nullopt;
+    }
     return result();
   }
 
@@ -59,7 +70,7 @@ class Builder {
   Vertices vertices() const {
     std::vector<int> sharp(points_.size(), -1);  // -1: no vertex
     for (std::size_t i = 0; i < faces_.size(); ++i)
-      for (std::size_t k = 0; k < 3 && faces_[i].alive; ++k) {
+      for (std::size_t k = 0; k < 3 && isThere(faces_[i]); ++k) {
         int& edges = sharp[static_cast<std::size_t>(faces_[i].vertex[k])];
         edges = std::max(edges, 0) + isSharp(static_cast<int>(i), k);
       }
@@ -75,6 +86,7 @@ class Builder {
   Face& face(int i) { return faces_[static_cast<std::size_t>(i)]; }
   const Face& face(int i) const { return faces_[static_cast<std::size_t>(i)]; }
   const Eigen::Vector3d& point(int i) const { return points_[static_cast<std::size_t>(i)]; }
+  static bool isThere(const Face& f) { return f.replaced_by < 0; }
 
   template <class F>
   int furthest(F f) const {
@@ -104,8 +116,30 @@ class Builder {
     faces_[1].neighbour = {0, 3, 2};
     faces_[2].neighbour = {0, 1, 3};
     faces_[3].neighbour = {0, 2, 1};
-    for (std::size_t i = 0; i < points_.size(); ++i) assign(static_cast<int>(i), 0);
+    middle_ = (point(a) + point(b) + point(c) + point(d)) / 4;
     return true;
+  }
+
+  /// Adds the extreme points along directions that are no drawing's, so that few points lie outside for long.
+  bool addExtremes() {
+    for (int i = 0; i < kExtremes; ++i) {
+      const double z = (2 * i + 1.0) / kExtremes - 1, across = std::sqrt(1 - z * z), turn = i * kGoldenAngle;
+      const Eigen::Vector3d direction(across * std::cos(turn), across * std::sin(turn), z);
+      const int p = furthest([&](const auto&q) { return direction.dot(q); }), f = pierced(point(p), static_cast<int>(faces_.size()) - 1);
+      if (f >= 0 && height(p, f) > kWorthwhile * extent_ && !add(p, f)) return false;
+    }
+    return true;
+  }
+
+  /// Gives each point to the face before it, if that sees it.
+  void shareOut() {
+    for (int p = 0, f = present(0); p < static_cast<int>(points_.size()); ++p) {
+      const int before = pierced(point(p), f);
+      if (before < 0)
+        assign(p, 0, faces_.size());
+      else
+        assign(p, static_cast<std::size_t>(before), static_cast<std::size_t>(f = before) + 1);
+    }
   }
 
   bool makeFace(const std::array<int, 3>& v) {
@@ -122,20 +156,21 @@ class Builder {
     return true;
   }
 
-  /// Gives a point to the first face from `from` on that sees it; points within all faces are dropped.
-  void assign(int p, std::size_t from) {
-    for (std::size_t k = from; k < faces_.size(); ++k) {
+  /// Gives a point to the first face from `from` on that sees it; points within all of those are dropped.
+  void assign(int p, std::size_t from, std::size_t to) {
+    for (std::size_t k = from; k < to; ++k) {
       Face& f = faces_[k];
       const double d = f.normal.dot(point(p)) - f.offset;
-      if (!(d > kVisible * extent_)) continue;
+      if (!(d > kVisible * extent_) || !isThere(f)) continue;
       next_[static_cast<std::size_t>(p)] = f.first_point;
       f.first_point = p;
       if (d > f.furthest_distance) f.furthest_distance = d, f.furthest = p;
       return;
     }
+    dropped_[static_cast<std::size_t>(p)] = static_cast<int>(from);
   }
 
-  double height(int p, int f) { return face(f).normal.dot(point(p)) - face(f).offset; }
+  double height(int p, int f) const { return face(f).normal.dot(point(p)) - face(f).offset; }
 
   /// Whether p and an edge are so nearly in line that a face over them would be a sliver.
   bool isSliver(int p, int from, int to) const {
@@ -185,12 +220,8 @@ class Builder {
     }
   }
 
-  bool onHorizon(int v) const {
-    return std::any_of(horizon_.begin(), horizon_.end(), [&](const HorizonEdge& e) { return e.from == v; });
-  }
-
-  bool add(int start) {
-    const int p = face(start).furthest;
+  /// Adds a point that a face sees.
+  bool add(int p, int start) {
     findHorizon(p, start);
     const std::size_t n = horizon_.size(), first = faces_.size();
     if (n < 3) return false;
@@ -201,16 +232,17 @@ class Builder {
       faces_[first + i].neighbour = {horizon_[i].face, at(i + 1), at(i + n - 1)};
       face(horizon_[i].face).neighbour[static_cast<std::size_t>(horizon_[i].edge)] = at(i);
     }
+    for (const HorizonEdge& e : horizon_) settled_by_[static_cast<std::size_t>(e.from)] = p;
     for (int f : patch_) {
-      face(f).alive = false;
+      face(f).replaced_by = static_cast<int>(first);
       for (int v : face(f).vertex)
-        if (!onHorizon(v) && freed_by_[static_cast<std::size_t>(v)] != p) {
-          freed_by_[static_cast<std::size_t>(v)] = p;  // several faces of the patch share it, and it may be in one list only
-          assign(v, first);                            // once level faces are gone it may stick out
+        if (settled_by_[static_cast<std::size_t>(v)] != p) {
+          settled_by_[static_cast<std::size_t>(v)] = p;  // several faces of the patch share it, and it may be in one list only
+          assign(v, first, faces_.size());               // once level faces are gone it may stick out
         }
       for (int q = face(f).first_point; q >= 0;) {
         const int following = next_[static_cast<std::size_t>(q)];
-        if (q != p) assign(q, first);
+        if (q != p) assign(q, first, faces_.size());
         q = following;
       }
     }
@@ -229,8 +261,54 @@ class Builder {
     return std::min(drop(f, n), drop(n, f)) > kFlat * extent_;
   }
 
-  /// Every point was dropped because some faces did not see it; whether none does is asked once more of all faces.
-  bool holdsAll(const ConvexHull& hull) const {
+  /// The face that the way from the middle through a point leads to, by a walk across edges that the point lies beyond; -1 where
+  /// rounding leads the walk in circles.
+  int pierced(const Eigen::Vector3d& p, int start) const {
+    const Eigen::Vector3d way = p - middle_;
+    int f = start;
+    for (std::size_t steps = 0; steps < faces_.size(); ++steps) {
+      int across = -1;
+      for (std::size_t k = 0; k < 3 && across < 0; ++k)
+        if (isBeyond(way, face(f).vertex[k], face(f).vertex[(k + 1) % 3])) across = face(f).neighbour[k];
+      if (across < 0) return f;
+      f = across;
+    }
+    return -1;
+  }
+
+  /// Whether a way from the middle passes an edge on the right. Both faces of an edge get the same answer.
+  bool isBeyond(const Eigen::Vector3d& way, int from, int to) const {
+    const Eigen::Vector3d a = point(std::min(from, to)) - middle_, b = point(std::max(from, to)) - middle_;
+    const double side = a.cross(b).dot(way);
+    return from < to ? side < 0 : side > 0;
+  }
+
+  /// The face that stands where f stood.
+  int present(int f) const {
+    while (!isThere(face(f))) f = face(f).replaced_by;
+    return f;
+  }
+
+  /// How far p lies beyond the hull.
+  double beyond(const Eigen::Vector3d& p, int start) const {
+    const int f = pierced(p, start);
+    if (f >= 0) return face(f).normal.dot(p) - face(f).offset;
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Face& each : faces_)
+      if (isThere(each)) most = std::max(most, each.normal.dot(p) - each.offset);
+    return most;
+  }
+
+  /// Points were dropped because some faces did not see them. Each must lie between the middle and the face before it: then it lies
+  /// in the hull of four points that all faces hold.
+  bool holdsAll(const std::vector<int>& vertex) {
+    for (std::size_t p = 0; p < points_.size(); ++p)
+      if (vertex[p] < 0 && dropped_[p] >= 0 && beyond(points_[p], present(dropped_[p])) > kDent * extent_) return false;
+    return true;
+  }
+
+  /// Whether all faces hold all vertices, asked one by one.
+  bool holdsVertices(const ConvexHull& hull) const {
     Eigen::Matrix<double, Eigen::Dynamic, 3> normals(static_cast<Eigen::Index>(hull.faces.size()), 3);
     Eigen::VectorXd offsets(normals.rows());
     for (Eigen::Index i = 0; i < normals.rows(); ++i) {
@@ -238,23 +316,32 @@ class Builder {
       offsets[i] = hull.faces[static_cast<std::size_t>(i)].offset + kDent * extent_;
     }
     Eigen::VectorXd reach(normals.rows());
-    for (const Eigen::Vector3d& p : points_) {
+    return std::all_of(hull.vertices.begin(), hull.vertices.end(), [&](const Eigen::Vector3d& p) {
       reach.noalias() = normals * p;
-      if ((reach - offsets).maxCoeff() > 0) return false;
-    }
-    return true;
+      return (reach - offsets).maxCoeff() <= 0;
+    });
   }
 
+  /// The furthest that a vertex lies beyond a neighbouring face.
+  double deepestDent() const {
+    double most = 0;
+    for (const Face& f : faces_) {
+      if (!isThere(f)) continue;
+      for (int n : f.neighbour)
+        for (int v : face(n).vertex)
+          if (v != f.vertex[0] && v != f.vertex[1] && v != f.vertex[2]) most = std::max(most, f.normal.dot(point(v)) - f.offset);
+    }
+    return most;
+  }
+
+  /// A surface whose edges are all convex to rounding is convex, so its faces hold its vertices.
   std::optional<ConvexHull> result() {
+    const double dent = deepestDent();
+    if (dent > kDent * extent_) return std::nullopt;
     ConvexHull hull;
     std::vector<int> vertex(points_.size(), -1);
     for (const Face& f : faces_) {
-      if (!f.alive) continue;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Face& n = face(f.neighbour[k]);
-        for (int v : n.vertex)
-          if (f.normal.dot(point(v)) - f.offset > kDent * extent_) return std::nullopt;
-      }
+      if (!isThere(f)) continue;
       Triangle t{};
       for (std::size_t k = 0; k < 3; ++k) {
         int& v = vertex[static_cast<std::size_t>(f.vertex[k])];
@@ -267,29 +354,32 @@ class Builder {
       hull.triangles.push_back(t);
       hull.faces.push_back({f.normal, f.offset + kVisible * extent_});
     }
-    if (!holdsAll(hull)) return std::nullopt;
+    if (!holdsAll(vertex) || (dent > kSuspicious * extent_ && !holdsVertices(hull))) return std::nullopt;
     return hull;
   }
 
   const std::vector<Eigen::Vector3d>& points_;
+  const RunControl& control_;
   std::vector<int> next_;
-  std::vector<int> freed_by_;  // the last point that took a vertex's faces away
+  std::vector<int> dropped_;     // by point: the first of the faces that were made when it was dropped last; -1: never
+  std::vector<int> settled_by_;  // by vertex: the last point that replaced faces of it
   std::vector<Face> faces_;
   std::vector<int> patch_;
   std::vector<HorizonEdge> horizon_;
   double extent_ = 0;
+  Eigen::Vector3d middle_;  // of the first tetrahedron
 };
 
 }  // namespace
 
-std::optional<ConvexHull> quickhull(const std::vector<Eigen::Vector3d>& points) {
-  Builder builder(points);
+std::optional<ConvexHull> quickhull(const std::vector<Eigen::Vector3d>& points, const RunControl& control) {
+  Builder builder(points, control);
   std::optional<ConvexHull> hull = builder.build();
   if (!hull) return hull;
   // Of points in one plane quickhull may take some that are no corners. A second run leaves them out.
   const Builder::Vertices vertices = builder.vertices();
   if (vertices.others.empty()) return hull;
-  std::optional<ConvexHull> lean = Builder(vertices.corners).build();
+  std::optional<ConvexHull> lean = Builder(vertices.corners, control).build();
   if (!lean) return hull;
   double beyond = 0;
   for (const Eigen::Vector3d& p : vertices.others) beyond = std::max(beyond, planeDistance(*lean, p));

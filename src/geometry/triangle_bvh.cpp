@@ -1,16 +1,20 @@
-// Tree: median splits along the longest side of the centres' box, leaves of four triangles, children stored side by side.
+// Tree: splits near the median along the longest side of the centres' box, so that all leaves but the last have four triangles;
+// then the number of nodes beneath each is known, and subtrees are built in parallel. Children are stored side by side.
 // Queries: depth first, nearer child first, O(log n) on surfaces.
 #include "collision_hulls/geometry/triangle_bvh.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 namespace collision_hulls {
 
 namespace {
 
 constexpr int kLeafSize = 4;
+constexpr int kParallel = 4096;        // triangles from which on both halves of a tree are built at the same time
 constexpr double kDipoleDistance = 4;  // in radii: dipoles nearer than this would err by more than 0.01
 
 constexpr double kThin = 1e-6;   // squared height over length below which a triangle is a sliver
@@ -21,6 +25,15 @@ constexpr std::size_t kMostCones = 64;
 constexpr double kLevel = 1e-6;  // directions whose cosine is below this count as level: not within the half-space
 constexpr int kHalfSpaceRounds = 24;
 constexpr double kLean = 0.3, kEnough = 1.01;  // how hard it leans; the gain per round that is worth another one
+
+std::size_t leavesFor(int triangles) {
+  return (static_cast<std::size_t>(triangles) + kLeafSize - 1) / kLeafSize;
+}
+
+/// As Eigen's squaredExteriorDistance(), without branches.
+double squaredDistance(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& p) {
+  return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0).squaredNorm();
+}
 
 /// Signed solid angle of a triangle seen from the origin, over 2 (Van Oosterom & Strackee 1983).
 double halfSolidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
@@ -123,103 +136,118 @@ Eigen::Vector3d closestPoint(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
 
 TriangleBvh::TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_sided) {
   const std::size_t n = mesh.triangles.size();
-  std::vector<Eigen::Vector3d> centres(n);
+  if (n == 0) return;
+  std::vector<Centre> centres(n);
   for (std::size_t t = 0; t < n; ++t) {
     const int i = static_cast<int>(t);
-    centres[t] = (mesh.corner(i, 0) + mesh.corner(i, 1) + mesh.corner(i, 2)) / 3;
+    centres[t] = {(mesh.corner(i, 0) + mesh.corner(i, 1) + mesh.corner(i, 2)) / 3, i};
   }
+  corners_.resize(n);
   index_.resize(n);
-  std::iota(index_.begin(), index_.end(), 0);
-  if (n > 0) build(index_, centres);
-  corners_.reserve(n);
   position_.resize(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    corners_.push_back({mesh.corner(index_[k], 0), mesh.corner(index_[k], 1), mesh.corner(index_[k], 2)});
-    position_[static_cast<std::size_t>(index_[k])] = static_cast<int>(k);
-  }
-  if (!two_sided.empty())
-    for (int t : index_) two_sided_.push_back(two_sided[static_cast<std::size_t>(t)]);
-  for (int node = static_cast<int>(nodes_.size()); node-- > 0;) fit(node);
+  two_sided_ = two_sided;
+  nodes_.resize(2 * leavesFor(static_cast<int>(n)) - 1);
+  clusters_.resize(nodes_.size());
+  build(mesh, centres, 0, 0, static_cast<int>(n), 1);
 }
 
-void TriangleBvh::build(std::vector<int>& order, const std::vector<Eigen::Vector3d>& centres) {
-  nodes_.push_back({});
-  nodes_[0].count = static_cast<int>(order.size());
-  for (std::size_t node = 0; node < nodes_.size(); ++node) {
-    const int first = nodes_[node].first, count = nodes_[node].count;
-    if (count <= kLeafSize) continue;
+/// Makes a node of `count` triangles. `below`: where the nodes beneath it go.
+void TriangleBvh::build(const TriangleMesh& mesh, std::vector<Centre>& centres, int id, int first, int count, int below) {
+  Node& node = nodes_[static_cast<std::size_t>(id)];
+  node.first = first;
+  node.count = count;
+  if (count <= kLeafSize) {
+    fillLeaf(mesh, centres, node);
+  } else {
     Eigen::AlignedBox3d box;
-    for (int k = first; k < first + count; ++k) box.extend(centres[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])]);
+    const auto begin = centres.begin() + first;
+    std::for_each(begin, begin + count, [&](const Centre& c) { box.extend(c.at); });
     int axis = 0;
     box.sizes().maxCoeff(&axis);
-    const auto begin = order.begin() + first;
-    std::nth_element(begin, begin + count / 2, begin + count, [&](int a, int b) {
-      const double ca = centres[static_cast<std::size_t>(a)][axis], cb = centres[static_cast<std::size_t>(b)][axis];
-      return ca < cb || (ca == cb && a < b);
+    const int left_leaves = static_cast<int>(leavesFor(count) / 2), left = kLeafSize * left_leaves;
+    std::nth_element(begin, begin + left, begin + count, [axis](const Centre& a, const Centre& b) {
+      return a.at[axis] < b.at[axis] || (a.at[axis] == b.at[axis] && a.triangle < b.triangle);
     });
-    Node left, right;
-    left.first = first, left.count = count / 2;
-    right.first = first + count / 2, right.count = count - count / 2;
-    nodes_[node].first = static_cast<int>(nodes_.size());
-    nodes_[node].count = 0;
-    nodes_.push_back(left);
-    nodes_.push_back(right);
+    node.first = below;
+    node.count = 0;
+    const auto build_left = [&] { build(mesh, centres, below, first, left, below + 2); };
+    const auto build_right = [&] { build(mesh, centres, below + 1, first + left, count - left, below + 2 * left_leaves); };
+    if (count > kParallel) {
+      tbb::parallel_invoke(build_left, build_right);
+    } else {
+      build_left();
+      build_right();
+    }
+  }
+  fit(id);
+}
+
+void TriangleBvh::fillLeaf(const TriangleMesh& mesh, const std::vector<Centre>& centres, Node& leaf) {
+  for (int k = leaf.first; k < leaf.first + leaf.count; ++k) {
+    const int t = centres[static_cast<std::size_t>(k)].triangle;
+    corners_[static_cast<std::size_t>(k)] = {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
+    index_[static_cast<std::size_t>(k)] = t;
+    position_[static_cast<std::size_t>(t)] = k;
   }
 }
 
-/// Box and dipole of a node from its triangles or its (already fitted) children.
+/// Box and cluster of a node from its triangles or its (already fitted) children.
 void TriangleBvh::fit(int id) {
   Node& node = nodes_[static_cast<std::size_t>(id)];
+  Cluster& cluster = clusters_[static_cast<std::size_t>(id)];
   Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
   if (node.count > 0) {
     for (int k = node.first; k < node.first + node.count; ++k) {
       const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
       node.box.extend(a).extend(b).extend(c);
       const Eigen::Vector3d vector = (b - a).cross(c - a) / 2;
-      node.dipole += vector;
-      node.area += vector.norm();
+      cluster.dipole += vector;
+      cluster.area += vector.norm();
       weighted += vector.norm() * (a + b + c) / 3;
     }
   } else {
-    const Node &l = nodes_[static_cast<std::size_t>(node.first)], &r = nodes_[static_cast<std::size_t>(node.first) + 1];
-    node.box = l.box.merged(r.box);
-    node.dipole = l.dipole + r.dipole;
-    node.area = l.area + r.area;
+    const auto left = static_cast<std::size_t>(node.first), right = left + 1;
+    const Cluster &l = clusters_[left], &r = clusters_[right];
+    node.box = nodes_[left].box.merged(nodes_[right].box);
+    cluster.dipole = l.dipole + r.dipole;
+    cluster.area = l.area + r.area;
     weighted = l.area * l.dipole_centre + r.area * r.dipole_centre;
   }
-  node.dipole_centre = node.area > 0 ? Eigen::Vector3d(weighted / node.area) : Eigen::Vector3d(node.box.center());
-  fitCone(node);
-  for (int corner = 0; corner < 8; ++corner)
-    node.radius =
-        std::max(node.radius, (node.box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) - node.dipole_centre).norm());
+  cluster.dipole_centre = cluster.area > 0 ? Eigen::Vector3d(weighted / cluster.area) : Eigen::Vector3d(node.box.center());
+  const Eigen::Vector3d reach = (node.box.max() - cluster.dipole_centre).cwiseMax(cluster.dipole_centre - node.box.min());
+  cluster.radius = reach.norm();
+  fitCone(id);
 }
 
 /// The cone about the mean normal of a leaf's triangles, or about both children's cones.
-void TriangleBvh::fitCone(Node& node) const {
+void TriangleBvh::fitCone(int id) {
+  const Node& node = nodes_[static_cast<std::size_t>(id)];
+  Cluster& cluster = clusters_[static_cast<std::size_t>(id)];
   std::array<Cone, kLeafSize> parts;
   std::size_t count = 0;
   if (node.count > 0) {
     for (int k = node.first; k < node.first + node.count; ++k) parts[count++] = cone(k);
   } else {
     for (int k = node.first; k < node.first + 2; ++k)
-      parts[count++] = {nodes_[static_cast<std::size_t>(k)].cone_axis, nodes_[static_cast<std::size_t>(k)].cone_angle};
+      parts[count++] = {clusters_[static_cast<std::size_t>(k)].cone_axis, clusters_[static_cast<std::size_t>(k)].cone_angle};
   }
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < count; ++i) axis += parts[i].axis;
-  node.cone_angle = kAnyDirection;
+  cluster.cone_angle = kAnyDirection;
   if (!(axis.norm() > kLevel)) return;
-  node.cone_axis = axis.normalized();
+  cluster.cone_axis = axis.normalized();
   double angle = 0;
   for (std::size_t i = 0; i < count; ++i)
-    angle = std::max(angle, parts[i].angle + std::acos(std::clamp(node.cone_axis.dot(parts[i].axis), -1.0, 1.0)));
-  node.cone_angle = std::min(angle, kAnyDirection);
+    angle = std::max(angle, parts[i].angle + std::acos(std::clamp(cluster.cone_axis.dot(parts[i].axis), -1.0, 1.0)));
+  cluster.cone_angle = std::min(angle, kAnyDirection);
 }
 
 TriangleBvh::Cone TriangleBvh::cone(int k) const {
   const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
   const Eigen::Vector3d vector = (b - a).cross(c - a);
   const double length = vector.norm();
-  if (!(length > 0) || (!two_sided_.empty() && two_sided_[static_cast<std::size_t>(k)])) return {Eigen::Vector3d::Zero(), kAnyDirection};
+  if (!(length > 0) || (!two_sided_.empty() && two_sided_[static_cast<std::size_t>(index_[static_cast<std::size_t>(k)])]))
+    return {Eigen::Vector3d::Zero(), kAnyDirection};
   return {vector / length, 0};
 }
 
@@ -248,7 +276,7 @@ int TriangleBvh::signedCrossings(const Eigen::Vector3d& p) const {
   return sum;
 }
 
-/// Calls visit(k) for the triangles within `radius` of p and, where their cone is narrower than `narrow`, skip(node) for whole
+/// Calls visit(k) for the triangles within `radius` of p and, where their cone is narrower than `narrow`, skip(cluster) for whole
 /// nodes; ends and returns false as soon as one of them does.
 template <class Visit, class Skip>
 bool TriangleBvh::forEachNear(const Eigen::Vector3d& p, double radius, double narrow, Visit visit, Skip skip) const {
@@ -256,10 +284,11 @@ bool TriangleBvh::forEachNear(const Eigen::Vector3d& p, double radius, double na
   int top = 0;
   if (!nodes_.empty()) stack[top++] = 0;
   while (top > 0) {
-    const Node& node = nodes_[static_cast<std::size_t>(stack[--top])];
-    if (node.box.squaredExteriorDistance(p) > radius * radius) continue;
-    if (node.cone_angle < narrow) {
-      if (!skip(node)) return false;
+    const auto id = static_cast<std::size_t>(stack[--top]);
+    const Node& node = nodes_[id];
+    if (squaredDistance(node.box, p) > radius * radius) continue;
+    if (clusters_[id].cone_angle < narrow) {
+      if (!skip(clusters_[id])) return false;
     } else if (node.count > 0) {
       for (int k = node.first; k < node.first + node.count; ++k) {
         const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
@@ -283,8 +312,8 @@ bool TriangleBvh::facesOneWay(const Eigen::Vector3d& p, double radius) const {
   };
   return forEachNear(
              p, radius, kNarrow, [&](int k) { return add(cone(k)); },
-             [&](const Node& node) {
-               return add({node.cone_axis, node.cone_angle});
+             [&](const Cluster& cluster) {
+               return add({cluster.cone_axis, cluster.cone_angle});
              }) &&
          leastCosine(cones.data(), count) > 0;
 }
@@ -300,7 +329,7 @@ double TriangleBvh::frontBound(const std::vector<Eigen::Vector3d>& corners, cons
     for (const Eigen::Vector3d& corner : corners) front = std::max(front, c.axis.dot(corner - corners_[static_cast<std::size_t>(k)][0]));
     return true;
   };
-  if (!forEachNear(p, radius, -1, add, [](const Node&) { return false; })) return std::numeric_limits<double>::infinity();
+  if (!forEachNear(p, radius, -1, add, [](const Cluster&) { return false; })) return std::numeric_limits<double>::infinity();
   const double cosine = leastCosine(cones.data(), count);
   return cosine > 0 ? front / cosine : std::numeric_limits<double>::infinity();
 }
@@ -322,7 +351,7 @@ TriangleBvh::Nearest TriangleBvh::nearest(const Eigen::Vector3d& p, double limit
   };
   Open stack[96];
   int top = 0;
-  stack[top++] = {0, nodes_[0].box.squaredExteriorDistance(p)};
+  stack[top++] = {0, squaredDistance(nodes_[0].box, p)};
   while (top > 0) {
     const Open open = stack[--top];
     if (open.distance >= least) continue;
@@ -331,8 +360,8 @@ TriangleBvh::Nearest TriangleBvh::nearest(const Eigen::Vector3d& p, double limit
       for (int k = node.first; k < node.first + node.count; ++k) visit(k);
       continue;
     }
-    Open l{node.first, nodes_[static_cast<std::size_t>(node.first)].box.squaredExteriorDistance(p)};
-    Open r{node.first + 1, nodes_[static_cast<std::size_t>(node.first) + 1].box.squaredExteriorDistance(p)};
+    Open l{node.first, squaredDistance(nodes_[static_cast<std::size_t>(node.first)].box, p)};
+    Open r{node.first + 1, squaredDistance(nodes_[static_cast<std::size_t>(node.first) + 1].box, p)};
     if (l.distance < r.distance) std::swap(l, r);
     if (l.distance < least) stack[top++] = l;
     if (r.distance < least) stack[top++] = r;
@@ -341,17 +370,37 @@ TriangleBvh::Nearest TriangleBvh::nearest(const Eigen::Vector3d& p, double limit
   return best;
 }
 
+std::vector<int> TriangleBvh::trianglesNear(const Eigen::AlignedBox3d& box) const {
+  std::vector<int> found, open;
+  if (!nodes_.empty()) open.push_back(0);
+  while (!open.empty()) {
+    const Node& node = nodes_[static_cast<std::size_t>(open.back())];
+    open.pop_back();
+    if (!node.box.intersects(box)) continue;
+    for (int k = node.first; k < node.first + node.count; ++k) {
+      const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
+      const Eigen::AlignedBox3d own(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
+      if (own.intersects(box)) found.push_back(index_[static_cast<std::size_t>(k)]);
+    }
+    if (node.count == 0) open.insert(open.end(), {node.first, node.first + 1});
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 double TriangleBvh::windingNumber(const Eigen::Vector3d& p) const {
   double sum = 0;  // of half solid angles
   int stack[96];
   int top = 0;
   if (!nodes_.empty()) stack[top++] = 0;
   while (top > 0) {
-    const Node& node = nodes_[static_cast<std::size_t>(stack[--top])];
-    const Eigen::Vector3d to = node.dipole_centre - p;
+    const auto id = static_cast<std::size_t>(stack[--top]);
+    const Node& node = nodes_[id];
+    const Cluster& cluster = clusters_[id];
+    const Eigen::Vector3d to = cluster.dipole_centre - p;
     const double distance = to.norm();
-    if (distance > kDipoleDistance * node.radius) {
-      sum += node.dipole.dot(to) / (2 * distance * distance * distance);
+    if (distance > kDipoleDistance * cluster.radius) {
+      sum += cluster.dipole.dot(to) / (2 * distance * distance * distance);
     } else if (node.count > 0) {
       for (int k = node.first; k < node.first + node.count; ++k) {
         const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];

@@ -7,12 +7,9 @@
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 84;
-constexpr std::size_t kFacetBytes = 50;
-
 std::uint64_t announcedTriangles(std::string_view bytes) {
   std::uint32_t count = 0;  // little-endian, as the machines that this runs on
-  std::memcpy(&count, bytes.data() + kHeaderBytes - sizeof count, sizeof count);
+  std::memcpy(&count, bytes.data() + kStlHeaderBytes - sizeof count, sizeof count);
   return count;
 }
 
@@ -41,10 +38,14 @@ void checkText(std::string_view bytes, const std::string& path, std::size_t max_
 
 }  // namespace
 
+bool isBinaryStl(std::string_view bytes) {
+  return bytes.size() >= kStlHeaderBytes && bytes.size() == kStlHeaderBytes + kStlFacetBytes * announcedTriangles(bytes);
+}
+
 void checkStl(std::string_view bytes, const std::string& path, std::size_t max_triangles) {
-  const std::uint64_t count = bytes.size() >= kHeaderBytes ? announcedTriangles(bytes) : 0;
+  const std::uint64_t count = bytes.size() >= kStlHeaderBytes ? announcedTriangles(bytes) : 0;
   // The size decides, for many binary files begin with "solid" too.
-  if (bytes.size() >= kHeaderBytes && bytes.size() == kHeaderBytes + kFacetBytes * count) {
+  if (isBinaryStl(bytes)) {
     if (count == 0) throw Error(ErrorCode::kEmptyMesh, path + ": binary STL with 0 triangles; export the mesh again");
     checkTriangleCount(path, count, max_triangles);
     return;
@@ -52,12 +53,12 @@ void checkStl(std::string_view bytes, const std::string& path, std::size_t max_t
   std::string_view rest = bytes;
   if (nextWord(&rest) == "solid" && bytes.find('\0') == std::string_view::npos) {
     checkText(bytes, path, max_triangles);
-  } else if (bytes.size() < kHeaderBytes) {
+  } else if (bytes.size() < kStlHeaderBytes) {
     failNotAMesh(path, "neither a text STL (no 'solid' at its start) nor a binary one (" + std::to_string(bytes.size()) +
-                           " bytes, its header has " + std::to_string(kHeaderBytes) + ")");
+                           " bytes, its header has " + std::to_string(kStlHeaderBytes) + ")");
   } else {
     failNotAMesh(path, "read as binary STL it announces " + std::to_string(count) + " triangles, which take " +
-                           std::to_string(kHeaderBytes + kFacetBytes * count) + " bytes, but it has " + std::to_string(bytes.size()));
+                           std::to_string(kStlHeaderBytes + kStlFacetBytes * count) + " bytes, but it has " + std::to_string(bytes.size()));
   }
 }
 

@@ -4,10 +4,13 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <array>
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
+#include <assimp/ProgressHandler.hpp>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -24,6 +27,8 @@ namespace fs = std::filesystem;
 
 /// Single precision must resolve this share of a mesh's diagonal.
 constexpr double kCoarsestResolution = 1e-3;
+
+constexpr unsigned kFacesBetweenChecks = 1 << 16;
 
 /// Three corners of a triangle stay below the range of int.
 constexpr std::size_t kMostTriangles = std::numeric_limits<int>::max() / 3;
@@ -95,12 +100,28 @@ std::string excerpt(std::string text) {
   return text;
 }
 
-const aiScene* import(Assimp::Importer* importer, const std::string& bytes, const std::string& path, const std::string& extension) {
+/// Ends the readers of Assimp that report their progress once the run is cancelled.
+class Cancelling : public Assimp::ProgressHandler {
+ public:
+  explicit Cancelling(const RunControl& control) : control_(control) {}
+  bool Update(float /*percentage*/) override {
+    control_.check();
+    return true;
+  }
+
+ private:
+  const RunControl& control_;
+};
+
+const aiScene* import(Assimp::Importer* importer, const std::string& bytes, const std::string& path, const std::string& extension,
+                      const RunControl& control) {
   const std::string name = "mesh" + extension;
   importer->SetIOHandler(new OneFile(name, bytes));  // the importer deletes it
+  importer->SetProgressHandler(new Cancelling(control));
   // Without this a Collada file without geometry comes back as a made-up skeleton.
   importer->SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene* scene = importer->ReadFile(name, 0);
+  control.check();
   if (scene == nullptr || scene->mRootNode == nullptr)
     throw Error(ErrorCode::kNotAMesh, path + ": cannot be read as " + extension.substr(1) + " (" + excerpt(importer->GetErrorString()) +
                                           "); check the file or export it again");
@@ -139,18 +160,60 @@ struct Placement {
   Placement(const Placement& parent, const Eigen::Affine3d& m) : to_root(parent.to_root * m), magnitude(parent.magnitude * absolute(m)) {}
 };
 
+[[noreturn]] void failNotFinite(const std::string& path, std::size_t vertex, std::size_t face) {
+  throw Error(ErrorCode::kNonFiniteCoordinate, path + ": vertex " + std::to_string(vertex) + " (of face " + std::to_string(face) +
+                                                   ", both counted from 0) has a coordinate that is no finite number; export it again");
+}
+
+/// LoadedMesh::resolution, where `largest` is the largest number [m] that single precision rounded.
+double resolution(const TriangleMesh& mesh, double largest, const std::string& path) {
+  if (!(largest > 0)) return 0;
+  const double result =
+      std::ldexp(1.0, std::max(std::ilogb(largest), std::numeric_limits<float>::min_exponent - 1) - std::numeric_limits<float>::digits);
+  const double size = diagonal(mesh);
+  if (result > kCoarsestResolution * size)
+    throw Error(ErrorCode::kTooFarFromOrigin, path + ": the mesh is " + std::to_string(size) + " m across and up to " +
+                                                  std::to_string(largest) + " m away from its origin, where single precision resolves " +
+                                                  std::to_string(result) + " m; move the mesh to its origin");
+  return result;
+}
+
+/// A binary STL that passed checkStl(), as Assimp would give it at ten times the cost.
+LoadedMesh readBinaryStl(const std::string& bytes, const std::string& path, const RunControl& control) {
+  LoadedMesh result;
+  result.submeshes = 1;
+  const std::size_t count = (bytes.size() - kStlHeaderBytes) / kStlFacetBytes;
+  result.mesh.vertices.reserve(3 * count);
+  result.mesh.triangles.reserve(count);
+  float largest = 0;
+  for (std::size_t f = 0; f < count; ++f) {
+    if (f % kFacesBetweenChecks == 0) control.check();
+    std::array<float, 9> corners;  // after the normal
+    std::memcpy(corners.data(), bytes.data() + kStlHeaderBytes + kStlFacetBytes * f + 3 * sizeof(float), sizeof corners);
+    const int first = static_cast<int>(3 * f);
+    result.mesh.triangles.push_back({first, first + 1, first + 2});
+    for (std::size_t k = 0; k < corners.size(); k += 3) {
+      result.mesh.vertices.emplace_back(corners[k], corners[k + 1], corners[k + 2]);
+      if (!result.mesh.vertices.back().allFinite()) failNotFinite(path, 3 * f + k / 3, f);
+    }
+    for (const float x : corners) largest = std::max(largest, std::abs(x));
+  }
+  result.resolution = resolution(result.mesh, largest, path);
+  return result;
+}
+
 /// Collects the triangles of a scene's nodes, each instance of a mesh on its own.
 class SceneReader {
  public:
-  SceneReader(const aiScene& scene, const std::string& path, std::size_t max_triangles)
-      : scene_(scene), path_(path), max_triangles_(std::min(max_triangles, kMostTriangles)) {}
+  SceneReader(const aiScene& scene, const std::string& path, std::size_t max_triangles, const RunControl& control)
+      : scene_(scene), path_(path), max_triangles_(std::min(max_triangles, kMostTriangles)), control_(control) {}
 
   LoadedMesh read() {
     visit(*scene_.mRootNode, Placement(rootTransform(scene_.mRootNode->mTransformation, path_)));
     if (result_.mesh.triangles.empty())
       throw Error(ErrorCode::kEmptyMesh, path_ + ": no triangle in it (" + std::to_string(result_.skipped_primitives) +
                                              " lines and points, which have no surface); export the surface");
-    checkResolution();
+    result_.resolution = resolution(result_.mesh, largest_, path_);
     return std::move(result_);
   }
 
@@ -165,6 +228,7 @@ class SceneReader {
     const std::size_t before = result_.mesh.triangles.size();
     number_.assign(source.mNumVertices, -1);
     for (unsigned f = 0; f < source.mNumFaces; ++f) {
+      if (f % kFacesBetweenChecks == 0) control_.check();
       const aiFace& face = source.mFaces[f];
       if (face.mNumIndices < 3) {
         ++result_.skipped_primitives;
@@ -208,28 +272,16 @@ class SceneReader {
   int addVertex(const aiVector3D& source, unsigned index, unsigned f, const Placement& placement) {
     const Eigen::Vector3d local(source.x, source.y, source.z);
     const Eigen::Vector3d p = placement.to_root * local;
-    if (!p.allFinite())
-      throw Error(ErrorCode::kNonFiniteCoordinate, path_ + ": vertex " + std::to_string(index) + " (of face " + std::to_string(f) +
-                                                       ", both counted from 0) has a coordinate that is no finite number; export it again");
+    if (!p.allFinite()) failNotFinite(path_, index, f);
     largest_ = std::max(largest_, (placement.magnitude * local.cwiseAbs()).maxCoeff());
     result_.mesh.vertices.push_back(p);
     return static_cast<int>(result_.mesh.vertices.size()) - 1;
   }
 
-  void checkResolution() {
-    result_.resolution = largest_ > 0 ? std::ldexp(1.0, std::max(std::ilogb(largest_), std::numeric_limits<float>::min_exponent - 1) -
-                                                            std::numeric_limits<float>::digits)
-                                      : 0;
-    const double size = diagonal(result_.mesh);
-    if (result_.resolution > kCoarsestResolution * size)
-      throw Error(ErrorCode::kTooFarFromOrigin, path_ + ": the mesh is " + std::to_string(size) + " m across and up to " +
-                                                    std::to_string(largest_) + " m away from its origin, where single precision resolves " +
-                                                    std::to_string(result_.resolution) + " m; move the mesh to its origin");
-  }
-
   const aiScene& scene_;
   const std::string& path_;
   std::size_t max_triangles_;
+  const RunControl& control_;
   LoadedMesh result_;
   double largest_ = 0;        // [m] of the numbers that single precision rounded
   std::vector<int> number_;   // of the current instance's vertices in the result, -1 before their first use
@@ -243,15 +295,17 @@ const std::vector<std::string>& meshExtensions() {
   return extensions;
 }
 
-LoadedMesh readMesh(const std::string& path, const MeshLimits& limits) {
+LoadedMesh readMesh(const std::string& path, const MeshLimits& limits, const RunControl& control) {
   const std::string extension = lowerExtension(path);
   checkExtension(path, extension);
   std::string bytes = readBytes(path, limits.max_bytes);
+  control.check();
   checkSource(bytes, path, extension, limits.max_triangles);
+  if (extension == ".stl" && isBinaryStl(bytes)) return readBinaryStl(bytes, path, control);
   if (extension == ".obj" || extension == ".off") bytes += '\n';  // Assimp loses a last line that does not end
   Assimp::Importer importer;
-  const aiScene* scene = import(&importer, bytes, path, extension);
-  return SceneReader(*scene, path, limits.max_triangles).read();
+  const aiScene* scene = import(&importer, bytes, path, extension, control);
+  return SceneReader(*scene, path, limits.max_triangles, control).read();
 }
 
 }  // namespace collision_hulls

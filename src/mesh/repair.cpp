@@ -146,25 +146,29 @@ const char* name(Interior interior) {
   return "unknown";
 }
 
-RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options) {
+RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options, const RunControl& control) {
+  control.check();
   check(mesh, options);
   RepairedMesh result;
   if (mesh.triangles.empty()) return result;
   const double extent = boundingBox(mesh).sizes().maxCoeff();
 
   const Welding welding = weld(mesh, options.weld_tolerance * extent);
+  control.check();
   result.counts.welded = welding.joined;
   result.counts.weld_distance = welding.distance;
 
   std::vector<int> flat;
   result.mesh.triangles = keptTriangles(mesh, welding.representative, extent, &result.counts, &flat);
   compact(mesh.vertices, flat, &result);
+  control.check();
 
   Edges edges = findEdges(result.mesh.triangles, result.mesh.vertices.size());
   result.counts.components = edges.components;
   result.counts.open_edges = edges.open;
   result.counts.nonmanifold_edges = edges.nonmanifold;
 
+  control.check();
   const std::vector<char> turn = trianglesToTurn(result.mesh, edges);
   result.counts.flipped = static_cast<std::size_t>(std::count(turn.begin(), turn.end(), 1));
   result.interior = findInteriors(result.mesh, edges, turn);

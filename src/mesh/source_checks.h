@@ -18,4 +18,9 @@ void checkOff(std::string_view bytes, const std::string& path, std::size_t max_t
 void checkPly(std::string_view bytes, const std::string& path, std::size_t max_triangles);
 void checkDae(std::string_view bytes, const std::string& path);
 
+/// Whether a file's size is that of a binary STL with as many triangles as it announces.
+bool isBinaryStl(std::string_view bytes);
+constexpr std::size_t kStlHeaderBytes = 84;  ///< with the number of triangles
+constexpr std::size_t kStlFacetBytes = 50;   ///< normal, three corners, two bytes
+
 }  // namespace collision_hulls

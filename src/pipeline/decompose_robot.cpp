@@ -81,17 +81,18 @@ void decomposeElement(const MeshTask& mesh, const Options& options, Progress& pr
   Stopwatch stage;
 
   // 1. Read, and scale as the description says.
-  const LoadedMesh loaded = readMesh(mesh.file);
+  LoadedMesh loaded = readMesh(mesh.file, {}, decomposing);
   expectUnchanged(mesh);
   row.triangles = loaded.mesh.triangles.size();
   row.skipped_primitives = loaded.skipped_primitives;
   element.original = scaled(loaded.mesh, row.scale);
+  loaded.mesh = {};
   row.diagonal = diagonal(element.original);
   row.tolerance = toleranceFor(element.original, options);
   row.seconds.read = stage.lap();
 
   // 2. Repair: a mesh with topology.
-  const RepairedMesh repaired = repair(element.original);
+  const RepairedMesh repaired = repair(element.original, {}, decomposing);
   row.repair = repaired.counts;
   row.seconds.repair = stage.lap();
 
@@ -99,17 +100,18 @@ void decomposeElement(const MeshTask& mesh, const Options& options, Progress& pr
   const DecomposeOptions method{options.method, row.tolerance, options.max_hulls, options.max_vertices, options.seed, options.effort};
   const Decomposition parts = decompose(repaired, method, decomposing);
   const double margin = loaded.resolution * row.scale.cwiseAbs().maxCoeff() + repaired.counts.weld_distance;
-  const FittedHulls fitted = fitCover(parts.hulls, element.original, margin, options.max_vertices);
+  const FittedHulls fitted = fitCover(parts.hulls, element.original, margin, options.max_vertices, decomposing);
   row.nudge = fitted.nudge;
   for (const ConvexHull& hull : parts.hulls) row.thickness = std::max(row.thickness, hull.thickness);
   describe(fitted.hulls, row);
   row.seconds.decompose = stage.lap();
 
   // 4. Certify. The solid is known up to the margin, so the bound has it added.
-  const Solid solid(repaired);
+  element.solid = std::make_shared<const Solid>(repaired, certifying);
+  const Solid& solid = *element.solid;
   row.interior = name(solid.interior());
   row.volume = solid.volume();
-  row.uncovered = uncovered(element.original, fitted.hulls);
+  row.uncovered = uncovered(element.original, fitted.hulls, certifying);
   const Protrusion found = protrusion(fitted.hulls, solid, kCertificateGap * row.tolerance, certifying);
   row.protrusion = found.bound + margin;
   row.protrusion_found = found.found;
@@ -132,6 +134,7 @@ void copyResult(const ElementResult& from, ElementResult& to) {
   to.report = row;
   to.original = from.original;
   to.hulls = from.hulls;
+  to.solid = from.solid;
 }
 
 /// What an earlier run made of the mesh; false where there was none.
@@ -182,6 +185,8 @@ Validation validateElements(const std::vector<ElementResult>& elements, const Op
     pair.original = transformed(element.original, element.pose);
     for (const ConvexHull& hull : element.hulls) pair.hulls.push_back(transformed(hull, element.pose));
     pair.protrusion = element.report.protrusion;
+    pair.solid = element.solid;
+    pair.solid_pose = element.pose;
     pairs.push_back(std::move(pair));
   }
   RunControl control;
@@ -227,7 +232,10 @@ void decomposeElements(RobotResult& result, const UriResolver& resolve, const Ru
   cache.trim();
   result.report.notes = cache.notes();
   nameHullFiles(result);
-  for (const ElementResult& element : elements) result.report.links.push_back(element.report);
+  for (ElementResult& element : elements) {
+    element.solid = nullptr;
+    result.report.links.push_back(element.report);
+  }
 }
 
 }  // namespace

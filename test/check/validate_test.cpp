@@ -281,5 +281,24 @@ TEST(Validate, CancelledBeforeAndWithin) {
   }
 }
 
+TEST(Validate, ASolidThatTheCallerHasServesInItsPlace) {
+  ValidationPair pair = bracket();
+  const auto solid = std::make_shared<const Solid>(repair(pair.original));
+  pair.solid_pose = Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(0.3, Vector3d(1, 2, 2).normalized());
+  pair.original = transformed(pair.original, pair.solid_pose);
+  for (ConvexHull& hull : pair.hulls) {
+    for (Vector3d& v : hull.vertices) v = pair.solid_pose * v;
+    hull = convexHull(hull.vertices);
+  }
+  pair.hulls.push_back(boxHull({1, 2, 3}, {1.2, 2.2, 3.2}));  // so that there is something to be found
+  const Validation made = run({pair});
+  pair.solid = solid;
+  const Validation given = run({pair});
+  EXPECT_GT(made.phantom, 0u);
+  EXPECT_EQ(given.phantom, made.phantom);
+  EXPECT_NEAR(given.max_underestimate, made.max_underestimate, 1e-9);
+  EXPECT_EQ(given.remarks, made.remarks);
+}
+
 }  // namespace
 }  // namespace collision_hulls

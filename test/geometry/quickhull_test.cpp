@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "random_points.h"
 #include "shapes.h"
@@ -79,6 +80,31 @@ TEST(Quickhull, RandomCloudsOfEverySize) {
     const Points points = random.cloud(4 + seed);
     expectHull(quickhull(points), points);
   }
+}
+
+// So many that extreme ones are added first.
+TEST(Quickhull, ManyPointsInsideOnFacesAndInHeaps) {
+  for (std::uint32_t seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    test_shapes::RandomPoints random(seed);
+    Points ball, cube, heaps;
+    for (int i = 0; i < 3000; ++i) {
+      ball.push_back(random.onSphere() * std::cbrt(std::abs(random.number())));
+      Vector3d p(random.number(), random.number(), random.number());
+      p[i % 3] = i % 2 == 0 ? 1 : -1;
+      cube.push_back(p);
+      heaps.push_back(random.onSphere() * 1e-3 + Vector3d(random.index(3), random.index(3), random.index(3)) - Vector3d(1, 1, 1));
+    }
+    expectHull(quickhull(ball), ball);
+    if (const auto hull = quickhull(cube)) expectHull(hull, cube);
+    if (const auto hull = quickhull(heaps)) expectHull(hull, heaps);
+  }
+}
+
+TEST(Quickhull, CanBeCancelled) {
+  RunControl control;
+  control.cancel();
+  EXPECT_THROW(quickhull(test_shapes::sphere(1, 20).vertices, control), Error);
 }
 
 TEST(Quickhull, WhatItDoesNotRefuseIsRight) {

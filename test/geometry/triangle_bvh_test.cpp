@@ -333,5 +333,40 @@ TEST(TriangleBvh, FrontBoundIsNeverTooSmall) {
   EXPECT_GT(bounded, 100);
 }
 
+TEST(TriangleBvh, TrianglesNearABoxAreThoseWhoseBoxesMeetIt) {
+  const TriangleMesh mesh = test_shapes::torus(1, 0.3, 40, 20);
+  const TriangleBvh bvh(mesh);
+  RandomPoints random(5);
+  for (int i = 0; i < 200; ++i) {
+    const Vector3d centre = 1.5 * random.onSphere(), half = Vector3d::Constant(0.3 * std::abs(random.number()));
+    const Eigen::AlignedBox3d box(centre - half, centre + half);
+    std::vector<int> expected;
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+      Eigen::AlignedBox3d own;
+      for (int k = 0; k < 3; ++k) own.extend(mesh.corner(t, k));
+      if (own.intersects(box)) expected.push_back(t);
+    }
+    EXPECT_EQ(bvh.trianglesNear(box), expected);
+  }
+  EXPECT_TRUE(TriangleBvh(TriangleMesh{}).trianglesNear({Vector3d::Zero(), Vector3d::Ones()}).empty());
+}
+
+// More than are built by one thread.
+TEST(TriangleBvh, LargeMeshesHaveTheSameNearestPointsAsBruteForce) {
+  const TriangleMesh mesh = test_shapes::torus(1, 0.3, 150, 75);
+  const TriangleBvh bvh(mesh);
+  RandomPoints random(6);
+  for (int i = 0; i < 50; ++i) {
+    const Vector3d p = 1.5 * random.onSphere() * std::abs(random.number());
+    double least = kInfinity;
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+      least = std::min(least, distanceTo(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), p));
+    const TriangleBvh::Nearest nearest = bvh.nearest(p);
+    EXPECT_DOUBLE_EQ(nearest.distance, least);
+    const auto& [a, b, c] = bvh.corners(nearest.triangle);
+    EXPECT_DOUBLE_EQ(distanceTo(a, b, c, p), least);
+  }
+}
+
 }  // namespace
 }  // namespace collision_hulls

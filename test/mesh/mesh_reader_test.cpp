@@ -50,6 +50,20 @@ std::string plyHeader(const std::string& format, int vertices, int faces) {
 
 // --- Errors, one by one ---
 
+TEST(ReadMeshError, Cancelled) {
+  RunControl control;
+  control.cancel();
+  for (const auto& [name, bytes] : {std::pair<std::string, std::string>("a.stl", binaryStl("", 2, 2)), {"b.stl", kTextStl}}) {
+    const TempFile file(name, bytes);
+    try {
+      readMesh(file.path(), {}, control);
+      ADD_FAILURE() << name << " was read";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kCancelled);
+    }
+  }
+}
+
 TEST(ReadMeshError, FileNotFound) {
   try {
     readMesh("/nowhere/at_all.stl");
@@ -308,6 +322,15 @@ TEST(ReadMesh, VerticesThatNoTriangleUsesPlayNoPart) {
   const LoadedMesh loaded = read("a.off", "OFF\n4 1 0\n0 0 0\nnan 1e30 0\n1 0 0\n0 1 0\n3 0 2 3\n");
   EXPECT_EQ(3u, loaded.mesh.vertices.size());
   expectBox(loaded, {0, 0, 0}, {1, 1, 0});
+}
+
+TEST(ReadMesh, BinaryStlIsTheSameMeshAsText) {
+  const LoadedMesh binary = read("b.stl", binaryStl("solid, though it is not text", 1, 1)), text = read("t.stl", kTextStl);
+  EXPECT_EQ(binary.mesh.vertices, (std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_EQ(binary.mesh.triangles, text.mesh.triangles);
+  EXPECT_EQ(binary.submeshes, 1);
+  EXPECT_EQ(binary.skipped_primitives, 0u);
+  EXPECT_EQ(binary.resolution, text.resolution / 2);  // the text has a coordinate of 2
 }
 
 }  // namespace

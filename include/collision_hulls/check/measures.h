@@ -14,7 +14,7 @@ namespace collision_hulls {
 /// triangle whose corners lie in one hull is covered, any other is clipped by the hulls until nothing is left. Never too small,
 /// and too large by 1 % at most unless a triangle's gaps take more than some hundred pieces. Distances below 1e-12 of the coordinates' size
 /// are rounding of this computation and count as 0.
-double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls);
+double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls, const RunControl& control = {});
 
 /// The protrusion of a hull set: max over points of the hulls of the distance to S; one-sided Hausdorff distance.
 struct Protrusion {
@@ -28,7 +28,8 @@ struct Protrusion {
 /// Branch and bound over each hull's faces and interior; bound - found <= gap (> 0, [m]) on return.
 Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, double gap, const RunControl& control = {});
 
-/// Volume of the union of the hulls [m^3], by quasi-Monte-Carlo with a fixed sequence (error below 1 % of the union's box).
+/// Volume of the union of the hulls [m^3]: exact for one hull, else by quasi-Monte-Carlo with a fixed sequence (error below 1 % of
+/// the union's box).
 double unionVolume(const std::vector<ConvexHull>& hulls);
 
 }  // namespace collision_hulls

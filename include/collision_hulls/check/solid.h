@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
 #include "collision_hulls/mesh/repair.h"
 
@@ -14,7 +15,7 @@ namespace collision_hulls {
 /// oriented outward, so that a closed cavity within a housing is inside). Immutable, thread safe.
 class Solid {
  public:
-  explicit Solid(const RepairedMesh& mesh);
+  explicit Solid(const RepairedMesh& mesh, const RunControl& control = {});
   ~Solid();
   Solid(Solid&&) noexcept;
 
@@ -27,6 +28,8 @@ class Solid {
   bool hasOpenings() const;  ///< whether S has borders that are no surface: distance() then jumps where they are crossed
   double volume() const;     ///< [m^3] of the components that have an inside (sum)
   Interior interior() const;
+  double weldDistance() const;                                  ///< [m] furthest that repair moved a point of the surface
+  const std::vector<Eigen::Vector3d>& componentPoints() const;  ///< a point of each component of the surface; loose points are some
 
   /// Its triangles are those of the mesh, then one for each loose point. Where it facesOneWay(p, distanceToSurface(p) + 2 * radius)
   /// no point within `radius` of p is a local maximum of the distance to S, S itself apart: all of the surface that could be

@@ -1,11 +1,14 @@
 // Proof by query: collision and distance queries through FCL, original against hulls. The only room that sees FCL.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "collision_hulls/check/solid.h"
 #include "collision_hulls/control.h"
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
@@ -19,6 +22,9 @@ struct ValidationPair {
   TriangleMesh original;          ///< as read and scaled, not repaired
   std::vector<ConvexHull> hulls;  ///< as written
   double protrusion = 0;          ///< [m] certified
+  /// What the original stands for, in a frame of its own that `solid_pose` places; null: it is made from the original.
+  std::shared_ptr<const Solid> solid = nullptr;
+  Eigen::Isometry3d solid_pose = Eigen::Isometry3d::Identity();
 };
 
 struct ValidationOptions {
@@ -46,8 +52,9 @@ struct Validation {
 };
 
 /// Distance queries of probes (spheres, boxes, and the other elements' hulls) at seeded poses around each element, and
-/// point-in-solid samples. Pairs run in parallel. Deterministic but for the times and timeouts. Throws kCancelled (seen between
-/// queries; building FCL's tree, 2 s for a million triangles, is not interrupted), kBadOption, kIndexOutOfRange.
+/// point-in-solid samples. Pairs, and the queries of a pair, run in parallel. Deterministic but for the times and timeouts. Throws
+/// kCancelled (seen between queries; building FCL's tree, half a second for a million triangles, is not interrupted), kBadOption,
+/// kIndexOutOfRange.
 Validation validate(const std::vector<ValidationPair>& pairs, const ValidationOptions& options, const RunControl& control = {});
 
 }  // namespace collision_hulls

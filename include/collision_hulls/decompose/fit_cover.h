@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/geometry/convex_hull.h"
 
 namespace collision_hulls {
@@ -17,6 +18,7 @@ struct FittedHulls {
 /// rounding) plus what single precision needs, and rounds its vertices; then gives every triangle of `original` that the
 /// union still fails to cover to the hull that grows least. After it uncovered(original, hulls) == 0.
 /// At most `max_vertices` vertices a hull (0: no cap).
-FittedHulls fitCover(const std::vector<ConvexHull>& hulls, const TriangleMesh& original, double margin, int max_vertices);
+FittedHulls fitCover(const std::vector<ConvexHull>& hulls, const TriangleMesh& original, double margin, int max_vertices,
+                     const RunControl& control = {});
 
 }  // namespace collision_hulls

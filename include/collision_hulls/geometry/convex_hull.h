@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
 
 namespace collision_hulls {
@@ -30,8 +31,8 @@ struct ConvexHull {
 /// The convex hull of `points` (metres, any frame). Degenerate sets are thickened outward: a point becomes a small
 /// tetrahedron-like body, a line a thin rod, a plane a thin plate, by the least amount that still gives a body whose faces
 /// can be told apart in double precision (1e-6 of the set's extent; reported as `thickness`).
-/// Deterministic. Thread safe. Throws kEmptyMesh for no point and kNonFiniteCoordinate for a NaN or an infinity.
-ConvexHull convexHull(const std::vector<Eigen::Vector3d>& points);
+/// Deterministic. Thread safe. Throws kEmptyMesh for no point, kNonFiniteCoordinate for a NaN or an infinity, kCancelled.
+ConvexHull convexHull(const std::vector<Eigen::Vector3d>& points, const RunControl& control = {});
 
 /// Volume [m^3] and bounding box of a hull.
 double volume(const ConvexHull& hull);

@@ -47,6 +47,9 @@ class TriangleBvh {
   /// least with some direction; hence |x - y| <= max_i n_i . (x - y) / c, and each of those is linear in x.
   double frontBound(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& p, double radius) const;
 
+  /// The triangles whose boxes meet a box, ascending.
+  std::vector<int> trianglesNear(const Eigen::AlignedBox3d& box) const;
+
   /// The corners of a triangle, by its index in the mesh.
   const std::array<Eigen::Vector3d, 3>& corners(int triangle) const {
     return corners_[static_cast<std::size_t>(position_[static_cast<std::size_t>(triangle)])];
@@ -58,6 +61,9 @@ class TriangleBvh {
   struct Node {
     Eigen::AlignedBox3d box;
     int first = 0, count = 0;  // leaf: triangles [first, first + count); inner: children first, first + 1 and count 0
+  };
+  /// What a node's triangles are like from afar; apart from the nodes, which queries of the nearest point run over alone.
+  struct Cluster {
     double area = 0;
     Eigen::Vector3d dipole_centre = Eigen::Vector3d::Zero(), dipole = Eigen::Vector3d::Zero();  // centroid, area vector
     Eigen::Vector3d cone_axis = Eigen::Vector3d::Zero();                                        // cone of the normals
@@ -68,18 +74,24 @@ class TriangleBvh {
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
     double angle = 0;  // [rad] half opening
   };
+  struct Centre {
+    Eigen::Vector3d at;
+    int triangle;
+  };
   Cone cone(int position) const;
-  void build(std::vector<int>& order, const std::vector<Eigen::Vector3d>& centres);
+  void build(const TriangleMesh& mesh, std::vector<Centre>& centres, int node, int first, int count, int below);
+  void fillLeaf(const TriangleMesh& mesh, const std::vector<Centre>& centres, Node& leaf);
   void fit(int node);
-  void fitCone(Node& node) const;
+  void fitCone(int node);
   template <class Visit, class Skip>
   bool forEachNear(const Eigen::Vector3d& p, double radius, double narrow, Visit visit, Skip skip) const;
 
   std::vector<Node> nodes_;
+  std::vector<Cluster> clusters_;                        // of the nodes
   std::vector<std::array<Eigen::Vector3d, 3>> corners_;  // in leaf order
   std::vector<int> index_;                               // leaf order to mesh
   std::vector<int> position_;                            // mesh to leaf order
-  std::vector<char> two_sided_;                          // in leaf order; empty: none
+  std::vector<char> two_sided_;                          // by triangle; empty: none
 };
 
 }  // namespace collision_hulls

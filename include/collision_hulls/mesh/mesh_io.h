@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
 
@@ -33,8 +34,8 @@ const std::vector<std::string>& meshExtensions();
 /// triangulated without loss; materials and textures are not looked for; vertices that no triangle uses are left out. A file
 /// that is cut off or contradicts itself is an error, never half a mesh. Units: Collada's are converted to metres, the other formats'
 /// numbers are taken as metres. Throws kFileNotFound, kUnsupportedFormat, kNotAMesh, kEmptyMesh, kTooLarge, kNonFiniteCoordinate,
-/// kIndexOutOfRange, kTooFarFromOrigin (single precision resolves less than a thousandth of the mesh's diagonal). Thread safe.
-LoadedMesh readMesh(const std::string& path, const MeshLimits& limits = {});
+/// kIndexOutOfRange, kTooFarFromOrigin (single precision resolves less than a thousandth of the mesh's diagonal), kCancelled. Thread safe.
+LoadedMesh readMesh(const std::string& path, const MeshLimits& limits = {}, const RunControl& control = {});
 
 enum class MeshFormat { kStl, kObj, kDae };
 

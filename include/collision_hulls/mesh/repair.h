@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
 
 namespace collision_hulls {
@@ -55,8 +56,8 @@ struct RepairedMesh {
 /// An open component is kWinding where the area that would close its boundary loops (fan of each loop about its centre) is
 /// below a tenth of its own area, else kSurface. A mesh of degenerate triangles alone gives an empty mesh and `loose` points.
 /// Near-linear in time; about 90 bytes a triangle beside the input. Deterministic. Thread safe. Throws kIndexOutOfRange,
-/// kNonFiniteCoordinate, and kBadOption for a weld tolerance outside [0, 0.1].
-RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options = {});
+/// kNonFiniteCoordinate, kCancelled, and kBadOption for a weld tolerance outside [0, 0.1].
+RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options = {}, const RunControl& control = {});
 
 /// The rule of the whole mesh, as it stands in reports: kClosed if every component is, kSurface if every one is, else kWinding.
 Interior interiorOf(const RepairedMesh& mesh);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,15 @@
 namespace collision_hulls {
 
 /// One mesh of one link, done. Coordinates after `scale`, in the element's own frame (before its `<origin>`).
+class Solid;
+
 struct ElementResult {
   ElementReport report;
   GeometryElement source;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< of the element's frame in the robot's zero configuration
   TriangleMesh original;                                   ///< as read and scaled
   std::vector<ConvexHull> hulls;                           ///< as written; empty where the status is failed
+  std::shared_ptr<const Solid> solid;                      ///< of `original`, while the run lasts; null where the hulls come from the cache
 };
 
 struct RobotResult {

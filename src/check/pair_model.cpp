@@ -1,0 +1,80 @@
+#include "check/pair_model.h"
+
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+
+#include "collision_hulls/mesh/repair.h"
+
+namespace collision_hulls {
+
+namespace {
+
+constexpr double kThinnest = 1e-12;  // height over length of a triangle that has an area
+
+bool hasArea(const TriangleMesh& mesh, int t) {
+  const Eigen::Vector3d u = mesh.corner(t, 1) - mesh.corner(t, 0), v = mesh.corner(t, 2) - mesh.corner(t, 0);
+  const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()});
+  return u.cross(v).norm() > kThinnest * longest;
+}
+
+void append(TriangleMesh& mesh, const std::array<Eigen::Vector3d, 3>& corners) {
+  const int i = static_cast<int>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
+  mesh.triangles.push_back({i, i + 1, i + 2});
+}
+
+/// The triangles that have an area to rounding, or the others.
+TriangleMesh selected(const TriangleMesh& mesh, bool with_area) {
+  TriangleMesh result;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+    if (hasArea(mesh, t) == with_area) append(result, {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
+  return result;
+}
+
+}  // namespace
+
+PairModel::PairModel(const ValidationPair& pair, const std::vector<ProbeShape>& box_shapes, const std::vector<Neighbour>& near)
+    : name(pair.name),
+      frame(pair),
+      original(frame.units(pair.original)),
+      hulls(frame.units(pair.hulls)),
+      boxes(box_shapes),
+      without_area(selected(original, false)),
+      sampler(original, hulls),
+      tolerance(kFclTolerance + frame.rounding()),
+      solid_(pair.solid),
+      to_solid_(pair.solid ? pair.solid_pose.inverse() : Eigen::Isometry3d::Identity()) {
+  if (!without_area.triangles.empty()) with_area_ = selected(original, true);
+  tbb::parallel_invoke([&] { fcl_original = std::make_unique<FclMesh>(withArea()); },
+                       [&] {
+                         bvh = std::make_unique<TriangleBvh>(withArea());
+                         bvh_without_area = std::make_unique<TriangleBvh>(without_area);
+                         if (!solid_) solid_ = std::make_shared<Solid>(repair(pair.original));
+                       });
+  allowed = frame.units(pair.protrusion) + tolerance + frame.units(solid_->weldDistance());
+  for (const Eigen::Vector3d& p : solid_->componentPoints()) component_points.push_back(frame.units(to_solid_.inverse() * p));
+  for (const Neighbour& neighbour : near) neighbours.emplace_back("hull of " + neighbour.name, frame.units(*neighbour.hull));
+  for (const ConvexHull& hull : hulls) {
+    fcl_hulls.emplace_back(hull);
+    hull_boxes.push_back(boundingBox(hull));
+  }
+}
+
+TriangleMesh PairModel::nearestWithArea(const Eigen::Vector3d& p) const {
+  TriangleMesh result;
+  append(result, bvh->corners(bvh->nearest(p).triangle));
+  return result;
+}
+
+TriangleMesh PairModel::withAreaNear(const Eigen::AlignedBox3d& box) const {
+  TriangleMesh result;
+  for (const int t : bvh->trianglesNear(box)) append(result, bvh->corners(t));
+  return result;
+}
+
+bool PairModel::inSolid(const Eigen::Vector3d& p) const {
+  return solid_->contains(to_solid_ * frame.metres(p));
+}
+
+}  // namespace collision_hulls

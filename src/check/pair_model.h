@@ -1,0 +1,58 @@
+// What the queries of one element look at.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check/fcl_queries.h"
+#include "check/unit_frame.h"
+#include "check/validate_probes.h"
+#include "collision_hulls/check/validate.h"
+#include "collision_hulls/geometry/triangle_bvh.h"
+
+namespace collision_hulls {
+
+/// A hull of another element that comes near, in the frame of the pair.
+struct Neighbour {
+  std::string name;
+  const ConvexHull* hull;
+};
+
+/// Original and hulls of a pair without fault, in units. Immutable, thread safe.
+class PairModel {
+ public:
+  /// `boxes`: see boxShapes(). Keeps references to the pair and to them.
+  PairModel(const ValidationPair& pair, const std::vector<ProbeShape>& boxes, const std::vector<Neighbour>& neighbours);
+  PairModel(const PairModel&) = delete;
+  PairModel& operator=(const PairModel&) = delete;
+
+  const TriangleMesh& withArea() const { return with_area_ ? *with_area_ : original; }  ///< the triangles that FCL is asked about
+  TriangleMesh nearestWithArea(const Eigen::Vector3d& p) const;                         ///< the one nearest to p alone
+  TriangleMesh withAreaNear(const Eigen::AlignedBox3d& box) const;                      ///< those of them whose boxes meet a box
+  bool inSolid(const Eigen::Vector3d& p) const;
+
+  const std::string& name;
+  const UnitFrame frame;
+  const TriangleMesh original;
+  const std::vector<ConvexHull> hulls;
+  const std::vector<ProbeShape>& boxes;
+  std::vector<ProbeShape> neighbours;
+  std::vector<FclHull> fcl_hulls;
+  std::vector<Eigen::AlignedBox3d> hull_boxes;
+  TriangleMesh without_area;
+  std::unique_ptr<const TriangleBvh> bvh, bvh_without_area;
+  std::unique_ptr<const FclMesh> fcl_original;
+  const PoseSampler sampler;
+  double tolerance = 0;                           // of a verdict
+  double allowed = 0;                             // the certified protrusion, and what the tolerance and welding add to it
+  std::vector<Eigen::Vector3d> component_points;  // of the surface, one of each
+
+ private:
+  std::optional<TriangleMesh> with_area_;  // where there are others
+  std::shared_ptr<const Solid> solid_;
+  Eigen::Isometry3d to_solid_;  // from the pair's frame [m]
+};
+
+}  // namespace collision_hulls

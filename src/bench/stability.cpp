@@ -1,14 +1,11 @@
 #include "bench/stability.h"
 
-#include <signal.h>
-
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "bench/child_process.h"
+#include "bench/job_runner.h"
 #include "bench/jobs.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
@@ -22,7 +19,6 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double kOwnLimit = 300;        // [s] for writing meshes and scoring, which are not what is looked at
 constexpr double kChange = 0.1;          // share of the number of hulls that counts as a change, if it is more than one
 constexpr double kPeersRounding = 1e-6;  // in diagonals: what of the surface a program that writes decimal numbers may leave out
 
@@ -35,32 +31,6 @@ std::vector<Contender> contendersOf(const StabilityOptions& options) {
   for (const Method method : options.methods) contenders.push_back({name(method), ""});
   for (const Peer& peer : options.peers) contenders.push_back({peer.name, peer.command});
   return contenders;
-}
-
-/// The end of what a process wrote. The folder of its files says nothing and may be another next time.
-std::string onOneLine(std::string text, const std::string& folder) {
-  constexpr std::size_t kMost = 300;
-  for (std::size_t at; (at = text.find(folder + "/")) != std::string::npos;) text.erase(at, folder.size() + 1);
-  if (text.size() > kMost) text.erase(0, text.size() - kMost);
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  return text;
-}
-
-/// Outcome and message of a process that did not end well. A shell adds 128 to the signal that ended its command.
-void judge(const ChildResult& used, const fs::path& folder, StabilityRow& row) {
-  const bool by_signal = used.end == ChildResult::End::kSignal || used.code > 128;
-  if (used.end == ChildResult::End::kTimeout) {
-    row.outcome = "timeout";
-    row.message = "ended after " + csvNumber(used.wall_seconds) + " s";
-  } else if (by_signal) {
-    row.outcome = "crash";
-    row.message = strsignal(used.end == ChildResult::End::kSignal ? used.code : used.code - 128);
-  } else if (used.code != 0) {
-    row.outcome = "error";
-    row.message = onOneLine(used.output, folder.string());
-  }
 }
 
 TriangleMesh meshOf(const json& job) {
@@ -76,19 +46,15 @@ json putInTrouble(const json& job) {
   return {{"diagonal", diagonal(mesh)}};
 }
 
-/// The runs of a test in a folder of temporary files.
+void enter(const JobOutcome& outcome, StabilityRow& row) {
+  row.outcome = outcome.status;
+  row.message = outcome.message;
+}
+
+/// The runs on one mesh after the other.
 class Stability {
  public:
-  explicit Stability(const StabilityOptions& options) : options_(options), folder_(fs::path(options.folder) / ".stability") {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~Stability() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  Stability(const Stability&) = delete;
-  Stability& operator=(const Stability&) = delete;
+  explicit Stability(const StabilityOptions& options) : options_(options), runner_(options.program, options.folder) {}
 
   void run(const BenchmarkMesh& mesh, const std::function<void(const StabilityRow&)>& take) {
     hulls_without_trouble_.clear();
@@ -102,58 +68,61 @@ class Stability {
   }
 
  private:
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-
   void putInTrouble(const BenchmarkMesh& mesh, StabilityRow& row) {
-    const json done = doJob({{"job", "trouble"},
-                             {"file", mesh.file},
-                             {"scale", {mesh.scale.x(), mesh.scale.y(), mesh.scale.z()}},
-                             {"kind", name(row.trouble.kind)},
-                             {"amount", row.trouble.amount},
-                             {"seed", options_.seed},
-                             {"troubled", file("mesh.obj")}},
-                            kOwnLimit, row);
-    if (!done.is_object()) return;
+    JobOutcome outcome;
+    const json done = runner_.result({{"job", "trouble"},
+                                      {"file", mesh.file},
+                                      {"scale", {mesh.scale.x(), mesh.scale.y(), mesh.scale.z()}},
+                                      {"kind", name(row.trouble.kind)},
+                                      {"amount", row.trouble.amount},
+                                      {"seed", options_.seed},
+                                      {"troubled", runner_.file("mesh.obj")}},
+                                     outcome);
+    enter(outcome, row);
+    if (!outcome.ok()) return;
     diagonal_ = done["diagonal"].get<double>() * lengthFactor(row.trouble);
-    row.tolerance =
-        options_.tolerance.relative ? options_.tolerance.value * diagonal_ : options_.tolerance.value * lengthFactor(row.trouble);
+    const Length& tolerance = options_.tolerance;
+    row.tolerance = tolerance.value * (tolerance.relative ? diagonal_ : lengthFactor(row.trouble));
   }
 
   StabilityRow rowOf(const Contender& contender, StabilityRow row) {
     row.method = contender.name;
     if (row.outcome != "ok") return row;
-    fs::remove(file("hulls.obj"));
-    judge(runOnce(contender, row), folder_, row);
-    if (row.outcome == "ok" && !fs::exists(file("hulls.obj"))) {
-      row.outcome = "error";
-      row.message = "no hulls were written";
-    }
+    fs::remove(runner_.file("hulls.obj"));
+    const ChildResult used = runOnce(contender, row);
+    enter(runner_.judge(used, options_.time_limit), row);
+    if (row.outcome == "ok" && !fs::exists(runner_.file("hulls.obj")))
+      enter({"error", runner_.lastWords("no hulls were written", used.output)}, row);
     if (row.outcome == "ok") score(contender, row);
     return row;
   }
 
   ChildResult runOnce(const Contender& contender, const StabilityRow& row) const {
-    if (contender.command.empty()) {
-      return runJob({{"job", "decompose"},
-                     {"method", contender.name},
-                     {"effort", name(Effort::kQuick)},
-                     {"tolerance", *row.tolerance},
-                     {"seed", options_.seed},
-                     {"hulls", file("hulls.obj")}},
-                    options_.time_limit);
+    const std::string mesh = runner_.file("mesh.obj"), hulls = runner_.file("hulls.obj");
+    if (!contender.command.empty()) {
+      const std::string command = filledIn(contender.command, {{"in", mesh}, {"out", hulls}, {"tolerance", csvNumber(row.tolerance)}});
+      return runChild({"/bin/sh", "-c", command}, options_.time_limit);
     }
-    const std::string command =
-        filledIn(contender.command, {{"in", file("mesh.obj")}, {"out", file("hulls.obj")}, {"tolerance", csvNumber(row.tolerance)}});
-    return runChild({"/bin/sh", "-c", command}, options_.time_limit);
+    return runner_.run({{"job", "decompose"},
+                        {"file", mesh},
+                        {"scale", {1, 1, 1}},
+                        {"method", contender.name},
+                        {"effort", name(Effort::kQuick)},
+                        {"tolerance", *row.tolerance},
+                        {"seed", options_.seed},
+                        {"hulls", hulls}},
+                       options_.time_limit);
   }
 
   void score(const Contender& contender, StabilityRow& row) {
-    const json scored = doJob({{"job", "score"}, {"tolerance", *row.tolerance}, {"hulls", {file("hulls.obj")}}}, kOwnLimit, row);
-    if (!scored.is_object()) {
-      row.message = "the hulls could not be scored (" + row.outcome + "): " + row.message;
-      row.outcome = "error";
-      return;
-    }
+    JobOutcome outcome;
+    const json scored = runner_.result({{"job", "score"},
+                                        {"file", runner_.file("mesh.obj")},
+                                        {"scale", {1, 1, 1}},
+                                        {"tolerance", *row.tolerance},
+                                        {"hulls", {runner_.file("hulls.obj")}}},
+                                       outcome);
+    if (!outcome.ok()) return enter({"error", "the hulls could not be scored (" + outcome.status + "): " + outcome.message}, row);
     row.hulls = scored["hulls"].get<std::size_t>();
     row.protrusion = scored["protrusion"].get<double>();
     row.uncovered = scored["uncovered"].get<double>();
@@ -163,21 +132,8 @@ class Stability {
     row.outcome = outcomeOf(row, contender.command.empty() ? 0 : kPeersRounding * diagonal_);
   }
 
-  ChildResult runJob(json job, double limit) const {
-    if (!job.contains("file")) job.update({{"file", file("mesh.obj")}, {"scale", {1, 1, 1}}});
-    fs::remove(file("result.json"));
-    writeText(file("job.json"), job.dump());
-    return runChild({options_.program, kJobCommand, file("job.json"), file("result.json")}, limit);
-  }
-
-  /// What the job came to; null, and the row says why, where it came to nothing.
-  json doJob(const json& job, double limit, StabilityRow& row) const {
-    judge(runJob(job, limit), folder_, row);
-    return row.outcome == "ok" ? json::parse(readText(file("result.json")), nullptr, false) : json();
-  }
-
   const StabilityOptions& options_;
-  const fs::path folder_;
+  const JobRunner runner_;
   double diagonal_ = 0;
   std::map<std::string, std::size_t> hulls_without_trouble_;
 };

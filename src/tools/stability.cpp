@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "bench/fcl_stability.h"
+#include "bench/job_runner.h"
 #include "decompose_options.h"
 #include "list_options.h"
 #include "pipeline/files.h"

@@ -89,9 +89,9 @@ class Job {
 
  private:
   std::vector<Leaf> leaves(const ScoreWeights& weights, const std::function<void(double)>& progress) {
-    oracle_.setTolerance(kLeafShare * tolerance_);
+    oracle_.setShare(kLeafShare);
     std::vector<Leaf> leaves = cutIntoLeaves(mesh_, oracle_, {weights, max_vertices_}, progress);
-    oracle_.setTolerance(tolerance_);
+    oracle_.setShare(1);
     return leaves;
   }
 

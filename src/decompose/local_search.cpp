@@ -1,7 +1,8 @@
 // A move: dissolve a group (small ones sooner) and up to three of its neighbours. Elements that another group's hull covers anyway go
 // to that group. The others fall into random halves, single elements or the leaves' parts, by lot, and merge again with the groups
 // nearby, by a random kind of cost and with noise. The move counts if groups become fewer or, at their number, if the sum of their
-// squared areas does not fall: so large groups grow, and small ones starve until they can be done without.
+// squared areas does not fall: so large groups grow, and small ones starve until they can be done without. Proofs are dear: only a
+// cover by fewer groups is proven, and the search goes back to the last one that was if that fails.
 #include "decompose/local_search.h"
 
 #include <algorithm>
@@ -126,24 +127,46 @@ class Search {
   Dice dice_;
 };
 
+/// Whether the cover holds an element of each group such that no two of them may share a hull: then there is none by fewer groups.
+bool leastPossible(const Cover& cover, SurfaceGroups& groups) {
+  std::vector<int> chosen;
+  const auto apart_from_all = [&](int e) {
+    return std::all_of(chosen.begin(), chosen.end(), [&](int c) { return !groups.merged(groups.single(c), groups.single(e)).hull; });
+  };
+  for (const Group& g : cover) {
+    const auto e = std::find_if(g.elements.begin(), g.elements.end(), apart_from_all);
+    if (e == g.elements.end()) return false;
+    chosen.push_back(*e);
+  }
+  return true;
+}
+
 }  // namespace
 
 Cover improved(Cover cover, SurfaceGroups& groups, const SearchOptions& options, const std::function<void(double)>& progress) {
+  if (leastPossible(cover, groups)) return cover;
   Search search(groups, options.seed);
+  Cover current = cover;  // no more groups than `cover`, which alone is proven
   const long first = groups.evaluations();
   long idle = 0;
-  while (cover.size() > 1 && idle < kIdleMovesPerGroup * static_cast<long>(cover.size()) + kIdleMoves) {
+  while (idle < kIdleMovesPerGroup * static_cast<long>(cover.size()) + kIdleMoves) {
     const long made = groups.evaluations() - first;
     if (made >= options.evaluations) break;
     groups.control().check();
     progress(static_cast<double>(made) / static_cast<double>(options.evaluations));
     ++idle;
-    Cover next = search.moved(cover);
+    Cover next = search.moved(current);
     const bool fewer = next.size() < cover.size();
-    const bool no_worse = fewer || (next.size() == cover.size() && squaredAreas(next) >= squaredAreas(cover) * (1 - kRounding));
-    if (!no_worse || !groups.proven(next)) continue;
-    if (fewer) idle = 0;
-    cover = std::move(next);
+    if (!fewer && (next.size() > cover.size() || squaredAreas(next) < squaredAreas(current) * (1 - kRounding))) continue;
+    if (fewer && !groups.proven(next)) {
+      current = cover;  // some of it was refuted
+      continue;
+    }
+    current = std::move(next);
+    if (!fewer) continue;
+    cover = current;
+    idle = 0;
+    if (leastPossible(cover, groups)) break;
   }
   return cover;
 }

@@ -11,8 +11,8 @@ namespace collision_hulls {
 namespace {
 
 // Shares of the tolerance.
-constexpr double kReserve = 0.015;       // left to the certificate, whose bounds come from the hulls as written
-constexpr double kProofGap = 0.003;      // between the bounds of a proof
+constexpr double kReserve = 0.02;        // left to the certificate, whose bounds come from the hulls as written
+constexpr double kProofGap = 0.01;       // between the bounds of a proof
 constexpr double kQuickCell = 1;         // radius of the smallest cells asked for a quick answer,
 constexpr double kFineCell = 0.5;        // before a proof,
 constexpr double kIntruderCell = 0.125;  // and for intruders
@@ -51,8 +51,13 @@ void ProtrusionOracle::setTolerance(double tolerance) {
   known_.clear();
 }
 
-double ProtrusionOracle::ceiling() const {
-  return (1 - kReserve) * tolerance_;
+void ProtrusionOracle::setShare(double share) {
+  share_ = share;
+  known_.clear();
+}
+
+double ProtrusionOracle::intrusion() const {
+  return share_ * (1 - kReserve) * tolerance_;
 }
 
 bool ProtrusionOracle::mayFit(const ConvexHull& hull) {
@@ -64,10 +69,10 @@ bool ProtrusionOracle::fits(const ConvexHull& hull) {
   control_.check();
   if (holdsKnownIntruder(hull) || holdsIntruder(hull, kFineCell)) return false;
   SurfaceQuery on;
-  on.floor = on.ceiling = ceiling();
+  on.floor = on.ceiling = (1 - kReserve) * tolerance_;
   on.gap = kProofGap * tolerance_;
   const Protrusion most = largestOnSurface(hull, solid_, on, control_);
-  if (most.found <= ceiling()) return true;
+  if (most.found <= on.ceiling) return true;
   remember(most.where + kInward * (hull.vertices[0] - most.where));
   return false;
 }
@@ -101,10 +106,10 @@ double ProtrusionOracle::bound(const ConvexHull& hull) {
 
 bool ProtrusionOracle::holdsIntruder(const ConvexHull& hull, double resolution) {
   OutsideDistance::Query query;
-  query.floor = query.ceiling = ceiling();
-  query.resolution = resolution * tolerance_;
+  query.floor = query.ceiling = intrusion();
+  query.resolution = resolution * share_ * tolerance_;
   const OutsideDistance::Largest within = outside_.largest(hull, query);
-  if (within.found <= ceiling()) return false;
+  if (within.found <= intrusion()) return false;
   remember(within.where);
   return true;
 }
@@ -128,7 +133,7 @@ void ProtrusionOracle::remember(const Eigen::Vector3d& intruder) {
 
 std::vector<OutsideDistance::Intruder> ProtrusionOracle::intruders(const ConvexHull& hull, std::size_t wanted) {
   control_.check();
-  const std::vector<OutsideDistance::Intruder> all = outside_.intruders(hull, ceiling(), wanted, kIntruderCell * tolerance_);
+  const std::vector<OutsideDistance::Intruder> all = outside_.intruders(hull, intrusion(), wanted, kIntruderCell * share_ * tolerance_);
   if (all.empty()) {  // thinner than the cells
     SurfaceQuery on;
     on.gap = kIntruderCell * tolerance_;

@@ -26,7 +26,7 @@ class ProtrusionOracle {
   /// False: the hull protrudes too far. True: most likely it does not.
   bool mayFit(const ConvexHull& hull);
 
-  /// True: no point of the hull's surface is further from the solid than 99 % of the tolerance.
+  /// True: no point of the hull's surface is further from the solid than 99 % of the tolerance, by proof.
   bool fits(const ConvexHull& hull);
 
   /// Whether a pocket of the solid within the hull may be deeper than its surface shows and than the tolerance. Slow on some hulls.
@@ -43,15 +43,18 @@ class ProtrusionOracle {
   double tolerance() const { return tolerance_; }
   void setTolerance(double tolerance);  ///< [m] what was learned of the solid is kept
 
+  /// Intruders count from this share of the tolerance on; proofs are of the whole tolerance always.
+  void setShare(double share);
+
  private:
   bool holdsKnownIntruder(const ConvexHull& hull);
   bool holdsIntruder(const ConvexHull& hull, double resolution);
   void remember(const Eigen::Vector3d& intruder);
-  double ceiling() const;
+  double intrusion() const;
 
   const Solid& solid_;
   const RunControl& control_;
-  double tolerance_;
+  double tolerance_, share_ = 1;
   OutsideDistance outside_;
   std::vector<Eigen::Vector3d> known_;  // intruders, the most useful ones first
 };

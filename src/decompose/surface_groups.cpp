@@ -168,8 +168,9 @@ Group SurfaceGroups::merged(const Group& a, const Group& b) {
   return both;
 }
 
-bool SurfaceGroups::fitsWhenCapped(const ConvexHull& hull) {
-  if (max_vertices_ == 0 || hull.vertices.size() <= static_cast<std::size_t>(max_vertices_)) return true;
+/// A hull with its vertices capped holds the hull that it stands for.
+bool SurfaceGroups::fits(const ConvexHull& hull) {
+  if (max_vertices_ == 0 || hull.vertices.size() <= static_cast<std::size_t>(max_vertices_)) return oracle_.fits(hull);
   return oracle_.fits(reduceVertices(hull, max_vertices_).hull);
 }
 
@@ -177,7 +178,7 @@ bool SurfaceGroups::proven(const Group& group) {
   const auto found = known_.find(group.key);
   if (found == known_.end()) return true;  // a leaf, or a hull that was proven before it took an element over
   Known& known = found->second;
-  if (!known.proven) known.proven = known.may_fit = known.may_fit && oracle_.fits(*group.hull) && fitsWhenCapped(*group.hull);
+  if (!known.proven) known.proven = known.may_fit = known.may_fit && fits(*group.hull);
   return known.proven;
 }
 

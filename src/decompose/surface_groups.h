@@ -80,7 +80,7 @@ class SurfaceGroups {
   Group groupOf(const std::vector<int>& elements) const;
   std::vector<Eigen::Vector3d> pointsOf(const std::vector<int>& elements) const;
   void ask(const std::vector<Eigen::Vector3d>& points, Known& known);
-  bool fitsWhenCapped(const ConvexHull& hull);
+  bool fits(const ConvexHull& hull);
 
   std::vector<Element> elements_;
   std::vector<Group> singles_;

@@ -71,20 +71,21 @@ FclAnswer askPoint(const fcl::CollisionGeometryd& body, const Eigen::Vector3d& p
 /// fitter takes ten times as long for boxes along the axes of inertia, which make queries little faster.
 class BoxFitter : public fcl::detail::BVFitterBase<fcl::RSSd> {
  public:
-  void set(Eigen::Vector3d* vertices, fcl::Triangle* triangles, fcl::BVHModelType) override {
-    vertices_ = vertices;
-    triangles_ = triangles;
+  explicit BoxFitter(const TriangleMesh& mesh) {
+    boxes_.reserve(mesh.triangles.size());
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+      const Eigen::Vector3d &a = mesh.corner(t, 0), &b = mesh.corner(t, 1), &c = mesh.corner(t, 2);
+      boxes_.emplace_back(kEnlarged * a.cwiseMin(b).cwiseMin(c), kEnlarged * a.cwiseMax(b).cwiseMax(c));
+    }
   }
-  void set(Eigen::Vector3d* vertices, Eigen::Vector3d*, fcl::Triangle* triangles, fcl::BVHModelType type) override {
-    set(vertices, triangles, type);
-  }
-  void clear() override {}
+  void set(Eigen::Vector3d*, fcl::Triangle*, fcl::BVHModelType) override {}
+  void set(Eigen::Vector3d*, Eigen::Vector3d*, fcl::Triangle*, fcl::BVHModelType) override {}
+  void clear() override { boxes_ = {}; }
 
   /// The rectangle lies halfway up the box, across its shortest side; half of that is the radius.
   fcl::RSSd fit(unsigned int* indices, int count) override {
     Eigen::AlignedBox3d box;
-    for (int i = 0; i < count; ++i)
-      for (std::size_t k = 0; k < 3; ++k) box.extend(vertices_[triangles_[indices[i]][k]]);
+    for (int i = 0; i < count; ++i) box.extend(boxes_[indices[i]]);
     const Eigen::Vector3d size = box.sizes();
     Eigen::Index longest = 0;
     size.maxCoeff(&longest);
@@ -102,8 +103,7 @@ class BoxFitter : public fcl::detail::BVFitterBase<fcl::RSSd> {
   }
 
  private:
-  const Eigen::Vector3d* vertices_ = nullptr;
-  const fcl::Triangle* triangles_ = nullptr;
+  std::vector<Eigen::AlignedBox3d> boxes_;  // of the triangles
 };
 
 struct FclMesh::Impl {
@@ -112,7 +112,7 @@ struct FclMesh::Impl {
 
 FclMesh::FclMesh(const TriangleMesh& mesh) : impl_(std::make_unique<Impl>()) {
   if (mesh.triangles.empty()) return;
-  impl_->model.bv_fitter = std::make_shared<BoxFitter>();
+  impl_->model.bv_fitter = std::make_shared<BoxFitter>(mesh);
   impl_->model.beginModel(static_cast<int>(mesh.triangles.size()), static_cast<int>(mesh.vertices.size()));
   {
     std::vector<fcl::Triangle> triangles;

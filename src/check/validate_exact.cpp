@@ -55,9 +55,15 @@ std::vector<Eigen::Vector3d> clipped(const std::vector<Eigen::Vector3d>& polygon
   return result;
 }
 
-bool meets(const Corners& triangle, const ConvexHull& body) {
+/// A lower bound of the distance between a triangle and a body: how far it lies beyond one of the body's planes; below 0 if it does not.
+double gapBetween(const Corners& triangle, const ConvexHull& body) {
+  double most = -kFurthest;
   for (const HalfSpace& face : body.faces)
-    if (face.distance(triangle[0]) > 0 && face.distance(triangle[1]) > 0 && face.distance(triangle[2]) > 0) return false;
+    most = std::max(most, std::min({face.distance(triangle[0]), face.distance(triangle[1]), face.distance(triangle[2])}));
+  return most;
+}
+
+bool meets(const Corners& triangle, const ConvexHull& body) {
   std::vector<Eigen::Vector3d> polygon(triangle.begin(), triangle.end());
   for (const HalfSpace& face : body.faces) {
     polygon = clipped(polygon, face);
@@ -96,7 +102,9 @@ double distanceToBody(const TriangleMesh& mesh, const ConvexHull& body, double l
     const Eigen::AlignedBox3d triangle_box(triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]),
                                            triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]));
     if (triangle_box.squaredExteriorDistance(box) > least) continue;
-    if (meets(triangle, body)) return 0;
+    const double gap = gapBetween(triangle, body);
+    if (gap > 0 && gap * gap > least) continue;
+    if (gap <= 0 && meets(triangle, body)) return 0;
     for (int face = 0; face < static_cast<int>(skin.triangles.size()); ++face)
       least = std::min(least, squaredTriangleDistance(triangle, corners(skin, face)));
   }

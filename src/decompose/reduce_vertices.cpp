@@ -193,12 +193,12 @@ class OuterSurface {
     const Eigen::Vector3d along = (b - a).normalized(), normal = (b - a).cross(x - a);
     if (!(normal.norm() > kInLine * (b - a).norm() * (x - a).norm())) return std::nullopt;
     const Eigen::Vector3d up = normal.normalized(), toward = up.cross(along);
-    double slope = -1 / kInLine;
+    double slope = 0;  // of abx; that of any vertex is low enough to begin with
     for (int step = 0; step < kMostSteps; ++step) {
       last_ = held_.support.furthest(up - slope * toward, last_);
       const double run = toward.dot(held_.vertex(last_) - a), rise = up.dot(held_.vertex(last_) - a);
-      if (!(run > 0 && rise > slope * run)) break;
-      slope = rise / run;
+      if (step > 0 && !(run > 0 && rise > slope * run)) break;
+      slope = run > 0 ? rise / run : -1 / kInLine;
     }
     const Eigen::Vector3d turned = (up - slope * toward).normalized();
     return HalfSpace{turned, turned.dot(a)};

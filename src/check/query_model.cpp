@@ -8,6 +8,7 @@
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
+#include <deque>
 #include <limits>
 #include <set>
 
@@ -26,7 +27,7 @@ std::vector<Eigen::Vector3d> enlarged(std::vector<Eigen::Vector3d> vertices) {
 }
 
 std::size_t linkOf(const Object* object) {
-  return reinterpret_cast<std::size_t>(object->getUserData());
+  return *static_cast<const std::size_t*>(object->getUserData());
 }
 
 /// What a traversal of the tree carries along.
@@ -66,11 +67,13 @@ bool measurePair(Object* a, Object* b, void* data, double& least) {
 }  // namespace
 
 struct QueryModel::Impl {
-  void add(std::size_t link, std::shared_ptr<fcl::CollisionGeometryd> geometry) {
-    objects.push_back(std::make_unique<Object>(std::move(geometry)));
-    objects.back()->setUserData(reinterpret_cast<void*>(link));
+  void add(std::size_t link, const std::shared_ptr<fcl::CollisionGeometryd>& geometry) {
+    links.push_back(link);
+    objects.push_back(std::make_unique<Object>(geometry));
+    objects.back()->setUserData(&links.back());
   }
 
+  std::deque<std::size_t> links;  // of the objects, which point at them
   std::vector<std::unique_ptr<Object>> objects;
   fcl::DynamicAABBTreeCollisionManagerd tree;
 };

@@ -147,6 +147,12 @@ TriangleMesh withSpecks(const TriangleMesh& mesh, int count, Random& random) {
   return result;
 }
 
+/// As it is where so few vertices hold no triangle.
+TriangleMesh decimated(const TriangleMesh& mesh, double share) {
+  const TriangleMesh coarse = simplified(mesh, static_cast<std::size_t>(std::max(1.0, share * static_cast<double>(mesh.vertices.size()))));
+  return coarse.triangles.empty() ? mesh : coarse;
+}
+
 TriangleMesh largestTriangle(const TriangleMesh& mesh) {
   std::size_t largest = 0;
   for (std::size_t t = 1; t < mesh.triangles.size(); ++t)
@@ -170,7 +176,7 @@ TriangleMesh defective(const TriangleMesh& mesh, const Trouble& trouble, Random&
     case TroubleKind::kFlipped: return flipped(mesh, amount, random);
     case TroubleKind::kZeroArea: return withZeroArea(mesh, amount, random);
     case TroubleKind::kSliver: return withSlivers(mesh, amount, random);
-    case TroubleKind::kDecimation: return simplified(mesh, static_cast<std::size_t>(amount * static_cast<double>(mesh.vertices.size())));
+    case TroubleKind::kDecimation: return decimated(mesh, amount);
     case TroubleKind::kHole: return withHole(mesh, amount, random);
     case TroubleKind::kFin: return withFins(mesh, amount * diagonal(mesh), random);
     case TroubleKind::kSelfCrossing: return withCopy(mesh, 1, amount * diagonal(mesh) * random.direction());

@@ -70,8 +70,8 @@ class Job {
     const double step = 0.7 / static_cast<double>(plan_.cuts.size());
     for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
       const double from = step * static_cast<double>(i);
-      auto mine = std::make_unique<SurfaceGroups>(
-          elementsOf(leaves(plan_.cuts[i], stretch(control_, from, from + 0.8 * step)), plan_.elements), oracle_, max_vertices_);
+      auto mine = std::make_unique<SurfaceGroups>(leaves(plan_.cuts[i], stretch(control_, from, from + 0.8 * step)), plan_.elements,
+                                                  oracle_, max_vertices_);
       Cover cover = mergedBest(mine->leaves(), *mine);
       if (plan_.first_evaluations > 0)
         cover = improved(std::move(cover), *mine, {plan_.first_evaluations, seed}, stretch(control_, from + 0.8 * step, from + step));

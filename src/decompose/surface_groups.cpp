@@ -74,15 +74,18 @@ std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t cou
   return elements;
 }
 
-SurfaceGroups::SurfaceGroups(std::vector<Element> elements, ProtrusionOracle& oracle, int max_vertices)
-    : elements_(std::move(elements)), oracle_(oracle), max_vertices_(max_vertices) {
+SurfaceGroups::SurfaceGroups(const std::vector<Leaf>& leaves, std::size_t element_count, ProtrusionOracle& oracle, int max_vertices)
+    : elements_(elementsOf(leaves, element_count)), oracle_(oracle), max_vertices_(max_vertices) {
+  for (const Leaf& leaf : leaves) leaves_.push_back({std::make_shared<ConvexHull>(leaf.hull), 0});
+  for (const Element& e : elements_) ++leaves_[at(e.leaf)].elements;
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     Group group;
     group.elements = {static_cast<int>(i)};
     group.key = mixed(i);
     group.area = elements_[i].area;
     for (const Eigen::Vector3d& p : elements_[i].points) group.widths.extend(p);
-    group.hull = std::make_shared<ConvexHull>(roughHull(elements_[i].points));
+    const WholeLeaf& leaf = leaves_[at(elements_[i].leaf)];
+    group.hull = leaf.elements == 1 ? leaf.hull : std::make_shared<ConvexHull>(roughHull(elements_[i].points));
     singles_.push_back(std::move(group));
   }
 }
@@ -104,8 +107,13 @@ Cover SurfaceGroups::byLeaf(const std::vector<int>& elements) {
     }
     Group part = groupOf(mine);
     Known& known = known_[part.key];
-    if (!known.hull) known.hull = std::make_shared<ConvexHull>(roughHull(pointsOf(mine)));
-    known.asked = known.may_fit = known.proven = true;
+    const bool is_whole = mine.size() == leaves_[at(leaf)].elements;
+    if (is_whole)
+      known.hull = leaves_[at(leaf)].hull;
+    else if (!known.hull)
+      known.hull = std::make_shared<ConvexHull>(roughHull(pointsOf(mine)));
+    known.asked = known.may_fit = true;
+    known.proven = known.proven || is_whole || !overCap(*known.hull);
     part.hull = known.hull;
     parts.push_back(std::move(part));
   }
@@ -130,7 +138,7 @@ std::vector<Eigen::Vector3d> SurfaceGroups::pointsOf(const std::vector<int>& ele
 }
 
 ConvexHull SurfaceGroups::exactHull(const Group& group) const {
-  return convexHull(pointsOf(group.elements));
+  return overCap(*group.hull) ? *group.hull : convexHull(pointsOf(group.elements));
 }
 
 void SurfaceGroups::ask(const std::vector<Eigen::Vector3d>& points, Known& known) {
@@ -170,8 +178,11 @@ Group SurfaceGroups::merged(const Group& a, const Group& b) {
 
 /// A hull with its vertices capped holds the hull that it stands for.
 bool SurfaceGroups::fits(const ConvexHull& hull) {
-  if (max_vertices_ == 0 || hull.vertices.size() <= static_cast<std::size_t>(max_vertices_)) return oracle_.fits(hull);
-  return oracle_.fits(reduceVertices(hull, max_vertices_).hull);
+  return oracle_.fits(overCap(hull) ? reduceVertices(hull, max_vertices_).hull : hull);
+}
+
+bool SurfaceGroups::overCap(const ConvexHull& hull) const {
+  return max_vertices_ > 0 && hull.vertices.size() > static_cast<std::size_t>(max_vertices_);
 }
 
 bool SurfaceGroups::proven(const Group& group) {

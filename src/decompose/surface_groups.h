@@ -37,13 +37,14 @@ using Cover = std::vector<Group>;
 /// Groups and what is known of their hulls. The same set of elements is never asked about twice.
 class SurfaceGroups {
  public:
-  /// A hull with more than `max_vertices` (0: no cap) has to fit also when reduced to so many.
-  SurfaceGroups(std::vector<Element> elements, ProtrusionOracle& oracle, int max_vertices);
+  /// A hull with more than `max_vertices` (0: no cap) has to fit also when reduced to so many, as the leaves' hulls do.
+  /// `element_count` as for elementsOf().
+  SurfaceGroups(const std::vector<Leaf>& leaves, std::size_t element_count, ProtrusionOracle& oracle, int max_vertices);
 
   const Group& single(int element) const { return singles_[static_cast<std::size_t>(element)]; }
   Cover leaves();
 
-  /// These elements (ascending), parted by leaf: each part fits as its leaf does.
+  /// These elements (ascending), parted by leaf: each part lies in its leaf, which fits.
   Cover byLeaf(const std::vector<int>& elements);
 
   /// The group of these elements (ascending), if its hull may fit; without a hull if not.
@@ -65,7 +66,8 @@ class SurfaceGroups {
   /// Takes another group's element over; the hull must cover it.
   void add(int element, Group& group) const;
 
-  /// The hull of the group's own elements, which is no larger than the one that it has.
+  /// The hull of the group's own elements, which is no larger than the one that it has; but that one, which alone was proven with
+  /// its vertices capped, if it has too many.
   ConvexHull exactHull(const Group& group) const;
 
   long evaluations() const { return evaluations_; }  ///< hulls built and asked about so far
@@ -81,8 +83,14 @@ class SurfaceGroups {
   std::vector<Eigen::Vector3d> pointsOf(const std::vector<int>& elements) const;
   void ask(const std::vector<Eigen::Vector3d>& points, Known& known);
   bool fits(const ConvexHull& hull);
+  bool overCap(const ConvexHull& hull) const;
 
+  struct WholeLeaf {
+    std::shared_ptr<const ConvexHull> hull;
+    std::size_t elements = 0;
+  };
   std::vector<Element> elements_;
+  std::vector<WholeLeaf> leaves_;
   std::vector<Group> singles_;
   ProtrusionOracle& oracle_;
   int max_vertices_;

@@ -22,6 +22,7 @@ constexpr std::size_t kVertices = 200, kRoughVertices = 50;  // of the simplifie
 constexpr std::size_t kIntruders = 100, kRoughThinning = 3;  // for scoring; on the rough piece only each third
 constexpr std::size_t kFinalists = 8;                        // planes that are scored on the finer piece
 constexpr std::size_t kEdgesOfPiece = 4000;                  // a piece with fewer triangles shows its own reflex edges
+constexpr std::size_t kThin = 300;                           // vertices of a hull that intruders are looked for in
 constexpr double kOnPlane = 1e-9;                            // in extents of the whole mesh
 constexpr std::size_t kMostLeaves = 5000;                    // beyond so many the rest is left uncut
 constexpr int kHalveFrom = 40, kDeepest = 200;               // cuts above a piece: plain halving, the end
@@ -35,10 +36,12 @@ class Cutting {
 
   void run(SurfacePiece piece, int depth) {
     ConvexHull hull = roughHull(piece.vertices);
-    const bool fits = oracle_.fits(hull);
-    if (depth >= kDeepest || leaves.size() >= kMostLeaves || (fits && fitsWhenCapped(hull))) return leaf(std::move(piece), std::move(hull));
+    const ConvexHull thin = thinned(hull, kThin);
+    const bool clear = oracle_.mayWellFit(thin), over_cap = overCap(hull);
+    const bool fits = clear && oracle_.fits(over_cap ? reduceVertices(hull, options_.max_vertices).hull : hull);
+    if (fits || depth >= kDeepest || leaves.size() >= kMostLeaves) return leaf(std::move(piece), std::move(hull));
     std::vector<SurfacePiece> parts = components(piece);
-    if (parts.size() == 1) parts = fits || depth >= kHalveFrom ? halves(piece) : bestCut(piece, hull);
+    if (parts.size() == 1) parts = (clear && over_cap) || depth >= kHalveFrom ? halves(piece) : bestCut(piece, clear ? hull : thin);
     if (parts.size() == 1) return leaf(std::move(piece), std::move(hull));
     piece = {};
     for (SurfacePiece& part : parts) run(std::move(part), depth + 1);
@@ -53,9 +56,8 @@ class Cutting {
     leaves.push_back({std::move(piece), std::move(hull)});
   }
 
-  bool fitsWhenCapped(const ConvexHull& hull) {
-    if (options_.max_vertices == 0 || hull.vertices.size() <= static_cast<std::size_t>(options_.max_vertices)) return true;
-    return oracle_.fits(reduceVertices(hull, options_.max_vertices).hull);
+  bool overCap(const ConvexHull& hull) const {
+    return options_.max_vertices > 0 && hull.vertices.size() > static_cast<std::size_t>(options_.max_vertices);
   }
 
   /// The piece cut in the middle of its longest side: divides whatever has an extent.

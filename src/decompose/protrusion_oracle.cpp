@@ -1,9 +1,11 @@
 #include "decompose/protrusion_oracle.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "check/surface_search.h"
+#include "geometry/hull_support.h"
 #include "geometry/quickhull.h"
 
 namespace collision_hulls {
@@ -39,6 +41,25 @@ ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points) {
   return *std::move(hull);
 }
 
+ConvexHull thinned(const ConvexHull& hull, std::size_t most) {
+  if (hull.vertices.size() <= 2 * most || hull.thickness > 0) return hull;
+  constexpr double kGoldenAngle = 2.39996322972865332;
+  const HullSupport support(hull);
+  std::vector<int> chosen;
+  int at = 0;
+  for (std::size_t i = 0; i < most; ++i) {  // a spiral from pole to pole
+    const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(most), turn = kGoldenAngle * static_cast<double>(i);
+    const double r = std::sqrt(1 - z * z);
+    at = support.furthest({r * std::cos(turn), r * std::sin(turn), z}, at);
+    chosen.push_back(at);
+  }
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  std::vector<Eigen::Vector3d> points;
+  for (int v : chosen) points.push_back(hull.vertices[static_cast<std::size_t>(v)]);
+  return roughHull(points);
+}
+
 bool holds(const ConvexHull& hull, const Eigen::Vector3d& p) {
   return std::none_of(hull.faces.begin(), hull.faces.end(), [&](const HalfSpace& f) { return f.distance(p) > 0; });
 }
@@ -65,9 +86,13 @@ bool ProtrusionOracle::mayFit(const ConvexHull& hull) {
   return !holdsKnownIntruder(hull) && !holdsIntruder(hull, kQuickCell);
 }
 
-bool ProtrusionOracle::fits(const ConvexHull& hull) {
+bool ProtrusionOracle::mayWellFit(const ConvexHull& hull) {
   control_.check();
-  if (holdsKnownIntruder(hull) || holdsIntruder(hull, kFineCell)) return false;
+  return !holdsKnownIntruder(hull) && !holdsIntruder(hull, kFineCell);
+}
+
+bool ProtrusionOracle::fits(const ConvexHull& hull) {
+  if (!mayWellFit(hull)) return false;
   SurfaceQuery on;
   on.floor = on.ceiling = (1 - kReserve) * tolerance_;
   on.gap = kProofGap * tolerance_;

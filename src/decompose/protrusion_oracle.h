@@ -13,6 +13,10 @@ namespace collision_hulls {
 /// about once and mostly thrown away.
 ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points);
 
+/// The hull of about `most` of a hull's vertices, those furthest along as many directions: close to it where it is round. The hull
+/// itself where it has not many more.
+ConvexHull thinned(const ConvexHull& hull, std::size_t most);
+
 /// Whether p lies in the hull.
 bool holds(const ConvexHull& hull, const Eigen::Vector3d& p);
 
@@ -25,6 +29,9 @@ class ProtrusionOracle {
 
   /// False: the hull protrudes too far. True: most likely it does not.
   bool mayFit(const ConvexHull& hull);
+
+  /// The same, more thoroughly.
+  bool mayWellFit(const ConvexHull& hull);
 
   /// True: no point of the hull's surface is further from the solid than 99 % of the tolerance, by proof.
   bool fits(const ConvexHull& hull);

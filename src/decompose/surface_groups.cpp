@@ -37,17 +37,27 @@ std::vector<SurfacePiece> halves(const SurfacePiece& piece, double extent) {
   return {std::move(beneath), std::move(above)};
 }
 
-/// Of a hull that had to be made thicker the piece's own points count.
-Element elementOf(const SurfacePiece& piece, const ConvexHull& hull, int leaf) {
-  return {hull.thickness > 0 ? piece.vertices : hull.vertices, area(piece), leaf};
+/// Of a hull that had to be made thicker the piece's own points count. Directions are spaced so that on a round hull of this size a
+/// few per cent of the tolerance may lie between two of them.
+Element elementOf(const SurfacePiece& piece, const ConvexHull& hull, int leaf, double tolerance) {
+  constexpr double kDirectionsPerTolerance = 16, kFewest = 100, kMost = 2000;
+  const double directions = kDirectionsPerTolerance * boundingBox(hull).diagonal().norm() / tolerance;
+  Element element;
+  element.points = hull.thickness > 0 ? piece.vertices : hull.vertices;
+  element.likely =
+      hull.thickness > 0 ? piece.vertices : thinned(hull, static_cast<std::size_t>(std::clamp(directions, kFewest, kMost))).vertices;
+  element.area = area(piece);
+  element.leaf = leaf;
+  return element;
 }
 
 }  // namespace
 
-std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t count) {
+std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t count, double tolerance) {
   std::vector<Element> elements;
   if (count <= leaves.size()) {
-    for (std::size_t i = 0; i < leaves.size(); ++i) elements.push_back(elementOf(leaves[i].piece, leaves[i].hull, static_cast<int>(i)));
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+      elements.push_back(elementOf(leaves[i].piece, leaves[i].hull, static_cast<int>(i), tolerance));
     return elements;
   }
   Eigen::AlignedBox3d box;
@@ -70,13 +80,13 @@ std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t cou
     for (SurfacePiece& piece : pieces) large.push({area(piece), part.leaf, number++, std::move(piece)});
   }
   std::sort(done.begin(), done.end(), [](const Part& a, const Part& b) { return std::tie(a.leaf, a.number) < std::tie(b.leaf, b.number); });
-  for (const Part& part : done) elements.push_back(elementOf(part.piece, roughHull(part.piece.vertices), part.leaf));
+  for (const Part& part : done) elements.push_back(elementOf(part.piece, roughHull(part.piece.vertices), part.leaf, tolerance));
   return elements;
 }
 
 SurfaceGroups::SurfaceGroups(const std::vector<Leaf>& leaves, std::size_t element_count, ProtrusionOracle& oracle, int max_vertices)
-    : elements_(elementsOf(leaves, element_count)), oracle_(oracle), max_vertices_(max_vertices) {
-  for (const Leaf& leaf : leaves) leaves_.push_back({std::make_shared<ConvexHull>(leaf.hull), 0});
+    : elements_(elementsOf(leaves, element_count, oracle.tolerance())), oracle_(oracle), max_vertices_(max_vertices) {
+  for (const Leaf& leaf : leaves) leaves_.push_back({leaf.hull, 0});
   for (const Element& e : elements_) ++leaves_[at(e.leaf)].elements;
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     Group group;
@@ -84,8 +94,7 @@ SurfaceGroups::SurfaceGroups(const std::vector<Leaf>& leaves, std::size_t elemen
     group.key = mixed(i);
     group.area = elements_[i].area;
     for (const Eigen::Vector3d& p : elements_[i].points) group.widths.extend(p);
-    const WholeLeaf& leaf = leaves_[at(elements_[i].leaf)];
-    group.hull = leaf.elements == 1 ? leaf.hull : std::make_shared<ConvexHull>(roughHull(elements_[i].points));
+    group.hull = std::make_shared<ConvexHull>(roughHull(elements_[i].likely));
     singles_.push_back(std::move(group));
   }
 }
@@ -107,13 +116,8 @@ Cover SurfaceGroups::byLeaf(const std::vector<int>& elements) {
     }
     Group part = groupOf(mine);
     Known& known = known_[part.key];
-    const bool is_whole = mine.size() == leaves_[at(leaf)].elements;
-    if (is_whole)
-      known.hull = leaves_[at(leaf)].hull;
-    else if (!known.hull)
-      known.hull = std::make_shared<ConvexHull>(roughHull(pointsOf(mine)));
+    if (!known.hull) known.hull = std::make_shared<ConvexHull>(roughHull(likelyPointsOf(mine)));
     known.asked = known.may_fit = true;
-    known.proven = known.proven || is_whole || !overCap(*known.hull);
     part.hull = known.hull;
     parts.push_back(std::move(part));
   }
@@ -137,8 +141,25 @@ std::vector<Eigen::Vector3d> SurfaceGroups::pointsOf(const std::vector<int>& ele
   return points;
 }
 
+std::vector<Eigen::Vector3d> SurfaceGroups::likelyPointsOf(const std::vector<int>& elements) const {
+  std::vector<Eigen::Vector3d> points;
+  for (int e : elements) points.insert(points.end(), elements_[at(e)].likely.begin(), elements_[at(e)].likely.end());
+  return points;
+}
+
+bool SurfaceGroups::isWholeLeaf(const Group& group) const {
+  const int leaf = elements_[at(group.elements.front())].leaf;
+  const auto of_leaf = [&](int e) { return elements_[at(e)].leaf == leaf; };
+  return group.elements.size() == leaves_[at(leaf)].elements && std::all_of(group.elements.begin(), group.elements.end(), of_leaf);
+}
+
+ConvexHull SurfaceGroups::hullOf(const Group& group) const {
+  return isWholeLeaf(group) ? leaves_[at(elements_[at(group.elements.front())].leaf)].hull : roughHull(pointsOf(group.elements));
+}
+
 ConvexHull SurfaceGroups::exactHull(const Group& group) const {
-  return overCap(*group.hull) ? *group.hull : convexHull(pointsOf(group.elements));
+  ConvexHull hull = hullOf(group);
+  return overCap(hull) ? hull : convexHull(pointsOf(group.elements));
 }
 
 void SurfaceGroups::ask(const std::vector<Eigen::Vector3d>& points, Known& known) {
@@ -153,7 +174,7 @@ Group SurfaceGroups::whole(const std::vector<int>& elements) {
   if (elements.size() == 1) return single(elements[0]);
   Group group = groupOf(elements);
   Known& known = known_[group.key];
-  if (!known.asked) ask(pointsOf(elements), known);
+  if (!known.asked) ask(likelyPointsOf(elements), known);
   if (known.may_fit) group.hull = known.hull;
   return group;
 }
@@ -186,10 +207,10 @@ bool SurfaceGroups::overCap(const ConvexHull& hull) const {
 }
 
 bool SurfaceGroups::proven(const Group& group) {
-  const auto found = known_.find(group.key);
-  if (found == known_.end()) return true;  // a leaf, or a hull that was proven before it took an element over
-  Known& known = found->second;
-  if (!known.proven) known.proven = known.may_fit = known.may_fit && fits(*group.hull);
+  if (isWholeLeaf(group)) return true;
+  Known& known = known_[group.key];
+  if (!known.asked) known.asked = known.may_fit = true;  // it took an element over
+  if (!known.proven) known.proven = known.may_fit = known.may_fit && fits(hullOf(group));
   return known.proven;
 }
 
@@ -204,19 +225,21 @@ bool SurfaceGroups::proven(const Cover& cover) {
 bool SurfaceGroups::holdsPocket(const Group& group) {
   Known& known = known_[group.key];
   if (known.no_pocket) return false;
-  if (oracle_.holdsPocket(*group.hull)) {
-    known.asked = true, known.may_fit = known.proven = false;
-    return true;
+  known.asked = true;
+  known.no_pocket = !oracle_.holdsPocket(hullOf(group));
+  if (known.no_pocket) {
+    known.may_fit = known.proven = true;
+    known.hull = group.hull;
+  } else {
+    known.may_fit = known.proven = false;
   }
-  known.no_pocket = known.asked = known.may_fit = known.proven = true;
-  known.hull = group.hull;
-  return false;
+  return !known.no_pocket;
 }
 
 bool SurfaceGroups::covers(const Group& group, int element) const {
   if (!group.widths.contains(single(element).widths) && !std::binary_search(group.elements.begin(), group.elements.end(), element))
     return false;
-  const std::vector<Eigen::Vector3d>& points = elements_[at(element)].points;
+  const std::vector<Eigen::Vector3d>& points = elements_[at(element)].likely;
   return std::all_of(points.begin(), points.end(), [&](const Eigen::Vector3d& p) { return holds(*group.hull, p); });
 }
 

@@ -15,20 +15,22 @@ namespace collision_hulls {
 /// A piece of surface that is not divided any more.
 struct Element {
   std::vector<Eigen::Vector3d> points;  ///< vertices of its hull
+  std::vector<Eigen::Vector3d> likely;  ///< of these those that matter most: all if they are few
   double area = 0;                      ///< [m^2]
   int leaf = 0;                         ///< that it was cut from
 };
 
-/// The leaves as elements, halved, largest first, until there are `count` (0: the leaves as they are). Ordered by leaf.
-std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t count);
+/// The leaves as elements, halved, largest first, until there are `count` (0: the leaves as they are). Ordered by leaf. `tolerance` [m]
+/// decides how many points are likely to matter.
+std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t count, double tolerance);
 
 /// Elements that one hull covers.
 struct Group {
-  std::vector<int> elements;  ///< ascending
-  std::uint64_t key = 0;      ///< of the set of elements
-  double area = 0;            ///< [m^2]
-  Widths widths;              ///< of the elements
-  std::shared_ptr<const ConvexHull> hull;
+  std::vector<int> elements;               ///< ascending
+  std::uint64_t key = 0;                   ///< of the set of elements
+  double area = 0;                         ///< [m^2]
+  Widths widths;                           ///< of the elements
+  std::shared_ptr<const ConvexHull> hull;  ///< of their likely points
 };
 
 /// Groups that have every element among them, in one of them.
@@ -66,8 +68,8 @@ class SurfaceGroups {
   /// Takes another group's element over; the hull must cover it.
   void add(int element, Group& group) const;
 
-  /// The hull of the group's own elements, which is no larger than the one that it has; but that one, which alone was proven with
-  /// its vertices capped, if it has too many.
+  /// The hull of all points of the group's elements. If it has more vertices than the cap it is, to the last bit, what was proven with
+  /// its vertices capped.
   ConvexHull exactHull(const Group& group) const;
 
   long evaluations() const { return evaluations_; }  ///< hulls built and asked about so far
@@ -81,12 +83,15 @@ class SurfaceGroups {
   };
   Group groupOf(const std::vector<int>& elements) const;
   std::vector<Eigen::Vector3d> pointsOf(const std::vector<int>& elements) const;
+  std::vector<Eigen::Vector3d> likelyPointsOf(const std::vector<int>& elements) const;
+  ConvexHull hullOf(const Group& group) const;
+  bool isWholeLeaf(const Group& group) const;
   void ask(const std::vector<Eigen::Vector3d>& points, Known& known);
   bool fits(const ConvexHull& hull);
   bool overCap(const ConvexHull& hull) const;
 
   struct WholeLeaf {
-    std::shared_ptr<const ConvexHull> hull;
+    ConvexHull hull;
     std::size_t elements = 0;
   };
   std::vector<Element> elements_;

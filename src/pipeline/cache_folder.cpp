@@ -8,9 +8,8 @@
 #include <chrono>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <utility>
-
-#include "pipeline/files.h"
 
 namespace collision_hulls {
 
@@ -78,7 +77,9 @@ std::optional<std::string> CacheFolder::find(const std::string& name) {
   const fs::path file = folder_ / name;
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) return std::nullopt;
-  std::string content = readText(file);
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return std::nullopt;  // removed meanwhile
+  std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
   return content;
 }

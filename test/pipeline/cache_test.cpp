@@ -184,7 +184,7 @@ TEST(CacheKeys, EachInputOfAnElementCounts) {
       [](ElementReport&, std::string&, Options& o) {
         o.tolerance = {0.01, false};
       },
-      [](ElementReport&, std::string&, Options& o) { o.method = Method::kCertified; },
+      [](ElementReport&, std::string&, Options& o) { o.method = Method::kHacd; },
       [](ElementReport&, std::string&, Options& o) { o.effort = Effort::kBest; },
       [](ElementReport&, std::string&, Options& o) { o.max_hulls = 3; },
       [](ElementReport&, std::string&, Options& o) { o.max_vertices = 32; },

@@ -32,7 +32,7 @@ const char* name(Effort effort);  ///< "quick", "best"
 std::optional<Effort> effortNamed(const std::string& name);
 
 struct DecomposeOptions {
-  Method method = Method::kHacd;
+  Method method = Method::kCertified;
   double tolerance = 0;    ///< [m] > 0: protrusion that the caller accepts (hacd, acd: the papers' concavity epsilon)
   int max_hulls = 0;       ///< most hulls per mesh; 0: no cap
   int max_vertices = 64;   ///< most vertices per hull, at least 8; 0: no cap. Reduced outward only

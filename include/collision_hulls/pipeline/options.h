@@ -28,7 +28,7 @@ std::optional<UriStyle> uriStyleNamed(const std::string& name);
 
 struct Options {
   Length tolerance{0.01, true};
-  Method method = Method::kHacd;
+  Method method = Method::kCertified;
   Effort effort = Effort::kQuick;
   int max_hulls = 0;      ///< per mesh; 0: no cap
   int max_vertices = 64;  ///< per hull; 0: no cap

@@ -34,7 +34,7 @@ struct ElementReport {
   std::string reason;  ///< why degraded or failed; names item, value, limit and remedy
   std::string error;   ///< of a failed row: the name of its ErrorCode
   RepairCounts repair;
-  Method method = Method::kHacd;
+  Method method = Method::kCertified;
   double tolerance = 0;
   std::size_t hulls = 0, hull_vertices = 0;
   double uncovered = 0, protrusion = 0, protrusion_found = 0;

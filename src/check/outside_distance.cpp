@@ -51,6 +51,13 @@ struct OutsideDistance::View {
   }
 };
 
+bool OutsideDistance::isOutside(const Cell& cell, const ConvexHull& hull, const std::vector<int>& faces) {
+  return std::any_of(faces.begin(), faces.end(), [&](int f) {
+    const HalfSpace& face = hull.faces[static_cast<std::size_t>(f)];
+    return face.distance(cell.centre) > cell.half * face.normal.lpNorm<1>();
+  });
+}
+
 OutsideDistance::OutsideDistance(const Solid& solid, const Eigen::AlignedBox3d& box) : solid_(solid) {
   Cell root;
   root.centre = box.center();
@@ -76,6 +83,7 @@ void OutsideDistance::measure(Cell& cell, const Cell* parent) const {
     cell.distance = solid_.signedDistance(cell.centre, n.distance);
 }
 
+/// Not measured yet: the hull that asks may lie in few of them.
 int OutsideDistance::children(int id) {
   if (cells_[static_cast<std::size_t>(id)].children >= 0) return cells_[static_cast<std::size_t>(id)].children;
   const Cell parent = cells_[static_cast<std::size_t>(id)];
@@ -84,11 +92,16 @@ int OutsideDistance::children(int id) {
     Cell cell;
     cell.half = parent.half / 2;
     cell.centre = parent.centre + cell.half * Eigen::Vector3d(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
-    measure(cell, &parent);
     if (parent.summit == 0) cell.summit = 0;
     cells_.push_back(cell);
   }
   return cells_[static_cast<std::size_t>(id)].children = first;
+}
+
+const OutsideDistance::Cell& OutsideDistance::measuredChild(int id, int parent) {
+  Cell& cell = cells_[static_cast<std::size_t>(id)];
+  if (cell.triangle < 0) measure(cell, &cells_[static_cast<std::size_t>(parent)]);
+  return cell;
 }
 
 bool OutsideDistance::mayHoldSummit(int id) {
@@ -98,7 +111,8 @@ bool OutsideDistance::mayHoldSummit(int id) {
 }
 
 /// Bound over a divided cell by the distances to the triangles nearest to its own and its children's centres.
-double OutsideDistance::levelBound(int id) const {
+double OutsideDistance::levelBound(int id) {
+  for (int k = 0; k < 8; ++k) measuredChild(cells_[static_cast<std::size_t>(id)].children + k, id);
   const Cell& cell = cells_[static_cast<std::size_t>(id)];
   LevelBound<8, 9> bound;
   bound.add(cell.triangle);
@@ -153,7 +167,8 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
     const int first = children(open.cell);
     if (query.summits_only && levelBound(open.cell) <= enough()) continue;
     for (int k = first; k < first + 8; ++k) {
-      const Cell& child = cells_[static_cast<std::size_t>(k)];
+      if (isOutside(cells_[static_cast<std::size_t>(k)], hull, faces.back())) continue;
+      const Cell& child = measuredChild(k, open.cell);
       if (child.distance + radius(child) > enough()) queue.push({child.distance + radius(child), k, faces.size() - 1});
     }
   }
@@ -186,7 +201,11 @@ std::vector<OutsideDistance::Intruder> OutsideDistance::intruders(const ConvexHu
     level.clear();
     for (const Open& open : divided) {
       const int first = children(open.cell);
-      for (int k = first; k < first + 8; ++k) level.push_back({k, open.faces});
+      for (int k = first; k < first + 8; ++k) {
+        if (isOutside(cells_[static_cast<std::size_t>(k)], hull, open.faces)) continue;
+        measuredChild(k, open.cell);
+        level.push_back({k, open.faces});
+      }
     }
   }
   return found;

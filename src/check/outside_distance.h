@@ -47,17 +47,19 @@ class OutsideDistance {
     double half = 0;          // side / 2
     double to_surface = 0;    // at the centre
     double distance = 0;      // the same, signed: see Solid::signedDistance()
-    int triangle = -1;        // nearest
+    int triangle = -1;        // nearest; -1: not yet measured
     int children = -1;        // first of eight
     signed char summit = -1;  // whether it may hold a local maximum; -1: not yet asked
   };
   struct View;  // of a cell by a hull
 
+  static bool isOutside(const Cell& cell, const ConvexHull& hull, const std::vector<int>& faces);
   double radius(const Cell& cell) const;
   void measure(Cell& cell, const Cell* parent) const;
   int children(int cell);
+  const Cell& measuredChild(int cell, int parent);
   bool mayHoldSummit(int cell);
-  double levelBound(int cell) const;
+  double levelBound(int cell);
 
   const Solid& solid_;
   std::vector<Cell> cells_;

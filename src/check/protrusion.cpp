@@ -13,6 +13,8 @@ namespace collision_hulls {
 
 namespace {
 
+constexpr double kLooseGap = 16;  // of the first search, in gaps of the last
+
 /// Keeps the further of two places, and the larger of two bounds.
 void add(Protrusion& worst, const Protrusion& other) {
   const double bound = std::max({worst.bound, other.bound, other.found});
@@ -56,14 +58,24 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
   for (const ConvexHull& hull : hulls)
     for (const Eigen::Vector3d& v : hull.vertices)
       if (solid.distanceToSurface(v) > floor) floor = std::max(floor, solid.distance(v));
+  // Then all hulls loosely, and closely those that may reach further than what was found.
   std::vector<Protrusion> each(hulls.size());
-  tbb::parallel_for(std::size_t{0}, hulls.size(), [&](std::size_t i) {
-    SurfaceQuery query;
-    query.floor = floor * (1 - 1e-9);  // so that the vertex itself is found again
-    query.gap = gap / 2;
-    each[i] = largestOnSurface(hulls[i], solid, query, control);
-    each[i].hull = static_cast<int>(i);
-  });
+  for (const double closeness : {kLooseGap, 1.0}) {
+    tbb::parallel_for(std::size_t{0}, hulls.size(), [&](std::size_t i) {
+      SurfaceQuery query;
+      query.floor = floor * (1 - 1e-9);
+      query.gap = closeness * gap / 2;
+      if (each[i].hull >= 0 && each[i].bound <= floor + query.gap) return;
+      Protrusion found = largestOnSurface(hulls[i], solid, query, control);
+      found.hull = static_cast<int>(i);
+      if (found.found < each[i].found) {  // the place is beneath the floor now
+        each[i].bound = std::max(found.bound, each[i].found);
+        return;
+      }
+      each[i] = found;
+    });
+    for (const Protrusion& p : each) floor = std::max(floor, p.found);
+  }
   Protrusion worst;
   for (const Protrusion& p : each) add(worst, p);
   addSummits(worst, hulls, solid, gap / 2, control);

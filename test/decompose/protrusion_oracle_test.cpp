@@ -1,0 +1,178 @@
+#include "decompose/protrusion_oracle.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "subject.h"
+
+namespace collision_hulls {
+namespace {
+
+using namespace test_shapes;
+
+/// Largest distance of a vertex of `hull` to `inner`, which it holds.
+double shrinkage(const ConvexHull& inner, const ConvexHull& hull) {
+  double most = 0;
+  for (const Eigen::Vector3d& v : hull.vertices) most = std::max(most, distance(inner, v));
+  return most;
+}
+
+TEST(RoughHull, HoldsItsPoints) {
+  RandomPoints random(1);
+  for (double place : {0.0, 100.0}) {
+    std::vector<Eigen::Vector3d> points = random.cloud(200);
+    for (Eigen::Vector3d& p : points) p += Eigen::Vector3d::Constant(place);
+    const ConvexHull rough = roughHull(points);
+    for (const Eigen::Vector3d& p : points) EXPECT_LE(planeDistance(rough, p), 1e-12 * (1 + place));
+    EXPECT_NEAR(volume(rough), volume(convexHull(points)), 1e-9);
+  }
+}
+
+TEST(RoughHull, OfDegeneratePointsIsABody) {
+  EXPECT_GT(volume(roughHull({{1, 2, 3}})), 0);
+  EXPECT_GT(volume(roughHull({{0, 0, 0}, {1, 0, 0}})), 0);
+  EXPECT_GT(volume(roughHull(sheet().vertices)), 0);
+}
+
+TEST(Thinned, LeavesSmallAndFlatHullsAlone) {
+  const ConvexHull small = hullOf(sphere(1, 3)), plate = hullOf(sheet(1, 1, 20));
+  EXPECT_EQ(thinned(small, 100).vertices, small.vertices);
+  EXPECT_EQ(thinned(plate, 2).vertices, plate.vertices);
+}
+
+TEST(Thinned, StaysWithinAndNear) {
+  for (const TriangleMesh& mesh : {sphere(1, 30), flange(40, 0.4, 1, 0.01, 0.15, 20)}) {
+    const ConvexHull hull = hullOf(mesh);
+    double last = std::numeric_limits<double>::infinity();
+    for (std::size_t most : {50, 200, 700}) {
+      const ConvexHull thin = thinned(hull, most);
+      EXPECT_LE(thin.vertices.size(), most);
+      for (const Eigen::Vector3d& v : thin.vertices) EXPECT_LE(planeDistance(hull, v), 1e-9);
+      const double shrunk = shrinkage(thin, hull);
+      EXPECT_LT(shrunk, last);
+      last = shrunk;
+    }
+    EXPECT_LE(last, 0.02);
+  }
+}
+
+TEST(Holds, WhatIsInside) {
+  const ConvexHull cube = boxHull({0, 0, 0}, {1, 1, 1});
+  EXPECT_TRUE(holds(cube, {0.5, 0.5, 0.5}));
+  EXPECT_FALSE(holds(cube, {0.5, 0.5, 1.01}));
+  RandomPoints random(3);
+  for (int i = 0; i < 500; ++i) {
+    const Eigen::Vector3d p = random.inCube(2);
+    EXPECT_EQ(holds(cube, p), p.minCoeff() >= 0 && p.maxCoeff() <= 1) << p.transpose();
+  }
+}
+
+TEST(Oracle, ExactBoxesFit) {
+  Subject subject(box(1, 2, 3), 0.01);
+  const ConvexHull hull = hullOf(subject.mesh.mesh);
+  EXPECT_TRUE(subject.oracle.mayFit(hull));
+  EXPECT_TRUE(subject.oracle.mayWellFit(hull));
+  EXPECT_TRUE(subject.oracle.fits(hull));
+  EXPECT_FALSE(subject.oracle.holdsPocket(hull));
+  EXPECT_LE(subject.oracle.bound(hull), 0.02 * 0.01);
+}
+
+TEST(Oracle, TheHullOfAChannelDoesNotFitButItsWallsDo) {
+  Subject subject(uChannel(), 0.05);
+  EXPECT_FALSE(subject.oracle.fits(hullOf(subject.mesh.mesh)));
+  EXPECT_FALSE(subject.oracle.mayFit(hullOf(subject.mesh.mesh)));
+  for (const ConvexHull& wall : {boxHull({0, 0, 0}, {1, 0.1, 2}), boxHull({0, 0, 0}, {0.1, 1, 2}), boxHull({0.9, 0, 0}, {1, 1, 2})})
+    EXPECT_TRUE(subject.oracle.fits(wall));
+}
+
+/// A lid of a box's top that stands off by a known distance: the answer turns at the tolerance, less a reserve of a few per cent.
+TEST(Oracle, TurnsAtTheTolerance) {
+  const TriangleMesh cube = box(1, 1, 1);
+  for (double tolerance : {0.2, 0.05, 0.01}) {
+    const auto raised = [&](double share) { return boxHull({0.2, 0.2, 0}, {0.8, 0.8, 1 + share * tolerance}); };
+    const RunControl control;
+    const Solid solid = solidOf(cube);
+    ProtrusionOracle oracle(solid, {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 2)}, tolerance, control);
+    EXPECT_TRUE(oracle.fits(raised(0.95)));
+    EXPECT_FALSE(oracle.fits(raised(1.001)));
+    EXPECT_TRUE(oracle.fits(raised(0.95))) << "also after a refusal";
+    EXPECT_FALSE(oracle.fits(raised(3)));
+    oracle.setShare(0.5);
+    EXPECT_TRUE(oracle.mayFit(raised(0.4)));
+    EXPECT_FALSE(oracle.mayFit(raised(0.8)));
+    oracle.setShare(1);
+    oracle.setTolerance(4 * tolerance);
+    EXPECT_TRUE(oracle.fits(raised(3)));
+  }
+}
+
+TEST(Oracle, FitsIsAProof) {
+  const unsigned seed = 4;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  RandomPoints random(seed);
+  Subject subject(torus(1, 0.3, 16, 8), 0.1);
+  int fit = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Eigen::Vector3d p = random.on(subject.mesh.mesh);
+    std::vector<Eigen::Vector3d> points;
+    for (const Eigen::Vector3d& v : subject.mesh.mesh.vertices)
+      if ((v - p).norm() < 0.8) points.push_back(v);
+    points.resize(std::min<std::size_t>(points.size(), static_cast<std::size_t>(4 + random.index(8))));
+    const ConvexHull hull = roughHull(points);
+    const bool fits = subject.oracle.fits(hull);
+    const double found = protrusion({hull}, subject.solid, 0.001).found;
+    EXPECT_TRUE(fits ? found <= 0.1 : found >= 0.09) << found;
+    fit += fits;
+  }
+  EXPECT_GT(fit, 5);
+  EXPECT_LT(fit, 95);
+}
+
+TEST(Oracle, BoundsAreAboveAndNear) {
+  Subject subject(lBracket(), 0.02);
+  const ConvexHull hull = hullOf(subject.mesh.mesh);
+  const double exact = protrusion({hull}, subject.solid, 1e-4).found;
+  const double bound = subject.oracle.bound(hull);
+  EXPECT_GE(bound, exact);
+  EXPECT_LE(bound, 1.05 * exact + 0.05 * 0.02);
+}
+
+TEST(Oracle, PocketsAreSeenBehindANarrowNeck) {
+  Subject subject(flask(), 0.5);
+  const ConvexHull hull = hullOf(subject.mesh.mesh);
+  EXPECT_TRUE(subject.oracle.holdsPocket(hull));
+  subject.oracle.setTolerance(1.1);
+  EXPECT_FALSE(subject.oracle.holdsPocket(hull));
+}
+
+TEST(Oracle, IntrudersLieInTheHullAndBeyondTheTolerance) {
+  for (const TriangleMesh& mesh : {uChannel(), openBox(), torus(1, 0.3, 16, 8)}) {
+    const double tolerance = 0.02 * diagonal(mesh);
+    Subject subject(mesh, tolerance);
+    const ConvexHull hull = hullOf(mesh);
+    const auto intruders = subject.oracle.intruders(hull, 50);
+    EXPECT_GE(intruders.size(), 25u);
+    EXPECT_LE(intruders.size(), 100u);
+    for (const OutsideDistance::Intruder& i : intruders) {
+      EXPECT_LE(planeDistance(hull, i.p), 1e-9);
+      EXPECT_NEAR(subject.solid.distance(i.p), i.distance, 1e-9);
+      EXPECT_GT(i.distance, 0.98 * tolerance);  // what a proof asks for
+      EXPECT_GT(i.weight, 0);
+    }
+  }
+}
+
+TEST(Oracle, IsCancelled) {
+  Subject subject(uChannel(), 0.05);
+  subject.control.cancel();
+  const ConvexHull hull = hullOf(subject.mesh.mesh);
+  EXPECT_THROW(subject.oracle.mayFit(hull), Error);
+  EXPECT_THROW(subject.oracle.fits(hull), Error);
+  EXPECT_THROW(subject.oracle.bound(hull), Error);
+  EXPECT_THROW(subject.oracle.holdsPocket(hull), Error);
+  EXPECT_THROW(subject.oracle.intruders(hull, 10), Error);
+}
+
+}  // namespace
+}  // namespace collision_hulls

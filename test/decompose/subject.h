@@ -1,0 +1,77 @@
+// What the parts of the certified method are tested with: a mesh, its solid, and an oracle for both.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "collision_hulls/check/measures.h"
+#include "decompose/cutting.h"
+#include "decompose/protrusion_oracle.h"
+#include "decompose/surface_groups.h"
+#include "solids.h"
+
+namespace collision_hulls {
+namespace test_shapes {
+
+inline Eigen::AlignedBox3d boxOf(const RepairedMesh& mesh) {
+  Eigen::AlignedBox3d box = boundingBox(mesh.mesh);
+  for (const Eigen::Vector3d& p : mesh.loose) box.extend(p);
+  return box;
+}
+
+struct Subject {
+  Subject(const TriangleMesh& original, double tolerance)
+      : mesh(repair(original)), solid(mesh), oracle(solid, boxOf(mesh), tolerance, control) {}
+
+  std::vector<Leaf> leaves(const CutOptions& options = {}) {
+    return cutIntoLeaves(mesh, oracle, options, [](double) {});
+  }
+  double protrusionOf(const std::vector<ConvexHull>& hulls) const { return protrusion(hulls, solid, 0.01 * oracle.tolerance()).bound; }
+
+  RepairedMesh mesh;
+  RunControl control;
+  Solid solid;
+  ProtrusionOracle oracle;
+};
+
+/// A leaf as it is, whether its hull fits or not.
+inline Leaf leafOf(const TriangleMesh& mesh) {
+  return {mesh, roughHull(mesh.vertices)};
+}
+
+/// Each element that is in any of the groups, as often as it is.
+inline std::vector<int> elementsIn(const Cover& cover) {
+  std::vector<int> all;
+  for (const Group& g : cover) all.insert(all.end(), g.elements.begin(), g.elements.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+inline std::vector<int> upTo(std::size_t count) {
+  std::vector<int> all(count);
+  for (std::size_t i = 0; i < count; ++i) all[i] = static_cast<int>(i);
+  return all;
+}
+
+inline Cover singlesOf(const SurfaceGroups& groups, std::size_t count) {
+  Cover cover;
+  for (std::size_t i = 0; i < count; ++i) cover.push_back(groups.single(static_cast<int>(i)));
+  return cover;
+}
+
+inline std::vector<ConvexHull> exactHulls(const Cover& cover, const SurfaceGroups& groups) {
+  std::vector<ConvexHull> hulls;
+  for (const Group& g : cover) hulls.push_back(groups.exactHull(g));
+  return hulls;
+}
+
+inline std::vector<std::vector<int>> elementSets(const Cover& cover) {
+  std::vector<std::vector<int>> sets;
+  for (const Group& g : cover) sets.push_back(g.elements);
+  return sets;
+}
+
+}  // namespace test_shapes
+}  // namespace collision_hulls

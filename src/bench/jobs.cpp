@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kCertificateGap = 0.01;  // of the tolerance: how far apart the two bounds of the protrusion may stay
+constexpr double kCertificateGap = 0.001;  // of the tolerance: how far apart the two bounds of the protrusion may stay
 
 /// A mesh as read and scaled, and what repairing makes of it.
 struct Original {

@@ -26,7 +26,7 @@ struct Plan {
 Plan planFor(Effort effort) {
   const ScoreWeights large_sides{0.5, 0.3, 0}, any_side{0.5, 0, 0.1}, little_volume{0.1, 0, 0};
   if (effort == Effort::kQuick) return {{large_sides}, 0, 0, 400};
-  return {{large_sides, any_side, little_volume}, 150, 200, 2000};
+  return {{large_sides, any_side, little_volume}, 150, 200, 3500};
 }
 
 /// The mesh moved so that `middle` is the origin: near it coordinates are finest, however far away the mesh lies.

@@ -19,6 +19,7 @@ constexpr double kInHalves = 0.4, kSingly = 0.2;  // how often groups fall into 
 constexpr int kNoiseLevels = 4;                   // 0, 0.1, ...
 constexpr double kNoiseStep = 0.1;
 constexpr long kIdleMovesPerGroup = 20, kIdleMoves = 200;  // without gain before the search ends
+constexpr std::size_t kMostToProve = 8;                    // groups: of more it hardly ever succeeds
 constexpr double kRounding = 1e-12;
 constexpr int kTrials = 20;  // of getting rid of pockets
 
@@ -129,6 +130,7 @@ class Search {
 
 /// Whether the cover holds an element of each group such that no two of them may share a hull: then there is none by fewer groups.
 bool leastPossible(const Cover& cover, SurfaceGroups& groups) {
+  if (cover.size() > kMostToProve) return false;
   std::vector<int> chosen;
   const auto apart_from_all = [&](int e) {
     return std::all_of(chosen.begin(), chosen.end(), [&](int c) { return !groups.merged(groups.single(c), groups.single(e)).hull; });
@@ -147,7 +149,7 @@ Cover improved(Cover cover, SurfaceGroups& groups, const SearchOptions& options,
   if (leastPossible(cover, groups)) return cover;
   Search search(groups, options.seed);
   Cover current = cover;  // no more groups than `cover`, which alone is proven
-  const long first = groups.evaluations();
+  long first = groups.evaluations();
   long idle = 0;
   while (idle < kIdleMovesPerGroup * static_cast<long>(cover.size()) + kIdleMoves) {
     const long made = groups.evaluations() - first;
@@ -166,7 +168,9 @@ Cover improved(Cover cover, SurfaceGroups& groups, const SearchOptions& options,
     if (!fewer) continue;
     cover = current;
     idle = 0;
+    const long before = groups.evaluations();
     if (leastPossible(cover, groups)) break;
+    first += groups.evaluations() - before;
   }
   return cover;
 }

@@ -13,8 +13,8 @@ namespace collision_hulls {
 namespace {
 
 // Shares of the tolerance.
-constexpr double kReserve = 0.02;        // left to the certificate, whose bounds come from the hulls as written
-constexpr double kProofGap = 0.01;       // between the bounds of a proof
+constexpr double kReserve = 0.004;       // left to the certificate, whose bounds come from the hulls as written
+constexpr double kProofGap = 0.002;      // between the bounds of a proof
 constexpr double kQuickCell = 1;         // radius of the smallest cells asked for a quick answer,
 constexpr double kFineCell = 0.5;        // before a proof,
 constexpr double kIntruderCell = 0.125;  // and for intruders

@@ -23,7 +23,7 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kCertificateGap = 0.01;  // of the tolerance: how far apart the two bounds of the protrusion may stay
+constexpr double kCertificateGap = 0.001;  // of the tolerance: how far apart the two bounds of the protrusion may stay
 // Near openings of the surface the distance to the solid jumps, and hulls as written may reach where those that were searched for did
 // not: certified then aims lower.
 constexpr int kAttempts = 3;

@@ -20,7 +20,7 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kNear = 2;         // a hull across a wider gap, in tolerances, protrudes by more than one in its middle
+constexpr double kNear = 2;         // in tolerances: a hull across a wider gap protrudes, unless what lies between is solid
 constexpr double kTieBreak = 1e-3;  // of the union's size, for squares that cancel out
 constexpr int kTrials = 8;          // of proving what was merged on trust
 
@@ -68,8 +68,8 @@ class Merging {
     for (int a = 0; a < b; ++a) {
       if (!group(a).hull) continue;
       char& is_apart = apart_.back()[static_cast<std::size_t>(a)];
-      is_apart = farApart(group(a), group(b), groups_.tolerance()) || (left >= 0 && (apart(a, left) || apart(a, right)));
-      if (!is_apart) queue_.push({costOf(group(a), group(b), cost_), a, b});
+      is_apart = left >= 0 && (apart(a, left) || apart(a, right));
+      if (!is_apart && !farApart(group(a), group(b), groups_.tolerance())) queue_.push({costOf(group(a), group(b), cost_), a, b});
     }
   }
 

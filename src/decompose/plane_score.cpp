@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -14,29 +15,36 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 constexpr double kUseless = std::numeric_limits<double>::infinity();
+constexpr double kOnPlane = 1e-9;        // in extents of the piece
 constexpr std::size_t kLeastPoints = 4;  // of a side
 
 struct Sides {
   Points beneath, above;
 };
 
-Sides divided(const SurfacePiece& piece, const std::vector<std::pair<int, int>>& edges, const HalfSpace& plane) {
-  Sides sides;
+/// As cut() divides: what lies in the plane belongs to the side that its edges lead to, and beneath if they stay in the plane.
+Sides divided(const SurfacePiece& piece, const std::vector<std::pair<int, int>>& edges, const HalfSpace& plane, double on_plane) {
   std::vector<double> distance;
   distance.reserve(piece.vertices.size());
   for (const Eigen::Vector3d& v : piece.vertices) {
-    distance.push_back(plane.distance(v));
-    if (distance.back() <= 0) sides.beneath.push_back(v);
-    if (distance.back() >= 0) sides.above.push_back(v);
+    const double d = plane.distance(v);
+    distance.push_back(std::abs(d) <= on_plane ? 0 : d);
   }
-  if (sides.beneath.size() < kLeastPoints || sides.above.size() < kLeastPoints) return sides;
+  Sides sides;
+  std::vector<char> is_beneath(distance.size(), 0), is_above(distance.size(), 0);
   for (const auto& [a, b] : edges) {
-    const double da = distance[static_cast<std::size_t>(a)], db = distance[static_cast<std::size_t>(b)];
+    const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+    const double da = distance[i], db = distance[j];
+    is_beneath[i] |= da < 0 || (da == 0 && db <= 0), is_beneath[j] |= db < 0 || (db == 0 && da <= 0);
+    is_above[i] |= da > 0 || (da == 0 && db > 0), is_above[j] |= db > 0 || (db == 0 && da > 0);
     if (da * db >= 0) continue;
-    const Eigen::Vector3d& p = piece.vertices[static_cast<std::size_t>(a)];
-    const Eigen::Vector3d crossing = p + (da / (da - db)) * (piece.vertices[static_cast<std::size_t>(b)] - p);
+    const Eigen::Vector3d crossing = piece.vertices[i] + (da / (da - db)) * (piece.vertices[j] - piece.vertices[i]);
     sides.beneath.push_back(crossing);
     sides.above.push_back(crossing);
+  }
+  for (std::size_t i = 0; i < distance.size(); ++i) {
+    if (is_beneath[i]) sides.beneath.push_back(piece.vertices[i]);
+    if (is_above[i]) sides.above.push_back(piece.vertices[i]);
   }
   return sides;
 }
@@ -47,11 +55,12 @@ PlaneScore::PlaneScore(const SurfacePiece& piece, std::size_t vertices, std::vec
                        const ScoreWeights& weights)
     : piece_(simplified(piece, vertices)), edges_(edgesOf(piece_)), intruders_(std::move(intruders)), volume_(volume), weights_(weights) {
   for (const OutsideDistance::Intruder& i : intruders_) weight_ += i.weight;
+  on_plane_ = kOnPlane * boundingBox(piece_).sizes().maxCoeff();
 }
 
 /// Less is better.
 double PlaneScore::operator()(const HalfSpace& plane) const {
-  const Sides sides = divided(piece_, edges_, plane);
+  const Sides sides = divided(piece_, edges_, plane, on_plane_);
   if (sides.beneath.size() < kLeastPoints || sides.above.size() < kLeastPoints) return kUseless;
   const ConvexHull beneath = roughHull(sides.beneath), above = roughHull(sides.above);
   double left_beneath = 0, left_above = 0;

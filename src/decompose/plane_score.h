@@ -33,7 +33,7 @@ class PlaneScore {
   SurfacePiece piece_;
   std::vector<std::pair<int, int>> edges_;
   std::vector<OutsideDistance::Intruder> intruders_;
-  double weight_ = 0, volume_;
+  double weight_ = 0, volume_, on_plane_ = 0;
   ScoreWeights weights_;
 };
 

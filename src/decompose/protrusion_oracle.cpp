@@ -23,7 +23,14 @@ constexpr double kLooseGap = 0.01;       // between the bounds of large protrusi
 
 constexpr double kLooseShare = 0.02;     // the same, of the protrusion itself
 constexpr double kInward = 1e-9;         // of the way to a vertex, that intruders on a hull's surface are moved into it
+constexpr double kGrowth = 1e-5;         // of a hull, for rounding when it is written
 constexpr std::size_t kMostKnown = 400;  // intruders remembered
+
+ConvexHull grown(ConvexHull hull) {
+  const Eigen::Vector3d middle = boundingBox(hull).center();
+  for (Eigen::Vector3d& v : hull.vertices) v += kGrowth * (v - middle);
+  return hull;
+}
 
 }  // namespace
 
@@ -96,7 +103,8 @@ bool ProtrusionOracle::fits(const ConvexHull& hull) {
   SurfaceQuery on;
   on.floor = on.ceiling = (1 - kReserve) * tolerance_;
   on.gap = kProofGap * tolerance_;
-  const Protrusion most = largestOnSurface(hull, solid_, on, control_);
+  // Where the surface has openings the distance jumps: what is written, a little larger, must not reach across.
+  const Protrusion most = largestOnSurface(solid_.hasOpenings() ? grown(hull) : hull, solid_, on, control_);
   if (most.found <= on.ceiling) return true;
   remember(most.where + kInward * (hull.vertices[0] - most.where));
   return false;

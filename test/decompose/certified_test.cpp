@@ -16,7 +16,7 @@ namespace {
 
 using test_shapes::RandomPoints;
 
-constexpr double kGap = 0.005;  // of the tolerance: between the bounds of a protrusion
+constexpr double kGap = 0.001;  // of the tolerance: between the bounds of a protrusion
 
 DecomposeOptions within(double tolerance, Effort effort = Effort::kQuick, int max_vertices = 64) {
   DecomposeOptions options;

@@ -28,7 +28,7 @@ struct Subject {
   std::vector<Leaf> leaves(const CutOptions& options = {}) {
     return cutIntoLeaves(mesh, oracle, options, [](double) {});
   }
-  double protrusionOf(const std::vector<ConvexHull>& hulls) const { return protrusion(hulls, solid, 0.01 * oracle.tolerance()).bound; }
+  double protrusionOf(const std::vector<ConvexHull>& hulls) const { return protrusion(hulls, solid, 0.001 * oracle.tolerance()).bound; }
 
   RepairedMesh mesh;
   RunControl control;

@@ -13,10 +13,11 @@ namespace collision_hulls {
 namespace {
 
 const double kSqrt3 = std::sqrt(3.0);
-constexpr double kBoxMargin = 1e-4;          // the root's size beyond the box, as a share
-constexpr double kOnFace = 1e-9;             // a point this far beyond a face, in cells, still lies in the hull
-constexpr std::size_t kMostVisits = 200000;  // of one query; then the largest bound left over is the answer's
-constexpr std::size_t kMostCells = 40000;    // of one size that a search for intruders divides further
+constexpr double kBoxMargin = 1e-4;                 // the root's size beyond the box, as a share
+constexpr double kOnFace = 1e-9;                    // a point this far beyond a face, in cells, still lies in the hull
+constexpr std::size_t kMostVisits = 200000;         // of one query; then the largest bound left over is the answer's
+constexpr std::size_t kMostCellsInAll = 8'000'000;  // then cells are not divided any more
+constexpr std::size_t kMostCells = 40000;           // of one size that a search for intruders divides further
 
 }  // namespace
 
@@ -81,6 +82,10 @@ void OutsideDistance::measure(Cell& cell, const Cell* parent) const {
     cell.distance = parent->distance < 0 ? -n.distance : n.distance;
   else
     cell.distance = solid_.signedDistance(cell.centre, n.distance);
+}
+
+bool OutsideDistance::canDivide(int id) const {
+  return cells_.size() < kMostCellsInAll || cells_[static_cast<std::size_t>(id)].children >= 0;
 }
 
 /// Not measured yet: the hull that asks may lie in few of them.
@@ -159,7 +164,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
     }
     const double bound = std::min(cell.distance + radius(cell), query.surface_bound + view.depth);
     if (bound <= enough() || (query.summits_only && !mayHoldSummit(open.cell))) continue;
-    if (radius(cell) < query.resolution) {
+    if (radius(cell) < query.resolution || !canDivide(open.cell)) {
       result.bound = std::max(result.bound, bound);
       continue;
     }
@@ -195,7 +200,7 @@ std::vector<OutsideDistance::Intruder> OutsideDistance::intruders(const ConvexHu
       if (view.outside) continue;
       if (view.has_point && cell.distance - view.offset > tolerance)
         found.push_back({view.point, cell.distance - view.offset, 8 * cell.half * cell.half * cell.half});
-      if (radius(cell) >= resolution) divided.push_back({open.cell, std::move(view.faces)});
+      if (radius(cell) >= resolution && canDivide(open.cell)) divided.push_back({open.cell, std::move(view.faces)});
     }
     if (found.size() >= wanted || divided.size() > kMostCells / 8) break;
     level.clear();

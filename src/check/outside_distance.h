@@ -12,7 +12,8 @@ namespace collision_hulls {
 
 /// A cell knows the signed distance at its centre (positive outside), which bounds it over the cell by the cell's radius. Queries
 /// descend where the bound leaves something open, and what one query computed the next one finds. Values are a function of
-/// the solid and the box alone, so answers do not depend on the order of queries. Not thread safe.
+/// the solid and the box alone, so answers do not depend on the order of queries until the octree is full (eight million cells). Not thread
+/// safe.
 class OutsideDistance {
  public:
   /// `box`: what queried hulls lie in; `solid` must live as long.
@@ -56,6 +57,7 @@ class OutsideDistance {
   static bool isOutside(const Cell& cell, const ConvexHull& hull, const std::vector<int>& faces);
   double radius(const Cell& cell) const;
   void measure(Cell& cell, const Cell* parent) const;
+  bool canDivide(int cell) const;  // what it takes in memory is bounded
   int children(int cell);
   const Cell& measuredChild(int cell, int parent);
   bool mayHoldSummit(int cell);

@@ -1,6 +1,5 @@
 #include "collision_hulls/decompose/certified.h"
 
-#include <array>
 #include <cmath>
 #include <memory>
 
@@ -57,11 +56,10 @@ class Job {
  public:
   Job(const RepairedMesh& mesh, double tolerance, int max_vertices, Effort effort, const RunControl& control)
       : mesh_(mesh),
-        tolerance_(tolerance),
         max_vertices_(max_vertices),
         plan_(planFor(effort)),
         control_(control),
-        solid_(mesh),
+        solid_(mesh, control),
         oracle_(solid_, boxOf(mesh), tolerance, control) {}
 
   Cover cover(std::uint64_t seed) {
@@ -96,18 +94,12 @@ class Job {
   }
 
   const RepairedMesh& mesh_;
-  const double tolerance_;
   const int max_vertices_;
   const Plan plan_;
   const RunControl& control_;
   const Solid solid_;
   ProtrusionOracle oracle_;
 };
-
-ConvexHull capped(const ConvexHull& hull, int max_vertices) {
-  if (max_vertices == 0 || hull.vertices.size() <= static_cast<std::size_t>(max_vertices)) return hull;
-  return reduceVertices(hull, max_vertices).hull;
-}
 
 }  // namespace
 
@@ -125,7 +117,7 @@ Decomposition certified(const RepairedMesh& original, const DecomposeOptions& op
     for (const Group& group : cover) result.hulls.push_back(*group.hull);
   }
   for (ConvexHull& hull : result.hulls) {
-    hull = capped(hull, options.max_vertices);
+    if (options.max_vertices > 0) hull = reduceVertices(hull, options.max_vertices).hull;
     moveBack(hull, middle);
   }
   control.report(1);

@@ -32,7 +32,11 @@ using Intruders = std::vector<OutsideDistance::Intruder>;
 class Cutting {
  public:
   Cutting(ProtrusionOracle& oracle, const CutOptions& options, const SurfacePiece& whole, const std::function<void(double)>& progress)
-      : oracle_(oracle), options_(options), extent_(boundingBox(whole).sizes().maxCoeff()), area_(area(whole)), progress_(progress) {}
+      : oracle_(oracle),
+        options_(options),
+        on_plane_(kOnPlane * boundingBox(whole).sizes().maxCoeff()),
+        area_(area(whole)),
+        progress_(progress) {}
 
   void run(SurfacePiece piece, int depth) {
     ConvexHull hull = roughHull(piece.vertices);
@@ -41,7 +45,8 @@ class Cutting {
     const bool fits = clear && oracle_.fits(over_cap ? reduceVertices(hull, options_.max_vertices).hull : hull);
     if (fits || depth >= kDeepest || leaves.size() >= kMostLeaves) return leaf(std::move(piece), std::move(hull));
     std::vector<SurfacePiece> parts = components(piece);
-    if (parts.size() == 1) parts = (clear && over_cap) || depth >= kHalveFrom ? halves(piece) : bestCut(piece, clear ? hull : thin);
+    if (parts.size() == 1)
+      parts = (clear && over_cap) || depth >= kHalveFrom ? halves(piece, on_plane_) : bestCut(piece, clear ? hull : thin);
     if (parts.size() == 1) return leaf(std::move(piece), std::move(hull));
     piece = {};
     for (SurfacePiece& part : parts) run(std::move(part), depth + 1);
@@ -60,20 +65,6 @@ class Cutting {
     return options_.max_vertices > 0 && hull.vertices.size() > static_cast<std::size_t>(options_.max_vertices);
   }
 
-  /// The piece cut in the middle of its longest side: divides whatever has an extent.
-  std::vector<SurfacePiece> halves(const SurfacePiece& piece) const {
-    const Eigen::AlignedBox3d box = boundingBox(piece);
-    Eigen::Index axis = 0;
-    box.sizes().maxCoeff(&axis);
-    return divided(piece, {Eigen::Vector3d::Unit(axis), box.center()[axis]});
-  }
-
-  std::vector<SurfacePiece> divided(const SurfacePiece& piece, const HalfSpace& plane) const {
-    auto [beneath, above] = cut(piece, plane, kOnPlane * extent_);
-    if (beneath.triangles.empty() || above.triangles.empty()) return {piece};
-    return {std::move(beneath), std::move(above)};
-  }
-
   /// Both sides of the best plane that divides the piece; the piece alone if none does.
   std::vector<SurfacePiece> bestCut(const SurfacePiece& piece, const ConvexHull& hull) {
     const Intruders intruders = oracle_.intruders(hull, kIntruders);
@@ -85,15 +76,15 @@ class Cutting {
     std::vector<HalfSpace> planes = cutPlanes(own_edges ? piece : fine.piece(), intruders, oracle_.solid(), oracle_.tolerance());
     if (planes.size() > kFinalists) planes = rough.best(planes, kFinalists);
     for (const HalfSpace& plane : fine.best(planes, kFinalists)) {
-      std::vector<SurfacePiece> parts = divided(piece, plane);
+      std::vector<SurfacePiece> parts = parted(piece, plane, on_plane_);
       if (parts.size() > 1) return parts;  // what divides the simplified piece may pass the real one by
     }
-    return halves(piece);
+    return halves(piece, on_plane_);
   }
 
   ProtrusionOracle& oracle_;
   const CutOptions options_;
-  double extent_, area_, done_ = 0;
+  double on_plane_, area_, done_ = 0;
   const std::function<void(double)>& progress_;
 };
 

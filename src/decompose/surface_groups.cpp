@@ -27,16 +27,6 @@ struct Part {
   bool operator<(const Part& o) const { return std::tie(area, o.leaf, o.number) < std::tie(o.area, leaf, number); }  // largest on top
 };
 
-/// Both halves along the longest side; the piece alone where that divides nothing.
-std::vector<SurfacePiece> halves(const SurfacePiece& piece, double extent) {
-  const Eigen::AlignedBox3d box = boundingBox(piece);
-  Eigen::Index axis = 0;
-  if (!(box.sizes().maxCoeff(&axis) > kSmallest * extent)) return {piece};
-  auto [beneath, above] = cut(piece, {Eigen::Vector3d::Unit(axis), box.center()[axis]}, kOnPlane * extent);
-  if (beneath.triangles.empty() || above.triangles.empty()) return {piece};
-  return {std::move(beneath), std::move(above)};
-}
-
 /// Of a hull that had to be made thicker the piece's own points count. Directions are spaced so that on a round hull of this size a
 /// few per cent of the tolerance may lie between two of them.
 Element elementOf(const SurfacePiece& piece, const ConvexHull& hull, int leaf, double tolerance) {
@@ -72,7 +62,9 @@ std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t cou
     Part part = large.top();
     large.pop();
     std::vector<SurfacePiece> pieces;
-    if (large.size() + done.size() + 1 < count) pieces = halves(part.piece, box.sizes().maxCoeff());
+    const double extent = box.sizes().maxCoeff();
+    const bool large_enough = boundingBox(part.piece).sizes().maxCoeff() > kSmallest * extent;
+    if (large_enough && large.size() + done.size() + 1 < count) pieces = halves(part.piece, kOnPlane * extent);
     if (pieces.size() < 2) {
       done.push_back(std::move(part));
       continue;

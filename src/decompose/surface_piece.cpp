@@ -142,6 +142,19 @@ std::pair<SurfacePiece, SurfacePiece> cut(const SurfacePiece& piece, const HalfS
   return Cutter(piece, plane, tolerance).run();
 }
 
+std::vector<SurfacePiece> parted(const SurfacePiece& piece, const HalfSpace& plane, double tolerance) {
+  auto [beneath, above] = cut(piece, plane, tolerance);
+  if (beneath.triangles.empty() || above.triangles.empty()) return {piece};
+  return {std::move(beneath), std::move(above)};
+}
+
+std::vector<SurfacePiece> halves(const SurfacePiece& piece, double tolerance) {
+  const Eigen::AlignedBox3d box = boundingBox(piece);
+  Eigen::Index axis = 0;
+  box.sizes().maxCoeff(&axis);
+  return parted(piece, {Eigen::Vector3d::Unit(axis), box.center()[axis]}, tolerance);
+}
+
 std::vector<SurfacePiece> components(const SurfacePiece& piece) {
   Sets sets(piece.vertices.size());
   for (const Triangle& t : piece.triangles) {

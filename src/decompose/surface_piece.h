@@ -16,6 +16,12 @@ using SurfacePiece = TriangleMesh;
 /// lies in the hull of each part by itself.
 std::pair<SurfacePiece, SurfacePiece> cut(const SurfacePiece& piece, const HalfSpace& plane, double tolerance);
 
+/// Both parts by cut(), or the piece alone where the plane does not divide it.
+std::vector<SurfacePiece> parted(const SurfacePiece& piece, const HalfSpace& plane, double tolerance);
+
+/// The same in the middle of the longest side, which divides whatever has an extent.
+std::vector<SurfacePiece> halves(const SurfacePiece& piece, double tolerance);
+
 /// The parts of a piece that share no vertex, in order of their first triangle.
 std::vector<SurfacePiece> components(const SurfacePiece& piece);
 

@@ -3,7 +3,6 @@
 #include "decompose/tree_building.h"
 
 #include <algorithm>
-#include <cmath>
 #include <queue>
 #include <tuple>
 

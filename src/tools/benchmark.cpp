@@ -14,6 +14,7 @@
 #include "decompose_options.h"
 #include "list_options.h"
 #include "pipeline/files.h"
+#include "run_program.h"
 
 namespace collision_hulls {
 namespace {
@@ -158,20 +159,12 @@ int main(int argc, char** argv) {
   app.footer(kFooter);
   Command command;
   addOptions(app, command);
-  try {
-    if (argc == 4 && argv[1] == std::string(kJobCommand)) {
-      doJob(argv[2], argv[3]);
-      return 0;
-    }
-    app.parse(argc, argv);
-    return run(command);
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e);
-    std::cerr << "benchmark: " << e.what() << "; see benchmark --help\n";
-  } catch (const std::exception& e) {
-    std::cerr << "benchmark: " << e.what() << "\n";
-  }
-  return 2;
+  const auto job = [&] {
+    const bool is_job = argc == 4 && argv[1] == std::string(kJobCommand);
+    if (is_job) doJob(argv[2], argv[3]);
+    return is_job;
+  };
+  return runProgram(app, argc, argv, job, [&] { return run(command); });
 }
 
 }  // namespace

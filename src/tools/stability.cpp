@@ -12,6 +12,7 @@
 #include "decompose_options.h"
 #include "list_options.h"
 #include "pipeline/files.h"
+#include "run_program.h"
 
 namespace collision_hulls {
 namespace {
@@ -156,17 +157,8 @@ int main(int argc, char** argv) {
   app.footer(kFooter);
   Command command;
   addOptions(app, command);
-  try {
-    if (didJob(argc, argv)) return 0;
-    app.parse(argc, argv);
-    return run(command);
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e);
-    std::cerr << "stability: " << e.what() << "; see stability --help\n";
-  } catch (const std::exception& e) {
-    std::cerr << "stability: " << e.what() << "\n";
-  }
-  return 2;
+  return runProgram(
+      app, argc, argv, [&] { return didJob(argc, argv); }, [&] { return run(command); });
 }
 
 }  // namespace

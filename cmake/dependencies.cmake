@@ -19,6 +19,7 @@ require_library(QHULL_LIBRARY qhull_r libqhull-dev)
 require_library(TBB_LIBRARY tbb libtbb-dev)
 require_library(TINYXML2_LIBRARY tinyxml2 libtinyxml2-dev)
 require_library(URDFDOM_LIBRARY urdfdom_model liburdfdom-dev)
+require_library(YAML_CPP_LIBRARY yaml-cpp libyaml-cpp-dev)
 
 find_package(CLI11 QUIET)
 if(NOT CLI11_FOUND)

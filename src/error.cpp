@@ -17,6 +17,9 @@ const char* name(ErrorCode code) {
     case ErrorCode::kNotXml: return "NotXml";
     case ErrorCode::kNotARobot: return "NotARobot";
     case ErrorCode::kNoLinks: return "NoLinks";
+    case ErrorCode::kBadScene: return "BadScene";
+    case ErrorCode::kBadConfigurations: return "BadConfigurations";
+    case ErrorCode::kNotAnSrdf: return "NotAnSrdf";
     case ErrorCode::kXacroMissing: return "XacroMissing";
     case ErrorCode::kBadOption: return "BadOption";
     case ErrorCode::kUnwritableOutput: return "UnwritableOutput";

@@ -20,6 +20,9 @@ enum class ErrorCode {
   kNotXml,               ///< the robot description is not well-formed XML
   kNotARobot,            ///< well-formed, but no robot description
   kNoLinks,              ///< a robot description without links
+  kBadScene,             ///< what describes a scene is none, or holds what cannot be a body
+  kBadConfigurations,    ///< what describes configurations is none, or is of another robot
+  kNotAnSrdf,            ///< well-formed, but no semantic robot description
   kXacroMissing,         ///< a .xacro was given and no xacro program is installed
   kBadOption,            ///< an option's value is out of its range
   kUnwritableOutput,     ///< the output folder cannot be created or written

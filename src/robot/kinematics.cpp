@@ -50,6 +50,16 @@ Eigen::Isometry3d motion(const JointDescription& joint, double value) {
   return result;
 }
 
+Eigen::Isometry3d motion(const ChainJoint& joint, double value) {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  if (joint.turns) {
+    result.linear() = Eigen::AngleAxisd(value, joint.axis).toRotationMatrix();
+  } else {
+    result.translation() = value * joint.axis;
+  }
+  return result;
+}
+
 double restValue(const JointDescription& joint) {
   return std::clamp(0.0, joint.lower, joint.upper);
 }
@@ -63,7 +73,7 @@ Kinematics::Kinematics(const RobotDescription& robot) : links_(robot.links.size(
     by_name[joint.name] = &joint;
     if (!canMove(joint) || !joint.mimic.empty()) continue;
     variable_index[joint.name] = static_cast<int>(variables_.size());
-    variables_.push_back({joint.name, joint.lower, joint.upper});
+    variables_.push_back({joint.name, joint.lower, joint.upper, joint.kind == Kind::kContinuous});
   }
   std::iota(body_.begin(), body_.end(), std::size_t{0});
   std::iota(parent_body_.begin(), parent_body_.end(), std::size_t{0});
@@ -80,6 +90,12 @@ Kinematics::Kinematics(const RobotDescription& robot) : links_(robot.links.size(
     }
     joints_.push_back(std::move(joint));
   }
+}
+
+std::vector<NamedJoint> Kinematics::joints() const {
+  std::vector<NamedJoint> result;
+  for (const Joint& joint : joints_) result.push_back({joint.description.name, joint.variable, joint.multiplier, joint.offset});
+  return result;
 }
 
 Configuration Kinematics::rest() const {
@@ -122,6 +138,24 @@ std::vector<Eigen::Isometry3d> Kinematics::poses(const Configuration& configurat
   for (const Joint& joint : joints_) {
     const double value = joint.variable < 0 ? 0 : joint.multiplier * configuration[static_cast<std::size_t>(joint.variable)] + joint.offset;
     result[joint.child] = result[joint.parent] * joint.description.origin * motion(joint.description, value);
+  }
+  return result;
+}
+
+Chain Kinematics::chain(std::size_t link) const {
+  std::vector<const Joint*> way;  // from the link to the root
+  for (auto joint = joints_.rbegin(); joint != joints_.rend(); ++joint) {
+    if (joint->child == (way.empty() ? link : way.back()->parent)) way.push_back(&*joint);
+  }
+  Chain result;
+  for (auto joint = way.rbegin(); joint != way.rend(); ++joint) {
+    const JointDescription& description = (*joint)->description;
+    result.end = result.end * description.origin;
+    if ((*joint)->variable < 0) continue;
+    const bool turns = description.kind != Kind::kPrismatic;
+    const auto variable = static_cast<std::size_t>((*joint)->variable);
+    result.joints.push_back({turns, result.end, description.axis, variable, (*joint)->multiplier, (*joint)->offset});
+    result.end.setIdentity();
   }
   return result;
 }

@@ -1,7 +1,6 @@
-// A robot description from text: structure by the span scanner, attributes by tinyxml2, meaning by urdfdom.
+// A robot description from text: elements by tinyxml2, meaning by urdfdom.
 #include <tinyxml2.h>
 
-#include <algorithm>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -9,62 +8,12 @@
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/joint_graph.h"
 #include "robot/urdf_model.h"
-#include "robot/xml_spans.h"
+#include "robot/xml_source.h"
 
 namespace collision_hulls {
 namespace {
 
-// The text that is being parsed, and how messages name it.
-struct Subject {
-  std::string_view text;
-  std::string label;
-  std::size_t root_offset = 0;  // of the root element; tinyxml2 counts lines from there
-
-  [[noreturn]] void fail(ErrorCode code, const std::string& reason) const { throw Error(code, label + ": " + reason); }
-  [[noreturn]] void failAt(ErrorCode code, std::size_t line, const std::string& reason) const {
-    throw Error(code, label + ", line " + std::to_string(line) + ": " + reason);
-  }
-  std::size_t lineFromRoot(int line) const { return lineOf(text, root_offset) + static_cast<std::size_t>(line) - 1; }
-};
-
-void checkEncoding(const Subject& subject) {
-  const std::string_view mark = subject.text.substr(0, 2);
-  if (mark == "\xFF\xFE" || mark == "\xFE\xFF") subject.fail(ErrorCode::kNotXml, "the text is UTF-16; save it as UTF-8");
-  const std::size_t zero = subject.text.find('\0');
-  if (zero != std::string_view::npos) {
-    subject.failAt(ErrorCode::kNotXml, lineOf(subject.text, zero), "a zero byte, which XML text never holds");
-  }
-}
-
-XmlOutline scan(const Subject& subject) {
-  try {
-    return scanXml(subject.text);
-  } catch (const XmlSyntaxError& error) {
-    subject.failAt(ErrorCode::kNotXml, lineOf(subject.text, error.offset()), std::string(error.what()) + "; the description has to be XML");
-  }
-}
-
-// The root alone and without processing instructions, which are legal XML: tinyxml2 ends a document type at its first '>', even
-// within an internal subset, and takes every instruction for a misplaced XML declaration. Lines stay what they were.
-std::string readableRoot(const Subject& subject, const XmlOutline& outline) {
-  std::string text(subject.text.substr(0, outline.elements.front().end));
-  for (const XmlSpan& span : outline.instructions) {
-    for (std::size_t i = span.begin; i < std::min(span.end, text.size()); ++i) text[i] = text[i] == '\n' ? '\n' : ' ';
-  }
-  return text.substr(outline.elements.front().begin);
-}
-
-void load(const Subject& subject, const std::string& root, tinyxml2::XMLDocument& document) {
-  document.Parse(root.data(), root.size());
-  if (!document.Error()) return;
-  const std::size_t line = subject.lineFromRoot(document.ErrorLineNum());
-  if (document.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {
-    subject.failAt(ErrorCode::kNotXml, line, "elements nest deeper than " + std::to_string(TINYXML2_MAX_ELEMENT_DEPTH) + " levels");
-  }
-  subject.failAt(ErrorCode::kNotXml, line, std::string("the XML cannot be read (") + document.ErrorName() + ")");
-}
-
-std::string xacroHint(const Subject& subject, const tinyxml2::XMLElement& root) {
+std::string xacroHint(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   for (const auto* child = root.FirstChildElement(); child; child = child->NextSiblingElement()) {
     const std::string name = child->Name();
     if (name.rfind("xacro:", 0) != 0) continue;
@@ -74,7 +23,7 @@ std::string xacroHint(const Subject& subject, const tinyxml2::XMLElement& root) 
   return "";
 }
 
-void checkIsRobot(const Subject& subject, const tinyxml2::XMLElement& root) {
+void checkIsRobot(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   const std::string name = root.Name();
   const std::size_t line = subject.lineFromRoot(root.GetLineNum());
   if (name != "robot") subject.failAt(ErrorCode::kNotARobot, line, "the root element is <" + name + ">; a URDF's is <robot>");
@@ -84,7 +33,7 @@ void checkIsRobot(const Subject& subject, const tinyxml2::XMLElement& root) {
 }
 
 // urdfdom lets them pass.
-void checkLinksHaveNames(const Subject& subject, const tinyxml2::XMLElement& root) {
+void checkLinksHaveNames(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   for (const auto* link = root.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
     const char* name = link->Attribute("name");
     if (name && *name) continue;
@@ -92,7 +41,7 @@ void checkLinksHaveNames(const Subject& subject, const tinyxml2::XMLElement& roo
   }
 }
 
-UrdfModel loadModel(const Subject& subject, const tinyxml2::XMLElement& root) {
+UrdfModel loadModel(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   tinyxml2::XMLPrinter printer(nullptr, true);
   root.Accept(&printer);
   try {
@@ -111,7 +60,7 @@ std::size_t countChildren(const tinyxml2::XMLElement& link, const char* name) {
   return count;
 }
 
-void checkNothingLost(const Subject& subject, const tinyxml2::XMLElement& element, const LinkDescription& link,
+void checkNothingLost(const XmlSource& subject, const tinyxml2::XMLElement& element, const LinkDescription& link,
                       const std::string& complaints) {
   if (link.visuals.size() == countChildren(element, "visual") && link.collisions.size() == countChildren(element, "collision")) return;
   subject.failAt(ErrorCode::kNotARobot, subject.lineFromRoot(element.GetLineNum()),
@@ -119,7 +68,7 @@ void checkNothingLost(const Subject& subject, const tinyxml2::XMLElement& elemen
 }
 
 // urdfdom's links, which come by name, in the order of the document.
-std::vector<LinkDescription> inDocumentOrder(const Subject& subject, const tinyxml2::XMLElement& root, UrdfModel& model) {
+std::vector<LinkDescription> inDocumentOrder(const XmlSource& subject, const tinyxml2::XMLElement& root, UrdfModel& model) {
   std::unordered_map<std::string, LinkDescription*> by_name;
   for (LinkDescription& link : model.links) by_name[link.name] = &link;
   std::vector<LinkDescription> links;
@@ -139,12 +88,9 @@ std::vector<LinkDescription> inDocumentOrder(const Subject& subject, const tinyx
 }  // namespace
 
 RobotDescription parseRobotDescription(const std::string& urdf_text, const std::string& path) {
-  Subject subject{urdf_text, path.empty() ? "robot description" : "'" + path + "'"};
-  checkEncoding(subject);
-  const XmlOutline outline = scan(subject);
-  subject.root_offset = outline.elements.front().begin;
+  XmlSource subject{urdf_text, path.empty() ? "robot description" : "'" + path + "'"};
   tinyxml2::XMLDocument document;
-  load(subject, readableRoot(subject, outline), document);
+  loadRoot(subject, document);
   const tinyxml2::XMLElement& robot = *document.RootElement();
   checkIsRobot(subject, robot);
   checkLinksHaveNames(subject, robot);

@@ -83,6 +83,41 @@ TEST(Kinematics, MimicJointsFollow) {
   EXPECT_NEAR(poses[3].translation().z() - poses[2].translation().z(), 3 * (-2 * 0.25 + 0.5) + 1, 1e-12);
 }
 
+Eigen::Isometry3d linkPose(const Chain& chain, const Configuration& configuration) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  for (const ChainJoint& joint : chain.joints) {
+    pose = pose * joint.origin * motion(joint, joint.multiplier * configuration[joint.variable] + joint.offset);
+  }
+  return pose * chain.end;
+}
+
+TEST(Kinematics, ChainsLeadToTheLinks) {
+  const Kinematics kinematics(robot(links(6) + joint(0, "fixed") + joint(1, "revolute", limit(-1, 2)) + joint(2, "floating") +
+                                    joint(3, "prismatic", limit(0, 1)) +
+                                    joint(4, "continuous", "<mimic joint=\"j1\" multiplier=\"-2\" offset=\"0.5\"/>")));
+  EXPECT_TRUE(kinematics.chain(0).joints.empty());
+  EXPECT_TRUE(kinematics.chain(1).joints.empty());
+  EXPECT_EQ(kinematics.chain(1).end.translation().x(), 1);
+  EXPECT_EQ(kinematics.chain(5).joints.size(), 3u);
+  EXPECT_EQ(kinematics.chain(5).joints[2].variable, 0u);
+  const Configuration configuration{0.7, 0.4};
+  const std::vector<Eigen::Isometry3d> poses = kinematics.poses(configuration);
+  for (std::size_t i = 0; i < poses.size(); ++i) EXPECT_TRUE(linkPose(kinematics.chain(i), configuration).isApprox(poses[i])) << i;
+}
+
+TEST(Kinematics, JointsByName) {
+  const Kinematics kinematics(robot(links(4) + joint(0, "fixed") + joint(1, "continuous") +
+                                    joint(2, "prismatic", limit(0, 1) + "<mimic joint=\"j1\" multiplier=\"3\" offset=\"1\"/>")));
+  const std::vector<NamedJoint> joints = kinematics.joints();
+  ASSERT_EQ(joints.size(), 3u);
+  EXPECT_EQ(joints[0].variable, -1);
+  EXPECT_EQ(joints[1].variable, 0);
+  EXPECT_EQ(joints[2].variable, 0);
+  EXPECT_EQ(joints[2].multiplier, 3);
+  EXPECT_EQ(joints[2].offset, 1);
+  EXPECT_TRUE(kinematics.variables()[0].continuous);
+}
+
 TEST(Kinematics, MimicsOfNothing) {
   const auto mimic = [](int i, const std::string& master) {
     return joint(i, "prismatic", limit(0, 1) + "<mimic joint=\"" + master + "\"/>");

@@ -15,10 +15,33 @@ namespace collision_hulls {
 struct JointVariable {
   std::string name;
   double lower = 0, upper = 0;
+  bool continuous = false;  ///< turns all the way round
+};
+
+/// A joint of the robot by its name, and what moves it.
+struct NamedJoint {
+  std::string name;
+  int variable = -1;                  ///< index in Kinematics::variables(); -1: none moves it
+  double multiplier = 1, offset = 0;  ///< it stands at multiplier * variable + offset [rad or m]; 1 and 0 for the variable's own
 };
 
 /// A value [rad or m] for each variable, in the order of Kinematics::variables().
 using Configuration = std::vector<double>;
+
+/// A joint that moves, on the way from the root to a link.
+struct ChainJoint {
+  bool turns = true;                                         ///< about its axis; else slides along it
+  Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();  ///< of its frame in that which the joint before it moves, or the root link's
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();           ///< of unit length, in its frame
+  std::size_t variable = 0;                                  ///< that moves it, index in Kinematics::variables()
+  double multiplier = 1, offset = 0;                         ///< it stands at multiplier * variable + offset [rad or m]
+};
+
+/// The joints that move a link, those nearest to the root first.
+struct Chain {
+  std::vector<ChainJoint> joints;
+  Eigen::Isometry3d end = Eigen::Isometry3d::Identity();  ///< of the link in the frame that the last joint moves, or the root link's
+};
 
 /// The tree of a robot's joints. Revolute, continuous and prismatic joints that mimic no other are variables; a mimic joint follows
 /// multiplier * value + offset of its master, through any number of masters and without regard to its own limits, as in
@@ -29,6 +52,9 @@ class Kinematics {
   explicit Kinematics(const RobotDescription& robot);
 
   const std::vector<JointVariable>& variables() const { return variables_; }
+
+  /// All joints of the robot, parents before children.
+  std::vector<NamedJoint> joints() const;
 
   /// All variables at zero, or at the limit that is nearest to it.
   Configuration rest() const;
@@ -43,6 +69,9 @@ class Kinematics {
   /// The links' poses in the root link's frame, in the order of RobotDescription::links. Throws kBadOption for a configuration of another
   /// size.
   std::vector<Eigen::Isometry3d> poses(const Configuration& configuration) const;
+
+  /// How the joints move a link (index).
+  Chain chain(std::size_t link) const;
 
   /// Whether two links (indices) are one, touch by design, or never move against each other: fixed joints make links one, and those that a
   /// joint joins touch. Collision checks leave such pairs out.
@@ -64,6 +93,7 @@ class Kinematics {
 
 /// The motion of a joint's child against the joint's origin at a value [rad or m]; none for joints that are no variables.
 Eigen::Isometry3d motion(const JointDescription& joint, double value);
+Eigen::Isometry3d motion(const ChainJoint& joint, double value);
 
 /// Zero, or the limit of the joint that is nearest to it.
 double restValue(const JointDescription& joint);

@@ -10,17 +10,23 @@
 
 namespace collision_hulls {
 
-/// A low-discrepancy sequence of configurations within the variables' limits: additive recurrence on the roots of
-/// x^(d+1) = x + 1 (Roberts' R-sequence) from a start that the seed gives. The i-th is the same however many are asked for, so that more
-/// of them extend a set. Keeps a copy of the limits; immutable, thread safe.
+/// How samples follow each other.
+enum class Sampling {
+  kEven,        ///< Richtmyer's low-discrepancy sequence: few samples miss little. For searching
+  kIndependent  ///< independent of each other: what statistics hold for, such as a rate below 3/N at 95 % after N without a hit
+};
+
+/// A sequence of configurations within the variables' limits. The i-th is the same however many are asked for, so that more of them extend
+/// a set. Another seed gives another sequence. Immutable, thread safe.
 class ConfigurationSequence {
  public:
-  explicit ConfigurationSequence(const Kinematics& kinematics, std::uint64_t seed = 1);
+  explicit ConfigurationSequence(const Kinematics& kinematics, std::uint64_t seed = 1, Sampling sampling = Sampling::kEven);
   Configuration operator()(std::uint64_t index) const;
 
  private:
   std::vector<JointVariable> variables_;
-  std::vector<std::uint64_t> start_, step_;  // fractions of 2^64
+  std::vector<std::uint64_t> start_, step_;  // of a variable; fractions of 2^64
+  Sampling sampling_;
 };
 
 struct ConfigurationOptions {

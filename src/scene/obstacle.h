@@ -1,0 +1,36 @@
+// A body of a scene, for distances to it.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "collision_hulls/scene/scene.h"
+#include "scene/convex_gap.h"
+
+namespace collision_hulls {
+
+/// In the scene's frame: one convex body, or a tree of boxes over a mesh's triangles. Immutable, thread safe.
+class Obstacle {
+ public:
+  explicit Obstacle(const SceneBody& body);
+
+  /// To a convex body in the scene's frame; stops as convexGap() does.
+  Gap gapTo(const Eigen::Ref<const PointMatrix>& points, double enough) const;
+
+  double size() const { return size_; }  ///< [m] largest absolute coordinate, for rounding
+
+ private:
+  struct Node {
+    Eigen::AlignedBox3d box;
+    Eigen::Index first = 0, count = 0;  // leaf: columns of corners_; inner: children at first, first + 1, and count 0
+  };
+  void build(const std::vector<PointMatrix>& triangles, std::vector<std::size_t>& order, std::size_t node, std::size_t first,
+             std::size_t count);
+  Gap gapToTriangles(const Node& leaf, const Eigen::Ref<const PointMatrix>& points, double enough) const;
+
+  PointMatrix corners_;  // of the convex body, or of triangles, three each
+  std::vector<Node> nodes_;
+  double size_ = 0;
+};
+
+}  // namespace collision_hulls

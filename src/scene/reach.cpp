@@ -1,0 +1,344 @@
+// For each pair, best first:
+//
+//   boxes = {all values of the joints; both bodies swept over all of their joints}
+//   until the box with the least bound has enough: take it, and
+//     where the swept bodies are too near at its middle, hand it on: one joint more of the one that is swept further
+//     else halve it along the variable that moves the bodies most
+//     and bound what comes of it
+#include "collision_hulls/scene/reach.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <queue>
+
+#include "scene/low_discrepancy.h"
+#include "scene/obstacle.h"
+#include "scene/sweep.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kRounding = 1e-9;    // of the coordinates' size, taken off each bound
+constexpr std::size_t kSamples = 32;  // configurations that are looked at first: most pairs that touch do so in one of them
+constexpr std::uint64_t kMiddle = std::uint64_t{1} << 63;  // where they begin, of 2^64
+constexpr double kShareToTighten = 0.2;                    // of the evaluations, after the proof
+constexpr double kWorthHalving = 0.5;  // of the movement within a box: a gap by which swept bodies are apart enough to halve it
+
+/// A link and the joints that move it.
+struct MovedLink {
+  ConvexHull hull;
+  Chain chain;
+  double size = 0;  // [m] largest distance of a point from the root's origin
+  mutable std::once_flag once;
+  mutable std::vector<PointMatrix> bodies;  // see sweeps(); made when first needed
+};
+
+/// One of a pair: a link, whose joints after the first `common` move it against the other.
+struct Side {
+  const MovedLink* link = nullptr;
+  std::size_t common = 0;
+
+  std::size_t joints() const { return link->chain.joints.size(); }
+  const ChainJoint& joint(std::size_t k) const { return link->chain.joints[k]; }
+  const PointMatrix& body(std::size_t level) const { return link->bodies[level]; }
+};
+
+/// A box of the values of variables, and how many joints of each side are not swept.
+struct Box {
+  std::vector<JointRange> variables;  // of the pair's
+  std::array<std::size_t, 2> levels{};
+  double gap = 0;          // of the bodies at its middle, at least
+  double movement = 0;     // of their points within it, at most
+  double bound = 0;        // of the distance within it
+  std::size_t widest = 0;  // variable that moves the bodies most
+  std::size_t number = 0;
+};
+struct Later {
+  bool operator()(const Box& a, const Box& b) const { return a.bound > b.bound || (a.bound == b.bound && a.number > b.number); }
+};
+
+double middle(const JointRange& range) {
+  return (range.lower + range.upper) / 2;
+}
+
+bool same(const ChainJoint& a, const ChainJoint& b) {
+  return a.turns == b.turns && a.variable == b.variable && a.multiplier == b.multiplier && a.offset == b.offset && a.axis == b.axis &&
+         a.origin.matrix() == b.origin.matrix();
+}
+
+/// How far points move, and which variables move them.
+struct Movement {
+  Eigen::RowVectorXd of_points;  // [m] at most
+  std::vector<double> of_variables;
+
+  double most() const { return of_points.size() > 0 ? of_points.maxCoeff() : 0; }
+};
+
+/// The search for one pair.
+class PairSearch {
+ public:
+  PairSearch(const Kinematics& kinematics, std::vector<Side> sides, const Obstacle* obstacle, double clearance, const ReachOptions& options,
+             const RunControl& control)
+      : kinematics_(kinematics), sides_(std::move(sides)), obstacle_(obstacle), options_(options), control_(control), target_(clearance) {
+    position_.assign(kinematics.variables().size(), -1);
+    double size = obstacle ? obstacle->size() : 0;
+    for (const Side& side : sides_) {
+      size = std::max(size, side.link->size);
+      for (std::size_t k = side.common; k < side.joints(); ++k) addVariable(side.joint(k).variable);
+    }
+    rounding_ = kRounding * size;
+    result_.found = kInfinity;
+  }
+
+  Reach run() {
+    sample();
+    push(wholeBox());
+    const double clearance = target_;
+    search(options_.evaluations);
+    if (result_.outcome == Reach::Outcome::kUnknown && open_.top().bound > clearance) {
+      result_.outcome = Reach::Outcome::kProved;
+      target_ = std::max(clearance, options_.tightness * result_.found);
+      const auto more = static_cast<std::size_t>(kShareToTighten * static_cast<double>(options_.evaluations));
+      search(std::min(options_.evaluations, result_.evaluations + more));
+    }
+    result_.bound = std::max(0.0, open_.top().bound);
+    return result_;
+  }
+
+ private:
+  void addVariable(std::size_t variable) {
+    if (position_[variable] >= 0) return;
+    position_[variable] = static_cast<int>(variables_.size());
+    variables_.push_back(variable);
+  }
+
+  const JointRange& rangeIn(const Box& box, const ChainJoint& joint) const {
+    return box.variables[static_cast<std::size_t>(position_[joint.variable])];
+  }
+
+  Box wholeBox() const {
+    Box box;
+    for (const std::size_t v : variables_) box.variables.push_back({kinematics_.variables()[v].lower, kinematics_.variables()[v].upper});
+    box.levels = {sides_.front().common, sides_.back().common};
+    return box;
+  }
+
+  /// Neither body is swept.
+  bool isFinal(const Box& box) const {
+    for (std::size_t s = 0; s < sides_.size(); ++s) {
+      if (box.levels[s] < sides_[s].joints()) return false;
+    }
+    return true;
+  }
+
+  void sample() {
+    Box box = wholeBox();
+    for (std::size_t s = 0; s < sides_.size(); ++s) box.levels[s] = sides_[s].joints();
+    const std::vector<JointRange> whole = box.variables;
+    const std::vector<std::uint64_t> steps = richtmyerSteps(whole.size());
+    const std::size_t count = whole.empty() ? 1 : std::min(kSamples, options_.evaluations);
+    for (std::size_t i = 0; i < count && result_.found > target_; ++i) {
+      for (std::size_t v = 0; v < whole.size(); ++v) {
+        const double at = whole[v].lower + toUnit(steps[v] * i + kMiddle) * (whole[v].upper - whole[v].lower);
+        box.variables[v] = {at, at};
+      }
+      bound(box);
+    }
+  }
+
+  /// Until the least bound is above the target, evaluations run out, or the pair touches.
+  void search(std::size_t evaluations) {
+    while (open_.top().bound <= target_ && result_.evaluations < evaluations) {
+      control_.check();
+      if (result_.found <= target_ && result_.outcome == Reach::Outcome::kUnknown) {
+        result_.outcome = Reach::Outcome::kTouched;
+        return;
+      }
+      const Box box = open_.top();
+      const bool final_box = isFinal(box);
+      if (final_box && box.movement <= 0) return;  // nothing is left that could make the bound better
+      open_.pop();
+      if (final_box || (box.movement > 0 && box.gap - target_ > kWorthHalving * box.movement)) {
+        halve(box);
+      } else {
+        handOn(box);
+      }
+    }
+  }
+
+  void halve(const Box& box) {
+    const JointRange whole = box.variables[box.widest];
+    for (const JointRange& half : {JointRange{whole.lower, middle(whole)}, JointRange{middle(whole), whole.upper}}) {
+      Box part = box;
+      part.variables[box.widest] = half;
+      push(std::move(part));
+    }
+  }
+
+  /// One joint more of the side whose sweep shrinks most by it.
+  void handOn(Box box) {
+    std::size_t best = 0;
+    double most = -kInfinity;
+    for (std::size_t s = 0; s < sides_.size(); ++s) {
+      if (box.levels[s] >= sides_[s].joints()) continue;
+      const double shrinks = extent(sides_[s].body(box.levels[s])) - extent(sides_[s].body(box.levels[s] + 1));
+      if (shrinks > most) most = shrinks, best = s;
+    }
+    ++box.levels[best];
+    push(std::move(box));
+  }
+
+  static double extent(const PointMatrix& points) { return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm(); }
+
+  void push(Box box) {
+    bound(box);
+    box.number = pushed_++;
+    open_.push(std::move(box));
+  }
+
+  /// Bounds the distance within a box from that at its middle.
+  void bound(Box& box) {
+    Movement movement{{}, std::vector<double>(variables_.size(), 0)};
+    const PointMatrix first = placed(0, box, movement);
+    box.movement = movement.most();
+    const PointMatrix second = obstacle_ ? PointMatrix() : placed(1, box, movement);
+    if (!obstacle_) box.movement += movement.most();
+    const double enough = box.movement > 0 ? target_ + box.movement + rounding_ : kInfinity;
+    const Gap gap = obstacle_ ? obstacle_->gapTo(first, enough) : convexGap(first, second, enough);
+    ++result_.evaluations;
+    box.gap = gap.at_least;
+    box.bound = std::max(box.bound, gap.at_least - box.movement - rounding_);
+    box.widest = static_cast<std::size_t>(std::max_element(movement.of_variables.begin(), movement.of_variables.end()) -
+                                          movement.of_variables.begin());
+    if (isFinal(box) && gap.at_most < result_.found) {
+      result_.found = gap.at_most;
+      result_.witness = kinematics_.rest();
+      for (std::size_t v = 0; v < variables_.size(); ++v) result_.witness[variables_[v]] = middle(box.variables[v]);
+    }
+  }
+
+  /// A side's body at the middle of a box, in the frame that both have in common; and how far its points are from there within the box at
+  /// most. To get there joint by joint, the last one first, moves a point by the chord of each joint's angle about its axis where it was in
+  /// the middle: joints before it move it rigidly.
+  PointMatrix placed(std::size_t s, const Box& box, Movement& movement) const {
+    const Side& side = sides_[s];
+    PointMatrix points = side.body(box.levels[s]);
+    movement.of_points = Eigen::RowVectorXd::Zero(points.cols());
+    for (std::size_t k = box.levels[s]; k-- > side.common;) {
+      const ChainJoint& joint = side.joint(k);
+      const JointRange& range = rangeIn(box, joint);
+      const double way = std::abs(joint.multiplier) * (range.upper - range.lower) / 2;
+      Eigen::RowVectorXd moves = Eigen::RowVectorXd::Constant(points.cols(), way);
+      if (joint.turns) {
+        const double chord = 2 * std::sin(std::min(way, kPi) / 2);
+        moves = chord * (points.colwise().squaredNorm() - (joint.axis.transpose() * points).cwiseAbs2()).cwiseMax(0).cwiseSqrt();
+      }
+      movement.of_points += moves;
+      movement.of_variables[static_cast<std::size_t>(position_[joint.variable])] += moves.maxCoeff();
+      const Eigen::Isometry3d pose = joint.origin * motion(joint, joint.multiplier * middle(range) + joint.offset);
+      points = ((pose.linear() * points).colwise() + pose.translation()).eval();
+    }
+    return points;
+  }
+
+  const Kinematics& kinematics_;
+  const std::vector<Side> sides_;
+  const Obstacle* const obstacle_;
+  const ReachOptions& options_;
+  const RunControl& control_;
+  std::vector<std::size_t> variables_;  // that move the pair
+  std::vector<int> position_;           // of a variable among them
+  double rounding_ = 0;
+  double target_ = 0;
+  std::priority_queue<Box, std::vector<Box>, Later> open_;
+  std::size_t pushed_ = 0;
+  Reach result_;
+};
+
+/// How far a link's points can be from the root's origin.
+double reachOf(const ConvexHull& hull, const Chain& chain, const std::vector<JointVariable>& variables) {
+  double reach = chain.end.translation().norm(), radius = 0;
+  for (const Eigen::Vector3d& v : hull.vertices) radius = std::max(radius, v.norm());
+  for (const ChainJoint& joint : chain.joints) {
+    reach += joint.origin.translation().norm();
+    const JointRange range = rangeOf(joint, variables);
+    if (!joint.turns) reach += std::max(std::abs(range.lower), std::abs(range.upper));
+  }
+  return reach + radius;
+}
+
+}  // namespace
+
+struct ReachProver::Impl {
+  Impl(const Kinematics& the_kinematics, const std::vector<ConvexHull>& hulls, const Scene& scene)
+      : kinematics(the_kinematics), links(hulls.size()) {
+    for (std::size_t i = 0; i < hulls.size(); ++i) {
+      links[i].hull = hulls[i];
+      links[i].chain = kinematics.chain(i);
+      links[i].size = reachOf(hulls[i], links[i].chain, kinematics.variables());
+    }
+    for (const SceneBody& body : scene.bodies) obstacles.emplace_back(body);
+  }
+
+  /// Null for a link without geometry.
+  const MovedLink* link(std::size_t index) const {
+    const MovedLink& link = links.at(index);
+    if (link.hull.vertices.empty()) return nullptr;
+    std::call_once(link.once, [&] { link.bodies = sweeps(link.hull, link.chain, kinematics.variables()); });
+    return &link;
+  }
+
+  const Kinematics kinematics;
+  std::vector<MovedLink> links;
+  std::vector<Obstacle> obstacles;
+};
+
+ReachProver::ReachProver(const Kinematics& kinematics, const std::vector<ConvexHull>& links, const Scene& scene)
+    : impl_(std::make_unique<Impl>(kinematics, links, scene)) {}
+ReachProver::~ReachProver() = default;
+ReachProver::ReachProver(ReachProver&&) noexcept = default;
+
+namespace {
+
+Reach neverNear() {
+  return {Reach::Outcome::kProved, kInfinity, kInfinity, {}, 0};
+}
+
+/// Throws kBadOption.
+void check(double clearance, const ReachOptions& options) {
+  if (!(clearance >= 0 && clearance < kInfinity)) {
+    throw Error(ErrorCode::kBadOption, "a clearance of " + std::to_string(clearance) + " m was given; it is 0 at least, and finite");
+  }
+  if (options.evaluations < 1 || !(options.tightness > 0 && options.tightness < 1)) {
+    throw Error(ErrorCode::kBadOption, "a proof needs one evaluation at least and a tightness between 0 and 1; given were " +
+                                           std::to_string(options.evaluations) + " and " + std::to_string(options.tightness));
+  }
+}
+
+}  // namespace
+
+Reach ReachProver::betweenLinks(std::size_t link, std::size_t other, double clearance, const ReachOptions& options,
+                                const RunControl& control) const {
+  check(clearance, options);
+  const MovedLink *first = impl_->link(link), *second = impl_->link(other);
+  if (!first || !second) return neverNear();
+  const std::vector<ChainJoint>&a = first->chain.joints, &b = second->chain.joints;
+  std::size_t common = 0;  // joints that are alike move alike
+  while (common < std::min(a.size(), b.size()) && same(a[common], b[common])) ++common;
+  return PairSearch(impl_->kinematics, {{first, common}, {second, common}}, nullptr, clearance, options, control).run();
+}
+
+Reach ReachProver::betweenLinkAndBody(std::size_t link, std::size_t body, double clearance, const ReachOptions& options,
+                                      const RunControl& control) const {
+  check(clearance, options);
+  const MovedLink* moved = impl_->link(link);
+  if (!moved) return neverNear();
+  return PairSearch(impl_->kinematics, {{moved, 0}}, &impl_->obstacles.at(body), clearance, options, control).run();
+}
+
+}  // namespace collision_hulls

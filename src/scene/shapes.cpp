@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+
+#include "collision_hulls/error.h"
+#include "collision_hulls/scene/scene.h"
+
+namespace collision_hulls {
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kLargest = 1e6;  // [m]
+
+void expectSizes(const char* shape, std::initializer_list<double> sizes) {
+  std::string text;
+  for (const double size : sizes) text += (text.empty() ? "" : " x ") + std::to_string(size);
+  for (const double size : sizes) {
+    if (size > 0 && size <= kLargest) continue;
+    throw Error(ErrorCode::kBadScene, std::string(shape) + " of " + text + " m; sizes are above 0 and up to 1e6 m");
+  }
+}
+
+/// As many that a polygon about a circle reaches no more than kRoundness of its radius further out.
+int sidesOfCircle() {
+  return static_cast<int>(std::ceil(kPi / std::acos(1 / (1 + SceneBody::kRoundness))));
+}
+
+Points circumscribedCircle(double radius, double z) {
+  const int sides = sidesOfCircle();
+  Points points;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * kPi * i / sides, out = radius / std::cos(kPi / sides);
+    points.emplace_back(out * std::cos(angle), out * std::sin(angle), z);
+  }
+  return points;
+}
+
+void subdivide(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, int times, Points& points) {
+  if (times == 0) return points.insert(points.end(), {a, b, c}), void();
+  const Eigen::Vector3d ab = (a + b).normalized(), bc = (b + c).normalized(), ca = (c + a).normalized();
+  subdivide(a, ab, ca, times - 1, points);
+  subdivide(ab, b, bc, times - 1, points);
+  subdivide(ca, bc, c, times - 1, points);
+  subdivide(ab, bc, ca, times - 1, points);
+}
+
+/// A polyhedron about the unit sphere: an icosahedron whose triangles are halved in each direction three times, which brings its faces
+/// within 0.4 % of its corners.
+ConvexHull aboutUnitSphere() {
+  const double golden = (1 + std::sqrt(5.0)) / 2;
+  Points corners;
+  for (int i = 0; i < 3; ++i) {
+    for (const double s : {-1.0, 1.0}) {
+      for (const double t : {-golden, golden}) corners.push_back(s * Eigen::Vector3d::Unit(i) + t * Eigen::Vector3d::Unit((i + 1) % 3));
+    }
+  }
+  const ConvexHull icosahedron = convexHull(corners);
+  Points points;
+  for (const Triangle& t : icosahedron.triangles) {
+    std::array<Eigen::Vector3d, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = icosahedron.vertices[static_cast<std::size_t>(t[k])].normalized();
+    subdivide(p[0], p[1], p[2], 3, points);
+  }
+  const ConvexHull inscribed = convexHull(points);
+  double least = 1;
+  for (const HalfSpace& face : inscribed.faces) least = std::min(least, face.offset);
+  for (Eigen::Vector3d& p : points) p /= least;
+  return convexHull(points);
+}
+
+}  // namespace
+
+ConvexHull boxShape(const Eigen::Vector3d& sides) {
+  expectSizes("a box", {sides.x(), sides.y(), sides.z()});
+  Points corners;
+  for (int i = 0; i < 8; ++i)
+    corners.push_back(sides.cwiseProduct(Eigen::Vector3d(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 0.5 : -0.5)));
+  return convexHull(corners);
+}
+
+ConvexHull sphereShape(double radius) {
+  expectSizes("a sphere", {radius});
+  static const ConvexHull unit = aboutUnitSphere();
+  Points points = unit.vertices;
+  for (Eigen::Vector3d& p : points) p *= radius;
+  return convexHull(points);
+}
+
+ConvexHull cylinderShape(double radius, double length) {
+  expectSizes("a cylinder", {radius, length});
+  Points points = circumscribedCircle(radius, -length / 2);
+  const Points top = circumscribedCircle(radius, length / 2);
+  points.insert(points.end(), top.begin(), top.end());
+  return convexHull(points);
+}
+
+ConvexHull coneShape(double radius, double length) {
+  expectSizes("a cone", {radius, length});
+  Points points = circumscribedCircle(radius, -length / 2);
+  points.emplace_back(0, 0, length / 2);
+  return convexHull(points);
+}
+
+PlacedShape planeShape(const Eigen::Vector3d& normal, double d) {
+  const double length = normal.norm();
+  if (!(length > 0 && std::isfinite(length) && std::abs(d) <= kLargest * length)) {
+    throw Error(ErrorCode::kBadScene, "a plane with the normal (" + std::to_string(normal.x()) + ", " + std::to_string(normal.y()) + ", " +
+                                          std::to_string(normal.z()) + ") and d = " + std::to_string(d) +
+                                          "; the normal has a length, and the plane passes within 1e6 m of the origin");
+  }
+  const Eigen::Vector3d up = normal / length;
+  PlacedShape result{boxShape({kPlaneSide, kPlaneSide, kPlaneDepth})};
+  result.pose.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), up).toRotationMatrix();
+  result.pose.translation() = -(d / length + kPlaneDepth / 2) * up;
+  return result;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,118 @@
+#include "collision_hulls/scene/srdf.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "collision_hulls/error.h"
+#include "robot/text_file.h"
+#include "robot/xml_tree.h"
+
+namespace collision_hulls {
+namespace {
+
+using LinkPair = std::pair<std::string, std::string>;
+
+LinkPair inOrder(const std::string& a, const std::string& b) {
+  return std::minmax(a, b);
+}
+
+/// Goes through a document from its beginning to its end: a later element overrules an earlier one.
+class Reader {
+ public:
+  Reader(const RobotDescription& robot, std::string label) : label_(std::move(label)) {
+    for (const LinkDescription& link : robot.links) links_.push_back(link.name);
+    known_.insert(links_.begin(), links_.end());
+  }
+
+  DisabledPairs read(const XmlNode& root) {
+    if (root.name != "robot") fail(root, "the root element is <" + root.name + ">; an SRDF's is <robot>");
+    for (const XmlNode& element : root.children) {
+      if (element.name == "disable_default_collisions") disableAllOf(element);
+      if (element.name == "disable_collisions") disable(pairOf(element), element.attribute("reason"));
+      if (element.name == "enable_collisions") enable(pairOf(element));
+    }
+    if (left_out_ > 0) {
+      result_.notes.push_back(label_ + ": " + std::to_string(left_out_) + " pairs name links that the robot does not have, the first '" +
+                              first_unknown_ + "'; they are left out");
+    }
+    return std::move(result_);
+  }
+
+ private:
+  [[noreturn]] void fail(const XmlNode& element, const std::string& reason) const {
+    throw Error(ErrorCode::kNotAnSrdf, label_ + ", line " + std::to_string(element.line) + ": " + reason);
+  }
+
+  std::string linkOf(const XmlNode& element, const std::string& attribute) const {
+    const std::string link = element.attribute(attribute);
+    if (link.empty()) fail(element, "<" + element.name + "> has no " + attribute + "; give it a link's name");
+    return link;
+  }
+
+  LinkPair pairOf(const XmlNode& element) const { return {linkOf(element, "link1"), linkOf(element, "link2")}; }
+
+  bool isKnown(const LinkPair& pair) {
+    for (const std::string& link : {pair.first, pair.second}) {
+      if (known_.count(link)) continue;
+      if (left_out_++ == 0) first_unknown_ = link;
+      return false;
+    }
+    return true;
+  }
+
+  void disable(const LinkPair& pair, const std::string& reason) {
+    if (!isKnown(pair) || !disabled_.insert(inOrder(pair.first, pair.second)).second) return;
+    result_.pairs.push_back({pair.first, pair.second, reason, ""});
+  }
+
+  void enable(const LinkPair& pair) {
+    if (!isKnown(pair) || !disabled_.erase(inOrder(pair.first, pair.second))) return;
+    const auto is_pair = [&](const DisabledPair& p) { return inOrder(p.link1, p.link2) == inOrder(pair.first, pair.second); };
+    result_.pairs.erase(std::remove_if(result_.pairs.begin(), result_.pairs.end(), is_pair), result_.pairs.end());
+  }
+
+  void disableAllOf(const XmlNode& element) {
+    const std::string link = linkOf(element, "link");
+    for (const std::string& other : links_) {
+      if (other != link) disable({link, other}, "Default");
+    }
+  }
+
+  std::string label_;
+  std::vector<std::string> links_;
+  std::set<std::string> known_;
+  std::set<LinkPair> disabled_;
+  std::size_t left_out_ = 0;
+  std::string first_unknown_;
+  DisabledPairs result_;
+};
+
+/// As a comment may not hold it.
+std::string commentText(std::string text) {
+  for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at)) text.replace(at, 2, "- ");
+  return text;
+}
+
+}  // namespace
+
+DisabledPairs parseDisabledPairs(const std::string& srdf_text, const RobotDescription& robot, const std::string& path) {
+  const std::string label = path.empty() ? "SRDF" : "'" + path + "'";
+  return Reader(robot, label).read(parseXml(srdf_text, label));
+}
+
+DisabledPairs readDisabledPairs(const std::string& srdf_file, const RobotDescription& robot) {
+  return parseDisabledPairs(readTextFile(srdf_file, ".srdf file"), robot, srdf_file);
+}
+
+std::string srdfFragment(const std::string& robot_name, const std::vector<DisabledPair>& pairs) {
+  std::string text = "<?xml version=\"1.0\"?>\n<robot name=\"" + xmlEscaped(robot_name) + "\">\n";
+  for (const DisabledPair& pair : pairs) {
+    text += "  <disable_collisions link1=\"" + xmlEscaped(pair.link1) + "\" link2=\"" + xmlEscaped(pair.link2) + "\" reason=\"" +
+            xmlEscaped(pair.reason) + "\"/>";
+    text += pair.known.empty() ? "\n" : "  <!-- " + commentText(pair.known) + " -->\n";
+  }
+  return text + "</robot>\n";
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,189 @@
+// MoveIt's text:
+//
+//   name of the scene
+//   * name of an object                  then, since MoveIt 1.1, its pose
+//   number of shapes                     for each:
+//     kind, and its numbers
+//     x y z, a line; qx qy qz qw, a line
+//     r g b a
+//   number of subframes                  since MoveIt 1.1; for each: name, pose
+//   .                                    the end
+//
+// Which of the two formats it is, MoveIt tells by the line after the first object's name: with a blank within it begins a pose.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "collision_hulls/error.h"
+#include "robot/text_file.h"
+#include "scene/reading.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\n\f\v";
+constexpr double kMostItems = 20'000'000;  // of a kind: shapes, vertices, triangles
+
+std::string trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(kBlanks), end = text.find_last_not_of(kBlanks);
+  return begin == std::string_view::npos ? "" : std::string(text.substr(begin, end + 1 - begin));
+}
+
+class Reader {
+ public:
+  explicit Reader(const std::string& file) : file_(file), text_(readTextFile(file, ".scene file")), rest_(text_) {}
+
+  Scene read() {
+    Scene scene;
+    scene.name = trimmed(line());
+    for (std::string marker = word("an object, '*', or the end, '.'"); marker != "."; marker = word("the end, '.',")) {
+      if (marker != "*") fail("'" + marker + "' stands where an object ('*') begins or the scene ends ('.')");
+      object(scene);
+    }
+    return scene;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw Error(ErrorCode::kBadScene, "'" + file_ + "', line " + std::to_string(line_) + ": " + reason);
+  }
+
+  std::string_view line() {
+    const std::size_t length = std::min(rest_.find('\n'), rest_.size());
+    const std::string_view result = rest_.substr(0, length);
+    line_ += length < rest_.size();
+    rest_.remove_prefix(std::min(length + 1, rest_.size()));
+    return result;
+  }
+
+  std::string word(const std::string& what) {
+    while (!rest_.empty() && kBlanks.find(rest_.front()) != std::string_view::npos) {
+      line_ += rest_.front() == '\n';
+      rest_.remove_prefix(1);
+    }
+    const std::string result(rest_.substr(0, rest_.find_first_of(kBlanks)));
+    if (result.empty()) fail("the file ends where " + what + " should stand; save the scene again");
+    rest_.remove_prefix(result.size());
+    return result;
+  }
+
+  double number(const std::string& what) {
+    const std::string text = word(what);
+    double value = 0;
+    if (!parseNumber(text, value)) fail("'" + text + "' stands where " + what + " should, a finite number");
+    return value;
+  }
+
+  std::size_t count(const std::string& what) {
+    const double value = number("the number of " + what);
+    if (!(value >= 0 && value <= kMostItems && value == static_cast<double>(static_cast<std::size_t>(value)))) {
+      fail(std::to_string(value) + " is no number of " + what + ", an integer from 0 to 20 million");
+    }
+    return static_cast<std::size_t>(value);
+  }
+
+  Eigen::Vector3d vector(const std::string& what) {
+    const double x = number(what), y = number(what);
+    return {x, y, number(what)};
+  }
+
+  Eigen::Isometry3d pose() {
+    Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+    result.translation() = vector("a position");
+    const double x = number("a quaternion"), y = number("a quaternion"), z = number("a quaternion"), w = number("a quaternion");
+    inThisLine([&] { result.linear() = checkedQuaternion(x, y, z, w).toRotationMatrix(); });
+    return result;
+  }
+
+  void inThisLine(const std::function<void()>& action) { inContext("'" + file_ + "', line " + std::to_string(line_), action); }
+
+  /// Looks at the line after the name of the first object, as MoveIt does.
+  bool hasObjectPoses() {
+    if (!has_object_poses_) has_object_poses_ = trimmed(rest_.substr(0, rest_.find('\n'))).find(' ') != std::string::npos;
+    return *has_object_poses_;
+  }
+
+  void object(Scene& scene) {
+    const std::string name = trimmed(rest_.substr(0, rest_.find('\n')));
+    if (name.empty()) fail("an object has no name; give it one");
+    line();
+    const bool with_pose = hasObjectPoses();
+    const Eigen::Isometry3d object_pose = with_pose ? pose() : Eigen::Isometry3d::Identity();
+    const std::size_t shapes = count("shapes");
+    for (std::size_t i = 0; i < shapes; ++i) {
+      SceneBody body = shape();
+      body.name = shapes == 1 ? name : name + "/" + std::to_string(i + 1);
+      body.pose = object_pose * pose() * body.pose;
+      for (int k = 0; k < 4; ++k) number("a colour");
+      inThisLine([&] { addBody(scene, std::move(body)); });
+    }
+    if (with_pose) subframes();
+  }
+
+  void subframes() {
+    const std::size_t frames = count("subframes");
+    for (std::size_t i = 0; i < frames; ++i) {
+      if (trimmed(line()).empty()) line();  // what is left of the line before; then the name, which may hold blanks
+      pose();
+    }
+  }
+
+  /// Unnamed; with a pose where the shape is not about its origin.
+  SceneBody shape() {
+    static const std::map<std::string, std::size_t> kSizes{{"box", 3}, {"sphere", 1}, {"cylinder", 2}, {"cone", 2}, {"plane", 4}};
+    const std::string kind = word("a shape");
+    SceneBody body;
+    if (kind == "mesh") {
+      body.shape = mesh();
+      return body;
+    }
+    const auto sizes = kSizes.find(kind);
+    if (sizes == kSizes.end()) fail("'" + kind + "' is no shape that is read; those are box, sphere, cylinder, cone, plane and mesh");
+    std::array<double, 4> s{};
+    for (std::size_t i = 0; i < sizes->second; ++i) s[i] = number("a size of a " + kind);
+    inThisLine([&] {
+      if (kind == "box") body.shape = boxShape({s[0], s[1], s[2]});
+      if (kind == "sphere") body.shape = sphereShape(s[0]);
+      if (kind == "cylinder") body.shape = cylinderShape(s[0], s[1]);
+      if (kind == "cone") body.shape = coneShape(s[0], s[1]);
+      if (kind != "plane") return;
+      const PlacedShape slab = planeShape({s[0], s[1], s[2]}, s[3]);
+      body.shape = slab.shape;
+      body.pose = slab.pose;
+    });
+    return body;
+  }
+
+  TriangleMesh mesh() {
+    const std::size_t vertices = count("vertices"), triangles = count("triangles");
+    TriangleMesh result;
+    for (std::size_t i = 0; i < vertices; ++i) result.vertices.push_back(vector("a vertex"));
+    for (std::size_t i = 0; i < triangles; ++i) {
+      Triangle& triangle = result.triangles.emplace_back();
+      for (int& corner : triangle) {
+        const double index = number("a triangle");
+        if (!(index >= 0 && index < static_cast<double>(vertices) && index == std::floor(index))) {
+          fail("a triangle with the corner " + std::to_string(index) + "; the mesh has " + std::to_string(vertices) + " vertices");
+        }
+        corner = static_cast<int>(index);
+      }
+    }
+    return result;
+  }
+
+  const std::string file_;
+  const std::string text_;
+  std::string_view rest_;
+  std::size_t line_ = 1;
+  std::optional<bool> has_object_poses_;
+};
+
+}  // namespace
+
+Scene readMoveItScene(const std::string& file) {
+  return Reader(file).read();
+}
+
+}  // namespace collision_hulls

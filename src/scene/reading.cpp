@@ -1,0 +1,47 @@
+#include "scene/reading.h"
+
+#include <cmath>
+#include <locale>
+#include <sstream>
+
+#include "collision_hulls/error.h"
+#include "collision_hulls/mesh/mesh_io.h"
+
+namespace collision_hulls {
+
+bool parseNumber(std::string_view word, double& value) {
+  std::istringstream in{std::string(word)};
+  in.imbue(std::locale::classic());
+  return in >> value && in.peek() == std::istringstream::traits_type::eof() && std::isfinite(value);
+}
+
+void inContext(const std::string& label, const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    throw Error(error.code(), label + ": " + error.what());
+  }
+}
+
+Eigen::Quaterniond fromRollPitchYaw(const Eigen::Vector3d& rpy) {
+  return Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
+         Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX());
+}
+
+Eigen::Quaterniond checkedQuaternion(double x, double y, double z, double w) {
+  constexpr double kRounded = 1e-2;  // of decimal text with few digits
+  const Eigen::Quaterniond q(w, x, y, z);
+  if (!(std::abs(q.norm() - 1) <= kRounded)) {
+    throw Error(ErrorCode::kBadScene, "a quaternion of length " + std::to_string(q.norm()) + "; a rotation's has length 1");
+  }
+  return q.normalized();
+}
+
+TriangleMesh MeshLibrary::read(const std::string& uri, const Eigen::Vector3d& scale, const std::string& base) {
+  const std::string path = resolveUri(uri, base, find_package_);
+  const auto found = by_path_.find(path);
+  const TriangleMesh& mesh = found != by_path_.end() ? found->second : by_path_.emplace(path, readMesh(path).mesh).first->second;
+  return scaled(mesh, scale);
+}
+
+}  // namespace collision_hulls

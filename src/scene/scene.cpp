@@ -1,0 +1,117 @@
+#include "collision_hulls/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "collision_hulls/error.h"
+#include "collision_hulls/mesh/mesh_io.h"
+#include "robot/text_file.h"
+#include "scene/reading.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr double kFurthest = 1e6;  // [m] from the origin
+
+[[noreturn]] void fail(const std::string& body, const std::string& reason) {
+  throw Error(ErrorCode::kBadScene, "body '" + body + "' " + reason);
+}
+
+void checkPlace(const std::string& name, const Eigen::Isometry3d& pose) {
+  if (!pose.matrix().allFinite()) fail(name, "has a pose that is not finite; mend its numbers");
+  if (pose.translation().cwiseAbs().maxCoeff() > kFurthest) fail(name, "lies further out than 1e6 m; lengths are in metres");
+}
+
+void checkMesh(const std::string& name, const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) fail(name, "is a mesh without triangles; remove it, or give it some");
+  const auto count = static_cast<int>(mesh.vertices.size());
+  for (const Triangle& t : mesh.triangles) {
+    for (const int v : t) {
+      if (v < 0 || v >= count) fail(name, "has a triangle with vertex " + std::to_string(v) + " of " + std::to_string(count));
+    }
+  }
+  for (const Eigen::Vector3d& v : mesh.vertices) {
+    if (!(v.cwiseAbs().maxCoeff() <= kFurthest)) fail(name, "has a vertex that is not finite, or further out than 1e6 m");
+  }
+}
+
+ConvexHull primitive(const GeometryElement& element) {
+  switch (element.kind) {
+    case GeometryElement::Kind::kBox: return boxShape(element.size);
+    case GeometryElement::Kind::kSphere: return sphereShape(element.size.x());
+    default: return cylinderShape(element.size.x(), element.size.y());
+  }
+}
+
+/// Each element of each link, where it is at rest.
+Scene readUrdfScene(const std::string& file, const PackageFinder& find_package) {
+  const RobotDescription robot = readRobotDescription(file);
+  MeshLibrary meshes(find_package);
+  Scene scene;
+  scene.name = robot.name;
+  for (const LinkDescription& link : robot.links) {
+    const std::vector<GeometryElement> elements = sourceElements(link, Source::kAuto).elements;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const GeometryElement& element = elements[i];
+      const std::string name = elements.size() == 1 ? link.name : link.name + "/" + std::to_string(i + 1);
+      inContext("'" + file + "', link '" + link.name + "'", [&] {
+        SceneBody body{name, {}, link.pose * element.origin};
+        if (element.kind == GeometryElement::Kind::kMesh) {
+          body.shape = meshes.read(element.uri, element.scale, file);
+        } else {
+          body.shape = primitive(element);
+        }
+        addBody(scene, std::move(body));
+      });
+    }
+  }
+  return scene;
+}
+
+Scene readMeshScene(const std::string& file) {
+  Scene scene;
+  scene.name = std::filesystem::path(file).stem().string();
+  addBody(scene, {scene.name.empty() ? "mesh" : scene.name, readMesh(file).mesh});
+  return scene;
+}
+
+std::optional<Scene> readByExtension(const std::string& file, const PackageFinder& find_package) {
+  const std::string extension = lowerExtension(file);
+  if (extension == ".scene") return readMoveItScene(file);
+  if (extension == ".urdf" || extension == ".xacro") return readUrdfScene(file, find_package);
+  if (extension == ".sdf" || extension == ".world") return readSdfScene(file, find_package);
+  if (extension == ".yaml" || extension == ".yml") return readYamlScene(file, find_package);
+  const std::vector<std::string>& meshes = meshExtensions();
+  if (std::find(meshes.begin(), meshes.end(), extension) != meshes.end()) return readMeshScene(file);
+  return std::nullopt;
+}
+
+}  // namespace
+
+void addBody(Scene& scene, SceneBody body) {
+  if (body.name.empty()) throw Error(ErrorCode::kBadScene, "a body has no name; give it one");
+  const auto is_same = [&](const SceneBody& other) { return other.name == body.name; };
+  if (std::any_of(scene.bodies.begin(), scene.bodies.end(), is_same)) fail(body.name, "stands twice in the scene; rename one of them");
+  checkPlace(body.name, body.pose);
+  if (const auto* mesh = std::get_if<TriangleMesh>(&body.shape)) checkMesh(body.name, *mesh);
+  scene.bodies.push_back(std::move(body));
+}
+
+Scene readScene(const std::string& file, const PackageFinder& find_package) {
+  std::optional<Scene> scene = readByExtension(file, find_package);
+  if (!scene) {
+    throw Error(ErrorCode::kUnsupportedFormat, "'" + file +
+                                                   "': a scene is read from .scene (MoveIt), .urdf, .xacro, .sdf, .world, .yaml, " +
+                                                   "or a mesh file (.stl .dae .obj .off .ply)");
+  }
+  const std::string extension = lowerExtension(file);
+  if (scene->bodies.empty() && extension != ".yaml" && extension != ".yml") {
+    throw Error(ErrorCode::kBadScene, "'" + file + "' is a scene without geometry; where an empty one is meant, give a .yaml file with " +
+                                          "the line 'bodies: []'");
+  }
+  return std::move(*scene);
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,92 @@
+#include "scene/sdf_frames.h"
+
+#include <sstream>
+
+#include "collision_hulls/error.h"
+#include "scene/reading.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180;
+
+std::string textOfChild(const XmlNode& element, const std::string& name) {
+  const XmlNode* child = element.child(name);
+  return child ? child->text : "";
+}
+
+/// The <pose> itself, whatever it is relative to.
+Eigen::Isometry3d rawPose(const std::string& file, const XmlNode& pose) {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  if (pose.text.empty()) return result;
+  const bool quaternion = pose.attribute("rotation_format") == "quat_xyzw";
+  const std::vector<double> n = sdfNumbers(file, pose, quaternion ? 7 : 6);
+  result.translation() = Eigen::Vector3d(n[0], n[1], n[2]);
+  const std::string degrees = pose.attribute("degrees");
+  const double unit = degrees == "true" || degrees == "1" ? kRadiansPerDegree : 1;
+  inContext("'" + file + "', line " + std::to_string(pose.line), [&] {
+    result.linear() = (quaternion ? checkedQuaternion(n[3], n[4], n[5], n[6]) : fromRollPitchYaw(unit * Eigen::Vector3d(n[3], n[4], n[5])))
+                          .toRotationMatrix();
+  });
+  return result;
+}
+
+}  // namespace
+
+void failSdf(const std::string& file, const XmlNode& element, const std::string& reason) {
+  throw Error(ErrorCode::kBadScene, "'" + file + "', line " + std::to_string(element.line) + ": " + reason);
+}
+
+std::vector<double> sdfNumbers(const std::string& file, const XmlNode& element, std::size_t count) {
+  std::istringstream words(element.text);
+  std::vector<double> numbers;
+  for (std::string word; words >> word;) {
+    if (!parseNumber(word, numbers.emplace_back())) failSdf(file, element, "'" + word + "' in <" + element.name + "> is no finite number");
+  }
+  if (numbers.size() != count) {
+    failSdf(file, element,
+            "<" + element.name + "> has " + std::to_string(numbers.size()) + " numbers where " + std::to_string(count) + " should stand");
+  }
+  return numbers;
+}
+
+SdfFrames::SdfFrames(const XmlNode& scope, const std::string& file, const std::vector<SdfModel>& models) : file_(file) {
+  for (const XmlNode& element : scope.children) {
+    if (element.name == "link") add(element.attribute("name"), element, "");
+    if (element.name == "frame") add(element.attribute("name"), element, element.attribute("attached_to"));
+    if (element.name == "joint") add(element.attribute("name"), element, textOfChild(element, "child"));
+  }
+  for (const SdfModel& model : models) add(model.name, *model.posed, "");
+}
+
+void SdfFrames::add(const std::string& name, const XmlNode& element, const std::string& relative_to) {
+  if (name.empty()) failSdf(file_, element, "a <" + element.name + "> has no name; give it one");
+  if (!frames_.emplace(name, Frame{&element, relative_to}).second) {
+    failSdf(file_, element, "'" + name + "' stands twice in its model or world; rename one of them");
+  }
+}
+
+Eigen::Isometry3d SdfFrames::poseOf(const XmlNode& element, const std::string& frame) const {
+  return poseOf(element, frame, 0);
+}
+
+Eigen::Isometry3d SdfFrames::poseOf(const XmlNode& element, const std::string& frame, std::size_t steps) const {
+  const XmlNode* pose = element.child("pose");
+  if (!pose) return frameNamed(frame, element, steps);
+  const std::string relative_to = pose->attribute("relative_to");
+  // Before SDF 1.7 the attribute was called `frame`.
+  const std::string given = relative_to.empty() ? pose->attribute("frame") : relative_to;
+  return frameNamed(given.empty() ? frame : given, *pose, steps) * rawPose(file_, *pose);
+}
+
+Eigen::Isometry3d SdfFrames::frameNamed(const std::string& name, const XmlNode& asked_by, std::size_t steps) const {
+  if (name.empty() || name == "__model__" || name == "world") return Eigen::Isometry3d::Identity();
+  if (steps > frames_.size()) failSdf(file_, asked_by, "frame '" + name + "' is relative to itself, through others");
+  const auto found = frames_.find(name);
+  if (found == frames_.end()) {
+    failSdf(file_, asked_by, "there is no frame '" + name + "' in this model or world; frames of nested models (a::b) are not followed");
+  }
+  return poseOf(*found->second.element, found->second.relative_to, steps + 1);
+}
+
+}  // namespace collision_hulls

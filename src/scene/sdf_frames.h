@@ -1,0 +1,50 @@
+// Frames of an SDF model or world, and what they hold.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "robot/xml_tree.h"
+
+namespace collision_hulls {
+
+/// Throws kBadScene with file and line.
+[[noreturn]] void failSdf(const std::string& file, const XmlNode& element, const std::string& reason);
+
+/// The numbers of an element's text, so many of them.
+std::vector<double> sdfNumbers(const std::string& file, const XmlNode& element, std::size_t count);
+
+/// A model within a scope. An <include> may overrule its name and pose.
+struct SdfModel {
+  const XmlNode* element = nullptr;
+  std::string file;  ///< that it stands in
+  std::string name;
+  const XmlNode* posed = nullptr;  ///< the element whose <pose> counts
+  bool included = false;
+};
+
+/// The frames of one model or world, in its own frame: links, joints, frames, models within, and `__model__`. Keeps references.
+class SdfFrames {
+ public:
+  SdfFrames(const XmlNode& scope, const std::string& file, const std::vector<SdfModel>& models);
+
+  /// The <pose> of an element, which is relative to `frame` unless it says otherwise; empty: the scope's own. Throws kBadScene for
+  /// frames that are not there or lead back to themselves, and a pose that is none.
+  Eigen::Isometry3d poseOf(const XmlNode& element, const std::string& frame) const;
+
+ private:
+  struct Frame {
+    const XmlNode* element;
+    std::string relative_to;
+  };
+  void add(const std::string& name, const XmlNode& element, const std::string& relative_to);
+  Eigen::Isometry3d poseOf(const XmlNode& element, const std::string& frame, std::size_t steps) const;
+  Eigen::Isometry3d frameNamed(const std::string& name, const XmlNode& asked_by, std::size_t steps) const;
+
+  const std::string& file_;
+  std::map<std::string, Frame> frames_;
+};
+
+}  // namespace collision_hulls

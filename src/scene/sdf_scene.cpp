@@ -1,0 +1,190 @@
+// Static bodies of SDF, Gazebo's format: worlds hold models, models hold links and models, links hold collisions.
+#include <filesystem>
+#include <initializer_list>
+#include <map>
+
+#include "collision_hulls/error.h"
+#include "robot/text_file.h"
+#include "robot/xml_tree.h"
+#include "scene/model_uri.h"
+#include "scene/reading.h"
+#include "scene/sdf_frames.h"
+
+namespace fs = std::filesystem;
+
+namespace collision_hulls {
+namespace {
+
+constexpr int kDeepestInclude = 20, kMostIncludes = 10'000;
+
+/// The hull of ellipsoids at some heights.
+ConvexHull roundShape(const Eigen::Vector3d& radii, std::initializer_list<double> heights) {
+  boxShape(radii);  // which refuses what is no size
+  const double largest = radii.maxCoeff();
+  std::vector<Eigen::Vector3d> points;
+  for (const Eigen::Vector3d& p : sphereShape(largest).vertices) {
+    for (const double z : heights) points.push_back(p.cwiseProduct(radii / largest) + z * Eigen::Vector3d::UnitZ());
+  }
+  return convexHull(points);
+}
+
+/// An element within <geometry>.
+struct Shape {
+  const std::string& file;
+  const XmlNode& element;
+
+  std::vector<double> numbers(const char* child, std::size_t count) const {
+    const XmlNode* found = element.child(child);
+    if (!found) failSdf(file, element, "<" + element.name + "> has no <" + child + ">");
+    return sdfNumbers(file, *found, count);
+  }
+  double number(const char* child) const { return numbers(child, 1).front(); }
+  Eigen::Vector3d vector(const char* child) const { return Eigen::Vector3d(numbers(child, 3).data()); }
+};
+
+ConvexHull convexShape(const Shape& shape) {
+  const std::string& kind = shape.element.name;
+  if (kind == "box") return boxShape(shape.vector("size"));
+  if (kind == "sphere") return sphereShape(shape.number("radius"));
+  if (kind == "cylinder") return cylinderShape(shape.number("radius"), shape.number("length"));
+  if (kind == "cone") return coneShape(shape.number("radius"), shape.number("length"));
+  if (kind == "ellipsoid") return roundShape(shape.vector("radii"), {0});
+  if (kind == "capsule") {
+    const double radius = shape.number("radius"), half = shape.number("length") / 2;
+    return roundShape(Eigen::Vector3d::Constant(radius), {-half, half});
+  }
+  failSdf(shape.file, shape.element,
+          "<" + kind + "> is no geometry that is read; those are box, sphere, cylinder, cone, capsule, ellipsoid, plane and mesh. " +
+              "Export it as a mesh");
+}
+
+class Reader {
+ public:
+  explicit Reader(const PackageFinder& find_package) : find_package_(find_package), meshes_(find_package) {}
+
+  Scene read(const std::string& file) {
+    const XmlNode& root = open(file);
+    const std::vector<const XmlNode*> worlds = root.childrenNamed("world");
+    if (worlds.size() > 1) failSdf(file, *worlds[1], "a second <world>; one is read, remove the other");
+    scene_.name = worlds.empty() ? fs::path(file).stem().string() : worlds.front()->attribute("name");
+    readScope(worlds.empty() ? root : *worlds.front(), file, Eigen::Isometry3d::Identity(), "", 0);
+    return std::move(scene_);
+  }
+
+ private:
+  /// The root of an SDF file. It lives as long as the reader does.
+  const XmlNode& open(const std::string& file) {
+    const auto known = documents_.find(file);
+    if (known != documents_.end()) return known->second;
+    const XmlNode& root = documents_.emplace(file, parseXml(readTextFile(file, ".sdf or .world file"), "'" + file + "'")).first->second;
+    if (root.name != "sdf") failSdf(file, root, "the root element is <" + root.name + ">; an SDF's is <sdf>");
+    return root;
+  }
+
+  /// A world, a model, or what stands outside of both.
+  void readScope(const XmlNode& scope, const std::string& file, const Eigen::Isometry3d& pose, const std::string& prefix, int depth) {
+    std::vector<SdfModel> models;
+    for (const XmlNode& element : scope.children) {
+      if (element.name == "model") models.push_back({&element, file, element.attribute("name"), &element, false});
+      if (element.name == "include") models.push_back(included(element, file, depth));
+    }
+    const SdfFrames frames(scope, file, models);
+    for (const XmlNode* link : scope.childrenNamed("link")) readLink(*link, file, frames, pose, prefix);
+    for (const SdfModel& model : models) {
+      if (!model.element->attribute("placement_frame").empty()) {
+        failSdf(model.file, *model.element, "placement_frame is not supported; give the pose of the model itself");
+      }
+      readScope(*model.element, model.file, pose * frames.poseOf(*model.posed, ""), prefix + model.name + "::", depth + model.included);
+    }
+  }
+
+  void readLink(const XmlNode& link, const std::string& file, const SdfFrames& frames, const Eigen::Isometry3d& pose,
+                const std::string& prefix) {
+    const std::string link_name = link.attribute("name");
+    for (const XmlNode* collision : link.childrenNamed("collision")) {
+      const std::string name = prefix + link_name + "::" + collision->attribute("name");
+      SceneBody body{name, {}, pose * frames.poseOf(*collision, link_name)};
+      inContext("collision '" + name + "'", [&] {
+        if (setShape(*collision, file, body)) addBody(scene_, std::move(body));
+      });
+    }
+  }
+
+  SdfModel included(const XmlNode& include, const std::string& file, int depth) {
+    if (depth >= kDeepestInclude) failSdf(file, include, "includes nest deeper than 20; does one include itself?");
+    if (++includes_ > kMostIncludes) failSdf(file, include, "more than 10,000 includes");
+    if (include.child("placement_frame")) failSdf(file, include, "placement_frame is not supported; give the pose of the model itself");
+    const XmlNode* uri = include.child("uri");
+    if (!uri) failSdf(file, include, "an <include> has no <uri>; give it one");
+    std::string path;
+    inContext("'" + file + "', line " + std::to_string(uri->line), [&] { path = includedFile(uri->text, file); });
+    const XmlNode& root = open(path);
+    const XmlNode* model = root.child("model");
+    if (!model) failSdf(path, root, "it is included, but has no <model>");
+    const XmlNode* name = include.child("name");
+    return {model, path, name ? name->text : model->attribute("name"), include.child("pose") ? &include : model, true};
+  }
+
+  /// A file's own URI, or a model's folder: the file that its model.config names for the newest version, or model.sdf.
+  std::string includedFile(const std::string& uri, const std::string& file) {
+    const std::string extension = lowerExtension(uri);
+    if (extension == ".sdf" || extension == ".world") return resolveModelUri(uri, file, find_package_);
+    std::string config;
+    try {
+      config = resolveModelUri(uri + "/model.config", file, find_package_);
+    } catch (const Error&) {
+      return resolveModelUri(uri + "/model.sdf", file, find_package_);
+    }
+    const XmlNode root = parseXml(readTextFile(config, "model.config"), "'" + config + "'");
+    std::string newest;
+    double newest_version = -1;
+    for (const XmlNode* sdf : root.childrenNamed("sdf")) {
+      double version = 0;
+      parseNumber(sdf->attribute("version"), version);
+      if (version > newest_version) newest_version = version, newest = sdf->text;
+    }
+    if (newest.empty()) failSdf(config, root, "it names no <sdf> file");
+    return (fs::path(config).parent_path() / newest).string();
+  }
+
+  /// False for <empty/>.
+  bool setShape(const XmlNode& collision, const std::string& file, SceneBody& body) {
+    const XmlNode* geometry = collision.child("geometry");
+    if (!geometry || geometry->children.empty()) failSdf(file, collision, "it has no geometry; give it one, or <empty/>");
+    const Shape shape{file, geometry->children.front()};
+    const std::string& kind = shape.element.name;
+    if (kind == "empty") return false;
+    if (kind == "mesh") {
+      body.shape = mesh(shape.element, file);
+    } else if (kind == "plane") {
+      const PlacedShape slab = planeShape(shape.element.child("normal") ? shape.vector("normal") : Eigen::Vector3d::UnitZ(), 0);
+      body.shape = slab.shape;
+      body.pose = body.pose * slab.pose;
+    } else {
+      body.shape = convexShape(shape);
+    }
+    return true;
+  }
+
+  TriangleMesh mesh(const XmlNode& shape, const std::string& file) {
+    const XmlNode *uri = shape.child("uri"), *scale = shape.child("scale");
+    if (!uri) failSdf(file, shape, "<mesh> has no <uri>");
+    if (shape.child("submesh")) failSdf(file, shape, "<submesh> is not supported; give the part of the mesh a file of its own");
+    const Eigen::Vector3d factors = scale ? Eigen::Vector3d(sdfNumbers(file, *scale, 3).data()) : Eigen::Vector3d::Ones();
+    return meshes_.read(resolveModelUri(uri->text, file, find_package_), factors, file);
+  }
+
+  const PackageFinder& find_package_;
+  MeshLibrary meshes_;
+  std::map<std::string, XmlNode> documents_;  // by path; models point into them
+  int includes_ = 0;
+  Scene scene_;
+};
+
+}  // namespace
+
+Scene readSdfScene(const std::string& file, const PackageFinder& find_package) {
+  return Reader(find_package).read(file);
+}
+
+}  // namespace collision_hulls

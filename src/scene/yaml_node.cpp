@@ -1,0 +1,116 @@
+#include "scene/yaml_node.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include "scene/reading.h"
+
+namespace collision_hulls {
+
+struct YamlValue::Node {
+  struct Source {
+    std::string file;
+    ErrorCode code;
+    std::size_t first_line;
+  };
+  YAML::Node value;
+  std::shared_ptr<const Source> source;
+
+  static YamlValue wrap(const YAML::Node& value, const std::shared_ptr<const Source>& source) {
+    YamlValue result;
+    result.node_ = std::make_shared<Node>(Node{value, source});
+    return result;
+  }
+};
+
+namespace {
+
+std::string place(const std::string& file, std::size_t line) {
+  return "'" + file + "', line " + std::to_string(line);
+}
+
+std::size_t lineOf(const YAML::Mark& mark, std::size_t first_line) {
+  return first_line + static_cast<std::size_t>(std::max(0, mark.line));
+}
+
+}  // namespace
+
+YamlValue YamlValue::parse(const std::string& text, const std::string& file, ErrorCode code, std::size_t first_line) {
+  const auto source = std::make_shared<const Node::Source>(Node::Source{file, code, first_line});
+  try {
+    return Node::wrap(YAML::Load(text), source);
+  } catch (const YAML::Exception& error) {
+    throw Error(code, place(file, lineOf(error.mark, first_line)) + ": the text is no YAML: " + error.msg);
+  }
+}
+
+bool YamlValue::isNull() const {
+  return !node_->value.IsDefined() || node_->value.IsNull();
+}
+
+bool YamlValue::isMap() const {
+  return node_->value.IsMap();
+}
+
+bool YamlValue::isSequence() const {
+  return node_->value.IsSequence();
+}
+
+std::string YamlValue::text() const {
+  if (!node_->value.IsScalar()) fail("a single value should stand here");
+  return node_->value.Scalar();
+}
+
+double YamlValue::number() const {
+  double value = 0;
+  if (!parseNumber(text(), value)) fail("'" + text() + "' stands where a finite number should");
+  return value;
+}
+
+std::vector<YamlValue> YamlValue::items() const {
+  if (!isSequence()) fail("a list should stand here");
+  std::vector<YamlValue> result;
+  for (const YAML::Node& item : node_->value) result.push_back(Node::wrap(item, node_->source));
+  return result;
+}
+
+std::vector<double> YamlValue::numbers() const {
+  std::vector<double> result;
+  for (const YamlValue& item : items()) result.push_back(item.number());
+  return result;
+}
+
+std::vector<double> YamlValue::numbers(std::size_t count) const {
+  std::vector<double> result = numbers();
+  if (result.size() != count) fail(std::to_string(result.size()) + " numbers stand where " + std::to_string(count) + " should");
+  return result;
+}
+
+std::vector<std::string> YamlValue::keys() const {
+  if (!isMap()) fail("a map (key: value) should stand here");
+  std::vector<std::string> result;
+  for (const auto& entry : node_->value) result.push_back(Node::wrap(entry.first, node_->source).text());
+  return result;
+}
+
+bool YamlValue::has(const std::string& key) const {
+  return isMap() && node_->value[key].IsDefined();
+}
+
+YamlValue YamlValue::operator[](const std::string& key) const {
+  if (!has(key)) fail("'" + key + "' is missing");
+  return Node::wrap(node_->value[key], node_->source);
+}
+
+std::size_t YamlValue::line() const {
+  return lineOf(node_->value.Mark(), node_->source->first_line);
+}
+
+std::string YamlValue::where() const {
+  return place(node_->source->file, line());
+}
+
+void YamlValue::fail(const std::string& reason) const {
+  throw Error(node_->source->code, where() + ": " + reason);
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,114 @@
+// The YAML that readScene() describes.
+#include <algorithm>
+#include <set>
+
+#include "collision_hulls/error.h"
+#include "robot/text_file.h"
+#include "scene/reading.h"
+#include "scene/yaml_node.h"
+
+namespace collision_hulls {
+namespace {
+
+const std::set<std::string> kShapes{"box", "sphere", "cylinder", "cone", "plane", "mesh"};
+
+void expectKeys(const YamlValue& map, const std::set<std::string>& known) {
+  std::string list;
+  for (const std::string& key : known) list += (list.empty() ? "" : ", ") + key;
+  std::set<std::string> seen;
+  for (const std::string& key : map.keys()) {
+    if (!known.count(key)) map.fail("'" + key + "' is not known here; known are " + list);
+    if (!seen.insert(key).second) map.fail("'" + key + "' stands twice");
+  }
+}
+
+Eigen::Vector3d vector(const YamlValue& value) {
+  const std::vector<double> numbers = value.numbers(3);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+Eigen::Isometry3d pose(const YamlValue& value) {
+  expectKeys(value, {"xyz", "rpy", "quaternion"});
+  if (value.has("rpy") && value.has("quaternion")) value.fail("a pose has rpy or quaternion, not both");
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  if (value.has("xyz")) result.translation() = vector(value["xyz"]);
+  if (value.has("rpy")) result.linear() = fromRollPitchYaw(vector(value["rpy"])).toRotationMatrix();
+  if (value.has("quaternion")) {
+    const std::vector<double> q = value["quaternion"].numbers(4);
+    inContext(value.where(), [&] { result.linear() = checkedQuaternion(q[0], q[1], q[2], q[3]).toRotationMatrix(); });
+  }
+  return result;
+}
+
+std::string shapeOf(const YamlValue& body) {
+  std::vector<std::string> found;
+  for (const std::string& key : body.keys()) {
+    if (kShapes.count(key)) found.push_back(key);
+  }
+  if (found.size() != 1) {
+    body.fail("a body has one shape, this one " + std::to_string(found.size()) +
+              "; shapes are box, sphere, cylinder, cone, plane and mesh");
+  }
+  return found.front();
+}
+
+class Reader {
+ public:
+  Reader(const std::string& file, const PackageFinder& find_package) : file_(file), meshes_(find_package) {}
+
+  Scene read() {
+    const YamlValue root = YamlValue::parse(readTextFile(file_, ".yaml file"), file_, ErrorCode::kBadScene);
+    if (!root.isMap() || !root.has("bodies")) root.fail("a scene has a list 'bodies:'; for an empty scene it is 'bodies: []'");
+    expectKeys(root, {"name", "bodies"});
+    Scene scene;
+    if (root.has("name")) scene.name = root["name"].text();
+    for (const YamlValue& value : root["bodies"].items()) {
+      SceneBody body = bodyOf(value);
+      inContext(value.where(), [&] { addBody(scene, std::move(body)); });
+    }
+    return scene;
+  }
+
+ private:
+  SceneBody bodyOf(const YamlValue& value) {
+    expectKeys(value, {"name", "pose", "scale", "box", "sphere", "cylinder", "cone", "plane", "mesh"});
+    SceneBody body;
+    body.name = value["name"].text();
+    if (value.has("pose")) body.pose = pose(value["pose"]);
+    const std::string shape = shapeOf(value);
+    if (value.has("scale") && shape != "mesh") value.fail("only a mesh has a scale; give the " + shape + " its size");
+    setShape(shape, value, body);
+    return body;
+  }
+
+  void setShape(const std::string& shape, const YamlValue& value, SceneBody& body) {
+    static const std::map<std::string, std::size_t> kSizes{{"box", 3}, {"cylinder", 2}, {"cone", 2}, {"plane", 4}};
+    std::vector<double> s;
+    if (shape == "sphere") s = {value[shape].number()};
+    if (kSizes.count(shape)) s = value[shape].numbers(kSizes.at(shape));
+    const Eigen::Vector3d scale = value.has("scale") ? vector(value["scale"]) : Eigen::Vector3d::Ones();
+    const std::string uri = shape == "mesh" ? value[shape].text() : "";
+    inContext(value.where() + ", body '" + body.name + "'", [&] {
+      if (shape == "box") body.shape = boxShape({s[0], s[1], s[2]});
+      if (shape == "sphere") body.shape = sphereShape(s[0]);
+      if (shape == "cylinder") body.shape = cylinderShape(s[0], s[1]);
+      if (shape == "cone") body.shape = coneShape(s[0], s[1]);
+      if (shape == "mesh") body.shape = meshes_.read(uri, scale, file_);
+      if (shape != "plane") return;
+      const PlacedShape slab = planeShape({s[0], s[1], s[2]}, s[3]);
+      body.shape = slab.shape;
+      body.pose = body.pose * slab.pose;
+    });
+  }
+
+  const std::string file_;
+  MeshLibrary meshes_;
+};
+
+}  // namespace
+
+Scene readYamlScene(const std::string& file, const PackageFinder& find_package) {
+  return Reader(file, find_package).read();
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,67 @@
+#include "collision_hulls/scene/scene.h"
+
+#include "scene/scene_tests.h"
+
+namespace collision_hulls {
+namespace {
+
+TEST(ReadScene, FilesThatAreNone) {
+  const TemporaryFolder folder;
+  expectError(ErrorCode::kUnsupportedFormat, {"a.txt", ".scene", ".yaml"}, [&] { sceneOf(folder, "a.txt", "x"); });
+  expectError(ErrorCode::kUnsupportedFormat, {".yaml"}, [&] { readScene("", noPackages()); });
+  for (const char* name : {"a.scene", "a.urdf", "a.sdf", "a.yaml", "a.stl"}) {
+    expectError(ErrorCode::kFileNotFound, {name}, [&] { readScene(folder.path(name), noPackages()); });
+  }
+}
+
+TEST(ReadScene, EmptyOnesHaveToBeMeant) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(sceneOf(folder, "a.yaml", "bodies: []").bodies.empty());
+  const auto expectNone = [&](const char* name, const char* text) {
+    expectError(ErrorCode::kBadScene, {name, "without geometry", "bodies: []"}, [&] { sceneOf(folder, name, text); });
+  };
+  expectNone("a.scene", "name\n.\n");
+  expectNone("a.urdf", "<robot name='r'><link name='a'/></robot>");
+  expectNone("a.sdf", "<sdf version='1.6'><model name='m'><link name='l'/></model></sdf>");
+}
+
+TEST(ReadScene, OneMeshWhereItIs) {
+  const TemporaryFolder folder;
+  const Scene scene = sceneOf(folder, "table top.OBJ", kTriangleObj);
+  ASSERT_EQ(scene.bodies.size(), 1u);
+  EXPECT_EQ(scene.bodies[0].name, "table top");
+  expectBox(scene.bodies[0], {0, 0, 0}, {1, 1, 0});
+}
+
+TEST(ReadScene, Urdf) {
+  const TemporaryFolder folder;
+  folder.write("t.obj", kTriangleObj);
+  const Scene scene = sceneOf(folder, "cell.urdf", R"(<robot name="cell"><link name="world"/>
+    <link name="table"><visual><geometry><sphere radius="9"/></geometry></visual>
+      <collision><origin xyz="0 0 1"/><geometry><box size="1 2 0.5"/></geometry></collision>
+      <collision><geometry><cylinder radius="0.1" length="2"/></geometry></collision></link>
+    <link name="seen"><visual><geometry><mesh filename="t.obj" scale="2 2 2"/></geometry></visual></link>
+    <joint name="a" type="fixed"><parent link="world"/><child link="table"/><origin xyz="1 0 0"/></joint>
+    <joint name="b" type="prismatic"><parent link="table"/><child link="seen"/><axis xyz="0 0 1"/>
+      <limit lower="3" upper="4" effort="1" velocity="1"/></joint></robot>)");
+  EXPECT_EQ(scene.name, "cell");
+  ASSERT_EQ(scene.bodies.size(), 3u);
+  EXPECT_EQ(scene.bodies[0].name, "table/1");
+  expectBox(scene.bodies[0], {0.5, -1, 0.75}, {1.5, 1, 1.25});
+  EXPECT_EQ(scene.bodies[1].name, "table/2");
+  EXPECT_EQ(scene.bodies[2].name, "seen");
+  expectBox(scene.bodies[2], {1, 0, 3}, {3, 2, 3});
+}
+
+TEST(ReadScene, UrdfErrorsNameTheLink) {
+  const TemporaryFolder folder;
+  const auto link = [](const std::string& geometry) {
+    return "<robot name='r'><link name='shelf'><collision><geometry>" + geometry + "</geometry></collision></link></robot>";
+  };
+  expectError(ErrorCode::kBadScene, {"'shelf'", "a box"}, [&] { sceneOf(folder, "a.urdf", link("<box size='1 0 1'/>")); });
+  expectError(ErrorCode::kFileNotFound, {"'shelf'", "no.stl"}, [&] { sceneOf(folder, "a.urdf", link("<mesh filename='no.stl'/>")); });
+  expectError(ErrorCode::kNotXml, {"a.urdf"}, [&] { sceneOf(folder, "a.urdf", "<robot"); });
+}
+
+}  // namespace
+}  // namespace collision_hulls

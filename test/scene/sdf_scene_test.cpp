@@ -1,0 +1,133 @@
+#include "scene/scene_tests.h"
+
+namespace collision_hulls {
+namespace {
+
+std::string collision(const std::string& geometry, const std::string& more = "") {
+  return "<collision name='c'>" + more + "<geometry>" + geometry + "</geometry></collision>";
+}
+
+std::string model(const std::string& content) {
+  return "<sdf version='1.7'><model name='m'>" + content + "</model></sdf>";
+}
+
+const std::string kBox = "<box><size>2 2 2</size></box>";
+
+Eigen::Vector3d placeOfFirst(const TemporaryFolder& folder, const std::string& text) {
+  return sceneOf(folder, "a.sdf", text).bodies.at(0).pose.translation();
+}
+
+TEST(SdfScene, WorldOfModels) {
+  const TemporaryFolder folder;
+  const Scene scene = sceneOf(folder, "a.world", R"(<?xml version="1.0"?><sdf version="1.6"><world name="lab">
+    <light name="sun"/>
+    <model name="ground"><static>true</static><link name="l"><collision name="c"><geometry><plane><normal>0 0 1</normal>
+      <size>100 100</size></plane></geometry></collision></link></model>
+    <model name="table"><pose>1 0 0 0 0 1.5707963267948966</pose><link name="top"><pose>0 0 1 0 0 0</pose>
+      <collision name="a"><pose>0.5 0 0 0 0 0</pose><geometry><box><size>2 1 0.1</size></box></geometry></collision>
+      <collision name="b"><geometry><cylinder><radius>0.1</radius><length>2</length></cylinder></geometry></collision>
+      <visual name="v"><geometry><sphere><radius>9</radius></sphere></geometry></visual></link></model></world></sdf>)");
+  EXPECT_EQ(scene.name, "lab");
+  ASSERT_EQ(scene.bodies.size(), 3u);
+  EXPECT_EQ(scene.bodies[0].name, "ground::l::c");
+  EXPECT_NEAR(boxOf(scene.bodies[0]).max().z(), 0, 1e-12);
+  EXPECT_EQ(scene.bodies[1].name, "table::top::a");
+  expectBox(scene.bodies[1], {0.5, -0.5, 0.95}, {1.5, 1.5, 1.05});
+}
+
+TEST(SdfScene, OtherShapes) {
+  const TemporaryFolder folder;
+  const auto boxOfShape = [&](const std::string& geometry) {
+    return boxOf(sceneOf(folder, "a.sdf", model("<link name='l'>" + collision(geometry) + "</link>")).bodies.at(0));
+  };
+  const double rounded = 1 + SceneBody::kRoundness;
+  EXPECT_LE(boxOfShape("<sphere><radius>1</radius></sphere>").max().z(), rounded);
+  EXPECT_NEAR(boxOfShape("<capsule><radius>1</radius><length>2</length></capsule>").max().z(), 2, SceneBody::kRoundness);
+  EXPECT_NEAR(boxOfShape("<ellipsoid><radii>1 2 3</radii></ellipsoid>").max().z(), 3, 3 * SceneBody::kRoundness);
+  EXPECT_NEAR(boxOfShape("<cone><radius>1</radius><length>2</length></cone>").max().z(), 1, 1e-12);
+  folder.write("t.obj", kTriangleObj);
+  EXPECT_NEAR(boxOfShape("<mesh><uri>t.obj</uri><scale>1 3 1</scale></mesh>").max().y(), 3, 1e-12);
+  const std::string two = "<link name='l'>" + collision("<empty/>") + "</link><link name='k'>" + collision(kBox) + "</link>";
+  EXPECT_EQ(sceneOf(folder, "a.sdf", model(two)).bodies.size(), 1u);
+}
+
+TEST(SdfScene, PosesRelativeToOtherFrames) {
+  const TemporaryFolder folder;
+  const std::string link = "<link name='a'><pose>1 0 0 0 0 0</pose></link>";
+  const auto place = [&](const std::string& content) { return placeOfFirst(folder, model(link + content)); };
+  EXPECT_TRUE(
+      place("<link name='b'><pose relative_to='a'>0 1 0 0 0 0</pose>" + collision(kBox) + "</link>").isApprox(Eigen::Vector3d(1, 1, 0)));
+  EXPECT_TRUE(place("<frame name='f' attached_to='a'><pose>0 0 2 0 0 0</pose></frame><link name='b'>" +
+                    collision(kBox, "<pose relative_to='f'>0 0 1 0 0 0</pose>") + "</link>")
+                  .isApprox(Eigen::Vector3d(1, 0, 3)));
+  EXPECT_TRUE(place("<joint name='j' type='fixed'><parent>world</parent><child>a</child><pose>0 0 1 0 0 0</pose></joint>"
+                    "<link name='b'><pose relative_to='j'/>" +
+                    collision(kBox) + "</link>")
+                  .isApprox(Eigen::Vector3d(1, 0, 1)));
+  EXPECT_TRUE(place("<model name='n'><pose relative_to='a'>0 0 5 0 0 0</pose><link name='b'>" + collision(kBox) + "</link></model>")
+                  .isApprox(Eigen::Vector3d(1, 0, 5)));
+  EXPECT_TRUE(place("<link name='b'><pose degrees='true'>0 0 0 0 0 90</pose>" + collision(kBox, "<pose>1 0 0 0 0 0</pose>") + "</link>")
+                  .isApprox(Eigen::Vector3d(0, 1, 0)));
+  EXPECT_TRUE(place("<link name='b'><pose rotation_format='quat_xyzw'>0 0 0 0 0 1 0</pose>" + collision(kBox, "<pose>1 0 0 0 0 0</pose>") +
+                    "</link>")
+                  .isApprox(Eigen::Vector3d(-1, 0, 0)));
+}
+
+TEST(SdfScene, Includes) {
+  const TemporaryFolder folder;
+  const ScopedVariable home("HOME", folder.path()), models("GAZEBO_MODEL_PATH", folder.path("shared"));
+  const std::string part = "<link name='l'>" + collision("<mesh><uri>model://part/t.obj</uri></mesh>") + "</link>";
+  folder.write("shared/part/t.obj", kTriangleObj);
+  folder.write("shared/part/model.config", "<model><sdf version='1.4'>old.sdf</sdf><sdf version='1.6'>new.sdf</sdf></model>");
+  folder.write("shared/part/new.sdf", model(part));
+  folder.write("near/model.sdf", model("<pose>0 0 1 0 0 0</pose><link name='l'>" + collision(kBox) + "</link>"));
+  const Scene scene = sceneOf(folder, "a.sdf", R"(<sdf version="1.6"><world name="w">
+    <include><uri>model://part</uri><name>p</name><pose>1 0 0 0 0 0</pose></include>
+    <include><uri>model://part</uri><name>q</name></include>
+    <include><uri>near</uri></include></world></sdf>)");
+  ASSERT_EQ(scene.bodies.size(), 3u);
+  EXPECT_EQ(scene.bodies[0].name, "p::l::c");
+  expectBox(scene.bodies[0], {1, 0, 0}, {2, 1, 0});
+  EXPECT_EQ(scene.bodies[1].name, "q::l::c");
+  EXPECT_EQ(scene.bodies[2].name, "m::l::c");
+  expectBox(scene.bodies[2], {-1, -1, 0}, {1, 1, 2});
+}
+
+TEST(SdfScene, SaysWhatIsWrongAndWhere) {
+  const TemporaryFolder folder;
+  const ScopedVariable home("HOME", folder.path());
+  const auto expectBad = [&](ErrorCode code, const std::vector<std::string>& parts, const std::string& text) {
+    expectError(code, parts, [&] { sceneOf(folder, "a.sdf", text); });
+  };
+  const auto link = [](const std::string& geometry, const std::string& more = "") {
+    return model("\n<link name='l'>" + collision(geometry, more) + "</link>");
+  };
+  constexpr ErrorCode kBad = ErrorCode::kBadScene;
+  expectBad(ErrorCode::kNotXml, {"a.sdf"}, "<sdf>");
+  expectBad(kBad, {"line 1", "<robot>"}, "<robot/>");
+  expectBad(kBad, {"second <world>"}, "<sdf><world name='a'/><world name='b'/></sdf>");
+  expectBad(kBad, {"no geometry"}, link(""));
+  expectBad(kBad, {"line 2", "<heightmap>", "mesh"}, link("<heightmap/>"));
+  expectBad(kBad, {"line 2", "<box> has no <size>"}, link("<box/>"));
+  expectBad(kBad, {"<size>", "2 numbers"}, link("<box><size>1 1</size></box>"));
+  expectBad(kBad, {"'inf'"}, link("<box><size>1 1 inf</size></box>"));
+  expectBad(kBad, {"m::l::c", "a sphere of -1"}, link("<sphere><radius>-1</radius></sphere>"));
+  expectBad(kBad, {"<submesh>"}, link("<mesh><uri>t.obj</uri><submesh/></mesh>"));
+  expectBad(kBad, {"line 2", "no frame 'x'"}, link(kBox, "<pose relative_to='x'/>"));
+  expectBad(kBad, {"<pose>", "5 numbers"}, link(kBox, "<pose>0 0 0 0 0</pose>"));
+  expectBad(kBad, {"relative to itself"},
+            model("<frame name='f' attached_to='g'/><frame name='g' attached_to='f'/><link name='l'>" +
+                  collision(kBox, "<pose relative_to='f'/>") + "</link>"));
+  expectBad(kBad, {"'l' stands twice"}, model("<link name='l'/><link name='l'/>"));
+  expectBad(kBad, {"m::l::c", "twice"}, model("<link name='l'>" + collision(kBox) + collision(kBox) + "</link>"));
+  expectBad(kBad, {"placement_frame"}, "<sdf><model name='m' placement_frame='l'/></sdf>");
+  expectBad(kBad, {"no <uri>"}, "<sdf><world name='w'><include/></world></sdf>");
+  expectBad(ErrorCode::kPackageNotFound, {"line 1", "model://no", "GAZEBO_MODEL_PATH"},
+            "<sdf><world name='w'><include><uri>model://no</uri></include></world></sdf>");
+  expectBad(ErrorCode::kUnsupportedFormat, {"https://", "download"},
+            "<sdf><world name='w'><include><uri>https://a.b/c.sdf</uri></include></world></sdf>");
+  expectBad(kBad, {"include itself"}, model("<include><uri>a.sdf</uri></include>"));
+}
+
+}  // namespace
+}  // namespace collision_hulls

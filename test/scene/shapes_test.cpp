@@ -1,0 +1,85 @@
+#include <cmath>
+#include <limits>
+
+#include "scene/scene_tests.h"
+
+namespace collision_hulls {
+namespace {
+
+TEST(Shapes, SizesThatAreNone) {
+  expectError(ErrorCode::kBadScene, {"a box", "-1.0", "above 0"}, [] { boxShape({1, -1, 1}); });
+  expectError(ErrorCode::kBadScene, {"a sphere", "0.0"}, [] { sphereShape(0); });
+  expectError(ErrorCode::kBadScene, {"a cylinder", "nan"}, [] { cylinderShape(1, std::nan("")); });
+  expectError(ErrorCode::kBadScene, {"a cone", "inf"}, [] { coneShape(std::numeric_limits<double>::infinity(), 1); });
+  expectError(ErrorCode::kBadScene, {"1e6"}, [] { boxShape({1, 2e6, 1}); });
+  expectError(ErrorCode::kBadScene, {"a plane", "normal"}, [] { planeShape({0, 0, 0}, 1); });
+}
+
+TEST(Shapes, Box) {
+  const ConvexHull box = boxShape({1, 2, 4});
+  EXPECT_EQ(box.vertices.size(), 8u);
+  EXPECT_NEAR(volume(box), 8, 1e-12);
+  EXPECT_TRUE(boundingBox(box).max().isApprox(Eigen::Vector3d(0.5, 1, 2)));
+}
+
+TEST(Shapes, RoundOnesCircumscribeWithinTheirRoundness) {
+  const double radius = 0.3, most = radius * (1 + SceneBody::kRoundness);
+  const ConvexHull sphere = sphereShape(radius);
+  for (const HalfSpace& face : sphere.faces) EXPECT_GE(face.offset, radius * (1 - 1e-12));
+  for (const Eigen::Vector3d& v : sphere.vertices) EXPECT_LE(v.norm(), most);
+  const ConvexHull cylinder = cylinderShape(radius, 2);
+  for (const HalfSpace& face : cylinder.faces) EXPECT_GE(face.offset, std::abs(face.normal.z()) > 0.5 ? 1 : radius * (1 - 1e-12));
+  for (const Eigen::Vector3d& v : cylinder.vertices) {
+    EXPECT_LE(v.head<2>().norm(), most);
+    EXPECT_EQ(std::abs(v.z()), 1);
+  }
+}
+
+TEST(Shapes, ConeHasItsTipUp) {
+  const ConvexHull cone = coneShape(0.5, 2);
+  EXPECT_LE(planeDistance(cone, {0, 0, 1}), 1e-12);
+  EXPECT_GT(planeDistance(cone, {0.1, 0, 1}), 0);
+  EXPECT_LE(planeDistance(cone, {0, 0.5, -1}), 1e-12);
+  EXPECT_LE(planeDistance(cone, {0.25 / std::sqrt(2), 0.25 / std::sqrt(2), 0}), 1e-12) << "half way up";
+  EXPECT_GT(planeDistance(cone, {0.26, 0, 0}), 0);
+}
+
+TEST(Shapes, PlanesBecomeSlabsBeneathThem) {
+  for (const Eigen::Vector3d& normal : {Eigen::Vector3d(0, 0, 2), Eigen::Vector3d(1, -2, 3), Eigen::Vector3d(0, 0, -1)}) {
+    const PlacedShape slab = planeShape(normal, 0.5);
+    const Eigen::Vector3d up = normal.normalized(), foot = -0.5 / normal.squaredNorm() * normal;
+    const auto distanceAt = [&](double height) { return planeDistance(slab.shape, slab.pose.inverse() * (foot + height * up)); };
+    EXPECT_NEAR(distanceAt(0.01), 0.01, 1e-9);
+    EXPECT_NEAR(distanceAt(0), 0, 1e-9);
+    EXPECT_NEAR(distanceAt(-0.02), -0.02, 1e-9);
+    EXPECT_NEAR(distanceAt(-kPlaneDepth), 0, 1e-9);
+  }
+}
+
+TEST(AddBody, RefusesWhatIsNone) {
+  Scene scene;
+  addBody(scene, {"a", boxShape({1, 1, 1})});
+  const TriangleMesh triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const auto adding = [&](const std::string& name, const TriangleMesh& mesh, const Eigen::Isometry3d& pose) {
+    return [&scene, name, mesh, pose] { addBody(scene, {name, mesh, pose}); };
+  };
+  const Eigen::Isometry3d here = Eigen::Isometry3d::Identity();
+  TriangleMesh broken = triangle;
+  broken.triangles[0][1] = 3;
+  TriangleMesh endless = triangle;
+  endless.vertices[1].x() = std::numeric_limits<double>::infinity();
+  Eigen::Isometry3d nowhere = here, far = here;
+  nowhere.translation().y() = std::nan("");
+  far.translation().y() = 2e6;
+  expectError(ErrorCode::kBadScene, {"no name"}, adding("", triangle, here));
+  expectError(ErrorCode::kBadScene, {"'a'", "twice"}, adding("a", triangle, here));
+  expectError(ErrorCode::kBadScene, {"'b'", "without triangles"}, adding("b", {}, here));
+  expectError(ErrorCode::kBadScene, {"'b'", "vertex 3 of 3"}, adding("b", broken, here));
+  expectError(ErrorCode::kBadScene, {"'b'", "not finite"}, adding("b", endless, here));
+  expectError(ErrorCode::kBadScene, {"'b'", "not finite"}, adding("b", triangle, nowhere));
+  expectError(ErrorCode::kBadScene, {"'b'", "1e6"}, adding("b", triangle, far));
+  EXPECT_EQ(scene.bodies.size(), 1u);
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -1,0 +1,83 @@
+#include "scene/scene_tests.h"
+
+namespace collision_hulls {
+namespace {
+
+TEST(YamlScene, EveryShape) {
+  const TemporaryFolder folder;
+  folder.write("meshes/t.obj", kTriangleObj);
+  const Scene scene = sceneOf(folder, "a.yaml", R"(# a cell
+name: cell
+bodies:
+- {name: table, box: [1, 2, 0.5], pose: {xyz: [1, 0, 0.25], rpy: [0, 0, 1.5707963267948966]}}
+- {name: ball, sphere: 0.5}
+- name: can
+  cylinder: [0.5, 2]
+  pose: {quaternion: [0.7071067811865476, 0, 0, 0.7071067811865476]}
+- {name: tip, cone: [1, 1]}
+- {name: floor, plane: [0, 0, 1, 0], pose: {xyz: [0, 0, -1]}}
+- {name: part, mesh: meshes/t.obj, scale: [2, 1, 1]}
+)");
+  EXPECT_EQ(scene.name, "cell");
+  ASSERT_EQ(scene.bodies.size(), 6u);
+  expectBox(scene.bodies[0], {0, -0.5, 0}, {2, 0.5, 0.5});
+  EXPECT_NEAR(boxOf(scene.bodies[1]).max().x(), 0.5, 0.5 * SceneBody::kRoundness);
+  EXPECT_NEAR(boxOf(scene.bodies[2]).max().y(), 1, 1e-9) << "lies along y";
+  EXPECT_NEAR(boxOf(scene.bodies[3]).max().z(), 0.5, 1e-12);
+  EXPECT_NEAR(boxOf(scene.bodies[4]).max().z(), -1, 1e-12);
+  expectBox(scene.bodies[5], {0, 0, 0}, {2, 1, 0});
+}
+
+TEST(YamlScene, MeshesOfPackages) {
+  const TemporaryFolder folder;
+  folder.write("cell/meshes/t.obj", kTriangleObj);
+  const PackageFinder finder = [&](const std::string& name) { return name == "cell" ? std::optional(folder.path("cell")) : std::nullopt; };
+  const std::string file = folder.write("a.yml", "bodies:\n- {name: a, mesh: 'package://cell/meshes/t.obj'}");
+  EXPECT_EQ(readScene(file, finder).bodies.size(), 1u);
+  expectError(ErrorCode::kPackageNotFound, {"line 2", "'a'", "cell"}, [&] { readScene(file, noPackages()); });
+}
+
+TEST(YamlScene, SaysWhatIsWrongAndWhere) {
+  const TemporaryFolder folder;
+  const auto expectBad = [&](const std::vector<std::string>& parts, const std::string& text) {
+    expectError(ErrorCode::kBadScene, parts, [&] { sceneOf(folder, "a.yaml", text); });
+  };
+  const auto body = [](const std::string& text) { return "bodies:\n- {" + text + "}\n"; };
+  expectBad({"a.yaml", "bodies: []"}, "");
+  expectBad({"bodies: []"}, "- a");
+  expectBad({"line 2", "no YAML"}, "bodies: [\n}");
+  expectBad({"'boddies'", "bodies, name"}, "bodies: []\nboddies: []");
+  expectBad({"list"}, "bodies: 3");
+  expectBad({"list"}, "bodies:");
+  expectBad({"line 2", "'name' is missing"}, body("box: [1, 1, 1]"));
+  expectBad({"line 2", "one shape", "0"}, body("name: a"));
+  expectBad({"line 2", "one shape", "2"}, body("name: a, sphere: 1, box: [1, 1, 1]"));
+  expectBad({"line 2", "'size' is not known"}, body("name: a, size: 1"));
+  expectBad({"'sphere' stands twice"}, body("name: a, sphere: 1, sphere: 2"));
+  expectBad({"2 numbers stand where 3"}, body("name: a, box: [1, 1]"));
+  expectBad({"'one'"}, body("name: a, box: [1, 1, one]"));
+  expectBad({"'.nan'"}, body("name: a, sphere: .nan"));
+  expectBad({"line 2", "'a'", "a sphere of 0"}, body("name: a, sphere: 0"));
+  expectBad({"only a mesh"}, body("name: a, sphere: 1, scale: [1, 1, 1]"));
+  expectBad({"not both"}, body("name: a, sphere: 1, pose: {rpy: [0, 0, 0], quaternion: [0, 0, 0, 1]}"));
+  expectBad({"length 2"}, body("name: a, sphere: 1, pose: {quaternion: [0, 0, 0, 2]}"));
+  expectBad({"line 3", "'a'", "twice"}, body("name: a, sphere: 1") + "- {name: a, sphere: 2}");
+  expectError(ErrorCode::kBadScale, {"'a'"}, [&] {
+    folder.write("t.obj", kTriangleObj);
+    sceneOf(folder, "a.yaml", body("name: a, mesh: t.obj, scale: [0, 1, 1]"));
+  });
+}
+
+TEST(YamlScene, AliasesDoNotGrow) {
+  const TemporaryFolder folder;
+  std::string text = "x0: &x0 [1, 1]\n";
+  for (int i = 1; i < 40; ++i) {
+    const std::string before = "*x" + std::to_string(i - 1);
+    text += "x" + std::to_string(i) + ": &x" + std::to_string(i) + " [" + before + ", " + before + "]\n";
+  }
+  expectError(ErrorCode::kBadScene, {"not known"}, [&] { sceneOf(folder, "a.yaml", text + "bodies: *x39"); });
+  expectError(ErrorCode::kBadScene, {"a.yaml"}, [&] { sceneOf(folder, "b_a.yaml", "bodies: " + std::string(100000, '[')); });
+}
+
+}  // namespace
+}  // namespace collision_hulls

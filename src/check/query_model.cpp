@@ -2,9 +2,6 @@
 #include "check/query_model.h"
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/geometry/shape/convex.h>
-#include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
@@ -12,22 +9,26 @@
 #include <limits>
 #include <set>
 
+#include "check/fcl_bodies.h"
+
 namespace collision_hulls {
 namespace {
-
-constexpr double kDistanceTolerance = 1e-9;
-constexpr double kEnlarged = 1024;
 
 using Object = fcl::CollisionObjectd;
 using LinkPair = std::pair<std::size_t, std::size_t>;
 
-std::vector<Eigen::Vector3d> enlarged(std::vector<Eigen::Vector3d> vertices) {
-  for (Eigen::Vector3d& v : vertices) v *= kEnlarged;
-  return vertices;
+/// Where an object belongs.
+struct Seat {
+  std::size_t link;
+  Eigen::Isometry3d origin;  // in the link's frame
+};
+
+const Seat& seatOf(const Object* object) {
+  return *static_cast<const Seat*>(object->getUserData());
 }
 
 std::size_t linkOf(const Object* object) {
-  return *static_cast<const std::size_t*>(object->getUserData());
+  return seatOf(object).link;
 }
 
 /// What a traversal of the tree carries along.
@@ -56,7 +57,7 @@ bool measurePair(Object* a, Object* b, void* data, double& least) {
   Search& search = *static_cast<Search*>(data);
   least = search.distance;
   if (isIgnored(search, a, b)) return false;
-  const fcl::DistanceRequestd request(false, false, 0, 0, kDistanceTolerance, fcl::GST_LIBCCD);
+  const fcl::DistanceRequestd request(false, false, 0, 0, kQueryDistanceTolerance, fcl::GST_LIBCCD);
   fcl::DistanceResultd result;
   result.min_distance = std::numeric_limits<double>::max();
   fcl::distance(a, b, request, result);
@@ -67,13 +68,13 @@ bool measurePair(Object* a, Object* b, void* data, double& least) {
 }  // namespace
 
 struct QueryModel::Impl {
-  void add(std::size_t link, const std::shared_ptr<fcl::CollisionGeometryd>& geometry) {
-    links.push_back(link);
+  void add(const Seat& seat, const std::shared_ptr<fcl::CollisionGeometryd>& geometry) {
+    seats.push_back(seat);
     objects.push_back(std::make_unique<Object>(geometry));
-    objects.back()->setUserData(&links.back());
+    objects.back()->setUserData(&seats.back());
   }
 
-  std::deque<std::size_t> links;  // of the objects, which point at them
+  std::deque<Seat> seats;  // of the objects, which point at them
   std::vector<std::unique_ptr<Object>> objects;
   fcl::DynamicAABBTreeCollisionManagerd tree;
 };
@@ -82,33 +83,15 @@ QueryModel::QueryModel() : impl_(std::make_unique<Impl>()) {}
 QueryModel::~QueryModel() = default;
 QueryModel::QueryModel(QueryModel&&) noexcept = default;
 
-void QueryModel::add(std::size_t link, const TriangleMesh& mesh) {
-  std::vector<fcl::Triangle> triangles;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const Triangle& t = mesh.triangles[i];
-    const Eigen::Vector3d &a = mesh.corner(static_cast<int>(i), 0), u = mesh.corner(static_cast<int>(i), 1) - a;
-    if (u.cross(mesh.corner(static_cast<int>(i), 2) - a).isZero(0)) continue;
-    triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2]));
-  }
-  if (triangles.empty()) return;
-  const auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
-  model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(mesh.vertices.size()));
-  model->addSubModel(enlarged(mesh.vertices), triangles);
-  model->endModel();
-  impl_->add(link, model);
-}
-
-void QueryModel::add(std::size_t link, const ConvexHull& hull) {
-  const auto faces = std::make_shared<std::vector<int>>();
-  for (const Triangle& t : hull.triangles) faces->insert(faces->end(), {3, t[0], t[1], t[2]});
-  const auto vertices = std::make_shared<std::vector<Eigen::Vector3d>>(enlarged(hull.vertices));
-  impl_->add(link, std::make_shared<fcl::Convexd>(vertices, static_cast<int>(hull.triangles.size()), faces));
+void QueryModel::add(std::size_t link, const QueryBody& body, const Eigen::Isometry3d& origin) {
+  if (!body.empty()) impl_->add({link, origin}, body.impl()->geometry);
 }
 
 void QueryModel::place(const std::vector<Eigen::Isometry3d>& links) {
   for (const std::unique_ptr<Object>& object : impl_->objects) {
-    Eigen::Isometry3d pose = links[linkOf(object.get())];
-    pose.translation() *= kEnlarged;
+    const Seat& seat = seatOf(object.get());
+    Eigen::Isometry3d pose = links[seat.link] * seat.origin;
+    pose.translation() *= kQueryEnlarged;
     object->setTransform(pose);
     object->computeAABB();
   }
@@ -126,10 +109,17 @@ bool QueryModel::collides(const QueryModel& other) const {
   return !search.pairs.empty();
 }
 
+bool QueryModel::collides(const QueryModel& other, const IgnoredPairs& ignored) const {
+  Search search;
+  search.ignored = &ignored;
+  impl_->tree.collide(&other.impl_->tree, &search, collidePair);
+  return !search.pairs.empty();
+}
+
 double QueryModel::distance(const QueryModel& other) const {
   Search search;
   impl_->tree.distance(&other.impl_->tree, &search, measurePair);
-  return search.distance / kEnlarged;
+  return search.distance / kQueryEnlarged;
 }
 
 bool QueryModel::collides(const IgnoredPairs& ignored) const {
@@ -143,7 +133,7 @@ double QueryModel::distance(const IgnoredPairs& ignored) const {
   Search search;
   search.ignored = &ignored;
   impl_->tree.distance(&search, measurePair);
-  return search.distance / kEnlarged;
+  return search.distance / kQueryEnlarged;
 }
 
 std::vector<LinkPair> QueryModel::touching(const IgnoredPairs& ignored) const {

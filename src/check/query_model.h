@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "collision_hulls/geometry/convex_hull.h"
-#include "collision_hulls/geometry/triangle_mesh.h"
+#include "check/query_body.h"
 
 namespace collision_hulls {
 
@@ -24,23 +23,26 @@ class IgnoredPairs {
   std::vector<char> ignored_;
 };
 
-/// Bodies that links carry. Meshes are FCL's BVH of OBBRSS, a surface without inside, as in MoveIt; hulls are FCL's Convex. FCL is asked in
-/// the settings of fcl_queries.h. Queries of two models are between all bodies of one and all of the other; not thread safe.
+/// Bodies that links carry, see query_body.h. FCL is asked in the settings of fcl_queries.h. Queries of two models are between all bodies
+/// of one and all of the other; not thread safe.
 class QueryModel {
  public:
   QueryModel();
   ~QueryModel();
   QueryModel(QueryModel&&) noexcept;
 
-  void add(std::size_t link, const TriangleMesh& mesh);  ///< in the link's frame; triangles without area are left out
-  void add(std::size_t link, const ConvexHull& hull);
+  /// `origin`: of the body in the link's frame.
+  void add(std::size_t link, const QueryBody& body, const Eigen::Isometry3d& origin = Eigen::Isometry3d::Identity());
+  void add(std::size_t link, const TriangleMesh& mesh) { add(link, QueryBody(mesh)); }
+  void add(std::size_t link, const ConvexHull& hull) { add(link, QueryBody(hull)); }
 
   /// To be called once all bodies are there, and before each query of another state: a pose for each link.
   void place(const std::vector<Eigen::Isometry3d>& links);
 
   bool collides(const QueryModel& other) const;
-  double distance(const QueryModel& other) const;      ///< [m] 0 in contact
-  bool collides(const IgnoredPairs& ignored) const;    ///< of two of its own links
+  bool collides(const QueryModel& other, const IgnoredPairs& ignored) const;  ///< pairs of a link of one and a link of the other
+  double distance(const QueryModel& other) const;                             ///< [m] 0 in contact
+  bool collides(const IgnoredPairs& ignored) const;                           ///< of two of its own links
   double distance(const IgnoredPairs& ignored) const;  ///< [m] between two of its own links; infinite where all are ignored
   std::vector<std::pair<std::size_t, std::size_t>> touching(const IgnoredPairs& ignored) const;  ///< pairs of its own links
 

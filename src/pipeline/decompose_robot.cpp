@@ -14,6 +14,7 @@
 #include "collision_hulls/error.h"
 #include "pipeline/cache.h"
 #include "pipeline/collision_model.h"
+#include "pipeline/element_stages.h"
 #include "pipeline/elements.h"
 #include "pipeline/parallel.h"
 #include "pipeline/progress.h"
@@ -29,20 +30,6 @@ constexpr double kCertificateGap = 0.001;  // of the tolerance: how far apart th
 constexpr int kAttempts = 3;
 constexpr double kLowerAim = 0.8;
 constexpr double kDecomposeShare = 0.7;  // of an element's time, about
-
-std::string millimetres(double metres) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.4g mm", 1000 * metres);
-  return text;
-}
-
-double toleranceFor(const TriangleMesh& mesh, const Options& options) {
-  const double size = diagonal(mesh);
-  if (size > 0 || !options.tolerance.relative) return options.tolerance.metres(size);
-  throw Error(ErrorCode::kEmptyMesh, "all " + std::to_string(mesh.triangles.size()) +
-                                         " triangles lie in one point, which a relative tolerance means nothing for; give a tolerance in "
-                                         "metres or mend the mesh");
-}
 
 /// Why hulls reach further than the caller accepts, and what to do about it.
 std::string excuse(const Options& options, bool capped) {
@@ -71,58 +58,34 @@ void grade(ElementReport& row, const Options& options, bool capped) {
                ": " + excuse(options, capped);
 }
 
-void describe(const std::vector<ConvexHull>& hulls, ElementReport& row) {
-  row.hulls = hulls.size();
-  row.hull_volume = unionVolume(hulls);
-  for (const ConvexHull& hull : hulls) row.hull_vertices += hull.vertices.size();
-}
-
 /// The stages for one mesh. Fills report, original and hulls of `element`, whose row says which scale it has.
 void decomposeElement(const MeshTask& mesh, const Options& options, Progress& progress, std::size_t task, ElementResult& element) {
   ElementReport& row = element.report;
   RunControl decomposing, certifying;
   progress.follow(decomposing, task, 0, kDecomposeShare);
   progress.follow(certifying, task, kDecomposeShare, 1);
-  Stopwatch stage;
-
-  // 1. Read, and scale as the description says.
-  LoadedMesh loaded = readMesh(mesh.file, {}, decomposing);
-  expectUnchanged(mesh);
-  row.triangles = loaded.mesh.triangles.size();
-  row.skipped_primitives = loaded.skipped_primitives;
-  element.original = scaled(loaded.mesh, row.scale);
-  loaded.mesh = {};
-  row.diagonal = diagonal(element.original);
-  row.tolerance = toleranceFor(element.original, options);
-  row.seconds.read = stage.lap();
-
-  // 2. Repair: a mesh with topology.
-  const RepairedMesh repaired = repair(element.original, {}, decomposing);
-  row.repair = repaired.counts;
-  row.seconds.repair = stage.lap();
+  // 1. Read, and scale as the description says. 2. Repair: a mesh with topology, and the solid that it stands for.
+  const ReadMesh read = readElement(mesh, options, decomposing, element);
 
   // 3. Decompose, then cover the mesh as it was read with the hulls as they are written.
   // 4. Certify. The solid is known up to the margin, so the bound has it added.
-  const double margin = loaded.resolution * row.scale.cwiseAbs().maxCoeff() + repaired.counts.weld_distance;
-  element.solid = std::make_shared<const Solid>(repaired, decomposing);
-  row.interior = name(element.solid->interior());
-  row.volume = element.solid->volume();
+  Stopwatch stage;
   bool capped = false;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     DecomposeOptions method{options.method, row.tolerance, options.max_hulls, options.max_vertices, options.seed, options.effort};
     method.tolerance *= std::pow(kLowerAim, attempt);
-    const Decomposition parts = decompose(repaired, method, decomposing);
-    const FittedHulls fitted = fitCover(parts.hulls, element.original, margin, options.max_vertices, decomposing);
+    const Decomposition parts = decompose(read.repaired, method, decomposing);
+    const FittedHulls fitted = fitCover(parts.hulls, element.original, read.margin, options.max_vertices, decomposing);
     row.seconds.decompose += stage.lap();
     const Protrusion found = protrusion(fitted.hulls, *element.solid, kCertificateGap * row.tolerance, certifying);
     row.seconds.certify += stage.lap();
-    if (attempt > 0 && found.bound + margin >= row.protrusion) break;
+    if (attempt > 0 && found.bound + read.margin >= row.protrusion) break;
     capped = parts.capped;
     element.hulls = fitted.hulls;
     row.nudge = fitted.nudge;
     row.thickness = 0;
     for (const ConvexHull& hull : parts.hulls) row.thickness = std::max(row.thickness, hull.thickness);
-    row.protrusion = found.bound + margin;
+    row.protrusion = found.bound + read.margin;
     row.protrusion_found = found.found;
     row.worst = found.where;
     row.worst_nearest = found.nearest;
@@ -133,20 +96,6 @@ void decomposeElement(const MeshTask& mesh, const Options& options, Progress& pr
   row.seconds.certify += stage.lap();
 
   grade(row, options, capped);
-}
-
-/// Gives the result of `from` to an element that has the same mesh elsewhere; the time was spent once.
-void copyResult(const ElementResult& from, ElementResult& to) {
-  ElementReport row = from.report;
-  row.link = to.report.link;
-  row.element = to.report.element;
-  row.visual = to.report.visual;
-  row.uri = to.report.uri;
-  row.seconds = {};
-  to.report = row;
-  to.original = from.original;
-  to.hulls = from.hulls;
-  to.solid = from.solid;
 }
 
 /// What an earlier run made of the mesh; false where there was none.
@@ -179,35 +128,6 @@ void decomposeTask(const MeshTask& task, std::size_t index, const Options& optio
   }
 }
 
-ConvexHull transformed(ConvexHull hull, const Eigen::Isometry3d& pose) {
-  for (Eigen::Vector3d& v : hull.vertices) v = pose * v;
-  for (HalfSpace& face : hull.faces) {
-    face.normal = pose.linear() * face.normal;
-    face.offset += face.normal.dot(pose.translation());
-  }
-  return hull;
-}
-
-Validation validateElements(const std::vector<ElementResult>& elements, const Options& options, Progress& progress) {
-  std::vector<ValidationPair> pairs;
-  for (const ElementResult& element : elements) {
-    if (element.hulls.empty()) continue;
-    ValidationPair pair;
-    pair.name = element.report.link + "/" + std::to_string(element.report.element);
-    pair.original = transformed(element.original, element.pose);
-    for (const ConvexHull& hull : element.hulls) pair.hulls.push_back(transformed(hull, element.pose));
-    pair.protrusion = element.report.protrusion;
-    pair.solid = element.solid;
-    pair.solid_pose = element.pose;
-    pairs.push_back(std::move(pair));
-  }
-  RunControl control;
-  progress.followValidation(control);
-  ValidationOptions validation;
-  validation.seed = options.seed;
-  return validate(pairs, validation, control);
-}
-
 /// Fills the report's validation, from the cache if it can.
 void validateOrRemember(RobotResult& result, const std::vector<MeshTask>& tasks, Cache& cache, Progress& progress) {
   const Options& options = result.report.options;
@@ -217,7 +137,9 @@ void validateOrRemember(RobotResult& result, const std::vector<MeshTask>& tasks,
   }
   const std::string key = validationKey(result.elements, keys, options);
   const std::optional<Validation> known = cache.findValidation(key);
-  result.report.validation = known ? *known : validateElements(result.elements, options, progress);
+  RunControl validating;
+  progress.followValidation(validating);
+  result.report.validation = known ? *known : validateElements(result.elements, options.seed, validating);
   result.report.validation_cached = known.has_value();
   if (!known) cache.storeValidation(key, result.report.validation);
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
@@ -50,10 +51,16 @@ std::string packageXml(const std::string& robot_name) {
 }
 
 /// So that the package can lie in the source folder of a workspace.
-std::string cmakeLists(const std::string& robot_name) {
-  return "cmake_minimum_required(VERSION 3.0.2)\nproject(" + outputPackage(robot_name) +
+std::string cmakeLists(const RobotResult& result) {
+  std::set<std::string> folders{"meshes", "urdf"};
+  for (const auto& [file, text] : result.extra_files) folders.insert(fs::path(file).begin()->string());
+  std::string names;
+  for (const std::string& folder : folders) names += folder + " ";
+  return "cmake_minimum_required(VERSION 3.0.2)\nproject(" + outputPackage(result.robot_name) +
          ")\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
-         "install(DIRECTORY meshes urdf DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION} OPTIONAL)\n"
+         "install(DIRECTORY " +
+         names +
+         "DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION} OPTIONAL)\n"
          "install(FILES report.json DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n";
 }
 
@@ -111,8 +118,9 @@ void writeOutput(RobotResult& result, const std::string& output, const RunContro
   if (!result.single_mesh) {
     folders.write(urdfFile(result.robot_name), result.urdf);
     folders.write("package.xml", packageXml(result.robot_name));
-    folders.write("CMakeLists.txt", cmakeLists(result.robot_name));
+    folders.write("CMakeLists.txt", cmakeLists(result));
   }
+  for (const auto& [file, text] : result.extra_files) folders.write(file, text);
   result.report.seconds += run.lap();
   folders.write(kReport, toJson(result.report));
   refuseForeign(replacedFolder(output));

@@ -112,6 +112,52 @@ json toJson(const Validation& v, bool cached) {
           {"remarks", v.remarks}};
 }
 
+json toJson(const FittedLink& link) {
+  return {{"link", link.link}, {"hulls", link.hulls}, {"primitive", link.primitive}, {"reason", link.reason}, {"proved", link.proved}};
+}
+
+json toJson(const LeftOutPair& pair) {
+  return {{"first", pair.first}, {"second", pair.second}, {"reason", pair.reason}, {"known", pair.known}};
+}
+
+json toJson(const PairHits& pair) {
+  return {{"first", pair.first}, {"second", pair.second}, {"original", pair.original}, {"before", pair.before}, {"after", pair.after}};
+}
+
+template <typename Value>
+json toJson(const std::vector<Value>& values) {
+  json result = json::array();
+  for (const Value& value : values) result.push_back(toJson(value));
+  return result;
+}
+
+json toJson(const FitReport& fit) {
+  return {{"name", fit.scene},
+          {"clearance", fit.clearance},
+          {"samples", fit.samples},
+          {"given", fit.given},
+          {"asked", fit.asked},
+          {"counterexamples", fit.counterexamples},
+          {"original_hits", fit.original_hits},
+          {"model_hits", fit.model_hits},
+          {"missed", fit.missed},
+          {"phantom", fit.phantom},
+          {"phantom_rate_bound", fit.phantom_rate_bound},
+          {"leaf_contacts", fit.leaf_contacts},
+          {"pairs", fit.pairs},
+          {"proved_pairs", fit.proved_pairs},
+          {"query_us", fit.query_us},
+          {"original_query_us", fit.original_query_us},
+          {"hulls", fit.hulls},
+          {"full_hulls", fit.full_hulls},
+          {"scene_hits", fit.scene_hits},
+          {"scene_contact", fit.scene_contact},
+          {"seconds", fit.seconds},
+          {"links", toJson(fit.links)},
+          {"left_out", toJson(fit.left_out)},
+          {"self_phantoms", toJson(fit.self)}};
+}
+
 json totalsToJson(const Report& report) {
   const Totals sum = totals(report);
   return {{"links", sum.links},
@@ -129,14 +175,15 @@ json totalsToJson(const Report& report) {
 std::string toJson(const Report& report) {
   json rows = json::array();
   for (const ElementReport& row : report.links) rows.push_back(toJson(row));
-  const json document = {{"collision_hulls", version()},
-                         {"input", {{"path", report.input_path}, {"sha256", report.input_sha256}}},
-                         {"options", toJson(report.options)},
-                         {"seed", report.options.seed},
-                         {"links", rows},
-                         {"validation", report.options.validate ? toJson(report.validation, report.validation_cached) : json()},
-                         {"notes", report.notes},
-                         {"totals", totalsToJson(report)}};
+  json document = {{"collision_hulls", version()},
+                   {"input", {{"path", report.input_path}, {"sha256", report.input_sha256}}},
+                   {"options", toJson(report.options)},
+                   {"seed", report.options.seed},
+                   {"links", rows},
+                   {"validation", report.options.validate ? toJson(report.validation, report.validation_cached) : json()},
+                   {"notes", report.notes},
+                   {"totals", totalsToJson(report)}};
+  if (report.scene) document["scene"] = toJson(*report.scene);
   // Names in a description may be no UTF-8, which JSON cannot hold: such bytes are shown as U+FFFD. Non-finite numbers become null.
   return document.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,6 +32,7 @@ struct RobotResult {
   std::string robot_name;               ///< or the mesh's stem
   std::string urdf;                     ///< rewritten description, URIs as the output package will hold them; empty for a single mesh
   bool single_mesh = false;
+  std::map<std::string, std::string> extra_files;  ///< further files of the output package: path in it, content
 };
 
 /// What a run is doing, for bars and feedback. Calls come one at a time, from any thread.

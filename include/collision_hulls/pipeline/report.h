@@ -3,12 +3,14 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "collision_hulls/check/validate.h"
 #include "collision_hulls/mesh/repair.h"
 #include "collision_hulls/pipeline/options.h"
+#include "collision_hulls/scene/fit.h"
 
 namespace collision_hulls {
 
@@ -53,6 +55,7 @@ struct Report {
   Options options;
   std::vector<ElementReport> links;  ///< a row for every mesh of every link, in document order
   Validation validation;             ///< meaningful where options.validate; null in JSON otherwise
+  std::optional<FitReport> scene;    ///< of a model that was fitted to a scene
   bool validation_cached = false;    ///< remembered from an earlier run, times too
   std::vector<std::string> notes;    ///< what to know about the result as a whole
   double seconds = 0;                ///< wall clock of the whole run

@@ -1,0 +1,20 @@
+// FCL's own types of the bodies that are asked about; for the files of this room alone.
+#pragma once
+
+#include <fcl/geometry/collision_geometry.h>
+
+#include <memory>
+
+#include "check/query_body.h"
+
+namespace collision_hulls {
+
+// FCL's thresholds are absolute: bodies are given to it enlarged, by a power of two, so that nothing is rounded.
+constexpr double kQueryEnlarged = 1024;
+constexpr double kQueryDistanceTolerance = 1e-9;
+
+struct QueryBody::Impl {
+  std::shared_ptr<fcl::CollisionGeometryd> geometry;
+};
+
+}  // namespace collision_hulls

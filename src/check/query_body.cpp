@@ -1,0 +1,83 @@
+#include "check/query_body.h"
+
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/convex.h>
+#include <fcl/math/bv/OBBRSS.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "check/fcl_bodies.h"
+
+namespace collision_hulls {
+namespace {
+
+std::vector<Eigen::Vector3d> enlarged(std::vector<Eigen::Vector3d> vertices) {
+  for (Eigen::Vector3d& v : vertices) v *= kQueryEnlarged;
+  return vertices;
+}
+
+Eigen::Isometry3d enlarged(Eigen::Isometry3d pose) {
+  pose.translation() *= kQueryEnlarged;
+  return pose;
+}
+
+std::vector<fcl::Triangle> trianglesWithArea(const TriangleMesh& mesh) {
+  std::vector<fcl::Triangle> triangles;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
+    const Eigen::Vector3d &a = mesh.corner(static_cast<int>(i), 0), u = mesh.corner(static_cast<int>(i), 1) - a;
+    if (u.cross(mesh.corner(static_cast<int>(i), 2) - a).isZero(0)) continue;
+    triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2]));
+  }
+  return triangles;
+}
+
+const fcl::CollisionGeometryd* geometry(const QueryBody& body) {
+  return body.impl()->geometry.get();
+}
+
+}  // namespace
+
+QueryBody::QueryBody(const ConvexHull& hull) : box_(boundingBox(hull)) {
+  const auto faces = std::make_shared<std::vector<int>>();
+  for (const Triangle& t : hull.triangles) faces->insert(faces->end(), {3, t[0], t[1], t[2]});
+  const auto vertices = std::make_shared<std::vector<Eigen::Vector3d>>(enlarged(hull.vertices));
+  impl_ = std::make_shared<const Impl>(Impl{std::make_shared<fcl::Convexd>(vertices, static_cast<int>(hull.triangles.size()), faces)});
+}
+
+QueryBody::QueryBody(const TriangleMesh& mesh) : box_(boundingBox(mesh)) {
+  const std::vector<fcl::Triangle> triangles = trianglesWithArea(mesh);
+  if (triangles.empty()) return;
+  const auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
+  model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(mesh.vertices.size()));
+  model->addSubModel(enlarged(mesh.vertices), triangles);
+  model->endModel();
+  impl_ = std::make_shared<const Impl>(Impl{model});
+}
+
+bool touch(const QueryBody& first, const QueryBody& second, const Eigen::Isometry3d& pose) {
+  if (first.empty() || second.empty()) return false;
+  fcl::CollisionRequestd request(1, false);
+  request.gjk_solver_type = fcl::GST_LIBCCD;
+  fcl::CollisionResultd result;
+  return fcl::collide(geometry(first), fcl::Transform3d::Identity(), geometry(second), enlarged(pose), request, result) > 0;
+}
+
+double distanceBelow(double limit, const QueryBody& first, const QueryBody& second, const Eigen::Isometry3d& pose) {
+  if (first.empty() || second.empty()) return limit;
+  const fcl::DistanceRequestd request(false, false, 0, 0, kQueryDistanceTolerance, fcl::GST_LIBCCD);
+  fcl::DistanceResultd result;
+  result.min_distance = kQueryEnlarged * limit;  // branches that are further away are not looked into
+  fcl::distance(geometry(first), fcl::Transform3d::Identity(), geometry(second), enlarged(pose), request, result);
+  return std::clamp(result.min_distance / kQueryEnlarged, 0.0, limit);
+}
+
+Eigen::AlignedBox3d placed(const Eigen::AlignedBox3d& box, const Eigen::Isometry3d& pose) {
+  const Eigen::Vector3d middle = pose * box.center(), half = pose.linear().cwiseAbs() * (0.5 * box.sizes());
+  return {middle - half, middle + half};
+}
+
+}  // namespace collision_hulls

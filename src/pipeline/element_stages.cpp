@@ -1,0 +1,102 @@
+#include "pipeline/element_stages.h"
+
+#include <cstdio>
+
+#include "collision_hulls/check/measures.h"
+#include "collision_hulls/check/solid.h"
+#include "collision_hulls/error.h"
+#include "collision_hulls/mesh/mesh_io.h"
+#include "pipeline/stopwatch.h"
+
+namespace collision_hulls {
+namespace {
+
+double toleranceFor(const TriangleMesh& mesh, const Options& options) {
+  const double size = diagonal(mesh);
+  if (size > 0 || !options.tolerance.relative) return options.tolerance.metres(size);
+  throw Error(ErrorCode::kEmptyMesh, "all " + std::to_string(mesh.triangles.size()) +
+                                         " triangles lie in one point, which a relative tolerance means nothing for; give a tolerance in "
+                                         "metres or mend the mesh");
+}
+
+ConvexHull transformed(ConvexHull hull, const Eigen::Isometry3d& pose) {
+  for (Eigen::Vector3d& v : hull.vertices) v = pose * v;
+  for (HalfSpace& face : hull.faces) {
+    face.normal = pose.linear() * face.normal;
+    face.offset += face.normal.dot(pose.translation());
+  }
+  return hull;
+}
+
+}  // namespace
+
+ReadMesh readElement(const MeshTask& mesh, const Options& options, const RunControl& control, ElementResult& element) {
+  ElementReport& row = element.report;
+  Stopwatch stage;
+
+  // 1. Read, and scale as the description says.
+  LoadedMesh loaded = readMesh(mesh.file, {}, control);
+  expectUnchanged(mesh);
+  row.triangles = loaded.mesh.triangles.size();
+  row.skipped_primitives = loaded.skipped_primitives;
+  element.original = scaled(loaded.mesh, row.scale);
+  loaded.mesh = {};
+  row.diagonal = diagonal(element.original);
+  row.tolerance = toleranceFor(element.original, options);
+  row.seconds.read = stage.lap();
+
+  // 2. Repair: a mesh with topology, and the solid that it stands for.
+  ReadMesh read{repair(element.original, {}, control)};
+  row.repair = read.repaired.counts;
+  read.margin = loaded.resolution * row.scale.cwiseAbs().maxCoeff() + read.repaired.counts.weld_distance;
+  element.solid = std::make_shared<const Solid>(read.repaired, control);
+  row.interior = name(element.solid->interior());
+  row.volume = element.solid->volume();
+  row.seconds.repair = stage.lap();
+  return read;
+}
+
+void describe(const std::vector<ConvexHull>& hulls, ElementReport& row) {
+  row.hulls = hulls.size();
+  row.hull_volume = unionVolume(hulls);
+  for (const ConvexHull& hull : hulls) row.hull_vertices += hull.vertices.size();
+}
+
+void copyResult(const ElementResult& from, ElementResult& to) {
+  ElementReport row = from.report;
+  row.link = to.report.link;
+  row.element = to.report.element;
+  row.visual = to.report.visual;
+  row.uri = to.report.uri;
+  row.seconds = {};
+  to.report = row;
+  to.original = from.original;
+  to.hulls = from.hulls;
+  to.solid = from.solid;
+}
+
+Validation validateElements(const std::vector<ElementResult>& elements, std::uint64_t seed, const RunControl& control) {
+  std::vector<ValidationPair> pairs;
+  for (const ElementResult& element : elements) {
+    if (element.hulls.empty()) continue;
+    ValidationPair pair;
+    pair.name = element.report.link + "/" + std::to_string(element.report.element);
+    pair.original = transformed(element.original, element.pose);
+    for (const ConvexHull& hull : element.hulls) pair.hulls.push_back(transformed(hull, element.pose));
+    pair.protrusion = element.report.protrusion;
+    pair.solid = element.solid;
+    pair.solid_pose = element.pose;
+    pairs.push_back(std::move(pair));
+  }
+  ValidationOptions options;
+  options.seed = seed;
+  return validate(pairs, options, control);
+}
+
+std::string millimetres(double metres) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.4g mm", 1000 * metres);
+  return text;
+}
+
+}  // namespace collision_hulls

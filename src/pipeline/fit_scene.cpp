@@ -1,0 +1,237 @@
+#include "collision_hulls/pipeline/fit_scene.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "collision_hulls/check/measures.h"
+#include "collision_hulls/decompose/certified.h"
+#include "collision_hulls/error.h"
+#include "pipeline/cache.h"
+#include "pipeline/collision_model.h"
+#include "pipeline/element_stages.h"
+#include "pipeline/elements.h"
+#include "pipeline/names.h"
+#include "pipeline/parallel.h"
+#include "pipeline/progress.h"
+#include "pipeline/sha256.h"
+#include "pipeline/stopwatch.h"
+
+namespace collision_hulls {
+namespace {
+
+// Shares of the whole time, about.
+constexpr double kTreesShare = 0.4, kFitShare = 0.4, kCertifyShare = 0.1;
+constexpr double kCertificateGap = 0.01;  // of the tolerance or, where that is more, of the protrusion that the tree tells
+
+/// A part of the whole run that goes from one share of its progress to another.
+struct Stretch : RunControl {
+  Stretch(const RunControl& run, double from, double to) {
+    whole = &run;
+    progress = [&run, from, to](double share) { run.report(from + (to - from) * share); };
+  }
+};
+
+HullTree treeOf(const MeshTask& task, const ElementReport& row, const RepairedMesh& repaired, const Options& options, Cache& cache,
+                const RunControl& control) {
+  const std::string key = treeKey(row, task.file, options, row.tolerance);
+  if (std::optional<HullTree> known = cache.findTree(key)) return std::move(*known);
+  const HullTree tree = hullTree(repaired, {options.method, row.tolerance, 0, options.max_vertices, options.seed, options.effort}, control);
+  cache.storeTree(key, tree);
+  return tree;
+}
+
+/// 1 to 3 of a mesh: read, repair, and its hull tree. Fills the first of its elements.
+std::shared_ptr<const FitMesh> fitMesh(const MeshTask& task, const Options& options, Cache& cache, const RunControl& control,
+                                       ElementResult& element) {
+  const ReadMesh read = readElement(task, options, control, element);
+  Stopwatch stage;
+  const auto mesh = std::make_shared<FitMesh>();
+  mesh->tree = treeOf(task, element.report, read.repaired, options, cache, control);
+  mesh->original = element.original;
+  mesh->solid = element.solid;
+  mesh->margin = read.margin;
+  mesh->max_vertices = options.max_vertices;
+  mesh->max_hulls = options.max_hulls;
+  element.report.seconds.decompose = stage.lap();
+  return mesh;
+}
+
+using FitMeshes = std::vector<std::shared_ptr<const FitMesh>>;  // of the elements; null: failed
+
+FitMeshes fitMeshes(const std::vector<MeshTask>& tasks, const Options& options, Cache& cache, Progress& progress,
+                    std::vector<ElementResult>& elements) {
+  FitMeshes meshes(elements.size());
+  forEach(tasks.size(), [&](std::size_t i) {
+    RunControl control;
+    progress.follow(control, i, 0, 1);
+    const std::size_t first = tasks[i].elements.front();
+    try {
+      meshes[first] = fitMesh(tasks[i], options, cache, control, elements[first]);
+    } catch (...) {
+      fail(elements[first].report);
+    }
+    progress.taskDone(i);
+    for (const std::size_t element : tasks[i].elements) {
+      meshes[element] = meshes[first];
+      if (element != first) copyResult(elements[first], elements[element]);
+      progress.finished(elements[element].report.link, meshes[element] ? meshes[element]->tree.cutTo(1).size() : 0);
+    }
+  });
+  return meshes;
+}
+
+ConvexHull shapeOf(const GeometryElement& primitive) {
+  switch (primitive.kind) {
+    case GeometryElement::Kind::kBox: return boxShape(primitive.size);
+    case GeometryElement::Kind::kSphere: return sphereShape(primitive.size.x());
+    case GeometryElement::Kind::kCylinder: return cylinderShape(primitive.size.x(), primitive.size.y());
+    case GeometryElement::Kind::kMesh: break;
+  }
+  throw Error(ErrorCode::kInternal, "a mesh is no primitive");
+}
+
+/// The primitives of the links that meshes are fitted on, or that have no mesh at all.
+std::vector<KeptBody> keptBodies(const RobotDescription& robot, const Options& options, const std::set<std::string>& absent) {
+  const LinkChoice chosen(options.links, robot);
+  std::vector<KeptBody> kept;
+  for (std::size_t link = 0; link < robot.links.size(); ++link) {
+    if (!chosen(robot.links[link].name) || absent.count(robot.links[link].name)) continue;
+    for (const GeometryElement& element : sourceElements(robot.links[link], options.source).elements) {
+      if (element.kind == GeometryElement::Kind::kMesh) continue;
+      std::vector<Eigen::Vector3d> points = shapeOf(element).vertices;
+      for (Eigen::Vector3d& p : points) p = element.origin * p;
+      kept.push_back({link, convexHull(points)});
+    }
+  }
+  return kept;
+}
+
+/// The elements that are fitted: `indices` are theirs among all.
+FitProblem problemOf(const RobotDescription& robot, const SceneRequest& request, const Options& options,
+                     const std::vector<ElementResult>& elements, const FitMeshes& meshes, std::vector<std::size_t>& indices) {
+  FitProblem problem{robot, {}, {}, request.scene, request.disabled, request.configurations};
+  std::map<std::string, std::size_t> link_index;
+  for (std::size_t i = 0; i < robot.links.size(); ++i) link_index[robot.links[i].name] = i;
+  std::set<std::string> failed;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (!meshes[i]) failed.insert(elements[i].report.link);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const ElementResult& element = elements[i];
+    if (failed.count(element.report.link)) continue;
+    problem.elements.push_back({element.report.link + "/" + std::to_string(element.report.element), link_index[element.report.link],
+                                element.source.origin, meshes[i]});
+    indices.push_back(i);
+  }
+  problem.kept = keptBodies(robot, options, failed);
+  return problem;
+}
+
+/// 4. Certify the hulls as written.
+void certify(const FitMesh& mesh, const FittedElement& fitted, const RunControl& control, ElementResult& element) {
+  Stopwatch stage;
+  ElementReport& row = element.report;
+  double told = row.tolerance;
+  for (const int node : fitted.cut) told = std::max(told, mesh.tree.nodes[static_cast<std::size_t>(node)].protrusion);
+  element.hulls = fitted.hulls;
+  row.uncovered = uncovered(element.original, element.hulls, control);
+  if (row.uncovered > 0)
+    throw Error(ErrorCode::kInternal,
+                "the hulls leave the surface uncovered by up to " + millimetres(row.uncovered) + ", where 0 is the limit");
+  const Protrusion found = protrusion(element.hulls, *element.solid, kCertificateGap * told, control);
+  row.protrusion = found.bound + mesh.margin;
+  row.protrusion_found = found.found;
+  row.worst = found.where;
+  row.worst_nearest = found.nearest;
+  describe(element.hulls, row);
+  row.seconds.certify = stage.lap();
+}
+
+using MeshCut = std::pair<const FitMesh*, std::vector<int>>;
+
+/// Elements with the same mesh and cut are certified once.
+void certifyAll(const FitMeshes& meshes, const SceneFit& fit, const std::vector<std::size_t>& indices, const RunControl& control,
+                std::vector<ElementResult>& elements) {
+  std::map<MeshCut, std::vector<std::size_t>> same;
+  for (std::size_t i = 0; i < indices.size(); ++i) same[{meshes[indices[i]].get(), fit.elements[i].cut}].push_back(i);
+  std::vector<std::vector<std::size_t>> groups;
+  for (const auto& [what, members] : same) groups.push_back(members);
+  forEach(groups.size(), [&](std::size_t g) {
+    ElementResult& first = elements[indices[groups[g].front()]];
+    try {
+      certify(*meshes[indices[groups[g].front()]], fit.elements[groups[g].front()], control, first);
+    } catch (...) {
+      fail(first.report);
+    }
+    for (const std::size_t i : groups[g])
+      if (i != groups[g].front()) copyResult(first, elements[indices[i]]);
+  });
+}
+
+void validateAll(RobotResult& result, const RunControl& control) {
+  const Options& options = result.report.options;
+  if (options.validate) result.report.validation = validateElements(result.elements, options.seed, control);
+}
+
+std::vector<std::string> notesOnFit(const FitReport& fit) {
+  std::vector<std::string> notes = fit.notes;
+  if (fit.leaf_contacts > 0) {
+    notes.push_back(std::to_string(fit.leaf_contacts) + " counterexamples remain with the finest hulls, such as " + fit.leaf_contact +
+                    "; a smaller tolerance tells them apart");
+  }
+  return notes;
+}
+
+void refuseOtherMethods(const Options& options) {
+  if (options.method == Method::kCertified) return;
+  throw Error(ErrorCode::kBadOption,
+              std::string("method '") + name(options.method) + "' makes no hull tree, which fitting to a scene goes by; use certified");
+}
+
+}  // namespace
+
+RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& find_package, const SceneRequest& request,
+                            const Options& options, const std::string& output, const RunControl& control, const StepCallback& step) {
+  check(options);
+  refuseOtherMethods(options);
+  Stopwatch run;
+  RobotResult result;
+  result.robot_name = robot.name;
+  result.report.input_path = robot.path;
+  result.report.input_sha256 = sha256(robot.text);
+  result.report.options = options;
+  result.elements = meshElements(robot, options);
+  std::vector<ElementResult>& elements = result.elements;
+  Cache cache(options.cache ? cacheFolder() : std::filesystem::path());
+  withJobs(options.jobs, [&] {
+    const std::vector<MeshTask> tasks =
+        meshTasks(elements, [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); });
+    const Stretch trees(control, 0, kTreesShare), fitting(control, kTreesShare, kTreesShare + kFitShare);
+    const Stretch certifying(control, kTreesShare + kFitShare, kTreesShare + kFitShare + kCertifyShare);
+    const Stretch validating(control, kTreesShare + kFitShare + kCertifyShare, 1);
+    Progress progress(trees, step, tasks.size(), elements.size());
+    const FitMeshes meshes = fitMeshes(tasks, options, cache, progress, elements);
+    std::vector<std::size_t> indices;
+    const FitProblem problem = problemOf(robot, request, options, elements, meshes, indices);
+    const SceneFit fit = fitScene(problem, {request.clearance, request.samples, options.seed}, fitting);
+    certifyAll(meshes, fit, indices, certifying, elements);
+    validateAll(result, validating);
+    result.report.scene = fit.report;
+    result.extra_files["config/" + fileName(robot.name) + "_disabled.srdf"] = srdfFragment(robot.name, fit.disabled);
+  });
+  cache.trim();
+  result.report.notes = cache.notes();
+  nameHullFiles(result);
+  for (ElementResult& element : elements) {
+    element.solid = nullptr;
+    result.report.links.push_back(element.report);
+  }
+  result.urdf = rewrittenDescription(robot, result, output);
+  for (const auto& notes : {notesOnFit(*result.report.scene), notesOnRewritten(result, output)})
+    result.report.notes.insert(result.report.notes.end(), notes.begin(), notes.end());
+  result.report.seconds = result.report.scene->seconds = run.lap();
+  return result;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,67 @@
+// Counterexamples cured: tree nodes opened until nothing touches any more that should not, as few as possible.
+#pragma once
+
+#include <array>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "collision_hulls/control.h"
+#include "scene/assembly.h"
+
+namespace collision_hulls {
+
+/// Whether the finest hulls touch, too, where the contact's nodes do.
+bool touchesAtLeaves(const Assembly& assembly, const Contact& contact);
+
+/// A cut for each piece, and contacts that it must not have.
+///
+///   while contacts are left
+///     for each contact and each of its two nodes: what would clearing it by opening this side alone cost? It votes with 1 / cost.
+///     open the node with most votes; contacts that its children still have stay, the others are cured
+///
+/// A greedy set cover. Deterministic; contacts are worked on in parallel.
+class Curing {
+ public:
+  Curing(const Assembly& assembly, Cuts cuts) : assembly_(assembly), cuts_(std::move(cuts)) {}
+
+  /// Contacts of nodes of the cuts.
+  void add(const std::vector<Contact>& contacts);
+
+  /// Until no contact is left that opening could cure.
+  void run(const RunControl& control);
+
+  const Cuts& cuts() const { return cuts_; }
+  std::size_t stuck() const { return stuck_; }  ///< contacts that stayed
+
+ private:
+  using Node = std::pair<int, int>;  // piece, node of its tree
+  struct Case {
+    Contact contact;
+    std::array<double, 2> votes{0, 0};
+    bool open = true;
+  };
+  struct Ballot {
+    double votes = 0;
+    std::size_t open = 0;  // cases
+    std::vector<std::size_t> cases;
+  };
+
+  double cost(const Contact& contact, int side, double limit) const;
+  std::array<double, 2> votes(const Contact& contact) const;
+  bool mayOpen(const Node& node) const;
+  const Node* winner() const;
+  void open(const Node& node);
+  void settle(std::size_t index);
+
+  const Assembly& assembly_;
+  Cuts cuts_;
+  std::vector<Case> cases_;
+  std::map<Node, Ballot> ballots_;
+  std::size_t stuck_ = 0;
+};
+
+/// Closes nodes whose children can give way to them without bringing about a contact of the roots in `contacts` again.
+Cuts closed(const Assembly& assembly, Cuts cuts, const std::vector<Contact>& contacts, const RunControl& control);
+
+}  // namespace collision_hulls

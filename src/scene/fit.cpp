@@ -1,0 +1,57 @@
+#include "collision_hulls/scene/fit.h"
+
+#include <cmath>
+
+#include "collision_hulls/error.h"
+#include "scene/fit_report.h"
+
+namespace collision_hulls {
+namespace {
+
+void check(const FitProblem& problem, const FitOptions& options) {
+  if (!(options.clearance > 0 && std::isfinite(options.clearance)))
+    throw Error(ErrorCode::kBadOption, "clearance is " + std::to_string(options.clearance) + " m; it must be a positive length");
+  if (options.samples == 0) throw Error(ErrorCode::kBadOption, "samples is 0; at least one is needed to know anything");
+  if (problem.elements.empty()) throw Error(ErrorCode::kBadOption, "the robot has no mesh that hulls could be fitted to");
+}
+
+std::vector<FittedElement> fittedElements(const FitProblem& problem, const Cuts& cuts, const RunControl& control) {
+  std::vector<FittedElement> elements;
+  for (std::size_t i = 0; i < problem.elements.size(); ++i) {
+    FittedElement element{cuts[i], {}};
+    std::sort(element.cut.begin(), element.cut.end());
+    element.hulls = writtenHulls(*problem.elements[i].mesh, element.cut, control);
+    elements.push_back(std::move(element));
+  }
+  return elements;
+}
+
+/// Pairs of links whose hulls hit where the links do not, the worst first.
+std::vector<PairHits> selfPhantoms(std::vector<PairHits> hits) {
+  hits.erase(std::remove_if(hits.begin(), hits.end(), [](const PairHits& pair) { return !pair.links || pair.before + pair.after == 0; }),
+             hits.end());
+  std::stable_sort(hits.begin(), hits.end(), [](const PairHits& a, const PairHits& b) { return a.before > b.before; });
+  return hits;
+}
+
+}  // namespace
+
+SceneFit fitScene(const FitProblem& problem, const FitOptions& options, const RunControl& control) {
+  check(problem, options);
+  const Assembly assembly(problem, options.seed);
+  const Originals originals(problem, assembly);
+  const PairRules rules = pairRules(problem, assembly, originals, options.clearance, control);
+  Fitting fitting(problem, options, assembly, originals, rules, control);
+  fitting.run();
+
+  const FittedModel model{problem, options, assembly, originals, rules, fitting};
+  const std::vector<PairHits> hits = pairHits(model, control);
+  SceneFit fit;
+  fit.elements = fittedElements(problem, fitting.cuts(), control);
+  fit.disabled = disabledPairs(model, hits);
+  fit.report = fitReport(model, control);
+  fit.report.self = selfPhantoms(hits);
+  return fit;
+}
+
+}  // namespace collision_hulls

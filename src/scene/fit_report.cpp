@@ -1,0 +1,211 @@
+#include "scene/fit_report.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "scene/planner_model.h"
+#include "scene/text.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr std::size_t kMostMeasured = 100;  // contacts of a link of which the nearest is named
+
+using PartIndices = std::pair<std::size_t, std::size_t>;
+
+std::size_t partOf(const FittedModel& model, int piece) {
+  return model.assembly.pieces()[static_cast<std::size_t>(piece)].part;
+}
+
+/// The case that a link's hulls have to tell apart: what it is near, and how near.
+struct Tightest {
+  std::size_t other = 0;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+std::map<std::size_t, Tightest> tightestOf(const FittedModel& model) {
+  std::map<std::size_t, Tightest> tightest;
+  std::map<std::size_t, std::size_t> measured;
+  for (const Contact& contact : model.fitting.rootContacts()) {
+    const std::size_t a = partOf(model, contact.piece[0]), b = partOf(model, contact.piece[1]);
+    if (measured[a]++ >= kMostMeasured && measured[b]++ >= kMostMeasured) continue;
+    const Places places = model.assembly.places(contact.sample);
+    const double distance = model.originals.distanceBelow(std::numeric_limits<double>::max(), a, b, places);
+    for (const auto& [link, other] : {PartIndices{a, b}, PartIndices{b, a}})
+      if (distance < tightest[link].distance) tightest[link] = {other, distance};
+  }
+  return tightest;
+}
+
+/// The least proved distance of a link to anything; nullopt where a pair of it is looked at.
+std::optional<double> provedDistance(const FittedModel& model, std::size_t link) {
+  for (const PartPair& pair : model.rules.pairs)
+    if (pair.a == link || pair.b == link) return std::nullopt;
+  double least = std::numeric_limits<double>::infinity();
+  for (const ProvedPair& pair : model.rules.proved)
+    if (pair.a == link || pair.b == link) least = std::min(least, pair.bound);
+  return least;
+}
+
+std::string plural(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string reasonOf(const FittedModel& model, const FittedLink& link, std::size_t index, const std::map<std::size_t, Tightest>& tightest) {
+  const std::string what = plural(link.hulls, "hull") + ": ";
+  if (const std::optional<double> proved = provedDistance(model, index)) {
+    if (std::isinf(*proved)) return what + "no pair of it is looked at";
+    return what + "never within " + lengthText(*proved) + " of anything, proved";
+  }
+  const auto found = tightest.find(index);
+  if (found == tightest.end()) return what + "nothing that is clear was hit in " + plural(model.fitting.asked(), "sample");
+  return what + "against " + model.assembly.name(found->second.other) + " at " + lengthText(found->second.distance);
+}
+
+std::vector<FittedLink> fittedLinks(const FittedModel& model) {
+  const std::map<std::size_t, Tightest> tightest = tightestOf(model);
+  std::vector<FittedLink> links;
+  for (std::size_t link = 0; link < model.assembly.links(); ++link) {
+    FittedLink fitted;
+    fitted.link = model.assembly.name(link);
+    for (const int piece : model.assembly.piecesOf(link))
+      if (static_cast<std::size_t>(piece) < model.problem.elements.size())
+        fitted.hulls += model.fitting.cuts()[static_cast<std::size_t>(piece)].size();
+    if (fitted.hulls == 0) continue;
+    fitted.proved = provedDistance(model, link).has_value();
+    fitted.reason = reasonOf(model, fitted, link, tightest);
+    links.push_back(fitted);
+  }
+  return links;
+}
+
+/// The pairs of parts in contact.
+std::set<PartIndices> pairsOf(const FittedModel& model, const std::vector<Contact>& contacts) {
+  std::set<PartIndices> pairs;
+  for (const Contact& contact : contacts) pairs.emplace(partOf(model, contact.piece[0]), partOf(model, contact.piece[1]));
+  return pairs;
+}
+
+std::vector<PartPair> lookedAtAndProved(const FittedModel& model) {
+  std::vector<PartPair> pairs = model.rules.pairs;
+  for (const ProvedPair& pair : model.rules.proved) pairs.push_back({pair.a, pair.b, model.options.clearance});
+  return pairs;
+}
+
+/// Where the model is hit in samples that are clear.
+std::size_t phantoms(const FittedModel& model, const std::vector<char>& hit, const RunControl& control) {
+  std::vector<char> phantom(hit.size());
+  tbb::parallel_for(std::size_t{0}, hit.size(), [&](std::size_t i) {
+    control.check();
+    if (hit[i])
+      phantom[i] = isClear(model.assembly, model.originals, model.rules.pairs, model.assembly.places(model.fitting.verifiedFrom() + i), {});
+  });
+  return static_cast<std::size_t>(std::count(phantom.begin(), phantom.end(), 1));
+}
+
+}  // namespace
+
+double upperBound(std::size_t found) {
+  // The Poisson distribution of this mean gives no more than `found` with a probability of 5 %.
+  const auto probability = [&](double mean) {
+    double term = std::exp(-mean), sum = term;
+    for (std::size_t i = 1; i <= found; ++i) sum += term *= mean / static_cast<double>(i);
+    return sum;
+  };
+  constexpr double kRisk = 0.05;
+  double low = 0, high = 10 + 3 * static_cast<double>(found);
+  for (int i = 0; i < 60; ++i) (probability((low + high) / 2) > kRisk ? low : high) = (low + high) / 2;
+  return high;
+}
+
+std::vector<PairHits> pairHits(const FittedModel& model, const RunControl& control) {
+  const std::vector<PartPair> pairs = lookedAtAndProved(model);
+  const Cuts roots = model.assembly.roots();
+  struct Sample {
+    std::set<PartIndices> original, before, after;
+  };
+  std::vector<Sample> samples(model.samples());
+  tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
+    control.check();
+    const std::size_t index = model.fitting.verifiedFrom() + i;
+    const Places places = model.assembly.places(index);
+    Sample& sample = samples[i];
+    for (const PartIndices& pair : pairsOf(model, contacts(model.assembly, roots, pairs, places, index)))
+      (model.originals.touch(pair.first, pair.second, places) ? sample.original : sample.before).insert(pair);
+    if (sample.before.empty()) return;
+    for (const PartIndices& pair : pairsOf(model, contacts(model.assembly, model.fitting.cuts(), pairs, places, index)))
+      if (!sample.original.count(pair)) sample.after.insert(pair);
+  });
+  std::map<PartIndices, PairHits> hits;
+  for (const PartPair& pair : pairs)
+    hits[{pair.a, pair.b}] = {model.assembly.name(pair.a), model.assembly.name(pair.b), model.assembly.isLink(pair.b)};
+  for (const Sample& sample : samples) {
+    for (const PartIndices& pair : sample.original) ++hits.at(pair).original;
+    for (const PartIndices& pair : sample.before) ++hits.at(pair).before;
+    for (const PartIndices& pair : sample.after) ++hits.at(pair).after;
+  }
+  std::vector<PairHits> result;
+  for (const auto& [pair, counts] : hits) result.push_back(counts);
+  return result;
+}
+
+FitReport fitReport(const FittedModel& model, const RunControl& control) {
+  const Assembly& assembly = model.assembly;
+  const Cuts& cuts = model.fitting.cuts();
+  const std::size_t first = model.fitting.verifiedFrom(), count = model.samples();
+  const auto fitted = [&] { return PlannerModel(assembly, model.rules, cuts); };
+  const auto original = [&] { return PlannerModel(assembly, model.rules, model.originals); };
+
+  FitReport report;
+  report.scene = model.problem.scene.name;
+  report.clearance = model.options.clearance;
+  report.samples = count;
+  report.given = !model.problem.configurations.empty();
+  report.asked = model.fitting.asked();
+  report.counterexamples = model.fitting.cured();
+  const std::vector<char> hit = hits(assembly, fitted, first, count, control), true_hit = hits(assembly, original, first, count, control);
+  for (std::size_t i = 0; i < count; ++i) {
+    report.model_hits += hit[i] != 0;
+    report.original_hits += true_hit[i] != 0;
+    report.missed += true_hit[i] && !hit[i];
+  }
+  report.phantom = phantoms(model, hit, control);
+  report.phantom_rate_bound = report.given ? 0 : upperBound(report.phantom) / static_cast<double>(count);
+  report.pairs = model.rules.pairs.size() + model.rules.proved.size();
+  report.proved_pairs = model.rules.proved.size();
+  report.query_us = queryMicroseconds(assembly, fitted(), first, count, control);
+  report.original_query_us = queryMicroseconds(assembly, original(), first, count, control);
+  report.hulls = assembly.hulls(cuts);
+  for (std::size_t i = 0; i < model.problem.elements.size(); ++i) report.full_hulls += assembly.pieces()[i].tree->leaves();
+  report.links = fittedLinks(model);
+  report.left_out = model.rules.left_out;
+  report.notes = model.rules.notes;
+  return report;
+}
+
+std::vector<DisabledPair> disabledPairs(const FittedModel& model, const std::vector<PairHits>& hits) {
+  std::vector<DisabledPair> disabled;
+  for (const LeftOutPair& pair : model.rules.left_out) {
+    if (!pair.links) continue;
+    const bool by_user = pair.reason == "Disabled", fixed = pair.reason == "Fixed";
+    disabled.push_back({pair.first, pair.second, by_user ? "User" : fixed ? "Always" : pair.reason, pair.known});
+  }
+  std::map<std::pair<std::string, std::string>, double> proved;
+  for (const ProvedPair& pair : model.rules.proved) proved[{model.assembly.name(pair.a), model.assembly.name(pair.b)}] = pair.bound;
+  for (const PairHits& pair : hits) {
+    if (pair.original > 0 || !pair.links) continue;
+    const auto bound = proved.find({pair.first, pair.second});
+    disabled.push_back({pair.first, pair.second, "Never",
+                        bound != proved.end() ? "never within " + lengthText(bound->second) + ", proved"
+                                              : "in none of " + std::to_string(model.samples()) + " samples"});
+  }
+  return disabled;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,31 @@
+// What is known about a fitted model, from the samples that verify it.
+#pragma once
+
+#include "scene/fitting.h"
+
+namespace collision_hulls {
+
+/// All that a report is made of.
+struct FittedModel {
+  const FitProblem& problem;
+  const FitOptions& options;
+  const Assembly& assembly;
+  const Originals& originals;
+  const PairRules& rules;
+  const Fitting& fitting;
+
+  std::size_t samples() const { return problem.configurations.empty() ? options.samples : problem.configurations.size(); }
+};
+
+FitReport fitReport(const FittedModel& model, const RunControl& control);
+
+/// The pairs that a robot's SRDF would leave out, with how that is known; `hits`: of all pairs of links that are looked at.
+std::vector<DisabledPair> disabledPairs(const FittedModel& model, const std::vector<PairHits>& hits);
+
+/// Hits of all pairs that are looked at or proved, over the samples that verify; see PairHits.
+std::vector<PairHits> pairHits(const FittedModel& model, const RunControl& control);
+
+/// The number that, with 95 % confidence, a rate times `samples` does not exceed when `found` were seen: 3 for none.
+double upperBound(std::size_t found);
+
+}  // namespace collision_hulls

@@ -1,0 +1,65 @@
+// Refinement by counterexample: which cuts a scene needs.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "scene/curing.h"
+#include "scene/originals.h"
+#include "scene/pair_rules.h"
+
+namespace collision_hulls {
+
+/// What samples said of a model.
+struct Answers {
+  std::vector<Contact> current;  ///< of the model, in counterexamples
+  std::vector<Contact> roots;    ///< of the trees' roots, in the same samples
+  std::vector<Contact> leaves;   ///< a contact for each counterexample that not even the finest hulls cure
+  std::size_t counterexamples = 0;
+};
+
+class Fitting {
+ public:
+  Fitting(const FitProblem& problem, const FitOptions& options, const Assembly& assembly, const Originals& originals,
+          const PairRules& rules, const RunControl& control)
+      : problem_(problem),
+        options_(options),
+        assembly_(assembly),
+        originals_(originals),
+        rules_(rules),
+        control_(control),
+        cuts_(assembly.roots()) {}
+
+  void run();
+
+  const Cuts& cuts() const { return cuts_; }
+  std::size_t verifiedFrom() const { return verified_from_; }  ///< the first sample of the batch that had no counterexample
+  std::size_t asked() const { return asked_; }
+  std::size_t cured() const { return cured_; }
+  const std::vector<Contact>& rootContacts() const { return roots_; }  ///< in all counterexamples
+
+ private:
+  Answers ask(const Cuts& cuts, std::size_t first, std::size_t count) const;
+  std::size_t cureBatch(std::size_t count);
+  void fitFirst();
+  void fitAll();
+  void verify();
+
+  const FitProblem& problem_;
+  const FitOptions& options_;
+  const Assembly& assembly_;
+  const Originals& originals_;
+  const PairRules& rules_;
+  const RunControl& control_;
+  Cuts cuts_;
+  std::vector<Contact> roots_;
+  std::size_t next_ = 0, asked_ = 0, cured_ = 0, verified_from_ = 0;
+  double progress_ = 0;
+};
+
+/// Whether the original keeps its clearances; pairs that `suspects` are of are asked first.
+bool isClear(const Assembly& assembly, const Originals& originals, const std::vector<PartPair>& pairs, const Places& places,
+             const std::vector<Contact>& suspects);
+
+}  // namespace collision_hulls

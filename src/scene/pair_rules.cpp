@@ -1,0 +1,202 @@
+#include "scene/pair_rules.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "collision_hulls/scene/reach.h"
+#include "scene/text.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr std::size_t kSurveyed = 400;  // samples
+constexpr double kNearlyAll = 0.95;     // of them; MoveIt's Setup Assistant takes the same share
+constexpr std::size_t kEvaluations = 300;
+
+/// What the survey saw of a pair.
+struct Sighting {
+  std::size_t a = 0, b = 0;
+  std::vector<double> distances;  // [m] no more than the clearance; the first one at rest
+  bool moves = false;             // against each other
+  bool links = false;
+
+  std::size_t touching() const { return static_cast<std::size_t>(std::count(distances.begin() + 1, distances.end(), 0.0)); }
+  std::size_t near(double clearance) const {
+    return static_cast<std::size_t>(std::count_if(distances.begin() + 1, distances.end(), [&](double d) { return d < clearance; }));
+  }
+  std::size_t samples() const { return distances.size() - 1; }
+};
+
+bool nearlyAll(std::size_t part, std::size_t whole) {
+  return static_cast<double>(part) >= kNearlyAll * static_cast<double>(whole);
+}
+
+/// All pairs of parts that have pieces, but for two bodies of the scene.
+std::vector<Sighting> allPairs(const Assembly& assembly) {
+  std::vector<Sighting> pairs;
+  for (std::size_t a = 0; a < assembly.links(); ++a) {
+    for (std::size_t b = a + 1; b < assembly.parts(); ++b) {
+      if (!assembly.piecesOf(a).empty() && !assembly.piecesOf(b).empty()) pairs.push_back({a, b, {}, false, assembly.isLink(b)});
+    }
+  }
+  return pairs;
+}
+
+/// Rest, then samples.
+std::vector<Places> surveyed(const FitProblem& problem, const Assembly& assembly) {
+  const std::size_t given = problem.configurations.size(), count = given ? std::min(given, kSurveyed) : kSurveyed;
+  std::vector<Places> places{assembly.places(assembly.kinematics().rest())};
+  for (std::size_t i = 0; i < count; ++i) places.push_back(assembly.places(given ? i * given / count : i));
+  return places;
+}
+
+void survey(const std::vector<Places>& places, const Originals& originals, double clearance, Sighting& pair) {
+  for (const Places& at : places) {
+    pair.distances.push_back(originals.distanceBelow(clearance, pair.a, pair.b, at));
+    const Eigen::Isometry3d now = at[pair.a].inverse() * at[pair.b], then = places.front()[pair.a].inverse() * places.front()[pair.b];
+    constexpr double kRounding = 1e-9;
+    pair.moves = pair.moves || !now.isApprox(then, kRounding);
+  }
+}
+
+std::string share(std::size_t part, std::size_t whole) {
+  return std::to_string(part) + " of " + std::to_string(whole) + " samples";
+}
+
+/// Why the original says that a pair is not to be looked at; an empty reason: it is.
+LeftOutPair verdict(const Sighting& pair, double clearance) {
+  const double at_rest = pair.distances.front();
+  const auto said = [&](const char* reason, const std::string& known) { return LeftOutPair{"", "", reason, known, pair.links}; };
+  if (!pair.moves && at_rest < clearance)
+    return said("Fixed", at_rest > 0 ? "always " + lengthText(at_rest) + " apart" : "always in contact");
+  if (pair.touching() > 0 && nearlyAll(pair.touching(), pair.samples()))
+    return said("Always", "in contact in " + share(pair.touching(), pair.samples()));
+  if (pair.links && at_rest <= 0) return said("Default", "in contact at rest");
+  return {};
+}
+
+/// For parts that hardly ever get as far apart as the clearance half of what they usually are apart has to do.
+double ownClearance(const Sighting& pair, double clearance) {
+  if (!nearlyAll(pair.near(clearance), pair.samples())) return clearance;
+  std::vector<double> apart;
+  for (const double d : pair.distances)
+    if (d > 0) apart.push_back(d);
+  if (apart.empty()) return clearance;
+  const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
+  std::nth_element(apart.begin(), middle, apart.end());
+  return std::min(clearance, *middle / 2);
+}
+
+/// A hull about all that a link may become.
+ConvexHull hullOfLink(const FitProblem& problem, const Assembly& assembly, std::size_t link, const std::vector<ConvexHull>& roots) {
+  std::vector<Eigen::Vector3d> points;
+  for (const int piece : assembly.piecesOf(link)) {
+    const auto i = static_cast<std::size_t>(piece);
+    const ConvexHull& hull = i < roots.size() ? roots[i] : problem.kept[i - roots.size()].hull;
+    for (const Eigen::Vector3d& v : hull.vertices) points.push_back(assembly.pieces()[i].origin * v);
+  }
+  return points.empty() ? ConvexHull() : convexHull(points);
+}
+
+ReachProver proverFor(const FitProblem& problem, const Assembly& assembly, const RunControl& control) {
+  std::map<const FitMesh*, ConvexHull> of_mesh;
+  std::vector<ConvexHull> roots;
+  for (const FitElement& element : problem.elements) {
+    const FitMesh& mesh = *element.mesh;
+    if (!of_mesh.count(&mesh)) of_mesh[&mesh] = writtenHulls(mesh, {static_cast<int>(mesh.tree.nodes.size()) - 1}, control).front();
+    roots.push_back(of_mesh[&mesh]);
+  }
+  std::vector<ConvexHull> links;
+  for (std::size_t link = 0; link < assembly.links(); ++link) links.push_back(hullOfLink(problem, assembly, link, roots));
+  return ReachProver(assembly.kinematics(), links, problem.scene);
+}
+
+/// Moves pairs that provably never come within the clearance from `pairs` to `proved`.
+void prove(const FitProblem& problem, const Assembly& assembly, const std::vector<char>& never_near, double clearance,
+           const RunControl& control, PairRules& rules) {
+  const ReachProver prover = proverFor(problem, assembly, control);
+  ReachOptions options;
+  options.evaluations = kEvaluations;
+  std::vector<Reach> reach(rules.pairs.size());
+  tbb::parallel_for(std::size_t{0}, rules.pairs.size(), [&](std::size_t i) {
+    const PartPair& pair = rules.pairs[i];
+    if (!never_near[i]) return;
+    reach[i] = assembly.isLink(pair.b) ? prover.betweenLinks(pair.a, pair.b, clearance, options, control)
+                                       : prover.betweenLinkAndBody(pair.a, pair.b - assembly.links(), clearance, options, control);
+  });
+  std::vector<PartPair> open;
+  for (std::size_t i = 0; i < rules.pairs.size(); ++i) {
+    if (reach[i].outcome == Reach::Outcome::kProved)
+      rules.proved.push_back({rules.pairs[i].a, rules.pairs[i].b, reach[i].bound});
+    else
+      open.push_back(rules.pairs[i]);
+  }
+  rules.pairs = open;
+}
+
+using NamePair = std::pair<std::string, std::string>;
+
+std::map<NamePair, const DisabledPair*> byName(const std::vector<DisabledPair>& disabled) {
+  std::map<NamePair, const DisabledPair*> result;
+  for (const DisabledPair& pair : disabled) result[std::minmax(pair.link1, pair.link2)] = &pair;
+  return result;
+}
+
+/// What the robot's description and the user say.
+LeftOutPair saidBefore(const Assembly& assembly, const std::map<NamePair, const DisabledPair*>& disabled, const Sighting& pair) {
+  if (!pair.links) return {};
+  const auto found = disabled.find(std::minmax(assembly.name(pair.a), assembly.name(pair.b)));
+  if (assembly.kinematics().adjacent(pair.a, pair.b)) return {"", "", "Adjacent", "joined, or fixed to each other", true};
+  if (found != disabled.end()) return {"", "", "Disabled", "by the SRDF: " + found->second->reason, true};
+  return {};
+}
+
+}  // namespace
+
+PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const Originals& originals, double clearance,
+                    const RunControl& control) {
+  PairRules rules;
+  const auto leaveOut = [&](const Sighting& pair, LeftOutPair why) {
+    why.first = assembly.name(pair.a);
+    why.second = assembly.name(pair.b);
+    rules.left_out.push_back(why);
+    rules.ignored.emplace_back(pair.a, pair.b);
+  };
+  const std::map<NamePair, const DisabledPair*> disabled = byName(problem.disabled);
+  std::vector<Sighting> pairs;
+  for (const Sighting& pair : allPairs(assembly)) {
+    const LeftOutPair why = saidBefore(assembly, disabled, pair);
+    if (why.reason.empty())
+      pairs.push_back(pair);
+    else
+      leaveOut(pair, why);
+  }
+  const std::vector<Places> places = surveyed(problem, assembly);
+  tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
+    control.check();
+    survey(places, originals, clearance, pairs[i]);
+  });
+  std::vector<char> never_near;
+  for (const Sighting& pair : pairs) {
+    const LeftOutPair why = verdict(pair, clearance);
+    if (!why.reason.empty()) {
+      leaveOut(pair, why);
+      continue;
+    }
+    const double own = ownClearance(pair, clearance);
+    if (own < clearance) {
+      rules.notes.push_back(assembly.name(pair.a) + " and " + assembly.name(pair.b) + " hardly ever are " + lengthText(clearance) +
+                            " apart: for them " + lengthText(own) + " count as clear");
+    }
+    rules.pairs.push_back({pair.a, pair.b, own});
+    never_near.push_back(pair.near(clearance) == 0 && pair.distances.front() >= clearance);
+  }
+  prove(problem, assembly, never_near, clearance, control, rules);
+  return rules;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,83 @@
+#include "scene/planner_model.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace collision_hulls {
+namespace {
+
+constexpr double kLeastTime = 0.2;       // [s] of a measurement: as many rounds over the samples as it takes
+constexpr std::size_t kMostTimed = 500;  // samples
+
+}  // namespace
+
+PlannerModel::PlannerModel(const Assembly& assembly, const PairRules& rules) : ignored_(assembly.parts()) {
+  for (const auto& [a, b] : rules.ignored) ignored_.ignore(a, b);
+}
+
+PlannerModel::PlannerModel(const Assembly& assembly, const PairRules& rules, const Cuts& cuts) : PlannerModel(assembly, rules) {
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    const Piece& piece = assembly.pieces()[i];
+    for (const int node : cuts[i]) add(assembly, piece.part, piece.tree->body(node), piece.origin);
+  }
+}
+
+PlannerModel::PlannerModel(const Assembly& assembly, const PairRules& rules, const Originals& originals) : PlannerModel(assembly, rules) {
+  for (std::size_t part = 0; part < assembly.parts(); ++part)
+    for (const Originals::Body& body : originals.bodies(part)) add(assembly, part, body.body, body.origin);
+}
+
+void PlannerModel::add(const Assembly& assembly, std::size_t part, const QueryBody& body, const Eigen::Isometry3d& origin) {
+  if (assembly.isLink(part)) {
+    robot_.add(part, body, origin);
+  } else {
+    scene_.add(part, body, origin);
+    empty_scene_ = false;
+  }
+}
+
+bool PlannerModel::hit(const Places& places) {
+  if (!scene_placed_) scene_.place(places);
+  scene_placed_ = true;
+  robot_.place(places);
+  return (!empty_scene_ && robot_.collides(scene_, ignored_)) || robot_.collides(ignored_);
+}
+
+std::vector<char> hits(const Assembly& assembly, const std::function<PlannerModel()>& make, std::size_t first, std::size_t count,
+                       const RunControl& control) {
+  std::vector<PlannerModel> models;
+  const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  for (std::size_t i = 0; i < threads; ++i) models.push_back(make());
+  std::vector<char> result(count);
+  tbb::parallel_for(std::size_t{0}, threads, [&](std::size_t t) {
+    for (std::size_t i = t; i < count; i += threads) {
+      control.check();
+      result[i] = models[t].hit(assembly.places(first + i));
+    }
+  });
+  return result;
+}
+
+double queryMicroseconds(const Assembly& assembly, PlannerModel model, std::size_t first, std::size_t count, const RunControl& control) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<Places> places;
+  for (std::size_t i = 0; i < std::min(count, kMostTimed); ++i) places.push_back(assembly.places(first + i));
+  for (const Places& at : places) model.hit(at);  // fills the processor's caches
+  const Clock::time_point start = Clock::now();
+  std::size_t asked = 0;
+  double seconds = 0;
+  while (seconds < kLeastTime) {
+    for (const Places& at : places) {
+      control.check();
+      model.hit(at);
+    }
+    asked += places.size();
+    seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  return 1e6 * seconds / static_cast<double>(asked);
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,36 @@
+// A model of the robot asked as planners ask: the robot against the scene, then against itself, until the first contact.
+#pragma once
+
+#include <vector>
+
+#include "check/query_model.h"
+#include "scene/originals.h"
+#include "scene/pair_rules.h"
+
+namespace collision_hulls {
+
+/// Bodies in FCL's dynamic trees. Not thread safe, and to be made while no other thread uses bodies of it: FCL writes to them then.
+class PlannerModel {
+ public:
+  PlannerModel(const Assembly& assembly, const PairRules& rules, const Cuts& cuts);
+  PlannerModel(const Assembly& assembly, const PairRules& rules, const Originals& originals);
+
+  bool hit(const Places& places);
+
+ private:
+  PlannerModel(const Assembly& assembly, const PairRules& rules);
+  void add(const Assembly& assembly, std::size_t part, const QueryBody& body, const Eigen::Isometry3d& origin);
+
+  QueryModel robot_, scene_;
+  IgnoredPairs ignored_;
+  bool scene_placed_ = false, empty_scene_ = true;
+};
+
+/// Which of the samples from `first` on hit a model; `make` gives one.
+std::vector<char> hits(const Assembly& assembly, const std::function<PlannerModel()>& make, std::size_t first, std::size_t count,
+                       const RunControl& control);
+
+/// [us] that a sample takes, on one thread.
+double queryMicroseconds(const Assembly& assembly, PlannerModel model, std::size_t first, std::size_t count, const RunControl& control);
+
+}  // namespace collision_hulls

@@ -1,0 +1,122 @@
+// What the programs that make a robot's collision model have in common: signals, progress, report, exit status.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <functional>
+#include <iostream>
+#include <string>
+
+#include "collision_hulls/pipeline/decompose_robot.h"
+#include "decompose_options.h"
+#include "progress_display.h"
+
+namespace collision_hulls {
+
+enum ExitStatus { kDone = 0, kSomeFailed = 1, kWrongUse = 2, kInterrupted = 130 };
+
+/// What such a program is asked for.
+struct RobotCommand {
+  std::string program, input, output, json;
+  bool quiet = false;
+  Options options;
+};
+
+/// Input, output, report and the options of a decomposition.
+inline void addRobotOptions(CLI::App& app, const std::string& input, RobotCommand& command) {
+  app.add_option("INPUT", command.input, input)->type_name("")->required();
+  app.add_option("-o,--output", command.output, "Output folder; default ./<robot>_collision. An earlier output there is replaced")
+      ->type_name("DIR")
+      ->group("Output");
+  app.add_option("--json", command.json, "Write the report to this file as well; - is standard output, without the table")
+      ->type_name("FILE")
+      ->group("Output");
+  app.add_flag("--quiet", command.quiet, "Print errors only")->group("Output");
+  app.add_flag_callback(
+      "--version",
+      [program = command.program] {
+        std::printf("%s of collision_hulls %s\n", program.c_str(), version());
+        throw CLI::Success();
+      },
+      "Print the version and exit");
+  DecomposeOptionAdder(app, command.options).addAll();
+}
+
+inline const RunControl* interrupted_run = nullptr;
+
+/// The first signal stops the run in order, a second one as ever.
+inline void cancelOnSignals(const RunControl& control) {
+  interrupted_run = &control;
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupted_run->cancel(); };  // an atomic store, which a handler may do
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+}
+
+inline void printReport(const Report& report, const RobotCommand& command) {
+  if (command.json == "-") {
+    std::cout << toJson(report);
+  } else if (!command.quiet) {
+    std::cout << toTable(report);
+  }
+  std::cout.flush();
+  for (const ElementReport& row : report.links) {
+    if (row.status == Status::kFailed)
+      std::cerr << command.program << ": " << row.link << ", " << row.uri << " failed: " << row.reason << "\n";
+  }
+}
+
+/// The file that --json names is written also where the output could not be.
+inline void writeEverything(RobotResult& result, const RobotCommand& command, const std::string& output, const RunControl& control) {
+  const bool to_file = !command.json.empty() && command.json != "-";
+  try {
+    if (!result.single_mesh || !anyFailed(result.report)) writeOutput(result, output, control);
+  } catch (const Error& e) {
+    if (to_file && e.code() != ErrorCode::kCancelled) writeReport(result.report, command.json);
+    throw;
+  }
+  if (to_file) writeReport(result.report, command.json);
+}
+
+using RobotWork =
+    std::function<RobotResult(const Input& input, const std::string& output, const RunControl& control, const StepCallback& step)>;
+
+/// Reads the input, works, writes, and prints the report. The exit status.
+inline int runRobotCommand(const RobotCommand& command, const RobotWork& work) {
+  RunControl control;
+  ProgressDisplay display(command.quiet);
+  control.progress = [&](double fraction) { display.fraction(fraction); };
+  cancelOnSignals(control);
+
+  check(command.options);
+  const Input input = openInput(command.input);
+  const std::string output = command.output.empty() ? defaultOutput(input) : command.output;
+  checkOutput(output);
+  RobotResult result = work(input, output, control, [&](const Step& step) { display.step(step); });
+  display.clear();
+  writeEverything(result, command, output, control);
+
+  printReport(result.report, command);
+  if (!anyFailed(result.report)) return kDone;
+  return result.single_mesh ? kWrongUse : kSomeFailed;
+}
+
+/// Parses and runs; errors become messages on standard error and exit statuses.
+inline int runRobotProgram(CLI::App& app, int argc, char** argv, const std::function<int()>& run) {
+  try {
+    app.parse(argc, argv);
+    return run();
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);
+    std::cerr << app.get_name() << ": " << e.what() << "; see " << app.get_name() << " --help\n";
+  } catch (const Error& e) {
+    std::cerr << app.get_name() << ": " << e.what() << "\n";
+    if (e.code() == ErrorCode::kCancelled) return kInterrupted;
+  } catch (const std::exception& e) {
+    std::cerr << app.get_name() << ": unexpected: " << e.what() << "\n";
+  }
+  return kWrongUse;
+}
+
+}  // namespace collision_hulls

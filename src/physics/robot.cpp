@@ -1,0 +1,40 @@
+#include "physics/robot.h"
+
+#include <dart/utils/urdf/DartLoader.hpp>
+
+#include "collision_hulls/error.h"
+
+namespace collision_hulls {
+namespace {
+
+std::string withoutVisuals(std::string urdf) {
+  const std::string start = "<visual", end = "</visual>";
+  for (std::size_t at = 0; (at = urdf.find(start, at)) != std::string::npos;) {
+    const std::size_t last = urdf.find(end, at);
+    if (last == std::string::npos) break;
+    urdf.erase(at, last + end.size() - at);
+  }
+  return urdf;
+}
+
+void addPackages(const std::string& urdf, const PackageFinder& find_package, dart::utils::DartLoader& loader) {
+  const std::string scheme = "package://";
+  for (std::size_t at = 0; (at = urdf.find(scheme, at)) != std::string::npos;) {
+    at += scheme.size();
+    const std::string package = urdf.substr(at, urdf.find('/', at) - at);
+    if (const auto folder = find_package(package)) loader.addPackageDirectory(package, *folder);
+  }
+}
+
+}  // namespace
+
+dart::dynamics::SkeletonPtr loadRobot(const std::string& urdf, const std::string& path, const PackageFinder& find_package) {
+  const std::string text = withoutVisuals(urdf);
+  dart::utils::DartLoader loader;
+  addPackages(text, find_package, loader);
+  dart::dynamics::SkeletonPtr robot = loader.parseSkeletonString(text, dart::common::Uri::createFromPath(path));
+  if (!robot) throw Error(ErrorCode::kNotARobot, "'" + path + "' cannot be loaded by DART; its messages say why");
+  return robot;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,119 @@
+// physics INPUT...: the collision models of meshes in a physics engine: dropped on a table, and pushed; a gripper that closes on a box.
+#include "physics/physics.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "decompose_options.h"
+#include "list_options.h"
+#include "run_program.h"
+
+namespace collision_hulls {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kChartLimit = 600;  // [s]
+
+struct Command {
+  std::vector<std::string> inputs, peers;
+  std::string methods, tolerance, robot;
+  bool charts = true;
+  PhysicsOptions options;
+};
+
+constexpr const char* kFooter = R"(
+Each mesh, made 0.3 m large, is dropped on a table in the poses in which it can stand, and pushed; DART is the engine. --grip closes the
+gripper of the demo robot, loaded by DART from the rewritten description, on a box. Writes physics.csv, grip.csv, charts and index.html.
+Exit status: 0 done, whatever became of the bodies; 2 wrong use.
+
+Example:
+  physics urdf/demo_arm.urdf --grip urdf/demo_arm.urdf -m certified,single_hull -o out)";
+
+void addOptions(CLI::App& app, Command& command) {
+  PhysicsOptions& options = command.options;
+  app.add_option("INPUT", command.inputs, "Mesh files, folders of them, and robots (package, .urdf or .xacro)")->type_name("");
+  app.add_option("-m,--methods", command.methods, "Methods: " + methodChoices() + "; all if not given")->type_name("LIST");
+  app.add_option("-t,--tolerance", command.tolerance, "A length, or a share of each mesh's diagonal")->type_name("LENGTH [2%]");
+  app.add_option("-o,--output", options.folder, "Output folder; files of an earlier run there are replaced")->type_name("DIR")->required();
+  app.add_option("--grip", command.robot, "A robot with the demo robot's gripper, which closes on a box")->type_name("ROBOT");
+  app.add_option("--poses", options.poses, "Poses of each mesh at most, the most stable ones")
+      ->type_name("N [2]")
+      ->check(CLI::Range(1, 100));
+  app.add_option("--time-limit", options.time_limit, "For each run, in seconds")->type_name("S [120]")->check(CLI::Range(0.1, 1e6));
+  app.add_option("--peer", command.peers, "Another program, as for benchmark")->type_name("NAME[=COMMAND]")->allow_extra_args(false);
+  app.add_option("--seed", options.seed, "Of whatever is random in the methods")->type_name("N [1]");
+  app.add_flag("!--no-charts", command.charts, "Leave out the charts and the page");
+}
+
+/// The options that CLI11 leaves as text.
+void interpret(Command& command) {
+  PhysicsOptions& options = command.options;
+  options.program = fs::read_symlink("/proc/self/exe").string();
+  if (!command.methods.empty()) {
+    options.methods = parsedList<Method>(command.methods,
+                                         [](const std::string& text) { return choice("--methods", text, methodNamed, methodChoices()); });
+  }
+  if (!command.tolerance.empty()) options.tolerance = parseLength(command.tolerance);
+  for (const std::string& text : command.peers) options.peers.push_back(peerOf(text, fs::path(options.program).parent_path()));
+  if (command.inputs.empty() && command.robot.empty()) throw Error(ErrorCode::kBadOption, "there is nothing to do: give INPUT or --grip");
+}
+
+void dropAll(const Command& command) {
+  const std::vector<BenchmarkMesh> meshes = benchmarkMeshes(command.inputs);
+  std::ofstream csv(fs::path(command.options.folder) / "physics.csv", std::ios::trunc);
+  csv << physicsHeader();
+  runDrops(meshes, command.options, [&](const PhysicsRow& row) {
+    csv << toCsv(row) << std::flush;
+    std::cerr << row.mesh << " " << row.method << " " << row.way << " " << row.pose << ": " << row.outcome << " " << row.message << "\n";
+  });
+}
+
+void gripAll(const Command& command) {
+  std::ofstream csv(fs::path(command.options.folder) / "grip.csv", std::ios::trunc);
+  csv << gripHeader();
+  runGrips(command.robot, command.options, [&](const GripRow& row) {
+    csv << toCsv(row) << std::flush;
+    std::cerr << row.robot << " " << row.method << ": " << row.outcome << " " << row.message << "\n";
+  });
+}
+
+void drawCharts(const PhysicsOptions& options) {
+  const std::string script = (fs::path(options.program).parent_path() / "physics_charts").string();
+  const ChildResult drawn = runChild({script, options.folder}, kChartLimit);
+  std::cerr << drawn.output;
+  if (drawn.code != 0) std::cerr << "physics: no charts; `" << script << " " << options.folder << "` draws them from the CSV files\n";
+}
+
+int run(Command& command) {
+  interpret(command);
+  fs::create_directories(command.options.folder);
+  if (!command.inputs.empty()) dropAll(command);
+  if (!command.robot.empty()) gripAll(command);
+  if (command.charts) drawCharts(command.options);
+  return 0;
+}
+
+bool didJob(int argc, char** argv) {
+  if (argc != 4 || argv[1] != std::string(kJobCommand)) return false;
+  doPhysicsJob(argv[2], argv[3]);
+  return true;
+}
+
+int main(int argc, char** argv) {
+  CLI::App app("Shows what a physics engine makes of collision models: bodies on a table, a gripper with a box.", "physics");
+  app.footer(kFooter);
+  Command command;
+  addOptions(app, command);
+  return runProgram(
+      app, argc, argv, [&] { return didJob(argc, argv); }, [&] { return run(command); });
+}
+
+}  // namespace
+}  // namespace collision_hulls
+
+int main(int argc, char** argv) {
+  return collision_hulls::main(argc, argv);
+}

@@ -1,8 +1,24 @@
 #include "collision_hulls/scene/configurations.h"
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "collision_hulls/error.h"
 #include "scene/low_discrepancy.h"
 
 namespace collision_hulls {
+namespace {
+
+constexpr double kTurn = 2 * 3.14159265358979323846;
+constexpr double kBeyondLimit = 1e-6;   // of the limits' size: what decimal text may have rounded away
+constexpr double kMimicDiffers = 1e-3;  // [rad or m]
+
+[[noreturn]] void fail(const std::string& where, const std::string& reason) {
+  throw Error(ErrorCode::kBadConfigurations, where + ": " + reason);
+}
+
+}  // namespace
 
 ConfigurationSequence::ConfigurationSequence(const Kinematics& kinematics, std::uint64_t seed, Sampling sampling)
     : variables_(kinematics.variables()), step_(richtmyerSteps(variables_.size())), sampling_(sampling) {
@@ -15,6 +31,115 @@ Configuration ConfigurationSequence::operator()(std::uint64_t index) const {
     const std::uint64_t fraction = sampling_ == Sampling::kEven ? start_[i] + index * step_[i] : mixed(start_[i] ^ mixed(index));
     result.push_back(variables_[i].lower + toUnit(fraction) * (variables_[i].upper - variables_[i].lower));
   }
+  return result;
+}
+
+ConfigurationCollector::ConfigurationCollector(const Kinematics& kinematics, const ConfigurationOptions& options)
+    : kinematics_(kinematics), options_(options), current_(kinematics.rest()), named_(kinematics.variables().size(), 0) {
+  if (!(options.max_step >= 0 && std::isfinite(options.max_step))) {
+    throw Error(ErrorCode::kBadOption,
+                "a largest step of " + std::to_string(options.max_step) + " was given; it is 0 at least, and finite");
+  }
+  for (const NamedJoint& joint : kinematics.joints()) joints_[joint.name] = joint;
+}
+
+void ConfigurationCollector::add(const std::vector<std::string>& names, const std::vector<double>& positions, const std::string& where) {
+  if (names.size() != positions.size()) {
+    fail(where, std::to_string(positions.size()) + " positions for " + std::to_string(names.size()) + " joints");
+  }
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto joint = joints_.find(names[i]);
+    if (joint == joints_.end()) {
+      std::string known;
+      for (const auto& [name, unused] : joints_) known += (known.empty() ? "" : ", ") + name;
+      fail(where, "the robot has no joint '" + names[i] + "'; its joints are " + (known.empty() ? "none" : known));
+    }
+    if (!seen.insert(names[i]).second) fail(where, "joint '" + names[i] + "' stands twice");
+    if (!std::isfinite(positions[i])) fail(where, "joint '" + names[i] + "' has a position that is not finite");
+    put(joint->second, positions[i], where);
+  }
+  compareMimics(names, positions, where);
+  append(current_);
+  ++set_.given;
+}
+
+void ConfigurationCollector::put(const NamedJoint& joint, double position, const std::string& where) {
+  if (joint.variable < 0) return;
+  const auto index = static_cast<std::size_t>(joint.variable);
+  const JointVariable& variable = kinematics_.variables()[index];
+  if (variable.name != joint.name) return;  // a mimic
+  current_[index] = position;
+  named_[index] = 1;
+  const double slack = kBeyondLimit * std::max(std::abs(variable.lower), std::abs(variable.upper));
+  if (variable.continuous || (position >= variable.lower - slack && position <= variable.upper + slack)) return;
+  const std::string text = "joint '" + joint.name + "' at " + std::to_string(position) + " is beyond its limits, " +
+                           std::to_string(variable.lower) + " to " + std::to_string(variable.upper);
+  if (options_.refuse_beyond_limits) fail(where, text);
+  if (set_.beyond_limits++ == 0) first_beyond_ = where + ": " + text;
+}
+
+void ConfigurationCollector::compareMimics(const std::vector<std::string>& names, const std::vector<double>& positions,
+                                           const std::string& where) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const NamedJoint& joint = joints_.at(names[i]);
+    if (joint.variable < 0) continue;
+    const double expected = joint.multiplier * current_[static_cast<std::size_t>(joint.variable)] + joint.offset;
+    const double difference = std::abs(positions[i] - expected);
+    if (!(difference > kMimicDiffers)) continue;
+    Difference& known = differences_[joint.name];
+    if (known.largest == 0) known.where = where;
+    known.largest = std::max(known.largest, difference);
+  }
+}
+
+void ConfigurationCollector::append(const Configuration& next) {
+  std::vector<Configuration>& all = set_.configurations;
+  double steps = 1;
+  Configuration way(next.size(), 0);
+  if (follows_ && options_.max_step > 0) {
+    const Configuration& last = all.back();
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      way[i] = next[i] - last[i];
+      if (kinematics_.variables()[i].continuous) way[i] = std::remainder(way[i], kTurn);
+      steps = std::max(steps, std::ceil(std::abs(way[i]) / options_.max_step));
+    }
+  }
+  if (static_cast<double>(all.size()) + steps > static_cast<double>(options_.most)) {
+    throw Error(ErrorCode::kTooLarge, "more than " + std::to_string(options_.most) +
+                                          " configurations, those between included; give fewer, " + "or a larger step");
+  }
+  const Configuration begin = follows_ ? all.back() : next;
+  for (double k = 1; k < steps; ++k) {
+    Configuration between = begin;
+    for (std::size_t i = 0; i < between.size(); ++i) between[i] += way[i] * k / steps;
+    all.push_back(std::move(between));
+  }
+  all.push_back(next);
+  follows_ = true;
+}
+
+ConfigurationSet ConfigurationCollector::take() {
+  if (set_.beyond_limits > 0) {
+    set_.notes.push_back(std::to_string(set_.beyond_limits) + " values are beyond limits and used as they are, the first in " +
+                         first_beyond_);
+  }
+  for (const auto& [name, difference] : differences_) {
+    set_.notes.push_back("mimic joint '" + name + "' is up to " + std::to_string(difference.largest) +
+                         " away from where the joint that it follows says, first in " + difference.where + "; it is put there");
+  }
+  std::string resting;
+  for (std::size_t i = 0; i < named_.size(); ++i) {
+    if (!named_[i]) resting += (resting.empty() ? "'" : ", '") + kinematics_.variables()[i].name + "'";
+  }
+  if (set_.given > 0 && !resting.empty()) set_.notes.push_back("not named, and so at rest: " + resting);
+  ConfigurationSet result = std::move(set_);
+  set_ = {};
+  first_beyond_.clear();
+  differences_.clear();
+  current_ = kinematics_.rest();
+  named_.assign(named_.size(), 0);
+  follows_ = false;
   return result;
 }
 

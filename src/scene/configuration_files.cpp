@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <string_view>
+
+#include "collision_hulls/error.h"
+#include "collision_hulls/scene/configurations.h"
+#include "robot/text_file.h"
+#include "scene/reading.h"
+#include "scene/yaml_node.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\n\f\v";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+using Cells = std::vector<std::string>;
+
+std::string place(const std::string& file, std::size_t line) {
+  return "'" + file + "', line " + std::to_string(line);
+}
+
+[[noreturn]] void fail(const std::string& where, const std::string& reason) {
+  throw Error(ErrorCode::kBadConfigurations, where + ": " + reason);
+}
+
+/// Without blanks and quotes around it.
+std::string_view stripped(std::string_view text) {
+  const auto strip = [&](std::string_view characters) {
+    const std::size_t begin = std::min(text.find_first_not_of(characters), text.size());
+    text = text.substr(begin, text.find_last_not_of(characters) + 1 - begin);
+  };
+  strip(kBlanks);
+  strip("\"'");
+  return text;
+}
+
+/// Takes the first line off a text, without its end.
+std::string_view takeLine(std::string_view& rest) {
+  const std::size_t length = std::min(rest.find('\n'), rest.size());
+  const std::string_view line = rest.substr(0, length);
+  rest.remove_prefix(std::min(length + 1, rest.size()));
+  return line;
+}
+
+Cells split(std::string_view line, char separator) {
+  Cells cells;
+  while (true) {
+    const std::size_t length = std::min(line.find(separator), line.size());
+    cells.emplace_back(stripped(line.substr(0, length)));
+    if (length == line.size()) return cells;
+    line.remove_prefix(length + 1);
+  }
+}
+
+/// Which cells of a row are names and positions of joints.
+struct Columns {
+  std::vector<std::size_t> positions;
+  std::vector<std::size_t> names;  ///< of `rostopic echo -p`, whose rows hold them
+  Cells header;
+};
+
+Columns columnsOf(const Cells& header, const std::string& where) {
+  Columns columns;
+  columns.header = header;
+  const bool of_rostopic = header.front() == "%time";
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    const std::string& cell = header[i];
+    if (of_rostopic) {
+      if (cell.rfind("field.name", 0) == 0) columns.names.push_back(i);
+      if (cell.rfind("field.position", 0) == 0) columns.positions.push_back(i);
+    } else if (cell != "time" && cell != "stamp") {
+      columns.positions.push_back(i);
+    }
+  }
+  if (of_rostopic && (columns.names.empty() || columns.names.size() != columns.positions.size())) {
+    fail(where, "these are not the columns of a sensor_msgs/JointState; for other messages give `rostopic echo` without -p, as .yaml");
+  }
+  double number = 0;
+  for (const std::size_t i : columns.positions) {
+    if (parseNumber(header[i], number))
+      fail(where, "'" + header[i] + "' stands where a joint's name should: the first line names the joints");
+  }
+  return columns;
+}
+
+void addRow(const Columns& columns, const Cells& cells, const std::string& where, ConfigurationCollector& collector) {
+  if (cells.size() != columns.header.size()) {
+    fail(where, std::to_string(cells.size()) + " cells where the first line has " + std::to_string(columns.header.size()));
+  }
+  Cells names;
+  std::vector<double> positions;
+  for (std::size_t i = 0; i < columns.positions.size(); ++i) {
+    const std::size_t column = columns.positions[i];
+    names.push_back(columns.names.empty() ? columns.header[column] : cells[columns.names[i]]);
+    if (!parseNumber(cells[column], positions.emplace_back())) {
+      fail(where, "'" + cells[column] + "' stands where the position of joint '" + names.back() + "' should, a finite number");
+    }
+  }
+  collector.add(names, positions, where);
+}
+
+void readCsv(const std::string& text, const std::string& file, ConfigurationCollector& collector) {
+  std::string_view rest = text;
+  if (rest.substr(0, kByteOrderMark.size()) == kByteOrderMark) rest.remove_prefix(kByteOrderMark.size());
+  Columns columns;
+  char separator = ',';
+  for (std::size_t number = 1; !rest.empty(); ++number) {
+    const std::string_view line = stripped(takeLine(rest));
+    if (line.empty() || line.front() == '#') continue;
+    if (columns.header.empty()) {
+      const std::size_t first = line.find_first_of(",;\t");
+      if (first != std::string_view::npos) separator = line[first];
+      columns = columnsOf(split(line, separator), place(file, number));
+    } else {
+      addRow(columns, split(line, separator), place(file, number), collector);
+    }
+  }
+}
+
+/// Messages of joints wherever they stand in a document.
+class Messages {
+ public:
+  explicit Messages(ConfigurationCollector& collector) : collector_(collector) {}
+
+  void read(const YamlValue& value, int depth = 0) {
+    if (depth > kDeepest || ++looked_at_ > kMostValues) value.fail("the document is too large, or its aliases are");
+    if (value.has("name") && value.has("position")) {
+      collector_.add(textsOf(value["name"]), value["position"].numbers(), value.where());
+    } else if (value.has("joint_names") && value.has("points")) {
+      readTrajectory(value);
+    } else if (value.isMap()) {
+      for (const std::string& key : value.keys()) read(value[key], depth + 1);
+    } else if (value.isSequence()) {
+      for (const YamlValue& item : value.items()) read(item, depth + 1);
+    }
+  }
+
+ private:
+  static constexpr int kDeepest = 50;
+  static constexpr std::size_t kMostValues = 1'000'000;  // that are none of those messages, of one document
+
+  static Cells textsOf(const YamlValue& list) {
+    Cells texts;
+    for (const YamlValue& item : list.items()) texts.push_back(item.text());
+    return texts;
+  }
+
+  void readTrajectory(const YamlValue& trajectory) {
+    const Cells names = textsOf(trajectory["joint_names"]);
+    collector_.endTrajectory();
+    for (const YamlValue& point : trajectory["points"].items()) collector_.add(names, point["positions"].numbers(), point.where());
+    collector_.endTrajectory();
+  }
+
+  ConfigurationCollector& collector_;
+  std::size_t looked_at_ = 0;
+};
+
+/// Document by document, so that a long recording takes no more memory than its text.
+void readYaml(const std::string& text, const std::string& file, ConfigurationCollector& collector) {
+  std::string_view rest = text;
+  std::string document;
+  std::size_t first = 1, number = 1;
+  const auto readDocument = [&] {
+    if (stripped(document).empty()) return;
+    Messages(collector).read(YamlValue::parse(document, file, ErrorCode::kBadConfigurations, first));
+  };
+  for (; !rest.empty(); ++number) {
+    const std::string_view line = takeLine(rest);
+    if (line.substr(0, 3) != "---") {
+      document.append(line).append("\n");
+      continue;
+    }
+    readDocument();
+    document.clear();
+    first = number + 1;
+  }
+  readDocument();
+}
+
+}  // namespace
+
+ConfigurationSet readConfigurations(const std::string& file, const Kinematics& kinematics, const ConfigurationOptions& options) {
+  const std::string extension = lowerExtension(file);
+  const bool yaml = extension == ".yaml" || extension == ".yml";
+  if (!yaml && extension != ".csv") {
+    throw Error(ErrorCode::kUnsupportedFormat,
+                "'" + file + "': configurations are read from .csv, and from .yaml as `rostopic echo` writes it");
+  }
+  ConfigurationCollector collector(kinematics, options);
+  const std::string text = readTextFile(file, extension + " file");
+  yaml ? readYaml(text, file, collector) : readCsv(text, file, collector);
+  ConfigurationSet set = collector.take();
+  if (set.configurations.empty()) {
+    fail("'" + file + "'", yaml ? "no message in it has name and position, or joint_names and points" : "no line follows the one of names");
+  }
+  return set;
+}
+
+}  // namespace collision_hulls

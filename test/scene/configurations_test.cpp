@@ -1,0 +1,254 @@
+#include "collision_hulls/scene/configurations.h"
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "scene/scene_tests.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// Joints a (revolute, -1 to 2), b (continuous), c (prismatic, 0 to 0.5), m (mimics a, twice and 0.1), f (fixed).
+Kinematics arm() {
+  const std::string limits = "<limit lower='-1' upper='2' effort='1' velocity='1'/>";
+  const auto joint = [](const std::string& name, const std::string& type, int i, const std::string& more) {
+    return "<link name='l" + std::to_string(i + 1) + "'/><joint name='" + name + "' type='" + type + "'><parent link='l" +
+           std::to_string(i) + "'/><child link='l" + std::to_string(i + 1) + "'/><axis xyz='0 0 1'/>" + more + "</joint>";
+  };
+  return Kinematics(parseRobotDescription(
+      "<robot name='r'><link name='l0'/>" + joint("a", "revolute", 0, limits) + joint("b", "continuous", 1, "") +
+      joint("c", "prismatic", 2, "<limit lower='0' upper='0.5' effort='1' velocity='1'/>") +
+      joint("m", "revolute", 3, limits + "<mimic joint='a' multiplier='2' offset='0.1'/>") + joint("f", "fixed", 4, "") + "</robot>"));
+}
+
+ConfigurationSet setOf(const std::string& name, const std::string& text, const ConfigurationOptions& options = {}) {
+  const TemporaryFolder folder;
+  static const Kinematics kinematics = arm();
+  return readConfigurations(folder.write(name, text), kinematics, options);
+}
+
+void expectBad(ErrorCode code, const std::vector<std::string>& parts, const std::string& name, const std::string& text,
+               const ConfigurationOptions& options = {}) {
+  expectError(code, parts, [&] { setOf(name, text, options); });
+}
+
+TEST(ConfigurationSequence, RobotThatDoesNotMove) {
+  const ConfigurationSequence sequence(Kinematics(parseRobotDescription("<robot name='r'><link name='a'/></robot>")));
+  EXPECT_TRUE(sequence(0).empty());
+}
+
+TEST(ConfigurationSequence, WithinLimitsAndTheSameAgain) {
+  const Kinematics kinematics = arm();
+  for (const Sampling sampling : {Sampling::kEven, Sampling::kIndependent}) {
+    const ConfigurationSequence sequence(kinematics, 7, sampling), again(kinematics, 7, sampling), other(kinematics, 8, sampling);
+    for (const std::uint64_t i : {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{123456}, std::uint64_t{1} << 60}) {
+      const Configuration configuration = sequence(i);
+      ASSERT_EQ(configuration.size(), 3u);
+      EXPECT_EQ(configuration, again(i));
+      EXPECT_NE(configuration, other(i));
+      for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_GE(configuration[k], kinematics.variables()[k].lower);
+        EXPECT_LE(configuration[k], kinematics.variables()[k].upper);
+      }
+    }
+  }
+}
+
+/// How many of the first samples lie in each of 4 x 4 x 4 cells: the fewest and the most.
+std::array<int, 2> fewestAndMost(Sampling sampling, int samples) {
+  const Kinematics kinematics = arm();
+  const ConfigurationSequence sequence(kinematics, 1, sampling);
+  std::vector<int> counts(64, 0);
+  for (int i = 0; i < samples; ++i) {
+    const Configuration configuration = sequence(static_cast<std::uint64_t>(i));
+    std::size_t cell = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const JointVariable& v = kinematics.variables()[k];
+      cell = 4 * cell + static_cast<std::size_t>(std::min(3.0, 4 * (configuration[k] - v.lower) / (v.upper - v.lower)));
+    }
+    ++counts[cell];
+  }
+  const auto [fewest, most] = std::minmax_element(counts.begin(), counts.end());
+  return {*fewest, *most};
+}
+
+TEST(ConfigurationSequence, FillsTheJointRanges) {
+  const std::array<int, 2> even = fewestAndMost(Sampling::kEven, 6400);
+  EXPECT_GE(even[0], 90);
+  EXPECT_LE(even[1], 110);
+  const std::array<int, 2> independent = fewestAndMost(Sampling::kIndependent, 6400);
+  EXPECT_GE(independent[0], 60);
+  EXPECT_GT(independent[1], 115) << "as many samples by chance do";
+}
+
+TEST(Configurations, FilesThatAreNone) {
+  expectBad(ErrorCode::kUnsupportedFormat, {"a.bag", ".csv"}, "a.bag", "");
+  expectBad(ErrorCode::kBadConfigurations, {"a.csv", "no line"}, "a.csv", "");
+  expectBad(ErrorCode::kBadConfigurations, {"a.csv", "no line"}, "a.csv", "a,b\n");
+  expectBad(ErrorCode::kBadConfigurations, {"a.yaml", "no message"}, "a.yaml", "x: 1\n---\n");
+  expectBad(ErrorCode::kBadConfigurations, {"no message"}, "a.yaml", "joint_names: [a]\npoints: []\n");
+  const Kinematics kinematics = arm();
+  expectError(ErrorCode::kFileNotFound, {"no.csv"}, [&] { readConfigurations("/nowhere/no.csv", kinematics); });
+  expectError(ErrorCode::kBadOption, {"step"}, [&] { ConfigurationCollector(kinematics, {-1}); });
+}
+
+TEST(Configurations, Csv) {
+  const ConfigurationSet set = setOf("a.csv", "\xEF\xBB\xBF# recorded\ntime, \"c\" ,a\r\n0.0,0.25,1\r\n\r\n0.1,0.5,-1\r\n");
+  ASSERT_EQ(set.configurations.size(), 2u);
+  EXPECT_EQ(set.given, 2u);
+  EXPECT_EQ(set.configurations[0], (Configuration{1, 0, 0.25}));
+  EXPECT_EQ(set.configurations[1], (Configuration{-1, 0, 0.5}));
+  EXPECT_EQ(set.beyond_limits, 0u);
+  ASSERT_EQ(set.notes.size(), 1u);
+  EXPECT_NE(set.notes[0].find("at rest: 'b'"), std::string::npos);
+  EXPECT_EQ(setOf("a.csv", "a;c\n1;0.5").configurations.at(0), (Configuration{1, 0, 0.5}));
+}
+
+TEST(Configurations, CsvOfRostopic) {
+  const ConfigurationSet set = setOf("a.csv",
+                                     "%time,field.header.seq,field.header.stamp,field.header.frame_id,field.name0,field.name1,"
+                                     "field.position0,field.position1,field.velocity0\n"
+                                     "1,1,1,,b,a,3,1,0\n2,2,2,,a,b,1.5,4,0\n");
+  ASSERT_EQ(set.configurations.size(), 2u);
+  EXPECT_EQ(set.configurations[0], (Configuration{1, 3, 0}));
+  EXPECT_EQ(set.configurations[1], (Configuration{1.5, 4, 0}));
+  EXPECT_EQ(set.beyond_limits, 0u) << "continuous joints have no limits";
+}
+
+TEST(Configurations, CsvSaysWhatIsWrongAndWhere) {
+  const auto expectBadCsv = [](const std::vector<std::string>& parts, const std::string& text) {
+    expectBad(ErrorCode::kBadConfigurations, parts, "a.csv", text);
+  };
+  expectBadCsv({"line 2", "no joint 'elbow'", "a, b, c, f, m"}, "elbow\n1\n");
+  expectBadCsv({"line 2", "'a' stands twice"}, "a,a\n1,1\n");
+  expectBadCsv({"line 1", "'0.5'", "names"}, "0.5,1\n");
+  expectBadCsv({"line 3", "2 cells", "1"}, "a\n1\n1,2\n");
+  expectBadCsv({"line 2", "'x'", "joint 'a'"}, "a\nx\n");
+  expectBadCsv({"line 2", "'nan'"}, "a\nnan\n");
+  expectBadCsv({"line 2", "''"}, "a,b\n1,\n");
+  expectBadCsv({"line 1", "JointState"}, "%time,field.data\n1,2\n");
+}
+
+TEST(Configurations, BeyondLimits) {
+  const std::string text = "a,c\n1,0.5000001\n3,0.2\n1,-7\n";
+  const ConfigurationSet set = setOf("a.csv", text);
+  EXPECT_EQ(set.beyond_limits, 2u);
+  EXPECT_EQ(set.configurations[1][0], 3) << "not clamped";
+  ASSERT_FALSE(set.notes.empty());
+  for (const char* part : {"2 values", "line 3", "'a' at 3", "-1.0", "2.0"}) EXPECT_NE(set.notes[0].find(part), std::string::npos) << part;
+  ConfigurationOptions strict;
+  strict.refuse_beyond_limits = true;
+  expectBad(ErrorCode::kBadConfigurations, {"line 3", "'a' at 3"}, "a.csv", text, strict);
+}
+
+TEST(Configurations, MimicJointsAreCompared) {
+  EXPECT_EQ(setOf("a.csv", "m,a,b,c,f\n2.1,1,0,0,9\n").notes.size(), 0u);
+  const ConfigurationSet set = setOf("a.csv", "a,b,c,m\n1,0,0,2.1\n1,0,0,2.6\n0.5,0,0,1.2\n");
+  ASSERT_EQ(set.notes.size(), 1u);
+  for (const char* part : {"'m'", "0.5", "line 3"}) EXPECT_NE(set.notes[0].find(part), std::string::npos) << part;
+}
+
+TEST(Configurations, JointStates) {
+  const ConfigurationSet set = setOf("a.yaml", R"(header:
+  seq: 1
+  frame_id: ''
+name: [a, b]
+position: [1.0, 2.0]
+velocity: []
+---
+name:
+  - c
+position:
+  - 0.5
+---
+)");
+  ASSERT_EQ(set.configurations.size(), 2u);
+  EXPECT_EQ(set.configurations[0], (Configuration{1, 2, 0}));
+  EXPECT_EQ(set.configurations[1], (Configuration{1, 2, 0.5})) << "joints that a message does not name stay";
+  EXPECT_TRUE(set.notes.empty());
+}
+
+TEST(Configurations, Trajectories) {
+  const std::string trajectory = R"(joint_names: [b, a]
+points:
+  - {positions: [1, 2], velocities: [0, 0], time_from_start: {secs: 0, nsecs: 0}}
+  - {positions: [-1, 0]}
+)";
+  const ConfigurationSet set = setOf("a.yaml", trajectory);
+  ASSERT_EQ(set.configurations.size(), 2u);
+  EXPECT_EQ(set.configurations[0], (Configuration{2, 1, 0}));
+  const std::string within =
+      "model_id: r\ntrajectory:\n- joint_trajectory:\n    joint_names: [a]\n    points:\n    - positions: [1]\n"
+      "- joint_trajectory:\n    joint_names: [c]\n    points: [{positions: [0.5]}]\n";
+  ASSERT_EQ(setOf("a.yml", within).configurations.size(), 2u);
+  EXPECT_EQ(setOf("a.yml", within).configurations[1], (Configuration{1, 0, 0.5}));
+}
+
+TEST(Configurations, YamlSaysWhatIsWrongAndWhere) {
+  const auto expectBadYaml = [](const std::vector<std::string>& parts, const std::string& text) {
+    expectBad(ErrorCode::kBadConfigurations, parts, "a.yaml", text);
+  };
+  expectBadYaml({"line 5", "no YAML"}, "name: [a]\nposition: [1]\n---\nx: [\n");
+  expectBadYaml({"line 1", "1 positions for 2 joints"}, "name: [a, b]\nposition: [1]\n");
+  expectBadYaml({"no joint 'elbow'"}, "name: [elbow]\nposition: [1]\n");
+  expectBadYaml({"'.nan'"}, "name: [a]\nposition: [.nan]\n");
+  expectBadYaml({"'positions' is missing"}, "joint_names: [a]\npoints: [{velocities: [1]}]\n");
+  std::string bomb = "x0: &x0 [1, 1]\n";
+  for (int i = 1; i < 40; ++i) {
+    const std::string before = "*x" + std::to_string(i - 1);
+    bomb += "x" + std::to_string(i) + ": &x" + std::to_string(i) + " [" + before + ", " + before + "]\n";
+  }
+  expectBadYaml({"too large"}, bomb);
+}
+
+TEST(Configurations, StepsBetween) {
+  ConfigurationOptions options;
+  options.max_step = 0.5;
+  const ConfigurationSet set = setOf("a.csv", "a,b,c\n0,0,0\n2,0,0.5\n", options);
+  ASSERT_EQ(set.configurations.size(), 5u);
+  EXPECT_EQ(set.given, 2u);
+  EXPECT_EQ(set.configurations[1], (Configuration{0.5, 0, 0.125}));
+  EXPECT_EQ(set.configurations[4], (Configuration{2, 0, 0.5}));
+}
+
+TEST(Configurations, ContinuousJointsGoTheShorterWay) {
+  ConfigurationOptions options;
+  options.max_step = 0.1;
+  const ConfigurationSet set = setOf("a.csv", "b\n3\n-3\n", options);
+  const double way = 2 * kPi - 6;
+  ASSERT_EQ(set.configurations.size(), 1 + static_cast<std::size_t>(std::ceil(way / 0.1)));
+  EXPECT_NEAR(set.configurations[1][1], 3 + way / 3, 1e-12);
+  EXPECT_EQ(set.configurations.back()[1], -3);
+}
+
+TEST(Configurations, NoStepsBetweenTrajectories) {
+  ConfigurationOptions options;
+  options.max_step = 0.5;
+  const std::string one = "joint_names: [a]\npoints: [{positions: [0]}, {positions: [1]}]\n";
+  EXPECT_EQ(setOf("a.yaml", one + "---\n" + one, options).configurations.size(), 6u);
+  EXPECT_EQ(setOf("a.yaml", "name: [a]\nposition: [0]\n---\nname: [a]\nposition: [1]\n", options).configurations.size(), 3u);
+}
+
+TEST(Configurations, TooManySteps) {
+  ConfigurationOptions options;
+  options.max_step = 1e-12;
+  expectBad(ErrorCode::kTooLarge, {"larger step"}, "a.csv", "a\n0\n1\n", options);
+}
+
+TEST(ConfigurationCollector, CanBeUsedAgain) {
+  const Kinematics kinematics = arm();
+  ConfigurationCollector collector(kinematics);
+  collector.add({"a"}, {3}, "first");
+  EXPECT_EQ(collector.take().beyond_limits, 1u);
+  EXPECT_TRUE(collector.take().configurations.empty());
+  collector.add({"b"}, {1}, "second");
+  const ConfigurationSet set = collector.take();
+  EXPECT_EQ(set.configurations.at(0), (Configuration{0, 1, 0}));
+  EXPECT_EQ(set.beyond_limits, 0u);
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -1,0 +1,80 @@
+#include "collision_hulls/scene/srdf.h"
+
+#include "scene/scene_tests.h"
+
+namespace collision_hulls {
+namespace {
+
+RobotDescription robot() {
+  std::string text = "<robot name='r'><link name='a'/>";
+  for (const std::string link : {"b", "c", "d"}) {
+    text += "<link name='" + link + "'/><joint name='to_" + link + "' type='fixed'><parent link='a'/><child link='" + link + "'/></joint>";
+  }
+  return parseRobotDescription(text + "</robot>");
+}
+
+DisabledPairs parse(const std::string& content) {
+  return parseDisabledPairs("<robot name='r'>" + content + "</robot>", robot());
+}
+
+TEST(Srdf, WithoutPairs) {
+  EXPECT_TRUE(parse("").pairs.empty());
+  EXPECT_TRUE(parse("<group name='arm'><chain base_link='a' tip_link='b'/></group>").pairs.empty());
+}
+
+TEST(Srdf, PairsInTheirOrderOnce) {
+  const DisabledPairs read = parse(
+      "<disable_collisions link1='b' link2='a' reason='Adjacent'/><disable_collisions link1='c' link2='d' reason='Never'/>"
+      "<disable_collisions link1='a' link2='b' reason='Default'/><disable_collisions link1='a' link2='c'/>");
+  ASSERT_EQ(read.pairs.size(), 3u);
+  EXPECT_EQ(read.pairs[0].link1, "b");
+  EXPECT_EQ(read.pairs[0].reason, "Adjacent");
+  EXPECT_EQ(read.pairs[2].link2, "c");
+  EXPECT_EQ(read.pairs[2].reason, "");
+  EXPECT_TRUE(read.notes.empty());
+}
+
+TEST(Srdf, AllPairsOfALinkButSome) {
+  const DisabledPairs read = parse("<disable_default_collisions link='a'/><enable_collisions link1='c' link2='a'/>");
+  ASSERT_EQ(read.pairs.size(), 2u);
+  EXPECT_EQ(read.pairs[0].link2, "b");
+  EXPECT_EQ(read.pairs[1].link2, "d");
+}
+
+TEST(Srdf, LinksOfOtherRobotsAreLeftOut) {
+  const DisabledPairs read = parse(
+      "<disable_collisions link1='a' link2='gripper'/><disable_collisions link1='a' link2='b'/><disable_collisions link1='tool' "
+      "link2='x'/>");
+  EXPECT_EQ(read.pairs.size(), 1u);
+  ASSERT_EQ(read.notes.size(), 1u);
+  EXPECT_NE(read.notes[0].find("2 pairs"), std::string::npos);
+  EXPECT_NE(read.notes[0].find("'gripper'"), std::string::npos);
+}
+
+TEST(Srdf, SaysWhatIsWrongAndWhere) {
+  const auto expectBad = [](ErrorCode code, const std::vector<std::string>& parts, const std::string& text) {
+    expectError(code, parts, [&] { parseDisabledPairs(text, robot(), "a.srdf"); });
+  };
+  expectBad(ErrorCode::kNotXml, {"'a.srdf'"}, "<robot>");
+  expectBad(ErrorCode::kNotAnSrdf, {"'a.srdf'", "line 1", "<sdf>"}, "<sdf/>");
+  expectBad(ErrorCode::kNotAnSrdf, {"line 2", "no link2"}, "<robot>\n<disable_collisions link1='a'/></robot>");
+  expectBad(ErrorCode::kNotAnSrdf, {"no link;"}, "<robot><disable_default_collisions/></robot>");
+  expectError(ErrorCode::kFileNotFound, {"no.srdf"}, [] { readDisabledPairs("/nowhere/no.srdf", robot()); });
+}
+
+TEST(Srdf, WhatIsWrittenIsReadBack) {
+  const std::vector<DisabledPair> pairs{{"a", "b", "Adjacent", ""}, {"c", "a", "Never", "never within 0.31 m -- proved"}};
+  const TemporaryFolder folder;
+  const std::string text = srdfFragment("r & \"s\"", pairs);
+  const DisabledPairs read = readDisabledPairs(folder.write("a.srdf", text), robot());
+  ASSERT_EQ(read.pairs.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(read.pairs[i].link1, pairs[i].link1);
+    EXPECT_EQ(read.pairs[i].link2, pairs[i].link2);
+    EXPECT_EQ(read.pairs[i].reason, pairs[i].reason);
+  }
+  EXPECT_NE(text.find("<disable_collisions link1=\"c\" link2=\"a\" reason=\"Never\"/>  <!-- never within 0.31 m"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -24,10 +24,10 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kRounding = 1e-9;    // of the coordinates' size, taken off each bound
-constexpr std::size_t kSamples = 32;  // configurations that are looked at first: most pairs that touch do so in one of them
+constexpr std::size_t kSamples = 64;  // configurations that are looked at first: most pairs that touch do so in one of them
 constexpr std::uint64_t kMiddle = std::uint64_t{1} << 63;  // where they begin, of 2^64
 constexpr double kShareToTighten = 0.2;                    // of the evaluations, after the proof
-constexpr double kWorthHalving = 0.1;  // of the movement within a box: a gap by which swept bodies are apart enough to halve it
+constexpr double kWorthHalving = 0.02;  // of the movement within a box: a gap by which swept bodies are apart enough to halve it
 
 /// A link and the joints that move it.
 struct MovedLink {

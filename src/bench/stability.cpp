@@ -59,11 +59,14 @@ class Stability {
   void run(const BenchmarkMesh& mesh, const std::function<void(const StabilityRow&)>& take) {
     hulls_without_trouble_.clear();
     for (const Trouble& trouble : options_.troubles) {
-      StabilityRow start;
-      start.mesh = mesh.name;
-      start.trouble = trouble;
-      putInTrouble(mesh, start);
-      for (const Contender& contender : contendersOf(options_)) take(rowOf(contender, start));
+      for (int draw = 0; draw < (isRandom(trouble.kind) ? options_.draws : 1); ++draw) {
+        StabilityRow start;
+        start.mesh = mesh.name;
+        start.trouble = trouble;
+        start.seed = options_.seed + static_cast<std::uint64_t>(draw);
+        putInTrouble(mesh, start);
+        for (const Contender& contender : contendersOf(options_)) take(rowOf(contender, start));
+      }
     }
   }
 
@@ -75,7 +78,7 @@ class Stability {
                                       {"scale", {mesh.scale.x(), mesh.scale.y(), mesh.scale.z()}},
                                       {"kind", name(row.trouble.kind)},
                                       {"amount", row.trouble.amount},
-                                      {"seed", options_.seed},
+                                      {"seed", row.seed},
                                       {"troubled", runner_.file("mesh.obj")}},
                                      outcome);
     enter(outcome, row);
@@ -161,13 +164,13 @@ void runStability(const std::vector<BenchmarkMesh>& meshes, const StabilityOptio
 }
 
 std::string stabilityHeader() {
-  return "mesh,method,trouble,amount,outcome,hulls,hulls_ratio,protrusion,message,uncovered,tolerance\n";
+  return "mesh,method,trouble,amount,outcome,hulls,hulls_ratio,protrusion,message,uncovered,tolerance,seed\n";
 }
 
 std::string toCsv(const StabilityRow& row) {
   return csvLine({row.mesh, row.method, name(row.trouble.kind), csvNumber(row.trouble.amount), row.outcome,
                   row.hulls ? std::to_string(*row.hulls) : "", csvNumber(row.hulls_ratio), csvNumber(row.protrusion), row.message,
-                  csvNumber(row.uncovered), csvNumber(row.tolerance)});
+                  csvNumber(row.uncovered), csvNumber(row.tolerance), std::to_string(row.seed)});
 }
 
 }  // namespace collision_hulls

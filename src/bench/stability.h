@@ -22,6 +22,7 @@ namespace collision_hulls {
 struct StabilityRow {
   std::string mesh, method;
   Trouble trouble;
+  std::uint64_t seed = 1;  ///< of the trouble
   /// ok; over_bound: hulls protrude further than the tolerance; uncovered: they leave some of the surface out; changed: their number is
   /// another than without trouble, by more than one and more than a tenth, though the shape is the same; error: refused with a reason, or
   /// not scored; crash; timeout. The worst that holds.
@@ -39,6 +40,7 @@ struct StabilityOptions {
   Length tolerance{0.02, true};  ///< of the diagonal without trouble
   double time_limit = 60;        ///< [s] of each run
   std::uint64_t seed = 1;
+  int draws = 1;        ///< of each random trouble, with this seed and those after it
   std::string program;  ///< the executable that does jobs: PROGRAM kJobCommand JOB_FILE RESULT_FILE; see doStabilityJob
   std::string folder;   ///< for temporary files
 };

@@ -153,6 +153,19 @@ bool keepsShape(TroubleKind kind) {
   return kind < TroubleKind::kDecimation;
 }
 
+bool isRandom(TroubleKind kind) {
+  switch (kind) {
+    case TroubleKind::kNone:
+    case TroubleKind::kScale:
+    case TroubleKind::kRetessellation:
+    case TroubleKind::kUnwelded:
+    case TroubleKind::kDecimation:
+    case TroubleKind::kNested:
+    case TroubleKind::kOneTriangle: return false;
+    default: return true;
+  }
+}
+
 double lengthFactor(const Trouble& trouble) {
   return trouble.kind == TroubleKind::kScale ? trouble.amount : 1;
 }

@@ -49,6 +49,9 @@ const std::vector<Trouble>& fewTroubles();
 /// Whether the surface stays what it was, up to motion, scale and jitter, so that a result should stay as well.
 bool keepsShape(TroubleKind kind);
 
+/// Whether another seed gives another mesh.
+bool isRandom(TroubleKind kind);
+
 /// How much longer lengths are than before.
 double lengthFactor(const Trouble& trouble);
 

@@ -68,6 +68,15 @@ TEST(Trouble, SameSeedSameMesh) {
   EXPECT_NE(with(Kind::kJitter, 1e-3).vertices, troubled(torus(), {Kind::kJitter, 1e-3}, kSeed + 1).vertices);
 }
 
+TEST(Trouble, AnotherSeedMattersWhereItIsRandom) {
+  for (const Trouble& trouble : usualTroubles()) {
+    const bool differs = surfaceOf(troubled(torus(), trouble, 1)) != surfaceOf(troubled(torus(), trouble, 2));
+    // What is shuffled is the same surface, and so is one where another coordinate is NaN, which compares as unequal to itself.
+    if (trouble.kind == Kind::kShuffle || trouble.kind == Kind::kNan) continue;
+    EXPECT_EQ(differs, isRandom(trouble.kind)) << name(trouble.kind);
+  }
+}
+
 TEST(Trouble, EveryKindDoesSomethingAndLeavesAMesh) {
   for (const Trouble& trouble : usualTroubles()) {
     const TriangleMesh mesh = troubled(torus(), trouble, kSeed);

@@ -76,7 +76,7 @@ FitMeshes fitMeshes(const std::vector<MeshTask>& tasks, const Options& options, 
     for (const std::size_t element : tasks[i].elements) {
       meshes[element] = meshes[first];
       if (element != first) copyResult(elements[first], elements[element]);
-      progress.finished(elements[element].report.link, meshes[element] ? meshes[element]->tree.cutTo(1).size() : 0);
+      progress.finished(elements[element].report.link, meshes[element] ? (meshes[element]->tree.nodes.size() + 1) / 2 : 0);
     }
   });
   return meshes;
@@ -176,6 +176,11 @@ void validateAll(RobotResult& result, const RunControl& control) {
 
 std::vector<std::string> notesOnFit(const FitReport& fit) {
   std::vector<std::string> notes = fit.notes;
+  if (!fit.scene_contact.empty()) notes.push_back("the original at rest touches the scene: " + fit.scene_contact);
+  if (fit.scene_hits > 0 && fit.given) {
+    notes.push_back("the original touches the scene in " + std::to_string(fit.scene_hits) + " of " + std::to_string(fit.samples) +
+                    " given configurations");
+  }
   if (fit.leaf_contacts > 0) {
     notes.push_back(std::to_string(fit.leaf_contacts) + " counterexamples remain with the finest hulls, such as " + fit.leaf_contact +
                     "; a smaller tolerance tells them apart");

@@ -148,6 +148,8 @@ json toJson(const FitReport& fit) {
           {"proved_pairs", fit.proved_pairs},
           {"query_us", fit.query_us},
           {"original_query_us", fit.original_query_us},
+          {"distance_us", fit.distance_us},
+          {"original_distance_us", fit.original_distance_us},
           {"hulls", fit.hulls},
           {"full_hulls", fit.full_hulls},
           {"scene_hits", fit.scene_hits},

@@ -89,6 +89,35 @@ std::string validationLine(const Report& report) {
   return text;
 }
 
+std::string share(std::size_t part, std::size_t whole) {
+  return std::to_string(part) + " of " + std::to_string(whole);
+}
+
+/// How often the hulls of two links hit where the links do not.
+std::string selfTable(const FitReport& fit) {
+  if (fit.self.empty()) return "";
+  std::vector<Cells> rows = {{"link", "link", "hit", "single hulls alone", "fitted hulls alone"}};
+  for (const PairHits& pair : fit.self)
+    rows.push_back({pair.first, pair.second, std::to_string(pair.original), std::to_string(pair.before), std::to_string(pair.after)});
+  return "self-collisions in " + std::to_string(fit.samples) + " samples:\n" + aligned(rows);
+}
+
+std::string sceneLines(const Report& report) {
+  if (!report.scene) return "";
+  const FitReport& fit = *report.scene;
+  std::string text;
+  for (const FittedLink& link : fit.links) text += "  " + link.link + ": " + link.reason + "\n";
+  text += selfTable(fit);
+  text += "scene '" + fit.scene + "': " + share(fit.hulls, fit.full_hulls) + " hulls for a clearance of " + millimetres(fit.clearance) +
+          " mm; " + std::to_string(fit.samples) + (fit.given ? " given configurations: " : " fresh samples: ") +
+          std::to_string(fit.missed) + " missed, " + std::to_string(fit.phantom) + " phantom";
+  if (!fit.given)
+    text += " (of all configurations no more than " + number("%.2g", 100 * fit.phantom_rate_bound) + " %, at 95 % confidence)";
+  text += "; " + share(fit.proved_pairs, fit.pairs) + " pairs proved apart\n";
+  return text + "FCL: " + number("%.1f", fit.query_us) + " us a collision query (meshes " + number("%.1f", fit.original_query_us) + "), " +
+         number("%.0f", fit.distance_us) + " us a distance (meshes " + number("%.0f", fit.original_distance_us) + ")\n";
+}
+
 std::string noteLines(const Report& report) {
   std::string text;
   for (const std::string& note : report.notes) text += "note: " + note + "\n";
@@ -101,7 +130,7 @@ std::string toTable(const Report& report) {
   std::vector<Cells> rows = {
       {"link", "mesh", "triangles", "hulls", "vertices", "uncovered/mm", "protrusion/mm", "tolerance/mm", "seconds", "status"}};
   for (const ElementReport& row : report.links) rows.push_back(cells(row));
-  return aligned(rows) + degradedLine(report) + sums(report) + validationLine(report) + noteLines(report);
+  return aligned(rows) + degradedLine(report) + sums(report) + validationLine(report) + sceneLines(report) + noteLines(report);
 }
 
 }  // namespace collision_hulls

@@ -1,5 +1,6 @@
 #include "collision_hulls/scene/fit.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "collision_hulls/error.h"
@@ -26,14 +27,6 @@ std::vector<FittedElement> fittedElements(const FitProblem& problem, const Cuts&
   return elements;
 }
 
-/// Pairs of links whose hulls hit where the links do not, the worst first.
-std::vector<PairHits> selfPhantoms(std::vector<PairHits> hits) {
-  hits.erase(std::remove_if(hits.begin(), hits.end(), [](const PairHits& pair) { return !pair.links || pair.before + pair.after == 0; }),
-             hits.end());
-  std::stable_sort(hits.begin(), hits.end(), [](const PairHits& a, const PairHits& b) { return a.before > b.before; });
-  return hits;
-}
-
 }  // namespace
 
 SceneFit fitScene(const FitProblem& problem, const FitOptions& options, const RunControl& control) {
@@ -45,12 +38,11 @@ SceneFit fitScene(const FitProblem& problem, const FitOptions& options, const Ru
   fitting.run();
 
   const FittedModel model{problem, options, assembly, originals, rules, fitting};
-  const std::vector<PairHits> hits = pairHits(model, control);
+  const Hits hits = countHits(model, control);
   SceneFit fit;
   fit.elements = fittedElements(problem, fitting.cuts(), control);
   fit.disabled = disabledPairs(model, hits);
-  fit.report = fitReport(model, control);
-  fit.report.self = selfPhantoms(hits);
+  fit.report = fitReport(model, hits, control);
   return fit;
 }
 

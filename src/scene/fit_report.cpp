@@ -23,6 +23,11 @@ std::size_t partOf(const FittedModel& model, int piece) {
   return model.assembly.pieces()[static_cast<std::size_t>(piece)].part;
 }
 
+double distanceIn(const FittedModel& model, const Contact& contact) {
+  return model.originals.distanceBelow(std::numeric_limits<double>::max(), partOf(model, contact.piece[0]), partOf(model, contact.piece[1]),
+                                       model.assembly.places(contact.sample));
+}
+
 /// The case that a link's hulls have to tell apart: what it is near, and how near.
 struct Tightest {
   std::size_t other = 0;
@@ -35,8 +40,7 @@ std::map<std::size_t, Tightest> tightestOf(const FittedModel& model) {
   for (const Contact& contact : model.fitting.rootContacts()) {
     const std::size_t a = partOf(model, contact.piece[0]), b = partOf(model, contact.piece[1]);
     if (measured[a]++ >= kMostMeasured && measured[b]++ >= kMostMeasured) continue;
-    const Places places = model.assembly.places(contact.sample);
-    const double distance = model.originals.distanceBelow(std::numeric_limits<double>::max(), a, b, places);
+    const double distance = distanceIn(model, contact);
     for (const auto& [link, other] : {PartIndices{a, b}, PartIndices{b, a}})
       if (distance < tightest[link].distance) tightest[link] = {other, distance};
   }
@@ -85,6 +89,29 @@ std::vector<FittedLink> fittedLinks(const FittedModel& model) {
   return links;
 }
 
+std::string described(const FittedModel& model, const Contact& contact) {
+  return model.assembly.name(partOf(model, contact.piece[0])) + " against " + model.assembly.name(partOf(model, contact.piece[1])) +
+         " at " + lengthText(distanceIn(model, contact));
+}
+
+/// Where the original at rest is in contact with the scene.
+std::string contactAtRest(const FittedModel& model) {
+  const Assembly& assembly = model.assembly;
+  const Places places = assembly.places(assembly.kinematics().rest());
+  for (std::size_t link = 0; link < assembly.links(); ++link)
+    for (std::size_t body = assembly.links(); body < assembly.parts(); ++body)
+      if (model.originals.touch(link, body, places)) return assembly.name(link) + " against " + assembly.name(body);
+  return "";
+}
+
+/// Pairs of links whose hulls hit where the links do not, the worst first.
+std::vector<PairHits> selfPhantoms(std::vector<PairHits> hits) {
+  hits.erase(std::remove_if(hits.begin(), hits.end(), [](const PairHits& pair) { return !pair.links || pair.before + pair.after == 0; }),
+             hits.end());
+  std::stable_sort(hits.begin(), hits.end(), [](const PairHits& a, const PairHits& b) { return a.before > b.before; });
+  return hits;
+}
+
 /// The pairs of parts in contact.
 std::set<PartIndices> pairsOf(const FittedModel& model, const std::vector<Contact>& contacts) {
   std::set<PartIndices> pairs;
@@ -124,7 +151,7 @@ double upperBound(std::size_t found) {
   return high;
 }
 
-std::vector<PairHits> pairHits(const FittedModel& model, const RunControl& control) {
+Hits countHits(const FittedModel& model, const RunControl& control) {
   const std::vector<PartPair> pairs = lookedAtAndProved(model);
   const Cuts roots = model.assembly.roots();
   struct Sample {
@@ -150,12 +177,16 @@ std::vector<PairHits> pairHits(const FittedModel& model, const RunControl& contr
     for (const PartIndices& pair : sample.before) ++hits.at(pair).before;
     for (const PartIndices& pair : sample.after) ++hits.at(pair).after;
   }
-  std::vector<PairHits> result;
-  for (const auto& [pair, counts] : hits) result.push_back(counts);
+  Hits result;
+  for (const auto& [pair, counts] : hits) result.pairs.push_back(counts);
+  result.scene = static_cast<std::size_t>(std::count_if(samples.begin(), samples.end(), [&](const Sample& sample) {
+    return std::any_of(sample.original.begin(), sample.original.end(),
+                       [&](const PartIndices& pair) { return !model.assembly.isLink(pair.second); });
+  }));
   return result;
 }
 
-FitReport fitReport(const FittedModel& model, const RunControl& control) {
+FitReport fitReport(const FittedModel& model, const Hits& counted, const RunControl& control) {
   const Assembly& assembly = model.assembly;
   const Cuts& cuts = model.fitting.cuts();
   const std::size_t first = model.fitting.verifiedFrom(), count = model.samples();
@@ -179,17 +210,26 @@ FitReport fitReport(const FittedModel& model, const RunControl& control) {
   report.phantom_rate_bound = report.given ? 0 : upperBound(report.phantom) / static_cast<double>(count);
   report.pairs = model.rules.pairs.size() + model.rules.proved.size();
   report.proved_pairs = model.rules.proved.size();
-  report.query_us = queryMicroseconds(assembly, fitted(), first, count, control);
-  report.original_query_us = queryMicroseconds(assembly, original(), first, count, control);
+  const QueryTimes times = queryTimes(assembly, fitted(), first, count, control);
+  const QueryTimes original_times = queryTimes(assembly, original(), first, count, control);
+  report.query_us = times.collision;
+  report.original_query_us = original_times.collision;
+  report.distance_us = times.distance;
+  report.original_distance_us = original_times.distance;
   report.hulls = assembly.hulls(cuts);
   for (std::size_t i = 0; i < model.problem.elements.size(); ++i) report.full_hulls += assembly.pieces()[i].tree->leaves();
   report.links = fittedLinks(model);
+  report.leaf_contacts = model.fitting.leafContacts().size();
+  if (report.leaf_contacts > 0) report.leaf_contact = described(model, model.fitting.leafContacts().front());
+  report.scene_hits = counted.scene;
+  report.scene_contact = contactAtRest(model);
+  report.self = selfPhantoms(counted.pairs);
   report.left_out = model.rules.left_out;
   report.notes = model.rules.notes;
   return report;
 }
 
-std::vector<DisabledPair> disabledPairs(const FittedModel& model, const std::vector<PairHits>& hits) {
+std::vector<DisabledPair> disabledPairs(const FittedModel& model, const Hits& hits) {
   std::vector<DisabledPair> disabled;
   for (const LeftOutPair& pair : model.rules.left_out) {
     if (!pair.links) continue;
@@ -198,7 +238,7 @@ std::vector<DisabledPair> disabledPairs(const FittedModel& model, const std::vec
   }
   std::map<std::pair<std::string, std::string>, double> proved;
   for (const ProvedPair& pair : model.rules.proved) proved[{model.assembly.name(pair.a), model.assembly.name(pair.b)}] = pair.bound;
-  for (const PairHits& pair : hits) {
+  for (const PairHits& pair : hits.pairs) {
     if (pair.original > 0 || !pair.links) continue;
     const auto bound = proved.find({pair.first, pair.second});
     disabled.push_back({pair.first, pair.second, "Never",

@@ -17,13 +17,17 @@ struct FittedModel {
   std::size_t samples() const { return problem.configurations.empty() ? options.samples : problem.configurations.size(); }
 };
 
-FitReport fitReport(const FittedModel& model, const RunControl& control);
+/// Hits of all pairs that are looked at or proved, over the samples that verify.
+struct Hits {
+  std::vector<PairHits> pairs;
+  std::size_t scene = 0;  ///< samples in which the original hits the scene
+};
+Hits countHits(const FittedModel& model, const RunControl& control);
 
-/// The pairs that a robot's SRDF would leave out, with how that is known; `hits`: of all pairs of links that are looked at.
-std::vector<DisabledPair> disabledPairs(const FittedModel& model, const std::vector<PairHits>& hits);
+FitReport fitReport(const FittedModel& model, const Hits& hits, const RunControl& control);
 
-/// Hits of all pairs that are looked at or proved, over the samples that verify; see PairHits.
-std::vector<PairHits> pairHits(const FittedModel& model, const RunControl& control);
+/// The pairs that a robot's SRDF would leave out, with how that is known.
+std::vector<DisabledPair> disabledPairs(const FittedModel& model, const Hits& hits);
 
 /// The number that, with 95 % confidence, a rate times `samples` does not exceed when `found` were seen: 3 for none.
 double upperBound(std::size_t found);

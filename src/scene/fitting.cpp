@@ -64,6 +64,7 @@ std::size_t Fitting::cureBatch(std::size_t count) {
   if (problem_.configurations.empty()) next_ += count;
   asked_ += count;
   cured_ += answers.counterexamples;
+  leaves_ = answers.leaves;
   roots_.insert(roots_.end(), answers.roots.begin(), answers.roots.end());
   if (answers.counterexamples > 0) {
     Curing curing(assembly_, cuts_);

@@ -37,7 +37,8 @@ class Fitting {
   std::size_t verifiedFrom() const { return verified_from_; }  ///< the first sample of the batch that had no counterexample
   std::size_t asked() const { return asked_; }
   std::size_t cured() const { return cured_; }
-  const std::vector<Contact>& rootContacts() const { return roots_; }  ///< in all counterexamples
+  const std::vector<Contact>& leafContacts() const { return leaves_; }  ///< that stayed in the last batch
+  const std::vector<Contact>& rootContacts() const { return roots_; }   ///< in all counterexamples
 
  private:
   Answers ask(const Cuts& cuts, std::size_t first, std::size_t count) const;
@@ -53,7 +54,7 @@ class Fitting {
   const PairRules& rules_;
   const RunControl& control_;
   Cuts cuts_;
-  std::vector<Contact> roots_;
+  std::vector<Contact> roots_, leaves_;
   std::size_t next_ = 0, asked_ = 0, cured_ = 0, verified_from_ = 0;
   double progress_ = 0;
 };

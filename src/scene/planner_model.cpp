@@ -9,8 +9,28 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kLeastTime = 0.2;       // [s] of a measurement: as many rounds over the samples as it takes
-constexpr std::size_t kMostTimed = 500;  // samples
+constexpr double kLeastTime = 0.2;           // [s] of a measurement: as many rounds over the samples as it takes
+constexpr std::size_t kMostTimed = 500;      // samples
+constexpr std::size_t kMostDistances = 100;  // which take longer
+
+/// [us] Of one question. The first round fills the processor's caches and is not counted, unless it takes long by itself.
+double microseconds(std::size_t count, const RunControl& control, const std::function<void(std::size_t)>& ask) {
+  using Clock = std::chrono::steady_clock;
+  double seconds = 0;
+  std::size_t asked = 0;
+  for (bool warm = false; seconds < kLeastTime; warm = true) {
+    const Clock::time_point start = Clock::now();
+    for (std::size_t i = 0; i < count; ++i) {
+      control.check();
+      ask(i);
+    }
+    const double round = std::chrono::duration<double>(Clock::now() - start).count();
+    if (!warm && round < kLeastTime) continue;
+    seconds += round;
+    asked += count;
+  }
+  return 1e6 * seconds / static_cast<double>(asked);
+}
 
 }  // namespace
 
@@ -39,11 +59,21 @@ void PlannerModel::add(const Assembly& assembly, std::size_t part, const QueryBo
   }
 }
 
-bool PlannerModel::hit(const Places& places) {
+void PlannerModel::place(const Places& places) {
   if (!scene_placed_) scene_.place(places);
   scene_placed_ = true;
   robot_.place(places);
+}
+
+bool PlannerModel::hit(const Places& places) {
+  place(places);
   return (!empty_scene_ && robot_.collides(scene_, ignored_)) || robot_.collides(ignored_);
+}
+
+double PlannerModel::distance(const Places& places) {
+  place(places);
+  const double own = robot_.distance(ignored_);
+  return empty_scene_ ? own : std::min(own, robot_.distance(scene_, ignored_));
 }
 
 std::vector<char> hits(const Assembly& assembly, const std::function<PlannerModel()>& make, std::size_t first, std::size_t count,
@@ -61,23 +91,12 @@ std::vector<char> hits(const Assembly& assembly, const std::function<PlannerMode
   return result;
 }
 
-double queryMicroseconds(const Assembly& assembly, PlannerModel model, std::size_t first, std::size_t count, const RunControl& control) {
-  using Clock = std::chrono::steady_clock;
+QueryTimes queryTimes(const Assembly& assembly, PlannerModel model, std::size_t first, std::size_t count, const RunControl& control) {
   std::vector<Places> places;
   for (std::size_t i = 0; i < std::min(count, kMostTimed); ++i) places.push_back(assembly.places(first + i));
-  for (const Places& at : places) model.hit(at);  // fills the processor's caches
-  const Clock::time_point start = Clock::now();
-  std::size_t asked = 0;
-  double seconds = 0;
-  while (seconds < kLeastTime) {
-    for (const Places& at : places) {
-      control.check();
-      model.hit(at);
-    }
-    asked += places.size();
-    seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  }
-  return 1e6 * seconds / static_cast<double>(asked);
+  const double collision = microseconds(places.size(), control, [&](std::size_t i) { model.hit(places[i]); });
+  const double distance = microseconds(std::min(places.size(), kMostDistances), control, [&](std::size_t i) { model.distance(places[i]); });
+  return {collision, distance};
 }
 
 }  // namespace collision_hulls

@@ -1,6 +1,7 @@
 // A model of the robot asked as planners ask: the robot against the scene, then against itself, until the first contact.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "check/query_model.h"
@@ -16,10 +17,13 @@ class PlannerModel {
   PlannerModel(const Assembly& assembly, const PairRules& rules, const Originals& originals);
 
   bool hit(const Places& places);
+  double distance(const Places& places);  ///< [m] to the scene or itself; 0 in contact
 
  private:
   PlannerModel(const Assembly& assembly, const PairRules& rules);
   void add(const Assembly& assembly, std::size_t part, const QueryBody& body, const Eigen::Isometry3d& origin);
+
+  void place(const Places& places);
 
   QueryModel robot_, scene_;
   IgnoredPairs ignored_;
@@ -30,7 +34,10 @@ class PlannerModel {
 std::vector<char> hits(const Assembly& assembly, const std::function<PlannerModel()>& make, std::size_t first, std::size_t count,
                        const RunControl& control);
 
-/// [us] that a sample takes, on one thread.
-double queryMicroseconds(const Assembly& assembly, PlannerModel model, std::size_t first, std::size_t count, const RunControl& control);
+/// [us] that questions of a kind take, on one thread.
+struct QueryTimes {
+  double collision = 0, distance = 0;
+};
+QueryTimes queryTimes(const Assembly& assembly, PlannerModel model, std::size_t first, std::size_t count, const RunControl& control);
 
 }  // namespace collision_hulls

@@ -114,10 +114,11 @@ struct FitReport {
   std::size_t leaf_contacts = 0;    ///< counterexamples that the finest hulls of the trees still are
   std::string leaf_contact;         ///< the first of them
   std::size_t pairs = 0, proved_pairs = 0;
-  double query_us = 0, original_query_us = 0;
-  std::size_t hulls = 0, full_hulls = 0;  ///< of the model; of the trees' leaves
-  std::string scene_contact;              ///< the original at rest hits the scene there; empty: it does not
-  std::size_t scene_hits = 0;             ///< samples in which the original hits the scene
+  double query_us = 0, original_query_us = 0;        ///< [us] whether a configuration is free, by FCL on one thread
+  double distance_us = 0, original_distance_us = 0;  ///< [us] how far it is from contact
+  std::size_t hulls = 0, full_hulls = 0;             ///< of the model; of the trees' leaves
+  std::string scene_contact;                         ///< the original at rest hits the scene there; empty: it does not
+  std::size_t scene_hits = 0;                        ///< samples in which the original hits the scene
   std::vector<FittedLink> links;
   std::vector<LeftOutPair> left_out;
   std::vector<PairHits> self;  ///< of links alone, those with a phantom before or after

@@ -1,0 +1,72 @@
+// fit_scene INPUT --scene FILE --clearance LENGTH: a robot's collision model, no finer than a scene needs.
+#include "collision_hulls/pipeline/fit_scene.h"
+
+#include "collision_hulls/scene/configurations.h"
+#include "robot_program.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr const char* kFooter = R"(
+The model is adequate where the original keeps the clearance from the scene and from itself: it is free there, too. It never misses
+a collision. The report says what each link needed, what is proved, and the bound on the rate of configurations that remain.
+
+Exit status: as decompose.
+
+Examples:
+  fit_scene arm.urdf --scene kitchen.scene --clearance 2cm
+  fit_scene ur_description --scene cell.yaml --clearance 1cm --configurations path.csv --srdf ur.srdf)";
+
+struct SceneCommand {
+  RobotCommand robot;
+  std::string scene, clearance, configurations, srdf;
+  int samples = 10000;
+};
+
+void addOptions(CLI::App& app, SceneCommand& command) {
+  const auto add = [&](const std::string& name, auto& value, const std::string& type, const std::string& help) {
+    return app.add_option(name, value, help)->type_name(type)->group("Scene");
+  };
+  add("--scene", command.scene, "FILE", "What stands around the robot: .scene (MoveIt), .urdf, .sdf, .yaml, or a mesh")->required();
+  add("--clearance", command.clearance, "LENGTH", "Where the robot keeps this distance the model has to be free: 2cm, 0.02")->required();
+  add("--samples", command.samples, "N [10000]", "Fresh configurations that verify the model");
+  add("--configurations", command.configurations, "FILE", "Fit to these alone: .csv, or .yaml of joint states or a trajectory");
+  add("--srdf", command.srdf, "FILE", "Pairs of links that are not looked at");
+  addRobotOptions(app, "A ROS package, or a .urdf or .xacro file", command.robot);
+}
+
+SceneRequest requestOf(const SceneCommand& command, const Input& input) {
+  if (input.kind != Input::Kind::kRobot)
+    throw Error(ErrorCode::kBadOption, "'" + input.path + "' is a mesh; a scene is fitted to by a robot, whose joints move");
+  const Length clearance = parseLength(command.clearance);
+  if (clearance.relative) throw Error(ErrorCode::kBadOption, "--clearance '" + command.clearance + "' has to be a length, as in 2cm");
+  if (command.samples <= 0)
+    throw Error(ErrorCode::kBadOption, "--samples is " + std::to_string(command.samples) + "; it takes a number above 0");
+  SceneRequest request;
+  request.scene = readScene(command.scene, input.find_package);
+  request.clearance = clearance.value;
+  request.samples = static_cast<std::size_t>(command.samples);
+  if (!command.srdf.empty()) request.disabled = readDisabledPairs(command.srdf, input.robot).pairs;
+  if (!command.configurations.empty())
+    request.configurations = readConfigurations(command.configurations, Kinematics(input.robot)).configurations;
+  return request;
+}
+
+int main(int argc, char** argv) {
+  SceneCommand command;
+  command.robot.program = "fit_scene";
+  CLI::App app("Makes a collision model of a robot that is no finer than a scene needs.", command.robot.program);
+  app.footer(kFooter);
+  addOptions(app, command);
+  const RobotWork work = [&](const Input& input, const std::string& output, const RunControl& control, const StepCallback& step) {
+    return fitRobotToScene(input.robot, input.find_package, requestOf(command, input), command.robot.options, output, control, step);
+  };
+  return runRobotProgram(app, argc, argv, [&] { return runRobotCommand(command.robot, work); });
+}
+
+}  // namespace
+}  // namespace collision_hulls
+
+int main(int argc, char** argv) {
+  return collision_hulls::main(argc, argv);
+}

@@ -61,12 +61,14 @@ Gap convexGap(const Eigen::Ref<const PointMatrix>& a, const Eigen::Ref<const Poi
   const double size = std::max((a.colwise() - a.col(0)).cwiseAbs().maxCoeff(), (b.colwise() - b.col(0)).cwiseAbs().maxCoeff());
   Eigen::Vector3d v = a.col(0) - b.col(0);
   Triangle3 triangle{v, v, v};
-  Gap gap{0, v.norm()};
+  Gap gap;
+  gap.at_most = v.norm();
   for (int step = 0; step < kMostSteps && gap.at_most > kTouching * size; ++step) {
     const Eigen::Vector3d w = furthestAgainst(a, b, v);
-    gap.at_least = std::max(gap.at_least, v.dot(w) / gap.at_most);
+    const double apart = v.dot(w) / gap.at_most;
+    if (apart > gap.at_least) gap.at_least = apart, gap.direction = v / gap.at_most;
     if (gap.at_least >= enough || gap.at_least >= (1 - kGap) * gap.at_most) break;
-    if (holdsOrigin(triangle, w, size)) return {0, 0};
+    if (holdsOrigin(triangle, w, size)) return {0, 0, Eigen::Vector3d::Zero()};
     v = nearestOnSurface(triangle, w);
     if (v.norm() >= gap.at_most) break;  // as near as rounding allows
     gap.at_most = v.norm();

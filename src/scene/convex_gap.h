@@ -13,6 +13,8 @@ using PointMatrix = Eigen::Matrix3Xd;  ///< a point in each column; the body is 
 struct Gap {
   double at_least = 0;
   double at_most = std::numeric_limits<double>::infinity();
+  /// The normal of a plane that proves at_least, of unit length, from b towards a. Zero where there is none, or b is not convex.
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
 };
 
 /// Both in one frame, of one point at least. Stops when at_least reaches `enough`, and else when the bounds differ by less than 1e-6 of the

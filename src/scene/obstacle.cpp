@@ -11,9 +11,11 @@ namespace {
 constexpr std::size_t kLeaf = 4;  // triangles
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+const Gap kFar{kInfinity, kInfinity, Eigen::Vector3d::Zero()};
+
 /// Of the nearer of two bodies.
 Gap nearer(const Gap& a, const Gap& b) {
-  return {std::min(a.at_least, b.at_least), std::min(a.at_most, b.at_most)};
+  return {std::min(a.at_least, b.at_least), std::min(a.at_most, b.at_most), Eigen::Vector3d::Zero()};
 }
 
 PointMatrix cornersOf(const Eigen::AlignedBox3d& box) {
@@ -79,7 +81,7 @@ void Obstacle::build(const std::vector<PointMatrix>& triangles, std::vector<std:
 }
 
 Gap Obstacle::gapToTriangles(const Node& leaf, const Eigen::Ref<const PointMatrix>& points, double enough) const {
-  Gap least{kInfinity, kInfinity};
+  Gap least = kFar;
   for (Eigen::Index i = leaf.first; i < leaf.first + leaf.count; i += 3)
     least = nearer(least, convexGap(points, corners_.middleCols(i, 3), enough));
   return least;
@@ -91,7 +93,7 @@ Gap Obstacle::gapTo(const Eigen::Ref<const PointMatrix>& points, double enough) 
   using Open = std::pair<double, std::size_t>;
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
   open.emplace(0, 0);
-  Gap result{kInfinity, kInfinity};
+  Gap result = kFar;
   while (!open.empty() && open.top().first < std::min(enough, result.at_least)) {
     const Node& node = nodes_[open.top().second];
     open.pop();

@@ -14,6 +14,7 @@
 #include <mutex>
 #include <queue>
 
+#include "scene/box_movement.h"
 #include "scene/low_discrepancy.h"
 #include "scene/obstacle.h"
 #include "scene/sweep.h"
@@ -22,7 +23,6 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kRounding = 1e-9;    // of the coordinates' size, taken off each bound
 constexpr std::size_t kSamples = 64;  // configurations that are looked at first: most pairs that touch do so in one of them
 constexpr std::uint64_t kMiddle = std::uint64_t{1} << 63;  // where they begin, of 2^64
@@ -71,14 +71,6 @@ bool same(const ChainJoint& a, const ChainJoint& b) {
          a.origin.matrix() == b.origin.matrix();
 }
 
-/// How far points move, and which variables move them.
-struct Movement {
-  Eigen::RowVectorXd of_points;  // [m] at most
-  std::vector<double> of_variables;
-
-  double most() const { return of_points.size() > 0 ? of_points.maxCoeff() : 0; }
-};
-
 /// The search for one pair.
 class PairSearch {
  public:
@@ -115,10 +107,6 @@ class PairSearch {
     if (position_[variable] >= 0) return;
     position_[variable] = static_cast<int>(variables_.size());
     variables_.push_back(variable);
-  }
-
-  const JointRange& rangeIn(const Box& box, const ChainJoint& joint) const {
-    return box.variables[static_cast<std::size_t>(position_[joint.variable])];
   }
 
   Box wholeBox() const {
@@ -203,18 +191,23 @@ class PairSearch {
 
   /// Bounds the distance within a box from that at its middle.
   void bound(Box& box) {
-    Movement movement{{}, std::vector<double>(variables_.size(), 0)};
-    const PointMatrix first = placed(0, box, movement);
-    box.movement = movement.most();
-    const PointMatrix second = obstacle_ ? PointMatrix() : placed(1, box, movement);
-    if (!obstacle_) box.movement += movement.most();
+    std::vector<BoxedBody> bodies;
+    for (std::size_t s = 0; s < sides_.size(); ++s) bodies.push_back(boxed(s, box));
+    std::vector<double> shares(variables_.size(), 0);
+    box.movement = 0;
+    for (const BoxedBody& body : bodies) box.movement += body.movement(shares);
     const double enough = box.movement > 0 ? target_ + box.movement + rounding_ : kInfinity;
-    const Gap gap = obstacle_ ? obstacle_->gapTo(first, enough) : convexGap(first, second, enough);
+    const Gap gap = gapOf(bodies, enough);
     ++result_.evaluations;
+    if (gap.at_least < enough && !gap.direction.isZero()) {
+      // Towards each other, which near a minimum of the distance is far less.
+      std::fill(shares.begin(), shares.end(), 0);
+      box.movement = bodies.front().movementAlong(-gap.direction, shares);
+      if (bodies.size() > 1) box.movement += bodies.back().movementAlong(gap.direction, shares);
+    }
     box.gap = gap.at_least;
     box.bound = std::max(box.bound, gap.at_least - box.movement - rounding_);
-    box.widest = static_cast<std::size_t>(std::max_element(movement.of_variables.begin(), movement.of_variables.end()) -
-                                          movement.of_variables.begin());
+    box.widest = static_cast<std::size_t>(std::max_element(shares.begin(), shares.end()) - shares.begin());
     if (isFinal(box) && gap.at_most < result_.found) {
       result_.found = gap.at_most;
       result_.witness = kinematics_.rest();
@@ -222,28 +215,21 @@ class PairSearch {
     }
   }
 
-  /// A side's body at the middle of a box, in the frame that both have in common; and how far its points are from there within the box at
-  /// most. To get there joint by joint, the last one first, moves a point by the chord of each joint's angle about its axis where it was in
-  /// the middle: joints before it move it rigidly.
-  PointMatrix placed(std::size_t s, const Box& box, Movement& movement) const {
+  BoxedBody boxed(std::size_t s, const Box& box) const {
     const Side& side = sides_[s];
-    PointMatrix points = side.body(box.levels[s]);
-    movement.of_points = Eigen::RowVectorXd::Zero(points.cols());
-    for (std::size_t k = box.levels[s]; k-- > side.common;) {
+    std::vector<BoxedJoint> joints;
+    for (std::size_t k = side.common; k < box.levels[s]; ++k) {
       const ChainJoint& joint = side.joint(k);
-      const JointRange& range = rangeIn(box, joint);
-      const double way = std::abs(joint.multiplier) * (range.upper - range.lower) / 2;
-      Eigen::RowVectorXd moves = Eigen::RowVectorXd::Constant(points.cols(), way);
-      if (joint.turns) {
-        const double chord = 2 * std::sin(std::min(way, kPi) / 2);
-        moves = chord * (points.colwise().squaredNorm() - (joint.axis.transpose() * points).cwiseAbs2()).cwiseMax(0).cwiseSqrt();
-      }
-      movement.of_points += moves;
-      movement.of_variables[static_cast<std::size_t>(position_[joint.variable])] += moves.maxCoeff();
-      const Eigen::Isometry3d pose = joint.origin * motion(joint, joint.multiplier * middle(range) + joint.offset);
-      points = ((pose.linear() * points).colwise() + pose.translation()).eval();
+      const auto variable = static_cast<std::size_t>(position_[joint.variable]);
+      const JointRange& range = box.variables[variable];
+      joints.push_back({&joint, variable, joint.multiplier * middle(range) + joint.offset,
+                        std::abs(joint.multiplier) * (range.upper - range.lower) / 2});
     }
-    return points;
+    return {side.body(box.levels[s]), std::move(joints)};
+  }
+
+  Gap gapOf(const std::vector<BoxedBody>& bodies, double enough) const {
+    return obstacle_ ? obstacle_->gapTo(bodies[0].points(), enough) : convexGap(bodies[0].points(), bodies[1].points(), enough);
   }
 
   const Kinematics& kinematics_;

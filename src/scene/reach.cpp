@@ -23,11 +23,12 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kRounding = 1e-9;    // of the coordinates' size, taken off each bound
-constexpr std::size_t kSamples = 64;  // configurations that are looked at first: most pairs that touch do so in one of them
+constexpr double kRounding = 1e-9;     // of the coordinates' size, taken off each bound
+constexpr std::size_t kSamples = 200;  // configurations that are looked at first: nearly all pairs that touch do so in one of them
+constexpr double kCloser = 0.97;       // how much of its range a search about the best of them keeps after each failure
 constexpr std::uint64_t kMiddle = std::uint64_t{1} << 63;  // where they begin, of 2^64
 constexpr double kShareToTighten = 0.2;                    // of the evaluations, after the proof
-constexpr double kWorthHalving = 0.02;  // of the movement within a box: a gap by which swept bodies are apart enough to halve it
+constexpr double kWorthHalving = 0.05;  // of the movement within a box: a gap by which swept bodies are apart enough to halve it
 
 /// A link and the joints that move it.
 struct MovedLink {
@@ -124,18 +125,25 @@ class PairSearch {
     return true;
   }
 
+  /// Looks at configurations all over the joints' ranges, and then about the nearest of them, ever closer.
   void sample() {
-    Box box = wholeBox();
-    for (std::size_t s = 0; s < sides_.size(); ++s) box.levels[s] = sides_[s].joints();
-    const std::vector<JointRange> whole = box.variables;
-    const std::vector<std::uint64_t> steps = richtmyerSteps(whole.size());
-    const std::size_t count = whole.empty() ? 1 : std::min(kSamples, options_.evaluations);
+    const Box whole = wholeBox();
+    const std::vector<std::uint64_t> steps = richtmyerSteps(variables_.size());
+    const std::size_t count = variables_.empty() ? 1 : std::min(kSamples, options_.evaluations);
+    double radius = 1;  // of the ranges
     for (std::size_t i = 0; i < count && result_.found > target_; ++i) {
-      for (std::size_t v = 0; v < whole.size(); ++v) {
-        const double at = whole[v].lower + toUnit(steps[v] * i + kMiddle) * (whole[v].upper - whole[v].lower);
-        box.variables[v] = {at, at};
+      const bool all_over = 2 * i < count;
+      Box point = whole;
+      for (std::size_t s = 0; s < sides_.size(); ++s) point.levels[s] = sides_[s].joints();
+      for (std::size_t v = 0; v < variables_.size(); ++v) {
+        const JointRange& range = whole.variables[v];
+        const double share = toUnit(steps[v] * i + kMiddle), length = range.upper - range.lower;
+        const double at = all_over ? range.lower + share * length : result_.witness[variables_[v]] + radius * (share - 0.5) * length;
+        point.variables[v].lower = point.variables[v].upper = std::clamp(at, range.lower, range.upper);
       }
-      bound(box);
+      const double found = result_.found;
+      bound(point);
+      if (!all_over && result_.found >= found) radius *= kCloser;
     }
   }
 

@@ -113,7 +113,7 @@ TEST(Reach, OneJointThatSlides) {
 
 TEST(Reach, TwoJointsReachAsFarAsTheirLinks) {
   const Kinematics kinematics = Arm().add("continuous", "0 0 1", 0, 0).add("revolute", "0 0 1", -2, 2, 0.7).kinematics();
-  const double furthest = std::hypot(0.7 + 0.5 + kCube / 2, kCube / 2);
+  const double furthest = 0.7 + std::hypot(0.5 + kCube / 2, kCube / 2);
   const Scene scene = sceneWith(boxShape({0.1, 5, 5}), {1.5, 0, 0});
   expectReach(1.45 - furthest, kinematics, cubeAt({0.5, 0, 0}), scene);
 }

@@ -41,7 +41,7 @@ const fcl::CollisionGeometryd* geometry(const QueryBody& body) {
 
 }  // namespace
 
-QueryBody::QueryBody(const ConvexHull& hull) : box_(boundingBox(hull)) {
+QueryBody::QueryBody(const ConvexHull& hull) : box_(boundingBox(hull)), corners_(hull.vertices.size()) {
   const auto faces = std::make_shared<std::vector<int>>();
   for (const Triangle& t : hull.triangles) faces->insert(faces->end(), {3, t[0], t[1], t[2]});
   const auto vertices = std::make_shared<std::vector<Eigen::Vector3d>>(enlarged(hull.vertices));

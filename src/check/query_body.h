@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <memory>
 
 #include "collision_hulls/geometry/convex_hull.h"
@@ -18,6 +19,7 @@ class QueryBody {
 
   bool empty() const { return !impl_; }  ///< a mesh without any area; such a body touches nothing
   const Eigen::AlignedBox3d& box() const { return box_; }
+  std::size_t corners() const { return corners_; }  ///< vertices of a hull; 0 for others
 
   struct Impl;
   const std::shared_ptr<const Impl>& impl() const { return impl_; }
@@ -25,6 +27,7 @@ class QueryBody {
  private:
   std::shared_ptr<const Impl> impl_;
   Eigen::AlignedBox3d box_;
+  std::size_t corners_ = 0;
 };
 
 /// Whether they touch; `pose` is the second one's in the first one's frame.

@@ -219,7 +219,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
     const FitMeshes meshes = fitMeshes(tasks, options, cache, progress, elements);
     std::vector<std::size_t> indices;
     const FitProblem problem = problemOf(robot, request, options, elements, meshes, indices);
-    const SceneFit fit = fitScene(problem, {request.clearance, request.samples, options.seed}, fitting);
+    const SceneFit fit = fitScene(problem, {request.clearance, request.samples, options.seed, request.compare}, fitting);
     certifyAll(meshes, fit, indices, certifying, elements);
     validateAll(result, validating);
     result.report.scene = fit.report;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "collision_hulls/error.h"
+#include "scene/comparison.h"
 #include "scene/fit_report.h"
 
 namespace collision_hulls {
@@ -43,6 +44,7 @@ SceneFit fitScene(const FitProblem& problem, const FitOptions& options, const Ru
   fit.elements = fittedElements(problem, fitting.cuts(), control);
   fit.disabled = disabledPairs(model, hits);
   fit.report = fitReport(model, hits, control);
+  if (options.compare) fit.report.models = comparison(model, control);
   return fit;
 }
 

@@ -1,11 +1,28 @@
 // fit_scene INPUT --scene FILE --clearance LENGTH: a robot's collision model, no finer than a scene needs.
 #include "collision_hulls/pipeline/fit_scene.h"
 
+#include "bench/table.h"
 #include "collision_hulls/scene/configurations.h"
+#include "pipeline/files.h"
 #include "robot_program.h"
 
 namespace collision_hulls {
 namespace {
+
+constexpr const char* kComparisonHeader =
+    "robot,scene,clearance,model,tolerance,hulls,hull_vertices,samples,clear,phantom,free,false_hits,missed,collision_us,distance_us,"
+    "seconds\n";
+
+std::string comparisonCsv(const std::string& robot, const FitReport& fit) {
+  std::string text = kComparisonHeader;
+  const auto count = [](std::size_t n) { return std::to_string(n); };
+  for (const ModelRow& row : fit.models) {
+    text += csvLine({robot, fit.scene, csvNumber(fit.clearance), row.model, csvNumber(row.tolerance), count(row.hulls), count(row.vertices),
+                     count(fit.samples), count(row.clear), count(row.phantom), count(row.free), count(row.false_hits), count(row.missed),
+                     csvNumber(row.collision_us), csvNumber(row.distance_us), csvNumber(fit.seconds)});
+  }
+  return text;
+}
 
 constexpr const char* kFooter = R"(
 The model is adequate where the original keeps the clearance from the scene and from itself: it is free there, too. It never misses
@@ -19,7 +36,7 @@ Examples:
 
 struct SceneCommand {
   RobotCommand robot;
-  std::string scene, clearance, configurations, srdf;
+  std::string scene, clearance, configurations, srdf, compare;
   int samples = 10000;
 };
 
@@ -32,6 +49,7 @@ void addOptions(CLI::App& app, SceneCommand& command) {
   add("--samples", command.samples, "N [10000]", "Fresh configurations that verify the model");
   add("--configurations", command.configurations, "FILE", "Fit to these alone: .csv, or .yaml of joint states or a trajectory");
   add("--srdf", command.srdf, "FILE", "Pairs of links that are not looked at");
+  add("--compare", command.compare, "FILE", "Measure single hulls and uniform tolerances beside the fitted model, into this CSV");
   addRobotOptions(app, "A ROS package, or a .urdf or .xacro file", command.robot);
 }
 
@@ -45,6 +63,7 @@ SceneRequest requestOf(const SceneCommand& command, const Input& input) {
   SceneRequest request;
   request.scene = readScene(command.scene, input.find_package);
   request.clearance = clearance.value;
+  request.compare = !command.compare.empty();
   request.samples = static_cast<std::size_t>(command.samples);
   if (!command.srdf.empty()) request.disabled = readDisabledPairs(command.srdf, input.robot).pairs;
   if (!command.configurations.empty())
@@ -59,7 +78,10 @@ int main(int argc, char** argv) {
   app.footer(kFooter);
   addOptions(app, command);
   const RobotWork work = [&](const Input& input, const std::string& output, const RunControl& control, const StepCallback& step) {
-    return fitRobotToScene(input.robot, input.find_package, requestOf(command, input), command.robot.options, output, control, step);
+    const SceneRequest request = requestOf(command, input);
+    RobotResult result = fitRobotToScene(input.robot, input.find_package, request, command.robot.options, output, control, step);
+    if (request.compare) writeText(command.compare, comparisonCsv(result.robot_name, *result.report.scene));
+    return result;
   };
   return runRobotProgram(app, argc, argv, [&] { return runRobotCommand(command.robot, work); });
 }

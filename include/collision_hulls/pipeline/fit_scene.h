@@ -14,6 +14,7 @@ struct SceneRequest {
   Scene scene;
   double clearance = 0.01;                    ///< [m]
   std::size_t samples = 10000;                ///< that verify
+  bool compare = false;                       ///< see FitOptions
   std::vector<DisabledPair> disabled;         ///< pairs of links that are not looked at
   std::vector<Configuration> configurations;  ///< instead of samples of all that the joints allow
 };

@@ -64,6 +64,7 @@ struct FitOptions {
   double clearance = 0.01;      ///< [m] c, > 0
   std::size_t samples = 10000;  ///< of a batch that verifies
   std::uint64_t seed = 1;
+  bool compare = false;  ///< measure other models beside the fitted one: takes longer
 };
 
 /// What became of an element.
@@ -97,6 +98,17 @@ struct PairHits {
   std::size_t after = 0;     ///< the same of the fitted model
 };
 
+/// A model on the samples that verify; see src/scene/comparison.h for their names.
+struct ModelRow {
+  std::string model;
+  double tolerance = 0;  ///< [m] of a uniform cut
+  std::size_t hulls = 0, vertices = 0;
+  std::size_t clear = 0, phantom = 0;        ///< samples in which the original keeps its clearance; of these, the model is hit
+  std::size_t free = 0, false_hits = 0;      ///< samples in which the original is not hit; of these, the model is
+  std::size_t missed = 0;                    ///< samples in which the original is hit and the model is not
+  double collision_us = 0, distance_us = 0;  ///< [us] of a query, by FCL on one thread
+};
+
 /// What is known about a fitted model. Rates are of configurations, over the pairs that are looked at.
 struct FitReport {
   std::string scene;
@@ -105,7 +117,6 @@ struct FitReport {
   bool given = false;               ///< they were given
   std::size_t asked = 0;            ///< all samples that were asked for fitting
   std::size_t counterexamples = 0;  ///< that were found and cured
-  std::size_t clear = 0;            ///< samples in which the original keeps its clearance
   std::size_t original_hits = 0;    ///< samples in which the original hits something
   std::size_t model_hits = 0;       ///< the same of the model
   std::size_t missed = 0;           ///< the original is hit and the model is not: must be 0
@@ -123,6 +134,7 @@ struct FitReport {
   std::vector<LeftOutPair> left_out;
   std::vector<PairHits> self;  ///< of links alone, those with a phantom before or after
   std::vector<std::string> notes;
+  std::vector<ModelRow> models;  ///< where they were compared
   double seconds = 0;
 };
 

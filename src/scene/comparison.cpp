@@ -1,0 +1,136 @@
+#include "scene/comparison.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "scene/planner_model.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr double kShares[] = {8, 4, 2, 1};  // of the clearance, tolerances of uniform cuts
+constexpr double kProvedShare = 0.5;        // two bodies that protrude by no more than that stay apart where the originals are
+constexpr int kHalvings = 12;               // of the search for the coarsest uniform cut
+
+/// What the original says of each sample.
+struct Truth {
+  std::vector<char> hit, clear;
+};
+
+Truth truthOf(const FittedModel& model, const RunControl& control) {
+  const std::size_t first = model.fitting.verifiedFrom(), count = model.samples();
+  Truth truth{hits(
+                  model.assembly, [&] { return PlannerModel(model.assembly, model.rules, model.originals); }, first, count, control),
+              std::vector<char>(count)};
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    control.check();
+    if (!truth.hit[i]) truth.clear[i] = isClear(model.assembly, model.originals, model.rules.pairs, model.assembly.places(first + i), {});
+  });
+  return truth;
+}
+
+class Comparing {
+ public:
+  Comparing(const FittedModel& model, const RunControl& control) : model_(model), control_(control), truth_(truthOf(model, control)) {}
+
+  ModelRow original() const {
+    ModelRow row = rowOf("original", truth_.hit);
+    time(PlannerModel(model_.assembly, model_.rules, model_.originals), row);
+    return row;
+  }
+
+  ModelRow cut(const std::string& name, const Cuts& cuts) const {
+    ModelRow row = rowOf(name, hitsOf(cuts));
+    row.hulls = model_.assembly.hulls(cuts);
+    for (std::size_t i = 0; i < model_.problem.elements.size(); ++i)
+      for (const int node : cuts[i]) row.vertices += model_.assembly.pieces()[i].tree->body(node).corners();
+    time(PlannerModel(model_.assembly, model_.rules, cuts), row);
+    return row;
+  }
+
+  ModelRow uniform(const std::string& name, double tolerance) const {
+    ModelRow row = cut(name, cutsAt(tolerance));
+    row.tolerance = tolerance;
+    return row;
+  }
+
+  /// The largest tolerance whose uniform cut no sample refutes; 0: even the leaves are refuted.
+  double adequateTolerance() const {
+    double low = 0, high = 0;
+    for (const FitElement& element : model_.problem.elements) high = std::max(high, element.mesh->tree.nodes.back().protrusion);
+    if (adequate(high)) return high;
+    for (const FitElement& element : model_.problem.elements) low = std::max(low, element.mesh->tree.tolerance);
+    if (!adequate(low)) return 0;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = std::sqrt(low * high);
+      (adequate(middle) ? low : high) = middle;
+    }
+    return low;
+  }
+
+ private:
+  Cuts cutsAt(double tolerance) const {
+    Cuts cuts = model_.assembly.roots();
+    for (std::size_t i = 0; i < model_.problem.elements.size(); ++i) cuts[i] = model_.problem.elements[i].mesh->tree.cutAt(tolerance);
+    return cuts;
+  }
+
+  std::vector<char> hitsOf(const Cuts& cuts) const {
+    return hits(
+        model_.assembly, [&] { return PlannerModel(model_.assembly, model_.rules, cuts); }, model_.fitting.verifiedFrom(), model_.samples(),
+        control_);
+  }
+
+  /// Neither these samples nor the counterexamples of the fitting refute it.
+  bool adequate(double tolerance) const {
+    const Cuts cuts = cutsAt(tolerance);
+    std::set<std::size_t> samples;
+    for (const Contact& contact : model_.fitting.rootContacts()) samples.insert(contact.sample);
+    const bool refuted = std::any_of(samples.begin(), samples.end(), [&](std::size_t i) {
+      return !contacts(model_.assembly, cuts, model_.rules.pairs, model_.assembly.places(i), i).empty();
+    });
+    return !refuted && rowOf("", hitsOf(cuts)).phantom == 0;
+  }
+
+  ModelRow rowOf(const std::string& name, const std::vector<char>& hit) const {
+    ModelRow row;
+    row.model = name;
+    for (std::size_t i = 0; i < hit.size(); ++i) {
+      row.clear += truth_.clear[i];
+      row.phantom += truth_.clear[i] && hit[i];
+      row.free += !truth_.hit[i];
+      row.false_hits += !truth_.hit[i] && hit[i];
+      row.missed += truth_.hit[i] && !hit[i];
+    }
+    return row;
+  }
+
+  void time(PlannerModel planner, ModelRow& row) const {
+    const QueryTimes times = queryTimes(model_.assembly, std::move(planner), model_.fitting.verifiedFrom(), model_.samples(), control_);
+    row.collision_us = times.collision;
+    row.distance_us = times.distance;
+  }
+
+  const FittedModel& model_;
+  const RunControl& control_;
+  const Truth truth_;
+};
+
+}  // namespace
+
+std::vector<ModelRow> comparison(const FittedModel& model, const RunControl& control) {
+  const Comparing comparing(model, control);
+  const double clearance = model.options.clearance;
+  std::vector<ModelRow> rows{comparing.original(), comparing.cut("single_hull", model.assembly.roots())};
+  for (const double share : kShares) rows.push_back(comparing.uniform("uniform", share * clearance));
+  rows.push_back(comparing.uniform("uniform_proved", kProvedShare * clearance));
+  rows.push_back(comparing.uniform("uniform_adequate", comparing.adequateTolerance()));
+  rows.push_back(comparing.cut("fitted", model.fitting.cuts()));
+  rows.push_back(comparing.uniform("finest", 0));
+  return rows;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,207 @@
+#include "collision_hulls/scene/fit.h"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include "collision_hulls/check/measures.h"
+#include "collision_hulls/error.h"
+#include "scene/fit_fixtures.h"
+#include "scene/fit_report.h"
+
+namespace collision_hulls {
+namespace {
+
+using namespace fit_fixtures;
+
+ErrorCode errorOf(const FitProblem& problem, const FitOptions& options, const RunControl& control = {}) {
+  try {
+    fitScene(problem, options, control);
+  } catch (const Error& error) {
+    return error.code();
+  }
+  ADD_FAILURE() << "no error";
+  return ErrorCode::kInternal;
+}
+
+TEST(FitScene, RefusesWhatMeansNothing) {
+  FitProblem problem = overPost();
+  EXPECT_EQ(errorOf(problem, fitOptions(0)), ErrorCode::kBadOption);
+  EXPECT_EQ(errorOf(problem, fitOptions(-0.01)), ErrorCode::kBadOption);
+  EXPECT_EQ(errorOf(problem, fitOptions(std::numeric_limits<double>::quiet_NaN())), ErrorCode::kBadOption);
+  EXPECT_EQ(errorOf(problem, fitOptions(0.01, 0)), ErrorCode::kBadOption);
+  problem.elements.clear();
+  EXPECT_EQ(errorOf(problem, fitOptions()), ErrorCode::kBadOption);
+}
+
+TEST(FitScene, CancelledAtOnce) {
+  RunControl control;
+  control.cancel();
+  EXPECT_EQ(errorOf(overPost(), fitOptions(), control), ErrorCode::kCancelled);
+}
+
+TEST(FitScene, EmptySceneLeavesOneHull) {
+  FitProblem problem = overPost();
+  problem.scene.bodies.clear();
+  const SceneFit fit = fitScene(problem, fitOptions());
+  ASSERT_EQ(fit.elements.size(), 1u);
+  EXPECT_EQ(fit.elements[0].hulls.size(), 1u);
+  ASSERT_EQ(fit.report.links.size(), 1u);
+  EXPECT_TRUE(fit.report.links[0].proved);
+  EXPECT_EQ(fit.report.links[0].link, "c0");
+}
+
+TEST(FitScene, PostInTheGapOpensTheHull) {
+  const FitProblem problem = overPost();
+  const SceneFit fit = fitScene(problem, fitOptions());
+  EXPECT_EQ(fit.elements[0].hulls.size(), 3u);
+  EXPECT_EQ(uncovered(problem.elements[0].mesh->original, fit.elements[0].hulls), 0);
+  EXPECT_GT(fit.report.counterexamples, 0u);
+  EXPECT_EQ(fit.report.missed, 0u);
+  EXPECT_EQ(fit.report.phantom, 0u);
+  EXPECT_EQ(fit.report.original_hits, 0u);
+  EXPECT_NEAR(fit.report.phantom_rate_bound, 3.0 / 1000, 1e-4);
+  EXPECT_FALSE(fit.report.links[0].proved);
+  EXPECT_EQ(fit.report.links[0].reason.substr(0, 22), "3 hulls: against post ") << fit.report.links[0].reason;
+}
+
+TEST(FitScene, FarPostIsProvedAway) {
+  FitProblem problem = overPost();
+  problem.scene.bodies[0].pose.translation().x() += 3;
+  const SceneFit fit = fitScene(problem, fitOptions());
+  EXPECT_EQ(fit.elements[0].hulls.size(), 1u);
+  EXPECT_EQ(fit.report.proved_pairs, 1u);
+  EXPECT_TRUE(fit.report.links[0].proved);
+  EXPECT_NE(fit.report.links[0].reason.find("never within"), std::string::npos) << fit.report.links[0].reason;
+}
+
+TEST(FitScene, PostThatIsHitAnywayNeedsNoMoreThanOneHull) {
+  FitProblem problem = overPost();
+  const Eigen::AlignedBox3d box = boundingBox(channel());
+  problem.scene.bodies[0] = boxBody("wall", {1, 1, 0.1}, {0, 0, box.max().z() + 1});
+  const SceneFit fit = fitScene(problem, fitOptions());
+  EXPECT_EQ(fit.elements[0].hulls.size(), 1u);
+  EXPECT_GT(fit.report.original_hits, 0u);
+  EXPECT_EQ(fit.report.missed, 0u);
+}
+
+TEST(FitScene, GapNarrowerThanTheClearanceStillCounts) {
+  // The post is never as far from the channel as the clearance: half of what it usually is has to do.
+  FitProblem problem = overPost();
+  problem.robot = carriages(1, 0.2);
+  const SceneFit fit = fitScene(problem, fitOptions(5));
+  EXPECT_EQ(fit.elements[0].hulls.size(), 3u);
+  ASSERT_FALSE(fit.report.notes.empty());
+  EXPECT_NE(fit.report.notes[0].find("c0 and post hardly ever are 5 m apart"), std::string::npos) << fit.report.notes[0];
+}
+
+TEST(FitScene, CapOnHullsHolds) {
+  FitProblem problem = overPost();
+  const auto mesh = std::make_shared<FitMesh>(*problem.elements[0].mesh);
+  mesh->max_hulls = 2;
+  problem.elements[0].mesh = mesh;
+  const SceneFit fit = fitScene(problem, fitOptions());
+  EXPECT_LE(fit.elements[0].hulls.size(), 2u);
+  EXPECT_GT(fit.report.phantom, 0u);
+  EXPECT_GT(fit.report.phantom_rate_bound, 0.1);
+}
+
+TEST(FitScene, CoarseTreeSaysThatItIsTooCoarse) {
+  FitProblem problem = overPost();
+  problem.elements[0].mesh = fitMesh(channel(), 1);
+  const SceneFit fit = fitScene(problem, fitOptions());
+  EXPECT_EQ(fit.elements[0].hulls.size(), 1u);
+  EXPECT_EQ(fit.report.leaf_contacts, fit.report.phantom);
+  EXPECT_GT(fit.report.leaf_contacts, 0u);
+  EXPECT_EQ(fit.report.leaf_contact.substr(0, 16), "c0 against post ") << fit.report.leaf_contact;
+}
+
+TEST(FitScene, GivenConfigurationsAlone) {
+  FitProblem problem = overPost();
+  problem.configurations = {{1.9}, {1.95}, {2.0}};  // the channel, half a metre long either way, is beyond the post
+  const SceneFit away = fitScene(problem, fitOptions());
+  EXPECT_EQ(away.elements[0].hulls.size(), 1u);
+  EXPECT_TRUE(away.report.given);
+  EXPECT_EQ(away.report.samples, 3u);
+  EXPECT_EQ(away.report.phantom_rate_bound, 0);
+  problem.configurations.push_back({0.0});
+  EXPECT_EQ(fitScene(problem, fitOptions()).elements[0].hulls.size(), 3u);
+}
+
+TEST(FitScene, AdjacentDisabledAndTouchingLinksAreLeftOut) {
+  FitProblem problem;
+  problem.robot = carriages(3);
+  const auto mesh = fitMesh(test_shapes::box(0.1, 0.1, 0.1));
+  for (std::size_t link = 1; link <= 3; ++link) {
+    const Eigen::Vector3d place(link == 3 ? 0.08 : 0.0, link == 2 ? 1 : 0, 0);  // the third overlaps the first at rest
+    problem.elements.push_back({"", link, Eigen::Isometry3d(Eigen::Translation3d(place)), mesh});
+  }
+  problem.disabled.push_back({"c1", "c0", "User", ""});
+  const SceneFit fit = fitScene(problem, fitOptions());
+  ASSERT_EQ(fit.report.left_out.size(), 2u);
+  EXPECT_EQ(fit.report.left_out[0].reason, "Disabled");
+  EXPECT_EQ(fit.report.left_out[1].reason, "Default");
+  EXPECT_EQ(fit.report.left_out[1].second, "c2");
+  EXPECT_EQ(fit.report.proved_pairs, 1u);
+  ASSERT_EQ(fit.disabled.size(), 3u);
+  EXPECT_EQ(fit.disabled[0].reason, "User");
+  EXPECT_EQ(fit.disabled[1].reason, "Default");
+  EXPECT_EQ(fit.disabled[2].reason, "Never");
+  EXPECT_NE(fit.disabled[2].known.find("proved"), std::string::npos);
+}
+
+TEST(FitScene, SelfCollisionTableCountsBeforeAndAfter) {
+  // A block that drives through the channel's gap: its single hull is hit wherever the two are beside each other.
+  FitProblem problem = overPost();
+  problem.scene.bodies.clear();
+  problem.robot = carriages(2);
+  problem.elements.push_back({"c1/0", 2, Eigen::Isometry3d(Eigen::Translation3d(gap())),
+                              fitMesh(test_shapes::moved(test_shapes::box(0.1, 0.1, 0.1), {-0.05, -0.05, -0.05}))});
+  const SceneFit fit = fitScene(problem, fitOptions());
+  EXPECT_EQ(fit.elements[0].hulls.size(), 3u);
+  EXPECT_EQ(fit.elements[1].hulls.size(), 1u);
+  ASSERT_EQ(fit.report.self.size(), 1u);
+  EXPECT_EQ(fit.report.self[0].original, 0u);
+  EXPECT_EQ(fit.report.self[0].after, 0u);
+  // The two triangular distributions of places overlap by about a quarter: 1.1 of 4 m either way, less its half.
+  EXPECT_NEAR(static_cast<double>(fit.report.self[0].before) / 1000, 1.1 / 4 - 1.1 * 1.1 / 64, 0.05);
+}
+
+TEST(FitScene, SameWhateverTheThreads) {
+  const FitProblem problem = overPost();
+  SceneFit one, two;
+  tbb::task_arena(1).execute([&] { one = fitScene(problem, fitOptions()); });
+  tbb::task_arena(2).execute([&] { two = fitScene(problem, fitOptions()); });
+  EXPECT_EQ(one.elements[0].cut, two.elements[0].cut);
+  EXPECT_EQ(one.report.counterexamples, two.report.counterexamples);
+  EXPECT_EQ(one.report.asked, two.report.asked);
+  EXPECT_EQ(one.report.links[0].reason, two.report.links[0].reason);
+}
+
+TEST(FitScene, ComparisonHasTheFittedModelBetweenTheOthers) {
+  FitOptions options = fitOptions(0.01, 200);
+  options.compare = true;
+  const SceneFit fit = fitScene(overPost(), options);
+  const auto row = [&](const std::string& model) {
+    for (const ModelRow& candidate : fit.report.models)
+      if (candidate.model == model) return candidate;
+    ADD_FAILURE() << "no row " << model;
+    return ModelRow();
+  };
+  EXPECT_EQ(row("original").phantom + row("original").missed, 0u);
+  EXPECT_GT(row("single_hull").phantom, 0u);
+  EXPECT_EQ(row("single_hull").hulls, 1u);
+  EXPECT_EQ(row("fitted").hulls, 3u);
+  EXPECT_EQ(row("fitted").phantom + row("fitted").missed, 0u);
+  EXPECT_EQ(row("uniform_adequate").phantom, 0u);
+  EXPECT_EQ(row("uniform_adequate").hulls, 3u);
+  EXPECT_GT(row("fitted").collision_us, 0);
+}
+
+TEST(UpperBound, OfThePoissonDistribution) {
+  EXPECT_NEAR(upperBound(0), 2.9957, 1e-3);
+  EXPECT_NEAR(upperBound(1), 4.7439, 1e-3);
+  EXPECT_NEAR(upperBound(10), 16.962, 1e-2);
+}
+
+}  // namespace
+}  // namespace collision_hulls

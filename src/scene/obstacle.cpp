@@ -9,6 +9,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kLeaf = 4;  // triangles
+constexpr double kClose = 1e-3;   // of the distance: what is nearer by less is not looked for
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 const Gap kFar{kInfinity, kInfinity, Eigen::Vector3d::Zero()};
@@ -94,7 +95,7 @@ Gap Obstacle::gapTo(const Eigen::Ref<const PointMatrix>& points, double enough) 
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
   open.emplace(0, 0);
   Gap result = kFar;
-  while (!open.empty() && open.top().first < std::min(enough, result.at_least)) {
+  while (!open.empty() && open.top().first < std::min(enough, (1 - kClose) * result.at_least)) {
     const Node& node = nodes_[open.top().second];
     open.pop();
     if (node.count > 0) {

@@ -14,7 +14,7 @@ class Obstacle {
  public:
   explicit Obstacle(const SceneBody& body);
 
-  /// To a convex body in the scene's frame; stops as convexGap() does.
+  /// To a convex body in the scene's frame; stops as convexGap() does, for a mesh when the bounds differ by less than 2e-3 of the distance.
   Gap gapTo(const Eigen::Ref<const PointMatrix>& points, double enough) const;
 
   double size() const { return size_; }  ///< [m] largest absolute coordinate, for rounding

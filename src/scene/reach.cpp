@@ -23,9 +23,10 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kRounding = 1e-9;     // of the coordinates' size, taken off each bound
-constexpr std::size_t kSamples = 200;  // configurations that are looked at first: nearly all pairs that touch do so in one of them
-constexpr double kCloser = 0.97;       // how much of its range a search about the best of them keeps after each failure
+constexpr double kRounding = 1e-9;         // of the coordinates' size, taken off each bound
+constexpr std::size_t kSamples = 200;      // configurations that are looked at first: nearly all pairs that touch do so in one of them
+constexpr std::size_t kSamplesOfFar = 20;  // the same of pairs that are proved at once
+constexpr double kCloser = 0.97;           // how much of its range a search about the best of them keeps after each failure
 constexpr std::uint64_t kMiddle = std::uint64_t{1} << 63;  // where they begin, of 2^64
 constexpr double kShareToTighten = 0.2;                    // of the evaluations, after the proof
 constexpr double kWorthHalving = 0.05;  // of the movement within a box: a gap by which swept bodies are apart enough to halve it
@@ -89,8 +90,8 @@ class PairSearch {
   }
 
   Reach run() {
-    sample();
     push(wholeBox());
+    sample(open_.top().bound > target_ ? kSamplesOfFar : kSamples);
     const double clearance = target_;
     search(options_.evaluations);
     if (result_.outcome == Reach::Outcome::kUnknown && open_.top().bound > clearance) {
@@ -126,10 +127,10 @@ class PairSearch {
   }
 
   /// Looks at configurations all over the joints' ranges, and then about the nearest of them, ever closer.
-  void sample() {
+  void sample(std::size_t most) {
     const Box whole = wholeBox();
     const std::vector<std::uint64_t> steps = richtmyerSteps(variables_.size());
-    const std::size_t count = variables_.empty() ? 1 : std::min(kSamples, options_.evaluations);
+    const std::size_t count = variables_.empty() ? 1 : std::min(most, options_.evaluations);
     double radius = 1;  // of the ranges
     for (std::size_t i = 0; i < count && result_.found > target_; ++i) {
       const bool all_over = 2 * i < count;

@@ -24,7 +24,7 @@ TEST(Obstacle, ConvexBodyAtItsPose) {
 
 TEST(Obstacle, AMeshHasNoInside) {
   const Obstacle room(SceneBody{"room", surface(boxShape({4, 4, 4}))});
-  EXPECT_NEAR(room.gapTo(pointsOf(boxShape({1, 1, 1}).vertices), kEndless).at_least, 1.5, 1e-5);
+  EXPECT_NEAR(room.gapTo(pointsOf(boxShape({1, 1, 1}).vertices), kEndless).at_least, 1.5, 3e-3);
 }
 
 TEST(Obstacle, AsTheNearestTriangle) {
@@ -46,9 +46,9 @@ TEST(Obstacle, AsTheNearestTriangle) {
     }
     const Gap gap = obstacle.gapTo(pointsOf(body), kEndless);
     EXPECT_LE(gap.at_least, least + 1e-12);
-    EXPECT_GE(gap.at_least, least * (1 - 1e-5));
+    EXPECT_GE(gap.at_least, least * (1 - 2e-3));
     EXPECT_GE(gap.at_most, least * (1 - 1e-5));
-    EXPECT_LE(gap.at_most, least * (1 + 1e-5));
+    EXPECT_LE(gap.at_most, least * (1 + 2e-3));
     const double enough = 0.5 * least;
     EXPECT_GE(obstacle.gapTo(pointsOf(body), enough).at_least, enough);
   }

@@ -128,6 +128,22 @@ FitProblem problemOf(const RobotDescription& robot, const SceneRequest& request,
   return problem;
 }
 
+/// The leaves below a cut's nodes, without those that are in it.
+std::vector<ConvexHull> leavesBelow(const HullTree& tree, const std::vector<int>& cut) {
+  std::vector<ConvexHull> leaves;
+  std::vector<int> open = cut;
+  while (!open.empty()) {
+    const HullNode& node = tree.nodes[static_cast<std::size_t>(open.back())];
+    open.pop_back();
+    for (const int child : {node.left, node.right}) {
+      if (child < 0) continue;
+      open.push_back(child);
+      if (tree.nodes[static_cast<std::size_t>(child)].left < 0) leaves.push_back(tree.nodes[static_cast<std::size_t>(child)].hull);
+    }
+  }
+  return leaves;
+}
+
 /// 4. Certify the hulls as written.
 void certify(const FitMesh& mesh, const FittedElement& fitted, const RunControl& control, ElementResult& element) {
   Stopwatch stage;
@@ -135,6 +151,7 @@ void certify(const FitMesh& mesh, const FittedElement& fitted, const RunControl&
   double told = row.tolerance;
   for (const int node : fitted.cut) told = std::max(told, mesh.tree.nodes[static_cast<std::size_t>(node)].protrusion);
   element.hulls = fitted.hulls;
+  element.unneeded = leavesBelow(mesh.tree, fitted.cut);
   row.uncovered = uncovered(element.original, element.hulls, control);
   if (row.uncovered > 0)
     throw Error(ErrorCode::kInternal,

@@ -174,6 +174,11 @@ visualization_msgs::MarkerArray toMarkers(const RobotResult& result) {
       addTriangles(hull.vertices, hull.triangles, marker);
       marker.color = hullColour(index++);
     }
+    for (const ConvexHull& hull : element.unneeded) {
+      Marker& marker = markers.add(element, "unneeded", Marker::TRIANGLE_LIST);
+      addTriangles(hull.vertices, hull.triangles, marker);
+      marker.color = colour(0.5, 0.5, 0.5, 0.35);
+    }
     if (!element.original.triangles.empty()) {
       Marker& marker = markers.add(element, "original", Marker::TRIANGLE_LIST);
       addTriangles(element.original.vertices, element.original.triangles, marker);

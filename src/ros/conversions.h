@@ -25,9 +25,9 @@ std::string summary(const Report& report);
 std_msgs::ColorRGBA hullColour(std::size_t index);
 
 /// All that there is to see of a result: per hull a TRIANGLE_LIST in `hulls/<link>`; per mesh its triangles, grey and translucent, in
-/// `original/<link>`; and where the hulls protrude, in `worst/<link>` a sphere at the place of the largest protrusion found and
-/// an arrow from it to the nearest point of the solid. In the links' frames, locked to them; the element's origin is the pose. The
-/// first marker deletes those of an earlier message.
+/// `original/<link>`; in `unneeded/<link>`, grey, the finer hulls that a scene did not need; and where the hulls protrude, in
+/// `worst/<link>` a sphere at the place of the largest protrusion found and an arrow from it to the nearest point of the solid. In the
+/// links' frames, locked to them; the element's origin is the pose. The first marker deletes those of an earlier message.
 visualization_msgs::MarkerArray toMarkers(const RobotResult& result);
 
 }  // namespace collision_hulls

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "collision_hulls/pipeline/fit_scene.h"
 #include "conversions.h"
 #include "parameters.h"
 
@@ -38,6 +39,31 @@ DecomposeRequest toRequest(const DecomposeGoal& goal) {
   return request;
 }
 
+/// The fields that both requests have.
+DecomposeRequest toRequest(const FitSceneRequest& fit) {
+  DecomposeRequest request;
+  request.links = fit.links;
+  request.tolerance = fit.tolerance;
+  request.relative_tolerance = fit.relative_tolerance;
+  request.max_hulls = fit.max_hulls;
+  request.max_vertices = fit.max_vertices;
+  return request;
+}
+
+/// The fields that both responses have, of a result that is written.
+template <typename Response>
+Response responseOf(const RobotResult& result, const std::string& output) {
+  Response response;
+  response.success = !anyFailed(result.report);
+  response.message = summary(result.report) + "\nwritten to " + output;
+  response.robot_description = result.urdf;
+  response.urdf_path = std::filesystem::directory_iterator(output + "/urdf")->path().string();  // the only file there
+  response.report = toJson(result.report);
+  response.links = toMessages(result.report);
+  ROS_INFO("%s", response.message.c_str());
+  return response;
+}
+
 DecomposeResult toResult(const DecomposeResponse& response) {
   DecomposeResult result;
   result.success = response.success;
@@ -64,6 +90,7 @@ Node::Node()
   if (private_.param("auto", false)) decomposeAtStart();
   action_.start();
   service_ = private_.advertiseService("decompose", &Node::serve, this);
+  fit_service_ = private_.advertiseService("fit_scene", &Node::serveFit, this);
 }
 
 std::string Node::busy() const {
@@ -71,14 +98,22 @@ std::string Node::busy() const {
   return "busy: working on " + (job.empty() ? "another request" : job) + ", try again when it is done";
 }
 
-bool Node::serve(DecomposeRequest& request, DecomposeResponse& response) {
+void Node::serveOne(const std::function<void(const RunControl&)>& work, std::string& message) {
   const auto answered = std::make_shared<std::promise<void>>();  // shared, as this call may return before set_value() does
-  const auto work = [&](const RunControl& control) { response = answer(request, control, {}); };
   if (worker_.start({kServiceCall, work, [answered] { answered->set_value(); }})) {
     answered->get_future().wait();
   } else {
-    response.message = busy();
+    message = busy();
   }
+}
+
+bool Node::serve(DecomposeRequest& request, DecomposeResponse& response) {
+  serveOne([&](const RunControl& control) { response = answer(request, control, {}); }, response.message);
+  return true;
+}
+
+bool Node::serveFit(FitSceneRequest& request, FitSceneResponse& response) {
+  serveOne([&](const RunControl& control) { response = answerFit(request, control); }, response.message);
   return true;
 }
 
@@ -126,23 +161,46 @@ DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunCont
   const RobotDescription robot = readRobot(request.robot_description, base);
   const Options options = requestedOptions(readOptions(private_), request, robot);
   const Input input{Input::Kind::kRobot, "", robot, packageFinder(robot.path)};
-  const std::string wanted = request.output.empty() ? readText(private_, "output") : request.output;
-  const std::string output = absolute(wanted.empty() ? defaultOutput(input) : wanted);
-  checkOutput(output);
+  const std::string output = outputFor(request.output, input);
 
   RobotResult result = decomposeRobot(robot, input.find_package, options, output, control, step);
   writeOutput(result, output, control);
   show(result);
 
-  DecomposeResponse response;
-  response.success = !anyFailed(result.report);
-  response.message = summary(result.report) + "\nwritten to " + output;
-  response.robot_description = result.urdf;
-  response.urdf_path = std::filesystem::directory_iterator(output + "/urdf")->path().string();  // the only file there
-  response.report = toJson(result.report);
-  response.links = toMessages(result.report);
-  ROS_INFO("%s", response.message.c_str());
+  return responseOf<DecomposeResponse>(result, output);
+}
+
+FitSceneResponse Node::answerFit(const FitSceneRequest& request, const RunControl& control) const {
+  try {
+    return fit(request, control);
+  } catch (const std::exception& error) {
+    ROS_ERROR("%s", error.what());
+    FitSceneResponse response;
+    response.message = error.what();
+    return response;
+  }
+}
+
+FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& control) const {
+  const RobotDescription robot = readRobot(request.robot_description, readText(private_, "base"));
+  const Options options = requestedOptions(readOptions(private_), toRequest(request), robot);
+  const Input input{Input::Kind::kRobot, "", robot, packageFinder(robot.path)};
+  const SceneRequest scene = requestedScene(request, input);
+  const std::string output = outputFor(request.output, input);
+
+  RobotResult result = fitRobotToScene(robot, input.find_package, scene, options, output, control);
+  writeOutput(result, output, control);
+  show(result);
+  FitSceneResponse response = responseOf<FitSceneResponse>(result, output);
+  response.srdf = result.extra_files.begin()->second;
   return response;
+}
+
+std::string Node::outputFor(const std::string& requested, const Input& input) const {
+  const std::string wanted = requested.empty() ? readText(private_, "output") : requested;
+  const std::string output = absolute(wanted.empty() ? defaultOutput(input) : wanted);
+  checkOutput(output);
+  return output;
 }
 
 RobotDescription Node::readRobot(const std::string& text, const std::string& base) const {

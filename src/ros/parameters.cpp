@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "collision_hulls/error.h"
+#include "collision_hulls/scene/configurations.h"
 
 namespace collision_hulls {
 namespace {
@@ -122,6 +123,21 @@ Options requestedOptions(Options options, const DecomposeRequest& request, const
   if (!request.links.empty()) options.links = linksExpression(request.links, robot);
   check(options);
   return options;
+}
+
+SceneRequest requestedScene(const FitSceneRequest& request, const Input& input) {
+  if (request.scene.empty()) throw Error(ErrorCode::kBadOption, "scene is empty: give the file of a scene");
+  if (request.samples < 0)
+    throw Error(ErrorCode::kBadOption, "samples is " + std::to_string(request.samples) + ": give a number from 1, or 0 for the default");
+  const auto file = [&](const std::string& uri) { return resolveUri(uri, input.robot.path, input.find_package); };
+  SceneRequest scene;
+  scene.scene = readScene(file(request.scene), input.find_package);
+  scene.clearance = request.clearance;
+  if (request.samples > 0) scene.samples = static_cast<std::size_t>(request.samples);
+  if (!request.srdf.empty()) scene.disabled = parseDisabledPairs(request.srdf, input.robot).pairs;
+  if (!request.configurations.empty())
+    scene.configurations = readConfigurations(file(request.configurations), Kinematics(input.robot)).configurations;
+  return scene;
 }
 
 }  // namespace collision_hulls

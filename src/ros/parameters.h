@@ -2,8 +2,10 @@
 #pragma once
 
 #include <collision_hulls/DecomposeRequest.h>
+#include <collision_hulls/FitSceneRequest.h>
 #include <ros/node_handle.h>
 
+#include "collision_hulls/pipeline/fit_scene.h"
 #include "collision_hulls/pipeline/options.h"
 #include "collision_hulls/robot/robot_description.h"
 
@@ -19,5 +21,8 @@ std::string readText(const ros::NodeHandle& node, const std::string& name, const
 
 /// `options` with what the request asks for. Throws kBadOption, also for the name of a link that the robot does not have.
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot);
+
+/// What the request asks to be fitted to: its files read. Throws kBadOption and the readers' errors.
+SceneRequest requestedScene(const FitSceneRequest& request, const Input& input);
 
 }  // namespace collision_hulls

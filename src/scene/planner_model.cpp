@@ -9,7 +9,7 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kLeastTime = 0.2;           // [s] of a measurement: as many rounds over the samples as it takes
+constexpr double kLeastTime = 0.1;           // [s] of a measurement: as many rounds over the samples as it takes
 constexpr std::size_t kMostTimed = 500;      // samples
 constexpr std::size_t kMostDistances = 100;  // which take longer
 

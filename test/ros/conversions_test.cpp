@@ -55,6 +55,21 @@ TEST(ToMarkers, IdsCountWithinANamespace) {
   EXPECT_EQ(expected, namespaces(toMarkers(result)));
 }
 
+TEST(ToMarkers, WhatWasNotNeededIsGrey) {
+  RobotResult result;
+  result.elements = {element("arm", 1)};
+  result.elements[0].unneeded.assign(2, result.elements[0].hulls.front());
+  int found = 0;
+  for (const Marker& marker : toMarkers(result).markers) {
+    if (marker.ns != "unneeded/arm") continue;
+    ++found;
+    EXPECT_EQ(marker.color.r, marker.color.g);
+    EXPECT_EQ(marker.color.r, marker.color.b);
+    EXPECT_LT(marker.color.a, 1);
+  }
+  EXPECT_EQ(found, 2);
+}
+
 TEST(ToMarkers, PlacesAreInTheLinksFrame) {
   RobotResult result;
   result.elements = {element("arm", 1)};

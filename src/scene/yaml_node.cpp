@@ -32,9 +32,21 @@ std::size_t lineOf(const YAML::Mark& mark, std::size_t first_line) {
   return first_line + static_cast<std::size_t>(std::max(0, mark.line));
 }
 
+/// yaml-cpp before 0.7, Ubuntu 20.04's, goes as deep as brackets do and overflows the stack.
+bool nestsTooDeep(const std::string& text) {
+  constexpr int kDeepest = 500;
+  int depth = 0;
+  for (const char c : text) {
+    depth += (c == '[' || c == '{') - (c == ']' || c == '}');
+    if (depth > kDeepest) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 YamlValue YamlValue::parse(const std::string& text, const std::string& file, ErrorCode code, std::size_t first_line) {
+  if (nestsTooDeep(text)) throw Error(code, place(file, first_line) + ": more than 500 brackets are open at once, or are never closed");
   const auto source = std::make_shared<const Node::Source>(Node::Source{file, code, first_line});
   try {
     return Node::wrap(YAML::Load(text), source);

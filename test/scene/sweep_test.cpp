@@ -25,6 +25,14 @@ TEST(Sweep, NothingMovesNowhere) {
   EXPECT_TRUE(boundingBox(hullOf(still[0])).center().isApprox(Eigen::Vector3d(1, 2, 3)));
 }
 
+TEST(Sweep, FewerPointsHoldARoundLink) {
+  const ConvexHull sphere = sphereShape(0.2);
+  const PointMatrix points = sweeps(sphere, {}, {}).at(0);
+  EXPECT_LT(static_cast<std::size_t>(points.cols()), sphere.vertices.size());
+  const ConvexHull body = hullOf(points);
+  for (const Eigen::Vector3d& v : sphere.vertices) EXPECT_LE(planeDistance(body, v), 1e-9);
+}
+
 TEST(Sweep, SlidingBox) {
   ChainJoint joint;
   joint.turns = false;

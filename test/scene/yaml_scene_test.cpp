@@ -76,7 +76,7 @@ TEST(YamlScene, AliasesDoNotGrow) {
     text += "x" + std::to_string(i) + ": &x" + std::to_string(i) + " [" + before + ", " + before + "]\n";
   }
   expectError(ErrorCode::kBadScene, {"not known"}, [&] { sceneOf(folder, "a.yaml", text + "bodies: *x39"); });
-  expectError(ErrorCode::kBadScene, {"a.yaml"}, [&] { sceneOf(folder, "b_a.yaml", "bodies: " + std::string(100000, '[')); });
+  expectError(ErrorCode::kBadScene, {"a.yaml", "brackets"}, [&] { sceneOf(folder, "a.yaml", "bodies: " + std::string(100000, '[')); });
 }
 
 }  // namespace

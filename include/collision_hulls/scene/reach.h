@@ -36,11 +36,12 @@ struct Reach {
 /// do, continuous joints all the way round.
 ///
 /// A box of joint values whose middle keeps the pair a distance d apart keeps it d - m apart, where m is how far points of the pair move
-/// against each other within the box: for a revolute joint at most the chord to its angle at the largest distance from its axis, for a
-/// prismatic one its way; joints one after the other. Boxes are halved along the joint that moves most. Links at the end of a chain are
-/// first replaced by the hull of all places that their last joints take them to, which leaves fewer joints to halve: a box is handed on to
-/// the next joint only where that hull is too near. Distances are lower bounds by a separating plane, whatever rounding does to the search
-/// for it.
+/// towards each other within the box: for a revolute joint at most the chord of its angle at their distance from its axis, for a
+/// prismatic one its way; joints add up. Towards each other is along the normal of a plane that parts the pair, where both are convex:
+/// where the distance is least it changes with the square of the angle only. Boxes are halved along the variable that moves most.
+/// Links at the end of a chain are first replaced by the hull of all places that their last joints take them to, which leaves fewer
+/// joints to halve: a box is handed on to the next joint only where that hull is too near. Distances are proved by the separating plane,
+/// whatever rounding does to the search for it.
 ///
 /// Immutable after construction, thread safe. Deterministic.
 class ReachProver {

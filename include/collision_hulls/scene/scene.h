@@ -53,9 +53,12 @@ void addBody(Scene& scene, SceneBody body);
 ///
 ///   .scene            MoveIt's text, with poses of objects (since MoveIt 1.1) or without. An object of several shapes gives bodies named
 ///                     "object/1", "object/2", ...; colours and subframes are not looked at
-///   .urdf .xacro      collision elements, or visual ones of links that have none; joints at zero
-///   .sdf .world       models, also nested and within a world: the collisions of their links, poses with relative_to of the same model's
-///                     links, joints and frames. <include> is resolved by model:// (GAZEBO_MODEL_PATH, SDF_PATH), package:// or a path
+///   .urdf .xacro      collision elements, or visual ones of links that have none, joints at zero or the limit that is nearest to it; named
+///                     as the link, or "link/1", "link/2", ...
+///   .sdf .world       the collisions of all models, also nested and within a world, static or not, where their poses put them; relative_to
+///                     names links, joints, frames and models beside it. Named "model::link::collision". <include> takes model:// (looked
+///                     for in GAZEBO_MODEL_PATH, GZ_SIM_RESOURCE_PATH, SDF_PATH, the folders that enclose the file, and ~/.gazebo/models),
+///                     package://, or a path, of a file or a model's folder. A saved world's <state> is not looked at
 ///   .stl .dae .obj .off .ply    one mesh, where it is
 ///   .yaml .yml        ours:
 ///

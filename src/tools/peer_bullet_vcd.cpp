@@ -1,7 +1,9 @@
 // peer_bullet_vcd in.obj out.obj tolerance: Bullet's ConvexDecomposition, for comparison. As of Bullet 3.24 the library divides meshes by a
-// plane that it never sets (valgrind: planeTriIntersection depends on an uninitialised value), so that its results vary from run to run
-// and heed no parameter much.
+// plane that it never sets (valgrind: planeTriIntersection depends on an uninitialised value), so that its results vary with where memory
+// lies and heed no parameter much.
 #include <ConvexDecomposition/ConvexBuilder.h>
+#include <sys/personality.h>
+#include <unistd.h>
 
 #include "collision_hulls/geometry/triangle_mesh.h"
 #include "peer_program.h"
@@ -14,7 +16,8 @@ constexpr const char* kHelp =
     "is above a share of the first hull's, and merges halves whose common hull has little more volume. Concavities below 0.05 of\n"
     "its units count for nothing there: the mesh is scaled so that this is the tolerance (metres). Both shares are\n"
     "tolerance / diagonal of the bounding box. At most 8 levels of halving, 64 vertices a hull.\n"
-    "As of Bullet 3.24 it halves by a plane that it never sets: results vary from run to run.\n";
+    "As of Bullet 3.24 it halves by a plane that it never sets: results vary with where memory lies, so this program has the system\n"
+    "put it in the same place every time.\n";
 
 constexpr double kConcavityThreshold = 0.05;  // the library's own
 constexpr unsigned kDepth = 8, kMostVertices = 64;
@@ -67,9 +70,19 @@ std::vector<TriangleMesh> decompose(const TriangleMesh& mesh, double tolerance) 
   return collected.parts;
 }
 
+constexpr unsigned long kAskAlone = 0xffffffff;
+
+/// Starts the program again with its memory in the same place every time, where the system lets it.
+void fixAddresses(char** argv) {
+  const int now = personality(kAskAlone);
+  if (now != -1 && !(now & ADDR_NO_RANDOMIZE) && personality(static_cast<unsigned long>(now) | ADDR_NO_RANDOMIZE) != -1)
+    execv("/proc/self/exe", argv);
+}
+
 }  // namespace
 }  // namespace collision_hulls
 
 int main(int argc, char** argv) {
+  collision_hulls::fixAddresses(argv);
   return collision_hulls::peerMain(argc, argv, collision_hulls::kHelp, collision_hulls::decompose);
 }

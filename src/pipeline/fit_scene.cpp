@@ -8,6 +8,7 @@
 #include "collision_hulls/check/measures.h"
 #include "collision_hulls/decompose/certified.h"
 #include "collision_hulls/error.h"
+#include "collision_hulls/scene/configurations.h"
 #include "pipeline/cache.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/element_stages.h"
@@ -213,6 +214,23 @@ void refuseOtherMethods(const Options& options) {
 
 }  // namespace
 
+SceneRequest readSceneRequest(const Input& input, const std::string& scene, const std::string& srdf, const std::string& configurations) {
+  SceneRequest request;
+  request.scene = readScene(scene, input.find_package);
+  if (!srdf.empty()) {
+    DisabledPairs disabled = parseDisabledPairs(srdf, input.robot);
+    request.disabled = std::move(disabled.pairs);
+    request.notes = std::move(disabled.notes);
+  }
+  if (configurations.empty()) return request;
+  ConfigurationOptions options;
+  options.refuse_beyond_limits = true;  // what is proved holds within them
+  ConfigurationSet given = readConfigurations(configurations, Kinematics(input.robot), options);
+  request.configurations = std::move(given.configurations);
+  request.notes.insert(request.notes.end(), given.notes.begin(), given.notes.end());
+  return request;
+}
+
 RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& find_package, const SceneRequest& request,
                             const Options& options, const std::string& output, const RunControl& control, const StepCallback& step) {
   check(options);
@@ -250,7 +268,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
     result.report.links.push_back(element.report);
   }
   result.urdf = rewrittenDescription(robot, result, output);
-  for (const auto& notes : {notesOnFit(*result.report.scene), notesOnRewritten(result, output)})
+  for (const auto& notes : {request.notes, notesOnFit(*result.report.scene), notesOnRewritten(result, output)})
     result.report.notes.insert(result.report.notes.end(), notes.begin(), notes.end());
   result.report.seconds = result.report.scene->seconds = run.lap();
   return result;

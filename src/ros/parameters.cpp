@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "collision_hulls/error.h"
-#include "collision_hulls/scene/configurations.h"
 
 namespace collision_hulls {
 namespace {
@@ -129,14 +128,10 @@ SceneRequest requestedScene(const FitSceneRequest& request, const Input& input) 
   if (request.scene.empty()) throw Error(ErrorCode::kBadOption, "scene is empty: give the file of a scene");
   if (request.samples < 0)
     throw Error(ErrorCode::kBadOption, "samples is " + std::to_string(request.samples) + ": give a number from 1, or 0 for the default");
-  const auto file = [&](const std::string& uri) { return resolveUri(uri, input.robot.path, input.find_package); };
-  SceneRequest scene;
-  scene.scene = readScene(file(request.scene), input.find_package);
+  const auto file = [&](const std::string& uri) { return uri.empty() ? "" : resolveUri(uri, input.robot.path, input.find_package); };
+  SceneRequest scene = readSceneRequest(input, file(request.scene), request.srdf, file(request.configurations));
   scene.clearance = request.clearance;
   if (request.samples > 0) scene.samples = static_cast<std::size_t>(request.samples);
-  if (!request.srdf.empty()) scene.disabled = parseDisabledPairs(request.srdf, input.robot).pairs;
-  if (!request.configurations.empty())
-    scene.configurations = readConfigurations(file(request.configurations), Kinematics(input.robot)).configurations;
   return scene;
 }
 

@@ -2,7 +2,6 @@
 #include "collision_hulls/pipeline/fit_scene.h"
 
 #include "bench/table.h"
-#include "collision_hulls/scene/configurations.h"
 #include "pipeline/files.h"
 #include "robot_program.h"
 
@@ -53,21 +52,29 @@ void addOptions(CLI::App& app, SceneCommand& command) {
   addRobotOptions(app, "A ROS package, or a .urdf or .xacro file", command.robot);
 }
 
+double clearanceOf(const std::string& text) {
+  try {
+    const Length clearance = parseLength(text);
+    if (!clearance.relative) return clearance.value;
+  } catch (const Error&) {
+    // Said below, in this option's name.
+  }
+  throw Error(ErrorCode::kBadOption, "--clearance '" + text + "' is not understood: it takes a positive length, as in 2cm, 20mm or 0.02");
+}
+
 SceneRequest requestOf(const SceneCommand& command, const Input& input) {
   if (input.kind != Input::Kind::kRobot)
-    throw Error(ErrorCode::kBadOption, "'" + input.path + "' is a mesh; a scene is fitted to by a robot, whose joints move");
-  const Length clearance = parseLength(command.clearance);
-  if (clearance.relative) throw Error(ErrorCode::kBadOption, "--clearance '" + command.clearance + "' has to be a length, as in 2cm");
+    throw Error(ErrorCode::kBadOption, "'" + input.path + "' is a mesh; only a robot, whose joints move, is fitted to a scene");
   if (command.samples <= 0)
-    throw Error(ErrorCode::kBadOption, "--samples is " + std::to_string(command.samples) + "; it takes a number above 0");
-  SceneRequest request;
-  request.scene = readScene(command.scene, input.find_package);
-  request.clearance = clearance.value;
-  request.compare = !command.compare.empty();
+    throw Error(ErrorCode::kBadOption, "--samples '" + std::to_string(command.samples) + "' is not understood: it takes a number above 0");
+  const std::string srdf = command.srdf.empty() ? "" : readText(command.srdf);
+  if (!command.srdf.empty() && srdf.empty())
+    throw Error(ErrorCode::kFileNotFound, "'" + command.srdf + "' is empty or cannot be read; --srdf takes an SRDF file");
+  const double clearance = clearanceOf(command.clearance);
+  SceneRequest request = readSceneRequest(input, command.scene, srdf, command.configurations);
+  request.clearance = clearance;
   request.samples = static_cast<std::size_t>(command.samples);
-  if (!command.srdf.empty()) request.disabled = readDisabledPairs(command.srdf, input.robot).pairs;
-  if (!command.configurations.empty())
-    request.configurations = readConfigurations(command.configurations, Kinematics(input.robot)).configurations;
+  request.compare = !command.compare.empty();
   return request;
 }
 

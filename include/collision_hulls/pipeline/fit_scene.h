@@ -16,8 +16,13 @@ struct SceneRequest {
   std::size_t samples = 10000;                ///< that verify
   bool compare = false;                       ///< see FitOptions
   std::vector<DisabledPair> disabled;         ///< pairs of links that are not looked at
+  std::vector<std::string> notes;             ///< on what was read, for the report
   std::vector<Configuration> configurations;  ///< instead of samples of all that the joints allow
 };
+
+/// Reads what is asked for: a scene, and where they are not empty an SRDF's text and a file of configurations within the joints' limits.
+/// Throws the readers' errors.
+SceneRequest readSceneRequest(const Input& input, const std::string& scene, const std::string& srdf, const std::string& configurations);
 
 /// As decomposeRobot(), with hulls as fine as the scene asks for, and no finer than the options' tolerance: report.scene says why. What
 /// the cache has of trees costs no decomposition, at the same tolerance. Links that `options.links` does not choose, and those with a mesh

@@ -1,0 +1,152 @@
+#include "collision_hulls/pipeline/fit_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "collision_hulls/error.h"
+#include "pipeline/fixtures.h"
+#include "shapes.h"
+
+namespace collision_hulls {
+namespace {
+
+using fixtures::TempFolder;
+using nlohmann::json;
+
+/// A bracket on a link that does not move, and a block in its notch: within its hull, and clear of it by 3 cm.
+class FitRobotToScene : public ::testing::Test {
+ protected:
+  FitRobotToScene() {
+    fixtures::write(folder_ / "meshes/bracket.obj", fixtures::obj(test_shapes::lBracket(0.2, 0.03, 0.1)));
+    fixtures::write(folder_ / "meshes/rubbish.stl", "no mesh at all");
+    request_.scene = {"notch", {{"block", boxShape(Eigen::Vector3d::Constant(0.03)), at(0.075, 0.075, 0.05)}}};
+    request_.samples = 100;
+    options_.validate = false;
+  }
+
+  static Eigen::Isometry3d at(double x, double y, double z) { return Eigen::Isometry3d(Eigen::Translation3d(x, y, z)); }
+
+  static std::string collision(const std::string& geometry) { return "    <collision>\n      " + geometry + "\n    </collision>\n"; }
+  static std::string bracket() { return collision(fixtures::meshTag("../meshes/bracket.obj")); }
+
+  RobotResult run(const std::string& links) {
+    const RobotDescription robot = readRobotDescription(fixtures::write(folder_ / "urdf/arm.urdf", fixtures::robot("arm", links)));
+    return fitRobotToScene(robot, defaultPackageFinder(), request_, options_, folder_ / "out");
+  }
+
+  TempFolder folder_;
+  SceneRequest request_;
+  Options options_;
+};
+
+TEST_F(FitRobotToScene, OtherMethodsMakeNoTree) {
+  options_.method = Method::kHacd;
+  try {
+    run(fixtures::link("base", bracket()));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadOption);
+    EXPECT_NE(std::string(error.what()).find("hacd"), std::string::npos);
+  }
+}
+
+TEST_F(FitRobotToScene, BlockInTheNotchTakesTwoHulls) {
+  options_.validate = true;
+  RobotResult result = run(fixtures::link("base", bracket()));
+  ASSERT_EQ(result.elements.size(), 1u);
+  EXPECT_EQ(result.elements[0].hulls.size(), 2u);
+  EXPECT_TRUE(result.elements[0].unneeded.empty());
+  const ElementReport& row = result.report.links[0];
+  EXPECT_EQ(row.uncovered, 0);
+  EXPECT_EQ(row.files.size(), 2u);
+  EXPECT_EQ(result.report.validation.missed + result.report.validation.phantom, 0u);
+  EXPECT_GT(result.report.validation.queries, 0u);
+
+  writeOutput(result, folder_ / "out");
+  const auto files = fixtures::contents(folder_ / "out");
+  EXPECT_EQ(files.count("config/arm_disabled.srdf"), 1u);
+  EXPECT_EQ(files.count("meshes/base/0_1.stl"), 1u);
+  EXPECT_NE(files.at("CMakeLists.txt").find("config meshes urdf"), std::string::npos);
+  const json scene = json::parse(files.at("report.json"))["scene"];
+  for (const char* field : {"samples", "missed", "phantom", "phantom_rate_bound", "proved_pairs", "query_us", "original_query_us"})
+    EXPECT_TRUE(scene[field].is_number()) << field;
+  ASSERT_EQ(scene["links"].size(), 1u);
+  EXPECT_EQ(scene["links"][0]["link"], "base");
+  EXPECT_EQ(scene["links"][0]["hulls"], 2);
+  EXPECT_EQ(scene["links"][0]["proved"], false);
+  EXPECT_EQ(scene["links"][0]["primitive"], "");
+  EXPECT_EQ(scene["links"][0]["reason"], "2 hulls: against block at 30 mm");
+}
+
+TEST_F(FitRobotToScene, WithoutTheBlockOneHullAndGreyOnes) {
+  request_.scene.bodies.clear();
+  const RobotResult result = run(fixtures::link("base", bracket()));
+  EXPECT_EQ(result.elements[0].hulls.size(), 1u);
+  EXPECT_EQ(result.elements[0].unneeded.size(), 2u);
+}
+
+TEST_F(FitRobotToScene, SceneInContactIsReported) {
+  request_.scene.bodies[0].pose = at(0.1, 0.01, 0.05);
+  const RobotResult result = run(fixtures::link("base", bracket()));
+  EXPECT_EQ(result.report.scene->scene_contact, "base against block");
+  ASSERT_EQ(result.report.scene->left_out.size(), 1u);
+  EXPECT_EQ(result.report.scene->left_out[0].reason, "Fixed");
+  bool noted = false;
+  for (const std::string& note : result.report.notes) noted |= note.find("base against block") != std::string::npos;
+  EXPECT_TRUE(noted);
+}
+
+TEST_F(FitRobotToScene, FailedMeshKeepsItsLinkOut) {
+  const RobotResult result =
+      run(fixtures::link("base", bracket()) + fixtures::link("hand", collision(fixtures::meshTag("../meshes/rubbish.stl")), "base"));
+  ASSERT_EQ(result.report.links.size(), 2u);
+  EXPECT_EQ(result.report.links[0].status, Status::kOk);
+  EXPECT_EQ(result.report.links[1].status, Status::kFailed);
+  EXPECT_EQ(result.report.scene->links.size(), 1u);
+  EXPECT_NE(result.urdf.find("rubbish.stl"), std::string::npos);
+}
+
+TEST_F(FitRobotToScene, PrimitivesOfTheRobotCount) {
+  // A ball on a link of its own, in the notch: the fixed joint makes the two one body, so nothing is asked for.
+  request_.scene.bodies.clear();
+  const std::string ball = "    <collision><geometry><sphere radius=\"0.02\"/></geometry></collision>\n";
+  const RobotResult result = run(fixtures::link("base", bracket()) + fixtures::link("ball", ball, "base"));
+  ASSERT_EQ(result.report.scene->left_out.size(), 1u);
+  EXPECT_EQ(result.report.scene->left_out[0].reason, "Adjacent");
+  EXPECT_EQ(result.report.scene->left_out[0].second, "ball");
+}
+
+TEST_F(FitRobotToScene, SameBytesFromTheCacheAndWithoutIt) {
+  const std::string links = fixtures::link("base", bracket());
+  const RobotResult first = run(links), second = run(links);
+  options_.cache = false;
+  options_.jobs = 1;
+  const RobotResult third = run(links);
+  for (const RobotResult* other : {&second, &third}) {
+    EXPECT_EQ(first.urdf, other->urdf);
+    ASSERT_EQ(first.elements[0].hulls.size(), other->elements[0].hulls.size());
+    for (std::size_t i = 0; i < first.elements[0].hulls.size(); ++i)
+      EXPECT_EQ(first.elements[0].hulls[i].vertices, other->elements[0].hulls[i].vertices);
+  }
+}
+
+TEST_F(FitRobotToScene, RequestIsReadFromFiles) {
+  Input input;
+  input.robot = parseRobotDescription(
+      "<robot name='r'><link name='a'/><link name='b'/><joint name='j' type='revolute'><parent link='a'/><child link='b'/>"
+      "<limit lower='-1' upper='1' effort='1' velocity='1'/></joint></robot>");
+  input.find_package = defaultPackageFinder();
+  const std::string scene = fixtures::write(folder_ / "scene.yaml", "name: none\nbodies: []\n");
+  const SceneRequest read =
+      readSceneRequest(input, scene, "<robot name='r'><disable_collisions link1='a' link2='b' reason='User'/></robot>",
+                       fixtures::write(folder_ / "path.csv", "j\n0\n0.5\n"));
+  EXPECT_EQ(read.scene.name, "none");
+  EXPECT_EQ(read.disabled.size(), 1u);
+  EXPECT_EQ(read.configurations, (std::vector<Configuration>{{0}, {0.5}}));
+  EXPECT_THROW(readSceneRequest(input, scene, "", fixtures::write(folder_ / "beyond.csv", "j\n2\n")), Error);
+  EXPECT_THROW(readSceneRequest(input, scene, "", fixtures::write(folder_ / "unknown.csv", "elbow\n0\n")), Error);
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -11,6 +11,6 @@ install(TARGETS ${PROJECT_NAME}
 install(TARGETS ${PROGRAMS} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(DIRECTORY include/${PROJECT_NAME}/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
 install(DIRECTORY launch meshes rviz urdf DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION} PATTERN source EXCLUDE)
-catkin_install_python(PROGRAMS scripts/benchmark_charts scripts/decompose_client scripts/physics_charts scripts/rviz_at_root scripts/rviz_picture
+catkin_install_python(PROGRAMS scripts/benchmark_charts scripts/decompose_client scripts/physics_charts scripts/rviz_at_root scripts/rviz_picture scripts/scene_charts
   scripts/stability_charts
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

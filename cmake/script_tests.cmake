@@ -15,6 +15,7 @@ add_script_test(readme_options test/scripts/readme_options ${PROGRAMS_DIR}/decom
 add_script_test(benchmark test/scripts/benchmark ${PROGRAMS_DIR})
 add_script_test(stability test/scripts/stability ${PROGRAMS_DIR})
 add_script_test(physics test/scripts/physics ${PROGRAMS_DIR})
+add_script_test(scene_charts test/scripts/scene_charts ${PROGRAMS_DIR})
 add_script_test(goals test/scripts/goals ${PROGRAMS_DIR})
 add_script_test(demo test/scripts/demo ${PROJECT_BINARY_DIR})
 add_script_test(demo_meshes test/demo/regenerate_test)

@@ -5,31 +5,31 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 namespace collision_hulls {
 namespace {
 
-constexpr double kLeastTime = 0.1;           // [s] of a measurement: as many rounds over the samples as it takes
+constexpr double kLeastTime = 0.1;  // [s] of a measurement: as many rounds over the samples as it takes
+constexpr int kLeastRounds = 3;
 constexpr std::size_t kMostTimed = 500;      // samples
 constexpr std::size_t kMostDistances = 100;  // which take longer
 
-/// [us] Of one question. The first round fills the processor's caches and is not counted, unless it takes long by itself.
+/// [us] Of one question: the quickest of several rounds, which other load on the machine disturbs least.
 double microseconds(std::size_t count, const RunControl& control, const std::function<void(std::size_t)>& ask) {
   using Clock = std::chrono::steady_clock;
-  double seconds = 0;
-  std::size_t asked = 0;
-  for (bool warm = false; seconds < kLeastTime; warm = true) {
+  double best = std::numeric_limits<double>::infinity(), sum = 0;
+  for (int round = 0; round < kLeastRounds || sum < kLeastTime; ++round) {
     const Clock::time_point start = Clock::now();
     for (std::size_t i = 0; i < count; ++i) {
       control.check();
       ask(i);
     }
-    const double round = std::chrono::duration<double>(Clock::now() - start).count();
-    if (!warm && round < kLeastTime) continue;
-    seconds += round;
-    asked += count;
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    best = std::min(best, seconds);
+    sum += seconds;
   }
-  return 1e6 * seconds / static_cast<double>(asked);
+  return 1e6 * best / static_cast<double>(count);
 }
 
 }  // namespace

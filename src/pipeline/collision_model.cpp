@@ -40,6 +40,11 @@ LinkCollisions linkCollisions(const std::string& link, const SourceElements& sou
       if (source.visual) result.elements.push_back({names.take(base), source.elements[i]});
       continue;
     }
+    if (mesh->second->primitive) {
+      GeometryElement primitive = *mesh->second->primitive;
+      primitive.origin = source.elements[i].origin * primitive.origin;
+      result.elements.push_back({names.take(base), primitive});
+    }
     const std::vector<std::string>& files = mesh->second->report.files;
     for (std::size_t m = 0; m < files.size(); ++m) {
       GeometryElement hull;
@@ -58,6 +63,7 @@ void nameHullFiles(RobotResult& result) {
   UniqueNames names;
   std::map<std::string, std::string> folders;
   for (ElementResult& element : result.elements) {
+    if (element.primitive) continue;
     ElementReport& row = element.report;
     std::string stem = "hull_";
     if (!result.single_mesh) {

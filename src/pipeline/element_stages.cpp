@@ -72,6 +72,7 @@ void copyResult(const ElementResult& from, ElementResult& to) {
   to.report = row;
   to.original = from.original;
   to.hulls = from.hulls;
+  to.primitive = from.primitive;
   to.unneeded = from.unneeded;
   to.solid = from.solid;
 }

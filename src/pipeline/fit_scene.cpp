@@ -55,6 +55,7 @@ std::shared_ptr<const FitMesh> fitMesh(const MeshTask& task, const Options& opti
   mesh->margin = read.margin;
   mesh->max_vertices = options.max_vertices;
   mesh->max_hulls = options.max_hulls;
+  mesh->box = boxAbout(*mesh);
   element.report.seconds.decompose = stage.lap();
   return mesh;
 }
@@ -150,9 +151,11 @@ void certify(const FitMesh& mesh, const FittedElement& fitted, const RunControl&
   Stopwatch stage;
   ElementReport& row = element.report;
   double told = row.tolerance;
+  if (fitted.box) told = std::max(told, mesh.tree.nodes.back().protrusion);
   for (const int node : fitted.cut) told = std::max(told, mesh.tree.nodes[static_cast<std::size_t>(node)].protrusion);
   element.hulls = fitted.hulls;
-  element.unneeded = leavesBelow(mesh.tree, fitted.cut);
+  if (fitted.box) element.primitive = mesh.box;
+  element.unneeded = leavesBelow(mesh.tree, fitted.box ? std::vector<int>{static_cast<int>(mesh.tree.nodes.size()) - 1} : fitted.cut);
   row.uncovered = uncovered(element.original, element.hulls, control);
   if (row.uncovered > 0)
     throw Error(ErrorCode::kInternal,
@@ -163,6 +166,7 @@ void certify(const FitMesh& mesh, const FittedElement& fitted, const RunControl&
   row.worst = found.where;
   row.worst_nearest = found.nearest;
   describe(element.hulls, row);
+  if (fitted.box) row.hulls = row.hull_vertices = 0;  // of meshes, as files hold them
   row.seconds.certify = stage.lap();
 }
 

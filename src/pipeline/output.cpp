@@ -82,6 +82,7 @@ struct Folders {
 };
 
 void writeHulls(const ElementResult& element, MeshFormat format, const Folders& folders) {
+  if (element.primitive) return;
   const std::vector<std::string>& files = element.report.files;
   const std::size_t first = files.size() - element.hulls.size();  // the OBJ of all hulls stands before a file for each
   if (first > 0) folders.write(files.front(), encodeHullsObj(element.hulls, fileName(element.report.link)));

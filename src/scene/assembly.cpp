@@ -62,6 +62,12 @@ const std::string& Assembly::name(std::size_t part) const {
   return isLink(part) ? problem_.robot.links[part].name : problem_.scene.bodies[part - links()].name;
 }
 
+Cuts Assembly::tops() const {
+  Cuts cuts;
+  for (const Piece& piece : pieces_) cuts.push_back({piece.tree->top()});
+  return cuts;
+}
+
 Cuts Assembly::roots() const {
   Cuts cuts;
   for (const Piece& piece : pieces_) cuts.push_back({piece.tree->root()});

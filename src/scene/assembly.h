@@ -40,7 +40,8 @@ class Assembly {
 
   const std::vector<Piece>& pieces() const { return pieces_; }
   const std::vector<int>& piecesOf(std::size_t part) const { return of_part_[part]; }
-  Cuts roots() const;
+  Cuts tops() const;                          ///< boxes where there are any, else roots
+  Cuts roots() const;                         ///< of the hull trees
   std::size_t hulls(const Cuts& cuts) const;  ///< of the elements
 
   const Kinematics& kinematics() const { return kinematics_; }

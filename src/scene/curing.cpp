@@ -9,6 +9,7 @@
 namespace collision_hulls {
 namespace {
 
+constexpr double kBoxCost = 0.25;                   // of a hull in place of a box
 constexpr double kMostCost = 64;                    // hulls; a side that takes more is not thought through
 constexpr double kLeastVote = 1 / (2 * kMostCost);  // of contacts that one side alone does not cure
 constexpr double kImpossible = std::numeric_limits<double>::infinity();
@@ -51,7 +52,7 @@ bool touchesAtLeaves(const Assembly& assembly, const Contact& contact) {
 double Curing::cost(const Contact& contact, int side, double limit) const {
   const std::vector<int> children = treeOf(assembly_, contact.piece[side]).children(contact.node[side]);
   if (children.empty()) return kImpossible;
-  double sum = static_cast<double>(children.size()) - 1;
+  double sum = children.size() > 1 ? static_cast<double>(children.size()) - 1 : kBoxCost;
   for (const int child : children) {
     if (sum > limit) return kImpossible;
     const Contact finer = with(contact, side, child);
@@ -75,7 +76,7 @@ void Curing::add(const std::vector<Contact>& contacts) {
   tbb::parallel_for(std::size_t{0}, contacts.size(), [&](std::size_t i) { cases_[first + i].votes = votes(contacts[i]); });
   for (std::size_t i = first; i < cases_.size(); ++i) {
     for (std::size_t side = 0; side < 2; ++side) {
-      if (cases_[i].votes[side] <= 0) continue;
+      // Also where it votes for the other side alone: the node may be opened for others.
       Ballot& ballot = ballots_[{cases_[i].contact.piece[side], cases_[i].contact.node[side]}];
       ballot.votes += cases_[i].votes[side];
       ++ballot.open;
@@ -103,7 +104,6 @@ void Curing::settle(std::size_t index) {
   Case& at = cases_[index];
   at.open = false;
   for (std::size_t side = 0; side < 2; ++side) {
-    if (at.votes[side] <= 0) continue;
     Ballot& ballot = ballots_.at({at.contact.piece[side], at.contact.node[side]});
     ballot.votes -= at.votes[side];
     --ballot.open;

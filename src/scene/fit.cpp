@@ -17,12 +17,20 @@ void check(const FitProblem& problem, const FitOptions& options) {
   if (problem.elements.empty()) throw Error(ErrorCode::kBadOption, "the robot has no mesh that hulls could be fitted to");
 }
 
-std::vector<FittedElement> fittedElements(const FitProblem& problem, const Cuts& cuts, const RunControl& control) {
+std::vector<FittedElement> fittedElements(const FitProblem& problem, const Assembly& assembly, const Cuts& cuts,
+                                          const RunControl& control) {
   std::vector<FittedElement> elements;
   for (std::size_t i = 0; i < problem.elements.size(); ++i) {
-    FittedElement element{cuts[i], {}};
-    std::sort(element.cut.begin(), element.cut.end());
-    element.hulls = writtenHulls(*problem.elements[i].mesh, element.cut, control);
+    FittedElement element;
+    element.box = assembly.pieces()[i].tree->isBox(cuts[i].front());
+    const FitMesh& mesh = *problem.elements[i].mesh;
+    if (element.box) {
+      element.hulls.push_back(hullOf(*mesh.box));
+    } else {
+      element.cut = cuts[i];
+      std::sort(element.cut.begin(), element.cut.end());
+      element.hulls = writtenHulls(mesh, element.cut, control);
+    }
     elements.push_back(std::move(element));
   }
   return elements;
@@ -41,7 +49,7 @@ SceneFit fitScene(const FitProblem& problem, const FitOptions& options, const Ru
   const FittedModel model{problem, options, assembly, originals, rules, fitting};
   const Hits hits = countHits(model, control);
   SceneFit fit;
-  fit.elements = fittedElements(problem, fitting.cuts(), control);
+  fit.elements = fittedElements(problem, assembly, fitting.cuts(), control);
   fit.disabled = disabledPairs(model, hits);
   fit.report = fitReport(model, hits, control);
   if (options.compare) fit.report.models = comparison(model, control);

@@ -58,11 +58,13 @@ std::optional<double> provedDistance(const FittedModel& model, std::size_t link)
 }
 
 std::string plural(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : noun.back() == 'x' ? "es" : "s");
 }
 
 std::string reasonOf(const FittedModel& model, const FittedLink& link, std::size_t index, const std::map<std::size_t, Tightest>& tightest) {
-  const std::string what = plural(link.hulls, "hull") + ": ";
+  const std::string hulls = link.hulls > 0 || link.primitive.empty() ? plural(link.hulls, "hull") : "";
+  const std::string boxes = link.primitive == "box" ? "1 box" : link.primitive;
+  const std::string what = hulls + (hulls.empty() || boxes.empty() ? "" : ", ") + boxes + ": ";
   if (const std::optional<double> proved = provedDistance(model, index)) {
     if (std::isinf(*proved)) return what + "no pair of it is looked at";
     return what + "never within " + lengthText(*proved) + " of anything, proved";
@@ -78,10 +80,16 @@ std::vector<FittedLink> fittedLinks(const FittedModel& model) {
   for (std::size_t link = 0; link < model.assembly.links(); ++link) {
     FittedLink fitted;
     fitted.link = model.assembly.name(link);
-    for (const int piece : model.assembly.piecesOf(link))
-      if (static_cast<std::size_t>(piece) < model.problem.elements.size())
-        fitted.hulls += model.fitting.cuts()[static_cast<std::size_t>(piece)].size();
-    if (fitted.hulls == 0) continue;
+    std::size_t boxes = 0;
+    for (const int piece : model.assembly.piecesOf(link)) {
+      const auto i = static_cast<std::size_t>(piece);
+      if (i >= model.problem.elements.size()) continue;
+      const bool box = model.assembly.pieces()[i].tree->isBox(model.fitting.cuts()[i].front());
+      boxes += box;
+      fitted.hulls += box ? 0 : model.fitting.cuts()[i].size();
+    }
+    if (fitted.hulls + boxes == 0) continue;
+    if (boxes > 0) fitted.primitive = boxes > 1 ? plural(boxes, "box") : "box";
     fitted.proved = provedDistance(model, link).has_value();
     fitted.reason = reasonOf(model, fitted, link, tightest);
     links.push_back(fitted);

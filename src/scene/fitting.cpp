@@ -40,7 +40,7 @@ Answers Fitting::ask(const Cuts& cuts, std::size_t first, std::size_t count) con
     if (current.empty() || !isClear(assembly_, originals_, rules_.pairs, places, current)) return;
     Answer& answer = answers[i];
     answer.at_leaves = std::any_of(current.begin(), current.end(), [&](const Contact& c) { return touchesAtLeaves(assembly_, c); });
-    answer.roots = contacts(assembly_, assembly_.roots(), rules_.pairs, places, first + i);
+    answer.roots = contacts(assembly_, assembly_.tops(), rules_.pairs, places, first + i);
     answer.current = std::move(current);
   });
   Answers all;
@@ -89,7 +89,7 @@ void Fitting::fitFirst() {
 
 /// 4. With all counterexamples known, from the beginning; whichever is less.
 void Fitting::fitAll() {
-  Curing curing(assembly_, assembly_.roots());
+  Curing curing(assembly_, assembly_.tops());
   curing.add(roots_);
   curing.run(control_);
   const Cuts again = closed(assembly_, curing.cuts(), roots_, control_), mended = closed(assembly_, cuts_, roots_, control_);

@@ -29,7 +29,7 @@ class Fitting {
         originals_(originals),
         rules_(rules),
         control_(control),
-        cuts_(assembly.roots()) {}
+        cuts_(assembly.tops()) {}
 
   void run();
 

@@ -107,7 +107,10 @@ ReachProver proverFor(const FitProblem& problem, const Assembly& assembly, const
   std::vector<ConvexHull> roots;
   for (const FitElement& element : problem.elements) {
     const FitMesh& mesh = *element.mesh;
-    if (!of_mesh.count(&mesh)) of_mesh[&mesh] = writtenHulls(mesh, {static_cast<int>(mesh.tree.nodes.size()) - 1}, control).front();
+    if (!of_mesh.count(&mesh)) {
+      const ConvexHull root = writtenHulls(mesh, {static_cast<int>(mesh.tree.nodes.size()) - 1}, control).front();
+      of_mesh[&mesh] = mesh.box ? hullOf(*mesh.box) : root;
+    }
     roots.push_back(of_mesh[&mesh]);
   }
   std::vector<ConvexHull> links;

@@ -79,11 +79,32 @@ TEST_F(FitRobotToScene, BlockInTheNotchTakesTwoHulls) {
   EXPECT_EQ(scene["links"][0]["reason"], "2 hulls: against block at 30 mm");
 }
 
-TEST_F(FitRobotToScene, WithoutTheBlockOneHullAndGreyOnes) {
+TEST_F(FitRobotToScene, WithoutTheBlockABoxAndGreyHulls) {
+  options_.validate = true;
   request_.scene.bodies.clear();
-  const RobotResult result = run(fixtures::link("base", bracket()));
-  EXPECT_EQ(result.elements[0].hulls.size(), 1u);
-  EXPECT_EQ(result.elements[0].unneeded.size(), 2u);
+  RobotResult result = run(fixtures::link("base", bracket()));
+  const ElementResult& element = result.elements[0];
+  ASSERT_TRUE(element.primitive.has_value());
+  EXPECT_NEAR(element.primitive->size.prod(), 0.2 * 0.2 * 0.1, 1e-5);
+  ASSERT_EQ(element.hulls.size(), 1u);
+  EXPECT_EQ(element.hulls[0].vertices.size(), 8u);
+  EXPECT_EQ(element.report.hulls, 0u);
+  EXPECT_TRUE(element.report.files.empty());
+  EXPECT_EQ(element.unneeded.size(), 2u);
+  EXPECT_EQ(result.report.validation.missed + result.report.validation.phantom, 0u);
+  EXPECT_EQ(result.report.scene->links[0].primitive, "box");
+  EXPECT_EQ(result.report.scene->links[0].reason.substr(0, 7), "1 box: ");
+
+  writeOutput(result, folder_ / "out");
+  EXPECT_EQ(fixtures::contents(folder_ / "out").count("meshes/base/0_0.stl"), 0u);
+  const RobotDescription written = parseRobotDescription(result.urdf);
+  ASSERT_EQ(written.links[0].collisions.size(), 1u);
+  const GeometryElement& box = written.links[0].collisions[0];
+  EXPECT_EQ(box.kind, GeometryElement::Kind::kBox);
+  for (const Eigen::Vector3d& corner : element.original.vertices) {
+    const Eigen::Vector3d local = box.origin.inverse() * corner;
+    EXPECT_LE((local.cwiseAbs() - box.size / 2).maxCoeff(), 0) << corner.transpose();
+  }
 }
 
 TEST_F(FitRobotToScene, SceneInContactIsReported) {

@@ -52,7 +52,7 @@ class FitSceneTest(unittest.TestCase):
         self.assertTrue(response.success, response.message)
         scene = json.loads(response.report)["scene"]
         self.assertEqual((0, 0), (scene["missed"], scene["phantom"]))
-        self.assertEqual({"base": 2, "arm": 1}, {link["link"]: link["hulls"] for link in scene["links"]})
+        self.assertEqual([("base", 2, ""), ("arm", 0, "box")], [(l["link"], l["hulls"], l["primitive"]) for l in scene["links"]])
         self.assertIn("against block", scene["links"][0]["reason"])
         self.assertIn('link1="base" link2="arm" reason="Adjacent"', response.srdf)
         with open(os.path.join(self.folder.output, "config", "small_disabled.srdf")) as file:

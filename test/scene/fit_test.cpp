@@ -64,6 +64,27 @@ TEST(FitScene, PostInTheGapOpensTheHull) {
   EXPECT_EQ(fit.report.links[0].reason.substr(0, 22), "3 hulls: against post ") << fit.report.links[0].reason;
 }
 
+TEST(FitScene, BoxWhereItIsEnough) {
+  FitProblem problem = overPost();
+  const auto mesh = std::make_shared<FitMesh>(*problem.elements[0].mesh);
+  mesh->box = boxAbout(*mesh);
+  ASSERT_TRUE(mesh->box.has_value());
+  EXPECT_NEAR(mesh->box->size.prod(), 0.4 * 0.3 * 1, 1e-4);
+  problem.elements[0].mesh = mesh;
+  const SceneFit opened = fitScene(problem, fitOptions());
+  EXPECT_FALSE(opened.elements[0].box);
+  EXPECT_EQ(opened.elements[0].hulls.size(), 3u);
+
+  problem.scene.bodies[0].pose.translation().x() += 0.5;  // beside the channel, beyond the clearance
+  const SceneFit kept = fitScene(problem, fitOptions());
+  EXPECT_TRUE(kept.elements[0].box);
+  EXPECT_TRUE(kept.elements[0].cut.empty());
+  ASSERT_EQ(kept.elements[0].hulls.size(), 1u);
+  EXPECT_EQ(uncovered(mesh->original, kept.elements[0].hulls), 0);
+  EXPECT_EQ(kept.report.links[0].primitive, "box");
+  EXPECT_EQ(kept.report.links[0].hulls, 0u);
+}
+
 TEST(FitScene, FarPostIsProvedAway) {
   FitProblem problem = overPost();
   problem.scene.bodies[0].pose.translation().x() += 3;

@@ -4,7 +4,7 @@
 // itself is free for the model, too. Every cut covers its mesh, so that no model misses a collision; a coarse one has phantoms.
 //
 //   1. prove which pairs of bodies can never come within c; leave out what self-collision checks leave out
-//   2. begin with one body for each mesh: a primitive that holds it, or the root of its tree
+//   2. begin with one body for each mesh: a box that holds it, or the root of its tree
 //   3. ask samples: where the model is hit though the original is clear, open tree nodes, the cheapest cure first, until it is free
 //   4. cure all counterexamples at once from the beginning, and close what can be closed
 //   5. ask fresh samples, and open again, until a whole batch of them has no counterexample that could be cured
@@ -35,7 +35,12 @@ struct FitMesh {
   double margin = 0;     ///< [m] that hulls are grown by when they are written, see fitCover()
   int max_vertices = 0;  ///< of a hull as written; 0: no cap
   int max_hulls = 0;     ///< of the mesh; 0: no cap
+  /// A box that holds the root as written, in the mesh's frame; the cheapest body of all. None: there is no such choice.
+  std::optional<GeometryElement> box = {};
 };
+
+/// The box that a mesh can be replaced by; nullopt for a mesh that is next to nothing.
+std::optional<GeometryElement> boxAbout(const FitMesh& mesh);
 
 /// A mesh on a link.
 struct FitElement {
@@ -71,12 +76,13 @@ struct FitOptions {
 struct FittedElement {
   std::vector<int> cut;           ///< nodes of its tree, ascending
   std::vector<ConvexHull> hulls;  ///< of the cut, as written; they cover the mesh
+  bool box = false;               ///< the mesh's box stands for it: the cut is empty, and the hull is the box's
 };
 
 struct FittedLink {
   std::string link;
   std::size_t hulls = 0;
-  std::string primitive;  ///< "box", "sphere" or "cylinder"; empty where there is none
+  std::string primitive;  ///< "box", or "2 boxes"; empty where there is none
   std::string reason;     ///< "3 hulls: against shelf at 18 mm"
   bool proved = false;    ///< that it never comes within c of anything
 };

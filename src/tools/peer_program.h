@@ -1,6 +1,8 @@
 // What small programs around another library's decomposition share: PROGRAM in.obj out.obj tolerance.
 #pragma once
 
+#include <string.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -44,6 +46,7 @@ inline std::string toObj(const std::vector<TriangleMesh>& parts) {
 
 /// The program's main. Exit status: 0 done, 1 no result, 2 wrong use or unreadable input.
 inline int peerMain(int argc, char** argv, const char* help, const PeerDecompose& decompose) try {
+  argv[0] = basename(argv[0]);  // messages stand in tables, which folders do not belong in
   if (argc == 2 && std::string(argv[1]) == "--help") {
     std::printf("usage: %s in.obj out.obj tolerance\n\n%s", argv[0], help);
     return 0;

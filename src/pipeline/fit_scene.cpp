@@ -196,8 +196,9 @@ void validateAll(RobotResult& result, const RunControl& control) {
   if (options.validate) result.report.validation = validateElements(result.elements, options.seed, control);
 }
 
-std::vector<std::string> notesOnFit(const FitReport& fit) {
+std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options) {
   std::vector<std::string> notes = fit.notes;
+  if (!options.links.empty()) notes.push_back("links that '" + options.links + "' does not match were not there in the scene");
   if (!fit.scene_contact.empty()) notes.push_back("the original at rest touches the scene: " + fit.scene_contact);
   if (fit.scene_hits > 0 && fit.given) {
     notes.push_back("the original touches the scene in " + std::to_string(fit.scene_hits) + " of " + std::to_string(fit.samples) +
@@ -272,7 +273,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
     result.report.links.push_back(element.report);
   }
   result.urdf = rewrittenDescription(robot, result, output);
-  for (const auto& notes : {request.notes, notesOnFit(*result.report.scene), notesOnRewritten(result, output)})
+  for (const auto& notes : {request.notes, notesOnFit(*result.report.scene, options), notesOnRewritten(result, output)})
     result.report.notes.insert(result.report.notes.end(), notes.begin(), notes.end());
   result.report.seconds = result.report.scene->seconds = run.lap();
   return result;

@@ -17,6 +17,7 @@ constexpr double kBoxMargin = 1e-4;                 // the root's size beyond th
 constexpr double kOnFace = 1e-9;                    // a point this far beyond a face, in cells, still lies in the hull
 constexpr std::size_t kMostVisits = 200000;         // of one query; then the largest bound left over is the answer's
 constexpr std::size_t kMostCellsInAll = 8'000'000;  // then cells are not divided any more
+constexpr int kDeepest = 40;                        // level that isWithin() descends to
 constexpr std::size_t kMostCells = 40000;           // of one size that a search for intruders divides further
 
 }  // namespace
@@ -179,6 +180,26 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
   }
   result.bound = std::max(result.bound, result.found);
   return result;
+}
+
+bool OutsideDistance::isWithin(const std::array<Eigen::Vector3d, 3>& triangle, double distance) const {
+  const Eigen::Vector3d low = triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]);
+  const Eigen::Vector3d high = triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]);
+  const Eigen::Vector3d middle = (low + high) / 2, half = (high - low) / 2;
+  const Eigen::Vector3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+  const double offset = normal.dot(triangle[0]), width = normal.lpNorm<1>();
+  int stack[8 * kDeepest];
+  int top = 0;
+  stack[top++] = 0;
+  while (top > 0) {
+    const Cell& cell = cells_[static_cast<std::size_t>(stack[--top])];
+    if (((cell.centre - middle).cwiseAbs() - half).maxCoeff() > cell.half) continue;
+    if (std::abs(normal.dot(cell.centre) - offset) > cell.half * width) continue;
+    if (cell.triangle >= 0 && cell.distance + radius(cell) <= distance) continue;
+    if (cell.children < 0 || top + 8 > 8 * kDeepest) return false;
+    for (int k = 0; k < 8; ++k) stack[top++] = cell.children + k;
+  }
+  return true;
 }
 
 std::vector<OutsideDistance::Intruder> OutsideDistance::intruders(const ConvexHull& hull, double tolerance, std::size_t wanted,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -32,6 +33,9 @@ class OutsideDistance {
     Eigen::Vector3d where = Eigen::Vector3d::Zero();
   };
   Largest largest(const ConvexHull& hull, const Query& query);
+
+  /// Whether no point of the triangle is further than `distance` [m], as far as cells are known. Measures nothing.
+  bool isWithin(const std::array<Eigen::Vector3d, 3>& triangle, double distance) const;
 
   struct Intruder {
     Eigen::Vector3d p;

@@ -40,9 +40,12 @@ class Search {
 
   Protrusion run(const ConvexHull& hull, const RunControl& control) {
     std::vector<Corner> corners;
-    for (const Eigen::Vector3d& v : hull.vertices) corners.push_back(visit(v, corners.empty() ? -1 : corners.back().triangle));
+    for (const Eigen::Vector3d& v : hull.vertices) corners.push_back({v, -1});
     for (const Triangle& t : hull.triangles) {
-      const auto at = [&](std::size_t k) { return corners[static_cast<std::size_t>(t[k])]; };
+      const auto at = [&](std::size_t k) -> Corner& { return corners[static_cast<std::size_t>(t[k])]; };
+      if (isKnown({at(0), at(1), at(2)})) continue;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (at(k).triangle < 0) at(k) = visit(at(k).p, at((k + 2) % 3).triangle);
       push({{at(0), at(1), at(2)}, 0});
     }
     for (int step = 0; !queue_.empty() && queue_.top().bound > threshold() && best_.found <= query_.ceiling; ++step) {
@@ -60,6 +63,13 @@ class Search {
  private:
   /// What a patch must promise to exceed to be worth halving.
   double threshold() const { return std::max(best_.found, query_.floor) + query_.gap; }
+
+  /// Whether nothing of the patch is further than what counts, as far as distances are known.
+  bool isKnown(const std::array<Corner, 3>& corner) {
+    if (!query_.known || !query_.known->isWithin({corner[0].p, corner[1].p, corner[2].p}, threshold())) return false;
+    dropped_ = std::max(dropped_, threshold());
+    return true;
+  }
 
   /// A corner at p, whose distance from the solid is a candidate for the largest.
   Corner visit(const Eigen::Vector3d& p, int hint) {
@@ -109,8 +119,8 @@ class Search {
     const Corner middle = visit((patch.corner[a].p + patch.corner[b].p) / 2, patch.corner[a].triangle);
     Patch other = patch;
     patch.corner[b] = other.corner[a] = middle;
-    push(patch);
-    push(other);
+    if (!isKnown(patch.corner)) push(patch);
+    if (!isKnown(other.corner)) push(other);
   }
 
   const Solid& solid_;

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "check/outside_distance.h"
 #include "collision_hulls/check/measures.h"
 
 namespace collision_hulls {
@@ -11,6 +12,7 @@ struct SurfaceQuery {
   double floor = 0;                                          ///< [m] distances up to here do not matter
   double gap = 0;                                            ///< [m] the bound may exceed max(found, floor) by this; > 0
   double ceiling = std::numeric_limits<double>::infinity();  ///< [m] the search ends when a larger distance is found
+  const OutsideDistance* known = nullptr;                    ///< what it knows of the solid settles patches
 };
 
 /// Branch and bound over the hull's triangles. bound is infinite if the ceiling ended the search.

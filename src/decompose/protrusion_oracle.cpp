@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "check/surface_search.h"
+#include "decompose/dice.h"
 #include "geometry/hull_support.h"
 #include "geometry/quickhull.h"
 
@@ -24,6 +25,7 @@ constexpr double kLooseGap = 0.01;       // between the bounds of large protrusi
 constexpr double kLooseShare = 0.02;     // the same, of the protrusion itself
 constexpr double kInward = 1e-9;         // of the way to a vertex, that intruders on a hull's surface are moved into it
 constexpr double kGrowth = 1e-5;         // of a hull, for rounding when it is written
+constexpr double kJoggle = 1e-6;         // most that a rough hull's points are moved, as a share of their way from the middle
 constexpr std::size_t kMostKnown = 400;  // intruders remembered
 
 ConvexHull grown(ConvexHull hull) {
@@ -32,16 +34,25 @@ ConvexHull grown(ConvexHull hull) {
   return hull;
 }
 
+/// Moves points away from the origin, which lies in their hull: that of the moved ones holds it, and of those that lay in a plane hardly
+/// any four still do.
+void joggle(std::vector<Eigen::Vector3d>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] *= 1 + kJoggle * unitInterval(mixed(i));
+}
+
 }  // namespace
 
 ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : points) box.extend(p);
-  const Eigen::Vector3d middle = box.center();
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : points) middle += p / static_cast<double>(points.size());
   std::vector<Eigen::Vector3d> centred;
   centred.reserve(points.size());
   for (const Eigen::Vector3d& p : points) centred.push_back(p - middle);
   std::optional<ConvexHull> hull = quickhull(centred);
+  if (!hull) {
+    joggle(centred);
+    hull = quickhull(centred);
+  }
   if (!hull) return convexHull(points);
   for (Eigen::Vector3d& v : hull->vertices) v += middle;
   for (HalfSpace& face : hull->faces) face.offset += face.normal.dot(middle);
@@ -103,6 +114,7 @@ bool ProtrusionOracle::fits(const ConvexHull& hull) {
   SurfaceQuery on;
   on.floor = on.ceiling = (1 - kReserve) * tolerance_;
   on.gap = kProofGap * tolerance_;
+  on.known = &outside_;
   // Where the surface has openings the distance jumps: what is written, a little larger, must not reach across.
   const Protrusion most = largestOnSurface(solid_.hasOpenings() ? grown(hull) : hull, solid_, on, control_);
   if (most.found <= on.ceiling) return true;
@@ -130,6 +142,7 @@ double ProtrusionOracle::bound(const ConvexHull& hull) {
   SurfaceQuery on;
   on.floor = seen.found;
   on.gap = std::max(kLooseGap * tolerance_, kLooseShare * seen.found);
+  on.known = &outside_;
   const double on_surface = largestOnSurface(hull, solid_, on, control_).bound;
   query.floor = std::max(seen.found, on_surface) + on.gap;
   query.resolution = on.gap;

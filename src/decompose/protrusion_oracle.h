@@ -9,8 +9,8 @@
 
 namespace collision_hulls {
 
-/// The hull of points near the origin with a face per triangle, as quickhull leaves it where it can: for hulls that are asked
-/// about once and mostly thrown away.
+/// A hull of points near the origin with a face per triangle, as quickhull leaves it where it can: for hulls that are asked about once
+/// and mostly thrown away. Where points lie in planes it is larger than theirs, by up to a millionth of its size.
 ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points);
 
 /// The hull of about `most` of a hull's vertices, those furthest along as many directions: close to it where it is round. The hull

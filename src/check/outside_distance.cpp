@@ -22,6 +22,26 @@ constexpr std::size_t kMostCells = 40000;           // of one size that a search
 
 }  // namespace
 
+/// A hull's faces, as cells are compared with them.
+struct OutsideDistance::Faces {
+  struct Face {
+    Eigen::Vector3d normal;
+    double offset, width;  // width: how far a cube of half side 1 about the origin reaches along the normal
+  };
+  std::vector<Face> faces;
+  std::vector<int> all;
+
+  explicit Faces(const ConvexHull& hull) : all(hull.faces.size()) {
+    faces.reserve(hull.faces.size());
+    for (const HalfSpace& f : hull.faces) faces.push_back({f.normal, f.offset, f.normal.lpNorm<1>()});
+    std::iota(all.begin(), all.end(), 0);
+  }
+  double distance(int f, const Eigen::Vector3d& p) const {
+    const Face& face = faces[static_cast<std::size_t>(f)];
+    return face.normal.dot(p) - face.offset;
+  }
+};
+
 /// The faces of a hull that cut a cell, and the point of the hull in the cell that is nearest to its centre, roughly.
 struct OutsideDistance::View {
   std::vector<int> faces;
@@ -31,34 +51,25 @@ struct OutsideDistance::View {
   bool has_point = false;
   Eigen::Vector3d point;
 
-  View(const Cell& cell, const ConvexHull& hull, const std::vector<int>& candidates) : point(cell.centre) {
-    int beyond = 0, worst = -1;
+  /// `candidates`: the faces that cut a cell around this one.
+  View(const Cell& cell, const Faces& hull, const std::vector<int>& candidates) : point(cell.centre) {
+    int worst = -1;
     for (int f : candidates) {
-      const HalfSpace& face = hull.faces[static_cast<std::size_t>(f)];
-      const double d = face.distance(cell.centre), reach = cell.half * face.normal.lpNorm<1>();
+      const double d = hull.distance(f, cell.centre), reach = cell.half * hull.faces[static_cast<std::size_t>(f)].width;
       if (d > reach) {
         outside = true;
         return;
       }
       if (d > -reach) faces.push_back(f);
       depth = std::min(depth, reach - d);
-      if (d > 0) ++beyond;
       if (d > offset) offset = d, worst = f;
     }
-    has_point = beyond == 0;
+    has_point = worst < 0;
     if (has_point) return;
     point -= offset * hull.faces[static_cast<std::size_t>(worst)].normal;
-    has_point = std::all_of(faces.begin(), faces.end(),
-                            [&](int f) { return hull.faces[static_cast<std::size_t>(f)].distance(point) <= kOnFace * cell.half; });
+    has_point = std::all_of(faces.begin(), faces.end(), [&](int f) { return hull.distance(f, point) <= kOnFace * cell.half; });
   }
 };
-
-bool OutsideDistance::isOutside(const Cell& cell, const ConvexHull& hull, const std::vector<int>& faces) {
-  return std::any_of(faces.begin(), faces.end(), [&](int f) {
-    const HalfSpace& face = hull.faces[static_cast<std::size_t>(f)];
-    return face.distance(cell.centre) > cell.half * face.normal.lpNorm<1>();
-  });
-}
 
 OutsideDistance::OutsideDistance(const Solid& solid, const Eigen::AlignedBox3d& box) : solid_(solid) {
   Cell root;
@@ -83,6 +94,12 @@ void OutsideDistance::measure(Cell& cell, const Cell* parent) const {
     cell.distance = parent->distance < 0 ? -n.distance : n.distance;
   else
     cell.distance = solid_.signedDistance(cell.centre, n.distance);
+}
+
+/// Over a cell; infinite if it was not measured yet.
+double OutsideDistance::knownBound(int id) const {
+  const Cell& cell = cells_[static_cast<std::size_t>(id)];
+  return cell.triangle < 0 ? std::numeric_limits<double>::infinity() : cell.distance + radius(cell);
 }
 
 bool OutsideDistance::canDivide(int id) const {
@@ -135,16 +152,25 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
   struct Open {
     double bound;
     int cell;
-    std::size_t faces;
+    std::size_t view;
     bool operator<(const Open& other) const { return bound < other.bound; }
   };
   Largest result;
   result.bound = query.floor;
-  std::vector<std::vector<int>> faces(1, std::vector<int>(hull.faces.size()));
-  std::iota(faces[0].begin(), faces[0].end(), 0);
+  const Faces faces(hull);
+  std::vector<View> views;
   std::priority_queue<Open> queue;
-  queue.push({std::numeric_limits<double>::infinity(), 0, 0});
   const auto enough = [&] { return std::max(result.found, query.floor); };
+  const auto look = [&](int cell, int parent, const std::vector<int>& candidates) {
+    if (knownBound(cell) <= enough()) return;
+    View view(cells_[static_cast<std::size_t>(cell)], faces, candidates);
+    if (view.outside) return;
+    measuredChild(cell, parent);
+    if (knownBound(cell) <= enough()) return;
+    queue.push({knownBound(cell), cell, views.size()});
+    views.push_back(std::move(view));
+  };
+  look(0, -1, faces.all);
   for (std::size_t visits = 0; !queue.empty() && queue.top().bound > enough(); ++visits) {
     const Open open = queue.top();
     if (visits == kMostVisits) {
@@ -153,8 +179,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
     }
     queue.pop();
     const Cell cell = cells_[static_cast<std::size_t>(open.cell)];
-    View view(cell, hull, faces[open.faces]);
-    if (view.outside) continue;
+    const View view = std::move(views[open.view]);
     if (view.has_point && cell.distance - view.offset > result.found) {
       result.found = cell.distance - view.offset;
       result.where = view.point;
@@ -163,20 +188,15 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
         return result;
       }
     }
-    const double bound = std::min(cell.distance + radius(cell), query.surface_bound + view.depth);
+    const double bound = std::min(open.bound, query.surface_bound + view.depth);
     if (bound <= enough() || (query.summits_only && !mayHoldSummit(open.cell))) continue;
     if (radius(cell) < query.resolution || !canDivide(open.cell)) {
       result.bound = std::max(result.bound, bound);
       continue;
     }
-    faces.push_back(std::move(view.faces));
     const int first = children(open.cell);
     if (query.summits_only && levelBound(open.cell) <= enough()) continue;
-    for (int k = first; k < first + 8; ++k) {
-      if (isOutside(cells_[static_cast<std::size_t>(k)], hull, faces.back())) continue;
-      const Cell& child = measuredChild(k, open.cell);
-      if (child.distance + radius(child) > enough()) queue.push({child.distance + radius(child), k, faces.size() - 1});
-    }
+    for (int k = first; k < first + 8; ++k) look(k, open.cell, view.faces);
   }
   result.bound = std::max(result.bound, result.found);
   return result;
@@ -192,10 +212,11 @@ bool OutsideDistance::isWithin(const std::array<Eigen::Vector3d, 3>& triangle, d
   int top = 0;
   stack[top++] = 0;
   while (top > 0) {
-    const Cell& cell = cells_[static_cast<std::size_t>(stack[--top])];
+    const int id = stack[--top];
+    const Cell& cell = cells_[static_cast<std::size_t>(id)];
     if (((cell.centre - middle).cwiseAbs() - half).maxCoeff() > cell.half) continue;
     if (std::abs(normal.dot(cell.centre) - offset) > cell.half * width) continue;
-    if (cell.triangle >= 0 && cell.distance + radius(cell) <= distance) continue;
+    if (knownBound(id) <= distance) continue;
     if (cell.children < 0 || top + 8 > 8 * kDeepest) return false;
     for (int k = 0; k < 8; ++k) stack[top++] = cell.children + k;
   }
@@ -206,32 +227,33 @@ std::vector<OutsideDistance::Intruder> OutsideDistance::intruders(const ConvexHu
                                                                   double resolution) {
   struct Open {
     int cell;
-    std::vector<int> faces;
+    View view;
   };
-  std::vector<Open> level(1, Open{0, std::vector<int>(hull.faces.size())}), divided;
-  std::iota(level[0].faces.begin(), level[0].faces.end(), 0);
+  const Faces faces(hull);
+  std::vector<Open> level, divided;
+  const auto look = [&](int cell, int parent, const std::vector<int>& candidates) {
+    if (knownBound(cell) <= tolerance) return;
+    View view(cells_[static_cast<std::size_t>(cell)], faces, candidates);
+    if (view.outside) return;
+    measuredChild(cell, parent);
+    if (knownBound(cell) > tolerance) level.push_back({cell, std::move(view)});
+  };
+  look(0, -1, faces.all);
   std::vector<Intruder> found;
   while (!level.empty()) {
     found.clear();
     divided.clear();
-    for (const Open& open : level) {
+    for (Open& open : level) {
       const Cell& cell = cells_[static_cast<std::size_t>(open.cell)];
-      if (cell.distance + radius(cell) <= tolerance) continue;
-      View view(cell, hull, open.faces);
-      if (view.outside) continue;
-      if (view.has_point && cell.distance - view.offset > tolerance)
-        found.push_back({view.point, cell.distance - view.offset, 8 * cell.half * cell.half * cell.half});
-      if (radius(cell) >= resolution && canDivide(open.cell)) divided.push_back({open.cell, std::move(view.faces)});
+      if (open.view.has_point && cell.distance - open.view.offset > tolerance)
+        found.push_back({open.view.point, cell.distance - open.view.offset, 8 * cell.half * cell.half * cell.half});
+      if (radius(cell) >= resolution && canDivide(open.cell)) divided.push_back(std::move(open));
     }
     if (found.size() >= wanted || divided.size() > kMostCells / 8) break;
     level.clear();
     for (const Open& open : divided) {
       const int first = children(open.cell);
-      for (int k = first; k < first + 8; ++k) {
-        if (isOutside(cells_[static_cast<std::size_t>(k)], hull, open.faces)) continue;
-        measuredChild(k, open.cell);
-        level.push_back({k, open.faces});
-      }
+      for (int k = first; k < first + 8; ++k) look(k, open.cell, open.view.faces);
     }
   }
   return found;

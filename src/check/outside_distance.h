@@ -56,11 +56,12 @@ class OutsideDistance {
     int children = -1;        // first of eight
     signed char summit = -1;  // whether it may hold a local maximum; -1: not yet asked
   };
-  struct View;  // of a cell by a hull
+  struct Faces;  // of a hull
+  struct View;   // of a cell by a hull
 
-  static bool isOutside(const Cell& cell, const ConvexHull& hull, const std::vector<int>& faces);
   double radius(const Cell& cell) const;
   void measure(Cell& cell, const Cell* parent) const;
+  double knownBound(int cell) const;
   bool canDivide(int cell) const;  // what it takes in memory is bounded
   int children(int cell);
   const Cell& measuredChild(int cell, int parent);

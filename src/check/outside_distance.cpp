@@ -62,7 +62,10 @@ struct OutsideDistance::View {
       }
       if (d > -reach) faces.push_back(f);
       depth = std::min(depth, reach - d);
-      if (d > offset) offset = d, worst = f;
+      if (d > offset) {
+        offset = d, worst = f;
+        std::swap(faces.front(), faces.back());  // it is the likeliest to part cells within from the hull
+      }
     }
     has_point = worst < 0;
     if (has_point) return;

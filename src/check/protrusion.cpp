@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "check/outside_distance.h"
 #include "check/surface_search.h"
@@ -13,7 +14,8 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kLooseGap = 16;  // of the first search, in gaps of the last
+constexpr double kLooseGap = 16;  // of the first searches, in gaps of the last
+constexpr int kGlance = 20;     // halvings
 
 /// Keeps the further of two places, and the larger of two bounds.
 void add(Protrusion& worst, const Protrusion& other) {
@@ -58,13 +60,19 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
   for (const ConvexHull& hull : hulls)
     for (const Eigen::Vector3d& v : hull.vertices)
       if (solid.distanceToSurface(v) > floor) floor = std::max(floor, solid.distance(v));
-  // Then all hulls loosely, and closely those that may reach further than what was found.
+  // Then all hulls at a glance, and on those that may reach further than what was found more and more closely.
+  struct Pass {
+    double gap;
+    int halvings;
+  };
+  constexpr int kToTheEnd = std::numeric_limits<int>::max();
   std::vector<Protrusion> each(hulls.size());
-  for (const double closeness : {kLooseGap, 1.0}) {
+  for (const Pass pass : {Pass{kLooseGap, kGlance}, Pass{kLooseGap, kToTheEnd}, Pass{1, kToTheEnd}}) {
     tbb::parallel_for(std::size_t{0}, hulls.size(), [&](std::size_t i) {
       SurfaceQuery query;
       query.floor = floor * (1 - 1e-9);
-      query.gap = closeness * gap / 2;
+      query.gap = pass.gap * gap / 2;
+      query.halvings = pass.halvings;
       if (each[i].hull >= 0 && each[i].bound <= floor + query.gap) return;
       Protrusion found = largestOnSurface(hulls[i], solid, query, control);
       found.hull = static_cast<int>(i);

@@ -48,7 +48,8 @@ class Search {
         if (at(k).triangle < 0) at(k) = visit(at(k).p, at((k + 2) % 3).triangle);
       push({{at(0), at(1), at(2)}, 0});
     }
-    for (int step = 0; !queue_.empty() && queue_.top().bound > threshold() && best_.found <= query_.ceiling; ++step) {
+    for (int step = 0; !queue_.empty() && queue_.top().bound > threshold() && best_.found <= query_.ceiling && step < query_.halvings;
+         ++step) {
       if (step % kStepsBetweenChecks == 0) control.check();
       halve();
     }

@@ -12,6 +12,7 @@ struct SurfaceQuery {
   double floor = 0;                                          ///< [m] distances up to here do not matter
   double gap = 0;                                            ///< [m] the bound may exceed max(found, floor) by this; > 0
   double ceiling = std::numeric_limits<double>::infinity();  ///< [m] the search ends when a larger distance is found
+  int halvings = std::numeric_limits<int>::max();            ///< of patches, then the search ends with what it has
   const OutsideDistance* known = nullptr;                    ///< what it knows of the solid settles patches
 };
 

@@ -42,10 +42,15 @@ double halfSolidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const 
   return x == 0 && y == 0 ? 0 : std::atan2(y, x);
 }
 
-/// Looks for a direction that all cones' directions make an acute angle with: begins with the mean, then leans toward the worst.
+/// Directions within an angle of an axis.
+struct Spread {
+  Eigen::Vector3d axis;
+  double sine;  // of the angle
+};
+
+/// Looks for a direction that all of these make an acute angle with: begins with the mean, then leans toward the worst.
 /// Returns the least cosine of the best direction found; 0 where none was found.
-template <class Cone>
-double leastCosine(const Cone* cones, std::size_t count) {
+double leastCosine(const Spread* cones, std::size_t count) {
   Eigen::Vector3d u = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < count; ++i) u += cones[i].axis;
   double best = count == 0 ? 1 : 0;
@@ -54,7 +59,7 @@ double leastCosine(const Cone* cones, std::size_t count) {
     std::size_t worst = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < count; ++i) {
-      const double cosine = u.dot(cones[i].axis) - std::sin(cones[i].angle);
+      const double cosine = u.dot(cones[i].axis) - cones[i].sine;
       if (cosine < least) least = cosine, worst = i;
     }
     if (least > kLevel && least < best * kEnough) break;
@@ -303,11 +308,11 @@ bool TriangleBvh::forEachNear(const Eigen::Vector3d& p, double radius, double na
 }
 
 bool TriangleBvh::facesOneWay(const Eigen::Vector3d& p, double radius) const {
-  std::array<Cone, kMostCones> cones;
+  std::array<Spread, kMostCones> cones;
   std::size_t count = 0;
   const auto add = [&](const Cone& c) {
     if (c.angle >= kAnyDirection || count == kMostCones) return false;
-    cones[count++] = c;
+    cones[count++] = {c.axis, c.angle > 0 ? std::sin(c.angle) : 0};
     return true;
   };
   return forEachNear(
@@ -319,13 +324,13 @@ bool TriangleBvh::facesOneWay(const Eigen::Vector3d& p, double radius) const {
 }
 
 double TriangleBvh::frontBound(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& p, double radius) const {
-  std::array<Cone, kMostCones> cones;
+  std::array<Spread, kMostCones> cones;
   std::size_t count = 0;
   double front = 0;
   const auto add = [&](int k) {
     const Cone c = cone(k);
     if (c.angle >= kAnyDirection || count == kMostCones) return false;
-    cones[count++] = c;
+    cones[count++] = {c.axis, 0};
     for (const Eigen::Vector3d& corner : corners) front = std::max(front, c.axis.dot(corner - corners_[static_cast<std::size_t>(k)][0]));
     return true;
   };

@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kLeafShare = 0.7;  // of the tolerance that leaves are cut for: merging has room left
 
+constexpr int kSearchesForPockets = 3;
+
 /// How hard to try.
 struct Plan {
   std::vector<ScoreWeights> cuts;  // ways to cut that are tried
@@ -77,7 +79,12 @@ class Job {
       best = std::move(cover);
       groups = std::move(mine);
     }
-    best = improved(std::move(best), *groups, {plan_.evaluations, seed}, stretch(control_, 0.7, 0.9));
+    const auto search = [&](Cover cover) {
+      return improved(std::move(cover), *groups, {plan_.evaluations, seed}, stretch(control_, 0.7, 0.9));
+    };
+    best = search(std::move(best));
+    // A pocket that is refuted is known from then on: another search may do better than mending.
+    for (int trial = 0; trial < kSearchesForPockets && groups->holdPockets(best); ++trial) best = search(mergedBest(groups->leaves(), *groups));
     best = withoutPockets(std::move(best), *groups);
     for (Group& group : best) group.hull = std::make_shared<ConvexHull>(groups->exactHull(group));
     return best;

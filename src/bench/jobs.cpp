@@ -11,6 +11,7 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "pipeline/files.h"
+#include "pipeline/mesh_hulls.h"
 
 namespace collision_hulls {
 namespace {
@@ -59,6 +60,15 @@ json prepare(const json& job) {
   return {{"triangles", original.mesh.triangles.size()}, {"diagonal", diagonal(original.mesh)}};
 }
 
+/// As `decompose` writes them. The certificate is part of the method `certified`, which tries again where it fails; for the others it is
+/// left to score().
+std::vector<ConvexHull> hullsOf(const Original& original, const DecomposeOptions& options) {
+  if (options.method != Method::kCertified)
+    return fitCover(decompose(original.repaired, options).hulls, original.mesh, original.margin, options.max_vertices).hulls;
+  StageSeconds seconds;
+  return meshHulls({original.mesh, original.repaired, Solid(original.repaired), original.margin}, options, seconds).hulls;
+}
+
 json decomposeMesh(const json& job) {
   const Original original = readOriginal(job);
   DecomposeOptions options;
@@ -66,9 +76,7 @@ json decomposeMesh(const json& job) {
   if (const auto effort = effortNamed(job["effort"])) options.effort = *effort;
   options.tolerance = job["tolerance"];
   options.seed = job["seed"];
-  const Decomposition parts = decompose(original.repaired, options);
-  const FittedHulls fitted = fitCover(parts.hulls, original.mesh, original.margin, options.max_vertices);
-  writeText(job["hulls"].get<std::string>(), encodeHullsObj(fitted.hulls, "hull"));
+  writeText(job["hulls"].get<std::string>(), encodeHullsObj(hullsOf(original, options), "hull"));
   return json::object();
 }
 

@@ -1,7 +1,6 @@
 #include "collision_hulls/pipeline/decompose_robot.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -10,12 +9,12 @@
 #include "collision_hulls/check/solid.h"
 #include "collision_hulls/check/validate.h"
 #include "collision_hulls/decompose/decompose.h"
-#include "collision_hulls/decompose/fit_cover.h"
 #include "collision_hulls/error.h"
 #include "pipeline/cache.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/element_stages.h"
 #include "pipeline/elements.h"
+#include "pipeline/mesh_hulls.h"
 #include "pipeline/parallel.h"
 #include "pipeline/progress.h"
 #include "pipeline/sha256.h"
@@ -24,11 +23,6 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kCertificateGap = 0.001;  // of the tolerance: how far apart the two bounds of the protrusion may stay
-// Near openings of the surface the distance to the solid jumps, and hulls as written may reach where those that were searched for did
-// not: certified then aims lower.
-constexpr int kAttempts = 3;
-constexpr double kLowerAim = 0.8;
 constexpr double kDecomposeShare = 0.7;  // of an element's time, about
 
 /// Why hulls reach further than the caller accepts, and what to do about it.
@@ -69,33 +63,21 @@ void decomposeElement(const MeshTask& mesh, const Options& options, Progress& pr
 
   // 3. Decompose, then cover the mesh as it was read with the hulls as they are written.
   // 4. Certify. The solid is known up to the margin, so the bound has it added.
+  const DecomposeOptions method{options.method, row.tolerance, options.max_hulls, options.max_vertices, options.seed, options.effort};
+  MeshHulls made = meshHulls({element.original, read.repaired, *element.solid, read.margin}, method, row.seconds, decomposing, certifying);
+  element.hulls = std::move(made.hulls);
+  row.nudge = made.nudge;
+  row.thickness = made.thickness;
+  row.protrusion = made.protrusion.bound;
+  row.protrusion_found = made.protrusion.found;
+  row.worst = made.protrusion.where;
+  row.worst_nearest = made.protrusion.nearest;
   Stopwatch stage;
-  bool capped = false;
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    DecomposeOptions method{options.method, row.tolerance, options.max_hulls, options.max_vertices, options.seed, options.effort};
-    method.tolerance *= std::pow(kLowerAim, attempt);
-    const Decomposition parts = decompose(read.repaired, method, decomposing);
-    const FittedHulls fitted = fitCover(parts.hulls, element.original, read.margin, options.max_vertices, decomposing);
-    row.seconds.decompose += stage.lap();
-    const Protrusion found = protrusion(fitted.hulls, *element.solid, kCertificateGap * row.tolerance, certifying);
-    row.seconds.certify += stage.lap();
-    if (attempt > 0 && found.bound + read.margin >= row.protrusion) break;
-    capped = parts.capped;
-    element.hulls = fitted.hulls;
-    row.nudge = fitted.nudge;
-    row.thickness = 0;
-    for (const ConvexHull& hull : parts.hulls) row.thickness = std::max(row.thickness, hull.thickness);
-    row.protrusion = found.bound + read.margin;
-    row.protrusion_found = found.found;
-    row.worst = found.where;
-    row.worst_nearest = found.nearest;
-    if (options.method != Method::kCertified || capped || row.protrusion <= row.tolerance) break;
-  }
   row.uncovered = uncovered(element.original, element.hulls, certifying);
   describe(element.hulls, row);
   row.seconds.certify += stage.lap();
 
-  grade(row, options, capped);
+  grade(row, options, made.capped);
 }
 
 /// What an earlier run made of the mesh; false where there was none.

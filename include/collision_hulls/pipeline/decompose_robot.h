@@ -15,9 +15,9 @@
 
 namespace collision_hulls {
 
-/// One mesh of one link, done. Coordinates after `scale`, in the element's own frame (before its `<origin>`).
 class Solid;
 
+/// One mesh of one link, done. Coordinates after `scale`, in the element's own frame (before its `<origin>`).
 struct ElementResult {
   ElementReport report;
   GeometryElement source;

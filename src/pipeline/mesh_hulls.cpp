@@ -1,0 +1,45 @@
+#include "pipeline/mesh_hulls.h"
+
+#include <algorithm>
+
+#include "collision_hulls/decompose/fit_cover.h"
+#include "pipeline/stopwatch.h"
+
+namespace collision_hulls {
+
+namespace {
+
+constexpr double kCertificateGap = 0.001;  // of the tolerance: how far apart the two bounds of the protrusion may stay
+// What the margin and rounding to it take: the aim is lower by so many margins, but not by more than half.
+constexpr double kMargins = 3, kLeastAim = 0.5;
+// Near openings of the surface the distance to the solid jumps, and hulls as written may reach where those that were searched for did
+// not.
+constexpr int kAttempts = 3;
+constexpr double kLowerAim = 0.8;
+
+}  // namespace
+
+MeshHulls meshHulls(const MeshSource& source, const DecomposeOptions& options, StageSeconds& seconds, const RunControl& decomposing,
+                    const RunControl& certifying) {
+  Stopwatch stage;
+  MeshHulls best;
+  DecomposeOptions aim = options;
+  if (options.method == Method::kCertified)
+    aim.tolerance = std::max(kLeastAim * options.tolerance, options.tolerance - kMargins * source.margin);
+  for (int attempt = 0; attempt < kAttempts; ++attempt, aim.tolerance *= kLowerAim) {
+    const Decomposition parts = decompose(source.repaired, aim, decomposing);
+    FittedHulls fitted = fitCover(parts.hulls, source.original, source.margin, options.max_vertices, decomposing);
+    seconds.decompose += stage.lap();
+    MeshHulls result{std::move(fitted.hulls), {}, fitted.nudge, 0, parts.capped};
+    result.protrusion = protrusion(result.hulls, source.solid, kCertificateGap * options.tolerance, certifying);
+    result.protrusion.bound += source.margin;
+    for (const ConvexHull& hull : parts.hulls) result.thickness = std::max(result.thickness, hull.thickness);
+    seconds.certify += stage.lap();
+    if (attempt > 0 && result.protrusion.bound >= best.protrusion.bound) break;
+    best = std::move(result);
+    if (options.method != Method::kCertified || best.capped || best.protrusion.bound <= options.tolerance) break;
+  }
+  return best;
+}
+
+}  // namespace collision_hulls

@@ -99,10 +99,15 @@ void OutsideDistance::measure(Cell& cell, const Cell* parent) const {
     cell.distance = solid_.signedDistance(cell.centre, n.distance);
 }
 
-/// Over a cell; infinite if it was not measured yet.
+/// Over a cell, of the distance to S as a set; infinite if it was not measured yet.
 double OutsideDistance::knownBound(int id) const {
   const Cell& cell = cells_[static_cast<std::size_t>(id)];
   return cell.triangle < 0 ? std::numeric_limits<double>::infinity() : cell.distance + radius(cell);
+}
+
+/// Whether a view from a cell whose centre is outside has a point that is outside, too.
+bool OutsideDistance::isOutside(const View& view) const {
+  return view.has_point && !(view.offset > 0 && solid_.hasOpenings() && solid_.contains(view.point));
 }
 
 bool OutsideDistance::canDivide(int id) const {
@@ -183,7 +188,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
     queue.pop();
     const Cell cell = cells_[static_cast<std::size_t>(open.cell)];
     const View view = std::move(views[open.view]);
-    if (view.has_point && cell.distance - view.offset > result.found) {
+    if (cell.distance - view.offset > result.found && isOutside(view)) {
       result.found = cell.distance - view.offset;
       result.where = view.point;
       if (result.found > query.ceiling) {
@@ -219,7 +224,7 @@ bool OutsideDistance::isWithin(const std::array<Eigen::Vector3d, 3>& triangle, d
     const Cell& cell = cells_[static_cast<std::size_t>(id)];
     if (((cell.centre - middle).cwiseAbs() - half).maxCoeff() > cell.half) continue;
     if (std::abs(normal.dot(cell.centre) - offset) > cell.half * width) continue;
-    if (knownBound(id) <= distance) continue;
+    if (cell.triangle >= 0 && solid_.distanceWithin(radius(cell), cell.distance, cell.to_surface) <= distance) continue;
     if (cell.children < 0 || top + 8 > 8 * kDeepest) return false;
     for (int k = 0; k < 8; ++k) stack[top++] = cell.children + k;
   }
@@ -248,7 +253,7 @@ std::vector<OutsideDistance::Intruder> OutsideDistance::intruders(const ConvexHu
     divided.clear();
     for (Open& open : level) {
       const Cell& cell = cells_[static_cast<std::size_t>(open.cell)];
-      if (open.view.has_point && cell.distance - open.view.offset > tolerance)
+      if (cell.distance - open.view.offset > tolerance && isOutside(open.view))
         found.push_back({open.view.point, cell.distance - open.view.offset, 8 * cell.half * cell.half * cell.half});
       if (radius(cell) >= resolution && canDivide(open.cell)) divided.push_back(std::move(open));
     }

@@ -62,6 +62,7 @@ class OutsideDistance {
   double radius(const Cell& cell) const;
   void measure(Cell& cell, const Cell* parent) const;
   double knownBound(int cell) const;
+  bool isOutside(const View& view) const;
   bool canDivide(int cell) const;  // what it takes in memory is bounded
   int children(int cell);
   const Cell& measuredChild(int cell, int parent);

@@ -252,6 +252,11 @@ double Solid::distance(const Eigen::Vector3d& p) const {
 double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface) const {
   return contains(p) ? -std::min(to_surface, impl_->walls.insideRadius(p)) : to_surface;
 }
+
+double Solid::distanceWithin(double radius, double signed_distance, double to_surface) const {
+  const double bound = std::max(0.0, signed_distance + radius);
+  return std::signbit(signed_distance) && bound > 0 && hasOpenings() ? to_surface + radius : bound;  // the ball may be a point: -0
+}
 bool Solid::hasOpenings() const {
   return !impl_->walls.lids.empty();
 }

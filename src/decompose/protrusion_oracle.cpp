@@ -16,13 +16,14 @@ namespace {
 // Shares of the tolerance.
 constexpr double kReserve = 0.004;       // left to the certificate, whose bounds come from the hulls as written
 constexpr double kProofGap = 0.002;      // between the bounds of a proof
+constexpr double kCrossing = 1.0 / 16;   // see SurfaceQuery
 constexpr double kQuickCell = 1;         // radius of the smallest cells asked for a quick answer,
 constexpr double kFineCell = 0.5;        // before a proof,
 constexpr double kIntruderCell = 0.125;  // and for intruders
 constexpr double kPocketCell = 0.01;     // where the search for pockets ends
-constexpr double kLooseGap = 0.01;       // between the bounds of large protrusions
+constexpr double kLooseGap = 0.005;      // between the bounds of large protrusions
 
-constexpr double kLooseShare = 0.02;     // the same, of the protrusion itself
+constexpr double kLooseShare = 0.01;     // the same, of the protrusion itself
 constexpr double kInward = 1e-9;         // of the way to a vertex, that intruders on a hull's surface are moved into it
 constexpr double kGrowth = 1e-5;         // of a hull, for rounding when it is written
 constexpr double kJoggle = 1e-6;         // most that a rough hull's points are moved, as a share of their way from the middle
@@ -114,6 +115,7 @@ bool ProtrusionOracle::fits(const ConvexHull& hull) {
   SurfaceQuery on;
   on.floor = on.ceiling = (1 - kReserve) * tolerance_;
   on.gap = kProofGap * tolerance_;
+  on.crossing = kCrossing * tolerance_;
   on.known = &outside_;
   // Where the surface has openings the distance jumps: what is written, a little larger, must not reach across.
   const Protrusion most = largestOnSurface(solid_.hasOpenings() ? grown(hull) : hull, solid_, on, control_);

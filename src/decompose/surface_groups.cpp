@@ -228,12 +228,6 @@ bool SurfaceGroups::holdsPocket(const Group& group) {
   return !known.no_pocket;
 }
 
-bool SurfaceGroups::holdPockets(const Cover& cover) {
-  bool any = false;
-  for (const Group& group : cover) any |= holdsPocket(group);
-  return any;
-}
-
 bool SurfaceGroups::covers(const Group& group, int element) const {
   if (!group.widths.contains(single(element).widths) && !std::binary_search(group.elements.begin(), group.elements.end(), element))
     return false;

@@ -61,7 +61,6 @@ class SurfaceGroups {
 
   /// Whether the group's hull holds a pocket: then it is not taken for a hull that fits any more.
   bool holdsPocket(const Group& group);
-  bool holdPockets(const Cover& cover);  ///< whether one of them does; all are asked
 
   /// Whether the group's hull covers the element, be it its own or not.
   bool covers(const Group& group, int element) const;

@@ -27,6 +27,8 @@ constexpr double kDecomposeShare = 0.7;  // of an element's time, about
 
 /// Why hulls reach further than the caller accepts, and what to do about it.
 std::string excuse(const Options& options, bool capped) {
+  if (options.method == Method::kSingleHull || options.method == Method::kBoundingBox)
+    return std::string(name(options.method)) + " pays no heed to the tolerance; another method does";
   if (capped) {
     return "the caps (max-hulls " + std::to_string(options.max_hulls) + ", max-vertices " + std::to_string(options.max_vertices) +
            ") made the hulls coarser; raise them";
@@ -37,8 +39,7 @@ std::string excuse(const Options& options, bool capped) {
   if (options.method == Method::kAcd) {
     return "acd goes by a concavity measured at reflex edges, which does not bound the protrusion; a smaller tolerance gives more hulls";
   }
-  if (options.method == Method::kCertified) return "the surface has details there that no plane divided; mend the mesh or accept it";
-  return std::string(name(options.method)) + " pays no heed to the tolerance; another method does";
+  return "the surface has details there that no plane divided; mend the mesh or accept it";
 }
 
 void grade(ElementReport& row, const Options& options, bool capped) {

@@ -25,6 +25,9 @@ class Solid {
   /// [m] distance(p) outside; inside, the negative radius of a ball about p that lies within S: the distance to the surface, or
   /// less near openings. `to_surface`: distanceToSurface(p).
   double signedDistance(const Eigen::Vector3d& p, double to_surface) const;
+  /// [m] No point within `radius` of one at this signedDistance() has a larger distance(). Near openings a step out of the ball may lead
+  /// to the far side of a border that is no surface, where the nearest wall counts.
+  double distanceWithin(double radius, double signed_distance, double to_surface) const;
   bool hasOpenings() const;  ///< whether S has borders that are no surface: distance() then jumps where they are crossed
   double volume() const;     ///< [m^3] of the components that have an inside (sum)
   Interior interior() const;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <queue>
@@ -258,28 +259,56 @@ double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
   return most;
 }
 
-double unionVolume(const std::vector<ConvexHull>& hulls) {
-  if (hulls.size() == 1) return volume(hulls[0]);
-  Eigen::AlignedBox3d all;
-  for (const ConvexHull& hull : hulls) all.extend(boundingBox(hull));
-  if (all.isEmpty()) return 0;
+namespace {
+
+bool holds(const ConvexHull& hull, const Eigen::Vector3d& p) {
+  return std::none_of(hull.faces.begin(), hull.faces.end(), [&](const HalfSpace& face) { return face.distance(p) > 0; });
+}
+
+/// Calls visit(p, whether a hull holds it) for points spread evenly over the box of the hulls, which it returns, from many threads.
+template <class Visit>
+Eigen::AlignedBox3d sample(const std::vector<ConvexHull>& hulls, int count, Visit visit) {
   // Points of the R3 sequence (fractional parts of multiples of the plastic number's powers) spread more evenly than random ones.
-  constexpr int kPoints = 20000;
   const Eigen::Vector3d step(0.8191725133961645, 0.6710436067037893, 0.5497004779019703);
-  std::vector<char> held(kPoints, 0);
+  Eigen::AlignedBox3d all;
   std::vector<Eigen::AlignedBox3d> boxes;
-  for (const ConvexHull& hull : hulls) boxes.push_back(boundingBox(hull));
-  tbb::parallel_for(tbb::blocked_range<int>(0, kPoints, 256), [&](const auto& range) {
+  for (const ConvexHull& hull : hulls) {
+    boxes.push_back(boundingBox(hull));
+    all.extend(boxes.back());
+  }
+  if (all.isEmpty()) return all;
+  tbb::parallel_for(tbb::blocked_range<int>(0, count, 256), [&](const auto& range) {
     for (int i = range.begin(); i < range.end(); ++i) {
       Eigen::Vector3d u = (i + 0.5) * step;
       u -= u.array().floor().matrix();
       const Eigen::Vector3d p = all.min() + all.sizes().cwiseProduct(u);
-      for (std::size_t h = 0; h < hulls.size() && !held[static_cast<std::size_t>(i)]; ++h)
-        held[static_cast<std::size_t>(i)] = boxes[h].contains(p) && std::none_of(hulls[h].faces.begin(), hulls[h].faces.end(),
-                                                                                 [&](const auto& face) { return face.distance(p) > 0; });
+      bool held = false;
+      for (std::size_t h = 0; h < hulls.size() && !held; ++h) held = boxes[h].contains(p) && holds(hulls[h], p);
+      visit(p, held);
     }
   });
-  return all.volume() * static_cast<double>(std::count(held.begin(), held.end(), 1)) / kPoints;
+  return all;
+}
+
+constexpr int kSamples = 20000;
+
+}  // namespace
+
+double unionVolume(const std::vector<ConvexHull>& hulls) {
+  if (hulls.size() == 1) return volume(hulls[0]);
+  std::atomic<int> held{0};
+  const Eigen::AlignedBox3d box = sample(hulls, kSamples, [&](const Eigen::Vector3d&, bool is_held) { held += is_held; });
+  return box.isEmpty() ? 0 : box.volume() * held / kSamples;
+}
+
+double coveredShare(const std::vector<ConvexHull>& hulls, const Solid& solid) {
+  std::atomic<int> inside{0}, held{0};
+  sample(hulls, kSamples, [&](const Eigen::Vector3d& p, bool is_held) {
+    if (!solid.contains(p)) return;
+    ++inside;
+    held += is_held;
+  });
+  return inside == 0 ? 1 : static_cast<double>(held) / inside;
 }
 
 }  // namespace collision_hulls

@@ -21,10 +21,10 @@ void fields(Archive& archive, RepairCounts& counts) {
 template <typename Archive>
 void fields(Archive& archive, ElementReport& row) {
   auto& [link, element, visual, uri, sha256, scale, triangles, skipped_primitives, status, reason, error, repair, method, tolerance, hulls,
-         hull_vertices, uncovered, protrusion, protrusion_found, worst, worst_nearest, interior, volume, hull_volume, diagonal, nudge,
-         thickness, seconds, files, cached] = row;
+         hull_vertices, uncovered, protrusion, protrusion_found, worst, worst_nearest, interior, volume, hull_volume, diagonal,
+         covered_share, nudge, thickness, seconds, files, cached] = row;
   archive(sha256, scale, triangles, skipped_primitives, status, reason, error, repair, method, tolerance, hulls, hull_vertices, uncovered,
-          protrusion, protrusion_found, worst, worst_nearest, interior, volume, hull_volume, diagonal, nudge, thickness);
+          protrusion, protrusion_found, worst, worst_nearest, interior, volume, hull_volume, diagonal, covered_share, nudge, thickness);
 }
 
 template <typename Archive>

@@ -75,7 +75,7 @@ void decomposeElement(const MeshTask& mesh, const Options& options, Progress& pr
   row.worst_nearest = made.protrusion.nearest;
   Stopwatch stage;
   row.uncovered = uncovered(element.original, element.hulls, certifying);
-  describe(element.hulls, row);
+  describe(element);
   row.seconds.certify += stage.lap();
 
   grade(row, options, made.capped);

@@ -56,10 +56,12 @@ ReadMesh readElement(const MeshTask& mesh, const Options& options, const RunCont
   return read;
 }
 
-void describe(const std::vector<ConvexHull>& hulls, ElementReport& row) {
-  row.hulls = hulls.size();
-  row.hull_volume = unionVolume(hulls);
-  for (const ConvexHull& hull : hulls) row.hull_vertices += hull.vertices.size();
+void describe(ElementResult& element) {
+  ElementReport& row = element.report;
+  row.hulls = element.hulls.size();
+  row.hull_volume = unionVolume(element.hulls);
+  row.covered_share = coveredShare(element.hulls, *element.solid);
+  for (const ConvexHull& hull : element.hulls) row.hull_vertices += hull.vertices.size();
 }
 
 void copyResult(const ElementResult& from, ElementResult& to) {

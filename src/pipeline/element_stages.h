@@ -18,8 +18,8 @@ struct ReadMesh {
 /// Stages 1 and 2. Fills original and solid of `element`, whose row says which scale it has, and what its row tells about them.
 ReadMesh readElement(const MeshTask& mesh, const Options& options, const RunControl& control, ElementResult& element);
 
-/// Number and volume of an element's hulls.
-void describe(const std::vector<ConvexHull>& hulls, ElementReport& row);
+/// Number and volumes of an element's hulls, for its row.
+void describe(ElementResult& element);
 
 /// Gives the result of `from` to an element that has the same mesh elsewhere; the time was spent once.
 void copyResult(const ElementResult& from, ElementResult& to);

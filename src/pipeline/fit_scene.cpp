@@ -165,7 +165,7 @@ void certify(const FitMesh& mesh, const FittedElement& fitted, const RunControl&
   row.protrusion_found = found.found;
   row.worst = found.where;
   row.worst_nearest = found.nearest;
-  describe(element.hulls, row);
+  describe(element);
   if (fitted.box) row.hulls = row.hull_vertices = 0;  // of meshes, as files hold them
   row.seconds.certify = stage.lap();
 }

@@ -89,6 +89,7 @@ json toJson(const ElementReport& row) {
           {"interior", row.interior},
           {"volume", row.volume},
           {"hull_volume", row.hull_volume},
+          {"covered_share", row.covered_share},
           {"diagonal", row.diagonal},
           {"nudge", row.nudge},
           {"thickness", row.thickness},

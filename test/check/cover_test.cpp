@@ -158,5 +158,19 @@ TEST(UnionVolume, WithinAHundredthOfTheBox) {
   EXPECT_NEAR(unionVolume({boxHull({0, 0, 0}, {1, 1, 1}), boxHull({1, 1, 1}, {2, 2, 2})}), 2, 0.08);
 }
 
+TEST(CoveredShare, OfABlock) {
+  const Solid block(repair(test_shapes::box(2, 1, 1)));
+  const auto share = [&](double from, double to) {
+    return coveredShare({boxHull({from, -3, -3}, {to, 3, 3}), boxHull({-0.001, -0.001, -0.001}, {2.001, 0.001, 1.001})}, block);
+  };
+  EXPECT_NEAR(share(-1, 3), 1, 0);
+  EXPECT_NEAR(share(-1, 0.5), 0.25, 0.03);
+}
+
+TEST(CoveredShare, WithoutAnInside) {
+  EXPECT_EQ(coveredShare({boxHull({0, 0, 0}, {1, 1, 1})}, Solid(repair(test_shapes::sheet()))), 1);
+  EXPECT_EQ(coveredShare({}, Solid(repair(test_shapes::box(1, 1, 1)))), 1);
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -49,6 +49,7 @@ ElementResult element() {
   row.interior = "closed";
   row.volume = 7;
   row.hull_volume = 8;
+  row.covered_share = 0.5;
   row.diagonal = 9;
   row.nudge = 1e-7;
   row.thickness = 1e-6;

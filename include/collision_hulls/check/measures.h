@@ -32,4 +32,8 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
 /// the union's box).
 double unionVolume(const std::vector<ConvexHull>& hulls);
 
+/// Share of the inside of S that lies in hulls that cover its surface, by the same sequence; 1 for a solid without an inside. What is
+/// missing lies deep within, where hulls of pieces of the surface do not reach.
+double coveredShare(const std::vector<ConvexHull>& hulls, const Solid& solid);
+
 }  // namespace collision_hulls

@@ -43,6 +43,7 @@ struct ElementReport {
   Eigen::Vector3d worst = Eigen::Vector3d::Zero(), worst_nearest = Eigen::Vector3d::Zero();  ///< place of protrusion_found, and of S
   std::string interior;
   double volume = 0, hull_volume = 0, diagonal = 0;
+  double covered_share = 1;        ///< of the solid's inside that lies in the hulls, to 1 % or so; see coveredShare()
   double nudge = 0;                ///< [m] how far hulls were moved outward for rounding (reader, weld, writer)
   double thickness = 0;            ///< [m] thickness given to flat hulls
   StageSeconds seconds;            ///< a mesh that several links use is worked on once: the first row has the time, the others have 0

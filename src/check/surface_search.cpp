@@ -1,5 +1,6 @@
-// Put the hull's triangles into a queue, largest bound first; until the largest bound is at most found + gap, halve that triangle
-// at its longest edge and put both halves back.
+// Put the hull's triangles into a queue, largest bound first; until the largest bound is at most found + gap, divide that triangle
+// at its longest edge and put both parts back. Where a hull's face is level with the surface on one side of an edge of it and runs into the
+// solid on the other, it is divided along that edge instead.
 //
 // The distance f to the solid is 1-Lipschitz: within a radius r of the centre c it is at most f(c) + r. Where f is level that closes
 // slowly, and LevelBound takes over; TriangleBvh::frontBound settles patches within the solid that end at its surface.
@@ -9,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <queue>
 
 #include "check/level_bound.h"
@@ -18,6 +20,8 @@ namespace collision_hulls {
 namespace {
 
 constexpr int kStepsBetweenChecks = 1024;
+constexpr int kMostInARow = 6;   // divisions by planes, which may not make a patch shorter
+constexpr double kLevel = 1e-6;  // of a patch's height over a plane: a corner nearer to it lies in it
 
 /// A corner of patches, and the triangle of the solid's surface nearest to it.
 struct Corner {
@@ -28,6 +32,8 @@ struct Corner {
 struct Patch {
   std::array<Corner, 3> corner;
   double bound = 0;
+  int divider = -1;  // a triangle of the solid's surface whose plane may divide what is level from what lies within; -1: none known
+  int divided = 0;   // how often it and its like were divided by planes in a row
 
   bool operator<(const Patch& other) const { return bound < other.bound; }
   Eigen::Vector3d centre() const { return (corner[0].p + corner[1].p + corner[2].p) / 3; }
@@ -105,7 +111,7 @@ class Search {
       patch.bound = std::min({patch.bound, std::max(0.0, outside + radius), levelBound(patch, n.triangle)});
       if (patch.bound > threshold())
         patch.bound = std::min(patch.bound, solid_.surface().frontBound({patch.corner[0].p, patch.corner[1].p, patch.corner[2].p}, c,
-                                                                        n.distance + 2 * radius));
+                                                                        n.distance + 2 * radius, &patch.divider));
     }
     if (patch.bound > threshold())
       queue_.push(patch);
@@ -113,17 +119,43 @@ class Search {
       dropped_ = std::max(dropped_, patch.bound);
   }
 
+  /// Where the plane of the patch's divider crosses an edge of it.
+  struct Crossing {
+    std::size_t edge = 0;  // from corner `edge` to the next one
+    double at = 0.5;       // of the way
+  };
+  std::optional<Crossing> crossing(const Patch& patch) const {
+    if (patch.divider < 0 || patch.divided >= kMostInARow) return std::nullopt;
+    const auto& [a, b, c] = solid_.surface().corners(patch.divider);
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    std::array<double, 3> height;
+    for (std::size_t i = 0; i < 3; ++i) height[i] = normal.dot(patch.corner[i].p - a);
+    const double level = kLevel * std::max({std::abs(height[0]), std::abs(height[1]), std::abs(height[2])});
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double from = height[i], to = height[(i + 1) % 3];
+      if (std::min(from, to) < -level && std::max(from, to) > level) return Crossing{i, from / (from - to)};
+    }
+    return std::nullopt;
+  }
+
+  Crossing middleOfLongest(const Patch& patch) const {
+    Crossing longest;
+    const auto length = [&](std::size_t i) { return (patch.corner[i].p - patch.corner[(i + 1) % 3].p).squaredNorm(); };
+    for (std::size_t i = 1; i < 3; ++i)
+      if (length(i) > length(longest.edge)) longest.edge = i;
+    return longest;
+  }
+
   void halve() {
     Patch patch = queue_.top();
     queue_.pop();
-    std::size_t a = 0;
-    const auto length = [&](std::size_t i) { return (patch.corner[i].p - patch.corner[(i + 1) % 3].p).squaredNorm(); };
-    for (std::size_t i = 1; i < 3; ++i)
-      if (length(i) > length(a)) a = i;
-    const std::size_t b = (a + 1) % 3;
-    const Corner middle = visit((patch.corner[a].p + patch.corner[b].p) / 2, patch.corner[a].triangle);
+    const std::optional<Crossing> plane = crossing(patch);
+    const Crossing cut = plane ? *plane : middleOfLongest(patch);
+    patch.divided = plane ? patch.divided + 1 : 0;
+    const std::size_t a = cut.edge, b = (a + 1) % 3;
+    const Corner between = visit(patch.corner[a].p + cut.at * (patch.corner[b].p - patch.corner[a].p), patch.corner[a].triangle);
     Patch other = patch;
-    patch.corner[b] = other.corner[a] = middle;
+    patch.corner[b] = other.corner[a] = between;
     if (!isKnown(patch.corner)) push(patch);
     if (!isKnown(other.corner)) push(other);
   }

@@ -323,7 +323,7 @@ bool TriangleBvh::facesOneWay(const Eigen::Vector3d& p, double radius) const {
          leastCosine(cones.data(), count) > 0;
 }
 
-double TriangleBvh::frontBound(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& p, double radius) const {
+double TriangleBvh::frontBound(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& p, double radius, int* foremost) const {
   std::array<Spread, kMostCones> cones;
   std::size_t count = 0;
   double front = 0;
@@ -331,7 +331,12 @@ double TriangleBvh::frontBound(const std::vector<Eigen::Vector3d>& corners, cons
     const Cone c = cone(k);
     if (c.angle >= kAnyDirection || count == kMostCones) return false;
     cones[count++] = {c.axis, 0};
-    for (const Eigen::Vector3d& corner : corners) front = std::max(front, c.axis.dot(corner - corners_[static_cast<std::size_t>(k)][0]));
+    for (const Eigen::Vector3d& corner : corners) {
+      const double d = c.axis.dot(corner - corners_[static_cast<std::size_t>(k)][0]);
+      if (d <= front) continue;
+      front = d;
+      if (foremost) *foremost = index_[static_cast<std::size_t>(k)];
+    }
     return true;
   };
   if (!forEachNear(p, radius, -1, add, [](const Cluster&) { return false; })) return std::numeric_limits<double>::infinity();

@@ -45,7 +45,8 @@ class TriangleBvh {
   /// hold, for each of its points outside, the nearest point of the surface. Infinite where the triangles there do not face one
   /// way. For x outside with nearest point y, x - y lies in the cone of the normals n_i at y, all of which have a cosine of c at
   /// least with some direction; hence |x - y| <= max_i n_i . (x - y) / c, and each of those is linear in x.
-  double frontBound(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& p, double radius) const;
+  /// `foremost`, if given, gets the triangle i that the largest of them is of.
+  double frontBound(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& p, double radius, int* foremost = nullptr) const;
 
   /// The triangles whose boxes meet a box, ascending.
   std::vector<int> trianglesNear(const Eigen::AlignedBox3d& box) const;

@@ -42,7 +42,11 @@ std::vector<PlacedPart> placedParts(const Assembly& assembly, const Cuts& cuts, 
 }  // namespace
 
 Assembly::Assembly(const FitProblem& problem, std::uint64_t seed)
-    : problem_(problem), kinematics_(problem.robot), sequence_(kinematics_, seed), of_part_(parts()) {
+    : problem_(problem),
+      kinematics_(problem.robot),
+      even_(kinematics_, seed),
+      independent_(kinematics_, seed, Sampling::kIndependent),
+      of_part_(parts()) {
   std::map<const FitMesh*, std::shared_ptr<const DetailTree>> trees;  // elements with the same mesh share its levels
   for (const FitElement& element : problem.elements) {
     std::shared_ptr<const DetailTree>& tree = trees[element.mesh.get()];
@@ -81,7 +85,8 @@ std::size_t Assembly::hulls(const Cuts& cuts) const {
 }
 
 Configuration Assembly::sample(std::size_t index) const {
-  return problem_.configurations.empty() ? sequence_(index) : problem_.configurations[index];
+  if (!problem_.configurations.empty()) return problem_.configurations[index];
+  return index < kIndependentFrom ? even_(index) : independent_(index - kIndependentFrom);
 }
 
 Places Assembly::places(const Configuration& configuration) const {

@@ -45,14 +45,16 @@ class Assembly {
   std::size_t hulls(const Cuts& cuts) const;  ///< of the elements
 
   const Kinematics& kinematics() const { return kinematics_; }
-  Configuration sample(std::size_t index) const;  ///< a given configuration, or one of the sequence
+  /// A given configuration, or one within the joints' limits: spread evenly, and from kIndependentFrom on independent of each other.
+  Configuration sample(std::size_t index) const;
+  static constexpr std::size_t kIndependentFrom = std::size_t{1} << 40;
   Places places(const Configuration& configuration) const;
   Places places(std::size_t sample) const { return places(this->sample(sample)); }
 
  private:
   const FitProblem& problem_;
   Kinematics kinematics_;
-  ConfigurationSequence sequence_;
+  ConfigurationSequence even_, independent_;
   std::vector<Piece> pieces_;
   std::vector<std::vector<int>> of_part_;
 };

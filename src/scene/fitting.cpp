@@ -96,8 +96,9 @@ void Fitting::fitAll() {
   cuts_ = assembly_.hulls(again) <= assembly_.hulls(mended) ? again : mended;
 }
 
-/// 5. Until a batch has no counterexample.
+/// 5. Until a batch has no counterexample. Its samples are independent, since a rate is concluded from them.
 void Fitting::verify() {
+  if (problem_.configurations.empty()) next_ = Assembly::kIndependentFrom;
   const std::size_t given = problem_.configurations.size();
   for (int round = 0; round < kMostRounds; ++round)
     if (cureBatch(given > 0 ? given : options_.samples) == 0) return;

@@ -15,7 +15,7 @@ namespace {
 const double kSqrt3 = std::sqrt(3.0);
 constexpr double kBoxMargin = 1e-4;                 // the root's size beyond the box, as a share
 constexpr double kOnFace = 1e-9;                    // a point this far beyond a face, in cells, still lies in the hull
-constexpr std::size_t kMostVisits = 200000;         // of one query; then the largest bound left over is the answer's
+constexpr std::size_t kMostVisits = 60000;          // of one query; then the largest bound left over is the answer's
 constexpr std::size_t kMostCellsInAll = 8'000'000;  // then cells are not divided any more
 constexpr int kDeepest = 40;                        // level that isWithin() descends to
 constexpr std::size_t kMostCells = 40000;           // of one size that a search for intruders divides further
@@ -196,7 +196,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
         return result;
       }
     }
-    const double bound = std::min(open.bound, query.surface_bound + view.depth);
+    const double bound = std::min(open.bound, query.surface_bound + std::min(view.depth, query.depth));
     if (bound <= enough() || (query.summits_only && !mayHoldSummit(open.cell))) continue;
     if (radius(cell) < query.resolution || !canDivide(open.cell)) {
       result.bound = std::max(result.bound, bound);

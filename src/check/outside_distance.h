@@ -25,6 +25,7 @@ class OutsideDistance {
     double ceiling = 0;                                              ///< [m] the search ends when a larger distance is found
     double resolution = 0;                                           ///< [m] cells of a smaller radius are not divided
     double surface_bound = std::numeric_limits<double>::infinity();  ///< [m] no point of the hull's surface is further
+    double depth = std::numeric_limits<double>::infinity();          ///< [m] no point of the hull lies deeper beneath its surface
     bool summits_only = false;  ///< leave out cells without a local maximum: for hulls whose surface was searched already
   };
   struct Largest {

@@ -9,6 +9,7 @@
 #include "check/outside_distance.h"
 #include "check/surface_search.h"
 #include "collision_hulls/check/measures.h"
+#include "geometry/hull_support.h"
 
 namespace collision_hulls {
 
@@ -25,6 +26,18 @@ void add(Protrusion& worst, const Protrusion& other) {
   worst.bound = bound;
 }
 
+/// The width [m] of a hull across that of its faces where it is least: a ball within is no wider.
+double leastWidth(const ConvexHull& hull) {
+  const HullSupport support(hull);
+  double least = std::numeric_limits<double>::infinity();
+  int last = 0;
+  for (const HalfSpace& face : hull.faces) {
+    last = support.furthest(-face.normal, last);
+    least = std::min(least, -face.distance(hull.vertices[static_cast<std::size_t>(last)]));
+  }
+  return least;
+}
+
 void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const Solid& solid, double gap, const RunControl& control) {
   Eigen::AlignedBox3d box;
   for (const ConvexHull& hull : hulls) box.extend(boundingBox(hull));
@@ -39,6 +52,7 @@ void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const S
   for (std::size_t i = 0; i < hulls.size(); ++i) {
     control.check();
     query.floor = std::max(query.floor, worst.found);
+    query.depth = leastWidth(hulls[i]) / 2;
     const OutsideDistance::Largest largest = outside.largest(hulls[i], query);
     Protrusion summit;
     summit.bound = largest.bound;

@@ -80,8 +80,9 @@ ConvexHull innerHull(const ConvexHull& hull, const HullSupport& support, std::si
     Points more = inner.vertices;
     for (const auto& [distance, v] : furthest)
       if (distance > least && more.size() < max_vertices) more.push_back(hull.vertices[static_cast<std::size_t>(v)]);
-    if (more.size() == inner.vertices.size()) break;
-    inner = convexHull(more);
+    ConvexHull larger = convexHull(more);
+    if (larger.vertices.size() <= inner.vertices.size()) break;  // nothing to add, or rounding took it for no vertex
+    inner = std::move(larger);
   }
   return inner;
 }

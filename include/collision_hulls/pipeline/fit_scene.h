@@ -27,7 +27,7 @@ SceneRequest readSceneRequest(const Input& input, const std::string& scene, cons
 /// As decomposeRobot(), with hulls as fine as the scene asks for, and no finer than the options' tolerance: report.scene says why. What
 /// the cache has of trees costs no decomposition, at the same tolerance. Links that `options.links` does not choose, and those with a mesh
 /// that failed, are not there in the scene. `method` has to be certified.
-/// extra_files has config/<robot>_disabled.srdf. Throws kBadOption, kCancelled.
+/// extra_files has `config/<robot>_disabled.srdf`. Throws kBadOption, kCancelled.
 RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& find_package, const SceneRequest& request,
                             const Options& options, const std::string& output, const RunControl& control = {},
                             const StepCallback& step = {});

@@ -35,14 +35,15 @@ ConvexHull sphereShape(double radius);
 ConvexHull cylinderShape(double radius, double length);  ///< along z
 ConvexHull coneShape(double radius, double length);      ///< along z, the tip at +length / 2
 
-/// What stands for a plane a x + b y + c z + d = 0, which bodies here cannot: a slab, kPlaneSide square and kPlaneDepth thick. Its upper
-/// face is the plane, about the point that is nearest to the origin; (a, b, c) points out of it. Throws kBadScene for a normal of no
-/// length.
 struct PlacedShape {
   ConvexHull shape;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
 };
 constexpr double kPlaneSide = 20, kPlaneDepth = 0.1;  // [m]
+
+/// What stands for a plane a x + b y + c z + d = 0, which bodies here cannot: a slab, kPlaneSide square and kPlaneDepth thick. Its upper
+/// face is the plane, about the point that is nearest to the origin; (a, b, c) points out of it. Throws kBadScene for a normal of no
+/// length.
 PlacedShape planeShape(const Eigen::Vector3d& normal, double d);
 
 /// Appends a body. Throws kBadScene for a name that is empty or taken, a pose that is not finite, or a mesh with a vertex that is not
@@ -56,9 +57,9 @@ void addBody(Scene& scene, SceneBody body);
 ///   .urdf .xacro      collision elements, or visual ones of links that have none, joints at zero or the limit that is nearest to it; named
 ///                     as the link, or "link/1", "link/2", ...
 ///   .sdf .world       the collisions of all models, also nested and within a world, static or not, where their poses put them; relative_to
-///                     names links, joints, frames and models beside it. Named "model::link::collision". <include> takes model:// (looked
+///                     names links, joints, frames and models beside it. Named "model::link::collision". `<include>` takes model:// (looked
 ///                     for in GAZEBO_MODEL_PATH, GZ_SIM_RESOURCE_PATH, SDF_PATH, the folders that enclose the file, and ~/.gazebo/models),
-///                     package://, or a path, of a file or a model's folder. A saved world's <state> is not looked at
+///                     package://, or a path, of a file or a model's folder. A saved world's `<state>` is not looked at
 ///   .stl .dae .obj .off .ply    one mesh, where it is
 ///   .yaml .yml        ours:
 ///

@@ -20,15 +20,15 @@ struct DisabledPairs {
   std::vector<std::string> notes;   ///< what was left out: links that the robot does not have, as in SRDF files of variants of a robot
 };
 
-/// The disabled pairs of an SRDF; <enable_collisions> takes a pair back, and <disable_default_collisions> disables all pairs of a link.
+/// The disabled pairs of an SRDF; `<enable_collisions>` takes a pair back, and `<disable_default_collisions>` disables all pairs of a link.
 /// `path` (may be empty) stands in messages. Throws kNotXml, kNotAnSrdf; links without a name are kNotAnSrdf.
 DisabledPairs parseDisabledPairs(const std::string& srdf_text, const RobotDescription& robot, const std::string& path = "");
 
 /// The same of a file. Also throws kFileNotFound, kTooLarge.
 DisabledPairs readDisabledPairs(const std::string& srdf_file, const RobotDescription& robot);
 
-/// A document <robot name="..."> with a <disable_collisions> for each pair, in the given order; to be merged into a robot's SRDF, or used
-/// as one. What parseDisabledPairs() reads back is the same.
+/// A document `<robot name="...">` with a `<disable_collisions>` for each pair, in the given order; to be merged into a robot's SRDF, or
+/// used as one. What parseDisabledPairs() reads back is the same.
 std::string srdfFragment(const std::string& robot_name, const std::vector<DisabledPair>& pairs);
 
 }  // namespace collision_hulls

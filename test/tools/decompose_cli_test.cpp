@@ -6,24 +6,18 @@
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/fixtures.h"
 #include "shapes.h"
+#include "tools/program_test.h"
 
 namespace collision_hulls {
 namespace {
 
 namespace fs = std::filesystem;
-using fixtures::TempFolder;
 using nlohmann::json;
 
-struct Finished {
-  int status = -1;
-  std::string out, err;
-};
-
-class DecomposeProgram : public ::testing::Test {
+class DecomposeProgram : public ProgramTest {
  protected:
-  DecomposeProgram() {
+  DecomposeProgram() : ProgramTest("decompose") {
     fixtures::write(folder_ / "arm/package.xml", "<package format=\"2\"><name>arm_description</name></package>");
     fixtures::write(folder_ / "arm/meshes/bracket.obj", fixtures::obj(test_shapes::lBracket(0.2, 0.03, 0.1)));
     fixtures::write(folder_ / "arm/meshes/rubbish.stl", "no mesh");
@@ -34,28 +28,6 @@ class DecomposeProgram : public ::testing::Test {
     return "    <collision>" + fixtures::meshTag("package://arm_description/meshes/" + mesh) + "</collision>\n";
   }
   void addRobot(const std::string& file, const std::string& links) { fixtures::write(folder_ / file, fixtures::robot("arm", links)); }
-
-  /// Runs in the folder, through a shell: quote what has spaces.
-  Finished run(const std::string& arguments) {
-    const std::string command = "cd '" + folder_.path().string() + "' && ROS_PACKAGE_PATH='" + folder_.path().string() +
-                                "' '" PROGRAMS "/decompose' " + arguments + " >'" + (folder_ / ".out") + "' 2>'" + (folder_ / ".err") + "'";
-    const int status = std::system(command.c_str());
-    Finished result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, fixtures::read(folder_ / ".out"), fixtures::read(folder_ / ".err")};
-    fs::remove(folder_ / ".out");
-    fs::remove(folder_ / ".err");
-    return result;
-  }
-
-  void expectWrongUse(const std::string& arguments, const std::vector<std::string>& parts) {
-    const auto before = fixtures::contents(folder_.path());
-    const Finished result = run(arguments);
-    EXPECT_EQ(result.status, 2) << arguments;
-    EXPECT_EQ(result.out, "") << arguments;
-    for (const std::string& part : parts) EXPECT_NE(result.err.find(part), std::string::npos) << arguments << "\n" << result.err;
-    EXPECT_EQ(fixtures::contents(folder_.path()), before) << arguments;
-  }
-
-  TempFolder folder_;
 };
 
 TEST_F(DecomposeProgram, HelpNamesUnitsAndDefaults) {

@@ -1,54 +1,26 @@
 // The program fit_scene: exit status, streams, files.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <nlohmann/json.hpp>
 
-#include "pipeline/fixtures.h"
 #include "shapes.h"
+#include "tools/program_test.h"
 
 namespace collision_hulls {
 namespace {
 
 namespace fs = std::filesystem;
-using fixtures::TempFolder;
 using nlohmann::json;
 
-struct Finished {
-  int status = -1;
-  std::string out, err;
-};
-
-class FitSceneProgram : public ::testing::Test {
+class FitSceneProgram : public ProgramTest {
  protected:
-  FitSceneProgram() {
+  FitSceneProgram() : ProgramTest("fit_scene") {
     fixtures::write(folder_ / "bracket.obj", fixtures::obj(test_shapes::lBracket(0.2, 0.03, 0.1)));
     fixtures::write(folder_ / "arm.urdf",
                     fixtures::robot("arm", fixtures::link("base", "    <visual>" + fixtures::meshTag("bracket.obj") + "</visual>\n")));
     fixtures::write(folder_ / "notch.yaml",
                     "name: notch\nbodies:\n- {name: block, box: [0.03, 0.03, 0.03], pose: {xyz: [0.075, 0.075, 0.05]}}\n");
   }
-
-  Finished run(const std::string& arguments) {
-    const std::string command = "cd '" + folder_.path().string() + "' && '" PROGRAMS "/fit_scene' " + arguments + " >'" +
-                                (folder_ / ".out") + "' 2>'" + (folder_ / ".err") + "'";
-    const int status = std::system(command.c_str());
-    Finished result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, fixtures::read(folder_ / ".out"), fixtures::read(folder_ / ".err")};
-    fs::remove(folder_ / ".out");
-    fs::remove(folder_ / ".err");
-    return result;
-  }
-
-  void expectWrongUse(const std::string& arguments, const std::vector<std::string>& parts) {
-    const auto before = fixtures::contents(folder_.path());
-    const Finished result = run(arguments);
-    EXPECT_EQ(result.status, 2) << arguments;
-    EXPECT_EQ(result.out, "") << arguments;
-    for (const std::string& part : parts) EXPECT_NE(result.err.find(part), std::string::npos) << arguments << "\n" << result.err;
-    EXPECT_EQ(fixtures::contents(folder_.path()), before) << arguments;
-  }
-
-  TempFolder folder_;
 };
 
 TEST_F(FitSceneProgram, Help) {

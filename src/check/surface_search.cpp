@@ -20,13 +20,16 @@ namespace collision_hulls {
 namespace {
 
 constexpr int kStepsBetweenChecks = 1024;
-constexpr int kMostInARow = 6;   // divisions by planes, which may not make a patch shorter
+constexpr int kMostInARow = 4;   // divisions by planes, which may not make a patch shorter
 constexpr double kLevel = 1e-6;  // of a patch's height over a plane: a corner nearer to it lies in it
+constexpr double kSteep = 0.05;  // sine of the least angle between a patch and a plane that divides it
+constexpr double kLong = 40;     // thresholds: shorter patches are halved: planes would gain little
 
 /// A corner of patches, and the triangle of the solid's surface nearest to it.
 struct Corner {
   Eigen::Vector3d p;
   int triangle = -1;
+  double distance = 0;  // from it
 };
 
 struct Patch {
@@ -46,7 +49,7 @@ class Search {
 
   Protrusion run(const ConvexHull& hull, const RunControl& control) {
     std::vector<Corner> corners;
-    for (const Eigen::Vector3d& v : hull.vertices) corners.push_back({v, -1});
+    for (const Eigen::Vector3d& v : hull.vertices) corners.push_back({v, -1, 0});
     for (const Triangle& t : hull.triangles) {
       const auto at = [&](std::size_t k) -> Corner& { return corners[static_cast<std::size_t>(t[k])]; };
       if (isKnown({at(0), at(1), at(2)})) continue;
@@ -84,7 +87,7 @@ class Search {
     if (n.distance > best_.found && n.distance > query_.floor && !solid_.contains(p)) {
       best_.found = n.distance, best_.where = p, best_.nearest = n.point;
     }
-    return {p, n.triangle};
+    return {p, n.triangle, n.distance};
   }
 
   /// Bound by the distances to the triangles nearest to the corners and, where there is one, to the centre.
@@ -119,18 +122,39 @@ class Search {
       dropped_ = std::max(dropped_, patch.bound);
   }
 
-  /// Where the plane of the patch's divider crosses an edge of it.
+  /// Where a plane crosses an edge of a patch.
   struct Crossing {
     std::size_t edge = 0;  // from corner `edge` to the next one
     double at = 0.5;       // of the way
   };
   std::optional<Crossing> crossing(const Patch& patch) const {
-    if (patch.divider < 0 || patch.divided >= kMostInARow) return std::nullopt;
-    const auto& [a, b, c] = solid_.surface().corners(patch.divider);
-    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    const Crossing longest = middleOfLongest(patch);
+    const double length = (patch.corner[longest.edge].p - patch.corner[(longest.edge + 1) % 3].p).norm();
+    if (patch.divided >= kMostInARow || length < kLong * threshold()) return std::nullopt;
+    if (patch.divider >= 0) {
+      const auto& [a, b, c] = solid_.surface().corners(patch.divider);
+      return crossing(patch, (b - a).cross(c - a), a);
+    }
+    // Over a level surface of several triangles: where one of them ends.
+    const auto is_near = [&](const Corner& c) { return c.distance < threshold(); };
+    if (!std::all_of(patch.corner.begin(), patch.corner.end(), is_near)) return std::nullopt;
+    for (const Corner& corner : patch.corner) {
+      const std::array<Eigen::Vector3d, 3>& t = solid_.surface().corners(corner.triangle);
+      const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
+      for (std::size_t i = 0; i < 3; ++i)
+        if (const auto found = crossing(patch, (t[(i + 1) % 3] - t[i]).cross(normal), t[i])) return found;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Crossing> crossing(const Patch& patch, const Eigen::Vector3d& normal, const Eigen::Vector3d& through) const {
     std::array<double, 3> height;
-    for (std::size_t i = 0; i < 3; ++i) height[i] = normal.dot(patch.corner[i].p - a);
-    const double level = kLevel * std::max({std::abs(height[0]), std::abs(height[1]), std::abs(height[2])});
+    for (std::size_t i = 0; i < 3; ++i) height[i] = normal.dot(patch.corner[i].p - through);
+    const auto [low, high] = std::minmax_element(height.begin(), height.end());
+    const Crossing longest = middleOfLongest(patch);
+    const double length = (patch.corner[longest.edge].p - patch.corner[(longest.edge + 1) % 3].p).norm();
+    if (!(*high - *low > kSteep * normal.norm() * length)) return std::nullopt;  // nearly level: it would cut slivers off
+    const double level = kLevel * (*high - *low);
     for (std::size_t i = 0; i < 3; ++i) {
       const double from = height[i], to = height[(i + 1) % 3];
       if (std::min(from, to) < -level && std::max(from, to) > level) return Crossing{i, from / (from - to)};

@@ -16,7 +16,6 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kLooseGap = 16;  // of the first searches, in gaps of the last
-constexpr double kCrossing = 64;  // in gaps: see SurfaceQuery
 constexpr int kGlance = 20;       // halvings
 
 /// Keeps the further of two places, and the larger of two bounds.
@@ -87,7 +86,6 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
       SurfaceQuery query;
       query.floor = floor * (1 - 1e-9);
       query.gap = pass.gap * gap / 2;
-      query.crossing = kCrossing * gap;
       query.halvings = pass.halvings;
       if (each[i].hull >= 0 && each[i].bound <= floor + query.gap) return;
       Protrusion found = largestOnSurface(hulls[i], solid, query, control);

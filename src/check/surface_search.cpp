@@ -98,10 +98,6 @@ class Search {
     return bound.over({patch.corner[0].p, patch.corner[1].p, patch.corner[2].p}, solid_.surface());
   }
 
-  double boundOver(double radius, double outside, double to_surface) const {
-    return radius <= query_.crossing ? std::max(0.0, outside + radius) : solid_.distanceWithin(radius, outside, to_surface);
-  }
-
   void push(Patch patch) {
     patch.bound = levelBound(patch, -1);
     if (patch.bound > threshold()) {

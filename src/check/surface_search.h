@@ -12,13 +12,12 @@ struct SurfaceQuery {
   double floor = 0;                                          ///< [m] distances up to here do not matter
   double gap = 0;                                            ///< [m] the bound may exceed max(found, floor) by this; > 0
   double ceiling = std::numeric_limits<double>::infinity();  ///< [m] the search ends when a larger distance is found
-  double crossing = 0;                                       ///< [m] see below
   int halvings = std::numeric_limits<int>::max();            ///< of patches, then the search ends with what it has
   const OutsideDistance* known = nullptr;                    ///< what it knows of the solid settles patches
 };
 
-/// Near openings the border of the solid is no surface, and across it the distance jumps. A patch about a point inside may reach across;
-/// where its radius is no more than `crossing` it is taken to lie in the solid, or as near to it as the point's ball is.
+/// Near openings the border of the solid is no surface, and across it the distance jumps. A patch about a point inside that may reach
+/// across is taken to be as near to the solid as the point's ball is.
 /// Branch and bound over the hull's triangles. bound is infinite if the ceiling ended the search.
 Protrusion largestOnSurface(const ConvexHull& hull, const Solid& solid, const SurfaceQuery& query, const RunControl& control);
 

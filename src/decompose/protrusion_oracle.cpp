@@ -16,7 +16,6 @@ namespace {
 // Shares of the tolerance.
 constexpr double kReserve = 0.004;       // left to the certificate, whose bounds come from the hulls as written
 constexpr double kProofGap = 0.002;      // between the bounds of a proof
-constexpr double kCrossing = 1.0 / 16;   // see SurfaceQuery
 constexpr double kQuickCell = 1;         // radius of the smallest cells asked for a quick answer,
 constexpr double kFineCell = 0.5;        // before a proof,
 constexpr double kIntruderCell = 0.125;  // and for intruders
@@ -115,7 +114,6 @@ bool ProtrusionOracle::fits(const ConvexHull& hull) {
   SurfaceQuery on;
   on.floor = on.ceiling = (1 - kReserve) * tolerance_;
   on.gap = kProofGap * tolerance_;
-  on.crossing = kCrossing * tolerance_;
   on.known = &outside_;
   // Where the surface has openings the distance jumps: what is written, a little larger, must not reach across.
   const Protrusion most = largestOnSurface(solid_.hasOpenings() ? grown(hull) : hull, solid_, on, control_);

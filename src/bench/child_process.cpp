@@ -5,58 +5,66 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <cmath>
+#include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <memory>
+#include <mutex>
 #include <system_error>
+#include <thread>
 
 #include "pipeline/stopwatch.h"
 
 namespace collision_hulls {
 namespace {
 
-constexpr int kNotStarted = 127;       // the shell's status for a command that is not found
-constexpr long kMostOutput = 4000;     // characters
-constexpr double kLongestWait = 1e-1;  // [s] between looks at the clock, should a signal be lost
+constexpr int kNotStarted = 127;    // the shell's status for a command that is not found
+constexpr long kMostOutput = 4000;  // characters
 
 [[noreturn]] void fail(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-/// Blocks SIGCHLD, so that it can be waited for together with a time limit.
-class ChildSignal {
+/// Kills a process and all of its group when the time is up, unless it is called off before.
+class TimeLimit {
  public:
-  ChildSignal() {
-    sigemptyset(&child_);
-    sigaddset(&child_, SIGCHLD);
-    sigprocmask(SIG_BLOCK, &child_, &before_);
-  }
-  ~ChildSignal() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
-  ChildSignal(const ChildSignal&) = delete;
-  ChildSignal& operator=(const ChildSignal&) = delete;
+  TimeLimit(pid_t group, double limit) : thread_([this, group, limit] { watch(group, limit); }) {}
+  ~TimeLimit() { callOff(); }
+  TimeLimit(const TimeLimit&) = delete;
+  TimeLimit& operator=(const TimeLimit&) = delete;
 
-  const sigset_t& before() const { return before_; }
-  void wait(double seconds) const {
-    timespec time{};
-    time.tv_sec = static_cast<time_t>(seconds);
-    time.tv_nsec = static_cast<long>(1e9 * (seconds - std::floor(seconds)));
-    sigtimedwait(&child_, nullptr, &time);
+  /// True if it had to kill.
+  bool callOff() {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      called_off_ = true;
+    }
+    change_.notify_one();
+    if (thread_.joinable()) thread_.join();
+    return killed_;
   }
 
  private:
-  sigset_t child_{}, before_{};
+  void watch(pid_t group, double limit) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    if (!change_.wait_for(lock, std::chrono::duration<double>(limit), [this] { return called_off_; })) killed_ = kill(-group, SIGKILL) == 0;
+  }
+
+  std::mutex mutex_;
+  std::condition_variable change_;
+  bool called_off_ = false, killed_ = false;
+  std::thread thread_;  // last: it uses the others
 };
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 /// In the new process, where nothing but system calls may be used: its own group, so that it can be killed with all that it starts.
-[[noreturn]] void become(const std::vector<char*>& argv, int output, const sigset_t& mask) {
+[[noreturn]] void become(const std::vector<char*>& argv, int output) {
   setpgid(0, 0);
-  sigprocmask(SIG_SETMASK, &mask, nullptr);
   dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
@@ -90,17 +98,13 @@ void killRest(pid_t group, ChildResult& result) {
   while (wait4(-group, nullptr, 0, &used) > 0) add(used, result);
 }
 
-/// Waits for the process, killing its group when the time is up; true when it had to be.
-bool await(pid_t process, double limit, const ChildSignal& signal, int& status, rusage& used) {
-  Stopwatch clock;
-  double waited = 0;
-  for (bool killed = false;; waited += clock.lap()) {
-    const pid_t done = wait4(process, &status, WNOHANG, &used);
-    if (done == process) return killed;
-    if (done < 0 && errno != EINTR) fail("waiting for a process");
-    if (waited >= limit && !killed) killed = kill(-process, SIGKILL) == 0;
-    signal.wait(killed ? kLongestWait : std::min(kLongestWait, std::max(0.0, limit - waited)));
-  }
+/// Waits for the process, which keeps its number until it is reaped, so that no other can be killed in its place; true when it had to be.
+bool await(pid_t process, double limit) {
+  TimeLimit time_limit(process, limit);
+  siginfo_t ended{};
+  while (waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOWAIT) != 0)
+    if (errno != EINTR) fail("waiting for a process");
+  return time_limit.callOff();
 }
 
 }  // namespace
@@ -113,18 +117,18 @@ ChildResult runChild(const std::vector<std::string>& arguments, double limit) {
   argv.push_back(nullptr);
 
   prctl(PR_SET_CHILD_SUBREAPER, 1);  // what a killed shell was running can then be waited for, and its time be known
-  const ChildSignal signal;
   Stopwatch clock;
   const pid_t process = fork();
   if (process < 0) fail("a new process");
-  if (process == 0) become(argv, fileno(output.get()), signal.before());
+  if (process == 0) become(argv, fileno(output.get()));
   setpgid(process, process);  // here too: whichever of the two processes comes first
 
+  ChildResult result;
+  const bool killed = await(process, limit);
+  result.wall_seconds = clock.lap();
   int status = 0;
   rusage used{};
-  ChildResult result;
-  const bool killed = await(process, limit, signal, status, used);
-  result.wall_seconds = clock.lap();
+  if (wait4(process, &status, 0, &used) != process) fail("reaping a process");
   add(used, result);
   killRest(process, result);
   result.end = killed ? ChildResult::End::kTimeout : WIFSIGNALED(status) ? ChildResult::End::kSignal : ChildResult::End::kExit;

@@ -18,8 +18,7 @@ struct ChildResult {
 
 /// Runs arguments[0] (a path, or a name that PATH holds) with an empty stdin and waits, for at most `limit` seconds of wall time: then it
 /// and the processes that it started are killed, as is whatever of them a finished one leaves behind. A program that is not there exits
-/// with status 127. Keeps SIGCHLD blocked while it waits: to be called from one thread at a time. Throws std::system_error where no process
-/// can be started.
+/// with status 127. Threads may call it side by side. Throws std::system_error where no process can be started.
 ChildResult runChild(const std::vector<std::string>& arguments, double limit);
 
 /// A command line for /bin/sh -c with every {name} replaced by its value, quoted for the shell.

@@ -43,7 +43,9 @@ JobOutcome JobRunner::judge(const ChildResult& used, double limit) const {
 }
 
 json JobRunner::result(const json& job, JobOutcome& outcome) const {
-  outcome = judge(run(job, kOwnLimit), kOwnLimit);
+  const ChildResult used = run(job, kOwnLimit);
+  outcome = judge(used, kOwnLimit);
+  outcome.cpu_seconds = used.cpu_seconds;
   return outcome.ok() ? json::parse(readText(file("result.json"))) : json();
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "bench/job_runner.h"
@@ -11,6 +12,7 @@
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/mesh/repair.h"
 #include "pipeline/files.h"
+#include "pipeline/parallel.h"
 
 namespace collision_hulls {
 
@@ -51,23 +53,36 @@ void enter(const JobOutcome& outcome, StabilityRow& row) {
   row.message = outcome.message;
 }
 
-/// The runs on one mesh after the other.
-class Stability {
- public:
-  explicit Stability(const StabilityOptions& options) : options_(options), runner_(options.program, options.folder) {}
+/// A mesh in one trouble; the runs on it do not depend on those on any other.
+struct Unit {
+  const BenchmarkMesh& mesh;
+  Trouble trouble;
+  std::uint64_t seed;
+};
 
-  void run(const BenchmarkMesh& mesh, const std::function<void(const StabilityRow&)>& take) {
-    hulls_without_trouble_.clear();
-    for (const Trouble& trouble : options_.troubles) {
-      for (int draw = 0; draw < (isRandom(trouble.kind) ? options_.draws : 1); ++draw) {
-        StabilityRow start;
-        start.mesh = mesh.name;
-        start.trouble = trouble;
-        start.seed = options_.seed + static_cast<std::uint64_t>(draw);
-        putInTrouble(mesh, start);
-        for (const Contender& contender : contendersOf(options_)) take(rowOf(contender, start));
-      }
-    }
+std::vector<Unit> unitsOf(const std::vector<BenchmarkMesh>& meshes, const StabilityOptions& options) {
+  std::vector<Unit> units;
+  for (const BenchmarkMesh& mesh : meshes)
+    for (const Trouble& trouble : options.troubles)
+      for (int draw = 0; draw < (isRandom(trouble.kind) ? options.draws : 1); ++draw)
+        units.push_back({mesh, trouble, options.seed + static_cast<std::uint64_t>(draw)});
+  return units;
+}
+
+/// The runs on one mesh in trouble.
+class Runs {
+ public:
+  Runs(const StabilityOptions& options, const std::string& folder) : options_(options), runner_(options.program, folder) {}
+
+  std::vector<StabilityRow> rowsOf(const Unit& unit) {
+    StabilityRow start;
+    start.mesh = unit.mesh.name;
+    start.trouble = unit.trouble;
+    start.seed = unit.seed;
+    putInTrouble(unit.mesh, start);
+    std::vector<StabilityRow> rows;
+    for (const Contender& contender : contendersOf(options_)) rows.push_back(rowOf(contender, start));
+    return rows;
   }
 
  private:
@@ -93,6 +108,7 @@ class Stability {
     if (row.outcome != "ok") return row;
     fs::remove(runner_.file("hulls.obj"));
     const ChildResult used = runOnce(contender, row);
+    row.cpu_seconds = used.cpu_seconds;
     enter(runner_.judge(used, options_.time_limit), row);
     if (row.outcome == "ok" && !fs::exists(runner_.file("hulls.obj")))
       enter({"error", runner_.lastWords("no hulls were written", used.output)}, row);
@@ -123,28 +139,59 @@ class Stability {
                                         {"file", runner_.file("mesh.obj")},
                                         {"scale", {1, 1, 1}},
                                         {"tolerance", *row.tolerance},
+                                        {"decide", true},
                                         {"hulls", {runner_.file("hulls.obj")}}},
                                        outcome);
+    row.scoring_seconds = outcome.cpu_seconds;
     if (!outcome.ok()) return enter({"error", "the hulls could not be scored (" + outcome.status + "): " + outcome.message}, row);
     row.hulls = scored["hulls"].get<std::size_t>();
     row.protrusion = scored["protrusion"].get<double>();
     row.uncovered = scored["uncovered"].get<double>();
-    if (row.trouble.kind == TroubleKind::kNone) hulls_without_trouble_[contender.name] = *row.hulls;
-    const auto before = hulls_without_trouble_.find(contender.name);
-    if (before != hulls_without_trouble_.end()) row.hulls_ratio = static_cast<double>(*row.hulls) / static_cast<double>(before->second);
-    row.outcome = outcomeOf(row, contender.command.empty() ? 0 : kPeersRounding * diagonal_);
+    if (!contender.command.empty()) row.allowed_uncovered = kPeersRounding * diagonal_;
   }
 
   const StabilityOptions& options_;
   const JobRunner runner_;
   double diagonal_ = 0;
-  std::map<std::string, std::size_t> hulls_without_trouble_;
+};
+
+/// Hands over the rows of units that end in any order in that of the units, each compared with the first of its mesh.
+class InOrder {
+ public:
+  explicit InOrder(const std::function<void(const StabilityRow&)>& take) : take_(take) {}
+
+  void add(std::size_t unit, std::vector<StabilityRow> rows) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    waiting_[unit] = std::move(rows);
+    for (; !waiting_.empty() && waiting_.begin()->first == next_; ++next_) {
+      for (StabilityRow& row : waiting_.begin()->second) complete(row);
+      waiting_.erase(waiting_.begin());
+    }
+  }
+
+ private:
+  void complete(StabilityRow& row) {
+    if (row.hulls) {
+      const auto key = std::make_pair(row.mesh, row.method);
+      if (row.trouble.kind == TroubleKind::kNone) hulls_without_trouble_[key] = *row.hulls;
+      const auto before = hulls_without_trouble_.find(key);
+      if (before != hulls_without_trouble_.end()) row.hulls_ratio = static_cast<double>(*row.hulls) / static_cast<double>(before->second);
+      row.outcome = outcomeOf(row);
+    }
+    take_(row);
+  }
+
+  const std::function<void(const StabilityRow&)>& take_;
+  std::mutex mutex_;
+  std::map<std::size_t, std::vector<StabilityRow>> waiting_;
+  std::size_t next_ = 0;
+  std::map<std::pair<std::string, std::string>, std::size_t> hulls_without_trouble_;  // by mesh and method
 };
 
 }  // namespace
 
-std::string outcomeOf(const StabilityRow& row, double allowed_uncovered) {
-  if (*row.uncovered > allowed_uncovered) return "uncovered";
+std::string outcomeOf(const StabilityRow& row) {
+  if (*row.uncovered > row.allowed_uncovered) return "uncovered";
   if (*row.protrusion > *row.tolerance) return "over_bound";
   if (!keepsShape(row.trouble.kind) || !row.hulls_ratio) return "ok";
   const double change = std::abs(*row.hulls_ratio - 1), hulls_before = static_cast<double>(*row.hulls) / *row.hulls_ratio;
@@ -152,25 +199,38 @@ std::string outcomeOf(const StabilityRow& row, double allowed_uncovered) {
 }
 
 void doStabilityJob(const std::string& job_file, const std::string& result_file) {
-  const json job = json::parse(readText(job_file));
-  if (job["job"] != "trouble") return doJob(job_file, result_file);
-  writeText(result_file, putInTrouble(job).dump());
+  withJobs(1, [&] {  // others run beside it
+    const json job = json::parse(readText(job_file));
+    if (job["job"] != "trouble") return doJob(job_file, result_file);
+    writeText(result_file, putInTrouble(job).dump());
+  });
 }
 
 void runStability(const std::vector<BenchmarkMesh>& meshes, const StabilityOptions& options,
                   const std::function<void(const StabilityRow&)>& row) {
-  Stability stability(options);
-  for (const BenchmarkMesh& mesh : meshes) stability.run(mesh, row);
+  const fs::path temporary = fs::path(options.folder) / ".stability";
+  fs::remove_all(temporary);
+  const std::vector<Unit> units = unitsOf(meshes, options);
+  InOrder in_order(row);
+  withJobs(options.jobs, [&] {
+    forEach(units.size(), [&](std::size_t i) {
+      in_order.add(i, Runs(options, temporary / std::to_string(i)).rowsOf(units[i]));
+      fs::remove_all(temporary / std::to_string(i));
+    });
+  });
+  fs::remove_all(temporary);
 }
 
 std::string stabilityHeader() {
-  return "mesh,method,trouble,amount,outcome,hulls,hulls_ratio,protrusion,message,uncovered,tolerance,seed\n";
+  return "mesh,method,trouble,amount,outcome,hulls,hulls_ratio,protrusion,message,uncovered,tolerance,seed,"
+         "cpu_seconds,scoring_seconds\n";
 }
 
 std::string toCsv(const StabilityRow& row) {
   return csvLine({row.mesh, row.method, name(row.trouble.kind), csvNumber(row.trouble.amount), row.outcome,
                   row.hulls ? std::to_string(*row.hulls) : "", csvNumber(row.hulls_ratio), csvNumber(row.protrusion), row.message,
-                  csvNumber(row.uncovered), csvNumber(row.tolerance), std::to_string(row.seed)});
+                  csvNumber(row.uncovered), csvNumber(row.tolerance), std::to_string(row.seed), csvNumber(row.cpu_seconds),
+                  csvNumber(row.scoring_seconds)});
 }
 
 }  // namespace collision_hulls

@@ -4,7 +4,7 @@
 //     for each method and peer: run it on the file, score its hulls against what the file holds, compare their number with that of the
 //     mesh without trouble
 //
-// Each step is a process of its own with a time limit.
+// Each step is a process of its own with a time limit; several run side by side, since outcomes are asked for and not times.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,10 @@ struct StabilityRow {
   std::string outcome = "ok";
   std::optional<std::size_t> hulls;
   std::optional<double> hulls_ratio;  ///< to the number without trouble
+  /// The protrusion is a certified bound, as close as it takes to tell whether it keeps the tolerance (see the job score).
   std::optional<double> protrusion, uncovered, tolerance;
+  double allowed_uncovered = 0;                        ///< what counts as covered; no column
+  std::optional<double> cpu_seconds, scoring_seconds;  ///< of CPU: the run, and the evaluation of its hulls
   std::string message;
 };
 
@@ -41,6 +44,7 @@ struct StabilityOptions {
   double time_limit = 60;        ///< [s] of each run
   std::uint64_t seed = 1;
   int draws = 1;        ///< of each random trouble, with this seed and those after it
+  int jobs = 0;         ///< meshes in trouble at a time; 0: as many as cores
   std::string program;  ///< the executable that does jobs: PROGRAM kJobCommand JOB_FILE RESULT_FILE; see doStabilityJob
   std::string folder;   ///< for temporary files
 };
@@ -50,7 +54,8 @@ struct StabilityOptions {
 ///              "diagonal" [m] without trouble
 void doStabilityJob(const std::string& job_file, const std::string& result_file);
 
-/// Runs everything, one process at a time, and hands over each row once it is complete. Throws for faults of its own alone.
+/// Runs everything and hands over the rows in the order of meshes, troubles and methods, from any thread but one at a time. Throws for
+/// faults of its own alone.
 void runStability(const std::vector<BenchmarkMesh>& meshes, const StabilityOptions& options,
                   const std::function<void(const StabilityRow&)>& row);
 
@@ -59,6 +64,6 @@ std::string stabilityHeader();
 std::string toCsv(const StabilityRow& row);
 
 /// What a row that was scored comes to.
-std::string outcomeOf(const StabilityRow& row, double allowed_uncovered);
+std::string outcomeOf(const StabilityRow& row);
 
 }  // namespace collision_hulls

@@ -64,6 +64,9 @@ void addOptions(CLI::App& app, Command& command) {
   app.add_option("--draws", options.draws, "Of each random trouble, with the seed and those after it")
       ->type_name("N [1]")
       ->check(CLI::Range(1, 1000));
+  app.add_option("--jobs", options.jobs, "Meshes in trouble at a time; 0: as many as cores")
+      ->type_name("N [0]")
+      ->check(CLI::Range(0, 10000));
   app.add_option("--troubles", command.troubles, "Troubles: " + troubleChoices() + "; all if not given")->type_name("LIST");
   app.add_flag("--few", command.few, "A third of the troubles");
   app.add_option("--fcl-trials", command.fcl_trials, "Of FCL for each kind of query and pair; 0: leave FCL out")

@@ -19,10 +19,10 @@ constexpr double kTolerance = 0.01;
 
 class Score : public ::testing::Test {
  protected:
-  json of(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls) {
+  json of(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls, double tolerance = kTolerance, bool decide = false) {
     const std::string mesh_file = fixtures::write(folder_ / "mesh.obj", fixtures::obj(mesh));
     const std::string hulls_file = fixtures::write(folder_ / "hulls.obj", encodeHullsObj(hulls, "hull"));
-    return score({{"file", mesh_file}, {"scale", {1, 1, 1}}, {"tolerance", kTolerance}, {"hulls", {hulls_file}}});
+    return score({{"file", mesh_file}, {"scale", {1, 1, 1}}, {"tolerance", tolerance}, {"decide", decide}, {"hulls", {hulls_file}}});
   }
 
   void expectProtrusion(const json& scored, double truth, double faceting = 1e-6) {
@@ -71,6 +71,17 @@ TEST_F(Score, TwoBoxesInOneHull) {  // half the gap between them
   const json scored = of(pair, {hullOf(pair)});
   EXPECT_NEAR(scored["volume_ratio"].get<double>(), 1.25, 0.02);
   expectProtrusion(scored, 0.25);
+}
+
+TEST_F(Score, ADecisionIsRightHoweverNearTheTolerance) {  // the middle of the mouth is 0.4 from the walls
+  const TriangleMesh channel = uChannel();
+  for (const double tolerance : {0.04, 0.3, 0.39, 0.399, 0.401, 0.41, 0.5, 4.0}) {
+    const json scored = of(channel, {hullOf(channel)}, tolerance, true);
+    EXPECT_EQ(scored["protrusion"].get<double>() > tolerance, 0.4 > tolerance) << tolerance;
+    EXPECT_GE(scored["protrusion"].get<double>(), 0.4 - 1e-6);
+    EXPECT_LE(scored["protrusion"].get<double>(), 0.4 + 0.1 * tolerance + 1e-6);
+    EXPECT_TRUE(scored["volume_ratio"].is_null());
+  }
 }
 
 TEST_F(Score, WhatIsLeftUncovered) {  // of two boxes one has a hull; the far side of the other is 1.5 away

@@ -43,9 +43,7 @@ JobOutcome JobRunner::judge(const ChildResult& used, double limit) const {
 }
 
 json JobRunner::result(const json& job, JobOutcome& outcome) const {
-  const ChildResult used = run(job, kOwnLimit);
-  outcome = judge(used, kOwnLimit);
-  outcome.cpu_seconds = used.cpu_seconds;
+  outcome = judge(run(job, kOwnLimit), kOwnLimit);
   return outcome.ok() ? json::parse(readText(file("result.json"))) : json();
 }
 

@@ -13,7 +13,6 @@ namespace collision_hulls {
 struct JobOutcome {
   std::string status = "ok";  ///< ok, timeout, crash, error
   std::string message;        ///< why not ok
-  double cpu_seconds = 0;
   bool ok() const { return status == "ok"; }
 };
 

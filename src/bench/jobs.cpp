@@ -1,6 +1,7 @@
 #include "bench/jobs.h"
 
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 
 #include "bench/hull_objects.h"
@@ -82,13 +83,38 @@ json decomposeMesh(const json& job) {
   return json::object();
 }
 
-/// Most results are far from their tolerance: where only a decision is needed, a rough bound makes it.
-Protrusion protrusionOf(const std::vector<ConvexHull>& hulls, const Solid& solid, double margin, double tolerance, bool decide) {
-  if (decide) {
-    const Protrusion rough = protrusion(hulls, solid, kRoughGap * tolerance);
-    if (rough.bound + margin <= tolerance || rough.found > tolerance) return rough;
+std::vector<ConvexHull> readHulls(const std::string& file) {
+  std::vector<ConvexHull> hulls;
+  for (const auto& points : readHullObjects(file)) hulls.push_back(convexHull(points));
+  if (hulls.empty()) throw Error(ErrorCode::kEmptyMesh, "the program wrote no hull; it must write an object for each");
+  return hulls;
+}
+
+/// Most results are far from their tolerance, so that a rough bound decides.
+Protrusion decidingProtrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, double margin, double tolerance) {
+  const Protrusion rough = protrusion(hulls, solid, kRoughGap * tolerance);
+  const bool decided = rough.bound + margin <= tolerance || rough.found > tolerance;
+  return decided ? rough : protrusion(hulls, solid, kCertificateGap * tolerance);
+}
+
+json decide(const json& job) {
+  const Original original = readOriginal(job);
+  const Solid solid(original.repaired);
+  json results = json::array();
+  for (const json& file : job["hulls"]) {
+    const std::clock_t start = std::clock();
+    json result;
+    try {
+      const std::vector<ConvexHull> hulls = readHulls(file);
+      const Protrusion found = decidingProtrusion(hulls, solid, original.margin, job["tolerance"]);
+      result = {{"hulls", hulls.size()}, {"uncovered", uncovered(original.mesh, hulls)}, {"protrusion", found.bound + original.margin}};
+    } catch (const Error& e) {
+      result["error"] = e.what();
+    }
+    result["seconds"] = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    results.push_back(result);
   }
-  return protrusion(hulls, solid, kCertificateGap * tolerance);
+  return {{"results", results}};
 }
 
 }  // namespace
@@ -96,18 +122,14 @@ Protrusion protrusionOf(const std::vector<ConvexHull>& hulls, const Solid& solid
 nlohmann::json score(const json& job) {
   json hashes = json::array();
   for (const json& file : job["hulls"]) hashes.push_back(hashOf(readHullObjects(file)));
-  std::vector<ConvexHull> hulls;
+  const std::vector<ConvexHull> hulls = readHulls(job["hulls"][0]);
   std::size_t vertices = 0;
-  for (const auto& points : readHullObjects(job["hulls"][0])) {
-    hulls.push_back(convexHull(points));
-    vertices += hulls.back().vertices.size();
-  }
-  if (hulls.empty()) throw Error(ErrorCode::kEmptyMesh, "the program wrote no hull; it must write an object for each");
+  for (const ConvexHull& hull : hulls) vertices += hull.vertices.size();
 
   const Original original = readOriginal(job);
   const Solid solid(original.repaired);
-  const bool decide = job.value("decide", false);
-  const Protrusion found = protrusionOf(hulls, solid, original.margin, job["tolerance"], decide);
+  const double gap = kCertificateGap * job["tolerance"].get<double>();
+  const Protrusion found = protrusion(hulls, solid, gap);
   json result = {{"hulls", hulls.size()},
                  {"hull_vertices", vertices},
                  {"uncovered", uncovered(original.mesh, hulls)},
@@ -115,7 +137,7 @@ nlohmann::json score(const json& job) {
                  {"protrusion_found", found.found},
                  {"volume_ratio", nullptr},
                  {"hashes", hashes}};
-  if (!decide && solid.volume() > 0) result["volume_ratio"] = unionVolume(hulls) / solid.volume();
+  if (solid.volume() > 0) result["volume_ratio"] = unionVolume(hulls) / solid.volume();
   return result;
 }
 
@@ -124,6 +146,7 @@ void doJob(const std::string& job_file, const std::string& result_file) {
   const std::string kind = job["job"];
   const json result = kind == "prepare"     ? prepare(job)
                       : kind == "decompose" ? decomposeMesh(job)
+                      : kind == "decide"    ? decide(job)
                       : kind == "query"     ? query(job)
                                             : score(job);
   writeText(result_file, result.dump());

@@ -13,8 +13,10 @@ namespace collision_hulls {
 ///   decompose  "file", "scale", "method", "effort", "tolerance", "seed"  -> writes the hulls to "hulls", an object each
 ///   score      "file", "scale", "tolerance", "hulls": [files of equal runs]  -> scores the first against the mesh as it was read:
 ///              "hulls", "hull_vertices", "uncovered", "protrusion", "protrusion_found", "volume_ratio" (null: encloses nothing),
-///              "hashes" of all. With "decide": true the protrusion is a bound within a tenth of the tolerance, and closer only where it
-///              takes that to tell whether it keeps the tolerance; the volume is left out
+///              "hashes" of all
+///   decide     "file", "scale", "tolerance", "hulls": [a file for each method]  -> "results", one for each: "hulls", "uncovered",
+///              "protrusion" (a bound within a tenth of the tolerance, and closer only where it takes that to tell whether it keeps the
+///              tolerance), or why there is none: "error"; and "seconds" of CPU
 ///   query      see query_job.h
 /// Throws Error and what the libraries throw.
 void doJob(const std::string& job_file, const std::string& result_file);

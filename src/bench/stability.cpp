@@ -81,7 +81,8 @@ class Runs {
     start.seed = unit.seed;
     putInTrouble(unit.mesh, start);
     std::vector<StabilityRow> rows;
-    for (const Contender& contender : contendersOf(options_)) rows.push_back(rowOf(contender, start));
+    for (const Contender& contender : contendersOf(options_)) rows.push_back(rowOf(contender, start, hullsFile(rows.size())));
+    score(rows);
     return rows;
   }
 
@@ -103,21 +104,21 @@ class Runs {
     row.tolerance = tolerance.value * (tolerance.relative ? diagonal_ : lengthFactor(row.trouble));
   }
 
-  StabilityRow rowOf(const Contender& contender, StabilityRow row) {
+  StabilityRow rowOf(const Contender& contender, StabilityRow row, const std::string& hulls) const {
     row.method = contender.name;
     if (row.outcome != "ok") return row;
-    fs::remove(runner_.file("hulls.obj"));
-    const ChildResult used = runOnce(contender, row);
+    const ChildResult used = runOnce(contender, row, hulls);
     row.cpu_seconds = used.cpu_seconds;
     enter(runner_.judge(used, options_.time_limit), row);
-    if (row.outcome == "ok" && !fs::exists(runner_.file("hulls.obj")))
-      enter({"error", runner_.lastWords("no hulls were written", used.output)}, row);
-    if (row.outcome == "ok") score(contender, row);
+    if (row.outcome == "ok" && !fs::exists(hulls)) enter({"error", runner_.lastWords("no hulls were written", used.output)}, row);
+    if (!contender.command.empty()) row.allowed_uncovered = kPeersRounding * diagonal_;
     return row;
   }
 
-  ChildResult runOnce(const Contender& contender, const StabilityRow& row) const {
-    const std::string mesh = runner_.file("mesh.obj"), hulls = runner_.file("hulls.obj");
+  std::string hullsFile(std::size_t row) const { return runner_.file("hulls_" + std::to_string(row) + ".obj"); }
+
+  ChildResult runOnce(const Contender& contender, const StabilityRow& row, const std::string& hulls) const {
+    const std::string mesh = runner_.file("mesh.obj");
     if (!contender.command.empty()) {
       const std::string command = filledIn(contender.command, {{"in", mesh}, {"out", hulls}, {"tolerance", csvNumber(row.tolerance)}});
       return runChild({"/bin/sh", "-c", command}, options_.time_limit);
@@ -133,21 +134,39 @@ class Runs {
                        options_.time_limit);
   }
 
-  void score(const Contender& contender, StabilityRow& row) {
+  /// In one process, which reads the mesh once; where that does not end well, in one for each.
+  void score(std::vector<StabilityRow>& rows) const {
+    std::vector<std::size_t> done;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (rows[i].outcome == "ok") done.push_back(i);
+    if (done.empty() || decide(rows, done) || done.size() == 1) return;
+    for (const std::size_t i : done) decide(rows, {i});
+  }
+
+  /// False if the process did not end well; a row alone is told so.
+  bool decide(std::vector<StabilityRow>& rows, const std::vector<std::size_t>& which) const {
+    json files = json::array();
+    for (const std::size_t i : which) files.push_back(hullsFile(i));
     JobOutcome outcome;
-    const json scored = runner_.result({{"job", "score"},
-                                        {"file", runner_.file("mesh.obj")},
-                                        {"scale", {1, 1, 1}},
-                                        {"tolerance", *row.tolerance},
-                                        {"decide", true},
-                                        {"hulls", {runner_.file("hulls.obj")}}},
-                                       outcome);
-    row.scoring_seconds = outcome.cpu_seconds;
-    if (!outcome.ok()) return enter({"error", "the hulls could not be scored (" + outcome.status + "): " + outcome.message}, row);
-    row.hulls = scored["hulls"].get<std::size_t>();
-    row.protrusion = scored["protrusion"].get<double>();
-    row.uncovered = scored["uncovered"].get<double>();
-    if (!contender.command.empty()) row.allowed_uncovered = kPeersRounding * diagonal_;
+    const json decided = runner_.result({{"job", "decide"},
+                                         {"file", runner_.file("mesh.obj")},
+                                         {"scale", {1, 1, 1}},
+                                         {"tolerance", *rows[which[0]].tolerance},
+                                         {"hulls", files}},
+                                        outcome);
+    if (!outcome.ok() && which.size() == 1) enterUnscored(outcome.status + ": " + outcome.message, rows[which[0]]);
+    for (std::size_t k = 0; outcome.ok() && k < which.size(); ++k) enterScore(decided["results"][k], rows[which[k]]);
+    return outcome.ok();
+  }
+
+  static void enterUnscored(const std::string& why, StabilityRow& row) { enter({"error", "the hulls could not be scored: " + why}, row); }
+
+  static void enterScore(const json& result, StabilityRow& row) {
+    row.scoring_seconds = result["seconds"].get<double>();
+    if (result.contains("error")) return enterUnscored(result["error"], row);
+    row.hulls = result["hulls"].get<std::size_t>();
+    row.protrusion = result["protrusion"].get<double>();
+    row.uncovered = result["uncovered"].get<double>();
   }
 
   const StabilityOptions& options_;

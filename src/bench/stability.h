@@ -29,7 +29,7 @@ struct StabilityRow {
   std::string outcome = "ok";
   std::optional<std::size_t> hulls;
   std::optional<double> hulls_ratio;  ///< to the number without trouble
-  /// The protrusion is a certified bound, as close as it takes to tell whether it keeps the tolerance (see the job score).
+  /// The protrusion is a certified bound, as close as it takes to tell whether it keeps the tolerance (see the job decide).
   std::optional<double> protrusion, uncovered, tolerance;
   double allowed_uncovered = 0;                        ///< what counts as covered; no column
   std::optional<double> cpu_seconds, scoring_seconds;  ///< of CPU: the run, and the evaluation of its hulls

@@ -7,21 +7,18 @@
 #include <fstream>
 #include <iostream>
 
-#include "bench/child_process.h"
 #include "bench/jobs.h"
 #include "bench/machine.h"
 #include "bench/query_benchmark.h"
 #include "decompose_options.h"
 #include "list_options.h"
+#include "measuring_program.h"
 #include "pipeline/files.h"
-#include "run_program.h"
 
 namespace collision_hulls {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kChartLimit = 600;  // [s]
 
 struct Command {
   std::vector<std::string> inputs, peers;
@@ -29,6 +26,8 @@ struct Command {
   bool charts = true, queries = false;
   BenchmarkOptions options;
 };
+
+constexpr const char* kPurpose = "Measures methods of decomposition: time and memory against accuracy, which is proved for each result.";
 
 constexpr const char* kFooter = R"(
 Writes benchmark.csv (a row per mesh, method and tolerance), queries.csv (with --queries), machine.json, charts (SVG, PNG) and index.html.
@@ -103,13 +102,6 @@ void writeMachine(const Command& command) {
   writeText(fs::path(command.options.folder) / "machine.json", machine.dump(1) + "\n");
 }
 
-void drawCharts(const BenchmarkOptions& options) {
-  const std::string script = (fs::path(options.program).parent_path() / "benchmark_charts").string();
-  const ChildResult drawn = runChild({script, options.folder}, kChartLimit);
-  std::cerr << drawn.output;
-  if (drawn.code != 0) std::cerr << "benchmark: no charts; `" << script << " " << options.folder << "` draws them from the CSV files\n";
-}
-
 std::vector<BenchmarkRow> measureMethods(const Command& command, const std::vector<BenchmarkMesh>& meshes) {
   std::vector<BenchmarkRow> rows;
   std::ofstream csv(fs::path(command.options.folder) / "benchmark.csv", std::ios::trunc);
@@ -150,26 +142,14 @@ int run(Command& command) {
   const std::vector<BenchmarkRow> rows = measureMethods(command, inputs.meshes);
   if (command.queries) measureQueries(command, inputs, rows);
   fs::remove_all(hulls);
-  if (command.charts) drawCharts(options);
+  if (command.charts) drawCharts("benchmark", options.program, options.folder);
   return 0;
-}
-
-int main(int argc, char** argv) {
-  CLI::App app("Measures methods of decomposition: time and memory against accuracy, which is proved for each result.", "benchmark");
-  app.footer(kFooter);
-  Command command;
-  addOptions(app, command);
-  const auto job = [&] {
-    const bool is_job = argc == 4 && argv[1] == std::string(kJobCommand);
-    if (is_job) doJob(argv[2], argv[3]);
-    return is_job;
-  };
-  return runProgram(app, argc, argv, job, [&] { return run(command); });
 }
 
 }  // namespace
 }  // namespace collision_hulls
 
 int main(int argc, char** argv) {
-  return collision_hulls::main(argc, argv);
+  using namespace collision_hulls;
+  return runProgram<Command>({"benchmark", kPurpose, kFooter, {{kJobCommand, doJob}}, addOptions, run}, argc, argv);
 }

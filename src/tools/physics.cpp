@@ -8,14 +8,12 @@
 
 #include "decompose_options.h"
 #include "list_options.h"
-#include "run_program.h"
+#include "measuring_program.h"
 
 namespace collision_hulls {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kChartLimit = 600;  // [s]
 
 struct Command {
   std::vector<std::string> inputs, peers;
@@ -23,6 +21,8 @@ struct Command {
   bool charts = true;
   PhysicsOptions options;
 };
+
+constexpr const char* kPurpose = "Shows what a physics engine makes of collision models: bodies on a table, a gripper with a box.";
 
 constexpr const char* kFooter = R"(
 Each mesh, made 0.3 m large, is dropped on a table in the poses in which it can stand, and pushed; DART is the engine. --grip closes the
@@ -80,40 +80,19 @@ void gripAll(const Command& command) {
   });
 }
 
-void drawCharts(const PhysicsOptions& options) {
-  const std::string script = (fs::path(options.program).parent_path() / "physics_charts").string();
-  const ChildResult drawn = runChild({script, options.folder}, kChartLimit);
-  std::cerr << drawn.output;
-  if (drawn.code != 0) std::cerr << "physics: no charts; `" << script << " " << options.folder << "` draws them from the CSV files\n";
-}
-
 int run(Command& command) {
   interpret(command);
   fs::create_directories(command.options.folder);
   if (!command.inputs.empty()) dropAll(command);
   if (!command.robot.empty()) gripAll(command);
-  if (command.charts) drawCharts(command.options);
+  if (command.charts) drawCharts("physics", command.options.program, command.options.folder);
   return 0;
-}
-
-bool didJob(int argc, char** argv) {
-  if (argc != 4 || argv[1] != std::string(kJobCommand)) return false;
-  doPhysicsJob(argv[2], argv[3]);
-  return true;
-}
-
-int main(int argc, char** argv) {
-  CLI::App app("Shows what a physics engine makes of collision models: bodies on a table, a gripper with a box.", "physics");
-  app.footer(kFooter);
-  Command command;
-  addOptions(app, command);
-  return runProgram(
-      app, argc, argv, [&] { return didJob(argc, argv); }, [&] { return run(command); });
 }
 
 }  // namespace
 }  // namespace collision_hulls
 
 int main(int argc, char** argv) {
-  return collision_hulls::main(argc, argv);
+  using namespace collision_hulls;
+  return runProgram<Command>({"physics", kPurpose, kFooter, {{kJobCommand, doPhysicsJob}}, addOptions, run}, argc, argv);
 }

@@ -11,15 +11,13 @@
 #include "bench/job_runner.h"
 #include "decompose_options.h"
 #include "list_options.h"
+#include "measuring_program.h"
 #include "pipeline/files.h"
-#include "run_program.h"
 
 namespace collision_hulls {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kChartLimit = 600;  // [s]
 
 struct Command {
   std::vector<std::string> inputs, peers;
@@ -28,6 +26,9 @@ struct Command {
   int fcl_trials = 100;
   StabilityOptions options;
 };
+
+constexpr const char* kPurpose =
+    "Shows where methods of decomposition hold and where they fail, on meshes in trouble, and where FCL's queries do.";
 
 constexpr const char* kFooter = R"(
 Each mesh is perturbed (rotation, jitter, scale, ...) and broken (holes, flipped faces, slivers, NaN, ...); each method then runs on
@@ -128,48 +129,20 @@ void testFcl(const Command& command) {
   runFclStability(options, [&](const FclStabilityRow& row) { csv << toCsv(row) << std::flush; });
 }
 
-void drawCharts(const StabilityOptions& options) {
-  const std::string script = (fs::path(options.program).parent_path() / "stability_charts").string();
-  const ChildResult drawn = runChild({script, options.folder}, kChartLimit);
-  std::cerr << drawn.output;
-  if (drawn.code != 0) std::cerr << "stability: no charts; `" << script << " " << options.folder << "` draws them from the CSV files\n";
-}
-
 int run(Command& command) {
   interpret(command);
   fs::create_directories(command.options.folder);
   if (!command.inputs.empty()) testMethods(command);
   if (command.fcl_trials > 0) testFcl(command);
-  if (command.charts) drawCharts(command.options);
+  if (command.charts) drawCharts("stability", command.options.program, command.options.folder);
   return 0;
-}
-
-/// What this program does as a process of its own for itself.
-bool didJob(int argc, char** argv) {
-  const std::string what = argc > 1 ? argv[1] : "";
-  if (argc == 4 && what == kJobCommand) {
-    doStabilityJob(argv[2], argv[3]);
-  } else if (argc == 4 && what == kFclTrialsCommand) {
-    doFclTrials(argv[2], argv[3]);
-  } else {
-    return false;
-  }
-  return true;
-}
-
-int main(int argc, char** argv) {
-  CLI::App app("Shows where methods of decomposition hold and where they fail, on meshes in trouble, and where FCL's queries do.",
-               "stability");
-  app.footer(kFooter);
-  Command command;
-  addOptions(app, command);
-  return runProgram(
-      app, argc, argv, [&] { return didJob(argc, argv); }, [&] { return run(command); });
 }
 
 }  // namespace
 }  // namespace collision_hulls
 
 int main(int argc, char** argv) {
-  return collision_hulls::main(argc, argv);
+  using namespace collision_hulls;
+  return runProgram<Command>(
+      {"stability", kPurpose, kFooter, {{kJobCommand, doStabilityJob}, {kFclTrialsCommand, doFclTrials}}, addOptions, run}, argc, argv);
 }

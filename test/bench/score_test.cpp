@@ -19,10 +19,10 @@ constexpr double kTolerance = 0.01;
 
 class Score : public ::testing::Test {
  protected:
-  json of(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls, double tolerance = kTolerance, bool decide = false) {
+  json of(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls) {
     const std::string mesh_file = fixtures::write(folder_ / "mesh.obj", fixtures::obj(mesh));
     const std::string hulls_file = fixtures::write(folder_ / "hulls.obj", encodeHullsObj(hulls, "hull"));
-    return score({{"file", mesh_file}, {"scale", {1, 1, 1}}, {"tolerance", tolerance}, {"decide", decide}, {"hulls", {hulls_file}}});
+    return score({{"file", mesh_file}, {"scale", {1, 1, 1}}, {"tolerance", kTolerance}, {"hulls", {hulls_file}}});
   }
 
   void expectProtrusion(const json& scored, double truth, double faceting = 1e-6) {
@@ -75,12 +75,19 @@ TEST_F(Score, TwoBoxesInOneHull) {  // half the gap between them
 
 TEST_F(Score, ADecisionIsRightHoweverNearTheTolerance) {  // the middle of the mouth is 0.4 from the walls
   const TriangleMesh channel = uChannel();
+  const std::string mesh = fixtures::write(folder_ / "mesh.obj", fixtures::obj(channel));
+  const std::string hull = fixtures::write(folder_ / "hulls.obj", encodeHullsObj({hullOf(channel)}, "hull"));
+  const std::string none = fixtures::write(folder_ / "none.obj", "o nothing\n");
   for (const double tolerance : {0.04, 0.3, 0.39, 0.399, 0.401, 0.41, 0.5, 4.0}) {
-    const json scored = of(channel, {hullOf(channel)}, tolerance, true);
-    EXPECT_EQ(scored["protrusion"].get<double>() > tolerance, 0.4 > tolerance) << tolerance;
-    EXPECT_GE(scored["protrusion"].get<double>(), 0.4 - 1e-6);
-    EXPECT_LE(scored["protrusion"].get<double>(), 0.4 + 0.1 * tolerance + 1e-6);
-    EXPECT_TRUE(scored["volume_ratio"].is_null());
+    const json job = {{"job", "decide"}, {"file", mesh}, {"scale", {1, 1, 1}}, {"tolerance", tolerance}, {"hulls", {none, hull}}};
+    doJob(fixtures::write(folder_ / "job.json", job.dump()), folder_ / "result.json");
+    const json results = json::parse(fixtures::read(folder_ / "result.json"))["results"];
+    EXPECT_NE(results[0]["error"].get<std::string>().find("no hull"), std::string::npos);
+    const double protrusion = results[1]["protrusion"];
+    EXPECT_EQ(protrusion > tolerance, 0.4 > tolerance) << tolerance;
+    EXPECT_GE(protrusion, 0.4 - 1e-6);
+    EXPECT_LE(protrusion, 0.4 + 0.1 * tolerance + 1e-6);
+    EXPECT_EQ(results[1]["uncovered"], 0.0);
   }
 }
 

@@ -1,0 +1,57 @@
+// What the programs that measure have in common: the command line read, jobs of their own done, charts drawn, errors told.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <string>
+
+#include "bench/child_process.h"
+
+namespace collision_hulls {
+
+using Job = void (*)(const std::string& job_file, const std::string& result_file);
+
+template <typename Command>
+struct MeasuringProgram {
+  const char *name, *purpose, *footer;
+  std::map<std::string, Job> jobs;  ///< what it does as a process of its own for itself: NAME COMMAND JOB_FILE RESULT_FILE
+  void (*add_options)(CLI::App&, Command&);
+  int (*run)(Command&);  ///< the exit status
+};
+
+/// The exit status: run's, 0 for a job and --help, 2 for an error, which is written to stderr under the program's name.
+template <typename Command>
+int runProgram(const MeasuringProgram<Command>& program, int argc, char** argv) {
+  CLI::App app(program.purpose, program.name);
+  app.footer(program.footer);
+  Command command;
+  try {
+    const auto job = argc == 4 ? program.jobs.find(argv[1]) : program.jobs.end();
+    if (job != program.jobs.end()) {
+      job->second(argv[2], argv[3]);
+      return 0;
+    }
+    program.add_options(app, command);
+    app.parse(argc, argv);
+    return program.run(command);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);
+    std::cerr << program.name << ": " << e.what() << "; see " << program.name << " --help\n";
+  } catch (const std::exception& e) {
+    std::cerr << program.name << ": " << e.what() << "\n";
+  }
+  return 2;
+}
+
+/// Draws what the tables in `folder` hold, by the script NAME_charts beside the executable `program`.
+inline void drawCharts(const std::string& name, const std::string& program, const std::string& folder) {
+  constexpr double kLimit = 600;  // [s]
+  const std::string script = (std::filesystem::path(program).parent_path() / (name + "_charts")).string();
+  const ChildResult drawn = runChild({script, folder}, kLimit);
+  std::cerr << drawn.output;
+  if (drawn.code != 0) std::cerr << name << ": no charts; `" << script << " " << folder << "` draws them from the CSV files\n";
+}
+
+}  // namespace collision_hulls

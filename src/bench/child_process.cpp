@@ -62,9 +62,11 @@ class TimeLimit {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// In the new process, where nothing but system calls may be used: its own group, so that it can be killed with all that it starts.
+/// In the new process, where nothing but system calls may be used: its own group, so that it can be killed with all that it starts. It
+/// goes when the thread that waits for it goes.
 [[noreturn]] void become(const std::vector<char*>& argv, int output) {
   setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
   dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);

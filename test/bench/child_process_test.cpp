@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "pipeline/fixtures.h"
 
@@ -61,6 +63,21 @@ TEST(ChildProcess, WhatAFinishedProgramLeavesBehindEndsToo) {
   const fixtures::TempFolder folder;
   const std::string late = folder / "late";
   EXPECT_EQ(shell("(sleep 1; touch '" + late + "') & exit 0").code, 0);
+  shell("sleep 1.5");
+  EXPECT_FALSE(std::filesystem::exists(late));
+}
+
+TEST(ChildProcess, EndsWithTheProgramThatStartedIt) {
+  const fixtures::TempFolder folder;
+  const std::string early = folder / "early", late = folder / "late";
+  const pid_t program = fork();
+  if (program == 0) {
+    shell("touch '" + early + "'; sleep 1; touch '" + late + "'");
+    _exit(0);
+  }
+  while (!std::filesystem::exists(early)) shell("sleep 0.05");
+  kill(program, SIGKILL);
+  waitpid(program, nullptr, 0);
   shell("sleep 1.5");
   EXPECT_FALSE(std::filesystem::exists(late));
 }

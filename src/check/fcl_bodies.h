@@ -15,6 +15,7 @@ constexpr double kQueryDistanceTolerance = 1e-9;
 
 struct QueryBody::Impl {
   std::shared_ptr<fcl::CollisionGeometryd> geometry;
+  Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();  // [m] of the geometry in the body's frame
 };
 
 }  // namespace collision_hulls

@@ -1,7 +1,10 @@
 #include "check/query_body.h"
 
 #include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/convex.h>
+#include <fcl/geometry/shape/cylinder.h>
+#include <fcl/geometry/shape/sphere.h>
 #include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
@@ -39,6 +42,21 @@ const fcl::CollisionGeometryd* geometry(const QueryBody& body) {
   return body.impl()->geometry.get();
 }
 
+std::shared_ptr<fcl::CollisionGeometryd> geometryOf(const QueryShape& shape) {
+  const Eigen::Vector3d size = kQueryEnlarged * shape.size;
+  if (shape.kind == QueryShape::Kind::kSphere) return std::make_shared<fcl::Sphered>(size.x());
+  if (shape.kind == QueryShape::Kind::kCylinder) return std::make_shared<fcl::Cylinderd>(size.x(), size.y());
+  return std::make_shared<fcl::Boxd>(size);
+}
+
+/// Half the sides of the box along its frame's axes.
+Eigen::Vector3d halfSides(const QueryShape& shape) {
+  const Eigen::Vector3d& size = shape.size;
+  if (shape.kind == QueryShape::Kind::kSphere) return Eigen::Vector3d::Constant(size.x());
+  if (shape.kind == QueryShape::Kind::kCylinder) return {size.x(), size.x(), size.y() / 2};
+  return size / 2;
+}
+
 }  // namespace
 
 QueryBody::QueryBody(const ConvexHull& hull) : box_(boundingBox(hull)), corners_(hull.vertices.size()) {
@@ -47,6 +65,9 @@ QueryBody::QueryBody(const ConvexHull& hull) : box_(boundingBox(hull)), corners_
   const auto vertices = std::make_shared<std::vector<Eigen::Vector3d>>(enlarged(hull.vertices));
   impl_ = std::make_shared<const Impl>(Impl{std::make_shared<fcl::Convexd>(vertices, static_cast<int>(hull.triangles.size()), faces)});
 }
+
+QueryBody::QueryBody(const QueryShape& shape, const Eigen::Isometry3d& origin)
+    : impl_(std::make_shared<const Impl>(Impl{geometryOf(shape), origin})), box_(placed({-halfSides(shape), halfSides(shape)}, origin)) {}
 
 QueryBody::QueryBody(const TriangleMesh& mesh) : box_(boundingBox(mesh)) {
   const std::vector<fcl::Triangle> triangles = trianglesWithArea(mesh);
@@ -63,7 +84,8 @@ bool touch(const QueryBody& first, const QueryBody& second, const Eigen::Isometr
   fcl::CollisionRequestd request(1, false);
   request.gjk_solver_type = fcl::GST_LIBCCD;
   fcl::CollisionResultd result;
-  return fcl::collide(geometry(first), fcl::Transform3d::Identity(), geometry(second), enlarged(pose), request, result) > 0;
+  return fcl::collide(geometry(first), enlarged(first.impl()->origin), geometry(second), enlarged(pose * second.impl()->origin), request,
+                      result) > 0;
 }
 
 double distanceBelow(double limit, const QueryBody& first, const QueryBody& second, const Eigen::Isometry3d& pose) {
@@ -71,7 +93,7 @@ double distanceBelow(double limit, const QueryBody& first, const QueryBody& seco
   const fcl::DistanceRequestd request(false, false, 0, 0, kQueryDistanceTolerance, fcl::GST_LIBCCD);
   fcl::DistanceResultd result;
   result.min_distance = kQueryEnlarged * limit;  // branches that are further away are not looked into
-  fcl::distance(geometry(first), fcl::Transform3d::Identity(), geometry(second), enlarged(pose), request, result);
+  fcl::distance(geometry(first), enlarged(first.impl()->origin), geometry(second), enlarged(pose * second.impl()->origin), request, result);
   return std::clamp(result.min_distance / kQueryEnlarged, 0.0, limit);
 }
 

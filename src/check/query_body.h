@@ -10,12 +10,21 @@
 
 namespace collision_hulls {
 
+/// A shape about the middle of its frame that FCL knows as such; a cylinder's axis is z. Whether it touches is exact. FCL 0.7's distances
+/// are not: those of boxes are off by up to a half where faces or middles line up, those of spheres in contact with a mesh above 0. Ask a
+/// hull.
+struct QueryShape {
+  enum class Kind { kBox, kSphere, kCylinder } kind = Kind::kBox;
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();  ///< [m] > 0; box: sides; sphere: radius, -, -; cylinder: radius, length, -
+};
+
 /// Meshes are FCL's BVH of OBBRSS, a surface without inside, as in MoveIt; hulls are FCL's Convex. Enlarged as fcl_queries.cpp says.
 /// Immutable; copies share the body; thread safe.
 class QueryBody {
  public:
   explicit QueryBody(const ConvexHull& hull);
-  explicit QueryBody(const TriangleMesh& mesh);  ///< triangles without area are left out
+  QueryBody(const QueryShape& shape, const Eigen::Isometry3d& origin);  ///< `origin`: of the shape's frame in the body's
+  explicit QueryBody(const TriangleMesh& mesh);                         ///< triangles without area are left out
 
   bool empty() const { return !impl_; }  ///< a mesh without any area; such a body touches nothing
   const Eigen::AlignedBox3d& box() const { return box_; }

@@ -84,7 +84,7 @@ QueryModel::~QueryModel() = default;
 QueryModel::QueryModel(QueryModel&&) noexcept = default;
 
 void QueryModel::add(std::size_t link, const QueryBody& body, const Eigen::Isometry3d& origin) {
-  if (!body.empty()) impl_->add({link, origin}, body.impl()->geometry);
+  if (!body.empty()) impl_->add({link, origin * body.impl()->origin}, body.impl()->geometry);
 }
 
 void QueryModel::place(const std::vector<Eigen::Isometry3d>& links) {

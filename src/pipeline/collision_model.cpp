@@ -40,17 +40,18 @@ LinkCollisions linkCollisions(const std::string& link, const SourceElements& sou
       if (source.visual) result.elements.push_back({names.take(base), source.elements[i]});
       continue;
     }
-    if (mesh->second->primitive) {
-      GeometryElement primitive = *mesh->second->primitive;
-      primitive.origin = source.elements[i].origin * primitive.origin;
-      result.elements.push_back({names.take(base), primitive});
-    }
     const std::vector<std::string>& files = mesh->second->report.files;
     for (std::size_t m = 0; m < files.size(); ++m) {
       GeometryElement hull;
       hull.uri = prefix + files[m];
       hull.origin = source.elements[i].origin;
       result.elements.push_back({names.take(base + "_" + std::to_string(m)), hull});
+    }
+    for (std::size_t k = 0; k < mesh->second->primitives.size(); ++k) {
+      GeometryElement primitive = mesh->second->primitives[k];
+      primitive.origin = source.elements[i].origin * primitive.origin;
+      const bool alone = mesh->second->hulls.size() == 1;
+      result.elements.push_back({names.take(alone ? base : base + "_" + std::to_string(files.size() + k)), primitive});
     }
   }
   return result;
@@ -63,7 +64,6 @@ void nameHullFiles(RobotResult& result) {
   UniqueNames names;
   std::map<std::string, std::string> folders;
   for (ElementResult& element : result.elements) {
-    if (element.primitive) continue;
     ElementReport& row = element.report;
     std::string stem = "hull_";
     if (!result.single_mesh) {
@@ -73,7 +73,8 @@ void nameHullFiles(RobotResult& result) {
     } else if (!element.hulls.empty()) {
       row.files.push_back(fileName(result.robot_name) + "_hulls.obj");
     }
-    for (std::size_t m = 0; m < element.hulls.size(); ++m) row.files.push_back(stem + std::to_string(m) + suffix);
+    for (std::size_t m = 0; m + element.primitives.size() < element.hulls.size(); ++m)
+      row.files.push_back(stem + std::to_string(m) + suffix);
   }
 }
 

@@ -58,10 +58,10 @@ ReadMesh readElement(const MeshTask& mesh, const Options& options, const RunCont
 
 void describe(ElementResult& element) {
   ElementReport& row = element.report;
-  row.hulls = element.hulls.size();
+  row.hulls = element.hulls.size() - element.primitives.size();
   row.hull_volume = unionVolume(element.hulls);
   row.covered_share = coveredShare(element.hulls, *element.solid);
-  for (const ConvexHull& hull : element.hulls) row.hull_vertices += hull.vertices.size();
+  for (std::size_t i = 0; i < row.hulls; ++i) row.hull_vertices += element.hulls[i].vertices.size();
 }
 
 void copyResult(const ElementResult& from, ElementResult& to) {
@@ -74,7 +74,7 @@ void copyResult(const ElementResult& from, ElementResult& to) {
   to.report = row;
   to.original = from.original;
   to.hulls = from.hulls;
-  to.primitive = from.primitive;
+  to.primitives = from.primitives;
   to.unneeded = from.unneeded;
   to.solid = from.solid;
 }

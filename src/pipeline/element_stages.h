@@ -18,7 +18,7 @@ struct ReadMesh {
 /// Stages 1 and 2. Fills original and solid of `element`, whose row says which scale it has, and what its row tells about them.
 ReadMesh readElement(const MeshTask& mesh, const Options& options, const RunControl& control, ElementResult& element);
 
-/// Number and volumes of an element's hulls, for its row.
+/// Number of an element's hulls, as files hold them, and volumes, for its row.
 void describe(ElementResult& element);
 
 /// Gives the result of `from` to an element that has the same mesh elsewhere; the time was spent once.

@@ -8,7 +8,6 @@
 #include "collision_hulls/check/measures.h"
 #include "collision_hulls/decompose/certified.h"
 #include "collision_hulls/error.h"
-#include "collision_hulls/scene/configurations.h"
 #include "pipeline/cache.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/element_stages.h"
@@ -18,6 +17,7 @@
 #include "pipeline/progress.h"
 #include "pipeline/sha256.h"
 #include "pipeline/stopwatch.h"
+#include "scene/enclosing.h"
 
 namespace collision_hulls {
 namespace {
@@ -55,7 +55,6 @@ std::shared_ptr<const FitMesh> fitMesh(const MeshTask& task, const Options& opti
   mesh->margin = read.margin;
   mesh->max_vertices = options.max_vertices;
   mesh->max_hulls = options.max_hulls;
-  mesh->box = boxAbout(*mesh);
   element.report.seconds.decompose = stage.lap();
   return mesh;
 }
@@ -84,16 +83,6 @@ FitMeshes fitMeshes(const std::vector<MeshTask>& tasks, const Options& options, 
   return meshes;
 }
 
-ConvexHull shapeOf(const GeometryElement& primitive) {
-  switch (primitive.kind) {
-    case GeometryElement::Kind::kBox: return boxShape(primitive.size);
-    case GeometryElement::Kind::kSphere: return sphereShape(primitive.size.x());
-    case GeometryElement::Kind::kCylinder: return cylinderShape(primitive.size.x(), primitive.size.y());
-    case GeometryElement::Kind::kMesh: break;
-  }
-  throw Error(ErrorCode::kInternal, "a mesh is no primitive");
-}
-
 /// The primitives of the links that meshes are fitted on, or that have no mesh at all.
 std::vector<KeptBody> keptBodies(const RobotDescription& robot, const Options& options, const std::set<std::string>& absent) {
   const LinkChoice chosen(options.links, robot);
@@ -102,9 +91,7 @@ std::vector<KeptBody> keptBodies(const RobotDescription& robot, const Options& o
     if (!chosen(robot.links[link].name) || absent.count(robot.links[link].name)) continue;
     for (const GeometryElement& element : sourceElements(robot.links[link], options.source).elements) {
       if (element.kind == GeometryElement::Kind::kMesh) continue;
-      std::vector<Eigen::Vector3d> points = shapeOf(element).vertices;
-      for (Eigen::Vector3d& p : points) p = element.origin * p;
-      kept.push_back({link, convexHull(points)});
+      kept.push_back({link, hullAbout(element)});
     }
   }
   return kept;
@@ -146,28 +133,42 @@ std::vector<ConvexHull> leavesBelow(const HullTree& tree, const std::vector<int>
   return leaves;
 }
 
+/// The hulls of primitives reach further out than these: of the largest protrusion found no more is told than what the primitive has.
+void tellOfPrimitive(const ElementResult& element, Protrusion& found) {
+  const auto of_primitive = found.hull - static_cast<int>(element.hulls.size() - element.primitives.size());
+  if (of_primitive < 0) return;
+  found.where = nearestPoint(element.primitives[static_cast<std::size_t>(of_primitive)], found.where);
+  found.found = element.solid->distance(found.where);
+}
+
 /// 4. Certify the hulls as written.
 void certify(const FitMesh& mesh, const FittedElement& fitted, const RunControl& control, ElementResult& element) {
   Stopwatch stage;
   ElementReport& row = element.report;
   double told = row.tolerance;
-  if (fitted.box) told = std::max(told, mesh.tree.nodes.back().protrusion);
   for (const int node : fitted.cut) told = std::max(told, mesh.tree.nodes[static_cast<std::size_t>(node)].protrusion);
   element.hulls = fitted.hulls;
-  if (fitted.box) element.primitive = mesh.box;
-  element.unneeded = leavesBelow(mesh.tree, fitted.box ? std::vector<int>{static_cast<int>(mesh.tree.nodes.size()) - 1} : fitted.cut);
+  element.primitives = fitted.primitives;
+  element.unneeded = leavesBelow(mesh.tree, fitted.cut);
   row.uncovered = uncovered(element.original, element.hulls, control);
   if (row.uncovered > 0)
     throw Error(ErrorCode::kInternal,
                 "the hulls leave the surface uncovered by up to " + millimetres(row.uncovered) + ", where 0 is the limit");
-  const Protrusion found = protrusion(element.hulls, *element.solid, kCertificateGap * told, control);
+  Protrusion found = protrusion(element.hulls, *element.solid, kCertificateGap * told, control);
+  tellOfPrimitive(element, found);
   row.protrusion = found.bound + mesh.margin;
   row.protrusion_found = found.found;
   row.worst = found.where;
   row.worst_nearest = found.nearest;
   describe(element);
-  if (fitted.box) row.hulls = row.hull_vertices = 0;  // of meshes, as files hold them
   row.seconds.certify = stage.lap();
+}
+
+/// The cut, and below 0 the kinds of the primitives that stand for its last nodes.
+std::vector<int> cutOf(const FittedElement& fitted) {
+  std::vector<int> cut = fitted.cut;
+  for (const GeometryElement& primitive : fitted.primitives) cut.push_back(-1 - static_cast<int>(primitive.kind));
+  return cut;
 }
 
 using MeshCut = std::pair<const FitMesh*, std::vector<int>>;
@@ -176,7 +177,7 @@ using MeshCut = std::pair<const FitMesh*, std::vector<int>>;
 void certifyAll(const FitMeshes& meshes, const SceneFit& fit, const std::vector<std::size_t>& indices, const RunControl& control,
                 std::vector<ElementResult>& elements) {
   std::map<MeshCut, std::vector<std::size_t>> same;
-  for (std::size_t i = 0; i < indices.size(); ++i) same[{meshes[indices[i]].get(), fit.elements[i].cut}].push_back(i);
+  for (std::size_t i = 0; i < indices.size(); ++i) same[{meshes[indices[i]].get(), cutOf(fit.elements[i])}].push_back(i);
   std::vector<std::vector<std::size_t>> groups;
   for (const auto& [what, members] : same) groups.push_back(members);
   forEach(groups.size(), [&](std::size_t g) {
@@ -221,19 +222,26 @@ void refuseOtherMethods(const Options& options) {
 
 SceneRequest readSceneRequest(const Input& input, const std::string& scene, const std::string& srdf, const std::string& configurations) {
   SceneRequest request;
-  request.scene = readScene(scene, input.find_package);
+  if (!scene.empty()) request.scene = readScene(scene, input.find_package);
   if (!srdf.empty()) {
     DisabledPairs disabled = parseDisabledPairs(srdf, input.robot);
     request.disabled = std::move(disabled.pairs);
     request.notes = std::move(disabled.notes);
   }
-  if (configurations.empty()) return request;
+  if (!configurations.empty())
+    giveConfigurations(readConfigurations(configurations, Kinematics(input.robot), givenConfigurations()), request);
+  return request;
+}
+
+ConfigurationOptions givenConfigurations() {
   ConfigurationOptions options;
-  options.refuse_beyond_limits = true;  // what is proved holds within them
-  ConfigurationSet given = readConfigurations(configurations, Kinematics(input.robot), options);
+  options.refuse_beyond_limits = true;
+  return options;
+}
+
+void giveConfigurations(ConfigurationSet given, SceneRequest& request) {
   request.configurations = std::move(given.configurations);
   request.notes.insert(request.notes.end(), given.notes.begin(), given.notes.end());
-  return request;
 }
 
 RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& find_package, const SceneRequest& request,
@@ -259,7 +267,8 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
     const FitMeshes meshes = fitMeshes(tasks, options, cache, progress, elements);
     std::vector<std::size_t> indices;
     const FitProblem problem = problemOf(robot, request, options, elements, meshes, indices);
-    const SceneFit fit = fitScene(problem, {request.clearance, request.samples, options.seed, request.compare}, fitting);
+    const SceneFit fit =
+        fitScene(problem, {request.clearance, request.samples, options.seed, request.compare, request.primitives}, fitting);
     certifyAll(meshes, fit, indices, certifying, elements);
     validateAll(result, validating);
     result.report.scene = fit.report;

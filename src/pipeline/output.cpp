@@ -82,11 +82,11 @@ struct Folders {
 };
 
 void writeHulls(const ElementResult& element, MeshFormat format, const Folders& folders) {
-  if (element.primitive) return;
   const std::vector<std::string>& files = element.report.files;
-  const std::size_t first = files.size() - element.hulls.size();  // the OBJ of all hulls stands before a file for each
+  const std::size_t hulls = element.hulls.size() - element.primitives.size();
+  const std::size_t first = files.size() - hulls;  // the OBJ of all hulls stands before a file for each
   if (first > 0) folders.write(files.front(), encodeHullsObj(element.hulls, fileName(element.report.link)));
-  for (std::size_t m = 0; m < element.hulls.size(); ++m) {
+  for (std::size_t m = 0; m < hulls; ++m) {
     const fs::path file = files[first + m];
     folders.write(file, encodeHull(element.hulls[m], format, file.stem().string()));
   }

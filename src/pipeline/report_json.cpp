@@ -153,6 +153,7 @@ json toJson(const FitReport& fit) {
           {"original_distance_us", fit.original_distance_us},
           {"hulls", fit.hulls},
           {"full_hulls", fit.full_hulls},
+          {"primitives", fit.primitives},
           {"scene_hits", fit.scene_hits},
           {"scene_contact", fit.scene_contact},
           {"seconds", fit.seconds},

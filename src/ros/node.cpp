@@ -185,7 +185,7 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
   const RobotDescription robot = readRobot(request.robot_description, readText(private_, "base"));
   const Options options = requestedOptions(readOptions(private_), toRequest(request), robot);
   const Input input{Input::Kind::kRobot, "", robot, packageFinder(robot.path)};
-  const SceneRequest scene = requestedScene(request, input);
+  const SceneRequest scene = requestedScene(request, input, control);
   const std::string output = outputFor(request.output, input);
 
   RobotResult result = fitRobotToScene(robot, input.find_package, scene, options, output, control);

@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "collision_hulls/error.h"
+#include "joint_states.h"
+#include "live_scene.h"
 
 namespace collision_hulls {
 namespace {
@@ -80,6 +82,11 @@ std::string linksExpression(const std::vector<std::string>& names, const RobotDe
   return expression;
 }
 
+std::string rootLink(const RobotDescription& robot) {
+  const auto is_root = [](const LinkDescription& link) { return link.parent.empty(); };
+  return std::find_if(robot.links.begin(), robot.links.end(), is_root)->name;
+}
+
 }  // namespace
 
 std::string readText(const ros::NodeHandle& node, const std::string& name, const std::string& fallback) {
@@ -124,12 +131,17 @@ Options requestedOptions(Options options, const DecomposeRequest& request, const
   return options;
 }
 
-SceneRequest requestedScene(const FitSceneRequest& request, const Input& input) {
-  if (request.scene.empty()) throw Error(ErrorCode::kBadOption, "scene is empty: give the file of a scene");
+SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, const RunControl& control) {
+  if (request.scene.empty()) throw Error(ErrorCode::kBadOption, "scene is empty: give the file of a scene, or topic:NAME");
   if (request.samples < 0)
     throw Error(ErrorCode::kBadOption, "samples is " + std::to_string(request.samples) + ": give a number from 1, or 0 for the default");
   const auto file = [&](const std::string& uri) { return uri.empty() ? "" : resolveUri(uri, input.robot.path, input.find_package); };
-  SceneRequest scene = readSceneRequest(input, file(request.scene), request.srdf, file(request.configurations));
+  const bool live = isLive(request.scene), joint_states = areJointStates(request.configurations);
+  SceneRequest scene =
+      readSceneRequest(input, live ? "" : file(request.scene), request.srdf, joint_states ? "" : file(request.configurations));
+  if (live) scene.scene = liveScene(request.scene, rootLink(input.robot));
+  if (joint_states)
+    giveConfigurations(readJointStates(request.configurations, Kinematics(input.robot), givenConfigurations(), control), scene);
   scene.clearance = request.clearance;
   if (request.samples > 0) scene.samples = static_cast<std::size_t>(request.samples);
   return scene;

@@ -22,7 +22,8 @@ std::string readText(const ros::NodeHandle& node, const std::string& name, const
 /// `options` with what the request asks for. Throws kBadOption, also for the name of a link that the robot does not have.
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot);
 
-/// What the request asks to be fitted to: its files read. Throws kBadOption and the readers' errors.
-SceneRequest requestedScene(const FitSceneRequest& request, const Input& input);
+/// What the request asks to be fitted to: its files read, or what is published now; see live_scene.h and joint_states.h. Throws kBadOption,
+/// kCancelled, and the readers' errors.
+SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, const RunControl& control);
 
 }  // namespace collision_hulls

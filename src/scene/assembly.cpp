@@ -66,16 +66,17 @@ const std::string& Assembly::name(std::size_t part) const {
   return isLink(part) ? problem_.robot.links[part].name : problem_.scene.bodies[part - links()].name;
 }
 
-Cuts Assembly::tops() const {
-  Cuts cuts;
-  for (const Piece& piece : pieces_) cuts.push_back({piece.tree->top()});
-  return cuts;
-}
-
 Cuts Assembly::roots() const {
   Cuts cuts;
   for (const Piece& piece : pieces_) cuts.push_back({piece.tree->root()});
   return cuts;
+}
+
+Cuts Assembly::cheapest(const Cuts& cuts) const {
+  Cuts result = cuts;
+  for (std::size_t i = 0; i < problem_.elements.size(); ++i)
+    for (int& node : result[i]) node = pieces_[i].tree->cheapest(node);
+  return result;
 }
 
 std::size_t Assembly::hulls(const Cuts& cuts) const {

@@ -40,8 +40,8 @@ class Assembly {
 
   const std::vector<Piece>& pieces() const { return pieces_; }
   const std::vector<int>& piecesOf(std::size_t part) const { return of_part_[part]; }
-  Cuts tops() const;                          ///< boxes where there are any, else roots
-  Cuts roots() const;                         ///< of the hull trees
+  Cuts roots() const;
+  Cuts cheapest(const Cuts& cuts) const;      ///< with primitives in place of the elements' hulls
   std::size_t hulls(const Cuts& cuts) const;  ///< of the elements
 
   const Kinematics& kinematics() const { return kinematics_; }

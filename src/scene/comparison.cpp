@@ -34,11 +34,12 @@ Truth truthOf(const FittedModel& model, const RunControl& control) {
 
 class Comparing {
  public:
-  Comparing(const FittedModel& model, const RunControl& control) : model_(model), control_(control), truth_(truthOf(model, control)) {}
+  Comparing(const FittedModel& model, const RunControl& control)
+      : model_(model), control_(control), truth_(truthOf(model, control)), timed_(withSrdf(model.rules, model.assembly)) {}
 
   ModelRow original() const {
     ModelRow row = rowOf("original", truth_.hit);
-    time(PlannerModel(model_.assembly, model_.rules, model_.originals), row);
+    time(PlannerModel(model_.assembly, timed_, model_.originals), row);
     return row;
   }
 
@@ -47,7 +48,7 @@ class Comparing {
     row.hulls = model_.assembly.hulls(cuts);
     for (std::size_t i = 0; i < model_.problem.elements.size(); ++i)
       for (const int node : cuts[i]) row.vertices += model_.assembly.pieces()[i].tree->body(node).corners();
-    time(PlannerModel(model_.assembly, model_.rules, cuts), row);
+    time(PlannerModel(model_.assembly, timed_, cuts), row);
     return row;
   }
 
@@ -88,7 +89,7 @@ class Comparing {
   bool adequate(double tolerance) const {
     const Cuts cuts = cutsAt(tolerance);
     std::set<std::size_t> samples;
-    for (const Contact& contact : model_.fitting.rootContacts()) samples.insert(contact.sample);
+    for (const Contact& contact : model_.fitting.seen()) samples.insert(contact.sample);
     const bool refuted = std::any_of(samples.begin(), samples.end(), [&](std::size_t i) {
       return !contacts(model_.assembly, cuts, model_.rules.pairs, model_.assembly.places(i), i).empty();
     });
@@ -117,6 +118,7 @@ class Comparing {
   const FittedModel& model_;
   const RunControl& control_;
   const Truth truth_;
+  const PairRules timed_;
 };
 
 }  // namespace
@@ -129,6 +131,7 @@ std::vector<ModelRow> comparison(const FittedModel& model, const RunControl& con
   rows.push_back(comparing.uniform("uniform_proved", kProvedShare * clearance));
   rows.push_back(comparing.uniform("uniform_adequate", comparing.adequateTolerance()));
   rows.push_back(comparing.cut("fitted", model.fitting.cuts()));
+  if (model.options.primitives) rows.push_back(comparing.cut("fitted_hulls", model.fitting.hullCuts()));
   rows.push_back(comparing.uniform("finest", 0));
   return rows;
 }

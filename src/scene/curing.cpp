@@ -9,7 +9,7 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kBoxCost = 0.25;                   // of a hull in place of a box
+constexpr double kStepCost = 0.25;                  // of the next primitive, or the hull, in place of one
 constexpr double kMostCost = 64;                    // hulls; a side that takes more is not thought through
 constexpr double kLeastVote = 1 / (2 * kMostCost);  // of contacts that one side alone does not cure
 constexpr double kImpossible = std::numeric_limits<double>::infinity();
@@ -48,11 +48,19 @@ bool touchesAtLeaves(const Assembly& assembly, const Contact& contact) {
   });
 }
 
+std::vector<int> Curing::children(const Node& node) const {
+  const DetailTree& tree = treeOf(assembly_, node.first);
+  std::vector<int> children = tree.children(node.second);
+  if (primitives_ && children.size() > 1)
+    for (int& child : children) child = tree.cheapest(child);
+  return children;
+}
+
 /// Hulls that opening one side until nothing of it touches adds; infinite where that is more than `limit`, or leaves touch.
 double Curing::cost(const Contact& contact, int side, double limit) const {
-  const std::vector<int> children = treeOf(assembly_, contact.piece[side]).children(contact.node[side]);
+  const std::vector<int> children = this->children({contact.piece[side], contact.node[side]});
   if (children.empty()) return kImpossible;
-  double sum = children.size() > 1 ? static_cast<double>(children.size()) - 1 : kBoxCost;
+  double sum = children.size() > 1 ? static_cast<double>(children.size()) - 1 : kStepCost;
   for (const int child : children) {
     if (sum > limit) return kImpossible;
     const Contact finer = with(contact, side, child);
@@ -112,7 +120,7 @@ void Curing::settle(std::size_t index) {
 
 void Curing::open(const Node& opened) {
   const Node node = opened;
-  const std::vector<int> children = treeOf(assembly_, node.first).children(node.second);
+  const std::vector<int> children = this->children(node);
   std::vector<int>& cut = cuts_[static_cast<std::size_t>(node.first)];
   cut.erase(std::find(cut.begin(), cut.end(), node.second));
   cut.insert(cut.end(), children.begin(), children.end());

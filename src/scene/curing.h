@@ -23,7 +23,9 @@ bool touchesAtLeaves(const Assembly& assembly, const Contact& contact);
 /// A greedy set cover. Deterministic; contacts are worked on in parallel.
 class Curing {
  public:
-  Curing(const Assembly& assembly, Cuts cuts) : assembly_(assembly), cuts_(std::move(cuts)) {}
+  /// `primitives`: hulls that opening brings give way to their cheapest primitives at once.
+  Curing(const Assembly& assembly, Cuts cuts, bool primitives = false)
+      : assembly_(assembly), cuts_(std::move(cuts)), primitives_(primitives) {}
 
   /// Contacts of nodes of the cuts.
   void add(const std::vector<Contact>& contacts);
@@ -47,6 +49,7 @@ class Curing {
     std::vector<std::size_t> cases;
   };
 
+  std::vector<int> children(const Node& node) const;
   double cost(const Contact& contact, int side, double limit) const;
   std::array<double, 2> votes(const Contact& contact) const;
   bool mayOpen(const Node& node) const;
@@ -56,6 +59,7 @@ class Curing {
 
   const Assembly& assembly_;
   Cuts cuts_;
+  const bool primitives_;
   std::vector<Case> cases_;
   std::map<Node, Ballot> ballots_;
   std::size_t stuck_ = 0;

@@ -1,9 +1,10 @@
 // A body at every level of detail, each level as it is written and as FCL is asked about it.
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "check/query_body.h"
@@ -11,40 +12,49 @@
 
 namespace collision_hulls {
 
-/// Nodes are those of the hull tree and, where the mesh has one, the box above them. They are worked out when they are first asked for.
-/// Thread safe.
+/// Nodes are those of the hull tree, and for each of them the primitives that may stand for it. They are worked out when they are first
+/// asked for. Thread safe.
+///
+/// A hull's primitives, the cheapest to ask about first, are the sphere, where it has no more than twice the hull's volume; the box; and
+/// the cylinder, where it is smaller than the box. One may stand for the hull where those before it may not.
 class DetailTree {
  public:
   explicit DetailTree(std::shared_ptr<const FitMesh> mesh);
   explicit DetailTree(const QueryBody& body);  ///< a single node
 
-  int top() const { return static_cast<int>(levels_) - 1; }
-  int root() const { return hasBox() ? top() - 1 : top(); }  ///< of the hull tree
-  bool isBox(int node) const { return hasBox() && node == top(); }
-  std::vector<int> children(int node) const;  ///< none: a leaf
-  int parent(int node) const;                 ///< -1: the root
+  int root() const { return hulls_ - 1; }
+  int cheapest(int hull) const;                       ///< the first of a hull's primitives; itself where there are none
+  int hull(int node) const { return node % hulls_; }  ///< that a node is, or stands for
+  const GeometryElement* primitive(int node) const;   ///< null: the node is a hull
+  std::vector<int> children(int node) const;          ///< none: a leaf
+  int parent(int hull) const;                         ///< -1: the root
   std::size_t leaves() const { return static_cast<std::size_t>(root()) / 2 + 1; }
   int mostHulls() const { return mesh_ ? mesh_->max_hulls : 0; }
-  double protrusion(int node) const { return mesh_ ? mesh_->tree.nodes[static_cast<std::size_t>(std::min(node, root()))].protrusion : 0; }
+  double protrusion(int node) const { return mesh_ ? mesh_->tree.nodes[static_cast<std::size_t>(hull(node))].protrusion : 0; }
   const QueryBody& body(int node) const;
 
  private:
-  bool hasBox() const { return mesh_ && mesh_->box; }
-  ConvexHull written(int node) const;
-  struct Level {
+  static constexpr std::size_t kKinds = 3;
+  using Primitives = std::array<std::optional<GeometryElement>, kKinds>;  // the cheapest first
+  template <class T>
+  struct Once {
     std::once_flag made;
-    std::unique_ptr<const QueryBody> body;
+    std::unique_ptr<const T> value;
   };
+  const Primitives& primitives(int hull) const;
+  int firstOf(int hull, std::size_t from) const;
+  ConvexHull written(int hull) const;
 
   std::shared_ptr<const FitMesh> mesh_;
-  std::size_t levels_ = 1;
-  std::unique_ptr<Level[]> made_;
+  int hulls_ = 1;
+  std::unique_ptr<Once<Primitives>[]> primitives_;  // of hulls
+  std::unique_ptr<Once<QueryBody>[]> bodies_;       // of hulls, of the first primitive of each, of the second, ...
 };
 
 /// The hulls of a cut as they are written: grown by the mesh's margin, with no more vertices than allowed; they cover the mesh.
 std::vector<ConvexHull> writtenHulls(const FitMesh& mesh, const std::vector<int>& cut, const RunControl& control);
 
-/// A box as a hull, in the frame that its origin is given in.
-ConvexHull hullOf(const GeometryElement& box);
+/// A primitive as FCL is asked about it.
+QueryBody queryBody(const GeometryElement& primitive);
 
 }  // namespace collision_hulls

@@ -5,6 +5,7 @@
 
 #include "collision_hulls/error.h"
 #include "scene/comparison.h"
+#include "scene/enclosing.h"
 #include "scene/fit_report.h"
 
 namespace collision_hulls {
@@ -17,22 +18,28 @@ void check(const FitProblem& problem, const FitOptions& options) {
   if (problem.elements.empty()) throw Error(ErrorCode::kBadOption, "the robot has no mesh that hulls could be fitted to");
 }
 
+/// Nodes become hulls as written, and primitives about them; those may have been completed together, so that a primitive is made anew.
+FittedElement fittedElement(const FitMesh& mesh, const DetailTree& tree, std::vector<int> nodes, const RunControl& control) {
+  std::sort(nodes.begin(), nodes.end(), [&](int a, int b) {
+    return std::pair(tree.primitive(a) != nullptr, tree.hull(a)) < std::pair(tree.primitive(b) != nullptr, tree.hull(b));
+  });
+  FittedElement element;
+  for (const int node : nodes) element.cut.push_back(tree.hull(node));
+  element.hulls = writtenHulls(mesh, element.cut, control);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const GeometryElement* primitive = tree.primitive(nodes[i]);
+    if (!primitive) continue;
+    element.primitives.push_back(enclosingPrimitive(primitive->kind, element.hulls[i]));
+    element.hulls[i] = hullAbout(element.primitives.back());
+  }
+  return element;
+}
+
 std::vector<FittedElement> fittedElements(const FitProblem& problem, const Assembly& assembly, const Cuts& cuts,
                                           const RunControl& control) {
   std::vector<FittedElement> elements;
-  for (std::size_t i = 0; i < problem.elements.size(); ++i) {
-    FittedElement element;
-    element.box = assembly.pieces()[i].tree->isBox(cuts[i].front());
-    const FitMesh& mesh = *problem.elements[i].mesh;
-    if (element.box) {
-      element.hulls.push_back(hullOf(*mesh.box));
-    } else {
-      element.cut = cuts[i];
-      std::sort(element.cut.begin(), element.cut.end());
-      element.hulls = writtenHulls(mesh, element.cut, control);
-    }
-    elements.push_back(std::move(element));
-  }
+  for (std::size_t i = 0; i < problem.elements.size(); ++i)
+    elements.push_back(fittedElement(*problem.elements[i].mesh, *assembly.pieces()[i].tree, cuts[i], control));
   return elements;
 }
 

@@ -37,7 +37,7 @@ struct Tightest {
 std::map<std::size_t, Tightest> tightestOf(const FittedModel& model) {
   std::map<std::size_t, Tightest> tightest;
   std::map<std::size_t, std::size_t> measured;
-  for (const Contact& contact : model.fitting.rootContacts()) {
+  for (const Contact& contact : model.fitting.seen()) {
     const std::size_t a = partOf(model, contact.piece[0]), b = partOf(model, contact.piece[1]);
     if (measured[a]++ >= kMostMeasured && measured[b]++ >= kMostMeasured) continue;
     const double distance = distanceIn(model, contact);
@@ -61,10 +61,39 @@ std::string plural(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : noun.back() == 'x' ? "es" : "s");
 }
 
-std::string reasonOf(const FittedModel& model, const FittedLink& link, std::size_t index, const std::map<std::size_t, Tightest>& tightest) {
-  const std::string hulls = link.hulls > 0 || link.primitive.empty() ? plural(link.hulls, "hull") : "";
-  const std::string boxes = link.primitive == "box" ? "1 box" : link.primitive;
-  const std::string what = hulls + (hulls.empty() || boxes.empty() ? "" : ", ") + boxes + ": ";
+/// What a link is made of.
+struct Bodies {
+  std::size_t hulls = 0, all = 0;
+  std::map<std::string, std::size_t> primitives;  // by kind
+
+  /// "3 hulls, 2 boxes, 1 sphere"; without hulls: the primitives alone.
+  std::string text(bool with_hulls) const {
+    std::string result = with_hulls && hulls > 0 ? plural(hulls, "hull") : "";
+    for (const auto& [kind, count] : primitives) result += (result.empty() ? "" : ", ") + plural(count, kind);
+    return result;
+  }
+};
+
+std::string nameOf(GeometryElement::Kind kind) {
+  return kind == GeometryElement::Kind::kBox ? "box" : kind == GeometryElement::Kind::kSphere ? "sphere" : "cylinder";
+}
+
+Bodies bodiesOf(const FittedModel& model, std::size_t link) {
+  Bodies bodies;
+  for (const int piece : model.assembly.piecesOf(link)) {
+    const auto i = static_cast<std::size_t>(piece);
+    if (i >= model.problem.elements.size()) continue;
+    for (const int node : model.fitting.cuts()[i]) {
+      const GeometryElement* primitive = model.assembly.pieces()[i].tree->primitive(node);
+      ++bodies.all;
+      ++(primitive ? bodies.primitives[nameOf(primitive->kind)] : bodies.hulls);
+    }
+  }
+  return bodies;
+}
+
+std::string reasonOf(const FittedModel& model, const Bodies& bodies, std::size_t index, const std::map<std::size_t, Tightest>& tightest) {
+  const std::string what = bodies.text(true) + ": ";
   if (const std::optional<double> proved = provedDistance(model, index)) {
     if (std::isinf(*proved)) return what + "no pair of it is looked at";
     return what + "never within " + lengthText(*proved) + " of anything, proved";
@@ -78,20 +107,14 @@ std::vector<FittedLink> fittedLinks(const FittedModel& model) {
   const std::map<std::size_t, Tightest> tightest = tightestOf(model);
   std::vector<FittedLink> links;
   for (std::size_t link = 0; link < model.assembly.links(); ++link) {
+    const Bodies bodies = bodiesOf(model, link);
+    if (bodies.all == 0) continue;
     FittedLink fitted;
     fitted.link = model.assembly.name(link);
-    std::size_t boxes = 0;
-    for (const int piece : model.assembly.piecesOf(link)) {
-      const auto i = static_cast<std::size_t>(piece);
-      if (i >= model.problem.elements.size()) continue;
-      const bool box = model.assembly.pieces()[i].tree->isBox(model.fitting.cuts()[i].front());
-      boxes += box;
-      fitted.hulls += box ? 0 : model.fitting.cuts()[i].size();
-    }
-    if (fitted.hulls + boxes == 0) continue;
-    if (boxes > 0) fitted.primitive = boxes > 1 ? plural(boxes, "box") : "box";
+    fitted.hulls = bodies.hulls;
+    fitted.primitive = bodies.all == 1 && bodies.hulls == 0 ? bodies.primitives.begin()->first : bodies.text(false);
     fitted.proved = provedDistance(model, link).has_value();
-    fitted.reason = reasonOf(model, fitted, link, tightest);
+    fitted.reason = reasonOf(model, bodies, link, tightest);
     links.push_back(fitted);
   }
   return links;
@@ -127,10 +150,13 @@ std::set<PartIndices> pairsOf(const FittedModel& model, const std::vector<Contac
   return pairs;
 }
 
-std::vector<PartPair> lookedAtAndProved(const FittedModel& model) {
-  std::vector<PartPair> pairs = model.rules.pairs;
-  for (const ProvedPair& pair : model.rules.proved) pairs.push_back({pair.a, pair.b, model.options.clearance});
-  return pairs;
+std::size_t primitives(const FittedModel& model) {
+  std::size_t count = 0;
+  for (std::size_t link = 0; link < model.assembly.links(); ++link) {
+    const Bodies bodies = bodiesOf(model, link);
+    count += bodies.all - bodies.hulls;
+  }
+  return count;
 }
 
 /// Where the model is hit in samples that are clear.
@@ -160,7 +186,7 @@ double upperBound(std::size_t found) {
 }
 
 Hits countHits(const FittedModel& model, const RunControl& control) {
-  const std::vector<PartPair> pairs = lookedAtAndProved(model);
+  const std::vector<PartPair> pairs = lookedAtAndProved(model.rules, model.options.clearance);
   const Cuts roots = model.assembly.roots();
   struct Sample {
     std::set<PartIndices> original, before, after;
@@ -173,7 +199,6 @@ Hits countHits(const FittedModel& model, const RunControl& control) {
     Sample& sample = samples[i];
     for (const PartIndices& pair : pairsOf(model, contacts(model.assembly, roots, pairs, places, index)))
       (model.originals.touch(pair.first, pair.second, places) ? sample.original : sample.before).insert(pair);
-    if (sample.before.empty()) return;
     for (const PartIndices& pair : pairsOf(model, contacts(model.assembly, model.fitting.cuts(), pairs, places, index)))
       if (!sample.original.count(pair)) sample.after.insert(pair);
   });
@@ -218,13 +243,15 @@ FitReport fitReport(const FittedModel& model, const Hits& counted, const RunCont
   report.phantom_rate_bound = report.given ? 0 : upperBound(report.phantom) / static_cast<double>(count);
   report.pairs = model.rules.pairs.size() + model.rules.proved.size();
   report.proved_pairs = model.rules.proved.size();
-  const QueryTimes times = queryTimes(assembly, fitted(), first, count, control);
-  const QueryTimes original_times = queryTimes(assembly, original(), first, count, control);
+  const PairRules asked = withSrdf(model.rules, assembly);
+  const QueryTimes times = queryTimes(assembly, PlannerModel(assembly, asked, cuts), first, count, control);
+  const QueryTimes original_times = queryTimes(assembly, PlannerModel(assembly, asked, model.originals), first, count, control);
   report.query_us = times.collision;
   report.original_query_us = original_times.collision;
   report.distance_us = times.distance;
   report.original_distance_us = original_times.distance;
   report.hulls = assembly.hulls(cuts);
+  report.primitives = primitives(model);
   for (std::size_t i = 0; i < model.problem.elements.size(); ++i) report.full_hulls += assembly.pieces()[i].tree->leaves();
   report.links = fittedLinks(model);
   report.leaf_contacts = model.fitting.leafContacts().size();

@@ -13,9 +13,10 @@ namespace collision_hulls {
 
 /// What samples said of a model.
 struct Answers {
-  std::vector<Contact> current;  ///< of the model, in counterexamples
-  std::vector<Contact> roots;    ///< of the trees' roots, in the same samples
-  std::vector<Contact> leaves;   ///< a contact for each counterexample that not even the finest hulls cure
+  std::vector<Contact> current;      ///< of the model, in counterexamples
+  std::vector<Contact> roots;        ///< of the trees' roots, in the same samples
+  std::vector<std::size_t> samples;  ///< these
+  std::vector<Contact> leaves;       ///< a contact for each counterexample that not even the finest hulls cure
   std::size_t counterexamples = 0;
 };
 
@@ -29,22 +30,26 @@ class Fitting {
         originals_(originals),
         rules_(rules),
         control_(control),
-        cuts_(assembly.tops()) {}
+        pairs_(rules.pairs),
+        cuts_(assembly.roots()) {}
 
   void run();
 
   const Cuts& cuts() const { return cuts_; }
+  const Cuts& hullCuts() const { return hull_cuts_; }          ///< before primitives took the place of hulls
   std::size_t verifiedFrom() const { return verified_from_; }  ///< the first sample of the batch that had no counterexample
   std::size_t asked() const { return asked_; }
   std::size_t cured() const { return cured_; }
   const std::vector<Contact>& leafContacts() const { return leaves_; }  ///< that stayed in the last batch
-  const std::vector<Contact>& rootContacts() const { return roots_; }   ///< in all counterexamples
+  const std::vector<Contact>& seen() const { return seen_; }            ///< of roots and primitives, in all counterexamples
 
  private:
-  Answers ask(const Cuts& cuts, std::size_t first, std::size_t count) const;
+  Answers ask(const std::vector<std::size_t>& samples) const;
+  std::size_t cure(const std::vector<std::size_t>& samples);
   std::size_t cureBatch(std::size_t count);
-  void fitFirst();
+  void cureGrowingBatches();
   void fitAll();
+  void usePrimitives();
   void verify();
 
   const FitProblem& problem_;
@@ -53,8 +58,11 @@ class Fitting {
   const Originals& originals_;
   const PairRules& rules_;
   const RunControl& control_;
-  Cuts cuts_;
-  std::vector<Contact> roots_, leaves_;
+  std::vector<PartPair> pairs_;  // that are looked at
+  Cuts cuts_, hull_cuts_;
+  std::vector<Contact> roots_, seen_, leaves_;
+  std::vector<std::size_t> known_;  // samples that were counterexamples
+  bool with_primitives_ = false;
   std::size_t next_ = 0, asked_ = 0, cured_ = 0, verified_from_ = 0;
   double progress_ = 0;
 };

@@ -11,9 +11,7 @@
 //
 // Which of the two formats it is, MoveIt tells by the line after the first object's name: with a blank within it begins a pose.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "collision_hulls/error.h"
@@ -132,27 +130,16 @@ class Reader {
 
   /// Unnamed; with a pose where the shape is not about its origin.
   SceneBody shape() {
-    static const std::map<std::string, std::size_t> kSizes{{"box", 3}, {"sphere", 1}, {"cylinder", 2}, {"cone", 2}, {"plane", 4}};
     const std::string kind = word("a shape");
     SceneBody body;
     if (kind == "mesh") {
       body.shape = mesh();
       return body;
     }
-    const auto sizes = kSizes.find(kind);
-    if (sizes == kSizes.end()) fail("'" + kind + "' is no shape that is read; those are box, sphere, cylinder, cone, plane and mesh");
-    std::array<double, 4> s{};
-    for (std::size_t i = 0; i < sizes->second; ++i) s[i] = number("a size of a " + kind);
-    inThisLine([&] {
-      if (kind == "box") body.shape = boxShape({s[0], s[1], s[2]});
-      if (kind == "sphere") body.shape = sphereShape(s[0]);
-      if (kind == "cylinder") body.shape = cylinderShape(s[0], s[1]);
-      if (kind == "cone") body.shape = coneShape(s[0], s[1]);
-      if (kind != "plane") return;
-      const PlacedShape slab = planeShape({s[0], s[1], s[2]}, s[3]);
-      body.shape = slab.shape;
-      body.pose = slab.pose;
-    });
+    std::vector<double> sizes(sizesOf(kind));
+    if (sizes.empty()) fail("'" + kind + "' is no shape that is read; those are box, sphere, cylinder, cone, plane and mesh");
+    for (double& size : sizes) size = number("a size of a " + kind);
+    inThisLine([&] { setShape(body, kind, sizes); });
     return body;
   }
 

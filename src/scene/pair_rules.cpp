@@ -107,10 +107,7 @@ ReachProver proverFor(const FitProblem& problem, const Assembly& assembly, const
   std::vector<ConvexHull> roots;
   for (const FitElement& element : problem.elements) {
     const FitMesh& mesh = *element.mesh;
-    if (!of_mesh.count(&mesh)) {
-      const ConvexHull root = writtenHulls(mesh, {static_cast<int>(mesh.tree.nodes.size()) - 1}, control).front();
-      of_mesh[&mesh] = mesh.box ? hullOf(*mesh.box) : root;
-    }
+    if (!of_mesh.count(&mesh)) of_mesh[&mesh] = writtenHulls(mesh, {static_cast<int>(mesh.tree.nodes.size()) - 1}, control).front();
     roots.push_back(of_mesh[&mesh]);
   }
   std::vector<ConvexHull> links;
@@ -159,6 +156,18 @@ LeftOutPair saidBefore(const Assembly& assembly, const std::map<NamePair, const 
 }
 
 }  // namespace
+
+std::vector<PartPair> lookedAtAndProved(const PairRules& rules, double clearance) {
+  std::vector<PartPair> pairs = rules.pairs;
+  for (const ProvedPair& pair : rules.proved) pairs.push_back({pair.a, pair.b, clearance});
+  return pairs;
+}
+
+PairRules withSrdf(PairRules rules, const Assembly& assembly) {
+  for (const ProvedPair& pair : rules.proved)
+    if (assembly.isLink(pair.b)) rules.ignored.emplace_back(pair.a, pair.b);
+  return rules;
+}
 
 PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const Originals& originals, double clearance,
                     const RunControl& control) {

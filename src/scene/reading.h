@@ -39,5 +39,6 @@ class MeshLibrary {
 Scene readMoveItScene(const std::string& file);
 Scene readYamlScene(const std::string& file, const PackageFinder& find_package);
 Scene readSdfScene(const std::string& file, const PackageFinder& find_package);
+Scene readOctomapScene(const std::string& file);
 
 }  // namespace collision_hulls

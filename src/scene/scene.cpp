@@ -37,11 +37,12 @@ void checkMesh(const std::string& name, const TriangleMesh& mesh) {
   }
 }
 
-ConvexHull primitive(const GeometryElement& element) {
+void setPrimitive(SceneBody& body, const GeometryElement& element) {
+  const Eigen::Vector3d& size = element.size;
   switch (element.kind) {
-    case GeometryElement::Kind::kBox: return boxShape(element.size);
-    case GeometryElement::Kind::kSphere: return sphereShape(element.size.x());
-    default: return cylinderShape(element.size.x(), element.size.y());
+    case GeometryElement::Kind::kBox: return setShape(body, "box", {size.x(), size.y(), size.z()});
+    case GeometryElement::Kind::kSphere: return setShape(body, "sphere", {size.x()});
+    default: return setShape(body, "cylinder", {size.x(), size.y()});
   }
 }
 
@@ -61,7 +62,7 @@ Scene readUrdfScene(const std::string& file, const PackageFinder& find_package) 
         if (element.kind == GeometryElement::Kind::kMesh) {
           body.shape = meshes.read(element.uri, element.scale, file);
         } else {
-          body.shape = primitive(element);
+          setPrimitive(body, element);
         }
         addBody(scene, std::move(body));
       });
@@ -82,6 +83,7 @@ std::optional<Scene> readByExtension(const std::string& file, const PackageFinde
   if (extension == ".scene") return readMoveItScene(file);
   if (extension == ".urdf" || extension == ".xacro") return readUrdfScene(file, find_package);
   if (extension == ".sdf" || extension == ".world") return readSdfScene(file, find_package);
+  if (extension == ".bt" || extension == ".ot") return readOctomapScene(file);
   if (extension == ".yaml" || extension == ".yml") return readYamlScene(file, find_package);
   const std::vector<std::string>& meshes = meshExtensions();
   if (std::find(meshes.begin(), meshes.end(), extension) != meshes.end()) return readMeshScene(file);
@@ -102,9 +104,9 @@ void addBody(Scene& scene, SceneBody body) {
 Scene readScene(const std::string& file, const PackageFinder& find_package) {
   std::optional<Scene> scene = readByExtension(file, find_package);
   if (!scene) {
-    throw Error(ErrorCode::kUnsupportedFormat, "'" + file +
-                                                   "': a scene is read from .scene (MoveIt), .urdf, .xacro, .sdf, .world, .yaml, " +
-                                                   "or a mesh file (.stl .dae .obj .off .ply)");
+    throw Error(ErrorCode::kUnsupportedFormat,
+                "'" + file + "': a scene is read from .scene (MoveIt), .urdf, .xacro, .sdf, .world, .yaml, .bt, .ot " +
+                    "(OctoMap), or a mesh file (.stl .dae .obj .off .ply)");
   }
   const std::string extension = lowerExtension(file);
   if (scene->bodies.empty() && extension != ".yaml" && extension != ".yml") {

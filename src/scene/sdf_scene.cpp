@@ -42,16 +42,23 @@ struct Shape {
   Eigen::Vector3d vector(const char* child) const { return Eigen::Vector3d(numbers(child, 3).data()); }
 };
 
-ConvexHull convexShape(const Shape& shape) {
+void setConvexShape(const Shape& shape, SceneBody& body) {
   const std::string& kind = shape.element.name;
-  if (kind == "box") return boxShape(shape.vector("size"));
-  if (kind == "sphere") return sphereShape(shape.number("radius"));
-  if (kind == "cylinder") return cylinderShape(shape.number("radius"), shape.number("length"));
-  if (kind == "cone") return coneShape(shape.number("radius"), shape.number("length"));
-  if (kind == "ellipsoid") return roundShape(shape.vector("radii"), {0});
+  if (kind == "box") return collision_hulls::setShape(body, kind, shape.numbers("size", 3));
+  if (kind == "sphere") return collision_hulls::setShape(body, kind, {shape.number("radius")});
+  if (kind == "cylinder" || kind == "cone") return collision_hulls::setShape(body, kind, {shape.number("radius"), shape.number("length")});
+  if (kind == "plane") {
+    const Eigen::Vector3d normal = shape.element.child("normal") ? shape.vector("normal") : Eigen::Vector3d::UnitZ();
+    return collision_hulls::setShape(body, kind, {normal.x(), normal.y(), normal.z(), 0});
+  }
+  if (kind == "ellipsoid") {
+    body.shape = roundShape(shape.vector("radii"), {0});
+    return;
+  }
   if (kind == "capsule") {
     const double radius = shape.number("radius"), half = shape.number("length") / 2;
-    return roundShape(Eigen::Vector3d::Constant(radius), {-half, half});
+    body.shape = roundShape(Eigen::Vector3d::Constant(radius), {-half, half});
+    return;
   }
   failSdf(shape.file, shape.element,
           "<" + kind + "> is no geometry that is read; those are box, sphere, cylinder, cone, capsule, ellipsoid, plane and mesh. " +
@@ -156,12 +163,8 @@ class Reader {
     if (kind == "empty") return false;
     if (kind == "mesh") {
       body.shape = mesh(shape.element, file);
-    } else if (kind == "plane") {
-      const PlacedShape slab = planeShape(shape.element.child("normal") ? shape.vector("normal") : Eigen::Vector3d::UnitZ(), 0);
-      body.shape = slab.shape;
-      body.pose = body.pose * slab.pose;
     } else {
-      body.shape = convexShape(shape);
+      setConvexShape(shape, body);
     }
     return true;
   }

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <map>
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/scene/scene.h"
@@ -116,6 +117,30 @@ PlacedShape planeShape(const Eigen::Vector3d& normal, double d) {
   result.pose.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), up).toRotationMatrix();
   result.pose.translation() = -(d / length + kPlaneDepth / 2) * up;
   return result;
+}
+
+std::size_t sizesOf(const std::string& kind) {
+  static const std::map<std::string, std::size_t> kSizes{{"box", 3}, {"sphere", 1}, {"cylinder", 2}, {"cone", 2}, {"plane", 4}};
+  const auto found = kSizes.find(kind);
+  return found == kSizes.end() ? 0 : found->second;
+}
+
+void setShape(SceneBody& body, const std::string& kind, const std::vector<double>& s) {
+  if (kind == "box") {
+    body.shape = boxShape({s[0], s[1], s[2]});
+  } else if (kind == "sphere") {
+    body.shape = sphereShape(s[0]);
+  } else if (kind == "cylinder") {
+    body.shape = cylinderShape(s[0], s[1]);
+  } else if (kind == "cone") {
+    body.shape = coneShape(s[0], s[1]);
+  } else if (kind == "plane") {
+    const PlacedShape slab = planeShape({s[0], s[1], s[2]}, s[3]);
+    body.shape = slab.shape;
+    body.pose = body.pose * slab.pose;
+  } else {
+    throw Error(ErrorCode::kBadScene, "'" + kind + "' is no shape; those are box, sphere, cylinder, cone and plane");
+  }
 }
 
 }  // namespace collision_hulls

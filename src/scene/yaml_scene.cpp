@@ -82,22 +82,16 @@ class Reader {
   }
 
   void setShape(const std::string& shape, const YamlValue& value, SceneBody& body) {
-    static const std::map<std::string, std::size_t> kSizes{{"box", 3}, {"cylinder", 2}, {"cone", 2}, {"plane", 4}};
-    std::vector<double> s;
-    if (shape == "sphere") s = {value[shape].number()};
-    if (kSizes.count(shape)) s = value[shape].numbers(kSizes.at(shape));
+    std::vector<double> sizes;
+    if (shape == "sphere") sizes = {value[shape].number()};
+    if (sizesOf(shape) > 1) sizes = value[shape].numbers(sizesOf(shape));
     const Eigen::Vector3d scale = value.has("scale") ? vector(value["scale"]) : Eigen::Vector3d::Ones();
     const std::string uri = shape == "mesh" ? value[shape].text() : "";
     inContext(value.where() + ", body '" + body.name + "'", [&] {
-      if (shape == "box") body.shape = boxShape({s[0], s[1], s[2]});
-      if (shape == "sphere") body.shape = sphereShape(s[0]);
-      if (shape == "cylinder") body.shape = cylinderShape(s[0], s[1]);
-      if (shape == "cone") body.shape = coneShape(s[0], s[1]);
-      if (shape == "mesh") body.shape = meshes_.read(uri, scale, file_);
-      if (shape != "plane") return;
-      const PlacedShape slab = planeShape({s[0], s[1], s[2]}, s[3]);
-      body.shape = slab.shape;
-      body.pose = body.pose * slab.pose;
+      if (shape == "mesh")
+        body.shape = meshes_.read(uri, scale, file_);
+      else
+        collision_hulls::setShape(body, shape, sizes);
     });
   }
 

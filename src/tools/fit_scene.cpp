@@ -37,6 +37,7 @@ struct SceneCommand {
   RobotCommand robot;
   std::string scene, clearance, configurations, srdf, compare;
   int samples = 10000;
+  bool hulls_only = false;
 };
 
 void addOptions(CLI::App& app, SceneCommand& command) {
@@ -48,6 +49,7 @@ void addOptions(CLI::App& app, SceneCommand& command) {
   add("--samples", command.samples, "N [10000]", "Fresh configurations that verify the model");
   add("--configurations", command.configurations, "FILE", "Fit to these alone: .csv, or .yaml of joint states or a trajectory");
   add("--srdf", command.srdf, "FILE", "Pairs of links that are not looked at");
+  app.add_flag("--hulls-only", command.hulls_only, "No spheres, boxes or cylinders in place of hulls")->group("Scene");
   add("--compare", command.compare, "FILE", "Measure single hulls and uniform tolerances beside the fitted model, into this CSV");
   addRobotOptions(app, "A ROS package, or a .urdf or .xacro file", command.robot);
 }
@@ -75,6 +77,7 @@ SceneRequest requestOf(const SceneCommand& command, const Input& input) {
   request.clearance = clearance;
   request.samples = static_cast<std::size_t>(command.samples);
   request.compare = !command.compare.empty();
+  request.primitives = !command.hulls_only;
   return request;
 }
 

@@ -74,6 +74,27 @@ TEST(QueryModel, AMeshIsASurfaceAndAHullABody) {
   EXPECT_NEAR(small.distance(shell), 0.4, 1e-6);
 }
 
+TEST(QueryModel, ShapesTouchWhereTheyReach) {
+  const Eigen::Isometry3d aside(Eigen::Translation3d(2, 0, 0));
+  const QueryBody shapes[] = {{{QueryShape::Kind::kBox, {2, 1, 1}}, aside},
+                              {{QueryShape::Kind::kSphere, {1, 0, 0}}, aside},
+                              {{QueryShape::Kind::kCylinder, {1, 0.5, 0}}, aside}};
+  const QueryBody probe(boxHull({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
+  for (const QueryBody& shape : shapes) {
+    // Each reaches from x = 1 to x = 3 at the height of the probe.
+    EXPECT_NEAR(shape.box().min().x(), 1, 1e-12);
+    EXPECT_NEAR(shape.box().max().x(), 3, 1e-12);
+    EXPECT_FALSE(touch(shape, probe, Eigen::Isometry3d(Eigen::Translation3d(0.899, 0, 0))));
+    EXPECT_TRUE(touch(shape, probe, Eigen::Isometry3d(Eigen::Translation3d(0.901, 0, 0))));
+    QueryModel model, other;
+    model.add(0, shape, Eigen::Isometry3d(Eigen::AngleAxisd(EIGEN_PI, Eigen::Vector3d::UnitZ())));
+    other.add(0, probe);
+    model.place(at({{0, 0, 0}}));
+    other.place(at({{-2, 0, 0}}));
+    EXPECT_TRUE(model.collides(other));
+  }
+}
+
 TEST(QueryModel, TrianglesWithoutAreaAreLeftOut) {
   TriangleMesh line{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}};
   QueryModel thin, body;

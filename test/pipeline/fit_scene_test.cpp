@@ -53,6 +53,7 @@ TEST_F(FitRobotToScene, OtherMethodsMakeNoTree) {
 
 TEST_F(FitRobotToScene, BlockInTheNotchTakesTwoHulls) {
   options_.validate = true;
+  request_.primitives = false;
   RobotResult result = run(fixtures::link("base", bracket()));
   ASSERT_EQ(result.elements.size(), 1u);
   EXPECT_EQ(result.elements[0].hulls.size(), 2u);
@@ -79,13 +80,72 @@ TEST_F(FitRobotToScene, BlockInTheNotchTakesTwoHulls) {
   EXPECT_EQ(scene["links"][0]["reason"], "2 hulls: against block at 30 mm");
 }
 
+TEST_F(FitRobotToScene, TwoBoxesStandForThem) {
+  options_.validate = true;
+  RobotResult result = run(fixtures::link("base", bracket()));
+  const ElementResult& element = result.elements[0];
+  ASSERT_EQ(element.primitives.size(), 2u);
+  EXPECT_EQ(element.hulls.size(), 2u);
+  EXPECT_TRUE(element.report.files.empty());
+  EXPECT_EQ(element.report.uncovered, 0);
+  EXPECT_LT(element.report.protrusion, 1e-3);
+  EXPECT_EQ(result.report.scene->links[0].primitive, "2 boxes");
+  EXPECT_EQ(result.report.scene->links[0].reason, "2 boxes: against block at 30 mm");
+  EXPECT_EQ(result.report.scene->missed + result.report.scene->phantom, 0u);
+  EXPECT_EQ(result.report.validation.missed + result.report.validation.phantom, 0u);
+
+  // As the description has them, the two hold each of the bracket's corners.
+  const RobotDescription written = parseRobotDescription(result.urdf);
+  const std::vector<GeometryElement>& boxes = written.links[0].collisions;
+  ASSERT_EQ(boxes.size(), 2u);
+  EXPECT_NE(boxes[0].name, boxes[1].name);
+  for (const Eigen::Vector3d& corner : element.original.vertices) {
+    const auto holds = [&](const GeometryElement& box) {
+      return ((box.origin.inverse() * corner).cwiseAbs() - box.size / 2).maxCoeff() <= 0;
+    };
+    EXPECT_TRUE(holds(boxes[0]) || holds(boxes[1])) << corner.transpose();
+  }
+}
+
+TEST_F(FitRobotToScene, HullsWithFilesBesidePrimitives) {
+  // A hexagonal bar, which a post beside one of its flat sides tells from its box and its cylinder, and far from it a plate.
+  std::vector<Eigen::Vector3d> bar, plate;
+  for (int i = 0; i < 12; ++i) {
+    const double angle = EIGEN_PI / 3 * i;
+    bar.emplace_back(0.1 * std::cos(angle), 0.1 * std::sin(angle), i < 6 ? 0 : 0.3);
+  }
+  for (int i = 0; i < 8; ++i) plate.emplace_back(i & 1 ? 0.7 : 0.5, i & 2 ? 0.1 : -0.1, i & 4 ? 0.3 : 0.28);
+  const TriangleMesh mesh = test_shapes::merged({surface(convexHull(bar)), surface(convexHull(plate))});
+  fixtures::write(folder_ / "meshes/bracket.obj", fixtures::obj(mesh));
+  request_.scene = {"posts", {}};
+  for (int i = 0; i < 6; ++i) {
+    const double angle = EIGEN_PI / 3 * (i + 0.5), out = 0.1 * std::cos(EIGEN_PI / 6) + 0.011;
+    SceneBody post{"post" + std::to_string(i), boxShape({0.01, 0.01, 0.4})};
+    post.pose = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * Eigen::Translation3d(out + 0.005, 0, 0.15);
+    request_.scene.bodies.push_back(post);
+  }
+  RobotResult result = run(fixtures::link("base", bracket()));
+  const ElementResult& element = result.elements[0];
+  ASSERT_EQ(element.report.files.size(), 1u);
+  ASSERT_EQ(element.primitives.size(), 1u);
+  EXPECT_EQ(element.report.hulls, 1u);
+  EXPECT_EQ(result.report.scene->links[0].hulls, 1u);
+  EXPECT_EQ(result.report.scene->links[0].primitive, "1 box");
+  EXPECT_EQ(result.report.scene->links[0].reason.substr(0, 15), "1 hull, 1 box: ");
+
+  writeOutput(result, folder_ / "out");
+  EXPECT_EQ(fixtures::contents(folder_ / "out").count("meshes/base/0_0.stl"), 1u);
+  EXPECT_EQ(fixtures::contents(folder_ / "out").count("meshes/base/0_1.stl"), 0u);
+  EXPECT_EQ(parseRobotDescription(result.urdf).links[0].collisions.size(), 2u);
+}
+
 TEST_F(FitRobotToScene, WithoutTheBlockABoxAndGreyHulls) {
   options_.validate = true;
   request_.scene.bodies.clear();
   RobotResult result = run(fixtures::link("base", bracket()));
   const ElementResult& element = result.elements[0];
-  ASSERT_TRUE(element.primitive.has_value());
-  EXPECT_NEAR(element.primitive->size.prod(), 0.2 * 0.2 * 0.1, 1e-5);
+  ASSERT_EQ(element.primitives.size(), 1u);
+  EXPECT_NEAR(element.primitives[0].size.prod(), 0.2 * 0.2 * 0.1, 1e-5);
   ASSERT_EQ(element.hulls.size(), 1u);
   EXPECT_EQ(element.hulls[0].vertices.size(), 8u);
   EXPECT_EQ(element.report.hulls, 0u);

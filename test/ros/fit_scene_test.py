@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The service that fits a robot to a scene: what it makes, what it shows, and rubbish."""
+import importlib.util
 import json
 import os
 import unittest
@@ -9,10 +10,17 @@ import rospy
 import rostest
 from collision_hulls.srv import FitScene
 from robots import NODE
+from sensor_msgs.msg import JointState
+from std_msgs.msg import String
 from visualization_msgs.msg import MarkerArray
 
 # A block in the notch of the small robot's bracket: within its hull, and 2 cm from it.
 BLOCK = "name: notch\nbodies:\n- {name: block, box: [0.02, 0.02, 0.02], pose: {xyz: [0.05, 0.05, 0.025]}}\n"
+
+
+class UnknownOctomap(String):
+    """What the master takes for an octomap."""
+    _type = "octomap_msgs/Octomap"
 
 
 class FitSceneTest(unittest.TestCase):
@@ -47,12 +55,73 @@ class FitSceneTest(unittest.TestCase):
     def test_negative_samples(self):
         self.assert_refused("samples", samples=-1)
 
+    def test_scene_that_nobody_publishes(self):
+        self.assert_refused("published by nobody", scene="topic:/nowhere")
+
+    def test_scene_of_another_type(self):
+        publisher = rospy.Publisher("/said", String, queue_size=1)
+        self.addCleanup(publisher.unregister)
+        self.assert_refused("is a std_msgs/String", scene="topic:/said")
+
+    @unittest.skipIf(importlib.util.find_spec("octomap_msgs"), "octomap_msgs is installed")
+    def test_scene_of_a_package_that_was_not_there(self):
+        publisher = rospy.Publisher("/map", UnknownOctomap, queue_size=1)
+        self.addCleanup(publisher.unregister)
+        self.assert_refused("install octomap_msgs", scene="topic:/map")
+
+    @unittest.skipUnless(importlib.util.find_spec("octomap_msgs"), "octomap_msgs is not installed")
+    def test_fits_to_an_octomap(self):
+        from octomap_msgs.msg import Octomap
+        message = Octomap(binary=True, id="OcTree", resolution=0.25, data=[0, -128])
+        message.header.frame_id = "base"
+        publisher = rospy.Publisher("/real_map", Octomap, queue_size=1, latch=True)
+        self.addCleanup(publisher.unregister)
+        publisher.publish(message)
+        response = self.fit(scene="topic:/real_map")
+        self.assertTrue(response.success, response.message)
+        scene = json.loads(response.report)["scene"]
+        self.assertIn("octomap/1", scene["scene_contact"])
+
+    @unittest.skipUnless(importlib.util.find_spec("moveit_msgs"), "moveit_msgs is not installed")
+    def test_fits_to_a_planning_scene(self):
+        from moveit_msgs.srv import GetPlanningScene, GetPlanningSceneResponse
+        from moveit_msgs.msg import CollisionObject
+        from shape_msgs.msg import SolidPrimitive
+        from geometry_msgs.msg import Point, Pose, Quaternion
+        block = CollisionObject(id="block", primitives=[SolidPrimitive(type=SolidPrimitive.BOX, dimensions=[0.02] * 3)])
+        block.header.frame_id = "base"
+        block.primitive_poses.append(Pose(Point(0.05, 0.05, 0.025), Quaternion(0, 0, 0, 1)))
+        answer = GetPlanningSceneResponse()
+        answer.scene.world.collision_objects.append(block)
+        service = rospy.Service("/get_planning_scene", GetPlanningScene, lambda request: answer)
+        self.addCleanup(service.shutdown)
+        response = self.fit(scene="service:/get_planning_scene")
+        self.assertTrue(response.success, response.message)
+        self.assertIn("against block", json.loads(response.report)["scene"]["links"][0]["reason"])
+
+    def test_configurations_that_nobody_publishes(self):
+        self.assert_refused("published by nobody", configurations="topic:/nowhere")
+
+    def test_configurations_of_a_bag_that_is_not_there(self):
+        self.assert_refused("nowhere.bag", configurations=self.folder.file("nowhere.bag"))
+
+    def test_configurations_of_a_topic(self):
+        publisher = rospy.Publisher("/states", JointState, queue_size=10)
+        self.addCleanup(publisher.unregister)
+        timer = rospy.Timer(rospy.Duration(0.02), lambda event: publisher.publish(JointState(name=["to_arm"], position=[0.5])))
+        self.addCleanup(timer.shutdown)
+        response = self.fit(configurations="topic:/states 1")
+        self.assertTrue(response.success, response.message)
+        scene = json.loads(response.report)["scene"]
+        self.assertTrue(scene["given"])
+        self.assertGreater(scene["samples"], 5)
+
     def test_fits(self):
         response = self.fit()
         self.assertTrue(response.success, response.message)
         scene = json.loads(response.report)["scene"]
         self.assertEqual((0, 0), (scene["missed"], scene["phantom"]))
-        self.assertEqual([("base", 2, ""), ("arm", 0, "box")], [(l["link"], l["hulls"], l["primitive"]) for l in scene["links"]])
+        self.assertEqual([("base", 0, "2 boxes"), ("arm", 0, "box")], [(l["link"], l["hulls"], l["primitive"]) for l in scene["links"]])
         self.assertIn("against block", scene["links"][0]["reason"])
         self.assertIn('link1="base" link2="arm" reason="Adjacent"', response.srdf)
         with open(os.path.join(self.folder.output, "config", "small_disabled.srdf")) as file:

@@ -21,9 +21,9 @@ class TwoChannels : public ::testing::Test {
     interlocked_ = Eigen::Translation3d(0.5, 0.45, 0) * Eigen::AngleAxisd(EIGEN_PI, Eigen::Vector3d::UnitZ());
   }
 
-  int top(int piece) const { return assembly_->pieces()[static_cast<std::size_t>(piece)].tree->top(); }
+  int root(int piece) const { return assembly_->pieces()[static_cast<std::size_t>(piece)].tree->root(); }
   Contact contact(int first, int second, const Eigen::Isometry3d& pose) const {
-    return {0, {first, second}, {top(first), top(second)}, pose};
+    return {0, {first, second}, {root(first), root(second)}, pose};
   }
   Contact withPost(int channel) const { return contact(channel, 2, Eigen::Isometry3d(Eigen::Translation3d(gap()))); }
   bool stillTouch(const Cuts& cuts, const Contact& at) const {
@@ -33,7 +33,7 @@ class TwoChannels : public ::testing::Test {
     return false;
   }
   Cuts cured(const std::vector<Contact>& contacts) {
-    Curing curing(*assembly_, assembly_->tops());
+    Curing curing(*assembly_, assembly_->roots());
     curing.add(contacts);
     curing.run({});
     EXPECT_EQ(curing.stuck(), 0u);
@@ -48,7 +48,7 @@ class TwoChannels : public ::testing::Test {
 };
 
 TEST_F(TwoChannels, NothingToCure) {
-  EXPECT_EQ(cured({}), assembly_->tops());
+  EXPECT_EQ(cured({}), assembly_->roots());
 }
 
 TEST_F(TwoChannels, OnlyTheSideThatCuresIsOpened) {
@@ -60,7 +60,7 @@ TEST_F(TwoChannels, OnlyTheSideThatCuresIsOpened) {
 
 TEST_F(TwoChannels, BothSidesWhereOneAloneWillNotDo) {
   const Contact both = contact(0, 1, interlocked_);
-  ASSERT_TRUE(touches(*assembly_, both, top(0), top(1)));
+  ASSERT_TRUE(touches(*assembly_, both, root(0), root(1)));
   ASSERT_FALSE(touchesAtLeaves(*assembly_, both));
   const Cuts cuts = cured({both});
   EXPECT_GT(cuts[0].size(), 1u);
@@ -77,16 +77,16 @@ TEST_F(TwoChannels, ContactsFollowNodesThatOthersOpen) {
 TEST_F(TwoChannels, ContactOfLeavesStays) {
   const Contact in_wall = contact(0, 2, Eigen::Isometry3d::Identity());
   EXPECT_TRUE(touchesAtLeaves(*assembly_, in_wall));
-  Curing curing(*assembly_, assembly_->tops());
+  Curing curing(*assembly_, assembly_->roots());
   curing.add({in_wall});
   curing.run({});
   EXPECT_GT(curing.stuck(), 0u);
 }
 
 TEST_F(TwoChannels, ClosesWhatNoContactNeeds) {
-  Cuts finest = assembly_->tops();
+  Cuts finest = assembly_->roots();
   for (std::size_t i = 0; i < 2; ++i) finest[i] = channelMesh()->tree.cutAt(0);
-  EXPECT_EQ(closed(*assembly_, finest, {}, {}), assembly_->tops());
+  EXPECT_EQ(closed(*assembly_, finest, {}, {}), assembly_->roots());
   const Cuts kept = closed(*assembly_, finest, {withPost(0)}, {});
   EXPECT_EQ(kept[0].size(), 3u);
   EXPECT_EQ(kept[1].size(), 1u);

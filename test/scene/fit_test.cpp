@@ -61,28 +61,65 @@ TEST(FitScene, PostInTheGapOpensTheHull) {
   EXPECT_EQ(fit.report.original_hits, 0u);
   EXPECT_NEAR(fit.report.phantom_rate_bound, 3.0 / 1000, 1e-4);
   EXPECT_FALSE(fit.report.links[0].proved);
-  EXPECT_EQ(fit.report.links[0].reason.substr(0, 22), "3 hulls: against post ") << fit.report.links[0].reason;
+  EXPECT_EQ(fit.report.links[0].reason.substr(0, 22), "3 boxes: against post ") << fit.report.links[0].reason;
 }
 
 TEST(FitScene, BoxWhereItIsEnough) {
   FitProblem problem = overPost();
-  const auto mesh = std::make_shared<FitMesh>(*problem.elements[0].mesh);
-  mesh->box = boxAbout(*mesh);
-  ASSERT_TRUE(mesh->box.has_value());
-  EXPECT_NEAR(mesh->box->size.prod(), 0.4 * 0.3 * 1, 1e-4);
-  problem.elements[0].mesh = mesh;
-  const SceneFit opened = fitScene(problem, fitOptions());
-  EXPECT_FALSE(opened.elements[0].box);
-  EXPECT_EQ(opened.elements[0].hulls.size(), 3u);
-
   problem.scene.bodies[0].pose.translation().x() += 0.5;  // beside the channel, beyond the clearance
-  const SceneFit kept = fitScene(problem, fitOptions());
-  EXPECT_TRUE(kept.elements[0].box);
-  EXPECT_TRUE(kept.elements[0].cut.empty());
-  ASSERT_EQ(kept.elements[0].hulls.size(), 1u);
-  EXPECT_EQ(uncovered(mesh->original, kept.elements[0].hulls), 0);
-  EXPECT_EQ(kept.report.links[0].primitive, "box");
-  EXPECT_EQ(kept.report.links[0].hulls, 0u);
+  const SceneFit fit = fitScene(problem, fitOptions());
+  ASSERT_EQ(fit.elements[0].primitives.size(), 1u);
+  const GeometryElement& box = fit.elements[0].primitives[0];
+  EXPECT_EQ(box.kind, GeometryElement::Kind::kBox);
+  EXPECT_NEAR(box.size.prod(), 0.4 * 0.3 * 1, 1e-4);
+  EXPECT_EQ(fit.elements[0].cut.size(), 1u);
+  ASSERT_EQ(fit.elements[0].hulls.size(), 1u);
+  EXPECT_EQ(uncovered(problem.elements[0].mesh->original, fit.elements[0].hulls), 0);
+  EXPECT_EQ(fit.report.links[0].primitive, "box");
+  EXPECT_EQ(fit.report.links[0].hulls, 0u);
+  EXPECT_EQ(fit.report.primitives, 1u);
+
+  FitOptions hulls_only = fitOptions();
+  hulls_only.primitives = false;
+  const SceneFit hull = fitScene(problem, hulls_only);
+  EXPECT_TRUE(hull.elements[0].primitives.empty());
+  EXPECT_EQ(hull.report.links[0].hulls, 1u);
+}
+
+/// A carriage with a mesh, and a post.
+FitProblem carriageBeside(const TriangleMesh& mesh, const Eigen::Vector3d& post) {
+  FitProblem problem = overPost();
+  problem.elements[0].mesh = fitMesh(mesh);
+  problem.scene.bodies[0] = boxBody("post", Eigen::Vector3d::Constant(0.1), post);
+  return problem;
+}
+
+TEST(FitScene, SphereForABall) {
+  const SceneFit fit = fitScene(carriageBeside(test_shapes::sphere(0.2, 8), {0.27, 0, 0}), fitOptions());
+  ASSERT_EQ(fit.elements[0].primitives.size(), 1u);
+  EXPECT_EQ(fit.elements[0].primitives[0].kind, GeometryElement::Kind::kSphere);
+  EXPECT_NEAR(fit.elements[0].primitives[0].size.x(), 0.2, 0.02);  // the hull, of 64 vertices, reaches further out than the ball
+  EXPECT_EQ(fit.report.links[0].primitive, "sphere");
+  EXPECT_EQ(fit.report.links[0].reason.substr(0, 10), "1 sphere: ");
+  EXPECT_EQ(fit.report.missed + fit.report.phantom, 0u);
+}
+
+TEST(FitScene, CylinderWhereTheBoxTouches) {
+  // The post passes the cylinder's round side where the box has an edge, whichever way it is turned.
+  const double radius = 0.2, out = radius + 0.02 + 0.05;
+  FitProblem problem = carriageBeside(surface(cylinderShape(radius, 1)), {out, 0, 0});
+  for (int i = 1; i < 8; ++i) {
+    const double angle = EIGEN_PI / 4 * i;
+    SceneBody post{"post" + std::to_string(i), boxShape(Eigen::Vector3d::Constant(0.1))};
+    post.pose = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * Eigen::Translation3d(out, 0, 0);
+    problem.scene.bodies.push_back(post);
+  }
+  const SceneFit fit = fitScene(problem, fitOptions());
+  ASSERT_EQ(fit.elements[0].primitives.size(), 1u);
+  EXPECT_EQ(fit.elements[0].primitives[0].kind, GeometryElement::Kind::kCylinder);
+  EXPECT_NEAR(fit.elements[0].primitives[0].size.x(), radius, 1e-3);
+  EXPECT_EQ(fit.report.missed + fit.report.phantom, 0u);
+  EXPECT_EQ(fit.report.links[0].reason.substr(0, 25), "1 cylinder: never within ") << fit.report.links[0].reason;
 }
 
 TEST(FitScene, FarPostIsProvedAway) {

@@ -24,7 +24,7 @@ struct ElementResult {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< of the element's frame in the robot's zero configuration
   TriangleMesh original;                                   ///< as read and scaled
   std::vector<ConvexHull> hulls;                           ///< as written; empty where the status is failed
-  std::optional<GeometryElement> primitive;                ///< stands for the mesh, in its frame; the hulls are then of it, and no files
+  std::vector<GeometryElement> primitives;                 ///< in its frame, in place of files of the last hulls, which are about them
   std::vector<ConvexHull> unneeded;                        ///< finer hulls that a scene did not need; empty without a scene
   std::shared_ptr<const Solid> solid;                      ///< of `original`, while the run lasts; null where the hulls come from the cache
 };

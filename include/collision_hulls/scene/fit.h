@@ -4,10 +4,11 @@
 // itself is free for the model, too. Every cut covers its mesh, so that no model misses a collision; a coarse one has phantoms.
 //
 //   1. prove which pairs of bodies can never come within c; leave out what self-collision checks leave out
-//   2. begin with one body for each mesh: a box that holds it, or the root of its tree
+//   2. begin with one hull for each mesh: the root of its tree
 //   3. ask samples: where the model is hit though the original is clear, open tree nodes, the cheapest cure first, until it is free
 //   4. cure all counterexamples at once from the beginning, and close what can be closed
-//   5. ask fresh samples, and open again, until a whole batch of them has no counterexample that could be cured
+//   5. put the cheapest primitive in place of each hull: a sphere, a box or a cylinder about it; take back what samples refute
+//   6. ask fresh samples, and open again, until a whole batch of them has no counterexample that could be cured
 #pragma once
 
 #include <Eigen/Geometry>
@@ -35,12 +36,7 @@ struct FitMesh {
   double margin = 0;     ///< [m] that hulls are grown by when they are written, see fitCover()
   int max_vertices = 0;  ///< of a hull as written; 0: no cap
   int max_hulls = 0;     ///< of the mesh; 0: no cap
-  /// A box that holds the root as written, in the mesh's frame; the cheapest body of all. None: there is no such choice.
-  std::optional<GeometryElement> box = {};
 };
-
-/// The box that a mesh can be replaced by; nullopt for a mesh that is next to nothing.
-std::optional<GeometryElement> boxAbout(const FitMesh& mesh);
 
 /// A mesh on a link.
 struct FitElement {
@@ -69,20 +65,21 @@ struct FitOptions {
   double clearance = 0.01;      ///< [m] c, > 0
   std::size_t samples = 10000;  ///< of a batch that verifies
   std::uint64_t seed = 1;
-  bool compare = false;  ///< measure other models beside the fitted one: takes longer
+  bool compare = false;    ///< measure other models beside the fitted one: takes longer
+  bool primitives = true;  ///< spheres, boxes and cylinders may stand for hulls
 };
 
 /// What became of an element.
 struct FittedElement {
-  std::vector<int> cut;           ///< nodes of its tree, ascending
-  std::vector<ConvexHull> hulls;  ///< of the cut, as written; they cover the mesh
-  bool box = false;               ///< the mesh's box stands for it: the cut is empty, and the hull is the box's
+  std::vector<int> cut;                     ///< nodes of its tree; ascending, those that primitives stand for after the others
+  std::vector<ConvexHull> hulls;            ///< of the cut, as written; they cover the mesh. Those of primitives are polyhedra about them
+  std::vector<GeometryElement> primitives;  ///< of the last of the cut's nodes, in the mesh's frame; exactly as they are to be written
 };
 
 struct FittedLink {
   std::string link;
   std::size_t hulls = 0;
-  std::string primitive;  ///< "box", or "2 boxes"; empty where there is none
+  std::string primitive;  ///< "box", or "2 boxes, 1 sphere"; empty where there is none
   std::string reason;     ///< "3 hulls: against shelf at 18 mm"
   bool proved = false;    ///< that it never comes within c of anything
 };
@@ -131,9 +128,11 @@ struct FitReport {
   std::size_t leaf_contacts = 0;    ///< counterexamples that the finest hulls of the trees still are
   std::string leaf_contact;         ///< the first of them
   std::size_t pairs = 0, proved_pairs = 0;
-  double query_us = 0, original_query_us = 0;        ///< [us] whether a configuration is free, by FCL on one thread
+  double query_us = 0, original_query_us = 0;        ///< [us] whether a configuration is free, by FCL on one thread; pairs of links
+                                                     ///< that are proved apart are not asked, as the SRDF says that is written
   double distance_us = 0, original_distance_us = 0;  ///< [us] how far it is from contact
-  std::size_t hulls = 0, full_hulls = 0;             ///< of the model; of the trees' leaves
+  std::size_t hulls = 0, full_hulls = 0;             ///< of the model, primitives counted; of the trees' leaves
+  std::size_t primitives = 0;                        ///< of the model
   std::string scene_contact;                         ///< the original at rest hits the scene there; empty: it does not
   std::size_t scene_hits = 0;                        ///< samples in which the original hits the scene
   std::vector<FittedLink> links;

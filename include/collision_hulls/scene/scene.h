@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <string>
 #include <variant>
 #include <vector>
@@ -46,6 +47,13 @@ constexpr double kPlaneSide = 20, kPlaneDepth = 0.1;  // [m]
 /// length.
 PlacedShape planeShape(const Eigen::Vector3d& normal, double d);
 
+/// Numbers that setShape() takes for "box" (3), "sphere" (1), "cylinder", "cone" (2) and "plane" (4); 0 for any other kind.
+std::size_t sizesOf(const std::string& kind);
+
+/// Gives a body the shape of such a kind. A plane's slab moves the body's frame within it. Throws as
+/// the functions above.
+void setShape(SceneBody& body, const std::string& kind, const std::vector<double>& sizes);
+
 /// Appends a body. Throws kBadScene for a name that is empty or taken, a pose that is not finite, or a mesh with a vertex that is not
 /// finite or an index out of range, without triangles, or further than 1e6 m out.
 void addBody(Scene& scene, SceneBody body);
@@ -61,6 +69,7 @@ void addBody(Scene& scene, SceneBody body);
 ///                     for in GAZEBO_MODEL_PATH, GZ_SIM_RESOURCE_PATH, SDF_PATH, the folders that enclose the file, and ~/.gazebo/models),
 ///                     package://, or a path, of a file or a model's folder. A saved world's `<state>` is not looked at
 ///   .stl .dae .obj .off .ply    one mesh, where it is
+///   .bt .ot           OctoMap's maps; see octomap.h
 ///   .yaml .yml        ours:
 ///
 ///     name: cell                                   # may be missing

@@ -1,0 +1,120 @@
+#include "joint_states.h"
+
+#include <ros/callback_queue.h>
+#include <ros/master.h>
+#include <ros/node_handle.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <sensor_msgs/JointState.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <vector>
+
+#include "collision_hulls/error.h"
+
+namespace collision_hulls {
+namespace {
+
+const std::string kTopic = "topic:", kBag = ".bag", kType = "sensor_msgs/JointState";
+constexpr double kUsualSeconds = 10, kMostSeconds = 3600;
+constexpr std::uint32_t kQueue = 10'000;  // messages
+
+using JointStates = std::vector<sensor_msgs::JointStateConstPtr>;
+
+/// The source up to its last word, where there are two, and that word.
+std::pair<std::string, std::string> parts(const std::string& source) {
+  const std::size_t space = source.rfind(' ');
+  if (space == std::string::npos) return {source, ""};
+  return {source.substr(0, space), source.substr(space + 1)};
+}
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// The file of a bag and the topic in it, where one is named; the file is empty for what is no bag.
+std::pair<std::string, std::string> bagAndTopic(const std::string& source) {
+  if (endsWith(source, kBag)) return {source, ""};
+  const auto [file, topic] = parts(source);
+  return endsWith(file, kBag) ? std::pair(file, topic) : std::pair(std::string(), std::string());
+}
+
+ConfigurationSet collected(const JointStates& states, const std::string& source, const Kinematics& kinematics,
+                           const ConfigurationOptions& options) {
+  if (states.empty())
+    throw Error(ErrorCode::kBadConfigurations, "'" + source + "' has no message of " + kType + "; give one that has, or wait longer");
+  ConfigurationCollector collector(kinematics, options);
+  for (std::size_t i = 0; i < states.size(); ++i)
+    collector.add(states[i]->name, states[i]->position, "'" + source + "', message " + std::to_string(i + 1));
+  return collector.take();
+}
+
+JointStates fromBag(const std::string& file, const std::string& topic) {
+  if (!std::filesystem::exists(file)) throw Error(ErrorCode::kFileNotFound, "'" + file + "': no such file; give the path of a bag");
+  JointStates states;
+  try {
+    const rosbag::Bag bag(file, rosbag::bagmode::Read);
+    rosbag::View view(bag, [&](const rosbag::ConnectionInfo* connection) {
+      return connection->datatype == kType && (topic.empty() || connection->topic == topic);
+    });
+    for (const rosbag::MessageInstance& message : view) states.push_back(message.instantiate<sensor_msgs::JointState>());
+  } catch (const std::exception& error) {  // rosbag's own errors, and those of damaged lengths
+    throw Error(ErrorCode::kBadConfigurations, "'" + file + "' cannot be read: " + error.what() + "; 'rosbag reindex' may mend it");
+  }
+  return states;
+}
+
+double secondsOf(const std::string& word, const std::string& source) {
+  if (word.empty()) return kUsualSeconds;
+  std::istringstream in(word);
+  double seconds = 0;
+  if (in >> seconds && in.eof() && seconds > 0 && seconds <= kMostSeconds) return seconds;
+  throw Error(ErrorCode::kBadOption, "configurations '" + source +
+                                         "' are not understood: after the topic stand the seconds for which it is "
+                                         "listened to, up to 3600");
+}
+
+void expectJointStates(const std::string& topic) {
+  ros::master::V_TopicInfo topics;
+  ros::master::getTopics(topics);
+  const auto found = std::find_if(topics.begin(), topics.end(), [&](const auto& info) { return info.name == topic; });
+  if (found == topics.end())
+    throw Error(ErrorCode::kBadOption, "configurations '" + topic + "' are published by nobody; start its node, or give the name in full");
+  if (found->datatype != kType)
+    throw Error(ErrorCode::kBadOption, "configurations '" + topic + "' are a " + found->datatype + "; they have to be a " + kType);
+}
+
+JointStates fromTopic(const std::string& topic, double seconds, const RunControl& control) {
+  expectJointStates(topic);
+  JointStates states;
+  ros::CallbackQueue queue;  // of its own: the node's threads may all be busy
+  ros::NodeHandle node;
+  node.setCallbackQueue(&queue);
+  const boost::function<void(const sensor_msgs::JointStateConstPtr&)> keep = [&](const auto& state) { states.push_back(state); };
+  const ros::Subscriber subscriber = node.subscribe<sensor_msgs::JointState>(topic, kQueue, keep);
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
+  while (ros::ok() && ros::WallTime::now() < end) {
+    control.check();
+    queue.callAvailable(ros::WallDuration(0.05));
+  }
+  return states;
+}
+
+}  // namespace
+
+bool areJointStates(const std::string& source) {
+  return source.compare(0, kTopic.size(), kTopic) == 0 || !bagAndTopic(source).first.empty();
+}
+
+ConfigurationSet readJointStates(const std::string& source, const Kinematics& kinematics, const ConfigurationOptions& options,
+                                 const RunControl& control) {
+  const auto [file, bag_topic] = bagAndTopic(source);
+  if (!file.empty()) return collected(fromBag(file, bag_topic), source, kinematics, options);
+  const auto [topic, seconds] = parts(source.substr(kTopic.size()));
+  return collected(fromTopic(topic, secondsOf(seconds, source), control), source, kinematics, options);
+}
+
+}  // namespace collision_hulls

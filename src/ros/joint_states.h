@@ -1,0 +1,21 @@
+// Configurations from joint states that are published, or were recorded.
+#pragma once
+
+#include <string>
+
+#include "collision_hulls/control.h"
+#include "collision_hulls/scene/configurations.h"
+
+namespace collision_hulls {
+
+/// Whether configurations are asked for by a topic, "topic:NAME" or "topic:NAME SECONDS", or by a bag, "FILE.bag" or "FILE.bag NAME".
+bool areJointStates(const std::string& source);
+
+/// The sensor_msgs/JointState messages of such a source: those that come within SECONDS (10 where it is not said), or those of a bag, on
+/// the topic NAME or on all. Throws kBadOption for a source that is not understood, a topic that nobody publishes or that has other
+/// messages, kFileNotFound, kBadConfigurations for a bag that cannot be read, or where no message came, and as ConfigurationCollector does;
+/// kCancelled.
+ConfigurationSet readJointStates(const std::string& source, const Kinematics& kinematics, const ConfigurationOptions& options,
+                                 const RunControl& control = {});
+
+}  // namespace collision_hulls

@@ -1,0 +1,109 @@
+#include "live_scene.h"
+
+#include <ros/master.h>
+#include <ros/service.h>
+#include <ros/topic.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include "collision_hulls/error.h"
+#ifdef COLLISION_HULLS_MOVEIT_MSGS
+#include <moveit_msgs/GetPlanningScene.h>
+
+#include "planning_scene.h"
+#endif
+#ifdef COLLISION_HULLS_OCTOMAP_MSGS
+#include "octomap_message.h"
+#endif
+
+namespace collision_hulls {
+namespace {
+
+const std::string kTopic = "topic:", kService = "service:";
+const ros::Duration kPatience(10);
+
+using Reader = std::function<Scene(const std::string& name, const std::string& root_link)>;
+
+/// Of messages that can be read, or could be if their package had been there: those have none.
+struct Kind {
+  std::string package;
+  Reader read;
+};
+
+[[noreturn]] void fail(const std::string& what, const std::string& reason) {
+  throw Error(ErrorCode::kBadOption, "scene '" + what + "' " + reason);
+}
+
+template <class Message>
+Scene fromTopic(const std::string& name, const std::string& root_link) {
+  const auto message = ros::topic::waitForMessage<Message>(name, kPatience);
+  if (!message) fail(kTopic + name, "sent no message within 10 s; let its node publish one, or latch it");
+  return toScene(*message, root_link);
+}
+
+std::map<std::string, Kind> topicKinds() {
+  std::map<std::string, Kind> kinds{{"moveit_msgs/PlanningScene", {"moveit_msgs", {}}}, {"octomap_msgs/Octomap", {"octomap_msgs", {}}}};
+#ifdef COLLISION_HULLS_MOVEIT_MSGS
+  kinds["moveit_msgs/PlanningScene"].read = fromTopic<moveit_msgs::PlanningScene>;
+#endif
+#ifdef COLLISION_HULLS_OCTOMAP_MSGS
+  kinds["octomap_msgs/Octomap"].read = fromTopic<octomap_msgs::Octomap>;
+#endif
+  return kinds;
+}
+
+[[noreturn]] void failWithout(const std::string& source, const std::string& package) {
+  fail(source, "needs the messages of " + package + ", which were not there when collision_hulls was built; install " + package +
+                   ", or put its source into the workspace, and build again. Scenes in files need no other package");
+}
+
+Scene readTopic(const std::string& name, const std::string& root_link) {
+  ros::master::V_TopicInfo topics;
+  ros::master::getTopics(topics);
+  const auto topic = std::find_if(topics.begin(), topics.end(), [&](const auto& info) { return info.name == name; });
+  if (topic == topics.end()) fail(kTopic + name, "is published by nobody; start its node, or give the name in full ('rostopic list')");
+  const std::map<std::string, Kind> kinds = topicKinds();
+  const auto kind = kinds.find(topic->datatype);
+  if (kind == kinds.end())
+    fail(kTopic + name, "is a " + topic->datatype + "; those that are read are moveit_msgs/PlanningScene and octomap_msgs/Octomap");
+  if (!kind->second.read) failWithout(kTopic + name, kind->second.package);
+  return kind->second.read(name, root_link);
+}
+
+#ifdef COLLISION_HULLS_MOVEIT_MSGS
+Scene readService(const std::string& name, const std::string& root_link) {
+  moveit_msgs::GetPlanningScene call;
+  using Components = moveit_msgs::PlanningSceneComponents;
+  call.request.components.components = Components::SCENE_SETTINGS | Components::ROBOT_STATE | Components::WORLD_OBJECT_NAMES |
+                                       Components::WORLD_OBJECT_GEOMETRY | Components::OCTOMAP | Components::TRANSFORMS;
+  if (!ros::service::waitForService(name, kPatience)) fail(kService + name, "is not there; start move_group, or give the name in full");
+  if (!ros::service::call(name, call)) fail(kService + name, "did not answer; it has to be a moveit_msgs/GetPlanningScene");
+  return toScene(call.response.scene, root_link);
+}
+#else
+Scene readService(const std::string& name, const std::string&) {
+  failWithout(kService + name, "moveit_msgs");
+}
+#endif
+
+bool beginsWith(const std::string& text, const std::string& start) {
+  return text.compare(0, start.size(), start) == 0;
+}
+
+}  // namespace
+
+bool isLive(const std::string& source) {
+  return beginsWith(source, kTopic) || beginsWith(source, kService);
+}
+
+Scene liveScene(const std::string& source, const std::string& root_link) {
+  const bool topic = beginsWith(source, kTopic);
+  const std::string name = source.substr((topic ? kTopic : kService).size());
+  Scene scene = topic ? readTopic(name, root_link) : readService(name, root_link);
+  if (scene.name.empty()) scene.name = name;
+  return scene;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,21 @@
+#include "octomap_message.h"
+
+#include "collision_hulls/error.h"
+
+namespace collision_hulls {
+
+Octomap toOctomap(const octomap_msgs::Octomap& message) {
+  const auto* bytes = reinterpret_cast<const char*>(message.data.data());
+  return {message.binary != 0, message.id, message.resolution, {bytes, message.data.size()}};
+}
+
+Scene toScene(const octomap_msgs::Octomap& message, const std::string& root_link) {
+  const std::string& frame = message.header.frame_id;
+  if (!frame.empty() && frame != root_link && frame != "/" + root_link)
+    throw Error(ErrorCode::kBadScene, "the octomap is in the frame '" + frame + "'; make it one in the root link's, '" + root_link + "'");
+  Scene scene;
+  addOctomap(scene, "octomap", toOctomap(message));
+  return scene;
+}
+
+}  // namespace collision_hulls

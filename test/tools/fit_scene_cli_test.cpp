@@ -26,7 +26,8 @@ class FitSceneProgram : public ProgramTest {
 TEST_F(FitSceneProgram, Help) {
   const Finished result = run("--help");
   EXPECT_EQ(result.status, 0);
-  for (const char* part : {"--scene", "--clearance", "--samples", "[10000]", "--configurations", "--srdf", "--compare", "--tolerance"})
+  for (const char* part :
+       {"--scene", "--clearance", "--samples", "[10000]", "--configurations", "--srdf", "--compare", "--hulls-only", "--tolerance"})
     EXPECT_NE(result.out.find(part), std::string::npos) << part;
 }
 
@@ -46,7 +47,7 @@ TEST_F(FitSceneProgram, WrongUse) {
 TEST_F(FitSceneProgram, FitsAndTells) {
   const Finished result = run("arm.urdf --scene notch.yaml --clearance 1cm --samples 50 --json r.json --compare c.csv --no-validate");
   ASSERT_EQ(result.status, 0) << result.err;
-  EXPECT_NE(result.out.find("base: 2 hulls: against block at 30 mm"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("base: 2 boxes: against block at 30 mm"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("scene 'notch': 2 of 2 hulls for a clearance of 10 mm"), std::string::npos) << result.out;
   EXPECT_EQ(json::parse(fixtures::read(folder_ / "r.json"))["scene"]["missed"], 0);
   const std::string csv = fixtures::read(folder_ / "c.csv");

@@ -57,22 +57,23 @@ std::function<void(double)> stretch(const RunControl& control, double from, doub
 /// A decomposition under way.
 class Job {
  public:
-  Job(const RepairedMesh& mesh, double tolerance, int max_vertices, Effort effort, const RunControl& control)
+  Job(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control)
       : mesh_(mesh),
-        max_vertices_(max_vertices),
-        plan_(planFor(effort)),
+        options_(options),
+        plan_(planFor(options.effort)),
         control_(control),
         solid_(mesh, control),
-        oracle_(solid_, boxOf(mesh), tolerance, control) {}
+        oracle_(solid_, boxOf(mesh), options.tolerance, control) {}
 
-  Cover cover(std::uint64_t seed) {
+  Cover cover() {
+    const std::uint64_t seed = options_.seed;
     std::unique_ptr<SurfaceGroups> groups;
     Cover best;
     const double step = 0.7 / static_cast<double>(plan_.cuts.size());
     for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
       const double from = step * static_cast<double>(i);
       auto mine = std::make_unique<SurfaceGroups>(leaves(plan_.cuts[i], stretch(control_, from, from + 0.8 * step)), plan_.elements,
-                                                  oracle_, max_vertices_);
+                                                  oracle_, options_.max_vertices);
       Cover cover = mergedBest(mine->leaves(), *mine);
       if (plan_.first_evaluations > 0)
         cover = improved(std::move(cover), *mine, {plan_.first_evaluations, seed}, stretch(control_, from + 0.8 * step, from + step));
@@ -100,13 +101,13 @@ class Job {
  private:
   std::vector<Leaf> leaves(const ScoreWeights& weights, const std::function<void(double)>& progress) {
     oracle_.setShare(kLeafShare);
-    std::vector<Leaf> leaves = cutIntoLeaves(mesh_, oracle_, {weights, max_vertices_}, progress);
+    std::vector<Leaf> leaves = cutIntoLeaves(mesh_, oracle_, {weights, options_.max_vertices, options_.fill}, progress);
     oracle_.setShare(1);
     return leaves;
   }
 
   const RepairedMesh& mesh_;
-  const int max_vertices_;
+  const DecomposeOptions options_;
   const Plan plan_;
   const RunControl& control_;
   const Solid solid_;
@@ -118,9 +119,9 @@ class Job {
 Decomposition certified(const RepairedMesh& original, const DecomposeOptions& options, const RunControl& control) {
   const Eigen::Vector3d middle = boxOf(original).center();
   const RepairedMesh mesh = about(middle, original);
-  Job job(mesh, options.tolerance, options.max_vertices, options.effort, control);
+  Job job(mesh, options, control);
   Decomposition result;
-  const Cover cover = job.cover(options.seed);
+  const Cover cover = job.cover();
   result.capped = options.max_hulls > 0 && cover.size() > static_cast<std::size_t>(options.max_hulls);
   if (result.capped) {
     const HullTree tree = job.treeOver(cover);
@@ -143,8 +144,8 @@ HullTree hullTree(const RepairedMesh& mesh, const DecomposeOptions& options, con
     throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangle; a hull tree needs at least one");
   const Eigen::Vector3d middle = boxOf(mesh).center();
   const RepairedMesh local = about(middle, mesh);
-  Job job(local, options.tolerance, options.max_vertices, options.effort, control);
-  HullTree tree = job.treeOver(job.cover(options.seed));
+  Job job(local, options, control);
+  HullTree tree = job.treeOver(job.cover());
   for (HullNode& node : tree.nodes) moveBack(node.hull, middle);
   return tree;
 }

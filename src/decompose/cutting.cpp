@@ -38,27 +38,27 @@ class Cutting {
         area_(area(whole)),
         progress_(progress) {}
 
-  void run(SurfacePiece piece, int depth) {
-    ConvexHull hull = roughHull(piece.vertices);
+  void run(Block block, int depth) {
+    ConvexHull hull = roughHull(block.surface.vertices);
     const ConvexHull thin = thinned(hull, kThin);
     const bool clear = oracle_.mayWellFit(thin), over_cap = overCap(hull);
     const bool fits = clear && oracle_.fits(over_cap ? reduceVertices(hull, options_.max_vertices).hull : hull);
-    if (fits || depth >= kDeepest || leaves.size() >= kMostLeaves) return leaf(std::move(piece), std::move(hull));
-    std::vector<SurfacePiece> parts = components(piece);
+    if (fits || depth >= kDeepest || leaves.size() >= kMostLeaves) return leaf(std::move(block), std::move(hull));
+    std::vector<Block> parts = components(block);
     if (parts.size() == 1)
-      parts = (clear && over_cap) || depth >= kHalveFrom ? halves(piece, on_plane_) : bestCut(piece, clear ? hull : thin);
-    if (parts.size() == 1) return leaf(std::move(piece), std::move(hull));
-    piece = {};
-    for (SurfacePiece& part : parts) run(std::move(part), depth + 1);
+      parts = (clear && over_cap) || depth >= kHalveFrom ? halves(block, on_plane_) : bestCut(block, clear ? hull : thin);
+    if (parts.size() == 1) return leaf(std::move(block), std::move(hull));
+    block = {};
+    for (Block& part : parts) run(std::move(part), depth + 1);
   }
 
   std::vector<Leaf> leaves;
 
  private:
-  void leaf(SurfacePiece piece, ConvexHull hull) {
-    done_ += area(piece);
+  void leaf(Block block, ConvexHull hull) {
+    done_ += area(block.surface);
     if (area_ > 0) progress_(std::min(1.0, done_ / area_));
-    leaves.push_back({std::move(piece), std::move(hull)});
+    leaves.push_back({std::move(block), std::move(hull)});
   }
 
   bool overCap(const ConvexHull& hull) const {
@@ -66,7 +66,8 @@ class Cutting {
   }
 
   /// Both sides of the best plane that divides the piece; the piece alone if none does.
-  std::vector<SurfacePiece> bestCut(const SurfacePiece& piece, const ConvexHull& hull) {
+  std::vector<Block> bestCut(const Block& block, const ConvexHull& hull) {
+    const SurfacePiece& piece = block.surface;
     const Intruders intruders = oracle_.intruders(hull, kIntruders);
     Intruders few;
     for (std::size_t i = 0; i < intruders.size(); i += kRoughThinning) few.push_back(intruders[i]);
@@ -76,10 +77,10 @@ class Cutting {
     std::vector<HalfSpace> planes = cutPlanes(own_edges ? piece : fine.piece(), intruders, oracle_.solid(), oracle_.tolerance());
     if (planes.size() > kFinalists) planes = rough.best(planes, kFinalists);
     for (const HalfSpace& plane : fine.best(planes, kFinalists)) {
-      std::vector<SurfacePiece> parts = parted(piece, plane, on_plane_);
+      std::vector<Block> parts = parted(block, plane, on_plane_);
       if (parts.size() > 1) return parts;  // what divides the simplified piece may pass the real one by
     }
-    return halves(piece, on_plane_);
+    return halves(block, on_plane_);
   }
 
   ProtrusionOracle& oracle_;
@@ -104,7 +105,8 @@ std::vector<Leaf> cutIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& orac
                                 const std::function<void(double)>& progress) {
   SurfacePiece whole = wholeSurface(mesh);
   Cutting cutting(oracle, options, whole, progress);
-  cutting.run(std::move(whole), 0);
+  const Region region = options.fill ? Region(boundingBox(whole), oracle.solid()) : Region();
+  cutting.run({std::move(whole), region}, 0);
   return std::move(cutting.leaves);
 }
 

@@ -5,24 +5,25 @@
 #include <vector>
 
 #include "collision_hulls/mesh/repair.h"
+#include "decompose/block.h"
 #include "decompose/plane_score.h"
 #include "decompose/protrusion_oracle.h"
-#include "decompose/surface_piece.h"
 
 namespace collision_hulls {
 
 struct CutOptions {
   ScoreWeights weights;
   int max_vertices = 0;  ///< of a leaf's hull, which has to fit also when reduced to so many; 0: no cap
+  bool fill = false;     ///< cover the solid, not its surface alone
 };
 
-/// A piece of surface and the hull of its points.
+/// A block and the hull of its points.
 struct Leaf {
-  SurfacePiece piece;
+  Block block;
   ConvexHull hull;
 };
 
-/// Leaves whose pieces make up the whole surface (loose points included); each hull fits in the eyes of the oracle unless its piece
+/// Leaves whose blocks make up the whole surface (loose points included); each hull fits in the eyes of the oracle unless its piece
 /// could not be cut any more. In a fixed order. Calls `progress` with the share of the area that is done.
 std::vector<Leaf> cutIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& oracle, const CutOptions& options,
                                 const std::function<void(double)>& progress);

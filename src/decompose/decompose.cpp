@@ -25,6 +25,8 @@ void check(const DecomposeOptions& options) {
   if (options.max_hulls < 0) refuse("max_hulls is " + std::to_string(options.max_hulls) + "; it must be at least 1, or 0 for no cap");
   if (options.max_vertices != 0 && options.max_vertices < kLeastVertices)
     refuse("max_vertices is " + std::to_string(options.max_vertices) + "; it must be at least 8, or 0 for no cap");
+  if (options.fill && options.method != Method::kCertified)
+    refuse(std::string("fill is on and the method is ") + name(options.method) + "; only certified fills: leave one of the two out");
 }
 
 std::vector<std::vector<int>> clusters(const TriangleMesh& mesh, const DecomposeOptions& options, const RunControl& control) {

@@ -22,7 +22,7 @@ std::size_t at(int i) {
 struct Part {
   double area;
   int leaf, number;
-  SurfacePiece piece;
+  Block block;
 
   bool operator<(const Part& o) const { return std::tie(area, o.leaf, o.number) < std::tie(o.area, leaf, number); }  // largest on top
 };
@@ -47,32 +47,36 @@ std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t cou
   std::vector<Element> elements;
   if (count <= leaves.size()) {
     for (std::size_t i = 0; i < leaves.size(); ++i)
-      elements.push_back(elementOf(leaves[i].piece, leaves[i].hull, static_cast<int>(i), tolerance));
+      elements.push_back(elementOf(leaves[i].block.surface, leaves[i].hull, static_cast<int>(i), tolerance));
     return elements;
   }
   Eigen::AlignedBox3d box;
   std::priority_queue<Part> large;
   int number = 0;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
-    large.push({area(leaves[i].piece), static_cast<int>(i), number++, leaves[i].piece});
+    large.push({area(leaves[i].block.surface), static_cast<int>(i), number++, leaves[i].block});
     box.extend(boundingBox(leaves[i].hull));
   }
   std::vector<Part> done;
   while (!large.empty()) {
     Part part = large.top();
     large.pop();
-    std::vector<SurfacePiece> pieces;
+    std::vector<Block> blocks;
     const double extent = box.sizes().maxCoeff();
-    const bool large_enough = boundingBox(part.piece).sizes().maxCoeff() > kSmallest * extent;
-    if (large_enough && large.size() + done.size() + 1 < count) pieces = halves(part.piece, kOnPlane * extent);
-    if (pieces.size() < 2) {
+    const bool large_enough = boundingBox(part.block.surface).sizes().maxCoeff() > kSmallest * extent;
+    if (large_enough && large.size() + done.size() + 1 < count) blocks = halves(part.block, kOnPlane * extent);
+    if (blocks.size() < 2) {
       done.push_back(std::move(part));
       continue;
     }
-    for (SurfacePiece& piece : pieces) large.push({area(piece), part.leaf, number++, std::move(piece)});
+    for (Block& block : blocks) {
+      const double size = area(block.surface);
+      large.push({size, part.leaf, number++, std::move(block)});
+    }
   }
   std::sort(done.begin(), done.end(), [](const Part& a, const Part& b) { return std::tie(a.leaf, a.number) < std::tie(b.leaf, b.number); });
-  for (const Part& part : done) elements.push_back(elementOf(part.piece, roughHull(part.piece.vertices), part.leaf, tolerance));
+  for (const Part& part : done)
+    elements.push_back(elementOf(part.block.surface, roughHull(part.block.surface.vertices), part.leaf, tolerance));
   return elements;
 }
 

@@ -148,11 +148,11 @@ std::vector<SurfacePiece> parted(const SurfacePiece& piece, const HalfSpace& pla
   return {std::move(beneath), std::move(above)};
 }
 
-std::vector<SurfacePiece> halves(const SurfacePiece& piece, double tolerance) {
+HalfSpace middlePlane(const SurfacePiece& piece) {
   const Eigen::AlignedBox3d box = boundingBox(piece);
   Eigen::Index axis = 0;
   box.sizes().maxCoeff(&axis);
-  return parted(piece, {Eigen::Vector3d::Unit(axis), box.center()[axis]}, tolerance);
+  return {Eigen::Vector3d::Unit(axis), box.center()[axis]};
 }
 
 std::vector<SurfacePiece> components(const SurfacePiece& piece) {

@@ -19,8 +19,8 @@ std::pair<SurfacePiece, SurfacePiece> cut(const SurfacePiece& piece, const HalfS
 /// Both parts by cut(), or the piece alone where the plane does not divide it.
 std::vector<SurfacePiece> parted(const SurfacePiece& piece, const HalfSpace& plane, double tolerance);
 
-/// The same in the middle of the longest side, which divides whatever has an extent.
-std::vector<SurfacePiece> halves(const SurfacePiece& piece, double tolerance);
+/// The plane in the middle of the longest side, which divides whatever has an extent.
+HalfSpace middlePlane(const SurfacePiece& piece);
 
 /// The parts of a piece that share no vertex, in order of their first triangle.
 std::vector<SurfacePiece> components(const SurfacePiece& piece);

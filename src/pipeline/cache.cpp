@@ -61,12 +61,14 @@ std::string meshBytes(const ElementReport& row, const std::string& file) {
 }  // namespace
 
 std::string elementKey(const ElementReport& row, const std::string& file, const Options& options) {
-  const auto& [tolerance, method, effort, max_hulls, max_vertices, links, source, format, uri, jobs, validate, cache, seed] = options;
-  return keyOf("element", meshBytes(row, file), tolerance, method, effort, max_hulls, max_vertices, seed);
+  const auto& [tolerance, method, effort, tree, fill, max_hulls, max_vertices, links, source, format, uri, jobs, validate, cache, seed] =
+      options;
+  return keyOf("element", meshBytes(row, file), tolerance, method, effort, tree.has_value(), tree.value_or(Length{}), fill, max_hulls,
+               max_vertices, seed);
 }
 
 std::string treeKey(const ElementReport& row, const std::string& file, const Options& options, double tolerance) {
-  return keyOf("tree", meshBytes(row, file), tolerance, options.method, options.effort, options.max_vertices, options.seed);
+  return keyOf("tree", meshBytes(row, file), tolerance, options.method, options.effort, options.fill, options.max_vertices, options.seed);
 }
 
 std::string validationKey(const std::vector<ElementResult>& elements, const std::vector<std::string>& keys, const Options& options) {

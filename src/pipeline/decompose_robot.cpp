@@ -11,6 +11,7 @@
 #include "collision_hulls/decompose/decompose.h"
 #include "collision_hulls/error.h"
 #include "pipeline/cache.h"
+#include "pipeline/cached_tree.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/element_stages.h"
 #include "pipeline/elements.h"
@@ -54,7 +55,8 @@ void grade(ElementReport& row, const Options& options, bool capped) {
 }
 
 /// The stages for one mesh. Fills report, original and hulls of `element`, whose row says which scale it has.
-void decomposeElement(const MeshTask& mesh, const Options& options, Progress& progress, std::size_t task, ElementResult& element) {
+void decomposeElement(const MeshTask& mesh, const Options& options, Cache& cache, Progress& progress, std::size_t task,
+                      ElementResult& element) {
   ElementReport& row = element.report;
   RunControl decomposing, certifying;
   progress.follow(decomposing, task, 0, kDecomposeShare);
@@ -64,8 +66,17 @@ void decomposeElement(const MeshTask& mesh, const Options& options, Progress& pr
 
   // 3. Decompose, then cover the mesh as it was read with the hulls as they are written.
   // 4. Certify. The solid is known up to the margin, so the bound has it added.
-  const DecomposeOptions method{options.method, row.tolerance, options.max_hulls, options.max_vertices, options.seed, options.effort};
-  MeshHulls made = meshHulls({element.original, read.repaired, *element.solid, read.margin}, method, row.seconds, decomposing, certifying);
+  const DecomposeOptions method{options.method, row.tolerance,  options.max_hulls, options.max_vertices,
+                                options.seed,   options.effort, options.fill};
+  Stopwatch stage;
+  std::optional<HullTree> tree;
+  if (options.tree) {
+    const double leaves = std::min(options.tree->metres(row.diagonal), row.tolerance);
+    tree = cachedTree(mesh.file, row, read.repaired, options, leaves, cache, decomposing);
+    row.seconds.decompose = stage.lap();
+  }
+  MeshHulls made = meshHulls({element.original, read.repaired, *element.solid, read.margin}, method, row.seconds, decomposing, certifying,
+                             tree ? &*tree : nullptr);
   element.hulls = std::move(made.hulls);
   row.nudge = made.nudge;
   row.thickness = made.thickness;
@@ -73,7 +84,7 @@ void decomposeElement(const MeshTask& mesh, const Options& options, Progress& pr
   row.protrusion_found = made.protrusion.found;
   row.worst = made.protrusion.where;
   row.worst_nearest = made.protrusion.nearest;
-  Stopwatch stage;
+  stage.lap();
   row.uncovered = uncovered(element.original, element.hulls, certifying);
   describe(element);
   row.seconds.certify += stage.lap();
@@ -98,7 +109,7 @@ void decomposeTask(const MeshTask& task, std::size_t index, const Options& optio
   const std::string key = elementKey(first.report, task.file, options);
   try {
     if (!takeFromCache(key, cache, first)) {
-      decomposeElement(task, options, progress, index, first);
+      decomposeElement(task, options, cache, progress, index, first);
       cache.storeElement(key, first);
     }
   } catch (...) {

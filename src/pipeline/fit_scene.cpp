@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "collision_hulls/check/measures.h"
-#include "collision_hulls/decompose/certified.h"
 #include "collision_hulls/error.h"
 #include "pipeline/cache.h"
+#include "pipeline/cached_tree.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/element_stages.h"
 #include "pipeline/elements.h"
@@ -34,22 +34,13 @@ struct Stretch : RunControl {
   }
 };
 
-HullTree treeOf(const MeshTask& task, const ElementReport& row, const RepairedMesh& repaired, const Options& options, Cache& cache,
-                const RunControl& control) {
-  const std::string key = treeKey(row, task.file, options, row.tolerance);
-  if (std::optional<HullTree> known = cache.findTree(key)) return std::move(*known);
-  const HullTree tree = hullTree(repaired, {options.method, row.tolerance, 0, options.max_vertices, options.seed, options.effort}, control);
-  cache.storeTree(key, tree);
-  return tree;
-}
-
 /// 1 to 3 of a mesh: read, repair, and its hull tree. Fills the first of its elements.
 std::shared_ptr<const FitMesh> fitMesh(const MeshTask& task, const Options& options, Cache& cache, const RunControl& control,
                                        ElementResult& element) {
   const ReadMesh read = readElement(task, options, control, element);
   Stopwatch stage;
   const auto mesh = std::make_shared<FitMesh>();
-  mesh->tree = treeOf(task, element.report, read.repaired, options, cache, control);
+  mesh->tree = cachedTree(task.file, element.report, read.repaired, options, element.report.tolerance, cache, control);
   mesh->original = element.original;
   mesh->solid = element.solid;
   mesh->margin = read.margin;

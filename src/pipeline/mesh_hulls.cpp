@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "collision_hulls/decompose/fit_cover.h"
+#include "collision_hulls/decompose/reduce_vertices.h"
 #include "pipeline/stopwatch.h"
 
 namespace collision_hulls {
@@ -17,17 +18,45 @@ constexpr double kMargins = 3, kLeastAim = 0.5;
 constexpr int kAttempts = 3;
 constexpr double kLowerAim = 0.8;
 
+/// The coarsest cut whose hulls keep within the tolerance also with their vertices reduced, as leaves do anyway.
+std::vector<int> fittingCut(const HullTree& tree, const DecomposeOptions& options) {
+  std::vector<int> open = tree.cutAt(options.tolerance), cut;
+  while (!open.empty()) {
+    const int id = open.back();
+    const HullNode& node = tree.nodes[static_cast<std::size_t>(id)];
+    open.pop_back();
+    const bool fits = node.left < 0 || options.max_vertices == 0 ||
+                      node.protrusion + reduceVertices(node.hull, options.max_vertices).added_distance <= options.tolerance;
+    if (fits)
+      cut.push_back(id);
+    else
+      open.insert(open.end(), {node.left, node.right});
+  }
+  return cut;
+}
+
+Decomposition hullsFrom(const HullTree& tree, const DecomposeOptions& options) {
+  std::vector<int> cut = fittingCut(tree, options);
+  Decomposition result;
+  result.capped = options.max_hulls > 0 && cut.size() > static_cast<std::size_t>(options.max_hulls);
+  if (result.capped) cut = tree.cutTo(options.max_hulls);
+  result.hulls = tree.hullsOf(cut);
+  if (options.max_vertices > 0)
+    for (ConvexHull& hull : result.hulls) hull = reduceVertices(hull, options.max_vertices).hull;
+  return result;
+}
+
 }  // namespace
 
 MeshHulls meshHulls(const MeshSource& source, const DecomposeOptions& options, StageSeconds& seconds, const RunControl& decomposing,
-                    const RunControl& certifying) {
+                    const RunControl& certifying, const HullTree* tree) {
   Stopwatch stage;
   MeshHulls best;
   DecomposeOptions aim = options;
   if (options.method == Method::kCertified)
     aim.tolerance = std::max(kLeastAim * options.tolerance, options.tolerance - kMargins * source.margin);
   for (int attempt = 0; attempt < kAttempts; ++attempt, aim.tolerance *= kLowerAim) {
-    const Decomposition parts = decompose(source.repaired, aim, decomposing);
+    const Decomposition parts = tree ? hullsFrom(*tree, aim) : decompose(source.repaired, aim, decomposing);
     FittedHulls fitted = fitCover(parts.hulls, source.original, source.margin, options.max_vertices, decomposing);
     seconds.decompose += stage.lap();
     MeshHulls result{std::move(fitted.hulls), {}, fitted.nudge, 0, parts.capped};

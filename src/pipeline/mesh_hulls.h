@@ -4,6 +4,7 @@
 #include "collision_hulls/check/measures.h"
 #include "collision_hulls/check/solid.h"
 #include "collision_hulls/decompose/decompose.h"
+#include "collision_hulls/decompose/hull_tree.h"
 #include "collision_hulls/pipeline/report.h"
 
 namespace collision_hulls {
@@ -25,8 +26,8 @@ struct MeshHulls {
 };
 
 /// The method `certified` gets further attempts with a lower aim where the certificate finds more than the tolerance. Adds to
-/// seconds.decompose and seconds.certify. Throws what decompose() throws.
+/// seconds.decompose and seconds.certify. With a tree hulls are cut from it instead. Throws what decompose() throws.
 MeshHulls meshHulls(const MeshSource& source, const DecomposeOptions& options, StageSeconds& seconds, const RunControl& decomposing = {},
-                    const RunControl& certifying = {});
+                    const RunControl& certifying = {}, const HullTree* tree = nullptr);
 
 }  // namespace collision_hulls

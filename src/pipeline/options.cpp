@@ -83,6 +83,14 @@ void check(const Options& options) {
     badOption("tolerance", std::to_string(shown) + (tolerance.relative ? "%" : "m"),
               "a length above 0, or a share above 0% and up to 100%");
   }
+  if (options.fill && options.method != Method::kCertified)
+    throw Error(ErrorCode::kBadOption,
+                std::string("fill is not for method '") + name(options.method) + "': only certified fills; leave one of the two out");
+  if (options.tree && options.method != Method::kCertified)
+    throw Error(ErrorCode::kBadOption,
+                std::string("tree is not for method '") + name(options.method) + "': only certified has one; leave one of the two out");
+  if (options.tree && options.tree->relative == tolerance.relative && options.tree->value > tolerance.value)
+    badOption("tree", toString(*options.tree), "a length up to the tolerance, which is " + toString(tolerance));
   checkRange("max-hulls", options.max_hulls, 1, kMostHulls, "no cap");
   checkRange("max-vertices", options.max_vertices, kLeastVertices, kMostVertices, "no cap");
   checkRange("jobs", options.jobs, 1, kMostJobs, "as many threads as cores");

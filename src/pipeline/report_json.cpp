@@ -35,6 +35,8 @@ json toJson(const Options& options) {
   return {{"tolerance", toString(options.tolerance)},
           {"method", name(options.method)},
           {"effort", name(options.effort)},
+          {"fill", options.fill},
+          {"tree", options.tree ? toString(*options.tree) : ""},
           {"max-hulls", options.max_hulls},
           {"max-vertices", options.max_vertices},
           {"links", options.links},

@@ -100,6 +100,11 @@ Options readOptions(const ros::NodeHandle& node) {
   options.tolerance = readLength(node, "tolerance", options.tolerance);
   readNamed(node, "method", methodNamed, methodChoices(), options.method);
   readNamed(node, "effort", effortNamed, "quick, best", options.effort);
+  readFlag(node, "fill", options.fill);
+  if (node.hasParam("tree")) {
+    const Length leaves = readLength(node, "tree", {});
+    if (leaves.value != 0) options.tree = leaves;
+  }
   readNumber(node, "max_hulls", options.max_hulls);
   readNumber(node, "max_vertices", options.max_vertices);
   options.links = readText(node, "links");

@@ -81,6 +81,12 @@ class DecomposeOptionAdder {
     addChoice("Accuracy", "-m,--method", options_.method, methodNamed, methodChoices(), name(options_.method), "How meshes are decomposed");
     addChoice("Accuracy", "--effort", options_.effort, effortNamed, "quick, best", "quick",
               "best searches longer for fewer hulls (method certified)");
+    app_.add_flag_callback(
+            "--fill", [&options = options_] { options.fill = true; }, "Cover the inside of closed meshes as well, not their surface alone")
+        ->group("Accuracy");
+    add("Accuracy", "--tree", "LENGTH", "",
+        "Cut the hulls from a tree of this finer tolerance, which the cache keeps: other tolerances above it then cost next to nothing",
+        [&options = options_](const std::string&, const std::string& text) { options.tree = parseLength(text); });
   }
 
   void addCaps() {

@@ -190,6 +190,18 @@ TEST(Certified, APocketBehindANarrowNeckIsNotFilled) {
   EXPECT_EQ(checked(mesh, within(1.1)).hulls.size(), 1u);
 }
 
+TEST(Certified, FilledHullsHoldTheInside) {
+  const TriangleMesh mesh = test_shapes::flask();
+  const Solid solid(repair(mesh));
+  DecomposeOptions options = within(0.05 * diagonal(mesh));
+  EXPECT_LT(coveredShare(checked(mesh, options).hulls, solid), 1) << "else there is nothing to fill";
+  options.fill = true;
+  for (Effort effort : {Effort::kQuick, Effort::kBest}) {
+    options.effort = effort;
+    EXPECT_EQ(coveredShare(checked(mesh, options).hulls, solid), 1);
+  }
+}
+
 // The promise.
 
 TEST(Certified, CoversWithinTheTolerance) {

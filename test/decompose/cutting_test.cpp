@@ -11,7 +11,7 @@ using namespace test_shapes;
 
 double areaOf(const std::vector<Leaf>& leaves) {
   double sum = 0;
-  for (const Leaf& leaf : leaves) sum += area(leaf.piece);
+  for (const Leaf& leaf : leaves) sum += area(leaf.block.surface);
   return sum;
 }
 
@@ -34,7 +34,7 @@ std::vector<Leaf> checkedLeaves(const TriangleMesh& mesh, double share, const Cu
   EXPECT_LE(uncovered(subject.mesh.mesh, hullsOf(leaves)), 1e-12 * diagonal(mesh));
   EXPECT_LE(subject.protrusionOf(hullsOf(leaves)), subject.oracle.tolerance());
   for (const Leaf& leaf : leaves)
-    for (const Eigen::Vector3d& v : leaf.piece.vertices) EXPECT_LE(planeDistance(leaf.hull, v), 1e-12 * diagonal(mesh));
+    for (const Eigen::Vector3d& v : leaf.block.surface.vertices) EXPECT_LE(planeDistance(leaf.hull, v), 1e-12 * diagonal(mesh));
   return leaves;
 }
 
@@ -52,7 +52,7 @@ TEST(Cutting, LoosePointsAreLeaves) {
   ProtrusionOracle oracle(solid, boxOf(mesh), 0.1, control);
   const std::vector<Leaf> leaves = cutIntoLeaves(mesh, oracle, {}, [](double) {});
   ASSERT_EQ(leaves.size(), 3u);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(leaves[i].piece.vertices, std::vector<Eigen::Vector3d>{mesh.loose[i]});
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(leaves[i].block.surface.vertices, std::vector<Eigen::Vector3d>{mesh.loose[i]});
 }
 
 TEST(Cutting, WallsAreLeaves) {

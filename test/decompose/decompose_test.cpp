@@ -53,6 +53,9 @@ TEST(Decompose, EmptyMeshIsRefused) {
 TEST(Decompose, OptionsOutOfRangeAreRefused) {
   const TriangleMesh box = test_shapes::box(1, 1, 1);
   const RepairedMesh mesh = repair(box);
+  DecomposeOptions filled = with(Method::kAcd, box);
+  filled.fill = true;
+  expectError(ErrorCode::kBadOption, mesh, filled);
   for (double tolerance : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     DecomposeOptions options = with(Method::kHacd, box);
     options.tolerance = tolerance;

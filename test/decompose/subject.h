@@ -38,7 +38,7 @@ struct Subject {
 
 /// A leaf as it is, whether its hull fits or not.
 inline Leaf leafOf(const TriangleMesh& mesh) {
-  return {mesh, roughHull(mesh.vertices)};
+  return {{mesh, {}}, roughHull(mesh.vertices)};
 }
 
 /// Each element that is in any of the groups, as often as it is.

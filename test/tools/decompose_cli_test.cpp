@@ -52,6 +52,9 @@ TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {
   expectWrongUse("arm/urdf/arm.urdf -t 0", {"tolerance", "'0'"});
   expectWrongUse("arm/urdf/arm.urdf -t 101%", {"tolerance", "'101%'", "100%"});
   expectWrongUse("arm/urdf/arm.urdf -m vhacd", {"--method", "'vhacd'", "hacd", "bounding_box"});
+  expectWrongUse("arm/urdf/arm.urdf -t 1% --tree 2%", {"tree", "'2%'", "1%"});
+  expectWrongUse("arm/urdf/arm.urdf --tree 0.5% -m hacd", {"tree", "'hacd'", "certified"});
+  expectWrongUse("arm/urdf/arm.urdf --fill -m hacd", {"fill", "'hacd'", "certified"});
   expectWrongUse("arm/urdf/arm.urdf --max-hulls few", {"--max-hulls", "'few'", "whole number"});
   expectWrongUse("arm/urdf/arm.urdf --max-vertices 7", {"max-vertices", "'7'", "from 8"});
   expectWrongUse("arm/urdf/arm.urdf --max-hulls=-1", {"--max-hulls", "'-1'"});

@@ -38,6 +38,7 @@ struct DecomposeOptions {
   int max_vertices = 64;   ///< most vertices per hull, at least 8; 0: no cap. Reduced outward only
   std::uint64_t seed = 1;  ///< of whatever is random
   Effort effort = Effort::kQuick;
+  bool fill = false;  ///< certified: cover the inside of closed meshes as well, not their surface alone
 };
 
 struct Decomposition {

@@ -30,9 +30,11 @@ struct Options {
   Length tolerance{0.01, true};
   Method method = Method::kCertified;
   Effort effort = Effort::kQuick;
-  int max_hulls = 0;      ///< per mesh; 0: no cap
-  int max_vertices = 64;  ///< per hull; 0: no cap
-  std::string links;      ///< regular expression (ECMAScript) that a link's whole name must match; empty: all
+  std::optional<Length> tree;  ///< cut the hulls from a tree whose leaves are this fine, kept in the cache (certified)
+  bool fill = false;           ///< cover the inside of closed meshes as well (certified)
+  int max_hulls = 0;           ///< per mesh; 0: no cap
+  int max_vertices = 64;       ///< per hull; 0: no cap
+  std::string links;           ///< regular expression (ECMAScript) that a link's whole name must match; empty: all
   Source source = Source::kAuto;
   MeshFormat format = MeshFormat::kStl;
   UriStyle uri = UriStyle::kPackage;

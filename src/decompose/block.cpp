@@ -1,0 +1,86 @@
+#include "decompose/block.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace collision_hulls {
+
+namespace {
+
+/// Corners of a convex polygon in the plane with this normal, brought into order.
+ConvexPolygon ordered(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& normal) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : corners) middle += p / static_cast<double>(corners.size());
+  const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
+  std::vector<std::pair<double, std::size_t>> angles;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    angles.push_back({std::atan2(v.dot(corners[i] - middle), u.dot(corners[i] - middle)), i});
+  std::sort(angles.begin(), angles.end());
+  ConvexPolygon polygon;
+  for (const auto& [angle, i] : angles) polygon.push_back(corners[i]);
+  return polygon;
+}
+
+void addPoint(SurfacePiece& piece, const Eigen::Vector3d& p) {
+  const int i = static_cast<int>(piece.vertices.size());
+  piece.vertices.push_back(p);
+  piece.triangles.push_back({i, i, i});
+}
+
+Block beneath(SurfacePiece surface, Region region, const HalfSpace& plane) {
+  if (region.matters())
+    for (const Eigen::Vector3d& p : region.cut(plane)) addPoint(surface, p);
+  return {std::move(surface), std::move(region)};
+}
+
+}  // namespace
+
+Region::Region(const Eigen::AlignedBox3d& box, const Solid& solid) : solid_(&solid) {
+  const auto corner = [&](int bits) { return box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(bits)); };
+  for (const std::array<int, 4>& face :
+       {std::array<int, 4>{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}})
+    faces_.push_back({corner(face[0]), corner(face[1]), corner(face[2]), corner(face[3])});
+}
+
+std::vector<Eigen::Vector3d> Region::cut(const HalfSpace& plane) {
+  is_cut_ = true;
+  std::vector<Eigen::Vector3d> corners;
+  ConvexPolygon scratch;
+  for (ConvexPolygon& face : faces_) {
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Eigen::Vector3d &a = face[i], &b = face[i + 1 < face.size() ? i + 1 : 0];
+      const double at_a = plane.distance(a), at_b = plane.distance(b);
+      if ((at_a > 0) != (at_b > 0)) corners.push_back(a + (b - a) * (at_a / (at_a - at_b)));
+    }
+    clip(
+        face, [&](const Eigen::Vector3d& p) { return -plane.distance(p); }, scratch);
+  }
+  faces_.erase(std::remove_if(faces_.begin(), faces_.end(), [](const ConvexPolygon& face) { return face.empty(); }), faces_.end());
+  if (corners.size() > 2) faces_.push_back(ordered(corners, plane.normal));
+  corners.erase(std::remove_if(corners.begin(), corners.end(), [&](const Eigen::Vector3d& p) { return !solid_->contains(p); }),
+                corners.end());
+  return corners;
+}
+
+std::vector<Block> parted(const Block& block, const HalfSpace& plane, double tolerance) {
+  std::vector<SurfacePiece> parts = parted(block.surface, plane, tolerance);
+  if (parts.size() < 2) return {block};
+  return {beneath(std::move(parts[0]), block.region, plane), beneath(std::move(parts[1]), block.region, {-plane.normal, -plane.offset})};
+}
+
+std::vector<Block> halves(const Block& block, double tolerance) {
+  return parted(block, middlePlane(block.surface), tolerance);
+}
+
+std::vector<Block> components(const Block& block) {
+  if (block.region.isCut()) return {block};
+  std::vector<Block> blocks;
+  for (SurfacePiece& part : components(block.surface)) {
+    const Region region = block.region.about(boundingBox(part));
+    blocks.push_back({std::move(part), region});
+  }
+  return blocks;
+}
+
+}  // namespace collision_hulls

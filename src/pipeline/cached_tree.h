@@ -1,0 +1,16 @@
+// The hull tree of a mesh, kept between runs.
+#pragma once
+
+#include <string>
+
+#include "collision_hulls/decompose/hull_tree.h"
+#include "collision_hulls/mesh/repair.h"
+#include "pipeline/cache.h"
+
+namespace collision_hulls {
+
+/// From the cache, or built and stored there. `file` and `row` as for treeKey(); leaves for `tolerance` [m].
+HullTree cachedTree(const std::string& file, const ElementReport& row, const RepairedMesh& mesh, const Options& options, double tolerance,
+                    Cache& cache, const RunControl& control);
+
+}  // namespace collision_hulls

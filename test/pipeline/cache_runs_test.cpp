@@ -1,0 +1,285 @@
+// Runs with a cache: what they find there is what the work would give.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+
+#include "pipeline/cache.h"
+#include "geometry/bytes.h"
+#include "pipeline/fixtures.h"
+#include "shapes.h"
+
+namespace collision_hulls {
+namespace {
+
+namespace fs = std::filesystem;
+using fixtures::TempFolder;
+using nlohmann::json;
+using Notes = std::vector<std::string>;
+
+class CachedRun : public ::testing::Test {
+ protected:
+  CachedRun() {
+    fixtures::write(folder_ / "meshes/box.obj", fixtures::obj(test_shapes::box(0.1, 0.2, 0.3)));
+    fixtures::write(folder_ / "meshes/bracket.obj", fixtures::obj(test_shapes::lBracket(0.2, 0.03, 0.1)));
+    fixtures::write(folder_ / "meshes/channel.obj", fixtures::obj(test_shapes::uChannel(0.2, 0.2, 0.02, 0.4)));
+    fixtures::write(folder_ / "meshes/rubbish.stl", "no mesh at all");
+    fixtures::write(folder_ / "urdf/arm.urdf", description());
+  }
+
+  static std::string description() {
+    const auto part = [](const std::string& name, const std::string& mesh, const std::string& parent = "") {
+      return fixtures::link(name, "    <collision>" + fixtures::meshTag("../meshes/" + mesh) + "</collision>\n", parent);
+    };
+    return fixtures::robot(
+        "arm", part("a", "bracket.obj") + part("b", "channel.obj", "a") + part("c", "rubbish.stl", "a") + part("d", "bracket.obj", "b"));
+  }
+
+  /// A run, which leaves everything that it writes in `files_` but for its report.
+  RobotResult run() {
+    const RobotDescription robot = readRobotDescription(folder_ / "urdf/arm.urdf");
+    RunControl control;
+    calls_ = 0;
+    control.progress = [&](double) { ++calls_; };
+    RobotResult result = decomposeRobot(robot, defaultPackageFinder(), options_, folder_ / "out", control);
+    writeOutput(result, folder_ / "out");
+    files_ = fixtures::contents(folder_ / "out");
+    files_.erase("report.json");
+    return result;
+  }
+
+  /// What a report says, but for times and what came from the cache.
+  static json timeless(const RobotResult& result) {
+    json report = json::parse(toJson(result.report));
+    for (json& row : report["links"]) {
+      row.erase("seconds");
+      row.erase("cached");
+    }
+    for (const char* field : {"cached", "mesh_query_us", "hull_query_us"}) report["validation"].erase(field);
+    report["totals"].erase("seconds");
+    report["options"].erase("no-cache");
+    return report;
+  }
+
+  static std::vector<bool> cachedRows(const RobotResult& result) {
+    std::vector<bool> cached;
+    for (const ElementReport& row : result.report.links) cached.push_back(row.cached);
+    return cached;
+  }
+
+  fs::path cache() const { return fixtures::OwnCache::listener()->path(); }
+  std::map<std::string, std::string> entries() const {
+    return fs::exists(cache()) ? fixtures::contents(cache()) : std::map<std::string, std::string>();
+  }
+
+  const std::vector<bool> kNone = {false, false, false, false}, kAll = {true, true, false, true};  // what fails is tried again
+  TempFolder folder_;
+  Options options_;
+  std::size_t calls_ = 0;
+  std::map<std::string, std::string> files_;
+};
+
+TEST_F(CachedRun, SameBytesWithAndWithout) {
+  options_.cache = false;
+  const json uncached = timeless(run());
+  const auto files = files_;
+  EXPECT_GT(files.size(), 5u);
+  options_.cache = true;
+  for (const std::vector<bool>& expected : {kNone, kAll, kAll}) {
+    const RobotResult result = run();
+    EXPECT_EQ(cachedRows(result), expected);
+    EXPECT_EQ(result.report.validation_cached, expected == kAll);
+    EXPECT_EQ(timeless(result), uncached);
+    EXPECT_EQ(files_, files);
+  }
+}
+
+// A decomposition tells of its progress again and again; where there is none, each task and the validation end, and that is all.
+TEST_F(CachedRun, ASecondRunDoesNothingAgain) {
+  run();
+  const std::size_t first = calls_;
+  const RobotResult second = run();
+  EXPECT_EQ(calls_, 3u + 1u) << "after " << first << " in the first run";
+  EXPECT_GT(first, calls_);
+  for (const ElementReport& row : second.report.links) {
+    if (row.cached) {
+      EXPECT_EQ(row.seconds.repair + row.seconds.decompose + row.seconds.certify, 0);
+    }
+  }
+}
+
+// What it finds is what it returns: an entry that was changed with care comes out.
+TEST_F(CachedRun, EntriesAreWhatIsUsed) {
+  const RobotResult first = run();
+  const std::string key = elementKey(first.report.links[1], "channel.obj", options_);
+  Cache cache(this->cache());
+  ElementResult forged = cache.findElement(key).value();
+  forged.report.reason = "forged";
+  cache.storeElement(key, forged);
+  EXPECT_EQ(run().report.links[1].reason, "forged");
+}
+
+TEST_F(CachedRun, OtherOptionsAreOtherEntries) {
+  run();
+  const std::vector<std::function<void(Options&)>> changes = {
+      [](Options& o) { o.tolerance = {0.03, true}; }, [](Options& o) { o.method = Method::kSingleHull; },
+      [](Options& o) { o.effort = Effort::kBest; },   [](Options& o) { o.max_hulls = 1; },
+      [](Options& o) { o.max_vertices = 8; },         [](Options& o) { o.seed = 2; }};
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    options_ = Options();
+    changes[i](options_);
+    EXPECT_EQ(cachedRows(run()), kNone) << i;
+    EXPECT_EQ(cachedRows(run()), kAll) << i;
+  }
+  options_ = Options();
+  options_.jobs = 1;
+  options_.uri = UriStyle::kRelative;
+  options_.format = MeshFormat::kObj;
+  EXPECT_EQ(cachedRows(run()), kAll) << "these change no hull";
+}
+
+TEST_F(CachedRun, AnotherToleranceIsCutFromTheSameTree) {
+  options_.tree = Length{0.005, true};
+  const auto trees = [&] {
+    std::set<std::string> names;
+    for (const auto& [name, bytes] : entries())
+      if (fs::path(name).extension() == ".tree") names.insert(name);
+    return names;
+  };
+  run();
+  const std::set<std::string> known = trees();
+  EXPECT_EQ(known.size(), 2u) << "of the bracket and of the channel";
+  options_.tolerance = {0.02, true};
+  const RobotResult second = run();
+  EXPECT_EQ(cachedRows(second), kNone);
+  EXPECT_EQ(trees(), known);
+  for (const ElementReport& row : second.report.links) {
+    if (row.status == Status::kFailed) continue;
+    EXPECT_EQ(row.status, Status::kOk) << row.reason;
+    EXPECT_EQ(row.uncovered, 0);
+    EXPECT_LE(row.protrusion, row.tolerance);
+    EXPECT_EQ(row.hulls, row.link == "b" ? 3u : 2u);
+  }
+  const auto files = files_;
+  options_.cache = false;
+  EXPECT_EQ(timeless(run())["links"], timeless(second)["links"]);
+  EXPECT_EQ(files_, files) << "the tree is built anew";
+}
+
+TEST_F(CachedRun, ATreeIsCutToTheCaps) {
+  options_.tree = Length{0.005, true};
+  options_.max_hulls = 1;
+  for (const ElementReport& row : run().report.links) {
+    if (row.status == Status::kFailed) continue;
+    EXPECT_EQ(row.hulls, 1u);
+    EXPECT_EQ(row.status, Status::kDegraded);
+    EXPECT_NE(row.reason.find("max-hulls 1"), std::string::npos) << row.reason;
+  }
+}
+
+TEST_F(CachedRun, AnotherMeshOfTheSameNameIsAnotherEntry) {
+  run();
+  fixtures::write(folder_ / "meshes/channel.obj", fixtures::obj(test_shapes::uChannel(0.2, 0.2, 0.03, 0.4)));
+  const RobotResult result = run();
+  EXPECT_EQ(cachedRows(result), (std::vector<bool>{true, false, false, true}));
+  EXPECT_FALSE(result.report.validation_cached);
+}
+
+// Its digest was taken at the beginning: what is read later must not be remembered under it.
+TEST_F(CachedRun, AMeshThatChangesDuringTheRun) {
+  const std::string bracket = folder_ / "meshes/bracket.obj", channel = folder_ / "meshes/channel.obj";
+  fixtures::write(bracket, fixtures::read(bracket) + "#" + std::string(1000, '-') + "\n");  // the largest is read first
+  for (const std::string& mesh : {bracket, channel}) fs::last_write_time(mesh, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  const std::string before = fixtures::read(channel);
+  options_.jobs = 1;
+  const auto change = [&](const Step& step) {
+    if (step.item == "a") fixtures::write(channel, fixtures::obj(test_shapes::uChannel(0.2, 0.2, 0.03, 0.4)));
+  };
+  const RobotDescription robot = readRobotDescription(folder_ / "urdf/arm.urdf");
+  const RobotResult changed = decomposeRobot(robot, defaultPackageFinder(), options_, folder_ / "out", {}, change);
+  EXPECT_EQ(changed.report.links[1].error, "FileNotFound");
+  EXPECT_NE(changed.report.links[1].reason.find("channel.obj' was changed"), std::string::npos) << changed.report.links[1].reason;
+  fixtures::write(channel, before);
+  const RobotResult again = run();
+  EXPECT_EQ(cachedRows(again), (std::vector<bool>{true, false, false, true}));
+  EXPECT_NE(again.report.links[1].status, Status::kFailed) << again.report.links[1].reason;
+}
+
+TEST_F(CachedRun, AnotherPlaceIsAnotherValidationOnly) {
+  run();
+  std::string moved = description();
+  moved.replace(moved.find("xyz=\"0 0 0.5\""), 13, "xyz=\"0 0 0.6\"");
+  fixtures::write(folder_ / "urdf/arm.urdf", moved);
+  const RobotResult result = run();
+  EXPECT_EQ(cachedRows(result), kAll);
+  EXPECT_FALSE(result.report.validation_cached);
+}
+
+TEST_F(CachedRun, DamagedEntriesAreMadeAnew) {
+  const json sound = timeless(run());
+  const auto files = files_;
+  const auto before = entries();
+  EXPECT_EQ(before.size(), 3u) << "two meshes and the validation";
+  for (const auto& [name, bytes] : before) fixtures::write(cache() / name, bytes.substr(0, bytes.size() / 2));
+  const RobotResult rebuilt = run();
+  EXPECT_EQ(cachedRows(rebuilt), kNone);
+  EXPECT_EQ(files_, files);
+  ASSERT_FALSE(rebuilt.report.notes.empty());
+  EXPECT_NE(rebuilt.report.notes[0].find("3 damaged"), std::string::npos) << rebuilt.report.notes[0];
+  const RobotResult again = run();
+  EXPECT_EQ(cachedRows(again), kAll);
+  EXPECT_EQ(timeless(again), sound);
+}
+
+TEST_F(CachedRun, WithoutCacheNothingIsReadOrWritten) {
+  options_.cache = false;
+  run();
+  EXPECT_FALSE(fs::exists(cache()));
+  options_.cache = true;
+  run();
+  const auto before = entries();
+  for (const auto& [name, bytes] : before) fixtures::write(cache() / name, "damaged");
+  options_.cache = false;
+  const RobotResult result = run();
+  EXPECT_EQ(cachedRows(result), kNone);
+  for (const auto& [name, bytes] : entries()) EXPECT_EQ(bytes, "damaged") << name;
+}
+
+TEST_F(CachedRun, AnUnwritableFolderIsANote) {
+  options_.cache = false;
+  run();
+  const auto files = files_;
+  options_.cache = true;
+  fixtures::write(cache(), "a file where the folder should be");
+  const RobotResult result = run();
+  EXPECT_EQ(files_, files);
+  EXPECT_EQ(cachedRows(result), kNone);
+  ASSERT_FALSE(result.report.notes.empty());
+  EXPECT_NE(result.report.notes[0].find(cache().string()), std::string::npos) << result.report.notes[0];
+}
+
+TEST_F(CachedRun, ThreadsAtTheSameTime) {
+  const RobotDescription robot = readRobotDescription(folder_ / "urdf/arm.urdf");
+  std::vector<json> reports(3);
+  std::vector<std::thread> threads;
+  for (json& report : reports) {
+    threads.emplace_back([&] { report = timeless(decomposeRobot(robot, defaultPackageFinder(), options_, folder_ / "out")); });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(reports[1], reports[0]);
+  EXPECT_EQ(reports[2], reports[0]);
+  EXPECT_EQ(cachedRows(run()), kAll);
+}
+
+TEST_F(CachedRun, OneMesh) {
+  const auto mesh = [&] { return decomposeMesh(folder_ / "meshes/channel.obj", options_); };
+  const RobotResult first = mesh(), second = mesh();
+  EXPECT_EQ(cachedRows(second), std::vector<bool>{true});
+  EXPECT_EQ(timeless(second), timeless(first));
+  EXPECT_EQ(toBytes(second.elements[0].hulls), toBytes(first.elements[0].hulls));
+  EXPECT_EQ(toBytes(second.elements[0].original), toBytes(first.elements[0].original));
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kLooseGap = 16;  // of the first searches, in gaps of the last
 constexpr int kGlance = 20;       // halvings
+// Surfaces that the search does not close in on, as in the plane of an opening, keep the bound that so many halvings leave.
+constexpr int kMostHalvings = 2'000'000;
 
 /// Keeps the further of two places, and the larger of two bounds.
 void add(Protrusion& worst, const Protrusion& other) {
@@ -79,9 +81,8 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
     double gap;
     int halvings;
   };
-  constexpr int kToTheEnd = std::numeric_limits<int>::max();
   std::vector<Protrusion> each(hulls.size());
-  for (const Pass pass : {Pass{kLooseGap, kGlance}, Pass{kLooseGap, kToTheEnd}, Pass{1, kToTheEnd}}) {
+  for (const Pass pass : {Pass{kLooseGap, kGlance}, Pass{kLooseGap, kMostHalvings}, Pass{1, kMostHalvings}}) {
     tbb::parallel_for(std::size_t{0}, hulls.size(), [&](std::size_t i) {
       SurfaceQuery query;
       query.floor = floor * (1 - 1e-9);

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kStepsBetweenChecks = 1024;
 constexpr int kMostInARow = 4;   // divisions by planes, which may not make a patch shorter
-constexpr double kLevel = 1e-6;  // of a patch's height over a plane: a corner nearer to it lies in it
+constexpr double kLevel = 0.25;  // thresholds: a corner nearer to a plane lies in it
 constexpr double kSteep = 0.05;  // sine of the least angle between a patch and a plane that divides it
 constexpr double kLong = 40;     // thresholds: shorter patches are halved: planes would gain little
 
@@ -150,7 +150,7 @@ class Search {
     const Crossing longest = middleOfLongest(patch);
     const double length = (patch.corner[longest.edge].p - patch.corner[(longest.edge + 1) % 3].p).norm();
     if (!(*high - *low > kSteep * normal.norm() * length)) return std::nullopt;  // nearly level: it would cut slivers off
-    const double level = kLevel * (*high - *low);
+    const double level = kLevel * threshold() * normal.norm();
     for (std::size_t i = 0; i < 3; ++i) {
       const double from = height[i], to = height[(i + 1) % 3];
       if (std::min(from, to) < -level && std::max(from, to) > level) return Crossing{i, from / (from - to)};

@@ -8,14 +8,17 @@ namespace {
 
 using Kind = GeometryElement::Kind;
 
-constexpr double kMostOfSphere = 2;  // of the hull's volume
+// Of the hull's volume. Adequate is also what is much larger, but where bodies come nearer than the clearance it is hit too often.
+constexpr double kMostVolume = 1.25;
 
 std::array<std::optional<GeometryElement>, 3> primitivesAbout(const ConvexHull& hull) {
-  const GeometryElement sphere = enclosingPrimitive(Kind::kSphere, hull), box = enclosingPrimitive(Kind::kBox, hull),
-                        cylinder = enclosingPrimitive(Kind::kCylinder, hull);
-  std::array<std::optional<GeometryElement>, 3> result{std::nullopt, box, std::nullopt};
-  if (volume(sphere) <= kMostOfSphere * volume(hull)) result[0] = sphere;
-  if (volume(cylinder) < volume(box)) result[2] = cylinder;
+  constexpr std::array<Kind, 3> kinds{Kind::kSphere, Kind::kBox, Kind::kCylinder};  // cheapest first
+  std::array<std::optional<GeometryElement>, 3> result;
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    const GeometryElement primitive = enclosingPrimitive(kinds[k], hull);
+    if (volume(primitive) <= kMostVolume * volume(hull)) result[k] = primitive;
+  }
+  if (result[1] && result[2] && volume(*result[2]) >= volume(*result[1])) result[2].reset();
   return result;
 }
 

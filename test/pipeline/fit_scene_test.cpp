@@ -139,9 +139,18 @@ TEST_F(FitRobotToScene, HullsWithFilesBesidePrimitives) {
   EXPECT_EQ(parseRobotDescription(result.urdf).links[0].collisions.size(), 2u);
 }
 
+TEST_F(FitRobotToScene, AHullThatFillsNoPrimitiveStays) {
+  request_.scene.bodies.clear();
+  const RobotResult result = run(fixtures::link("base", bracket()));
+  EXPECT_TRUE(result.elements[0].primitives.empty());
+  EXPECT_EQ(result.elements[0].hulls.size(), 1u);
+}
+
 TEST_F(FitRobotToScene, WithoutTheBlockABoxAndGreyHulls) {
   options_.validate = true;
   request_.scene.bodies.clear();
+  fixtures::write(folder_ / "meshes/bracket.obj",
+                  fixtures::obj(test_shapes::lBracket(0.2, 0.15, 0.1)));  // its hull is a box but for a corner
   RobotResult result = run(fixtures::link("base", bracket()));
   const ElementResult& element = result.elements[0];
   ASSERT_EQ(element.primitives.size(), 1u);

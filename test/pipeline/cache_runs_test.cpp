@@ -5,8 +5,8 @@
 #include <set>
 #include <thread>
 
-#include "pipeline/cache.h"
 #include "geometry/bytes.h"
+#include "pipeline/cache.h"
 #include "pipeline/fixtures.h"
 #include "shapes.h"
 

@@ -12,6 +12,7 @@
 
 #include "collision_hulls/geometry/triangle_bvh.h"
 #include "mesh/edges.h"
+#include "mesh/loose_points.h"
 
 namespace collision_hulls {
 
@@ -115,17 +116,6 @@ double lengthOf(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
   double sum = 0;
   for (const auto& [a, b] : rim) sum += (vertices[static_cast<std::size_t>(b)] - vertices[static_cast<std::size_t>(a)]).norm();
   return sum;
-}
-
-/// Loose points as triangles of no area, so that they count as surface.
-TriangleMesh withLoosePoints(const RepairedMesh& mesh) {
-  TriangleMesh result = mesh.mesh;
-  for (const Eigen::Vector3d& p : mesh.loose) {
-    const int i = static_cast<int>(result.vertices.size());
-    result.vertices.push_back(p);
-    result.triangles.push_back({i, i, i});
-  }
-  return result;
 }
 
 // How many triangles' outer sides are looked at for a winding number below zero.

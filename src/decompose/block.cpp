@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "mesh/loose_points.h"
+
 namespace collision_hulls {
 
 namespace {
@@ -20,12 +22,6 @@ ConvexPolygon ordered(const std::vector<Eigen::Vector3d>& corners, const Eigen::
   ConvexPolygon polygon;
   for (const auto& [angle, i] : angles) polygon.push_back(corners[i]);
   return polygon;
-}
-
-void addPoint(SurfacePiece& piece, const Eigen::Vector3d& p) {
-  const int i = static_cast<int>(piece.vertices.size());
-  piece.vertices.push_back(p);
-  piece.triangles.push_back({i, i, i});
 }
 
 Block beneath(SurfacePiece surface, Region region, const HalfSpace& plane) {

@@ -13,6 +13,7 @@
 
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "decompose/cut_planes.h"
+#include "mesh/loose_points.h"
 
 namespace collision_hulls {
 
@@ -89,21 +90,11 @@ class Cutting {
   const std::function<void(double)>& progress_;
 };
 
-SurfacePiece wholeSurface(const RepairedMesh& mesh) {
-  SurfacePiece piece = mesh.mesh;
-  for (const Eigen::Vector3d& p : mesh.loose) {
-    const int i = static_cast<int>(piece.vertices.size());
-    piece.vertices.push_back(p);
-    piece.triangles.push_back({i, i, i});
-  }
-  return piece;
-}
-
 }  // namespace
 
 std::vector<Leaf> cutIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& oracle, const CutOptions& options,
                                 const std::function<void(double)>& progress) {
-  SurfacePiece whole = wholeSurface(mesh);
+  SurfacePiece whole = withLoosePoints(mesh);
   Cutting cutting(oracle, options, whole, progress);
   const Region region = options.fill ? Region(boundingBox(whole), oracle.solid()) : Region();
   cutting.run({std::move(whole), region}, 0);

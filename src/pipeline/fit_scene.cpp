@@ -203,7 +203,10 @@ std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options
   return notes;
 }
 
-void refuseOtherMethods(const Options& options) {
+void refuseOtherWays(const Options& options) {
+  if (options.tree)
+    throw Error(ErrorCode::kBadOption, "tree '" + toString(*options.tree) +
+                                           "' is not for fit_scene, whose trees always have leaves of the tolerance; give that alone");
   if (options.method == Method::kCertified) return;
   throw Error(ErrorCode::kBadOption,
               std::string("method '") + name(options.method) + "' makes no hull tree, which fitting to a scene goes by; use certified");
@@ -238,7 +241,7 @@ void giveConfigurations(ConfigurationSet given, SceneRequest& request) {
 RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& find_package, const SceneRequest& request,
                             const Options& options, const std::string& output, const RunControl& control, const StepCallback& step) {
   check(options);
-  refuseOtherMethods(options);
+  refuseOtherWays(options);
   Stopwatch run;
   RobotResult result;
   result.robot_name = robot.name;

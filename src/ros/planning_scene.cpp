@@ -55,7 +55,6 @@ class Frames {
          "'; add it to fixed_frame_transforms, or give poses in '" + root_ + "'");
   }
 
- private:
   const moveit_msgs::PlanningScene& message_;
   const std::string root_;
 };

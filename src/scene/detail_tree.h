@@ -15,8 +15,8 @@ namespace collision_hulls {
 /// Nodes are those of the hull tree, and for each of them the primitives that may stand for it. They are worked out when they are first
 /// asked for. Thread safe.
 ///
-/// A hull's primitives, the cheapest to ask about first, are the sphere, where it has no more than twice the hull's volume; the box; and
-/// the cylinder, where it is smaller than the box. One may stand for the hull where those before it may not.
+/// A hull's primitives, the cheapest to ask about first, are the sphere, the box, and the cylinder, where it is smaller than the box; of
+/// these, those hardly larger than the hull. One may stand for the hull where those before it may not.
 class DetailTree {
  public:
   explicit DetailTree(std::shared_ptr<const FitMesh> mesh);

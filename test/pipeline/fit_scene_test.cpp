@@ -51,6 +51,17 @@ TEST_F(FitRobotToScene, OtherMethodsMakeNoTree) {
   }
 }
 
+TEST_F(FitRobotToScene, AnotherTreeIsRefused) {
+  options_.tree = Length{0.005, true};
+  try {
+    run(fixtures::link("base", bracket()));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadOption);
+    EXPECT_NE(std::string(error.what()).find("0.5%"), std::string::npos);
+  }
+}
+
 TEST_F(FitRobotToScene, BlockInTheNotchTakesTwoHulls) {
   options_.validate = true;
   request_.primitives = false;

@@ -85,7 +85,7 @@ class DecomposeOptionAdder {
             "--fill", [&options = options_] { options.fill = true; }, "Cover the inside of closed meshes as well, not their surface alone")
         ->group("Accuracy");
     add("Accuracy", "--tree", "LENGTH", "",
-        "Cut the hulls from a tree of this finer tolerance, which the cache keeps: other tolerances above it then cost next to nothing",
+        "Cut the hulls from a tree of this finer tolerance, which the cache keeps: other tolerances above it then cost no decomposition",
         [&options = options_](const std::string&, const std::string& text) { options.tree = parseLength(text); });
   }
 

@@ -181,7 +181,9 @@ RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& f
   decomposeElements(
       result, [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); }, control, step);
   result.urdf = rewrittenDescription(robot, result, output);
-  for (const std::string& note : notesOnRewritten(result, output)) result.report.notes.push_back(note);
+  std::vector<std::string>& notes = result.report.notes;
+  for (const auto& more : {robot.notes, notesOnElements(robot, result.elements, options), notesOnRewritten(result, output)})
+    notes.insert(notes.end(), more.begin(), more.end());
   result.report.seconds = run.lap();
   return result;
 }

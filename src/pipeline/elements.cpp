@@ -35,6 +35,10 @@ ElementResult meshElement(const LinkDescription& link, const SourceElements& sou
   return result;
 }
 
+bool isMesh(const GeometryElement& element) {
+  return element.kind == GeometryElement::Kind::kMesh;
+}
+
 /// What makes two elements the same work. The extension counts, since it says how the content is read.
 using Sameness = std::tuple<std::string, std::string, double, double, double>;
 
@@ -63,10 +67,26 @@ std::vector<ElementResult> meshElements(const RobotDescription& robot, const Opt
     if (!chosen(link.name)) continue;
     const SourceElements source = sourceElements(link, options.source);
     for (std::size_t i = 0; i < source.elements.size(); ++i) {
-      if (source.elements[i].kind == GeometryElement::Kind::kMesh) result.push_back(meshElement(link, source, i, options));
+      if (isMesh(source.elements[i])) result.push_back(meshElement(link, source, i, options));
     }
   }
   return result;
+}
+
+std::vector<std::string> notesOnElements(const RobotDescription& robot, const std::vector<ElementResult>& elements,
+                                         const Options& options) {
+  if (!elements.empty()) return {};
+  const LinkChoice chosen(options.links, robot);
+  std::ptrdiff_t visuals = 0, collisions = 0;
+  for (const LinkDescription& link : robot.links) {
+    if (!chosen(link.name)) continue;
+    visuals += std::count_if(link.visuals.begin(), link.visuals.end(), isMesh);
+    collisions += std::count_if(link.collisions.begin(), link.collisions.end(), isMesh);
+  }
+  const auto others = [](std::ptrdiff_t count, const std::string& kind) {
+    return count == 0 ? "" : "; the <" + kind + "> elements have " + std::to_string(count) + " meshes, which --source " + kind + " takes";
+  };
+  return {"there was no mesh to decompose: primitives stay primitives" + others(visuals, "visual") + others(collisions, "collision")};
 }
 
 std::vector<MeshTask> meshTasks(std::vector<ElementResult>& elements, const std::function<std::string(const std::string& uri)>& resolve) {

@@ -25,6 +25,9 @@ class LinkChoice {
 /// An element for every mesh of every chosen link, in document order: who and where it is, nothing computed yet.
 std::vector<ElementResult> meshElements(const RobotDescription& robot, const Options& options);
 
+/// Says so where there is no mesh among the elements that Options::source takes, and which others have some.
+std::vector<std::string> notesOnElements(const RobotDescription& robot, const std::vector<ElementResult>& elements, const Options& options);
+
 /// A mesh to work on, and the elements (indices) that it is worked on for: same content, kind of file and scale.
 struct MeshTask {
   std::string file;

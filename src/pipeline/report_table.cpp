@@ -80,6 +80,7 @@ std::string sums(const Report& report) {
 std::string validationLine(const Report& report) {
   if (!report.options.validate) return "validation: not done\n";
   const Validation& v = report.validation;
+  if (v.queries == 0) return "validation: nothing to ask\n";
   std::string text = "validation: " + std::to_string(v.queries) + " queries, " + std::to_string(v.missed) + " missed, " +
                      std::to_string(v.phantom) + " phantom, distance underestimated by at most " + millimetres(v.max_underestimate) +
                      " mm; FCL: " + std::to_string(v.exceptions) + " exceptions, " + std::to_string(v.disagreements) + " disagreements; " +

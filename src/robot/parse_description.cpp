@@ -13,14 +13,27 @@
 namespace collision_hulls {
 namespace {
 
-std::string xacroHint(const XmlSource& subject, const tinyxml2::XMLElement& root) {
+// "<xacro:include> in line 7": the first of xacro's elements; empty where there is none.
+std::string xacroElement(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   for (const auto* child = root.FirstChildElement(); child; child = child->NextSiblingElement()) {
     const std::string name = child->Name();
-    if (name.rfind("xacro:", 0) != 0) continue;
-    return "; <" + name + "> in line " + std::to_string(subject.lineFromRoot(child->GetLineNum())) +
-           " shows that this is a xacro file: give it the extension .xacro, or expand it first";
+    if (name.rfind("xacro:", 0) == 0) return "<" + name + "> in line " + std::to_string(subject.lineFromRoot(child->GetLineNum()));
   }
   return "";
+}
+
+std::string xacroHint(const XmlSource& subject, const tinyxml2::XMLElement& root) {
+  const std::string found = xacroElement(subject, root);
+  return found.empty() ? "" : "; " + found + " shows that this is a xacro file: give it the extension .xacro, or expand it first";
+}
+
+// Descriptions that are expanded already often have some left, and urdfdom passes over them.
+std::vector<std::string> notesOn(const XmlSource& subject, const tinyxml2::XMLElement& root) {
+  const std::string found = xacroElement(subject, root);
+  if (found.empty()) return {};
+  return {subject.label + ": " + found +
+          " is left to xacro, and what that would make of it is missing here; if it is needed, give the file " +
+          "the extension .xacro, or expand it first"};
 }
 
 void checkIsRobot(const XmlSource& subject, const tinyxml2::XMLElement& root) {
@@ -96,7 +109,7 @@ RobotDescription parseRobotDescription(const std::string& urdf_text, const std::
   checkLinksHaveNames(subject, robot);
   UrdfModel model = loadModel(subject, robot);
   std::vector<LinkDescription> links = inDocumentOrder(subject, robot, model);
-  return {model.name, urdf_text, path, std::move(links), std::move(model.joints)};
+  return {model.name, urdf_text, path, std::move(links), std::move(model.joints), notesOn(subject, robot)};
 }
 
 }  // namespace collision_hulls

@@ -139,6 +139,25 @@ TEST_F(DecomposeRobot, SaysWhichUrisMeanOtherPlacesNow) {
   EXPECT_EQ(notes(link("base", collision("bracket.obj")) + link("tip", collision("box.obj"), "base")).size(), 1u) << "collisions that stay";
 }
 
+TEST_F(DecomposeRobot, SaysWhereThereIsNoMeshAndWhichSourceHasSome) {
+  const std::string sphere = "    <collision><geometry><sphere radius=\"1\"/></geometry></collision>\n";
+  const std::string robot = link("base", visual("file:///box.obj") + sphere) + link("tip", sphere, "base");
+  const auto notes = [&] { return run(robot).report.notes; };
+  ASSERT_EQ(notes().size(), 1u);
+  for (const std::string part : {"no mesh", "<visual>", "1 meshes", "--source visual"})
+    EXPECT_NE(notes()[0].find(part), std::string::npos) << notes()[0];
+  EXPECT_EQ(notes()[0].find("--source collision"), std::string::npos) << "there is none either";
+  options_.links = "tip";
+  ASSERT_EQ(notes().size(), 1u);
+  EXPECT_EQ(notes()[0].find("--source"), std::string::npos) << notes()[0];
+}
+
+TEST_F(DecomposeRobot, PassesOnWhatIsOddAboutTheDescription) {
+  const RobotResult result = run(link("base", collision("box.obj")) + "  <xacro:gripper/>\n");
+  ASSERT_EQ(result.report.notes.size(), 1u);
+  EXPECT_NE(result.report.notes[0].find("<xacro:gripper>"), std::string::npos) << result.report.notes[0];
+}
+
 TEST_F(DecomposeRobot, OneBadLinkLosesNoOther) {
   options_.uri = UriStyle::kRelative;
   const std::string bad = link("bad", collision("box.obj") + collision("rubbish.stl"), "base");

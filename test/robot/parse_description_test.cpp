@@ -62,6 +62,14 @@ TEST(ParseDescription, SuspectsXacro) {
   expectRefused(ErrorCode::kNoLinks, {"<xacro:include> in line 2", ".xacro"}, robotWith("<xacro:include filename='x'/>"));
 }
 
+TEST(ParseDescription, NotesWhatXacroLeftOrNeverSaw) {
+  EXPECT_TRUE(parseRobotDescription(robotWith("<link name='a'/><!-- <xacro:if/> -->")).notes.empty());
+  const auto notes = parseRobotDescription(robotWith("<link name='a'/>\n<xacro:include filename='x'/><xacro:y/>"), "a.urdf").notes;
+  ASSERT_EQ(notes.size(), 1u);
+  for (const std::string part : {"'a.urdf'", "<xacro:include> in line 3", ".xacro"})
+    EXPECT_NE(notes[0].find(part), std::string::npos) << notes[0];
+}
+
 TEST(ParseDescription, RefusesLoopsOfJoints) {
   const std::string links = "<link name='r'/><link name='a'/>\n<link name='b'/>";
   const std::string loop = joint("j", "fixed", "a", "b", "") + joint("k", "fixed", "b", "a", "");

@@ -47,6 +47,7 @@ struct RobotDescription {
   std::string path;                           ///< file it came from; empty for a parameter or a service call
   std::vector<LinkDescription> links;         ///< in document order
   std::vector<JointDescription> joints = {};  ///< a link's own joint to its parent; parents before children
+  std::vector<std::string> notes = {};        ///< what is odd about it, though it can be read
 };
 
 /// Parses a URDF. `path` (may be empty) stands in messages and is what relative URIs are relative to.

@@ -9,8 +9,7 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kStepCost = 0.25;                  // of the next primitive, or the hull, in place of one
-constexpr double kMostCost = 64;                    // hulls; a side that takes more is not thought through
+constexpr double kMostCost = 64;                    // nodes opened; a side that takes more is not thought through
 constexpr double kLeastVote = 1 / (2 * kMostCost);  // of contacts that one side alone does not cure
 constexpr double kImpossible = std::numeric_limits<double>::infinity();
 
@@ -50,17 +49,15 @@ bool touchesAtLeaves(const Assembly& assembly, const Contact& contact) {
 
 std::vector<int> Curing::children(const Node& node) const {
   const DetailTree& tree = treeOf(assembly_, node.first);
-  std::vector<int> children = tree.children(node.second);
-  if (primitives_ && children.size() > 1)
-    for (int& child : children) child = tree.cheapest(child);
-  return children;
+  if (opens_ == Opens::kPrimitives && !tree.primitive(node.second)) return {};
+  return tree.children(node.second);
 }
 
-/// Hulls that opening one side until nothing of it touches adds; infinite where that is more than `limit`, or leaves touch.
+/// Nodes to open on one side until nothing of it touches; infinite where that is more than `limit`, or leaves touch.
 double Curing::cost(const Contact& contact, int side, double limit) const {
   const std::vector<int> children = this->children({contact.piece[side], contact.node[side]});
   if (children.empty()) return kImpossible;
-  double sum = children.size() > 1 ? static_cast<double>(children.size()) - 1 : kStepCost;
+  double sum = 1;
   for (const int child : children) {
     if (sum > limit) return kImpossible;
     const Contact finer = with(contact, side, child);

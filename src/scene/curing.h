@@ -23,9 +23,8 @@ bool touchesAtLeaves(const Assembly& assembly, const Contact& contact);
 /// A greedy set cover. Deterministic; contacts are worked on in parallel.
 class Curing {
  public:
-  /// `primitives`: hulls that opening brings give way to their cheapest primitives at once.
-  Curing(const Assembly& assembly, Cuts cuts, bool primitives = false)
-      : assembly_(assembly), cuts_(std::move(cuts)), primitives_(primitives) {}
+  enum class Opens { kHulls, kPrimitives };  ///< kPrimitives: those give way to others and to their hulls, which stay
+  Curing(const Assembly& assembly, Cuts cuts, Opens opens = Opens::kHulls) : assembly_(assembly), cuts_(std::move(cuts)), opens_(opens) {}
 
   /// Contacts of nodes of the cuts.
   void add(const std::vector<Contact>& contacts);
@@ -59,7 +58,7 @@ class Curing {
 
   const Assembly& assembly_;
   Cuts cuts_;
-  const bool primitives_;
+  const Opens opens_;
   std::vector<Case> cases_;
   std::map<Node, Ballot> ballots_;
   std::size_t stuck_ = 0;

@@ -8,7 +8,7 @@ namespace {
 
 using Kind = GeometryElement::Kind;
 
-// Of the hull's volume. Adequate is also what is much larger, but where bodies come nearer than the clearance it is hit too often.
+// Of the hull's volume. What is much larger may be hit no more often, but distances to it are too short.
 constexpr double kMostVolume = 1.25;
 
 std::array<std::optional<GeometryElement>, 3> primitivesAbout(const ConvexHull& hull) {

@@ -37,11 +37,11 @@ Answers Fitting::ask(const std::vector<std::size_t>& samples) const {
   tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
     control_.check();
     const Places places = assembly_.places(samples[i]);
-    std::vector<Contact> current = contacts(assembly_, cuts_, pairs_, places, samples[i]);
-    if (current.empty() || !isClear(assembly_, originals_, pairs_, places, current)) return;
+    std::vector<Contact> current = contacts(assembly_, hull_cuts_, rules_.pairs, places, samples[i]);
+    if (current.empty() || !isClear(assembly_, originals_, rules_.pairs, places, current)) return;
     Answer& answer = answers[i];
     answer.at_leaves = std::any_of(current.begin(), current.end(), [&](const Contact& c) { return touchesAtLeaves(assembly_, c); });
-    answer.roots = contacts(assembly_, assembly_.roots(), pairs_, places, samples[i]);
+    answer.roots = contacts(assembly_, assembly_.roots(), rules_.pairs, places, samples[i]);
     answer.current = std::move(current);
   });
   Answers all;
@@ -62,21 +62,51 @@ Answers Fitting::ask(const std::vector<std::size_t>& samples) const {
 /// Asks samples and cures what they show; the number of counterexamples.
 std::size_t Fitting::cure(const std::vector<std::size_t>& samples) {
   const Answers answers = ask(samples);
-  asked_ += samples.size();
+  asked_.insert(asked_.end(), samples.begin(), samples.end());
   leaves_ = answers.leaves;
-  known_.insert(known_.end(), answers.samples.begin(), answers.samples.end());
   roots_.insert(roots_.end(), answers.roots.begin(), answers.roots.end());
   seen_.insert(seen_.end(), answers.roots.begin(), answers.roots.end());
   seen_.insert(seen_.end(), answers.current.begin(), answers.current.end());
   if (!answers.samples.empty()) {
-    Curing curing(assembly_, cuts_, with_primitives_);
+    Curing curing(assembly_, hull_cuts_);
     curing.add(answers.current);
     curing.run(control_);
-    cuts_ = curing.cuts();
+    takeHulls(curing.cuts());
   }
   progress_ += (1 - progress_) / 8;
   control_.report(progress_);
   return answers.samples.size();
+}
+
+/// Hulls of a finer cut, those that were there before as primitives where they were.
+void Fitting::takeHulls(const Cuts& cuts) {
+  hull_cuts_ = cuts;
+  for (std::size_t i = 0; i < cuts_.size(); ++i) {
+    const DetailTree& tree = *assembly_.pieces()[i].tree;
+    std::vector<int> nodes = cuts[i];
+    for (const int before : cuts_[i]) std::replace(nodes.begin(), nodes.end(), tree.hull(before), before);
+    cuts_[i] = nodes;
+  }
+}
+
+/// Asks samples, and takes back primitives that are hit where the hulls are not; the number of such samples. Pairs that are proved apart
+/// are asked, too: a primitive reaches further than what the proof is about.
+std::size_t Fitting::refute(const std::vector<std::size_t>& samples) {
+  const std::vector<PartPair> pairs = lookedAtAndProved(rules_, options_.clearance);
+  std::vector<std::vector<Contact>> found(samples.size());
+  tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
+    control_.check();
+    const Places places = assembly_.places(samples[i]);
+    std::vector<Contact> current = contacts(assembly_, cuts_, pairs, places, samples[i]);
+    if (!current.empty() && contacts(assembly_, hull_cuts_, pairs, places, samples[i]).empty()) found[i] = std::move(current);
+  });
+  std::vector<Contact> all;
+  for (const std::vector<Contact>& current : found) all.insert(all.end(), current.begin(), current.end());
+  Curing curing(assembly_, cuts_, Curing::Opens::kPrimitives);
+  curing.add(all);
+  curing.run(control_);
+  cuts_ = curing.cuts();
+  return static_cast<std::size_t>(std::count_if(found.begin(), found.end(), [](const auto& current) { return !current.empty(); }));
 }
 
 /// The same with the samples that come next; all of those that were given.
@@ -86,7 +116,8 @@ std::size_t Fitting::cureBatch(std::size_t count) {
   std::iota(samples.begin(), samples.end(), given > 0 ? 0 : next_);
   verified_from_ = samples.front();
   next_ += samples.size();
-  const std::size_t found = cure(samples);
+  std::size_t found = cure(samples);
+  if (!cuts_.empty()) found += refute(samples);
   cured_ += found;
   return found;
 }
@@ -105,24 +136,20 @@ void Fitting::fitAll() {
   Curing curing(assembly_, assembly_.roots());
   curing.add(roots_);
   curing.run(control_);
-  const Cuts again = closed(assembly_, curing.cuts(), roots_, control_), mended = closed(assembly_, cuts_, roots_, control_);
-  cuts_ = assembly_.hulls(again) <= assembly_.hulls(mended) ? again : mended;
+  const Cuts again = closed(assembly_, curing.cuts(), roots_, control_), mended = closed(assembly_, hull_cuts_, roots_, control_);
+  hull_cuts_ = assembly_.hulls(again) <= assembly_.hulls(mended) ? again : mended;
 }
 
-/// 5. First where hulls were refuted: there primitives are most likely to be. A primitive that takes another one's place may touch where
-/// that one did not, so the same samples are asked until they say nothing more.
+/// 5. A primitive that takes another one's place may touch where that one did not, so the same samples are asked until they say nothing
+/// more.
 void Fitting::usePrimitives() {
-  with_primitives_ = true;
-  cuts_ = assembly_.cheapest(cuts_);
-  pairs_ = lookedAtAndProved(rules_, options_.clearance);
-  const std::vector<std::size_t> refuted = known_;
-  for (int round = 0; round < kMostRounds && cure(refuted) > 0; ++round) continue;
-  cureGrowingBatches();
+  cuts_ = assembly_.cheapest(hull_cuts_);
+  for (int round = 0; round < kMostRounds && refute(asked_) > 0; ++round) control_.check();
 }
 
 /// 6. Until a batch has no counterexample. Its samples are independent, since a rate is concluded from them.
 void Fitting::verify() {
-  next_ = Assembly::kIndependentFrom;
+  next_ = std::max(next_, Assembly::kIndependentFrom);
   for (int round = 0; round < kMostRounds; ++round)
     if (cureBatch(options_.samples) == 0) return;
 }
@@ -130,8 +157,9 @@ void Fitting::verify() {
 void Fitting::run() {
   cureGrowingBatches();
   fitAll();
-  hull_cuts_ = cuts_;
-  if (options_.primitives) usePrimitives();
+  verify();
+  if (!options_.primitives) return;
+  usePrimitives();
   verify();
 }
 

@@ -30,22 +30,23 @@ class Fitting {
         originals_(originals),
         rules_(rules),
         control_(control),
-        pairs_(rules.pairs),
-        cuts_(assembly.roots()) {}
+        hull_cuts_(assembly.roots()) {}
 
   void run();
 
-  const Cuts& cuts() const { return cuts_; }
-  const Cuts& hullCuts() const { return hull_cuts_; }          ///< before primitives took the place of hulls
+  const Cuts& cuts() const { return options_.primitives ? cuts_ : hull_cuts_; }
+  const Cuts& hullCuts() const { return hull_cuts_; }          ///< with hulls in the primitives' places
   std::size_t verifiedFrom() const { return verified_from_; }  ///< the first sample of the batch that had no counterexample
-  std::size_t asked() const { return asked_; }
+  std::size_t asked() const { return asked_.size(); }
   std::size_t cured() const { return cured_; }
   const std::vector<Contact>& leafContacts() const { return leaves_; }  ///< that stayed in the last batch
-  const std::vector<Contact>& seen() const { return seen_; }            ///< of roots and primitives, in all counterexamples
+  const std::vector<Contact>& seen() const { return seen_; }            ///< of roots and opened hulls, in all counterexamples
 
  private:
   Answers ask(const std::vector<std::size_t>& samples) const;
   std::size_t cure(const std::vector<std::size_t>& samples);
+  void takeHulls(const Cuts& cuts);
+  std::size_t refute(const std::vector<std::size_t>& samples);
   std::size_t cureBatch(std::size_t count);
   void cureGrowingBatches();
   void fitAll();
@@ -58,12 +59,10 @@ class Fitting {
   const Originals& originals_;
   const PairRules& rules_;
   const RunControl& control_;
-  std::vector<PartPair> pairs_;  // that are looked at
-  Cuts cuts_, hull_cuts_;
+  Cuts hull_cuts_, cuts_;  // the latter with primitives, once there are any
   std::vector<Contact> roots_, seen_, leaves_;
-  std::vector<std::size_t> known_;  // samples that were counterexamples
-  bool with_primitives_ = false;
-  std::size_t next_ = 0, asked_ = 0, cured_ = 0, verified_from_ = 0;
+  std::vector<std::size_t> asked_;  // samples
+  std::size_t next_ = 0, cured_ = 0, verified_from_ = 0;
   double progress_ = 0;
 };
 

@@ -104,8 +104,8 @@ TEST(FitScene, SphereForABall) {
   EXPECT_EQ(fit.report.missed + fit.report.phantom, 0u);
 }
 
-TEST(FitScene, CylinderWhereTheBoxTouches) {
-  // The post passes the cylinder's round side where the box has an edge, whichever way it is turned.
+/// A round carriage among posts all about it, 2 cm away, which a box about it touches, whichever way it is turned.
+FitProblem roundAmongPosts() {
   const double radius = 0.2, out = radius + 0.02 + 0.05;
   FitProblem problem = carriageBeside(surface(cylinderShape(radius, 1)), {out, 0, 0});
   for (int i = 1; i < 8; ++i) {
@@ -114,12 +114,40 @@ TEST(FitScene, CylinderWhereTheBoxTouches) {
     post.pose = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * Eigen::Translation3d(out, 0, 0);
     problem.scene.bodies.push_back(post);
   }
-  const SceneFit fit = fitScene(problem, fitOptions());
+  return problem;
+}
+
+TEST(FitScene, CylinderWhereTheBoxTouches) {
+  const SceneFit fit = fitScene(roundAmongPosts(), fitOptions());
   ASSERT_EQ(fit.elements[0].primitives.size(), 1u);
   EXPECT_EQ(fit.elements[0].primitives[0].kind, GeometryElement::Kind::kCylinder);
-  EXPECT_NEAR(fit.elements[0].primitives[0].size.x(), radius, 1e-3);
+  EXPECT_NEAR(fit.elements[0].primitives[0].size.x(), 0.2, 1e-3);
   EXPECT_EQ(fit.report.missed + fit.report.phantom, 0u);
   EXPECT_EQ(fit.report.links[0].reason.substr(0, 25), "1 cylinder: never within ") << fit.report.links[0].reason;
+}
+
+TEST(FitScene, NoBoxThatTouchesNearerThanTheClearanceEither) {
+  const SceneFit fit = fitScene(roundAmongPosts(), fitOptions(0.04));
+  ASSERT_EQ(fit.elements[0].primitives.size(), 1u);
+  EXPECT_EQ(fit.elements[0].primitives[0].kind, GeometryElement::Kind::kCylinder);
+  EXPECT_EQ(fit.report.model_hits, 0u);
+}
+
+TEST(FitScene, PrimitivesTakeTheirHullsPlacesOneByOne) {
+  FitOptions options = fitOptions(0.01, 200);
+  options.compare = true;
+  for (const FitProblem& problem : {overPost(), roundAmongPosts()}) {
+    const SceneFit fit = fitScene(problem, options);
+    const auto row = [&](const std::string& model) {
+      const auto found =
+          std::find_if(fit.report.models.begin(), fit.report.models.end(), [&](const ModelRow& r) { return r.model == model; });
+      return found == fit.report.models.end() ? ModelRow() : *found;
+    };
+    EXPECT_GT(fit.report.primitives, 0u);
+    EXPECT_GT(row("fitted").hulls, 0u);
+    EXPECT_EQ(row("fitted").hulls, row("fitted_hulls").hulls);
+    EXPECT_EQ(row("fitted").false_hits, row("fitted_hulls").false_hits);
+  }
 }
 
 TEST(FitScene, FarPostIsProvedAway) {

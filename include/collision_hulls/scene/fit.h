@@ -7,8 +7,9 @@
 //   2. begin with one hull for each mesh: the root of its tree
 //   3. ask samples: where the model is hit though the original is clear, open tree nodes, the cheapest cure first, until it is free
 //   4. cure all counterexamples at once from the beginning, and close what can be closed
-//   5. put the cheapest primitive in place of each hull: a sphere, a box or a cylinder about it; take back what samples refute
-//   6. ask fresh samples, and open again, until a whole batch of them has no counterexample that could be cured
+//   5. put the cheapest primitive in place of each hull: a sphere, a box or a cylinder about it; take back those that are hit in any sample
+//      in which the hulls are not, however near, so that primitives add neither bodies nor false hits
+//   6. before 5, and once more after it: ask fresh samples, and open or take back, until a whole batch has none that could be cured
 #pragma once
 
 #include <Eigen/Geometry>

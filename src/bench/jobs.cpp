@@ -4,7 +4,9 @@
 #include <ctime>
 #include <fstream>
 
+#include "bench/cuts.h"
 #include "bench/hull_objects.h"
+#include "bench/original.h"
 #include "bench/query_job.h"
 #include "collision_hulls/check/measures.h"
 #include "collision_hulls/decompose/decompose.h"
@@ -15,31 +17,8 @@
 #include "pipeline/mesh_hulls.h"
 
 namespace collision_hulls {
-namespace {
 
 using nlohmann::json;
-
-// Shares of the tolerance: how far apart the two bounds of the protrusion may stay.
-constexpr double kCertificateGap = 0.001;
-constexpr double kRoughGap = 0.1;
-
-/// A mesh as read and scaled, and what repairing makes of it.
-struct Original {
-  TriangleMesh mesh;
-  RepairedMesh repaired;
-  double margin = 0;  // [m] how far the two may lie apart
-};
-
-Original readOriginal(const json& job) {
-  const Eigen::Vector3d scale(job["scale"][0], job["scale"][1], job["scale"][2]);
-  const LoadedMesh loaded = readMesh(job["file"]);
-  Original original{scaled(loaded.mesh, scale), {}, 0};
-  original.repaired = repair(original.mesh);
-  original.margin = loaded.resolution * scale.cwiseAbs().maxCoeff() + original.repaired.counts.weld_distance;
-  return original;
-}
-
-}  // namespace
 
 std::string toObj(const TriangleMesh& mesh) {
   std::string text;
@@ -56,6 +35,8 @@ std::string toObj(const TriangleMesh& mesh) {
 }
 
 namespace {
+
+constexpr double kRoughGap = 0.1;  // where a rough bound may do; see kCertificateGap
 
 json prepare(const json& job) {
   const Original original = readOriginal(job);
@@ -148,6 +129,7 @@ void doJob(const std::string& job_file, const std::string& result_file) {
                       : kind == "decompose" ? decomposeMesh(job)
                       : kind == "decide"    ? decide(job)
                       : kind == "query"     ? query(job)
+                      : kind == "cuts"      ? measureCuts(job)
                                             : score(job);
   writeText(result_file, result.dump());
 }

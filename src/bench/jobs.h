@@ -18,6 +18,7 @@ namespace collision_hulls {
 ///              "protrusion" (a bound within a tenth of the tolerance, and closer only where it takes that to tell whether it keeps the
 ///              tolerance), or why there is none: "error"; and "seconds" of CPU
 ///   query      see query_job.h
+///   cuts       see cuts.h
 /// Throws Error and what the libraries throw.
 void doJob(const std::string& job_file, const std::string& result_file);
 

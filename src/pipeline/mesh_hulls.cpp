@@ -10,7 +10,6 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kCertificateGap = 0.001;  // of the tolerance: how far apart the two bounds of the protrusion may stay
 // What the margin and rounding to it take: the aim is lower by so many margins, but not by more than half.
 constexpr double kMargins = 3, kLeastAim = 0.5;
 // Near openings of the surface the distance to the solid jumps, and hulls as written may reach where those that were searched for did

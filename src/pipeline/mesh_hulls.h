@@ -9,6 +9,9 @@
 
 namespace collision_hulls {
 
+/// Of the tolerance: how far apart the two bounds of the protrusion may stay.
+constexpr double kCertificateGap = 0.001;
+
 /// A mesh as it was read and scaled, and what is made of it.
 struct MeshSource {
   const TriangleMesh& original;

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "bench/cuts.h"
 #include "bench/jobs.h"
 #include "bench/machine.h"
 #include "bench/query_benchmark.h"
@@ -24,13 +25,14 @@ struct Command {
   std::vector<std::string> inputs, peers;
   std::string methods, tolerances, efforts;  // between commas
   bool charts = true, queries = false;
+  int cuts = 0;
   BenchmarkOptions options;
 };
 
 constexpr const char* kPurpose = "Measures methods of decomposition: time and memory against accuracy, which is proved for each result.";
 
 constexpr const char* kFooter = R"(
-Writes benchmark.csv (a row per mesh, method and tolerance), queries.csv (with --queries), machine.json, charts (SVG, PNG) and index.html.
+Writes benchmark.csv (a row per mesh, method and tolerance), queries.csv (with --queries), cuts.csv (with --cuts), machine.json, charts (SVG, PNG) and index.html.
 Exit status: 0 done, whatever the methods did: a run that hangs, dies or fails is a row; 2 wrong use.
 
 Examples:
@@ -57,6 +59,10 @@ void addOptions(CLI::App& app, Command& command) {
   app.add_option("--seed", options.seed, "Of whatever is random")->type_name("N [1]");
   app.add_flag("--queries", command.queries,
                "Also collision and distance queries a second against their errors, of the meshes, each method's hulls and single hulls");
+  app.add_option("--cuts", command.cuts,
+                 "Also random cuts through the hull tree of each mesh (certified), whose leaves are for the first tolerance")
+      ->type_name("N [0]")
+      ->check(CLI::Range(0, 1000000));
   app.add_flag("!--no-charts", command.charts, "Leave out the charts and the page");
 }
 
@@ -128,6 +134,13 @@ void measureQueries(const Command& command, const BenchmarkInputs& inputs, const
   });
 }
 
+void measureTrees(const Command& command, const std::vector<BenchmarkMesh>& meshes) {
+  std::ofstream csv(fs::path(command.options.folder) / "cuts.csv", std::ios::trunc);
+  csv << cutHeader();
+  runCuts(meshes, command.options, command.options.tolerances.front(), command.cuts,
+          [&](const CutRow& row) { csv << toCsv(row) << std::flush; });
+}
+
 int run(Command& command) {
   interpret(command);
   BenchmarkOptions& options = command.options;
@@ -138,10 +151,11 @@ int run(Command& command) {
     if (!std::count(options.methods.begin(), options.methods.end(), Method::kSingleHull)) options.methods.push_back(Method::kSingleHull);
     options.keep_hulls = hulls.string();
   }
-  fs::remove(fs::path(options.folder) / "queries.csv");
+  for (const char* file : {"queries.csv", "cuts.csv"}) fs::remove(fs::path(options.folder) / file);
   const std::vector<BenchmarkRow> rows = measureMethods(command, inputs.meshes);
   if (command.queries) measureQueries(command, inputs, rows);
   fs::remove_all(hulls);
+  if (command.cuts > 0) measureTrees(command, inputs.meshes);
   if (command.charts) drawCharts("benchmark", options.program, options.folder);
   return 0;
 }

@@ -1,0 +1,21 @@
+// The mesh that a job is about.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "collision_hulls/geometry/triangle_mesh.h"
+#include "collision_hulls/mesh/repair.h"
+
+namespace collision_hulls {
+
+/// A mesh as read and scaled, and what repairing makes of it.
+struct Original {
+  TriangleMesh mesh;
+  RepairedMesh repaired;
+  double margin = 0;  ///< [m] how far the two may lie apart
+};
+
+/// The mesh of a job's "file" and "scale". Throws what readMesh() and scaled() throw.
+Original readOriginal(const nlohmann::json& job);
+
+}  // namespace collision_hulls

@@ -103,15 +103,23 @@ std::string selfTable(const FitReport& fit) {
   return "self-collisions in " + std::to_string(fit.samples) + " samples:\n" + aligned(rows);
 }
 
+/// "19 of 549 hulls", "14 hulls and 5 primitives in place of 549 hulls", "2 primitives in place of 3 hulls".
+std::string bodies(const FitReport& fit) {
+  if (fit.primitives == 0) return share(fit.hulls, fit.full_hulls) + " hulls";
+  const std::size_t hulls = fit.hulls - fit.primitives;
+  return (hulls > 0 ? std::to_string(hulls) + " hulls and " : "") + std::to_string(fit.primitives) + " primitives in place of " +
+         std::to_string(fit.full_hulls) + " hulls";
+}
+
 std::string sceneLines(const Report& report) {
   if (!report.scene) return "";
   const FitReport& fit = *report.scene;
   std::string text;
   for (const FittedLink& link : fit.links) text += "  " + link.link + ": " + link.reason + "\n";
   text += selfTable(fit);
-  text += "scene '" + fit.scene + "': " + share(fit.hulls, fit.full_hulls) + " hulls for a clearance of " + millimetres(fit.clearance) +
-          " mm; " + std::to_string(fit.samples) + (fit.given ? " given configurations: " : " fresh samples: ") +
-          std::to_string(fit.missed) + " missed, " + std::to_string(fit.phantom) + " phantom";
+  text += "scene '" + fit.scene + "': " + bodies(fit) + " for a clearance of " + millimetres(fit.clearance) + " mm; " +
+          std::to_string(fit.samples) + (fit.given ? " given configurations: " : " fresh samples: ") + std::to_string(fit.missed) +
+          " missed, " + std::to_string(fit.phantom) + " phantom";
   if (!fit.given)
     text += " (of all configurations no more than " + number("%.2g", 100 * fit.phantom_rate_bound) + " %, at 95 % confidence)";
   text += "; " + share(fit.proved_pairs, fit.pairs) + " pairs proved apart\n";

@@ -110,9 +110,14 @@ class Comparing {
   }
 
   void time(PlannerModel planner, ModelRow& row) const {
-    const QueryTimes times = queryTimes(model_.assembly, std::move(planner), model_.fitting.verifiedFrom(), model_.samples(), control_);
-    row.collision_us = times.collision;
-    row.distance_us = times.distance;
+    std::vector<std::size_t> all, close;
+    for (std::size_t i = 0; i < model_.samples(); ++i) {
+      all.push_back(model_.fitting.verifiedFrom() + i);
+      if (!truth_.hit[i] && !truth_.clear[i]) close.push_back(all.back());
+    }
+    row.collision_us = collisionTime(model_.assembly, planner, all, control_);
+    row.close_us = collisionTime(model_.assembly, planner, close, control_);
+    row.distance_us = distanceTime(model_.assembly, planner, all, control_);
   }
 
   const FittedModel& model_;

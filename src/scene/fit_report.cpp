@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 
@@ -244,12 +245,13 @@ FitReport fitReport(const FittedModel& model, const Hits& counted, const RunCont
   report.pairs = model.rules.pairs.size() + model.rules.proved.size();
   report.proved_pairs = model.rules.proved.size();
   const PairRules asked = withSrdf(model.rules, assembly);
-  const QueryTimes times = queryTimes(assembly, PlannerModel(assembly, asked, cuts), first, count, control);
-  const QueryTimes original_times = queryTimes(assembly, PlannerModel(assembly, asked, model.originals), first, count, control);
-  report.query_us = times.collision;
-  report.original_query_us = original_times.collision;
-  report.distance_us = times.distance;
-  report.original_distance_us = original_times.distance;
+  std::vector<std::size_t> samples(count);
+  std::iota(samples.begin(), samples.end(), first);
+  PlannerModel timed(assembly, asked, cuts), timed_original(assembly, asked, model.originals);
+  report.query_us = collisionTime(assembly, timed, samples, control);
+  report.original_query_us = collisionTime(assembly, timed_original, samples, control);
+  report.distance_us = distanceTime(assembly, timed, samples, control);
+  report.original_distance_us = distanceTime(assembly, timed_original, samples, control);
   report.hulls = assembly.hulls(cuts);
   report.primitives = primitives(model);
   for (std::size_t i = 0; i < model.problem.elements.size(); ++i) report.full_hulls += assembly.pieces()[i].tree->leaves();

@@ -20,8 +20,9 @@ class Originals {
   /// [m] The distance between two parts, or `limit` where it is no less. 0 also where one lies within the other.
   double distanceBelow(double limit, std::size_t a, std::size_t b, const Places& places) const;
 
+  /// Contact is asked for first, since it takes FCL a hundredth of a distance's time.
   bool clear(const PartPair& pair, const Places& places) const {
-    return distanceBelow(pair.clearance, pair.a, pair.b, places) >= pair.clearance;
+    return !touch(pair.a, pair.b, places) && distanceBelow(pair.clearance, pair.a, pair.b, places) >= pair.clearance;
   }
 
   struct Body {

@@ -15,21 +15,28 @@ constexpr int kLeastRounds = 3;
 constexpr std::size_t kMostTimed = 500;      // samples
 constexpr std::size_t kMostDistances = 100;  // which take longer
 
+std::vector<Places> placesOf(const Assembly& assembly, const std::vector<std::size_t>& samples, std::size_t most) {
+  std::vector<Places> places;
+  for (std::size_t i = 0; i < std::min(samples.size(), most); ++i) places.push_back(assembly.places(samples[i]));
+  return places;
+}
+
 /// [us] Of one question: the quickest of several rounds, which other load on the machine disturbs least.
-double microseconds(std::size_t count, const RunControl& control, const std::function<void(std::size_t)>& ask) {
+double microseconds(const std::vector<Places>& all, const RunControl& control, const std::function<void(const Places&)>& ask) {
   using Clock = std::chrono::steady_clock;
+  if (all.empty()) return 0;
   double best = std::numeric_limits<double>::infinity(), sum = 0;
   for (int round = 0; round < kLeastRounds || sum < kLeastTime; ++round) {
     const Clock::time_point start = Clock::now();
-    for (std::size_t i = 0; i < count; ++i) {
+    for (const Places& places : all) {
       control.check();
-      ask(i);
+      ask(places);
     }
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     best = std::min(best, seconds);
     sum += seconds;
   }
-  return 1e6 * best / static_cast<double>(count);
+  return 1e6 * best / static_cast<double>(all.size());
 }
 
 }  // namespace
@@ -91,12 +98,12 @@ std::vector<char> hits(const Assembly& assembly, const std::function<PlannerMode
   return result;
 }
 
-QueryTimes queryTimes(const Assembly& assembly, PlannerModel model, std::size_t first, std::size_t count, const RunControl& control) {
-  std::vector<Places> places;
-  for (std::size_t i = 0; i < std::min(count, kMostTimed); ++i) places.push_back(assembly.places(first + i));
-  const double collision = microseconds(places.size(), control, [&](std::size_t i) { model.hit(places[i]); });
-  const double distance = microseconds(std::min(places.size(), kMostDistances), control, [&](std::size_t i) { model.distance(places[i]); });
-  return {collision, distance};
+double collisionTime(const Assembly& assembly, PlannerModel& model, const std::vector<std::size_t>& samples, const RunControl& control) {
+  return microseconds(placesOf(assembly, samples, kMostTimed), control, [&](const Places& places) { model.hit(places); });
+}
+
+double distanceTime(const Assembly& assembly, PlannerModel& model, const std::vector<std::size_t>& samples, const RunControl& control) {
+  return microseconds(placesOf(assembly, samples, kMostDistances), control, [&](const Places& places) { model.distance(places); });
 }
 
 }  // namespace collision_hulls

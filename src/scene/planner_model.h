@@ -34,10 +34,9 @@ class PlannerModel {
 std::vector<char> hits(const Assembly& assembly, const std::function<PlannerModel()>& make, std::size_t first, std::size_t count,
                        const RunControl& control);
 
-/// [us] that questions of a kind take, on one thread.
-struct QueryTimes {
-  double collision = 0, distance = 0;
-};
-QueryTimes queryTimes(const Assembly& assembly, PlannerModel model, std::size_t first, std::size_t count, const RunControl& control);
+/// [us] that a question takes on one thread, whether a sample hits and how far it is from contact: means over the first of the samples, the
+/// quickest of several rounds. 0 where there is no sample.
+double collisionTime(const Assembly& assembly, PlannerModel& model, const std::vector<std::size_t>& samples, const RunControl& control);
+double distanceTime(const Assembly& assembly, PlannerModel& model, const std::vector<std::size_t>& samples, const RunControl& control);
 
 }  // namespace collision_hulls

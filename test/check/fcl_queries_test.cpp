@@ -90,6 +90,55 @@ TEST(FclHull, NearestPointsLieOnTheBodies) {
   EXPECT_TRUE(proved(answer, cube, transformed(other, pose), 1e-9));
 }
 
+TEST(FclQueries, APointMayBeACorner) {
+  for (const Vector3d& sides : {Vector3d(1, 1, 1), Vector3d(0.125, 0.75, 0.5), Vector3d(1, 0.006, 0.002)}) {
+    const ConvexHull box = boxHull(sides);
+    const FclHull hull(box);
+    const FclMesh mesh(surface(box));
+    for (const Vector3d& corner : box.vertices) {
+      EXPECT_EQ(fclDistance(hull, corner).distance, 0);
+      EXPECT_EQ(fclDistance(hull, 2 * corner).status, Status::kDistance);
+      EXPECT_NEAR(fclDistance(hull, 2 * corner).distance, corner.norm(), kFclTolerance);
+      EXPECT_NEAR(fclDistance(mesh, corner).distance, 0, kFclTolerance);
+    }
+  }
+}
+
+/// A box whose corners lie on a grid of eighths, so that faces, edges and corners of two of them line up.
+Eigen::AlignedBox3d gridBox(Random& random) {
+  Eigen::AlignedBox3d box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t low = random.below(8);
+    box.min()[axis] = static_cast<double>(low) / 8;
+    box.max()[axis] = static_cast<double>(low + 1 + random.below(8 - low)) / 8;
+  }
+  return box;
+}
+
+ConvexHull hullOf(const Eigen::AlignedBox3d& box) {
+  return convexHull(test_shapes::moved(test_shapes::box(box.sizes().x(), box.sizes().y(), box.sizes().z()), box.min()).vertices);
+}
+
+// FCL's answers about hulls whose faces line up are off by as much as their size in one pair of a hundred; none of these must count as
+// proved.
+TEST(FclQueries, WrongAnswersAboutLinedUpBoxesAreNeverProved) {
+  Random random(1, 0, 0);
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::AlignedBox3d first = gridBox(random), second = gridBox(random);
+    const ConvexHull a = hullOf(first), b = hullOf(second);
+    const double truth = first.exteriorDistance(second);
+    const FclAnswer answer = fclDistance(FclHull(a), FclHull(b), Eigen::Isometry3d::Identity());
+    const bool right = answer.status == Status::kDistance && std::abs(answer.distance - truth) <= kFclTolerance;
+    EXPECT_TRUE(right || !proved(answer, a, b, 1e-12)) << "pair " << i << ": FCL " << answer.distance << ", truth " << truth;
+    EXPECT_NEAR(bodyDistance(a, b), truth, 1e-12) << "pair " << i;
+    const bool nested = first.contains(second) || second.contains(first);
+    if (!nested) {
+      EXPECT_NEAR(fclDistance(FclMesh(surface(a)), FclMesh(surface(b)), Eigen::Isometry3d::Identity()).distance, truth, 1e-12)
+          << "pair " << i;
+    }
+  }
+}
+
 TEST(FclQueries, OverlapsOfSmallBodiesAreSeen) {
   // Cubes of a thousandth of the unit: as they are, FCL calls about one overlap in fifteen separated.
   const ConvexHull cube = boxHull(Vector3d::Constant(1e-3));

@@ -1,5 +1,6 @@
 #include "scene/sdf_frames.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "collision_hulls/error.h"
@@ -8,27 +9,12 @@
 namespace collision_hulls {
 namespace {
 
+const std::string kWithin = "::";
 constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180;
 
 std::string textOfChild(const XmlNode& element, const std::string& name) {
   const XmlNode* child = element.child(name);
   return child ? child->text : "";
-}
-
-/// The <pose> itself, whatever it is relative to.
-Eigen::Isometry3d rawPose(const std::string& file, const XmlNode& pose) {
-  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-  if (pose.text.empty()) return result;
-  const bool quaternion = pose.attribute("rotation_format") == "quat_xyzw";
-  const std::vector<double> n = sdfNumbers(file, pose, quaternion ? 7 : 6);
-  result.translation() = Eigen::Vector3d(n[0], n[1], n[2]);
-  const std::string degrees = pose.attribute("degrees");
-  const double unit = degrees == "true" || degrees == "1" ? kRadiansPerDegree : 1;
-  inContext("'" + file + "', line " + std::to_string(pose.line), [&] {
-    result.linear() = (quaternion ? checkedQuaternion(n[3], n[4], n[5], n[6]) : fromRollPitchYaw(unit * Eigen::Vector3d(n[3], n[4], n[5])))
-                          .toRotationMatrix();
-  });
-  return result;
 }
 
 }  // namespace
@@ -50,7 +36,23 @@ std::vector<double> sdfNumbers(const std::string& file, const XmlNode& element, 
   return numbers;
 }
 
-SdfFrames::SdfFrames(const XmlNode& scope, const std::string& file, const std::vector<SdfModel>& models) : file_(file) {
+Eigen::Isometry3d sdfPose(const std::string& file, const XmlNode& pose) {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  if (pose.text.empty()) return result;
+  const bool quaternion = pose.attribute("rotation_format") == "quat_xyzw";
+  const std::vector<double> n = sdfNumbers(file, pose, quaternion ? 7 : 6);
+  result.translation() = Eigen::Vector3d(n[0], n[1], n[2]);
+  const std::string degrees = pose.attribute("degrees");
+  const double unit = degrees == "true" || degrees == "1" ? kRadiansPerDegree : 1;
+  inContext("'" + file + "', line " + std::to_string(pose.line), [&] {
+    result.linear() = (quaternion ? checkedQuaternion(n[3], n[4], n[5], n[6]) : fromRollPitchYaw(unit * Eigen::Vector3d(n[3], n[4], n[5])))
+                          .toRotationMatrix();
+  });
+  return result;
+}
+
+SdfFrames::SdfFrames(const XmlNode& scope, const std::string& file, const std::vector<SdfModel>& models, const ModelsWithin& models_within)
+    : file_(file), models_(models), models_within_(models_within) {
   for (const XmlNode& element : scope.children) {
     if (element.name == "link") add(element.attribute("name"), element, "");
     if (element.name == "frame") add(element.attribute("name"), element, element.attribute("attached_to"));
@@ -76,17 +78,27 @@ Eigen::Isometry3d SdfFrames::poseOf(const XmlNode& element, const std::string& f
   const std::string relative_to = pose->attribute("relative_to");
   // Before SDF 1.7 the attribute was called `frame`.
   const std::string given = relative_to.empty() ? pose->attribute("frame") : relative_to;
-  return frameNamed(given.empty() ? frame : given, *pose, steps) * rawPose(file_, *pose);
+  return frameNamed(given.empty() ? frame : given, *pose, steps) * sdfPose(file_, *pose);
 }
 
 Eigen::Isometry3d SdfFrames::frameNamed(const std::string& name, const XmlNode& asked_by, std::size_t steps) const {
   if (name.empty() || name == "__model__" || name == "world") return Eigen::Isometry3d::Identity();
   if (steps > frames_.size()) failSdf(file_, asked_by, "frame '" + name + "' is relative to itself, through others");
   const auto found = frames_.find(name);
-  if (found == frames_.end()) {
-    failSdf(file_, asked_by, "there is no frame '" + name + "' in this model or world; frames of nested models (a::b) are not followed");
-  }
-  return poseOf(*found->second.element, found->second.relative_to, steps + 1);
+  if (found != frames_.end()) return poseOf(*found->second.element, found->second.relative_to, steps + 1);
+  const std::size_t end = name.find(kWithin);
+  if (end != std::string::npos) return frameWithin(name.substr(0, end), name.substr(end + kWithin.size()), asked_by, steps);
+  failSdf(file_, asked_by, "there is no frame '" + name + "' in this model or world");
+}
+
+Eigen::Isometry3d SdfFrames::frameWithin(const std::string& model, const std::string& name, const XmlNode& asked_by,
+                                         std::size_t steps) const {
+  const auto found = std::find_if(models_.begin(), models_.end(), [&](const SdfModel& m) { return m.name == model; });
+  if (found == models_.end())
+    failSdf(file_, asked_by, "there is no model '" + model + "' in this model or world that could hold '" + name + "'");
+  const std::vector<SdfModel> within = models_within_(*found);
+  const SdfFrames frames(*found->element, found->file, within, models_within_);
+  return frameNamed(model, asked_by, steps) * frames.frameNamed(name, asked_by, 0);
 }
 
 }  // namespace collision_hulls

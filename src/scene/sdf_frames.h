@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,19 +17,26 @@ namespace collision_hulls {
 /// The numbers of an element's text, so many of them.
 std::vector<double> sdfNumbers(const std::string& file, const XmlNode& element, std::size_t count);
 
+/// A <pose> itself, whatever it is relative to.
+Eigen::Isometry3d sdfPose(const std::string& file, const XmlNode& pose);
+
 /// A model within a scope. An <include> may overrule its name and pose.
 struct SdfModel {
   const XmlNode* element = nullptr;
   std::string file;  ///< that it stands in
   std::string name;
   const XmlNode* posed = nullptr;  ///< the element whose <pose> counts
-  bool included = false;
+  int depth = 0;                   ///< includes that led into it
 };
 
-/// The frames of one model or world, in its own frame: links, joints, frames, models within, and `__model__`. Keeps references.
+/// The models within a model.
+using ModelsWithin = std::function<std::vector<SdfModel>(const SdfModel&)>;
+
+/// The frames of one model or world, in its own frame: links, joints, frames, models within and their frames (`model::frame`), and
+/// `__model__`. Keeps references.
 class SdfFrames {
  public:
-  SdfFrames(const XmlNode& scope, const std::string& file, const std::vector<SdfModel>& models);
+  SdfFrames(const XmlNode& scope, const std::string& file, const std::vector<SdfModel>& models, const ModelsWithin& models_within);
 
   /// The <pose> of an element, which is relative to `frame` unless it says otherwise; empty: the scope's own. Throws kBadScene for
   /// frames that are not there or lead back to themselves, and a pose that is none.
@@ -43,7 +51,11 @@ class SdfFrames {
   Eigen::Isometry3d poseOf(const XmlNode& element, const std::string& frame, std::size_t steps) const;
   Eigen::Isometry3d frameNamed(const std::string& name, const XmlNode& asked_by, std::size_t steps) const;
 
+  Eigen::Isometry3d frameWithin(const std::string& model, const std::string& name, const XmlNode& asked_by, std::size_t steps) const;
+
   const std::string& file_;
+  const std::vector<SdfModel>& models_;
+  const ModelsWithin& models_within_;
   std::map<std::string, Frame> frames_;
 };
 

@@ -1,7 +1,9 @@
 // Static bodies of SDF, Gazebo's format: worlds hold models, models hold links and models, links hold collisions.
+#include <algorithm>
 #include <filesystem>
 #include <initializer_list>
 #include <map>
+#include <optional>
 
 #include "collision_hulls/error.h"
 #include "robot/text_file.h"
@@ -74,7 +76,8 @@ class Reader {
     const std::vector<const XmlNode*> worlds = root.childrenNamed("world");
     if (worlds.size() > 1) failSdf(file, *worlds[1], "a second <world>; one is read, remove the other");
     scene_.name = worlds.empty() ? fs::path(file).stem().string() : worlds.front()->attribute("name");
-    readScope(worlds.empty() ? root : *worlds.front(), file, Eigen::Isometry3d::Identity(), "", 0);
+    const XmlNode& scope = worlds.empty() ? root : *worlds.front();
+    readScope({&scope, file, "", nullptr, 0}, Eigen::Isometry3d::Identity(), "", stateOf(scope, file));
     return std::move(scene_);
   }
 
@@ -88,20 +91,50 @@ class Reader {
     return root;
   }
 
-  /// A world, a model, or what stands outside of both.
-  void readScope(const XmlNode& scope, const std::string& file, const Eigen::Isometry3d& pose, const std::string& prefix, int depth) {
-    std::vector<SdfModel> models;
-    for (const XmlNode& element : scope.children) {
-      if (element.name == "model") models.push_back({&element, file, element.attribute("name"), &element, false});
-      if (element.name == "include") models.push_back(included(element, file, depth));
+  /// What a saved world says of where its models and links were; null: nothing.
+  const XmlNode* stateOf(const XmlNode& world, const std::string& file) {
+    const std::vector<const XmlNode*> states = world.childrenNamed("state");
+    if (states.empty()) return nullptr;
+    if (states.size() > 1) failSdf(file, *states[1], "a second <state>; leave the one that counts");
+    for (const char* change : {"insertions", "deletions"})
+      if (const XmlNode* found = states.front()->child(change))
+        failSdf(file, *found, "<" + found->name + "> are not followed; save the world anew, with its models as they are");
+    return states.front();
+  }
+
+  /// The place in the world that a state gives the model or link of this name; `state` is its element where it is not null.
+  std::optional<Eigen::Isometry3d> placeIn(const XmlNode*& state, const char* kind, const std::string& name, const std::string& file) {
+    if (!state) return std::nullopt;
+    const std::vector<const XmlNode*> all = state->childrenNamed(kind);
+    const auto found = std::find_if(all.begin(), all.end(), [&](const XmlNode* one) { return one->attribute("name") == name; });
+    state = found == all.end() ? nullptr : *found;
+    if (!state || !state->child("pose")) return std::nullopt;
+    const XmlNode* scale = state->child("scale");
+    if (scale && Eigen::Vector3d(sdfNumbers(file, *scale, 3).data()) != Eigen::Vector3d::Ones())
+      failSdf(file, *scale, "a <scale> other than 1 1 1 is not followed; scale the shapes of '" + name + "' themselves");
+    return sdfPose(file, *state->child("pose"));
+  }
+
+  /// A world, a model, or what stands outside of both, at `pose`.
+  void readScope(const SdfModel& scope, const Eigen::Isometry3d& pose, const std::string& prefix, const XmlNode* state) {
+    const std::vector<SdfModel> models = modelsWithin(scope);
+    includes_ += std::count_if(models.begin(), models.end(), [&](const SdfModel& model) { return model.depth > scope.depth; });
+    if (includes_ > kMostIncludes) failSdf(scope.file, *scope.element, "more than 10,000 includes");
+    const ModelsWithin within = [this](const SdfModel& model) { return modelsWithin(model); };
+    const SdfFrames frames(*scope.element, scope.file, models, within);
+    for (const XmlNode* link : scope.element->childrenNamed("link")) {
+      const Eigen::Isometry3d in_scope = frames.poseOf(*link, "");
+      const XmlNode* of_link = state;
+      const std::optional<Eigen::Isometry3d> place = placeIn(of_link, "link", link->attribute("name"), scope.file);
+      readLink(*link, scope.file, frames, place ? *place * in_scope.inverse() : pose, prefix);
     }
-    const SdfFrames frames(scope, file, models);
-    for (const XmlNode* link : scope.childrenNamed("link")) readLink(*link, file, frames, pose, prefix);
     for (const SdfModel& model : models) {
       if (!model.element->attribute("placement_frame").empty()) {
         failSdf(model.file, *model.element, "placement_frame is not supported; give the pose of the model itself");
       }
-      readScope(*model.element, model.file, pose * frames.poseOf(*model.posed, ""), prefix + model.name + "::", depth + model.included);
+      const XmlNode* of_model = state;
+      const std::optional<Eigen::Isometry3d> place = placeIn(of_model, "model", model.name, scope.file);
+      readScope(model, place ? *place : pose * frames.poseOf(*model.posed, ""), prefix + model.name + "::", of_model);
     }
   }
 
@@ -117,9 +150,18 @@ class Reader {
     }
   }
 
-  SdfModel included(const XmlNode& include, const std::string& file, int depth) {
-    if (depth >= kDeepestInclude) failSdf(file, include, "includes nest deeper than 20; does one include itself?");
-    if (++includes_ > kMostIncludes) failSdf(file, include, "more than 10,000 includes");
+  std::vector<SdfModel> modelsWithin(const SdfModel& scope) {
+    std::vector<SdfModel> models;
+    for (const XmlNode& element : scope.element->children) {
+      if (element.name == "model") models.push_back({&element, scope.file, element.attribute("name"), &element, scope.depth});
+      if (element.name == "include") models.push_back(included(element, scope));
+    }
+    return models;
+  }
+
+  SdfModel included(const XmlNode& include, const SdfModel& scope) {
+    const std::string& file = scope.file;
+    if (scope.depth >= kDeepestInclude) failSdf(file, include, "includes nest deeper than 20; does one include itself?");
     if (include.child("placement_frame")) failSdf(file, include, "placement_frame is not supported; give the pose of the model itself");
     const XmlNode* uri = include.child("uri");
     if (!uri) failSdf(file, include, "an <include> has no <uri>; give it one");
@@ -129,7 +171,7 @@ class Reader {
     const XmlNode* model = root.child("model");
     if (!model) failSdf(path, root, "it is included, but has no <model>");
     const XmlNode* name = include.child("name");
-    return {model, path, name ? name->text : model->attribute("name"), include.child("pose") ? &include : model, true};
+    return {model, path, name ? name->text : model->attribute("name"), include.child("pose") ? &include : model, scope.depth + 1};
   }
 
   /// A file's own URI, or a model's folder: the file that its model.config names for the newest version, or model.sdf.
@@ -180,7 +222,7 @@ class Reader {
   const PackageFinder& find_package_;
   MeshLibrary meshes_;
   std::map<std::string, XmlNode> documents_;  // by path; models point into them
-  int includes_ = 0;
+  std::ptrdiff_t includes_ = 0;
   Scene scene_;
 };
 

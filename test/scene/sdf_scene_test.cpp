@@ -93,6 +93,48 @@ TEST(SdfScene, Includes) {
   expectBox(scene.bodies[2], {-1, -1, 0}, {1, 1, 2});
 }
 
+TEST(SdfScene, FramesOfModelsWithin) {
+  const TemporaryFolder folder;
+  folder.write("near/model.sdf", model("<frame name='top'><pose>0 0 3 0 0 0</pose></frame><model name='k'><pose>0 1 0 0 0 0</pose>"
+                                       "<link name='tip'><pose>0 0 0.5 0 0 0</pose></link></model>"));
+  const std::string near = "<include><uri>near</uri><name>n</name><pose>1 0 0 0 0 1.5707963267948966</pose></include>";
+  const auto place = [&](const std::string& frame) {
+    return placeOfFirst(folder,
+                        model(near + "<link name='l'><pose relative_to='" + frame + "'>1 0 0 0 0 0</pose>" + collision(kBox) + "</link>"));
+  };
+  EXPECT_TRUE(place("n").isApprox(Eigen::Vector3d(1, 1, 0)));
+  EXPECT_TRUE(place("n::top").isApprox(Eigen::Vector3d(1, 1, 3)));
+  EXPECT_TRUE(place("n::k::tip").isApprox(Eigen::Vector3d(0, 1, 0.5)));
+  EXPECT_TRUE(place("n::k::__model__").isApprox(Eigen::Vector3d(0, 1, 0)));
+  expectError(ErrorCode::kBadScene, {"no model 'o'"}, [&] { place("o::top"); });
+  expectError(ErrorCode::kBadScene, {"no frame 'no'"}, [&] { place("n::no"); });
+}
+
+TEST(SdfScene, StateOfASavedWorld) {
+  const TemporaryFolder folder;
+  const std::string link = "<pose>1 0 0 0 0 0</pose>" + collision(kBox, "<pose>0 0 1 0 0 0</pose>");
+  const auto scene = [&](const std::string& state) {
+    return sceneOf(folder, "a.world",
+                   "<sdf version='1.6'><world name='w'><model name='m'><pose>9 0 0 0 0 0</pose><link name='l'>" + link +
+                       "</link><link name='k'>" + link + "</link></model><state world_name='w'>" + state + "</state></world></sdf>");
+  };
+  const auto expectPlaces = [](const Scene& found, const Eigen::Vector3d& first, const Eigen::Vector3d& second) {
+    EXPECT_TRUE(found.bodies.at(0).pose.translation().isApprox(first));
+    EXPECT_TRUE(found.bodies.at(1).pose.translation().isApprox(second));
+  };
+  expectPlaces(scene(""), {10, 0, 1}, {10, 0, 1});
+  expectPlaces(scene("<model name='other'><pose>5 0 0 0 0 0</pose></model>"), {10, 0, 1}, {10, 0, 1});
+  const std::string moved = "<model name='m'><scale>1 1 1</scale><pose>0 5 0 0 0 0</pose>";
+  expectPlaces(scene(moved + "</model>"), {1, 5, 1}, {1, 5, 1});
+  expectPlaces(scene(moved + "<link name='k'><pose>7 7 0 0 0 0</pose></link></model>"), {1, 5, 1}, {7, 7, 1});
+  const auto expectBad = [&](const std::string& part, const std::string& state) {
+    expectError(ErrorCode::kBadScene, {part}, [&] { scene(state); });
+  };
+  expectBad("<scale>", "<model name='m'><scale>2 1 1</scale><pose>0 5 0 0 0 0</pose></model>");
+  expectBad("<insertions>", "<insertions/>");
+  expectBad("second <state>", "</state><state>");
+}
+
 TEST(SdfScene, SaysWhatIsWrongAndWhere) {
   const TemporaryFolder folder;
   const ScopedVariable home("HOME", folder.path());

@@ -64,10 +64,11 @@ void addBody(Scene& scene, SceneBody body);
 ///                     "object/1", "object/2", ...; colours and subframes are not looked at
 ///   .urdf .xacro      collision elements, or visual ones of links that have none, joints at zero or the limit that is nearest to it; named
 ///                     as the link, or "link/1", "link/2", ...
-///   .sdf .world       the collisions of all models, also nested and within a world, static or not, where their poses put them; relative_to
-///                     names links, joints, frames and models beside it. Named "model::link::collision". `<include>` takes model:// (looked
-///                     for in GAZEBO_MODEL_PATH, GZ_SIM_RESOURCE_PATH, SDF_PATH, the folders that enclose the file, and ~/.gazebo/models),
-///                     package://, or a path, of a file or a model's folder. A saved world's `<state>` is not looked at
+///   .sdf .world       the collisions of all models, also nested and within a world, static or not, where their poses put them, or where a
+///                     saved world's `<state>` says that they were; relative_to names links, joints, frames and models beside it, and those
+///                     within such a model ("a::b"). Named "model::link::collision". `<include>` takes model:// (looked for in
+///                     GAZEBO_MODEL_PATH, GZ_SIM_RESOURCE_PATH, SDF_PATH, the folders that enclose the file, and ~/.gazebo/models),
+///                     package://, or a path, of a file or a model's folder
 ///   .stl .dae .obj .off .ply    one mesh, where it is
 ///   .bt .ot           OctoMap's maps; see octomap.h
 ///   .yaml .yml        ours:

@@ -10,7 +10,8 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kLeastTime = 0.1;  // [s] of a measurement: as many rounds over the samples as it takes
+// As many rounds over the samples as it takes, of which there are three where that does not take too long.
+constexpr double kLeastTime = 0.1, kMostTime = 2;  // [s]
 constexpr int kLeastRounds = 3;
 constexpr std::size_t kMostTimed = 500;      // samples
 constexpr std::size_t kMostDistances = 100;  // which take longer
@@ -26,7 +27,7 @@ double microseconds(const std::vector<Places>& all, const RunControl& control, c
   using Clock = std::chrono::steady_clock;
   if (all.empty()) return 0;
   double best = std::numeric_limits<double>::infinity(), sum = 0;
-  for (int round = 0; round < kLeastRounds || sum < kLeastTime; ++round) {
+  for (int round = 0; (round < kLeastRounds && sum < kMostTime) || sum < kLeastTime; ++round) {
     const Clock::time_point start = Clock::now();
     for (const Places& places : all) {
       control.check();

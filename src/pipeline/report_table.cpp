@@ -106,9 +106,10 @@ std::string selfTable(const FitReport& fit) {
 /// "19 of 549 hulls", "14 hulls and 5 primitives in place of 549 hulls", "2 primitives in place of 3 hulls".
 std::string bodies(const FitReport& fit) {
   if (fit.primitives == 0) return share(fit.hulls, fit.full_hulls) + " hulls";
+  const auto counted = [](std::size_t n, const std::string& noun) { return std::to_string(n) + " " + noun + (n == 1 ? "" : "s"); };
   const std::size_t hulls = fit.hulls - fit.primitives;
-  return (hulls > 0 ? std::to_string(hulls) + " hulls and " : "") + std::to_string(fit.primitives) + " primitives in place of " +
-         std::to_string(fit.full_hulls) + " hulls";
+  return (hulls > 0 ? counted(hulls, "hull") + " and " : "") + counted(fit.primitives, "primitive") + " in place of " +
+         counted(fit.full_hulls, "hull");
 }
 
 std::string sceneLines(const Report& report) {

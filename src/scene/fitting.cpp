@@ -109,7 +109,7 @@ std::size_t Fitting::refute(const std::vector<std::size_t>& samples) {
   return static_cast<std::size_t>(std::count_if(found.begin(), found.end(), [](const auto& current) { return !current.empty(); }));
 }
 
-/// The same with the samples that come next; all of those that were given.
+/// Asks the samples that come next, or all of those that were given, of hulls and primitives; the number of counterexamples.
 std::size_t Fitting::cureBatch(std::size_t count) {
   const std::size_t given = problem_.configurations.size();
   std::vector<std::size_t> samples(given > 0 ? given : count);

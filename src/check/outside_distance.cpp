@@ -28,13 +28,19 @@ struct OutsideDistance::Faces {
     Eigen::Vector3d normal;
     double offset, width;  // width: how far a cube of half side 1 about the origin reaches along the normal
   };
+  struct List {
+    std::size_t first = 0, count = 0;  // in `lists`
+  };
   std::vector<Face> faces;
-  std::vector<int> all;
+  std::vector<int>& lists;  // one after the other
+  List all;
 
-  explicit Faces(const ConvexHull& hull) : all(hull.faces.size()) {
+  /// `memory`: for the lists, so that each query does not ask for its own.
+  Faces(const ConvexHull& hull, std::vector<int>& memory) : lists(memory), all{0, hull.faces.size()} {
     faces.reserve(hull.faces.size());
     for (const HalfSpace& f : hull.faces) faces.push_back({f.normal, f.offset, f.normal.lpNorm<1>()});
-    std::iota(all.begin(), all.end(), 0);
+    lists.resize(all.count);
+    std::iota(lists.begin(), lists.end(), 0);
   }
   double distance(int f, const Eigen::Vector3d& p) const {
     const Face& face = faces[static_cast<std::size_t>(f)];
@@ -44,7 +50,7 @@ struct OutsideDistance::Faces {
 
 /// The faces of a hull that cut a cell, and the point of the hull in the cell that is nearest to its centre, roughly.
 struct OutsideDistance::View {
-  std::vector<int> faces;
+  Faces::List faces;
   double depth = std::numeric_limits<double>::infinity();  // no point of both lies deeper beneath the hull's surface
   bool outside = false;                                    // the cell and the hull have nothing in common
   double offset = 0;                                       // how far `point` lies from the centre
@@ -52,25 +58,29 @@ struct OutsideDistance::View {
   Eigen::Vector3d point;
 
   /// `candidates`: the faces that cut a cell around this one.
-  View(const Cell& cell, const Faces& hull, const std::vector<int>& candidates) : point(cell.centre) {
+  View(const Cell& cell, Faces& hull, const Faces::List& candidates) : faces{hull.lists.size(), 0}, point(cell.centre) {
     int worst = -1;
-    for (int f : candidates) {
+    for (std::size_t i = candidates.first; i < candidates.first + candidates.count; ++i) {
+      const int f = hull.lists[i];
       const double d = hull.distance(f, cell.centre), reach = cell.half * hull.faces[static_cast<std::size_t>(f)].width;
       if (d > reach) {
         outside = true;
+        hull.lists.resize(faces.first);
         return;
       }
-      if (d > -reach) faces.push_back(f);
+      if (d > -reach) hull.lists.push_back(f);
       depth = std::min(depth, reach - d);
       if (d > offset) {
         offset = d, worst = f;
-        std::swap(faces.front(), faces.back());  // it is the likeliest to part cells within from the hull
+        std::swap(hull.lists[faces.first], hull.lists.back());  // it is the likeliest to part cells within from the hull
       }
     }
+    faces.count = hull.lists.size() - faces.first;
     has_point = worst < 0;
     if (has_point) return;
     point -= offset * hull.faces[static_cast<std::size_t>(worst)].normal;
-    has_point = std::all_of(faces.begin(), faces.end(), [&](int f) { return hull.distance(f, point) <= kOnFace * cell.half; });
+    const auto first = hull.lists.cbegin() + static_cast<std::ptrdiff_t>(faces.first);
+    has_point = std::all_of(first, hull.lists.cend(), [&](int f) { return hull.distance(f, point) <= kOnFace * cell.half; });
   }
 };
 
@@ -165,11 +175,11 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
   };
   Largest result;
   result.bound = query.floor;
-  const Faces faces(hull);
+  Faces faces(hull, face_lists_);
   std::vector<View> views;
   std::priority_queue<Open> queue;
   const auto enough = [&] { return std::max(result.found, query.floor); };
-  const auto look = [&](int cell, int parent, const std::vector<int>& candidates) {
+  const auto look = [&](int cell, int parent, const Faces::List& candidates) {
     if (knownBound(cell) <= enough()) return;
     View view(cells_[static_cast<std::size_t>(cell)], faces, candidates);
     if (view.outside) return;
@@ -187,7 +197,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
     }
     queue.pop();
     const Cell cell = cells_[static_cast<std::size_t>(open.cell)];
-    const View view = std::move(views[open.view]);
+    const View view = views[open.view];
     if (cell.distance - view.offset > result.found && isOutside(view)) {
       result.found = cell.distance - view.offset;
       result.where = view.point;
@@ -237,9 +247,9 @@ std::vector<OutsideDistance::Intruder> OutsideDistance::intruders(const ConvexHu
     int cell;
     View view;
   };
-  const Faces faces(hull);
+  Faces faces(hull, face_lists_);
   std::vector<Open> level, divided;
-  const auto look = [&](int cell, int parent, const std::vector<int>& candidates) {
+  const auto look = [&](int cell, int parent, const Faces::List& candidates) {
     if (knownBound(cell) <= tolerance) return;
     View view(cells_[static_cast<std::size_t>(cell)], faces, candidates);
     if (view.outside) return;

@@ -72,6 +72,7 @@ class OutsideDistance {
 
   const Solid& solid_;
   std::vector<Cell> cells_;
+  std::vector<int> face_lists_;  // memory of the query under way
 };
 
 }  // namespace collision_hulls

@@ -1,6 +1,6 @@
 // Tree: splits near the median along the longest side of the centres' box, so that all leaves but the last have four triangles;
 // then the number of nodes beneath each is known, and subtrees are built in parallel. Children are stored side by side.
-// Queries: depth first, nearer child first, O(log n) on surfaces.
+// Queries: depth first, nearer child first, O(log n) on surfaces; the nearest point and crossings by boxes in packs of four.
 #include "collision_hulls/geometry/triangle_bvh.h"
 
 #include <tbb/parallel_invoke.h>
@@ -16,6 +16,11 @@ namespace {
 constexpr int kLeafSize = 4;
 constexpr int kParallel = 4096;        // triangles from which on both halves of a tree are built at the same time
 constexpr double kDipoleDistance = 4;  // in radii: dipoles nearer than this would err by more than 0.01
+
+// Boxes in single precision: what a coordinate, of size 2 units at most, is rounded by, and the squared distance to a box, as a share.
+constexpr float kBoxMargin = 4e-7F;
+constexpr double kBoxRounding = 1e-6;
+constexpr int kDeepestFours = 3 * 24;  // three are put off on each of log4(2^31 / 4) levels, and some to spare
 
 constexpr double kThin = 1e-6;   // squared height over length below which a triangle is a sliver
 constexpr double kAside = 1e-9;  // of a ray from its point, as a share of the extent
@@ -154,6 +159,38 @@ TriangleBvh::TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_
   nodes_.resize(2 * leavesFor(static_cast<int>(n)) - 1);
   clusters_.resize(nodes_.size());
   build(mesh, centres, 0, 0, static_cast<int>(n), 1);
+  centre_ = nodes_[0].box.center();
+  const double extent = nodes_[0].box.sizes().maxCoeff();
+  unit_ = extent > 0 ? extent : 1;
+  gather(0);
+}
+
+/// Packs the boxes two levels beneath a node, or those of a leaf's triangles; returns where they are.
+int TriangleBvh::gather(int id) {
+  const auto at = static_cast<int>(fours_.size());
+  fours_.emplace_back();
+  FourBoxes four;
+  const auto add = [&](const Eigen::AlignedBox3d& box, int child) {
+    const Eigen::Vector3f low = inUnits(box.min()), high = inUnits(box.max());
+    for (int axis = 0; axis < 3; ++axis) {
+      four.low[static_cast<std::size_t>(axis)][four.count] = low[axis] - kBoxMargin;
+      four.high[static_cast<std::size_t>(axis)][four.count] = high[axis] + kBoxMargin;
+    }
+    four.child[static_cast<std::size_t>(four.count++)] = child;
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) four.low[axis] = 1, four.high[axis] = -1;
+  const Node& node = nodes_[static_cast<std::size_t>(id)];
+  for (int k = node.first; k < node.first + node.count; ++k) {
+    const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
+    add({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)}, ~k);
+  }
+  for (int half = node.first; node.count == 0 && half < node.first + 2; ++half) {
+    const Node& inner = nodes_[static_cast<std::size_t>(half)];
+    if (inner.count > 0) add(inner.box, gather(half));
+    for (int k = inner.first; inner.count == 0 && k < inner.first + 2; ++k) add(nodes_[static_cast<std::size_t>(k)].box, gather(k));
+  }
+  fours_[static_cast<std::size_t>(at)] = four;
+  return at;
 }
 
 /// Makes a node of `count` triangles. `below`: where the nodes beneath it go.
@@ -261,21 +298,23 @@ int TriangleBvh::signedCrossings(const Eigen::Vector3d& p) const {
   // A step aside that no drawing's coordinates share: a ray through an edge or a vertex would be ambiguous.
   const double extent = nodes_[0].box.sizes().maxCoeff();
   const Eigen::Vector3d q = p + extent * kAside * Eigen::Vector3d(0.7548776662, 0.5698402910, 0);
+  const Eigen::Vector3f u = inUnits(q);
   int sum = 0, top = 0;
-  int stack[96];
+  int stack[kDeepestFours];
   stack[top++] = 0;
   while (top > 0) {
-    const Node& node = nodes_[static_cast<std::size_t>(stack[--top])];
-    const Eigen::Vector3d &low = node.box.min(), &high = node.box.max();
-    if (q.x() < low.x() || q.x() > high.x() || q.y() < low.y() || q.y() > high.y() || q.z() > high.z()) continue;
-    if (node.count > 0) {
-      for (int k = node.first; k < node.first + node.count; ++k) {
-        const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
-        sum += crossing(a - q, b - q, c - q);
+    const FourBoxes& four = fours_[static_cast<std::size_t>(stack[--top])];
+    const Eigen::Array4f aside =
+        (four.low[0] - u.x()).max(u.x() - four.high[0]).max(four.low[1] - u.y()).max(u.y() - four.high[1]).max(u.z() - four.high[2]);
+    for (int i = 0; i < four.count; ++i) {
+      if (aside[i] > 0) continue;
+      const int child = four.child[static_cast<std::size_t>(i)];
+      if (child >= 0) {
+        stack[top++] = child;
+        continue;
       }
-    } else {
-      stack[top++] = node.first;
-      stack[top++] = node.first + 1;
+      const auto& [a, b, c] = corners_[static_cast<std::size_t>(~child)];
+      sum += crossing(a - q, b - q, c - q);
     }
   }
   return sum;
@@ -353,28 +392,40 @@ TriangleBvh::Nearest TriangleBvh::nearest(const Eigen::Vector3d& p, double limit
     const double d = (q - p).squaredNorm();
     if (d < least) least = d, best.point = q, best.triangle = index_[static_cast<std::size_t>(k)];
   };
-  if (nodes_.empty()) return best;
+  if (fours_.empty()) return best;
   if (hint >= 0) visit(position_[static_cast<std::size_t>(hint)]);
+  const Eigen::Vector3f q = inUnits(p);
+  const double scale = unit_ * unit_ * (1 - kBoxRounding);
   struct Open {
-    int node;
     double distance;
+    int four;
   };
-  Open stack[96];
+  Open stack[kDeepestFours];
   int top = 0;
-  stack[top++] = {0, squaredDistance(nodes_[0].box, p)};
+  stack[top++] = {0, 0};
   while (top > 0) {
     const Open open = stack[--top];
     if (open.distance >= least) continue;
-    const Node& node = nodes_[static_cast<std::size_t>(open.node)];
-    if (node.count > 0) {
-      for (int k = node.first; k < node.first + node.count; ++k) visit(k);
-      continue;
+    const FourBoxes& four = fours_[static_cast<std::size_t>(open.four)];
+    Eigen::Array4f squared = Eigen::Array4f::Zero();
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<std::size_t>(axis);
+      squared += (four.low[i] - q[axis]).max(q[axis] - four.high[i]).max(0).square();
     }
-    Open l{node.first, squaredDistance(nodes_[static_cast<std::size_t>(node.first)].box, p)};
-    Open r{node.first + 1, squaredDistance(nodes_[static_cast<std::size_t>(node.first) + 1].box, p)};
-    if (l.distance < r.distance) std::swap(l, r);
-    if (l.distance < least) stack[top++] = l;
-    if (r.distance < least) stack[top++] = r;
+    squared = squared.min(std::numeric_limits<float>::max());
+    const int others = top;
+    for (int i = 0; i < four.count; ++i) {
+      const double distance = scale * squared[i];
+      const int child = four.child[static_cast<std::size_t>(i)];
+      if (distance >= least) continue;
+      if (child < 0) {
+        visit(~child);
+        continue;
+      }
+      int place = top++;  // the nearest on top
+      for (; place > others && stack[place - 1].distance < distance; --place) stack[place] = stack[place - 1];
+      stack[place] = {distance, child};
+    }
   }
   if (best.triangle >= 0) best.distance = std::sqrt(least);
   return best;

@@ -63,13 +63,19 @@ class TriangleBvh {
     Eigen::AlignedBox3d box;
     int first = 0, count = 0;  // leaf: triangles [first, first + count); inner: children first, first + 1 and count 0
   };
-  /// What a node's triangles are like from afar; apart from the nodes, which queries of the nearest point run over alone.
+  /// What a node's triangles are like from afar.
   struct Cluster {
     double area = 0;
     Eigen::Vector3d dipole_centre = Eigen::Vector3d::Zero(), dipole = Eigen::Vector3d::Zero();  // centroid, area vector
     Eigen::Vector3d cone_axis = Eigen::Vector3d::Zero();                                        // cone of the normals
     double cone_angle = 0;                                                                      // [rad] half opening; pi: any direction
     double radius = 0;                                                                          // of the triangles about dipole_centre
+  };
+  /// Four boxes at once, in single precision and a little larger than they are: of nodes, or of triangles.
+  struct FourBoxes {
+    std::array<Eigen::Array4f, 3> low, high;  // by axis, about `centre_`, in units of `unit_`
+    std::array<int, 4> child{};               // its four boxes; ~k: the triangle at k in leaf order
+    int count = 0;
   };
   struct Cone {
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
@@ -83,11 +89,16 @@ class TriangleBvh {
   void build(const TriangleMesh& mesh, std::vector<Centre>& centres, int node, int first, int count, int below);
   void fillLeaf(const TriangleMesh& mesh, const std::vector<Centre>& centres, Node& leaf);
   void fit(int node);
+  int gather(int node);
+  Eigen::Vector3f inUnits(const Eigen::Vector3d& p) const { return ((p - centre_) / unit_).cast<float>(); }
   void fitCone(int node);
   template <class Visit, class Skip>
   bool forEachNear(const Eigen::Vector3d& p, double radius, double narrow, Visit visit, Skip skip) const;
 
   std::vector<Node> nodes_;
+  std::vector<FourBoxes> fours_;  // the nodes again, two levels in one
+  Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
+  double unit_ = 1;                                      // [m]
   std::vector<Cluster> clusters_;                        // of the nodes
   std::vector<std::array<Eigen::Vector3d, 3>> corners_;  // in leaf order
   std::vector<int> index_;                               // leaf order to mesh

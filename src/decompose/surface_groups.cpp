@@ -30,7 +30,7 @@ struct Part {
 /// Of a hull that had to be made thicker the piece's own points count. Directions are spaced so that on a round hull of this size a
 /// few per cent of the tolerance may lie between two of them.
 Element elementOf(const SurfacePiece& piece, const ConvexHull& hull, int leaf, double tolerance) {
-  constexpr double kDirectionsPerTolerance = 16, kFewest = 100, kMost = 2000;
+  constexpr double kDirectionsPerTolerance = 4, kFewest = 100, kMost = 2000;
   const double directions = kDirectionsPerTolerance * boundingBox(hull).diagonal().norm() / tolerance;
   Element element;
   element.points = hull.thickness > 0 ? piece.vertices : hull.vertices;

@@ -130,7 +130,7 @@ Decomposition certified(const RepairedMesh& original, const DecomposeOptions& op
     for (const Group& group : cover) result.hulls.push_back(*group.hull);
   }
   for (ConvexHull& hull : result.hulls) {
-    if (options.max_vertices > 0) hull = reduceVertices(hull, options.max_vertices).hull;
+    if (options.max_vertices > 0) hull = reduceVertices(hull, options.max_vertices);
     moveBack(hull, middle);
   }
   control.report(1);

@@ -43,7 +43,7 @@ class Cutting {
     ConvexHull hull = roughHull(block.surface.vertices);
     const ConvexHull thin = thinned(hull, kThin);
     const bool clear = oracle_.mayWellFit(thin), over_cap = overCap(hull);
-    const bool fits = clear && oracle_.fits(over_cap ? reduceVertices(hull, options_.max_vertices).hull : hull);
+    const bool fits = clear && oracle_.fits(over_cap ? reduceVertices(hull, options_.max_vertices) : hull);
     if (fits || depth >= kDeepest || leaves.size() >= kMostLeaves) return leaf(std::move(block), std::move(hull));
     std::vector<Block> parts = components(block);
     if (parts.size() == 1)

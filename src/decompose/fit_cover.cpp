@@ -158,7 +158,7 @@ std::size_t leastOutside(const std::vector<ConvexHull>& hulls, const std::array<
 
 /// At most max_vertices vertices (0: any number), outward.
 ConvexHull capped(const ConvexHull& hull, int max_vertices) {
-  return overCap(hull, max_vertices) ? reduceVertices(hull, max_vertices).hull : hull;
+  return overCap(hull, max_vertices) ? reduceVertices(hull, max_vertices) : hull;
 }
 
 ConvexHull withPoints(const ConvexHull& hull, const Points& extra, int max_vertices) {

@@ -276,20 +276,25 @@ std::optional<ConvexHull> outerHull(const ConvexHull& hull, std::size_t max_vert
 
 }  // namespace
 
-ReducedHull reduceVertices(const ConvexHull& hull, int max_vertices) {
+ConvexHull reduceVertices(const ConvexHull& hull, int max_vertices) {
   constexpr int kLeastVertices = 8;
   if (max_vertices < kLeastVertices)
     throw Error(ErrorCode::kBadOption, "max_vertices is " + std::to_string(max_vertices) + "; a hull needs at least " +
                                            std::to_string(kLeastVertices) + " vertices, so that a box is always possible");
   const auto most = static_cast<std::size_t>(max_vertices);
-  if (hull.vertices.size() <= most) return {hull, 0};
+  if (hull.vertices.size() <= most) return hull;
   std::optional<ConvexHull> outer = outerHull(hull, most);
-  ReducedHull result{outer ? std::move(*outer) : orientedBox(hull), 0};
-  result.hull.thickness = std::max(result.hull.thickness, hull.thickness);
-  const TriangleBvh skin(surface(hull));
-  for (const Eigen::Vector3d& v : result.hull.vertices)
-    if (planeDistance(hull, v) > 0) result.added_distance = std::max(result.added_distance, skin.nearest(v).distance);
+  ConvexHull result = outer ? std::move(*outer) : orientedBox(hull);
+  result.thickness = std::max(result.thickness, hull.thickness);
   return result;
+}
+
+double addedDistance(const ConvexHull& outer, const ConvexHull& hull) {
+  const TriangleBvh skin(surface(hull));
+  double most = 0;
+  for (const Eigen::Vector3d& v : outer.vertices)
+    if (planeDistance(hull, v) > 0) most = std::max(most, skin.nearest(v).distance);
+  return most;
 }
 
 }  // namespace collision_hulls

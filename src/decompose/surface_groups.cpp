@@ -195,7 +195,7 @@ Group SurfaceGroups::merged(const Group& a, const Group& b) {
 
 /// A hull with its vertices capped holds the hull that it stands for.
 bool SurfaceGroups::fits(const ConvexHull& hull) {
-  return oracle_.fits(overCap(hull) ? reduceVertices(hull, max_vertices_).hull : hull);
+  return oracle_.fits(overCap(hull) ? reduceVertices(hull, max_vertices_) : hull);
 }
 
 bool SurfaceGroups::overCap(const ConvexHull& hull) const {

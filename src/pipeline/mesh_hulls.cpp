@@ -25,7 +25,7 @@ std::vector<int> fittingCut(const HullTree& tree, const DecomposeOptions& option
     const HullNode& node = tree.nodes[static_cast<std::size_t>(id)];
     open.pop_back();
     const bool fits = node.left < 0 || options.max_vertices == 0 ||
-                      node.protrusion + reduceVertices(node.hull, options.max_vertices).added_distance <= options.tolerance;
+                      node.protrusion + addedDistance(reduceVertices(node.hull, options.max_vertices), node.hull) <= options.tolerance;
     if (fits)
       cut.push_back(id);
     else
@@ -41,7 +41,7 @@ Decomposition hullsFrom(const HullTree& tree, const DecomposeOptions& options) {
   if (result.capped) cut = tree.cutTo(options.max_hulls);
   result.hulls = tree.hullsOf(cut);
   if (options.max_vertices > 0)
-    for (ConvexHull& hull : result.hulls) hull = reduceVertices(hull, options.max_vertices).hull;
+    for (ConvexHull& hull : result.hulls) hull = reduceVertices(hull, options.max_vertices);
   return result;
 }
 

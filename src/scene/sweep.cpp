@@ -15,7 +15,7 @@ constexpr std::size_t kMostOfLink = 256;   // the same of a link itself
 
 std::vector<Eigen::Vector3d> hullPoints(const std::vector<Eigen::Vector3d>& points, std::size_t most) {
   const ConvexHull hull = convexHull(points);
-  return hull.vertices.size() <= most ? hull.vertices : reduceVertices(hull, static_cast<int>(most)).hull.vertices;
+  return hull.vertices.size() <= most ? hull.vertices : reduceVertices(hull, static_cast<int>(most)).vertices;
 }
 
 PointMatrix toMatrix(const std::vector<Eigen::Vector3d>& points) {

@@ -36,10 +36,10 @@ Points cylinder(int segments, double radius, double height) {
 
 TEST(ReduceVertices, FewEnoughAreLeftAlone) {
   const ConvexHull cube = convexHull(test_shapes::box(1, 1, 1).vertices);
-  const ReducedHull reduced = reduceVertices(cube, 8);
-  EXPECT_EQ(reduced.hull.vertices.size(), 8u);
-  EXPECT_EQ(reduced.hull.vertices, cube.vertices);
-  EXPECT_EQ(reduced.added_distance, 0);
+  const ConvexHull reduced = reduceVertices(cube, 8);
+  EXPECT_EQ(reduced.vertices.size(), 8u);
+  EXPECT_EQ(reduced.vertices, cube.vertices);
+  EXPECT_EQ(addedDistance(reduced, cube), 0);
 }
 
 TEST(ReduceVertices, FewerThanABoxIsRefused) {
@@ -55,27 +55,27 @@ TEST(ReduceVertices, FewerThanABoxIsRefused) {
 TEST(ReduceVertices, RoundHullIsHeldClosely) {
   const ConvexHull sphere = convexHull(test_shapes::sphere(1, 14).vertices);
   ASSERT_EQ(sphere.vertices.size(), 1962u);
-  const ReducedHull reduced = reduceVertices(sphere, 64);
-  EXPECT_LE(reduced.hull.vertices.size(), 64u);
-  expectHolds(reduced.hull, sphere);
-  EXPECT_GT(reduced.added_distance, 0.03);
-  EXPECT_LT(reduced.added_distance, 0.09);
+  const ConvexHull reduced = reduceVertices(sphere, 64);
+  EXPECT_LE(reduced.vertices.size(), 64u);
+  expectHolds(reduced, sphere);
+  EXPECT_GT(addedDistance(reduced, sphere), 0.03);
+  EXPECT_LT(addedDistance(reduced, sphere), 0.09);
 }
 
 TEST(ReduceVertices, CylinderStaysACylinder) {
   const ConvexHull hull = convexHull(cylinder(128, 1, 2));
-  const ReducedHull reduced = reduceVertices(hull, 64);
-  expectHolds(reduced.hull, hull);
-  EXPECT_LT(reduced.added_distance, 0.03);
-  EXPECT_LT(volume(reduced.hull), 1.02 * volume(hull));
+  const ConvexHull reduced = reduceVertices(hull, 64);
+  expectHolds(reduced, hull);
+  EXPECT_LT(addedDistance(reduced, hull), 0.03);
+  EXPECT_LT(volume(reduced), 1.02 * volume(hull));
 }
 
 TEST(ReduceVertices, AddedDistanceIsThatOfTheFurthestVertex) {
   const ConvexHull hull = convexHull(cylinder(128, 1, 2));
-  const ReducedHull reduced = reduceVertices(hull, 16);
+  const ConvexHull reduced = reduceVertices(hull, 16);
   double most = 0;
-  for (const Eigen::Vector3d& v : reduced.hull.vertices) most = std::max(most, distance(hull, v));
-  EXPECT_DOUBLE_EQ(reduced.added_distance, most);
+  for (const Eigen::Vector3d& v : reduced.vertices) most = std::max(most, distance(hull, v));
+  EXPECT_DOUBLE_EQ(addedDistance(reduced, hull), most);
 }
 
 TEST(ReduceVertices, FlatHullStaysFlat) {
@@ -83,12 +83,12 @@ TEST(ReduceVertices, FlatHullStaysFlat) {
   for (const Eigen::Vector3d& p : cylinder(200, 1, 0)) disc.push_back(p);
   const ConvexHull hull = convexHull(disc);
   ASSERT_GT(hull.thickness, 0);
-  const ReducedHull reduced = reduceVertices(hull, 64);
-  expectHolds(reduced.hull, hull);
-  EXPECT_LE(reduced.hull.vertices.size(), 64u);
-  EXPECT_LT(reduced.added_distance, 0.03);
-  EXPECT_LT(boundingBox(reduced.hull).sizes().z(), 1e-4);
-  EXPECT_GE(reduced.hull.thickness, hull.thickness);
+  const ConvexHull reduced = reduceVertices(hull, 64);
+  expectHolds(reduced, hull);
+  EXPECT_LE(reduced.vertices.size(), 64u);
+  EXPECT_LT(addedDistance(reduced, hull), 0.03);
+  EXPECT_LT(boundingBox(reduced).sizes().z(), 1e-4);
+  EXPECT_GE(reduced.thickness, hull.thickness);
 }
 
 TEST(ReduceVertices, HoldsWhateverTheShapeSizeAndPlace) {
@@ -103,18 +103,18 @@ TEST(ReduceVertices, HoldsWhateverTheShapeSizeAndPlace) {
     for (Eigen::Vector3d& p : points) p += Eigen::Vector3d(1, -2, 3) * (repeat % 3);
     const ConvexHull hull = convexHull(points);
     const int cap = repeat % 2 ? 32 : 8;
-    const ReducedHull reduced = reduceVertices(hull, cap);
+    const ConvexHull reduced = reduceVertices(hull, cap);
     SCOPED_TRACE("repeat " + std::to_string(repeat));
-    EXPECT_LE(reduced.hull.vertices.size(), static_cast<std::size_t>(cap));
-    expectHolds(reduced.hull, hull);
-    EXPECT_LT(reduced.added_distance, (cap == 8 ? 2.0 : 0.4) * size);
+    EXPECT_LE(reduced.vertices.size(), static_cast<std::size_t>(cap));
+    expectHolds(reduced, hull);
+    EXPECT_LT(addedDistance(reduced, hull), (cap == 8 ? 2.0 : 0.4) * size);
   }
 }
 
 TEST(ReduceVertices, SameInputSameResult) {
   std::mt19937 random(9);
   const ConvexHull hull = convexHull(ellipsoid(300, {3, 2, 1}, random));
-  EXPECT_EQ(reduceVertices(hull, 40).hull.vertices, reduceVertices(hull, 40).hull.vertices);
+  EXPECT_EQ(reduceVertices(hull, 40).vertices, reduceVertices(hull, 40).vertices);
 }
 
 }  // namespace

@@ -5,16 +5,14 @@
 
 namespace collision_hulls {
 
-struct ReducedHull {
-  ConvexHull hull;
-  double added_distance = 0;  ///< [m] largest distance of a point of it to the hull that it stands for
-};
-
 /// A hull of at most `max_vertices` (at least 8) vertices that contains `hull` (checked: all of its vertices lie within all of the
 /// result's faces) and protrudes little beyond it: an inner hull of well-chosen vertices, moved outward. A sphere with 64
 /// vertices gains 7 % of its radius. Where rounding spoils that, as for hulls that are next to nothing, the smallest oriented
 /// box found. A hull that has no more vertices than that is returned as it is. Deterministic. Thread safe. Throws kBadOption
 /// for max_vertices < 8.
-ReducedHull reduceVertices(const ConvexHull& hull, int max_vertices);
+ConvexHull reduceVertices(const ConvexHull& hull, int max_vertices);
+
+/// The largest distance [m] of a point of `outer` to `hull`, which it contains.
+double addedDistance(const ConvexHull& outer, const ConvexHull& hull);
 
 }  // namespace collision_hulls

@@ -17,7 +17,7 @@ namespace {
 constexpr double kReserve = 0.004;       // left to the certificate, whose bounds come from the hulls as written
 constexpr double kProofGap = 0.002;      // between the bounds of a proof
 constexpr double kQuickCell = 1;         // radius of the smallest cells asked for a quick answer,
-constexpr double kFineCell = 0.5;        // before a proof,
+constexpr double kFineCell = 0.42;       // before a proof: of leaves' share of the tolerance it is one,
 constexpr double kIntruderCell = 0.125;  // and for intruders
 constexpr double kPocketCell = 0.01;     // where the search for pockets ends
 constexpr double kLooseGap = 0.005;      // between the bounds of large protrusions
@@ -101,16 +101,20 @@ double ProtrusionOracle::intrusion() const {
 
 bool ProtrusionOracle::mayFit(const ConvexHull& hull) {
   control_.check();
-  return !holdsKnownIntruder(hull) && !holdsIntruder(hull, kQuickCell);
+  return !holdsKnownIntruder(hull) && !std::isinf(reachByOctree(hull, kQuickCell));
 }
 
 bool ProtrusionOracle::mayWellFit(const ConvexHull& hull) {
   control_.check();
-  return !holdsKnownIntruder(hull) && !holdsIntruder(hull, kFineCell);
+  return !holdsKnownIntruder(hull) && !std::isinf(reachByOctree(hull, kFineCell));
 }
 
 bool ProtrusionOracle::fits(const ConvexHull& hull) {
-  if (!mayWellFit(hull)) return false;
+  control_.check();
+  if (holdsKnownIntruder(hull)) return false;
+  const double reach = reachByOctree(hull, kFineCell);
+  if (std::isinf(reach)) return false;
+  if (!solid_.hasOpenings() && reach <= (1 - kReserve) * tolerance_) return true;
   SurfaceQuery on;
   on.floor = on.ceiling = (1 - kReserve) * tolerance_;
   on.gap = kProofGap * tolerance_;
@@ -150,14 +154,13 @@ double ProtrusionOracle::bound(const ConvexHull& hull) {
   return outside_.largest(hull, query).bound;
 }
 
-bool ProtrusionOracle::holdsIntruder(const ConvexHull& hull, double resolution) {
+double ProtrusionOracle::reachByOctree(const ConvexHull& hull, double resolution) {
   OutsideDistance::Query query;
   query.floor = query.ceiling = intrusion();
   query.resolution = resolution * share_ * tolerance_;
   const OutsideDistance::Largest within = outside_.largest(hull, query);
-  if (within.found <= intrusion()) return false;
-  remember(within.where);
-  return true;
+  if (within.found > intrusion()) remember(within.where);
+  return within.bound;
 }
 
 /// An intruder that was useful moves forward.

@@ -55,7 +55,7 @@ class ProtrusionOracle {
 
  private:
   bool holdsKnownIntruder(const ConvexHull& hull);
-  bool holdsIntruder(const ConvexHull& hull, double resolution);
+  double reachByOctree(const ConvexHull& hull, double resolution);  // no point is further; infinite: it holds an intruder
   void remember(const Eigen::Vector3d& intruder);
   double intrusion() const;
 

@@ -24,6 +24,7 @@ constexpr std::size_t kMany = 500;  // points from which on extreme ones are add
 constexpr int kExtremes = 26;
 constexpr double kWorthwhile = 1e-3, kGoldenAngle = 2.399963229728653;
 constexpr std::size_t kFacesBetweenChecks = 10000;
+constexpr std::size_t kUsualFaces = 4;   // made in all, per point, where most points are corners
 constexpr std::size_t kMostFaces = 100;  // made in all, per point; more means that rounding goes round in circles
 constexpr double kDent = 1e-10;          // most that a vertex may lie beyond a neighbouring face
 constexpr double kSuspicious = 2e-12;    // dents beyond this are not kVisible's: then vertices are compared with all faces
@@ -49,7 +50,9 @@ struct HorizonEdge {
 class Builder {
  public:
   Builder(const std::vector<Eigen::Vector3d>& points, const RunControl& control)
-      : points_(points), control_(control), next_(points.size(), -1), dropped_(points.size(), -1), settled_by_(points.size(), -1) {}
+      : points_(points), control_(control), next_(points.size(), -1), dropped_(points.size(), -1), settled_by_(points.size(), -1) {
+    faces_.reserve(std::min(kUsualFaces * points.size(), kFacesBetweenChecks));
+  }
 
   std::optional<ConvexHull> build() {
     if (!tetrahedron() || (points_.size() > kMany && !addExtremes())) return std::nullopt;
@@ -187,17 +190,14 @@ class Builder {
 
   /// Walks the patch that p sees, depth first around each face, so that the horizon comes out in order.
   void findHorizon(int p, int start) {
-    struct Step {
-      int face, edge, left;
-    };
     patch_.assign(1, start);
     horizon_.clear();
     face(start).seen_by = p;
-    std::vector<Step> stack{{start, 0, 3}};
-    while (!stack.empty()) {
-      Step& step = stack.back();
+    steps_.assign(1, {start, 0, 3});
+    while (!steps_.empty()) {
+      Step& step = steps_.back();
       if (step.left == 0) {
-        stack.pop_back();
+        steps_.pop_back();
         continue;
       }
       const int f = step.face, e = step.edge;
@@ -211,7 +211,7 @@ class Builder {
         patch_.push_back(n);
         const auto& back = face(n).neighbour;
         const int entry = back[0] == f ? 0 : back[1] == f ? 1 : 2;
-        stack.push_back({n, (entry + 1) % 3, 2});
+        steps_.push_back({n, (entry + 1) % 3, 2});
       } else {
         const auto& back = face(n).neighbour;
         const int across = back[0] == f ? 0 : back[1] == f ? 1 : 2;
@@ -340,6 +340,10 @@ class Builder {
     if (dent > kDent * extent_) return std::nullopt;
     ConvexHull hull;
     std::vector<int> vertex(points_.size(), -1);
+    const auto count = static_cast<std::size_t>(std::count_if(faces_.begin(), faces_.end(), isThere));
+    hull.vertices.reserve(count / 2 + 2);
+    hull.triangles.reserve(count);
+    hull.faces.reserve(count);
     for (const Face& f : faces_) {
       if (!isThere(f)) continue;
       Triangle t{};
@@ -364,6 +368,10 @@ class Builder {
   std::vector<int> dropped_;     // by point: the first of the faces that were made when it was dropped last; -1: never
   std::vector<int> settled_by_;  // by vertex: the last point that replaced faces of it
   std::vector<Face> faces_;
+  struct Step {  // of the walk around a patch
+    int face, edge, left;
+  };
+  std::vector<Step> steps_;
   std::vector<int> patch_;
   std::vector<HorizonEdge> horizon_;
   double extent_ = 0;

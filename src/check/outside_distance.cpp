@@ -31,12 +31,15 @@ struct OutsideDistance::Faces {
   struct List {
     std::size_t first = 0, count = 0;  // in `lists`
   };
+  Eigen::Vector3d middle, half;  // of the hull's box
   std::vector<Face> faces;
   std::vector<int>& lists;  // one after the other
   List all;
 
   /// `memory`: for the lists, so that each query does not ask for its own.
   Faces(const ConvexHull& hull, std::vector<int>& memory) : lists(memory), all{0, hull.faces.size()} {
+    const Eigen::AlignedBox3d box = boundingBox(hull);
+    middle = box.center(), half = box.sizes() / 2;
     faces.reserve(hull.faces.size());
     for (const HalfSpace& f : hull.faces) faces.push_back({f.normal, f.offset, f.normal.lpNorm<1>()});
     lists.resize(all.count);
@@ -59,6 +62,8 @@ struct OutsideDistance::View {
 
   /// `candidates`: the faces that cut a cell around this one.
   View(const Cell& cell, Faces& hull, const Faces::List& candidates) : faces{hull.lists.size(), 0}, point(cell.centre) {
+    outside = ((cell.centre - hull.middle).cwiseAbs() - hull.half).maxCoeff() > cell.half;
+    if (outside) return;
     int worst = -1;
     for (std::size_t i = candidates.first; i < candidates.first + candidates.count; ++i) {
       const int f = hull.lists[i];

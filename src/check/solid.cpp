@@ -47,42 +47,48 @@ Rim rimOf(const RepairedMesh& mesh, const Edges& edges) {
   return rim;
 }
 
-/// Disjoint sets of vertices.
-class Sets {
- public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int i) {
-    int& parent = parent_[static_cast<std::size_t>(i)];
-    return parent == i ? i : parent = find(parent);
+/// The rim as simple loops, each a list of vertices. It is a cycle: as many of its edges begin at a vertex as end there.
+std::vector<std::vector<int>> loopsOf(const Rim& rim) {
+  std::map<int, std::vector<int>> onward;  // by vertex: the ends of edges that were not walked yet
+  for (const auto& [from, to] : rim) onward[from].push_back(to);
+  std::vector<std::vector<int>> loops;
+  std::map<int, std::size_t> place;  // on the path
+  for (const auto& [from, to] : rim) {
+    std::vector<int> path;
+    for (int v = from;;) {
+      const auto met = place.find(v);
+      if (met != place.end()) {
+        loops.emplace_back(path.begin() + static_cast<std::ptrdiff_t>(met->second), path.end());
+        for (int u : loops.back()) place.erase(u);
+        path.resize(path.size() - loops.back().size());
+      }
+      if (onward[v].empty()) break;
+      place[v] = path.size();
+      path.push_back(v);
+      const int next = onward[v].back();
+      onward[v].pop_back();
+      v = next;
+    }
   }
-  void join(int a, int b) { parent_[static_cast<std::size_t>(find(a))] = find(b); }
+  return loops;
+}
 
- private:
-  std::vector<int> parent_;
-};
+constexpr double kApexAside = 0.05;  // of a loop's extent
 
-constexpr double kApexAside = 0.05;  // of a rim's extent
-
-/// Lids that close the surface along its rim: for each connected piece of it a cone of triangles to a point near its middle, but aside
-/// from the plane that it may lie in, where lids would be asked about most.
+/// Lids that close the surface along its rim: for each loop of it a cone of triangles to a point near its middle, but aside from the
+/// plane that it may lie in, where lids would be asked about most.
 TriangleMesh lidsOf(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
   TriangleMesh lids;
   if (rim.empty()) return lids;
-  Sets sets(vertices.size());
-  for (const auto& [from, to] : rim) sets.join(from, to);
-  struct Piece {
-    Eigen::AlignedBox3d box;
-    int apex = -1;
-  };
-  std::map<int, Piece> pieces;
-  for (const auto& [from, to] : rim) pieces[sets.find(from)].box.extend(vertices[static_cast<std::size_t>(from)]);
   lids.vertices = vertices;
   const Eigen::Vector3d aside = Eigen::Vector3d(0.6180339887, -0.4142135624, 0.7320508076).normalized();
-  for (auto& [set, piece] : pieces) {
-    piece.apex = static_cast<int>(lids.vertices.size());
-    lids.vertices.push_back(piece.box.center() + kApexAside * piece.box.diagonal().norm() * aside);
+  for (const std::vector<int>& loop : loopsOf(rim)) {
+    Eigen::AlignedBox3d box;
+    for (int v : loop) box.extend(vertices[static_cast<std::size_t>(v)]);
+    const int apex = static_cast<int>(lids.vertices.size());
+    lids.vertices.push_back(box.center() + kApexAside * box.diagonal().norm() * aside);
+    for (std::size_t i = 0; i < loop.size(); ++i) lids.triangles.push_back({loop[(i + 1) % loop.size()], loop[i], apex});
   }
-  for (const auto& [from, to] : rim) lids.triangles.push_back({to, from, pieces[sets.find(from)].apex});
   return lids;
 }
 
@@ -122,6 +128,8 @@ double lengthOf(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
 constexpr std::size_t kMostProbes = 2000;
 constexpr double kProbeStep = 1e-3;  // off the triangle, in lengths of its shortest altitude or so
 
+constexpr double kInside = 0.5;  // winding numbers above are those of points inside
+
 // What the winding number may err by.
 constexpr double kWindingError = 0.02;
 
@@ -144,10 +152,10 @@ struct Walls {
 
   double windingNumber(const Eigen::Vector3d& p) const { return closed->signedCrossings(p) - (lids.empty() ? 0 : lids.windingNumber(p)); }
 
-  /// Radius of a ball about p in which the winding number exceeds 1/2, if no surface is met. Its gradient depends on the rim alone,
-  /// as a current's magnetic field does (Biot-Savart): it is at most length / (4 pi d^2) at a distance of d from the rim.
-  double insideRadius(const Eigen::Vector3d& p) const {
-    const double margin = windingNumber(p) - 0.5 - kWindingError;
+  /// Radius of a ball about p, where the winding number is `winding`, in which it exceeds 1/2, if no surface is met. Its gradient depends
+  /// on the rim alone, as a current's magnetic field does (Biot-Savart): it is at most length / (4 pi d^2) at a distance of d from the rim.
+  double insideRadius(const Eigen::Vector3d& p, double winding) const {
+    const double margin = winding - kInside - kWindingError;
     if (margin <= 0) return 0;
     if (lids.empty()) return std::numeric_limits<double>::infinity();
     constexpr double kPi = 3.14159265358979323846;
@@ -231,7 +239,7 @@ Solid::~Solid() = default;
 Solid::Solid(Solid&&) noexcept = default;
 
 bool Solid::contains(const Eigen::Vector3d& p) const {
-  return impl_->walls.windingNumber(p) > 0.5;
+  return impl_->walls.windingNumber(p) > kInside;
 }
 double Solid::distanceToSurface(const Eigen::Vector3d& p) const {
   return impl_->surface->nearest(p).distance;
@@ -240,7 +248,8 @@ double Solid::distance(const Eigen::Vector3d& p) const {
   return contains(p) ? 0 : distanceToSurface(p);
 }
 double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface) const {
-  return contains(p) ? -std::min(to_surface, impl_->walls.insideRadius(p)) : to_surface;
+  const double winding = impl_->walls.windingNumber(p);
+  return winding > kInside ? -std::min(to_surface, impl_->walls.insideRadius(p, winding)) : to_surface;
 }
 
 double Solid::distanceWithin(double radius, double signed_distance, double to_surface) const {

@@ -27,8 +27,8 @@ struct Part {
   bool operator<(const Part& o) const { return std::tie(area, o.leaf, o.number) < std::tie(o.area, leaf, number); }  // largest on top
 };
 
-/// Of a hull that had to be made thicker the piece's own points count. Directions are spaced so that on a round hull of this size a
-/// few per cent of the tolerance may lie between two of them.
+/// Of a hull that had to be made thicker the piece's own points count. Directions are spaced so that on a round hull of this size up
+/// to a third of the tolerance may lie between them: what is then taken for a fit by mistake, its proof refutes.
 Element elementOf(const SurfacePiece& piece, const ConvexHull& hull, int leaf, double tolerance) {
   constexpr double kDirectionsPerTolerance = 4, kFewest = 100, kMost = 2000;
   const double directions = kDirectionsPerTolerance * boundingBox(hull).diagonal().norm() / tolerance;

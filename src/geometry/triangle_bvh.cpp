@@ -24,7 +24,8 @@ constexpr int kDeepestFours = 3 * 24;  // three are put off on each of log4(2^31
 
 constexpr double kThin = 1e-6;   // squared height over length below which a triangle is a sliver
 constexpr double kAside = 1e-9;  // of a ray from its point, as a share of the extent
-constexpr double kAnyDirection = 3.14159265358979323846;
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kAnyDirection = kPi;
 constexpr double kNarrow = 0.35;  // [rad] cones narrower than this stand for their triangles
 constexpr std::size_t kMostCones = 64;
 constexpr double kLevel = 1e-6;  // directions whose cosine is below this count as level: not within the half-space
@@ -40,11 +41,31 @@ double squaredDistance(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& p)
   return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0).squaredNorm();
 }
 
-/// Signed solid angle of a triangle seen from the origin, over 2 (Van Oosterom & Strackee 1983).
-double halfSolidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+/// The sum of many angles, each from -pi to pi: complex numbers of those angles are multiplied, and turns counted, with a single atan2 in
+/// the end.
+class SumOfAngles {
+ public:
+  /// Adds the angle of the vector (x, y).
+  void add(double x, double y) {
+    const double length = std::abs(x) + std::abs(y);
+    if (!(length > 0)) return;
+    const double re = (x * x_ - y * y_) / length, im = (x * y_ + y * x_) / length;
+    if (y >= 0 && y_ >= 0 && (im < 0 || (im == 0 && re > 0 && x < 0))) ++turns_;
+    if (y < 0 && y_ < 0 && (im > 0 || (im == 0 && re < 0))) --turns_;
+    const double size = std::abs(re) + std::abs(im);  // from 1/2 to 2 of what it was
+    x_ = re / size, y_ = im / size;
+  }
+  double value() const { return std::atan2(y_, x_) + 2 * kPi * turns_; }
+
+ private:
+  double x_ = 1, y_ = 0;
+  int turns_ = 0;
+};
+
+/// Adds a triangle's signed solid angle seen from the origin, over 2 (Van Oosterom & Strackee 1983).
+void addHalfSolidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, SumOfAngles& sum) {
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
-  const double y = a.dot(b.cross(c)), x = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-  return x == 0 && y == 0 ? 0 : std::atan2(y, x);
+  sum.add(la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb, a.dot(b.cross(c)));
 }
 
 /// Directions within an angle of an axis.
@@ -450,7 +471,8 @@ std::vector<int> TriangleBvh::trianglesNear(const Eigen::AlignedBox3d& box) cons
 }
 
 double TriangleBvh::windingNumber(const Eigen::Vector3d& p) const {
-  double sum = 0;  // of half solid angles
+  double sum = 0;      // of half solid angles, of dipoles
+  SumOfAngles angles;  // and of triangles
   int stack[96];
   int top = 0;
   if (!nodes_.empty()) stack[top++] = 0;
@@ -465,14 +487,14 @@ double TriangleBvh::windingNumber(const Eigen::Vector3d& p) const {
     } else if (node.count > 0) {
       for (int k = node.first; k < node.first + node.count; ++k) {
         const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
-        sum += halfSolidAngle(a - p, b - p, c - p);
+        addHalfSolidAngle(a - p, b - p, c - p, angles);
       }
     } else {
       stack[top++] = node.first;
       stack[top++] = node.first + 1;
     }
   }
-  return sum / (2 * 3.14159265358979323846);
+  return (sum + angles.value()) / (2 * kPi);
 }
 
 }  // namespace collision_hulls

@@ -334,10 +334,15 @@ class Builder {
     return most;
   }
 
-  /// A surface whose edges are all convex to rounding is convex, so its faces hold its vertices.
+  /// Whether a face looks inward: rounding may fold one back upon others in its plane, which no dent shows.
+  bool isFolded() const {
+    return std::any_of(faces_.begin(), faces_.end(), [&](const Face& f) { return isThere(f) && f.normal.dot(middle_) >= f.offset; });
+  }
+
+  /// A surface that is nowhere folded and whose edges are all convex to rounding is convex, so its faces hold its vertices.
   std::optional<ConvexHull> result() {
     const double dent = deepestDent();
-    if (dent > kDent * extent_) return std::nullopt;
+    if (dent > kDent * extent_ || isFolded()) return std::nullopt;
     ConvexHull hull;
     std::vector<int> vertex(points_.size(), -1);
     const auto count = static_cast<std::size_t>(std::count_if(faces_.begin(), faces_.end(), isThere));

@@ -142,5 +142,17 @@ TEST(Quickhull, AVertexOfSeveralLevelFacesIsGivenBackOnce) {
   if (const auto hull = quickhull(points)) expectHull(hull, points);
 }
 
+// A face was folded back upon others in its plane: no edge was dented, yet a third of the size lay beyond a face.
+TEST(Quickhull, AFoldedFaceIsSeen) {
+  const Points points{{0.0025420871112633303, -0.023752397285218111, 0.0043372799437768686},
+                      {0.0028640417163243448, -0.022760599977479062, 0.016632416128108285},
+                      {0.0022063369336474403, -0.02478666842003039, -0.0084840905565322002},
+                      {0.02058939991130912, 0.0037524788719836485, -0.011234209416838387},
+                      {0.021911260040000907, 0.0056899517803461266, -0.014309084072297544},
+                      {-0.0015265190401557716, -0.028520089478221326, 0.020679943748328336},
+                      {0.0031085622695493642, -0.0080234186306983937, 0.025970783248816444}};
+  if (const auto hull = quickhull(points)) expectHull(hull, points);
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -12,10 +12,11 @@ namespace {
 
 // What the margin and rounding to it take: the aim is lower by so many margins, but not by more than half.
 constexpr double kMargins = 3, kLeastAim = 0.5;
-// Near openings of the surface the distance to the solid jumps, and hulls as written may reach where those that were searched for did
-// not.
+// Hulls as written may reach a little further than those that were searched for, and near openings of the surface, where the distance to
+// the solid jumps, much further. Then the aim is lowered by as much and a little more, but at most to this share.
 constexpr int kAttempts = 3;
-constexpr double kLowerAim = 0.8;
+constexpr double kLowerAim = 0.8, kALittleLower = 0.99;
+constexpr double kLeastGap = 0.1;  // of the usual gap between bounds, that may take the upper one above the tolerance
 
 /// The coarsest cut whose hulls keep within the tolerance also with their vertices reduced, as leaves do anyway.
 std::vector<int> fittingCut(const HullTree& tree, const DecomposeOptions& options) {
@@ -45,6 +46,21 @@ Decomposition hullsFrom(const HullTree& tree, const DecomposeOptions& options) {
   return result;
 }
 
+/// The hulls' protrusion; bounded more closely where the gap between its bounds alone takes the upper one above the tolerance.
+Protrusion certificate(const std::vector<ConvexHull>& hulls, const MeshSource& source, double tolerance, const RunControl& control) {
+  const double gap = kCertificateGap * tolerance;
+  Protrusion result = protrusion(hulls, source.solid, gap, control);
+  const double room = tolerance - source.margin - result.found;
+  if (result.bound + source.margin > tolerance && room > kLeastGap * gap) result = protrusion(hulls, source.solid, room / 2, control);
+  result.bound += source.margin;
+  return result;
+}
+
+/// Of the next attempt.
+double lowerAim(double aim, int attempt, double over) {
+  return aim * (attempt == 0 ? std::max(kLowerAim, kALittleLower / over) : kLowerAim);
+}
+
 }  // namespace
 
 MeshHulls meshHulls(const MeshSource& source, const DecomposeOptions& options, StageSeconds& seconds, const RunControl& decomposing,
@@ -54,18 +70,18 @@ MeshHulls meshHulls(const MeshSource& source, const DecomposeOptions& options, S
   DecomposeOptions aim = options;
   if (options.method == Method::kCertified)
     aim.tolerance = std::max(kLeastAim * options.tolerance, options.tolerance - kMargins * source.margin);
-  for (int attempt = 0; attempt < kAttempts; ++attempt, aim.tolerance *= kLowerAim) {
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const Decomposition parts = tree ? hullsFrom(*tree, aim) : decompose(source.repaired, aim, decomposing);
     FittedHulls fitted = fitCover(parts.hulls, source.original, source.margin, options.max_vertices, decomposing);
     seconds.decompose += stage.lap();
     MeshHulls result{std::move(fitted.hulls), {}, fitted.nudge, 0, parts.capped};
-    result.protrusion = protrusion(result.hulls, source.solid, kCertificateGap * options.tolerance, certifying);
-    result.protrusion.bound += source.margin;
+    result.protrusion = certificate(result.hulls, source, options.tolerance, certifying);
     for (const ConvexHull& hull : parts.hulls) result.thickness = std::max(result.thickness, hull.thickness);
     seconds.certify += stage.lap();
     if (attempt > 0 && result.protrusion.bound >= best.protrusion.bound) break;
     best = std::move(result);
     if (options.method != Method::kCertified || best.capped || best.protrusion.bound <= options.tolerance) break;
+    aim.tolerance = lowerAim(aim.tolerance, attempt, best.protrusion.bound / options.tolerance);
   }
   return best;
 }

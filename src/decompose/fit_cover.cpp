@@ -22,9 +22,10 @@ namespace {
 constexpr double kSinglePrecision = 5.97e-8 * 1.7321;
 // A vertex of a sharp hull has to move far to move its faces a little. Beyond the first limit, in distances, it is replaced by an
 // octahedron about it; the second limit is for hulls whose cap on vertices leaves no room for those.
-constexpr std::array<double, 2> kMitreLimits{20, 1e4};
+constexpr double kMitreLimit = 20, kLooseMitreLimit = 1e4;
 constexpr int kDoublings = 6;
 constexpr int kRounds = 12;
+constexpr int kLeastVertices = 8;         // that a cap may leave
 constexpr double kParallel = 1e-12;       // normals and planes that cannot be told apart
 constexpr std::size_t kManyNormals = 12;  // beyond so many, triples are tried only until a step is found
 
@@ -116,30 +117,55 @@ bool overCap(const ConvexHull& hull, int max_vertices) {
   return max_vertices > 0 && hull.vertices.size() > static_cast<std::size_t>(max_vertices);
 }
 
+/// At most max_vertices vertices (0: any number), outward.
+ConvexHull capped(const ConvexHull& hull, int max_vertices) {
+  return overCap(hull, max_vertices) ? reduceVertices(hull, max_vertices) : hull;
+}
+
+/// Half the width of single-precision numbers about a hull, and then some.
+double roundingOf(const ConvexHull& hull) {
+  double size = 0;
+  for (const Eigen::Vector3d& v : hull.vertices) size = std::max(size, v.cwiseAbs().maxCoeff());
+  return 2 * kSinglePrecision * size + std::numeric_limits<float>::min();
+}
+
+/// The hull of the vertices moved both ways along the direction in which they spread least.
+ConvexHull slab(const ConvexHull& hull, double distance) {
+  const Eigen::Vector3d way = distance * principalAxes(hull.vertices).col(0);
+  Points points;
+  for (const Eigen::Vector3d& v : hull.vertices) points.insert(points.end(), {v - way, v + way});
+  return convexHull(points);
+}
+
 /// The hull grown by `margin` at least, with single-precision vertices, and by how much it had to be grown for that.
 struct Rounded {
   ConvexHull hull;
   double nudge = 0;
 };
-std::optional<Rounded> roundOutward(const ConvexHull& hull, const Points& held, double margin, int max_vertices) {
-  double size = 0;
-  for (const Eigen::Vector3d& v : hull.vertices) size = std::max(size, v.cwiseAbs().maxCoeff());
-  for (double mitre_limit : kMitreLimits) {
-    Growth growth{margin + 2 * kSinglePrecision * size + std::numeric_limits<float>::min(), mitre_limit};
-    for (int i = 0; i < kDoublings; ++i, growth.distance *= 2) {
-      Rounded result{convexHull(roundedToSingle(grown(hull, growth))), growth.distance};
-      result.hull.vertices = roundedToSingle(std::move(result.hull.vertices));  // convexHull() may turn a last bit
-      if (overCap(result.hull, max_vertices)) break;
-      if (result.hull.thickness == 0 && holdsAll(result.hull, held, margin)) return result;
-    }
+std::optional<Rounded> roundOutward(const ConvexHull& hull, const Points& held, double margin, double mitre_limit, int max_vertices) {
+  Growth growth{margin + roundingOf(hull), mitre_limit};
+  for (int i = 0; i < kDoublings; ++i, growth.distance *= 2) {
+    Rounded result{convexHull(roundedToSingle(grown(hull, growth))), growth.distance};
+    result.hull.vertices = roundedToSingle(std::move(result.hull.vertices));  // convexHull() may turn a last bit
+    if (overCap(result.hull, max_vertices)) break;
+    if (result.hull.thickness == 0 && holdsAll(result.hull, held, margin)) return result;
   }
   return std::nullopt;
 }
 
-/// The same for every hull: one that is too sharp for its cap on vertices gives way to its oriented box.
+/// The same for every hull: one that is too sharp for its cap on vertices, as very thin ones are, gives way to a slab about it, of fewer
+/// vertices if need be; then its vertices may move far; then to its oriented box.
 Rounded roundOutward(const ConvexHull& hull, double margin, int max_vertices) {
-  if (const auto result = roundOutward(hull, hull.vertices, margin, max_vertices)) return *result;
-  if (const auto result = roundOutward(orientedBox(hull), hull.vertices, margin, max_vertices)) return *result;
+  const auto attempt = [&](const ConvexHull& outer, double mitre_limit) {
+    return roundOutward(outer, hull.vertices, margin, mitre_limit, max_vertices);
+  };
+  if (const auto result = attempt(hull, kMitreLimit)) return *result;
+  for (int most = max_vertices; most >= kLeastVertices; most -= std::max(1, max_vertices / 8))
+    if (const auto result = attempt(capped(slab(hull, margin + roundingOf(hull)), most), kMitreLimit)) return *result;
+  if (const auto result = attempt(hull, kLooseMitreLimit)) return *result;
+  const ConvexHull box = orientedBox(hull);
+  for (const double mitre_limit : {kMitreLimit, kLooseMitreLimit})
+    if (const auto result = attempt(box, mitre_limit)) return *result;
   throw Error(ErrorCode::kInternal, "a hull of " + std::to_string(hull.vertices.size()) + " vertices about " +
                                         std::to_string(hull.vertices.front().x()) + " m cannot be rounded outward to single precision");
 }
@@ -154,11 +180,6 @@ std::size_t leastOutside(const std::vector<ConvexHull>& hulls, const std::array<
     if (out < least) least = out, best = h;
   }
   return best;
-}
-
-/// At most max_vertices vertices (0: any number), outward.
-ConvexHull capped(const ConvexHull& hull, int max_vertices) {
-  return overCap(hull, max_vertices) ? reduceVertices(hull, max_vertices) : hull;
 }
 
 ConvexHull withPoints(const ConvexHull& hull, const Points& extra, int max_vertices) {

@@ -12,11 +12,12 @@
 namespace collision_hulls {
 
 /// The job `cuts`: "file", "scale", "tolerance" (of the leaves, as text: "1%"), "seed", "cuts" (how many) -> "leaves", and "cuts", one for
-/// each:
-///   "kind"        "tolerance" (at one between the leaves' and the root's protrusion), "hulls" (to a number of them), "nodes" (opened by
-///   chance) "hulls"       how many "bound"       [m] of the furthest protruding node, as the tree tells, with what margin and rounding add
-///   once hulls are written "uncovered", "protrusion"   [m] of the hulls as they are written, measured against the mesh as it was read; the
-///   latter is certified
+/// each, of hulls as they are written, measured against the mesh as it was read:
+///   kind         tolerance (between the leaves' and the root's protrusion), hulls (a number of them), nodes (opened by chance)
+///   hulls        how many
+///   bound        [m] of the furthest protruding node, as the tree tells, with what margin and rounding add once hulls are written
+///   uncovered    [m]
+///   protrusion   [m] certified
 nlohmann::json measureCuts(const nlohmann::json& job);
 
 /// A cut through the tree of a mesh, as above; one row without figures where there is no tree.

@@ -18,7 +18,6 @@ namespace {
 
 void check(const DecomposeOptions& options) {
   const auto refuse = [](const std::string& text) { throw Error(ErrorCode::kBadOption, text); };
-  constexpr int kLeastVertices = 8;
   const bool needs_tolerance = options.method != Method::kSingleHull && options.method != Method::kBoundingBox;
   if (needs_tolerance && !(options.tolerance > 0 && std::isfinite(options.tolerance)))
     refuse("tolerance is " + std::to_string(options.tolerance) + " m; it must be a positive length");

@@ -25,7 +25,6 @@ constexpr double kSinglePrecision = 5.97e-8 * 1.7321;
 constexpr double kMitreLimit = 20, kLooseMitreLimit = 1e4;
 constexpr int kDoublings = 6;
 constexpr int kRounds = 12;
-constexpr int kLeastVertices = 8;         // that a cap may leave
 constexpr double kParallel = 1e-12;       // normals and planes that cannot be told apart
 constexpr std::size_t kManyNormals = 12;  // beyond so many, triples are tried only until a step is found
 
@@ -122,7 +121,7 @@ ConvexHull capped(const ConvexHull& hull, int max_vertices) {
   return overCap(hull, max_vertices) ? reduceVertices(hull, max_vertices) : hull;
 }
 
-/// Half the width of single-precision numbers about a hull, and then some.
+/// How far rounding a vertex to single precision may move it, twice over.
 double roundingOf(const ConvexHull& hull) {
   double size = 0;
   for (const Eigen::Vector3d& v : hull.vertices) size = std::max(size, v.cwiseAbs().maxCoeff());
@@ -160,8 +159,9 @@ Rounded roundOutward(const ConvexHull& hull, double margin, int max_vertices) {
     return roundOutward(outer, hull.vertices, margin, mitre_limit, max_vertices);
   };
   if (const auto result = attempt(hull, kMitreLimit)) return *result;
+  const ConvexHull thicker = slab(hull, margin + roundingOf(hull));
   for (int most = max_vertices; most >= kLeastVertices; most -= std::max(1, max_vertices / 8))
-    if (const auto result = attempt(capped(slab(hull, margin + roundingOf(hull)), most), kMitreLimit)) return *result;
+    if (const auto result = attempt(capped(thicker, most), kMitreLimit)) return *result;
   if (const auto result = attempt(hull, kLooseMitreLimit)) return *result;
   const ConvexHull box = orientedBox(hull);
   for (const double mitre_limit : {kMitreLimit, kLooseMitreLimit})

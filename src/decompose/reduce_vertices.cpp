@@ -277,7 +277,6 @@ std::optional<ConvexHull> outerHull(const ConvexHull& hull, std::size_t max_vert
 }  // namespace
 
 ConvexHull reduceVertices(const ConvexHull& hull, int max_vertices) {
-  constexpr int kLeastVertices = 8;
   if (max_vertices < kLeastVertices)
     throw Error(ErrorCode::kBadOption, "max_vertices is " + std::to_string(max_vertices) + "; a hull needs at least " +
                                            std::to_string(kLeastVertices) + " vertices, so that a box is always possible");

@@ -1,6 +1,6 @@
 // Tree: splits near the median along the longest side of the centres' box, so that all leaves but the last have four triangles;
 // then the number of nodes beneath each is known, and subtrees are built in parallel. Children are stored side by side.
-// Queries: depth first, nearer child first, O(log n) on surfaces; the nearest point and crossings by boxes in packs of four.
+// Queries: depth first, nearer child first, O(log n) on surfaces; the nearest point by boxes in packs of four.
 #include "collision_hulls/geometry/triangle_bvh.h"
 
 #include <tbb/parallel_invoke.h>
@@ -14,18 +14,13 @@ namespace collision_hulls {
 namespace {
 
 constexpr int kLeafSize = 4;
-constexpr int kParallel = 4096;        // triangles from which on both halves of a tree are built at the same time
-constexpr double kDipoleDistance = 4;  // in radii: dipoles nearer than this would err by more than 0.01
+constexpr int kParallel = 4096;  // triangles from which on both halves of a tree are built at the same time
 
 // Boxes in single precision: what a coordinate, of size 2 units at most, is rounded by, and the squared distance to a box, as a share.
 constexpr float kBoxMargin = 4e-7F;
 constexpr double kBoxRounding = 1e-6;
-constexpr int kDeepestFours = 3 * 24;  // three are put off on each of log4(2^31 / 4) levels, and some to spare
 
-constexpr double kThin = 1e-6;   // squared height over length below which a triangle is a sliver
-constexpr double kAside = 1e-9;  // of a ray from its point, as a share of the extent
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kAnyDirection = kPi;
+constexpr double kAnyDirection = 3.14159265358979323846;
 constexpr double kNarrow = 0.35;  // [rad] cones narrower than this stand for their triangles
 constexpr std::size_t kMostCones = 64;
 constexpr double kLevel = 1e-6;  // directions whose cosine is below this count as level: not within the half-space
@@ -39,33 +34,6 @@ std::size_t leavesFor(int triangles) {
 /// As Eigen's squaredExteriorDistance(), without branches.
 double squaredDistance(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& p) {
   return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0).squaredNorm();
-}
-
-/// The sum of many angles, each from -pi to pi: complex numbers of those angles are multiplied, and turns counted, with a single atan2 in
-/// the end.
-class SumOfAngles {
- public:
-  /// Adds the angle of the vector (x, y).
-  void add(double x, double y) {
-    const double length = std::abs(x) + std::abs(y);
-    if (!(length > 0)) return;
-    const double re = (x * x_ - y * y_) / length, im = (x * y_ + y * x_) / length;
-    if (y >= 0 && y_ >= 0 && (im < 0 || (im == 0 && re > 0 && x < 0))) ++turns_;
-    if (y < 0 && y_ < 0 && (im > 0 || (im == 0 && re < 0))) --turns_;
-    const double size = std::abs(re) + std::abs(im);  // from 1/2 to 2 of what it was
-    x_ = re / size, y_ = im / size;
-  }
-  double value() const { return std::atan2(y_, x_) + 2 * kPi * turns_; }
-
- private:
-  double x_ = 1, y_ = 0;
-  int turns_ = 0;
-};
-
-/// Adds a triangle's signed solid angle seen from the origin, over 2 (Van Oosterom & Strackee 1983).
-void addHalfSolidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, SumOfAngles& sum) {
-  const double la = a.norm(), lb = b.norm(), lc = c.norm();
-  sum.add(la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb, a.dot(b.cross(c)));
 }
 
 /// Directions within an angle of an axis.
@@ -95,75 +63,7 @@ double leastCosine(const Spread* cones, std::size_t count) {
   return best;
 }
 
-/// Twice the signed area of a, b and the origin, seen along z; evaluated alike for both directions of an edge, so that two
-/// triangles that share it agree on which side of it the origin lies.
-double edgeSide(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  const bool swap = b.x() < a.x() || (b.x() == a.x() && b.y() < a.y());
-  const Eigen::Vector3d &u = swap ? b : a, &v = swap ? a : b;
-  const double side = u.x() * v.y() - u.y() * v.x();
-  return swap ? -side : side;
-}
-
-/// Where the triangle crosses the z axis above the origin: 1 upward, -1 downward, 0 not.
-int crossing(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
-  const double ab = edgeSide(a, b), bc = edgeSide(b, c), ca = edgeSide(c, a);
-  const bool up = ab > 0 && bc > 0 && ca > 0, down = ab < 0 && bc < 0 && ca < 0;
-  if (!up && !down) return 0;
-  const double height = (a.z() * bc + b.z() * ca + c.z() * ab) / (ab + bc + ca);
-  return height > 0 ? (up ? 1 : -1) : 0;
-}
-
-Eigen::Vector3d closestOnEdge(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& p) {
-  const Eigen::Vector3d ab = b - a;
-  const double along = ab.dot(p - a), length = ab.squaredNorm();
-  return along <= 0 ? a : along >= length ? b : Eigen::Vector3d(a + ab * (along / length));
-}
-
-/// closestPoint() for triangles so thin that Ericson's areas are rounding: the best of the edges and of the foot of p, which is
-/// found in a frame of the plane along the longest edge, where thinness blurs nothing but a turn about that edge.
-Eigen::Vector3d closestOnSliver(Eigen::Vector3d a, Eigen::Vector3d b, Eigen::Vector3d c, const Eigen::Vector3d& p) {
-  while ((b - a).squaredNorm() < std::max((c - b).squaredNorm(), (a - c).squaredNorm())) {
-    std::swap(a, b);
-    std::swap(b, c);
-  }
-  Eigen::Vector3d best = closestOnEdge(a, b, p);
-  for (const Eigen::Vector3d& q : {closestOnEdge(b, c, p), closestOnEdge(c, a, p)})
-    if ((q - p).squaredNorm() < (best - p).squaredNorm()) best = q;
-  const double length = (b - a).norm();
-  const Eigen::Vector3d x = (b - a) / length;
-  Eigen::Vector3d y = c - a - x * x.dot(c - a);
-  const double height = y.norm();
-  if (!(height > 0)) return best;
-  y = (y / height - x * x.dot(y / height)).normalized();
-  const double v = y.dot(p - a) / height, u = x.dot(p - a) / length - v * x.dot(c - a) / length;
-  if (!(u > 0 && v > 0 && u + v < 1)) return best;
-  const Eigen::Vector3d foot = a + (b - a) * u + (c - a) * v;
-  return (foot - p).squaredNorm() < (best - p).squaredNorm() ? foot : best;
-}
-
 }  // namespace
-
-Eigen::Vector3d closestPoint(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& p) {
-  const Eigen::Vector3d ab = b - a, ac = c - a, ap = p - a;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0) return a;
-  const Eigen::Vector3d bp = p - b, cp = p - c;
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3) return b;
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6) return c;
-  const double bb = d1 - d3, cc = d2 - d6, bc = d2 - d4;  // ab . ab, ac . ac and ab . ac
-  if (bb * cc - bc * bc < kThin * std::max(bb, cc) * std::max(bb, cc)) return closestOnSliver(a, b, c, p);
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + ab * (d1 / bb);
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + ac * (d2 / cc);
-  const double va = d3 * d6 - d5 * d4;
-  const double along = d4 - d3, back = d5 - d6;
-  if (va <= 0 && along >= 0 && back >= 0) return b + (c - b) * (along / (along + back));
-  const double sum = va + vb + vc;
-  return a + ab * (vb / sum) + ac * (vc / sum);
-}
 
 TriangleBvh::TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_sided) {
   const std::size_t n = mesh.triangles.size();
@@ -314,33 +214,6 @@ TriangleBvh::Cone TriangleBvh::cone(int k) const {
   return {vector / length, 0};
 }
 
-int TriangleBvh::signedCrossings(const Eigen::Vector3d& p) const {
-  if (nodes_.empty()) return 0;
-  // A step aside that no drawing's coordinates share: a ray through an edge or a vertex would be ambiguous.
-  const double extent = nodes_[0].box.sizes().maxCoeff();
-  const Eigen::Vector3d q = p + extent * kAside * Eigen::Vector3d(0.7548776662, 0.5698402910, 0);
-  const Eigen::Vector3f u = inUnits(q);
-  int sum = 0, top = 0;
-  int stack[kDeepestFours];
-  stack[top++] = 0;
-  while (top > 0) {
-    const FourBoxes& four = fours_[static_cast<std::size_t>(stack[--top])];
-    const Eigen::Array4f aside =
-        (four.low[0] - u.x()).max(u.x() - four.high[0]).max(four.low[1] - u.y()).max(u.y() - four.high[1]).max(u.z() - four.high[2]);
-    for (int i = 0; i < four.count; ++i) {
-      if (aside[i] > 0) continue;
-      const int child = four.child[static_cast<std::size_t>(i)];
-      if (child >= 0) {
-        stack[top++] = child;
-        continue;
-      }
-      const auto& [a, b, c] = corners_[static_cast<std::size_t>(~child)];
-      sum += crossing(a - q, b - q, c - q);
-    }
-  }
-  return sum;
-}
-
 /// Calls visit(k) for the triangles within `radius` of p and, where their cone is narrower than `narrow`, skip(cluster) for whole
 /// nodes; ends and returns false as soon as one of them does.
 template <class Visit, class Skip>
@@ -468,33 +341,6 @@ std::vector<int> TriangleBvh::trianglesNear(const Eigen::AlignedBox3d& box) cons
   }
   std::sort(found.begin(), found.end());
   return found;
-}
-
-double TriangleBvh::windingNumber(const Eigen::Vector3d& p) const {
-  double sum = 0;      // of half solid angles, of dipoles
-  SumOfAngles angles;  // and of triangles
-  int stack[96];
-  int top = 0;
-  if (!nodes_.empty()) stack[top++] = 0;
-  while (top > 0) {
-    const auto id = static_cast<std::size_t>(stack[--top]);
-    const Node& node = nodes_[id];
-    const Cluster& cluster = clusters_[id];
-    const Eigen::Vector3d to = cluster.dipole_centre - p;
-    const double distance = to.norm();
-    if (distance > kDipoleDistance * cluster.radius) {
-      sum += cluster.dipole.dot(to) / (2 * distance * distance * distance);
-    } else if (node.count > 0) {
-      for (int k = node.first; k < node.first + node.count; ++k) {
-        const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
-        addHalfSolidAngle(a - p, b - p, c - p, angles);
-      }
-    } else {
-      stack[top++] = node.first;
-      stack[top++] = node.first + 1;
-    }
-  }
-  return (sum + angles.value()) / (2 * kPi);
 }
 
 }  // namespace collision_hulls

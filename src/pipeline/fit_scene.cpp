@@ -24,7 +24,7 @@ namespace {
 
 // Shares of the whole time, about.
 constexpr double kTreesShare = 0.4, kFitShare = 0.4, kCertifyShare = 0.1;
-constexpr double kCertificateGap = 0.01;  // of the tolerance or, where that is more, of the protrusion that the tree tells
+constexpr double kFittedGap = 0.01;  // of the tolerance or, where that is more, of the protrusion that the tree tells
 
 /// A part of the whole run that goes from one share of its progress to another.
 struct Stretch : RunControl {
@@ -145,7 +145,7 @@ void certify(const FitMesh& mesh, const FittedElement& fitted, const RunControl&
   if (row.uncovered > 0)
     throw Error(ErrorCode::kInternal,
                 "the hulls leave the surface uncovered by up to " + millimetres(row.uncovered) + ", where 0 is the limit");
-  Protrusion found = protrusion(element.hulls, *element.solid, kCertificateGap * told, control);
+  Protrusion found = protrusion(element.hulls, *element.solid, kFittedGap * told, control);
   tellOfPrimitive(element, found);
   row.protrusion = found.bound + mesh.margin;
   row.protrusion_found = found.found;

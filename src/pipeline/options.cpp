@@ -7,6 +7,7 @@
 #include <regex>
 #include <sstream>
 
+#include "collision_hulls/decompose/reduce_vertices.h"
 #include "collision_hulls/error.h"
 
 namespace collision_hulls {
@@ -19,7 +20,6 @@ struct Unit {
 constexpr std::array<Unit, 7> kLengthUnits = {
     {{"", 1, 1}, {"m", 1, 1}, {"cm", 1, 100}, {"mm", 1, 1000}, {"um", 1, 1'000'000}, {"in", 254, 10'000}, {"%", 1, 100}}};
 
-constexpr int kLeastVertices = 8;         // of a capped hull: a box
 constexpr int kMostHulls = 1'000'000;     // of a mesh
 constexpr int kMostVertices = 1'000'000;  // of a hull
 constexpr int kMostJobs = 1024;

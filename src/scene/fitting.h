@@ -17,7 +17,6 @@ struct Answers {
   std::vector<Contact> roots;        ///< of the trees' roots, in the same samples
   std::vector<std::size_t> samples;  ///< these
   std::vector<Contact> leaves;       ///< a contact for each counterexample that not even the finest hulls cure
-  std::size_t counterexamples = 0;
 };
 
 class Fitting {

@@ -5,11 +5,13 @@
 
 namespace collision_hulls {
 
-/// A hull of at most `max_vertices` (at least 8) vertices that contains `hull` (checked: all of its vertices lie within all of the
-/// result's faces) and protrudes little beyond it: an inner hull of well-chosen vertices, moved outward. A sphere with 64
-/// vertices gains 7 % of its radius. Where rounding spoils that, as for hulls that are next to nothing, the smallest oriented
-/// box found. A hull that has no more vertices than that is returned as it is. Deterministic. Thread safe. Throws kBadOption
-/// for max_vertices < 8.
+/// Of a cap on vertices: a box is always possible.
+constexpr int kLeastVertices = 8;
+
+/// A hull of at most `max_vertices` (at least kLeastVertices) vertices that contains `hull` (checked: all of its vertices lie within all of
+/// the result's faces) and protrudes little beyond it: an inner hull of well-chosen vertices, moved outward. A sphere with 64 vertices
+/// gains 7 % of its radius. Where rounding spoils that, as for hulls that are next to nothing, the smallest oriented box found. A hull that
+/// has no more vertices than that is returned as it is. Deterministic. Thread safe. Throws kBadOption for fewer.
 ConvexHull reduceVertices(const ConvexHull& hull, int max_vertices);
 
 /// The largest distance [m] of a point of `outer` to `hull`, which it contains.

@@ -1,0 +1,115 @@
+// Inside or outside: crossings of a ray where surfaces are closed, solid angles where they are not.
+#include <cmath>
+
+#include "collision_hulls/geometry/triangle_bvh.h"
+
+namespace collision_hulls {
+
+namespace {
+
+constexpr double kDipoleDistance = 4;  // in radii: dipoles nearer than this would err by more than 0.01
+constexpr double kAside = 1e-9;        // of a ray from its point, as a share of the extent
+constexpr double kPi = 3.14159265358979323846;
+
+/// The sum of many angles, each from -pi to pi: complex numbers of those angles are multiplied, and turns counted, with a single atan2 in
+/// the end.
+class SumOfAngles {
+ public:
+  /// Adds the angle of the vector (x, y).
+  void add(double x, double y) {
+    const double length = std::abs(x) + std::abs(y);
+    if (!(length > 0)) return;
+    const double re = (x * x_ - y * y_) / length, im = (x * y_ + y * x_) / length;
+    if (y >= 0 && y_ >= 0 && (im < 0 || (im == 0 && re > 0 && x < 0))) ++turns_;
+    if (y < 0 && y_ < 0 && (im > 0 || (im == 0 && re < 0))) --turns_;
+    const double size = std::abs(re) + std::abs(im);  // from 1/2 to 2 of what it was
+    x_ = re / size, y_ = im / size;
+  }
+  double value() const { return std::atan2(y_, x_) + 2 * kPi * turns_; }
+
+ private:
+  double x_ = 1, y_ = 0;
+  int turns_ = 0;
+};
+
+/// Adds a triangle's signed solid angle seen from the origin, over 2 (Van Oosterom & Strackee 1983).
+void addHalfSolidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, SumOfAngles& sum) {
+  const double la = a.norm(), lb = b.norm(), lc = c.norm();
+  sum.add(la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb, a.dot(b.cross(c)));
+}
+
+/// Twice the signed area of a, b and the origin, seen along z; evaluated alike for both directions of an edge, so that two
+/// triangles that share it agree on which side of it the origin lies.
+double edgeSide(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const bool swap = b.x() < a.x() || (b.x() == a.x() && b.y() < a.y());
+  const Eigen::Vector3d &u = swap ? b : a, &v = swap ? a : b;
+  const double side = u.x() * v.y() - u.y() * v.x();
+  return swap ? -side : side;
+}
+
+/// Where the triangle crosses the z axis above the origin: 1 upward, -1 downward, 0 not.
+int crossing(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  const double ab = edgeSide(a, b), bc = edgeSide(b, c), ca = edgeSide(c, a);
+  const bool up = ab > 0 && bc > 0 && ca > 0, down = ab < 0 && bc < 0 && ca < 0;
+  if (!up && !down) return 0;
+  const double height = (a.z() * bc + b.z() * ca + c.z() * ab) / (ab + bc + ca);
+  return height > 0 ? (up ? 1 : -1) : 0;
+}
+
+}  // namespace
+
+int TriangleBvh::signedCrossings(const Eigen::Vector3d& p) const {
+  if (nodes_.empty()) return 0;
+  // A step aside that no drawing's coordinates share: a ray through an edge or a vertex would be ambiguous.
+  const double extent = nodes_[0].box.sizes().maxCoeff();
+  const Eigen::Vector3d q = p + extent * kAside * Eigen::Vector3d(0.7548776662, 0.5698402910, 0);
+  const Eigen::Vector3f u = inUnits(q);
+  int sum = 0, top = 0;
+  int stack[kDeepestFours];
+  stack[top++] = 0;
+  while (top > 0) {
+    const FourBoxes& four = fours_[static_cast<std::size_t>(stack[--top])];
+    const Eigen::Array4f aside =
+        (four.low[0] - u.x()).max(u.x() - four.high[0]).max(four.low[1] - u.y()).max(u.y() - four.high[1]).max(u.z() - four.high[2]);
+    for (int i = 0; i < four.count; ++i) {
+      if (aside[i] > 0) continue;
+      const int child = four.child[static_cast<std::size_t>(i)];
+      if (child >= 0) {
+        stack[top++] = child;
+        continue;
+      }
+      const auto& [a, b, c] = corners_[static_cast<std::size_t>(~child)];
+      sum += crossing(a - q, b - q, c - q);
+    }
+  }
+  return sum;
+}
+
+double TriangleBvh::windingNumber(const Eigen::Vector3d& p) const {
+  double sum = 0;      // of half solid angles, of dipoles
+  SumOfAngles angles;  // and of triangles
+  int stack[96];
+  int top = 0;
+  if (!nodes_.empty()) stack[top++] = 0;
+  while (top > 0) {
+    const auto id = static_cast<std::size_t>(stack[--top]);
+    const Node& node = nodes_[id];
+    const Cluster& cluster = clusters_[id];
+    const Eigen::Vector3d to = cluster.dipole_centre - p;
+    const double distance = to.norm();
+    if (distance > kDipoleDistance * cluster.radius) {
+      sum += cluster.dipole.dot(to) / (2 * distance * distance * distance);
+    } else if (node.count > 0) {
+      for (int k = node.first; k < node.first + node.count; ++k) {
+        const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
+        addHalfSolidAngle(a - p, b - p, c - p, angles);
+      }
+    } else {
+      stack[top++] = node.first;
+      stack[top++] = node.first + 1;
+    }
+  }
+  return (sum + angles.value()) / (2 * kPi);
+}
+
+}  // namespace collision_hulls

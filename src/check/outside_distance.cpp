@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <queue>
 
 #include "check/level_bound.h"
@@ -14,6 +15,7 @@ namespace {
 
 const double kSqrt3 = std::sqrt(3.0);
 constexpr double kBoxMargin = 1e-4;                 // the root's size beyond the box, as a share
+constexpr float kSingleRounding = 4e-6F;            // of sums of a few products in single precision
 constexpr double kOnFace = 1e-9;                    // a point this far beyond a face, in cells, still lies in the hull
 constexpr std::size_t kMostVisits = 60000;          // of one query; then the largest bound left over is the answer's
 constexpr std::size_t kMostCellsInAll = 8'000'000;  // then cells are not divided any more
@@ -22,70 +24,89 @@ constexpr std::size_t kMostCells = 40000;           // of one size that a search
 
 }  // namespace
 
-/// A hull's faces, as cells are compared with them.
+/// A hull's faces, as cells are compared with them: four at once, in single precision, about the middle of the hull's box, in units of its
+/// half size.
 struct OutsideDistance::Faces {
-  struct Face {
-    Eigen::Vector3d normal;
-    double offset, width;  // width: how far a cube of half side 1 about the origin reaches along the normal
-  };
+  /// Of fours.
   struct List {
     std::size_t first = 0, count = 0;  // in `lists`
   };
+  const ConvexHull& hull;
   Eigen::Vector3d middle, half;  // of the hull's box
-  std::vector<Face> faces;
+  double unit = 1;               // [m]
+  std::vector<Four>& fours;
   std::vector<int>& lists;  // one after the other
   List all;
 
-  /// `memory`: for the lists, so that each query does not ask for its own.
-  Faces(const ConvexHull& hull, std::vector<int>& memory) : lists(memory), all{0, hull.faces.size()} {
+  /// `memory`: so that each query does not ask for its own.
+  Faces(const ConvexHull& the_hull, Memory& memory) : hull(the_hull), fours(memory.fours), lists(memory.lists) {
     const Eigen::AlignedBox3d box = boundingBox(hull);
     middle = box.center(), half = box.sizes() / 2;
-    faces.reserve(hull.faces.size());
-    for (const HalfSpace& f : hull.faces) faces.push_back({f.normal, f.offset, f.normal.lpNorm<1>()});
-    lists.resize(all.count);
+    if (half.maxCoeff() > 0) unit = half.maxCoeff();
+    fours.assign((hull.faces.size() + 3) / 4, {});
+    for (std::size_t f = 0; f < hull.faces.size(); ++f) {
+      const HalfSpace& face = hull.faces[f];
+      Four& four = fours[f / 4];
+      const auto k = static_cast<Eigen::Index>(f % 4);
+      for (int axis = 0; axis < 3; ++axis) four.normal[static_cast<std::size_t>(axis)][k] = static_cast<float>(face.normal[axis]);
+      four.offset[k] = static_cast<float>(face.distance(middle) / unit);
+      four.width[k] = static_cast<float>(face.normal.lpNorm<1>());
+    }
+    lists.resize(all.count = fours.size());
     std::iota(lists.begin(), lists.end(), 0);
-  }
-  double distance(int f, const Eigen::Vector3d& p) const {
-    const Face& face = faces[static_cast<std::size_t>(f)];
-    return face.normal.dot(p) - face.offset;
   }
 };
 
-/// The faces of a hull that cut a cell, and the point of the hull in the cell that is nearest to its centre, roughly.
+/// A cell as a hull's faces see it.
 struct OutsideDistance::View {
-  Faces::List faces;
+  Faces::List faces;                                       // that may cut the cell, and some besides
   double depth = std::numeric_limits<double>::infinity();  // no point of both lies deeper beneath the hull's surface
   bool outside = false;                                    // the cell and the hull have nothing in common
-  double offset = 0;                                       // how far `point` lies from the centre
-  bool has_point = false;
-  Eigen::Vector3d point;
+  double offset = 0;                                       // the centre lies no further beyond a face
 
-  /// `candidates`: the faces that cut a cell around this one.
-  View(const Cell& cell, Faces& hull, const Faces::List& candidates) : faces{hull.lists.size(), 0}, point(cell.centre) {
+  /// `candidates`: the faces that may cut a cell around this one.
+  View(const Cell& cell, Faces& hull, const Faces::List& candidates) : faces{hull.lists.size(), 0} {
     outside = ((cell.centre - hull.middle).cwiseAbs() - hull.half).maxCoeff() > cell.half;
     if (outside) return;
-    int worst = -1;
-    for (std::size_t i = candidates.first; i < candidates.first + candidates.count; ++i) {
-      const int f = hull.lists[i];
-      const double d = hull.distance(f, cell.centre), reach = cell.half * hull.faces[static_cast<std::size_t>(f)].width;
-      if (d > reach) {
-        outside = true;
-        hull.lists.resize(faces.first);
-        return;
-      }
-      if (d > -reach) hull.lists.push_back(f);
-      depth = std::min(depth, reach - d);
-      if (d > offset) {
-        offset = d, worst = f;
-        std::swap(hull.lists[faces.first], hull.lists.back());  // it is the likeliest to part cells within from the hull
+    const Eigen::Vector3f centre = ((cell.centre - hull.middle) / hull.unit).cast<float>();
+    const float size = static_cast<float>(cell.half / hull.unit), rounding = kSingleRounding * (1 + size);
+    hull.lists.resize(faces.first + candidates.count);
+    const int* candidate = hull.lists.data() + candidates.first;
+    int* const cutting = hull.lists.data() + faces.first;
+    float highest = -rounding, beyond = std::numeric_limits<float>::lowest();
+    for (std::size_t i = 0; i < candidates.count && beyond <= rounding; ++i) {
+      const Four& four = hull.fours[static_cast<std::size_t>(candidate[i])];
+      const Eigen::Array4f distance = four.distance(centre), reach = size * four.width;
+      const float above = distance.maxCoeff();
+      beyond = std::max(beyond, (distance - reach).maxCoeff());
+      cutting[faces.count] = candidate[i];
+      faces.count += static_cast<std::size_t>((distance + reach).maxCoeff() > -rounding);  // no branch: there is no telling
+      if (above > highest) {
+        highest = above;
+        std::swap(cutting[0], cutting[faces.count - 1]);  // they are the likeliest to part cells within from the hull
       }
     }
-    faces.count = hull.lists.size() - faces.first;
-    has_point = worst < 0;
-    if (has_point) return;
-    point -= offset * hull.faces[static_cast<std::size_t>(worst)].normal;
-    const auto first = hull.lists.cbegin() + static_cast<std::ptrdiff_t>(faces.first);
-    has_point = std::all_of(first, hull.lists.cend(), [&](int f) { return hull.distance(f, point) <= kOnFace * cell.half; });
+    outside = beyond > rounding;
+    hull.lists.resize(faces.first + (outside ? 0 : faces.count));
+    if (candidates.count > 0) depth = hull.unit * (rounding - beyond);
+    offset = hull.unit * (highest + rounding);
+  }
+
+  /// The point of the hull in the cell that is nearest to its centre, roughly; nullopt where that is hard to tell.
+  std::optional<Eigen::Vector3d> point(const Cell& cell, const Faces& hull) const {
+    if (offset <= 0) return cell.centre;
+    std::vector<HalfSpace> mine;
+    for (std::size_t i = 0; i < faces.count; ++i) {
+      const auto first = 4 * static_cast<std::size_t>(hull.lists[faces.first + i]);
+      for (std::size_t f = first; f < std::min(first + 4, hull.hull.faces.size()); ++f) mine.push_back(hull.hull.faces[f]);
+    }
+    const auto worst = std::max_element(mine.begin(), mine.end(), [&](const HalfSpace& a, const HalfSpace& b) {
+      return a.distance(cell.centre) < b.distance(cell.centre);
+    });
+    const Eigen::Vector3d p = cell.centre - std::max(0.0, worst->distance(cell.centre)) * worst->normal;
+    const auto holds = [&](const HalfSpace& f) { return f.distance(p) <= kOnFace * cell.half; };
+    if (!std::all_of(mine.begin(), mine.end(), holds)) return std::nullopt;
+    return p;
   }
 };
 
@@ -120,9 +141,10 @@ double OutsideDistance::knownBound(int id) const {
   return cell.triangle < 0 ? std::numeric_limits<double>::infinity() : cell.distance + radius(cell);
 }
 
-/// Whether a view from a cell whose centre is outside has a point that is outside, too.
-bool OutsideDistance::isOutside(const View& view) const {
-  return view.has_point && !(view.offset > 0 && solid_.hasOpenings() && solid_.contains(view.point));
+/// A point of the hull in a cell whose centre is outside, that is outside, too.
+std::optional<Eigen::Vector3d> OutsideDistance::outsidePoint(const Cell& cell, const Faces& hull, const View& view) const {
+  const std::optional<Eigen::Vector3d> p = view.point(cell, hull);
+  return p && view.offset > 0 && solid_.hasOpenings() && solid_.contains(*p) ? std::nullopt : p;
 }
 
 bool OutsideDistance::canDivide(int id) const {
@@ -180,7 +202,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
   };
   Largest result;
   result.bound = query.floor;
-  Faces faces(hull, face_lists_);
+  Faces faces(hull, memory_);
   std::vector<View> views;
   std::priority_queue<Open> queue;
   const auto enough = [&] { return std::max(result.found, query.floor); };
@@ -203,9 +225,10 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
     queue.pop();
     const Cell cell = cells_[static_cast<std::size_t>(open.cell)];
     const View view = views[open.view];
-    if (cell.distance - view.offset > result.found && isOutside(view)) {
+    const auto outside = cell.distance - view.offset > result.found ? outsidePoint(cell, faces, view) : std::nullopt;
+    if (outside) {
       result.found = cell.distance - view.offset;
-      result.where = view.point;
+      result.where = *outside;
       if (result.found > query.ceiling) {
         result.bound = std::numeric_limits<double>::infinity();
         return result;
@@ -252,7 +275,7 @@ std::vector<OutsideDistance::Intruder> OutsideDistance::intruders(const ConvexHu
     int cell;
     View view;
   };
-  Faces faces(hull, face_lists_);
+  Faces faces(hull, memory_);
   std::vector<Open> level, divided;
   const auto look = [&](int cell, int parent, const Faces::List& candidates) {
     if (knownBound(cell) <= tolerance) return;
@@ -268,8 +291,8 @@ std::vector<OutsideDistance::Intruder> OutsideDistance::intruders(const ConvexHu
     divided.clear();
     for (Open& open : level) {
       const Cell& cell = cells_[static_cast<std::size_t>(open.cell)];
-      if (cell.distance - open.view.offset > tolerance && isOutside(open.view))
-        found.push_back({open.view.point, cell.distance - open.view.offset, 8 * cell.half * cell.half * cell.half});
+      const auto outside = cell.distance - open.view.offset > tolerance ? outsidePoint(cell, faces, open.view) : std::nullopt;
+      if (outside) found.push_back({*outside, cell.distance - open.view.offset, 8 * cell.half * cell.half * cell.half});
       if (radius(cell) >= resolution && canDivide(open.cell)) divided.push_back(std::move(open));
     }
     if (found.size() >= wanted || divided.size() > kMostCells / 8) break;

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "collision_hulls/check/solid.h"
@@ -57,13 +58,24 @@ class OutsideDistance {
     int children = -1;        // first of eight
     signed char summit = -1;  // whether it may hold a local maximum; -1: not yet asked
   };
+  /// Four faces of a hull. Those that are missing lie far above.
+  struct Four {
+    Eigen::Array4f distance(const Eigen::Vector3f& p) const { return normal[0] * p.x() + normal[1] * p.y() + normal[2] * p.z() + offset; }
+    std::array<Eigen::Array4f, 3> normal{Eigen::Array4f::Zero(), Eigen::Array4f::Zero(), Eigen::Array4f::Zero()};  // by axis
+    Eigen::Array4f offset = Eigen::Array4f::Constant(std::numeric_limits<float>::lowest());
+    Eigen::Array4f width = Eigen::Array4f::Zero();  // how far a cube of half side 1 about the origin reaches along the normal
+  };
+  struct Memory {
+    std::vector<Four> fours;
+    std::vector<int> lists;
+  };
   struct Faces;  // of a hull
   struct View;   // of a cell by a hull
 
   double radius(const Cell& cell) const;
   void measure(Cell& cell, const Cell* parent) const;
   double knownBound(int cell) const;
-  bool isOutside(const View& view) const;
+  std::optional<Eigen::Vector3d> outsidePoint(const Cell& cell, const Faces& hull, const View& view) const;
   bool canDivide(int cell) const;  // what it takes in memory is bounded
   int children(int cell);
   const Cell& measuredChild(int cell, int parent);
@@ -72,7 +84,7 @@ class OutsideDistance {
 
   const Solid& solid_;
   std::vector<Cell> cells_;
-  std::vector<int> face_lists_;  // memory of the query under way
+  Memory memory_;  // of the query under way
 };
 
 }  // namespace collision_hulls

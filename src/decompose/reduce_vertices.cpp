@@ -4,8 +4,8 @@
 //   until there are max_vertices points, add the hull's vertices furthest outside of the inner hull, as quickhull does
 //   move each of the inner hull's vertices out, beyond the hull's touching planes parallel to the faces around it
 //   let each sink again, as far as the faces around it can turn before they cut into the hull
-//   a few times: draw the vertices half way to the middle of their neighbours, move them out and let them sink again;
-//   keep the result that protrudes least
+//   a few times, unless it is near already: draw the vertices half way to the middle of their neighbours, move them out and let them sink
+//   again; keep the result that protrudes least
 //
 // All corners of a moved face lie beyond a touching plane, so no face meets the hull's interior, and the hull stays within.
 // Collapsing edges outward (progressive hulls) was tried instead: nearly twice the protrusion on round hulls.
@@ -35,8 +35,9 @@ constexpr double kThinnest = 0.01;
 constexpr double kShareOfFurthest = 0.5;
 // Points that lie outside of the inner hull by less than this share of the extent are not worth a vertex.
 constexpr double kNegligible = 1e-9;
-// Attempts to space the vertices more evenly.
+// Attempts to space the vertices more evenly, unless all are as near to the hull as this share of its extent.
 constexpr int kRelaxations = 3;
+constexpr double kNearEnough = 1e-3;
 
 Eigen::Vector3d areaVector(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   return (b - a).cross(c - a) / 2;
@@ -234,7 +235,8 @@ std::optional<Points> outerPoints(const ConvexHull& hull, std::size_t max_vertic
   if (!outer) return std::nullopt;
   Points best = outer->vertices;
   double least = largestDistance(*outer, held);
-  for (int k = 0; k < kRelaxations; ++k) {
+  const double enough = kNearEnough * boundingBox(hull).sizes().maxCoeff();
+  for (int k = 0; k < kRelaxations && least > enough; ++k) {
     OuterSurface relaxed(*outer, held);
     relaxed.relax();
     outer = risenAndSunk(relaxed.hull(), held);

@@ -1,6 +1,7 @@
 #include "collision_hulls/decompose/certified.h"
 
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "collision_hulls/decompose/reduce_vertices.h"
@@ -19,7 +20,8 @@ constexpr std::size_t kFewPockets = 10;  // up to a tenth more hulls are not wor
 
 /// How hard to try.
 struct Plan {
-  std::vector<ScoreWeights> cuts;  // ways to cut that are tried
+  std::vector<ScoreWeights> cuts;  // ways to cut that are tried,
+  std::size_t few = 0;             // the others only if the first one leaves no more hulls: there each counts, and luck most
   std::size_t elements = 0;        // that leaves are divided into for the search; 0: leaves as they are
   long first_evaluations = 0;      // of the search after each cut,
   long evaluations = 0;            // and of that with the best of them
@@ -27,8 +29,9 @@ struct Plan {
 
 Plan planFor(Effort effort) {
   const ScoreWeights large_sides{0.5, 0.3, 0}, any_side{0.5, 0, 0.1}, little_volume{0.1, 0, 0};
-  if (effort == Effort::kQuick) return {{large_sides}, 0, 0, 400};
-  return {{large_sides, any_side, little_volume}, 150, 200, 3500};
+  constexpr std::size_t kFew = 24, kAnyNumber = std::numeric_limits<std::size_t>::max();
+  if (effort == Effort::kQuick) return {{large_sides, any_side}, kFew, 0, 0, 400};
+  return {{large_sides, any_side, little_volume}, kAnyNumber, 150, 200, 3500};
 }
 
 /// The mesh moved so that `middle` is the origin: near it coordinates are finest, however far away the mesh lies.
@@ -70,7 +73,7 @@ class Job {
     std::unique_ptr<SurfaceGroups> groups;
     Cover best;
     const double step = 0.7 / static_cast<double>(plan_.cuts.size());
-    for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
+    for (std::size_t i = 0; i < plan_.cuts.size() && best.size() <= plan_.few; ++i) {
       const double from = step * static_cast<double>(i);
       auto mine = std::make_unique<SurfaceGroups>(leaves(plan_.cuts[i], stretch(control_, from, from + 0.8 * step)), plan_.elements,
                                                   oracle_, options_.max_vertices);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "decompose/outline.h"
+
 namespace collision_hulls {
 
 namespace {
@@ -20,30 +22,9 @@ struct OrientedBox {
   double volume() const { return (high - low).prod(); }
 };
 
-using Points2d = std::vector<Eigen::Vector2d>;
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-/// Corners of the convex hull, counter-clockwise (monotone chain).
-Points2d outline(Points2d p) {
-  std::sort(p.begin(), p.end(), [](const auto& a, const auto& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
-  Points2d chain;
-  const auto walk = [&](const Eigen::Vector2d& c, std::size_t fixed) {
-    while (chain.size() > fixed && cross(chain.back() - chain[chain.size() - 2], c - chain.back()) <= 0) chain.pop_back();
-    chain.push_back(c);
-  };
-  for (const auto& c : p) walk(c, 1);
-  const std::size_t lower = chain.size();
-  for (std::size_t i = p.size() - 1; i-- > 0;) walk(p[i], lower);
-  chain.pop_back();
-  return chain;
-}
-
 /// The direction of a side of the smallest rectangle about a convex outline: it is flush with one of the outline's edges.
 /// Rotating calipers: the furthest corners along, across and against an edge move on as the edge does.
-Eigen::Vector2d smallestRectangle(const Points2d& corners) {
+Eigen::Vector2d smallestRectangle(const Outline& corners) {
   const std::size_t n = corners.size();
   std::array<std::size_t, 3> far{1, 1, 1};
   Eigen::Vector2d best = Eigen::Vector2d::UnitX();
@@ -71,10 +52,10 @@ OrientedBox boxAlong(const std::vector<Eigen::Vector3d>& points, const Eigen::Ma
 /// The smallest box with a side across `direction`.
 OrientedBox boxAcross(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& direction) {
   const Eigen::Vector3d u = direction.unitOrthogonal(), v = direction.cross(u);
-  Points2d flat;
+  std::vector<Eigen::Vector2d> flat;
   flat.reserve(points.size());
   for (const Eigen::Vector3d& p : points) flat.emplace_back(u.dot(p), v.dot(p));
-  const Eigen::Vector2d side = smallestRectangle(outline(std::move(flat)));
+  const Eigen::Vector2d side = smallestRectangle(outlineOf(std::move(flat)));
   const Eigen::Vector3d x = side.x() * u + side.y() * v;
   Eigen::Matrix3d axes;
   axes << x, direction.cross(x), direction;

@@ -13,6 +13,7 @@
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "collision_hulls/error.h"
 #include "decompose/bounding_box.h"
+#include "decompose/outline.h"
 
 namespace collision_hulls {
 
@@ -128,14 +129,6 @@ double roundingOf(const ConvexHull& hull) {
   return 2 * kSinglePrecision * size + std::numeric_limits<float>::min();
 }
 
-/// The hull of the vertices moved both ways along the direction in which they spread least.
-ConvexHull slab(const ConvexHull& hull, double distance) {
-  const Eigen::Vector3d way = distance * principalAxes(hull.vertices).col(0);
-  Points points;
-  for (const Eigen::Vector3d& v : hull.vertices) points.insert(points.end(), {v - way, v + way});
-  return convexHull(points);
-}
-
 /// The hull grown by `margin` at least, with single-precision vertices, and by how much it had to be grown for that.
 struct Rounded {
   ConvexHull hull;
@@ -152,16 +145,39 @@ std::optional<Rounded> roundOutward(const ConvexHull& hull, const Points& held, 
   return std::nullopt;
 }
 
-/// The same for every hull: one that is too sharp for its cap on vertices, as very thin ones are, gives way to a slab about it, of fewer
-/// vertices if need be; then its vertices may move far; then to its oriented box.
+/// The hull of the vertices moved both ways along the direction in which they spread least.
+ConvexHull slab(const ConvexHull& hull, double distance) {
+  const Eigen::Vector3d way = distance * principalAxes(hull.vertices).col(0);
+  Points points;
+  for (const Eigen::Vector3d& v : hull.vertices) points.insert(points.end(), {v - way, v + way});
+  return convexHull(points);
+}
+
+/// Blunter hulls about one that is too sharp for its cap on vertices, as thin ones are.
+std::vector<ConvexHull> blunted(const ConvexHull& hull, double distance, int max_vertices) {
+  std::vector<ConvexHull> result;
+  if (max_vertices == 0) return result;
+  const ConvexHull thicker = slab(hull, distance);
+  for (int most = max_vertices; most >= kLeastVertices; most -= std::max(1, max_vertices / 8)) result.push_back(capped(thicker, most));
+  result.push_back(prismAbout(hull, max_vertices));
+  return result;
+}
+
+/// The same for every hull: one that is too sharp gives way to the nearest of blunter ones about it; then its vertices may move far; then
+/// it gives way to its oriented box.
 Rounded roundOutward(const ConvexHull& hull, double margin, int max_vertices) {
   const auto attempt = [&](const ConvexHull& outer, double mitre_limit) {
     return roundOutward(outer, hull.vertices, margin, mitre_limit, max_vertices);
   };
   if (const auto result = attempt(hull, kMitreLimit)) return *result;
-  const ConvexHull thicker = slab(hull, margin + roundingOf(hull));
-  for (int most = max_vertices; most >= kLeastVertices; most -= std::max(1, max_vertices / 8))
-    if (const auto result = attempt(capped(thicker, most), kMitreLimit)) return *result;
+  std::optional<Rounded> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const ConvexHull& blunt : blunted(hull, margin + roundingOf(hull), max_vertices)) {
+    auto result = attempt(blunt, kMitreLimit);
+    const double added = result ? addedDistance(result->hull, hull) : least;
+    if (added < least) least = added, best = std::move(result);
+  }
+  if (best) return *std::move(best);
   if (const auto result = attempt(hull, kLooseMitreLimit)) return *result;
   const ConvexHull box = orientedBox(hull);
   for (const double mitre_limit : {kMitreLimit, kLooseMitreLimit})

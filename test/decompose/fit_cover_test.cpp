@@ -184,6 +184,25 @@ TEST(FitCover, KeepsTheCapOnVertices) {
   }
 }
 
+/// A disc far thinner than the margin has sharp vertices all around: moved as far as their faces are, they would not be its vertices any
+/// more.
+TEST(FitCover, ThinDiscUnderACapStaysADisc) {
+  constexpr int kSegments = 62, kCap = 64;
+  constexpr double kRadius = 0.15, kThickness = 3e-7, kMargin = 8e-6;
+  for (std::uint32_t seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE(seed);
+    const Eigen::Matrix3d turn = RandomPoints(seed).rotation();
+    std::vector<Vector3d> points;
+    for (int i = 0; i < kSegments; ++i) {
+      const double a = 2 * test_shapes::kPi * i / kSegments;
+      points.push_back(turn * Vector3d(kRadius * std::cos(a), kRadius * std::sin(a), i % 2 * kThickness));
+    }
+    const ConvexHull disc = convexHull(points);
+    const FittedHulls fitted = checkedFit({disc}, {disc.vertices, disc.triangles}, kMargin, kCap);
+    EXPECT_LT(growth(fitted, {disc}), 0.012 * kRadius + 3 * kMargin);  // about twice that of a regular prism of 62 corners
+  }
+}
+
 TEST(FitCover, CompletesAtTheCapToo) {
   RandomPoints random(2);
   const TriangleMesh ball = test_shapes::sphere(1, 3);

@@ -10,6 +10,9 @@ namespace collision_hulls {
 
 namespace {
 
+// Of the way to the region's middle: a corner on the surface counts if the solid is on the region's side of it.
+constexpr double kInward = 1e-7;
+
 /// Corners of a convex polygon in the plane with this normal, brought into order.
 ConvexPolygon ordered(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& normal) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -54,9 +57,19 @@ std::vector<Eigen::Vector3d> Region::cut(const HalfSpace& plane) {
   }
   faces_.erase(std::remove_if(faces_.begin(), faces_.end(), [](const ConvexPolygon& face) { return face.empty(); }), faces_.end());
   if (corners.size() > 2) faces_.push_back(ordered(corners, plane.normal));
-  corners.erase(std::remove_if(corners.begin(), corners.end(), [&](const Eigen::Vector3d& p) { return !solid_->contains(p); }),
-                corners.end());
+  const Eigen::Vector3d inner = middle();
+  const auto ends_solid = [&](const Eigen::Vector3d& p) { return solid_->contains(p + kInward * (inner - p)); };
+  corners.erase(std::remove_if(corners.begin(), corners.end(), [&](const auto& p) { return !ends_solid(p); }), corners.end());
   return corners;
+}
+
+/// Mean of all corners, each as often as there are faces that it is one of.
+Eigen::Vector3d Region::middle() const {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double count = 0;
+  for (const ConvexPolygon& face : faces_)
+    for (const Eigen::Vector3d& p : face) sum += p, ++count;
+  return sum / std::max(1.0, count);
 }
 
 std::vector<Block> parted(const Block& block, const HalfSpace& plane, double tolerance) {

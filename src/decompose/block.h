@@ -21,10 +21,13 @@ class Region {
   /// The same for a part of the mesh that shares no vertex with the others.
   Region about(const Eigen::AlignedBox3d& box) const { return matters() ? Region(box, *solid_) : Region(); }
 
-  /// Takes away what lies above the plane. Returns those corners of the section that lie in the solid, each at least once.
+  /// Takes away what lies above the plane. Returns those corners of the section that the region's part of the solid ends at, each at least
+  /// once.
   std::vector<Eigen::Vector3d> cut(const HalfSpace& plane);
 
  private:
+  Eigen::Vector3d middle() const;
+
   const Solid* solid_ = nullptr;
   bool is_cut_ = false;
   std::vector<ConvexPolygon> faces_;

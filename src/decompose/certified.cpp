@@ -15,9 +15,6 @@ namespace {
 
 constexpr double kLeafShare = 0.7;  // of the tolerance that leaves are cut for: merging has room left
 
-constexpr int kSearchesForPockets = 3;
-constexpr std::size_t kFewPockets = 10;  // up to a tenth more hulls are not worth another search
-
 /// How hard to try.
 struct Plan {
   std::vector<ScoreWeights> cuts;  // ways to cut that are tried,
@@ -84,17 +81,7 @@ class Job {
       best = std::move(cover);
       groups = std::move(mine);
     }
-    const auto search = [&](Cover cover) {
-      return improved(std::move(cover), *groups, {plan_.evaluations, seed}, stretch(control_, 0.7, 0.9));
-    };
-    best = search(std::move(best));
-    const std::size_t hoped = best.size();
-    best = withoutPockets(std::move(best), *groups);
-    // Pockets that were found are known from then on: where mending took many hulls another search may do better.
-    for (int trial = 0; trial < kSearchesForPockets && best.size() > hoped + hoped / kFewPockets; ++trial) {
-      Cover other = withoutPockets(search(mergedBest(groups->leaves(), *groups)), *groups);
-      if (other.size() < best.size()) best = std::move(other);
-    }
+    best = improved(std::move(best), *groups, {plan_.evaluations, seed}, stretch(control_, 0.7, 0.9));
     for (Group& group : best) group.hull = std::make_shared<ConvexHull>(groups->exactHull(group));
     return best;
   }

@@ -21,7 +21,6 @@ constexpr double kNoiseStep = 0.1;
 constexpr long kIdleMovesPerGroup = 20, kIdleMoves = 200;  // without gain before the search ends
 constexpr std::size_t kMostToProve = 8;                    // groups: of more it hardly ever succeeds
 constexpr double kRounding = 1e-12;
-constexpr int kTrials = 20;  // of getting rid of pockets
 
 double squaredAreas(const Cover& cover) {
   double sum = 0;
@@ -171,29 +170,6 @@ Cover improved(Cover cover, SurfaceGroups& groups, const SearchOptions& options,
     const long before = groups.evaluations();
     if (leastPossible(cover, groups)) break;
     first += groups.evaluations() - before;
-  }
-  return cover;
-}
-
-Cover withoutPockets(Cover cover, SurfaceGroups& groups) {
-  for (int trial = 0; trial < kTrials; ++trial) {
-    Cover next;
-    bool changed = false;
-    for (Group& g : cover) {
-      if (!groups.holdsPocket(g)) {
-        next.push_back(std::move(g));
-        continue;
-      }
-      changed = true;
-      Cover parts = groups.byLeaf(g.elements);
-      if (parts.size() == 1) {  // a leaf itself: its elements are smaller
-        parts.clear();
-        for (int e : g.elements) parts.push_back(groups.single(e));
-      }
-      next.insert(next.end(), parts.begin(), parts.end());
-    }
-    if (!changed) return next;
-    cover = merged(std::move(next), groups, {}, Proof::kAtOnce);
   }
   return cover;
 }

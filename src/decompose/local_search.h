@@ -15,7 +15,4 @@ struct SearchOptions {
 /// A cover by no more groups than `cover`, proven if that is. Deterministic. Calls `progress` with the share of evaluations made.
 Cover improved(Cover cover, SurfaceGroups& groups, const SearchOptions& options, const std::function<void(double)>& progress);
 
-/// A cover whose hulls hold no pocket: groups that do are dissolved, and merged again with proof.
-Cover withoutPockets(Cover cover, SurfaceGroups& groups);
-
 }  // namespace collision_hulls

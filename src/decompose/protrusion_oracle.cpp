@@ -115,6 +115,10 @@ bool ProtrusionOracle::fits(const ConvexHull& hull) {
   const double reach = reachByOctree(hull, kFineCell);
   if (std::isinf(reach)) return false;
   if (!solid_.hasOpenings() && reach <= (1 - kReserve) * tolerance_) return true;
+  return surfaceFits(hull) && !mayHoldPocket(hull);
+}
+
+bool ProtrusionOracle::surfaceFits(const ConvexHull& hull) {
   SurfaceQuery on;
   on.floor = on.ceiling = (1 - kReserve) * tolerance_;
   on.gap = kProofGap * tolerance_;
@@ -126,8 +130,8 @@ bool ProtrusionOracle::fits(const ConvexHull& hull) {
   return false;
 }
 
-bool ProtrusionOracle::holdsPocket(const ConvexHull& hull) {
-  control_.check();
+/// Whether the middle of a pocket between surfaces may be further than anything on the hull's surface, and than the tolerance.
+bool ProtrusionOracle::mayHoldPocket(const ConvexHull& hull) {
   OutsideDistance::Query query;
   query.floor = query.ceiling = tolerance_;
   query.resolution = kPocketCell * tolerance_;

@@ -20,8 +20,9 @@ ConvexHull thinned(const ConvexHull& hull, std::size_t most);
 /// Whether p lies in the hull.
 bool holds(const ConvexHull& hull, const Eigen::Vector3d& p);
 
-/// Answers in three tests, cheapest first: intruders (points outside the solid by more than the tolerance) that refuted earlier
-/// hulls, an octree of distances that the hulls share, and a search over the hull's surface, which alone is a proof. Not thread safe.
+/// Answers in tests, cheapest first: intruders (points outside the solid by more than the tolerance) that refuted earlier hulls, an
+/// octree of distances that the hulls share, and, where its bound leaves something open, a search over the hull's surface and one for
+/// pockets within. Not thread safe.
 class ProtrusionOracle {
  public:
   /// `box` holds every hull that is asked about.
@@ -33,11 +34,8 @@ class ProtrusionOracle {
   /// The same, more thoroughly.
   bool mayWellFit(const ConvexHull& hull);
 
-  /// True: no point of the hull's surface is further from the solid than 99 % of the tolerance, by proof.
+  /// True: no point of the hull is further from the solid than the tolerance, none of its surface further than 99 % of it, by proof.
   bool fits(const ConvexHull& hull);
-
-  /// Whether a pocket of the solid within the hull may be deeper than its surface shows and than the tolerance. Slow on some hulls.
-  bool holdsPocket(const ConvexHull& hull);
 
   /// An upper bound of the protrusion of any hull, within a few per cent of it or of the tolerance.
   double bound(const ConvexHull& hull);
@@ -55,6 +53,8 @@ class ProtrusionOracle {
 
  private:
   bool holdsKnownIntruder(const ConvexHull& hull);
+  bool surfaceFits(const ConvexHull& hull);
+  bool mayHoldPocket(const ConvexHull& hull);
   double reachByOctree(const ConvexHull& hull, double resolution);  // no point is further; infinite: it holds an intruder
   void remember(const Eigen::Vector3d& intruder);
   double intrusion() const;

@@ -218,20 +218,6 @@ bool SurfaceGroups::proven(const Cover& cover) {
   return std::all_of(order.begin(), order.end(), [&](const Group* group) { return proven(*group); });
 }
 
-bool SurfaceGroups::holdsPocket(const Group& group) {
-  Known& known = known_[group.key];
-  if (known.no_pocket) return false;
-  known.asked = true;
-  known.no_pocket = !oracle_.holdsPocket(hullOf(group));
-  if (known.no_pocket) {
-    known.may_fit = known.proven = true;
-    known.hull = group.hull;
-  } else {
-    known.may_fit = known.proven = false;
-  }
-  return !known.no_pocket;
-}
-
 bool SurfaceGroups::covers(const Group& group, int element) const {
   if (!group.widths.contains(single(element).widths) && !std::binary_search(group.elements.begin(), group.elements.end(), element))
     return false;

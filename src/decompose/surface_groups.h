@@ -59,9 +59,6 @@ class SurfaceGroups {
   bool proven(const Group& group);
   bool proven(const Cover& cover);
 
-  /// Whether the group's hull holds a pocket: then it is not taken for a hull that fits any more.
-  bool holdsPocket(const Group& group);
-
   /// Whether the group's hull covers the element, be it its own or not.
   bool covers(const Group& group, int element) const;
 
@@ -78,7 +75,7 @@ class SurfaceGroups {
 
  private:
   struct Known {
-    bool may_fit = false, asked = false, proven = false, no_pocket = false;
+    bool may_fit = false, asked = false, proven = false;
     std::shared_ptr<const ConvexHull> hull;  // where it may fit
   };
   Group groupOf(const std::vector<int>& elements) const;

@@ -70,27 +70,5 @@ TEST(LocalSearch, IsCancelled) {
   EXPECT_THROW(improved(cover, groups, {200, 7}, kSilent), Error);
 }
 
-/// The surface of the flask's hull is nowhere further than the neck's half width from it, the middle of its hollow is.
-TEST(Pockets, AreFoundAndCleared) {
-  constexpr std::size_t kElements = 30;
-  Subject subject(flask(0.2, 2), 0.5);
-  SurfaceGroups groups({leafOf(subject.mesh.mesh)}, kElements, subject.oracle, 0);
-  const Cover filled = groups.leaves();
-  ASSERT_EQ(filled.size(), 1u);
-  EXPECT_TRUE(groups.holdsPocket(filled[0]));
-  const Cover cleared = withoutPockets(filled, groups);
-  EXPECT_GT(cleared.size(), 1u);
-  EXPECT_EQ(elementsIn(cleared), upTo(kElements));
-  for (const Group& g : cleared) EXPECT_FALSE(groups.holdsPocket(g));
-}
-
-TEST(Pockets, NoneAreFoundInABox) {
-  Subject subject(box(1, 1, 1), 0.05);
-  SurfaceGroups groups(subject.leaves(), 4, subject.oracle, 0);
-  const Cover cover = groups.leaves();
-  EXPECT_FALSE(groups.holdsPocket(cover[0]));
-  EXPECT_EQ(elementSets(withoutPockets(cover, groups)), elementSets(cover));
-}
-
 }  // namespace
 }  // namespace collision_hulls

@@ -22,7 +22,7 @@ bool isMesh(const fs::path& file) {
 }
 
 void addRobot(const Input& input, BenchmarkInputs& all) {
-  std::vector<ElementResult> elements = meshElements(input.robot, {});
+  std::vector<ElementResult> elements = robotResult(input.robot, {}).elements;
   const auto resolve = [&](const std::string& uri) { return resolveUri(uri, input.robot.path, input.find_package); };
   std::vector<MeshTask> tasks = meshTasks(elements, resolve);
   std::sort(tasks.begin(), tasks.end(), [](const MeshTask& a, const MeshTask& b) { return a.elements.front() < b.elements.front(); });

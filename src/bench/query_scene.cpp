@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "check/validate_probes.h"
+#include "geometry/pi.h"
 
 namespace collision_hulls {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr std::uint64_t kThings = 1, kPoses = 2;  // streams of random numbers
 
 ConvexHull box(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {

@@ -7,14 +7,13 @@
 
 #include "bench/defects.h"
 #include "collision_hulls/error.h"
+#include "geometry/pi.h"
 
 namespace collision_hulls {
 
 namespace {
 
 using Kind = TroubleKind;
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Kinds in their order, by name.
 const std::vector<std::pair<Kind, const char*>>& kinds() {

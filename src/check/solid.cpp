@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "collision_hulls/geometry/triangle_bvh.h"
+#include "geometry/pi.h"
 #include "mesh/edges.h"
 #include "mesh/loose_points.h"
 
@@ -157,7 +158,6 @@ struct Walls {
     const double margin = winding - kInside - kWindingError;
     if (margin <= 0) return 0;
     if (lids.empty()) return std::numeric_limits<double>::infinity();
-    constexpr double kPi = 3.14159265358979323846;
     const double d = rim.nearest(p).distance, k = rim_length / (4 * kPi * margin), b = 2 * d + k;
     return 2 * d * d / (b + std::sqrt(b * b - 4 * d * d));  // r with k r = (d - r)^2
   }

@@ -16,12 +16,11 @@
 
 #include "decompose/concavity.h"
 #include "decompose/dual_graph.h"
+#include "geometry/pi.h"
 
 namespace collision_hulls {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// A vertex of S*: p_k and its ancestors A(p_k), which are patch.triangles.
 struct Cluster {

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/pi.h"
+
 namespace collision_hulls {
 
 namespace {
@@ -20,7 +22,7 @@ constexpr int kParallel = 4096;  // triangles from which on both halves of a tre
 constexpr float kBoxMargin = 4e-7F;
 constexpr double kBoxRounding = 1e-6;
 
-constexpr double kAnyDirection = 3.14159265358979323846;
+constexpr double kAnyDirection = kPi;
 constexpr double kNarrow = 0.35;  // [rad] cones narrower than this stand for their triangles
 constexpr std::size_t kMostCones = 64;
 constexpr double kLevel = 1e-6;  // directions whose cosine is below this count as level: not within the half-space

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "collision_hulls/geometry/triangle_bvh.h"
+#include "geometry/pi.h"
 
 namespace collision_hulls {
 
@@ -9,7 +10,6 @@ namespace {
 
 constexpr double kDipoleDistance = 4;  // in radii: dipoles nearer than this would err by more than 0.01
 constexpr double kAside = 1e-9;        // of a ray from its point, as a share of the extent
-constexpr double kPi = 3.14159265358979323846;
 
 /// The sum of many angles, each from -pi to pi: complex numbers of those angles are multiplied, and turns counted, with a single atan2 in
 /// the end.

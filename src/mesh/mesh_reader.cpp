@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <string_view>
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
@@ -29,6 +30,9 @@ namespace fs = std::filesystem;
 constexpr double kCoarsestResolution = 1e-3;
 
 constexpr unsigned kFacesBetweenChecks = 1 << 16;
+
+/// What a file begins with whose content a clone left out.
+constexpr std::string_view kLfsPointer = "version https://git-lfs.github.com/spec/";
 
 /// Three corners of a triangle stay below the range of int.
 constexpr std::size_t kMostTriangles = std::numeric_limits<int>::max() / 3;
@@ -66,6 +70,8 @@ std::string readBytes(const std::string& path, std::uintmax_t max_bytes) {
 
 void checkSource(const std::string& bytes, const std::string& path, const std::string& extension, std::size_t max_triangles) {
   if (bytes.empty()) throw Error(ErrorCode::kEmptyMesh, path + ": the file is empty (0 bytes); export the mesh again");
+  if (bytes.compare(0, kLfsPointer.size(), kLfsPointer) == 0)
+    throw Error(ErrorCode::kNotAMesh, path + ": is a pointer of Git LFS, not the mesh itself; fetch that with 'git lfs pull'");
   if (extension == ".stl") checkStl(bytes, path, max_triangles);
   if (extension == ".obj") checkObj(bytes, path);
   if (extension == ".off") checkOff(bytes, path, max_triangles);

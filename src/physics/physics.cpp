@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/hull_objects.h"
+#include "geometry/pi.h"
 #include "pipeline/files.h"
 
 namespace collision_hulls {
@@ -12,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
+constexpr double kDegree = kPi / 180;
 
 struct Contender {
   std::string name, command;  // no command: a method, or the original

@@ -57,35 +57,7 @@ LinkCollisions linkCollisions(const std::string& link, const SourceElements& sou
   return result;
 }
 
-}  // namespace
-
-void nameHullFiles(RobotResult& result) {
-  const std::string suffix = extension(result.report.options.format);
-  UniqueNames names;
-  std::map<std::string, std::string> folders;
-  for (ElementResult& element : result.elements) {
-    ElementReport& row = element.report;
-    std::string stem = "hull_";
-    if (!result.single_mesh) {
-      std::string& folder = folders[row.link];
-      if (folder.empty()) folder = names.take(fileName(row.link));
-      stem = "meshes/" + folder + "/" + std::to_string(row.element) + "_";
-    } else if (!element.hulls.empty()) {
-      row.files.push_back(fileName(result.robot_name) + "_hulls.obj");
-    }
-    for (std::size_t m = 0; m + element.primitives.size() < element.hulls.size(); ++m)
-      row.files.push_back(stem + std::to_string(m) + suffix);
-  }
-}
-
-std::string outputPackage(const std::string& robot_name) {
-  return packageName(robot_name) + "_collision";
-}
-
-std::string urdfFile(const std::string& robot_name) {
-  return "urdf/" + fileName(robot_name) + ".urdf";
-}
-
+/// A link with a failed mesh keeps what it has.
 std::string rewrittenDescription(const RobotDescription& robot, const RobotResult& result, const std::string& output) {
   const Options& options = result.report.options;
   std::map<std::string, LinkElements> meshes;
@@ -108,6 +80,7 @@ std::string rewrittenDescription(const RobotDescription& robot, const RobotResul
   return rewriteCollisions(robot, links);
 }
 
+/// On meshes that the new description still names relative to the old one's place.
 std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::string& output) {
   const std::string prefix = uriPrefix(result.robot_name, result.report.options.uri, output);
   std::set<std::string> hulls, kept;
@@ -127,6 +100,49 @@ std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::
           *kept.begin() + "'; they stay as written and mean other places from '" +
           (std::filesystem::path(output) / urdfFile(result.robot_name)).string() +
           "'. Use package:// URIs in the description, or copy the new one beside the old one (its hulls by --uri package or file)"};
+}
+
+void nameHullFiles(RobotResult& result) {
+  const std::string suffix = extension(result.report.options.format);
+  UniqueNames names;
+  std::map<std::string, std::string> folders;
+  for (ElementResult& element : result.elements) {
+    ElementReport& row = element.report;
+    std::string stem = "hull_";
+    if (!result.single_mesh) {
+      std::string& folder = folders[row.link];
+      if (folder.empty()) folder = names.take(fileName(row.link));
+      stem = "meshes/" + folder + "/" + std::to_string(row.element) + "_";
+    } else if (!element.hulls.empty()) {
+      row.files.push_back(fileName(result.robot_name) + "_hulls.obj");
+    }
+    for (std::size_t m = 0; m + element.primitives.size() < element.hulls.size(); ++m)
+      row.files.push_back(stem + std::to_string(m) + suffix);
+  }
+}
+
+}  // namespace
+
+void reportElements(RobotResult& result) {
+  nameHullFiles(result);
+  for (const ElementResult& element : result.elements) result.report.links.push_back(element.report);
+}
+
+std::string outputPackage(const std::string& robot_name) {
+  return packageName(robot_name) + "_collision";
+}
+
+std::string urdfFile(const std::string& robot_name) {
+  return "urdf/" + fileName(robot_name) + ".urdf";
+}
+
+void rewriteDescription(const RobotDescription& robot, const std::string& output, const std::vector<std::string>& notes,
+                        RobotResult& result) {
+  result.urdf = rewrittenDescription(robot, result, output);
+  std::vector<std::string>& all = result.report.notes;
+  for (const auto& more :
+       {robot.notes, notesOnElements(robot, result.elements, result.report.options), notes, notesOnRewritten(result, output)})
+    all.insert(all.end(), more.begin(), more.end());
 }
 
 }  // namespace collision_hulls

@@ -18,7 +18,6 @@
 #include "pipeline/mesh_hulls.h"
 #include "pipeline/parallel.h"
 #include "pipeline/progress.h"
-#include "pipeline/sha256.h"
 #include "pipeline/stopwatch.h"
 
 namespace collision_hulls {
@@ -159,11 +158,8 @@ void decomposeElements(RobotResult& result, const UriResolver& resolve, const Ru
   });
   cache.trim();
   result.report.notes = cache.notes();
-  nameHullFiles(result);
-  for (ElementResult& element : elements) {
-    element.solid = nullptr;
-    result.report.links.push_back(element.report);
-  }
+  for (ElementResult& element : elements) element.solid = nullptr;
+  reportElements(result);
 }
 
 }  // namespace
@@ -172,18 +168,10 @@ RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& f
                            const std::string& output, const RunControl& control, const StepCallback& step) {
   check(options);
   Stopwatch run;
-  RobotResult result;
-  result.robot_name = robot.name;
-  result.report.input_path = robot.path;
-  result.report.input_sha256 = sha256(robot.text);
-  result.report.options = options;
-  result.elements = meshElements(robot, options);
+  RobotResult result = robotResult(robot, options);
   decomposeElements(
       result, [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); }, control, step);
-  result.urdf = rewrittenDescription(robot, result, output);
-  std::vector<std::string>& notes = result.report.notes;
-  for (const auto& more : {robot.notes, notesOnElements(robot, result.elements, options), notesOnRewritten(result, output)})
-    notes.insert(notes.end(), more.begin(), more.end());
+  rewriteDescription(robot, output, {}, result);
   result.report.seconds = run.lap();
   return result;
 }

@@ -60,14 +60,18 @@ LinkChoice::LinkChoice(const std::string& expression, const RobotDescription& ro
                                          "', whose links are: " + linkNames(robot));
 }
 
-std::vector<ElementResult> meshElements(const RobotDescription& robot, const Options& options) {
+RobotResult robotResult(const RobotDescription& robot, const Options& options) {
   const LinkChoice chosen(options.links, robot);
-  std::vector<ElementResult> result;
+  RobotResult result;
+  result.robot_name = robot.name;
+  result.report.input_path = robot.path;
+  result.report.input_sha256 = sha256(robot.text);
+  result.report.options = options;
   for (const LinkDescription& link : robot.links) {
     if (!chosen(link.name)) continue;
     const SourceElements source = sourceElements(link, options.source);
     for (std::size_t i = 0; i < source.elements.size(); ++i) {
-      if (isMesh(source.elements[i])) result.push_back(meshElement(link, source, i, options));
+      if (isMesh(source.elements[i])) result.elements.push_back(meshElement(link, source, i, options));
     }
   }
   return result;

@@ -22,8 +22,9 @@ class LinkChoice {
   std::function<bool(const std::string&)> matches_;
 };
 
-/// An element for every mesh of every chosen link, in document order: who and where it is, nothing computed yet.
-std::vector<ElementResult> meshElements(const RobotDescription& robot, const Options& options);
+/// What a run on a robot begins with: an element for every mesh of every chosen link, in document order: who and where it is, nothing
+/// computed yet.
+RobotResult robotResult(const RobotDescription& robot, const Options& options);
 
 /// Says so where there is no mesh among the elements that Options::source takes, and which others have some.
 std::vector<std::string> notesOnElements(const RobotDescription& robot, const std::vector<ElementResult>& elements, const Options& options);

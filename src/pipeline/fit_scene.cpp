@@ -15,7 +15,6 @@
 #include "pipeline/names.h"
 #include "pipeline/parallel.h"
 #include "pipeline/progress.h"
-#include "pipeline/sha256.h"
 #include "pipeline/stopwatch.h"
 #include "scene/enclosing.h"
 
@@ -243,12 +242,8 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   check(options);
   refuseOtherWays(options);
   Stopwatch run;
-  RobotResult result;
-  result.robot_name = robot.name;
-  result.report.input_path = robot.path;
-  result.report.input_sha256 = sha256(robot.text);
-  result.report.options = options;
-  result.elements = meshElements(robot, options);
+  RobotResult result = robotResult(robot, options);
+  if (result.elements.empty()) throw Error(ErrorCode::kBadOption, notesOnElements(robot, {}, options).front());
   std::vector<ElementResult>& elements = result.elements;
   Cache cache(options.cache ? cacheFolder() : std::filesystem::path());
   withJobs(options.jobs, [&] {
@@ -270,14 +265,11 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   });
   cache.trim();
   result.report.notes = cache.notes();
-  nameHullFiles(result);
-  for (ElementResult& element : elements) {
-    element.solid = nullptr;
-    result.report.links.push_back(element.report);
-  }
-  result.urdf = rewrittenDescription(robot, result, output);
-  for (const auto& notes : {request.notes, notesOnFit(*result.report.scene, options), notesOnRewritten(result, output)})
-    result.report.notes.insert(result.report.notes.end(), notes.begin(), notes.end());
+  for (ElementResult& element : elements) element.solid = nullptr;
+  reportElements(result);
+  std::vector<std::string> notes = request.notes;
+  for (const std::string& note : notesOnFit(*result.report.scene, options)) notes.push_back(note);
+  rewriteDescription(robot, output, notes, result);
   result.report.seconds = result.report.scene->seconds = run.lap();
   return result;
 }

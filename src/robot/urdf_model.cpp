@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "collision_hulls/robot/kinematics.h"
+#include "geometry/pi.h"
 
 namespace collision_hulls {
 namespace {
@@ -124,7 +125,6 @@ JointDescription::Kind kindOf(const urdf::Joint& joint) {
 }
 
 JointDescription toJoint(const urdf::Joint& joint) {
-  constexpr double kPi = 3.14159265358979323846;
   JointDescription result;
   result.name = joint.name;
   result.kind = kindOf(joint);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/pi.h"
+
 namespace collision_hulls {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 Eigen::RowVectorXd chordsOf(const BoxedJoint& at, const PointMatrix& points) {
   if (!at.joint->turns) return Eigen::RowVectorXd::Constant(points.cols(), at.way);

@@ -5,12 +5,13 @@
 #include <set>
 
 #include "collision_hulls/error.h"
+#include "geometry/pi.h"
 #include "scene/low_discrepancy.h"
 
 namespace collision_hulls {
 namespace {
 
-constexpr double kTurn = 2 * 3.14159265358979323846;
+constexpr double kTurn = 2 * kPi;
 constexpr double kBeyondLimit = 1e-6;   // of the limits' size: what decimal text may have rounded away
 constexpr double kMimicDiffers = 1e-3;  // [rad or m]
 

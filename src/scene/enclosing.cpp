@@ -7,6 +7,7 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/scene/scene.h"
 #include "decompose/bounding_box.h"
+#include "geometry/pi.h"
 
 namespace collision_hulls {
 namespace {
@@ -14,7 +15,6 @@ namespace {
 using Kind = GeometryElement::Kind;
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kRounding = 1e-7;                    // of a hull's size and distance from its origin: what primitives are larger
 constexpr double kOnBorder = 1e-12;                   // of a ball's squared radius: points that are no further out are on its border
 constexpr std::size_t kLongestEdges = 8;              // that a cylinder's axis is tried along

@@ -1,9 +1,7 @@
 // Boxes, spheres and cylinders about hulls, as a robot description can hold them.
 //
-// What FCL 0.7 takes for a pair that is near and apart, against a box, a hull of 64 vertices and a mesh of 1,000 triangles: sphere 0.1, 0.3
-// and 14 us; box 0.1, 0.3, 0.4; cylinder 0.2, 0.3, 3; hull of 16 to 64 vertices 0.3, 0.3, 6 to 8; the same hull as a mesh, which MoveIt
-// makes of its file, 1.5, 2.5, 2. A capsule, which a description has to put together of a cylinder and two spheres, takes the three's sum:
-// more than the hull, so that there are none here.
+// There are no capsules: a description has to put one together of a cylinder and two spheres, which FCL asks one by one, and that takes
+// longer than the hull.
 #pragma once
 
 #include <vector>

@@ -4,13 +4,14 @@
 #include <sstream>
 
 #include "collision_hulls/error.h"
+#include "geometry/pi.h"
 #include "scene/reading.h"
 
 namespace collision_hulls {
 namespace {
 
 const std::string kWithin = "::";
-constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180;
+constexpr double kRadiansPerDegree = kPi / 180;
 
 std::string textOfChild(const XmlNode& element, const std::string& name) {
   const XmlNode* child = element.child(name);

@@ -6,13 +6,13 @@
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/scene/scene.h"
+#include "geometry/pi.h"
 
 namespace collision_hulls {
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kLargest = 1e6;  // [m]
 
 void expectSizes(const char* shape, std::initializer_list<double> sizes) {

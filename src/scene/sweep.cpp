@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "collision_hulls/decompose/reduce_vertices.h"
+#include "geometry/pi.h"
 
 namespace collision_hulls {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kArc = kPi / 8;  // arcs are cut into pieces of this length at most; their corners lie 2 % of the radius further out
 constexpr std::size_t kMostVertices = 64;  // of a body that is swept further; more are replaced by fewer, further out
 constexpr std::size_t kMostOfLink = 256;   // the same of a link itself

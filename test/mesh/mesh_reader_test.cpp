@@ -90,6 +90,11 @@ TEST(ReadMeshError, NotAMesh) {
   for (const std::string& extension : meshExtensions()) expectError(ErrorCode::kNotAMesh, "check the file", "letter" + extension, text);
 }
 
+TEST(ReadMeshError, NotTheMeshButItsPointer) {
+  const std::string pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:" + std::string(64, 'a') + "\nsize 12345\n";
+  for (const std::string& extension : meshExtensions()) expectError(ErrorCode::kNotAMesh, "git lfs pull", "left_out" + extension, pointer);
+}
+
 TEST(ReadMeshError, NotAMeshGivesAssimpsReason) {
   expectError(ErrorCode::kNotAMesh, "cannot be read as obj (OBJ: Invalid", "w.obj", "v 1 2 3 0\nf 1 1 1\n");
   expectError(ErrorCode::kNotAMesh, "cannot be read as off (", "words.off", "OFF\n3 1 0\none two three\n0 1 0\n1 0 0\n3 0 1 2\n");

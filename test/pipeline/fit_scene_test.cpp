@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "collision_hulls/error.h"
@@ -216,6 +217,24 @@ TEST_F(FitRobotToScene, PrimitivesOfTheRobotCount) {
   ASSERT_EQ(result.report.scene->left_out.size(), 1u);
   EXPECT_EQ(result.report.scene->left_out[0].reason, "Adjacent");
   EXPECT_EQ(result.report.scene->left_out[0].second, "ball");
+}
+
+TEST_F(FitRobotToScene, PassesOnWhatIsOddAboutTheDescription) {
+  const std::vector<std::string> notes = run(fixtures::link("base", bracket()) + "  <xacro:gripper/>\n").report.notes;
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const auto& note) { return note.find("<xacro:gripper>") != std::string::npos; }));
+}
+
+TEST_F(FitRobotToScene, SaysWhereThereIsNoMeshAndWhichSourceHasSome) {
+  const std::string ball = collision("<geometry><sphere radius=\"0.02\"/></geometry>");
+  const std::string visual = "    <visual>\n      " + fixtures::meshTag("../meshes/bracket.obj") + "\n    </visual>\n";
+  try {
+    run(fixtures::link("base", visual + ball));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadOption);
+    for (const char* part : {"no mesh", "--source visual"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
 }
 
 TEST_F(FitRobotToScene, SameBytesFromTheCacheAndWithoutIt) {

@@ -23,12 +23,21 @@ constexpr std::size_t kVertices = 200, kRoughVertices = 50;  // of the simplifie
 constexpr std::size_t kIntruders = 100, kRoughThinning = 3;  // for scoring; on the rough piece only each third
 constexpr std::size_t kFinalists = 8;                        // planes that are scored on the finer piece
 constexpr std::size_t kEdgesOfPiece = 4000;                  // a piece with fewer triangles shows its own reflex edges
+constexpr std::size_t kSome = 3000;                          // points of a piece whose hull is looked at before that of all
 constexpr std::size_t kThin = 300;                           // vertices of a hull that intruders are looked for in
 constexpr double kOnPlane = 1e-9;                            // in extents of the whole mesh
 constexpr std::size_t kMostLeaves = 5000;                    // beyond so many the rest is left uncut
 constexpr int kHalveFrom = 40, kDeepest = 200;               // cuts above a piece: plain halving, the end
 
 using Intruders = std::vector<OutsideDistance::Intruder>;
+
+/// No more than kSome of the points, evenly spread over their order.
+std::vector<Eigen::Vector3d> some(const std::vector<Eigen::Vector3d>& points) {
+  if (points.size() <= kSome) return points;
+  std::vector<Eigen::Vector3d> result;
+  for (std::size_t i = 0; i < kSome; ++i) result.push_back(points[i * points.size() / kSome]);
+  return result;
+}
 
 class Cutting {
  public:
@@ -40,15 +49,23 @@ class Cutting {
         progress_(progress) {}
 
   void run(Block block, int depth) {
-    ConvexHull hull = roughHull(block.surface.vertices);
+    const std::vector<Eigen::Vector3d>& points = block.surface.vertices;
+    ConvexHull hull = roughHull(some(points));  // a part of the piece's own: what refutes it refutes that
     const ConvexHull thin = thinned(hull, kThin);
-    const bool clear = oracle_.mayWellFit(thin), over_cap = overCap(hull);
+    const bool clear = oracle_.mayWellFit(thin), is_last = depth >= kDeepest || leaves.size() >= kMostLeaves;
+    const auto complete = [&] {
+      if (points.size() > kSome) hull = roughHull(points);
+    };
+    if (clear || is_last) complete();
+    const bool over_cap = clear && overCap(hull);
     const bool fits = clear && oracle_.fits(over_cap ? reduceVertices(hull, options_.max_vertices) : hull);
-    if (fits || depth >= kDeepest || leaves.size() >= kMostLeaves) return leaf(std::move(block), std::move(hull));
+    if (fits || is_last) return leaf(std::move(block), std::move(hull));
     std::vector<Block> parts = components(block);
-    if (parts.size() == 1)
-      parts = (clear && over_cap) || depth >= kHalveFrom ? halves(block, on_plane_) : bestCut(block, clear ? hull : thin);
-    if (parts.size() == 1) return leaf(std::move(block), std::move(hull));
+    if (parts.size() == 1) parts = over_cap || depth >= kHalveFrom ? halves(block, on_plane_) : bestCut(block, clear ? hull : thin);
+    if (parts.size() == 1) {
+      complete();
+      return leaf(std::move(block), std::move(hull));
+    }
     block = {};
     for (Block& part : parts) run(std::move(part), depth + 1);
   }

@@ -73,6 +73,25 @@ TEST(Cutting, RoundShapesFit) {
   }
 }
 
+/// Pieces of so many points are looked at by some of them first: also where one of the others alone makes the piece unfit.
+TEST(Cutting, NoPointOfALargePieceIsForgotten) {
+  const TriangleMesh ball = sphere(1, 20);
+  ASSERT_GE(ball.vertices.size(), 4000u);
+  for (const double spike : {1.0, 1.5}) {
+    TriangleMesh mesh = ball;
+    mesh.vertices[3] *= spike;  // not among those that are looked at first
+    Subject subject(mesh, 0.05 * diagonal(mesh));
+    const std::vector<Leaf> leaves = cutIntoLeaves(subject.mesh, subject.oracle, {}, [](double) {});
+    EXPECT_EQ(leaves.size() > 1, spike > 1);
+    for (const Leaf& leaf : leaves) {
+      EXPECT_TRUE(subject.oracle.fits(leaf.hull));
+      double beyond = 0;
+      for (const Eigen::Vector3d& v : leaf.block.surface.vertices) beyond = std::max(beyond, planeDistance(leaf.hull, v));
+      EXPECT_LE(beyond, 1e-10 * diagonal(mesh));
+    }
+  }
+}
+
 TEST(Cutting, AVertexCapIsMetWithinTheTolerance) {
   const TriangleMesh ball = sphere(1, 4);
   EXPECT_EQ(checkedLeaves(ball, 0.01).size(), 1u);

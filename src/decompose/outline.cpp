@@ -1,8 +1,10 @@
 #include "decompose/outline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "decompose/bounding_box.h"
 

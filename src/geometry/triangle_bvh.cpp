@@ -220,7 +220,7 @@ TriangleBvh::Cone TriangleBvh::cone(int k) const {
 /// nodes; ends and returns false as soon as one of them does.
 template <class Visit, class Skip>
 bool TriangleBvh::forEachNear(const Eigen::Vector3d& p, double radius, double narrow, Visit visit, Skip skip) const {
-  int stack[96];
+  int stack[kDeepest];
   int top = 0;
   if (!nodes_.empty()) stack[top++] = 0;
   while (top > 0) {

@@ -88,7 +88,7 @@ int TriangleBvh::signedCrossings(const Eigen::Vector3d& p) const {
 double TriangleBvh::windingNumber(const Eigen::Vector3d& p) const {
   double sum = 0;      // of half solid angles, of dipoles
   SumOfAngles angles;  // and of triangles
-  int stack[96];
+  int stack[kDeepest];
   int top = 0;
   if (!nodes_.empty()) stack[top++] = 0;
   while (top > 0) {

@@ -77,6 +77,7 @@ class TriangleBvh {
     std::array<int, 4> child{};               // its four boxes; ~k: the triangle at k in leaf order
     int count = 0;
   };
+  static constexpr int kDeepest = 96;           // nodes put off: one on each of log2(2^31 / 4) levels, and many to spare
   static constexpr int kDeepestFours = 3 * 24;  // three are put off on each of log4(2^31 / 4) levels, and some to spare
   struct Cone {
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();

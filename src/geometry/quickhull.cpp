@@ -14,6 +14,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/point_tree.h"
+
 namespace collision_hulls {
 
 namespace {
@@ -307,19 +309,11 @@ class Builder {
     return true;
   }
 
-  /// Whether all faces hold all vertices, asked one by one.
+  /// Whether all faces hold all vertices.
   bool holdsVertices(const ConvexHull& hull) const {
-    Eigen::Matrix<double, Eigen::Dynamic, 3> normals(static_cast<Eigen::Index>(hull.faces.size()), 3);
-    Eigen::VectorXd offsets(normals.rows());
-    for (Eigen::Index i = 0; i < normals.rows(); ++i) {
-      normals.row(i) = hull.faces[static_cast<std::size_t>(i)].normal.transpose();
-      offsets[i] = hull.faces[static_cast<std::size_t>(i)].offset + kDent * extent_;
-    }
-    Eigen::VectorXd reach(normals.rows());
-    return std::all_of(hull.vertices.begin(), hull.vertices.end(), [&](const Eigen::Vector3d& p) {
-      reach.noalias() = normals * p;
-      return (reach - offsets).maxCoeff() <= 0;
-    });
+    const PointTree vertices(hull.vertices);
+    const auto cuts = [&](const HalfSpace& face) { return vertices.anyBeyond(face, kDent * extent_); };
+    return std::none_of(hull.faces.begin(), hull.faces.end(), cuts);
   }
 
   /// The furthest that a vertex lies beyond a neighbouring face.

@@ -172,6 +172,17 @@ const OutsideDistance::Cell& OutsideDistance::measuredChild(int id, int parent) 
   return cell;
 }
 
+void OutsideDistance::learn(int id, const OutsideDistance& other, int known_id, const Eigen::AlignedBox3d& part) {
+  const Cell& known = other.cells_[static_cast<std::size_t>(known_id)];
+  Cell& cell = cells_[static_cast<std::size_t>(id)];
+  if (cell.triangle < 0) cell.to_surface = known.to_surface, cell.distance = known.distance, cell.triangle = known.triangle;
+  if (cell.summit < 0) cell.summit = known.summit;
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(cell.half);
+  if (known.children < 0 || !canDivide(id) || !part.intersects({cell.centre - reach, cell.centre + reach})) return;
+  const int first = children(id);
+  for (int k = 0; k < 8; ++k) learn(first + k, other, known.children + k, part);
+}
+
 bool OutsideDistance::mayHoldSummit(int id) {
   Cell& cell = cells_[static_cast<std::size_t>(id)];
   if (cell.summit < 0) cell.summit = !solid_.surface().facesOneWay(cell.centre, cell.to_surface + 2 * radius(cell));

@@ -21,6 +21,9 @@ class OutsideDistance {
   /// `box`: what queried hulls lie in; `solid` must live as long.
   OutsideDistance(const Solid& solid, const Eigen::AlignedBox3d& box);
 
+  /// Takes over what another one, of the same solid and box, knows of the cells that meet `part`.
+  void learn(const OutsideDistance& other, const Eigen::AlignedBox3d& part) { learn(0, other, 0, part); }
+
   struct Query {
     double floor = 0;                                                ///< [m] distances up to here do not matter
     double ceiling = 0;                                              ///< [m] the search ends when a larger distance is found
@@ -81,6 +84,7 @@ class OutsideDistance {
   const Cell& measuredChild(int cell, int parent);
   bool mayHoldSummit(int cell);
   double levelBound(int cell);
+  void learn(int cell, const OutsideDistance& other, int known, const Eigen::AlignedBox3d& part);
 
   const Solid& solid_;
   std::vector<Cell> cells_;

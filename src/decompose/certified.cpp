@@ -1,5 +1,7 @@
 #include "collision_hulls/decompose/certified.h"
 
+#include <tbb/parallel_for.h>
+
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -67,7 +69,6 @@ class Job {
 
   Cover cover() {
     const std::uint64_t seed = options_.seed;
-    std::unique_ptr<SurfaceGroups> groups;
     Cover best;
     const double step = 0.7 / static_cast<double>(plan_.cuts.size());
     for (std::size_t i = 0; i < plan_.cuts.size() && best.size() <= plan_.few; ++i) {
@@ -77,16 +78,24 @@ class Job {
       Cover cover = mergedBest(mine->leaves(), *mine);
       if (plan_.first_evaluations > 0)
         cover = improved(std::move(cover), *mine, {plan_.first_evaluations, seed}, stretch(control_, from + 0.8 * step, from + step));
-      if (groups && cover.size() >= best.size()) continue;
+      if (groups_ && cover.size() >= best.size()) continue;
       best = std::move(cover);
-      groups = std::move(mine);
+      groups_ = std::move(mine);
     }
-    best = improved(std::move(best), *groups, {plan_.evaluations, seed}, stretch(control_, 0.7, 0.9));
-    for (Group& group : best) group.hull = std::make_shared<ConvexHull>(groups->exactHull(group));
-    return best;
+    return improved(std::move(best), *groups_, {plan_.evaluations, seed}, stretch(control_, 0.7, 0.9));
   }
 
-  HullTree treeOver(const Cover& cover) { return treeAbove(cover, oracle_, stretch(control_, 0.9, 1)); }
+  std::vector<ConvexHull> hullsOf(const Cover& cover) const {
+    std::vector<ConvexHull> hulls(cover.size());
+    tbb::parallel_for(std::size_t{0}, cover.size(), [&](std::size_t i) { hulls[i] = groups_->cappedHull(cover[i]); });
+    return hulls;
+  }
+
+  HullTree treeOver(Cover cover) {
+    tbb::parallel_for(std::size_t{0}, cover.size(),
+                      [&](std::size_t i) { cover[i].hull = std::make_shared<ConvexHull>(groups_->exactHull(cover[i])); });
+    return treeAbove(cover, oracle_, stretch(control_, 0.9, 1));
+  }
 
  private:
   std::vector<Leaf> leaves(const ScoreWeights& weights, const std::function<void(double)>& progress) {
@@ -102,6 +111,7 @@ class Job {
   const RunControl& control_;
   const Solid solid_;
   ProtrusionOracle oracle_;
+  std::unique_ptr<SurfaceGroups> groups_;  // of the best cover
 };
 
 }  // namespace
@@ -111,18 +121,17 @@ Decomposition certified(const RepairedMesh& original, const DecomposeOptions& op
   const RepairedMesh mesh = about(middle, original);
   Job job(mesh, options, control);
   Decomposition result;
-  const Cover cover = job.cover();
+  Cover cover = job.cover();
   result.capped = options.max_hulls > 0 && cover.size() > static_cast<std::size_t>(options.max_hulls);
   if (result.capped) {
-    const HullTree tree = job.treeOver(cover);
+    const HullTree tree = job.treeOver(std::move(cover));
     result.hulls = tree.hullsOf(tree.cutTo(options.max_hulls));
+    if (options.max_vertices > 0)
+      for (ConvexHull& hull : result.hulls) hull = reduceVertices(hull, options.max_vertices);
   } else {
-    for (const Group& group : cover) result.hulls.push_back(*group.hull);
+    result.hulls = job.hullsOf(cover);
   }
-  for (ConvexHull& hull : result.hulls) {
-    if (options.max_vertices > 0) hull = reduceVertices(hull, options.max_vertices);
-    moveBack(hull, middle);
-  }
+  for (ConvexHull& hull : result.hulls) moveBack(hull, middle);
   control.report(1);
   return result;
 }

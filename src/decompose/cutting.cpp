@@ -9,7 +9,11 @@
 // simplified pieces: on a rough one for all planes, on a finer one for the best of them. What is cut is the piece itself.
 #include "decompose/cutting.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
+#include <iterator>
+#include <mutex>
 
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "decompose/cut_planes.h"
@@ -28,6 +32,7 @@ constexpr std::size_t kThin = 300;                           // vertices of a hu
 constexpr double kOnPlane = 1e-9;                            // in extents of the whole mesh
 constexpr std::size_t kMostLeaves = 5000;                    // beyond so many the rest is left uncut
 constexpr int kHalveFrom = 40, kDeepest = 200;               // cuts above a piece: plain halving, the end
+constexpr double kApart = 1.0 / 16;                          // of the area: parts above it are cut at the same time
 
 using Intruders = std::vector<OutsideDistance::Intruder>;
 
@@ -39,15 +44,61 @@ std::vector<Eigen::Vector3d> some(const std::vector<Eigen::Vector3d>& points) {
   return result;
 }
 
+double areaOf(const std::vector<Block>& blocks) {
+  double sum = 0;
+  for (const Block& block : blocks) sum += area(block.surface);
+  return sum;
+}
+
+Eigen::AlignedBox3d boxOf(const std::vector<Block>& blocks) {
+  Eigen::AlignedBox3d box;
+  for (const Block& block : blocks) box.extend(boundingBox(block.surface));
+  return box;
+}
+
+/// The share of the area that is done. Thread safe.
+class Done {
+ public:
+  Done(double whole, const std::function<void(double)>& progress) : whole_(whole), progress_(progress) {}
+  void add(double area) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    done_ += area;
+    if (whole_ > 0) progress_(std::min(1.0, done_ / whole_));
+  }
+
+ private:
+  std::mutex mutex_;
+  const double whole_;
+  double done_ = 0;
+  const std::function<void(double)>& progress_;
+};
+
 class Cutting {
  public:
-  Cutting(ProtrusionOracle& oracle, const CutOptions& options, const SurfacePiece& whole, const std::function<void(double)>& progress)
-      : oracle_(oracle),
-        options_(options),
-        on_plane_(kOnPlane * boundingBox(whole).sizes().maxCoeff()),
-        area_(area(whole)),
-        progress_(progress) {}
+  Cutting(ProtrusionOracle& oracle, const CutOptions& options, double on_plane, double area_apart, Done& done)
+      : oracle_(oracle), options_(options), on_plane_(on_plane), area_apart_(area_apart), done_(done) {}
 
+  /// Large blocks at the same time, half of them by an oracle of their own: always the same ones, so that the number of threads decides
+  /// nothing.
+  void run(std::vector<Block> blocks, int depth) {
+    if (blocks.size() == 1) return run(std::move(blocks[0]), depth);
+    std::vector<Block> others(std::make_move_iterator(blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 2)),
+                              std::make_move_iterator(blocks.end()));
+    blocks.resize(blocks.size() / 2);
+    if (std::min(areaOf(blocks), areaOf(others)) <= area_apart_) {
+      run(std::move(blocks), depth);
+      return run(std::move(others), depth);
+    }
+    ProtrusionOracle oracle = oracle_.forPart(boxOf(others));
+    Cutting beside(oracle, options_, on_plane_, area_apart_, done_);
+    tbb::parallel_invoke([&] { run(std::move(blocks), depth); }, [&] { beside.run(std::move(others), depth); });
+    oracle_.learn(oracle);
+    leaves.insert(leaves.end(), std::make_move_iterator(beside.leaves.begin()), std::make_move_iterator(beside.leaves.end()));
+  }
+
+  std::vector<Leaf> leaves;
+
+ private:
   void run(Block block, int depth) {
     const std::vector<Eigen::Vector3d>& points = block.surface.vertices;
     ConvexHull hull = roughHull(some(points));  // a part of the piece's own: what refutes it refutes that
@@ -58,25 +109,22 @@ class Cutting {
     };
     if (clear || is_last) complete();
     const bool over_cap = clear && overCap(hull);
-    const bool fits = clear && oracle_.fits(over_cap ? reduceVertices(hull, options_.max_vertices) : hull);
-    if (fits || is_last) return leaf(std::move(block), std::move(hull));
+    const auto reduced = over_cap ? std::make_shared<const ConvexHull>(reduceVertices(hull, options_.max_vertices)) : nullptr;
+    const bool fits = clear && oracle_.fits(reduced ? *reduced : hull);
+    if (fits || is_last) return leaf({std::move(block), std::move(hull), fits ? reduced : nullptr});
     std::vector<Block> parts = components(block);
     if (parts.size() == 1) parts = over_cap || depth >= kHalveFrom ? halves(block, on_plane_) : bestCut(block, clear ? hull : thin);
     if (parts.size() == 1) {
       complete();
-      return leaf(std::move(block), std::move(hull));
+      return leaf({std::move(block), std::move(hull)});
     }
     block = {};
-    for (Block& part : parts) run(std::move(part), depth + 1);
+    run(std::move(parts), depth + 1);
   }
 
-  std::vector<Leaf> leaves;
-
- private:
-  void leaf(Block block, ConvexHull hull) {
-    done_ += area(block.surface);
-    if (area_ > 0) progress_(std::min(1.0, done_ / area_));
-    leaves.push_back({std::move(block), std::move(hull)});
+  void leaf(Leaf leaf) {
+    done_.add(area(leaf.block.surface));
+    leaves.push_back(std::move(leaf));
   }
 
   bool overCap(const ConvexHull& hull) const {
@@ -103,8 +151,8 @@ class Cutting {
 
   ProtrusionOracle& oracle_;
   const CutOptions options_;
-  double on_plane_, area_, done_ = 0;
-  const std::function<void(double)>& progress_;
+  const double on_plane_, area_apart_;
+  Done& done_;
 };
 
 }  // namespace
@@ -112,9 +160,13 @@ class Cutting {
 std::vector<Leaf> cutIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& oracle, const CutOptions& options,
                                 const std::function<void(double)>& progress) {
   SurfacePiece whole = withLoosePoints(mesh);
-  Cutting cutting(oracle, options, whole, progress);
+  const double whole_area = area(whole);
+  Done done(whole_area, progress);
+  Cutting cutting(oracle, options, kOnPlane * boundingBox(whole).sizes().maxCoeff(), kApart * whole_area, done);
   const Region region = options.fill ? Region(boundingBox(whole), oracle.solid()) : Region();
-  cutting.run({std::move(whole), region}, 0);
+  std::vector<Block> blocks;
+  blocks.push_back({std::move(whole), region});
+  cutting.run(std::move(blocks), 0);
   return std::move(cutting.leaves);
 }
 

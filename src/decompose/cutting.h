@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "collision_hulls/mesh/repair.h"
@@ -21,6 +22,7 @@ struct CutOptions {
 struct Leaf {
   Block block;
   ConvexHull hull;
+  std::shared_ptr<const ConvexHull> reduced = nullptr;  ///< the same with its vertices capped, where that is what fits
 };
 
 /// Leaves whose blocks make up the whole surface (loose points included); each hull fits in the eyes of the oracle unless its piece

@@ -1,7 +1,10 @@
 #include "decompose/protrusion_oracle.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "check/surface_search.h"
@@ -26,6 +29,8 @@ constexpr double kLooseShare = 0.01;     // the same, of the protrusion itself
 constexpr double kInward = 1e-9;         // of the way to a vertex, that intruders on a hull's surface are moved into it
 constexpr double kGrowth = 1e-5;         // of a hull, for rounding when it is written
 constexpr double kJoggle = 1e-6;         // most that a rough hull's points are moved, as a share of their way from the middle
+constexpr std::size_t kJoggles = 3;      // trials,
+constexpr std::size_t kMany = 3000;      // points of which four in a plane hinder quickhull so often that they are moved at once
 constexpr std::size_t kMostKnown = 400;  // intruders remembered
 
 ConvexHull grown(ConvexHull hull) {
@@ -34,10 +39,11 @@ ConvexHull grown(ConvexHull hull) {
   return hull;
 }
 
-/// Moves points away from the origin, which lies in their hull: that of the moved ones holds it, and of those that lay in a plane hardly
-/// any four still do.
-void joggle(std::vector<Eigen::Vector3d>& points) {
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] *= 1 + kJoggle * unitInterval(mixed(i));
+/// The points moved away from the origin, which lies in their hull: that of the moved ones holds it, and of those that lay in a plane
+/// hardly any four still do. Another way in each trial.
+std::vector<Eigen::Vector3d> joggled(std::vector<Eigen::Vector3d> points, std::size_t trial) {
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] *= 1 + kJoggle * unitInterval(mixed(i + trial * points.size()));
+  return points;
 }
 
 }  // namespace
@@ -48,11 +54,9 @@ ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points) {
   std::vector<Eigen::Vector3d> centred;
   centred.reserve(points.size());
   for (const Eigen::Vector3d& p : points) centred.push_back(p - middle);
-  std::optional<ConvexHull> hull = quickhull(centred);
-  if (!hull) {
-    joggle(centred);
-    hull = quickhull(centred);
-  }
+  std::optional<ConvexHull> hull;
+  if (points.size() <= kMany) hull = quickhull(centred);
+  for (std::size_t trial = 0; !hull && trial < kJoggles; ++trial) hull = quickhull(joggled(centred, trial));
   if (!hull) return convexHull(points);
   for (Eigen::Vector3d& v : hull->vertices) v += middle;
   for (HalfSpace& face : hull->faces) face.offset += face.normal.dot(middle);
@@ -83,7 +87,26 @@ bool holds(const ConvexHull& hull, const Eigen::Vector3d& p) {
 }
 
 ProtrusionOracle::ProtrusionOracle(const Solid& solid, const Eigen::AlignedBox3d& box, double tolerance, const RunControl& control)
-    : solid_(solid), control_(control), tolerance_(tolerance), outside_(solid, box) {}
+    : solid_(solid), control_(control), box_(box), tolerance_(tolerance), outside_(solid, box) {}
+
+ProtrusionOracle ProtrusionOracle::forPart(const Eigen::AlignedBox3d& part) const {
+  ProtrusionOracle result(solid_, box_, tolerance_, control_);
+  result.share_ = share_;
+  result.outside_.learn(outside_, part);
+  std::copy_if(known_.begin(), known_.end(), std::back_inserter(result.known_), [&](const Eigen::Vector3d& p) { return part.contains(p); });
+  return result;
+}
+
+/// The most useful intruders of both stay in front.
+void ProtrusionOracle::learn(const ProtrusionOracle& part) {
+  outside_.learn(part.outside_, box_);
+  const std::vector<Eigen::Vector3d> mine = std::move(known_);
+  known_.clear();
+  for (std::size_t i = 0; i < std::max(mine.size(), part.known_.size()); ++i)
+    for (const auto* some : {&mine, &part.known_})
+      if (i < some->size() && known_.size() < kMostKnown && std::find(known_.begin(), known_.end(), (*some)[i]) == known_.end())
+        known_.push_back((*some)[i]);
+}
 
 void ProtrusionOracle::setTolerance(double tolerance) {
   tolerance_ = tolerance;
@@ -109,24 +132,40 @@ bool ProtrusionOracle::mayWellFit(const ConvexHull& hull) {
   return !holdsKnownIntruder(hull) && !std::isinf(reachByOctree(hull, kFineCell));
 }
 
-bool ProtrusionOracle::fits(const ConvexHull& hull) {
+std::vector<char> ProtrusionOracle::fit(const std::vector<const ConvexHull*>& hulls) {
+  std::vector<std::optional<bool>> answers;
+  for (const ConvexHull* hull : hulls) answers.push_back(fitsByOctree(*hull));
+  std::vector<Protrusion> on_surface(hulls.size());
+  tbb::parallel_for(std::size_t{0}, hulls.size(), [&](std::size_t i) {
+    if (!answers[i]) on_surface[i] = onSurface(*hulls[i]);
+  });
+  std::vector<char> result;
+  for (std::size_t i = 0; i < hulls.size(); ++i) result.push_back(answers[i] ? *answers[i] : concluded(*hulls[i], on_surface[i]));
+  return result;
+}
+
+/// nullopt: that is open.
+std::optional<bool> ProtrusionOracle::fitsByOctree(const ConvexHull& hull) {
   control_.check();
   if (holdsKnownIntruder(hull)) return false;
   const double reach = reachByOctree(hull, kFineCell);
   if (std::isinf(reach)) return false;
   if (!solid_.hasOpenings() && reach <= (1 - kReserve) * tolerance_) return true;
-  return surfaceFits(hull) && !mayHoldPocket(hull);
+  return std::nullopt;
 }
 
-bool ProtrusionOracle::surfaceFits(const ConvexHull& hull) {
+Protrusion ProtrusionOracle::onSurface(const ConvexHull& hull) const {
   SurfaceQuery on;
   on.floor = on.ceiling = (1 - kReserve) * tolerance_;
   on.gap = kProofGap * tolerance_;
   on.known = &outside_;
   // Where the surface has openings the distance jumps: what is written, a little larger, must not reach across.
-  const Protrusion most = largestOnSurface(solid_.hasOpenings() ? grown(hull) : hull, solid_, on, control_);
-  if (most.found <= on.ceiling) return true;
-  remember(most.where + kInward * (hull.vertices[0] - most.where));
+  return largestOnSurface(solid_.hasOpenings() ? grown(hull) : hull, solid_, on, control_);
+}
+
+bool ProtrusionOracle::concluded(const ConvexHull& hull, const Protrusion& on_surface) {
+  if (on_surface.found <= (1 - kReserve) * tolerance_) return !mayHoldPocket(hull);
+  remember(on_surface.where + kInward * (hull.vertices[0] - on_surface.where));
   return false;
 }
 

@@ -1,9 +1,11 @@
 // The question that a decomposition asks again and again: does this hull protrude further than the tolerance?
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "check/outside_distance.h"
+#include "collision_hulls/check/measures.h"
 #include "collision_hulls/check/solid.h"
 #include "collision_hulls/control.h"
 
@@ -28,6 +30,12 @@ class ProtrusionOracle {
   /// `box` holds every hull that is asked about.
   ProtrusionOracle(const Solid& solid, const Eigen::AlignedBox3d& box, double tolerance, const RunControl& control);
 
+  /// One for hulls within `part` of the box, which knows what this one knows there: for use beside it.
+  ProtrusionOracle forPart(const Eigen::AlignedBox3d& part) const;
+
+  /// Takes over what one for a part has learned.
+  void learn(const ProtrusionOracle& part);
+
   /// False: the hull protrudes too far. True: most likely it does not.
   bool mayFit(const ConvexHull& hull);
 
@@ -35,7 +43,10 @@ class ProtrusionOracle {
   bool mayWellFit(const ConvexHull& hull);
 
   /// True: no point of the hull is further from the solid than the tolerance, none of its surface further than 99 % of it, by proof.
-  bool fits(const ConvexHull& hull);
+  bool fits(const ConvexHull& hull) { return fit({&hull})[0] != 0; }
+
+  /// The same of several hulls, searched at the same time.
+  std::vector<char> fit(const std::vector<const ConvexHull*>& hulls);
 
   /// An upper bound of the protrusion of any hull, within a few per cent of it or of the tolerance.
   double bound(const ConvexHull& hull);
@@ -53,7 +64,9 @@ class ProtrusionOracle {
 
  private:
   bool holdsKnownIntruder(const ConvexHull& hull);
-  bool surfaceFits(const ConvexHull& hull);
+  std::optional<bool> fitsByOctree(const ConvexHull& hull);
+  Protrusion onSurface(const ConvexHull& hull) const;
+  bool concluded(const ConvexHull& hull, const Protrusion& on_surface);
   bool mayHoldPocket(const ConvexHull& hull);
   double reachByOctree(const ConvexHull& hull, double resolution);  // no point is further; infinite: it holds an intruder
   void remember(const Eigen::Vector3d& intruder);
@@ -61,6 +74,7 @@ class ProtrusionOracle {
 
   const Solid& solid_;
   const RunControl& control_;
+  const Eigen::AlignedBox3d box_;
   double tolerance_, share_ = 1;
   OutsideDistance outside_;
   std::vector<Eigen::Vector3d> known_;  // intruders, the most useful ones first

@@ -1,5 +1,7 @@
 #include "decompose/surface_groups.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <map>
 #include <queue>
@@ -12,8 +14,9 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kOnPlane = 1e-9;   // of the largest extent
-constexpr double kSmallest = 1e-6;  // the same: pieces below are not halved
+constexpr double kOnPlane = 1e-9;      // of the largest extent
+constexpr double kSmallest = 1e-6;     // the same: pieces below are not halved
+constexpr std::ptrdiff_t kAtOnce = 2;  // groups are proven: where the first is refuted the other was for nothing
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -82,7 +85,7 @@ std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t cou
 
 SurfaceGroups::SurfaceGroups(const std::vector<Leaf>& leaves, std::size_t element_count, ProtrusionOracle& oracle, int max_vertices)
     : elements_(elementsOf(leaves, element_count, oracle.tolerance())), oracle_(oracle), max_vertices_(max_vertices) {
-  for (const Leaf& leaf : leaves) leaves_.push_back({leaf.hull, 0});
+  for (const Leaf& leaf : leaves) leaves_.push_back({leaf.hull, leaf.reduced, 0});
   for (const Element& e : elements_) ++leaves_[at(e.leaf)].elements;
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     Group group;
@@ -158,6 +161,18 @@ ConvexHull SurfaceGroups::exactHull(const Group& group) const {
   return overCap(hull) ? hull : convexHull(pointsOf(group.elements));
 }
 
+std::shared_ptr<const ConvexHull> SurfaceGroups::reducedHull(const Group& group) const {
+  if (isWholeLeaf(group)) return leaves_[at(elements_[at(group.elements.front())].leaf)].reduced;
+  const auto known = known_.find(group.key);
+  return known == known_.end() ? nullptr : known->second.reduced;
+}
+
+ConvexHull SurfaceGroups::cappedHull(const Group& group) const {
+  if (const auto reduced = reducedHull(group)) return *reduced;
+  ConvexHull hull = exactHull(group);
+  return overCap(hull) ? reduceVertices(hull, max_vertices_) : hull;
+}
+
 void SurfaceGroups::ask(const std::vector<Eigen::Vector3d>& points, Known& known) {
   known.asked = true;
   ++evaluations_;
@@ -193,21 +208,41 @@ Group SurfaceGroups::merged(const Group& a, const Group& b) {
   return both;
 }
 
-/// A hull with its vertices capped holds the hull that it stands for.
-bool SurfaceGroups::fits(const ConvexHull& hull) {
-  return oracle_.fits(overCap(hull) ? reduceVertices(hull, max_vertices_) : hull);
-}
-
 bool SurfaceGroups::overCap(const ConvexHull& hull) const {
   return max_vertices_ > 0 && hull.vertices.size() > static_cast<std::size_t>(max_vertices_);
 }
 
+bool SurfaceGroups::needsProof(const Group& group) const {
+  if (isWholeLeaf(group)) return false;
+  const auto known = known_.find(group.key);
+  return known == known_.end() || !known->second.asked || (known->second.may_fit && !known->second.proven);
+}
+
+/// A hull with its vertices capped holds the hull that it stands for.
+SurfaceGroups::Candidate SurfaceGroups::candidate(const Group& group) const {
+  ConvexHull hull = hullOf(group);
+  if (!overCap(hull)) return {std::move(hull), false};
+  return {reduceVertices(hull, max_vertices_), true};
+}
+
 bool SurfaceGroups::proven(const Group& group) {
-  if (isWholeLeaf(group)) return true;
-  Known& known = known_[group.key];
-  if (!known.asked) known.asked = known.may_fit = true;  // it took an element over
-  if (!known.proven) known.proven = known.may_fit = known.may_fit && fits(hullOf(group));
-  return known.proven;
+  prove({&group});
+  return isWholeLeaf(group) || known_.at(group.key).proven;
+}
+
+void SurfaceGroups::prove(std::vector<const Group*> groups) {
+  groups.erase(std::remove_if(groups.begin(), groups.end(), [&](const Group* g) { return !needsProof(*g); }), groups.end());
+  std::vector<Candidate> candidates(groups.size());
+  tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t i) { candidates[i] = candidate(*groups[i]); });
+  std::vector<const ConvexHull*> hulls;
+  for (const Candidate& c : candidates) hulls.push_back(&c.hull);
+  const std::vector<char> fits = oracle_.fit(hulls);
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    Known& known = known_[groups[i]->key];
+    known.asked = true;
+    known.proven = known.may_fit = fits[i] != 0;
+    if (known.proven && candidates[i].is_reduced) known.reduced = std::make_shared<ConvexHull>(std::move(candidates[i].hull));
+  }
 }
 
 /// Widest first: those are refuted most often.
@@ -215,7 +250,12 @@ bool SurfaceGroups::proven(const Cover& cover) {
   std::vector<const Group*> order;
   for (const Group& group : cover) order.push_back(&group);
   std::stable_sort(order.begin(), order.end(), [](const Group* a, const Group* b) { return a->widths.mean() > b->widths.mean(); });
-  return std::all_of(order.begin(), order.end(), [&](const Group* group) { return proven(*group); });
+  for (auto begin = order.cbegin(), end = begin; begin != order.cend(); begin = end) {
+    end += std::min(kAtOnce, order.cend() - begin);
+    prove({begin, end});
+    if (!std::all_of(begin, end, [&](const Group* group) { return proven(*group); })) return false;
+  }
+  return true;
 }
 
 bool SurfaceGroups::covers(const Group& group, int element) const {

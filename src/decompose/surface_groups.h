@@ -69,6 +69,9 @@ class SurfaceGroups {
   /// its vertices capped.
   ConvexHull exactHull(const Group& group) const;
 
+  /// The same with its vertices capped.
+  ConvexHull cappedHull(const Group& group) const;
+
   long evaluations() const { return evaluations_; }  ///< hulls built and asked about so far
   double tolerance() const { return oracle_.tolerance(); }
   const RunControl& control() const { return oracle_.control(); }
@@ -76,19 +79,28 @@ class SurfaceGroups {
  private:
   struct Known {
     bool may_fit = false, asked = false, proven = false;
-    std::shared_ptr<const ConvexHull> hull;  // where it may fit
+    std::shared_ptr<const ConvexHull> hull;     // where it may fit
+    std::shared_ptr<const ConvexHull> reduced;  // what is proven, where that has fewer vertices than the group's own
+  };
+  struct Candidate {
+    ConvexHull hull;  // as it is to be written
+    bool is_reduced = false;
   };
   Group groupOf(const std::vector<int>& elements) const;
   std::vector<Eigen::Vector3d> pointsOf(const std::vector<int>& elements) const;
   std::vector<Eigen::Vector3d> likelyPointsOf(const std::vector<int>& elements) const;
   ConvexHull hullOf(const Group& group) const;
+  std::shared_ptr<const ConvexHull> reducedHull(const Group& group) const;  // that was proven; null: none
+  bool needsProof(const Group& group) const;
+  Candidate candidate(const Group& group) const;
+  void prove(std::vector<const Group*> groups);
   bool isWholeLeaf(const Group& group) const;
   void ask(const std::vector<Eigen::Vector3d>& points, Known& known);
-  bool fits(const ConvexHull& hull);
   bool overCap(const ConvexHull& hull) const;
 
   struct WholeLeaf {
     ConvexHull hull;
+    std::shared_ptr<const ConvexHull> reduced;
     std::size_t elements = 0;
   };
   std::vector<Element> elements_;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -127,6 +128,29 @@ TEST(OutsideDistance, AnswersDoNotDependOnTheOrderOfQueries) {
     EXPECT_EQ(first[i].found, second[i].found);
     EXPECT_EQ(first[i].bound, second[i].bound);
     EXPECT_EQ(first[i].where, second[i].where);
+  }
+}
+
+TEST(OutsideDistance, LearnsWhatAnotherKnowsOfAPart) {
+  const TriangleMesh mesh = test_shapes::uChannel(1, 1, 0.1, 2, 2);
+  const Solid solid = solidOf(mesh);
+  OutsideDistance teacher(solid, boundingBox(mesh)), whole(solid, boundingBox(mesh)), part(solid, boundingBox(mesh));
+  const OutsideDistance::Largest largest = teacher.largest(hullOf(mesh), query(0, 0.02));
+  whole.learn(teacher, boundingBox(mesh));
+  part.learn(teacher, {Vector3d(0, 0, 0), Vector3d(1, 1, 0.2)});
+  const std::array<Vector3d, 3> low{Vector3d(0.4, 0.6, 0.1), {0.6, 0.6, 0.1}, {0.5, 0.8, 0.1}};
+  std::array<Vector3d, 3> high = low;
+  for (Vector3d& p : high) p.z() += 1.8;
+  const double enough = largest.bound + 0.02;
+  for (const auto& triangle : {low, high}) {
+    EXPECT_TRUE(teacher.isWithin(triangle, enough));
+    EXPECT_TRUE(whole.isWithin(triangle, enough));
+  }
+  EXPECT_TRUE(part.isWithin(low, enough));
+  EXPECT_FALSE(part.isWithin(high, enough));
+  for (OutsideDistance* learned : {&whole, &part}) {
+    EXPECT_EQ(learned->largest(hullOf(mesh), query(0, 0.02)).bound, largest.bound);
+    EXPECT_EQ(learned->largest(hullOf(mesh), query(0, 0.02)).where, largest.where);
   }
 }
 

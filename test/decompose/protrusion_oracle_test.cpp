@@ -106,6 +106,33 @@ TEST(Oracle, TurnsAtTheTolerance) {
   }
 }
 
+/// A little above the tolerance: a proof alone finds it, or who remembers what a proof found.
+TEST(Oracle, IntrudersAreHandedOn) {
+  const ConvexHull raised = convexHull({{0.2, 0.2, 0}, {0.8, 0.2, 0}, {0.8, 0.8, 0}, {0.2, 0.8, 0}, {0.513, 0.471, 1.101}});
+  Subject subject(box(1, 1, 1), 0.1);
+  const Eigen::AlignedBox3d whole(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 2)), below(whole.min(), Eigen::Vector3d(1, 1, 0.5));
+  const RunControl control;
+  ProtrusionOracle oracle(subject.solid, whole, 0.1, control);
+  ProtrusionOracle for_all = oracle.forPart(whole), for_part = oracle.forPart(below);
+  EXPECT_TRUE(for_all.mayFit(raised));
+  EXPECT_FALSE(for_all.fits(raised));
+  EXPECT_FALSE(for_all.mayFit(raised));
+  EXPECT_TRUE(oracle.mayFit(raised));
+  oracle.learn(for_part);
+  EXPECT_TRUE(oracle.mayFit(raised));
+  oracle.learn(for_all);
+  EXPECT_FALSE(oracle.mayFit(raised));
+  EXPECT_FALSE(oracle.forPart(whole).mayFit(raised));
+  EXPECT_TRUE(oracle.forPart(below).mayFit(raised)) << "what lies elsewhere is of no use there";
+}
+
+TEST(Oracle, SeveralHullsAtOnceGetTheAnswersOfEach) {
+  Subject subject(uChannel(), 0.05);
+  const ConvexHull all = hullOf(subject.mesh.mesh), wall = boxHull({0, 0, 0}, {0.1, 1, 2}), thick = boxHull({0, 0, 0}, {0.16, 1, 2});
+  EXPECT_EQ(subject.oracle.fit({&all, &wall, &thick, &wall}), (std::vector<char>{0, 1, 0, 1}));
+  EXPECT_TRUE(subject.oracle.fit({}).empty());
+}
+
 TEST(Oracle, FitsIsAProof) {
   const unsigned seed = 4;
   SCOPED_TRACE(testing::Message() << "seed " << seed);

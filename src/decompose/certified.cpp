@@ -7,30 +7,44 @@
 #include <memory>
 
 #include "collision_hulls/decompose/reduce_vertices.h"
+#include "decompose/largest_side.h"
 #include "decompose/local_search.h"
 #include "decompose/merging.h"
 #include "decompose/tree_building.h"
+#include "mesh/loose_points.h"
 
 namespace collision_hulls {
 
 namespace {
 
-constexpr double kLeafShare = 0.7;  // of the tolerance that leaves are cut for: merging has room left
+// Shares of the tolerance that leaves are cut for: merging has room left, or leaves are as large as they can be.
+constexpr double kLeafShare = 0.7, kLargeLeafShare = 0.93;
+constexpr std::size_t kMostLeaves = 5000;
+constexpr std::size_t kManyLeaves = 8, kManyLeavesPerHull = 8;  // more than this beyond the best so far are not worth merging
+
+/// A way to cut.
+struct Way {
+  ScoreWeights weights;
+  std::size_t few = std::numeric_limits<std::size_t>::max();  // tried only where the ways before leave no more hulls: each counts there
+  bool largest_side_first = false;
+};
 
 /// How hard to try.
 struct Plan {
-  std::vector<ScoreWeights> cuts;  // ways to cut that are tried,
-  std::size_t few = 0;             // the others only if the first one leaves no more hulls: there each counts, and luck most
-  std::size_t elements = 0;        // that leaves are divided into for the search; 0: leaves as they are
-  long first_evaluations = 0;      // of the search after each cut,
-  long evaluations = 0;            // and of that with the best of them
+  std::vector<Way> ways;
+  std::size_t elements = 0;    // that leaves are divided into for the search; 0: leaves as they are
+  long first_evaluations = 0;  // of the search after each cut,
+  long evaluations = 0;        // and of that with the best of them
 };
 
 Plan planFor(Effort effort) {
   const ScoreWeights large_sides{0.5, 0.3, 0}, any_side{0.5, 0, 0.1}, little_volume{0.1, 0, 0};
-  constexpr std::size_t kFew = 24, kAnyNumber = std::numeric_limits<std::size_t>::max();
-  if (effort == Effort::kQuick) return {{large_sides, any_side}, kFew, 0, 0, 400};
-  return {{large_sides, any_side, little_volume}, kAnyNumber, 150, 200, 3500};
+  constexpr std::size_t kFew = 24, kVeryFew = 10;
+  if (effort == Effort::kQuick) return {{{large_sides}, {any_side, kFew}, {large_sides, kVeryFew, true}}, 0, 0, 400};
+  Plan plan{{}, 150, 200, 3500};
+  for (const ScoreWeights& weights : {large_sides, any_side, little_volume}) plan.ways.push_back({weights});
+  plan.ways.push_back({large_sides, plan.ways[0].few, true});
+  return plan;
 }
 
 /// The mesh moved so that `middle` is the origin: near it coordinates are finest, however far away the mesh lies.
@@ -70,11 +84,14 @@ class Job {
   Cover cover() {
     const std::uint64_t seed = options_.seed;
     Cover best;
-    const double step = 0.7 / static_cast<double>(plan_.cuts.size());
-    for (std::size_t i = 0; i < plan_.cuts.size() && best.size() <= plan_.few; ++i) {
+    const double step = 0.7 / static_cast<double>(plan_.ways.size());
+    for (std::size_t i = 0; i < plan_.ways.size() && best.size() != 1; ++i) {
+      if (best.size() > plan_.ways[i].few || (plan_.ways[i].largest_side_first && !hasLargeSide())) continue;
       const double from = step * static_cast<double>(i);
-      auto mine = std::make_unique<SurfaceGroups>(leaves(plan_.cuts[i], stretch(control_, from, from + 0.8 * step)), plan_.elements,
-                                                  oracle_, options_.max_vertices);
+      const std::size_t most = groups_ ? kManyLeaves + kManyLeavesPerHull * best.size() : kMostLeaves;
+      const std::vector<Leaf> parts = leaves(plan_.ways[i], most, stretch(control_, from, from + 0.8 * step));
+      if (groups_ && parts.size() >= most) continue;
+      auto mine = std::make_unique<SurfaceGroups>(parts, plan_.elements, oracle_, options_.max_vertices);
       Cover cover = mergedBest(mine->leaves(), *mine);
       if (plan_.first_evaluations > 0)
         cover = improved(std::move(cover), *mine, {plan_.first_evaluations, seed}, stretch(control_, from + 0.8 * step, from + step));
@@ -98,9 +115,17 @@ class Job {
   }
 
  private:
-  std::vector<Leaf> leaves(const ScoreWeights& weights, const std::function<void(double)>& progress) {
-    oracle_.setShare(kLeafShare);
-    std::vector<Leaf> leaves = cutIntoLeaves(mesh_, oracle_, {weights, options_.max_vertices, options_.fill}, progress);
+  bool hasLargeSide() {
+    oracle_.setShare(kLargeLeafShare);
+    const bool result = largestSide(withLoosePoints(mesh_), oracle_).has_value();
+    oracle_.setShare(1);
+    return result;
+  }
+
+  std::vector<Leaf> leaves(const Way& way, std::size_t most, const std::function<void(double)>& progress) {
+    oracle_.setShare(way.largest_side_first ? kLargeLeafShare : kLeafShare);
+    const CutOptions options{way.weights, options_.max_vertices, options_.fill, way.largest_side_first, most};
+    std::vector<Leaf> leaves = cutIntoLeaves(mesh_, oracle_, options, progress);
     oracle_.setShare(1);
     return leaves;
   }

@@ -3,6 +3,7 @@
 //   (also with its vertices capped: if only that takes it beyond the tolerance, the piece is halved)
 //   if the piece falls into components: cut(each)
 //   else, of all candidate planes, take the one with the best score and cut(both sides)
+//   (or, if asked for, first the one that leaves the largest side done)
 //
 // A plane's score: of the intruders (points of H outside the solid by more than the tolerance), those that lie in neither side's
 // hull are cured by it; beside that, volume that leaves the hulls is good, and so is a side that is done. Scores are reckoned on
@@ -17,6 +18,7 @@
 
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "decompose/cut_planes.h"
+#include "decompose/largest_side.h"
 #include "mesh/loose_points.h"
 
 namespace collision_hulls {
@@ -30,9 +32,8 @@ constexpr std::size_t kEdgesOfPiece = 4000;                  // a piece with few
 constexpr std::size_t kSome = 3000;                          // points of a piece whose hull is looked at before that of all
 constexpr std::size_t kThin = 300;                           // vertices of a hull that intruders are looked for in
 constexpr double kOnPlane = 1e-9;                            // in extents of the whole mesh
-constexpr std::size_t kMostLeaves = 5000;                    // beyond so many the rest is left uncut
 constexpr int kHalveFrom = 40, kDeepest = 200;               // cuts above a piece: plain halving, the end
-constexpr double kApart = 1.0 / 16;                          // of the area: parts above it are cut at the same time
+constexpr std::size_t kApart = 1000, kShares = 16;           // triangles of a part, shares of all of them, that are worth a thread
 
 using Intruders = std::vector<OutsideDistance::Intruder>;
 
@@ -44,9 +45,9 @@ std::vector<Eigen::Vector3d> some(const std::vector<Eigen::Vector3d>& points) {
   return result;
 }
 
-double areaOf(const std::vector<Block>& blocks) {
-  double sum = 0;
-  for (const Block& block : blocks) sum += area(block.surface);
+std::size_t trianglesOf(const std::vector<Block>& blocks) {
+  std::size_t sum = 0;
+  for (const Block& block : blocks) sum += block.surface.triangles.size();
   return sum;
 }
 
@@ -75,8 +76,8 @@ class Done {
 
 class Cutting {
  public:
-  Cutting(ProtrusionOracle& oracle, const CutOptions& options, double on_plane, double area_apart, Done& done)
-      : oracle_(oracle), options_(options), on_plane_(on_plane), area_apart_(area_apart), done_(done) {}
+  Cutting(ProtrusionOracle& oracle, const CutOptions& options, double on_plane, std::size_t apart, Done& done)
+      : oracle_(oracle), options_(options), on_plane_(on_plane), apart_(apart), done_(done) {}
 
   /// Large blocks at the same time, half of them by an oracle of their own: always the same ones, so that the number of threads decides
   /// nothing.
@@ -85,12 +86,12 @@ class Cutting {
     std::vector<Block> others(std::make_move_iterator(blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 2)),
                               std::make_move_iterator(blocks.end()));
     blocks.resize(blocks.size() / 2);
-    if (std::min(areaOf(blocks), areaOf(others)) <= area_apart_) {
+    if (std::min(trianglesOf(blocks), trianglesOf(others)) < apart_) {
       run(std::move(blocks), depth);
       return run(std::move(others), depth);
     }
     ProtrusionOracle oracle = oracle_.forPart(boxOf(others));
-    Cutting beside(oracle, options_, on_plane_, area_apart_, done_);
+    Cutting beside(oracle, options_, on_plane_, apart_, done_);
     tbb::parallel_invoke([&] { run(std::move(blocks), depth); }, [&] { beside.run(std::move(others), depth); });
     oracle_.learn(oracle);
     leaves.insert(leaves.end(), std::make_move_iterator(beside.leaves.begin()), std::make_move_iterator(beside.leaves.end()));
@@ -103,7 +104,7 @@ class Cutting {
     const std::vector<Eigen::Vector3d>& points = block.surface.vertices;
     ConvexHull hull = roughHull(some(points));  // a part of the piece's own: what refutes it refutes that
     const ConvexHull thin = thinned(hull, kThin);
-    const bool clear = oracle_.mayWellFit(thin), is_last = depth >= kDeepest || leaves.size() >= kMostLeaves;
+    const bool clear = oracle_.mayWellFit(thin), is_last = depth >= kDeepest || leaves.size() >= options_.most_leaves;
     const auto complete = [&] {
       if (points.size() > kSome) hull = roughHull(points);
     };
@@ -134,6 +135,11 @@ class Cutting {
   /// Both sides of the best plane that divides the piece; the piece alone if none does.
   std::vector<Block> bestCut(const Block& block, const ConvexHull& hull) {
     const SurfacePiece& piece = block.surface;
+    if (options_.largest_side_first)
+      if (const std::optional<HalfSpace> plane = largestSide(piece, oracle_)) {
+        std::vector<Block> parts = parted(block, *plane, on_plane_);
+        if (parts.size() > 1) return parts;
+      }
     const Intruders intruders = oracle_.intruders(hull, kIntruders);
     Intruders few;
     for (std::size_t i = 0; i < intruders.size(); i += kRoughThinning) few.push_back(intruders[i]);
@@ -151,7 +157,8 @@ class Cutting {
 
   ProtrusionOracle& oracle_;
   const CutOptions options_;
-  const double on_plane_, area_apart_;
+  const double on_plane_;
+  const std::size_t apart_;  // triangles
   Done& done_;
 };
 
@@ -160,9 +167,9 @@ class Cutting {
 std::vector<Leaf> cutIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& oracle, const CutOptions& options,
                                 const std::function<void(double)>& progress) {
   SurfacePiece whole = withLoosePoints(mesh);
-  const double whole_area = area(whole);
-  Done done(whole_area, progress);
-  Cutting cutting(oracle, options, kOnPlane * boundingBox(whole).sizes().maxCoeff(), kApart * whole_area, done);
+  Done done(area(whole), progress);
+  Cutting cutting(oracle, options, kOnPlane * boundingBox(whole).sizes().maxCoeff(), std::max(kApart, whole.triangles.size() / kShares),
+                  done);
   const Region region = options.fill ? Region(boundingBox(whole), oracle.solid()) : Region();
   std::vector<Block> blocks;
   blocks.push_back({std::move(whole), region});

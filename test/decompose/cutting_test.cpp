@@ -73,6 +73,25 @@ TEST(Cutting, RoundShapesFit) {
   }
 }
 
+TEST(Cutting, LargestSidesFirstFitToo) {
+  CutOptions options;
+  options.largest_side_first = true;
+  EXPECT_EQ(checkedLeaves(lBracket(), 0.02, options).size(), 2u);
+  EXPECT_GE(checkedLeaves(uChannel(), 0.02, options).size(), 3u);
+  EXPECT_GT(checkedLeaves(torus(1, 0.3, 16, 8), 0.03, options).size(), 4u);
+}
+
+TEST(Cutting, EndsBeyondTheMostLeaves) {
+  Subject subject(torus(1, 0.3, 32, 16), 0.01);
+  CutOptions options;
+  const std::size_t all = subject.leaves().size();
+  options.most_leaves = all / 4;
+  const std::vector<Leaf> leaves = subject.leaves(options);
+  EXPECT_GE(leaves.size(), options.most_leaves);
+  EXPECT_LT(leaves.size(), all);
+  EXPECT_LE(uncovered(subject.mesh.mesh, hullsOf(leaves)), 1e-12);
+}
+
 /// Pieces of so many points are looked at by some of them first: also where one of the others alone makes the piece unfit.
 TEST(Cutting, NoPointOfALargePieceIsForgotten) {
   const TriangleMesh ball = sphere(1, 20);

@@ -71,11 +71,12 @@ std::vector<ConvexHull> readHulls(const std::string& file) {
   return hulls;
 }
 
-/// Most results are far from their tolerance, so that a rough bound decides.
+/// With the margin in its bound. Most results are far from their tolerance, so that a rough bound decides.
 Protrusion decidingProtrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, double margin, double tolerance) {
-  const Protrusion rough = protrusion(hulls, solid, kRoughGap * tolerance);
-  const bool decided = rough.bound + margin <= tolerance || rough.found > tolerance;
-  return decided ? rough : protrusion(hulls, solid, kCertificateGap * tolerance);
+  Protrusion rough = protrusion(hulls, solid, kRoughGap * tolerance);
+  rough.bound += margin;
+  const bool decided = rough.bound <= tolerance || rough.found > tolerance;
+  return decided ? rough : certificate(hulls, solid, margin, tolerance);
 }
 
 json decide(const json& job) {
@@ -88,7 +89,7 @@ json decide(const json& job) {
     try {
       const std::vector<ConvexHull> hulls = readHulls(file);
       const Protrusion found = decidingProtrusion(hulls, solid, original.margin, job["tolerance"]);
-      result = {{"hulls", hulls.size()}, {"uncovered", uncovered(original.mesh, hulls)}, {"protrusion", found.bound + original.margin}};
+      result = {{"hulls", hulls.size()}, {"uncovered", uncovered(original.mesh, hulls)}, {"protrusion", found.bound}};
     } catch (const Error& e) {
       result["error"] = e.what();
     }
@@ -109,14 +110,9 @@ nlohmann::json score(const json& job) {
 
   const Original original = readOriginal(job);
   const Solid solid(original.repaired);
-  const double gap = kCertificateGap * job["tolerance"].get<double>();
-  const Protrusion found = protrusion(hulls, solid, gap);
-  json result = {{"hulls", hulls.size()},
-                 {"hull_vertices", vertices},
-                 {"uncovered", uncovered(original.mesh, hulls)},
-                 {"protrusion", found.bound + original.margin},
-                 {"protrusion_found", found.found},
-                 {"volume_ratio", nullptr},
+  const Protrusion found = certificate(hulls, solid, original.margin, job["tolerance"]);
+  json result = {{"hulls", hulls.size()},     {"hull_vertices", vertices},       {"uncovered", uncovered(original.mesh, hulls)},
+                 {"protrusion", found.bound}, {"protrusion_found", found.found}, {"volume_ratio", nullptr},
                  {"hashes", hashes}};
   if (solid.volume() > 0) result["volume_ratio"] = unionVolume(hulls) / solid.volume();
   return result;

@@ -23,6 +23,7 @@ constexpr int kStepsBetweenChecks = 1024;
 constexpr int kMostInARow = 4;   // divisions by planes, which may not make a patch shorter
 constexpr double kLevel = 0.25;  // thresholds: a corner nearer to a plane lies in it
 constexpr double kSteep = 0.05;  // sine of the least angle between a patch and a plane that divides it
+constexpr double kLarge = 0.25;  // a triangle's size over the patch's: smaller ones are too many to divide along each
 constexpr double kLong = 40;     // thresholds: shorter patches are halved: planes would gain little
 
 /// A corner of patches, and the triangle of the solid's surface nearest to it.
@@ -136,6 +137,8 @@ class Search {
     if (!std::all_of(patch.corner.begin(), patch.corner.end(), is_near)) return std::nullopt;
     for (const Corner& corner : patch.corner) {
       const std::array<Eigen::Vector3d, 3>& t = solid_.surface().corners(corner.triangle);
+      const double size = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+      if (size < kLarge * length) continue;
       const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
       for (std::size_t i = 0; i < 3; ++i)
         if (const auto found = crossing(patch, (t[(i + 1) % 3] - t[i]).cross(normal), t[i])) return found;

@@ -46,22 +46,22 @@ Decomposition hullsFrom(const HullTree& tree, const DecomposeOptions& options) {
   return result;
 }
 
-/// The hulls' protrusion; bounded more closely where the gap between its bounds alone takes the upper one above the tolerance.
-Protrusion certificate(const std::vector<ConvexHull>& hulls, const MeshSource& source, double tolerance, const RunControl& control) {
-  const double gap = kCertificateGap * tolerance;
-  Protrusion result = protrusion(hulls, source.solid, gap, control);
-  const double room = tolerance - source.margin - result.found;
-  if (result.bound + source.margin > tolerance && room > kLeastGap * gap) result = protrusion(hulls, source.solid, room / 2, control);
-  result.bound += source.margin;
-  return result;
-}
-
 /// Of the next attempt.
 double lowerAim(double aim, int attempt, double over) {
   return aim * (attempt == 0 ? std::max(kLowerAim, kALittleLower / over) : kLowerAim);
 }
 
 }  // namespace
+
+Protrusion certificate(const std::vector<ConvexHull>& hulls, const Solid& solid, double margin, double tolerance,
+                       const RunControl& control) {
+  const double gap = kCertificateGap * tolerance;
+  Protrusion result = protrusion(hulls, solid, gap, control);
+  const double room = tolerance - margin - result.found;
+  if (result.bound + margin > tolerance && room > kLeastGap * gap) result = protrusion(hulls, solid, room / 2, control);
+  result.bound += margin;
+  return result;
+}
 
 MeshHulls meshHulls(const MeshSource& source, const DecomposeOptions& options, StageSeconds& seconds, const RunControl& decomposing,
                     const RunControl& certifying, const HullTree* tree) {
@@ -75,7 +75,7 @@ MeshHulls meshHulls(const MeshSource& source, const DecomposeOptions& options, S
     FittedHulls fitted = fitCover(parts.hulls, source.original, source.margin, options.max_vertices, decomposing);
     seconds.decompose += stage.lap();
     MeshHulls result{std::move(fitted.hulls), {}, fitted.nudge, 0, parts.capped};
-    result.protrusion = certificate(result.hulls, source, options.tolerance, certifying);
+    result.protrusion = certificate(result.hulls, source.solid, source.margin, options.tolerance, certifying);
     for (const ConvexHull& hull : parts.hulls) result.thickness = std::max(result.thickness, hull.thickness);
     seconds.certify += stage.lap();
     if (attempt > 0 && result.protrusion.bound >= best.protrusion.bound) break;

@@ -28,6 +28,11 @@ struct MeshHulls {
   bool capped = false;            ///< caps made the hulls coarser
 };
 
+/// The hulls' protrusion with the margin in its bound, of which the gap to what was found is kCertificateGap of the tolerance at most; less
+/// where it alone would take the bound above the tolerance.
+Protrusion certificate(const std::vector<ConvexHull>& hulls, const Solid& solid, double margin, double tolerance,
+                       const RunControl& control = {});
+
 /// The method `certified` gets further attempts with a lower aim where the certificate finds more than the tolerance. Adds to
 /// seconds.decompose and seconds.certify. With a tree hulls are cut from it instead. Throws what decompose() throws.
 MeshHulls meshHulls(const MeshSource& source, const DecomposeOptions& options, StageSeconds& seconds, const RunControl& decomposing = {},

@@ -276,5 +276,15 @@ TEST(Protrusion, SameInputSameResult) {
   EXPECT_EQ(a.hull, b.hull);
 }
 
+/// Many small triangles beneath one face: it must not be divided along the edges of each.
+TEST(Protrusion, OfASheetThatIsNotQuiteFlat) {
+  RandomPoints random(9);
+  TriangleMesh mesh = test_shapes::sheet(1, 1, 40);
+  for (Eigen::Vector3d& v : mesh.vertices) v += random.inCube(1e-7);
+  const Protrusion p = protrusion({convexHull(mesh.vertices)}, Solid(repair(mesh)), 0.003);
+  EXPECT_LE(p.found, 1e-5);
+  EXPECT_LE(p.bound, 0.00301);
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -1,6 +1,7 @@
 // The method `certified`: few hulls that cover the surface and protrude no further than the tolerance, by proof.
 //
-//   1. cut the surface by planes until each piece's hull stays within the tolerance   (leaves)
+//   1. cut the surface by planes until each piece's hull stays within the tolerance   (leaves);
+//      where few hulls come of it cut in other ways, too, and keep the best
 //   2. merge near hulls, cheapest first, while their common hull does                 (hull tree)
 //   3. reduce vertices to the cap, outward; a hull that then protrudes too far gives way to its children
 //
@@ -14,7 +15,8 @@
 
 namespace collision_hulls {
 
-/// Hulls by steps 1 to 3. Only what could not be cut, or a cap, leaves a hull beyond the tolerance. See decompose().
+/// Hulls by steps 1 to 3. Only what could not be cut, or a cap, leaves a hull beyond the tolerance. On all threads of the caller's TBB
+/// arena; their number does not change the result. See decompose().
 Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control = {});
 
 /// The hulls of certified() as leaves, merged on up to a single root: a cut at a larger tolerance, or to any number of hulls, is then

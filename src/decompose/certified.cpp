@@ -19,7 +19,6 @@ namespace {
 
 // Shares of the tolerance that leaves are cut for: merging has room left, or leaves are as large as they can be.
 constexpr double kLeafShare = 0.7, kLargeLeafShare = 0.93;
-constexpr std::size_t kMostLeaves = 5000;
 constexpr std::size_t kManyLeaves = 8, kManyLeavesPerHull = 8;  // more than this beyond the best so far are not worth merging
 
 /// A way to cut.
@@ -88,7 +87,7 @@ class Job {
     for (std::size_t i = 0; i < plan_.ways.size() && best.size() != 1; ++i) {
       if (best.size() > plan_.ways[i].few || (plan_.ways[i].largest_side_first && !hasLargeSide())) continue;
       const double from = step * static_cast<double>(i);
-      const std::size_t most = groups_ ? kManyLeaves + kManyLeavesPerHull * best.size() : kMostLeaves;
+      const std::size_t most = groups_ ? kManyLeaves + kManyLeavesPerHull * best.size() : CutOptions{}.most_leaves;
       const std::vector<Leaf> parts = leaves(plan_.ways[i], most, stretch(control_, from, from + 0.8 * step));
       if (groups_ && parts.size() >= most) continue;
       auto mine = std::make_unique<SurfaceGroups>(parts, plan_.elements, oracle_, options_.max_vertices);

@@ -11,8 +11,8 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/mesh/repair.h"
+#include "parallel.h"
 #include "pipeline/files.h"
-#include "pipeline/parallel.h"
 
 namespace collision_hulls {
 
@@ -232,7 +232,7 @@ void runStability(const std::vector<BenchmarkMesh>& meshes, const StabilityOptio
   const std::vector<Unit> units = unitsOf(meshes, options);
   InOrder in_order(row);
   withJobs(options.jobs, [&] {
-    forEach(units.size(), [&](std::size_t i) {
+    forEachInTurn(units.size(), [&](std::size_t i) {
       in_order.add(i, Runs(options, temporary / std::to_string(i)).rowsOf(units[i]));
       fs::remove_all(temporary / std::to_string(i));
     });

@@ -2,9 +2,6 @@
 // lies outside a face is kept as a polygon, what remains inside all faces is covered and dropped.
 #include "check/cover.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -14,6 +11,7 @@
 #include <utility>
 
 #include "collision_hulls/check/measures.h"
+#include "parallel.h"
 
 namespace collision_hulls {
 
@@ -232,21 +230,20 @@ std::vector<UncoveredTriangle> uncoveredTriangles(const TriangleMesh& mesh, cons
                                                   const RunControl& control) {
   const Hulls set(mesh, hulls);
   std::vector<double> distance(mesh.triangles.size(), 0.0);
-  tbb::parallel_for(
-      tbb::blocked_range<int>(0, static_cast<int>(mesh.triangles.size()), kTrianglesAtOnce),
-      [&](const auto& range) {
-        control.check();
-        const NearHulls near(set, mesh, range.begin(), range.end());
-        std::size_t last = 0;  // neighbouring triangles tend to lie in the same hull
-        for (int t = range.begin(); t < range.end(); ++t) {
-          bool covered = last < near.size() && near.holds(last, mesh, t);
-          for (std::size_t h = 0; h < near.size() && !covered; ++h)
-            if (near.holds(h, mesh, t)) covered = true, last = h;
-          if (!covered)
-            distance[static_cast<std::size_t>(t)] = uncoveredDistance({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, set);
-        }
-      },
-      tbb::simple_partitioner());
+  const int triangles = static_cast<int>(mesh.triangles.size()), blocks = (triangles + kTrianglesAtOnce - 1) / kTrianglesAtOnce;
+  forEach(static_cast<std::size_t>(blocks), [&](std::size_t block) {
+    control.check();
+    const int begin = static_cast<int>(block) * kTrianglesAtOnce, end = std::min(begin + kTrianglesAtOnce, triangles);
+    const NearHulls near(set, mesh, begin, end);
+    std::size_t last = 0;  // neighbouring triangles tend to lie in the same hull
+    for (int t = begin; t < end; ++t) {
+      bool covered = last < near.size() && near.holds(last, mesh, t);
+      for (std::size_t h = 0; h < near.size() && !covered; ++h)
+        if (near.holds(h, mesh, t)) covered = true, last = h;
+      if (!covered)
+        distance[static_cast<std::size_t>(t)] = uncoveredDistance({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, set);
+    }
+  });
   std::vector<UncoveredTriangle> result;
   for (std::size_t t = 0; t < distance.size(); ++t)
     if (distance[t] > 0) result.push_back({static_cast<int>(t), distance[t]});
@@ -277,15 +274,13 @@ Eigen::AlignedBox3d sample(const std::vector<ConvexHull>& hulls, int count, Visi
     all.extend(boxes.back());
   }
   if (all.isEmpty()) return all;
-  tbb::parallel_for(tbb::blocked_range<int>(0, count, 256), [&](const auto& range) {
-    for (int i = range.begin(); i < range.end(); ++i) {
-      Eigen::Vector3d u = (i + 0.5) * step;
-      u -= u.array().floor().matrix();
-      const Eigen::Vector3d p = all.min() + all.sizes().cwiseProduct(u);
-      bool held = false;
-      for (std::size_t h = 0; h < hulls.size() && !held; ++h) held = boxes[h].contains(p) && holds(hulls[h], p);
-      visit(p, held);
-    }
+  forEach(static_cast<std::size_t>(count), [&](std::size_t i) {
+    Eigen::Vector3d u = (static_cast<double>(i) + 0.5) * step;
+    u -= u.array().floor().matrix();
+    const Eigen::Vector3d p = all.min() + all.sizes().cwiseProduct(u);
+    bool held = false;
+    for (std::size_t h = 0; h < hulls.size() && !held; ++h) held = boxes[h].contains(p) && holds(hulls[h], p);
+    visit(p, held);
   });
   return all;
 }

@@ -1,10 +1,9 @@
 #include "check/pair_model.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 
 #include "collision_hulls/mesh/repair.h"
+#include "parallel.h"
 
 namespace collision_hulls {
 
@@ -46,12 +45,12 @@ PairModel::PairModel(const ValidationPair& pair, const std::vector<ProbeShape>& 
       solid_(pair.solid),
       to_solid_(pair.solid ? pair.solid_pose.inverse() : Eigen::Isometry3d::Identity()) {
   if (!without_area.triangles.empty()) with_area_ = selected(original, true);
-  tbb::parallel_invoke([&] { fcl_original = std::make_unique<FclMesh>(withArea()); },
-                       [&] {
-                         bvh = std::make_unique<TriangleBvh>(withArea());
-                         bvh_without_area = std::make_unique<TriangleBvh>(without_area);
-                         if (!solid_) solid_ = std::make_shared<Solid>(repair(pair.original));
-                       });
+  atOnce([&] { fcl_original = std::make_unique<FclMesh>(withArea()); },
+         [&] {
+           bvh = std::make_unique<TriangleBvh>(withArea());
+           bvh_without_area = std::make_unique<TriangleBvh>(without_area);
+           if (!solid_) solid_ = std::make_shared<Solid>(repair(pair.original));
+         });
   allowed = frame.units(pair.protrusion) + tolerance + frame.units(solid_->weldDistance());
   for (const Eigen::Vector3d& p : solid_->componentPoints()) component_points.push_back(frame.units(to_solid_.inverse() * p));
   for (const Neighbour& neighbour : near) neighbours.emplace_back("hull of " + neighbour.name, frame.units(*neighbour.hull));

@@ -1,7 +1,6 @@
 // The largest distance over a hull lies on its surface, or at a summit: a local maximum of the distance in its interior. The
 // surface is searched patch by patch (surface_search.h). Summits are a matter of the solid alone: they lie in pockets between
 // walls that face each other, and an octree that the hulls share leaves out all the rest of space (outside_distance.h).
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <limits>
@@ -10,6 +9,7 @@
 #include "check/surface_search.h"
 #include "collision_hulls/check/measures.h"
 #include "geometry/hull_support.h"
+#include "parallel.h"
 
 namespace collision_hulls {
 
@@ -83,7 +83,7 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
   };
   std::vector<Protrusion> each(hulls.size());
   for (const Pass pass : {Pass{kLooseGap, kGlance}, Pass{kLooseGap, kMostHalvings}, Pass{1, kMostHalvings}}) {
-    tbb::parallel_for(std::size_t{0}, hulls.size(), [&](std::size_t i) {
+    forEach(hulls.size(), [&](std::size_t i) {
       SurfaceQuery query;
       query.floor = floor * (1 - 1e-9);
       query.gap = pass.gap * gap / 2;

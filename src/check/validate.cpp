@@ -1,14 +1,11 @@
 // Pairs are checked in parallel and summed up in their order.
 #include "collision_hulls/check/validate.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/partitioner.h>
-
 #include <algorithm>
 #include <mutex>
 
 #include "check/validate_pair.h"
+#include "parallel.h"
 
 namespace collision_hulls {
 
@@ -129,12 +126,7 @@ Validation validate(const std::vector<ValidationPair>& pairs, const ValidationOp
       results[i] = validatePair(pairs[i], i, boxes, neighboursOf(i, pairs, pair_boxes), options, control);
     finished.one();
   };
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, pairs.size(), 1),
-      [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) check(i);
-      },
-      tbb::simple_partitioner());
+  forEach(pairs.size(), check);
   return merged(results);
 }
 

@@ -3,8 +3,6 @@
 // measured) is computed again where it would speak against the hulls.
 #include "check/validate_pair.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include <utility>
 
 #include "check/validate_exact.h"
+#include "parallel.h"
 
 namespace collision_hulls {
 
@@ -253,7 +252,7 @@ std::vector<PairResult> validatePair(const ValidationPair& pair, std::size_t ind
   const PairModel model(pair, boxes, neighbours);
   const auto queries = static_cast<std::size_t>(options.queries_per_pair);
   std::vector<PairResult> results((queries + kQueriesAtOnce - 1) / kQueriesAtOnce);
-  tbb::parallel_for(std::size_t{0}, results.size(), [&](std::size_t i) {
+  forEach(results.size(), [&](std::size_t i) {
     PairCheck check(model);
     for (std::size_t number = i * kQueriesAtOnce; number < std::min(queries, (i + 1) * kQueriesAtOnce); ++number) {
       control.check();

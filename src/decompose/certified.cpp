@@ -1,7 +1,5 @@
 #include "collision_hulls/decompose/certified.h"
 
-#include <tbb/parallel_for.h>
-
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -12,6 +10,7 @@
 #include "decompose/merging.h"
 #include "decompose/tree_building.h"
 #include "mesh/loose_points.h"
+#include "parallel.h"
 
 namespace collision_hulls {
 
@@ -103,13 +102,12 @@ class Job {
 
   std::vector<ConvexHull> hullsOf(const Cover& cover) const {
     std::vector<ConvexHull> hulls(cover.size());
-    tbb::parallel_for(std::size_t{0}, cover.size(), [&](std::size_t i) { hulls[i] = groups_->cappedHull(cover[i]); });
+    forEach(cover.size(), [&](std::size_t i) { hulls[i] = groups_->cappedHull(cover[i]); });
     return hulls;
   }
 
   HullTree treeOver(Cover cover) {
-    tbb::parallel_for(std::size_t{0}, cover.size(),
-                      [&](std::size_t i) { cover[i].hull = std::make_shared<ConvexHull>(groups_->exactHull(cover[i])); });
+    forEach(cover.size(), [&](std::size_t i) { cover[i].hull = std::make_shared<ConvexHull>(groups_->exactHull(cover[i])); });
     return treeAbove(cover, oracle_, stretch(control_, 0.9, 1));
   }
 

@@ -10,8 +10,6 @@
 // simplified pieces: on a rough one for all planes, on a finer one for the best of them. What is cut is the piece itself.
 #include "decompose/cutting.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <iterator>
 #include <mutex>
@@ -20,6 +18,7 @@
 #include "decompose/cut_planes.h"
 #include "decompose/largest_side.h"
 #include "mesh/loose_points.h"
+#include "parallel.h"
 
 namespace collision_hulls {
 
@@ -92,7 +91,7 @@ class Cutting {
     }
     ProtrusionOracle oracle = oracle_.forPart(boxOf(others));
     Cutting beside(oracle, options_, on_plane_, apart_, done_);
-    tbb::parallel_invoke([&] { run(std::move(blocks), depth); }, [&] { beside.run(std::move(others), depth); });
+    atOnce([&] { run(std::move(blocks), depth); }, [&] { beside.run(std::move(others), depth); });
     oracle_.learn(oracle);
     leaves.insert(leaves.end(), std::make_move_iterator(beside.leaves.begin()), std::make_move_iterator(beside.leaves.end()));
   }

@@ -1,13 +1,12 @@
 #include "decompose/plane_score.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "decompose/protrusion_oracle.h"
+#include "parallel.h"
 
 namespace collision_hulls {
 
@@ -79,7 +78,7 @@ double PlaneScore::operator()(const HalfSpace& plane) const {
 
 std::vector<HalfSpace> PlaneScore::best(const std::vector<HalfSpace>& planes, std::size_t most) const {
   std::vector<double> scores(planes.size());
-  tbb::parallel_for(std::size_t{0}, planes.size(), [&](std::size_t i) { scores[i] = (*this)(planes[i]); });
+  forEach(planes.size(), [&](std::size_t i) { scores[i] = (*this)(planes[i]); });
   std::vector<std::size_t> order(planes.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return scores[a] < scores[b]; });

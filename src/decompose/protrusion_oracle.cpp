@@ -1,7 +1,5 @@
 #include "decompose/protrusion_oracle.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -11,6 +9,7 @@
 #include "decompose/dice.h"
 #include "geometry/hull_support.h"
 #include "geometry/quickhull.h"
+#include "parallel.h"
 
 namespace collision_hulls {
 
@@ -136,7 +135,7 @@ std::vector<char> ProtrusionOracle::fit(const std::vector<const ConvexHull*>& hu
   std::vector<std::optional<bool>> answers;
   for (const ConvexHull* hull : hulls) answers.push_back(fitsByOctree(*hull));
   std::vector<Protrusion> on_surface(hulls.size());
-  tbb::parallel_for(std::size_t{0}, hulls.size(), [&](std::size_t i) {
+  forEach(hulls.size(), [&](std::size_t i) {
     if (!answers[i]) on_surface[i] = onSurface(*hulls[i]);
   });
   std::vector<char> result;

@@ -1,7 +1,5 @@
 #include "decompose/surface_groups.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <map>
 #include <queue>
@@ -9,6 +7,7 @@
 
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "decompose/dice.h"
+#include "parallel.h"
 
 namespace collision_hulls {
 
@@ -233,7 +232,7 @@ bool SurfaceGroups::proven(const Group& group) {
 void SurfaceGroups::prove(std::vector<const Group*> groups) {
   groups.erase(std::remove_if(groups.begin(), groups.end(), [&](const Group* g) { return !needsProof(*g); }), groups.end());
   std::vector<Candidate> candidates(groups.size());
-  tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t i) { candidates[i] = candidate(*groups[i]); });
+  forEach(groups.size(), [&](std::size_t i) { candidates[i] = candidate(*groups[i]); });
   std::vector<const ConvexHull*> hulls;
   for (const Candidate& c : candidates) hulls.push_back(&c.hull);
   const std::vector<char> fits = oracle_.fit(hulls);

@@ -3,13 +3,12 @@
 // Queries: depth first, nearer child first, O(log n) on surfaces; the nearest point by boxes in packs of four.
 #include "collision_hulls/geometry/triangle_bvh.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "geometry/pi.h"
+#include "parallel.h"
 
 namespace collision_hulls {
 
@@ -138,7 +137,7 @@ void TriangleBvh::build(const TriangleMesh& mesh, std::vector<Centre>& centres, 
     const auto build_left = [&] { build(mesh, centres, below, first, left, below + 2); };
     const auto build_right = [&] { build(mesh, centres, below + 1, first + left, count - left, below + 2 * left_leaves); };
     if (count > kParallel) {
-      tbb::parallel_invoke(build_left, build_right);
+      atOnce(build_left, build_right);
     } else {
       build_left();
       build_right();

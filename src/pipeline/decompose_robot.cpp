@@ -10,13 +10,13 @@
 #include "collision_hulls/check/validate.h"
 #include "collision_hulls/decompose/decompose.h"
 #include "collision_hulls/error.h"
+#include "parallel.h"
 #include "pipeline/cache.h"
 #include "pipeline/cached_tree.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/element_stages.h"
 #include "pipeline/elements.h"
 #include "pipeline/mesh_hulls.h"
-#include "pipeline/parallel.h"
 #include "pipeline/progress.h"
 #include "pipeline/stopwatch.h"
 
@@ -151,7 +151,7 @@ void decomposeElements(RobotResult& result, const UriResolver& resolve, const Ru
       if (element.report.status == Status::kFailed) progress.finished(element.report.link, 0);
     }
     // 1 to 4, each mesh once.
-    forEach(tasks.size(), [&](std::size_t i) { decomposeTask(tasks[i], i, options, cache, progress, elements); });
+    forEachInTurn(tasks.size(), [&](std::size_t i) { decomposeTask(tasks[i], i, options, cache, progress, elements); });
     // 5. Validate: by queries, original against hulls.
     if (options.validate) validateOrRemember(result, tasks, cache, progress);
     progress.validated();

@@ -7,13 +7,13 @@
 
 #include "collision_hulls/check/measures.h"
 #include "collision_hulls/error.h"
+#include "parallel.h"
 #include "pipeline/cache.h"
 #include "pipeline/cached_tree.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/element_stages.h"
 #include "pipeline/elements.h"
 #include "pipeline/names.h"
-#include "pipeline/parallel.h"
 #include "pipeline/progress.h"
 #include "pipeline/stopwatch.h"
 #include "scene/enclosing.h"
@@ -54,7 +54,7 @@ using FitMeshes = std::vector<std::shared_ptr<const FitMesh>>;  // of the elemen
 FitMeshes fitMeshes(const std::vector<MeshTask>& tasks, const Options& options, Cache& cache, Progress& progress,
                     std::vector<ElementResult>& elements) {
   FitMeshes meshes(elements.size());
-  forEach(tasks.size(), [&](std::size_t i) {
+  forEachInTurn(tasks.size(), [&](std::size_t i) {
     RunControl control;
     progress.follow(control, i, 0, 1);
     const std::size_t first = tasks[i].elements.front();
@@ -170,7 +170,7 @@ void certifyAll(const FitMeshes& meshes, const SceneFit& fit, const std::vector<
   for (std::size_t i = 0; i < indices.size(); ++i) same[{meshes[indices[i]].get(), cutOf(fit.elements[i])}].push_back(i);
   std::vector<std::vector<std::size_t>> groups;
   for (const auto& [what, members] : same) groups.push_back(members);
-  forEach(groups.size(), [&](std::size_t g) {
+  forEachInTurn(groups.size(), [&](std::size_t g) {
     ElementResult& first = elements[indices[groups[g].front()]];
     try {
       certify(*meshes[indices[groups[g].front()]], fit.elements[groups[g].front()], control, first);

@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
     while (!ros::isShuttingDown()) ros::WallDuration(0.02).sleep();
     node.stop();
     spinner.stop();
+    ros::shutdown();  // waits for the one that is under way
   }
   return 0;
 }

@@ -1,11 +1,10 @@
 #include "scene/comparison.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "parallel.h"
 #include "scene/planner_model.h"
 
 namespace collision_hulls {
@@ -25,7 +24,7 @@ Truth truthOf(const FittedModel& model, const RunControl& control) {
   Truth truth{hits(
                   model.assembly, [&] { return PlannerModel(model.assembly, model.rules, model.originals); }, first, count, control),
               std::vector<char>(count)};
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+  forEach(count, [&](std::size_t i) {
     control.check();
     if (!truth.hit[i]) truth.clear[i] = isClear(model.assembly, model.originals, model.rules.pairs, model.assembly.places(first + i), {});
   });

@@ -1,10 +1,10 @@
 #include "scene/curing.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <limits>
+
+#include "parallel.h"
 
 namespace collision_hulls {
 namespace {
@@ -78,7 +78,7 @@ std::array<double, 2> Curing::votes(const Contact& contact) const {
 void Curing::add(const std::vector<Contact>& contacts) {
   const std::size_t first = cases_.size();
   for (const Contact& contact : contacts) cases_.push_back({contact});
-  tbb::parallel_for(std::size_t{0}, contacts.size(), [&](std::size_t i) { cases_[first + i].votes = votes(contacts[i]); });
+  forEach(contacts.size(), [&](std::size_t i) { cases_[first + i].votes = votes(contacts[i]); });
   for (std::size_t i = first; i < cases_.size(); ++i) {
     for (std::size_t side = 0; side < 2; ++side) {
       // Also where it votes for the other side alone: the node may be opened for others.
@@ -124,7 +124,7 @@ void Curing::open(const Node& opened) {
 
   const std::vector<std::size_t> cases = std::move(ballots_.at(node).cases);
   std::vector<std::vector<Contact>> left(cases.size());
-  tbb::parallel_for(std::size_t{0}, cases.size(), [&](std::size_t i) {
+  forEach(cases.size(), [&](std::size_t i) {
     const Case& at = cases_[cases[i]];
     if (!at.open) return;
     const int side = at.contact.piece[0] == node.first && at.contact.node[0] == node.second ? 0 : 1;
@@ -156,7 +156,7 @@ namespace {
 /// Whether a node in place of its part of the cut touches what the contacts of its piece are with.
 bool touchesAnything(const Assembly& assembly, const Cuts& cuts, int piece, int node, const std::vector<const Contact*>& contacts) {
   std::atomic<bool> found{false};
-  tbb::parallel_for(std::size_t{0}, contacts.size(), [&](std::size_t i) {
+  forEach(contacts.size(), [&](std::size_t i) {
     const Contact& contact = *contacts[i];
     const int side = contact.piece[0] == piece ? 0 : 1;
     for (const int other : cuts[static_cast<std::size_t>(contact.piece[1 - side])]) {

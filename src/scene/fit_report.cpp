@@ -1,7 +1,5 @@
 #include "scene/fit_report.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "parallel.h"
 #include "scene/planner_model.h"
 #include "scene/text.h"
 
@@ -163,7 +162,7 @@ std::size_t primitives(const FittedModel& model) {
 /// Where the model is hit in samples that are clear.
 std::size_t phantoms(const FittedModel& model, const std::vector<char>& hit, const RunControl& control) {
   std::vector<char> phantom(hit.size());
-  tbb::parallel_for(std::size_t{0}, hit.size(), [&](std::size_t i) {
+  forEach(hit.size(), [&](std::size_t i) {
     control.check();
     if (hit[i])
       phantom[i] = isClear(model.assembly, model.originals, model.rules.pairs, model.assembly.places(model.fitting.verifiedFrom() + i), {});
@@ -193,7 +192,7 @@ Hits countHits(const FittedModel& model, const RunControl& control) {
     std::set<PartIndices> original, before, after;
   };
   std::vector<Sample> samples(model.samples());
-  tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
+  forEach(samples.size(), [&](std::size_t i) {
     control.check();
     const std::size_t index = model.fitting.verifiedFrom() + i;
     const Places places = model.assembly.places(index);

@@ -1,10 +1,10 @@
 #include "scene/fitting.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <numeric>
 #include <set>
+
+#include "parallel.h"
 
 namespace collision_hulls {
 namespace {
@@ -34,7 +34,7 @@ bool isClear(const Assembly& assembly, const Originals& originals, const std::ve
 
 Answers Fitting::ask(const std::vector<std::size_t>& samples) const {
   std::vector<Answer> answers(samples.size());
-  tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
+  forEach(samples.size(), [&](std::size_t i) {
     control_.check();
     const Places places = assembly_.places(samples[i]);
     std::vector<Contact> current = contacts(assembly_, hull_cuts_, rules_.pairs, places, samples[i]);
@@ -94,7 +94,7 @@ void Fitting::takeHulls(const Cuts& cuts) {
 std::size_t Fitting::refute(const std::vector<std::size_t>& samples) {
   const std::vector<PartPair> pairs = lookedAtAndProved(rules_, options_.clearance);
   std::vector<std::vector<Contact>> found(samples.size());
-  tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
+  forEach(samples.size(), [&](std::size_t i) {
     control_.check();
     const Places places = assembly_.places(samples[i]);
     std::vector<Contact> current = contacts(assembly_, cuts_, pairs, places, samples[i]);

@@ -1,13 +1,12 @@
 #include "scene/pair_rules.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <map>
 #include <set>
 
 #include "collision_hulls/scene/reach.h"
+#include "parallel.h"
 #include "scene/text.h"
 
 namespace collision_hulls {
@@ -122,7 +121,7 @@ void prove(const FitProblem& problem, const Assembly& assembly, const std::vecto
   ReachOptions options;
   options.evaluations = kEvaluations;
   std::vector<Reach> reach(rules.pairs.size());
-  tbb::parallel_for(std::size_t{0}, rules.pairs.size(), [&](std::size_t i) {
+  forEach(rules.pairs.size(), [&](std::size_t i) {
     const PartPair& pair = rules.pairs[i];
     if (!never_near[i]) return;
     reach[i] = assembly.isLink(pair.b) ? prover.betweenLinks(pair.a, pair.b, clearance, options, control)
@@ -188,7 +187,7 @@ PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const O
       leaveOut(pair, why);
   }
   const std::vector<Places> places = surveyed(problem, assembly);
-  tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
+  forEach(pairs.size(), [&](std::size_t i) {
     control.check();
     survey(places, originals, clearance, pairs[i]);
   });

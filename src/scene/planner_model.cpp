@@ -1,11 +1,10 @@
 #include "scene/planner_model.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <chrono>
 #include <limits>
+
+#include "parallel.h"
 
 namespace collision_hulls {
 namespace {
@@ -87,10 +86,10 @@ double PlannerModel::distance(const Places& places) {
 std::vector<char> hits(const Assembly& assembly, const std::function<PlannerModel()>& make, std::size_t first, std::size_t count,
                        const RunControl& control) {
   std::vector<PlannerModel> models;
-  const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  const auto threads = mostThreads();
   for (std::size_t i = 0; i < threads; ++i) models.push_back(make());
   std::vector<char> result(count);
-  tbb::parallel_for(std::size_t{0}, threads, [&](std::size_t t) {
+  forEach(threads, [&](std::size_t t) {
     for (std::size_t i = t; i < count; i += threads) {
       control.check();
       result[i] = models[t].hit(assembly.places(first + i));

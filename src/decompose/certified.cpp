@@ -8,6 +8,7 @@
 #include "decompose/largest_side.h"
 #include "decompose/local_search.h"
 #include "decompose/merging.h"
+#include "decompose/own_axes.h"
 #include "decompose/tree_building.h"
 #include "mesh/loose_points.h"
 #include "parallel.h"
@@ -45,23 +46,35 @@ Plan planFor(Effort effort) {
   return plan;
 }
 
-/// The mesh moved so that `middle` is the origin: near it coordinates are finest, however far away the mesh lies.
-RepairedMesh about(const Eigen::Vector3d& middle, RepairedMesh mesh) {
-  for (Eigen::Vector3d& v : mesh.mesh.vertices) v -= middle;
-  for (Eigen::Vector3d& p : mesh.loose) p -= middle;
-  return mesh;
-}
-
-void moveBack(ConvexHull& hull, const Eigen::Vector3d& middle) {
-  for (Eigen::Vector3d& v : hull.vertices) v += middle;
-  for (HalfSpace& face : hull.faces) face.offset += face.normal.dot(middle);
-}
-
 Eigen::AlignedBox3d boxOf(const RepairedMesh& mesh) {
   Eigen::AlignedBox3d box = boundingBox(mesh.mesh);
   for (const Eigen::Vector3d& p : mesh.loose) box.extend(p);
   return box;
 }
+
+/// Where the work is done: about the origin, as coordinates are finest near it, and along the mesh's own axes.
+class Place {
+ public:
+  explicit Place(const RepairedMesh& mesh) : axes_(ownAxes(mesh.mesh)), middle_(boxOf(mesh).center()) {}
+
+  RepairedMesh brought(RepairedMesh mesh) const {
+    for (Eigen::Vector3d& v : mesh.mesh.vertices) v = axes_ * (v - middle_);
+    for (Eigen::Vector3d& p : mesh.loose) p = axes_ * (p - middle_);
+    return mesh;
+  }
+
+  void takeBack(ConvexHull& hull) const {
+    for (Eigen::Vector3d& v : hull.vertices) v = axes_.transpose() * v + middle_;
+    for (HalfSpace& face : hull.faces) {
+      face.normal = axes_.transpose() * face.normal;
+      face.offset += face.normal.dot(middle_);
+    }
+  }
+
+ private:
+  const Eigen::Matrix3d axes_;  // rows
+  const Eigen::Vector3d middle_;
+};
 
 /// Reports shares of a stretch of the whole work.
 std::function<void(double)> stretch(const RunControl& control, double from, double to) {
@@ -139,8 +152,8 @@ class Job {
 }  // namespace
 
 Decomposition certified(const RepairedMesh& original, const DecomposeOptions& options, const RunControl& control) {
-  const Eigen::Vector3d middle = boxOf(original).center();
-  const RepairedMesh mesh = about(middle, original);
+  const Place place(original);
+  const RepairedMesh mesh = place.brought(original);
   Job job(mesh, options, control);
   Decomposition result;
   Cover cover = job.cover();
@@ -153,7 +166,7 @@ Decomposition certified(const RepairedMesh& original, const DecomposeOptions& op
   } else {
     result.hulls = job.hullsOf(cover);
   }
-  for (ConvexHull& hull : result.hulls) moveBack(hull, middle);
+  for (ConvexHull& hull : result.hulls) place.takeBack(hull);
   control.report(1);
   return result;
 }
@@ -163,11 +176,11 @@ HullTree hullTree(const RepairedMesh& mesh, const DecomposeOptions& options, con
     throw Error(ErrorCode::kBadOption, "tolerance is " + std::to_string(options.tolerance) + " m; it must be a positive length");
   if (mesh.mesh.triangles.empty() && mesh.loose.empty())
     throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangle; a hull tree needs at least one");
-  const Eigen::Vector3d middle = boxOf(mesh).center();
-  const RepairedMesh local = about(middle, mesh);
+  const Place place(mesh);
+  const RepairedMesh local = place.brought(mesh);
   Job job(local, options, control);
   HullTree tree = job.treeOver(job.cover());
-  for (HullNode& node : tree.nodes) moveBack(node.hull, middle);
+  for (HullNode& node : tree.nodes) place.takeBack(node.hull);
   return tree;
 }
 

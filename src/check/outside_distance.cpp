@@ -17,7 +17,6 @@ const double kSqrt3 = std::sqrt(3.0);
 constexpr double kBoxMargin = 1e-4;                 // the root's size beyond the box, as a share
 constexpr float kSingleRounding = 4e-6F;            // of sums of a few products in single precision
 constexpr double kOnFace = 1e-9;                    // a point this far beyond a face, in cells, still lies in the hull
-constexpr std::size_t kMostVisits = 60000;          // of one query; then the largest bound left over is the answer's
 constexpr std::size_t kMostCellsInAll = 8'000'000;  // then cells are not divided any more
 constexpr int kDeepest = 40;                        // level that isWithin() descends to
 constexpr std::size_t kMostCells = 40000;           // of one size that a search for intruders divides further
@@ -32,6 +31,7 @@ struct OutsideDistance::Faces {
     std::size_t first = 0, count = 0;  // in `lists`
   };
   const ConvexHull& hull;
+  const Eigen::Matrix3d& axes;
   Eigen::Vector3d middle, half;  // of the hull's box
   double unit = 1;               // [m]
   std::vector<Four>& fours;
@@ -39,13 +39,15 @@ struct OutsideDistance::Faces {
   List all;
 
   /// `memory`: so that each query does not ask for its own.
-  Faces(const ConvexHull& the_hull, Memory& memory) : hull(the_hull), fours(memory.fours), lists(memory.lists) {
-    const Eigen::AlignedBox3d box = boundingBox(hull);
+  Faces(const ConvexHull& the_hull, const Eigen::Matrix3d& the_axes, Memory& memory)
+      : hull(the_hull), axes(the_axes), fours(memory.fours), lists(memory.lists) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& v : hull.vertices) box.extend(Eigen::Vector3d(axes * v));
     middle = box.center(), half = box.sizes() / 2;
     if (half.maxCoeff() > 0) unit = half.maxCoeff();
     fours.assign((hull.faces.size() + 3) / 4, {});
     for (std::size_t f = 0; f < hull.faces.size(); ++f) {
-      const HalfSpace& face = hull.faces[f];
+      const HalfSpace face = this->face(f);
       Four& four = fours[f / 4];
       const auto k = static_cast<Eigen::Index>(f % 4);
       for (int axis = 0; axis < 3; ++axis) four.normal[static_cast<std::size_t>(axis)][k] = static_cast<float>(face.normal[axis]);
@@ -55,6 +57,9 @@ struct OutsideDistance::Faces {
     lists.resize(all.count = fours.size());
     std::iota(lists.begin(), lists.end(), 0);
   }
+
+  /// Along the cells.
+  HalfSpace face(std::size_t f) const { return {axes * hull.faces[f].normal, hull.faces[f].offset}; }
 };
 
 /// A cell as a hull's faces see it.
@@ -98,7 +103,7 @@ struct OutsideDistance::View {
     std::vector<HalfSpace> mine;
     for (std::size_t i = 0; i < faces.count; ++i) {
       const auto first = 4 * static_cast<std::size_t>(hull.lists[faces.first + i]);
-      for (std::size_t f = first; f < std::min(first + 4, hull.hull.faces.size()); ++f) mine.push_back(hull.hull.faces[f]);
+      for (std::size_t f = first; f < std::min(first + 4, hull.hull.faces.size()); ++f) mine.push_back(hull.face(f));
     }
     const auto worst = std::max_element(mine.begin(), mine.end(), [&](const HalfSpace& a, const HalfSpace& b) {
       return a.distance(cell.centre) < b.distance(cell.centre);
@@ -110,12 +115,24 @@ struct OutsideDistance::View {
   }
 };
 
-OutsideDistance::OutsideDistance(const Solid& solid, const Eigen::AlignedBox3d& box) : solid_(solid) {
+Eigen::AlignedBox3d OutsideDistance::turned(const Eigen::AlignedBox3d& box, const Eigen::Matrix3d& axes) {
+  const Eigen::Vector3d middle = axes * box.center(), half = axes.cwiseAbs() * box.sizes() / 2;
+  return {middle - half, middle + half};
+}
+
+OutsideDistance::OutsideDistance(const Solid& solid, const Eigen::AlignedBox3d& world_box) : solid_(solid) {
+  const Eigen::AlignedBox3d box = turned(world_box, solid.axes());
   Cell root;
   root.centre = box.center();
   root.half = box.sizes().maxCoeff() / 2 * (1 + kBoxMargin);
   measure(root, nullptr);
   cells_.push_back(root);
+}
+
+bool OutsideDistance::reaches(const ConvexHull& hull) const {
+  return std::all_of(hull.vertices.begin(), hull.vertices.end(), [&](const Eigen::Vector3d& v) {
+    return (solid_.axes() * v - cells_[0].centre).cwiseAbs().maxCoeff() <= cells_[0].half;
+  });
 }
 
 double OutsideDistance::radius(const Cell& cell) const {
@@ -126,13 +143,13 @@ double OutsideDistance::radius(const Cell& cell) const {
 /// there are openings.
 void OutsideDistance::measure(Cell& cell, const Cell* parent) const {
   const TriangleBvh::Nearest n =
-      solid_.surface().nearest(cell.centre, std::numeric_limits<double>::infinity(), parent ? parent->triangle : -1);
+      solid_.surface().nearest(inWorld(cell.centre), std::numeric_limits<double>::infinity(), parent ? parent->triangle : -1);
   cell.triangle = n.triangle;
   cell.to_surface = n.distance;
   if (parent && !solid_.hasOpenings() && parent->to_surface > (parent->centre - cell.centre).norm())
     cell.distance = parent->distance < 0 ? -n.distance : n.distance;
   else
-    cell.distance = solid_.signedDistance(cell.centre, n.distance);
+    cell.distance = solid_.signedDistance(inWorld(cell.centre), n.distance);
 }
 
 /// Over a cell, of the distance to S as a set; infinite if it was not measured yet.
@@ -144,7 +161,7 @@ double OutsideDistance::knownBound(int id) const {
 /// A point of the hull in a cell whose centre is outside, that is outside, too.
 std::optional<Eigen::Vector3d> OutsideDistance::outsidePoint(const Cell& cell, const Faces& hull, const View& view) const {
   const std::optional<Eigen::Vector3d> p = view.point(cell, hull);
-  return p && view.offset > 0 && solid_.hasOpenings() && solid_.contains(*p) ? std::nullopt : p;
+  return p && view.offset > 0 && solid_.hasOpenings() && solid_.contains(inWorld(*p)) ? std::nullopt : p;
 }
 
 bool OutsideDistance::canDivide(int id) const {
@@ -185,7 +202,7 @@ void OutsideDistance::learn(int id, const OutsideDistance& other, int known_id, 
 
 bool OutsideDistance::mayHoldSummit(int id) {
   Cell& cell = cells_[static_cast<std::size_t>(id)];
-  if (cell.summit < 0) cell.summit = !solid_.surface().facesOneWay(cell.centre, cell.to_surface + 2 * radius(cell));
+  if (cell.summit < 0) cell.summit = !solid_.surface().facesOneWay(inWorld(cell.centre), cell.to_surface + 2 * radius(cell));
   return cell.summit != 0;
 }
 
@@ -199,7 +216,7 @@ double OutsideDistance::levelBound(int id) {
   for (int k = 0; k < 8; ++k) {
     const Cell& child = cells_[static_cast<std::size_t>(cell.children + k)];
     bound.add(child.triangle);
-    corners[static_cast<std::size_t>(k)] = cell.centre + 2 * (child.centre - cell.centre);
+    corners[static_cast<std::size_t>(k)] = inWorld(cell.centre + 2 * (child.centre - cell.centre));
   }
   return bound.over(corners, solid_.surface());
 }
@@ -213,7 +230,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
   };
   Largest result;
   result.bound = query.floor;
-  Faces faces(hull, memory_);
+  Faces faces(hull, solid_.axes(), memory_);
   std::vector<View> views;
   std::priority_queue<Open> queue;
   const auto enough = [&] { return std::max(result.found, query.floor); };
@@ -227,9 +244,9 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
     views.push_back(std::move(view));
   };
   look(0, -1, faces.all);
-  for (std::size_t visits = 0; !queue.empty() && queue.top().bound > enough(); ++visits) {
+  for (; !queue.empty() && queue.top().bound > enough(); ++result.visits) {
     const Open open = queue.top();
-    if (visits == kMostVisits) {
+    if (result.visits == query.most_visits) {
       result.bound = std::max(result.bound, open.bound);
       break;
     }
@@ -239,7 +256,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
     const auto outside = cell.distance - view.offset > result.found ? outsidePoint(cell, faces, view) : std::nullopt;
     if (outside) {
       result.found = cell.distance - view.offset;
-      result.where = *outside;
+      result.where = inWorld(*outside);
       if (result.found > query.ceiling) {
         result.bound = std::numeric_limits<double>::infinity();
         return result;
@@ -259,10 +276,13 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
   return result;
 }
 
-bool OutsideDistance::isWithin(const std::array<Eigen::Vector3d, 3>& triangle, double distance) const {
+bool OutsideDistance::isWithin(const std::array<Eigen::Vector3d, 3>& in_world, double distance) const {
+  std::array<Eigen::Vector3d, 3> triangle;
+  for (std::size_t k = 0; k < 3; ++k) triangle[k] = solid_.axes() * in_world[k];
   const Eigen::Vector3d low = triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]);
   const Eigen::Vector3d high = triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]);
   const Eigen::Vector3d middle = (low + high) / 2, half = (high - low) / 2;
+  if (((cells_[0].centre - middle).cwiseAbs() + half).maxCoeff() > cells_[0].half) return false;
   const Eigen::Vector3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
   const double offset = normal.dot(triangle[0]), width = normal.lpNorm<1>();
   int stack[8 * kDeepest];
@@ -286,7 +306,7 @@ std::vector<OutsideDistance::Intruder> OutsideDistance::intruders(const ConvexHu
     int cell;
     View view;
   };
-  Faces faces(hull, memory_);
+  Faces faces(hull, solid_.axes(), memory_);
   std::vector<Open> level, divided;
   const auto look = [&](int cell, int parent, const Faces::List& candidates) {
     if (knownBound(cell) <= tolerance) return;
@@ -303,7 +323,7 @@ std::vector<OutsideDistance::Intruder> OutsideDistance::intruders(const ConvexHu
     for (Open& open : level) {
       const Cell& cell = cells_[static_cast<std::size_t>(open.cell)];
       const auto outside = cell.distance - open.view.offset > tolerance ? outsidePoint(cell, faces, open.view) : std::nullopt;
-      if (outside) found.push_back({*outside, cell.distance - open.view.offset, 8 * cell.half * cell.half * cell.half});
+      if (outside) found.push_back({inWorld(*outside), cell.distance - open.view.offset, 8 * cell.half * cell.half * cell.half});
       if (radius(cell) >= resolution && canDivide(open.cell)) divided.push_back(std::move(open));
     }
     if (found.size() >= wanted || divided.size() > kMostCells / 8) break;

@@ -12,17 +12,20 @@
 
 namespace collision_hulls {
 
-/// A cell knows the signed distance at its centre (positive outside), which bounds it over the cell by the cell's radius. Queries
-/// descend where the bound leaves something open, and what one query computed the next one finds. Values are a function of
-/// the solid and the box alone, so answers do not depend on the order of queries until the octree is full (eight million cells). Not thread
-/// safe.
+/// Cells are cubes along the solid's axes(), so that few of them meet both a flat wall and the space beside it. A cell knows the signed
+/// distance at its centre (positive outside), which bounds it over the cell by the cell's radius. Queries descend where the bound leaves
+/// something open, and what one query computed the next one finds. Values are a function of the solid and the box alone, so answers do not
+/// depend on the order of queries until the octree is full (eight million cells). Not thread safe.
 class OutsideDistance {
  public:
   /// `box`: what queried hulls lie in; `solid` must live as long.
   OutsideDistance(const Solid& solid, const Eigen::AlignedBox3d& box);
 
+  /// Whether the hull lies in that box, or hardly outside. Of others only what is found holds, no bound.
+  bool reaches(const ConvexHull& hull) const;
+
   /// Takes over what another one, of the same solid and box, knows of the cells that meet `part`.
-  void learn(const OutsideDistance& other, const Eigen::AlignedBox3d& part) { learn(0, other, 0, part); }
+  void learn(const OutsideDistance& other, const Eigen::AlignedBox3d& part) { learn(0, other, 0, turned(part, solid_.axes())); }
 
   struct Query {
     double floor = 0;                                                ///< [m] distances up to here do not matter
@@ -30,16 +33,18 @@ class OutsideDistance {
     double resolution = 0;                                           ///< [m] cells of a smaller radius are not divided
     double surface_bound = std::numeric_limits<double>::infinity();  ///< [m] no point of the hull's surface is further
     double depth = std::numeric_limits<double>::infinity();          ///< [m] no point of the hull lies deeper beneath its surface
+    std::size_t most_visits = 60000;                                 ///< to cells; then the largest bound left over is the answer's
     bool summits_only = false;  ///< leave out cells without a local maximum: for hulls whose surface was searched already
   };
   struct Largest {
     double found = 0;  ///< [m] largest distance found at a point of the hull
     double bound = 0;  ///< [m] no point of the hull, or no summit in it, is further; infinite if the ceiling ended the search
     Eigen::Vector3d where = Eigen::Vector3d::Zero();
+    std::size_t visits = 0;  ///< that it took
   };
   Largest largest(const ConvexHull& hull, const Query& query);
 
-  /// Whether no point of the triangle is further than `distance` [m], as far as cells are known. Measures nothing.
+  /// Whether no point of the triangle is further than `distance` [m], as far as cells are known: of any triangle. Measures nothing.
   bool isWithin(const std::array<Eigen::Vector3d, 3>& triangle, double distance) const;
 
   struct Intruder {
@@ -53,7 +58,7 @@ class OutsideDistance {
 
  private:
   struct Cell {
-    Eigen::Vector3d centre;
+    Eigen::Vector3d centre;   // along the solid's axes
     double half = 0;          // side / 2
     double to_surface = 0;    // at the centre
     double distance = 0;      // the same, signed: see Solid::signedDistance()
@@ -68,6 +73,8 @@ class OutsideDistance {
     Eigen::Array4f offset = Eigen::Array4f::Constant(std::numeric_limits<float>::lowest());
     Eigen::Array4f width = Eigen::Array4f::Zero();  // how far a cube of half side 1 about the origin reaches along the normal
   };
+  /// The box, along the cells, of one along the world's axes.
+  static Eigen::AlignedBox3d turned(const Eigen::AlignedBox3d& box, const Eigen::Matrix3d& axes);
   struct Memory {
     std::vector<Four> fours;
     std::vector<int> lists;
@@ -76,6 +83,7 @@ class OutsideDistance {
   struct View;   // of a cell by a hull
 
   double radius(const Cell& cell) const;
+  Eigen::Vector3d inWorld(const Eigen::Vector3d& p) const { return solid_.axes().transpose() * p; }
   void measure(Cell& cell, const Cell* parent) const;
   double knownBound(int cell) const;
   std::optional<Eigen::Vector3d> outsidePoint(const Cell& cell, const Faces& hull, const View& view) const;

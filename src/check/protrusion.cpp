@@ -2,6 +2,8 @@
 // surface is searched patch by patch (surface_search.h). Summits are a matter of the solid alone: they lie in pockets between
 // walls that face each other, and an octree that the hulls share leaves out all the rest of space (outside_distance.h).
 
+#include "check/protrusion.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -19,6 +21,9 @@ constexpr double kLooseGap = 16;  // of the first searches, in gaps of the last
 constexpr int kGlance = 20;       // halvings
 // Surfaces that the search does not close in on, as in the plane of an opening, keep the bound that so many halvings leave.
 constexpr int kMostHalvings = 2'000'000;
+// Cells that the search for summits may visit beyond its usual number, for all hulls together: along a narrow gap of even width, as between
+// a shaft and its bore, every point is one, nearly.
+constexpr std::size_t kSpareVisits = 500'000;
 
 /// Keeps the further of two places, and the larger of two bounds.
 void add(Protrusion& worst, const Protrusion& other) {
@@ -39,7 +44,8 @@ double leastWidth(const ConvexHull& hull) {
   return least;
 }
 
-void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const Solid& solid, double gap, const RunControl& control) {
+void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const Solid& solid, double gap, std::size_t spare,
+                const RunControl& control) {
   Eigen::AlignedBox3d box;
   for (const ConvexHull& hull : hulls) box.extend(boundingBox(hull));
   if (box.isEmpty()) return;
@@ -50,11 +56,14 @@ void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const S
   query.ceiling = std::numeric_limits<double>::infinity();
   query.resolution = gap / 4;
   query.summits_only = true;
+  const std::size_t usual = query.most_visits;
   for (std::size_t i = 0; i < hulls.size(); ++i) {
     control.check();
+    query.most_visits = usual + spare;
     query.floor = std::max(query.floor, worst.found);
     query.depth = leastWidth(hulls[i]) / 2;
     const OutsideDistance::Largest largest = outside.largest(hulls[i], query);
+    spare -= std::max(largest.visits, usual) - usual;
     Protrusion summit;
     summit.bound = largest.bound;
     if (largest.found > worst.found) {
@@ -71,6 +80,11 @@ void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const S
 }  // namespace
 
 Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, double gap, const RunControl& control) {
+  return protrusion(hulls, solid, {gap, 0}, control);
+}
+
+Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, const ProtrusionSearch& search, const RunControl& control) {
+  const double gap = search.gap;
   // Vertices first: what they reach is a floor that spares the other hulls most of the search.
   double floor = 0;
   for (const ConvexHull& hull : hulls)
@@ -101,7 +115,7 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
   }
   Protrusion worst;
   for (const Protrusion& p : each) add(worst, p);
-  addSummits(worst, hulls, solid, gap / 2, control);
+  addSummits(worst, hulls, solid, gap / 2, search.spare_visits, control);
   return worst;
 }
 

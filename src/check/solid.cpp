@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "collision_hulls/geometry/triangle_bvh.h"
+#include "geometry/own_axes.h"
 #include "geometry/pi.h"
 #include "mesh/edges.h"
 #include "mesh/loose_points.h"
@@ -218,6 +219,7 @@ struct Solid::Impl {
       : surface(std::make_shared<TriangleBvh>(withLoosePoints(mesh), twoSided(mesh, edges))),
         walls(mesh, rimOf(mesh, edges), surface),
         interior(interiorOf(mesh)),
+        axes(ownAxes(mesh.mesh)),
         weld_distance(mesh.counts.weld_distance),
         component_points(pointsOfComponents(mesh)) {
     const std::vector<char> all(mesh.mesh.triangles.size() + mesh.loose.size(), 1);
@@ -226,6 +228,7 @@ struct Solid::Impl {
   std::shared_ptr<const TriangleBvh> surface;
   Walls walls;
   Interior interior;
+  Eigen::Matrix3d axes;
   double weld_distance;
   std::vector<Eigen::Vector3d> component_points;
 };
@@ -263,6 +266,9 @@ double Solid::volume() const {
 }
 Interior Solid::interior() const {
   return impl_->interior;
+}
+const Eigen::Matrix3d& Solid::axes() const {
+  return impl_->axes;
 }
 double Solid::weldDistance() const {
   return impl_->weld_distance;

@@ -8,8 +8,8 @@
 #include "decompose/largest_side.h"
 #include "decompose/local_search.h"
 #include "decompose/merging.h"
-#include "decompose/own_axes.h"
 #include "decompose/tree_building.h"
+#include "geometry/own_axes.h"
 #include "mesh/loose_points.h"
 #include "parallel.h"
 

@@ -19,6 +19,7 @@ constexpr double kInHalves = 0.4, kSingly = 0.2;  // how often groups fall into 
 constexpr int kNoiseLevels = 4;                   // 0, 0.1, ...
 constexpr double kNoiseStep = 0.1;
 constexpr long kIdleMovesPerGroup = 20, kIdleMoves = 200;  // without gain before the search ends
+constexpr long kIdleWork = 2'000'000;                      // groups that such moves look at: of thousands each takes long
 constexpr std::size_t kMostToProve = 8;                    // groups: of more it hardly ever succeeds
 constexpr double kRounding = 1e-12;
 
@@ -150,7 +151,11 @@ Cover improved(Cover cover, SurfaceGroups& groups, const SearchOptions& options,
   Cover current = cover;  // no more groups than `cover`, which alone is proven
   long first = groups.evaluations();
   long idle = 0;
-  while (idle < kIdleMovesPerGroup * static_cast<long>(cover.size()) + kIdleMoves) {
+  const auto most_idle = [&] {
+    const auto size = static_cast<long>(cover.size());
+    return std::min(kIdleMovesPerGroup * size + kIdleMoves, kIdleWork / size);
+  };
+  while (idle < most_idle()) {
     const long made = groups.evaluations() - first;
     if (made >= options.evaluations) break;
     groups.control().check();

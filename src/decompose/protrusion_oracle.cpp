@@ -131,9 +131,17 @@ bool ProtrusionOracle::mayWellFit(const ConvexHull& hull) {
   return !holdsKnownIntruder(hull) && !std::isinf(reachByOctree(hull, kFineCell));
 }
 
+bool ProtrusionOracle::fits(const ConvexHull& hull) {
+  return fit({&hull})[0] != 0;
+}
+
 std::vector<char> ProtrusionOracle::fit(const std::vector<const ConvexHull*>& hulls) {
   std::vector<std::optional<bool>> answers;
-  for (const ConvexHull* hull : hulls) answers.push_back(fitsByOctree(*hull));
+  for (const ConvexHull* hull : hulls) {
+    answers.push_back(fitsByOctree(*hull));
+    // One of few vertices may reach far beyond the mesh.
+    if (answers.back() != false && !outside_.reaches(*hull)) answers.back() = fitsBeyond(*hull);
+  }
   std::vector<Protrusion> on_surface(hulls.size());
   forEach(hulls.size(), [&](std::size_t i) {
     if (!answers[i]) on_surface[i] = onSurface(*hulls[i]);
@@ -141,6 +149,13 @@ std::vector<char> ProtrusionOracle::fit(const std::vector<const ConvexHull*>& hu
   std::vector<char> result;
   for (std::size_t i = 0; i < hulls.size(); ++i) result.push_back(answers[i] ? *answers[i] : concluded(*hulls[i], on_surface[i]));
   return result;
+}
+
+/// By an oracle of the hull's own box.
+bool ProtrusionOracle::fitsBeyond(const ConvexHull& hull) const {
+  ProtrusionOracle wide(solid_, boundingBox(hull), tolerance_, control_);
+  wide.share_ = share_;
+  return wide.fits(hull);
 }
 
 /// nullopt: that is open.

@@ -27,7 +27,7 @@ bool holds(const ConvexHull& hull, const Eigen::Vector3d& p);
 /// pockets within. Not thread safe.
 class ProtrusionOracle {
  public:
-  /// `box` holds every hull that is asked about.
+  /// `box` holds the hulls that are asked about; it may take long to prove others.
   ProtrusionOracle(const Solid& solid, const Eigen::AlignedBox3d& box, double tolerance, const RunControl& control);
 
   /// One for hulls within `part` of the box, which knows what this one knows there: for use beside it.
@@ -43,7 +43,7 @@ class ProtrusionOracle {
   bool mayWellFit(const ConvexHull& hull);
 
   /// True: no point of the hull is further from the solid than the tolerance, none of its surface further than 99 % of it, by proof.
-  bool fits(const ConvexHull& hull) { return fit({&hull})[0] != 0; }
+  bool fits(const ConvexHull& hull);
 
   /// The same of several hulls, searched at the same time.
   std::vector<char> fit(const std::vector<const ConvexHull*>& hulls);
@@ -65,6 +65,7 @@ class ProtrusionOracle {
  private:
   bool holdsKnownIntruder(const ConvexHull& hull);
   std::optional<bool> fitsByOctree(const ConvexHull& hull);
+  bool fitsBeyond(const ConvexHull& hull) const;
   Protrusion onSurface(const ConvexHull& hull) const;
   bool concluded(const ConvexHull& hull, const Protrusion& on_surface);
   bool mayHoldPocket(const ConvexHull& hull);

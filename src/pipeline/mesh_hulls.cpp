@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "check/protrusion.h"
 #include "collision_hulls/decompose/fit_cover.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "pipeline/stopwatch.h"
@@ -16,7 +17,10 @@ constexpr double kMargins = 3, kLeastAim = 0.5;
 // the solid jumps, much further. Then the aim is lowered by as much and a little more, but at most to this share.
 constexpr int kAttempts = 3;
 constexpr double kLowerAim = 0.8, kALittleLower = 0.99;
-constexpr double kLeastGap = 0.1;  // of the usual gap between bounds, that may take the upper one above the tolerance
+// Where the gap between bounds may be all that takes the upper one above the tolerance: its least share of the usual gap, and how hard to
+// try.
+constexpr double kLeastGap = 0.1;
+constexpr std::size_t kSpareVisits = 500'000;
 
 /// The coarsest cut whose hulls keep within the tolerance also with their vertices reduced, as leaves do anyway.
 std::vector<int> fittingCut(const HullTree& tree, const DecomposeOptions& options) {
@@ -58,7 +62,8 @@ Protrusion certificate(const std::vector<ConvexHull>& hulls, const Solid& solid,
   const double gap = kCertificateGap * tolerance;
   Protrusion result = protrusion(hulls, solid, gap, control);
   const double room = tolerance - margin - result.found;
-  if (result.bound + margin > tolerance && room > kLeastGap * gap) result = protrusion(hulls, solid, room / 2, control);
+  if (result.bound + margin > tolerance && room > kLeastGap * gap)
+    result = protrusion(hulls, solid, {std::min(gap, room / 2), kSpareVisits}, control);
   result.bound += margin;
   return result;
 }

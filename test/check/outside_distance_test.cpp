@@ -52,6 +52,38 @@ TEST(OutsideDistance, OfAFilledChannel) {
   EXPECT_LE(largest.bound, 0.44);
 }
 
+// Its cells turn with the mesh.
+TEST(OutsideDistance, OfATurnedMeshIsTheSame) {
+  Eigen::Isometry3d turn(Eigen::Quaterniond(0.8, 0.3, -0.4, 0.2).normalized());
+  OutsideDistance::Largest largest[2];
+  std::vector<OutsideDistance::Intruder> intruders[2];
+  for (std::size_t turned = 0; turned < 2; ++turned) {
+    const TriangleMesh mesh = turned ? transformed(test_shapes::uChannel(), turn) : test_shapes::uChannel();
+    const Solid solid = solidOf(mesh);
+    OutsideDistance outside(solid, boundingBox(mesh));
+    largest[turned] = outside.largest(hullOf(mesh), query(0, 0.01));
+    intruders[turned] = outside.intruders(hullOf(mesh), 0.1, 100, 0.01);
+    for (const OutsideDistance::Intruder& i : intruders[turned]) EXPECT_GE(solid.distance(i.p), i.distance - 1e-9);
+    EXPECT_GE(solid.distance(largest[turned].where), largest[turned].found - 1e-9);
+    const Vector3d &a = mesh.vertices[0], &b = mesh.vertices[2];
+    EXPECT_TRUE(outside.isWithin({a, a, b}, 0.5));
+  }
+  EXPECT_NEAR(largest[0].bound, 0.4, 0.02);
+  EXPECT_NEAR(largest[1].bound, 0.4, 0.02);
+  EXPECT_GT(intruders[1].size(), 90U);
+}
+
+TEST(OutsideDistance, KnowsNothingBeyondItsBox) {
+  const TriangleMesh mesh = test_shapes::box(1, 1, 1);
+  const Solid solid = solidOf(mesh);
+  const OutsideDistance outside(solid, boundingBox(mesh));
+  EXPECT_TRUE(outside.isWithin({Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0)}, 2));
+  EXPECT_FALSE(outside.isWithin({Vector3d(0, 0, 5), Vector3d(1, 0, 5), Vector3d(0, 1, 5)}, 2));
+  EXPECT_FALSE(outside.isWithin({Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 5)}, 2));
+  EXPECT_TRUE(outside.reaches(hullOf(mesh)));
+  EXPECT_FALSE(outside.reaches(boxHull({0, 0, 0}, {1, 1, 5})));
+}
+
 TEST(OutsideDistance, NothingAboveTheFloorIsSaidQuickly) {
   const TriangleMesh mesh = test_shapes::uChannel(1, 1, 0.1, 2, 2);
   const Solid solid = solidOf(mesh);

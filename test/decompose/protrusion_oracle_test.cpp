@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "collision_hulls/decompose/reduce_vertices.h"
 #include "subject.h"
 
 namespace collision_hulls {
@@ -188,6 +189,26 @@ TEST(Oracle, IntrudersLieInTheHullAndBeyondTheTolerance) {
       EXPECT_GT(i.weight, 0);
     }
   }
+}
+
+// Two clusters of points far apart: the hull of few faces about theirs reaches far beyond them.
+TEST(Oracle, ProvesWhatReachesBeyondTheMesh) {
+  int refuted = 0;
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
+    RandomPoints random(seed);
+    std::vector<Eigen::Vector3d> points = random.cloud(30);
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].z() = 0.6 * points[i].z() + (i % 2 ? 3 : -3);
+    const ConvexHull hull = convexHull(points), reduced = reduceVertices(hull, 8);
+    const TriangleMesh mesh = surface(hull);
+    const Solid solid = solidOf(mesh);
+    const double truth = protrusion({reduced}, solid, 1e-4).found;
+    for (const double share : {0.65, 0.9, 1.1}) {
+      const bool fits = ProtrusionOracle(solid, boundingBox(mesh), share * truth, {}).fits(reduced);
+      EXPECT_EQ(share > 1, fits) << "seed " << seed << ", share " << share;
+      refuted += !fits;
+    }
+  }
+  EXPECT_EQ(16, refuted);
 }
 
 TEST(Oracle, IsCancelled) {

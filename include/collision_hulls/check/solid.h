@@ -31,6 +31,8 @@ class Solid {
   bool hasOpenings() const;  ///< whether S has borders that are no surface: distance() then jumps where they are crossed
   double volume() const;     ///< [m^3] of the components that have an inside (sum)
   Interior interior() const;
+  /// The rotation into a frame along whose axes much of the surface lies flat; see geometry/own_axes.h.
+  const Eigen::Matrix3d& axes() const;
   double weldDistance() const;                                  ///< [m] furthest that repair moved a point of the surface
   const std::vector<Eigen::Vector3d>& componentPoints() const;  ///< a point of each component of the surface; loose points are some
 

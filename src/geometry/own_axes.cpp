@@ -1,4 +1,4 @@
-#include "decompose/own_axes.h"
+#include "geometry/own_axes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

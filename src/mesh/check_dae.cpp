@@ -1,7 +1,10 @@
 // Assimp recurses as deep as elements nest and nodes instance each other, and reads arrays where accessors point.
 #include <algorithm>
+#include <cmath>
+#include <locale>
 #include <map>
 #include <set>
+#include <sstream>
 #include <vector>
 
 #include "mesh/scan.h"
@@ -63,7 +66,18 @@ class DaeCheck {
     if (tag.name == "Name_array" || tag.name == "IDREF_array") number(tag, "count", 0);
     if (tag.name == "accessor") openAccessor(tag);
     if (tag.name == "param" && inside("accessor")) ++accessors_.back().params;
+    if (tag.name == "unit" && inside("asset")) checkUnit(tag.attribute("meter"));
     openPrimitivePart(tag);
+  }
+
+  /// Assimp takes what is no positive number for 1.
+  void checkUnit(std::string_view metres) const {
+    if (metres.empty()) return;
+    std::istringstream in{std::string(metres)};
+    in.imbue(std::locale::classic());
+    double value = 0;
+    if (!(in >> value) || !(in >> std::ws).eof() || !std::isfinite(value) || value <= 0)
+      failNotAMesh(path_, "its <unit meter> is " + std::string(metres.substr(0, 40)) + "; it must be a positive number");
   }
 
   void close(const XmlTag& tag) {

@@ -1,5 +1,7 @@
 #include "pipeline/files.h"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -11,6 +13,26 @@ namespace collision_hulls {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+void write(const fs::path& file, const std::string& text) {
+  errno = 0;
+  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out.close();
+  if (!out) throwUnwritable(file, errno ? std::strerror(errno) : "writing failed");
+}
+
+/// Where a name leads, through links; also where nothing is there yet.
+fs::path behindLinks(fs::path file) {
+  constexpr int kMostLinks = 40;
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(file, error); ++i) file = file.parent_path() / fs::read_symlink(file, error);
+  return file;
+}
+
+}  // namespace
+
 std::string readText(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
@@ -20,17 +42,43 @@ void writeText(const fs::path& file, const std::string& text) {
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
   if (error) throwUnwritable(file.parent_path(), error.message());
-  errno = 0;
-  std::ofstream out(file, std::ios::binary | std::ios::trunc);
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  out.close();
-  if (!out) throwUnwritable(file, errno ? std::strerror(errno) : "writing failed");
+  write(file, text);
   if (readText(file) != text) throwUnwritable(file, "what is read back is not what was written");
+}
+
+void checkNamedFile(const fs::path& file) {
+  std::error_code error;
+  if (fs::is_directory(file, error)) throwUnwritable(file, "it is a folder");
+  if (fs::exists(file, error)) return;  // then it is replaced, or written to
+  fs::path above = fs::absolute(behindLinks(file)).parent_path();
+  while (!fs::exists(above, error) && above.has_relative_path()) above = above.parent_path();
+  if (!fs::is_directory(above, error)) throwUnwritable(file, "'" + above.string() + "' is not a folder");
+  if (access(above.c_str(), W_OK | X_OK) != 0) throwUnwritable(file, "no permission to write in '" + above.string() + "'");
+}
+
+void writeNamedFile(const fs::path& file, const std::string& text) {
+  checkNamedFile(file);
+  std::error_code error;
+  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) return write(file, text);
+  const fs::path target = behindLinks(file);
+  fs::path temporary = target;
+  temporary += ".part-" + std::to_string(getpid());
+  try {
+    writeText(temporary, text);
+    fs::rename(temporary, target, error);
+  } catch (const Error&) {
+    fs::remove(temporary, error);
+    throw;
+  }
+  if (!error) return;
+  const std::string why = error.message();
+  fs::remove(temporary, error);
+  throwUnwritable(file, why);
 }
 
 void throwUnwritable(const fs::path& path, const std::string& why) {
   throw Error(ErrorCode::kUnwritableOutput,
-              "cannot write '" + path.string() + "': " + why + "; choose another output folder, or check its permissions and free space");
+              "cannot write '" + path.string() + "': " + why + "; choose another output, or check its permissions and free space");
 }
 
 }  // namespace collision_hulls

@@ -37,7 +37,7 @@ void checkRange(const std::string& option, int value, int low, int high, const s
 std::string shortest(double value, const Length& wanted, const char* unit) {
   std::ostringstream out;
   out.imbue(std::locale::classic());
-  for (int digits = 1; digits <= 17; ++digits) {
+  for (int digits = 3; digits <= 17; ++digits) {
     out.str("");
     out.precision(digits);
     out << value << unit;
@@ -48,7 +48,7 @@ std::string shortest(double value, const Length& wanted, const char* unit) {
 
 }  // namespace
 
-Length parseLength(const std::string& text) {
+Length parseLength(const std::string& text, const std::string& option) {
   const char* const understood =
       "a positive length with its unit, as in 5mm, 0.5cm, 0.005 or 0.005m (metres), 200um, 0.2in, or a share of the mesh's bounding-box "
       "diagonal above 0% and up to 100%, as in 1%";
@@ -56,12 +56,12 @@ Length parseLength(const std::string& text) {
   in.imbue(std::locale::classic());
   double number = 0;
   std::string unit, rest;
-  if (!(in >> number) || !std::isfinite(number) || number <= 0) badOption("tolerance", text, understood);
+  if (!(in >> number) || !std::isfinite(number) || number <= 0) badOption(option, text, understood);
   in >> unit >> rest;
   const auto found = std::find_if(kLengthUnits.begin(), kLengthUnits.end(), [&](const Unit& u) { return unit == u.name; });
-  if (found == kLengthUnits.end() || !rest.empty()) badOption("tolerance", text, understood);
+  if (found == kLengthUnits.end() || !rest.empty()) badOption(option, text, understood);
   const Length length{number * found->numerator / found->denominator, unit == "%"};
-  if (length.value <= 0 || (length.relative && length.value > 1)) badOption("tolerance", text, understood);
+  if (length.value <= 0 || (length.relative && length.value > 1)) badOption(option, text, understood);
   return length;
 }
 

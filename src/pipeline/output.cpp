@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "collision_hulls/error.h"
@@ -21,9 +22,18 @@ namespace {
 
 constexpr const char* kReport = "report.json";
 
-bool isEarlierOutput(const fs::path& folder) {
+/// The files that an earlier output consists of, as its report names them, or some that it may consist of; nullopt: it is none.
+std::optional<std::set<fs::path>> filesOfEarlierOutput(const fs::path& folder) {
   const nlohmann::json report = nlohmann::json::parse(readText(folder / kReport), nullptr, false);
-  return report.is_object() && report.count("collision_hulls") > 0;
+  if (!report.is_object() || report.count("collision_hulls") == 0) return std::nullopt;
+  std::set<fs::path> files{kReport, "package.xml", "CMakeLists.txt"};
+  for (const nlohmann::json& link : report.value("links", nlohmann::json::array()))
+    for (const nlohmann::json& file : link.value("files", nlohmann::json::array())) files.insert(file.get<std::string>());
+  return files;
+}
+
+bool isDescription(const fs::path& file) {
+  return (file.parent_path() == "urdf" && file.extension() == ".urdf") || (file.parent_path() == "config" && file.extension() == ".srdf");
 }
 
 void refuseForeign(const fs::path& folder) {
@@ -32,10 +42,22 @@ void refuseForeign(const fs::path& folder) {
   if (!fs::is_directory(folder, error)) {
     throw Error(ErrorCode::kNotOurOutput, "'" + folder.string() + "' is not a folder; choose another output");
   }
-  if (fs::is_empty(folder, error) || isEarlierOutput(folder)) return;
-  throw Error(ErrorCode::kNotOurOutput, "'" + folder.string() +
-                                            "' holds something else than an earlier output (it has no report.json of collision_hulls) and "
-                                            "is left alone; choose another output, or remove it yourself");
+  if (fs::is_empty(folder, error)) return;
+  const auto known = filesOfEarlierOutput(folder);
+  if (!known) {
+    throw Error(ErrorCode::kNotOurOutput,
+                "'" + folder.string() +
+                    "' holds something else than an earlier output (it has no report.json of collision_hulls) and "
+                    "is left alone; choose another output, or remove it yourself");
+  }
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error)) {
+    const fs::path file = entry.path().lexically_relative(folder);
+    if (entry.is_directory(error) || known->count(file) > 0 || isDescription(file)) continue;
+    throw Error(ErrorCode::kNotOurOutput,
+                "'" + folder.string() + "' holds '" + file.string() +
+                    "', which is no part of the earlier output there, and is left alone; choose another output, or "
+                    "move that file away");
+  }
 }
 
 std::string packageXml(const std::string& robot_name) {
@@ -130,16 +152,7 @@ void writeOutput(RobotResult& result, const std::string& output, const RunContro
 }
 
 void writeReport(const Report& report, const std::string& file) {
-  const fs::path temporary = file + ".part-" + std::to_string(getpid());
-  std::error_code error;
-  try {
-    writeText(temporary, toJson(report));
-    fs::rename(temporary, file, error);
-    if (error) throwUnwritable(file, error.message());
-  } catch (const Error&) {
-    fs::remove(temporary, error);
-    throw;
-  }
+  writeNamedFile(file, toJson(report));
 }
 
 }  // namespace collision_hulls

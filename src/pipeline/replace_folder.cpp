@@ -57,12 +57,12 @@ void removeLeftovers(const fs::path& target) {
   }
 }
 
-void syncFolder(const fs::path& folder, int (*sync)(int)) {
+/// 0, or what went wrong. Some file systems cannot do this; that is no error.
+int syncFolder(const fs::path& folder, int (*sync)(int)) {
   const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  const bool done = descriptor >= 0 && sync(descriptor) == 0;
-  const int error = errno;
+  const int error = descriptor >= 0 && sync(descriptor) == 0 ? 0 : errno;
   if (descriptor >= 0) close(descriptor);
-  if (!done) throwUnwritable(folder, std::strerror(error));
+  return error == EINVAL || error == ENOSYS ? 0 : error;
 }
 
 void move(const fs::path& from, const fs::path& to) {
@@ -128,14 +128,14 @@ FolderReplacement::~FolderReplacement() {
 
 void FolderReplacement::commit() {
   // One call for thousands of small files; fsync of each would take as many turns of the disk.
-  syncFolder(folder_, syncfs);
+  if (const int error = syncFolder(folder_, syncfs)) throwUnwritable(folder_, std::strerror(error));
   // Where nothing, or an empty folder, stands at the target a rename is enough. After an exchange the old folder has our name.
   const bool renamed = std::rename(folder_.c_str(), target_.c_str()) == 0;
   if (!renamed && errno != ENOTEMPTY && errno != EEXIST) throwUnwritable(target_, std::strerror(errno));
   const bool exchanged = !renamed && renameat2(AT_FDCWD, folder_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0;
   if (!renamed && !exchanged) replaceByTwoRenames(folder_, target_);
   if (!exchanged) folder_.clear();
-  syncFolder(target_.parent_path(), fsync);
+  syncFolder(target_.parent_path(), fsync);  // where it fails the new output stands there all the same
 }
 
 }  // namespace collision_hulls

@@ -23,6 +23,11 @@ bool anyFailed(const Report& report) {
   return std::any_of(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.status == Status::kFailed; });
 }
 
+bool allFailed(const Report& report) {
+  return !report.links.empty() &&
+         std::all_of(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.status == Status::kFailed; });
+}
+
 Totals totals(const Report& report) {
   Totals sum;
   const std::string* link = nullptr;  // rows of a link stand together

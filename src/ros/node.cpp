@@ -50,14 +50,20 @@ DecomposeRequest toRequest(const FitSceneRequest& fit) {
   return request;
 }
 
-/// The fields that both responses have, of a result that is written.
+/// Writes the result, unless nothing in it could be done: an earlier output may be of use. The fields that both responses have.
 template <typename Response>
-Response responseOf(const RobotResult& result, const std::string& output) {
+Response written(RobotResult& result, const std::string& output, const RunControl& control) {
   Response response;
   response.success = !anyFailed(result.report);
-  response.message = summary(result.report) + "\nwritten to " + output;
   response.robot_description = result.urdf;
-  response.urdf_path = std::filesystem::directory_iterator(output + "/urdf")->path().string();  // the only file there
+  response.message = summary(result.report);
+  if (allFailed(result.report)) {
+    response.message += "\nno mesh could be decomposed; nothing is written";
+  } else {
+    writeOutput(result, output, control);
+    response.message += "\nwritten to " + output;
+    response.urdf_path = std::filesystem::directory_iterator(output + "/urdf")->path().string();  // the only file there
+  }
   response.report = toJson(result.report);
   response.links = toMessages(result.report);
   ROS_INFO("%s", response.message.c_str());
@@ -164,10 +170,9 @@ DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunCont
   const std::string output = outputFor(request.output, input);
 
   RobotResult result = decomposeRobot(robot, input.find_package, options, output, control, step);
-  writeOutput(result, output, control);
+  DecomposeResponse response = written<DecomposeResponse>(result, output, control);
   show(result);
-
-  return responseOf<DecomposeResponse>(result, output);
+  return response;
 }
 
 FitSceneResponse Node::answerFit(const FitSceneRequest& request, const RunControl& control) const {
@@ -189,9 +194,8 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
   const std::string output = outputFor(request.output, input);
 
   RobotResult result = fitRobotToScene(robot, input.find_package, scene, options, output, control);
-  writeOutput(result, output, control);
+  FitSceneResponse response = written<FitSceneResponse>(result, output, control);
   show(result);
-  FitSceneResponse response = responseOf<FitSceneResponse>(result, output);
   response.srdf = result.extra_files.begin()->second;
   return response;
 }

@@ -49,7 +49,10 @@ YamlValue YamlValue::parse(const std::string& text, const std::string& file, Err
   if (nestsTooDeep(text)) throw Error(code, place(file, first_line) + ": more than 500 brackets are open at once, or are never closed");
   const auto source = std::make_shared<const Node::Source>(Node::Source{file, code, first_line});
   try {
-    return Node::wrap(YAML::Load(text), source);
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.size() > 1)
+      throw Error(code, place(file, lineOf(documents[1].Mark(), first_line)) + ": a second document; one is read, put all into that");
+    return Node::wrap(documents.empty() ? YAML::Node() : documents.front(), source);
   } catch (const YAML::Exception& error) {
     throw Error(code, place(file, lineOf(error.mark, first_line)) + ": the text is no YAML: " + error.msg);
   }

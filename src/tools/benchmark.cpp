@@ -74,7 +74,8 @@ void interpret(Command& command) {
     options.methods = parsedList<Method>(command.methods,
                                          [](const std::string& text) { return choice("--methods", text, methodNamed, methodChoices()); });
   }
-  if (!command.tolerances.empty()) options.tolerances = parsedList<Length>(command.tolerances, parseLength);
+  if (!command.tolerances.empty())
+    options.tolerances = parsedList<Length>(command.tolerances, [](const std::string& text) { return parseLength(text); });
   if (!command.efforts.empty()) {
     options.efforts =
         parsedList<Effort>(command.efforts, [](const std::string& text) { return choice("--effort", text, effortNamed, "quick, best"); });

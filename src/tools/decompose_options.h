@@ -86,7 +86,7 @@ class DecomposeOptionAdder {
         ->group("Accuracy");
     add("Accuracy", "--tree", "LENGTH", "",
         "Cut the hulls from a tree of this finer tolerance, which the cache keeps: other tolerances above it then cost no decomposition",
-        [&options = options_](const std::string&, const std::string& text) { options.tree = parseLength(text); });
+        [&options = options_](const std::string&, const std::string& text) { options.tree = parseLength(text, "--tree"); });
   }
 
   void addCaps() {

@@ -4,6 +4,7 @@
 #include "bench/table.h"
 #include "pipeline/files.h"
 #include "robot_program.h"
+#include "scene/reading.h"
 
 namespace collision_hulls {
 namespace {
@@ -88,9 +89,10 @@ int main(int argc, char** argv) {
   app.footer(kFooter);
   addOptions(app, command);
   const RobotWork work = [&](const Input& input, const std::string& output, const RunControl& control, const StepCallback& step) {
+    if (!command.compare.empty()) inContext("--compare", [&] { checkNamedFile(command.compare); });
     const SceneRequest request = requestOf(command, input);
     RobotResult result = fitRobotToScene(input.robot, input.find_package, request, command.robot.options, output, control, step);
-    if (request.compare) writeText(command.compare, comparisonCsv(result.robot_name, *result.report.scene));
+    if (request.compare) writeNamedFile(command.compare, comparisonCsv(result.robot_name, *result.report.scene));
     return result;
   };
   return runRobotProgram(app, argc, argv, [&] { return runRobotCommand(command.robot, work); });

@@ -10,7 +10,9 @@
 
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "decompose_options.h"
+#include "pipeline/files.h"
 #include "progress_display.h"
+#include "scene/reading.h"
 
 namespace collision_hulls {
 
@@ -60,18 +62,26 @@ inline void printReport(const Report& report, const RobotCommand& command) {
   } else if (!command.quiet) {
     std::cout << toTable(report);
   }
-  std::cout.flush();
+  if (!std::cout.flush()) throw Error(ErrorCode::kUnwritableOutput, "cannot write to standard output; the report is lost");
   for (const ElementReport& row : report.links) {
     if (row.status == Status::kFailed)
       std::cerr << command.program << ": " << row.link << ", " << row.uri << " failed: " << row.reason << "\n";
   }
 }
 
-/// The file that --json names is written also where the output could not be.
+inline bool isFile(const std::string& json) {
+  return !json.empty() && json != "-";
+}
+
+/// The file that --json names is written also where the output could not be. Of a robot of which nothing could be done there is none: an
+/// earlier one may be of use.
 inline void writeEverything(RobotResult& result, const RobotCommand& command, const std::string& output, const RunControl& control) {
-  const bool to_file = !command.json.empty() && command.json != "-";
+  const bool to_file = isFile(command.json);
   try {
-    if (!result.single_mesh || !anyFailed(result.report)) writeOutput(result, output, control);
+    if (!allFailed(result.report))
+      writeOutput(result, output, control);
+    else
+      std::cerr << command.program << ": no mesh could be decomposed; nothing is written to '" << output << "'\n";
   } catch (const Error& e) {
     if (to_file && e.code() != ErrorCode::kCancelled) writeReport(result.report, command.json);
     throw;
@@ -93,6 +103,7 @@ inline int runRobotCommand(const RobotCommand& command, const RobotWork& work) {
   const Input input = openInput(command.input);
   const std::string output = command.output.empty() ? defaultOutput(input) : command.output;
   checkOutput(output);
+  if (isFile(command.json)) inContext("--json", [&] { checkNamedFile(command.json); });
   RobotResult result = work(input, output, control, [&](const Step& step) { display.step(step); });
   display.clear();
   writeEverything(result, command, output, control);

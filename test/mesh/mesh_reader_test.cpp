@@ -217,7 +217,8 @@ TEST(ReadMeshTrust, DaeWithoutVertexInput) {
               dae("", "<triangles count=\"1\"><p>0 1 2</p></triangles>", kPlainNode));
   expectError(ErrorCode::kNotAMesh, "count=\"4294967295\"", "b.dae",
               dae("", "<triangles count=\"4294967295\">" + kVertexInput + "<p>0 1 2</p></triangles>", kPlainNode));
-  expectError(ErrorCode::kNotAMesh, "<unit meter> is 0", "c.dae", dae(unit("0"), kTwoTriangles, kPlainNode));
+  for (const std::string metres : {"0", "-1", "nan", "inch", "0.1 m"})
+    expectError(ErrorCode::kNotAMesh, "<unit meter> is " + metres, "c.dae", dae(unit(metres), kTwoTriangles, kPlainNode));
 }
 
 // --- Formats ---

@@ -2,6 +2,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <future>
 #include <nlohmann/json.hpp>
 
 #include "collision_hulls/error.h"
@@ -101,6 +102,21 @@ TEST(WriteOutput, ReplacesAnEarlierOutputAsAWhole) {
   EXPECT_TRUE(fs::exists(folder / "out/meshes/a/0_1.stl"));
 }
 
+TEST(WriteOutput, RefusesWhatSomeoneAddedToAnEarlierOne) {
+  const TempFolder folder;
+  RobotResult result = sample();
+  result.extra_files["config/My_Arm_disabled.srdf"] = "<robot/>";
+  for (const char* added : {"launch/mine.launch", ".git/HEAD", "notes.txt", "meshes/a/mine.stl", "urdf/notes.txt"}) {
+    writeOutput(result, folder / "out");
+    fixtures::write(folder / ("out/" + std::string(added)), "mine");
+    const auto before = fixtures::contents(folder.path());
+    expectError(folder / "out", ErrorCode::kNotOurOutput);
+    EXPECT_EQ(fixtures::contents(folder.path()), before) << added;
+    fs::remove(folder / ("out/" + std::string(added)));
+  }
+  writeOutput(result, folder / "out");
+}
+
 /// Files, each with where it lies on the disk.
 std::map<std::string, ino_t> places(const fs::path& folder) {
   std::map<std::string, ino_t> result;
@@ -153,6 +169,31 @@ TEST(WriteReport, InOneRename) {
   fs::create_directory(folder / "folder");
   EXPECT_THROW(writeReport(report, folder / "folder"), Error);
   EXPECT_EQ(fixtures::contents(folder.path()).size(), 1u) << "a half-written file is left";
+}
+
+TEST(WriteReport, BehindALink) {
+  const TempFolder folder;
+  const Report report = sample().report;
+  fixtures::write(folder / "old.json", "old");
+  fs::create_symlink("old.json", folder / "link.json");
+  fs::create_symlink("new.json", folder / "dangling.json");
+  for (const char* link : {"link.json", "dangling.json"}) {
+    writeReport(report, folder / link);
+    EXPECT_TRUE(fs::is_symlink(folder / link));
+  }
+  EXPECT_EQ(fixtures::read(folder / "old.json"), toJson(report));
+  EXPECT_EQ(fixtures::read(folder / "new.json"), toJson(report));
+}
+
+TEST(WriteReport, IntoAPipe) {
+  const TempFolder folder;
+  const Report report = sample().report;
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(0, mkfifo(pipe.c_str(), 0600));
+  auto reader = std::async(std::launch::async, [&] { return fixtures::read(pipe); });
+  writeReport(report, pipe);
+  EXPECT_EQ(reader.get(), toJson(report));
+  EXPECT_TRUE(fs::is_fifo(pipe));
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ TEST(YamlScene, SaysWhatIsWrongAndWhere) {
   expectBad({"a.yaml", "bodies: []"}, "");
   expectBad({"bodies: []"}, "- a");
   expectBad({"line 2", "no YAML"}, "bodies: [\n}");
+  expectBad({"line 3", "second document"}, "bodies: []\n---\nbodies: []\n");
   expectBad({"'boddies'", "bodies, name"}, "bodies: []\nboddies: []");
   expectBad({"list"}, "bodies: 3");
   expectBad({"list"}, "bodies:");

@@ -53,6 +53,8 @@ TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {
   expectWrongUse("arm/urdf/arm.urdf -t 101%", {"tolerance", "'101%'", "100%"});
   expectWrongUse("arm/urdf/arm.urdf -m vhacd", {"--method", "'vhacd'", "hacd", "bounding_box"});
   expectWrongUse("arm/urdf/arm.urdf -t 1% --tree 2%", {"tree", "'2%'", "1%"});
+  expectWrongUse("arm/urdf/arm.urdf -t 1% --tree 10%", {"tree", "'10%'"});
+  expectWrongUse("arm/urdf/arm.urdf --tree coarse", {"--tree", "'coarse'", "5mm"});
   expectWrongUse("arm/urdf/arm.urdf --tree 0.5% -m hacd", {"tree", "'hacd'", "certified"});
   expectWrongUse("arm/urdf/arm.urdf --fill -m hacd", {"fill", "'hacd'", "certified"});
   expectWrongUse("arm/urdf/arm.urdf --max-hulls few", {"--max-hulls", "'few'", "whole number"});
@@ -90,6 +92,7 @@ TEST_F(DecomposeProgram, OutputThatCannotBe) {
   expectWrongUse("arm/urdf/arm.urdf -o file/out", {"file/out"});
   expectWrongUse("arm/urdf/arm.urdf -o file", {"file"});
   expectWrongUse("arm/urdf/arm.urdf -o mine", {"mine", "left alone"});
+  expectWrongUse("arm/urdf/arm.urdf --json mine", {"--json", "'mine'", "folder"});
 }
 
 TEST_F(DecomposeProgram, ARobotByItsPackageName) {
@@ -147,6 +150,18 @@ TEST_F(DecomposeProgram, OneBadLinkAmongGoodOnes) {
   EXPECT_NE(result.err.find("bad, package://arm_description/meshes/rubbish.stl failed: "), std::string::npos) << result.err;
   EXPECT_EQ(result.err.find("base"), std::string::npos);
   EXPECT_TRUE(fs::exists(folder_ / "out/meshes/base/0_0.stl"));
+}
+
+TEST_F(DecomposeProgram, NothingDoneLeavesTheOutputAsItWas) {
+  addRobot("good.urdf", fixtures::link("base", collision("bracket.obj")));
+  addRobot("bad.urdf", fixtures::link("base", collision("rubbish.stl")));
+  EXPECT_EQ(run("good.urdf --quiet -o out").status, 0);
+  const auto before = fixtures::contents(folder_ / "out");
+  const Finished result = run("bad.urdf --quiet -o out --json report.json");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("nothing is written"), std::string::npos) << result.err;
+  EXPECT_EQ(fixtures::contents(folder_ / "out"), before);
+  EXPECT_TRUE(fs::exists(folder_ / "report.json"));
 }
 
 // A torus of many triangles: long enough to be interrupted in the middle.

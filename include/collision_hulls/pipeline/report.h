@@ -69,5 +69,6 @@ std::string toJson(const Report& report);
 std::string toTable(const Report& report);
 
 bool anyFailed(const Report& report);
+bool allFailed(const Report& report);  ///< and there were some
 
 }  // namespace collision_hulls

@@ -77,6 +77,7 @@ fs::path replacedFolder(const std::string& target) {
   if (error) throwUnwritable(target, error.message());
   if (!folder.has_filename()) folder = folder.parent_path();  // "out/" of a folder that is not there yet
   if (!folder.has_filename()) throwUnwritable(target, "it is the root of the file system");
+  if (fs::is_symlink(folder, error)) throwUnwritable(target, "it is a link to what is not there");
   return folder;
 }
 

@@ -30,6 +30,7 @@ inline void addRobotOptions(CLI::App& app, const std::string& input, RobotComman
   app.add_option("INPUT", command.input, input)->type_name("")->required();
   app.add_option("-o,--output", command.output, "Output folder; default ./<robot>_collision. An earlier output there is replaced")
       ->type_name("DIR")
+      ->check(CLI::Validator([](const std::string& folder) { return folder.empty() ? "takes a folder" : ""; }, ""))
       ->group("Output");
   app.add_option("--json", command.json, "Write the report to this file as well; - is standard output, without the table")
       ->type_name("FILE")
@@ -101,6 +102,9 @@ inline int runRobotCommand(const RobotCommand& command, const RobotWork& work) {
 
   check(command.options);
   const Input input = openInput(command.input);
+  if (input.kind != Input::Kind::kRobot && !command.options.links.empty())
+    throw Error(ErrorCode::kBadOption,
+                "links '" + command.options.links + "': '" + input.path + "' is a mesh, which has none; leave it out");
   const std::string output = command.output.empty() ? defaultOutput(input) : command.output;
   checkOutput(output);
   if (isFile(command.json)) inContext("--json", [&] { checkNamedFile(command.json); });

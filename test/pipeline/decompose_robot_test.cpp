@@ -123,6 +123,16 @@ TEST_F(DecomposeRobot, UriStyles) {
   EXPECT_EQ(uri(UriStyle::kRelative), "../meshes/base/0_0.stl");
 }
 
+TEST_F(DecomposeRobot, UrisOfOddFolders) {
+  options_.uri = UriStyle::kFile;
+  RobotResult result =
+      decomposeRobot(description(link("base", collision("box.obj"))), defaultPackageFinder(), options_, folder_ / "a b#%20é");
+  const std::string uri = parseRobotDescription(result.urdf).links[0].collisions[0].uri;
+  EXPECT_EQ(uri, "file://" + (folder_ / "a%20b%23%2520é/meshes/base/0_0.stl"));
+  writeOutput(result, folder_ / "a b#%20é");
+  EXPECT_EQ(resolveUri(uri, "", defaultPackageFinder()), folder_ / "a b#%20é/meshes/base/0_0.stl");
+}
+
 TEST_F(DecomposeRobot, SaysWhichUrisMeanOtherPlacesNow) {
   const auto notes = [&](const std::string& links) { return run(links).report.notes; };
   const std::string absolute = "    <visual>" + meshTag("file://" + (folder_ / "meshes/box.obj")) + "</visual>\n";

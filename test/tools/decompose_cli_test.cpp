@@ -56,6 +56,9 @@ TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {
   expectWrongUse("arm/urdf/arm.urdf -t 1% --tree 10%", {"tree", "'10%'"});
   expectWrongUse("arm/urdf/arm.urdf --tree coarse", {"--tree", "'coarse'", "5mm"});
   expectWrongUse("arm/urdf/arm.urdf --tree 0.5% -m hacd", {"tree", "'hacd'", "certified"});
+  expectWrongUse("arm/urdf/arm.urdf --effort best -m acd", {"effort", "'best'", "'acd'", "certified"});
+  expectWrongUse("arm/urdf/arm.urdf -o ''", {"--output", "folder"});
+  expectWrongUse("arm/meshes/bracket.obj --links base", {"links", "'base'", "mesh"});
   expectWrongUse("arm/urdf/arm.urdf --fill -m hacd", {"fill", "'hacd'", "certified"});
   expectWrongUse("arm/urdf/arm.urdf --max-hulls few", {"--max-hulls", "'few'", "whole number"});
   expectWrongUse("arm/urdf/arm.urdf --max-vertices 7", {"max-vertices", "'7'", "from 8"});
@@ -92,6 +95,8 @@ TEST_F(DecomposeProgram, OutputThatCannotBe) {
   expectWrongUse("arm/urdf/arm.urdf -o file/out", {"file/out"});
   expectWrongUse("arm/urdf/arm.urdf -o file", {"file"});
   expectWrongUse("arm/urdf/arm.urdf -o mine", {"mine", "left alone"});
+  fs::create_symlink("nowhere", folder_ / "dangling");
+  expectWrongUse("arm/urdf/arm.urdf -o dangling", {"dangling", "link"});
   expectWrongUse("arm/urdf/arm.urdf --json mine", {"--json", "'mine'", "folder"});
 }
 

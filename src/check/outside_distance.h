@@ -73,8 +73,6 @@ class OutsideDistance {
     Eigen::Array4f offset = Eigen::Array4f::Constant(std::numeric_limits<float>::lowest());
     Eigen::Array4f width = Eigen::Array4f::Zero();  // how far a cube of half side 1 about the origin reaches along the normal
   };
-  /// The box, along the cells, of one along the world's axes.
-  static Eigen::AlignedBox3d turned(const Eigen::AlignedBox3d& box, const Eigen::Matrix3d& axes);
   struct Memory {
     std::vector<Four> fours;
     std::vector<int> lists;
@@ -82,6 +80,8 @@ class OutsideDistance {
   struct Faces;  // of a hull
   struct View;   // of a cell by a hull
 
+  /// The box along `axes` about one along the world's.
+  static Eigen::AlignedBox3d turned(const Eigen::AlignedBox3d& box, const Eigen::Matrix3d& axes);
   double radius(const Cell& cell) const;
   Eigen::Vector3d inWorld(const Eigen::Vector3d& p) const { return solid_.axes().transpose() * p; }
   void measure(Cell& cell, const Cell* parent) const;

@@ -9,7 +9,6 @@
 
 #include "check/outside_distance.h"
 #include "check/surface_search.h"
-#include "collision_hulls/check/measures.h"
 #include "geometry/hull_support.h"
 #include "parallel.h"
 
@@ -21,9 +20,6 @@ constexpr double kLooseGap = 16;  // of the first searches, in gaps of the last
 constexpr int kGlance = 20;       // halvings
 // Surfaces that the search does not close in on, as in the plane of an opening, keep the bound that so many halvings leave.
 constexpr int kMostHalvings = 2'000'000;
-// Cells that the search for summits may visit beyond its usual number, for all hulls together: along a narrow gap of even width, as between
-// a shaft and its bore, every point is one, nearly.
-constexpr std::size_t kSpareVisits = 500'000;
 
 /// Keeps the further of two places, and the larger of two bounds.
 void add(Protrusion& worst, const Protrusion& other) {

@@ -151,9 +151,9 @@ std::vector<char> ProtrusionOracle::fit(const std::vector<const ConvexHull*>& hu
   return result;
 }
 
-/// By an oracle of the hull's own box.
+/// By an oracle whose box holds the hull.
 bool ProtrusionOracle::fitsBeyond(const ConvexHull& hull) const {
-  ProtrusionOracle wide(solid_, boundingBox(hull), tolerance_, control_);
+  ProtrusionOracle wide(solid_, box_.merged(boundingBox(hull)), tolerance_, control_);
   wide.share_ = share_;
   return wide.fits(hull);
 }

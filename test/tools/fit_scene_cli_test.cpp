@@ -39,6 +39,9 @@ TEST_F(FitSceneProgram, WrongUse) {
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --samples 0", {"--samples '0'"});
   expectWrongUse("arm.urdf --scene nowhere.yaml --clearance 1cm", {"nowhere.yaml"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --srdf none.srdf", {"none.srdf"});
+  fixtures::write(folder_ / "rubbish.srdf", "disabled: none");
+  expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --srdf rubbish.srdf", {"'rubbish.srdf', line 1"});
+  expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --compare .", {"--compare", "folder"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --configurations none.csv", {"none.csv"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm -m hacd", {"hacd", "certified"});
   expectWrongUse("bracket.obj --scene notch.yaml --clearance 1cm", {"bracket.obj", "mesh"});

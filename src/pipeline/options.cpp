@@ -86,9 +86,6 @@ void check(const Options& options) {
   if (options.fill && options.method != Method::kCertified)
     throw Error(ErrorCode::kBadOption,
                 std::string("fill is not for method '") + name(options.method) + "': only certified fills; leave one of the two out");
-  if (options.effort != Effort::kQuick && options.method != Method::kCertified)
-    throw Error(ErrorCode::kBadOption, std::string("effort '") + name(options.effort) + "' is not for method '" + name(options.method) +
-                                           "': only certified searches; leave one of the two out");
   if (options.tree && options.method != Method::kCertified)
     throw Error(ErrorCode::kBadOption,
                 std::string("tree is not for method '") + name(options.method) + "': only certified has one; leave one of the two out");

@@ -101,6 +101,9 @@ inline int runRobotCommand(const RobotCommand& command, const RobotWork& work) {
   cancelOnSignals(control);
 
   check(command.options);
+  if (command.options.effort != Effort::kQuick && command.options.method != Method::kCertified)
+    throw Error(ErrorCode::kBadOption, std::string("effort '") + name(command.options.effort) + "' is not for method '" +
+                                           name(command.options.method) + "': only certified searches; leave one of the two out");
   const Input input = openInput(command.input);
   if (input.kind != Input::Kind::kRobot && !command.options.links.empty())
     throw Error(ErrorCode::kBadOption,

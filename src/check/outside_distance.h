@@ -44,7 +44,8 @@ class OutsideDistance {
   };
   Largest largest(const ConvexHull& hull, const Query& query);
 
-  /// Whether no point of the triangle is further than `distance` [m], as far as cells are known: of any triangle. Measures nothing.
+  /// Whether no point of the triangle is further than `distance` [m], as far as cells are known; false of one that leaves the box.
+  /// Measures nothing.
   bool isWithin(const std::array<Eigen::Vector3d, 3>& triangle, double distance) const;
 
   struct Intruder {

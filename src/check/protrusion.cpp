@@ -1,7 +1,6 @@
 // The largest distance over a hull lies on its surface, or at a summit: a local maximum of the distance in its interior. The
 // surface is searched patch by patch (surface_search.h). Summits are a matter of the solid alone: they lie in pockets between
 // walls that face each other, and an octree that the hulls share leaves out all the rest of space (outside_distance.h).
-
 #include "check/protrusion.h"
 
 #include <algorithm>

@@ -1,7 +1,5 @@
 #include "pipeline/collision_model.h"
 
-#include <cctype>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -15,23 +13,10 @@ namespace {
 /// The elements of a link by their index among its source elements.
 using LinkElements = std::map<int, const ElementResult*>;
 
-/// What may not stand in a URI by itself (RFC 3986), as "%20" and its like; bytes beyond ASCII are left, as everybody reads them.
-std::string percentEncoded(const std::string& path) {
-  const std::string kept = "/-._~!$&'()*+,;=:@";
-  std::string encoded;
-  for (const char c : path) {
-    const auto byte = static_cast<unsigned char>(c);
-    char escape[4];
-    std::snprintf(escape, sizeof escape, "%%%02X", byte);
-    encoded += byte >= 0x80 || std::isalnum(byte) || kept.find(c) != std::string::npos ? std::string(1, c) : escape;
-  }
-  return encoded;
-}
-
 std::string uriPrefix(const std::string& robot_name, UriStyle style, const std::string& output) {
   switch (style) {
     case UriStyle::kPackage: return "package://" + outputPackage(robot_name) + "/";
-    case UriStyle::kFile: return "file://" + percentEncoded(std::filesystem::absolute(output).lexically_normal().string()) + "/";
+    case UriStyle::kFile: return fileUri(std::filesystem::absolute(output).lexically_normal().string()) + "/";
     case UriStyle::kRelative: return "../";  // the description lies in urdf/
   }
   return "";

@@ -46,14 +46,19 @@ void writeText(const fs::path& file, const std::string& text) {
   if (readText(file) != text) throwUnwritable(file, "what is read back is not what was written");
 }
 
+void checkFolderOf(const fs::path& path) {
+  fs::path above = path.parent_path();
+  std::error_code error;
+  while (!fs::exists(above, error) && above.has_relative_path()) above = above.parent_path();
+  if (!fs::is_directory(above, error)) throwUnwritable(path, "'" + above.string() + "' is not a folder");
+  if (access(above.c_str(), W_OK | X_OK) != 0) throwUnwritable(path, "no permission to write in '" + above.string() + "'");
+}
+
 void checkNamedFile(const fs::path& file) {
   std::error_code error;
   if (fs::is_directory(file, error)) throwUnwritable(file, "it is a folder");
   if (fs::exists(file, error)) return;  // then it is replaced, or written to
-  fs::path above = fs::absolute(behindLinks(file)).parent_path();
-  while (!fs::exists(above, error) && above.has_relative_path()) above = above.parent_path();
-  if (!fs::is_directory(above, error)) throwUnwritable(file, "'" + above.string() + "' is not a folder");
-  if (access(above.c_str(), W_OK | X_OK) != 0) throwUnwritable(file, "no permission to write in '" + above.string() + "'");
+  checkFolderOf(fs::absolute(behindLinks(file)));
 }
 
 void writeNamedFile(const fs::path& file, const std::string& text) {

@@ -19,6 +19,9 @@ void writeNamedFile(const std::filesystem::path& file, const std::string& text);
 /// Throws kUnwritableOutput where that would certainly fail.
 void checkNamedFile(const std::filesystem::path& file);
 
+/// Throws kUnwritableOutput where the nearest folder above an absolute path that is there is none to write in.
+void checkFolderOf(const std::filesystem::path& path);
+
 /// kUnwritableOutput for a path, with what went wrong and what to do.
 [[noreturn]] void throwUnwritable(const std::filesystem::path& path, const std::string& why);
 

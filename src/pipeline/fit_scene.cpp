@@ -213,11 +213,12 @@ void refuseOtherWays(const Options& options) {
 
 }  // namespace
 
-SceneRequest readSceneRequest(const Input& input, const std::string& scene, const std::string& srdf, const std::string& configurations) {
+SceneRequest readSceneRequest(const Input& input, const std::string& scene, const std::string& srdf, const std::string& configurations,
+                              const std::string& srdf_file) {
   SceneRequest request;
   if (!scene.empty()) request.scene = readScene(scene, input.find_package);
   if (!srdf.empty()) {
-    DisabledPairs disabled = parseDisabledPairs(srdf, input.robot);
+    DisabledPairs disabled = parseDisabledPairs(srdf, input.robot, srdf_file);
     request.disabled = std::move(disabled.pairs);
     request.notes = std::move(disabled.notes);
   }

@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -119,15 +117,12 @@ void writeHulls(const ElementResult& element, MeshFormat format, const Folders& 
 void checkOutput(const std::string& output) {
   const fs::path folder = replacedFolder(output);
   refuseForeign(folder);
-  fs::path above = folder.parent_path();
-  std::error_code error;
-  while (!fs::exists(above, error) && above.has_relative_path()) above = above.parent_path();
-  if (!fs::is_directory(above, error)) throwUnwritable(folder, "'" + above.string() + "' is not a folder");
-  if (access(above.c_str(), W_OK | X_OK) != 0) throwUnwritable(folder, "no permission to write in '" + above.string() + "'");
+  checkFolderOf(folder);
 }
 
 // 6. Write.
-void writeOutput(RobotResult& result, const std::string& output, const RunControl& control) {
+bool writeOutput(RobotResult& result, const std::string& output, const RunControl& control) {
+  if (allFailed(result.report)) return false;
   Stopwatch run;
   checkOutput(output);
   FolderReplacement replacement(output);
@@ -149,6 +144,7 @@ void writeOutput(RobotResult& result, const std::string& output, const RunContro
   refuseForeign(replacedFolder(output));
   control.check();
   replacement.commit();
+  return true;
 }
 
 void writeReport(const Report& report, const std::string& file) {

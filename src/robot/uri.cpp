@@ -1,6 +1,7 @@
 // The files that the URIs of a description mean.
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <filesystem>
 #include <string_view>
 
@@ -72,6 +73,18 @@ bool isFile(const fs::path& path) {
 bool isRelativeUri(const std::string& uri) {
   if (startsWith(uri, kFileScheme)) return fs::path(filePath(uri)).is_relative();
   return uri.find("://") == std::string::npos && fs::path(uri).is_relative();
+}
+
+std::string fileUri(const std::string& path) {
+  const std::string kept = "/-._~!$&'()*+,;=:@";
+  std::string uri(kFileScheme);
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    char escape[4];
+    std::snprintf(escape, sizeof escape, "%%%02X", byte);
+    uri += byte >= 0x80 || std::isalnum(byte) || kept.find(c) != std::string::npos ? std::string(1, c) : escape;
+  }
+  return uri;
 }
 
 std::string resolveUri(const std::string& uri, const std::string& base, const PackageFinder& find_package) {

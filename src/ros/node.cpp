@@ -50,17 +50,16 @@ DecomposeRequest toRequest(const FitSceneRequest& fit) {
   return request;
 }
 
-/// Writes the result, unless nothing in it could be done: an earlier output may be of use. The fields that both responses have.
+/// Writes the result. The fields that both responses have.
 template <typename Response>
 Response written(RobotResult& result, const std::string& output, const RunControl& control) {
   Response response;
   response.success = !anyFailed(result.report);
   response.robot_description = result.urdf;
   response.message = summary(result.report);
-  if (allFailed(result.report)) {
+  if (!writeOutput(result, output, control)) {
     response.message += "\nno mesh could be decomposed; nothing is written";
   } else {
-    writeOutput(result, output, control);
     response.message += "\nwritten to " + output;
     response.urdf_path = std::filesystem::directory_iterator(output + "/urdf")->path().string();  // the only file there
   }

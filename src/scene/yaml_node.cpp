@@ -50,8 +50,9 @@ YamlValue YamlValue::parse(const std::string& text, const std::string& file, Err
   const auto source = std::make_shared<const Node::Source>(Node::Source{file, code, first_line});
   try {
     const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() > 1)
-      throw Error(code, place(file, lineOf(documents[1].Mark(), first_line)) + ": a second document; one is read, put all into that");
+    for (std::size_t i = 1; i < documents.size(); ++i)
+      if (!documents[i].IsNull())
+        throw Error(code, place(file, lineOf(documents[i].Mark(), first_line)) + ": a second document; one is read, put all into that");
     return Node::wrap(documents.empty() ? YAML::Node() : documents.front(), source);
   } catch (const YAML::Exception& error) {
     throw Error(code, place(file, lineOf(error.mark, first_line)) + ": the text is no YAML: " + error.msg);

@@ -2,7 +2,6 @@
 #include "collision_hulls/pipeline/fit_scene.h"
 
 #include "bench/table.h"
-#include "collision_hulls/scene/srdf.h"
 #include "pipeline/files.h"
 #include "robot_program.h"
 #include "scene/reading.h"
@@ -74,9 +73,8 @@ SceneRequest requestOf(const SceneCommand& command, const Input& input) {
   const std::string srdf = command.srdf.empty() ? "" : readText(command.srdf);
   if (!command.srdf.empty() && srdf.empty())
     throw Error(ErrorCode::kFileNotFound, "'" + command.srdf + "' is empty or cannot be read; --srdf takes an SRDF file");
-  if (!command.srdf.empty()) readDisabledPairs(command.srdf, input.robot);  // its errors name the file
   const double clearance = clearanceOf(command.clearance);
-  SceneRequest request = readSceneRequest(input, command.scene, srdf, command.configurations);
+  SceneRequest request = readSceneRequest(input, command.scene, srdf, command.configurations, command.srdf);
   request.clearance = clearance;
   request.samples = static_cast<std::size_t>(command.samples);
   request.compare = !command.compare.empty();

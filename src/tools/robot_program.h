@@ -74,14 +74,11 @@ inline bool isFile(const std::string& json) {
   return !json.empty() && json != "-";
 }
 
-/// The file that --json names is written also where the output could not be. Of a robot of which nothing could be done there is none: an
-/// earlier one may be of use.
+/// The file that --json names is written also where the output could not be.
 inline void writeEverything(RobotResult& result, const RobotCommand& command, const std::string& output, const RunControl& control) {
   const bool to_file = isFile(command.json);
   try {
-    if (!allFailed(result.report))
-      writeOutput(result, output, control);
-    else
+    if (!writeOutput(result, output, control))
       std::cerr << command.program << ": no mesh could be decomposed; nothing is written to '" << output << "'\n";
   } catch (const Error& e) {
     if (to_file && e.code() != ErrorCode::kCancelled) writeReport(result.report, command.json);

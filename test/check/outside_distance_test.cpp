@@ -53,7 +53,7 @@ TEST(OutsideDistance, OfAFilledChannel) {
 }
 
 // Its cells turn with the mesh.
-TEST(OutsideDistance, OfATurnedMeshIsTheSame) {
+TEST(OutsideDistance, OfATurnedMesh) {
   Eigen::Isometry3d turn(Eigen::Quaterniond(0.8, 0.3, -0.4, 0.2).normalized());
   OutsideDistance::Largest largest[2];
   std::vector<OutsideDistance::Intruder> intruders[2];

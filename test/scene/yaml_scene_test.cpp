@@ -47,6 +47,7 @@ TEST(YamlScene, SaysWhatIsWrongAndWhere) {
   expectBad({"bodies: []"}, "- a");
   expectBad({"line 2", "no YAML"}, "bodies: [\n}");
   expectBad({"line 3", "second document"}, "bodies: []\n---\nbodies: []\n");
+  EXPECT_EQ("a", sceneOf(folder, "a.yaml", "---\nname: a\nbodies: []\n---\n").name);
   expectBad({"'boddies'", "bodies, name"}, "bodies: []\nboddies: []");
   expectBad({"list"}, "bodies: 3");
   expectBad({"list"}, "bodies:");

@@ -77,9 +77,9 @@ std::string defaultOutput(const Input& input);
 /// Writes the output package (or a single mesh's folder) and its report.json: into a temporary folder beside `output`, read
 /// back and compared, then put in place with one rename (exchange) so that a kill at any moment leaves the old or the new.
 /// Replaces an earlier output, whose files are taken over where they have the same content; refuses (kNotOurOutput) a folder that is not
-/// one. Fills seconds.write in the report.
+/// one. Fills seconds.write in the report. Where all meshes failed nothing is written, as an earlier output may be of use: then false.
 /// Throws kUnwritableOutput, and kCancelled, which leaves everything as it was.
-void writeOutput(RobotResult& result, const std::string& output, const RunControl& control = {});
+bool writeOutput(RobotResult& result, const std::string& output, const RunControl& control = {});
 
 /// Throws what writeOutput would throw for such a folder, before the long work. Writes nothing.
 void checkOutput(const std::string& output);

@@ -22,8 +22,9 @@ struct SceneRequest {
 };
 
 /// Reads what is asked for, where it is not empty: a file with a scene, an SRDF's text, and a file with configurations. Throws the readers'
-/// errors.
-SceneRequest readSceneRequest(const Input& input, const std::string& scene, const std::string& srdf, const std::string& configurations);
+/// errors, which name `srdf_file` where the SRDF comes from one.
+SceneRequest readSceneRequest(const Input& input, const std::string& scene, const std::string& srdf, const std::string& configurations,
+                              const std::string& srdf_file = "");
 
 /// How configurations are to be read that are given to a request: beyond the joints' limits nothing is proved, so that they are refused.
 ConfigurationOptions givenConfigurations();

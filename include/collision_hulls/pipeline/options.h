@@ -19,7 +19,7 @@ struct Length {
 };
 
 /// "5mm", "0.5 cm", "0.005", "0.005m", "1%" ... Units: m, cm, mm, um, in, %. Throws kBadOption for anything else, for a value
-/// that is not positive or not finite, and for a percentage above 100; the message says what is understood.
+/// that is not positive or not finite, and for a percentage above 100; the message names the `option` and says what is understood.
 Length parseLength(const std::string& text, const std::string& option = "tolerance");
 std::string toString(const Length& length);  ///< parseLength reads it back
 

@@ -68,6 +68,10 @@ PackageFinder defaultPackageFinder(const std::string& near = "");
 /// Throws kPackageNotFound (names the package and how to make it known) and kFileNotFound.
 std::string resolveUri(const std::string& uri, const std::string& base, const PackageFinder& find_package);
 
+/// The file:// URI of an absolute path: what may not stand in one by itself (RFC 3986) as "%20" and its like, bytes beyond ASCII as they
+/// are.
+std::string fileUri(const std::string& path);
+
 /// Whether resolveUri's answer depends on `base`.
 bool isRelativeUri(const std::string& uri);
 

@@ -199,18 +199,6 @@ std::vector<char> twoSided(const RepairedMesh& mesh, const Edges& edges) {
   return result;
 }
 
-/// A corner of each component, and the loose points.
-std::vector<Eigen::Vector3d> pointsOfComponents(const RepairedMesh& mesh) {
-  std::vector<Eigen::Vector3d> points = mesh.loose;
-  int seen = 0;
-  for (std::size_t t = 0; t < mesh.component.size(); ++t) {
-    if (mesh.component[t] < seen) continue;
-    points.push_back(mesh.mesh.corner(static_cast<int>(t), 0));
-    ++seen;
-  }
-  return points;
-}
-
 }  // namespace
 
 struct Solid::Impl {

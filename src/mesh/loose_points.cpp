@@ -14,4 +14,15 @@ TriangleMesh withLoosePoints(const RepairedMesh& mesh) {
   return surface;
 }
 
+std::vector<Eigen::Vector3d> pointsOfComponents(const RepairedMesh& mesh) {
+  std::vector<Eigen::Vector3d> points = mesh.loose;
+  int seen = 0;
+  for (std::size_t t = 0; t < mesh.component.size(); ++t) {
+    if (mesh.component[t] < seen) continue;
+    points.push_back(mesh.mesh.corner(static_cast<int>(t), 0));
+    ++seen;
+  }
+  return points;
+}
+
 }  // namespace collision_hulls

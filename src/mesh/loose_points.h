@@ -11,4 +11,7 @@ void addPoint(TriangleMesh& mesh, const Eigen::Vector3d& p);
 /// The mesh and its loose points as one surface.
 TriangleMesh withLoosePoints(const RepairedMesh& mesh);
 
+/// A corner of each component, and the loose points.
+std::vector<Eigen::Vector3d> pointsOfComponents(const RepairedMesh& mesh);
+
 }  // namespace collision_hulls

@@ -73,15 +73,20 @@ FitMeshes fitMeshes(const std::vector<MeshTask>& tasks, const Options& options, 
   return meshes;
 }
 
-/// The primitives of the links that meshes are fitted on, or that have no mesh at all.
-std::vector<KeptBody> keptBodies(const RobotDescription& robot, const Options& options, const std::set<std::string>& absent) {
+/// The primitives of the links that meshes are fitted on, or that have no mesh at all. Dummies without a size are none.
+std::vector<KeptBody> keptBodies(const RobotDescription& robot, const Options& options, const std::set<std::string>& absent,
+                                 std::vector<std::string>& notes) {
   const LinkChoice chosen(options.links, robot);
   std::vector<KeptBody> kept;
   for (std::size_t link = 0; link < robot.links.size(); ++link) {
     if (!chosen(robot.links[link].name) || absent.count(robot.links[link].name)) continue;
     for (const GeometryElement& element : sourceElements(robot.links[link], options.source).elements) {
       if (element.kind == GeometryElement::Kind::kMesh) continue;
-      kept.push_back({link, hullAbout(element)});
+      try {
+        kept.push_back({link, hullAbout(element)});
+      } catch (const Error& error) {
+        notes.push_back("link '" + robot.links[link].name + "': " + error.what() + "; left out");
+      }
     }
   }
   return kept;
@@ -89,7 +94,8 @@ std::vector<KeptBody> keptBodies(const RobotDescription& robot, const Options& o
 
 /// The elements that are fitted: `indices` are theirs among all.
 FitProblem problemOf(const RobotDescription& robot, const SceneRequest& request, const Options& options,
-                     const std::vector<ElementResult>& elements, const FitMeshes& meshes, std::vector<std::size_t>& indices) {
+                     const std::vector<ElementResult>& elements, const FitMeshes& meshes, std::vector<std::size_t>& indices,
+                     std::vector<std::string>& notes) {
   FitProblem problem{robot, {}, {}, request.scene, request.disabled, request.configurations};
   std::map<std::string, std::size_t> link_index;
   for (std::size_t i = 0; i < robot.links.size(); ++i) link_index[robot.links[i].name] = i;
@@ -103,7 +109,7 @@ FitProblem problemOf(const RobotDescription& robot, const SceneRequest& request,
                                 element.source.origin, meshes[i]});
     indices.push_back(i);
   }
-  problem.kept = keptBodies(robot, options, failed);
+  problem.kept = keptBodies(robot, options, failed, notes);
   return problem;
 }
 
@@ -242,10 +248,15 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
                             const Options& options, const std::string& output, const RunControl& control, const StepCallback& step) {
   check(options);
   refuseOtherWays(options);
+  const FitOptions fit_options{request.clearance, request.samples, options.seed, request.compare, request.primitives};
+  check(fit_options);
+  const Kinematics joints(robot);
   Stopwatch run;
   RobotResult result = robotResult(robot, options);
   if (result.elements.empty()) throw Error(ErrorCode::kBadOption, notesOnElements(robot, {}, options).front());
   std::vector<ElementResult>& elements = result.elements;
+  std::vector<std::string> notes = request.notes;
+  for (const std::string& note : joints.notes()) notes.push_back(note);
   Cache cache(options.cache ? cacheFolder() : std::filesystem::path());
   withJobs(options.jobs, [&] {
     const std::vector<MeshTask> tasks =
@@ -256,9 +267,9 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
     Progress progress(trees, step, tasks.size(), elements.size());
     const FitMeshes meshes = fitMeshes(tasks, options, cache, progress, elements);
     std::vector<std::size_t> indices;
-    const FitProblem problem = problemOf(robot, request, options, elements, meshes, indices);
-    const SceneFit fit =
-        fitScene(problem, {request.clearance, request.samples, options.seed, request.compare, request.primitives}, fitting);
+    const FitProblem problem = problemOf(robot, request, options, elements, meshes, indices, notes);
+    if (problem.elements.empty()) return;  // each mesh failed, or another one of its link
+    const SceneFit fit = fitScene(problem, fit_options, fitting);
     certifyAll(meshes, fit, indices, certifying, elements);
     validateAll(result, validating);
     result.report.scene = fit.report;
@@ -268,10 +279,11 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   result.report.notes = cache.notes();
   for (ElementResult& element : elements) element.solid = nullptr;
   reportElements(result);
-  std::vector<std::string> notes = request.notes;
-  for (const std::string& note : notesOnFit(*result.report.scene, options)) notes.push_back(note);
+  if (result.report.scene)
+    for (const std::string& note : notesOnFit(*result.report.scene, options)) notes.push_back(note);
   rewriteDescription(robot, output, notes, result);
-  result.report.seconds = result.report.scene->seconds = run.lap();
+  result.report.seconds = run.lap();
+  if (result.report.scene) result.report.scene->seconds = result.report.seconds;
   return result;
 }
 

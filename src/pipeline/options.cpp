@@ -34,6 +34,12 @@ void checkRange(const std::string& option, int value, int low, int high, const s
             "a number from " + std::to_string(low) + " to " + std::to_string(high) + ", or 0 for " + meaning);
 }
 
+void checkLength(const std::string& option, const Length& length) {
+  if (std::isfinite(length.value) && length.value > 0 && !(length.relative && length.value > 1)) return;
+  const double shown = length.relative ? length.value * 100 : length.value;
+  badOption(option, std::to_string(shown) + (length.relative ? "%" : "m"), "a length above 0, or a share above 0% and up to 100%");
+}
+
 std::string shortest(double value, const Length& wanted, const char* unit) {
   std::ostringstream out;
   out.imbue(std::locale::classic());
@@ -78,11 +84,8 @@ std::optional<UriStyle> uriStyleNamed(const std::string& name) {
 
 void check(const Options& options) {
   const Length& tolerance = options.tolerance;
-  if (!std::isfinite(tolerance.value) || tolerance.value <= 0 || (tolerance.relative && tolerance.value > 1)) {
-    const double shown = tolerance.relative ? tolerance.value * 100 : tolerance.value;
-    badOption("tolerance", std::to_string(shown) + (tolerance.relative ? "%" : "m"),
-              "a length above 0, or a share above 0% and up to 100%");
-  }
+  checkLength("tolerance", tolerance);
+  if (options.tree) checkLength("tree", *options.tree);
   if (options.fill && options.method != Method::kCertified)
     throw Error(ErrorCode::kBadOption,
                 std::string("fill is not for method '") + name(options.method) + "': only certified fills; leave one of the two out");

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -20,18 +21,19 @@ namespace {
 
 constexpr const char* kReport = "report.json";
 
-/// The files that an earlier output consists of, as its report names them, or some that it may consist of; nullopt: it is none.
+/// The files that an earlier output consists of, as its report names them; nullopt: it is none.
 std::optional<std::set<fs::path>> filesOfEarlierOutput(const fs::path& folder) {
-  const nlohmann::json report = nlohmann::json::parse(readText(folder / kReport), nullptr, false);
-  if (!report.is_object() || report.count("collision_hulls") == 0) return std::nullopt;
-  std::set<fs::path> files{kReport, "package.xml", "CMakeLists.txt"};
-  for (const nlohmann::json& link : report.value("links", nlohmann::json::array()))
-    for (const nlohmann::json& file : link.value("files", nlohmann::json::array())) files.insert(file.get<std::string>());
-  return files;
-}
-
-bool isDescription(const fs::path& file) {
-  return (file.parent_path() == "urdf" && file.extension() == ".urdf") || (file.parent_path() == "config" && file.extension() == ".srdf");
+  try {
+    const nlohmann::json report = nlohmann::json::parse(readText(folder / kReport));
+    if (report.count("collision_hulls") == 0) return std::nullopt;
+    std::set<fs::path> files{kReport};
+    for (const nlohmann::json& file : report.at("files")) files.insert(file.get<std::string>());
+    for (const nlohmann::json& link : report.at("links"))
+      for (const nlohmann::json& file : link.at("files")) files.insert(file.get<std::string>());
+    return files;
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
 }
 
 void refuseForeign(const fs::path& folder) {
@@ -50,7 +52,7 @@ void refuseForeign(const fs::path& folder) {
   }
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error)) {
     const fs::path file = entry.path().lexically_relative(folder);
-    if (entry.is_directory(error) || known->count(file) > 0 || isDescription(file)) continue;
+    if (entry.symlink_status(error).type() == fs::file_type::directory || known->count(file) > 0) continue;
     throw Error(ErrorCode::kNotOurOutput,
                 "'" + folder.string() + "' holds '" + file.string() +
                     "', which is no part of the earlier output there, and is left alone; choose another output, or "
@@ -133,12 +135,17 @@ bool writeOutput(RobotResult& result, const std::string& output, const RunContro
     writeHulls(result.elements[i], result.report.options.format, folders);
     result.elements[i].report.seconds.write = result.report.links[i].seconds.write = stage.lap();
   }
+  std::map<std::string, std::string> others = result.extra_files;
   if (!result.single_mesh) {
-    folders.write(urdfFile(result.robot_name), result.urdf);
-    folders.write("package.xml", packageXml(result.robot_name));
-    folders.write("CMakeLists.txt", cmakeLists(result));
+    others[urdfFile(result.robot_name)] = result.urdf;
+    others["package.xml"] = packageXml(result.robot_name);
+    others["CMakeLists.txt"] = cmakeLists(result);
   }
-  for (const auto& [file, text] : result.extra_files) folders.write(file, text);
+  result.report.files.clear();
+  for (const auto& [file, text] : others) {
+    folders.write(file, text);
+    result.report.files.push_back(file);
+  }
   result.report.seconds += run.lap();
   folders.write(kReport, toJson(result.report));
   refuseForeign(replacedFolder(output));

@@ -186,6 +186,7 @@ std::string toJson(const Report& report) {
                    {"options", toJson(report.options)},
                    {"seed", report.options.seed},
                    {"links", rows},
+                   {"files", report.files},
                    {"validation", report.options.validate ? toJson(report.validation, report.validation_cached) : json()},
                    {"notes", report.notes},
                    {"totals", totalsToJson(report)}};

@@ -12,9 +12,14 @@ namespace {
 using Kind = JointDescription::Kind;
 
 constexpr double kBeyondLimit = 1e-6;  // of the limits' size: what decimal text may have rounded away
+constexpr double kFurthest = 1e6;      // [m] that something may be away
 
 bool canMove(const JointDescription& joint) {
   return joint.kind == Kind::kRevolute || joint.kind == Kind::kContinuous || joint.kind == Kind::kPrismatic;
+}
+
+bool placesRobot(const JointDescription& joint) {
+  return joint.kind == Kind::kFloating || joint.kind == Kind::kPlanar;
 }
 
 /// The joint that moves another one, and how.
@@ -77,17 +82,21 @@ Kinematics::Kinematics(const RobotDescription& robot) : links_(robot.links.size(
   }
   std::iota(body_.begin(), body_.end(), std::size_t{0});
   std::iota(parent_body_.begin(), parent_body_.end(), std::size_t{0});
+  unsettled_.resize(links_);
   for (const JointDescription& description : robot.joints) {
+    check(description);
     Joint joint{description, link_index.at(description.parent), link_index.at(description.child)};
     if (canMove(description)) {
       const Drive drive = driveOf(description, by_name);
       joint.variable = variable_index.at(drive.master->name);
       joint.multiplier = drive.multiplier;
       joint.offset = drive.offset;
-      parent_body_[joint.child] = body_[joint.parent];
-    } else {
-      body_[joint.child] = body_[joint.parent];
+      const bool comes_back = description.kind != Kind::kPrismatic && drive.multiplier == std::round(drive.multiplier);
+      joint.paced = drive.master->kind == Kind::kContinuous && drive.multiplier != 0 && !comes_back;
     }
+    (canMove(description) || placesRobot(description) ? parent_body_ : body_)[joint.child] = body_[joint.parent];
+    unsettled_[joint.child] = unsettled_[joint.parent];
+    if (joint.paced || placesRobot(description)) unsettled_[joint.child].push_back(joints_.size());
     joints_.push_back(std::move(joint));
   }
 }
@@ -163,6 +172,41 @@ Chain Kinematics::chain(std::size_t link) const {
 bool Kinematics::adjacent(std::size_t link, std::size_t other) const {
   const std::size_t a = body_[link], b = body_[other];
   return a == b || parent_body_[a] == b || parent_body_[b] == a;
+}
+
+bool Kinematics::settled(std::size_t link, std::size_t other) const {
+  return unsettled_[link] == unsettled_[other];
+}
+
+bool Kinematics::settled(std::size_t link) const {
+  return std::none_of(unsettled_[link].begin(), unsettled_[link].end(), [&](std::size_t joint) { return joints_[joint].paced; });
+}
+
+std::vector<std::string> Kinematics::notes() const {
+  std::vector<std::string> notes;
+  for (const Joint& joint : joints_) {
+    const JointDescription& what = joint.description;
+    const std::string who = "joint '" + what.name + "' ";
+    if (placesRobot(what)) {
+      notes.push_back(who + (what.kind == Kind::kFloating ? "floats" : "is planar") +
+                      ": it stays at its origin, and of links on both sides of it nothing is proved");
+    } else if (joint.paced) {
+      notes.push_back(who + "follows the continuous joint '" + variables_[static_cast<std::size_t>(joint.variable)].name +
+                      "' at another pace: one turn of that is looked at, and nothing is proved of what it moves");
+    } else if (canMove(what) && what.mimic.empty() && what.kind != Kind::kContinuous && !(what.lower < what.upper)) {
+      notes.push_back(who + "stays at " + std::to_string(what.lower) + ": its limits are missing, equal or crossed");
+    }
+  }
+  return notes;
+}
+
+void Kinematics::check(const JointDescription& joint) const {
+  const auto isNear = [](double metres) { return std::abs(metres) <= kFurthest; };
+  const std::string who = "joint '" + joint.name + "' ";
+  if (!(joint.origin.translation().array().abs() <= kFurthest).all())
+    throw Error(ErrorCode::kNotARobot, who + "has an origin further than 1000 km away; mend its <origin>");
+  if (joint.kind == Kind::kPrismatic && joint.mimic.empty() && !(isNear(joint.lower) && isNear(joint.upper)))
+    throw Error(ErrorCode::kNotARobot, who + "slides further than 1000 km; give it limits");
 }
 
 }  // namespace collision_hulls

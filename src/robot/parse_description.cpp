@@ -98,6 +98,13 @@ std::vector<LinkDescription> inDocumentOrder(const XmlSource& subject, const tin
   return links;
 }
 
+void checkAxes(const XmlSource& subject, const std::vector<JointDescription>& joints) {
+  for (const JointDescription& joint : joints) {
+    if (joint.kind == JointDescription::Kind::kFixed || joint.kind == JointDescription::Kind::kFloating || joint.axis.norm() > 0) continue;
+    subject.fail(ErrorCode::kNotARobot, "joint '" + joint.name + "' has the axis 0 0 0; give it a direction");
+  }
+}
+
 }  // namespace
 
 RobotDescription parseRobotDescription(const std::string& urdf_text, const std::string& path) {
@@ -108,6 +115,7 @@ RobotDescription parseRobotDescription(const std::string& urdf_text, const std::
   checkIsRobot(subject, robot);
   checkLinksHaveNames(subject, robot);
   UrdfModel model = loadModel(subject, robot);
+  checkAxes(subject, model.joints);
   std::vector<LinkDescription> links = inDocumentOrder(subject, robot, model);
   return {model.name, urdf_text, path, std::move(links), std::move(model.joints), notesOn(subject, robot)};
 }

@@ -132,6 +132,10 @@ JointDescription toJoint(const urdf::Joint& joint) {
   result.child = joint.child_link_name;
   result.origin = toEigen(joint.parent_to_joint_origin_transform);
   result.axis = toEigen(joint.axis).stableNormalized();
+  constexpr double kNoLimit = 1e4;  // [rad] converters write such numbers where there is none
+  const bool turns = result.kind == JointDescription::Kind::kRevolute;
+  if (turns && joint.limits && joint.limits->lower < -kNoLimit && joint.limits->upper > kNoLimit)
+    result.kind = JointDescription::Kind::kContinuous;
   if (result.kind == JointDescription::Kind::kContinuous) {
     result.lower = -kPi;
     result.upper = kPi;
@@ -164,10 +168,21 @@ std::vector<JointDescription> jointsFromRoot(const urdf::ModelInterface& model) 
 }
 
 using Poses = std::map<std::string, Eigen::Isometry3d>;
+using JointsByName = std::map<std::string, const JointDescription*>;
+
+/// Where a joint stands when all that mimic no other are at rest. What mimics nothing that is there, or itself, is at rest, too.
+double restValue(const JointDescription& joint, const JointsByName& by_name, std::size_t steps = 0) {
+  const auto master = by_name.find(joint.mimic);
+  if (master == by_name.end() || steps > by_name.size()) return restValue(joint);
+  return joint.mimic_multiplier * restValue(*master->second, by_name, steps + 1) + joint.mimic_offset;
+}
 
 Poses restPoses(const std::string& root, const std::vector<JointDescription>& joints) {
+  JointsByName by_name;
+  for (const JointDescription& joint : joints) by_name[joint.name] = &joint;
   Poses poses{{root, Eigen::Isometry3d::Identity()}};
-  for (const JointDescription& joint : joints) poses[joint.child] = poses[joint.parent] * joint.origin * motion(joint, restValue(joint));
+  for (const JointDescription& joint : joints)
+    poses[joint.child] = poses[joint.parent] * joint.origin * motion(joint, restValue(joint, by_name));
   return poses;
 }
 

@@ -89,11 +89,12 @@ std::string fileUri(const std::string& path) {
 
 std::string resolveUri(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
   if (uri.empty()) throw Error(ErrorCode::kFileNotFound, "a mesh has an empty file name");
-  const fs::path path = pathOf(uri, base, find_package).lexically_normal();
-  if (isFile(path)) return path.string();
-  const fs::path decoded = pathOf(percentDecoded(uri), base, find_package).lexically_normal();
-  if (isFile(decoded)) return decoded.string();
-  throw Error(ErrorCode::kFileNotFound, "'" + uri + "' means '" + path.string() + "', and there is no such file");
+  const fs::path path = pathOf(uri, base, find_package);
+  // Without ".." where that is the same file; behind a link it may not be.
+  for (const fs::path& file : {path, pathOf(percentDecoded(uri), base, find_package)})
+    for (const fs::path& name : {file.lexically_normal(), file})
+      if (isFile(name)) return name.string();
+  throw Error(ErrorCode::kFileNotFound, "'" + uri + "' means '" + path.lexically_normal().string() + "', and there is no such file");
 }
 
 }  // namespace collision_hulls

@@ -195,7 +195,7 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
   RobotResult result = fitRobotToScene(robot, input.find_package, scene, options, output, control);
   FitSceneResponse response = written<FitSceneResponse>(result, output, control);
   show(result);
-  response.srdf = result.extra_files.begin()->second;
+  if (!result.extra_files.empty()) response.srdf = result.extra_files.begin()->second;
   return response;
 }
 

@@ -13,6 +13,8 @@ namespace {
 constexpr std::string_view kBlanks = " \t\r\n\f\v";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
+constexpr std::string_view kDocument = "---";  // what a document of YAML begins with
+
 using Cells = std::vector<std::string>;
 
 std::string place(const std::string& file, std::size_t line) {
@@ -125,7 +127,8 @@ class Messages {
   void read(const YamlValue& value, int depth = 0) {
     if (depth > kDeepest || ++looked_at_ > kMostValues) value.fail("the document is too large, or its aliases are");
     if (value.has("name") && value.has("position")) {
-      collector_.add(textsOf(value["name"]), value["position"].numbers(), value.where());
+      const Cells names = textsOf(value["name"]);
+      if (!names.empty()) collector_.add(names, value["position"].numbers(), value.where());  // an empty message is none
     } else if (value.has("joint_names") && value.has("points")) {
       readTrajectory(value);
     } else if (value.isMap()) {
@@ -148,7 +151,8 @@ class Messages {
   void readTrajectory(const YamlValue& trajectory) {
     const Cells names = textsOf(trajectory["joint_names"]);
     collector_.endTrajectory();
-    for (const YamlValue& point : trajectory["points"].items()) collector_.add(names, point["positions"].numbers(), point.where());
+    for (const YamlValue& point : trajectory["points"].items())
+      if (!point.has("transforms")) collector_.add(names, point["positions"].numbers(), point.where());  // of joints in space
     collector_.endTrajectory();
   }
 
@@ -167,13 +171,13 @@ void readYaml(const std::string& text, const std::string& file, ConfigurationCol
   };
   for (; !rest.empty(); ++number) {
     const std::string_view line = takeLine(rest);
-    if (line.substr(0, 3) != "---") {
-      document.append(line).append("\n");
-      continue;
+    const bool begins = line.substr(0, kDocument.size()) == kDocument;
+    if (begins) {
+      readDocument();
+      document.clear();
+      first = number;
     }
-    readDocument();
-    document.clear();
-    first = number + 1;
+    document.append(begins ? line.substr(kDocument.size()) : line).append("\n");
   }
   readDocument();
 }

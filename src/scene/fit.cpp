@@ -11,13 +11,6 @@
 namespace collision_hulls {
 namespace {
 
-void check(const FitProblem& problem, const FitOptions& options) {
-  if (!(options.clearance > 0 && std::isfinite(options.clearance)))
-    throw Error(ErrorCode::kBadOption, "clearance is " + std::to_string(options.clearance) + " m; it must be a positive length");
-  if (options.samples == 0) throw Error(ErrorCode::kBadOption, "samples is 0; at least one is needed to know anything");
-  if (problem.elements.empty()) throw Error(ErrorCode::kBadOption, "the robot has no mesh that hulls could be fitted to");
-}
-
 /// Nodes become hulls as written, and primitives about them; those may have been completed together, so that a primitive is made anew.
 FittedElement fittedElement(const FitMesh& mesh, const DetailTree& tree, std::vector<int> nodes, const RunControl& control) {
   std::sort(nodes.begin(), nodes.end(), [&](int a, int b) {
@@ -45,8 +38,15 @@ std::vector<FittedElement> fittedElements(const FitProblem& problem, const Assem
 
 }  // namespace
 
+void check(const FitOptions& options) {
+  if (!(options.clearance > 0 && std::isfinite(options.clearance)))
+    throw Error(ErrorCode::kBadOption, "clearance is " + std::to_string(options.clearance) + " m; it must be a positive length");
+  if (options.samples == 0) throw Error(ErrorCode::kBadOption, "samples is 0; at least one is needed to know anything");
+}
+
 SceneFit fitScene(const FitProblem& problem, const FitOptions& options, const RunControl& control) {
-  check(problem, options);
+  check(options);
+  if (problem.elements.empty()) throw Error(ErrorCode::kBadOption, "the robot has no mesh that hulls could be fitted to");
   const Assembly assembly(problem, options.seed);
   const Originals originals(problem, assembly);
   const PairRules rules = pairRules(problem, assembly, originals, options.clearance, control);

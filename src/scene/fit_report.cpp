@@ -15,9 +15,9 @@
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kMostMeasured = 100;  // contacts of a link of which the nearest is named
-
-using PartIndices = std::pair<std::size_t, std::size_t>;
+constexpr std::size_t kMostMeasured = 100;       // contacts of a link of which the nearest is named
+constexpr std::size_t kMostNamed = 3;            // parts that a link may touch
+constexpr std::size_t kEnoughForNever = 10'000;  // samples without contact, as many as MoveIt's Setup Assistant takes
 
 std::size_t partOf(const FittedModel& model, int piece) {
   return model.assembly.pieces()[static_cast<std::size_t>(piece)].part;
@@ -47,7 +47,7 @@ std::map<std::size_t, Tightest> tightestOf(const FittedModel& model) {
   return tightest;
 }
 
-/// The least proved distance of a link to anything; nullopt where a pair of it is looked at.
+/// The least proved distance of a link to anything that is not left out; nullopt where a pair of it is looked at.
 std::optional<double> provedDistance(const FittedModel& model, std::size_t link) {
   for (const PartPair& pair : model.rules.pairs)
     if (pair.a == link || pair.b == link) return std::nullopt;
@@ -55,6 +55,18 @@ std::optional<double> provedDistance(const FittedModel& model, std::size_t link)
   for (const ProvedPair& pair : model.rules.proved)
     if (pair.a == link || pair.b == link) least = std::min(least, pair.bound);
   return least;
+}
+
+/// What a link may touch although no pair of the two is looked at: neighbours by a joint apart.
+std::string leftOut(const FittedModel& model, std::size_t link) {
+  const std::string& name = model.assembly.name(link);
+  std::string names;
+  std::size_t count = 0;
+  for (const LeftOutPair& pair : model.rules.left_out) {
+    if (pair.reason == "Adjacent" || (pair.first != name && !(pair.links && pair.second == name))) continue;
+    if (++count <= kMostNamed) names += (names.empty() ? "" : ", ") + (pair.first == name ? pair.second : pair.first);
+  }
+  return count <= kMostNamed ? names : names + " and " + std::to_string(count - kMostNamed) + " more";
 }
 
 std::string plural(std::size_t count, const std::string& noun) {
@@ -96,7 +108,8 @@ std::string reasonOf(const FittedModel& model, const Bodies& bodies, std::size_t
   const std::string what = bodies.text(true) + ": ";
   if (const std::optional<double> proved = provedDistance(model, index)) {
     if (std::isinf(*proved)) return what + "no pair of it is looked at";
-    return what + "never within " + lengthText(*proved) + " of anything, proved";
+    const std::string except = leftOut(model, index);
+    return what + "never within " + leastLengthText(*proved) + " of anything" + (except.empty() ? "" : " but " + except) + ", proved";
   }
   const auto found = tightest.find(index);
   if (found == tightest.end()) return what + "nothing that is clear was hit in " + plural(model.fitting.asked(), "sample");
@@ -113,7 +126,8 @@ std::vector<FittedLink> fittedLinks(const FittedModel& model) {
     fitted.link = model.assembly.name(link);
     fitted.hulls = bodies.hulls;
     fitted.primitive = bodies.all == 1 && bodies.hulls == 0 ? bodies.primitives.begin()->first : bodies.text(false);
-    fitted.proved = provedDistance(model, link).has_value();
+    const std::optional<double> proved = provedDistance(model, link);
+    fitted.proved = proved && leftOut(model, link).empty();
     fitted.reason = reasonOf(model, bodies, link, tightest);
     links.push_back(fitted);
   }
@@ -136,9 +150,10 @@ std::string contactAtRest(const FittedModel& model) {
 }
 
 /// Pairs of links whose hulls hit where the links do not, the worst first.
-std::vector<PairHits> selfPhantoms(std::vector<PairHits> hits) {
-  hits.erase(std::remove_if(hits.begin(), hits.end(), [](const PairHits& pair) { return !pair.links || pair.before + pair.after == 0; }),
-             hits.end());
+std::vector<PairHits> selfPhantoms(const std::map<PartIndices, PairHits>& of_pairs) {
+  std::vector<PairHits> hits;
+  for (const auto& [parts, pair] : of_pairs)
+    if (pair.links && pair.before + pair.after > 0) hits.push_back(pair);
   std::stable_sort(hits.begin(), hits.end(), [](const PairHits& a, const PairHits& b) { return a.before > b.before; });
   return hits;
 }
@@ -202,7 +217,8 @@ Hits countHits(const FittedModel& model, const RunControl& control) {
     for (const PartIndices& pair : pairsOf(model, contacts(model.assembly, model.fitting.cuts(), pairs, places, index)))
       if (!sample.original.count(pair)) sample.after.insert(pair);
   });
-  std::map<PartIndices, PairHits> hits;
+  Hits result;
+  std::map<PartIndices, PairHits>& hits = result.pairs;
   for (const PartPair& pair : pairs)
     hits[{pair.a, pair.b}] = {model.assembly.name(pair.a), model.assembly.name(pair.b), model.assembly.isLink(pair.b)};
   for (const Sample& sample : samples) {
@@ -210,8 +226,6 @@ Hits countHits(const FittedModel& model, const RunControl& control) {
     for (const PartIndices& pair : sample.before) ++hits.at(pair).before;
     for (const PartIndices& pair : sample.after) ++hits.at(pair).after;
   }
-  Hits result;
-  for (const auto& [pair, counts] : hits) result.pairs.push_back(counts);
   result.scene = static_cast<std::size_t>(std::count_if(samples.begin(), samples.end(), [&](const Sample& sample) {
     return std::any_of(sample.original.begin(), sample.original.end(),
                        [&](const PartIndices& pair) { return !model.assembly.isLink(pair.second); });
@@ -266,20 +280,23 @@ FitReport fitReport(const FittedModel& model, const Hits& counted, const RunCont
 }
 
 std::vector<DisabledPair> disabledPairs(const FittedModel& model, const Hits& hits) {
+  const bool all_over = model.problem.configurations.empty();  // what joints allow is looked at, not given configurations alone
   std::vector<DisabledPair> disabled;
   for (const LeftOutPair& pair : model.rules.left_out) {
-    if (!pair.links) continue;
-    const bool by_user = pair.reason == "Disabled", fixed = pair.reason == "Fixed";
-    disabled.push_back({pair.first, pair.second, by_user ? "User" : fixed ? "Always" : pair.reason, pair.known});
+    if (!pair.links || (pair.reason == "Always" && !all_over)) continue;
+    disabled.push_back({pair.first, pair.second, pair.reason == "Disabled" ? "User" : pair.reason, pair.known});
   }
-  std::map<std::pair<std::string, std::string>, double> proved;
-  for (const ProvedPair& pair : model.rules.proved) proved[{model.assembly.name(pair.a), model.assembly.name(pair.b)}] = pair.bound;
-  for (const PairHits& pair : hits.pairs) {
+  std::map<PartIndices, double> proved;
+  for (const ProvedPair& pair : model.rules.proved) proved[{pair.a, pair.b}] = pair.bound;
+  const bool enough = all_over && model.samples() >= kEnoughForNever;
+  for (const auto& [parts, pair] : hits.pairs) {
     if (pair.original > 0 || !pair.links) continue;
-    const auto bound = proved.find({pair.first, pair.second});
+    const auto bound = proved.find(parts);
+    const bool is_proved = bound != proved.end();
+    if (!is_proved && !(enough && model.assembly.kinematics().settled(parts.first, parts.second))) continue;
     disabled.push_back({pair.first, pair.second, "Never",
-                        bound != proved.end() ? "never within " + lengthText(bound->second) + ", proved"
-                                              : "in none of " + std::to_string(model.samples()) + " samples"});
+                        is_proved ? "never within " + leastLengthText(bound->second) + ", proved"
+                                  : "in none of " + std::to_string(model.samples()) + " samples"});
   }
   return disabled;
 }

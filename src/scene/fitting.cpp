@@ -62,7 +62,8 @@ Answers Fitting::ask(const std::vector<std::size_t>& samples) const {
 /// Asks samples and cures what they show; the number of counterexamples.
 std::size_t Fitting::cure(const std::vector<std::size_t>& samples) {
   const Answers answers = ask(samples);
-  asked_.insert(asked_.end(), samples.begin(), samples.end());
+  const bool again = !problem_.configurations.empty() && !asked_.empty();
+  if (!again) asked_.insert(asked_.end(), samples.begin(), samples.end());
   leaves_ = answers.leaves;
   roots_.insert(roots_.end(), answers.roots.begin(), answers.roots.end());
   seen_.insert(seen_.end(), answers.roots.begin(), answers.roots.end());

@@ -4,6 +4,8 @@
 #include <map>
 #include <variant>
 
+#include "mesh/loose_points.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -25,7 +27,7 @@ Body bodyOf(const ConvexHull& hull) {
 }
 
 Body bodyOf(const TriangleMesh& mesh) {
-  return {QueryBody(mesh), Eigen::Isometry3d::Identity(), nullptr, nullptr, {mesh.corner(0, 0)}};
+  return {QueryBody(mesh), Eigen::Isometry3d::Identity(), nullptr, nullptr, pointsOfComponents(repair(mesh))};
 }
 
 }  // namespace

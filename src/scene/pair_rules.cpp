@@ -20,8 +20,7 @@ constexpr std::size_t kEvaluations = 300;
 struct Sighting {
   std::size_t a = 0, b = 0;
   std::vector<double> distances;  // [m] no more than the clearance; the first one at rest
-  bool moves = false;             // against each other
-  bool links = false;
+  bool links = false, moves = true;
 
   std::size_t touching() const { return static_cast<std::size_t>(std::count(distances.begin() + 1, distances.end(), 0.0)); }
   std::size_t near(double clearance) const {
@@ -38,8 +37,10 @@ bool nearlyAll(std::size_t part, std::size_t whole) {
 std::vector<Sighting> allPairs(const Assembly& assembly) {
   std::vector<Sighting> pairs;
   for (std::size_t a = 0; a < assembly.links(); ++a) {
+    const bool moves = !assembly.kinematics().chain(a).joints.empty();
     for (std::size_t b = a + 1; b < assembly.parts(); ++b) {
-      if (!assembly.piecesOf(a).empty() && !assembly.piecesOf(b).empty()) pairs.push_back({a, b, {}, false, assembly.isLink(b)});
+      const bool links = assembly.isLink(b);
+      if (!assembly.piecesOf(a).empty() && !assembly.piecesOf(b).empty()) pairs.push_back({a, b, {}, links, links || moves});
     }
   }
   return pairs;
@@ -54,12 +55,7 @@ std::vector<Places> surveyed(const FitProblem& problem, const Assembly& assembly
 }
 
 void survey(const std::vector<Places>& places, const Originals& originals, double clearance, Sighting& pair) {
-  for (const Places& at : places) {
-    pair.distances.push_back(originals.distanceBelow(clearance, pair.a, pair.b, at));
-    const Eigen::Isometry3d now = at[pair.a].inverse() * at[pair.b], then = places.front()[pair.a].inverse() * places.front()[pair.b];
-    constexpr double kRounding = 1e-9;
-    pair.moves = pair.moves || !now.isApprox(then, kRounding);
-  }
+  for (const Places& at : places) pair.distances.push_back(originals.distanceBelow(clearance, pair.a, pair.b, at));
 }
 
 std::string share(std::size_t part, std::size_t whole) {
@@ -67,11 +63,10 @@ std::string share(std::size_t part, std::size_t whole) {
 }
 
 /// Why the original says that a pair is not to be looked at; an empty reason: it is.
-LeftOutPair verdict(const Sighting& pair, double clearance) {
+LeftOutPair verdict(const Sighting& pair) {
   const double at_rest = pair.distances.front();
   const auto said = [&](const char* reason, const std::string& known) { return LeftOutPair{"", "", reason, known, pair.links}; };
-  if (!pair.moves && at_rest < clearance)
-    return said("Fixed", at_rest > 0 ? "always " + lengthText(at_rest) + " apart" : "always in contact");
+  if (!pair.moves && at_rest <= 0) return said("Fixed", "always in contact");
   if (pair.touching() > 0 && nearlyAll(pair.touching(), pair.samples()))
     return said("Always", "in contact in " + share(pair.touching(), pair.samples()));
   if (pair.links && at_rest <= 0) return said("Default", "in contact at rest");
@@ -115,7 +110,7 @@ ReachProver proverFor(const FitProblem& problem, const Assembly& assembly, const
 }
 
 /// Moves pairs that provably never come within the clearance from `pairs` to `proved`.
-void prove(const FitProblem& problem, const Assembly& assembly, const std::vector<char>& never_near, double clearance,
+void prove(const FitProblem& problem, const Assembly& assembly, const std::vector<char>& may_be_proved, double clearance,
            const RunControl& control, PairRules& rules) {
   const ReachProver prover = proverFor(problem, assembly, control);
   ReachOptions options;
@@ -123,7 +118,7 @@ void prove(const FitProblem& problem, const Assembly& assembly, const std::vecto
   std::vector<Reach> reach(rules.pairs.size());
   forEach(rules.pairs.size(), [&](std::size_t i) {
     const PartPair& pair = rules.pairs[i];
-    if (!never_near[i]) return;
+    if (!may_be_proved[i]) return;
     reach[i] = assembly.isLink(pair.b) ? prover.betweenLinks(pair.a, pair.b, clearance, options, control)
                                        : prover.betweenLinkAndBody(pair.a, pair.b - assembly.links(), clearance, options, control);
   });
@@ -191,11 +186,13 @@ PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const O
     control.check();
     survey(places, originals, clearance, pairs[i]);
   });
-  std::vector<char> never_near;
+  std::vector<char> may_be_proved;
   for (const Sighting& pair : pairs) {
-    const LeftOutPair why = verdict(pair, clearance);
+    const LeftOutPair why = verdict(pair);
     if (!why.reason.empty()) {
       leaveOut(pair, why);
+      if (!pair.links && why.reason == "Always")
+        rules.notes.push_back(assembly.name(pair.a) + " against " + assembly.name(pair.b) + ": " + why.known + ", and so left out");
       continue;
     }
     const double own = ownClearance(pair, clearance);
@@ -204,9 +201,11 @@ PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const O
                             " apart: for them " + lengthText(own) + " count as clear");
     }
     rules.pairs.push_back({pair.a, pair.b, own});
-    never_near.push_back(pair.near(clearance) == 0 && pair.distances.front() >= clearance);
+    const Kinematics& kinematics = assembly.kinematics();
+    const bool settled = pair.links ? kinematics.settled(pair.a, pair.b) : kinematics.settled(pair.a);
+    may_be_proved.push_back(settled && pair.near(clearance) == 0 && pair.distances.front() >= clearance);
   }
-  prove(problem, assembly, never_near, clearance, control, rules);
+  prove(problem, assembly, may_be_proved, clearance, control, rules);
   return rules;
 }
 

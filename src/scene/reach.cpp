@@ -133,7 +133,7 @@ class PairSearch {
     const std::size_t count = variables_.empty() ? 1 : std::min(most, options_.evaluations);
     double radius = 1;  // of the ranges
     for (std::size_t i = 0; i < count && result_.found > target_; ++i) {
-      const bool all_over = 2 * i < count;
+      const bool all_over = 2 * i < count || result_.witness.empty();
       Box point = whole;
       for (std::size_t s = 0; s < sides_.size(); ++s) point.levels[s] = sides_[s].joints();
       for (std::size_t v = 0; v < variables_.size(); ++v) {

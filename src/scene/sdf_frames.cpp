@@ -1,6 +1,7 @@
 #include "scene/sdf_frames.h"
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 
 #include "collision_hulls/error.h"
@@ -43,7 +44,8 @@ Eigen::Isometry3d sdfPose(const std::string& file, const XmlNode& pose) {
   const bool quaternion = pose.attribute("rotation_format") == "quat_xyzw";
   const std::vector<double> n = sdfNumbers(file, pose, quaternion ? 7 : 6);
   result.translation() = Eigen::Vector3d(n[0], n[1], n[2]);
-  const std::string degrees = pose.attribute("degrees");
+  std::string degrees = pose.attribute("degrees");
+  for (char& c : degrees) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const double unit = degrees == "true" || degrees == "1" ? kRadiansPerDegree : 1;
   inContext("'" + file + "', line " + std::to_string(pose.line), [&] {
     result.linear() = (quaternion ? checkedQuaternion(n[3], n[4], n[5], n[6]) : fromRollPitchYaw(unit * Eigen::Vector3d(n[3], n[4], n[5])))

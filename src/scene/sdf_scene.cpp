@@ -58,8 +58,9 @@ void setConvexShape(const Shape& shape, SceneBody& body) {
     return;
   }
   if (kind == "capsule") {
-    const double radius = shape.number("radius"), half = shape.number("length") / 2;
-    body.shape = roundShape(Eigen::Vector3d::Constant(radius), {-half, half});
+    const double radius = shape.number("radius"), length = shape.number("length");
+    if (!(length >= 0)) failSdf(shape.file, shape.element, "a capsule of length " + std::to_string(length) + " m; it is 0 at least");
+    body.shape = roundShape(Eigen::Vector3d::Constant(radius), {-length / 2, length / 2});
     return;
   }
   failSdf(shape.file, shape.element,
@@ -117,6 +118,8 @@ class Reader {
 
   /// A world, a model, or what stands outside of both, at `pose`.
   void readScope(const SdfModel& scope, const Eigen::Isometry3d& pose, const std::string& prefix, const XmlNode* state) {
+    if (const XmlNode* population = scope.element->child("population"))
+      failSdf(scope.file, *population, "a <population> is not followed; save the world from Gazebo, with its models one by one");
     const std::vector<SdfModel> models = modelsWithin(scope);
     includes_ += std::count_if(models.begin(), models.end(), [&](const SdfModel& model) { return model.depth > scope.depth; });
     if (includes_ > kMostIncludes) failSdf(scope.file, *scope.element, "more than 10,000 includes");

@@ -17,7 +17,8 @@ LinkPair inOrder(const std::string& a, const std::string& b) {
   return std::minmax(a, b);
 }
 
-/// Goes through a document from its beginning to its end: a later element overrules an earlier one.
+/// As MoveIt has it, wherever elements stand: links that are disabled by default, then the pairs of them that are enabled again, then the
+/// pairs that are disabled.
 class Reader {
  public:
   Reader(const RobotDescription& robot, std::string label) : label_(std::move(label)) {
@@ -27,11 +28,9 @@ class Reader {
 
   DisabledPairs read(const XmlNode& root) {
     if (root.name != "robot") fail(root, "the root element is <" + root.name + ">; an SRDF's is <robot>");
-    for (const XmlNode& element : root.children) {
-      if (element.name == "disable_default_collisions") disableAllOf(element);
-      if (element.name == "disable_collisions") disable(pairOf(element), element.attribute("reason"));
-      if (element.name == "enable_collisions") enable(pairOf(element));
-    }
+    for (const XmlNode* element : root.childrenNamed("disable_default_collisions")) disableAllOf(*element);
+    for (const XmlNode* element : root.childrenNamed("enable_collisions")) enable(pairOf(*element));
+    for (const XmlNode* element : root.childrenNamed("disable_collisions")) disable(pairOf(*element), element->attribute("reason"));
     if (left_out_ > 0) {
       result_.notes.push_back(label_ + ": " + std::to_string(left_out_) + " pairs name links that the robot does not have, the first '" +
                               first_unknown_ + "'; they are left out");

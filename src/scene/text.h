@@ -1,6 +1,7 @@
 // Lengths in sentences.
 #pragma once
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -11,6 +12,13 @@ inline std::string lengthText(double metres) {
   char text[64];
   std::snprintf(text, sizeof text, metres < 0.1 ? "%.3g mm" : "%.3g m", metres < 0.1 ? 1000 * metres : metres);
   return text;
+}
+
+/// The same of a length that is proved to be exceeded: rounded down.
+inline std::string leastLengthText(double metres) {
+  if (!(metres > 0)) return lengthText(0);
+  const double unit = std::pow(10, std::floor(std::log10(metres)) - 2);
+  return lengthText(std::floor(metres / unit) * unit);
 }
 
 }  // namespace collision_hulls

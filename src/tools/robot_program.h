@@ -74,6 +74,16 @@ inline bool isFile(const std::string& json) {
   return !json.empty() && json != "-";
 }
 
+/// An output folder holds nothing but the output, which has a report anyway.
+inline void checkJson(const std::string& json, const std::string& output) {
+  const std::filesystem::path within =
+      std::filesystem::weakly_canonical(json).lexically_relative(std::filesystem::weakly_canonical(output));
+  if (!within.empty() && *within.begin() != "..")
+    throw Error(ErrorCode::kBadOption,
+                "'" + json + "' lies in the output folder, which has report.json; give another place, or leave it out");
+  checkNamedFile(json);
+}
+
 /// The file that --json names is written also where the output could not be.
 inline void writeEverything(RobotResult& result, const RobotCommand& command, const std::string& output, const RunControl& control) {
   const bool to_file = isFile(command.json);
@@ -107,7 +117,7 @@ inline int runRobotCommand(const RobotCommand& command, const RobotWork& work) {
                 "links '" + command.options.links + "': '" + input.path + "' is a mesh, which has none; leave it out");
   const std::string output = command.output.empty() ? defaultOutput(input) : command.output;
   checkOutput(output);
-  if (isFile(command.json)) inContext("--json", [&] { checkNamedFile(command.json); });
+  if (isFile(command.json)) inContext("--json", [&] { checkJson(command.json, output); });
   RobotResult result = work(input, output, control, [&](const Step& step) { display.step(step); });
   display.clear();
   writeEverything(result, command, output, control);

@@ -209,6 +209,44 @@ TEST_F(FitRobotToScene, FailedMeshKeepsItsLinkOut) {
   EXPECT_NE(result.urdf.find("rubbish.stl"), std::string::npos);
 }
 
+TEST_F(FitRobotToScene, NamesEachMeshWhereAllFail) {
+  const RobotResult result = run(fixtures::link("base", collision(fixtures::meshTag("../meshes/rubbish.stl"))));
+  ASSERT_EQ(result.report.links.size(), 1u);
+  EXPECT_EQ(result.report.links[0].status, Status::kFailed);
+  EXPECT_NE(result.report.links[0].reason.find("rubbish.stl"), std::string::npos);
+  EXPECT_FALSE(result.report.scene);
+}
+
+TEST_F(FitRobotToScene, PrimitivesWithoutASizeAreLeftOut) {
+  const std::string dummy = "    <collision><geometry><box size=\"0 0 0\"/></geometry></collision>\n";
+  const RobotResult result = run(fixtures::link("base", bracket()) + fixtures::link("tip", dummy, "base"));
+  EXPECT_TRUE(result.report.scene->left_out.empty());
+  const std::vector<std::string>& notes = result.report.notes;
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const auto& note) { return note.find("link 'tip'") != std::string::npos; }));
+}
+
+TEST_F(FitRobotToScene, WrongUseIsFoundBeforeTheWork) {
+  const std::string part = fixtures::link("base", bracket()) + fixtures::link("tip", "", "base");
+  const auto code = [&](const std::string& links) {
+    RunControl control;
+    bool began = false;
+    control.progress = [&](double) { began = true; };
+    try {
+      const RobotDescription robot = readRobotDescription(fixtures::write(folder_ / "urdf/arm.urdf", fixtures::robot("arm", links)));
+      fitRobotToScene(robot, defaultPackageFinder(), request_, options_, folder_ / "out", control);
+    } catch (const Error& error) {
+      EXPECT_FALSE(began);
+      return error.code();
+    }
+    return ErrorCode::kInternal;
+  };
+  EXPECT_EQ(code(part + "<link name=\"t\"/><joint name=\"m\" type=\"continuous\"><parent link=\"tip\"/><child link=\"t\"/>"
+                        "<mimic joint=\"nothing\"/></joint>"),
+            ErrorCode::kNotARobot);
+  request_.clearance = 0;
+  EXPECT_EQ(code(part), ErrorCode::kBadOption);
+}
+
 TEST_F(FitRobotToScene, PrimitivesOfTheRobotCount) {
   // A ball on a link of its own, in the notch: the fixed joint makes the two one body, so nothing is asked for.
   request_.scene.bodies.clear();

@@ -106,7 +106,8 @@ TEST(WriteOutput, RefusesWhatSomeoneAddedToAnEarlierOne) {
   const TempFolder folder;
   RobotResult result = sample();
   result.extra_files["config/My_Arm_disabled.srdf"] = "<robot/>";
-  for (const char* added : {"launch/mine.launch", ".git/HEAD", "notes.txt", "meshes/a/mine.stl", "urdf/notes.txt"}) {
+  for (const char* added :
+       {"launch/mine.launch", ".git/HEAD", "notes.txt", "meshes/a/mine.stl", "urdf/notes.txt", "urdf/mine.urdf", "config/My_Arm.srdf"}) {
     writeOutput(result, folder / "out");
     fixtures::write(folder / ("out/" + std::string(added)), "mine");
     const auto before = fixtures::contents(folder.path());
@@ -115,6 +116,22 @@ TEST(WriteOutput, RefusesWhatSomeoneAddedToAnEarlierOne) {
     fs::remove(folder / ("out/" + std::string(added)));
   }
   writeOutput(result, folder / "out");
+}
+
+TEST(WriteOutput, RefusesALinkToAFolderInAnEarlierOne) {
+  const TempFolder folder;
+  RobotResult result = sample();
+  writeOutput(result, folder / "out");
+  fs::create_directory_symlink(folder.path(), folder / "out/link");
+  expectError(folder / "out", ErrorCode::kNotOurOutput);
+}
+
+TEST(WriteOutput, RefusesAReportThatIsNone) {
+  const TempFolder folder;
+  for (const char* report : {R"({"collision_hulls": "1"})", R"({"collision_hulls": "1", "files": [], "links": [5]})", "[1]", "5", "{"}) {
+    fixtures::write(folder / "out/report.json", report);
+    expectError(folder / "out", ErrorCode::kNotOurOutput);
+  }
 }
 
 /// Files, each with where it lies on the disk.

@@ -174,5 +174,61 @@ TEST(Kinematics, AdjacentLinks) {
   EXPECT_FALSE(kinematics.adjacent(1, 4));
 }
 
+TEST(Kinematics, LinksAreSettledUnlessAJointBetweenThemIsOpen) {
+  const Kinematics afloat(robot(links(4) + joint(0, "floating") + joint(1, "fixed") + joint(2, "revolute", limit(-1, 1))));
+  EXPECT_FALSE(afloat.settled(0, 1));
+  EXPECT_FALSE(afloat.settled(0, 3));
+  EXPECT_TRUE(afloat.settled(1, 3));
+  EXPECT_TRUE(afloat.settled(3)) << "against the world a floating joint stays";
+  EXPECT_TRUE(afloat.adjacent(0, 1));
+  EXPECT_TRUE(afloat.adjacent(1, 2)) << "fixed to each other";
+  EXPECT_FALSE(afloat.adjacent(0, 3));
+  ASSERT_EQ(afloat.notes().size(), 1u);
+  EXPECT_NE(afloat.notes()[0].find("'j0' floats"), std::string::npos);
+
+  const auto geared = [](const std::string& type, const std::string& ratio) {
+    return Kinematics(
+        robot(links(3) + joint(0, "continuous") + joint(1, type, limit(-1, 1) + "<mimic joint=\"j0\" multiplier=\"" + ratio + "\"/>")));
+  };
+  EXPECT_TRUE(geared("continuous", "-2").settled(1, 2));
+  EXPECT_TRUE(geared("prismatic", "0").settled(1, 2));
+  for (const auto& [type, ratio] : {std::pair("continuous", "0.25"), std::pair("revolute", "1.5"), std::pair("prismatic", "1")}) {
+    EXPECT_FALSE(geared(type, ratio).settled(1, 2)) << type;
+    EXPECT_FALSE(geared(type, ratio).settled(2)) << type;
+    EXPECT_TRUE(geared(type, ratio).settled(1)) << type;
+    EXPECT_EQ(geared(type, ratio).notes().size(), 1u);
+  }
+}
+
+TEST(Kinematics, SaysWhichJointsHaveNoRoom) {
+  for (const std::string& limits : {limit(1, -1), limit(0, 0), std::string("<limit effort='1' velocity='1'/>")}) {
+    const std::vector<std::string> notes = Kinematics(robot(links(2) + joint(0, "revolute", limits))).notes();
+    ASSERT_EQ(notes.size(), 1u) << limits;
+    EXPECT_NE(notes[0].find("'j0'"), std::string::npos);
+  }
+  EXPECT_TRUE(Kinematics(robot(links(2) + joint(0, "revolute", limit(-1, 1)))).notes().empty());
+}
+
+TEST(Kinematics, NumbersBeyondAllMeasure) {
+  const auto load = [](const std::string& content) { return [content] { Kinematics{robot(links(2) + content)}; }; };
+  expectError(ErrorCode::kNotARobot, {"'j0'", "limits"},
+              load(joint(0, "prismatic", "<limit lower='-1e300' upper='1e300' effort='1' velocity='1'/>")));
+  expectError(ErrorCode::kNotARobot, {"'j0'", "<origin>"},
+              load("<joint name='j0' type='fixed'><parent link='l0'/><child link='l1'/><origin xyz='1e300 0 0'/></joint>"));
+  expectError(ErrorCode::kNotARobot, {"'j0'", "axis 0 0 0"},
+              load("<joint name='j0' type='continuous'><parent link='l0'/><child link='l1'/><axis xyz='0 0 0'/></joint>"));
+  const Kinematics endless(robot(links(2) + joint(0, "revolute", "<limit lower='-1e16' upper='1e16' effort='1' velocity='1'/>")));
+  EXPECT_TRUE(endless.variables()[0].continuous) << "what converters write where there is no limit";
+}
+
+TEST(Kinematics, MimicsRestWhereTheirMasterPutsThem) {
+  const RobotDescription description = robot(links(3) + joint(0, "revolute", limit(0.5, 1)) +
+                                             joint(1, "revolute", limit(-1, 1) + "<mimic joint=\"j0\" multiplier=\"2\" offset=\"0.25\"/>"));
+  const Kinematics kinematics(description);
+  const std::vector<Eigen::Isometry3d> poses = kinematics.poses(kinematics.rest());
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(poses[i].isApprox(description.links[i].pose, 1e-12)) << i;
+  EXPECT_NEAR(Eigen::AngleAxisd(poses[2].linear()).angle(), 0.5 + 1.25, 1e-12);
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/robot_tests.h"
 
@@ -52,6 +54,13 @@ TEST_F(ResolveUri, File) {
 TEST_F(ResolveUri, Path) {
   EXPECT_EQ(resolve(mesh_), mesh_);
   EXPECT_EQ(resolve("../meshes/a b.stl"), mesh_);
+}
+
+TEST_F(ResolveUri, AboveAFolderBehindALink) {
+  std::filesystem::create_directory(folder_.path("elsewhere"));
+  std::filesystem::create_directory_symlink(folder_.path("arm/urdf"), folder_.path("elsewhere/urdf"));
+  std::filesystem::create_directories(folder_.path("arm/urdf"));
+  EXPECT_TRUE(std::filesystem::equivalent(resolveUri("../meshes/a b.stl", folder_.path("elsewhere/urdf/arm.urdf"), finder_), mesh_));
 }
 
 TEST(IsRelativeUri, EachKind) {

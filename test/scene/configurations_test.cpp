@@ -186,6 +186,20 @@ points:
   EXPECT_EQ(setOf("a.yml", within).configurations[1], (Configuration{1, 0, 0.5}));
 }
 
+TEST(Configurations, WhatStandsBehindTheDashesIsRead) {
+  EXPECT_EQ(setOf("a.yaml", "--- {name: [a], position: [1]}\n--- {name: [a], position: [2]}\n").configurations.size(), 2u);
+}
+
+TEST(Configurations, PlansOfMoveIt) {
+  const std::string plan =
+      "trajectory_start:\n  joint_state: {name: [], position: []}\ntrajectory:\n- joint_trajectory:\n    joint_names: [a]\n"
+      "    points:\n    - positions: [1]\n  multi_dof_joint_trajectory:\n    joint_names: [base]\n"
+      "    points: [{transforms: [], velocities: []}]\n";
+  const ConfigurationSet set = setOf("a.yaml", plan);
+  ASSERT_EQ(set.configurations.size(), 1u) << "an empty message is none";
+  EXPECT_EQ(set.configurations[0], (Configuration{1, 0, 0}));
+}
+
 TEST(Configurations, YamlSaysWhatIsWrongAndWhere) {
   const auto expectBadYaml = [](const std::vector<std::string>& parts, const std::string& text) {
     expectBad(ErrorCode::kBadConfigurations, parts, "a.yaml", text);

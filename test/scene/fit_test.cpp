@@ -180,6 +180,30 @@ TEST(FitScene, GapNarrowerThanTheClearanceStillCounts) {
   EXPECT_NE(fit.report.notes[0].find("c0 and post hardly ever are 5 m apart"), std::string::npos) << fit.report.notes[0];
 }
 
+TEST(FitScene, BodyNearerThanTheClearanceThatNeverMovesIsLookedAt) {
+  FitProblem problem = overPost();
+  problem.elements[0].link = 0;  // the base itself is the channel: the post is 9 cm from its walls, whatever the joint does
+  const SceneFit fit = fitScene(problem, fitOptions(0.1));
+  EXPECT_EQ(fit.elements[0].hulls.size(), 3u);
+  EXPECT_TRUE(fit.report.left_out.empty());
+  problem.scene.bodies[0] = boxBody("wall", {1, 1, 1}, Eigen::Vector3d::Zero());
+  const SceneFit within = fitScene(problem, fitOptions(0.1));
+  ASSERT_EQ(within.report.left_out.size(), 1u);
+  EXPECT_EQ(within.report.left_out[0].reason, "Fixed");
+  EXPECT_FALSE(within.report.links[0].proved);
+}
+
+TEST(FitScene, LinksWithPairsLeftOutAreNotProvedToBeAwayFromAll) {
+  FitProblem problem = overPost();
+  problem.scene.bodies[0].pose.translation().x() += 3;
+  problem.scene.bodies.push_back(boxBody("track", {2, 0.5, 6}, boundingBox(channel()).min()));  // always in contact
+  const SceneFit fit = fitScene(problem, fitOptions());
+  EXPECT_FALSE(fit.report.links[0].proved);
+  EXPECT_NE(fit.report.links[0].reason.find("of anything but track, proved"), std::string::npos) << fit.report.links[0].reason;
+  ASSERT_FALSE(fit.report.notes.empty());
+  EXPECT_NE(fit.report.notes[0].find("c0 against track: in contact in 400 of 400 samples"), std::string::npos) << fit.report.notes[0];
+}
+
 TEST(FitScene, CapOnHullsHolds) {
   FitProblem problem = overPost();
   const auto mesh = std::make_shared<FitMesh>(*problem.elements[0].mesh);
@@ -233,6 +257,54 @@ TEST(FitScene, AdjacentDisabledAndTouchingLinksAreLeftOut) {
   EXPECT_EQ(fit.disabled[1].reason, "Default");
   EXPECT_EQ(fit.disabled[2].reason, "Never");
   EXPECT_NE(fit.disabled[2].known.find("proved"), std::string::npos);
+}
+
+TEST(FitScene, SrdfSaysNothingThatGivenOrFewSamplesAloneShow) {
+  // Two blocks that drive past each other, and hit each other where both are in the middle.
+  FitProblem problem;
+  problem.robot = carriages(2);
+  const auto mesh = fitMesh(test_shapes::box(0.1, 0.1, 0.1));
+  for (const std::size_t link : {1, 2})
+    problem.elements.push_back({"", link, Eigen::Isometry3d(Eigen::Translation3d(0, 0, link == 2 ? 1 : 0)), mesh});
+  problem.configurations = {{1, 1}, {0.5, 0.5}};
+  EXPECT_TRUE(fitScene(problem, fitOptions()).disabled.empty());
+  problem.configurations = {{1, 0}, {0.5, -0.5}};  // in contact in all of them
+  EXPECT_TRUE(fitScene(problem, fitOptions()).disabled.empty());
+  problem.configurations.clear();
+  EXPECT_TRUE(fitScene(problem, fitOptions(0.01, 1)).disabled.empty());
+}
+
+TEST(FitScene, NothingIsProvedAcrossAFloatingJoint) {
+  FitProblem problem;
+  const std::string joint = "<joint name='f' type='floating'><parent link='a'/><child link='b'/><origin xyz='3 0 0'/></joint>";
+  const std::string fixed = "<joint name='g' type='fixed'><parent link='b'/><child link='c'/><origin xyz='3 0 0'/></joint>";
+  const std::string turns = "<joint name='h' type='continuous'><parent link='c'/><child link='d'/><origin xyz='3 0 0'/></joint>";
+  problem.robot = parseRobotDescription("<robot name='r'><link name='a'/><link name='b'/><link name='c'/><link name='d'/>" + joint + fixed +
+                                        turns + "</robot>");
+  const auto mesh = fitMesh(test_shapes::box(0.1, 0.1, 0.1));
+  for (const std::size_t link : {0, 3}) problem.elements.push_back({"", link, Eigen::Isometry3d::Identity(), mesh});
+  const SceneFit fit = fitScene(problem, fitOptions(0.01, 20'000));
+  EXPECT_EQ(fit.report.pairs, 1u);
+  EXPECT_EQ(fit.report.proved_pairs, 0u);
+  EXPECT_FALSE(fit.report.links[0].proved);
+  EXPECT_TRUE(fit.disabled.empty());
+}
+
+TEST(FitScene, WhatLiesWithinALinkCountsInAnyOrder) {
+  const auto mesh = fitMesh(test_shapes::box(1, 1, 1));
+  const TriangleMesh within = test_shapes::moved(test_shapes::box(0.1, 0.1, 0.1), {0.4, 0.4, 0.4});
+  const TriangleMesh beside = test_shapes::moved(test_shapes::box(0.1, 0.1, 0.1), {1.5, 0.4, 0.4});
+  for (const bool first : {true, false}) {
+    FitProblem problem;
+    problem.robot = carriages(1, 0.01);
+    problem.elements.push_back({"", 1, Eigen::Isometry3d::Identity(), mesh});
+    SceneBody body = boxBody("two", {1, 1, 1}, Eigen::Vector3d::Zero());
+    body.shape = first ? test_shapes::merged({within, beside}) : test_shapes::merged({beside, within});
+    problem.scene.bodies.push_back(body);
+    const SceneFit fit = fitScene(problem, fitOptions(0.01, 10));
+    ASSERT_EQ(fit.report.left_out.size(), 1u) << first;
+    EXPECT_EQ(fit.report.left_out[0].reason, "Always");
+  }
 }
 
 TEST(FitScene, SelfCollisionTableCountsBeforeAndAfter) {

@@ -168,6 +168,8 @@ TEST(SdfScene, SaysWhatIsWrongAndWhere) {
             "<sdf><world name='w'><include><uri>model://no</uri></include></world></sdf>");
   expectBad(ErrorCode::kUnsupportedFormat, {"https://", "download"},
             "<sdf><world name='w'><include><uri>https://a.b/c.sdf</uri></include></world></sdf>");
+  expectBad(kBad, {"<population>"}, "<sdf><world name='w'><population name='cans'/></world></sdf>");
+  expectBad(kBad, {"capsule", "-3"}, link("<capsule><radius>1</radius><length>-3</length></capsule>"));
   expectBad(kBad, {"include itself"}, model("<include><uri>a.sdf</uri></include>"));
 }
 

@@ -41,6 +41,14 @@ TEST(Srdf, AllPairsOfALinkButSome) {
   EXPECT_EQ(read.pairs[1].link2, "d");
 }
 
+TEST(Srdf, OrderDecidesNothing) {
+  const std::string off = "<disable_default_collisions link='a'/>", on = "<enable_collisions link1='c' link2='a'/>";
+  const std::string pair = "<disable_collisions link1='a' link2='c'/>";
+  EXPECT_EQ(parse(on + off).pairs.size(), 2u);
+  EXPECT_EQ(parse(pair + on).pairs.size(), 1u) << "what is enabled is an exception from defaults alone";
+  EXPECT_EQ(parse(pair + off + on).pairs.size(), 3u);
+}
+
 TEST(Srdf, LinksOfOtherRobotsAreLeftOut) {
   const DisabledPairs read = parse(
       "<disable_collisions link1='a' link2='gripper'/><disable_collisions link1='a' link2='b'/><disable_collisions link1='tool' "

@@ -55,6 +55,7 @@ struct Report {
   std::string input_path, input_sha256;
   Options options;
   std::vector<ElementReport> links;  ///< a row for every mesh of every link, in document order
+  std::vector<std::string> files;    ///< of the output beside those of the links and report.json
   Validation validation;             ///< meaningful where options.validate; null in JSON otherwise
   std::optional<FitReport> scene;    ///< of a model that was fitted to a scene
   bool validation_cached = false;    ///< remembered from an earlier run, times too

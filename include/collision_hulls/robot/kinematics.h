@@ -48,7 +48,8 @@ struct Chain {
 /// robot_state_publisher. Floating and planar joints, which place a robot in the world, stay at their origin. Immutable, thread safe.
 class Kinematics {
  public:
-  /// Throws kNotARobot for a mimic joint whose master is not there or cannot move, and for such that follow each other in a circle.
+  /// Throws kNotARobot for a mimic joint whose master is not there or cannot move, for such that follow each other in a circle, and for
+  /// an origin or a limit of a sliding joint that is further than 1e6 m away.
   explicit Kinematics(const RobotDescription& robot);
 
   const std::vector<JointVariable>& variables() const { return variables_; }
@@ -77,18 +78,31 @@ class Kinematics {
   /// joint joins touch. Collision checks leave such pairs out.
   bool adjacent(std::size_t link, std::size_t other) const;
 
+  /// Whether the variables within their limits tell all places that two links (indices) can have against each other. They do not across a
+  /// floating or planar joint, nor across one that mimics a continuous joint at another pace, whose place depends on the turns before.
+  bool settled(std::size_t link, std::size_t other) const;
+
+  /// The same against the world in which the root link stands: floating and planar joints are taken to stay at their origin.
+  bool settled(std::size_t link) const;
+
+  /// A sentence for each joint that does not move as one might expect: without room between its limits, or not settled.
+  std::vector<std::string> notes() const;
+
  private:
   struct Joint {
     JointDescription description;
     std::size_t parent = 0, child = 0;  // links
     int variable = -1;                  // -1: none moves it
     double multiplier = 1, offset = 0;  // of the variable's value
+    bool paced = false;                 // mimics a continuous joint at another pace
   };
+  void check(const JointDescription& joint) const;
   std::vector<Joint> joints_;  // parents before children
   std::vector<JointVariable> variables_;
   std::size_t links_ = 0;
-  std::vector<std::size_t> body_;         // per link: the first of those that fixed joints join to it
-  std::vector<std::size_t> parent_body_;  // per body (a link's index): that which its joint hangs on; itself for the root
+  std::vector<std::size_t> body_;                    // per link: the first of those that fixed joints join to it
+  std::vector<std::size_t> parent_body_;             // per body (a link's index): that which its joint hangs on; itself for the root
+  std::vector<std::vector<std::size_t>> unsettled_;  // per link: the joints on the way from the root that are floating, planar or paced
 };
 
 /// The motion of a joint's child against the joint's origin at a value [rad or m]; none for joints that are no variables.

@@ -36,8 +36,8 @@ struct JointDescription {
   std::string parent, child;                                 ///< links
   Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();  ///< of the joint, in the parent's frame
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();           ///< of unit length, in the joint's frame
-  double lower = 0, upper = 0;                               ///< -pi and pi where it is continuous; both 0 where the limits are crossed
-  std::string mimic;                                         ///< the joint that this one follows; empty: none
+  double lower = 0, upper = 0;  ///< -pi and pi where it is continuous; both 0 where the limits are missing or crossed
+  std::string mimic;            ///< the joint that this one follows; empty: none
   double mimic_multiplier = 1, mimic_offset = 0;
 };
 

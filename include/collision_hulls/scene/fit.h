@@ -70,6 +70,9 @@ struct FitOptions {
   bool primitives = true;  ///< spheres, boxes and cylinders may stand for hulls
 };
 
+/// Throws kBadOption.
+void check(const FitOptions& options);
+
 /// What became of an element.
 struct FittedElement {
   std::vector<int> cut;                     ///< nodes of its tree; ascending, those that primitives stand for after the others

@@ -16,11 +16,12 @@ struct DisabledPair {
 };
 
 struct DisabledPairs {
-  std::vector<DisabledPair> pairs;  ///< in document order, without those that stand twice (in either order)
+  std::vector<DisabledPair> pairs;  ///< those by default first, else in document order; none twice (in either order)
   std::vector<std::string> notes;   ///< what was left out: links that the robot does not have, as in SRDF files of variants of a robot
 };
 
-/// The disabled pairs of an SRDF; `<enable_collisions>` takes a pair back, and `<disable_default_collisions>` disables all pairs of a link.
+/// The disabled pairs of an SRDF, as MoveIt has them whatever their order: `<disable_default_collisions>` disables all pairs of a link,
+/// `<enable_collisions>` takes one of these back, and `<disable_collisions>` disables a pair.
 /// `path` (may be empty) stands in messages. Throws kNotXml, kNotAnSrdf; links without a name are kNotAnSrdf.
 DisabledPairs parseDisabledPairs(const std::string& srdf_text, const RobotDescription& robot, const std::string& path = "");
 

@@ -56,7 +56,7 @@ void addFolder(const fs::path& folder, const fs::path& top, BenchmarkInputs& all
   std::vector<fs::path> entries(fs::directory_iterator(folder), fs::directory_iterator{});
   std::sort(entries.begin(), entries.end());
   for (const fs::path& entry : entries) {
-    if (fs::is_directory(entry)) addFolder(entry, top, all);
+    if (fs::is_directory(entry) && !fs::is_symlink(entry)) addFolder(entry, top, all);
     if (fs::is_regular_file(entry) && isMesh(entry)) addMesh(fs::relative(entry, top).string(), entry, all);
   }
 }

@@ -17,7 +17,7 @@ constexpr double kOwnLimit = 300;  // [s] for what is not measured
 }  // namespace
 
 JobRunner::JobRunner(std::string program, const std::string& folder)
-    : program_(std::move(program)), folder_(fs::path(folder) / ".benchmark") {
+    : program_(std::move(program)), folder_(fs::absolute(folder) / ".benchmark") {
   fs::remove_all(folder_);
   fs::create_directories(folder_);
 }

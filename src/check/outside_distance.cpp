@@ -239,8 +239,9 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
     View view(cells_[static_cast<std::size_t>(cell)], faces, candidates);
     if (view.outside) return;
     measuredChild(cell, parent);
-    if (knownBound(cell) <= enough()) return;
-    queue.push({knownBound(cell), cell, views.size()});
+    const double bound = std::min(knownBound(cell), query.surface_bound + std::min(view.depth, query.depth));
+    if (bound <= enough()) return;
+    queue.push({bound, cell, views.size()});
     views.push_back(std::move(view));
   };
   look(0, -1, faces.all);
@@ -262,10 +263,9 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
         return result;
       }
     }
-    const double bound = std::min(open.bound, query.surface_bound + std::min(view.depth, query.depth));
-    if (bound <= enough() || (query.summits_only && !mayHoldSummit(open.cell))) continue;
+    if (open.bound <= enough() || (query.summits_only && !mayHoldSummit(open.cell))) continue;
     if (radius(cell) < query.resolution || !canDivide(open.cell)) {
-      result.bound = std::max(result.bound, bound);
+      result.bound = std::max(result.bound, open.bound);
       continue;
     }
     const int first = children(open.cell);

@@ -19,24 +19,15 @@ constexpr double kLooseGap = 16;  // of the first searches, in gaps of the last
 constexpr int kGlance = 20;       // halvings
 // Surfaces that the search does not close in on, as in the plane of an opening, keep the bound that so many halvings leave.
 constexpr int kMostHalvings = 2'000'000;
+// A bound of few gaps is worth no more than so many.
+constexpr int kPatience = 100'000;
+constexpr double kFewGaps = 12;
 
 /// Keeps the further of two places, and the larger of two bounds.
 void add(Protrusion& worst, const Protrusion& other) {
   const double bound = std::max({worst.bound, other.bound, other.found});
   if (other.found > worst.found) worst = other;
   worst.bound = bound;
-}
-
-/// The width [m] of a hull across that of its faces where it is least: a ball within is no wider.
-double leastWidth(const ConvexHull& hull) {
-  const HullSupport support(hull);
-  double least = std::numeric_limits<double>::infinity();
-  int last = 0;
-  for (const HalfSpace& face : hull.faces) {
-    last = support.furthest(-face.normal, last);
-    least = std::min(least, -face.distance(hull.vertices[static_cast<std::size_t>(last)]));
-  }
-  return least;
 }
 
 void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const Solid& solid, double gap, std::size_t spare,
@@ -97,6 +88,8 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
       query.floor = floor * (1 - 1e-9);
       query.gap = pass.gap * gap / 2;
       query.halvings = pass.halvings;
+      query.patience = kPatience;
+      query.low = kFewGaps * gap;
       if (each[i].hull >= 0 && each[i].bound <= floor + query.gap) return;
       Protrusion found = largestOnSurface(hulls[i], solid, query, control);
       found.hull = static_cast<int>(i);

@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "check/flat_sheets.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
 #include "geometry/own_axes.h"
 #include "geometry/pi.h"
@@ -203,18 +204,23 @@ std::vector<char> twoSided(const RepairedMesh& mesh, const Edges& edges) {
 
 struct Solid::Impl {
   explicit Impl(const RepairedMesh& mesh) : Impl(mesh, findEdges(mesh.mesh.triangles, mesh.mesh.vertices.size())) {}
-  Impl(const RepairedMesh& mesh, const Edges& edges)
-      : surface(std::make_shared<TriangleBvh>(withLoosePoints(mesh), twoSided(mesh, edges))),
+  Impl(const RepairedMesh& mesh, const Edges& edges) : Impl(mesh, edges, twoSided(mesh, edges)) {}
+  Impl(const RepairedMesh& mesh, const Edges& edges, std::vector<char> two_sided)
+      : surface(std::make_shared<TriangleBvh>(withLoosePoints(mesh), two_sided)),
         walls(mesh, rimOf(mesh, edges), surface),
         interior(interiorOf(mesh)),
         axes(ownAxes(mesh.mesh)),
         weld_distance(mesh.counts.weld_distance),
         component_points(pointsOfComponents(mesh)) {
-    const std::vector<char> all(mesh.mesh.triangles.size() + mesh.loose.size(), 1);
-    if (walls.inverted) surface = std::make_shared<TriangleBvh>(withLoosePoints(mesh), all);
+    if (walls.inverted) {
+      std::fill(two_sided.begin(), two_sided.end(), 1);
+      surface = std::make_shared<TriangleBvh>(withLoosePoints(mesh), two_sided);
+    }
+    sheets = std::make_unique<FlatSheets>(mesh, edges, two_sided);
   }
   std::shared_ptr<const TriangleBvh> surface;
   Walls walls;
+  std::unique_ptr<const FlatSheets> sheets;
   Interior interior;
   Eigen::Matrix3d axes;
   double weld_distance;
@@ -254,6 +260,9 @@ double Solid::volume() const {
 }
 Interior Solid::interior() const {
   return impl_->interior;
+}
+double Solid::heightAboveSheet(const std::array<Eigen::Vector3d, 3>& patch, const TriangleBvh::Nearest& near, double slack) const {
+  return impl_->sheets->bound(patch, near, slack);
 }
 const Eigen::Matrix3d& Solid::axes() const {
   return impl_->axes;

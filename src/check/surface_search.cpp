@@ -24,6 +24,7 @@ constexpr int kMostInARow = 4;   // divisions by planes, which may not make a pa
 constexpr double kLevel = 0.25;  // thresholds: a corner nearer to a plane lies in it
 constexpr double kSteep = 0.05;  // sine of the least angle between a patch and a plane that divides it
 constexpr double kLarge = 0.25;  // a triangle's size over the patch's: smaller ones are too many to divide along each
+constexpr double kSlack = 0.5;   // gaps: how far beyond a flat sheet a patch may reach and still count as above it
 constexpr double kLong = 40;     // thresholds: shorter patches are halved: planes would gain little
 
 /// A corner of patches, and the triangle of the solid's surface nearest to it.
@@ -60,6 +61,7 @@ class Search {
     }
     for (int step = 0; !queue_.empty() && queue_.top().bound > threshold() && best_.found <= query_.ceiling && step < query_.halvings;
          ++step) {
+      if (step >= query_.patience && queue_.top().bound <= query_.low) break;
       if (step % kStepsBetweenChecks == 0) control.check();
       halve();
     }
@@ -108,7 +110,8 @@ class Search {
       const TriangleBvh::Nearest n = solid_.surface().nearest(c, std::numeric_limits<double>::infinity(), patch.corner[0].triangle);
       const double outside = solid_.signedDistance(c, n.distance);
       if (outside > best_.found && outside > query_.floor) best_.found = outside, best_.where = c, best_.nearest = n.point;
-      patch.bound = std::min({patch.bound, std::max(0.0, outside + radius), levelBound(patch, n.triangle)});
+      patch.bound = std::min({patch.bound, std::max(0.0, outside + radius), levelBound(patch, n.triangle),
+                              solid_.heightAboveSheet({patch.corner[0].p, patch.corner[1].p, patch.corner[2].p}, n, kSlack * query_.gap)});
       if (patch.bound > threshold())
         patch.bound = std::min(patch.bound, solid_.surface().frontBound({patch.corner[0].p, patch.corner[1].p, patch.corner[2].p}, c,
                                                                         n.distance + 2 * radius, &patch.divider));

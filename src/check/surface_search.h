@@ -12,7 +12,9 @@ struct SurfaceQuery {
   double floor = 0;                                          ///< [m] distances up to here do not matter
   double gap = 0;                                            ///< [m] the bound may exceed max(found, floor) by this; > 0
   double ceiling = std::numeric_limits<double>::infinity();  ///< [m] the search ends when a larger distance is found
-  int halvings = std::numeric_limits<int>::max();            ///< of patches, then the search ends with what it has
+  int halvings = std::numeric_limits<int>::max();            ///< of patches, then the search ends with what it has,
+  int patience = std::numeric_limits<int>::max();            ///< or after so many
+  double low = 0;                                            ///< [m] where its bound is no more than this
   const OutsideDistance* known = nullptr;                    ///< what it knows of the solid settles patches
 };
 

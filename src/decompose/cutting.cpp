@@ -30,6 +30,7 @@ constexpr std::size_t kFinalists = 8;                        // planes that are 
 constexpr std::size_t kEdgesOfPiece = 4000;                  // a piece with fewer triangles shows its own reflex edges
 constexpr std::size_t kSome = 3000;                          // points of a piece whose hull is looked at before that of all
 constexpr std::size_t kThin = 300;                           // vertices of a hull that intruders are looked for in
+constexpr double kSlim = 0.01, kSmall = 0.01;                // tolerances, share of the area: of a side that is not worth a cut
 constexpr double kOnPlane = 1e-9;                            // in extents of the whole mesh
 constexpr int kHalveFrom = 40, kDeepest = 200;               // cuts above a piece: plain halving, the end
 constexpr std::size_t kApart = 1000, kShares = 16;           // triangles of a part, shares of all of them, that are worth a thread
@@ -111,6 +112,8 @@ class Cutting {
     const bool over_cap = clear && overCap(hull);
     const auto reduced = over_cap ? std::make_shared<const ConvexHull>(reduceVertices(hull, options_.max_vertices)) : nullptr;
     const bool fits = clear && oracle_.fits(reduced ? *reduced : hull);
+    fprintf(stderr, "D %d tri %zu pts %zu clear %d cap %d fits %d leaves %zu size %g hullv %zu\n", depth, block.surface.triangles.size(),
+            points.size(), clear, over_cap, fits, leaves.size(), boundingBox(block.surface).diagonal().norm(), hull.vertices.size());
     if (fits || is_last) return leaf({std::move(block), std::move(hull), fits ? reduced : nullptr});
     std::vector<Block> parts = components(block);
     if (parts.size() == 1) parts = over_cap || depth >= kHalveFrom ? halves(block, on_plane_) : bestCut(block, clear ? hull : thin);
@@ -149,9 +152,19 @@ class Cutting {
     if (planes.size() > kFinalists) planes = rough.best(planes, kFinalists);
     for (const HalfSpace& plane : fine.best(planes, kFinalists)) {
       std::vector<Block> parts = parted(block, plane, on_plane_);
-      if (parts.size() > 1) return parts;  // what divides the simplified piece may pass the real one by
+      if (parts.size() > 1 && !isPared(parts, plane)) return parts;  // what divides the simplified piece may pass the real one by
     }
     return halves(block, on_plane_);
+  }
+
+  /// Whether one side is so slim and small that nothing is gained: cut after cut, triangles would only become more.
+  bool isPared(const std::vector<Block>& sides, const HalfSpace& plane) const {
+    const auto slim = [&](const SurfacePiece& side) {
+      return std::all_of(side.vertices.begin(), side.vertices.end(),
+                         [&](const Eigen::Vector3d& v) { return std::abs(plane.distance(v)) < kSlim * oracle_.tolerance(); });
+    };
+    const double first = area(sides[0].surface), second = area(sides[1].surface);
+    return std::min(first, second) < kSmall * (first + second) && slim(sides[first < second ? 0 : 1].surface);
   }
 
   ProtrusionOracle& oracle_;

@@ -210,10 +210,12 @@ double concavity(const TriangleMesh& mesh, const std::vector<int>& triangles) {
   Patch s;
   for (int t : triangles) {
     const Patch next = measure.patch(t);
-    if (s.triangles.empty())
+    if (s.triangles.empty()) {
       s = next;
-    else
-      s = measure.unite(std::move(s), next, measure.ofUnion(s, next, 0, std::numeric_limits<double>::infinity()));
+      continue;
+    }
+    auto both = measure.ofUnion(s, next, 0, std::numeric_limits<double>::infinity());
+    s = measure.unite(std::move(s), next, std::move(both));
   }
   return s.concavity;
 }

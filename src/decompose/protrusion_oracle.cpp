@@ -178,17 +178,19 @@ Protrusion ProtrusionOracle::onSurface(const ConvexHull& hull) const {
 }
 
 bool ProtrusionOracle::concluded(const ConvexHull& hull, const Protrusion& on_surface) {
-  if (on_surface.found <= (1 - kReserve) * tolerance_) return !mayHoldPocket(hull);
+  if (on_surface.found <= (1 - kReserve) * tolerance_) return !mayHoldPocket(hull, on_surface.bound);
   remember(on_surface.where + kInward * (hull.vertices[0] - on_surface.where));
   return false;
 }
 
 /// Whether the middle of a pocket between surfaces may be further than anything on the hull's surface, and than the tolerance.
-bool ProtrusionOracle::mayHoldPocket(const ConvexHull& hull) {
+bool ProtrusionOracle::mayHoldPocket(const ConvexHull& hull, double surface_bound) {
   OutsideDistance::Query query;
   query.floor = query.ceiling = tolerance_;
   query.resolution = kPocketCell * tolerance_;
   query.summits_only = true;
+  query.surface_bound = surface_bound;
+  query.depth = leastWidth(hull) / 2;
   const OutsideDistance::Largest summit = outside_.largest(hull, query);
   if (summit.found > tolerance_) remember(summit.where);
   return summit.bound > tolerance_;

@@ -68,7 +68,7 @@ class ProtrusionOracle {
   bool fitsBeyond(const ConvexHull& hull) const;
   Protrusion onSurface(const ConvexHull& hull) const;
   bool concluded(const ConvexHull& hull, const Protrusion& on_surface);
-  bool mayHoldPocket(const ConvexHull& hull);
+  bool mayHoldPocket(const ConvexHull& hull, double surface_bound);
   double reachByOctree(const ConvexHull& hull, double resolution);  // no point is further; infinite: it holds an intruder
   void remember(const Eigen::Vector3d& intruder);
   double intrusion() const;

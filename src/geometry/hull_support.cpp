@@ -24,4 +24,15 @@ int HullSupport::furthest(const Eigen::Vector3d& direction, int start) const {
   return best;
 }
 
+double leastWidth(const ConvexHull& hull) {
+  const HullSupport support(hull);
+  double least = std::numeric_limits<double>::infinity();
+  int last = 0;
+  for (const HalfSpace& face : hull.faces) {
+    last = support.furthest(-face.normal, last);
+    least = std::min(least, -face.distance(hull.vertices[static_cast<std::size_t>(last)]));
+  }
+  return least;
+}
+
 }  // namespace collision_hulls

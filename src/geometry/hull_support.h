@@ -23,4 +23,7 @@ class HullSupport {
   std::vector<int> neighbours_;     // joined to it by a triangle's edge
 };
 
+/// The width [m] of a hull across that of its faces where it is least: a ball within is no wider.
+double leastWidth(const ConvexHull& hull);
+
 }  // namespace collision_hulls

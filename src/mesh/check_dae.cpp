@@ -126,7 +126,9 @@ class DaeCheck {
 
   /// `rest` begins with the text of a <p>. At anything but numbers Assimp would add indices until memory is used up.
   void checkIndices(std::string_view rest) const {
-    const std::size_t end = std::min(rest.find_first_not_of("-0123456789 \t\n\r"), rest.size());
+    const std::size_t end = std::min(rest.find_first_not_of("0123456789 \t\n\r"), rest.size());
+    if (rest.substr(end, 1) == "-")
+      throw Error(ErrorCode::kIndexOutOfRange, path_ + ": a <p> holds a number below 0, which is no index; export it again");
     if (rest.substr(end, 2) != "</") failNotAMesh(path_, "a <p> that holds something else than numbers");
   }
 

@@ -52,7 +52,7 @@ void checkFace(std::string_view line, std::size_t number, std::int64_t vertices,
 
 }  // namespace
 
-void checkOff(std::string_view bytes, const std::string& path, std::size_t max_triangles) {
+Announced checkOff(std::string_view bytes, const std::string& path, std::size_t max_triangles) {
   checkIsText(bytes, path);
   std::string_view rest = bytes;
   const Counts counts = readHeader(&rest, path);
@@ -70,6 +70,7 @@ void checkOff(std::string_view bytes, const std::string& path, std::size_t max_t
     if (line.size() > kLongestLine) failNotAMesh(path, lines.number(), "longer than " + std::to_string(kLongestLine) + " characters");
     if (i >= counts.vertices) checkFace(line, lines.number(), counts.vertices, path);
   }
+  return {static_cast<std::size_t>(counts.vertices), static_cast<std::size_t>(counts.faces)};
 }
 
 }  // namespace collision_hulls

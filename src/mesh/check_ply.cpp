@@ -43,11 +43,12 @@ class PlyCheck {
  public:
   PlyCheck(std::string_view bytes, const std::string& path) : lines_(bytes), path_(path) {}
 
-  void run(std::size_t max_triangles) {
+  Announced run(std::size_t max_triangles) {
     readHeader();
     checkElements(max_triangles);
     for (const Element& element : elements_)
       for (std::int64_t row = 0; row < element.rows; ++row) binary_ ? walkBinaryRow(element) : walkTextRow(element);
+    return {rowsOf("vertex"), rowsOf("face")};
   }
 
  private:
@@ -138,6 +139,13 @@ class PlyCheck {
     return count;
   }
 
+  std::size_t rowsOf(const char* name) const {
+    std::size_t rows = 0;
+    for (const Element& element : elements_)
+      if (element.name == name) rows += static_cast<std::size_t>(element.rows);
+    return rows;
+  }
+
   [[noreturn]] void failShort(const Element& element) const {
     failNotAMesh(path_, "ends within the " + std::to_string(element.rows) + " rows that it announces of element '" + element.name + "'");
   }
@@ -152,8 +160,8 @@ class PlyCheck {
 
 }  // namespace
 
-void checkPly(std::string_view bytes, const std::string& path, std::size_t max_triangles) {
-  PlyCheck(bytes, path).run(max_triangles);
+Announced checkPly(std::string_view bytes, const std::string& path, std::size_t max_triangles) {
+  return PlyCheck(bytes, path).run(max_triangles);
 }
 
 }  // namespace collision_hulls

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 #include "collision_hulls/error.h"
@@ -68,15 +69,31 @@ std::string readBytes(const std::string& path, std::uintmax_t max_bytes) {
   return bytes;
 }
 
-void checkSource(const std::string& bytes, const std::string& path, const std::string& extension, std::size_t max_triangles) {
+std::optional<Announced> checkSource(const std::string& bytes, const std::string& path, const std::string& extension,
+                                     std::size_t max_triangles) {
   if (bytes.empty()) throw Error(ErrorCode::kEmptyMesh, path + ": the file is empty (0 bytes); export the mesh again");
   if (bytes.compare(0, kLfsPointer.size(), kLfsPointer) == 0)
     throw Error(ErrorCode::kNotAMesh, path + ": is a pointer of Git LFS, not the mesh itself; fetch that with 'git lfs pull'");
   if (extension == ".stl") checkStl(bytes, path, max_triangles);
   if (extension == ".obj") checkObj(bytes, path);
-  if (extension == ".off") checkOff(bytes, path, max_triangles);
-  if (extension == ".ply") checkPly(bytes, path, max_triangles);
+  if (extension == ".off") return checkOff(bytes, path, max_triangles);
+  if (extension == ".ply") return checkPly(bytes, path, max_triangles);
   if (extension == ".dae") checkDae(bytes, path);
+  return std::nullopt;
+}
+
+/// Assimp counts rows otherwise where lines hold blanks alone, or where a PLY has elements before its vertices that it does not know.
+void expectAll(const Announced& announced, const aiScene& scene, const std::string& path) {
+  Announced read;
+  for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+    read.vertices += scene.mMeshes[i]->mNumVertices;
+    read.faces += scene.mMeshes[i]->mNumFaces;
+  }
+  if (read.vertices == announced.vertices && read.faces == announced.faces) return;
+  throw Error(ErrorCode::kNotAMesh,
+              path + ": announces " + std::to_string(announced.vertices) + " vertices and " + std::to_string(announced.faces) +
+                  " faces, but Assimp finds " + std::to_string(read.vertices) + " and " + std::to_string(read.faces) +
+                  "; remove lines that hold blanks alone and elements other than vertices and faces, or export it again");
 }
 
 /// Shows Assimp one file and nothing else: materials and textures play no part, so a missing or hostile one does no harm.
@@ -306,11 +323,12 @@ LoadedMesh readMesh(const std::string& path, const MeshLimits& limits, const Run
   checkExtension(path, extension);
   std::string bytes = readBytes(path, limits.max_bytes);
   control.check();
-  checkSource(bytes, path, extension, limits.max_triangles);
+  const std::optional<Announced> announced = checkSource(bytes, path, extension, limits.max_triangles);
   if (extension == ".stl" && isBinaryStl(bytes)) return readBinaryStl(bytes, path, control);
   if (extension == ".obj" || extension == ".off") bytes += '\n';  // Assimp loses a last line that does not end
   Assimp::Importer importer;
   const aiScene* scene = import(&importer, bytes, path, extension, control);
+  if (announced) expectAll(*announced, *scene, path);
   return SceneReader(*scene, path, limits.max_triangles, control).read();
 }
 

@@ -10,12 +10,17 @@
 
 namespace collision_hulls {
 
+/// What a file announces, which Assimp has to find.
+struct Announced {
+  std::size_t vertices = 0, faces = 0;
+};
+
 /// Each takes the bytes of a file, and the file's name for the message; `max_triangles` bounds what the file announces.
 /// Throws kNotAMesh, kEmptyMesh, kIndexOutOfRange or kTooLarge.
 void checkStl(std::string_view bytes, const std::string& path, std::size_t max_triangles);
 void checkObj(std::string_view bytes, const std::string& path);
-void checkOff(std::string_view bytes, const std::string& path, std::size_t max_triangles);
-void checkPly(std::string_view bytes, const std::string& path, std::size_t max_triangles);
+Announced checkOff(std::string_view bytes, const std::string& path, std::size_t max_triangles);
+Announced checkPly(std::string_view bytes, const std::string& path, std::size_t max_triangles);
 void checkDae(std::string_view bytes, const std::string& path);
 
 /// Whether a file's size is that of a binary STL with as many triangles as it announces.

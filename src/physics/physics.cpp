@@ -70,7 +70,11 @@ class Drops {
     if (!original) {
       const JobOutcome made = makeHulls(contender, *start.diagonal);
       if (!made.ok()) return take(failed(start, made));
-      start.hulls = readHullObjects(runner_.file("hulls.obj")).size();
+      try {
+        start.hulls = readHullObjects(runner_.file("hulls.obj")).size();
+      } catch (const Error& error) {
+        return take(failed(start, {"error", error.what()}));
+      }
     }
     for (const Way way : {Way::kConvex, Way::kMesh}) {
       if (original && way == Way::kConvex) continue;

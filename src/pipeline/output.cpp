@@ -47,7 +47,7 @@ void refuseForeign(const fs::path& folder) {
   if (!known) {
     throw Error(ErrorCode::kNotOurOutput,
                 "'" + folder.string() +
-                    "' holds something else than an earlier output (it has no report.json of collision_hulls) and "
+                    "' holds something else than an earlier output (it has no report.json of this collision_hulls) and "
                     "is left alone; choose another output, or remove it yourself");
   }
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error)) {

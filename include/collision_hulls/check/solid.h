@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -28,6 +29,9 @@ class Solid {
   /// [m] No point within `radius` of one at this signedDistance() has a larger distance(). Near openings a step out of the ball may lead
   /// to the far side of a border that is no surface, where the nearest wall counts.
   double distanceWithin(double radius, double signed_distance, double to_surface) const;
+  /// [m] No point of a patch is further from the surface: where it lies over one flat part of a sheet, and no more than `slack` [m]
+  /// beyond, its height above that and the slack, else infinite. `near`: the point of the surface nearest to one of the patch.
+  double heightAboveSheet(const std::array<Eigen::Vector3d, 3>& patch, const TriangleBvh::Nearest& near, double slack) const;
   bool hasOpenings() const;  ///< whether S has borders that are no surface: distance() then jumps where they are crossed
   double volume() const;     ///< [m^3] of the components that have an inside (sum)
   Interior interior() const;

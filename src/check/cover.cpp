@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -262,45 +263,63 @@ bool holds(const ConvexHull& hull, const Eigen::Vector3d& p) {
   return std::none_of(hull.faces.begin(), hull.faces.end(), [&](const HalfSpace& face) { return face.distance(p) > 0; });
 }
 
-/// Calls visit(p, whether a hull holds it) for points spread evenly over the box of the hulls, which it returns, from many threads.
-template <class Visit>
-Eigen::AlignedBox3d sample(const std::vector<ConvexHull>& hulls, int count, Visit visit) {
-  // Points of the R3 sequence (fractional parts of multiples of the plastic number's powers) spread more evenly than random ones.
-  const Eigen::Vector3d step(0.8191725133961645, 0.6710436067037893, 0.5497004779019703);
+constexpr double kSamples = 20000;
+constexpr std::size_t kLeastSamples = 50;     // of a hull,
+constexpr std::size_t kTriesPerSample = 200;  // as many of its box may lie beside it
+
+/// The next points of the R3 sequence (fractional parts of multiples of the plastic number's powers), which spread more evenly over the
+/// unit cube than random ones.
+Eigen::Vector3d spread(std::size_t i) {
+  const Eigen::Vector3d u = (static_cast<double>(i) + 0.5) * Eigen::Vector3d(0.8191725133961645, 0.6710436067037893, 0.5497004779019703);
+  return u - u.array().floor().matrix();
+}
+
+}  // namespace
+
+double unionVolume(const std::vector<ConvexHull>& hulls) {
+  if (hulls.size() == 1) return volume(hulls[0]);
+  double all = 0;
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const ConvexHull& hull : hulls) {
+    boxes.push_back(boundingBox(hull));
+    all += volume(hull);
+  }
+  // What a hull shares with others counts for each of them by its part.
+  std::vector<double> own(hulls.size(), 0);
+  forEach(hulls.size(), [&](std::size_t h) {
+    const double mine = volume(hulls[h]);
+    const std::size_t wanted = std::max(kLeastSamples, static_cast<std::size_t>(all > 0 ? kSamples * mine / all : 0));
+    const std::size_t most = kTriesPerSample * wanted;
+    std::size_t inside = 0;
+    double parts = 0;
+    for (std::size_t i = 0; inside < wanted && i < most; ++i) {
+      const Eigen::Vector3d p = boxes[h].min() + boxes[h].sizes().cwiseProduct(spread(i));
+      if (!holds(hulls[h], p)) continue;
+      ++inside;
+      std::size_t holders = 1;
+      for (std::size_t o = 0; o < hulls.size(); ++o) holders += o != h && boxes[o].contains(p) && holds(hulls[o], p);
+      parts += 1 / static_cast<double>(holders);
+    }
+    own[h] = inside > 0 ? mine * parts / static_cast<double>(inside) : mine;
+  });
+  return std::accumulate(own.begin(), own.end(), 0.0);
+}
+
+double coveredShare(const std::vector<ConvexHull>& hulls, const Solid& solid) {
   Eigen::AlignedBox3d all;
   std::vector<Eigen::AlignedBox3d> boxes;
   for (const ConvexHull& hull : hulls) {
     boxes.push_back(boundingBox(hull));
     all.extend(boxes.back());
   }
-  if (all.isEmpty()) return all;
-  forEach(static_cast<std::size_t>(count), [&](std::size_t i) {
-    Eigen::Vector3d u = (static_cast<double>(i) + 0.5) * step;
-    u -= u.array().floor().matrix();
-    const Eigen::Vector3d p = all.min() + all.sizes().cwiseProduct(u);
-    bool held = false;
-    for (std::size_t h = 0; h < hulls.size() && !held; ++h) held = boxes[h].contains(p) && holds(hulls[h], p);
-    visit(p, held);
-  });
-  return all;
-}
-
-constexpr int kSamples = 20000;
-
-}  // namespace
-
-double unionVolume(const std::vector<ConvexHull>& hulls) {
-  if (hulls.size() == 1) return volume(hulls[0]);
-  std::atomic<int> held{0};
-  const Eigen::AlignedBox3d box = sample(hulls, kSamples, [&](const Eigen::Vector3d&, bool is_held) { held += is_held; });
-  return box.isEmpty() ? 0 : box.volume() * held / kSamples;
-}
-
-double coveredShare(const std::vector<ConvexHull>& hulls, const Solid& solid) {
+  if (all.isEmpty()) return 1;
   std::atomic<int> inside{0}, held{0};
-  sample(hulls, kSamples, [&](const Eigen::Vector3d& p, bool is_held) {
+  forEach(static_cast<std::size_t>(kSamples), [&](std::size_t i) {
+    const Eigen::Vector3d p = all.min() + all.sizes().cwiseProduct(spread(i));
     if (!solid.contains(p)) return;
     ++inside;
+    bool is_held = false;
+    for (std::size_t h = 0; h < hulls.size() && !is_held; ++h) is_held = boxes[h].contains(p) && holds(hulls[h], p);
     held += is_held;
   });
   return inside == 0 ? 1 : static_cast<double>(held) / inside;

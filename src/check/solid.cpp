@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -15,6 +16,7 @@
 #include "geometry/pi.h"
 #include "mesh/edges.h"
 #include "mesh/loose_points.h"
+#include "parallel.h"
 
 namespace collision_hulls {
 
@@ -127,7 +129,7 @@ double lengthOf(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
 }
 
 // How many triangles' outer sides are looked at for a winding number below zero.
-constexpr std::size_t kMostProbes = 2000;
+constexpr std::size_t kMostProbes = 5000;
 constexpr double kProbeStep = 1e-3;  // off the triangle, in lengths of its shortest altitude or so
 
 constexpr double kInside = 0.5;  // winding numbers above are those of points inside
@@ -167,15 +169,16 @@ struct Walls {
   /// Whether some region is enclosed inside out: then a triangle's back may face the outside.
   bool hasInvertedRegion(const TriangleMesh& walls) const {
     const std::size_t n = walls.triangles.size(), stride = std::max<std::size_t>(1, n / kMostProbes);
-    for (std::size_t t = 0; t < n; t += stride) {
-      const int i = static_cast<int>(t);
+    std::atomic<bool> found{false};
+    forEach((n + stride - 1) / stride, [&](std::size_t probe_number) {
+      const int i = static_cast<int>(stride * probe_number);
       const Eigen::Vector3d &a = walls.corner(i, 0), &b = walls.corner(i, 1), &c = walls.corner(i, 2);
       const Eigen::Vector3d normal = (b - a).cross(c - a);
-      if (!(normal.norm() > 0)) continue;
+      if (found || !(normal.norm() > 0)) return;
       const Eigen::Vector3d probe = (a + b + c) / 3 + normal.normalized() * (kProbeStep * std::sqrt(normal.norm()));
-      if (windingNumber(probe) < -0.5) return true;
-    }
-    return false;
+      if (windingNumber(probe) < -0.5) found = true;
+    });
+    return found;
   }
 
   std::shared_ptr<const TriangleBvh> closed;

@@ -33,6 +33,7 @@ constexpr std::size_t kThin = 300;                           // vertices of a hu
 constexpr double kSlim = 0.01, kSmall = 0.01;                // tolerances, share of the area: of a side that is not worth a cut
 constexpr double kOnPlane = 1e-9;                            // in extents of the whole mesh
 constexpr int kHalveFrom = 40, kDeepest = 200;               // cuts above a piece: plain halving, the end
+constexpr double kMostLeaves = 10'000;                       // of a mesh; parts have shares of it by their area
 constexpr std::size_t kApart = 1000, kShares = 16;           // triangles of a part, shares of all of them, that are worth a thread
 
 using Intruders = std::vector<OutsideDistance::Intruder>;
@@ -48,6 +49,12 @@ std::vector<Eigen::Vector3d> some(const std::vector<Eigen::Vector3d>& points) {
 std::size_t trianglesOf(const std::vector<Block>& blocks) {
   std::size_t sum = 0;
   for (const Block& block : blocks) sum += block.surface.triangles.size();
+  return sum;
+}
+
+double areaOf(const std::vector<Block>& blocks) {
+  double sum = 0;
+  for (const Block& block : blocks) sum += area(block.surface);
   return sum;
 }
 
@@ -76,8 +83,8 @@ class Done {
 
 class Cutting {
  public:
-  Cutting(ProtrusionOracle& oracle, const CutOptions& options, double on_plane, std::size_t apart, Done& done)
-      : oracle_(oracle), options_(options), on_plane_(on_plane), apart_(apart), done_(done) {}
+  Cutting(ProtrusionOracle& oracle, const CutOptions& options, double on_plane, std::size_t apart, double budget, Done& done)
+      : oracle_(oracle), options_(options), on_plane_(on_plane), apart_(apart), budget_(budget), done_(done) {}
 
   /// Large blocks at the same time, half of them by an oracle of their own: always the same ones, so that the number of threads decides
   /// nothing.
@@ -91,9 +98,13 @@ class Cutting {
       return run(std::move(others), depth);
     }
     ProtrusionOracle oracle = oracle_.forPart(boxOf(others));
-    Cutting beside(oracle, options_, on_plane_, apart_, done_);
+    const double mine = areaOf(blocks), theirs = areaOf(others), left = budget_ - static_cast<double>(leaves.size());
+    const double share = mine + theirs > 0 ? left * theirs / (mine + theirs) : left / 2;
+    Cutting beside(oracle, options_, on_plane_, apart_, share, done_);
+    budget_ -= share;
     atOnce([&] { run(std::move(blocks), depth); }, [&] { beside.run(std::move(others), depth); });
     oracle_.learn(oracle);
+    budget_ += share;
     leaves.insert(leaves.end(), std::make_move_iterator(beside.leaves.begin()), std::make_move_iterator(beside.leaves.end()));
   }
 
@@ -104,7 +115,7 @@ class Cutting {
     const std::vector<Eigen::Vector3d>& points = block.surface.vertices;
     ConvexHull hull = roughHull(some(points));  // a part of the piece's own: what refutes it refutes that
     const ConvexHull thin = thinned(hull, kThin);
-    const bool clear = oracle_.mayWellFit(thin), is_last = depth >= kDeepest || leaves.size() >= options_.most_leaves;
+    const bool clear = oracle_.mayWellFit(thin), is_last = depth >= kDeepest || isFull();
     const auto complete = [&] {
       if (points.size() > kSome) hull = roughHull(points);
     };
@@ -112,8 +123,6 @@ class Cutting {
     const bool over_cap = clear && overCap(hull);
     const auto reduced = over_cap ? std::make_shared<const ConvexHull>(reduceVertices(hull, options_.max_vertices)) : nullptr;
     const bool fits = clear && oracle_.fits(reduced ? *reduced : hull);
-    fprintf(stderr, "D %d tri %zu pts %zu clear %d cap %d fits %d leaves %zu size %g hullv %zu\n", depth, block.surface.triangles.size(),
-            points.size(), clear, over_cap, fits, leaves.size(), boundingBox(block.surface).diagonal().norm(), hull.vertices.size());
     if (fits || is_last) return leaf({std::move(block), std::move(hull), fits ? reduced : nullptr});
     std::vector<Block> parts = components(block);
     if (parts.size() == 1) parts = over_cap || depth >= kHalveFrom ? halves(block, on_plane_) : bestCut(block, clear ? hull : thin);
@@ -124,6 +133,8 @@ class Cutting {
     block = {};
     run(std::move(parts), depth + 1);
   }
+
+  bool isFull() const { return leaves.size() >= options_.most_leaves || static_cast<double>(leaves.size()) >= budget_; }
 
   void leaf(Leaf leaf) {
     done_.add(area(leaf.block.surface));
@@ -171,6 +182,7 @@ class Cutting {
   const CutOptions options_;
   const double on_plane_;
   const std::size_t apart_;  // triangles
+  double budget_;            // leaves
   Done& done_;
 };
 
@@ -181,7 +193,7 @@ std::vector<Leaf> cutIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& orac
   SurfacePiece whole = withLoosePoints(mesh);
   Done done(area(whole), progress);
   Cutting cutting(oracle, options, kOnPlane * boundingBox(whole).sizes().maxCoeff(), std::max(kApart, whole.triangles.size() / kShares),
-                  done);
+                  kMostLeaves, done);
   const Region region = options.fill ? Region(boundingBox(whole), oracle.solid()) : Region();
   std::vector<Block> blocks;
   blocks.push_back({std::move(whole), region});

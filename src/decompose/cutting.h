@@ -17,7 +17,7 @@ struct CutOptions {
   int max_vertices = 0;             ///< of a leaf's hull, which has to fit also when reduced to so many; 0: no cap
   bool fill = false;                ///< cover the solid, not its surface alone
   bool largest_side_first = false;  ///< by largestSide() where it finds one, whatever other planes score
-  std::size_t most_leaves = 5000;   ///< about; beyond them the rest is left uncut
+  std::size_t most_leaves = 5000;   ///< of a part that is cut on its own; beyond them the rest is left uncut
 };
 
 /// A block and the hull of its points.

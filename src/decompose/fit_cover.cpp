@@ -133,6 +133,7 @@ double roundingOf(const ConvexHull& hull) {
 struct Rounded {
   ConvexHull hull;
   double nudge = 0;
+  double blunted = 0;  // [m] see FittedHulls
 };
 std::optional<Rounded> roundOutward(const ConvexHull& hull, const Points& held, double margin, double mitre_limit, int max_vertices) {
   Growth growth{margin + roundingOf(hull), mitre_limit};
@@ -177,11 +178,14 @@ Rounded roundOutward(const ConvexHull& hull, double margin, int max_vertices) {
     const double added = result ? addedDistance(result->hull, hull) : least;
     if (added < least) least = added, best = std::move(result);
   }
-  if (best) return *std::move(best);
-  if (const auto result = attempt(hull, kLooseMitreLimit)) return *result;
-  const ConvexHull box = orientedBox(hull);
+  if (!best) best = attempt(hull, kLooseMitreLimit);
+  const ConvexHull box = best ? ConvexHull() : orientedBox(hull);
   for (const double mitre_limit : {kMitreLimit, kLooseMitreLimit})
-    if (const auto result = attempt(box, mitre_limit)) return *result;
+    if (!best) best = attempt(box, mitre_limit);
+  if (best) {
+    best->blunted = addedDistance(best->hull, hull);
+    return *std::move(best);
+  }
   throw Error(ErrorCode::kInternal, "a hull of " + std::to_string(hull.vertices.size()) + " vertices about " +
                                         std::to_string(hull.vertices.front().x()) + " m cannot be rounded outward to single precision");
 }
@@ -214,6 +218,7 @@ FittedHulls fitCover(const std::vector<ConvexHull>& hulls, const TriangleMesh& o
     const Rounded rounded = roundOutward(capped(hull, max_vertices), margin, max_vertices);
     fitted.hulls.push_back(rounded.hull);
     fitted.nudge = std::max(fitted.nudge, rounded.nudge);
+    fitted.blunted = std::max(fitted.blunted, rounded.blunted);
   }
   for (int i = 0; i < kRounds; ++i) {
     const std::vector<UncoveredTriangle> missing = uncoveredTriangles(original, fitted.hulls, control);

@@ -48,7 +48,7 @@ class PlyCheck {
     checkElements(max_triangles);
     for (const Element& element : elements_)
       for (std::int64_t row = 0; row < element.rows; ++row) binary_ ? walkBinaryRow(element) : walkTextRow(element);
-    return {rowsOf("vertex"), rowsOf("face")};
+    return {rowsOf("vertex"), rowsOf("face") - empty_faces_};
   }
 
  private:
@@ -112,10 +112,12 @@ class PlyCheck {
   void walkTextRow(const Element& element) {
     std::string_view line;
     if (!lines_.next(&line)) failShort(element);
+    if (lines_.passedBlanks()) failNotAMesh(path_, lines_.number(), "a line before it holds blanks alone, which Assimp takes for a row");
     for (const Property& property : element.properties) {
       std::int64_t values = 1;
       if (property.count_bytes > 0 && (!parseInteger(nextWord(&line), &values) || values < 0))
         failNotAMesh(path_, lines_.number(), "a list begins with its number of values");
+      countEmpty(element, property, values == 0);
       for (; values > 0; --values)
         if (nextWord(&line).empty()) failNotAMesh(path_, lines_.number(), "too few values for element '" + element.name + "'");
     }
@@ -125,9 +127,14 @@ class PlyCheck {
     for (const Property& property : element.properties) {
       std::uint64_t values = 1;
       if (property.count_bytes > 0) values = takeCount(element, property.count_bytes);
+      countEmpty(element, property, values == 0);
       if (values > data_.size() / property.bytes) failShort(element);
       data_.remove_prefix(values * property.bytes);
     }
+  }
+
+  void countEmpty(const Element& element, const Property& list, bool is_empty) {
+    if (is_empty && element.name == "face" && (list.name == "vertex_indices" || list.name == "vertex_index")) ++empty_faces_;
   }
 
   /// The unsigned integer at the front of the data; a negative count is too large for any file.
@@ -155,6 +162,7 @@ class PlyCheck {
   bool binary_ = false;
   bool big_endian_ = false;
   std::vector<Element> elements_;
+  std::size_t empty_faces_ = 0;
   std::string_view data_;  // of a binary file, from the current value on
 };
 

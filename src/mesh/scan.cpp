@@ -12,6 +12,7 @@ constexpr std::string_view kBlanks = " \t\n\r\f";
 }  // namespace
 
 bool LineScanner::next(std::string_view* line) {
+  passed_blanks_ = false;
   while (!rest_.empty()) {
     const std::size_t length = std::min(rest_.find_first_of(kLineEnds), rest_.size());
     *line = rest_.substr(0, length);
@@ -19,6 +20,7 @@ bool LineScanner::next(std::string_view* line) {
     const bool pair = rest_.substr(length, 2) == "\r\n";
     rest_.remove_prefix(std::min(length + (pair ? 2 : 1), rest_.size()));
     if (line->find_first_not_of(kBlanks) != std::string_view::npos) return true;
+    passed_blanks_ = passed_blanks_ || !line->empty();
   }
   return false;
 }

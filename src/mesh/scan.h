@@ -21,11 +21,14 @@ class LineScanner {
 
   std::size_t number() const { return number_; }   ///< of the line that next() gave
   std::string_view rest() const { return rest_; }  ///< what follows that line
+  /// Whether a line before that one, that next() went past, holds blanks alone, which readers may count: not one that holds nothing.
+  bool passedBlanks() const { return passed_blanks_; }
 
  private:
   std::string_view rest_;
   std::size_t number_ = 0;
   std::size_t next_number_;
+  bool passed_blanks_ = false;
 };
 
 /// Takes the next word off the front of `rest`; empty if there is none. Blanks part words, and line ends too.

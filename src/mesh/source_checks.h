@@ -12,7 +12,7 @@ namespace collision_hulls {
 
 /// What a file announces, which Assimp has to find.
 struct Announced {
-  std::size_t vertices = 0, faces = 0;
+  std::size_t vertices = 0, faces = 0;  // with corners
 };
 
 /// Each takes the bytes of a file, and the file's name for the message; `max_triangles` bounds what the file announces.

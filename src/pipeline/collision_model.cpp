@@ -1,5 +1,7 @@
 #include "pipeline/collision_model.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -121,11 +123,24 @@ void nameHullFiles(RobotResult& result) {
   }
 }
 
+/// Meshes in millimetres are taken to be in metres where nothing says otherwise.
+void noteHugeMeshes(Report& report) {
+  constexpr double kHuge = 20;  // [m]
+  const auto is_huge = [](const ElementReport& row) { return row.diagonal > kHuge; };
+  const auto first = std::find_if(report.links.begin(), report.links.end(), is_huge);
+  if (first == report.links.end()) return;
+  const auto others = std::count_if(first, report.links.end(), is_huge) - 1;
+  report.notes.push_back("'" + first->uri + "' is " + std::to_string(std::lround(first->diagonal)) + " m across" +
+                         (others > 0 ? ", and " + std::to_string(others) + " others are over 20 m" : "") +
+                         ": if its numbers are millimetres, scale it by 0.001 (scale=\"0.001 0.001 0.001\" in a description)");
+}
+
 }  // namespace
 
 void reportElements(RobotResult& result) {
   nameHullFiles(result);
   for (const ElementResult& element : result.elements) result.report.links.push_back(element.report);
+  noteHugeMeshes(result.report);
 }
 
 std::string outputPackage(const std::string& robot_name) {

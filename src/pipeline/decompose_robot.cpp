@@ -24,25 +24,27 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kDecomposeShare = 0.7;  // of an element's time, about
+constexpr double kMuch = 0.1;            // of the protrusion, that blunt hulls are the cause of
 
 /// Why hulls reach further than the caller accepts, and what to do about it.
-std::string excuse(const Options& options, bool capped) {
+std::string excuse(const Options& options, const MeshHulls& made) {
   if (options.method == Method::kSingleHull || options.method == Method::kBoundingBox)
     return std::string(name(options.method)) + " pays no heed to the tolerance; another method does";
-  if (capped) {
-    return "the caps (max-hulls " + std::to_string(options.max_hulls) + ", max-vertices " + std::to_string(options.max_vertices) +
-           ") made the hulls coarser; raise them";
-  }
   if (options.method == Method::kHacd) {
     return "hacd goes by a concavity measured along rays, which does not bound the protrusion; a smaller tolerance gives more hulls";
   }
   if (options.method == Method::kAcd) {
     return "acd goes by a concavity measured at reflex edges, which does not bound the protrusion; a smaller tolerance gives more hulls";
   }
+  const std::string vertices = "max-vertices " + std::to_string(options.max_vertices);
+  if (made.capped)
+    return "the caps (max-hulls " + std::to_string(options.max_hulls) + ", " + vertices + ") made the hulls coarser; raise them";
+  if (made.blunted > kMuch * made.protrusion.bound)
+    return "thin hulls of so few vertices (" + vertices + ") reach up to " + millimetres(made.blunted) + " further; raise that cap";
   return "the surface has details there that no plane divided; mend the mesh or accept it";
 }
 
-void grade(ElementReport& row, const Options& options, bool capped) {
+void grade(ElementReport& row, const Options& options, const MeshHulls& made) {
   if (row.uncovered > 0) {
     throw Error(ErrorCode::kInternal, "the hulls leave the surface uncovered by up to " + millimetres(row.uncovered) +
                                           ", where 0 is the limit; please report the mesh '" + row.uri + "'");
@@ -50,7 +52,7 @@ void grade(ElementReport& row, const Options& options, bool capped) {
   if (row.protrusion <= row.tolerance) return;
   row.status = Status::kDegraded;
   row.reason = "the hulls protrude by up to " + millimetres(row.protrusion) + ", more than the tolerance of " + millimetres(row.tolerance) +
-               ": " + excuse(options, capped);
+               ": " + excuse(options, made);
 }
 
 /// The stages for one mesh. Fills report, original and hulls of `element`, whose row says which scale it has.
@@ -88,7 +90,7 @@ void decomposeElement(const MeshTask& mesh, const Options& options, Cache& cache
   describe(element);
   row.seconds.certify += stage.lap();
 
-  grade(row, options, made.capped);
+  grade(row, options, made);
 }
 
 /// What an earlier run made of the mesh; false where there was none.
@@ -153,8 +155,10 @@ void decomposeElements(RobotResult& result, const UriResolver& resolve, const Ru
     // 1 to 4, each mesh once.
     forEachInTurn(tasks.size(), [&](std::size_t i) { decomposeTask(tasks[i], i, options, cache, progress, elements); });
     // 5. Validate: by queries, original against hulls.
-    if (options.validate) validateOrRemember(result, tasks, cache, progress);
-    progress.validated();
+    if (options.validate) {
+      validateOrRemember(result, tasks, cache, progress);
+      progress.validated();
+    }
   });
   cache.trim();
   result.report.notes = cache.notes();

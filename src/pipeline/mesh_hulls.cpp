@@ -79,7 +79,7 @@ MeshHulls meshHulls(const MeshSource& source, const DecomposeOptions& options, S
     const Decomposition parts = tree ? hullsFrom(*tree, aim) : decompose(source.repaired, aim, decomposing);
     FittedHulls fitted = fitCover(parts.hulls, source.original, source.margin, options.max_vertices, decomposing);
     seconds.decompose += stage.lap();
-    MeshHulls result{std::move(fitted.hulls), {}, fitted.nudge, 0, parts.capped};
+    MeshHulls result{std::move(fitted.hulls), {}, fitted.nudge, 0, parts.capped, fitted.blunted};
     result.protrusion = certificate(result.hulls, source.solid, source.margin, options.tolerance, certifying);
     for (const ConvexHull& hull : parts.hulls) result.thickness = std::max(result.thickness, hull.thickness);
     seconds.certify += stage.lap();

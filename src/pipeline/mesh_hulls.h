@@ -26,6 +26,7 @@ struct MeshHulls {
   double nudge = 0;               ///< [m] see ElementReport
   double thickness = 0;           ///< [m]
   bool capped = false;            ///< caps made the hulls coarser
+  double blunted = 0;             ///< [m] see FittedHulls
 };
 
 /// The hulls' protrusion with the margin in its bound, of which the gap to what was found is kCertificateGap of the tolerance at most; less

@@ -4,13 +4,17 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <set>
 #include <sstream>
 
+#include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
+#include "robot/text_file.h"
 #include "robot/xml_spans.h"
+#include "robot/xml_tree.h"
 
 namespace fs = std::filesystem;
 
@@ -147,6 +151,31 @@ PackageFinder defaultPackageFinder(const std::string& near) {
   return [search](const std::string& package) { return search->find(package); };
 }
 
+namespace {
+
+constexpr const char* kXacro = "xacro:";
+
+/// Whether an element of a xacro file makes a part of a robot: it is a link, or a call of a macro.
+bool makesParts(const XmlNode& element) {
+  static const std::set<std::string> others{"xacro:include", "xacro:macro", "xacro:property", "xacro:arg", "xacro:insert_block"};
+  if (element.name == "xacro:if" || element.name == "xacro:unless")
+    return std::any_of(element.children.begin(), element.children.end(), makesParts);
+  return element.name == "link" || (element.name.rfind(kXacro, 0) == 0 && others.count(element.name) == 0);
+}
+
+/// False for a xacro file of macros and properties that others include. What cannot be read is for the reader to complain about.
+bool isDescription(const std::string& file) {
+  if (fs::path(file).extension() != ".xacro") return true;
+  try {
+    const XmlNode root = parseXml(readTextFile(file, ".xacro file"), "'" + file + "'");
+    return std::any_of(root.children.begin(), root.children.end(), makesParts);
+  } catch (const Error&) {
+    return true;
+  }
+}
+
+}  // namespace
+
 std::vector<std::string> robotDescriptionsIn(const std::string& package_folder) {
   std::vector<std::string> found;
   for (const char* extension : {".urdf", ".xacro"}) {
@@ -156,7 +185,9 @@ std::vector<std::string> robotDescriptionsIn(const std::string& package_folder) 
       }
     }
   }
-  return found;
+  std::vector<std::string> descriptions;
+  std::copy_if(found.begin(), found.end(), std::back_inserter(descriptions), isDescription);
+  return descriptions.empty() ? found : descriptions;
 }
 
 }  // namespace collision_hulls

@@ -151,11 +151,17 @@ TEST(Uncovered, MoreHullsNeverUncover) {
   }
 }
 
-TEST(UnionVolume, WithinAHundredthOfTheBox) {
+TEST(UnionVolume, OfHullsThatShareSome) {
   EXPECT_EQ(unionVolume({}), 0);
   EXPECT_NEAR(unionVolume({boxHull({0, 0, 0}, {1, 2, 3})}), 6, 0.06);
   EXPECT_NEAR(unionVolume({boxHull({0, 0, 0}, {1, 1, 1}), boxHull({0.5, 0, 0}, {1.5, 1, 1})}), 1.5, 0.015);
-  EXPECT_NEAR(unionVolume({boxHull({0, 0, 0}, {1, 1, 1}), boxHull({1, 1, 1}, {2, 2, 2})}), 2, 0.08);
+  EXPECT_NEAR(unionVolume({boxHull({0, 0, 0}, {1, 1, 1}), boxHull({1, 1, 1}, {2, 2, 2})}), 2, 1e-9);
+}
+
+TEST(UnionVolume, OfThinHullsFarApart) {
+  const ConvexHull rod = boxHull({0, 0, 0}, {1, 1e-3, 1e-3}), other = boxHull({0, 5, 5}, {1, 5 + 1e-3, 5 + 1e-3});
+  EXPECT_NEAR(unionVolume({rod, other}), 2e-6, 1e-12);
+  EXPECT_NEAR(unionVolume({rod, rod, other, other}), 2e-6, 1e-12);
 }
 
 TEST(CoveredShare, OfABlock) {

@@ -145,6 +145,8 @@ TEST(ReadMeshError, IndexOutOfRange) {
   std::string beyond = dae("", kTwoTriangles, kPlainNode);
   beyond.replace(beyond.find("count=\"5\""), 9, "count=\"6\"");
   expectError(ErrorCode::kIndexOutOfRange, "reaches to value 18 of the array 'array', which has 15", "a.dae", beyond);
+  expectError(ErrorCode::kIndexOutOfRange, "below 0", "b.dae",
+              dae("", "<triangles count=\"1\">" + kVertexInput + "<p>0 -1 2</p></triangles>", kPlainNode));
 }
 
 TEST(ReadMeshError, TooFarFromOrigin) {
@@ -186,6 +188,16 @@ TEST(ReadMeshTrust, OffThatAnnouncesMoreThanItHas) {
               {1 << 20, std::size_t{5'000'000'000}});
   expectError(ErrorCode::kNotAMesh, "line 8: a face line begins with its number of corners, from 1 to 9", "ten.off",
               "OFF\n5 1 0\n" + kOffCorners + "10 0 1 2 3 0 1 2 3 0 1\n");
+}
+
+TEST(ReadMeshTrust, RowsThatAssimpCountsOtherwise) {
+  const std::string faces = "3 0 1 2\n3 0 2 3\n3 0 1 4\n", blanks = "  \n";
+  expectError(ErrorCode::kNotAMesh, "3 faces, but Assimp finds", "blank.off", "OFF\n5 3 0\n" + kOffCorners + blanks + faces);
+  expectError(ErrorCode::kNotAMesh, "line 17: a line before it holds blanks alone", "blank.ply", plyHeader("ascii", 5, 3) + kOffCorners + blanks + faces);
+  EXPECT_EQ(read("empty.off", "OFF\n5 3 0\n" + kOffCorners + "\n" + faces).mesh.triangles.size(), 3u) << "a line of nothing does no harm";
+  std::string camera = plyHeader("ascii", 5, 3);
+  camera.insert(camera.find("element vertex"), "element camera 1\nproperty float a\nproperty float b\nproperty float c\n");
+  expectError(ErrorCode::kNotAMesh, "3 faces, but Assimp finds", "camera.ply", camera + "0 0 1\n" + kOffCorners + faces);
 }
 
 TEST(ReadMeshTrust, PlyThatAnnouncesMoreThanItHas) {

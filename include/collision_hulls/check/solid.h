@@ -43,7 +43,7 @@ class Solid {
   /// Its triangles are those of the mesh, then one for each loose point. Where it facesOneWay(p, distanceToSurface(p) + 2 * radius)
   /// no point within `radius` of p is a local maximum of the distance to S, S itself apart: all of the surface that could be
   /// nearest to it faces one way, so that the distance grows in a common direction. Assumes that a region of negative winding, if
-  /// there is one, is met by one of 2,000 probes over the surface.
+  /// there is one, is met by one of 5,000 probes over the surface.
   const TriangleBvh& surface() const;
 
  private:

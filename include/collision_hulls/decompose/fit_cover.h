@@ -12,6 +12,7 @@ struct FittedHulls {
   std::vector<ConvexHull> hulls;  ///< vertices are single-precision numbers
   double nudge = 0;               ///< [m] distance that every hull was grown by to absorb rounding
   std::size_t completed = 0;      ///< triangles that no hull held and that were added to one
+  double blunted = 0;             ///< [m] furthest that a hull was made to reach as it was too sharp for its cap on vertices
 };
 
 /// Grows each hull outward by `margin` [m] (how far original points may lie from the repaired mesh: weld and reader's

@@ -75,7 +75,8 @@ std::string fileUri(const std::string& path);
 /// Whether resolveUri's answer depends on `base`.
 bool isRelativeUri(const std::string& uri);
 
-/// The robot descriptions in a package's urdf/ and robots/ folders (.urdf before .xacro, sorted); for INPUT given as a package.
+/// The robot descriptions in a package's urdf/ and robots/ folders (.urdf before .xacro, sorted), without .xacro files that hold nothing
+/// but what others include, macros and properties, unless there is nothing else; for INPUT given as a package.
 std::vector<std::string> robotDescriptionsIn(const std::string& package_folder);
 
 enum class Source { kAuto, kVisual, kCollision };  ///< auto: a link's collision elements if it has any, else its visual ones

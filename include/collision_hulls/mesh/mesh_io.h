@@ -20,7 +20,7 @@ struct MeshLimits {
 
 /// What a file held.
 struct LoadedMesh {
-  TriangleMesh mesh;                   ///< metres; node transforms, Collada unit and up-axis applied as rviz shows them
+  TriangleMesh mesh;                   ///< metres; node transforms and Collada unit applied as rviz shows them; its up-axis turns nothing
   int submeshes = 0;                   ///< sub-meshes that gave triangles (a node's instance counts once each)
   std::size_t skipped_primitives = 0;  ///< lines and points, which have no surface, left out
   double resolution = 0;  ///< [m] half a unit in the last place of the largest number that the single-precision reader rounded; decimal

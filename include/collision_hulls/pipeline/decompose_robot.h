@@ -40,7 +40,7 @@ struct RobotResult {
 
 /// What a run is doing, for bars and feedback. Calls come one at a time, from any thread.
 struct Step {
-  std::string stage;  ///< "decompose", "validate", "write"
+  std::string stage;  ///< "decompose", "validate"
   std::string item;   ///< link (and element) just finished
   std::size_t done = 0, total = 0, hulls = 0;
 };

@@ -27,7 +27,8 @@ constexpr double kMitreLimit = 20, kLooseMitreLimit = 1e4;
 constexpr int kDoublings = 6;
 constexpr int kRounds = 12;
 constexpr double kParallel = 1e-12;       // normals and planes that cannot be told apart
-constexpr std::size_t kManyNormals = 12;  // beyond so many, triples are tried only until a step is found
+constexpr std::size_t kManyNormals = 12;  // beyond so many, triples are tried only until a step is found,
+constexpr std::size_t kMostNormals = 60;  // and beyond so many their mean alone
 
 using Points = std::vector<Eigen::Vector3d>;
 
@@ -51,6 +52,14 @@ std::optional<Eigen::Vector3d> outwardStep(const std::vector<Eigen::Vector3d>& n
     if (step.norm() < shortest && reaches(normals, step, growth.distance)) shortest = step.norm(), best = step;
   };
   const std::size_t n = normals.size();
+  if (n > kMostNormals) {
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& normal : normals) mean += normal;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3d& normal : normals) least = std::min(least, normal.dot(mean));
+    if (least > 0) consider(growth.distance / least * mean);
+    return best;
+  }
   for (std::size_t i = 0; i < n; ++i) consider(growth.distance * normals[i]);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 1; j < n; ++j) {

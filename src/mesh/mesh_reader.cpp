@@ -90,10 +90,10 @@ void expectAll(const Announced& announced, const aiScene& scene, const std::stri
     for (unsigned f = 0; f < scene.mMeshes[i]->mNumFaces; ++f) read.faces += scene.mMeshes[i]->mFaces[f].mNumIndices > 0;
   }
   if (read.vertices == announced.vertices && read.faces == announced.faces) return;
-  throw Error(ErrorCode::kNotAMesh,
-              path + ": announces " + std::to_string(announced.vertices) + " vertices and " + std::to_string(announced.faces) +
-                  " faces, but Assimp finds " + std::to_string(read.vertices) + " and " + std::to_string(read.faces) +
-                  "; remove lines that hold blanks alone, and elements before the vertices, or export it again");
+  throw Error(ErrorCode::kNotAMesh, path + ": announces " + std::to_string(announced.vertices) + " vertices and " +
+                                        std::to_string(announced.faces) + " faces, but Assimp finds " + std::to_string(read.vertices) +
+                                        " and " + std::to_string(read.faces) +
+                                        "; remove lines that hold blanks alone, and elements before the vertices, or export it again");
 }
 
 /// Shows Assimp one file and nothing else: materials and textures play no part, so a missing or hostile one does no harm.

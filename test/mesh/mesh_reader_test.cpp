@@ -193,7 +193,8 @@ TEST(ReadMeshTrust, OffThatAnnouncesMoreThanItHas) {
 TEST(ReadMeshTrust, RowsThatAssimpCountsOtherwise) {
   const std::string faces = "3 0 1 2\n3 0 2 3\n3 0 1 4\n", blanks = "  \n";
   expectError(ErrorCode::kNotAMesh, "3 faces, but Assimp finds", "blank.off", "OFF\n5 3 0\n" + kOffCorners + blanks + faces);
-  expectError(ErrorCode::kNotAMesh, "line 17: a line before it holds blanks alone", "blank.ply", plyHeader("ascii", 5, 3) + kOffCorners + blanks + faces);
+  expectError(ErrorCode::kNotAMesh, "line 17: a line before it holds blanks alone", "blank.ply",
+              plyHeader("ascii", 5, 3) + kOffCorners + blanks + faces);
   EXPECT_EQ(read("empty.off", "OFF\n5 3 0\n" + kOffCorners + "\n" + faces).mesh.triangles.size(), 3u) << "a line of nothing does no harm";
   std::string camera = plyHeader("ascii", 5, 3);
   camera.insert(camera.find("element vertex"), "element camera 1\nproperty float a\nproperty float b\nproperty float c\n");

@@ -267,8 +267,8 @@ constexpr double kSamples = 20000;
 constexpr std::size_t kLeastSamples = 50;     // of a hull,
 constexpr std::size_t kTriesPerSample = 200;  // as many of its box may lie beside it
 
-/// The next points of the R3 sequence (fractional parts of multiples of the plastic number's powers), which spread more evenly over the
-/// unit cube than random ones.
+/// A point of the R3 sequence (fractional parts of multiples of the plastic number's powers), whose points spread more evenly over
+/// the unit cube than random ones.
 Eigen::Vector3d spread(std::size_t i) {
   const Eigen::Vector3d u = (static_cast<double>(i) + 0.5) * Eigen::Vector3d(0.8191725133961645, 0.6710436067037893, 0.5497004779019703);
   return u - u.array().floor().matrix();

@@ -1,6 +1,6 @@
-// Within a group each edge has a triangle on both of its sides, which face the same way: projected to the plane, the group covers a
-// neighbourhood of each of its points but those of its rim. So what is connected, holds a point of it and meets no edge of the rim, is
-// covered.
+// Within a group the two triangles of an edge run along it in opposite directions and face the same way, so that they lie on both of its
+// sides: projected to the plane, the group covers a neighbourhood of each of its points but those of its rim. So what is connected, holds
+// a point of it and meets no edge of the rim, is covered.
 #include "check/flat_sheets.h"
 
 #include <algorithm>
@@ -14,6 +14,12 @@ namespace {
 constexpr double kFlat = 1e-6;            // of the mesh's diagonal
 constexpr double kSameWay = 0.5;          // cosine between normals within a group, at least
 constexpr std::size_t kFewTriangles = 2;  // smaller groups are left to the search's other bounds
+
+/// The triangle on the other side of a half-edge, that runs along it in the other direction; -1: none.
+int neighbour(const RepairedMesh& mesh, const Edges& edges, int h) {
+  const int twin = edges.twin[static_cast<std::size_t>(h)];
+  return twin >= 0 && startOf(mesh.mesh.triangles, twin) == endOf(mesh.mesh.triangles, h) ? twin / 3 : -1;
+}
 
 Eigen::Vector3d normalOf(const TriangleMesh& mesh, int t) {
   return (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0)).normalized();
@@ -40,9 +46,8 @@ FlatSheets::Group FlatSheets::grownFrom(int seed, const RepairedMesh& mesh, cons
   group_[static_cast<std::size_t>(seed)] = number;
   for (std::size_t next = 0; next < group.triangles.size(); ++next) {
     for (int k = 0; k < 3; ++k) {
-      const int twin = edges.twin[static_cast<std::size_t>(3 * group.triangles[next] + k)];
-      if (twin < 0 || group_[static_cast<std::size_t>(twin / 3)] != -1 || !two_sided[static_cast<std::size_t>(twin / 3)]) continue;
-      const int t = twin / 3;
+      const int t = neighbour(mesh, edges, 3 * group.triangles[next] + k);
+      if (t < 0 || group_[static_cast<std::size_t>(t)] != -1 || !two_sided[static_cast<std::size_t>(t)]) continue;
       double deviation = 0;
       for (int corner = 0; corner < 3; ++corner)
         deviation = std::max(deviation, std::abs(group.normal.dot(mesh.mesh.corner(t, corner) - group.through)));
@@ -61,8 +66,8 @@ TriangleBvh FlatSheets::rims(const RepairedMesh& mesh, const Edges& edges) const
   for (const Group& group : groups_)
     for (const int t : group.triangles)
       for (int h = 3 * t; h < 3 * t + 3; ++h) {
-        const int twin = edges.twin[static_cast<std::size_t>(h)];
-        if (twin >= 0 && group_[static_cast<std::size_t>(twin / 3)] == group_[static_cast<std::size_t>(t)]) continue;
+        const int other = neighbour(mesh, edges, h);
+        if (other >= 0 && group_[static_cast<std::size_t>(other)] == group_[static_cast<std::size_t>(t)]) continue;
         const int from = startOf(mesh.mesh.triangles, h), to = endOf(mesh.mesh.triangles, h);
         rims.triangles.push_back({from, to, to});
       }

@@ -30,15 +30,15 @@ constexpr double kMuch = 0.1;            // of the protrusion, that blunt hulls 
 std::string excuse(const Options& options, const MeshHulls& made) {
   if (options.method == Method::kSingleHull || options.method == Method::kBoundingBox)
     return std::string(name(options.method)) + " pays no heed to the tolerance; another method does";
+  const std::string vertices = "max-vertices " + std::to_string(options.max_vertices);
+  if (made.capped && (options.max_hulls > 0 || options.method == Method::kCertified))
+    return "the caps (max-hulls " + std::to_string(options.max_hulls) + ", " + vertices + ") made the hulls coarser; raise them";
   if (options.method == Method::kHacd) {
     return "hacd goes by a concavity measured along rays, which does not bound the protrusion; a smaller tolerance gives more hulls";
   }
   if (options.method == Method::kAcd) {
     return "acd goes by a concavity measured at reflex edges, which does not bound the protrusion; a smaller tolerance gives more hulls";
   }
-  const std::string vertices = "max-vertices " + std::to_string(options.max_vertices);
-  if (made.capped)
-    return "the caps (max-hulls " + std::to_string(options.max_hulls) + ", " + vertices + ") made the hulls coarser; raise them";
   if (made.blunted > kMuch * made.protrusion.bound)
     return "thin hulls of so few vertices (" + vertices + ") reach up to " + millimetres(made.blunted) + " further; raise that cap";
   return "the surface has details there that no plane divided; mend the mesh or accept it";

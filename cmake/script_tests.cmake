@@ -1,5 +1,5 @@
 # Tests of the package as a whole: its form, its programs as a user calls them, and its use by another package.
-# Exit status 77 of a script means that a program it needs is not there.
+# Exit status 77 of a script means that a program it needs is not there. None has a program's name: rosrun would find it, too.
 
 function(add_script_test name)
   add_test(NAME ${name} COMMAND ${ARGN} WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
@@ -12,13 +12,14 @@ add_script_test(clang_format test/scripts/clang_format)
 add_script_test(shellcheck test/scripts/shell_scripts)
 add_script_test(core_without_ros test/scripts/core_without_ros $<TARGET_FILE:${PROJECT_NAME}>)
 add_script_test(readme_options test/scripts/readme_options ${PROGRAMS_DIR}/decompose)
-add_script_test(benchmark test/scripts/benchmark ${PROGRAMS_DIR})
-add_script_test(stability test/scripts/stability ${PROGRAMS_DIR})
-add_script_test(physics test/scripts/physics ${PROGRAMS_DIR})
-add_script_test(scene_charts test/scripts/scene_charts ${PROGRAMS_DIR})
-add_script_test(results test/scripts/results ${PROGRAMS_DIR})
-add_script_test(goals test/scripts/goals ${PROGRAMS_DIR})
-add_script_test(demo test/scripts/demo ${PROJECT_BINARY_DIR})
+add_script_test(benchmark test/scripts/benchmark_test ${PROGRAMS_DIR})
+add_script_test(stability test/scripts/stability_test ${PROGRAMS_DIR})
+add_script_test(physics test/scripts/physics_test ${PROGRAMS_DIR})
+add_script_test(scene_charts test/scripts/scene_charts_test ${PROGRAMS_DIR})
+add_script_test(results test/scripts/results_test ${PROGRAMS_DIR})
+add_script_test(goals test/scripts/goals_test ${PROGRAMS_DIR})
+add_script_test(demo test/scripts/demo_test ${PROJECT_BINARY_DIR})
+add_script_test(rosrun test/scripts/rosrun_test ${PROJECT_BINARY_DIR})
 add_script_test(demo_meshes test/demo/regenerate_test)
 
 # catkin bakes the prefix into what it installs, so the test needs one of its own: scripts/test sets it.

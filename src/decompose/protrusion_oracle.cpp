@@ -185,6 +185,8 @@ bool ProtrusionOracle::concluded(const ConvexHull& hull, const Protrusion& on_su
 
 /// Whether the middle of a pocket between surfaces may be further than anything on the hull's surface, and than the tolerance.
 bool ProtrusionOracle::mayHoldPocket(const ConvexHull& hull, double surface_bound) {
+  // However the octree stands: nothing in a small hull is far from the surface that one of its vertices is near to.
+  if (solid_.distanceToSurface(hull.vertices[0]) + boundingBox(hull).diagonal().norm() <= tolerance_) return false;
   OutsideDistance::Query query;
   query.floor = query.ceiling = tolerance_;
   query.resolution = kPocketCell * tolerance_;

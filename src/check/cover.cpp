@@ -263,6 +263,12 @@ bool holds(const ConvexHull& hull, const Eigen::Vector3d& p) {
   return std::none_of(hull.faces.begin(), hull.faces.end(), [&](const HalfSpace& face) { return face.distance(p) > 0; });
 }
 
+std::vector<Eigen::AlignedBox3d> boxesOf(const std::vector<ConvexHull>& hulls) {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const ConvexHull& hull : hulls) boxes.push_back(boundingBox(hull));
+  return boxes;
+}
+
 constexpr double kSamples = 20000;
 constexpr std::size_t kLeastSamples = 50;     // of a hull,
 constexpr std::size_t kTriesPerSample = 200;  // as many of its box may lie beside it
@@ -278,12 +284,9 @@ Eigen::Vector3d spread(std::size_t i) {
 
 double unionVolume(const std::vector<ConvexHull>& hulls) {
   if (hulls.size() == 1) return volume(hulls[0]);
+  const std::vector<Eigen::AlignedBox3d> boxes = boxesOf(hulls);
   double all = 0;
-  std::vector<Eigen::AlignedBox3d> boxes;
-  for (const ConvexHull& hull : hulls) {
-    boxes.push_back(boundingBox(hull));
-    all += volume(hull);
-  }
+  for (const ConvexHull& hull : hulls) all += volume(hull);
   // What a hull shares with others counts for each of them by its part.
   std::vector<double> own(hulls.size(), 0);
   forEach(hulls.size(), [&](std::size_t h) {
@@ -306,12 +309,9 @@ double unionVolume(const std::vector<ConvexHull>& hulls) {
 }
 
 double coveredShare(const std::vector<ConvexHull>& hulls, const Solid& solid) {
+  const std::vector<Eigen::AlignedBox3d> boxes = boxesOf(hulls);
   Eigen::AlignedBox3d all;
-  std::vector<Eigen::AlignedBox3d> boxes;
-  for (const ConvexHull& hull : hulls) {
-    boxes.push_back(boundingBox(hull));
-    all.extend(boxes.back());
-  }
+  for (const Eigen::AlignedBox3d& box : boxes) all.extend(box);
   if (all.isEmpty()) return 1;
   std::atomic<int> inside{0}, held{0};
   forEach(static_cast<std::size_t>(kSamples), [&](std::size_t i) {

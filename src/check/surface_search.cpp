@@ -110,11 +110,13 @@ class Search {
       const TriangleBvh::Nearest n = solid_.surface().nearest(c, std::numeric_limits<double>::infinity(), patch.corner[0].triangle);
       const double outside = solid_.signedDistance(c, n.distance);
       if (outside > best_.found && outside > query_.floor) best_.found = outside, best_.where = c, best_.nearest = n.point;
-      patch.bound = std::min({patch.bound, std::max(0.0, outside + radius), levelBound(patch, n.triangle),
-                              solid_.heightAboveSheet({patch.corner[0].p, patch.corner[1].p, patch.corner[2].p}, n, kSlack * query_.gap)});
-      if (patch.bound > threshold())
-        patch.bound = std::min(patch.bound, solid_.surface().frontBound({patch.corner[0].p, patch.corner[1].p, patch.corner[2].p}, c,
-                                                                        n.distance + 2 * radius, &patch.divider));
+      patch.bound = std::min({patch.bound, std::max(0.0, outside + radius), levelBound(patch, n.triangle)});
+      const std::array<Eigen::Vector3d, 3> corners{patch.corner[0].p, patch.corner[1].p, patch.corner[2].p};
+      if (patch.bound > threshold()) patch.bound = std::min(patch.bound, solid_.heightAboveSheet(corners, n, kSlack * query_.gap));
+      if (patch.bound > threshold()) {
+        patch.bound = std::min(patch.bound,
+                               solid_.surface().frontBound({corners.begin(), corners.end()}, c, n.distance + 2 * radius, &patch.divider));
+      }
     }
     if (patch.bound > threshold())
       queue_.push(patch);

@@ -27,7 +27,7 @@ struct Protrusion {
 
 /// Branch and bound over each hull's faces and interior; bound - found <= gap (> 0, [m]) on return, or more where the search does not
 /// close in on a hull in two million steps, as in the plane of an opening, or in 60,000 within, as along a narrow gap. A bound below
-/// twelve gaps is worth 100,000 steps.
+/// twelve gaps is left as it is after 100,000 steps.
 Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, double gap, const RunControl& control = {});
 
 /// Volume of the union of the hulls [m^3]: exact for one hull and for hulls apart; what they share is told by samples of a fixed sequence

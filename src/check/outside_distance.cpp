@@ -200,9 +200,14 @@ void OutsideDistance::learn(int id, const OutsideDistance& other, int known_id, 
   for (int k = 0; k < 8; ++k) learn(first + k, other, known.children + k, part);
 }
 
+/// A border of S that is no surface faces any way.
 bool OutsideDistance::mayHoldSummit(int id) {
   Cell& cell = cells_[static_cast<std::size_t>(id)];
-  if (cell.summit < 0) cell.summit = !solid_.surface().facesOneWay(inWorld(cell.centre), cell.to_surface + 2 * radius(cell));
+  if (cell.summit < 0) {
+    const Eigen::Vector3d p = inWorld(cell.centre);
+    const double reach = cell.to_surface + 2 * radius(cell);  // to whatever is nearest to a point of the cell
+    cell.summit = !solid_.surface().facesOneWay(p, reach) || solid_.wayToBorder(p) <= reach;
+  }
   return cell.summit != 0;
 }
 

@@ -156,10 +156,11 @@ struct Walls {
 
   double windingNumber(const Eigen::Vector3d& p) const { return closed->signedCrossings(p) - (lids.empty() ? 0 : lids.windingNumber(p)); }
 
-  /// Radius of a ball about p, where the winding number is `winding`, in which it exceeds 1/2, if no surface is met. Its gradient depends
-  /// on the rim alone, as a current's magnetic field does (Biot-Savart): it is at most length / (4 pi d^2) at a distance of d from the rim.
-  double insideRadius(const Eigen::Vector3d& p, double winding) const {
-    const double margin = winding - kInside - kWindingError;
+  /// What a path from p has to be longer than if it does not cross the surface and comes from one side of winding number 1/2 to the other;
+  /// it is `winding` at p. Its gradient depends on the rim alone, as a current's magnetic field does (Biot-Savart): it is at most
+  /// length / (4 pi d^2) at a distance of d from the rim.
+  double wayToBorder(const Eigen::Vector3d& p, double winding) const {
+    const double margin = std::abs(winding - kInside) - kWindingError;
     if (margin <= 0) return 0;
     if (lids.empty()) return std::numeric_limits<double>::infinity();
     const double d = rim.nearest(p).distance, k = rim_length / (4 * kPi * margin), b = 2 * d + k;
@@ -248,12 +249,15 @@ double Solid::distance(const Eigen::Vector3d& p) const {
 }
 double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface) const {
   const double winding = impl_->walls.windingNumber(p);
-  return winding > kInside ? -std::min(to_surface, impl_->walls.insideRadius(p, winding)) : to_surface;
+  return winding > kInside ? -std::min(to_surface, impl_->walls.wayToBorder(p, winding)) : to_surface;
 }
 
 double Solid::distanceWithin(double radius, double signed_distance, double to_surface) const {
   const double bound = std::max(0.0, signed_distance + radius);
   return std::signbit(signed_distance) && bound > 0 && hasOpenings() ? to_surface + radius : bound;  // the ball may be a point: -0
+}
+double Solid::wayToBorder(const Eigen::Vector3d& p) const {
+  return hasOpenings() ? impl_->walls.wayToBorder(p, impl_->walls.windingNumber(p)) : std::numeric_limits<double>::infinity();
 }
 bool Solid::hasOpenings() const {
   return !impl_->walls.lids.empty();

@@ -191,10 +191,8 @@ bool ProtrusionOracle::mayHoldPocket(const ConvexHull& hull, double surface_boun
   query.floor = query.ceiling = tolerance_;
   query.resolution = kPocketCell * tolerance_;
   query.summits_only = true;
-  if (!solid_.hasOpenings()) {  // no jumps: the distance grows no faster than the way from the hull's surface
-    query.surface_bound = surface_bound;
-    query.depth = leastWidth(hull) / 2;
-  }
+  query.surface_bound = surface_bound;
+  query.depth = leastWidth(hull) / 2;
   const OutsideDistance::Largest summit = outside_.largest(hull, query);
   if (summit.found > tolerance_) remember(summit.where);
   return summit.bound > tolerance_;

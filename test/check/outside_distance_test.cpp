@@ -117,6 +117,19 @@ TEST(OutsideDistance, SummitsOnly) {
 
 // Random.
 
+// The middle of the gap is as far from the plate as from the opening beneath, and nothing but the plate's flat side is as near.
+TEST(OutsideDistance, SummitsBetweenAWallAndAnOpening) {
+  const double gap = 0.1;
+  const Solid solid =
+      solidOf(test_shapes::merged({test_shapes::boxWithWindow(0.3), test_shapes::moved(test_shapes::box(1, 1, 0.5), {0, 0, 1 + gap})}));
+  ASSERT_TRUE(solid.hasOpenings());
+  const ConvexHull hull = boxHull({0.49, 0.49, 1.01}, {0.51, 0.51, 1.12});
+  OutsideDistance outside(solid, boundingBox(hull));
+  OutsideDistance::Query q = query(0.04, 1e-3);
+  q.summits_only = true;
+  EXPECT_GE(outside.largest(hull, q).bound, gap / 2 - 1e-9);
+}
+
 TEST(OutsideDistance, FoundAndBoundEncloseTheSamples) {
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE(seed);

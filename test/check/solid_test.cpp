@@ -132,6 +132,30 @@ TEST(Solid, TheSignedDistanceStaysInside) {
   EXPECT_EQ(closed.signedDistance({0.5, 0.5, 1.5}, 0.5), 0.5);
 }
 
+TEST(Solid, NoWayToABorderIsShorter) {
+  const TriangleMesh mesh = test_shapes::boxWithWindow(0.2);
+  const Solid solid = solidOf(mesh);
+  RandomPoints random(1);
+  double largest = 0;
+  int met = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vector3d p = Vector3d(0.5, 0.5, 1) + random.inCube(0.2);
+    const double way = solid.wayToBorder(p);
+    const bool inside = solid.contains(p);
+    largest = std::max(largest, way);
+    for (int k = 0; k < 20; ++k) {  // straight ways through the window: what parts their ends is the border
+      const Vector3d through(0.5 + random.number(-0.2, 0.2), 0.5 + random.number(-0.2, 0.2), 1);
+      const Vector3d end = through + random.number(0, 0.5) * (through - p);
+      if (solid.contains(end) == inside) continue;
+      EXPECT_GE((end - p).norm(), way);
+      ++met;
+    }
+  }
+  EXPECT_GT(largest, 0.05);
+  EXPECT_GT(met, 1000);
+  EXPECT_TRUE(std::isinf(solidOf(test_shapes::box(1, 1, 1)).wayToBorder({0.5, 0.5, 0.5})));
+}
+
 TEST(Solid, ComponentsThatOverlapAreOneSolid) {
   const Solid solid =
       solidOf(test_shapes::merged({test_shapes::box(1, 1, 1), test_shapes::moved(test_shapes::box(1, 1, 1), {0.5, 0.25, 0.25})}));

@@ -32,6 +32,8 @@ class Solid {
   /// [m] No point of a patch is further from the surface: where it lies over one flat part of a sheet, and no more than `slack` [m]
   /// beyond, its height above that and the slack, else infinite. `near`: the point of the surface nearest to one of the patch.
   double heightAboveSheet(const std::array<Eigen::Vector3d, 3>& patch, const TriangleBvh::Nearest& near, double slack) const;
+  /// [m] No path from p to a border of S that is no surface is shorter, unless it crosses the surface.
+  double wayToBorder(const Eigen::Vector3d& p) const;
   bool hasOpenings() const;  ///< whether S has borders that are no surface: distance() then jumps where they are crossed
   double volume() const;     ///< [m^3] of the components that have an inside (sum)
   Interior interior() const;

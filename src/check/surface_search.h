@@ -18,9 +18,9 @@ struct SurfaceQuery {
   const OutsideDistance* known = nullptr;                    ///< what it knows of the solid settles patches
 };
 
-/// Near openings the border of the solid is no surface, and across it the distance jumps. A patch about a point inside that may reach
-/// across is taken to be as near to the solid as the point's ball is.
 /// Branch and bound over the hull's triangles. bound is infinite if the ceiling ended the search.
+/// Near openings the border of the solid is no surface, and across it the distance to the surface jumps. A patch about a point inside
+/// that may reach across is taken to be as near to the solid as the point's ball is.
 Protrusion largestOnSurface(const ConvexHull& hull, const Solid& solid, const SurfaceQuery& query, const RunControl& control);
 
 }  // namespace collision_hulls

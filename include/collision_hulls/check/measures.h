@@ -16,7 +16,8 @@ namespace collision_hulls {
 /// are rounding of this computation and count as 0.
 double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls, const RunControl& control = {});
 
-/// The protrusion of a hull set: max over points of the hulls of the distance to S; one-sided Hausdorff distance.
+/// The protrusion of a hull set: max over points of the hulls of the distance to S; one-sided Hausdorff distance. Where S has openings,
+/// `found` is of the distance to the surface, which S may end nearer than.
 struct Protrusion {
   double bound = 0;                                   ///< [m] certified: no point of a hull is further from S
   double found = 0;                                   ///< [m] largest distance found, at `where`

@@ -137,11 +137,7 @@ bool ProtrusionOracle::fits(const ConvexHull& hull) {
 
 std::vector<char> ProtrusionOracle::fit(const std::vector<const ConvexHull*>& hulls) {
   std::vector<std::optional<bool>> answers;
-  for (const ConvexHull* hull : hulls) {
-    answers.push_back(fitsByOctree(*hull));
-    // One of few vertices may reach far beyond the mesh.
-    if (answers.back() != false && !outside_.reaches(*hull)) answers.back() = fitsBeyond(*hull);
-  }
+  for (const ConvexHull* hull : hulls) answers.push_back(fitsByOctree(*hull));
   std::vector<Protrusion> on_surface(hulls.size());
   forEach(hulls.size(), [&](std::size_t i) {
     if (!answers[i]) on_surface[i] = onSurface(*hulls[i]);
@@ -151,20 +147,14 @@ std::vector<char> ProtrusionOracle::fit(const std::vector<const ConvexHull*>& hu
   return result;
 }
 
-/// By an oracle whose box holds the hull.
-bool ProtrusionOracle::fitsBeyond(const ConvexHull& hull) const {
-  ProtrusionOracle wide(solid_, box_.merged(boundingBox(hull)), tolerance_, control_);
-  wide.share_ = share_;
-  return wide.fits(hull);
-}
-
 /// nullopt: that is open.
 std::optional<bool> ProtrusionOracle::fitsByOctree(const ConvexHull& hull) {
   control_.check();
   if (holdsKnownIntruder(hull)) return false;
   const double reach = reachByOctree(hull, kFineCell);
   if (std::isinf(reach)) return false;
-  if (!solid_.hasOpenings() && reach <= (1 - kReserve) * tolerance_) return true;
+  // A hull of few vertices may reach far beyond the mesh.
+  if (!solid_.hasOpenings() && reach <= (1 - kReserve) * tolerance_ && outside_.reaches(hull)) return true;
   return std::nullopt;
 }
 

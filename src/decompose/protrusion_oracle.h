@@ -27,7 +27,7 @@ bool holds(const ConvexHull& hull, const Eigen::Vector3d& p);
 /// pockets within. Not thread safe.
 class ProtrusionOracle {
  public:
-  /// `box` holds the hulls that are asked about; it may take long to prove others.
+  /// `box` holds the solid and most hulls that are asked about; it takes longer to prove others.
   ProtrusionOracle(const Solid& solid, const Eigen::AlignedBox3d& box, double tolerance, const RunControl& control);
 
   /// One for hulls within `part` of the box, which knows what this one knows there: for use beside it.
@@ -65,7 +65,6 @@ class ProtrusionOracle {
  private:
   bool holdsKnownIntruder(const ConvexHull& hull);
   std::optional<bool> fitsByOctree(const ConvexHull& hull);
-  bool fitsBeyond(const ConvexHull& hull) const;
   Protrusion onSurface(const ConvexHull& hull) const;
   bool concluded(const ConvexHull& hull, const Protrusion& on_surface);
   bool mayHoldPocket(const ConvexHull& hull, double surface_bound);

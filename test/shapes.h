@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "collision_hulls/geometry/triangle_mesh.h"
+#include "collision_hulls/mesh/repair.h"
 
 namespace collision_hulls {
 namespace test_shapes {
@@ -41,6 +42,13 @@ class MeshBuilder {
   TriangleMesh mesh_;
   std::map<std::array<long long, 3>, int> index_;
 };
+
+/// Points as repair() leaves them of triangles that are nothing more.
+inline std::vector<Segment> loosePoints(const std::vector<Eigen::Vector3d>& points) {
+  std::vector<Segment> result;
+  for (const Eigen::Vector3d& p : points) result.push_back({p, p});
+  return result;
+}
 
 /// Every triangle cut into n * n equal ones.
 inline TriangleMesh subdivided(const TriangleMesh& mesh, int n) {

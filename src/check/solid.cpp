@@ -15,7 +15,7 @@
 #include "geometry/own_axes.h"
 #include "geometry/pi.h"
 #include "mesh/edges.h"
-#include "mesh/loose_points.h"
+#include "mesh/loose_segments.h"
 #include "parallel.h"
 
 namespace collision_hulls {
@@ -189,7 +189,7 @@ struct Walls {
   bool inverted;
 };
 
-/// Per triangle of withLoosePoints(): whether both of its sides may face the outside.
+/// Per triangle of withLoose(): whether both of its sides may face the outside.
 std::vector<char> twoSided(const RepairedMesh& mesh, const Edges& edges) {
   const std::vector<Triangle>& triangles = mesh.mesh.triangles;
   std::vector<char> result(triangles.size() + mesh.loose.size(), 1);
@@ -210,7 +210,7 @@ struct Solid::Impl {
   explicit Impl(const RepairedMesh& mesh) : Impl(mesh, findEdges(mesh.mesh.triangles, mesh.mesh.vertices.size())) {}
   Impl(const RepairedMesh& mesh, const Edges& edges) : Impl(mesh, edges, twoSided(mesh, edges)) {}
   Impl(const RepairedMesh& mesh, const Edges& edges, std::vector<char> two_sided)
-      : surface(std::make_shared<TriangleBvh>(withLoosePoints(mesh), two_sided)),
+      : surface(std::make_shared<TriangleBvh>(withLoose(mesh), two_sided)),
         walls(mesh, rimOf(mesh, edges), surface),
         interior(interiorOf(mesh)),
         axes(ownAxes(mesh.mesh)),
@@ -218,7 +218,7 @@ struct Solid::Impl {
         component_points(pointsOfComponents(mesh)) {
     if (walls.inverted) {
       std::fill(two_sided.begin(), two_sided.end(), 1);
-      surface = std::make_shared<TriangleBvh>(withLoosePoints(mesh), two_sided);
+      surface = std::make_shared<TriangleBvh>(withLoose(mesh), two_sided);
     }
     sheets = std::make_unique<FlatSheets>(mesh, edges, two_sided);
   }

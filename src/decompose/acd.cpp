@@ -156,7 +156,7 @@ double straightLineConcavity(const TriangleMesh& mesh, bool two_sided) {
 }
 
 std::vector<ConvexHull> acdHulls(const RepairedMesh& mesh, double epsilon, const RunControl& control) {
-  if (mesh.mesh.triangles.empty()) return {convexHull(mesh.loose)};
+  if (mesh.mesh.triangles.empty()) return {hullOfLoose(mesh.loose)};
   std::vector<ConvexHull> hulls = Resolving(mesh, epsilon, control).run();
   addLoose(hulls, mesh.loose, control);
   return hulls;

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "mesh/loose_points.h"
+#include "mesh/loose_segments.h"
 
 namespace collision_hulls {
 
@@ -29,7 +29,7 @@ ConvexPolygon ordered(const std::vector<Eigen::Vector3d>& corners, const Eigen::
 
 Block beneath(SurfacePiece surface, Region region, const HalfSpace& plane) {
   if (region.matters())
-    for (const Eigen::Vector3d& p : region.cut(plane)) addPoint(surface, p);
+    for (const Eigen::Vector3d& p : region.cut(plane)) addSegment(surface, {p, p});
   return {std::move(surface), std::move(region)};
 }
 

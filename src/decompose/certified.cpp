@@ -10,7 +10,7 @@
 #include "decompose/merging.h"
 #include "decompose/tree_building.h"
 #include "geometry/own_axes.h"
-#include "mesh/loose_points.h"
+#include "mesh/loose_segments.h"
 #include "parallel.h"
 
 namespace collision_hulls {
@@ -48,7 +48,7 @@ Plan planFor(Effort effort) {
 
 Eigen::AlignedBox3d boxOf(const RepairedMesh& mesh) {
   Eigen::AlignedBox3d box = boundingBox(mesh.mesh);
-  for (const Eigen::Vector3d& p : mesh.loose) box.extend(p);
+  for (const Segment& segment : mesh.loose) box.extend(segment[0]).extend(segment[1]);
   return box;
 }
 
@@ -59,7 +59,8 @@ class Place {
 
   RepairedMesh brought(RepairedMesh mesh) const {
     for (Eigen::Vector3d& v : mesh.mesh.vertices) v = axes_ * (v - middle_);
-    for (Eigen::Vector3d& p : mesh.loose) p = axes_ * (p - middle_);
+    for (Segment& segment : mesh.loose)
+      for (Eigen::Vector3d& p : segment) p = axes_ * (p - middle_);
     return mesh;
   }
 
@@ -127,7 +128,7 @@ class Job {
  private:
   bool hasLargeSide() {
     oracle_.setShare(kLargeLeafShare);
-    const bool result = largestSide(withLoosePoints(mesh_), oracle_).has_value();
+    const bool result = largestSide(withLoose(mesh_), oracle_).has_value();
     oracle_.setShare(1);
     return result;
   }

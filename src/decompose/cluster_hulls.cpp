@@ -20,14 +20,15 @@ Points corners(const TriangleMesh& mesh, const std::vector<int>& cluster) {
   return points;
 }
 
-/// The hull nearest to a point, or -1 if one holds it.
-int nearestOutside(const std::vector<ConvexHull>& hulls, const std::vector<Eigen::AlignedBox3d>& boxes, const Eigen::Vector3d& p) {
+/// The hull nearest to a segment, by its further end, or -1 if one holds it.
+int nearestOutside(const std::vector<ConvexHull>& hulls, const std::vector<Eigen::AlignedBox3d>& boxes, const Segment& segment) {
   int best = -1;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t h = 0; h < hulls.size(); ++h) {
-    if (boxes[h].exteriorDistance(p) >= least) continue;
-    if (planeDistance(hulls[h], p) <= 0) return -1;
-    const double d = distance(hulls[h], p);
+    const auto furthest = [&](const auto& distance) { return std::max<double>(distance(segment[0]), distance(segment[1])); };
+    if (furthest([&](const Eigen::Vector3d& p) { return boxes[h].exteriorDistance(p); }) >= least) continue;
+    if (furthest([&](const Eigen::Vector3d& p) { return planeDistance(hulls[h], p); }) <= 0) return -1;
+    const double d = furthest([&](const Eigen::Vector3d& p) { return distance(hulls[h], p); });
     if (d < least) least = d, best = static_cast<int>(h);
   }
   return best;
@@ -35,14 +36,14 @@ int nearestOutside(const std::vector<ConvexHull>& hulls, const std::vector<Eigen
 
 }  // namespace
 
-void addLoose(std::vector<ConvexHull>& hulls, const Points& loose, const RunControl& control) {
+void addLoose(std::vector<ConvexHull>& hulls, const std::vector<Segment>& loose, const RunControl& control) {
   std::vector<Eigen::AlignedBox3d> boxes;
   for (const ConvexHull& hull : hulls) boxes.push_back(boundingBox(hull));
   std::vector<Points> extra(hulls.size());
-  for (const Eigen::Vector3d& p : loose) {
+  for (const Segment& segment : loose) {
     control.check();
-    const int h = nearestOutside(hulls, boxes, p);
-    if (h >= 0) extra[h].push_back(p);
+    const int h = nearestOutside(hulls, boxes, segment);
+    if (h >= 0) extra[h].insert(extra[h].end(), segment.begin(), segment.end());
   }
   for (std::size_t h = 0; h < hulls.size(); ++h) {
     if (extra[h].empty()) continue;
@@ -54,8 +55,14 @@ void addLoose(std::vector<ConvexHull>& hulls, const Points& loose, const RunCont
   }
 }
 
+ConvexHull hullOfLoose(const std::vector<Segment>& loose) {
+  Points ends;
+  for (const Segment& segment : loose) ends.insert(ends.end(), segment.begin(), segment.end());
+  return convexHull(ends);
+}
+
 std::vector<ConvexHull> clusterHulls(const RepairedMesh& mesh, const std::vector<std::vector<int>>& clusters, const RunControl& control) {
-  if (clusters.empty()) return {convexHull(mesh.loose)};
+  if (clusters.empty()) return {hullOfLoose(mesh.loose)};
   std::vector<ConvexHull> hulls;
   for (const std::vector<int>& cluster : clusters) {
     control.check();

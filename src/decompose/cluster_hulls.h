@@ -9,12 +9,15 @@
 
 namespace collision_hulls {
 
-/// The hull of each cluster's corners. Every loose point that lies in none of them is given to the nearest hull, which is built
-/// again with its points; without any cluster the loose points have a hull of their own. Deterministic; ties go to the first.
+/// The hull of each cluster's corners. Every loose segment that lies in none of them is given to the nearest hull, which is built
+/// again with its ends; without any cluster the loose segments have a hull of their own. Deterministic; ties go to the first.
 /// Throws kCancelled.
 std::vector<ConvexHull> clusterHulls(const RepairedMesh& mesh, const std::vector<std::vector<int>>& clusters, const RunControl& control);
 
-/// What clusterHulls does with loose points. `hulls` must not be empty.
-void addLoose(std::vector<ConvexHull>& hulls, const std::vector<Eigen::Vector3d>& loose, const RunControl& control);
+/// What clusterHulls does with loose segments. `hulls` must not be empty.
+void addLoose(std::vector<ConvexHull>& hulls, const std::vector<Segment>& loose, const RunControl& control);
+
+/// The hull of loose segments.
+ConvexHull hullOfLoose(const std::vector<Segment>& loose);
 
 }  // namespace collision_hulls

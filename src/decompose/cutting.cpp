@@ -17,7 +17,7 @@
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "decompose/cut_planes.h"
 #include "decompose/largest_side.h"
-#include "mesh/loose_points.h"
+#include "mesh/loose_segments.h"
 #include "parallel.h"
 
 namespace collision_hulls {
@@ -190,7 +190,7 @@ class Cutting {
 
 std::vector<Leaf> cutIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& oracle, const CutOptions& options,
                                 const std::function<void(double)>& progress) {
-  SurfacePiece whole = withLoosePoints(mesh);
+  SurfacePiece whole = withLoose(mesh);
   Done done(area(whole), progress);
   Cutting cutting(oracle, options, kOnPlane * boundingBox(whole).sizes().maxCoeff(), std::max(kApart, whole.triangles.size() / kShares),
                   kMostLeaves, done);

@@ -27,7 +27,7 @@ struct Leaf {
   std::shared_ptr<const ConvexHull> reduced = nullptr;  ///< the same with its vertices capped, where that is what fits
 };
 
-/// Leaves whose blocks make up the whole surface (loose points included); each hull fits in the eyes of the oracle unless its piece
+/// Leaves whose blocks make up the whole surface (loose segments included); each hull fits in the eyes of the oracle unless its piece
 /// could not be cut any more. In a fixed order. Calls `progress` with the share of the area that is done.
 std::vector<Leaf> cutIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& oracle, const CutOptions& options,
                                 const std::function<void(double)>& progress);

@@ -34,7 +34,11 @@ class Part {
     piece.vertices.push_back(p);
     return static_cast<int>(piece.vertices.size()) - 1;
   }
-  void addFan(const std::array<int, 4>& corners, std::size_t count) {
+  /// Of two different corners a segment is left.
+  void addFan(std::array<int, 4> corners, std::size_t count) {
+    count = static_cast<std::size_t>(std::unique(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(count)) - corners.begin());
+    if (corners[count - 1] == corners[0]) --count;
+    if (count == 2) piece.triangles.push_back({corners[0], corners[1], corners[1]});
     for (std::size_t k = 2; k < count; ++k) piece.triangles.push_back({corners[0], corners[k - 1], corners[k]});
   }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "collision_hulls/error.h"
 #include "mesh/boundary.h"
@@ -80,9 +82,9 @@ class TriangleSet {
   std::vector<int> table_;  // open addressing, at most half full
 };
 
-/// The triangles of the welded mesh that have an area and are no repetition; the corners of those without go to `flat`.
+/// The triangles of the welded mesh that have an area and are no repetition; those without go to `flat`.
 std::vector<Triangle> keptTriangles(const TriangleMesh& mesh, const std::vector<int>& representative, double extent, RepairCounts* counts,
-                                    std::vector<int>* flat) {
+                                    std::vector<Triangle>* flat) {
   std::vector<Triangle> kept;
   kept.reserve(mesh.triangles.size());
   TriangleSet seen(kept, mesh.triangles.size());
@@ -90,7 +92,7 @@ std::vector<Triangle> keptTriangles(const TriangleMesh& mesh, const std::vector<
     const Triangle welded{representative[at(t[0])], representative[at(t[1])], representative[at(t[2])]};
     if (isDegenerate(mesh.vertices, welded, extent)) {
       ++counts->degenerate;
-      flat->insert(flat->end(), welded.begin(), welded.end());
+      flat->push_back(welded);
       continue;
     }
     kept.push_back(welded);
@@ -102,15 +104,50 @@ std::vector<Triangle> keptTriangles(const TriangleMesh& mesh, const std::vector<
   return kept;
 }
 
-/// Numbers the vertices anew that the triangles use, in their old order; puts those of `flat` that no triangle uses into `loose`.
-void compact(const std::vector<Eigen::Vector3d>& vertices, const std::vector<int>& flat, RepairedMesh* result) {
+/// A triangle's corners, its longest side first.
+Triangle longestSideFirst(const std::vector<Eigen::Vector3d>& vertices, const Triangle& t) {
+  const auto length = [&](std::size_t k) { return (vertices[at(t[(k + 1) % 3])] - vertices[at(t[k])]).norm(); };
+  std::size_t longest = 0;
+  for (const std::size_t k : {1, 2})
+    if (length(k) > length(longest)) longest = k;
+  return {t[longest], t[(longest + 1) % 3], t[(longest + 2) % 3]};
+}
+
+/// What is left of flat triangles, each once: their longest sides, unless kept triangles have it as a side or in two of them, and points
+/// that nothing else holds.
+std::vector<Segment> looseOf(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& kept,
+                             const std::vector<Triangle>& flat) {
+  using Side = std::pair<int, int>;
+  const auto side = [](int a, int b) { return Side(std::minmax(a, b)); };
+  std::vector<char> is_flat(vertices.size(), 0), held(vertices.size(), 0);
+  for (const Triangle& t : flat)
+    for (const int v : t) is_flat[at(v)] = 1;
+  std::set<Side> sides, loose;
+  for (const Triangle& t : kept)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[(k + 1) % 3];
+      held[at(a)] = 1;
+      if (is_flat[at(a)] && is_flat[at(b)]) sides.insert(side(a, b));
+    }
+  for (const Triangle& t : flat) {
+    const auto [a, b, middle] = longestSideFirst(vertices, t);
+    if (a == b || sides.count(side(a, b)) || (sides.count(side(a, middle)) && sides.count(side(middle, b)))) continue;
+    loose.insert(side(a, b));
+    for (const int v : t) held[at(v)] = 1;
+  }
+  for (const Triangle& t : flat)
+    if (t[0] == t[1] && t[1] == t[2] && !held[at(t[0])]) loose.insert(side(t[0], t[0]));
+  std::vector<Segment> result;
+  for (const auto& [a, b] : loose) result.push_back({vertices[at(a)], vertices[at(b)]});
+  return result;
+}
+
+/// Numbers the vertices anew that the triangles use, in their old order.
+void compact(const std::vector<Eigen::Vector3d>& vertices, RepairedMesh* result) {
   std::vector<int> number(vertices.size(), -1);
   for (const Triangle& t : result->mesh.triangles)
     for (const int v : t) number[at(v)] = 0;
-  for (const int v : flat)
-    if (number[at(v)] < 0) number[at(v)] = -2;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
-    if (number[v] == -2) result->loose.push_back(vertices[v]);
     if (number[v] < 0) continue;
     number[v] = static_cast<int>(result->mesh.vertices.size());
     result->mesh.vertices.push_back(vertices[v]);
@@ -158,9 +195,10 @@ RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options, cons
   result.counts.welded = welding.joined;
   result.counts.weld_distance = welding.distance;
 
-  std::vector<int> flat;
+  std::vector<Triangle> flat;
   result.mesh.triangles = keptTriangles(mesh, welding.representative, extent, &result.counts, &flat);
-  compact(mesh.vertices, flat, &result);
+  if (!flat.empty()) result.loose = looseOf(mesh.vertices, result.mesh.triangles, flat);
+  compact(mesh.vertices, &result);
   control.check();
 
   Edges edges = findEdges(result.mesh.triangles, result.mesh.vertices.size());

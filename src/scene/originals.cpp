@@ -4,7 +4,7 @@
 #include <map>
 #include <variant>
 
-#include "mesh/loose_points.h"
+#include "mesh/loose_segments.h"
 
 namespace collision_hulls {
 namespace {

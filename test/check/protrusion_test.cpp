@@ -60,7 +60,7 @@ TEST(Protrusion, AboutPointsAndSegments) {
   const Solid point = solidOf({{{1, 1, 1}}, {{0, 0, 0}}});
   expectProtrusion(std::sqrt(3.0), {boxHull({0, 0, 0}, {2, 2, 2})}, point);
   const Solid segment = solidOf({{{0, 0, 0}, {3, 0, 0}}, {{0, 1, 1}}});
-  expectProtrusion(std::hypot(1.5, std::sqrt(2.0)), {boxHull({0, -1, -1}, {3, 1, 1})}, segment);
+  expectProtrusion(std::sqrt(2.0), {boxHull({0, -1, -1}, {3, 1, 1})}, segment);
 }
 
 TEST(Protrusion, CanBeCancelled) {

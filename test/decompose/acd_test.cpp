@@ -58,10 +58,10 @@ TEST(StraightLineConcavity, RidgeOfASheetIsANotchFromBeneath) {
 
 TEST(Acd, LoosePointsAloneAreCovered) {
   RepairedMesh mesh;
-  mesh.loose = {{0, 0, 0}, {1, 0, 0}};
+  mesh.loose = test_shapes::loosePoints({{0, 0, 0}, {1, 0, 0}});
   const std::vector<ConvexHull> hulls = acdHulls(mesh, 0.1);
   ASSERT_EQ(hulls.size(), 1u);
-  for (const Eigen::Vector3d& p : mesh.loose) EXPECT_LE(planeDistance(hulls[0], p), 1e-12);
+  for (const Segment& point : mesh.loose) EXPECT_LE(planeDistance(hulls[0], point[0]), 1e-12);
 }
 
 TEST(Acd, ConvexShapesStayWhole) {

@@ -26,17 +26,17 @@ inline DecomposeOptions within(double tolerance, Effort effort = Effort::kQuick,
 
 inline double sizeOf(const RepairedMesh& mesh) {
   Eigen::AlignedBox3d box = boundingBox(mesh.mesh);
-  for (const Eigen::Vector3d& p : mesh.loose) box.extend(p);
+  for (const Segment& segment : mesh.loose) box.extend(segment[0]).extend(segment[1]);
   return box.diagonal().norm() + box.center().norm();
 }
 
-/// The surface as triangles of which loose points are some.
+/// The surface as triangles of which loose segments are some.
 inline TriangleMesh surfaceOf(const RepairedMesh& mesh) {
   TriangleMesh all = mesh.mesh;
-  for (const Eigen::Vector3d& p : mesh.loose) {
+  for (const Segment& segment : mesh.loose) {
     const int i = static_cast<int>(all.vertices.size());
-    all.vertices.push_back(p);
-    all.triangles.push_back({i, i, i});
+    all.vertices.insert(all.vertices.end(), segment.begin(), segment.end());
+    all.triangles.push_back({i, i + 1, i + 1});
   }
   return all;
 }

@@ -77,13 +77,13 @@ TEST(Certified, SingleTriangleAndFlatMesh) {
 
 TEST(Certified, LoosePointsOnly) {
   RepairedMesh mesh;
-  mesh.loose = {{0, 0, 0}, {0.01, 0, 0}, {5, 0, 0}, {5, 0.01, 0}, {0, 0, 7}};
+  mesh.loose = test_shapes::loosePoints({{0, 0, 0}, {0.01, 0, 0}, {5, 0, 0}, {5, 0.01, 0}, {0, 0, 7}});
   for (Effort effort : {Effort::kQuick, Effort::kBest}) {
     const Decomposition result = certified(mesh, within(0.1, effort));
     EXPECT_EQ(result.hulls.size(), 3u);
     expectCovers(mesh, result.hulls);
   }
-  mesh.loose = {{1, 2, 3}};
+  mesh.loose = test_shapes::loosePoints({{1, 2, 3}});
   expectCovers(mesh, certified(mesh, within(0.1)).hulls);
 }
 

@@ -46,13 +46,13 @@ TEST(Cutting, ConvexInputIsOneLeaf) {
 
 TEST(Cutting, LoosePointsAreLeaves) {
   RepairedMesh mesh;
-  mesh.loose = {{0, 0, 0}, {5, 0, 0}, {0, 7, 0}};
+  mesh.loose = test_shapes::loosePoints({{0, 0, 0}, {5, 0, 0}, {0, 7, 0}});
   const RunControl control;
   const Solid solid(mesh);
   ProtrusionOracle oracle(solid, boxOf(mesh), 0.1, control);
   const std::vector<Leaf> leaves = cutIntoLeaves(mesh, oracle, {}, [](double) {});
   ASSERT_EQ(leaves.size(), 3u);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(leaves[i].block.surface.vertices, std::vector<Eigen::Vector3d>{mesh.loose[i]});
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(leaves[i].block.surface.vertices, std::vector<Eigen::Vector3d>{mesh.loose[i][0]});
 }
 
 TEST(Cutting, WallsAreLeaves) {

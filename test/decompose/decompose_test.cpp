@@ -86,7 +86,7 @@ TEST(Decompose, EveryMethodCoversEveryShape) {
 
 TEST(Decompose, LoosePointsAloneAreCovered) {
   RepairedMesh mesh;
-  mesh.loose = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}};
+  mesh.loose = test_shapes::loosePoints({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}});
   for (Method method : allMethods()) {
     SCOPED_TRACE(name(method));
     DecomposeOptions options;
@@ -94,8 +94,8 @@ TEST(Decompose, LoosePointsAloneAreCovered) {
     options.tolerance = 1;
     const Decomposition result = decompose(mesh, options);
     for (const ConvexHull& hull : result.hulls) EXPECT_GT(hull.thickness, 0);
-    for (const Eigen::Vector3d& p : mesh.loose) {
-      const auto holds = [&p](const ConvexHull& hull) { return planeDistance(hull, p) <= 1e-12; };
+    for (const Segment& point : mesh.loose) {
+      const auto holds = [&point](const ConvexHull& hull) { return planeDistance(hull, point[0]) <= 1e-12; };
       EXPECT_TRUE(std::any_of(result.hulls.begin(), result.hulls.end(), holds));
     }
   }
@@ -103,7 +103,7 @@ TEST(Decompose, LoosePointsAloneAreCovered) {
 
 TEST(Decompose, LoosePointsGoToTheNearestHull) {
   RepairedMesh mesh = repair(test_shapes::fourSpheres());
-  mesh.loose = {{3.5, 2, 0}, {2, 2, 0.5}};  // beside one sphere, within it
+  mesh.loose = test_shapes::loosePoints({{3.5, 2, 0}, {2, 2, 0.5}});  // beside one sphere, within it
   DecomposeOptions options = with(Method::kHacd, mesh.mesh);
   const Decomposition result = decompose(mesh, options);
   ASSERT_EQ(result.hulls.size(), 4u);
@@ -115,6 +115,26 @@ TEST(Decompose, LoosePointsGoToTheNearestHull) {
     }
   }
   EXPECT_EQ(changed, 1);
+}
+
+// Flat triangles from one of two boxes to the other, and a free end: surface like any other.
+TEST(Decompose, AWireOfFlatTrianglesIsCovered) {
+  TriangleMesh mesh = test_shapes::merged({test_shapes::box(1, 1, 1), test_shapes::moved(test_shapes::box(1, 1, 1), {4, 0, 0})});
+  const int first = static_cast<int>(mesh.vertices.size());
+  for (const double x : {1.0, 2.0, 4.0}) mesh.vertices.emplace_back(x, 0.5, 0.5);
+  mesh.vertices.emplace_back(2, 3, 0.5);
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  mesh.triangles.push_back({first + 1, first + 3, first + 3});
+  const RepairedMesh repaired = repair(mesh);
+  for (Method method : allMethods()) {
+    SCOPED_TRACE(name(method));
+    const DecomposeOptions options = with(method, repaired.mesh);
+    const Decomposition result = decompose(repaired, options);
+    EXPECT_LE(uncovered(mesh, result.hulls), 1e-9);
+    if (method != Method::kCertified) continue;
+    EXPECT_LE(result.hulls.size(), 4u);
+    EXPECT_LE(protrusion(result.hulls, Solid(repaired), 0.01 * options.tolerance).bound, options.tolerance);
+  }
 }
 
 TEST(SingleHull, IsTheHullOfAll) {

@@ -151,7 +151,7 @@ TEST_F(HullTreeOfBentTube, IsTheSameAgain) {
 
 TEST(HullTree, OfDegenerateInput) {
   RepairedMesh points;
-  points.loose = {{0, 0, 0}, {0.01, 0, 0}, {5, 0, 0}, {0, 0, 7}};
+  points.loose = test_shapes::loosePoints({{0, 0, 0}, {0.01, 0, 0}, {5, 0, 0}, {0, 0, 7}});
   const HullTree tree = hullTree(points, within(0.1));
   expectSound(tree);
   EXPECT_EQ(tree.nodes.size(), 5u);

@@ -17,7 +17,7 @@ namespace test_shapes {
 
 inline Eigen::AlignedBox3d boxOf(const RepairedMesh& mesh) {
   Eigen::AlignedBox3d box = boundingBox(mesh.mesh);
-  for (const Eigen::Vector3d& p : mesh.loose) box.extend(p);
+  for (const Segment& segment : mesh.loose) box.extend(segment[0]).extend(segment[1]);
   return box;
 }
 

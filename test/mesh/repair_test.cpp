@@ -77,25 +77,29 @@ TEST(Repair, OneTriangle) {
   EXPECT_EQ(std::vector<Interior>{Interior::kSurface}, repaired.interior);
 }
 
-TEST(Repair, DegenerateTrianglesAloneLeaveTheirCorners) {
+TEST(Repair, DegenerateTrianglesAloneLeaveTheirLongestSides) {
   const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {5, 5, 5}}, {{0, 1, 2}, {3, 3, 3}, {1, 1, 0}}};
   const RepairedMesh repaired = repair(mesh);
   EXPECT_TRUE(repaired.mesh.triangles.empty());
   EXPECT_TRUE(repaired.mesh.vertices.empty());
   EXPECT_EQ(3u, repaired.counts.degenerate);
-  EXPECT_EQ(mesh.vertices, repaired.loose);
+  const Eigen::Vector3d a(0, 0, 0), b(1, 0, 0), c(3, 0, 0), d(5, 5, 5);
+  EXPECT_EQ((std::vector<Segment>{{a, b}, {a, c}, {d, d}}), repaired.loose);
 }
 
 TEST(Repair, MeshInOnePoint) {
   const RepairedMesh repaired = repair({{{7, 7, 7}, {7, 7, 7}, {7, 7, 7}}, {{0, 1, 2}}});
   EXPECT_EQ(2u, repaired.counts.welded);
-  EXPECT_EQ(std::vector<Eigen::Vector3d>{Eigen::Vector3d(7, 7, 7)}, repaired.loose);
+  EXPECT_EQ(test_shapes::loosePoints({{7, 7, 7}}), repaired.loose);
 }
 
-TEST(Repair, CornersThatAKeptTriangleUsesAreNotLoose) {
-  const RepairedMesh repaired = repair({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}}});
-  EXPECT_EQ(1u, repaired.mesh.triangles.size());
-  EXPECT_EQ(std::vector<Eigen::Vector3d>{Eigen::Vector3d(2, 0, 0)}, repaired.loose);
+TEST(Repair, SidesOfKeptTrianglesAreNotLoose) {
+  const std::vector<Eigen::Vector3d> vertices{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {2, -1, 0}, {0.5, 0, 0}};
+  const auto loose = [&](const std::vector<Triangle>& triangles) { return repair({vertices, triangles}).loose; };
+  EXPECT_EQ((std::vector<Segment>{{vertices[0], vertices[3]}}), loose({{0, 1, 2}, {0, 1, 3}}));  // reaches beyond
+  EXPECT_TRUE(loose({{0, 1, 2}, {0, 1, 5}}).empty());                                            // its longest side
+  EXPECT_TRUE(loose({{0, 1, 2}, {1, 3, 4}, {0, 3, 1}}).empty());                                 // the two others
+  EXPECT_TRUE(loose({{0, 1, 2}, {2, 2, 2}}).empty());
 }
 
 // --- What it refuses ---

@@ -40,9 +40,9 @@ class Solid {
   /// The rotation into a frame along whose axes much of the surface lies flat; see geometry/own_axes.h.
   const Eigen::Matrix3d& axes() const;
   double weldDistance() const;                                  ///< [m] furthest that repair moved a point of the surface
-  const std::vector<Eigen::Vector3d>& componentPoints() const;  ///< a point of each component of the surface; loose points are some
+  const std::vector<Eigen::Vector3d>& componentPoints() const;  ///< a point of each component of the surface and of each loose segment
 
-  /// Its triangles are those of the mesh, then one for each loose point. Where it facesOneWay(p, distanceToSurface(p) + 2 * radius)
+  /// Its triangles are those of the mesh, then one for each loose segment. Where it facesOneWay(p, distanceToSurface(p) + 2 * radius)
   /// no point within `radius` of p is a local maximum of the distance to S, S itself apart: all of the surface that could be
   /// nearest to it faces one way, so that the distance grows in a common direction. Assumes that a region of negative winding, if
   /// there is one, is met by one of 5,000 probes over the surface.

@@ -25,7 +25,7 @@ namespace collision_hulls {
 /// x opens towards; 0 without notches. `two_sided`: the surface is a sheet, and an edge is a notch from one side or the other.
 double straightLineConcavity(const TriangleMesh& mesh, bool two_sided = false);
 
-/// The hulls of the parts that are left once no part's concavity is above `epsilon` [m], > 0; they cover mesh and loose points. At most
+/// The hulls of the parts that are left once no part's concavity is above `epsilon` [m], > 0; they cover mesh and loose segments. At most
 /// 2,000 parts, of which the most concave are cut first, so that the end is certain. Deterministic. Throws kCancelled.
 std::vector<ConvexHull> acdHulls(const RepairedMesh& mesh, double epsilon, const RunControl& control = {});
 

@@ -42,7 +42,7 @@ struct DecomposeOptions {
 };
 
 struct Decomposition {
-  std::vector<ConvexHull> hulls;  ///< they cover mesh and loose points up to rounding; in a fixed order
+  std::vector<ConvexHull> hulls;  ///< they cover mesh and loose segments up to rounding; in a fixed order
   bool capped = false;            ///< a cap (hulls or vertices) made the result coarser than the tolerance alone would
 };
 

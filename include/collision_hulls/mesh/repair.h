@@ -1,6 +1,7 @@
 // From a mesh as read to a mesh with topology: weld, drop, orient, count.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct RepairOptions {
 /// What was found and done, as counts.
 struct RepairCounts {
   std::size_t welded = 0;             ///< vertices that were joined to another one
-  std::size_t degenerate = 0;         ///< triangles without area, dropped (their corners stay in `loose`)
+  std::size_t degenerate = 0;         ///< triangles without area, dropped (what is left of them is in `loose`)
   std::size_t duplicate = 0;          ///< triangles with the corners of an earlier one, in either order, dropped
   std::size_t flipped = 0;            ///< triangles turned over
   std::size_t components = 0;         ///< edge-connected components
@@ -34,11 +35,14 @@ enum class Interior {
 };
 const char* name(Interior interior);  ///< "closed", "winding", "surface"
 
+/// [m] Both ends; a point where they are equal.
+using Segment = std::array<Eigen::Vector3d, 2>;
+
 struct RepairedMesh {
   TriangleMesh mesh;                   ///< welded, without degenerate or duplicate triangles, each component consistently oriented
   std::vector<int> component;          ///< per triangle: its component, 0 .. counts.components - 1, in order of first triangle
   std::vector<Interior> interior;      ///< per component
-  std::vector<Eigen::Vector3d> loose;  ///< [m] corners of dropped degenerate triangles that no kept triangle uses; part of the surface
+  std::vector<Segment> loose;          ///< what is left of dropped degenerate triangles and is no side of a kept one; part of the surface
   RepairCounts counts;
 };
 
@@ -54,7 +58,7 @@ struct RepairedMesh {
 /// it was.
 ///
 /// An open component is kWinding where the area that would close its boundary loops (fan of each loop about its centre) is
-/// below a tenth of its own area, else kSurface. A mesh of degenerate triangles alone gives an empty mesh and `loose` points.
+/// below a tenth of its own area, else kSurface. A mesh of degenerate triangles alone gives an empty mesh and `loose` segments.
 /// Near-linear in time; about 90 bytes a triangle beside the input. Deterministic. Thread safe. Throws kIndexOutOfRange,
 /// kNonFiniteCoordinate, kCancelled, and kBadOption for a weld tolerance outside [0, 0.1].
 RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options = {}, const RunControl& control = {});

@@ -39,10 +39,10 @@ const char* name(Interior interior);  ///< "closed", "winding", "surface"
 using Segment = std::array<Eigen::Vector3d, 2>;
 
 struct RepairedMesh {
-  TriangleMesh mesh;                   ///< welded, without degenerate or duplicate triangles, each component consistently oriented
-  std::vector<int> component;          ///< per triangle: its component, 0 .. counts.components - 1, in order of first triangle
-  std::vector<Interior> interior;      ///< per component
-  std::vector<Segment> loose;          ///< what is left of dropped degenerate triangles and is no side of a kept one; part of the surface
+  TriangleMesh mesh;               ///< welded, without degenerate or duplicate triangles, each component consistently oriented
+  std::vector<int> component;      ///< per triangle: its component, 0 .. counts.components - 1, in order of first triangle
+  std::vector<Interior> interior;  ///< per component
+  std::vector<Segment> loose;      ///< what is left of dropped degenerate triangles and is no side of a kept one; part of the surface
   RepairCounts counts;
 };
 

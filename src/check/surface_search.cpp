@@ -113,9 +113,11 @@ class Search {
       patch.bound = std::min({patch.bound, std::max(0.0, outside + radius), levelBound(patch, n.triangle)});
       const std::array<Eigen::Vector3d, 3> corners{patch.corner[0].p, patch.corner[1].p, patch.corner[2].p};
       if (patch.bound > threshold()) patch.bound = std::min(patch.bound, solid_.heightAboveSheet(corners, n, kSlack * query_.gap));
-      const double reach = n.distance + 2 * radius;  // to whatever is nearest to a point of the patch
-      if (patch.bound > threshold() && solid_.wayToBorder(c) > reach)
-        patch.bound = std::min(patch.bound, solid_.surface().frontBound({corners.begin(), corners.end()}, c, reach, &patch.divider));
+      if (patch.bound > threshold()) {
+        const double reach = n.distance + 2 * radius;  // to whatever is nearest to a point of the patch
+        const double front = solid_.surface().frontBound({corners.begin(), corners.end()}, c, reach, &patch.divider);
+        if (front < patch.bound && solid_.wayToBorder(c) > reach) patch.bound = front;
+      }
     }
     if (patch.bound > threshold())
       queue_.push(patch);

@@ -8,7 +8,8 @@
 
 namespace collision_hulls {
 
-/// Triangles with shared vertices, all of which triangles use. A point of the surface is a triangle of three equal corners, a segment one of two.
+/// Triangles with shared vertices, all of which triangles use. A point of the surface is a triangle of three equal corners, a segment one
+/// of two.
 using SurfacePiece = TriangleMesh;
 
 /// The parts of a piece beneath and above a plane. Triangles are divided where they cross it; vertices within `tolerance` [m]

@@ -18,11 +18,11 @@ namespace collision_hulls {
 /// depend on the order of queries until the octree is full (eight million cells). Not thread safe.
 class OutsideDistance {
  public:
-  /// `box` holds the solid, and most of what queried hulls hold; `solid` must live as long.
+  /// `box`: what most queried hulls lie in; `solid` must live as long.
   OutsideDistance(const Solid& solid, const Eigen::AlignedBox3d& box);
 
-  /// Whether the hull lies in that box, or hardly outside. Of others what is found holds, and the bound of summits: beyond the box the
-  /// distance grows outward.
+  /// Whether the hull lies in that box, or hardly outside. Of others what is found holds, and, if the box holds the solid,
+  /// the bound of summits: beyond it the distance grows outward.
   bool reaches(const ConvexHull& hull) const;
 
   /// Takes over what another one, of the same solid and box, knows of the cells that meet `part`.

@@ -3,7 +3,8 @@
 // solid on the other, it is divided along that edge instead.
 //
 // The distance f to the solid is 1-Lipschitz: within a radius r of the centre c it is at most f(c) + r. Where f is level that closes
-// slowly, and LevelBound takes over; TriangleBvh::frontBound settles patches within the solid that end at its surface.
+// slowly, and LevelBound takes over; TriangleBvh::frontBound settles patches within the solid that end at its surface, where
+// no opening is as near as that.
 #include "check/surface_search.h"
 
 #include <algorithm>

@@ -7,6 +7,7 @@
 #include "decompose/cluster_hulls.h"
 #include "decompose/notches.h"
 #include "decompose/surface_piece.h"
+#include "mesh/loose_segments.h"
 
 namespace collision_hulls {
 
@@ -156,7 +157,7 @@ double straightLineConcavity(const TriangleMesh& mesh, bool two_sided) {
 }
 
 std::vector<ConvexHull> acdHulls(const RepairedMesh& mesh, double epsilon, const RunControl& control) {
-  if (mesh.mesh.triangles.empty()) return {hullOfLoose(mesh.loose)};
+  if (mesh.mesh.triangles.empty()) return {convexHull(withLoose(mesh).vertices)};
   std::vector<ConvexHull> hulls = Resolving(mesh, epsilon, control).run();
   addLoose(hulls, mesh.loose, control);
   return hulls;

@@ -46,16 +46,10 @@ Plan planFor(Effort effort) {
   return plan;
 }
 
-Eigen::AlignedBox3d boxOf(const RepairedMesh& mesh) {
-  Eigen::AlignedBox3d box = boundingBox(mesh.mesh);
-  for (const Segment& segment : mesh.loose) box.extend(segment[0]).extend(segment[1]);
-  return box;
-}
-
 /// Where the work is done: about the origin, as coordinates are finest near it, and along the mesh's own axes.
 class Place {
  public:
-  explicit Place(const RepairedMesh& mesh) : axes_(ownAxes(mesh.mesh)), middle_(boxOf(mesh).center()) {}
+  explicit Place(const RepairedMesh& mesh) : axes_(ownAxes(mesh.mesh)), middle_(boundingBox(mesh).center()) {}
 
   RepairedMesh brought(RepairedMesh mesh) const {
     for (Eigen::Vector3d& v : mesh.mesh.vertices) v = axes_ * (v - middle_);
@@ -91,7 +85,7 @@ class Job {
         plan_(planFor(options.effort)),
         control_(control),
         solid_(mesh, control),
-        oracle_(solid_, boxOf(mesh), options.tolerance, control) {}
+        oracle_(solid_, boundingBox(mesh), options.tolerance, control) {}
 
   Cover cover() {
     const std::uint64_t seed = options_.seed;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "mesh/loose_segments.h"
+
 namespace collision_hulls {
 
 namespace {
@@ -55,14 +57,8 @@ void addLoose(std::vector<ConvexHull>& hulls, const std::vector<Segment>& loose,
   }
 }
 
-ConvexHull hullOfLoose(const std::vector<Segment>& loose) {
-  Points ends;
-  for (const Segment& segment : loose) ends.insert(ends.end(), segment.begin(), segment.end());
-  return convexHull(ends);
-}
-
 std::vector<ConvexHull> clusterHulls(const RepairedMesh& mesh, const std::vector<std::vector<int>>& clusters, const RunControl& control) {
-  if (clusters.empty()) return {hullOfLoose(mesh.loose)};
+  if (clusters.empty()) return {convexHull(withLoose(mesh).vertices)};
   std::vector<ConvexHull> hulls;
   for (const std::vector<int>& cluster : clusters) {
     control.check();

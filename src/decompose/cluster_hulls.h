@@ -17,7 +17,4 @@ std::vector<ConvexHull> clusterHulls(const RepairedMesh& mesh, const std::vector
 /// What clusterHulls does with loose segments. `hulls` must not be empty.
 void addLoose(std::vector<ConvexHull>& hulls, const std::vector<Segment>& loose, const RunControl& control);
 
-/// The hull of loose segments.
-ConvexHull hullOfLoose(const std::vector<Segment>& loose);
-
 }  // namespace collision_hulls

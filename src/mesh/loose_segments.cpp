@@ -16,6 +16,12 @@ TriangleMesh withLoose(const RepairedMesh& mesh) {
   return surface;
 }
 
+Eigen::AlignedBox3d boundingBox(const RepairedMesh& mesh) {
+  Eigen::AlignedBox3d box = boundingBox(mesh.mesh);
+  for (const Segment& segment : mesh.loose) box.extend(segment[0]).extend(segment[1]);
+  return box;
+}
+
 std::vector<Eigen::Vector3d> pointsOfComponents(const RepairedMesh& mesh) {
   std::vector<Eigen::Vector3d> points;
   for (const Segment& segment : mesh.loose) points.push_back(segment[0]);

@@ -11,6 +11,8 @@ void addSegment(TriangleMesh& mesh, const Segment& segment);
 /// The mesh and its loose segments as one surface.
 TriangleMesh withLoose(const RepairedMesh& mesh);
 
+Eigen::AlignedBox3d boundingBox(const RepairedMesh& mesh);
+
 /// A corner of each component, and one of each loose segment.
 std::vector<Eigen::Vector3d> pointsOfComponents(const RepairedMesh& mesh);
 

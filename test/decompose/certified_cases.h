@@ -8,6 +8,7 @@
 #include "collision_hulls/check/measures.h"
 #include "collision_hulls/decompose/certified.h"
 #include "collision_hulls/decompose/fit_cover.h"
+#include "mesh/loose_segments.h"
 #include "solids.h"
 
 namespace collision_hulls {
@@ -25,8 +26,7 @@ inline DecomposeOptions within(double tolerance, Effort effort = Effort::kQuick,
 }
 
 inline double sizeOf(const RepairedMesh& mesh) {
-  Eigen::AlignedBox3d box = boundingBox(mesh.mesh);
-  for (const Segment& segment : mesh.loose) box.extend(segment[0]).extend(segment[1]);
+  const Eigen::AlignedBox3d box = boundingBox(mesh);
   return box.diagonal().norm() + box.center().norm();
 }
 

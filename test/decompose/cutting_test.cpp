@@ -49,10 +49,20 @@ TEST(Cutting, LoosePointsAreLeaves) {
   mesh.loose = test_shapes::loosePoints({{0, 0, 0}, {5, 0, 0}, {0, 7, 0}});
   const RunControl control;
   const Solid solid(mesh);
-  ProtrusionOracle oracle(solid, boxOf(mesh), 0.1, control);
+  ProtrusionOracle oracle(solid, boundingBox(mesh), 0.1, control);
   const std::vector<Leaf> leaves = cutIntoLeaves(mesh, oracle, {}, [](double) {});
   ASSERT_EQ(leaves.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(leaves[i].block.surface.vertices, std::vector<Eigen::Vector3d>{mesh.loose[i][0]});
+}
+
+TEST(Cutting, ASegmentIsDividedIntoTwo) {
+  const SurfacePiece segment{{{0, 0, 0}, {3, 0, 0}}, {{0, 1, 1}}};
+  const auto [beneath, above] = cut(segment, {Eigen::Vector3d::UnitX(), 1}, 1e-9);
+  ASSERT_EQ(beneath.triangles.size(), 1u);
+  ASSERT_EQ(above.triangles.size(), 1u);
+  EXPECT_NEAR(boundingBox(beneath).max().x(), 1, 1e-12);
+  EXPECT_NEAR(boundingBox(above).min().x(), 1, 1e-12);
+  EXPECT_NEAR(boundingBox(above).max().x(), 3, 1e-12);
 }
 
 TEST(Cutting, WallsAreLeaves) {

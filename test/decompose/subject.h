@@ -10,20 +10,15 @@
 #include "decompose/cutting.h"
 #include "decompose/protrusion_oracle.h"
 #include "decompose/surface_groups.h"
+#include "mesh/loose_segments.h"
 #include "solids.h"
 
 namespace collision_hulls {
 namespace test_shapes {
 
-inline Eigen::AlignedBox3d boxOf(const RepairedMesh& mesh) {
-  Eigen::AlignedBox3d box = boundingBox(mesh.mesh);
-  for (const Segment& segment : mesh.loose) box.extend(segment[0]).extend(segment[1]);
-  return box;
-}
-
 struct Subject {
   Subject(const TriangleMesh& original, double tolerance)
-      : mesh(repair(original)), solid(mesh), oracle(solid, boxOf(mesh), tolerance, control) {}
+      : mesh(repair(original)), solid(mesh), oracle(solid, boundingBox(mesh), tolerance, control) {}
 
   std::vector<Leaf> leaves(const CutOptions& options = {}) {
     return cutIntoLeaves(mesh, oracle, options, [](double) {});

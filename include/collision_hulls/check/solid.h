@@ -22,7 +22,7 @@ class Solid {
 
   bool contains(const Eigen::Vector3d& p) const;             ///< inside by the winding rule (the surface itself: either)
   double distanceToSurface(const Eigen::Vector3d& p) const;  ///< [m] exact
-  double distance(const Eigen::Vector3d& p) const;           ///< [m] to S; 0 inside
+  double distance(const Eigen::Vector3d& p) const;           ///< [m] to S; 0 inside. Outside to its surface, also by openings
   /// [m] distance(p) outside; inside, the negative radius of a ball about p that lies within S: the distance to the surface, or
   /// less near openings. `to_surface`: distanceToSurface(p).
   double signedDistance(const Eigen::Vector3d& p, double to_surface) const;
@@ -43,9 +43,9 @@ class Solid {
   const std::vector<Eigen::Vector3d>& componentPoints() const;  ///< a point of each component of the surface and of each loose segment
 
   /// Its triangles are those of the mesh, then one for each loose segment. Where it facesOneWay(p, distanceToSurface(p) + 2 * radius)
-  /// no point within `radius` of p is a local maximum of the distance to S, S itself apart: all of the surface that could be
-  /// nearest to it faces one way, so that the distance grows in a common direction. Assumes that a region of negative winding, if
-  /// there is one, is met by one of 5,000 probes over the surface.
+  /// and wayToBorder(p) is longer than that, no point within `radius` of p is a local maximum of the distance to S, S itself apart:
+  /// all that could be nearest to it is surface that faces one way, so that the distance grows in a common direction. Assumes that a
+  /// region of negative winding, if there is one, is met by one of 5,000 probes over the surface.
   const TriangleBvh& surface() const;
 
  private:

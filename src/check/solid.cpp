@@ -31,7 +31,7 @@ bool isPaired(const std::vector<Triangle>& triangles, const Edges& edges, int h)
   return twin >= 0 && startOf(triangles, twin) == endOf(triangles, h);
 }
 
-/// The boundary of the oriented surface of the components that have an inside: edges whose triangles do not run along them equally often
+/// The boundary of the oriented surface without its sheets: edges whose triangles do not run along them equally often
 /// in both directions, as the surface runs along them, as often as that direction prevails.
 Rim rimOf(const RepairedMesh& mesh, const Edges& edges) {
   const std::vector<Triangle>& triangles = mesh.mesh.triangles;
@@ -39,8 +39,7 @@ Rim rimOf(const RepairedMesh& mesh, const Edges& edges) {
   for (int h = 0; h < static_cast<int>(edges.twin.size()); ++h) {
     if (isPaired(triangles, edges, h)) continue;
     const int from = startOf(triangles, h), to = endOf(triangles, h);
-    const int component = mesh.component[static_cast<std::size_t>(h / 3)];
-    if (mesh.interior[static_cast<std::size_t>(component)] == Interior::kSurface) continue;
+    if (mesh.sheet[static_cast<std::size_t>(h / 3)]) continue;
     surplus[{std::min(from, to), std::max(from, to)}] += from < to ? 1 : -1;
   }
   Rim rim;
@@ -51,14 +50,30 @@ Rim rimOf(const RepairedMesh& mesh, const Edges& edges) {
   return rim;
 }
 
-/// The rim as simple loops, each a list of vertices. It is a cycle: as many of its edges begin at a vertex as end there.
-std::vector<std::vector<int>> loopsOf(const Rim& rim) {
+/// Takes the edge onward from v that turns back the most, so that the two sides of a crack make one loop.
+int takeOnward(const std::vector<Eigen::Vector3d>& vertices, int before, int v, std::vector<int>* ends) {
+  const auto at = [&](int i) -> const Eigen::Vector3d& { return vertices[static_cast<std::size_t>(i)]; };
+  const Eigen::Vector3d back = at(before) - at(v);
+  const auto turn = [&](int end) { return (at(end) - at(v)).normalized().dot(back); };
+  auto taken = ends->end() - 1;
+  if (before != v && ends->size() > 1)
+    taken = std::max_element(ends->begin(), ends->end(), [&](int a, int b) { return turn(a) < turn(b); });
+  const int next = *taken;
+  ends->erase(taken);
+  return next;
+}
+
+/// A simple cycle of vertices.
+using Loop = std::vector<int>;
+
+/// The rim as loops. It is a cycle: as many of its edges begin at a vertex as end there.
+std::vector<Loop> loopsOf(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
   std::map<int, std::vector<int>> onward;  // by vertex: the ends of edges that were not walked yet
   for (const auto& [from, to] : rim) onward[from].push_back(to);
-  std::vector<std::vector<int>> loops;
+  std::vector<Loop> loops;
   std::map<int, std::size_t> place;  // on the path
   for (const auto& [from, to] : rim) {
-    std::vector<int> path;
+    Loop path;
     for (int v = from;;) {
       const auto met = place.find(v);
       if (met != place.end()) {
@@ -69,48 +84,82 @@ std::vector<std::vector<int>> loopsOf(const Rim& rim) {
       if (onward[v].empty()) break;
       place[v] = path.size();
       path.push_back(v);
-      const int next = onward[v].back();
-      onward[v].pop_back();
-      v = next;
+      v = takeOnward(vertices, path.size() > 1 ? path[path.size() - 2] : v, v, &onward[v]);
     }
   }
   return loops;
 }
 
+/// [m] No point of the loop, nor of what spans it, is further from some segment that the loop runs along, there and back.
+double widthOf(const std::vector<Eigen::Vector3d>& vertices, const Loop& loop) {
+  const auto at = [&](int v) -> const Eigen::Vector3d& { return vertices[static_cast<std::size_t>(v)]; };
+  const auto furthestFrom = [&](int v) {
+    return *std::max_element(loop.begin(), loop.end(), [&](int a, int b) { return (at(a) - at(v)).norm() < (at(b) - at(v)).norm(); });
+  };
+  const int end = furthestFrom(loop[0]);
+  const Eigen::Vector3d from = at(end), along = at(furthestFrom(end)) - from;
+  double width = 0;
+  for (const int v : loop) {
+    const double share = std::clamp((at(v) - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    width = std::max(width, (at(v) - from - share * along).norm());
+  }
+  return width;
+}
+
+/// What closes the surface along its rim. A loop no wider than vertices are welded over is a crack, as where one triangle's long side
+/// meets two short ones: its lids lie in it and count as surface wherever inside and outside are told apart. Other loops are openings.
+struct Lids {
+  std::vector<Eigen::Vector3d> vertices;  // the surface's, and more
+  std::vector<Triangle> of_cracks, of_openings;
+  Rim rim_of_openings;
+  double crack_width = 0;  // [m] the largest
+};
+
 constexpr double kApexAside = 0.05;  // of a loop's extent
 
-/// Lids that close the surface along its rim: for each loop of it a cone of triangles to a point near its middle, but aside from the
-/// plane that it may lie in, where lids would be asked about most.
-TriangleMesh lidsOf(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
-  TriangleMesh lids;
+/// Openings get a cone of triangles to a point near the loop's middle, but aside from the plane that it may lie in, where lids would be
+/// asked about most.
+Lids lidsOf(const TriangleMesh& mesh, const Rim& rim) {
+  Lids lids;
   if (rim.empty()) return lids;
-  lids.vertices = vertices;
+  lids.vertices = mesh.vertices;
+  const double widest_crack = RepairOptions{}.weld_tolerance * boundingBox(mesh).sizes().maxCoeff();
   const Eigen::Vector3d aside = Eigen::Vector3d(0.6180339887, -0.4142135624, 0.7320508076).normalized();
-  for (const std::vector<int>& loop : loopsOf(rim)) {
+  for (const Loop& loop : loopsOf(mesh.vertices, rim)) {
+    const double width = widthOf(mesh.vertices, loop);
+    if (width <= widest_crack) {
+      for (std::size_t i = 2; i < loop.size(); ++i) lids.of_cracks.push_back({loop[i], loop[i - 1], loop[0]});
+      lids.crack_width = std::max(lids.crack_width, width);
+      continue;
+    }
     Eigen::AlignedBox3d box;
-    for (int v : loop) box.extend(vertices[static_cast<std::size_t>(v)]);
+    for (int v : loop) box.extend(mesh.vertices[static_cast<std::size_t>(v)]);
     const int apex = static_cast<int>(lids.vertices.size());
     lids.vertices.push_back(box.center() + kApexAside * box.diagonal().norm() * aside);
-    for (std::size_t i = 0; i < loop.size(); ++i) lids.triangles.push_back({loop[(i + 1) % loop.size()], loop[i], apex});
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const int next = loop[(i + 1) % loop.size()];
+      lids.of_openings.push_back({next, loop[i], apex});
+      lids.rim_of_openings.push_back({loop[i], next});
+    }
   }
   return lids;
 }
 
-/// The triangles of the components that have an inside.
+/// The triangles that are of no sheet.
 TriangleMesh wallsOf(const RepairedMesh& mesh) {
   TriangleMesh result;
   result.vertices = mesh.mesh.vertices;
   for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t)
-    if (mesh.interior[static_cast<std::size_t>(mesh.component[t])] != Interior::kSurface)
-      result.triangles.push_back(mesh.mesh.triangles[t]);
+    if (!mesh.sheet[t]) result.triangles.push_back(mesh.mesh.triangles[t]);
   return result;
 }
 
-/// Both, which share their first vertices: those of `mesh`.
-TriangleMesh joined(const TriangleMesh& mesh, const TriangleMesh& lids) {
+/// The surface closed.
+TriangleMesh joined(const TriangleMesh& mesh, const Lids& lids) {
   TriangleMesh result = mesh;
-  if (!lids.triangles.empty()) result.vertices = lids.vertices;
-  result.triangles.insert(result.triangles.end(), lids.triangles.begin(), lids.triangles.end());
+  if (!lids.vertices.empty()) result.vertices = lids.vertices;
+  for (const std::vector<Triangle>* triangles : {&lids.of_cracks, &lids.of_openings})
+    result.triangles.insert(result.triangles.end(), triangles->begin(), triangles->end());
   return result;
 }
 
@@ -137,20 +186,20 @@ constexpr double kInside = 0.5;  // winding numbers above are those of points in
 // What the winding number may err by.
 constexpr double kWindingError = 0.02;
 
-/// What lies inside, by the components that have an inside. The winding number is that of the surface closed with lids, which counting
+/// What lies inside. The winding number is that of the surface closed with lids, which counting
 /// crossings tells, less that of the lids, which are few.
 struct Walls {
   /// `surface`: a tree over all triangles, which serves where all of them are walls without a rim.
   Walls(const RepairedMesh& mesh, const Rim& rim_edges, const std::shared_ptr<const TriangleBvh>& surface)
-      : Walls(wallsOf(mesh), lidsOf(mesh.mesh.vertices, rim_edges), mesh, rim_edges, surface) {}
-  Walls(const TriangleMesh& walls, const TriangleMesh& lid_mesh, const RepairedMesh& mesh, const Rim& rim_edges,
-        const std::shared_ptr<const TriangleBvh>& surface)
-      : closed(lid_mesh.triangles.empty() && walls.triangles.size() == mesh.mesh.triangles.size()
+      : Walls(wallsOf(mesh), lidsOf(mesh.mesh, rim_edges), mesh, surface) {}
+  Walls(const TriangleMesh& walls, const Lids& all_lids, const RepairedMesh& mesh, const std::shared_ptr<const TriangleBvh>& surface)
+      : closed(all_lids.vertices.empty() && walls.triangles.size() == mesh.mesh.triangles.size()
                    ? surface
-                   : std::make_shared<TriangleBvh>(joined(walls, lid_mesh))),
-        lids(lid_mesh),
-        rim(edgeMesh(mesh.mesh.vertices, rim_edges)),
-        rim_length(lengthOf(mesh.mesh.vertices, rim_edges)),
+                   : std::make_shared<TriangleBvh>(joined(walls, all_lids))),
+        lids({all_lids.vertices, all_lids.of_openings}),
+        rim(edgeMesh(mesh.mesh.vertices, all_lids.rim_of_openings)),
+        rim_length(lengthOf(mesh.mesh.vertices, all_lids.rim_of_openings)),
+        crack_width(all_lids.crack_width),
         volume(signedVolume(walls)),
         inverted(hasInvertedRegion(walls)) {}
 
@@ -184,7 +233,8 @@ struct Walls {
 
   std::shared_ptr<const TriangleBvh> closed;
   TriangleBvh lids, rim;
-  double rim_length;
+  double rim_length;   // [m]
+  double crack_width;  // [m]
   double volume;
   bool inverted;
 };
@@ -198,8 +248,7 @@ std::vector<char> twoSided(const RepairedMesh& mesh, const Edges& edges) {
     const auto endsSheet = [&](int half_edge) {
       return edges.twin[static_cast<std::size_t>(half_edge)] != Edges::kNonManifold && !isPaired(triangles, edges, half_edge);
     };
-    result[t] = mesh.interior[static_cast<std::size_t>(mesh.component[t])] == Interior::kSurface || endsSheet(h) || endsSheet(h + 1) ||
-                endsSheet(h + 2);
+    result[t] = mesh.sheet[t] || endsSheet(h) || endsSheet(h + 1) || endsSheet(h + 2);
   }
   return result;
 }
@@ -248,8 +297,11 @@ double Solid::distance(const Eigen::Vector3d& p) const {
   return contains(p) ? 0 : distanceToSurface(p);
 }
 double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface) const {
-  const double winding = impl_->walls.windingNumber(p);
-  return winding > kInside ? -std::min(to_surface, impl_->walls.wayToBorder(p, winding)) : to_surface;
+  const Walls& walls = impl_->walls;
+  const double winding = walls.windingNumber(p);
+  if (winding <= kInside) return to_surface;
+  // A crack's lids are nowhere further from the surface than twice its width; so is what lies beyond them where they are crossed.
+  return -std::max(0.0, std::min(to_surface - 4 * walls.crack_width, walls.wayToBorder(p, winding)));
 }
 
 double Solid::distanceWithin(double radius, double signed_distance, double to_surface) const {

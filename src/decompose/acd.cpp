@@ -30,14 +30,12 @@ struct Waiting {
   bool operator<(const Waiting& o) const { return concavity != o.concavity ? concavity < o.concavity : part > o.part; }
 };
 
-/// The triangles of the components that are sheets, or of those that are not.
+/// The triangles of sheets, or those that are of none.
 SurfacePiece trianglesOf(const RepairedMesh& mesh, bool sheets) {
   SurfacePiece piece;
   piece.vertices = mesh.mesh.vertices;
-  for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t) {
-    const bool of_sheet = mesh.interior[static_cast<std::size_t>(mesh.component[t])] == Interior::kSurface;
-    if (of_sheet == sheets) piece.triangles.push_back(mesh.mesh.triangles[t]);
-  }
+  for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t)
+    if ((mesh.sheet[t] != 0) == sheets) piece.triangles.push_back(mesh.mesh.triangles[t]);
   return piece;
 }
 

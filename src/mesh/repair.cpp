@@ -9,6 +9,7 @@
 
 #include "collision_hulls/error.h"
 #include "mesh/boundary.h"
+#include "mesh/fins.h"
 #include "mesh/edges.h"
 #include "mesh/orient.h"
 #include "mesh/weld.h"
@@ -156,15 +157,18 @@ void compact(const std::vector<Eigen::Vector3d>& vertices, RepairedMesh* result)
     for (int& v : t) v = number[at(v)];
 }
 
-/// Per component, where the triangles marked in `turn` are turned over.
-std::vector<Interior> findInteriors(const TriangleMesh& mesh, const Edges& edges, const std::vector<char>& turn) {
+/// Per component without its fins, where the triangles marked in `turn` are turned over.
+std::vector<Interior> findInteriors(const TriangleMesh& mesh, const Edges& edges, const std::vector<char>& turn,
+                                    const std::vector<char>& fin) {
   std::vector<double> area(edges.components, 0);
   std::vector<Interior> interior(edges.components, Interior::kClosed);
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    if (fin[at(t)]) continue;
     area[at(edges.component[at(t)])] += (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0)).norm() / 2;
+  }
   std::vector<BoundaryEdge> boundary;
   for (int h = 0; h < static_cast<int>(edges.twin.size()); ++h)
-    if (edges.twin[at(h)] == Edges::kOpen) boundary.push_back(boundaryEdge(mesh, h, turn, edges.component));
+    if (edges.twin[at(h)] == Edges::kOpen && !fin[at(h / 3)]) boundary.push_back(boundaryEdge(mesh, h, turn, edges.component));
   for (const BoundaryEdge& edge : boundary) interior[at(edge.surface)] = Interior::kWinding;
   const std::vector<Closure> closing = closures(mesh.vertices, std::move(boundary), edges.components, Eigen::Vector3d::Zero());
   for (std::size_t c = 0; c < interior.size(); ++c)
@@ -209,9 +213,12 @@ RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options, cons
   control.check();
   const std::vector<char> turn = trianglesToTurn(result.mesh, edges);
   result.counts.flipped = static_cast<std::size_t>(std::count(turn.begin(), turn.end(), 1));
-  result.interior = findInteriors(result.mesh, edges, turn);
+  result.sheet = findFins(result.mesh, edges, turn);
+  result.interior = findInteriors(result.mesh, edges, turn, result.sheet);
   for (std::size_t t = 0; t < turn.size(); ++t)
     if (turn[t]) std::swap(result.mesh.triangles[t][1], result.mesh.triangles[t][2]);
+  for (std::size_t t = 0; t < turn.size(); ++t)
+    if (result.interior[at(edges.component[t])] == Interior::kSurface) result.sheet[t] = 1;
   result.component = std::move(edges.component);
   return result;
 }

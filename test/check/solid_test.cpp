@@ -132,6 +132,67 @@ TEST(Solid, TheSignedDistanceStaysInside) {
   EXPECT_EQ(closed.signedDistance({0.5, 0.5, 1.5}, 0.5), 0.5);
 }
 
+/// A cube of side 1 whose top meets its sides at other vertices: each upper edge of the top is split, `off` aside of the sides' edge.
+TriangleMesh cubeWithCracks(double off) {
+  TriangleMesh mesh = test_shapes::box(1, 1, 1);
+  TriangleMesh result{mesh.vertices, {}};
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& face = mesh.triangles[t];
+    const auto at = [&](std::size_t k) { return mesh.vertices[static_cast<std::size_t>(face[k])]; };
+    const bool top = at(0).z() + at(1).z() + at(2).z() == 3;
+    std::size_t k = 0;  // the longest side is the diagonal of the top, k + 1 to k + 2 is not
+    while (top && (at(k) - at((k + 1) % 3)).norm() > 1.1) ++k;
+    if (!top) {
+      result.triangles.push_back(face);
+      continue;
+    }
+    const int a = face[k], b = face[(k + 1) % 3], c = face[(k + 2) % 3], middle = static_cast<int>(result.vertices.size());
+    result.vertices.push_back((at(k) + at((k + 1) % 3)) / 2 + Vector3d(off, off, off));
+    result.triangles.push_back({a, middle, c});
+    result.triangles.push_back({middle, b, c});
+  }
+  return result;
+}
+
+TEST(Solid, CracksNoWiderThanTheWeldToleranceAreNoOpenings) {
+  for (const double off : {0.0, 1e-9, -1e-9, 5e-6, -5e-6}) {
+    const RepairedMesh repaired = repair(cubeWithCracks(off));
+    ASSERT_EQ(repaired.counts.open_edges, 6U);
+    const Solid solid(repaired);
+    EXPECT_FALSE(solid.hasOpenings());
+    RandomPoints random(1);
+    for (int i = 0; i < 2000; ++i) {
+      const Vector3d p = Vector3d(0.5, 0.5, 0.5) + 1.2 * random.inCube(0.5);
+      const double beyond = ((p - Vector3d(0.5, 0.5, 0.5)).cwiseAbs() - Vector3d(0.5, 0.5, 0.5)).maxCoeff();
+      if (std::abs(beyond) > 2 * std::abs(off)) {
+        EXPECT_EQ(solid.contains(p), beyond < 0) << p.transpose();
+      }
+      const double to_surface = solid.distanceToSurface(p), d = solid.signedDistance(p, to_surface);
+      EXPECT_NEAR(d, solid.contains(p) ? -to_surface : to_surface, 6 * std::abs(off));
+      const double radius = 0.3;  // what is within reach may lie outside, across a crack
+      EXPECT_GE(solid.distanceWithin(radius, d, to_surface), solid.distance(p + radius * random.onSphere())) << p.transpose();
+    }
+  }
+  EXPECT_TRUE(Solid(repair(cubeWithCracks(1e-4))).hasOpenings());
+}
+
+TEST(Solid, FinsDoNotTouchWhatIsInside) {
+  TriangleMesh mesh = test_shapes::box(1, 1, 1);
+  for (int side = 0; side < 2; ++side) {
+    const auto y = static_cast<double>(side);
+    mesh = test_shapes::merged({mesh, {{{0, y, 1}, {1, y, 1}, {1, y, 1.4}, {0, y, 1.4}}, {{0, 1, 2}, {0, 2, 3}}}});
+  }
+  const Solid solid = solidOf(mesh);
+  EXPECT_FALSE(solid.hasOpenings());
+  for (const double z : {0.01, 0.5, 0.99, 0.999})
+    for (const double y : {0.001, 0.01, 0.5, 0.99}) EXPECT_TRUE(solid.contains({0.5, y, z}));
+  for (const double z : {1.01, 1.2, 1.39})
+    for (const double y : {-0.01, 0.01, 0.5, 0.99, 1.01}) EXPECT_FALSE(solid.contains({0.5, y, z}));
+  EXPECT_NEAR(solid.distance({0.5, 0.5, 1.3}), 0.3, 1e-12);
+  EXPECT_NEAR(solid.distance({0.5, 0.1, 1.3}), 0.1, 1e-12);  // to a fin
+  EXPECT_DOUBLE_EQ(solid.volume(), 1);
+}
+
 TEST(Solid, NoWayToABorderIsShorter) {
   const TriangleMesh mesh = test_shapes::boxWithWindow(0.2);
   const Solid solid = solidOf(mesh);

@@ -324,6 +324,52 @@ TEST(RepairInterior, BoxWithoutALidIsASurface) {
   EXPECT_EQ(std::vector<Interior>{Interior::kSurface}, repair(open).interior) << "its lid is a fifth of its area";
 }
 
+/// A box of side 1 and, on each edge of its top, a sheet of `height` that stands up, of two triangles.
+TriangleMesh boxWithFins(double height) {
+  TriangleMesh mesh = box(1, 1, 1);
+  for (int side = 0; side < 4; ++side) {
+    const auto corner = [&](int k, double z) { return Eigen::Vector3d((k + 1) % 4 / 2, k % 4 / 2, z); };
+    const TriangleMesh fin = {{corner(side, 1), corner(side + 1, 1), corner(side + 1, 1 + height), corner(side, 1 + height)},
+                              {{0, 1, 2}, {0, 2, 3}}};
+    mesh = merged({mesh, fin});
+  }
+  return mesh;
+}
+
+TEST(RepairInterior, FinsEncloseNothingAndOpenNothing) {
+  for (const double height : {0.01, 0.5, 5.0}) {  // also where what would close them is more than a tenth of all
+    const TriangleMesh mesh = boxWithFins(height);
+    const RepairedMesh repaired = repair(mesh);
+    ASSERT_EQ(repaired.counts.components, 1U);
+    EXPECT_EQ(repaired.counts.nonmanifold_edges, 4U);
+    EXPECT_EQ(repaired.interior[0], Interior::kClosed);
+    for (std::size_t t = 0; t < repaired.sheet.size(); ++t) EXPECT_EQ(repaired.sheet[t], t >= 12) << t;
+  }
+}
+
+TEST(RepairInterior, AnOpenBoxThatHangsOnAClosedOneIsAFin) {
+  TriangleMesh open = moved(box(1, 1, 1), {1, 0, 1});  // shares one edge with the box below
+  open.triangles.resize(10);
+  const RepairedMesh repaired = repair(merged({box(1, 1, 1), open}));
+  ASSERT_EQ(repaired.counts.components, 1U);
+  ASSERT_EQ(repaired.counts.nonmanifold_edges, 1U);
+  EXPECT_EQ(repaired.interior[0], Interior::kClosed);
+  for (std::size_t t = 0; t < repaired.sheet.size(); ++t) EXPECT_EQ(repaired.sheet[t], t >= 12) << t;
+}
+
+TEST(RepairInterior, WallsThatEncloseAreNoFins) {
+  const RepairedMesh two = repair(merged({box(1, 1, 1), moved(box(1, 1, 1), {1, 0, 1})}));
+  EXPECT_EQ(two.counts.nonmanifold_edges, 1U);
+  EXPECT_EQ(std::count(two.sheet.begin(), two.sheet.end(), 1), 0);
+  TriangleMesh torn = box(1, 1, 1, 8);  // almost closed, hung on a closed one
+  torn.triangles.pop_back();
+  const RepairedMesh hung = repair(merged({box(1, 1, 1, 8), moved(torn, {1, 0, 1})}));
+  EXPECT_EQ(hung.interior[0], Interior::kWinding);
+  EXPECT_EQ(std::count(hung.sheet.begin(), hung.sheet.end(), 1), 0);
+  const RepairedMesh alone = repair(test_shapes::sheet());
+  EXPECT_EQ(std::count(alone.sheet.begin(), alone.sheet.end(), 1), 2);
+}
+
 TEST(RepairInterior, Names) {
   EXPECT_STREQ("closed", name(Interior::kClosed));
   EXPECT_STREQ("winding", name(Interior::kWinding));

@@ -12,8 +12,9 @@
 
 namespace collision_hulls {
 
-/// S: the surface, and the points inside it (per component by its Interior rule: generalized winding number > 1/2; components are
-/// oriented outward, so that a closed cavity within a housing is inside). Immutable, thread safe.
+/// S: the surface, and the points inside what of it is no sheet: generalized winding number > 1/2. Components are oriented outward, so
+/// that a closed cavity within a housing is inside. Cracks of the surface no wider than vertices are welded over by default (1e-5 of
+/// the extent) count as closed. Immutable, thread safe.
 class Solid {
  public:
   explicit Solid(const RepairedMesh& mesh, const RunControl& control = {});
@@ -23,8 +24,8 @@ class Solid {
   bool contains(const Eigen::Vector3d& p) const;             ///< inside by the winding rule (the surface itself: either)
   double distanceToSurface(const Eigen::Vector3d& p) const;  ///< [m] exact
   double distance(const Eigen::Vector3d& p) const;           ///< [m] to S; 0 inside. Outside to its surface, also by openings
-  /// [m] distance(p) outside; inside, the negative radius of a ball about p that lies within S: the distance to the surface, or
-  /// less near openings. `to_surface`: distanceToSurface(p).
+  /// [m] distance(p) outside; inside, the negative radius of a ball about p that lies within S: the distance to the surface, less four
+  /// times the widest crack, or less near openings. `to_surface`: distanceToSurface(p).
   double signedDistance(const Eigen::Vector3d& p, double to_surface) const;
   /// [m] No point within `radius` of one at this signedDistance() has a larger distance(). Near openings a step out of the ball may lead
   /// to the far side of a border that is no surface, where the nearest wall counts.

@@ -29,7 +29,7 @@ struct RepairCounts {
 
 /// Which rule says what lies inside a component.
 enum class Interior {
-  kClosed,   ///< no open edge: inside is what the surface encloses
+  kClosed,   ///< no open edge but of fins: inside is what the surface encloses
   kWinding,  ///< small openings: inside is where the generalized winding number exceeds 1/2
   kSurface   ///< a sheet: nothing is inside, the solid is the surface alone
 };
@@ -42,6 +42,7 @@ struct RepairedMesh {
   TriangleMesh mesh;               ///< welded, without degenerate or duplicate triangles, each component consistently oriented
   std::vector<int> component;      ///< per triangle: its component, 0 .. counts.components - 1, in order of first triangle
   std::vector<Interior> interior;  ///< per component
+  std::vector<char> sheet;         ///< per triangle: 1 where it encloses nothing, in a component that is kSurface or in a fin
   std::vector<Segment> loose;      ///< what is left of dropped degenerate triangles and is no side of a kept one; part of the surface
   RepairCounts counts;
 };
@@ -57,10 +58,12 @@ struct RepairedMesh {
 /// an edge, and a cavity's own wall, are outward each. A volume that is nil for the area decides nothing: a flat sheet stays as
 /// it was.
 ///
-/// An open component is kWinding where the area that would close its boundary loops (fan of each loop about its centre) is
-/// below a tenth of its own area, else kSurface. A mesh of degenerate triangles alone gives an empty mesh and `loose` segments.
-/// Near-linear in time; about 90 bytes a triangle beside the input. Deterministic. Thread safe. Throws kIndexOutOfRange,
-/// kNonFiniteCoordinate, kCancelled, and kBadOption for a weld tolerance outside [0, 0.1].
+/// A patch that is a sheet by itself (it has open edges, and its fans are a tenth of its area or more) and hangs, at non-manifold edges, on
+/// triangles that are balanced without it (run along those edges equally often in both directions) is a fin: part of the surface that takes
+/// no part in telling inside from outside. An open component, fins apart, is kWinding where the area that would close its boundary loops
+/// (fan of each loop about its centre) is below a tenth of its own area, else kSurface. A mesh of degenerate triangles alone gives an empty
+/// mesh and `loose` segments. Near-linear in time; about 90 bytes a triangle beside the input. Deterministic. Thread safe. Throws
+/// kIndexOutOfRange, kNonFiniteCoordinate, kCancelled, and kBadOption for a weld tolerance outside [0, 0.1].
 RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options = {}, const RunControl& control = {});
 
 /// The rule of the whole mesh, as it stands in reports: kClosed if every component is, kSurface if every one is, else kWinding.

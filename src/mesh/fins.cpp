@@ -1,0 +1,100 @@
+#include "mesh/fins.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "mesh/boundary.h"
+#include "mesh/orient.h"
+
+namespace collision_hulls {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Per triangle: the patch that it is of, numbered in order of first triangle.
+std::vector<int> findPatches(const Edges& edges) {
+  std::vector<int> patch(edges.component.size(), -1);
+  int count = 0;
+  for (int seed = 0; seed < static_cast<int>(patch.size()); ++seed) {
+    if (patch[at(seed)] >= 0) continue;
+    patch[at(seed)] = count;
+    for (std::vector<int> front{seed}; !front.empty();) {
+      const int t = front.back();
+      front.pop_back();
+      for (int h = 3 * t; h < 3 * t + 3; ++h) {
+        const int twin = edges.twin[at(h)];
+        if (twin < 0 || patch[at(twin / 3)] >= 0) continue;
+        patch[at(twin / 3)] = count;
+        front.push_back(twin / 3);
+      }
+    }
+    ++count;
+  }
+  return patch;
+}
+
+class Fins {
+ public:
+  Fins(const TriangleMesh& mesh, const Edges& edges, const std::vector<char>& turn)
+      : mesh_(mesh), patch_(findPatches(edges)), is_fin_(at(*std::max_element(patch_.begin(), patch_.end())) + 1, 1) {
+    std::vector<char> is_open(is_fin_.size(), 0), hangs(is_fin_.size(), 0);
+    for (int h = 0; h < static_cast<int>(edges.twin.size()); ++h) {
+      const int twin = edges.twin[at(h)];
+      if (twin >= 0) continue;
+      boundary_.push_back(boundaryEdge(mesh, h, turn, patch_));
+      (twin == Edges::kOpen ? is_open : hangs)[at(patch_[at(h / 3)])] = 1;
+      if (twin == Edges::kNonManifold) meeting_[edgeOf(boundary_.back())].push_back(boundary_.back());
+    }
+    for (std::size_t p = 0; p < is_fin_.size(); ++p) is_fin_[p] = is_open[p] && hangs[p];
+  }
+
+  std::vector<char> find() {
+    excludeThoseThatSurfacesNeed();
+    excludeAlmostClosed();
+    std::vector<char> fin(patch_.size());
+    for (std::size_t t = 0; t < fin.size(); ++t) fin[t] = is_fin_[at(patch_[t])];
+    return fin;
+  }
+
+ private:
+  using Edge = std::array<int, 2>;
+  static Edge edgeOf(const BoundaryEdge& e) { return {std::min(e.from, e.to), std::max(e.from, e.to)}; }
+  static int direction(const BoundaryEdge& e) { return e.from < e.to ? 1 : -1; }
+
+  void excludeThoseThatSurfacesNeed() {
+    for (const auto& [edge, halves] : meeting_) {
+      std::map<int, int> surplus;  // by patch
+      int sum = 0;
+      for (const BoundaryEdge& half : halves) surplus[half.surface] += direction(half), sum += direction(half);
+      for (const auto& [patch, own] : surplus)
+        if (sum != own) is_fin_[at(patch)] = 0;
+    }
+  }
+
+  void excludeAlmostClosed() {
+    std::vector<double> area(is_fin_.size(), 0);
+    for (int t = 0; t < static_cast<int>(patch_.size()); ++t)
+      area[at(patch_[at(t)])] += (mesh_.corner(t, 1) - mesh_.corner(t, 0)).cross(mesh_.corner(t, 2) - mesh_.corner(t, 0)).norm() / 2;
+    const std::vector<Closure> closing = closures(mesh_.vertices, std::move(boundary_), area.size(), Eigen::Vector3d::Zero());
+    for (std::size_t p = 0; p < area.size(); ++p)
+      if (closing[p].area < kSmallOpening * area[p]) is_fin_[p] = 0;
+  }
+
+  const TriangleMesh& mesh_;
+  const std::vector<int> patch_;  // by triangle
+  std::vector<char> is_fin_;      // by patch: not excluded yet
+  std::vector<BoundaryEdge> boundary_;
+  std::map<Edge, std::vector<BoundaryEdge>> meeting_;  // at non-manifold edges
+};
+
+}  // namespace
+
+std::vector<char> findFins(const TriangleMesh& mesh, const Edges& edges, const std::vector<char>& turn) {
+  if (edges.open == 0 || edges.nonmanifold == 0) return std::vector<char>(mesh.triangles.size(), 0);
+  return Fins(mesh, edges, turn).find();
+}
+
+}  // namespace collision_hulls

@@ -16,6 +16,7 @@ const char* name(ErrorCode code) {
     case ErrorCode::kBadScale: return "BadScale";
     case ErrorCode::kNotXml: return "NotXml";
     case ErrorCode::kNotARobot: return "NotARobot";
+    case ErrorCode::kBadGeometry: return "BadGeometry";
     case ErrorCode::kNoLinks: return "NoLinks";
     case ErrorCode::kBadScene: return "BadScene";
     case ErrorCode::kBadConfigurations: return "BadConfigurations";

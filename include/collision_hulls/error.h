@@ -19,6 +19,7 @@ enum class ErrorCode {
   kBadScale,             ///< a URDF scale that is zero or not finite
   kNotXml,               ///< the robot description is not well-formed XML
   kNotARobot,            ///< well-formed, but no robot description
+  kBadGeometry,          ///< a visual or collision element of a robot description that cannot be read
   kNoLinks,              ///< a robot description without links
   kBadScene,             ///< what describes a scene is none, or holds what cannot be a body
   kBadConfigurations,    ///< what describes configurations is none, or is of another robot

@@ -39,7 +39,8 @@ LinkCollisions linkCollisions(const std::string& link, const SourceElements& sou
     const std::string base = baseName(link, index, source);
     const auto mesh = meshes.find(index);
     if (mesh == meshes.end()) {
-      if (source.visual) result.elements.push_back({names.take(base), source.elements[i]});
+      const bool is_primitive = source.elements[i].kind != GeometryElement::Kind::kNone;
+      if (source.visual && is_primitive) result.elements.push_back({names.take(base), source.elements[i]});
       continue;
     }
     const std::vector<std::string>& files = mesh->second->report.files;
@@ -92,7 +93,8 @@ std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::
   for (const LinkDescription& link : parseRobotDescription(result.urdf).links) {
     for (const auto* elements : {&link.visuals, &link.collisions}) {
       for (const GeometryElement& element : *elements) {
-        if (element.kind == GeometryElement::Kind::kMesh && isRelativeUri(element.uri) && !hulls.count(element.uri))
+        if (element.kind == GeometryElement::Kind::kMesh && element.fault.empty() && isRelativeUri(element.uri) &&
+            !hulls.count(element.uri))
           kept.insert(element.uri);
       }
     }

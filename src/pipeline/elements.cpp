@@ -101,6 +101,7 @@ std::vector<MeshTask> meshTasks(std::vector<ElementResult>& elements, const std:
   for (std::size_t i = 0; i < elements.size(); ++i) {
     ElementReport& row = elements[i].report;
     try {
+      if (!elements[i].source.fault.empty()) throw Error(ErrorCode::kBadGeometry, elements[i].source.fault);
       const std::string file = resolve(row.uri);
       if (hashes.count(file) == 0) {
         std::error_code unreadable;  // as the next line finds, too

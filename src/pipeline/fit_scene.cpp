@@ -81,7 +81,7 @@ std::vector<KeptBody> keptBodies(const RobotDescription& robot, const Options& o
   for (std::size_t link = 0; link < robot.links.size(); ++link) {
     if (!chosen(robot.links[link].name) || absent.count(robot.links[link].name)) continue;
     for (const GeometryElement& element : sourceElements(robot.links[link], options.source).elements) {
-      if (element.kind == GeometryElement::Kind::kMesh) continue;
+      if (element.kind == GeometryElement::Kind::kMesh || element.kind == GeometryElement::Kind::kNone) continue;
       try {
         kept.push_back({link, hullAbout(element)});
       } catch (const Error& error) {

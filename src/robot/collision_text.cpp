@@ -32,7 +32,8 @@ std::string shapeText(const GeometryElement& shape) {
     case GeometryElement::Kind::kSphere: return "<sphere" + attribute("radius", numberText(shape.size.x())) + "/>";
     case GeometryElement::Kind::kCylinder:
       return "<cylinder" + attribute("radius", numberText(shape.size.x())) + attribute("length", numberText(shape.size.y())) + "/>";
-    case GeometryElement::Kind::kMesh: break;
+    case GeometryElement::Kind::kMesh:
+    case GeometryElement::Kind::kNone: break;
   }
   const bool scaled = shape.scale != Eigen::Vector3d::Ones();
   return "<mesh" + attribute("filename", shape.uri) + (scaled ? attribute("scale", vectorText(shape.scale)) : "") + "/>";

@@ -6,6 +6,7 @@
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
+#include "robot/geometry_stand_ins.h"
 #include "robot/joint_graph.h"
 #include "robot/urdf_model.h"
 #include "robot/xml_source.h"
@@ -54,23 +55,47 @@ void checkLinksHaveNames(const XmlSource& subject, const tinyxml2::XMLElement& r
   }
 }
 
-UrdfModel loadModel(const XmlSource& subject, const tinyxml2::XMLElement& root) {
+UrdfModel readModel(const tinyxml2::XMLElement& root) {
   tinyxml2::XMLPrinter printer(nullptr, true);
   root.Accept(&printer);
-  try {
-    checkJointGraph(root);
-    return readUrdfModel(printer.CStr());
-  } catch (const JointGraphError& error) {
-    subject.failAt(ErrorCode::kNotARobot, subject.lineFromRoot(error.line()), error.what());
-  } catch (const std::exception& error) {
-    subject.fail(ErrorCode::kNotARobot, std::string("urdfdom refuses it: ") + error.what() + xacroHint(subject, root));
-  }
+  return readUrdfModel(printer.CStr());
 }
 
 std::size_t countChildren(const tinyxml2::XMLElement& link, const char* name) {
   std::size_t count = 0;
   for (const auto* child = link.FirstChildElement(name); child; child = child->NextSiblingElement(name)) ++count;
   return count;
+}
+
+// Whether urdfdom took all elements of all links.
+bool isWhole(const tinyxml2::XMLElement& root, const UrdfModel& model) {
+  std::size_t there = 0, taken = 0;
+  for (const auto* link = root.FirstChildElement("link"); link; link = link->NextSiblingElement("link"))
+    there += countChildren(*link, "visual") + countChildren(*link, "collision");
+  for (const LinkDescription& link : model.links) taken += link.visuals.size() + link.collisions.size();
+  return taken == there;
+}
+
+// Without the elements that it cannot read, if there are any.
+UrdfModel readWhatCanBeRead(const tinyxml2::XMLElement& root, GeometryStandIns& stand_ins) {
+  try {
+    UrdfModel model = readModel(root);
+    if (isWhole(root, model)) return model;
+  } catch (const std::exception&) {  // comes again below unless an element was the reason
+  }
+  stand_ins.takeOutUnreadable();
+  return readModel(root);
+}
+
+UrdfModel loadModel(const XmlSource& subject, const tinyxml2::XMLElement& root, GeometryStandIns& stand_ins) {
+  try {
+    checkJointGraph(root);
+    return readWhatCanBeRead(root, stand_ins);
+  } catch (const JointGraphError& error) {
+    subject.failAt(ErrorCode::kNotARobot, subject.lineFromRoot(error.line()), error.what());
+  } catch (const std::exception& error) {
+    subject.fail(ErrorCode::kNotARobot, std::string("urdfdom refuses it: ") + error.what() + xacroHint(subject, root));
+  }
 }
 
 void checkNothingLost(const XmlSource& subject, const tinyxml2::XMLElement& element, const LinkDescription& link,
@@ -81,7 +106,8 @@ void checkNothingLost(const XmlSource& subject, const tinyxml2::XMLElement& elem
 }
 
 // urdfdom's links, which come by name, in the order of the document.
-std::vector<LinkDescription> inDocumentOrder(const XmlSource& subject, const tinyxml2::XMLElement& root, UrdfModel& model) {
+std::vector<LinkDescription> inDocumentOrder(const XmlSource& subject, const tinyxml2::XMLElement& root, UrdfModel& model,
+                                             const GeometryStandIns& stand_ins) {
   std::unordered_map<std::string, LinkDescription*> by_name;
   for (LinkDescription& link : model.links) by_name[link.name] = &link;
   std::vector<LinkDescription> links;
@@ -92,6 +118,7 @@ std::vector<LinkDescription> inDocumentOrder(const XmlSource& subject, const tin
       subject.failAt(ErrorCode::kNotARobot, subject.lineFromRoot(element->GetLineNum()), "urdfdom does not know link '" + name + "'");
     }
     checkNothingLost(subject, *element, *found->second, model.complaints);
+    stand_ins.insertInto(*found->second);
     links.push_back(std::move(*found->second));
     by_name.erase(found);
   }
@@ -111,13 +138,17 @@ RobotDescription parseRobotDescription(const std::string& urdf_text, const std::
   XmlSource subject{urdf_text, path.empty() ? "robot description" : "'" + path + "'"};
   tinyxml2::XMLDocument document;
   loadRoot(subject, document);
-  const tinyxml2::XMLElement& robot = *document.RootElement();
+  tinyxml2::XMLElement& robot = *document.RootElement();
   checkIsRobot(subject, robot);
   checkLinksHaveNames(subject, robot);
-  UrdfModel model = loadModel(subject, robot);
+  GeometryStandIns stand_ins(subject, robot);
+  stand_ins.takeOutOtherThings();
+  UrdfModel model = loadModel(subject, robot, stand_ins);
   checkAxes(subject, model.joints);
-  std::vector<LinkDescription> links = inDocumentOrder(subject, robot, model);
-  return {model.name, urdf_text, path, std::move(links), std::move(model.joints), notesOn(subject, robot)};
+  std::vector<LinkDescription> links = inDocumentOrder(subject, robot, model, stand_ins);
+  std::vector<std::string> notes = notesOn(subject, robot);
+  notes.insert(notes.end(), stand_ins.notes().begin(), stand_ins.notes().end());
+  return {model.name, urdf_text, path, std::move(links), std::move(model.joints), std::move(notes)};
 }
 
 }  // namespace collision_hulls

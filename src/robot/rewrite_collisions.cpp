@@ -96,6 +96,7 @@ std::vector<KnownOrigin> knownOrigins(const LinkText& at) {
   const auto add = [&](const char* name, const std::vector<GeometryElement>& meaning) {
     const std::vector<std::size_t> children = at.children(name);
     for (std::size_t i = 0; i < children.size(); ++i) {
+      if (!meaning.at(i).fault.empty() || meaning.at(i).kind == GeometryElement::Kind::kNone) continue;
       const std::vector<std::size_t> origins = childrenNamed(at.elements, children[i], "origin");
       if (origins.empty() || !at.elements[origins.front()].self_closing) continue;
       const XmlElement& origin = at.elements[origins.front()];

@@ -1,4 +1,6 @@
 // Which elements of a link are decomposed.
+#include <algorithm>
+
 #include "collision_hulls/robot/robot_description.h"
 
 namespace collision_hulls {
@@ -11,7 +13,9 @@ std::optional<Source> sourceNamed(const std::string& name) {
 }
 
 SourceElements sourceElements(const LinkDescription& link, Source source) {
-  const bool visual = source == Source::kVisual || (source == Source::kAuto && link.collisions.empty());
+  const auto has_geometry = [](const GeometryElement& element) { return element.kind != GeometryElement::Kind::kNone; };
+  const bool no_collision = std::none_of(link.collisions.begin(), link.collisions.end(), has_geometry);
+  const bool visual = source == Source::kVisual || (source == Source::kAuto && no_collision);
   return {visual, visual ? link.visuals : link.collisions};
 }
 

@@ -172,9 +172,10 @@ double volume(const GeometryElement& primitive) {
     case Kind::kBox: return size.prod();
     case Kind::kSphere: return 4 * kPi / 3 * std::pow(size.x(), 3);
     case Kind::kCylinder: return kPi * size.x() * size.x() * size.y();
-    case Kind::kMesh: break;
+    case Kind::kMesh:
+    case Kind::kNone: break;
   }
-  throw Error(ErrorCode::kInternal, "a mesh is no primitive");
+  throw Error(ErrorCode::kInternal, "this is no primitive");
 }
 
 Eigen::Vector3d nearestPoint(const GeometryElement& primitive, const Eigen::Vector3d& p) {
@@ -198,7 +199,8 @@ ConvexHull hullAbout(const GeometryElement& primitive) {
     case Kind::kBox: about = boxShape(size); break;
     case Kind::kSphere: about = sphereShape(size.x()); break;
     case Kind::kCylinder: about = cylinderShape(size.x(), size.y()); break;
-    case Kind::kMesh: throw Error(ErrorCode::kInternal, "a mesh is no primitive");
+    case Kind::kMesh:
+    case Kind::kNone: throw Error(ErrorCode::kInternal, "a mesh is no primitive");
   }
   for (Eigen::Vector3d& v : about.vertices) v = primitive.origin * v;
   return convexHull(about.vertices);

@@ -56,9 +56,11 @@ Scene readUrdfScene(const std::string& file, const PackageFinder& find_package) 
     const std::vector<GeometryElement> elements = sourceElements(link, Source::kAuto).elements;
     for (std::size_t i = 0; i < elements.size(); ++i) {
       const GeometryElement& element = elements[i];
+      if (element.kind == GeometryElement::Kind::kNone) continue;
       const std::string name = elements.size() == 1 ? link.name : link.name + "/" + std::to_string(i + 1);
       inContext("'" + file + "', link '" + link.name + "'", [&] {
         SceneBody body{name, {}, link.pose * element.origin};
+        if (!element.fault.empty()) throw Error(ErrorCode::kBadScene, element.fault);
         if (element.kind == GeometryElement::Kind::kMesh) {
           body.shape = meshes.read(element.uri, element.scale, file);
         } else {

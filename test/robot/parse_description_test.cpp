@@ -89,14 +89,52 @@ TEST(ParseDescription, RefusesEndlessChainsOfJoints) {
 }
 
 // urdfdom goes on after an element that it cannot read and drops the rest of the link.
-TEST(ParseDescription, NamesElementsThatUrdfdomDrops) {
-  const std::string good = "<collision><geometry><box size='1 1 1'/></geometry></collision>";
-  const auto link = [&](const std::string& bad) { return robotWith("\n<link name='a'>" + bad + good + "</link>"); };
-  expectRefused(ErrorCode::kNotARobot, {"line 3", "link 'a'", "capsule"}, link("<visual><geometry><capsule/></geometry></visual>"));
-  expectRefused(ErrorCode::kNotARobot, {"link 'a'", "mass"}, link("<inertial/>"));
-  expectRefused(ErrorCode::kNotARobot, {"link 'a'"}, link("<collision/>"));
-  const std::string huge = "<collision><origin xyz='1e999 0 0'/><geometry><sphere radius='1'/></geometry></collision>";
-  expectRefused(ErrorCode::kNotARobot, {"link 'a'"}, link(huge));
+TEST(ParseDescription, ElementsThatCannotBeReadHaveAFaultAndLeaveTheOthersAlone) {
+  const std::string good = "<collision name='good'><geometry><box size='1 1 1'/></geometry></collision>";
+  const auto check = [&](const std::string& kind, const std::string& bad, const std::string& uri, const std::string& reason) {
+    const std::string element = "\n<" + kind + " name='bad'>" + bad + "</" + kind + ">";
+    const RobotDescription robot = parseRobotDescription(robotWith("<link name='a'>" + good + element + good + "</link>"));
+    const LinkDescription& link = robot.links.at(0);
+    const std::vector<GeometryElement>& elements = kind == "visual" ? link.visuals : link.collisions;
+    ASSERT_EQ(link.visuals.size() + link.collisions.size(), 3U);
+    const GeometryElement& found = elements.at(kind == "visual" ? 0 : 1);
+    EXPECT_EQ(found.name, "bad");
+    EXPECT_EQ(found.uri, uri);
+    EXPECT_EQ(found.kind, GeometryElement::Kind::kMesh);
+    for (const std::string& part : {std::string("line 3"), "<" + kind + ">", std::string("link 'a'"), reason})
+      EXPECT_NE(found.fault.find(part), std::string::npos) << found.fault;
+    EXPECT_EQ(link.collisions.back().kind, GeometryElement::Kind::kBox);
+    EXPECT_EQ(link.collisions.back().fault, "");
+    EXPECT_TRUE(robot.notes.empty());
+  };
+  for (const char* kind : {"visual", "collision"}) {
+    check(kind, "<geometry><capsule/></geometry>", "<capsule>", "capsule");
+    check(kind, "<geometry><mesh filename='a.stl' scale='0.001'/></geometry>", "a.stl", "0.001");
+    check(kind, "<origin xyz='1e999 0 0'/><geometry><sphere radius='1'/></geometry>", "<sphere>", "");
+    check(kind, "<origin xyz='0 0'/><geometry><mesh filename='b.stl'/></geometry>", "b.stl", "3 expected");
+  }
+}
+
+TEST(ParseDescription, ElementsWithoutGeometryAreNone) {
+  for (const char* empty :
+       {"<visual/>", "<visual><geometry/></visual>", "<visual><material name='m'><color rgba='1 0 0 1'/></material></visual>"}) {
+    const RobotDescription robot = parseRobotDescription(robotWith(
+        std::string("\n<link name='a'>") + empty + "<visual><geometry><sphere radius='1'/></geometry></visual><collision/></link>"));
+    ASSERT_EQ(robot.links.at(0).visuals.size(), 2U);
+    EXPECT_EQ(robot.links[0].visuals[0].kind, GeometryElement::Kind::kNone);
+    EXPECT_EQ(robot.links[0].visuals[1].kind, GeometryElement::Kind::kSphere);
+    ASSERT_EQ(robot.links[0].collisions.size(), 1U);
+    EXPECT_EQ(robot.links[0].collisions[0].kind, GeometryElement::Kind::kNone);
+    ASSERT_EQ(robot.notes.size(), 2U);
+    EXPECT_NE(robot.notes[0].find("line 3: this <visual> of link 'a' has no geometry"), std::string::npos) << robot.notes[0];
+    EXPECT_TRUE(sourceElements(robot.links[0], Source::kAuto).visual) << "its collision is none";
+  }
+}
+
+TEST(ParseDescription, InertiaIsNoneOfItsBusiness) {
+  const RobotDescription robot =
+      parseRobotDescription(robotWith("<link name='a'><inertial/><collision><geometry><box size='1 1 1'/></geometry></collision></link>"));
+  EXPECT_EQ(robot.links.at(0).collisions.size(), 1U);
 }
 
 TEST(ParseDescription, KeepsUrdfdomQuiet) {

@@ -12,13 +12,14 @@ namespace collision_hulls {
 
 /// A geometry of a link: one `<visual>` or `<collision>` of the description.
 struct GeometryElement {
-  enum class Kind { kMesh, kBox, kSphere, kCylinder };
+  enum class Kind { kMesh, kBox, kSphere, kCylinder, kNone };  ///< kNone: it has no geometry, as one of a material alone
   Kind kind = Kind::kMesh;
   std::string uri;                                           ///< of a mesh, as written in the description
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();           ///< of a mesh
   Eigen::Vector3d size = Eigen::Vector3d::Zero();            ///< [m] box: sides; sphere: radius, -, -; cylinder: radius, length, -
   Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();  ///< element in the link's frame
   std::string name;                                          ///< the element's name attribute, often empty
+  std::string fault;  ///< why the element cannot be used, with its line; kind is kMesh then and the rest may be missing. Empty: it can
 };
 
 struct LinkDescription {
@@ -51,6 +52,7 @@ struct RobotDescription {
 };
 
 /// Parses a URDF. `path` (may be empty) stands in messages and is what relative URIs are relative to.
+/// An element that cannot be read has a fault; the others do not suffer from it.
 /// Throws kNotXml, kNotARobot, kNoLinks; the message gives line and reason where the parser does.
 RobotDescription parseRobotDescription(const std::string& urdf_text, const std::string& path = "");
 

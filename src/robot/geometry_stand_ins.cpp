@@ -1,0 +1,117 @@
+#include "robot/geometry_stand_ins.h"
+
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+
+#include "robot/urdf_model.h"
+
+namespace collision_hulls {
+namespace {
+
+using tinyxml2::XMLElement;
+
+const XMLElement* shapeOf(const XMLElement& element) {
+  const XMLElement* geometry = element.FirstChildElement("geometry");
+  return geometry ? geometry->FirstChildElement() : nullptr;
+}
+
+void deleteChildren(XMLElement& parent, const char* name) {
+  while (XMLElement* child = parent.FirstChildElement(name)) parent.DeleteChild(child);
+}
+
+std::string attributeOf(const XMLElement& element, const char* name) {
+  const char* value = element.Attribute(name);
+  return value ? value : "";
+}
+
+/// Why urdfdom cannot read an element in a link of its own; empty where it can.
+std::string complaintAbout(const XMLElement& element, const std::string& link) {
+  tinyxml2::XMLDocument alone;
+  XMLElement* robot = alone.NewElement("robot");
+  robot->SetAttribute("name", "r");
+  alone.InsertEndChild(robot);
+  XMLElement* parent = alone.NewElement("link");
+  parent->SetAttribute("name", link.c_str());
+  robot->InsertEndChild(parent);
+  parent->InsertEndChild(element.DeepClone(&alone));
+  tinyxml2::XMLPrinter printer(nullptr, true);
+  alone.Print(&printer);
+  try {
+    const UrdfModel model = readUrdfModel(printer.CStr());
+    if (model.links.at(0).visuals.size() + model.links.at(0).collisions.size() == 1) return "";
+    return model.complaints.empty() ? "it gives no reason" : model.complaints;
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+template <class Choice>
+void GeometryStandIns::takeOut(const Choice& standInFor) {
+  std::vector<StandIn> found;
+  for (XMLElement* link = robot_.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
+    const std::string name = attributeOf(*link, "name");
+    for (const bool visual : {true, false}) {
+      const char* kind = visual ? "visual" : "collision";
+      std::size_t index = 0;
+      const auto isTakenOut = [&](const StandIn& other) { return other.link == name && other.visual == visual && other.index == index; };
+      for (XMLElement* element = link->FirstChildElement(kind); element; ++index) {
+        while (std::any_of(stand_ins_.begin(), stand_ins_.end(), isTakenOut)) ++index;
+        XMLElement* next = element->NextSiblingElement(kind);
+        if (std::optional<GeometryElement> stand_in = standInFor(*element, name)) {
+          stand_in->name = attributeOf(*element, "name");
+          found.push_back({name, visual, index, *stand_in});
+          link->DeleteChild(element);
+        }
+        element = next;
+      }
+    }
+  }
+  stand_ins_.insert(stand_ins_.end(), found.begin(), found.end());
+  std::stable_sort(stand_ins_.begin(), stand_ins_.end(), [](const StandIn& a, const StandIn& b) { return a.index < b.index; });
+}
+
+void GeometryStandIns::takeOutOtherThings() {
+  for (XMLElement* link = robot_.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
+    deleteChildren(*link, "inertial");
+    for (XMLElement* visual = link->FirstChildElement("visual"); visual; visual = visual->NextSiblingElement("visual"))
+      deleteChildren(*visual, "material");
+  }
+  takeOut([&](const XMLElement& element, const std::string& link) -> std::optional<GeometryElement> {
+    if (shapeOf(element)) return std::nullopt;
+    notes_.push_back(subject_.label + ", line " + std::to_string(subject_.lineFromRoot(element.GetLineNum())) + ": this <" +
+                     element.Name() + "> of link '" + link +
+                     "' has no geometry; it is passed over, but urdfdom drops what follows it in its link");
+    GeometryElement none;
+    none.kind = GeometryElement::Kind::kNone;
+    return none;
+  });
+}
+
+void GeometryStandIns::takeOutUnreadable() {
+  takeOut([&](const XMLElement& element, const std::string& link) -> std::optional<GeometryElement> {
+    const std::string complaint = complaintAbout(element, link);
+    if (complaint.empty()) return std::nullopt;
+    GeometryElement unreadable;
+    const XMLElement& shape = *shapeOf(element);
+    unreadable.uri = attributeOf(shape, "filename");
+    if (unreadable.uri.empty()) unreadable.uri = std::string("<") + shape.Name() + ">";
+    unreadable.fault = subject_.label + ", line " + std::to_string(subject_.lineFromRoot(element.GetLineNum())) +
+                       ": urdfdom cannot read this <" + element.Name() + "> of link '" + link + "' (" + complaint + "); mend it";
+    return unreadable;
+  });
+}
+
+void GeometryStandIns::insertInto(LinkDescription& link) const {
+  for (const StandIn& stand_in : stand_ins_) {
+    if (stand_in.link != link.name) continue;
+    std::vector<GeometryElement>& elements = stand_in.visual ? link.visuals : link.collisions;
+    elements.insert(elements.begin() + static_cast<std::ptrdiff_t>(stand_in.index), stand_in.element);
+  }
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,46 @@
+// Elements of a description that urdfdom had better not see: it drops the rest of a link after one that it cannot read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collision_hulls/robot/robot_description.h"
+#include "robot/xml_source.h"
+
+namespace tinyxml2 {
+class XMLElement;
+}
+
+namespace collision_hulls {
+
+/// What stands for elements that were taken out of a description.
+class GeometryStandIns {
+ public:
+  GeometryStandIns(const XmlSource& subject, tinyxml2::XMLElement& robot) : subject_(subject), robot_(robot) {}
+
+  /// Takes out what says nothing about geometry: inertia, materials, and elements without geometry, which a note is made of.
+  void takeOutOtherThings();
+  /// Takes out the <visual> and <collision> elements that urdfdom cannot read by themselves.
+  void takeOutUnreadable();
+  /// Puts the stand-ins of a link in among its elements.
+  void insertInto(LinkDescription& link) const;
+
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  struct StandIn {
+    std::string link;
+    bool visual;
+    std::size_t index;  // among the link's elements as they stand in the text
+    GeometryElement element;
+  };
+  template <class Choice>
+  void takeOut(const Choice& standInFor);
+
+  const XmlSource& subject_;
+  tinyxml2::XMLElement& robot_;
+  std::vector<StandIn> stand_ins_;  // of a link and kind by rising index
+  std::vector<std::string> notes_;
+};
+
+}  // namespace collision_hulls

@@ -1,10 +1,10 @@
-// The paper's decimation, between any near groups, with the true protrusion in place of ray concavity:
+// The paper's decimation, between any groups, with the true protrusion in place of ray concavity:
 //
-//   queue every pair of near groups under its cost
+//   queue every pair of groups under its cost; if there are very many, every pair of near ones
 //   while the queue holds a pair: take the cheapest
 //     if a group of it was merged meanwhile, or is known to be apart from the other: drop it
 //     if the hull of both protrudes too far: they are apart
-//     else merge: the union is paired with what is near, and is apart from what either part is apart from
+//     else merge: the union is paired with the others, and is apart from what either part is apart from
 //
 // A hull that protrudes too far does so as well when it grows: what is apart stays apart.
 #include "decompose/merging.h"
@@ -20,9 +20,10 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kNear = 2;         // in tolerances: a hull across a wider gap protrudes, unless what lies between is solid
-constexpr double kTieBreak = 1e-3;  // of the union's size, for squares that cancel out
-constexpr int kTrials = 8;          // of proving what was merged on trust
+constexpr double kNear = 2;                     // in tolerances: a hull across a wider gap protrudes, unless what lies between is solid
+constexpr std::size_t kMostForAllPairs = 1000;  // groups
+constexpr double kTieBreak = 1e-3;              // of the union's size, for squares that cancel out
+constexpr int kTrials = 8;                      // of proving what was merged on trust
 
 struct Pair {
   double cost;
@@ -41,10 +42,20 @@ double costOf(const Group& a, const Group& b, const MergeCost& cost) {
   return value;
 }
 
+/// [b][a] for a < b: whether no hull is common to both.
+using ApartPairs = std::vector<std::vector<char>>;
+
 class Merging {
  public:
-  Merging(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof proof)
-      : cover_(std::move(cover)), groups_(groups), cost_(cost), proof_(proof) {}
+  /// `apart`: what is known of the groups in the cover; takes what is learned of them.
+  Merging(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof proof, ApartPairs& apart)
+      : cover_(std::move(cover)),
+        groups_(groups),
+        cost_(cost),
+        proof_(proof),
+        given_(cover_.size()),
+        apart_(apart),
+        all_pairs_(given_ <= kMostForAllPairs) {}
 
   Cover run() {
     for (int b = 0; b < size(); ++b) pairWithEarlier(b, -1, -1);
@@ -53,6 +64,7 @@ class Merging {
       queue_.pop();
       if (group(pair.a).hull && group(pair.b).hull) tryMerge(pair.a, pair.b);
     }
+    apart_.resize(given_);
     cover_.erase(std::remove_if(cover_.begin(), cover_.end(), [](const Group& g) { return !g.hull; }), cover_.end());
     return std::move(cover_);
   }
@@ -64,17 +76,20 @@ class Merging {
 
   /// Pairs group b, the union of `left` and `right` if there are such, with those before it. Merged groups have no hull any more.
   void pairWithEarlier(int b, int left, int right) {
-    apart_.emplace_back(static_cast<std::size_t>(b), 0);
+    if (apart_.size() == static_cast<std::size_t>(b)) apart_.emplace_back(static_cast<std::size_t>(b), 0);
     for (int a = 0; a < b; ++a) {
       if (!group(a).hull) continue;
-      char& is_apart = apart_.back()[static_cast<std::size_t>(a)];
-      is_apart = left >= 0 && (apart(a, left) || apart(a, right));
-      if (!is_apart && !farApart(group(a), group(b), groups_.tolerance())) queue_.push({costOf(group(a), group(b), cost_), a, b});
+      char& is_apart = apart_[static_cast<std::size_t>(b)][static_cast<std::size_t>(a)];
+      if (left >= 0) is_apart = apart(a, left) || apart(a, right);
+      if (!is_apart && (all_pairs_ || !farApart(group(a), group(b), groups_.tolerance())))
+        queue_.push({costOf(group(a), group(b), cost_), a, b});
     }
   }
 
   void tryMerge(int a, int b) {
-    Group both = groups_.merged(group(a), group(b));
+    Group both;
+    if (!farApart(group(a), group(b), groups_.tolerance()) || groups_.hasSolidBetween(group(a), group(b)))
+      both = groups_.merged(group(a), group(b));
     if (!both.hull || (proof_ == Proof::kAtOnce && !groups_.proven(both))) {
       apart_[static_cast<std::size_t>(b)][static_cast<std::size_t>(a)] = 1;  // a < b
       return;
@@ -88,7 +103,9 @@ class Merging {
   SurfaceGroups& groups_;
   const MergeCost cost_;
   const Proof proof_;
-  std::vector<std::vector<char>> apart_;  // [b][a] for a < b
+  const std::size_t given_;
+  ApartPairs& apart_;
+  const bool all_pairs_;
   std::priority_queue<Pair> queue_;
 };
 
@@ -99,24 +116,27 @@ bool farApart(const Group& a, const Group& b, double tolerance) {
 }
 
 Cover merged(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof proof) {
-  return Merging(std::move(cover), groups, cost, proof).run();
+  ApartPairs apart;
+  return Merging(std::move(cover), groups, cost, proof, apart).run();
 }
 
 /// What was refuted is remembered, so that merging anew takes another way.
 Cover mergedBest(const Cover& cover, SurfaceGroups& groups) {
   constexpr std::array<MergeCost::Kind, 4> kinds{MergeCost::kSize, MergeCost::kGrowth, MergeCost::kMeanGrowth, MergeCost::kSquares};
   std::array<std::size_t, kinds.size()> sizes{};
-  for (std::size_t k = 0; k < kinds.size(); ++k) sizes[k] = merged(cover, groups, {kinds[k], 0, 0}, Proof::kLater).size();
+  ApartPairs apart;
+  const auto mergedBy = [&](MergeCost::Kind kind, Proof proof) { return Merging(cover, groups, {kind, 0, 0}, proof, apart).run(); };
+  for (std::size_t k = 0; k < kinds.size(); ++k) sizes[k] = mergedBy(kinds[k], Proof::kLater).size();
   std::size_t best = 0;
   for (int trial = 0; trial < kTrials; ++trial) {
     best = static_cast<std::size_t>(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
-    Cover result = merged(cover, groups, {kinds[best], 0, 0}, Proof::kLater);
+    Cover result = mergedBy(kinds[best], Proof::kLater);
     if (result.size() > sizes[best])
       sizes[best] = result.size();  // refuted meanwhile: another kind may do better now
     else if (groups.proven(result))
       return result;
   }
-  return merged(cover, groups, {kinds[best], 0, 0}, Proof::kAtOnce);
+  return mergedBy(kinds[best], Proof::kAtOnce);
 }
 
 }  // namespace collision_hulls

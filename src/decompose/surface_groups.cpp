@@ -21,6 +21,12 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
+Eigen::Vector3d meanOf(const std::vector<Eigen::Vector3d>& points) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
 struct Part {
   double area;
   int leaf, number;
@@ -224,6 +230,18 @@ SurfaceGroups::Candidate SurfaceGroups::candidate(const Group& group) const {
   return {reduceVertices(hull, max_vertices_), true};
 }
 
+bool SurfaceGroups::hasSolidBetween(const Group& a, const Group& b) const {
+  constexpr std::size_t kSamples = 16;
+  const auto fits = [&](const Eigen::Vector3d& p) { return oracle_.solid().distance(p) <= tolerance(); };
+  const std::vector<Eigen::Vector3d>&of_a = a.hull->vertices, &of_b = b.hull->vertices;
+  const Eigen::Vector3d from = meanOf(of_a), to = meanOf(of_b);
+  for (const double share : {0.5, 0.25, 0.75})
+    if (!fits(from + share * (to - from))) return false;
+  for (std::uint64_t i = 0; i < kSamples; ++i)
+    if (!fits((of_a[mixed(2 * i) % of_a.size()] + of_b[mixed(2 * i + 1) % of_b.size()]) / 2)) return false;
+  return true;
+}
+
 bool SurfaceGroups::proven(const Group& group) {
   prove({&group});
   return isWholeLeaf(group) || known_.at(group.key).proven;
@@ -240,6 +258,7 @@ void SurfaceGroups::prove(std::vector<const Group*> groups) {
     Known& known = known_[groups[i]->key];
     known.asked = true;
     known.proven = known.may_fit = fits[i] != 0;
+    if (known.may_fit && !known.hull) known.hull = groups[i]->hull;
     if (known.proven && candidates[i].is_reduced) known.reduced = std::make_shared<ConvexHull>(std::move(candidates[i].hull));
   }
 }

@@ -55,6 +55,9 @@ class SurfaceGroups {
   /// The union of two groups, if its hull may fit; without a hull if not.
   Group merged(const Group& a, const Group& b);
 
+  /// Whether some points between two groups lie no further from the solid than the tolerance; if not, no hull of both fits.
+  bool hasSolidBetween(const Group& a, const Group& b) const;
+
   /// Whether the group's hull fits, by proof; what it may do was taken on trust.
   bool proven(const Group& group);
   bool proven(const Cover& cover);

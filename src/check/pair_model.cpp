@@ -76,4 +76,8 @@ bool PairModel::inSolid(const Eigen::Vector3d& p) const {
   return solid_->contains(to_solid_ * frame.metres(p));
 }
 
+bool PairModel::hasOpenings() const {
+  return solid_->hasOpenings();
+}
+
 }  // namespace collision_hulls

@@ -32,6 +32,7 @@ class PairModel {
   TriangleMesh nearestWithArea(const Eigen::Vector3d& p) const;                         ///< the one nearest to p alone
   TriangleMesh withAreaNear(const Eigen::AlignedBox3d& box) const;                      ///< those of them whose boxes meet a box
   bool inSolid(const Eigen::Vector3d& p) const;
+  bool hasOpenings() const;
 
   const std::string& name;
   const UnitFrame frame;

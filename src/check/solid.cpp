@@ -181,10 +181,8 @@ double lengthOf(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
 constexpr std::size_t kMostProbes = 5000;
 constexpr double kProbeStep = 1e-3;  // off the triangle, in lengths of its shortest altitude or so
 
-constexpr double kInside = 0.5;  // winding numbers above are those of points inside
-
-// What the winding number may err by.
-constexpr double kWindingError = 0.02;
+// With openings: points of winding numbers above are inside, and what ours may err by.
+constexpr double kSurelyInside = 0.55, kWindingError = 0.02;
 
 /// What lies inside. The winding number is that of the surface closed with lids, which counting
 /// crossings tells, less that of the lids, which are few.
@@ -203,13 +201,16 @@ struct Walls {
         volume(signedVolume(walls)),
         inverted(hasInvertedRegion(walls)) {}
 
+  /// Winding numbers above are those of points inside. With openings what might be outside counts as that, lest a hull reach there.
+  double inside() const { return lids.empty() ? 0.5 : kSurelyInside; }
+
   double windingNumber(const Eigen::Vector3d& p) const { return closed->signedCrossings(p) - (lids.empty() ? 0 : lids.windingNumber(p)); }
 
-  /// What a path from p has to be longer than if it does not cross the surface and comes from one side of winding number 1/2 to the other;
+  /// What a path from p has to be longer than if it does not cross the surface and comes from one side of inside() to the other;
   /// it is `winding` at p. Its gradient depends on the rim alone, as a current's magnetic field does (Biot-Savart): it is at most
   /// length / (4 pi d^2) at a distance of d from the rim.
   double wayToBorder(const Eigen::Vector3d& p, double winding) const {
-    const double margin = std::abs(winding - kInside) - kWindingError;
+    const double margin = std::abs(winding - inside()) - kWindingError;
     if (margin <= 0) return 0;
     if (lids.empty()) return std::numeric_limits<double>::infinity();
     const double d = rim.nearest(p).distance, k = rim_length / (4 * kPi * margin), b = 2 * d + k;
@@ -288,7 +289,7 @@ Solid::~Solid() = default;
 Solid::Solid(Solid&&) noexcept = default;
 
 bool Solid::contains(const Eigen::Vector3d& p) const {
-  return impl_->walls.windingNumber(p) > kInside;
+  return impl_->walls.windingNumber(p) > impl_->walls.inside();
 }
 double Solid::distanceToSurface(const Eigen::Vector3d& p) const {
   return impl_->surface->nearest(p).distance;
@@ -299,7 +300,7 @@ double Solid::distance(const Eigen::Vector3d& p) const {
 double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface) const {
   const Walls& walls = impl_->walls;
   const double winding = walls.windingNumber(p);
-  if (winding <= kInside) return to_surface;
+  if (winding <= walls.inside()) return to_surface;
   // A crack's lids are nowhere further from the surface than twice its width; so is what lies beyond them where they are crossed.
   return -std::max(0.0, std::min(to_surface - 4 * walls.crack_width, walls.wayToBorder(p, winding)));
 }

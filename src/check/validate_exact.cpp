@@ -84,13 +84,36 @@ ConvexHull transformed(const ConvexHull& hull, const Eigen::Isometry3d& pose) {
   return result;
 }
 
-double pointDistance(const ConvexHull& hull, const Eigen::Vector3d& p) {
-  if (planeDistance(hull, p) <= 0) return 0;
+Eigen::Vector3d nearestPoint(const ConvexHull& hull, const Eigen::Vector3d& p) {
+  if (planeDistance(hull, p) <= 0) return p;
   const TriangleMesh skin = surface(hull);
-  double least = kFurthest;
-  for (int t = 0; t < static_cast<int>(skin.triangles.size()); ++t)
-    least = std::min(least, (closestPoint(skin.corner(t, 0), skin.corner(t, 1), skin.corner(t, 2), p) - p).squaredNorm());
-  return std::sqrt(least);
+  Eigen::Vector3d nearest = hull.vertices[0];
+  for (int t = 0; t < static_cast<int>(skin.triangles.size()); ++t) {
+    const Eigen::Vector3d q = closestPoint(skin.corner(t, 0), skin.corner(t, 1), skin.corner(t, 2), p);
+    if ((q - p).squaredNorm() < (nearest - p).squaredNorm()) nearest = q;
+  }
+  return nearest;
+}
+
+double pointDistance(const ConvexHull& hull, const Eigen::Vector3d& p) {
+  return (nearestPoint(hull, p) - p).norm();
+}
+
+std::vector<Eigen::Vector3d> commonPoints(const ConvexHull& a, const ConvexHull& b) {
+  std::vector<Eigen::Vector3d> points;
+  for (const auto& [body, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    const TriangleMesh skin = surface(*body);
+    for (int t = 0; t < static_cast<int>(skin.triangles.size()); ++t) {
+      std::vector<Eigen::Vector3d> polygon = {skin.corner(t, 0), skin.corner(t, 1), skin.corner(t, 2)};
+      for (const HalfSpace& face : other->faces) polygon = clipped(polygon, face);
+      points.insert(points.end(), polygon.begin(), polygon.end());
+    }
+  }
+  if (points.empty()) return points;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : points) sum += p;
+  points.push_back(sum / static_cast<double>(points.size()));
+  return points;
 }
 
 double distanceToBody(const TriangleMesh& mesh, const ConvexHull& body, double limit) {

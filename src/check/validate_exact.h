@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <limits>
+#include <vector>
 
 #include "check/fcl_queries.h"
 #include "collision_hulls/geometry/convex_hull.h"
@@ -17,6 +18,12 @@ ConvexHull transformed(const ConvexHull& hull, const Eigen::Isometry3d& pose);
 
 /// Distance from p to the hull, as a solid. Exact, also for points within rounding of a face's plane.
 double pointDistance(const ConvexHull& hull, const Eigen::Vector3d& p);
+
+/// The point of the hull, as a solid, that is nearest to p. Exact.
+Eigen::Vector3d nearestPoint(const ConvexHull& hull, const Eigen::Vector3d& p);
+
+/// The corners of what two bodies have in common, and their mean; none where they do not overlap.
+std::vector<Eigen::Vector3d> commonPoints(const ConvexHull& a, const ConvexHull& b);
 
 /// Distance from the mesh's surface to the body, as a solid: 0 where they meet or where part of the surface is inside the body.
 /// Exact where it is below `limit`, else `limit`. O(triangles of the mesh), and of the body for each that is near.

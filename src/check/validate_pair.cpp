@@ -40,7 +40,8 @@ class PairCheck {
   bool holdsAComponent(const Probe& probe) const;
   double settled(const Probe& probe, FclAnswer answer, double ours, const char* against);
   void judge(const Probe& probe, double original, double hulls);
-  double toSolid(const Eigen::Vector3d& p, double original, double hulls) const;
+  double toSolid(const Probe& probe, double original, double hulls) const;
+  bool meetsTheInside(const Probe& probe, double hulls) const;
   void remark(const Probe& probe, const std::string& text);
 
   const PairModel& model_;
@@ -180,9 +181,29 @@ double PairCheck::settled(const Probe& probe, FclAnswer answer, double ours, con
 
 /// The distance to the solid: 0 for a probe that touches no surface and is inside. Looked up only where the verdict or the
 /// largest underestimate depends on it.
-double PairCheck::toSolid(const Eigen::Vector3d& p, double original, double hulls) const {
+double PairCheck::toSolid(const Probe& probe, double original, double hulls) const {
   const double matters = std::min(model_.allowed, model_.frame.units(result.counts.max_underestimate));
-  return original - hulls > matters && model_.inSolid(p) ? 0 : original;
+  if (original - hulls <= matters) return original;
+  if (model_.inSolid(probe.centre)) return 0;
+  return model_.hasOpenings() && meetsTheInside(probe, hulls) ? hulls : original;
+}
+
+/// A probe may come to the inside through an opening, without touching the surface: whether a point of the hulls that is as near to it as
+/// they are was found to lie inside.
+bool PairCheck::meetsTheInside(const Probe& probe, double hulls) const {
+  const auto inside = [&](const Eigen::Vector3d& p) { return model_.inSolid(p); };
+  for (const auto& [lower, hull] : hullsByBox(probe.box)) {
+    if (lower > hulls) break;
+    const ConvexHull& body = model_.hulls[hull];
+    if (probe.shape) {
+      const std::vector<Eigen::Vector3d> common = hulls == 0 ? commonPoints(body, probe.body) : std::vector<Eigen::Vector3d>();
+      if (std::any_of(common.begin(), common.end(), inside)) return true;
+    } else {
+      const Eigen::Vector3d near = nearestPoint(body, probe.centre);
+      if ((near - probe.centre).norm() <= probe.radius + hulls + kFclTolerance && inside(near)) return true;
+    }
+  }
+  return false;
 }
 
 void PairCheck::judge(const Probe& probe, double original, double hulls) {
@@ -191,7 +212,7 @@ void PairCheck::judge(const Probe& probe, double original, double hulls) {
     ++result.counts.missed;
     text << "missed: original hit, hulls " << model_.frame.metres(hulls) << " m away";
   }
-  const double solid = toSolid(probe.centre, original, hulls);
+  const double solid = toSolid(probe, original, hulls);
   result.counts.max_underestimate = std::max(result.counts.max_underestimate, model_.frame.metres(solid - hulls));
   if (solid - hulls > model_.allowed) {
     if (hulls == 0) ++result.counts.phantom;

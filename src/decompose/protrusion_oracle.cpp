@@ -35,6 +35,7 @@ constexpr std::size_t kMostKnown = 400;  // intruders remembered
 ConvexHull grown(ConvexHull hull) {
   const Eigen::Vector3d middle = boundingBox(hull).center();
   for (Eigen::Vector3d& v : hull.vertices) v += kGrowth * (v - middle);
+  for (HalfSpace& face : hull.faces) face.offset -= kGrowth * face.distance(middle);
   return hull;
 }
 
@@ -163,8 +164,12 @@ Protrusion ProtrusionOracle::onSurface(const ConvexHull& hull) const {
   on.floor = on.ceiling = (1 - kReserve) * tolerance_;
   on.gap = kProofGap * tolerance_;
   on.known = &outside_;
-  // Where the surface has openings the distance jumps: what is written, a little larger, must not reach across.
-  return largestOnSurface(solid_.hasOpenings() ? grown(hull) : hull, solid_, on, control_);
+  return largestOnSurface(written(hull), solid_, on, control_);
+}
+
+/// What may be written for a hull. Where the surface has openings the distance jumps, and what is a little larger must not reach across.
+ConvexHull ProtrusionOracle::written(const ConvexHull& hull) const {
+  return solid_.hasOpenings() ? grown(hull) : hull;
 }
 
 bool ProtrusionOracle::concluded(const ConvexHull& hull, const Protrusion& on_surface) {
@@ -188,8 +193,9 @@ bool ProtrusionOracle::mayHoldPocket(const ConvexHull& hull, double surface_boun
   return summit.bound > tolerance_;
 }
 
-double ProtrusionOracle::bound(const ConvexHull& hull) {
+double ProtrusionOracle::bound(const ConvexHull& exact) {
   control_.check();
+  const ConvexHull hull = written(exact);
   OutsideDistance::Query query;
   query.ceiling = std::numeric_limits<double>::infinity();
   query.resolution = kFineCell * tolerance_;

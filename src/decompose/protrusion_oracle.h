@@ -66,6 +66,7 @@ class ProtrusionOracle {
   bool holdsKnownIntruder(const ConvexHull& hull);
   std::optional<bool> fitsByOctree(const ConvexHull& hull);
   Protrusion onSurface(const ConvexHull& hull) const;
+  ConvexHull written(const ConvexHull& hull) const;
   bool concluded(const ConvexHull& hull, const Protrusion& on_surface);
   bool mayHoldPocket(const ConvexHull& hull, double surface_bound);
   double reachByOctree(const ConvexHull& hull, double resolution);  // no point is further; infinite: it holds an intruder

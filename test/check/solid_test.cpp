@@ -121,6 +121,7 @@ TEST(Solid, TheSignedDistanceStaysInside) {
       const double to_surface = solid.distanceToSurface(p), d = solid.signedDistance(p, to_surface);
       EXPECT_EQ(d > 0, !solid.contains(p) && to_surface > 0);
       EXPECT_LE(-d, to_surface);
+      if (d > 0) continue;
       largest = std::max(largest, -d);
       for (int k = 0; k < 20; ++k) EXPECT_TRUE(solid.contains(p - 0.999 * std::min(d, 0.0) * random.onSphere())) << p.transpose();
     }

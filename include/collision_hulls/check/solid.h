@@ -12,9 +12,10 @@
 
 namespace collision_hulls {
 
-/// S: the surface, and the points inside what of it is no sheet: generalized winding number > 1/2. Components are oriented outward, so
-/// that a closed cavity within a housing is inside. Cracks of the surface no wider than vertices are welded over by default (1e-5 of
-/// the extent) count as closed. Immutable, thread safe.
+/// S: the surface, and the points inside what of it is no sheet: generalized winding number > 1/2. With openings it is > 0.55, since what
+/// computes such numbers errs by some hundredths, here by 0.02 at most. Components are oriented outward, so that a closed cavity within a
+/// housing is inside. Cracks of the surface no wider than vertices are welded over by default (1e-5 of the extent) count as closed.
+/// Immutable, thread safe.
 class Solid {
  public:
   explicit Solid(const RepairedMesh& mesh, const RunControl& control = {});

@@ -30,7 +30,7 @@ struct RepairCounts {
 /// Which rule says what lies inside a component.
 enum class Interior {
   kClosed,   ///< no open edge but of fins: inside is what the surface encloses
-  kWinding,  ///< small openings: inside is where the generalized winding number exceeds 1/2
+  kWinding,  ///< small openings: inside is where the generalized winding number exceeds 1/2 by enough (check/solid.h)
   kSurface   ///< a sheet: nothing is inside, the solid is the surface alone
 };
 const char* name(Interior interior);  ///< "closed", "winding", "surface"

@@ -20,10 +20,10 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kNear = 2;                     // in tolerances: a hull across a wider gap protrudes, unless what lies between is solid
-constexpr std::size_t kMostForAllPairs = 1000;  // groups
-constexpr double kTieBreak = 1e-3;              // of the union's size, for squares that cancel out
-constexpr int kTrials = 8;                      // of proving what was merged on trust
+constexpr double kNear = 2;                 // in tolerances: a hull across a wider gap protrudes, unless what lies between is solid
+constexpr std::size_t kMany = 1000;         // groups: merging takes time by their number squared
+constexpr double kTieBreak = 1e-3;          // of the union's size, for squares that cancel out
+constexpr int kTrials = 8, kFewTrials = 2;  // of proving what was merged on trust; the latter where there are many groups
 
 struct Pair {
   double cost;
@@ -55,7 +55,7 @@ class Merging {
         proof_(proof),
         given_(cover_.size()),
         apart_(apart),
-        all_pairs_(given_ <= kMostForAllPairs) {}
+        all_pairs_(given_ <= kMany) {}
 
   Cover run() {
     for (int b = 0; b < size(); ++b) pairWithEarlier(b, -1, -1);
@@ -77,13 +77,13 @@ class Merging {
   /// Pairs group b, the union of `left` and `right` if there are such, with those before it. Merged groups have no hull any more.
   void pairWithEarlier(int b, int left, int right) {
     if (apart_.size() == static_cast<std::size_t>(b)) apart_.emplace_back(static_cast<std::size_t>(b), 0);
-    for (int a = 0; a < b; ++a) {
-      if (!group(a).hull) continue;
+    for (const int a : live_) {
       char& is_apart = apart_[static_cast<std::size_t>(b)][static_cast<std::size_t>(a)];
       if (left >= 0) is_apart = apart(a, left) || apart(a, right);
       if (!is_apart && (all_pairs_ || !farApart(group(a), group(b), groups_.tolerance())))
         queue_.push({costOf(group(a), group(b), cost_), a, b});
     }
+    live_.push_back(b);
   }
 
   void tryMerge(int a, int b) {
@@ -95,6 +95,7 @@ class Merging {
       return;
     }
     group(a).hull = group(b).hull = nullptr;
+    live_.erase(std::remove_if(live_.begin(), live_.end(), [&](int i) { return i == a || i == b; }), live_.end());
     cover_.push_back(std::move(both));
     pairWithEarlier(size() - 1, a, b);
   }
@@ -105,6 +106,7 @@ class Merging {
   const Proof proof_;
   const std::size_t given_;
   ApartPairs& apart_;
+  std::vector<int> live_;  // groups that were not merged, ascending
   const bool all_pairs_;
   std::priority_queue<Pair> queue_;
 };
@@ -123,12 +125,13 @@ Cover merged(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof pr
 /// What was refuted is remembered, so that merging anew takes another way.
 Cover mergedBest(const Cover& cover, SurfaceGroups& groups) {
   constexpr std::array<MergeCost::Kind, 4> kinds{MergeCost::kSize, MergeCost::kGrowth, MergeCost::kMeanGrowth, MergeCost::kSquares};
-  std::array<std::size_t, kinds.size()> sizes{};
+  const bool many = cover.size() > kMany;
+  std::vector<std::size_t> sizes(many ? 1 : kinds.size());
   ApartPairs apart;
   const auto mergedBy = [&](MergeCost::Kind kind, Proof proof) { return Merging(cover, groups, {kind, 0, 0}, proof, apart).run(); };
-  for (std::size_t k = 0; k < kinds.size(); ++k) sizes[k] = mergedBy(kinds[k], Proof::kLater).size();
+  for (std::size_t k = 0; k < sizes.size(); ++k) sizes[k] = mergedBy(kinds[k], Proof::kLater).size();
   std::size_t best = 0;
-  for (int trial = 0; trial < kTrials; ++trial) {
+  for (int trial = 0; trial < (many ? kFewTrials : kTrials); ++trial) {
     best = static_cast<std::size_t>(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
     Cover result = mergedBy(kinds[best], Proof::kLater);
     if (result.size() > sizes[best])

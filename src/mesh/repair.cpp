@@ -9,8 +9,8 @@
 
 #include "collision_hulls/error.h"
 #include "mesh/boundary.h"
-#include "mesh/fins.h"
 #include "mesh/edges.h"
+#include "mesh/fins.h"
 #include "mesh/orient.h"
 #include "mesh/weld.h"
 

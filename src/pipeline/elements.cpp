@@ -39,6 +39,17 @@ bool isMesh(const GeometryElement& element) {
   return element.kind == GeometryElement::Kind::kMesh;
 }
 
+/// On collision meshes that --source visual passes over, in links that have nothing visual.
+std::vector<std::string> notesOnLeftOut(const RobotDescription& robot, const LinkChoice& chosen, const Options& options) {
+  if (options.source != Source::kVisual) return {};
+  std::string links;
+  for (const LinkDescription& link : robot.links)
+    if (chosen(link.name) && link.visuals.empty() && std::any_of(link.collisions.begin(), link.collisions.end(), isMesh))
+      links += (links.empty() ? "" : ", ") + link.name;
+  if (links.empty()) return {};
+  return {"links without a visual element keep their collision meshes as they are: " + links + "; --source auto takes these"};
+}
+
 /// What makes two elements the same work. The extension counts, since it says how the content is read.
 using Sameness = std::tuple<std::string, std::string, double, double, double>;
 
@@ -79,8 +90,8 @@ RobotResult robotResult(const RobotDescription& robot, const Options& options) {
 
 std::vector<std::string> notesOnElements(const RobotDescription& robot, const std::vector<ElementResult>& elements,
                                          const Options& options) {
-  if (!elements.empty()) return {};
   const LinkChoice chosen(options.links, robot);
+  if (!elements.empty()) return notesOnLeftOut(robot, chosen, options);
   std::ptrdiff_t visuals = 0, collisions = 0;
   for (const LinkDescription& link : robot.links) {
     if (!chosen(link.name)) continue;

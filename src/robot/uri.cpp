@@ -94,7 +94,11 @@ std::string resolveUri(const std::string& uri, const std::string& base, const Pa
   for (const fs::path& file : {path, pathOf(percentDecoded(uri), base, find_package)})
     for (const fs::path& name : {file.lexically_normal(), file})
       if (isFile(name)) return name.string();
-  throw Error(ErrorCode::kFileNotFound, "'" + uri + "' means '" + path.lexically_normal().string() + "', and there is no such file");
+  const bool has_no_place = base.empty() && isRelativeUri(uri);
+  throw Error(
+      ErrorCode::kFileNotFound,
+      "'" + uri + "' means '" + path.lexically_normal().string() + "', and there is no such file" +
+          (has_no_place ? "; it is relative, and the description came without a file that it is relative to (the node's is ~base)" : ""));
 }
 
 }  // namespace collision_hulls

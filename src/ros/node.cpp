@@ -92,10 +92,20 @@ Node::Node()
           private_, "decompose_action", [this](GoalHandle goal) { pursue(std::move(goal)); },
           [this](const GoalHandle& goal) { worker_.cancel(goal.getGoalID().id); }, false) {
   // First, so that it is not told "busy" because of an earlier caller.
-  if (private_.param("auto", false)) decomposeAtStart();
+  if (isToStartAtOnce()) decomposeAtStart();
   action_.start();
   service_ = private_.advertiseService("decompose", &Node::serve, this);
   fit_service_ = private_.advertiseService("fit_scene", &Node::serveFit, this);
+}
+
+bool Node::isToStartAtOnce() const {
+  bool at_once = false;
+  try {
+    readFlag(private_, "auto", at_once);
+  } catch (const Error& error) {
+    ROS_ERROR("%s", error.what());
+  }
+  return at_once;
 }
 
 std::string Node::busy() const {
@@ -170,7 +180,7 @@ DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunCont
 
   RobotResult result = decomposeRobot(robot, input.find_package, options, output, control, step);
   DecomposeResponse response = written<DecomposeResponse>(result, output, control);
-  show(result);
+  if (!response.urdf_path.empty()) show(result);
   return response;
 }
 
@@ -194,7 +204,7 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
 
   RobotResult result = fitRobotToScene(robot, input.find_package, scene, options, output, control);
   FitSceneResponse response = written<FitSceneResponse>(result, output, control);
-  show(result);
+  if (!response.urdf_path.empty()) show(result);
   if (!result.extra_files.empty()) response.srdf = result.extra_files.begin()->second;
   return response;
 }

@@ -34,6 +34,7 @@ class Node {
   /// Waits for `work` on the worker's thread; the message says so where it is busy.
   void serveOne(const std::function<void(const RunControl&)>& work, std::string& message);
   void pursue(GoalHandle goal);
+  bool isToStartAtOnce() const;
   void decomposeAtStart();
   std::string busy() const;
 

@@ -1,6 +1,7 @@
 #include "parameters.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -21,12 +22,14 @@ std::optional<T> read(const ros::NodeHandle& node, const std::string& name, cons
   return value;
 }
 
-void readFlag(const ros::NodeHandle& node, const std::string& name, bool& value) {
-  value = read<bool>(node, name, "true or false").value_or(value);
-}
-
+/// getParam would round.
 void readNumber(const ros::NodeHandle& node, const std::string& name, int& value) {
-  value = read<int>(node, name, "a whole number").value_or(value);
+  constexpr const char* kType = "a whole number";
+  const std::optional<double> number = read<double>(node, name, kType);
+  if (!number) return;
+  if (*number != std::trunc(*number) || std::abs(*number) > std::numeric_limits<int>::max())
+    throw Error(ErrorCode::kBadOption, "parameter " + node.resolveName(name) + " is not " + kType + ": set it to one");
+  value = static_cast<int>(*number);
 }
 
 /// The enumerator that a text parameter or field names.
@@ -91,6 +94,10 @@ std::string rootLink(const RobotDescription& robot) {
 
 std::string readText(const ros::NodeHandle& node, const std::string& name, const std::string& fallback) {
   return read<std::string>(node, name, "a text").value_or(fallback);
+}
+
+void readFlag(const ros::NodeHandle& node, const std::string& name, bool& value) {
+  value = read<bool>(node, name, "true or false").value_or(value);
 }
 
 Options readOptions(const ros::NodeHandle& node) {

@@ -19,6 +19,9 @@ Options readOptions(const ros::NodeHandle& node);
 /// A text parameter; `fallback` where it is not set. Throws kBadOption where it is not a text.
 std::string readText(const ros::NodeHandle& node, const std::string& name, const std::string& fallback = "");
 
+/// The value of a parameter; as it is where that is not set. Throws kBadOption where it is neither true nor false.
+void readFlag(const ros::NodeHandle& node, const std::string& name, bool& value);
+
 /// `options` with what the request asks for. Throws kBadOption, also for the name of a link that the robot does not have.
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot);
 

@@ -59,9 +59,11 @@ SdfFrames::SdfFrames(const XmlNode& scope, const std::string& file, const std::v
   for (const XmlNode& element : scope.children) {
     if (element.name == "link") add(element.attribute("name"), element, "");
     if (element.name == "frame") add(element.attribute("name"), element, element.attribute("attached_to"));
-    if (element.name == "joint") add(element.attribute("name"), element, textOfChild(element, "child"));
   }
   for (const SdfModel& model : models) add(model.name, *model.posed, "");
+  // Before SDF 1.7 a joint might have the name of a link, which is meant then.
+  for (const XmlNode* joint : scope.childrenNamed("joint"))
+    if (frames_.count(joint->attribute("name")) == 0) add(joint->attribute("name"), *joint, textOfChild(*joint, "child"));
 }
 
 void SdfFrames::add(const std::string& name, const XmlNode& element, const std::string& relative_to) {

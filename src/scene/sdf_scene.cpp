@@ -157,12 +157,14 @@ class Reader {
     std::vector<SdfModel> models;
     for (const XmlNode& element : scope.element->children) {
       if (element.name == "model") models.push_back({&element, scope.file, element.attribute("name"), &element, scope.depth});
-      if (element.name == "include") models.push_back(included(element, scope));
+      if (element.name != "include") continue;
+      if (const std::optional<SdfModel> model = included(element, scope)) models.push_back(*model);
     }
     return models;
   }
 
-  SdfModel included(const XmlNode& include, const SdfModel& scope) {
+  /// nullopt for a light or an actor, which have no collision.
+  std::optional<SdfModel> included(const XmlNode& include, const SdfModel& scope) {
     const std::string& file = scope.file;
     if (scope.depth >= kDeepestInclude) failSdf(file, include, "includes nest deeper than 20; does one include itself?");
     if (include.child("placement_frame")) failSdf(file, include, "placement_frame is not supported; give the pose of the model itself");
@@ -172,9 +174,10 @@ class Reader {
     inContext("'" + file + "', line " + std::to_string(uri->line), [&] { path = includedFile(uri->text, file); });
     const XmlNode& root = open(path);
     const XmlNode* model = root.child("model");
+    if (!model && (root.child("light") || root.child("actor"))) return std::nullopt;
     if (!model) failSdf(path, root, "it is included, but has no <model>");
     const XmlNode* name = include.child("name");
-    return {model, path, name ? name->text : model->attribute("name"), include.child("pose") ? &include : model, scope.depth + 1};
+    return SdfModel{model, path, name ? name->text : model->attribute("name"), include.child("pose") ? &include : model, scope.depth + 1};
   }
 
   /// A file's own URI, or a model's folder: the file that its model.config names for the newest version, or model.sdf.

@@ -62,6 +62,36 @@ TEST_F(DecomposeRobot, NoMeshAtAll) {
   EXPECT_EQ(result.urdf, fixtures::read(folder_ / "urdf/arm.urdf"));
 }
 
+TEST_F(DecomposeRobot, AnElementThatCannotBeReadHasARowOfItsOwn) {
+  const std::string bad = "    <visual>\n      " + meshTag("../meshes/box.obj", " scale=\"0.001\"") + "\n    </visual>\n";
+  const RobotResult result = run(link("base", visual("bracket.obj")) + link("tip", bad, "base"));
+  ASSERT_EQ(result.report.links.size(), 2u);
+  EXPECT_EQ(result.report.links[0].status, Status::kOk);
+  EXPECT_EQ(result.report.links[1].status, Status::kFailed);
+  EXPECT_EQ(result.report.links[1].error, "BadGeometry");
+  for (const char* part : {"arm.urdf', line ", "<visual> of link 'tip'", "0.001"})
+    EXPECT_NE(result.report.links[1].reason.find(part), std::string::npos) << result.report.links[1].reason;
+}
+
+TEST_F(DecomposeRobot, AVisualOfAMaterialAloneBecomesNothing) {
+  const std::string paint = "    <visual><material name=\"red\"><color rgba=\"1 0 0 1\"/></material></visual>\n";
+  const RobotResult result = run(link("base", visual("box.obj") + paint) + link("tip", paint, "base"));
+  ASSERT_EQ(result.report.links.size(), 1u);
+  EXPECT_EQ(count(result.urdf, "<collision"), 1u);
+  EXPECT_EQ(count(result.urdf, paint.substr(4, paint.size() - 5)), 2u);
+}
+
+TEST_F(DecomposeRobot, ANoteOnCollisionMeshesThatVisualPassesOver) {
+  options_.source = Source::kVisual;
+  const RobotResult result = run(link("base", visual("box.obj")) + link("tip", collision("bracket.obj"), "base"));
+  ASSERT_EQ(result.report.links.size(), 1u);
+  const auto on_tip = [](const std::string& note) {
+    return note.find("keep their collision meshes as they are: tip;") != std::string::npos;
+  };
+  EXPECT_EQ(std::count_if(result.report.notes.begin(), result.report.notes.end(), on_tip), 1);
+  EXPECT_EQ(count(result.urdf, "bracket.obj"), 1u);
+}
+
 TEST_F(DecomposeRobot, ARowForEveryMeshInDocumentOrder) {
   const std::string sphere = "    <collision><geometry><sphere radius=\"0.1\"/></geometry></collision>\n";
   const RobotResult result = run(link("base", visual("box.obj") + sphere + collision("bracket.obj")) + link("frame", "", "base") +

@@ -76,6 +76,15 @@ class MarkersTest(unittest.TestCase):
         self.assertAlmostEqual(0.04, length, delta=0.002)
         self.assertAlmostEqual(0.06, place.x, delta=0.005)
 
+    def test_a_run_that_writes_nothing_leaves_them(self):
+        response, markers = self.run_small_robot()
+        text = self.folder.small_robot().replace("bracket.obj", "no.obj").replace("box.stl", "no.stl")
+        failed = decompose(robot_description=text, output=self.folder.output)
+        self.assertFalse(failed.success)
+        self.assertIn("nothing is written", failed.message)
+        self.assertEqual(len(markers), len(latched_markers()) - 1)
+        self.assertEqual(response.robot_description, rospy.get_param(NODE + "/robot_description"))
+
     def test_a_second_run_replaces_the_first(self):
         self.run_small_robot()
         _, markers = self.run_small_robot(links=["arm"])

@@ -76,6 +76,8 @@ class ServiceTest(unittest.TestCase):
     def test_parameter_of_the_wrong_type(self):
         self.set_parameter(NODE + "/max_hulls", "many")
         self.assert_refused(["max_hulls", "whole number"])
+        self.set_parameter(NODE + "/max_hulls", 1.5)
+        self.assert_refused(["max_hulls", "whole number"])
 
     def test_one_bad_link_among_good_ones(self):
         os.remove(self.folder.file("box.stl"))

@@ -93,6 +93,27 @@ TEST(SdfScene, Includes) {
   expectBox(scene.bodies[2], {-1, -1, 0}, {1, 1, 2});
 }
 
+TEST(SdfScene, IncludedLightsAndActorsAreNoBodies) {
+  const TemporaryFolder folder;
+  folder.write("sun/model.sdf", "<sdf version='1.6'><light type='directional' name='sun'/></sdf>");
+  folder.write("man/model.sdf", "<sdf version='1.6'><actor name='man'/></sdf>");
+  folder.write("empty/model.sdf", "<sdf version='1.6'/>");
+  const auto world = [](const std::string& uri) {
+    return "<sdf version='1.6'><world name='w'><include><uri>" + uri + "</uri></include><model name='m'><link name='l'>" + collision(kBox) +
+           "</link></model></world></sdf>";
+  };
+  for (const char* uri : {"sun", "man"}) EXPECT_EQ(sceneOf(folder, "a.sdf", world(uri)).bodies.size(), 1U) << uri;
+  expectError(ErrorCode::kBadScene, {"has no <model>"}, [&] { sceneOf(folder, "a.sdf", world("empty")); });
+}
+
+TEST(SdfScene, AJointMayHaveTheNameOfALinkWhichIsMeantThen) {
+  const TemporaryFolder folder;
+  const std::string joint = "<joint name='a' type='fixed'><parent>world</parent><child>b</child><pose>0 0 9 0 0 0</pose></joint>";
+  EXPECT_TRUE(placeOfFirst(folder, model(joint + "<link name='a'><pose>1 0 0 0 0 0</pose></link><link name='b'>" +
+                                         collision(kBox, "<pose relative_to='a'>0 1 0 0 0 0</pose>") + "</link>"))
+                  .isApprox(Eigen::Vector3d(1, 1, 0)));
+}
+
 TEST(SdfScene, FramesOfModelsWithin) {
   const TemporaryFolder folder;
   folder.write("near/model.sdf", model("<frame name='top'><pose>0 0 3 0 0 0</pose></frame><model name='k'><pose>0 1 0 0 0 0</pose>"

@@ -31,8 +31,8 @@ bool isPaired(const std::vector<Triangle>& triangles, const Edges& edges, int h)
   return twin >= 0 && startOf(triangles, twin) == endOf(triangles, h);
 }
 
-/// The boundary of the oriented surface without its sheets: edges whose triangles do not run along them equally often
-/// in both directions, as the surface runs along them, as often as that direction prevails.
+/// The boundary of the oriented surface without its sheets: edges whose triangles do not run along them equally often in both directions,
+/// as the surface runs along them, as often as that direction prevails.
 Rim rimOf(const RepairedMesh& mesh, const Edges& edges) {
   const std::vector<Triangle>& triangles = mesh.mesh.triangles;
   std::map<std::array<int, 2>, int> surplus;
@@ -184,8 +184,8 @@ constexpr double kProbeStep = 1e-3;  // off the triangle, in lengths of its shor
 // With openings: points of winding numbers above are inside, and what ours may err by.
 constexpr double kSurelyInside = 0.55, kWindingError = 0.02;
 
-/// What lies inside. The winding number is that of the surface closed with lids, which counting
-/// crossings tells, less that of the lids, which are few.
+/// What lies inside. The winding number is that of the surface closed with lids, which counting crossings tells, less that of the lids of
+/// openings, which are few.
 struct Walls {
   /// `surface`: a tree over all triangles, which serves where all of them are walls without a rim.
   Walls(const RepairedMesh& mesh, const Rim& rim_edges, const std::shared_ptr<const TriangleBvh>& surface)

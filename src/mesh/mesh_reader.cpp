@@ -13,8 +13,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <string_view>
 
 #include "collision_hulls/error.h"
@@ -188,16 +190,22 @@ struct Placement {
                                                    ", both counted from 0) has a coordinate that is no finite number; export it again");
 }
 
+std::string digits(double number) {
+  std::ostringstream text;
+  text << std::setprecision(4) << number;
+  return text.str();
+}
+
 /// LoadedMesh::resolution, where `largest` is the largest number [m] that single precision rounded.
 double resolution(const TriangleMesh& mesh, double largest, const std::string& path) {
   if (!(largest > 0)) return 0;
   const double result =
       std::ldexp(1.0, std::max(std::ilogb(largest), std::numeric_limits<float>::min_exponent - 1) - std::numeric_limits<float>::digits);
   const double size = diagonal(mesh);
-  if (result > kCoarsestResolution * size)
-    throw Error(ErrorCode::kTooFarFromOrigin, path + ": the mesh is " + std::to_string(size) + " m across and up to " +
-                                                  std::to_string(largest) + " m away from its origin, where single precision resolves " +
-                                                  std::to_string(result) + " m; move the mesh to its origin");
+  if (size > 0 && result > kCoarsestResolution * size)
+    throw Error(ErrorCode::kTooFarFromOrigin, path + ": the mesh is " + digits(size) + " m across and up to " + digits(largest) +
+                                                  " m away from its origin, where single precision resolves " + digits(result) +
+                                                  " m; move the mesh to its origin");
   return result;
 }
 

@@ -1,3 +1,6 @@
+#include <sys/stat.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -114,10 +117,27 @@ void writeHulls(const ElementResult& element, MeshFormat format, const Folders& 
   }
 }
 
+/// A folder is replaced by another one: not where that cannot be, nor under whoever works in it.
+void refuseInUse(const fs::path& folder) {
+  std::error_code none;
+  const fs::path place = fs::canonical(folder, none), here = fs::current_path(none);
+  if (place.empty()) return;
+  const std::string advice = "; choose another output, such as a folder within it";
+  if (std::mismatch(place.begin(), place.end(), here.begin(), here.end()).first == place.end())
+    throw Error(ErrorCode::kUnwritableOutput,
+                "output '" + folder.string() + "' would be replaced, and the current folder is there: '" + here.string() + "'" + advice);
+  struct stat of_folder {
+  }, of_parent{};
+  if (stat(place.c_str(), &of_folder) == 0 && stat(place.parent_path().c_str(), &of_parent) == 0 && of_folder.st_dev != of_parent.st_dev)
+    throw Error(ErrorCode::kUnwritableOutput,
+                "output '" + folder.string() + "' is where something is mounted and cannot be replaced" + advice);
+}
+
 }  // namespace
 
 void checkOutput(const std::string& output) {
   const fs::path folder = replacedFolder(output);
+  refuseInUse(folder);
   refuseForeign(folder);
   checkFolderOf(folder);
 }

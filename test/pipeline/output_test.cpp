@@ -75,6 +75,28 @@ TEST(WriteOutput, UnwritablePlaces) {
   }
 }
 
+TEST(WriteOutput, NotUnderWhoeverWorksThere) {
+  const TempFolder folder;
+  const fs::path before = fs::current_path(), out = folder / "out", within = out / "a/b";
+  fs::create_directories(within);
+  for (const fs::path& here : {out, within}) {
+    fs::current_path(here);
+    for (const fs::path& name : {fs::relative(out, here), out}) {
+      try {
+        checkOutput(name.string());
+        ADD_FAILURE() << name << " from " << here;
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::kUnwritableOutput) << error.what();
+        EXPECT_NE(std::string(error.what()).find("choose another output, such as a folder within it"), std::string::npos) << error.what();
+      }
+    }
+  }
+  fs::current_path(folder / ".");
+  fs::remove_all(out / "a");
+  EXPECT_NO_THROW(checkOutput("out"));
+  fs::current_path(before);
+}
+
 TEST(WriteOutput, APackage) {
   const TempFolder folder;
   RobotResult result = sample();

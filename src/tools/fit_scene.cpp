@@ -88,14 +88,19 @@ int main(int argc, char** argv) {
   CLI::App app("Makes a collision model of a robot that is no finer than a scene needs.", command.robot.program);
   app.footer(kFooter);
   addOptions(app, command);
+  std::string comparison;
   const RobotWork work = [&](const Input& input, const std::string& output, const RunControl& control, const StepCallback& step) {
     if (!command.compare.empty()) inContext("--compare", [&] { checkNamedFile(command.compare); });
     const SceneRequest request = requestOf(command, input);
     RobotResult result = fitRobotToScene(input.robot, input.find_package, request, command.robot.options, output, control, step);
-    if (request.compare) writeNamedFile(command.compare, comparisonCsv(result.robot_name, *result.report.scene));
+    if (request.compare) comparison = comparisonCsv(result.robot_name, *result.report.scene);
     return result;
   };
-  return runRobotProgram(app, argc, argv, [&] { return runRobotCommand(command.robot, work); });
+  return runRobotProgram(app, argc, argv, [&] {
+    const int status = runRobotCommand(command.robot, work);
+    if (!comparison.empty()) writeNamedFile(command.compare, comparison);  // last: if that fails, the model is there
+    return status;
+  });
 }
 
 }  // namespace

@@ -93,6 +93,11 @@ class LoopWalk {
 
 }  // namespace
 
+double triangleArea(const TriangleMesh& mesh, int triangle) {
+  const Eigen::Vector3d& a = mesh.corner(triangle, 0);
+  return (mesh.corner(triangle, 1) - a).cross(mesh.corner(triangle, 2) - a).norm() / 2;
+}
+
 BoundaryEdge boundaryEdge(const TriangleMesh& mesh, int half_edge, const std::vector<char>& turn, const std::vector<int>& surface) {
   const auto triangle = static_cast<std::size_t>(half_edge / 3);
   BoundaryEdge edge{surface[triangle], startOf(mesh.triangles, half_edge), endOf(mesh.triangles, half_edge)};

@@ -8,6 +8,8 @@
 
 namespace collision_hulls {
 
+double triangleArea(const TriangleMesh& mesh, int triangle);  ///< [m^2]
+
 /// A boundary edge of a surface, in the direction of its triangle.
 struct BoundaryEdge {
   int surface;  ///< number of the surface that it bounds

@@ -5,7 +5,6 @@
 #include <map>
 
 #include "mesh/boundary.h"
-#include "mesh/orient.h"
 
 namespace collision_hulls {
 namespace {
@@ -14,37 +13,15 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Per triangle: the patch that it is of, numbered in order of first triangle.
-std::vector<int> findPatches(const Edges& edges) {
-  std::vector<int> patch(edges.component.size(), -1);
-  int count = 0;
-  for (int seed = 0; seed < static_cast<int>(patch.size()); ++seed) {
-    if (patch[at(seed)] >= 0) continue;
-    patch[at(seed)] = count;
-    for (std::vector<int> front{seed}; !front.empty();) {
-      const int t = front.back();
-      front.pop_back();
-      for (int h = 3 * t; h < 3 * t + 3; ++h) {
-        const int twin = edges.twin[at(h)];
-        if (twin < 0 || patch[at(twin / 3)] >= 0) continue;
-        patch[at(twin / 3)] = count;
-        front.push_back(twin / 3);
-      }
-    }
-    ++count;
-  }
-  return patch;
-}
-
 class Fins {
  public:
-  Fins(const TriangleMesh& mesh, const Edges& edges, const std::vector<char>& turn)
-      : mesh_(mesh), patch_(findPatches(edges)), is_fin_(at(*std::max_element(patch_.begin(), patch_.end())) + 1, 1) {
+  Fins(const TriangleMesh& mesh, const Edges& edges, const OrientedPatches& oriented)
+      : mesh_(mesh), patch_(oriented.patch), is_fin_(oriented.patches, 1) {
     std::vector<char> is_open(is_fin_.size(), 0), hangs(is_fin_.size(), 0);
     for (int h = 0; h < static_cast<int>(edges.twin.size()); ++h) {
       const int twin = edges.twin[at(h)];
       if (twin >= 0) continue;
-      boundary_.push_back(boundaryEdge(mesh, h, turn, patch_));
+      boundary_.push_back(boundaryEdge(mesh, h, oriented.turn, patch_));
       (twin == Edges::kOpen ? is_open : hangs)[at(patch_[at(h / 3)])] = 1;
       if (twin == Edges::kNonManifold) meeting_[edgeOf(boundary_.back())].push_back(boundary_.back());
     }
@@ -76,25 +53,24 @@ class Fins {
 
   void excludeAlmostClosed() {
     std::vector<double> area(is_fin_.size(), 0);
-    for (int t = 0; t < static_cast<int>(patch_.size()); ++t)
-      area[at(patch_[at(t)])] += (mesh_.corner(t, 1) - mesh_.corner(t, 0)).cross(mesh_.corner(t, 2) - mesh_.corner(t, 0)).norm() / 2;
+    for (int t = 0; t < static_cast<int>(patch_.size()); ++t) area[at(patch_[at(t)])] += triangleArea(mesh_, t);
     const std::vector<Closure> closing = closures(mesh_.vertices, std::move(boundary_), area.size(), Eigen::Vector3d::Zero());
     for (std::size_t p = 0; p < area.size(); ++p)
       if (closing[p].area < kSmallOpening * area[p]) is_fin_[p] = 0;
   }
 
   const TriangleMesh& mesh_;
-  const std::vector<int> patch_;  // by triangle
-  std::vector<char> is_fin_;      // by patch: not excluded yet
+  const std::vector<int>& patch_;  // by triangle
+  std::vector<char> is_fin_;       // by patch: not excluded yet
   std::vector<BoundaryEdge> boundary_;
   std::map<Edge, std::vector<BoundaryEdge>> meeting_;  // at non-manifold edges
 };
 
 }  // namespace
 
-std::vector<char> findFins(const TriangleMesh& mesh, const Edges& edges, const std::vector<char>& turn) {
+std::vector<char> findFins(const TriangleMesh& mesh, const Edges& edges, const OrientedPatches& oriented) {
   if (edges.open == 0 || edges.nonmanifold == 0) return std::vector<char>(mesh.triangles.size(), 0);
-  return Fins(mesh, edges, turn).find();
+  return Fins(mesh, edges, oriented).find();
 }
 
 }  // namespace collision_hulls

@@ -32,7 +32,7 @@ class Orientation {
         turned_(mesh.triangles.size(), 0),
         patch_of_(mesh.triangles.size(), -1) {}
 
-  std::vector<char> solve() {
+  OrientedPatches solve() {
     for (int t = 0; t < static_cast<int>(turned_.size()); ++t)
       if (patch_of_[at(t)] < 0) growPatch(t);
     turn([](const Patch& patch) { return 2 * patch.turned_area > patch.area; });
@@ -40,15 +40,11 @@ class Orientation {
     const std::vector<char> negative = negativeComponents();
     turn([&](const Patch& patch) { return negative[at(patch.component)] != 0; });
     turn([](const Patch& patch) { return patch.closed && isNegative(patch.volume, patch.area); });
-    return std::move(turned_);
+    return {std::move(turned_), std::move(patch_of_), patches_.size()};
   }
 
  private:
   static bool isNegative(double volume, double area) { return volume < -kNilVolume * area * std::sqrt(area); }
-
-  double triangleArea(int t) const {
-    return (mesh_.corner(t, 1) - mesh_.corner(t, 0)).cross(mesh_.corner(t, 2) - mesh_.corner(t, 0)).norm() / 2;
-  }
 
   /// Numbers the triangles that manifold edges connect to `seed`, and turns over those that disagree with it.
   void growPatch(int seed) {
@@ -60,7 +56,7 @@ class Orientation {
     while (!front.empty()) {
       const int t = front.back();
       front.pop_back();
-      const double area = triangleArea(t);
+      const double area = triangleArea(mesh_, t);
       patch.area += area;
       if (turned_[at(t)]) patch.turned_area += area;
       for (int h = 3 * t; h < 3 * t + 3; ++h) {
@@ -126,7 +122,7 @@ class Orientation {
 
 }  // namespace
 
-std::vector<char> trianglesToTurn(const TriangleMesh& mesh, const Edges& edges) {
+OrientedPatches orient(const TriangleMesh& mesh, const Edges& edges) {
   if (mesh.triangles.empty()) return {};
   return Orientation(mesh, edges).solve();
 }

@@ -164,7 +164,7 @@ std::vector<Interior> findInteriors(const TriangleMesh& mesh, const Edges& edges
   std::vector<Interior> interior(edges.components, Interior::kClosed);
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
     if (fin[at(t)]) continue;
-    area[at(edges.component[at(t)])] += (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0)).norm() / 2;
+    area[at(edges.component[at(t)])] += triangleArea(mesh, t);
   }
   std::vector<BoundaryEdge> boundary;
   for (int h = 0; h < static_cast<int>(edges.twin.size()); ++h)
@@ -211,9 +211,10 @@ RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options, cons
   result.counts.nonmanifold_edges = edges.nonmanifold;
 
   control.check();
-  const std::vector<char> turn = trianglesToTurn(result.mesh, edges);
+  const OrientedPatches oriented = orient(result.mesh, edges);
+  const std::vector<char>& turn = oriented.turn;
   result.counts.flipped = static_cast<std::size_t>(std::count(turn.begin(), turn.end(), 1));
-  result.sheet = findFins(result.mesh, edges, turn);
+  result.sheet = findFins(result.mesh, edges, oriented);
   result.interior = findInteriors(result.mesh, edges, turn, result.sheet);
   for (std::size_t t = 0; t < turn.size(); ++t)
     if (turn[t]) std::swap(result.mesh.triangles[t][1], result.mesh.triangles[t][2]);

@@ -22,6 +22,27 @@ TEST(PointDistance, OnInAndAround) {
   EXPECT_NEAR(pointDistance(hull, Vector3d(0.4, 0.3, 0.8)), 0.5, 1e-12);
 }
 
+TEST(NearestPoint, OnInAndAround) {
+  const ConvexHull body = convexHull(test_shapes::box(1, 1, 1).vertices);
+  for (const auto& [p, nearest] : std::vector<std::pair<Vector3d, Vector3d>>{
+           {{0.5, 0.4, 0.3}, {0.5, 0.4, 0.3}}, {{0.5, 0.4, 1.3}, {0.5, 0.4, 1}}, {{-1, 2, 0.3}, {0, 1, 0.3}}, {{2, 2, 2}, {1, 1, 1}}})
+    EXPECT_LT((nearestPoint(body, p) - nearest).norm(), 1e-12) << p.transpose();
+}
+
+TEST(CommonPoints, AreTheCornersOfTheOverlap) {
+  const ConvexHull body = convexHull(test_shapes::box(1, 1, 1).vertices);
+  const auto with = [&](const Vector3d& offset) {
+    return commonPoints(body, convexHull(test_shapes::moved(test_shapes::box(1, 1, 1), offset).vertices));
+  };
+  EXPECT_TRUE(with({1.5, 0, 0}).empty());
+  const std::vector<Vector3d> points = with({0.6, 0.7, 0.8});
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& p : points) box.extend(p);
+  EXPECT_LT((box.min() - Vector3d(0.6, 0.7, 0.8)).norm(), 1e-9);
+  EXPECT_LT((box.max() - Vector3d(1, 1, 1)).norm(), 1e-9);
+  EXPECT_TRUE(box.contains(points.back()));
+}
+
 TEST(DistanceToBody, ContactContainmentAndLimit) {
   const TriangleMesh sheet = test_shapes::sheet();
   EXPECT_NEAR(distanceToBody(sheet, cube({0.5, 0.5, 0.75}, 0.5)), 0.5, 1e-12);

@@ -8,18 +8,15 @@
 #include <string>
 
 #include "shapes.h"
+#include "solids.h"
 
 namespace collision_hulls {
 namespace {
 
 using Eigen::Vector3d;
+using test_shapes::boxHull;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-ConvexHull boxHull(const Vector3d& low, const Vector3d& high) {
-  const Vector3d sides = high - low;
-  return convexHull(test_shapes::moved(test_shapes::box(sides.x(), sides.y(), sides.z()), low).vertices);
-}
 
 /// An L-bracket and the two boxes that it consists of.
 ValidationPair bracket(const std::string& name = "bracket") {
@@ -181,6 +178,15 @@ TEST(Validate, ProbesInsideASolid) {
     plates.push_back(boxHull(Vector3d::Zero(), high));
   }
   expectClean(run({{"cube", cube, plates, 0}}));
+}
+
+TEST(Validate, AProbeThatComesInThroughAnOpeningIsNoPhantom) {
+  ValidationPair pair{"window", test_shapes::boxWithWindow(0.3), {boxHull({0, 0, 0}, {1, 1, 0.93})}, 0.02};
+  for (const double low : {0.0, 0.8}) {  // beside the window
+    pair.hulls.push_back(boxHull({low, 0, 0.93}, {low + 0.2, 1, 1}));
+    pair.hulls.push_back(boxHull({0, low, 0.93}, {1, low + 0.2, 1}));
+  }
+  expectClean(run({pair}, 2000));
 }
 
 TEST(Validate, AnOpenSheetHasNoInside) {

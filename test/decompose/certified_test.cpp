@@ -120,6 +120,26 @@ TEST(Certified, WallsAreOneHullEach) {
   EXPECT_EQ(count(test_shapes::openBox(1, 1, 1, 0.05, 2), 0.02, Effort::kBest), 5u);
 }
 
+/// A disc with pointed teeth.
+TriangleMesh star(int teeth) {
+  std::vector<Eigen::Vector2d> outline;
+  std::vector<Triangle> cap;
+  for (int i = 0; i < 2 * teeth; ++i) {
+    const double angle = test_shapes::kPi * i / teeth, radius = i % 2 ? 10 : 2;
+    outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  for (int i = 0; i < teeth; ++i) {
+    const int after = (2 * i + 2) % (2 * teeth);
+    cap.push_back({2 * i, 2 * i + 1, after});
+    if (i > 0 && after > 0) cap.push_back({0, 2 * i, after});
+  }
+  return test_shapes::prism(outline, cap, 1);
+}
+
+TEST(Certified, PartsWithSolidBetweenThemShareAHull) {
+  EXPECT_EQ(count(star(20), 0.01), 10u) << "opposite teeth";
+}
+
 TEST(Certified, PartsThatAreFarApartAreOneHullEach) {
   EXPECT_EQ(count(test_shapes::fourSpheres(), 0.02), 4u);
 }

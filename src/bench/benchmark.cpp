@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "bench/job_runner.h"
+#include "median.h"
 
 namespace collision_hulls {
 
@@ -12,23 +12,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
-
-/// A method with its effort, or a peer.
-struct Contender {
-  std::string name, effort, command;  // no command: a method
-};
-
-std::vector<Contender> contendersOf(const BenchmarkOptions& options) {
-  std::vector<Contender> contenders;
-  for (const Method method : options.methods) {
-    if (method != Method::kCertified) contenders.push_back({name(method), "", ""});
-    for (const Effort effort : options.efforts) {
-      if (method == Method::kCertified) contenders.push_back({name(method), name(effort), ""});
-    }
-  }
-  for (const Peer& peer : options.peers) contenders.push_back({peer.name, "", peer.command});
-  return contenders;
-}
 
 /// The runs on one mesh after the other.
 class Bench {
@@ -47,7 +30,7 @@ class Bench {
       row.triangles = prepared["triangles"].get<std::size_t>();
       row.diagonal = prepared["diagonal"].get<double>();
     }
-    for (const Contender& contender : contendersOf(options_)) {
+    for (const Contender& contender : contenders(options_.methods, options_.efforts, options_.peers)) {
       for (const Length& tolerance : options_.tolerances) take(rowOf(contender, tolerance, row));
     }
   }
@@ -63,11 +46,11 @@ class Bench {
     json hulls = json::array();
     for (int i = 0; i < options_.repeat && row.status == "ok"; ++i) {
       hulls.push_back(runner_.file("hulls_" + std::to_string(i) + ".obj"));
-      fs::remove(hulls.back().get<std::string>());
-      const ChildResult used = runOnce(contender, hulls.back(), row);
-      cpu.push_back(used.cpu_seconds);
-      wall.push_back(used.wall_seconds);
-      peak.push_back(used.peak_mb);
+      const HullsMade made = makeHulls(runner_, contender, {mesh_, *row.tolerance, options_.seed, hulls.back(), options_.time_limit});
+      enter(made.outcome, row);
+      cpu.push_back(made.used.cpu_seconds);
+      wall.push_back(made.used.wall_seconds);
+      peak.push_back(made.used.peak_mb);
     }
     row.cpu_seconds = median(cpu);
     row.wall_seconds = median(wall);
@@ -78,23 +61,6 @@ class Bench {
       fs::rename(hulls[0].get<std::string>(), row.hulls_file);
     }
     return row;
-  }
-
-  ChildResult runOnce(const Contender& contender, const std::string& hulls, BenchmarkRow& row) {
-    ChildResult used;
-    if (contender.command.empty()) {
-      json job = {{"job", "decompose"},          {"method", contender.name}, {"effort", contender.effort},
-                  {"tolerance", *row.tolerance}, {"seed", options_.seed},    {"hulls", hulls}};
-      job.update(mesh_);
-      used = runner_.run(job, options_.time_limit);
-    } else {
-      const std::string command =
-          filledIn(contender.command, {{"in", runner_.file("mesh.obj")}, {"out", hulls}, {"tolerance", csvNumber(row.tolerance)}});
-      used = runChild({"/bin/sh", "-c", command}, options_.time_limit);
-    }
-    enter(runner_.judge(used, options_.time_limit), row);
-    if (row.status == "ok" && !fs::exists(hulls)) enter({"error", runner_.lastWords("no hulls were written", used.output)}, row);
-    return used;
   }
 
   void score(const json& hulls, BenchmarkRow& row) {

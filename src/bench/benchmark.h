@@ -12,18 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "bench/contender.h"
 #include "bench/inputs.h"
-#include "bench/job_runner.h"
 #include "bench/table.h"
-#include "collision_hulls/decompose/decompose.h"
 #include "collision_hulls/pipeline/options.h"
 
 namespace collision_hulls {
-
-/// Another program, as a command for /bin/sh: {in} (OBJ), {out} (OBJ, an object per hull) and {tolerance} [m] are filled in.
-struct Peer {
-  std::string name, command;
-};
 
 struct BenchmarkOptions {
   std::vector<Method> methods = allMethods();

@@ -14,13 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool isMesh(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const std::vector<std::string>& known = meshExtensions();
-  return std::find(known.begin(), known.end(), extension) != known.end();
-}
-
 void addRobot(const Input& input, BenchmarkInputs& all) {
   std::vector<ElementResult> elements = robotResult(input.robot, {}).elements;
   const auto resolve = [&](const std::string& uri) { return resolveUri(uri, input.robot.path, input.find_package); };
@@ -57,7 +50,7 @@ void addFolder(const fs::path& folder, const fs::path& top, BenchmarkInputs& all
   std::sort(entries.begin(), entries.end());
   for (const fs::path& entry : entries) {
     if (fs::is_directory(entry) && !fs::is_symlink(entry)) addFolder(entry, top, all);
-    if (fs::is_regular_file(entry) && isMesh(entry)) addMesh(fs::relative(entry, top).string(), entry, all);
+    if (fs::is_regular_file(entry) && isMeshFile(entry)) addMesh(fs::relative(entry, top).string(), entry, all);
   }
 }
 

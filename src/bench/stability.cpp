@@ -6,7 +6,6 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
-#include "bench/job_runner.h"
 #include "bench/jobs.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
@@ -23,17 +22,6 @@ namespace {
 
 constexpr double kChange = 0.1;          // share of the number of hulls that counts as a change, if it is more than one
 constexpr double kPeersRounding = 1e-6;  // in diagonals: what of the surface a program that writes decimal numbers may leave out
-
-struct Contender {
-  std::string name, command;  // no command: a method
-};
-
-std::vector<Contender> contendersOf(const StabilityOptions& options) {
-  std::vector<Contender> contenders;
-  for (const Method method : options.methods) contenders.push_back({name(method), ""});
-  for (const Peer& peer : options.peers) contenders.push_back({peer.name, peer.command});
-  return contenders;
-}
 
 TriangleMesh meshOf(const json& job) {
   const Eigen::Vector3d scale(job["scale"][0], job["scale"][1], job["scale"][2]);
@@ -81,7 +69,8 @@ class Runs {
     start.seed = unit.seed;
     putInTrouble(unit.mesh, start);
     std::vector<StabilityRow> rows;
-    for (const Contender& contender : contendersOf(options_)) rows.push_back(rowOf(contender, start, hullsFile(rows.size())));
+    for (const Contender& contender : contenders(options_.methods, {Effort::kQuick}, options_.peers))
+      rows.push_back(rowOf(contender, start, hullsFile(rows.size())));
     score(rows);
     return rows;
   }
@@ -107,32 +96,15 @@ class Runs {
   StabilityRow rowOf(const Contender& contender, StabilityRow row, const std::string& hulls) const {
     row.method = contender.name;
     if (row.outcome != "ok") return row;
-    const ChildResult used = runOnce(contender, row, hulls);
-    row.cpu_seconds = used.cpu_seconds;
-    enter(runner_.judge(used, options_.time_limit), row);
-    if (row.outcome == "ok" && !fs::exists(hulls)) enter({"error", runner_.lastWords("no hulls were written", used.output)}, row);
+    const json mesh = {{"file", runner_.file("mesh.obj")}, {"scale", {1, 1, 1}}};
+    const HullsMade made = makeHulls(runner_, contender, {mesh, *row.tolerance, options_.seed, hulls, options_.time_limit});
+    row.cpu_seconds = made.used.cpu_seconds;
+    enter(made.outcome, row);
     if (!contender.command.empty()) row.allowed_uncovered = kPeersRounding * diagonal_;
     return row;
   }
 
   std::string hullsFile(std::size_t row) const { return runner_.file("hulls_" + std::to_string(row) + ".obj"); }
-
-  ChildResult runOnce(const Contender& contender, const StabilityRow& row, const std::string& hulls) const {
-    const std::string mesh = runner_.file("mesh.obj");
-    if (!contender.command.empty()) {
-      const std::string command = filledIn(contender.command, {{"in", mesh}, {"out", hulls}, {"tolerance", csvNumber(row.tolerance)}});
-      return runChild({"/bin/sh", "-c", command}, options_.time_limit);
-    }
-    return runner_.run({{"job", "decompose"},
-                        {"file", mesh},
-                        {"scale", {1, 1, 1}},
-                        {"method", contender.name},
-                        {"effort", name(Effort::kQuick)},
-                        {"tolerance", *row.tolerance},
-                        {"seed", options_.seed},
-                        {"hulls", hulls}},
-                       options_.time_limit);
-  }
 
   /// In one process, which reads the mesh once; where that does not end well, in one for each.
   void score(std::vector<StabilityRow>& rows) const {

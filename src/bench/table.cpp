@@ -1,6 +1,5 @@
 #include "bench/table.h"
 
-#include <algorithm>
 #include <cstdio>
 
 namespace collision_hulls {
@@ -30,12 +29,6 @@ std::string csvNumber(const std::optional<double>& value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.9g", *value);
   return text;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
 std::string benchmarkHeader() {

@@ -38,7 +38,4 @@ std::string csvLine(const std::vector<std::string>& fields);
 /// A number with nine digits; empty for none.
 std::string csvNumber(const std::optional<double>& value);
 
-/// The middle value, or the mean of the two in the middle. Values must not be empty.
-double median(std::vector<double> values);
-
 }  // namespace collision_hulls

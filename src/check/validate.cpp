@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "check/validate_pair.h"
+#include "median.h"
 #include "parallel.h"
 
 namespace collision_hulls {
@@ -44,13 +45,6 @@ std::vector<Neighbour> neighboursOf(std::size_t index, const std::vector<Validat
   std::vector<Neighbour> result;
   for (std::size_t i = 0; i < std::min(near.size(), kMostNeighbours); ++i) result.push_back(near[i].second);
   return result;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 Validation merged(const std::vector<std::vector<PairResult>>& results) {

@@ -23,6 +23,7 @@
 #include "collision_hulls/mesh/mesh_io.h"
 #include "mesh/source_checks.h"
 #include "mesh/triangulate.h"
+#include "string_parts.h"
 
 namespace collision_hulls {
 namespace {
@@ -40,18 +41,10 @@ constexpr std::string_view kLfsPointer = "version https://git-lfs.github.com/spe
 /// Three corners of a triangle stay below the range of int.
 constexpr std::size_t kMostTriangles = std::numeric_limits<int>::max() / 3;
 
-std::string lowerExtension(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return extension;
-}
-
 void checkExtension(const std::string& path, const std::string& extension) {
-  const std::vector<std::string>& known = meshExtensions();
-  if (std::find(known.begin(), known.end(), extension) != known.end()) return;
+  if (isMeshFile(path)) return;
   std::string list;
-  for (const std::string& e : known) list += " " + e;
+  for (const std::string& e : meshExtensions()) list += " " + e;
   throw Error(ErrorCode::kUnsupportedFormat, path + ": extension '" + extension + "' is not read; convert it to one of" + list);
 }
 
@@ -324,6 +317,11 @@ class SceneReader {
 const std::vector<std::string>& meshExtensions() {
   static const std::vector<std::string> extensions{".stl", ".dae", ".obj", ".off", ".ply"};
   return extensions;
+}
+
+bool isMeshFile(const std::string& path) {
+  const std::vector<std::string>& known = meshExtensions();
+  return std::find(known.begin(), known.end(), lowerExtension(path)) != known.end();
 }
 
 LoadedMesh readMesh(const std::string& path, const MeshLimits& limits, const RunControl& control) {

@@ -15,15 +15,13 @@ using nlohmann::json;
 
 constexpr double kDegree = kPi / 180;
 
-struct Contender {
-  std::string name, command;  // no command: a method, or the original
-};
+constexpr const char* kOriginal = "original";
 
-std::vector<Contender> contendersOf(const PhysicsOptions& options) {
-  std::vector<Contender> contenders{{"original", ""}};
-  for (const Method method : options.methods) contenders.push_back({name(method), ""});
-  for (const Peer& peer : options.peers) contenders.push_back({peer.name, peer.command});
-  return contenders;
+/// The mesh itself, and what makes hulls of it.
+std::vector<Contender> withOriginal(const PhysicsOptions& options) {
+  std::vector<Contender> all = contenders(options.methods, {Effort::kQuick}, options.peers);
+  all.insert(all.begin(), {kOriginal, "", ""});
+  return all;
 }
 
 /// The drops of one mesh after the other.
@@ -43,7 +41,7 @@ class Drops {
       start.diagonal = found["diagonal"].get<double>();
       found = result({{"job", "prepare"}, {"cleaned", runner_.file("mesh.obj")}}, outcome);
     }
-    for (const Contender& contender : contendersOf(options_)) {
+    for (const Contender& contender : withOriginal(options_)) {
       start.method = contender.name;
       if (outcome.ok()) {
         runContender(contender, start, take);
@@ -66,41 +64,22 @@ class Drops {
   }
 
   void runContender(const Contender& contender, PhysicsRow start, const std::function<void(const PhysicsRow&)>& take) {
-    const bool original = contender.name == "original";
+    const bool original = contender.name == kOriginal;
+    const std::string hulls = runner_.file("hulls.obj");
     if (!original) {
-      const JobOutcome made = makeHulls(contender, *start.diagonal);
+      const double tolerance = options_.tolerance.metres(*start.diagonal);
+      const JobOutcome made = makeHulls(runner_, contender, {mesh_, tolerance, options_.seed, hulls, options_.time_limit}).outcome;
       if (!made.ok()) return take(failed(start, made));
       try {
-        start.hulls = readHullObjects(runner_.file("hulls.obj")).size();
+        start.hulls = readHullObjects(hulls).size();
       } catch (const Error& error) {
         return take(failed(start, {"error", error.what()}));
       }
     }
     for (const Way way : {Way::kConvex, Way::kMesh}) {
       if (original && way == Way::kConvex) continue;
-      for (std::size_t pose = 0; pose < stabilities_.size(); ++pose)
-        take(rowOf(way, pose, original ? "" : runner_.file("hulls.obj"), start));
+      for (std::size_t pose = 0; pose < stabilities_.size(); ++pose) take(rowOf(way, pose, original ? "" : hulls, start));
     }
-  }
-
-  JobOutcome makeHulls(const Contender& contender, double diagonal) const {
-    const std::string hulls = runner_.file("hulls.obj");
-    fs::remove(hulls);
-    const double tolerance = options_.tolerance.metres(diagonal);
-    ChildResult used;
-    if (contender.command.empty()) {
-      json job = {{"job", "decompose"},     {"method", contender.name}, {"effort", name(Effort::kQuick)},
-                  {"tolerance", tolerance}, {"seed", options_.seed},    {"hulls", hulls}};
-      job.update(mesh_);
-      used = runner_.run(job, options_.time_limit);
-    } else {
-      const std::string command =
-          filledIn(contender.command, {{"in", runner_.file("mesh.obj")}, {"out", hulls}, {"tolerance", csvNumber(tolerance)}});
-      used = runChild({"/bin/sh", "-c", command}, options_.time_limit);
-    }
-    const JobOutcome outcome = runner_.judge(used, options_.time_limit);
-    if (outcome.ok() && !fs::exists(hulls)) return {"error", runner_.lastWords("no hulls were written", used.output)};
-    return outcome;
   }
 
   PhysicsRow rowOf(Way way, std::size_t pose, const std::string& hulls, PhysicsRow row) const {

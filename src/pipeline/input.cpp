@@ -7,6 +7,7 @@
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/names.h"
+#include "string_parts.h"
 
 namespace collision_hulls {
 
@@ -20,16 +21,9 @@ std::string joined(const std::vector<std::string>& items, const std::string& bet
   return text;
 }
 
-std::string extensionOf(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return extension;
-}
-
-bool isMeshExtension(const std::string& extension) {
-  const std::vector<std::string>& known = meshExtensions();
-  return std::find(known.begin(), known.end(), extension) != known.end();
+bool isRobotFile(const std::string& path) {
+  const std::string extension = lowerExtension(path);
+  return extension == ".urdf" || extension == ".xacro";
 }
 
 Input robotInput(const std::string& path) {
@@ -40,10 +34,9 @@ Input robotInput(const std::string& path) {
 }
 
 Input fileInput(const std::string& path) {
-  const std::string extension = extensionOf(path);
-  if (extension == ".urdf" || extension == ".xacro") return robotInput(path);
-  if (!isMeshExtension(extension)) {
-    throw Error(ErrorCode::kUnsupportedFormat, "'" + path + "' has the extension '" + extension +
+  if (isRobotFile(path)) return robotInput(path);
+  if (!isMeshFile(path)) {
+    throw Error(ErrorCode::kUnsupportedFormat, "'" + path + "' has the extension '" + lowerExtension(path) +
                                                    "'; understood are .urdf and .xacro for a robot, and for a mesh " +
                                                    joined(meshExtensions(), " "));
   }
@@ -80,9 +73,7 @@ Input openInput(const std::string& input) {
   std::error_code error;
   if (!input.empty() && fs::exists(fs::path(input) / "package.xml", error)) return packageInput(input, input);
   if (fs::exists(input, error) && !fs::is_directory(input, error)) return fileInput(input);
-  const std::string extension = extensionOf(input);
-  const bool file_meant =
-      input.empty() || input.find('/') != std::string::npos || extension == ".urdf" || extension == ".xacro" || isMeshExtension(extension);
+  const bool file_meant = input.empty() || input.find('/') != std::string::npos || isRobotFile(input) || isMeshFile(input);
   if (file_meant) throwNotFound(input, false);
   const std::optional<std::string> folder = defaultPackageFinder()(input);
   if (!folder) throwNotFound(input, true);

@@ -82,6 +82,12 @@ std::optional<UriStyle> uriStyleNamed(const std::string& name) {
   return std::nullopt;
 }
 
+std::string methodChoices() {
+  std::string choices;
+  for (const Method method : allMethods()) choices += (choices.empty() ? "" : ", ") + std::string(name(method));
+  return choices;
+}
+
 void check(const Options& options) {
   const Length& tolerance = options.tolerance;
   checkLength("tolerance", tolerance);

@@ -1,29 +1,13 @@
 #include "robot/collision_text.h"
 
 #include "robot/number_text.h"
+#include "robot/xml_tree.h"
 
 namespace collision_hulls {
 namespace {
 
-std::string escaped(const std::string& value) {
-  std::string text;
-  for (const char c : value) {
-    switch (c) {
-      case '&': text += "&amp;"; break;
-      case '<': text += "&lt;"; break;
-      case '>': text += "&gt;"; break;
-      case '"': text += "&quot;"; break;
-      case '\t': text += "&#9;"; break;
-      case '\n': text += "&#10;"; break;
-      case '\r': text += "&#13;"; break;
-      default: text += c;
-    }
-  }
-  return text;
-}
-
 std::string attribute(const char* name, const std::string& value) {
-  return std::string(" ") + name + "=\"" + escaped(value) + "\"";
+  return std::string(" ") + name + "=\"" + xmlEscaped(value) + "\"";
 }
 
 std::string shapeText(const GeometryElement& shape) {

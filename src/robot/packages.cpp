@@ -15,6 +15,7 @@
 #include "robot/text_file.h"
 #include "robot/xml_spans.h"
 #include "robot/xml_tree.h"
+#include "string_parts.h"
 
 namespace fs = std::filesystem;
 
@@ -49,11 +50,6 @@ std::vector<fs::path> foldersInVariable(const char* name) {
   return folders;
 }
 
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(kXmlSpace), end = text.find_last_not_of(kXmlSpace);
-  return begin == std::string::npos ? "" : text.substr(begin, end + 1 - begin);
-}
-
 // The name that the folder has as a package, by rospack's rules; nullopt where it is none.
 std::optional<std::string> packageName(const fs::path& folder) {
   const bool old_style = isFile(folder / "manifest.xml");
@@ -63,7 +59,7 @@ std::optional<std::string> packageName(const fs::path& folder) {
   if (old_style || manifest.LoadFile((folder / "package.xml").c_str()) != tinyxml2::XML_SUCCESS) return folder_name;
   const tinyxml2::XMLElement* root = manifest.RootElement();
   const tinyxml2::XMLElement* name = root ? root->FirstChildElement("name") : nullptr;
-  return name && name->GetText() ? trimmed(name->GetText()) : folder_name;
+  return name && name->GetText() ? trimmed(name->GetText(), kXmlSpace) : folder_name;
 }
 
 // The packages below the folders of ROS_PACKAGE_PATH; the first of a name counts.

@@ -7,6 +7,7 @@
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/run_program.h"
 #include "robot/text_file.h"
+#include "string_parts.h"
 
 namespace fs = std::filesystem;
 

@@ -1,6 +1,5 @@
 #include "robot/text_file.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -37,13 +36,6 @@ std::string readTextFile(const std::string& path, const std::string& kind) {
     }
   }
   return text;
-}
-
-std::string lowerExtension(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return extension;
 }
 
 }  // namespace collision_hulls

@@ -10,7 +10,4 @@ namespace collision_hulls {
 /// memory.
 std::string readTextFile(const std::string& path, const std::string& kind);
 
-/// The extension of a path in lower case, with the dot.
-std::string lowerExtension(const std::string& path);
-
 }  // namespace collision_hulls

@@ -4,21 +4,17 @@
 
 #include "robot/xml_source.h"
 #include "robot/xml_spans.h"
+#include "string_parts.h"
 
 namespace collision_hulls {
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(kXmlSpace), end = text.find_last_not_of(kXmlSpace);
-  return begin == std::string::npos ? "" : text.substr(begin, end + 1 - begin);
-}
 
 // tinyxml2 bounds the depth.
 XmlNode toNode(const XmlSource& source, const tinyxml2::XMLElement& element) {
   XmlNode node;
   node.name = element.Name();
   for (const auto* a = element.FirstAttribute(); a; a = a->Next()) node.attributes[a->Name()] = a->Value();
-  if (const char* text = element.GetText()) node.text = trimmed(text);
+  if (const char* text = element.GetText()) node.text = trimmed(text, kXmlSpace);
   node.line = source.lineFromRoot(element.GetLineNum());
   for (const auto* child = element.FirstChildElement(); child; child = child->NextSiblingElement()) {
     node.children.push_back(toNode(source, *child));
@@ -63,6 +59,9 @@ std::string xmlEscaped(const std::string& text) {
       case '<': result += "&lt;"; break;
       case '>': result += "&gt;"; break;
       case '"': result += "&quot;"; break;
+      case '\t': result += "&#9;"; break;  // as they stand, readers of attributes take these three for blanks
+      case '\n': result += "&#10;"; break;
+      case '\r': result += "&#13;"; break;
       default: result += c;
     }
   }

@@ -6,6 +6,7 @@
 #include "robot/text_file.h"
 #include "scene/reading.h"
 #include "scene/yaml_node.h"
+#include "string_parts.h"
 
 namespace collision_hulls {
 namespace {

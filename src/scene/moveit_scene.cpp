@@ -17,6 +17,7 @@
 #include "collision_hulls/error.h"
 #include "robot/text_file.h"
 #include "scene/reading.h"
+#include "string_parts.h"
 
 namespace collision_hulls {
 namespace {
@@ -24,18 +25,13 @@ namespace {
 constexpr std::string_view kBlanks = " \t\r\n\f\v";
 constexpr double kMostItems = 20'000'000;  // of a kind: shapes, vertices, triangles
 
-std::string trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(kBlanks), end = text.find_last_not_of(kBlanks);
-  return begin == std::string_view::npos ? "" : std::string(text.substr(begin, end + 1 - begin));
-}
-
 class Reader {
  public:
   explicit Reader(const std::string& file) : file_(file), text_(readTextFile(file, ".scene file")), rest_(text_) {}
 
   Scene read() {
     Scene scene;
-    scene.name = trimmed(line());
+    scene.name = trimmed(line(), kBlanks);
     for (std::string marker = word("an object, '*', or the end, '.'"); marker != "."; marker = word("the end, '.',")) {
       if (marker != "*") fail("'" + marker + "' stands where an object ('*') begins or the scene ends ('.')");
       object(scene);
@@ -99,12 +95,12 @@ class Reader {
 
   /// Looks at the line after the name of the first object, as MoveIt does.
   bool hasObjectPoses() {
-    if (!has_object_poses_) has_object_poses_ = trimmed(rest_.substr(0, rest_.find('\n'))).find(' ') != std::string::npos;
+    if (!has_object_poses_) has_object_poses_ = trimmed(rest_.substr(0, rest_.find('\n')), kBlanks).find(' ') != std::string::npos;
     return *has_object_poses_;
   }
 
   void object(Scene& scene) {
-    const std::string name = trimmed(rest_.substr(0, rest_.find('\n')));
+    const std::string name = trimmed(rest_.substr(0, rest_.find('\n')), kBlanks);
     if (name.empty()) fail("an object has no name; give it one");
     line();
     const bool with_pose = hasObjectPoses();
@@ -123,7 +119,7 @@ class Reader {
   void subframes() {
     const std::size_t frames = count("subframes");
     for (std::size_t i = 0; i < frames; ++i) {
-      if (trimmed(line()).empty()) line();  // what is left of the line before; then the name, which may hold blanks
+      if (trimmed(line(), kBlanks).empty()) line();  // what is left of the line before; then the name, which may hold blanks
       pose();
     }
   }

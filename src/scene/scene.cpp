@@ -7,8 +7,8 @@
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
-#include "robot/text_file.h"
 #include "scene/reading.h"
+#include "string_parts.h"
 
 namespace collision_hulls {
 namespace {
@@ -87,8 +87,7 @@ std::optional<Scene> readByExtension(const std::string& file, const PackageFinde
   if (extension == ".sdf" || extension == ".world") return readSdfScene(file, find_package);
   if (extension == ".bt" || extension == ".ot") return readOctomapScene(file);
   if (extension == ".yaml" || extension == ".yml") return readYamlScene(file, find_package);
-  const std::vector<std::string>& meshes = meshExtensions();
-  if (std::find(meshes.begin(), meshes.end(), extension) != meshes.end()) return readMeshScene(file);
+  if (isMeshFile(file)) return readMeshScene(file);
   return std::nullopt;
 }
 

@@ -11,6 +11,7 @@
 #include "scene/model_uri.h"
 #include "scene/reading.h"
 #include "scene/sdf_frames.h"
+#include "string_parts.h"
 
 namespace fs = std::filesystem;
 

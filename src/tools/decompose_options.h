@@ -29,12 +29,6 @@ T choice(const std::string& option, const std::string& text, std::optional<T> (*
   throw Error(ErrorCode::kBadOption, option + " '" + text + "' is unknown: it takes one of " + choices);
 }
 
-inline std::string methodChoices() {
-  std::string choices;
-  for (const Method method : allMethods()) choices += (choices.empty() ? "" : ", ") + std::string(name(method));
-  return choices;
-}
-
 /// Adds options whose callbacks fill `options`, which has to outlive the parsing; this object need not. A wrong value throws
 /// kBadOption from parse().
 class DecomposeOptionAdder {

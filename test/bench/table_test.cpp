@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "median.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -38,6 +40,7 @@ TEST(Csv, ARowHasAFieldForEachColumn) {
 }
 
 TEST(Median, OfOddAndEvenCounts) {
+  EXPECT_EQ(median({}), 0);
   EXPECT_EQ(median({3}), 3);
   EXPECT_EQ(median({3, 1}), 2);
   EXPECT_EQ(median({9, 1, 2}), 2);

@@ -30,6 +30,9 @@ struct LoadedMesh {
 /// The extensions that readMesh takes, lower case with the dot: .stl .dae .obj .off .ply (any case in a file's name).
 const std::vector<std::string>& meshExtensions();
 
+/// Whether a file is named as one that readMesh takes.
+bool isMeshFile(const std::string& path);
+
 /// Reads a mesh file. Collada's `<unit>` scales, its `<up_axis>` has no effect, and node transforms apply, as in rviz. Polygons are
 /// triangulated without loss; materials and textures are not looked for; vertices that no triangle uses are left out. A file
 /// that is cut off or contradicts itself is an error, never half a mesh. Units: Collada's are converted to metres, the other formats'

@@ -44,6 +44,8 @@ struct Options {
   std::uint64_t seed = 1;
 };
 
+std::string methodChoices();  ///< the names of all methods, for messages
+
 /// Throws kBadOption naming the option, its value and its range.
 void check(const Options& options);
 

@@ -60,6 +60,8 @@ Announced checkOff(std::string_view bytes, const std::string& path, std::size_t 
     throw Error(ErrorCode::kEmptyMesh, path + ": announces " + std::to_string(counts.vertices) + " vertices and " +
                                            std::to_string(counts.faces) + " faces; export the mesh again");
   checkTriangleCount(path, static_cast<std::uint64_t>(counts.faces), max_triangles);
+  if (counts.vertices > static_cast<std::int64_t>(bytes.size()))  // each takes a line
+    failNotAMesh(path, "announces " + std::to_string(counts.vertices) + " vertices, more than there are bytes; export the mesh again");
   const std::string_view header = bytes.substr(0, bytes.size() - rest.size());
   LineScanner lines(rest, 1 + static_cast<std::size_t>(std::count(header.begin(), header.end(), '\n')));
   std::string_view line;

@@ -15,8 +15,8 @@ std::size_t at(int i) {
 
 class Fins {
  public:
-  Fins(const TriangleMesh& mesh, const Edges& edges, const OrientedPatches& oriented)
-      : mesh_(mesh), patch_(oriented.patch), is_fin_(oriented.patches, 1) {
+  Fins(const TriangleMesh& mesh, const Edges& edges, const OrientedPatches& oriented, const std::vector<int>& surplus)
+      : mesh_(mesh), patch_(oriented.patch), is_fin_(oriented.patches, 1), is_wall_(oriented.patches, 1) {
     std::vector<char> is_open(is_fin_.size(), 0), hangs(is_fin_.size(), 0);
     for (int h = 0; h < static_cast<int>(edges.twin.size()); ++h) {
       const int twin = edges.twin[at(h)];
@@ -25,11 +25,19 @@ class Fins {
       (twin == Edges::kOpen ? is_open : hangs)[at(patch_[at(h / 3)])] = 1;
       if (twin == Edges::kNonManifold) meeting_[edgeOf(boundary_.back())].push_back(boundary_.back());
     }
-    for (std::size_t p = 0; p < is_fin_.size(); ++p) is_fin_[p] = is_open[p] && hangs[p];
+    for (std::size_t t = 0; t < patch_.size(); ++t)
+      if (surplus[t] != 0) is_wall_[at(patch_[t])] = 0;
+    for (std::size_t p = 0; p < is_fin_.size(); ++p) {
+      is_fin_[p] = is_open[p] && hangs[p];
+      is_wall_[p] = is_wall_[p] && !is_open[p] && hangs[p];
+    }
   }
 
   std::vector<char> find() {
     excludeThoseThatSurfacesNeed();
+    while (excludeWallsThatSurfacesNeed()) continue;
+    excludeWallsOfNothingElse();
+    for (std::size_t p = 0; p < is_fin_.size(); ++p) is_fin_[p] = is_fin_[p] || is_wall_[p];
     excludeAlmostClosed();
     std::vector<char> fin(patch_.size());
     for (std::size_t t = 0; t < fin.size(); ++t) fin[t] = is_fin_[at(patch_[t])];
@@ -51,6 +59,39 @@ class Fins {
     }
   }
 
+  /// Whether there were any.
+  bool excludeWallsThatSurfacesNeed() {
+    bool any = false;
+    for (const auto& [edge, halves] : meeting_) {
+      int sum = 0;
+      for (const BoundaryEdge& half : halves)
+        if (!is_wall_[at(half.surface)]) sum += direction(half);
+      if (sum == 0) continue;
+      for (const BoundaryEdge& half : halves) {
+        any = any || is_wall_[at(half.surface)];
+        is_wall_[at(half.surface)] = 0;
+      }
+    }
+    return any;
+  }
+
+  /// Walls that hang on nothing but each other are a surface whose triangles all face both ways.
+  void excludeWallsOfNothingElse() {
+    std::vector<char> hangs(is_wall_.size(), 0);
+    const auto holds = [&](const BoundaryEdge& half) { return !is_wall_[at(half.surface)] || hangs[at(half.surface)]; };
+    for (bool any = true; any;) {
+      any = false;
+      for (const auto& [edge, halves] : meeting_) {
+        if (!std::any_of(halves.begin(), halves.end(), holds)) continue;
+        for (const BoundaryEdge& half : halves) {
+          any = any || !holds(half);
+          hangs[at(half.surface)] = 1;
+        }
+      }
+    }
+    for (std::size_t p = 0; p < is_wall_.size(); ++p) is_wall_[p] = is_wall_[p] && hangs[p];
+  }
+
   void excludeAlmostClosed() {
     std::vector<double> area(is_fin_.size(), 0);
     for (int t = 0; t < static_cast<int>(patch_.size()); ++t) area[at(patch_[at(t)])] += triangleArea(mesh_, t);
@@ -61,16 +102,18 @@ class Fins {
 
   const TriangleMesh& mesh_;
   const std::vector<int>& patch_;  // by triangle
-  std::vector<char> is_fin_;       // by patch: not excluded yet
+  std::vector<char> is_fin_;       // by patch: not excluded yet,
+  std::vector<char> is_wall_;      // as a wall that solids share
   std::vector<BoundaryEdge> boundary_;
   std::map<Edge, std::vector<BoundaryEdge>> meeting_;  // at non-manifold edges
 };
 
 }  // namespace
 
-std::vector<char> findFins(const TriangleMesh& mesh, const Edges& edges, const OrientedPatches& oriented) {
-  if (edges.open == 0 || edges.nonmanifold == 0) return std::vector<char>(mesh.triangles.size(), 0);
-  return Fins(mesh, edges, oriented).find();
+std::vector<char> findFins(const TriangleMesh& mesh, const Edges& edges, const OrientedPatches& oriented, const std::vector<int>& surplus) {
+  const bool any_wall = std::find(surplus.begin(), surplus.end(), 0) != surplus.end();
+  if ((edges.open == 0 && !any_wall) || edges.nonmanifold == 0) return std::vector<char>(mesh.triangles.size(), 0);
+  return Fins(mesh, edges, oriented, surplus).find();
 }
 
 }  // namespace collision_hulls

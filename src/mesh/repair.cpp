@@ -58,17 +58,17 @@ class TriangleSet {
     table_.assign(size, -1);
   }
 
-  /// Puts triangle `t` of the list into the set; false if one with the same corners is there.
-  bool insert(int t) {
+  /// Puts triangle `t` of the list into the set, unless one with the same corners is there; that one, or `t`.
+  int insert(int t) {
     const Triangle key = sorted(t);
     std::uint64_t hash = 0;
     for (const int v : key) hash = (hash ^ static_cast<std::uint64_t>(v)) * 0x9E3779B97F4A7C15u + (hash >> 29);
     for (std::size_t place = (hash ^ (hash >> 32)) & (table_.size() - 1);; place = (place + 1) & (table_.size() - 1)) {
       if (table_[place] < 0) {
         table_[place] = t;
-        return true;
+        return t;
       }
-      if (sorted(table_[place]) == key) return false;
+      if (sorted(table_[place]) == key) return table_[place];
     }
   }
 
@@ -83,11 +83,19 @@ class TriangleSet {
   std::vector<int> table_;  // open addressing, at most half full
 };
 
-/// The triangles of the welded mesh that have an area and are no repetition; those without go to `flat`.
+/// Whether two triangles of the same corners face the same way.
+bool isTurnOf(const Triangle& a, const Triangle& b) {
+  const auto k = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
+  return b[(k + 1) % 3] == a[1];
+}
+
+/// The triangles of the welded mesh that have an area and are no repetition; those without go to `flat`. `surplus`: how many of them all
+/// face the way of the kept one less how many face the other.
 std::vector<Triangle> keptTriangles(const TriangleMesh& mesh, const std::vector<int>& representative, double extent, RepairCounts* counts,
-                                    std::vector<Triangle>* flat) {
+                                    std::vector<Triangle>* flat, std::vector<int>* surplus) {
   std::vector<Triangle> kept;
   kept.reserve(mesh.triangles.size());
+  surplus->reserve(mesh.triangles.size());
   TriangleSet seen(kept, mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) {
     const Triangle welded{representative[at(t[0])], representative[at(t[1])], representative[at(t[2])]};
@@ -97,10 +105,14 @@ std::vector<Triangle> keptTriangles(const TriangleMesh& mesh, const std::vector<
       continue;
     }
     kept.push_back(welded);
-    if (!seen.insert(static_cast<int>(kept.size()) - 1)) {
-      ++counts->duplicate;
-      kept.pop_back();
+    const int mine = static_cast<int>(kept.size()) - 1, first = seen.insert(mine);
+    if (first == mine) {
+      surplus->push_back(1);
+      continue;
     }
+    ++counts->duplicate;
+    kept.pop_back();
+    (*surplus)[at(first)] += isTurnOf(kept[at(first)], welded) ? 1 : -1;
   }
   return kept;
 }
@@ -200,7 +212,8 @@ RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options, cons
   result.counts.weld_distance = welding.distance;
 
   std::vector<Triangle> flat;
-  result.mesh.triangles = keptTriangles(mesh, welding.representative, extent, &result.counts, &flat);
+  std::vector<int> surplus;
+  result.mesh.triangles = keptTriangles(mesh, welding.representative, extent, &result.counts, &flat, &surplus);
   if (!flat.empty()) result.loose = looseOf(mesh.vertices, result.mesh.triangles, flat);
   compact(mesh.vertices, &result);
   control.check();
@@ -214,7 +227,7 @@ RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options, cons
   const OrientedPatches oriented = orient(result.mesh, edges);
   const std::vector<char>& turn = oriented.turn;
   result.counts.flipped = static_cast<std::size_t>(std::count(turn.begin(), turn.end(), 1));
-  result.sheet = findFins(result.mesh, edges, oriented);
+  result.sheet = findFins(result.mesh, edges, oriented, surplus);
   result.interior = findInteriors(result.mesh, edges, turn, result.sheet);
   for (std::size_t t = 0; t < turn.size(); ++t)
     if (turn[t]) std::swap(result.mesh.triangles[t][1], result.mesh.triangles[t][2]);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_hulls/check/measures.h"
 #include "solids.h"
 
 namespace collision_hulls {
@@ -107,6 +108,39 @@ TEST(Solid, APartitionWithinABoxChangesNothingOutside) {
     EXPECT_TRUE(solid.contains({0.5, 0.5, 0.1}));
     EXPECT_TRUE(solid.contains({0.5, 0.5, 0.9}));
   }
+}
+
+/// Unit cubes side by side, all of their walls there, each the mirror image of its neighbours: what they share has the same triangles.
+TriangleMesh cubes(int x, int y) {
+  std::vector<TriangleMesh> all;
+  for (int i = 0; i < x; ++i)
+    for (int j = 0; j < y; ++j) {
+      TriangleMesh cube = test_shapes::box(1, 1, 1);
+      for (Vector3d& v : cube.vertices) v += Vector3d(i % 2 ? i + 1 - 2 * v.x() : i, j % 2 ? j + 1 - 2 * v.y() : j, 0);
+      if ((i + j) % 2)
+        for (Triangle& t : cube.triangles) std::swap(t[0], t[1]);
+      all.push_back(cube);
+    }
+  return test_shapes::merged(all);
+}
+
+TEST(Solid, WallsThatSolidsShareEncloseNothing) {
+  for (const auto& [x, y] : {std::pair(2, 1), std::pair(5, 1), std::pair(2, 2), std::pair(3, 3)}) {
+    const Solid solid = solidOf(cubes(x, y));
+    EXPECT_FALSE(solid.hasOpenings());
+    EXPECT_EQ(solid.interior(), Interior::kClosed);
+    EXPECT_NEAR(solid.volume(), x * y, 1e-12);
+    for (const double step : {-0.02, 0.02}) EXPECT_TRUE(solid.contains({1 + step, 0.4, 0.6})) << x << " by " << y;
+    EXPECT_FALSE(solid.contains({0.5, 0.4, 1.02}));
+    EXPECT_LE(protrusion({test_shapes::boxHull({0, 0, 0}, Vector3d(x, y, 1))}, solid, 1e-4).found, 1e-12);
+  }
+}
+
+TEST(Solid, TrianglesThatAllFaceBothWaysAreASolidYet) {
+  TriangleMesh mesh = cubes(2, 2);
+  const std::size_t triangles = mesh.triangles.size();
+  for (std::size_t t = 0; t < triangles; ++t) mesh.triangles.push_back({mesh.triangles[t][0], mesh.triangles[t][2], mesh.triangles[t][1]});
+  EXPECT_TRUE(solidOf(mesh).contains({0.5, 0.4, 0.6}));
 }
 
 TEST(Solid, TheSignedDistanceStaysInside) {

@@ -60,10 +60,12 @@ struct RepairedMesh {
 ///
 /// A patch that is a sheet by itself (it has open edges, and its fans are a tenth of its area or more) and hangs, at non-manifold edges, on
 /// triangles that are balanced without it (run along those edges equally often in both directions) is a fin: part of the surface that takes
-/// no part in telling inside from outside. An open component, fins apart, is kWinding where the area that would close its boundary loops
-/// (fan of each loop about its centre) is below a tenth of its own area, else kSurface. A mesh of degenerate triangles alone gives an empty
-/// mesh and `loose` segments. Near-linear in time; about 90 bytes a triangle beside the input. Deterministic. Thread safe. Throws
-/// kIndexOutOfRange, kNonFiniteCoordinate, kCancelled, and kBadOption for a weld tolerance outside [0, 0.1].
+/// no part in telling inside from outside. So is a wall that two solids share, of triangles that were there facing either way equally
+/// often, where what it hangs on is balanced without all such walls. An open component, fins apart, is kWinding where the area that would
+/// close its boundary loops (fan of each loop about its centre) is below a tenth of its own area, else kSurface. A mesh of degenerate
+/// triangles alone gives an empty mesh and `loose` segments. Near-linear in time; about 90 bytes a triangle beside the input.
+/// Deterministic. Thread safe. Throws kIndexOutOfRange, kNonFiniteCoordinate, kCancelled, and kBadOption for a weld tolerance outside [0,
+/// 0.1].
 RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options = {}, const RunControl& control = {});
 
 /// The rule of the whole mesh, as it stands in reports: kClosed if every component is, kSurface if every one is, else kWinding.

@@ -32,9 +32,8 @@ struct Hulls {
   double tolerance = 0;
 
   Hulls(const TriangleMesh& mesh, const std::vector<ConvexHull>& set) : hulls(set) {
-    double size = 0;
-    for (const Eigen::Vector3d& v : mesh.vertices) size = std::max(size, v.cwiseAbs().maxCoeff());
-    tolerance = kRounding * size;
+    const Eigen::AlignedBox3d box = boundingBox(mesh);
+    if (!box.isEmpty()) tolerance = kRounding * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
     for (const ConvexHull& hull : hulls) {
       const Eigen::AlignedBox3d box = boundingBox(hull);
       boxes.emplace_back(box.min().array() - tolerance, box.max().array() + tolerance);
@@ -211,13 +210,22 @@ class Furthest {
 
 /// The distance of what the hulls leave of a triangle; 0 where they leave nothing.
 double uncoveredDistance(const Polygon& triangle, const Hulls& set) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : triangle) box.extend(p);
+  const auto boxOf = [](const Polygon& polygon) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& p : polygon) box.extend(p);
+    return box;
+  };
+  const Eigen::AlignedBox3d box = boxOf(triangle);
   std::vector<Polygon> left{triangle}, next;
   for (std::size_t h = 0; h < set.hulls.size() && !left.empty(); ++h) {
     if (!set.boxes[h].intersects(box)) continue;
     next.clear();
-    for (const Polygon& polygon : left) subtract(polygon, set.hulls[h], set.tolerance, next);
+    for (Polygon& polygon : left) {
+      if (set.boxes[h].intersects(boxOf(polygon)))
+        subtract(polygon, set.hulls[h], set.tolerance, next);
+      else
+        next.push_back(std::move(polygon));
+    }
     std::swap(left, next);
   }
   Furthest furthest(set);
@@ -291,6 +299,9 @@ double unionVolume(const std::vector<ConvexHull>& hulls) {
   std::vector<double> own(hulls.size(), 0);
   forEach(hulls.size(), [&](std::size_t h) {
     const double mine = volume(hulls[h]);
+    std::vector<std::size_t> others;
+    for (std::size_t o = 0; o < hulls.size(); ++o)
+      if (o != h && boxes[o].intersects(boxes[h])) others.push_back(o);
     const std::size_t wanted = std::max(kLeastSamples, static_cast<std::size_t>(all > 0 ? kSamples * mine / all : 0));
     const std::size_t most = kTriesPerSample * wanted;
     std::size_t inside = 0;
@@ -300,7 +311,7 @@ double unionVolume(const std::vector<ConvexHull>& hulls) {
       if (!holds(hulls[h], p)) continue;
       ++inside;
       std::size_t holders = 1;
-      for (std::size_t o = 0; o < hulls.size(); ++o) holders += o != h && boxes[o].contains(p) && holds(hulls[o], p);
+      for (const std::size_t o : others) holders += boxes[o].contains(p) && holds(hulls[o], p);
       parts += 1 / static_cast<double>(holders);
     }
     own[h] = inside > 0 ? mine * parts / static_cast<double>(inside) : mine;

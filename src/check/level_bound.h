@@ -16,34 +16,37 @@ namespace collision_hulls {
 template <std::size_t Corners, std::size_t MostTriangles>
 class LevelBound {
  public:
+  LevelBound(const std::array<Eigen::Vector3d, Corners>& corners, const TriangleBvh& surface) : corners_(corners), surface_(surface) {}
+
   /// Adds a triangle of the surface (-1, a known one, or one too many: nothing is added).
   void add(int triangle) {
     if (triangle < 0 || count_ == MostTriangles) return;
     for (std::size_t k = 0; k < count_; ++k)
       if (triangles_[k] == triangle) return;
+    const auto& [a, b, c] = surface_.corners(triangle);
+    const Eigen::Index column = static_cast<Eigen::Index>(count_);
+    for (std::size_t i = 0; i < Corners; ++i)
+      distance_(static_cast<Eigen::Index>(i), column) = (closestPoint(a, b, c, corners_[i]) - corners_[i]).norm();
+    nearest_ = std::min(nearest_, distance_.col(column).maxCoeff());
     triangles_[count_++] = triangle;
   }
 
-  double over(const std::array<Eigen::Vector3d, Corners>& corners, const TriangleBvh& surface) const {
-    Distances distance(Corners, static_cast<Eigen::Index>(count_));
-    double best = std::numeric_limits<double>::infinity();
-    for (std::size_t j = 0; j < count_; ++j) {
-      const auto& [a, b, c] = surface.corners(triangles_[j]);
-      const Eigen::Index column = static_cast<Eigen::Index>(j);
-      for (std::size_t i = 0; i < Corners; ++i)
-        distance(static_cast<Eigen::Index>(i), column) = (closestPoint(a, b, c, corners[i]) - corners[i]).norm();
-      best = std::min(best, distance.col(column).maxCoeff());
-    }
-    return count_ > 1 ? std::min(best, gameValue(distance)) : best;
-  }
+  /// Infinite without triangles.
+  double value() const { return count_ > 1 ? std::min(nearest_, gameValue()) : nearest_; }
+
+  /// Whether value() is no larger, by one triangle alone: then others change nothing of that.
+  bool reaches(double distance) const { return nearest_ <= distance; }
+
+  /// Whether value() is no larger.
+  bool isWithin(double distance) const { return nearest_ <= distance || value() <= distance; }
 
  private:
   static constexpr int kRounds = 16;
   static constexpr int kRows = static_cast<int>(Corners), kColumns = static_cast<int>(MostTriangles);
-  using Distances = Eigen::Matrix<double, kRows, Eigen::Dynamic, 0, kRows, kColumns>;
 
   /// Min over weights of max over corners, by fictitious play: any weights give an upper bound, good ones a tight one.
-  static double gameValue(const Distances& distance) {
+  double gameValue() const {
+    const auto distance = distance_.leftCols(static_cast<Eigen::Index>(count_));
     Eigen::Matrix<double, kRows, 1> total = Eigen::Matrix<double, kRows, 1>::Zero();
     Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kColumns> against = distance.colwise().sum() / kRows;
     double best = std::numeric_limits<double>::infinity();
@@ -58,6 +61,10 @@ class LevelBound {
     return best;
   }
 
+  const std::array<Eigen::Vector3d, Corners> corners_;
+  const TriangleBvh& surface_;
+  Eigen::Matrix<double, kRows, kColumns> distance_;           // corner against triangle
+  double nearest_ = std::numeric_limits<double>::infinity();  // the least that one triangle is from the corner furthest from it
   std::array<int, MostTriangles> triangles_{};
   std::size_t count_ = 0;
 };

@@ -139,15 +139,16 @@ double OutsideDistance::radius(const Cell& cell) const {
   return cell.half * kSqrt3;
 }
 
-/// Where the parent's distance exceeds the way between the centres, no surface lies between them and the sign is the same, unless
-/// there are openings.
+/// Where the parent's distance exceeds the way between the centres, nothing that closes the surface lies between them and the sign is the
+/// same, unless there are openings.
 void OutsideDistance::measure(Cell& cell, const Cell* parent) const {
   const TriangleBvh::Nearest n =
       solid_.surface().nearest(inWorld(cell.centre), std::numeric_limits<double>::infinity(), parent ? parent->triangle : -1);
   cell.triangle = n.triangle;
   cell.to_surface = n.distance;
-  if (parent && !solid_.hasOpenings() && parent->to_surface > (parent->centre - cell.centre).norm())
-    cell.distance = parent->distance < 0 ? -n.distance : n.distance;
+  const double slack = solid_.crackSlack();
+  if (parent && !solid_.hasOpenings() && parent->to_surface - slack > (parent->centre - cell.centre).norm())
+    cell.distance = std::signbit(parent->distance) ? -std::max(0.0, n.distance - slack) : n.distance;
   else
     cell.distance = solid_.signedDistance(inWorld(cell.centre), n.distance);
 }
@@ -211,19 +212,17 @@ bool OutsideDistance::mayHoldSummit(int id) {
   return cell.summit != 0;
 }
 
-/// Bound over a divided cell by the distances to the triangles nearest to its own and its children's centres.
-double OutsideDistance::levelBound(int id) {
+/// Over a divided cell, by the distances to the triangles nearest to its own and its children's centres.
+bool OutsideDistance::isLevelWithin(double distance, int id) {
   for (int k = 0; k < 8; ++k) measuredChild(cells_[static_cast<std::size_t>(id)].children + k, id);
   const Cell& cell = cells_[static_cast<std::size_t>(id)];
-  LevelBound<8, 9> bound;
-  bound.add(cell.triangle);
+  const auto child = [&](int k) -> const Cell& { return cells_[static_cast<std::size_t>(cell.children + k)]; };
   std::array<Eigen::Vector3d, 8> corners;
-  for (int k = 0; k < 8; ++k) {
-    const Cell& child = cells_[static_cast<std::size_t>(cell.children + k)];
-    bound.add(child.triangle);
-    corners[static_cast<std::size_t>(k)] = inWorld(cell.centre + 2 * (child.centre - cell.centre));
-  }
-  return bound.over(corners, solid_.surface());
+  for (int k = 0; k < 8; ++k) corners[static_cast<std::size_t>(k)] = inWorld(cell.centre + 2 * (child(k).centre - cell.centre));
+  LevelBound<8, 9> bound(corners, solid_.surface());
+  bound.add(cell.triangle);
+  for (int k = 0; k < 8 && !bound.reaches(distance); ++k) bound.add(child(k).triangle);
+  return bound.isWithin(distance);
 }
 
 OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const Query& query) {
@@ -274,7 +273,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
       continue;
     }
     const int first = children(open.cell);
-    if (query.summits_only && levelBound(open.cell) <= enough()) continue;
+    if (query.summits_only && isLevelWithin(enough(), open.cell)) continue;
     for (int k = first; k < first + 8; ++k) look(k, open.cell, view.faces);
   }
   result.bound = std::max(result.bound, result.found);

@@ -93,7 +93,7 @@ class OutsideDistance {
   int children(int cell);
   const Cell& measuredChild(int cell, int parent);
   bool mayHoldSummit(int cell);
-  double levelBound(int cell);
+  bool isLevelWithin(double distance, int cell);
   void learn(int cell, const OutsideDistance& other, int known, const Eigen::AlignedBox3d& part);
 
   const Solid& solid_;

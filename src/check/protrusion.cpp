@@ -30,14 +30,14 @@ void add(Protrusion& worst, const Protrusion& other) {
   worst.bound = bound;
 }
 
-void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const Solid& solid, double gap, std::size_t spare,
-                const RunControl& control) {
+/// `on_surface`: what was found on that of each hull.
+void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const std::vector<Protrusion>& on_surface, const Solid& solid,
+                double gap, std::size_t spare, const RunControl& control) {
   Eigen::AlignedBox3d box;
   for (const ConvexHull& hull : hulls) box.extend(boundingBox(hull));
   if (box.isEmpty()) return;
   OutsideDistance outside(solid, box);
   OutsideDistance::Query query;
-  query.surface_bound = worst.bound;
   query.floor = worst.bound + gap;
   query.ceiling = std::numeric_limits<double>::infinity();
   query.resolution = gap / 4;
@@ -47,6 +47,7 @@ void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const S
     control.check();
     query.most_visits = usual + spare;
     query.floor = std::max(query.floor, worst.found);
+    query.surface_bound = on_surface[i].bound;
     query.depth = leastWidth(hulls[i]) / 2;
     const OutsideDistance::Largest largest = outside.largest(hulls[i], query);
     spare -= std::max(largest.visits, usual) - usual;
@@ -103,7 +104,7 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
   }
   Protrusion worst;
   for (const Protrusion& p : each) add(worst, p);
-  addSummits(worst, hulls, solid, gap / 2, search.spare_visits, control);
+  addSummits(worst, hulls, each, solid, gap / 2, search.spare_visits, control);
   return worst;
 }
 

@@ -297,12 +297,18 @@ double Solid::distanceToSurface(const Eigen::Vector3d& p) const {
 double Solid::distance(const Eigen::Vector3d& p) const {
   return contains(p) ? 0 : distanceToSurface(p);
 }
+bool Solid::isWithin(double distance, const Eigen::Vector3d& p) const {
+  return impl_->surface->nearest(p, distance).triangle >= 0 || contains(p);
+}
 double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface) const {
   const Walls& walls = impl_->walls;
   const double winding = walls.windingNumber(p);
   if (winding <= walls.inside()) return to_surface;
   // A crack's lids are nowhere further from the surface than twice its width; so is what lies beyond them where they are crossed.
-  return -std::max(0.0, std::min(to_surface - 4 * walls.crack_width, walls.wayToBorder(p, winding)));
+  return -std::max(0.0, std::min(to_surface - crackSlack(), walls.wayToBorder(p, winding)));
+}
+double Solid::crackSlack() const {
+  return 4 * impl_->walls.crack_width;
 }
 
 double Solid::distanceWithin(double radius, double signed_distance, double to_surface) const {

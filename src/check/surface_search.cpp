@@ -94,16 +94,11 @@ class Search {
     return {p, n.triangle, n.distance};
   }
 
-  /// Bound by the distances to the triangles nearest to the corners and, where there is one, to the centre.
-  double levelBound(const Patch& patch, int centre_triangle) const {
-    LevelBound<3, 4> bound;
-    for (const Corner& c : patch.corner) bound.add(c.triangle);
-    bound.add(centre_triangle);
-    return bound.over({patch.corner[0].p, patch.corner[1].p, patch.corner[2].p}, solid_.surface());
-  }
-
   void push(Patch patch) {
-    patch.bound = levelBound(patch, -1);
+    const std::array<Eigen::Vector3d, 3> corners{patch.corner[0].p, patch.corner[1].p, patch.corner[2].p};
+    LevelBound<3, 4> level(corners, solid_.surface());  // by the triangles nearest to the corners and to the centre
+    for (const Corner& c : patch.corner) level.add(c.triangle);
+    patch.bound = level.value();
     if (patch.bound > threshold()) {
       const Eigen::Vector3d c = patch.centre();
       double radius = 0;
@@ -111,8 +106,8 @@ class Search {
       const TriangleBvh::Nearest n = solid_.surface().nearest(c, std::numeric_limits<double>::infinity(), patch.corner[0].triangle);
       const double outside = solid_.signedDistance(c, n.distance);
       if (outside > best_.found && outside > query_.floor) best_.found = outside, best_.where = c, best_.nearest = n.point;
-      patch.bound = std::min({patch.bound, std::max(0.0, outside + radius), levelBound(patch, n.triangle)});
-      const std::array<Eigen::Vector3d, 3> corners{patch.corner[0].p, patch.corner[1].p, patch.corner[2].p};
+      level.add(n.triangle);
+      patch.bound = std::min({patch.bound, std::max(0.0, outside + radius), level.value()});
       if (patch.bound > threshold()) patch.bound = std::min(patch.bound, solid_.heightAboveSheet(corners, n, kSlack * query_.gap));
       if (patch.bound > threshold()) {
         const double reach = n.distance + 2 * radius;  // to whatever is nearest to a point of the patch

@@ -8,6 +8,7 @@
 #include "decompose/largest_side.h"
 #include "decompose/local_search.h"
 #include "decompose/merging.h"
+#include "decompose/points_apart.h"
 #include "decompose/tree_building.h"
 #include "geometry/own_axes.h"
 #include "mesh/loose_segments.h"
@@ -91,7 +92,7 @@ class Job {
     const std::uint64_t seed = options_.seed;
     Cover best;
     const double step = 0.7 / static_cast<double>(plan_.ways.size());
-    for (std::size_t i = 0; i < plan_.ways.size() && best.size() != 1; ++i) {
+    for (std::size_t i = 0; i < plan_.ways.size(); ++i) {
       if (best.size() > plan_.ways[i].few || (plan_.ways[i].largest_side_first && !hasLargeSide())) continue;
       const double from = step * static_cast<double>(i);
       const std::size_t most = groups_ ? kManyLeaves + kManyLeavesPerHull * best.size() : CutOptions{}.most_leaves;
@@ -104,6 +105,7 @@ class Job {
       if (groups_ && cover.size() >= best.size()) continue;
       best = std::move(cover);
       groups_ = std::move(mine);
+      if (isLeast(best, mesh_.mesh, solid_, options_.tolerance)) return best;
     }
     return improved(std::move(best), *groups_, {plan_.evaluations, seed}, stretch(control_, 0.7, 0.9));
   }
@@ -167,8 +169,7 @@ Decomposition certified(const RepairedMesh& original, const DecomposeOptions& op
 }
 
 HullTree hullTree(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
-  if (!(options.tolerance > 0 && std::isfinite(options.tolerance)))
-    throw Error(ErrorCode::kBadOption, "tolerance is " + std::to_string(options.tolerance) + " m; it must be a positive length");
+  check(options);
   if (mesh.mesh.triangles.empty() && mesh.loose.empty())
     throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangle; a hull tree needs at least one");
   const Place place(mesh);

@@ -1,6 +1,6 @@
 // cut(piece):
 //   H = hull of the piece; if H fits: a leaf
-//   (also with its vertices capped: if only that takes it beyond the tolerance, the piece is halved)
+//   (it has to fit also with its vertices capped; a piece whose hull has more is halved where that does not)
 //   if the piece falls into components: cut(each)
 //   else, of all candidate planes, take the one with the best score and cut(both sides)
 //   (or, if asked for, first the one that leaves the largest side done)
@@ -11,6 +11,7 @@
 #include "decompose/cutting.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <mutex>
 
@@ -115,14 +116,16 @@ class Cutting {
     const std::vector<Eigen::Vector3d>& points = block.surface.vertices;
     ConvexHull hull = roughHull(some(points));  // a part of the piece's own: what refutes it refutes that
     const ConvexHull thin = thinned(hull, kThin);
-    const bool clear = oracle_.mayWellFit(thin), is_last = depth >= kDeepest || isFull();
+    const double reach = oracle_.reach(thin);
+    const bool clear = !std::isinf(reach), is_last = depth >= kDeepest || isFull();
     const auto complete = [&] {
       if (points.size() > kSome) hull = roughHull(points);
     };
     if (clear || is_last) complete();
     const bool over_cap = clear && overCap(hull);
     const auto reduced = over_cap ? std::make_shared<const ConvexHull>(reduceVertices(hull, options_.max_vertices)) : nullptr;
-    const bool fits = clear && oracle_.fits(reduced ? *reduced : hull);
+    const bool is_asked = !reduced && points.size() <= kSome && thin.vertices.size() == hull.vertices.size();
+    const bool fits = clear && (is_asked ? oracle_.fitsWithin(hull, reach) : oracle_.fits(reduced ? *reduced : hull));
     if (fits || is_last) return leaf({std::move(block), std::move(hull), fits ? reduced : nullptr});
     std::vector<Block> parts = components(block);
     if (parts.size() == 1) parts = over_cap || depth >= kHalveFrom ? halves(block, on_plane_) : bestCut(block, clear ? hull : thin);

@@ -14,8 +14,6 @@
 
 namespace collision_hulls {
 
-namespace {
-
 void check(const DecomposeOptions& options) {
   const auto refuse = [](const std::string& text) { throw Error(ErrorCode::kBadOption, text); };
   const bool needs_tolerance = options.method != Method::kSingleHull && options.method != Method::kBoundingBox;
@@ -27,6 +25,8 @@ void check(const DecomposeOptions& options) {
   if (options.fill && options.method != Method::kCertified)
     refuse(std::string("fill is on and the method is ") + name(options.method) + "; only certified fills: leave one of the two out");
 }
+
+namespace {
 
 std::vector<std::vector<int>> clusters(const TriangleMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
   if (mesh.triangles.empty()) return {};

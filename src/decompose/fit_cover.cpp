@@ -14,6 +14,7 @@
 #include "collision_hulls/error.h"
 #include "decompose/bounding_box.h"
 #include "decompose/outline.h"
+#include "parallel.h"
 
 namespace collision_hulls {
 
@@ -222,13 +223,18 @@ ConvexHull withPoints(const ConvexHull& hull, const Points& extra, int max_verti
 FittedHulls fitCover(const std::vector<ConvexHull>& hulls, const TriangleMesh& original, double margin, int max_vertices,
                      const RunControl& control) {
   FittedHulls fitted;
-  for (const ConvexHull& hull : hulls) {
-    control.check();
-    const Rounded rounded = roundOutward(capped(hull, max_vertices), margin, max_vertices);
-    fitted.hulls.push_back(rounded.hull);
+  const auto take = [&](Rounded rounded, ConvexHull& hull) {
+    hull = std::move(rounded.hull);
     fitted.nudge = std::max(fitted.nudge, rounded.nudge);
     fitted.blunted = std::max(fitted.blunted, rounded.blunted);
-  }
+  };
+  std::vector<Rounded> rounded(hulls.size());
+  forEach(hulls.size(), [&](std::size_t h) {
+    control.check();
+    rounded[h] = roundOutward(capped(hulls[h], max_vertices), margin, max_vertices);
+  });
+  fitted.hulls.resize(hulls.size());
+  for (std::size_t h = 0; h < hulls.size(); ++h) take(std::move(rounded[h]), fitted.hulls[h]);
   for (int i = 0; i < kRounds; ++i) {
     const std::vector<UncoveredTriangle> missing = uncoveredTriangles(original, fitted.hulls, control);
     if (missing.empty()) return fitted;
@@ -243,7 +249,7 @@ FittedHulls fitCover(const std::vector<ConvexHull>& hulls, const TriangleMesh& o
       points.insert(points.end(), corners.begin(), corners.end());
     }
     for (const auto& [h, points] : extra)
-      fitted.hulls[h] = roundOutward(withPoints(fitted.hulls[h], points, max_vertices), 0, max_vertices).hull;
+      take(roundOutward(withPoints(fitted.hulls[h], points, max_vertices), 0, max_vertices), fitted.hulls[h]);
   }
   throw Error(ErrorCode::kInternal, "the hulls still leave a part of the mesh uncovered after " + std::to_string(kRounds) + " rounds");
 }

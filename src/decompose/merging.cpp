@@ -1,10 +1,11 @@
 // The paper's decimation, between any groups, with the true protrusion in place of ray concavity:
 //
-//   queue every pair of groups under its cost; if there are very many, every pair of near ones
+//   queue every pair of near groups under its cost
 //   while the queue holds a pair: take the cheapest
-//     if a group of it was merged meanwhile, or is known to be apart from the other: drop it
+//     if a group of it was merged meanwhile: drop it
 //     if the hull of both protrudes too far: they are apart
 //     else merge: the union is paired with the others, and is apart from what either part is apart from
+//   then the same with the pairs of distant groups, unless there are very many: solid may lie between them
 //
 // A hull that protrudes too far does so as well when it grows: what is apart stays apart.
 #include "decompose/merging.h"
@@ -20,7 +21,6 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kNear = 2;                 // in tolerances: a hull across a wider gap protrudes, unless what lies between is solid
 constexpr std::size_t kMany = 1000;         // groups: merging takes time by their number squared
 constexpr double kTieBreak = 1e-3;          // of the union's size, for squares that cancel out
 constexpr int kTrials = 8, kFewTrials = 2;  // of proving what was merged on trust; the latter where there are many groups
@@ -49,20 +49,17 @@ class Merging {
  public:
   /// `apart`: what is known of the groups in the cover; takes what is learned of them.
   Merging(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof proof, ApartPairs& apart)
-      : cover_(std::move(cover)),
-        groups_(groups),
-        cost_(cost),
-        proof_(proof),
-        given_(cover_.size()),
-        apart_(apart),
-        all_pairs_(given_ <= kMany) {}
+      : cover_(std::move(cover)), groups_(groups), cost_(cost), proof_(proof), given_(cover_.size()), apart_(apart) {}
 
   Cover run() {
     for (int b = 0; b < size(); ++b) pairWithEarlier(b, -1, -1);
-    while (!queue_.empty()) {
-      const Pair pair = queue_.top();
-      queue_.pop();
-      if (group(pair.a).hull && group(pair.b).hull) tryMerge(pair.a, pair.b);
+    mergeQueued();
+    if (live_.size() <= kMany) {
+      all_pairs_ = true;
+      for (const int b : live_)
+        for (const int a : live_)
+          if (a < b && !apart(a, b) && isFar(a, b)) queue(a, b);
+      mergeQueued();
     }
     apart_.resize(given_);
     cover_.erase(std::remove_if(cover_.begin(), cover_.end(), [](const Group& g) { return !g.hull; }), cover_.end());
@@ -74,22 +71,31 @@ class Merging {
   Group& group(int i) { return cover_[static_cast<std::size_t>(i)]; }
   bool apart(int a, int b) const { return apart_[static_cast<std::size_t>(std::max(a, b))][static_cast<std::size_t>(std::min(a, b))] != 0; }
 
+  bool isFar(int a, int b) { return farApart(group(a), group(b), groups_.tolerance()); }
+  void queue(int a, int b) { queue_.push({costOf(group(a), group(b), cost_), a, b}); }
+
+  void mergeQueued() {
+    while (!queue_.empty()) {
+      const Pair pair = queue_.top();
+      queue_.pop();
+      if (group(pair.a).hull && group(pair.b).hull) tryMerge(pair.a, pair.b);
+    }
+  }
+
   /// Pairs group b, the union of `left` and `right` if there are such, with those before it. Merged groups have no hull any more.
   void pairWithEarlier(int b, int left, int right) {
+    groups_.control().check();
     if (apart_.size() == static_cast<std::size_t>(b)) apart_.emplace_back(static_cast<std::size_t>(b), 0);
     for (const int a : live_) {
       char& is_apart = apart_[static_cast<std::size_t>(b)][static_cast<std::size_t>(a)];
       if (left >= 0) is_apart = apart(a, left) || apart(a, right);
-      if (!is_apart && (all_pairs_ || !farApart(group(a), group(b), groups_.tolerance())))
-        queue_.push({costOf(group(a), group(b), cost_), a, b});
+      if (!is_apart && (all_pairs_ || !isFar(a, b))) queue(a, b);
     }
     live_.push_back(b);
   }
 
   void tryMerge(int a, int b) {
-    Group both;
-    if (!farApart(group(a), group(b), groups_.tolerance()) || groups_.hasSolidBetween(group(a), group(b)))
-      both = groups_.merged(group(a), group(b));
+    Group both = groups_.merged(group(a), group(b));
     if (!both.hull || (proof_ == Proof::kAtOnce && !groups_.proven(both))) {
       apart_[static_cast<std::size_t>(b)][static_cast<std::size_t>(a)] = 1;  // a < b
       return;
@@ -107,15 +113,11 @@ class Merging {
   const std::size_t given_;
   ApartPairs& apart_;
   std::vector<int> live_;  // groups that were not merged, ascending
-  const bool all_pairs_;
+  bool all_pairs_ = false;
   std::priority_queue<Pair> queue_;
 };
 
 }  // namespace
-
-bool farApart(const Group& a, const Group& b, double tolerance) {
-  return a.widths.gap(b.widths) > kNear * tolerance;
-}
 
 Cover merged(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof proof) {
   ApartPairs apart;

@@ -24,7 +24,4 @@ Cover merged(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof pr
 /// The same by the kind of cost that leaves fewest groups, all of them proven.
 Cover mergedBest(const Cover& cover, SurfaceGroups& groups);
 
-/// Whether two groups are so far apart that a common hull hardly fits unless what lies between is solid.
-bool farApart(const Group& a, const Group& b, double tolerance);
-
 }  // namespace collision_hulls

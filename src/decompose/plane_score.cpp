@@ -61,7 +61,7 @@ PlaneScore::PlaneScore(const SurfacePiece& piece, std::size_t vertices, std::vec
 double PlaneScore::operator()(const HalfSpace& plane) const {
   const Sides sides = divided(piece_, edges_, plane, on_plane_);
   if (sides.beneath.size() < kLeastPoints || sides.above.size() < kLeastPoints) return kUseless;
-  const ConvexHull beneath = roughHull(sides.beneath), above = roughHull(sides.above);
+  const ConvexHull beneath = roughHull(sides.beneath, Corners::kAsFound), above = roughHull(sides.above, Corners::kAsFound);
   double left_beneath = 0, left_above = 0;
   for (const OutsideDistance::Intruder& i : intruders_) {
     const bool is_beneath = plane.distance(i.p) <= 0;

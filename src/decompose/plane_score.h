@@ -22,7 +22,7 @@ class PlaneScore {
   PlaneScore(const SurfacePiece& piece, std::size_t vertices, std::vector<OutsideDistance::Intruder> intruders, double volume,
              const ScoreWeights& weights);
 
-  /// The planes' numbers, best first, at most `most`; those that divide nothing are left out.
+  /// The planes, best first, at most `most`; those that divide nothing are left out.
   std::vector<HalfSpace> best(const std::vector<HalfSpace>& planes, std::size_t most) const;
 
   const SurfacePiece& piece() const { return piece_; }

@@ -8,7 +8,6 @@
 #include "check/surface_search.h"
 #include "decompose/dice.h"
 #include "geometry/hull_support.h"
-#include "geometry/quickhull.h"
 #include "parallel.h"
 
 namespace collision_hulls {
@@ -48,15 +47,15 @@ std::vector<Eigen::Vector3d> joggled(std::vector<Eigen::Vector3d> points, std::s
 
 }  // namespace
 
-ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points) {
+ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points, Corners corners) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& p : points) middle += p / static_cast<double>(points.size());
   std::vector<Eigen::Vector3d> centred;
   centred.reserve(points.size());
   for (const Eigen::Vector3d& p : points) centred.push_back(p - middle);
   std::optional<ConvexHull> hull;
-  if (points.size() <= kMany) hull = quickhull(centred);
-  for (std::size_t trial = 0; !hull && trial < kJoggles; ++trial) hull = quickhull(joggled(centred, trial));
+  if (points.size() <= kMany) hull = quickhull(centred, {}, corners);
+  for (std::size_t trial = 0; !hull && trial < kJoggles; ++trial) hull = quickhull(joggled(centred, trial), {}, corners);
   if (!hull) return convexHull(points);
   for (Eigen::Vector3d& v : hull->vertices) v += middle;
   for (HalfSpace& face : hull->faces) face.offset += face.normal.dot(middle);
@@ -127,18 +126,19 @@ bool ProtrusionOracle::mayFit(const ConvexHull& hull) {
   return !holdsKnownIntruder(hull) && !std::isinf(reachByOctree(hull, kQuickCell));
 }
 
-bool ProtrusionOracle::mayWellFit(const ConvexHull& hull) {
+double ProtrusionOracle::reach(const ConvexHull& hull) {
   control_.check();
-  return !holdsKnownIntruder(hull) && !std::isinf(reachByOctree(hull, kFineCell));
+  return holdsKnownIntruder(hull) ? std::numeric_limits<double>::infinity() : reachByOctree(hull, kFineCell);
 }
 
-bool ProtrusionOracle::fits(const ConvexHull& hull) {
-  return fit({&hull})[0] != 0;
+bool ProtrusionOracle::fitsWithin(const ConvexHull& hull, double reach) {
+  const std::optional<bool> answer = fitsByOctree(hull, reach);
+  return answer ? *answer : concluded(hull, onSurface(hull));
 }
 
 std::vector<char> ProtrusionOracle::fit(const std::vector<const ConvexHull*>& hulls) {
   std::vector<std::optional<bool>> answers;
-  for (const ConvexHull* hull : hulls) answers.push_back(fitsByOctree(*hull));
+  for (const ConvexHull* hull : hulls) answers.push_back(fitsByOctree(*hull, reach(*hull)));
   std::vector<Protrusion> on_surface(hulls.size());
   forEach(hulls.size(), [&](std::size_t i) {
     if (!answers[i]) on_surface[i] = onSurface(*hulls[i]);
@@ -149,10 +149,7 @@ std::vector<char> ProtrusionOracle::fit(const std::vector<const ConvexHull*>& hu
 }
 
 /// nullopt: that is open.
-std::optional<bool> ProtrusionOracle::fitsByOctree(const ConvexHull& hull) {
-  control_.check();
-  if (holdsKnownIntruder(hull)) return false;
-  const double reach = reachByOctree(hull, kFineCell);
+std::optional<bool> ProtrusionOracle::fitsByOctree(const ConvexHull& hull, double reach) const {
   if (std::isinf(reach)) return false;
   // A hull of few vertices may reach far beyond the mesh.
   if (!solid_.hasOpenings() && reach <= (1 - kReserve) * tolerance_ && outside_.reaches(hull)) return true;
@@ -208,6 +205,8 @@ double ProtrusionOracle::bound(const ConvexHull& exact) {
   query.floor = std::max(seen.found, on_surface) + on.gap;
   query.resolution = on.gap;
   query.summits_only = true;
+  query.surface_bound = on_surface;
+  query.depth = leastWidth(hull) / 2;
   return outside_.largest(hull, query).bound;
 }
 

@@ -1,6 +1,7 @@
 // The question that a decomposition asks again and again: does this hull protrude further than the tolerance?
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -8,12 +9,13 @@
 #include "collision_hulls/check/measures.h"
 #include "collision_hulls/check/solid.h"
 #include "collision_hulls/control.h"
+#include "geometry/quickhull.h"
 
 namespace collision_hulls {
 
 /// A hull of points near the origin with a face per triangle, as quickhull leaves it where it can: for hulls that are asked about once
 /// and mostly thrown away. Where points lie in planes it is larger than theirs, by up to a millionth of its size.
-ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points);
+ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points, Corners corners = Corners::kNeeded);
 
 /// The hull of about `most` of a hull's vertices, those furthest along as many directions: close to it where it is round. The hull
 /// itself where it has not many more.
@@ -40,10 +42,17 @@ class ProtrusionOracle {
   bool mayFit(const ConvexHull& hull);
 
   /// The same, more thoroughly.
-  bool mayWellFit(const ConvexHull& hull);
+  bool mayWellFit(const ConvexHull& hull) { return !std::isinf(reach(hull)); }
 
-  /// True: no point of the hull is further from the solid than the tolerance, none of its surface further than 99 % of it, by proof.
-  bool fits(const ConvexHull& hull);
+  /// [m] No point of the hull is further from the solid, as far as the octree tells, whose finest cells are asked; infinite: it protrudes
+  /// too far.
+  double reach(const ConvexHull& hull);
+
+  /// True: no point of the hull is further from the solid than the tolerance, none of its surface further than 99.8 % of it, by proof.
+  bool fits(const ConvexHull& hull) { return fitsWithin(hull, reach(hull)); }
+
+  /// The same of a hull whose reach() is known.
+  bool fitsWithin(const ConvexHull& hull, double reach);
 
   /// The same of several hulls, searched at the same time.
   std::vector<char> fit(const std::vector<const ConvexHull*>& hulls);
@@ -64,7 +73,7 @@ class ProtrusionOracle {
 
  private:
   bool holdsKnownIntruder(const ConvexHull& hull);
-  std::optional<bool> fitsByOctree(const ConvexHull& hull);
+  std::optional<bool> fitsByOctree(const ConvexHull& hull, double reach) const;
   Protrusion onSurface(const ConvexHull& hull) const;
   ConvexHull written(const ConvexHull& hull) const;
   bool concluded(const ConvexHull& hull, const Protrusion& on_surface);

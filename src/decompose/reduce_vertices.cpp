@@ -12,6 +12,7 @@
 #include "collision_hulls/decompose/reduce_vertices.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <unordered_set>
@@ -161,7 +162,9 @@ class OuterSurface {
       gradient += areaVector(vertices_[v], a, b);
     }
     const auto x = lowestPointBeyond(planes, gradient, vertices_[v], reach(v));
-    if (x && held_.surface.nearest(*x).distance <= held_.surface.nearest(vertices_[v]).distance) vertices_[v] = *x;
+    if (!x) return;
+    const TriangleBvh::Nearest own = held_.surface.nearest(vertices_[v]);
+    if (held_.surface.nearest(*x, std::numeric_limits<double>::infinity(), own.triangle).distance <= own.distance) vertices_[v] = *x;
   }
 
   /// Length of the longest edge at a vertex.

@@ -88,6 +88,11 @@ std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t cou
   return elements;
 }
 
+bool farApart(const Group& a, const Group& b, double tolerance) {
+  constexpr double kNear = 2;  // in tolerances: a hull across a wider gap protrudes, unless what lies between is solid
+  return a.widths.gap(b.widths) > kNear * tolerance;
+}
+
 SurfaceGroups::SurfaceGroups(const std::vector<Leaf>& leaves, std::size_t element_count, ProtrusionOracle& oracle, int max_vertices)
     : elements_(elementsOf(leaves, element_count, oracle.tolerance())), oracle_(oracle), max_vertices_(max_vertices) {
   for (const Leaf& leaf : leaves) leaves_.push_back({leaf.hull, leaf.reduced, 0});
@@ -98,9 +103,9 @@ SurfaceGroups::SurfaceGroups(const std::vector<Leaf>& leaves, std::size_t elemen
     group.key = mixed(i);
     group.area = elements_[i].area;
     for (const Eigen::Vector3d& p : elements_[i].points) group.widths.extend(p);
-    group.hull = std::make_shared<ConvexHull>(roughHull(elements_[i].likely));
     singles_.push_back(std::move(group));
   }
+  forEach(singles_.size(), [&](std::size_t i) { singles_[i].hull = std::make_shared<ConvexHull>(roughHull(elements_[i].likely)); });
 }
 
 Cover SurfaceGroups::leaves() {
@@ -199,6 +204,7 @@ Group SurfaceGroups::merged(const Group& a, const Group& b) {
   Group both;
   both.key = a.key ^ b.key;
   Known& known = known_[both.key];
+  if (!known.asked && farApart(a, b, tolerance()) && !hasSolidBetween(a, b)) known.asked = true;
   if (!known.asked) {
     std::vector<Eigen::Vector3d> points = a.hull->vertices;
     points.insert(points.end(), b.hull->vertices.begin(), b.hull->vertices.end());
@@ -223,16 +229,10 @@ bool SurfaceGroups::needsProof(const Group& group) const {
   return known == known_.end() || !known->second.asked || (known->second.may_fit && !known->second.proven);
 }
 
-/// A hull with its vertices capped holds the hull that it stands for.
-SurfaceGroups::Candidate SurfaceGroups::candidate(const Group& group) const {
-  ConvexHull hull = hullOf(group);
-  if (!overCap(hull)) return {std::move(hull), false};
-  return {reduceVertices(hull, max_vertices_), true};
-}
-
+/// Whether some points between two groups lie no further from the solid than the tolerance; if not, no hull of both fits.
 bool SurfaceGroups::hasSolidBetween(const Group& a, const Group& b) const {
   constexpr std::size_t kSamples = 16;
-  const auto fits = [&](const Eigen::Vector3d& p) { return oracle_.solid().distance(p) <= tolerance(); };
+  const auto fits = [&](const Eigen::Vector3d& p) { return oracle_.solid().isWithin(tolerance(), p); };
   const std::vector<Eigen::Vector3d>&of_a = a.hull->vertices, &of_b = b.hull->vertices;
   const Eigen::Vector3d from = meanOf(of_a), to = meanOf(of_b);
   for (const double share : {0.5, 0.25, 0.75})
@@ -250,7 +250,12 @@ bool SurfaceGroups::proven(const Group& group) {
 void SurfaceGroups::prove(std::vector<const Group*> groups) {
   groups.erase(std::remove_if(groups.begin(), groups.end(), [&](const Group* g) { return !needsProof(*g); }), groups.end());
   std::vector<Candidate> candidates(groups.size());
-  forEach(groups.size(), [&](std::size_t i) { candidates[i] = candidate(*groups[i]); });
+  forEach(groups.size(), [&](std::size_t i) { candidates[i] = {hullOf(*groups[i]), false}; });
+  // A hull with its vertices capped holds the hull that it stands for: what refutes that refutes it.
+  for (Candidate& c : candidates) c.is_reduced = overCap(c.hull) && oracle_.mayWellFit(c.hull);
+  forEach(groups.size(), [&](std::size_t i) {
+    if (candidates[i].is_reduced) candidates[i].hull = reduceVertices(candidates[i].hull, max_vertices_);
+  });
   std::vector<const ConvexHull*> hulls;
   for (const Candidate& c : candidates) hulls.push_back(&c.hull);
   const std::vector<char> fits = oracle_.fit(hulls);
@@ -259,6 +264,7 @@ void SurfaceGroups::prove(std::vector<const Group*> groups) {
     known.asked = true;
     known.proven = known.may_fit = fits[i] != 0;
     if (known.may_fit && !known.hull) known.hull = groups[i]->hull;
+    known.proven = known.proven && (candidates[i].is_reduced || !overCap(candidates[i].hull));
     if (known.proven && candidates[i].is_reduced) known.reduced = std::make_shared<ConvexHull>(std::move(candidates[i].hull));
   }
 }
@@ -277,8 +283,7 @@ bool SurfaceGroups::proven(const Cover& cover) {
 }
 
 bool SurfaceGroups::covers(const Group& group, int element) const {
-  if (!group.widths.contains(single(element).widths) && !std::binary_search(group.elements.begin(), group.elements.end(), element))
-    return false;
+  if (!group.widths.contains(single(element).widths)) return false;
   const std::vector<Eigen::Vector3d>& points = elements_[at(element)].likely;
   return std::all_of(points.begin(), points.end(), [&](const Eigen::Vector3d& p) { return holds(*group.hull, p); });
 }

@@ -33,6 +33,9 @@ struct Group {
   std::shared_ptr<const ConvexHull> hull;  ///< of their likely points
 };
 
+/// Whether two groups are so far apart that a common hull hardly fits unless what lies between is solid.
+bool farApart(const Group& a, const Group& b, double tolerance);
+
 /// Groups that have every element among them, in one of them.
 using Cover = std::vector<Group>;
 
@@ -54,9 +57,6 @@ class SurfaceGroups {
 
   /// The union of two groups, if its hull may fit; without a hull if not.
   Group merged(const Group& a, const Group& b);
-
-  /// Whether some points between two groups lie no further from the solid than the tolerance; if not, no hull of both fits.
-  bool hasSolidBetween(const Group& a, const Group& b) const;
 
   /// Whether the group's hull fits, by proof; what it may do was taken on trust.
   bool proven(const Group& group);
@@ -95,9 +95,9 @@ class SurfaceGroups {
   ConvexHull hullOf(const Group& group) const;
   std::shared_ptr<const ConvexHull> reducedHull(const Group& group) const;  // that was proven; null: none
   bool needsProof(const Group& group) const;
-  Candidate candidate(const Group& group) const;
   void prove(std::vector<const Group*> groups);
   bool isWholeLeaf(const Group& group) const;
+  bool hasSolidBetween(const Group& a, const Group& b) const;
   void ask(const std::vector<Eigen::Vector3d>& points, Known& known);
   bool overCap(const ConvexHull& hull) const;
 

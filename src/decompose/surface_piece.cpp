@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <unordered_map>
 
 namespace collision_hulls {
@@ -120,8 +121,9 @@ class Sets {
   std::vector<int> parent_;
 };
 
-/// The piece with vertices of one grid cell joined, and triangles that collapse left out.
-SurfacePiece clustered(const SurfacePiece& piece, const Eigen::AlignedBox3d& box, double side) {
+/// The piece with vertices of one grid cell joined, if there are no more than `most` then. Triangles that collapse are left out; what was a
+/// segment or a point before stays.
+std::optional<SurfacePiece> clustered(const SurfacePiece& piece, const Eigen::AlignedBox3d& box, double side, std::size_t most) {
   SurfacePiece result;
   std::unordered_map<std::uint64_t, int> cells;
   std::vector<int> index;
@@ -130,12 +132,14 @@ SurfacePiece clustered(const SurfacePiece& piece, const Eigen::AlignedBox3d& box
     const auto id =
         (static_cast<std::uint64_t>(cell.x()) << 42) | (static_cast<std::uint64_t>(cell.y()) << 21) | static_cast<std::uint64_t>(cell.z());
     const auto [place, fresh] = cells.try_emplace(id, static_cast<int>(result.vertices.size()));
+    if (fresh && result.vertices.size() == most) return std::nullopt;
     if (fresh) result.vertices.push_back(v);
     index.push_back(place->second);
   }
   for (const Triangle& t : piece.triangles) {
     const Triangle c{index[at(t[0])], index[at(t[1])], index[at(t[2])]};
-    if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) result.triangles.push_back(c);
+    const bool was_flat = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+    if (was_flat || (c[0] != c[1] && c[1] != c[2] && c[2] != c[0])) result.triangles.push_back(c);
   }
   return result;
 }
@@ -192,10 +196,8 @@ SurfacePiece simplified(const SurfacePiece& piece, std::size_t vertices) {
   // A surface as broad as its box fills about one cell per vertex; coarser until it fits.
   constexpr double kFirstSide = 0.8, kCoarser = 1.3;
   double side = kFirstSide * box.sizes().maxCoeff() / std::sqrt(static_cast<double>(vertices));
-  for (;; side *= kCoarser) {
-    SurfacePiece result = clustered(piece, box, side);
-    if (result.vertices.size() <= vertices) return result;
-  }
+  for (;; side *= kCoarser)
+    if (std::optional<SurfacePiece> result = clustered(piece, box, side, vertices)) return *std::move(result);
 }
 
 std::vector<std::pair<int, int>> edgesOf(const SurfacePiece& piece) {

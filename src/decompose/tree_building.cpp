@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <queue>
+#include <set>
 #include <tuple>
+#include <utility>
 
 namespace collision_hulls {
 
@@ -60,10 +62,16 @@ class Building {
   /// `anything`: whatever is left is merged, asked or not.
   void mergeWithin(double tolerance, bool anything) {
     std::priority_queue<Pair> queue;
+    std::set<std::pair<int, int>> apart;  // a < b: their hull protrudes too far, and so does any that holds it
+    const auto areApart = [&](int a, int b) { return b >= 0 && apart.count(std::minmax(a, b)) > 0; };
     const auto pairWithEarlier = [&](int b) {
-      for (int a = 0; a < b; ++a)
-        if (node(a).parent < 0 && (anything || widths(a).gap(widths(b)) <= 2 * tolerance))
+      for (int a = 0; a < b; ++a) {
+        if (node(a).parent >= 0 || !(anything || widths(a).gap(widths(b)) <= 2 * tolerance)) continue;
+        if (areApart(a, node(b).left) || areApart(a, node(b).right))
+          apart.emplace(a, b);
+        else
           queue.push({widths(a).merged(widths(b)).mean(), a, b});
+      }
     };
     for (int b = 0; b < static_cast<int>(tree_.nodes.size()); ++b)
       if (node(b).parent < 0) pairWithEarlier(b);
@@ -74,7 +82,10 @@ class Building {
       std::vector<Eigen::Vector3d> points = node(pair.a).hull.vertices;
       points.insert(points.end(), node(pair.b).hull.vertices.begin(), node(pair.b).hull.vertices.end());
       const ConvexHull hull = roughHull(points);
-      if (!anything && !oracle_.mayFit(hull)) continue;
+      if (!anything && !oracle_.mayFit(hull)) {
+        apart.emplace(pair.a, pair.b);
+        continue;
+      }
       const double bound = std::max({node(pair.a).protrusion, node(pair.b).protrusion, oracle_.bound(hull)});
       const int parent = add(hull, widths(pair.a).merged(widths(pair.b)), bound, pair.a, pair.b);
       progress_(static_cast<double>(tree_.nodes.size() - leaves_) / static_cast<double>(leaves_));

@@ -241,7 +241,7 @@ ConvexHull convexHull(const Points& points, const RunControl& control) {
 }
 
 double volume(const ConvexHull& hull) {
-  return signedVolume(surface(hull));
+  return signedVolume(hull.vertices, hull.triangles);
 }
 
 Eigen::AlignedBox3d boundingBox(const ConvexHull& hull) {

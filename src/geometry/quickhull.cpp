@@ -379,11 +379,10 @@ class Builder {
 
 }  // namespace
 
-std::optional<ConvexHull> quickhull(const std::vector<Eigen::Vector3d>& points, const RunControl& control) {
+std::optional<ConvexHull> quickhull(const std::vector<Eigen::Vector3d>& points, const RunControl& control, Corners corners) {
   Builder builder(points, control);
   std::optional<ConvexHull> hull = builder.build();
-  if (!hull) return hull;
-  // Of points in one plane quickhull may take some that are no corners. A second run leaves them out.
+  if (!hull || corners == Corners::kAsFound) return hull;
   const Builder::Vertices vertices = builder.vertices();
   if (vertices.others.empty()) return hull;
   std::optional<ConvexHull> lean = Builder(vertices.corners, control).build();

@@ -28,12 +28,16 @@ double area(const TriangleMesh& mesh) {
 }
 
 double signedVolume(const TriangleMesh& mesh) {
-  if (mesh.triangles.empty()) return 0;
+  return signedVolume(mesh.vertices, mesh.triangles);
+}
+
+double signedVolume(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles) {
+  if (triangles.empty()) return 0;
+  const auto at = [&](int v) -> const Eigen::Vector3d& { return vertices[static_cast<std::size_t>(v)]; };
   // About a corner of the mesh instead of the origin: far from the origin the tetrahedra would cancel badly.
-  const Eigen::Vector3d apex = mesh.corner(0, 0);
+  const Eigen::Vector3d apex = at(triangles[0][0]);
   double sum = 0;
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
-    sum += (mesh.corner(t, 0) - apex).dot((mesh.corner(t, 1) - apex).cross(mesh.corner(t, 2) - apex)) / 6;
+  for (const Triangle& t : triangles) sum += (at(t[0]) - apex).dot((at(t[1]) - apex).cross(at(t[2]) - apex)) / 6;
   return sum;
 }
 

@@ -22,12 +22,16 @@ class Solid {
   ~Solid();
   Solid(Solid&&) noexcept;
 
-  bool contains(const Eigen::Vector3d& p) const;             ///< inside by the winding rule (the surface itself: either)
-  double distanceToSurface(const Eigen::Vector3d& p) const;  ///< [m] exact
-  double distance(const Eigen::Vector3d& p) const;           ///< [m] to S; 0 inside. Outside to its surface, also by openings
+  bool contains(const Eigen::Vector3d& p) const;                   ///< inside by the winding rule (the surface itself: either)
+  double distanceToSurface(const Eigen::Vector3d& p) const;        ///< [m] exact
+  double distance(const Eigen::Vector3d& p) const;                 ///< [m] to S; 0 inside. Outside to its surface, also by openings
+  bool isWithin(double distance, const Eigen::Vector3d& p) const;  ///< whether distance(p) is smaller, or p inside
   /// [m] distance(p) outside; inside, the negative radius of a ball about p that lies within S: the distance to the surface, less four
   /// times the widest crack, or less near openings. `to_surface`: distanceToSurface(p).
   double signedDistance(const Eigen::Vector3d& p, double to_surface) const;
+  /// [m] What a distance to the surface may tell too much by inside, and off the surface about where inside and outside meet, for cracks
+  /// that count as closed; 0 without such.
+  double crackSlack() const;
   /// [m] No point within `radius` of one at this signedDistance() has a larger distance(). Near openings a step out of the ball may lead
   /// to the far side of a border that is no surface, where the nearest wall counts.
   double distanceWithin(double radius, double signed_distance, double to_surface) const;

@@ -41,6 +41,8 @@ struct DecomposeOptions {
   bool fill = false;  ///< certified: cover the inside of closed meshes as well, not their surface alone
 };
 
+void check(const DecomposeOptions& options);  ///< throws kBadOption
+
 struct Decomposition {
   std::vector<ConvexHull> hulls;  ///< they cover mesh and loose segments up to rounding; in a fixed order
   bool capped = false;            ///< a cap (hulls or vertices) made the result coarser than the tolerance alone would

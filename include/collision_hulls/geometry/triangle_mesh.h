@@ -31,6 +31,7 @@ double area(const TriangleMesh& mesh);
 
 /// Sum of the signed tetrahedra to the origin [m^3]: the enclosed volume of a closed, outward mesh; negative for an inward one.
 double signedVolume(const TriangleMesh& mesh);
+double signedVolume(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles);
 
 /// The mesh with every vertex scaled per axis and, for a mirroring scale (negative product), its triangles turned over, so
 /// that outside stays outside. Throws kBadScale for a zero or non-finite factor.

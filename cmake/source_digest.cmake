@@ -21,8 +21,10 @@ const char* ${NAMESPACE}::sourceDigest() {
 endif()
 
 set(output "${CMAKE_CURRENT_BINARY_DIR}/source_digest.cpp")
-set(build "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_SYSTEM_PROCESSOR} ${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS}")
-string(APPEND build " assimp ${assimp_VERSION} eigen ${Eigen3_VERSION} fcl ${fcl_VERSION}")
+string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+set(build "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_SYSTEM_PROCESSOR} ${CMAKE_BUILD_TYPE}")
+string(APPEND build " ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}")
+string(APPEND build " assimp ${assimp_VERSION} eigen ${Eigen3_VERSION} fcl ${fcl_VERSION} qhull ${QHULL_VERSION}")
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS include/*.h src/*.h)
 add_custom_command(
   OUTPUT "${output}"

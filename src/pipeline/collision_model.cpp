@@ -83,6 +83,19 @@ std::string rewrittenDescription(const RobotDescription& robot, const RobotResul
   return rewriteCollisions(robot, links);
 }
 
+/// On links whose hulls are written though the description does not name them.
+std::vector<std::string> notesOnKept(const RobotResult& result) {
+  std::set<std::string> failed, kept;
+  for (const ElementResult& element : result.elements)
+    if (element.report.status == Status::kFailed) failed.insert(element.report.link);
+  for (const ElementResult& element : result.elements)
+    if (!element.hulls.empty() && failed.count(element.report.link)) kept.insert(element.report.link);
+  std::vector<std::string> notes;
+  for (const std::string& link : kept)
+    notes.push_back("link '" + link + "' keeps its collision elements, as a mesh of it failed; the hulls of its other meshes are written");
+  return notes;
+}
+
 /// On meshes that the new description still names relative to the old one's place.
 std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::string& output) {
   const std::string prefix = uriPrefix(result.robot_name, result.report.options.uri, output);
@@ -157,8 +170,8 @@ void rewriteDescription(const RobotDescription& robot, const std::string& output
                         RobotResult& result) {
   result.urdf = rewrittenDescription(robot, result, output);
   std::vector<std::string>& all = result.report.notes;
-  for (const auto& more :
-       {robot.notes, notesOnElements(robot, result.elements, result.report.options), notes, notesOnRewritten(result, output)})
+  for (const auto& more : {robot.notes, notesOnElements(robot, result.elements, result.report.options), notes, notesOnKept(result),
+                           notesOnRewritten(result, output)})
     all.insert(all.end(), more.begin(), more.end());
 }
 

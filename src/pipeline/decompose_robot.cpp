@@ -114,7 +114,7 @@ void decomposeTask(const MeshTask& task, std::size_t index, const Options& optio
       cache.storeElement(key, first);
     }
   } catch (...) {
-    fail(first.report);
+    fail(first);
   }
   progress.taskDone(index);
   for (const std::size_t i : task.elements) {

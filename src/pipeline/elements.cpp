@@ -124,7 +124,7 @@ std::vector<MeshTask> meshTasks(std::vector<ElementResult>& elements, const std:
       if (is_new) tasks.push_back({file, std::filesystem::file_size(file), {}, times[file]});
       tasks[place->second].elements.push_back(i);
     } catch (...) {
-      fail(row);
+      fail(elements[i]);
     }
   }
   std::stable_sort(tasks.begin(), tasks.end(), [](const MeshTask& a, const MeshTask& b) { return a.bytes > b.bytes; });
@@ -137,21 +137,29 @@ void expectUnchanged(const MeshTask& task) {
   throw Error(ErrorCode::kFileNotFound, "'" + task.file + "' was changed or removed while it was read; run again when it is finished");
 }
 
-void fail(ElementReport& row) {
+void fail(ElementResult& element, const std::string& error, const std::string& reason) {
+  element.hulls.clear();
+  element.primitives.clear();
+  element.unneeded.clear();
+  ElementReport& row = element.report;
   row.status = Status::kFailed;
-  row.error = name(ErrorCode::kInternal);
+  row.error = error;
+  row.reason = reason;
   row.hulls = row.hull_vertices = 0;  // nothing is written
+}
+
+void fail(ElementResult& element) {
   try {
     throw;
   } catch (const Error& e) {
     if (e.code() == ErrorCode::kCancelled) throw;
-    row.error = name(e.code());
-    row.reason = e.what();
+    fail(element, name(e.code()), e.what());
   } catch (const std::bad_alloc&) {
-    row.reason =
-        "out of memory for a mesh of " + std::to_string(row.triangles) + " triangles; use fewer jobs, a larger tolerance or a coarser mesh";
+    fail(element, name(ErrorCode::kInternal),
+         "out of memory for a mesh of " + std::to_string(element.report.triangles) +
+             " triangles; use fewer jobs, a larger tolerance or a coarser mesh");
   } catch (const std::exception& e) {
-    row.reason = e.what();
+    fail(element, name(ErrorCode::kInternal), e.what());
   }
 }
 

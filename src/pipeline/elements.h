@@ -44,7 +44,10 @@ std::vector<MeshTask> meshTasks(std::vector<ElementResult>& elements, const std:
 /// Throws kFileNotFound where a task's file is no longer the one that its sha256 was taken of: its result would stand under a wrong name.
 void expectUnchanged(const MeshTask& task);
 
-/// Marks a row as failed for the exception that is being handled; throws it again where it is kCancelled.
-void fail(ElementReport& row);
+/// Marks an element as failed, by an error's name; hulls that it has are none of the result.
+void fail(ElementResult& element, const std::string& error, const std::string& reason);
+
+/// The same for the exception that is being handled; throws it again where it is kCancelled.
+void fail(ElementResult& element);
 
 }  // namespace collision_hulls

@@ -61,7 +61,7 @@ FitMeshes fitMeshes(const std::vector<MeshTask>& tasks, const Options& options, 
     try {
       meshes[first] = fitMesh(tasks[i], options, cache, control, elements[first]);
     } catch (...) {
-      fail(elements[first].report);
+      fail(elements[first]);
     }
     progress.taskDone(i);
     for (const std::size_t element : tasks[i].elements) {
@@ -71,6 +71,20 @@ FitMeshes fitMeshes(const std::vector<MeshTask>& tasks, const Options& options, 
     }
   });
   return meshes;
+}
+
+/// A link is fitted as a whole, so that one mesh that failed keeps the others of its link as they are.
+void failSiblings(FitMeshes& meshes, std::vector<ElementResult>& elements) {
+  std::map<std::string, const ElementReport*> failed;  // by link: the first such mesh
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (!meshes[i]) failed.emplace(elements[i].report.link, &elements[i].report);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const auto sibling = failed.find(elements[i].report.link);
+    if (!meshes[i] || sibling == failed.end()) continue;
+    meshes[i] = nullptr;
+    fail(elements[i], sibling->second->error,
+         "'" + sibling->second->uri + "' of the same link failed, and a link is fitted as a whole; mend that one");
+  }
 }
 
 /// The primitives of the links that meshes are fitted on, or that have no mesh at all. Dummies without a size are none.
@@ -135,6 +149,7 @@ void tellOfPrimitive(const ElementResult& element, Protrusion& found) {
   if (of_primitive < 0) return;
   found.where = nearestPoint(element.primitives[static_cast<std::size_t>(of_primitive)], found.where);
   found.found = element.solid->distance(found.where);
+  found.nearest = found.found > 0 ? element.solid->surface().nearest(found.where).point : found.where;
 }
 
 /// 4. Certify the hulls as written.
@@ -181,7 +196,7 @@ void certifyAll(const FitMeshes& meshes, const SceneFit& fit, const std::vector<
     try {
       certify(*meshes[indices[groups[g].front()]], fit.elements[groups[g].front()], control, first);
     } catch (...) {
-      fail(first.report);
+      fail(first);
     }
     for (const std::size_t i : groups[g])
       if (i != groups[g].front()) copyResult(first, elements[indices[i]]);
@@ -219,22 +234,27 @@ void refuseOtherWays(const Options& options) {
 
 }  // namespace
 
-SceneRequest readSceneRequest(const Input& input, const std::string& scene, const std::string& srdf, const std::string& configurations,
-                              const std::string& srdf_file) {
+SceneRequest readSceneRequest(const Input& input, const SceneSources& sources) {
+  if (sources.max_step != 0 && sources.configurations.empty())
+    throw Error(ErrorCode::kBadOption,
+                "max-step '" + std::to_string(sources.max_step) + "' is for given configurations, between which others are put; give some");
   SceneRequest request;
-  if (!scene.empty()) request.scene = readScene(scene, input.find_package);
-  if (!srdf.empty()) {
-    DisabledPairs disabled = parseDisabledPairs(srdf, input.robot, srdf_file);
+  if (!sources.scene.empty()) request.scene = readScene(sources.scene, input.find_package);
+  if (!sources.srdf.empty() || !sources.srdf_file.empty()) {
+    DisabledPairs disabled = parseDisabledPairs(sources.srdf, input.robot, sources.srdf_file);
     request.disabled = std::move(disabled.pairs);
     request.notes = std::move(disabled.notes);
   }
-  if (!configurations.empty())
-    giveConfigurations(readConfigurations(configurations, Kinematics(input.robot), givenConfigurations()), request);
+  if (!sources.configurations.empty()) {
+    const ConfigurationOptions options = givenConfigurations(sources.max_step);
+    giveConfigurations(readConfigurations(sources.configurations, Kinematics(input.robot), options), request);
+  }
   return request;
 }
 
-ConfigurationOptions givenConfigurations() {
+ConfigurationOptions givenConfigurations(double max_step) {
   ConfigurationOptions options;
+  options.max_step = max_step;
   options.refuse_beyond_limits = true;
   return options;
 }
@@ -265,7 +285,11 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
     const Stretch certifying(control, kTreesShare + kFitShare, kTreesShare + kFitShare + kCertifyShare);
     const Stretch validating(control, kTreesShare + kFitShare + kCertifyShare, 1);
     Progress progress(trees, step, tasks.size(), elements.size());
-    const FitMeshes meshes = fitMeshes(tasks, options, cache, progress, elements);
+    for (const ElementResult& element : elements) {
+      if (element.report.status == Status::kFailed) progress.finished(element.report.link, 0);
+    }
+    FitMeshes meshes = fitMeshes(tasks, options, cache, progress, elements);
+    failSiblings(meshes, elements);
     std::vector<std::size_t> indices;
     const FitProblem problem = problemOf(robot, request, options, elements, meshes, indices, notes);
     if (problem.elements.empty()) return;  // each mesh failed, or another one of its link

@@ -11,9 +11,11 @@
 #include <cmath>
 #include <filesystem>
 #include <sstream>
+#include <stdexcept>
 #include <vector>
 
 #include "collision_hulls/error.h"
+#include "waiting.h"
 
 namespace collision_hulls {
 namespace {
@@ -42,10 +44,10 @@ std::pair<std::string, std::string> bagAndTopic(const std::string& source) {
   return endsWith(file, kBag) ? std::pair(file, topic) : std::pair(std::string(), std::string());
 }
 
-ConfigurationSet collected(const JointStates& states, const std::string& source, const Kinematics& kinematics,
+ConfigurationSet collected(const JointStates& states, const std::string& source, const std::string& or_else, const Kinematics& kinematics,
                            const ConfigurationOptions& options) {
   if (states.empty())
-    throw Error(ErrorCode::kBadConfigurations, "'" + source + "' has no message of " + kType + "; give one that has, or wait longer");
+    throw Error(ErrorCode::kBadConfigurations, "'" + source + "' has no message of " + kType + "; give one that has" + or_else);
   ConfigurationCollector collector(kinematics, options);
   for (std::size_t i = 0; i < states.size(); ++i)
     collector.add(states[i]->name, states[i]->position, "'" + source + "', message " + std::to_string(i + 1));
@@ -60,7 +62,10 @@ JointStates fromBag(const std::string& file, const std::string& topic) {
     rosbag::View view(bag, [&](const rosbag::ConnectionInfo* connection) {
       return connection->datatype == kType && (topic.empty() || connection->topic == topic);
     });
-    for (const rosbag::MessageInstance& message : view) states.push_back(message.instantiate<sensor_msgs::JointState>());
+    for (const rosbag::MessageInstance& message : view) {
+      states.push_back(message.instantiate<sensor_msgs::JointState>());
+      if (!states.back()) throw std::runtime_error("topic " + message.getTopic() + " has another version of " + kType);
+    }
   } catch (const std::exception& error) {  // rosbag's own errors, and those of damaged lengths
     throw Error(ErrorCode::kBadConfigurations, "'" + file + "' cannot be read: " + error.what() + "; 'rosbag reindex' may mend it");
   }
@@ -95,11 +100,11 @@ JointStates fromTopic(const std::string& topic, double seconds, const RunControl
   node.setCallbackQueue(&queue);
   const boost::function<void(const sensor_msgs::JointStateConstPtr&)> keep = [&](const auto& state) { states.push_back(state); };
   const ros::Subscriber subscriber = node.subscribe<sensor_msgs::JointState>(topic, kQueue, keep);
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
-  while (ros::ok() && ros::WallTime::now() < end) {
-    control.check();
-    queue.callAvailable(ros::WallDuration(0.05));
-  }
+  const auto take = [&] {
+    queue.callAvailable();
+    return false;
+  };
+  waitFor(take, seconds, control);
   return states;
 }
 
@@ -109,12 +114,12 @@ bool areJointStates(const std::string& source) {
   return source.compare(0, kTopic.size(), kTopic) == 0 || !bagAndTopic(source).first.empty();
 }
 
-ConfigurationSet readJointStates(const std::string& source, const Kinematics& kinematics, const ConfigurationOptions& options,
-                                 const RunControl& control) {
+ConfigurationSet readJointStates(const std::string& source, const std::function<std::string(const std::string&)>& path,
+                                 const Kinematics& kinematics, const ConfigurationOptions& options, const RunControl& control) {
   const auto [file, bag_topic] = bagAndTopic(source);
-  if (!file.empty()) return collected(fromBag(file, bag_topic), source, kinematics, options);
+  if (!file.empty()) return collected(fromBag(path(file), bag_topic), source, "", kinematics, options);
   const auto [topic, seconds] = parts(source.substr(kTopic.size()));
-  return collected(fromTopic(topic, secondsOf(seconds, source), control), source, kinematics, options);
+  return collected(fromTopic(topic, secondsOf(seconds, source), control), source, ", or more seconds", kinematics, options);
 }
 
 }  // namespace collision_hulls

@@ -1,14 +1,15 @@
 #include "live_scene.h"
 
+#include <ros/callback_queue.h>
 #include <ros/master.h>
 #include <ros/service.h>
-#include <ros/topic.h>
 
 #include <algorithm>
 #include <functional>
 #include <map>
 
 #include "collision_hulls/error.h"
+#include "waiting.h"
 #ifdef COLLISION_HULLS_MOVEIT_MSGS
 #include <moveit_msgs/GetPlanningScene.h>
 
@@ -22,9 +23,9 @@ namespace collision_hulls {
 namespace {
 
 const std::string kTopic = "topic:", kService = "service:";
-const ros::Duration kPatience(10);
+constexpr double kPatience = 10;  // [s]
 
-using Reader = std::function<Scene(const std::string& name, const std::string& root_link)>;
+using Reader = std::function<Scene(const std::string& name, const std::string& root_link, const RunControl& control)>;
 
 /// Of messages that can be read, or could be if their package had been there: those have none.
 struct Kind {
@@ -37,9 +38,18 @@ struct Kind {
 }
 
 template <class Message>
-Scene fromTopic(const std::string& name, const std::string& root_link) {
-  const auto message = ros::topic::waitForMessage<Message>(name, kPatience);
-  if (!message) fail(kTopic + name, "sent no message within 10 s; let its node publish one, or latch it");
+Scene fromTopic(const std::string& name, const std::string& root_link, const RunControl& control) {
+  typename Message::ConstPtr message;
+  ros::CallbackQueue queue;  // of its own: the node's threads may all be busy
+  ros::NodeHandle node;
+  node.setCallbackQueue(&queue);
+  const boost::function<void(const typename Message::ConstPtr&)> keep = [&](const typename Message::ConstPtr& it) { message = it; };
+  const ros::Subscriber subscriber = node.subscribe<Message>(name, 1, keep);
+  const auto has_come = [&] {
+    queue.callAvailable();
+    return message != nullptr;
+  };
+  if (!waitFor(has_come, kPatience, control)) fail(kTopic + name, "sent no message within 10 s; let its node publish one, or latch it");
   return toScene(*message, root_link);
 }
 
@@ -59,7 +69,7 @@ std::map<std::string, Kind> topicKinds() {
                    ", or put its source into the workspace, and build again. Scenes in files need no other package");
 }
 
-Scene readTopic(const std::string& name, const std::string& root_link) {
+Scene readTopic(const std::string& name, const std::string& root_link, const RunControl& control) {
   ros::master::V_TopicInfo topics;
   ros::master::getTopics(topics);
   const auto topic = std::find_if(topics.begin(), topics.end(), [&](const auto& info) { return info.name == name; });
@@ -69,21 +79,22 @@ Scene readTopic(const std::string& name, const std::string& root_link) {
   if (kind == kinds.end())
     fail(kTopic + name, "is a " + topic->datatype + "; those that are read are moveit_msgs/PlanningScene and octomap_msgs/Octomap");
   if (!kind->second.read) failWithout(kTopic + name, kind->second.package);
-  return kind->second.read(name, root_link);
+  return kind->second.read(name, root_link, control);
 }
 
 #ifdef COLLISION_HULLS_MOVEIT_MSGS
-Scene readService(const std::string& name, const std::string& root_link) {
+Scene readService(const std::string& name, const std::string& root_link, const RunControl& control) {
   moveit_msgs::GetPlanningScene call;
   using Components = moveit_msgs::PlanningSceneComponents;
   call.request.components.components = Components::SCENE_SETTINGS | Components::ROBOT_STATE | Components::WORLD_OBJECT_NAMES |
                                        Components::WORLD_OBJECT_GEOMETRY | Components::OCTOMAP | Components::TRANSFORMS;
-  if (!ros::service::waitForService(name, kPatience)) fail(kService + name, "is not there; start move_group, or give the name in full");
+  const auto is_there = [&] { return ros::service::exists(name, false); };
+  if (!waitFor(is_there, kPatience, control)) fail(kService + name, "is not there; start move_group, or give the name in full");
   if (!ros::service::call(name, call)) fail(kService + name, "did not answer; it has to be a moveit_msgs/GetPlanningScene");
   return toScene(call.response.scene, root_link);
 }
 #else
-Scene readService(const std::string& name, const std::string&) {
+Scene readService(const std::string& name, const std::string&, const RunControl&) {
   failWithout(kService + name, "moveit_msgs");
 }
 #endif
@@ -98,10 +109,10 @@ bool isLive(const std::string& source) {
   return beginsWith(source, kTopic) || beginsWith(source, kService);
 }
 
-Scene liveScene(const std::string& source, const std::string& root_link) {
+Scene liveScene(const std::string& source, const std::string& root_link, const RunControl& control) {
   const bool topic = beginsWith(source, kTopic);
   const std::string name = source.substr((topic ? kTopic : kService).size());
-  Scene scene = topic ? readTopic(name, root_link) : readService(name, root_link);
+  Scene scene = topic ? readTopic(name, root_link, control) : readService(name, root_link, control);
   if (scene.name.empty()) scene.name = name;
   return scene;
 }

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/scene/scene.h"
 
 namespace collision_hulls {
@@ -16,7 +17,8 @@ bool isLive(const std::string& source);
 ///   service:NAME    moveit_msgs/GetPlanningScene, as MoveIt's move_group has at /get_planning_scene
 ///
 /// Waits for 10 s. Throws kBadOption where nobody publishes or serves it, for a message of another type, and for one whose package was not
-/// there when this was built; kBadScene for what is no scene, or stands in a frame that the message does not tell from the root link's.
-Scene liveScene(const std::string& source, const std::string& root_link);
+/// there when this was built; kBadScene for what is no scene, or stands in a frame that the message does not tell from the root link's;
+/// kCancelled.
+Scene liveScene(const std::string& source, const std::string& root_link, const RunControl& control = {});
 
 }  // namespace collision_hulls

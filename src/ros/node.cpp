@@ -50,6 +50,19 @@ DecomposeRequest toRequest(const FitSceneRequest& fit) {
   return request;
 }
 
+/// What a job comes to, or why it failed.
+template <typename Response>
+Response answer(const std::function<Response()>& job) {
+  try {
+    return job();
+  } catch (const std::exception& error) {
+    ROS_ERROR("%s", error.what());
+    Response response;
+    response.message = error.what();
+    return response;
+  }
+}
+
 /// Writes the result. The fields that both responses have.
 template <typename Response>
 Response written(RobotResult& result, const std::string& output, const RunControl& control) {
@@ -123,12 +136,14 @@ void Node::serveOne(const std::function<void(const RunControl&)>& work, std::str
 }
 
 bool Node::serve(DecomposeRequest& request, DecomposeResponse& response) {
-  serveOne([&](const RunControl& control) { response = answer(request, control, {}); }, response.message);
+  serveOne([&](const RunControl& control) { response = answer<DecomposeResponse>([&] { return decompose(request, control, {}); }); },
+           response.message);
   return true;
 }
 
 bool Node::serveFit(FitSceneRequest& request, FitSceneResponse& response) {
-  serveOne([&](const RunControl& control) { response = answerFit(request, control); }, response.message);
+  serveOne([&](const RunControl& control) { response = answer<FitSceneResponse>([&] { return fit(request, control); }); },
+           response.message);
   return true;
 }
 
@@ -138,7 +153,8 @@ void Node::pursue(GoalHandle goal) {
   const auto work = [=](const RunControl& control) mutable {
     goal.setAccepted();
     if (goal.getGoalStatus().status == actionlib_msgs::GoalStatus::PREEMPTING) control.cancel();  // it came before the job began
-    *response = answer(toRequest(*goal.getGoal()), control, [&](const Step& step) { goal.publishFeedback(toMessage(step)); });
+    const auto feedback = [&](const Step& step) { goal.publishFeedback(toMessage(step)); };
+    *response = answer<DecomposeResponse>([&] { return decompose(toRequest(*goal.getGoal()), control, feedback); });
     *cancelled = control.cancelled() && response->urdf_path.empty();
   };
   const auto reply = [=]() mutable {
@@ -156,19 +172,8 @@ void Node::pursue(GoalHandle goal) {
 }
 
 void Node::decomposeAtStart() {
-  const auto work = [this](const RunControl& control) { answer({}, control, {}); };
+  const auto work = [this](const RunControl& control) { answer<DecomposeResponse>([&] { return decompose({}, control, {}); }); };
   worker_.start({kStartUp, work, [] {}});
-}
-
-DecomposeResponse Node::answer(const DecomposeRequest& request, const RunControl& control, const StepCallback& step) const {
-  try {
-    return decompose(request, control, step);
-  } catch (const std::exception& error) {
-    ROS_ERROR("%s", error.what());
-    DecomposeResponse response;
-    response.message = error.what();
-    return response;
-  }
 }
 
 DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunControl& control, const StepCallback& step) const {
@@ -184,23 +189,15 @@ DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunCont
   return response;
 }
 
-FitSceneResponse Node::answerFit(const FitSceneRequest& request, const RunControl& control) const {
-  try {
-    return fit(request, control);
-  } catch (const std::exception& error) {
-    ROS_ERROR("%s", error.what());
-    FitSceneResponse response;
-    response.message = error.what();
-    return response;
-  }
-}
-
 FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& control) const {
   const RobotDescription robot = readRobot(request.robot_description, readText(private_, "base"));
-  const Options options = requestedOptions(readOptions(private_), toRequest(request), robot);
+  Options own = readOptions(private_);
+  own.method = Method::kCertified;  // whatever other requests are answered by
+  own.tree.reset();
+  const Options options = requestedOptions(own, toRequest(request), robot);
   const Input input{Input::Kind::kRobot, "", robot, packageFinder(robot.path)};
-  const SceneRequest scene = requestedScene(request, input, control);
   const std::string output = outputFor(request.output, input);
+  const SceneRequest scene = requestedScene(request, input, control);
 
   RobotResult result = fitRobotToScene(robot, input.find_package, scene, options, output, control);
   FitSceneResponse response = written<FitSceneResponse>(result, output, control);

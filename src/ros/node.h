@@ -38,10 +38,8 @@ class Node {
   void decomposeAtStart();
   std::string busy() const;
 
-  /// The whole job, all errors caught and turned into an answer.
-  DecomposeResponse answer(const DecomposeRequest& request, const RunControl& control, const StepCallback& step) const;
+  /// The whole jobs. Throw what is wrong.
   DecomposeResponse decompose(const DecomposeRequest& request, const RunControl& control, const StepCallback& step) const;
-  FitSceneResponse answerFit(const FitSceneRequest& request, const RunControl& control) const;
   FitSceneResponse fit(const FitSceneRequest& request, const RunControl& control) const;
   std::string outputFor(const std::string& requested, const Input& input) const;
   RobotDescription readRobot(const std::string& text, const std::string& base) const;

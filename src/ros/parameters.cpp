@@ -47,18 +47,12 @@ void readNamed(const ros::NodeHandle& node, const std::string& name, std::option
   if (!text.empty()) value = named(parse, "parameter " + node.resolveName(name), text, choices);
 }
 
-std::string methodChoices() {
-  std::string choices;
-  for (const Method method : allMethods()) choices += (choices.empty() ? "" : ", ") + std::string(name(method));
-  return choices;
-}
-
 /// YAML reads "1%" as a text, 0.005 as a number and 1 as a whole one.
 Length readLength(const ros::NodeHandle& node, const std::string& name, const Length& fallback) {
   double metres = 0;
   if (node.getParam(name, metres)) return {metres, false};
   const std::string text = readText(node, name);
-  return text.empty() ? fallback : parseLength(text);
+  return text.empty() ? fallback : parseLength(text, "parameter " + node.resolveName(name));
 }
 
 std::string escaped(const std::string& text) {
@@ -147,14 +141,22 @@ SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, 
   if (request.scene.empty()) throw Error(ErrorCode::kBadOption, "scene is empty: give the file of a scene, or topic:NAME");
   if (request.samples < 0)
     throw Error(ErrorCode::kBadOption, "samples is " + std::to_string(request.samples) + ": give a number from 1, or 0 for the default");
+  FitOptions fit;
+  fit.clearance = request.clearance;
+  check(fit);  // before anything that takes long
   const auto file = [&](const std::string& uri) { return uri.empty() ? "" : resolveUri(uri, input.robot.path, input.find_package); };
   const bool live = isLive(request.scene), joint_states = areJointStates(request.configurations);
-  SceneRequest scene =
-      readSceneRequest(input, live ? "" : file(request.scene), request.srdf, joint_states ? "" : file(request.configurations));
-  if (live) scene.scene = liveScene(request.scene, rootLink(input.robot));
+  SceneSources sources;
+  if (!live) sources.scene = file(request.scene);
+  sources.srdf = request.srdf;
+  if (!joint_states) sources.configurations = file(request.configurations), sources.max_step = request.max_step;
+  SceneRequest scene = readSceneRequest(input, sources);
+  if (live) scene.scene = liveScene(request.scene, rootLink(input.robot), control);
   if (joint_states)
-    giveConfigurations(readJointStates(request.configurations, Kinematics(input.robot), givenConfigurations(), control), scene);
+    giveConfigurations(
+        readJointStates(request.configurations, file, Kinematics(input.robot), givenConfigurations(request.max_step), control), scene);
   scene.clearance = request.clearance;
+  scene.primitives = !request.hulls_only;
   if (request.samples > 0) scene.samples = static_cast<std::size_t>(request.samples);
   return scene;
 }

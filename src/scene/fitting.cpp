@@ -145,14 +145,25 @@ void Fitting::fitAll() {
 /// more.
 void Fitting::usePrimitives() {
   cuts_ = assembly_.cheapest(hull_cuts_);
-  for (int round = 0; round < kMostRounds && refute(asked_) > 0; ++round) control_.check();
+  Cuts before;
+  for (int round = 0; round < kMostRounds && before != cuts_; ++round) {
+    before = cuts_;
+    refute(asked_);
+  }
 }
 
-/// 6. Until a batch has no counterexample. Its samples are independent, since a rate is concluded from them.
+/// 6. Until a batch has no counterexample, or none that opening could cure. Its samples are independent, since a rate is concluded from
+/// them; so nothing is learned from the last batch, whatever it shows.
 void Fitting::verify() {
   next_ = std::max(next_, Assembly::kIndependentFrom);
-  for (int round = 0; round < kMostRounds; ++round)
-    if (cureBatch(options_.samples) == 0) return;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const Cuts hulls = hull_cuts_, all = cuts_;
+    cureBatch(options_.samples);
+    if (hulls == hull_cuts_ && all == cuts_) return;
+  }
+  if (!problem_.configurations.empty()) return;
+  verified_from_ = next_;
+  next_ += options_.samples;
 }
 
 void Fitting::run() {

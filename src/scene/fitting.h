@@ -35,7 +35,7 @@ class Fitting {
 
   const Cuts& cuts() const { return options_.primitives ? cuts_ : hull_cuts_; }
   const Cuts& hullCuts() const { return hull_cuts_; }          ///< with hulls in the primitives' places
-  std::size_t verifiedFrom() const { return verified_from_; }  ///< the first sample of the batch that had no counterexample
+  std::size_t verifiedFrom() const { return verified_from_; }  ///< the first sample of the last batch, of which nothing was learned
   std::size_t asked() const { return asked_.size(); }
   std::size_t cured() const { return cured_; }
   const std::vector<Contact>& leafContacts() const { return leaves_; }  ///< that stayed in the last batch

@@ -4,9 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
+#include "bench/csv_file.h"
 #include "bench/cuts.h"
 #include "bench/jobs.h"
 #include "bench/machine.h"
@@ -111,11 +111,10 @@ void writeMachine(const Command& command) {
 
 std::vector<BenchmarkRow> measureMethods(const Command& command, const std::vector<BenchmarkMesh>& meshes) {
   std::vector<BenchmarkRow> rows;
-  std::ofstream csv(fs::path(command.options.folder) / "benchmark.csv", std::ios::trunc);
-  csv << benchmarkHeader();
+  CsvFile csv(fs::path(command.options.folder) / "benchmark.csv", benchmarkHeader());
   runBenchmark(meshes, command.options, [&](const BenchmarkRow& row) {
     rows.push_back(row);
-    csv << toCsv(row) << std::flush;
+    csv.add(toCsv(row));
     std::cerr << summary(row) << "\n";
   });
   return rows;
@@ -123,23 +122,20 @@ std::vector<BenchmarkRow> measureMethods(const Command& command, const std::vect
 
 void measureQueries(const Command& command, const BenchmarkInputs& inputs, const std::vector<BenchmarkRow>& rows) {
   const BenchmarkOptions& options = command.options;
-  std::ofstream csv(fs::path(options.folder) / "queries.csv", std::ios::trunc);
-  csv << queryHeader();
+  CsvFile csv(fs::path(options.folder) / "queries.csv", queryHeader());
   QueryOptions queries;
   queries.seed = options.seed;
   queries.program = options.program;
   queries.folder = options.folder;
   runQueries(inputs, rows, queries, [&](const QueryRow& row) {
-    csv << toCsv(row) << std::flush;
+    csv.add(toCsv(row));
     std::cerr << summary(row) << "\n";
   });
 }
 
 void measureTrees(const Command& command, const std::vector<BenchmarkMesh>& meshes) {
-  std::ofstream csv(fs::path(command.options.folder) / "cuts.csv", std::ios::trunc);
-  csv << cutHeader();
-  runCuts(meshes, command.options, command.options.tolerances.front(), command.cuts,
-          [&](const CutRow& row) { csv << toCsv(row) << std::flush; });
+  CsvFile csv(fs::path(command.options.folder) / "cuts.csv", cutHeader());
+  runCuts(meshes, command.options, command.options.tolerances.front(), command.cuts, [&](const CutRow& row) { csv.add(toCsv(row)); });
 }
 
 int run(Command& command) {

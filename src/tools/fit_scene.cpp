@@ -3,6 +3,7 @@
 
 #include "bench/table.h"
 #include "pipeline/files.h"
+#include "robot/text_file.h"
 #include "robot_program.h"
 #include "scene/reading.h"
 
@@ -38,6 +39,7 @@ struct SceneCommand {
   RobotCommand robot;
   std::string scene, clearance, configurations, srdf, compare;
   int samples = 10000;
+  double max_step = 0;
   bool hulls_only = false;
 };
 
@@ -45,13 +47,19 @@ void addOptions(CLI::App& app, SceneCommand& command) {
   const auto add = [&](const std::string& name, auto& value, const std::string& type, const std::string& help) {
     return app.add_option(name, value, help)->type_name(type)->group("Scene");
   };
-  add("--scene", command.scene, "FILE", "What stands around the robot: .scene (MoveIt), .urdf, .sdf, .yaml, or a mesh")->required();
+  const auto addFile = [&](const std::string& name, std::string& file, const std::string& help) {
+    return add(name, file, "FILE", help)->check(notEmpty("a file"));
+  };
+  addFile("--scene", command.scene,
+          "What stands around the robot: .scene (MoveIt), .urdf, .xacro, .sdf, .world, .yaml, .bt or .ot (OctoMap), or a mesh")
+      ->required();
   add("--clearance", command.clearance, "LENGTH", "Where the robot keeps this distance the model has to be free: 2cm, 0.02")->required();
   add("--samples", command.samples, "N [10000]", "Fresh configurations that verify the model");
-  add("--configurations", command.configurations, "FILE", "Fit to these alone: .csv, or .yaml of joint states or a trajectory");
-  add("--srdf", command.srdf, "FILE", "Pairs of links that are not looked at");
+  addFile("--configurations", command.configurations, "Fit to these alone: .csv, or .yaml of joint states or a trajectory");
+  add("--max-step", command.max_step, "STEP", "Look between given configurations, too: no joint moves further in a step [rad or m]");
+  addFile("--srdf", command.srdf, "Pairs of links that are not looked at");
   app.add_flag("--hulls-only", command.hulls_only, "No spheres, boxes or cylinders in place of hulls")->group("Scene");
-  add("--compare", command.compare, "FILE", "Measure single hulls and uniform tolerances beside the fitted model, into this CSV");
+  addFile("--compare", command.compare, "Measure single hulls and uniform tolerances beside the fitted model, into this CSV");
   addRobotOptions(app, "A ROS package, or a .urdf or .xacro file", command.robot);
 }
 
@@ -70,11 +78,9 @@ SceneRequest requestOf(const SceneCommand& command, const Input& input) {
     throw Error(ErrorCode::kBadOption, "'" + input.path + "' is a mesh; only a robot, whose joints move, is fitted to a scene");
   if (command.samples <= 0)
     throw Error(ErrorCode::kBadOption, "--samples '" + std::to_string(command.samples) + "' is not understood: it takes a number above 0");
-  const std::string srdf = command.srdf.empty() ? "" : readText(command.srdf);
-  if (!command.srdf.empty() && srdf.empty())
-    throw Error(ErrorCode::kFileNotFound, "'" + command.srdf + "' is empty or cannot be read; --srdf takes an SRDF file");
+  const std::string srdf = command.srdf.empty() ? "" : readTextFile(command.srdf, ".srdf file");
   const double clearance = clearanceOf(command.clearance);
-  SceneRequest request = readSceneRequest(input, command.scene, srdf, command.configurations, command.srdf);
+  SceneRequest request = readSceneRequest(input, {command.scene, srdf, command.srdf, command.configurations, command.max_step});
   request.clearance = clearance;
   request.samples = static_cast<std::size_t>(command.samples);
   request.compare = !command.compare.empty();
@@ -90,10 +96,10 @@ int main(int argc, char** argv) {
   addOptions(app, command);
   std::string comparison;
   const RobotWork work = [&](const Input& input, const std::string& output, const RunControl& control, const StepCallback& step) {
-    if (!command.compare.empty()) inContext("--compare", [&] { checkNamedFile(command.compare); });
+    if (!command.compare.empty()) inContext("--compare", [&] { checkBeside(command.compare, output); });
     const SceneRequest request = requestOf(command, input);
     RobotResult result = fitRobotToScene(input.robot, input.find_package, request, command.robot.options, output, control, step);
-    if (request.compare) comparison = comparisonCsv(result.robot_name, *result.report.scene);
+    if (request.compare && result.report.scene) comparison = comparisonCsv(result.robot_name, *result.report.scene);
     return result;
   };
   return runRobotProgram(app, argc, argv, [&] {

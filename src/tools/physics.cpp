@@ -3,9 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
+#include "bench/csv_file.h"
 #include "decompose_options.h"
 #include "list_options.h"
 #include "measuring_program.h"
@@ -63,19 +63,17 @@ void interpret(Command& command) {
 
 void dropAll(const Command& command) {
   const std::vector<BenchmarkMesh> meshes = benchmarkMeshes(command.inputs);
-  std::ofstream csv(fs::path(command.options.folder) / "physics.csv", std::ios::trunc);
-  csv << physicsHeader();
+  CsvFile csv(fs::path(command.options.folder) / "physics.csv", physicsHeader());
   runDrops(meshes, command.options, [&](const PhysicsRow& row) {
-    csv << toCsv(row) << std::flush;
+    csv.add(toCsv(row));
     std::cerr << row.mesh << " " << row.method << " " << row.way << " " << row.pose << ": " << row.outcome << " " << row.message << "\n";
   });
 }
 
 void gripAll(const Command& command) {
-  std::ofstream csv(fs::path(command.options.folder) / "grip.csv", std::ios::trunc);
-  csv << gripHeader();
+  CsvFile csv(fs::path(command.options.folder) / "grip.csv", gripHeader());
   runGrips(command.robot, command.options, [&](const GripRow& row) {
-    csv << toCsv(row) << std::flush;
+    csv.add(toCsv(row));
     std::cerr << row.robot << " " << row.method << ": " << row.outcome << " " << row.message << "\n";
   });
 }

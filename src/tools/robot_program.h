@@ -25,15 +25,21 @@ struct RobotCommand {
   Options options;
 };
 
+/// Refuses "", as of a shell's variable that is not set.
+inline CLI::Validator notEmpty(const std::string& expected) {
+  return CLI::Validator([=](const std::string& text) { return text.empty() ? "takes " + expected : std::string(); }, "");
+}
+
 /// Input, output, report and the options of a decomposition.
 inline void addRobotOptions(CLI::App& app, const std::string& input, RobotCommand& command) {
   app.add_option("INPUT", command.input, input)->type_name("")->required();
   app.add_option("-o,--output", command.output, "Output folder; default ./<robot>_collision. An earlier output there is replaced")
       ->type_name("DIR")
-      ->check(CLI::Validator([](const std::string& folder) { return folder.empty() ? "takes a folder" : ""; }, ""))
+      ->check(notEmpty("a folder"))
       ->group("Output");
   app.add_option("--json", command.json, "Write the report to this file as well; - is standard output, without the table")
       ->type_name("FILE")
+      ->check(notEmpty("a file, or - for standard output"))
       ->group("Output");
   app.add_flag("--quiet", command.quiet, "Print errors only")->group("Output");
   app.add_flag_callback(
@@ -74,14 +80,14 @@ inline bool isFile(const std::string& json) {
   return !json.empty() && json != "-";
 }
 
-/// An output folder holds nothing but the output, which has a report anyway.
-inline void checkJson(const std::string& json, const std::string& output) {
-  const std::filesystem::path within =
-      std::filesystem::weakly_canonical(json).lexically_relative(std::filesystem::weakly_canonical(output));
+/// An output folder holds nothing but the output.
+inline void checkBeside(const std::string& file, const std::string& output) {
+  const auto real = [](const std::string& path) { return std::filesystem::weakly_canonical(std::filesystem::absolute(path)); };
+  const std::filesystem::path within = real(file).lexically_relative(real(output));
   if (!within.empty() && *within.begin() != "..")
     throw Error(ErrorCode::kBadOption,
-                "'" + json + "' lies in the output folder, which has report.json; give another place, or leave it out");
-  checkNamedFile(json);
+                "'" + file + "' lies in the output folder, which holds nothing else; give another place, or leave it out");
+  checkNamedFile(file);
 }
 
 /// The file that --json names is written also where the output could not be.
@@ -102,7 +108,7 @@ using RobotWork =
 
 /// Reads the input, works, writes, and prints the report. The exit status.
 inline int runRobotCommand(const RobotCommand& command, const RobotWork& work) {
-  RunControl control;
+  static RunControl control;  // a signal may come until the program ends
   ProgressDisplay display(command.quiet);
   control.progress = [&](double fraction) { display.fraction(fraction); };
   cancelOnSignals(control);
@@ -117,7 +123,7 @@ inline int runRobotCommand(const RobotCommand& command, const RobotWork& work) {
                 "links '" + command.options.links + "': '" + input.path + "' is a mesh, which has none; leave it out");
   const std::string output = command.output.empty() ? defaultOutput(input) : command.output;
   checkOutput(output);
-  if (isFile(command.json)) inContext("--json", [&] { checkJson(command.json, output); });
+  if (isFile(command.json)) inContext("--json", [&] { checkBeside(command.json, output); });
   RobotResult result = work(input, output, control, [&](const Step& step) { display.step(step); });
   display.clear();
   writeEverything(result, command, output, control);

@@ -4,9 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
+#include "bench/csv_file.h"
 #include "bench/fcl_stability.h"
 #include "bench/job_runner.h"
 #include "decompose_options.h"
@@ -110,23 +110,21 @@ std::string summary(const StabilityRow& row) {
 
 void testMethods(const Command& command) {
   const std::vector<BenchmarkMesh> meshes = benchmarkMeshes(command.inputs);
-  std::ofstream csv(fs::path(command.options.folder) / "stability.csv", std::ios::trunc);
-  csv << stabilityHeader();
+  CsvFile csv(fs::path(command.options.folder) / "stability.csv", stabilityHeader());
   runStability(meshes, command.options, [&](const StabilityRow& row) {
-    csv << toCsv(row) << std::flush;
+    csv.add(toCsv(row));
     std::cerr << summary(row) << "\n";
   });
 }
 
 void testFcl(const Command& command) {
-  std::ofstream csv(fs::path(command.options.folder) / "fcl.csv", std::ios::trunc);
-  csv << fclStabilityHeader();
+  CsvFile csv(fs::path(command.options.folder) / "fcl.csv", fclStabilityHeader());
   FclStabilityOptions options;
   options.trials = command.fcl_trials;
   options.seed = command.options.seed;
   options.program = command.options.program;
   options.folder = command.options.folder;
-  runFclStability(options, [&](const FclStabilityRow& row) { csv << toCsv(row) << std::flush; });
+  runFclStability(options, [&](const FclStabilityRow& row) { csv.add(toCsv(row)); });
 }
 
 int run(Command& command) {

@@ -217,6 +217,20 @@ TEST_F(FitRobotToScene, NamesEachMeshWhereAllFail) {
   EXPECT_FALSE(result.report.scene);
 }
 
+TEST_F(FitRobotToScene, ALinkIsFittedAsAWholeOrNotAtAll) {
+  const std::string both = bracket() + collision(fixtures::meshTag("../meshes/rubbish.stl"));
+  const RobotResult result = run(fixtures::link("base", both) + fixtures::link("tip", bracket(), "base"));
+  ASSERT_EQ(result.report.links.size(), 3u);
+  for (const int failed : {0, 1}) {
+    EXPECT_EQ(result.report.links[failed].status, Status::kFailed);
+    EXPECT_NE(result.report.links[failed].reason.find("rubbish.stl"), std::string::npos) << result.report.links[failed].reason;
+    EXPECT_TRUE(result.elements[failed].hulls.empty());
+    EXPECT_TRUE(result.report.links[failed].files.empty());
+  }
+  EXPECT_EQ(result.report.links[2].status, Status::kOk);
+  EXPECT_NE(result.urdf.find("rubbish.stl"), std::string::npos);
+}
+
 TEST_F(FitRobotToScene, PrimitivesWithoutASizeAreLeftOut) {
   const std::string dummy = "    <collision><geometry><box size=\"0 0 0\"/></geometry></collision>\n";
   const RobotResult result = run(fixtures::link("base", bracket()) + fixtures::link("tip", dummy, "base"));
@@ -296,14 +310,26 @@ TEST_F(FitRobotToScene, RequestIsReadFromFiles) {
       "<limit lower='-1' upper='1' effort='1' velocity='1'/></joint></robot>");
   input.find_package = defaultPackageFinder();
   const std::string scene = fixtures::write(folder_ / "scene.yaml", "name: none\nbodies: []\n");
-  const SceneRequest read =
-      readSceneRequest(input, scene, "<robot name='r'><disable_collisions link1='a' link2='b' reason='User'/></robot>",
-                       fixtures::write(folder_ / "path.csv", "j\n0\n0.5\n"));
+  SceneSources sources;
+  sources.scene = scene;
+  sources.srdf = "<robot name='r'><disable_collisions link1='a' link2='b' reason='User'/></robot>";
+  sources.configurations = fixtures::write(folder_ / "path.csv", "j\n0\n0.5\n");
+  const SceneRequest read = readSceneRequest(input, sources);
   EXPECT_EQ(read.scene.name, "none");
   EXPECT_EQ(read.disabled.size(), 1u);
   EXPECT_EQ(read.configurations, (std::vector<Configuration>{{0}, {0.5}}));
-  EXPECT_THROW(readSceneRequest(input, scene, "", fixtures::write(folder_ / "beyond.csv", "j\n2\n")), Error);
-  EXPECT_THROW(readSceneRequest(input, scene, "", fixtures::write(folder_ / "unknown.csv", "elbow\n0\n")), Error);
+  sources.max_step = 0.2;
+  EXPECT_EQ(readSceneRequest(input, sources).configurations.size(), 4u);  // steps of 0.5 / 3
+  for (const char* text : {"j\n2\n", "elbow\n0\n"}) {
+    sources.configurations = fixtures::write(folder_ / "bad.csv", text);
+    EXPECT_THROW(readSceneRequest(input, sources), Error) << text;
+  }
+  sources.configurations.clear();
+  EXPECT_THROW(readSceneRequest(input, sources), Error);  // a step between nothing
+  sources.max_step = 0;
+  sources.srdf.clear();
+  sources.srdf_file = "empty.srdf";
+  EXPECT_THROW(readSceneRequest(input, sources), Error);
 }
 
 }  // namespace

@@ -37,7 +37,9 @@ class JointStates : public ::testing::Test {
     return message;
   }
 
-  ConfigurationSet read(const std::string& source) const { return readJointStates(source, Kinematics(robot_), {}); }
+  ConfigurationSet read(const std::string& source) const {
+    return readJointStates(source, [&](const std::string& file) { return (folder_ / file).string(); }, Kinematics(robot_), {});
+  }
 
   ErrorCode errorOf(const std::string& source, std::string* message = nullptr) const {
     try {
@@ -81,7 +83,8 @@ TEST_F(JointStates, WhatCannotBeRead) {
   EXPECT_EQ(errorOf(rubbish, &message), ErrorCode::kBadConfigurations);
   EXPECT_NE(message.find("rubbish.bag"), std::string::npos) << message;
   rosbag::Bag(empty, rosbag::bagmode::Write).close();
-  EXPECT_EQ(errorOf(empty), ErrorCode::kBadConfigurations);
+  EXPECT_EQ(errorOf(empty, &message), ErrorCode::kBadConfigurations);
+  EXPECT_EQ(message.find("seconds"), std::string::npos) << message;
   EXPECT_EQ(errorOf(recorded() + " /said"), ErrorCode::kBadConfigurations);
   EXPECT_EQ(errorOf("topic:/joint_states soon"), ErrorCode::kBadOption);
   EXPECT_EQ(errorOf("topic:/joint_states -1"), ErrorCode::kBadOption);
@@ -90,6 +93,7 @@ TEST_F(JointStates, WhatCannotBeRead) {
 TEST_F(JointStates, OfABag) {
   const std::string bag = recorded();
   EXPECT_EQ(read(bag + " /joint_states").configurations, (std::vector<Configuration>{{0.1, 0.2}, {0.1, 0.4}}));
+  EXPECT_EQ(read("run.bag").configurations, read(bag).configurations);
   EXPECT_EQ(read(bag).configurations, (std::vector<Configuration>{{0.1, 0.2}, {0.1, 0.4}, {-0.5, 0.4}}));
 }
 

@@ -21,13 +21,20 @@ struct SceneRequest {
   std::vector<Configuration> configurations;  ///< instead of samples of all that the joints allow
 };
 
-/// Reads what is asked for, where it is not empty: a file with a scene, an SRDF's text, and a file with configurations. Throws the readers'
-/// errors, which name `srdf_file` where the SRDF comes from one.
-SceneRequest readSceneRequest(const Input& input, const std::string& scene, const std::string& srdf, const std::string& configurations,
-                              const std::string& srdf_file = "");
+/// What a request is read from; empty: not.
+struct SceneSources {
+  std::string scene;           ///< file
+  std::string srdf;            ///< text
+  std::string srdf_file;       ///< that it comes from, for messages
+  std::string configurations;  ///< file
+  double max_step = 0;         ///< [rad or m] between configurations, see ConfigurationOptions
+};
+
+/// Reads what is asked for. Throws the readers' errors, and kBadOption for a step where no configurations are given.
+SceneRequest readSceneRequest(const Input& input, const SceneSources& sources);
 
 /// How configurations are to be read that are given to a request: beyond the joints' limits nothing is proved, so that they are refused.
-ConfigurationOptions givenConfigurations();
+ConfigurationOptions givenConfigurations(double max_step);
 
 /// Gives them to a request, with the notes on them.
 void giveConfigurations(ConfigurationSet given, SceneRequest& request);

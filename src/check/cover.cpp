@@ -267,10 +267,6 @@ double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
 
 namespace {
 
-bool holds(const ConvexHull& hull, const Eigen::Vector3d& p) {
-  return std::none_of(hull.faces.begin(), hull.faces.end(), [&](const HalfSpace& face) { return face.distance(p) > 0; });
-}
-
 std::vector<Eigen::AlignedBox3d> boxesOf(const std::vector<ConvexHull>& hulls) {
   std::vector<Eigen::AlignedBox3d> boxes;
   for (const ConvexHull& hull : hulls) boxes.push_back(boundingBox(hull));

@@ -19,7 +19,8 @@ constexpr float kSingleRounding = 4e-6F;            // of sums of a few products
 constexpr double kOnFace = 1e-9;                    // a point this far beyond a face, in cells, still lies in the hull
 constexpr std::size_t kMostCellsInAll = 8'000'000;  // then cells are not divided any more
 constexpr int kDeepest = 40;                        // level that isWithin() descends to
-constexpr std::size_t kMostCells = 40000;           // of one size that a search for intruders divides further
+constexpr std::size_t kVisitsBetweenChecks = 1024;
+constexpr std::size_t kMostCells = 40000;  // of one size that a search for intruders divides further
 
 }  // namespace
 
@@ -225,7 +226,7 @@ bool OutsideDistance::isLevelWithin(double distance, int id) {
   return bound.isWithin(distance);
 }
 
-OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const Query& query) {
+OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const Query& query, const RunControl& control) {
   struct Open {
     double bound;
     int cell;
@@ -251,6 +252,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
   look(0, -1, faces.all);
   for (; !queue.empty() && queue.top().bound > enough(); ++result.visits) {
     const Open open = queue.top();
+    if (result.visits % kVisitsBetweenChecks == 0) control.check();
     if (result.visits == query.most_visits) {
       result.bound = std::max(result.bound, open.bound);
       break;

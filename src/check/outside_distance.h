@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "collision_hulls/check/solid.h"
+#include "collision_hulls/control.h"
 #include "collision_hulls/geometry/convex_hull.h"
 
 namespace collision_hulls {
@@ -43,7 +44,7 @@ class OutsideDistance {
     Eigen::Vector3d where = Eigen::Vector3d::Zero();
     std::size_t visits = 0;  ///< that it took
   };
-  Largest largest(const ConvexHull& hull, const Query& query);
+  Largest largest(const ConvexHull& hull, const Query& query, const RunControl& control = {});  ///< throws kCancelled
 
   /// Whether no point of the triangle is further than `distance` [m], as far as cells are known; false of one that leaves the box.
   /// Measures nothing.

@@ -44,12 +44,11 @@ void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const s
   query.summits_only = true;
   const std::size_t usual = query.most_visits;
   for (std::size_t i = 0; i < hulls.size(); ++i) {
-    control.check();
     query.most_visits = usual + spare;
     query.floor = std::max(query.floor, worst.found);
     query.surface_bound = on_surface[i].bound;
     query.depth = leastWidth(hulls[i]) / 2;
-    const OutsideDistance::Largest largest = outside.largest(hulls[i], query);
+    const OutsideDistance::Largest largest = outside.largest(hulls[i], query, control);
     spare -= std::max(largest.visits, usual) - usual;
     Protrusion summit;
     summit.bound = largest.bound;

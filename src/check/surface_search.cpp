@@ -21,6 +21,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr int kStepsBetweenChecks = 1024;
+constexpr std::size_t kTrianglesBetweenChecks = 1024;
 constexpr int kMostInARow = 4;   // divisions by planes, which may not make a patch shorter
 constexpr double kLevel = 0.25;  // thresholds: a corner nearer to a plane lies in it
 constexpr double kSteep = 0.05;  // sine of the least angle between a patch and a plane that divides it
@@ -53,7 +54,9 @@ class Search {
   Protrusion run(const ConvexHull& hull, const RunControl& control) {
     std::vector<Corner> corners;
     for (const Eigen::Vector3d& v : hull.vertices) corners.push_back({v, -1, 0});
-    for (const Triangle& t : hull.triangles) {
+    for (std::size_t i = 0; i < hull.triangles.size(); ++i) {
+      if (i % kTrianglesBetweenChecks == 0) control.check();
+      const Triangle& t = hull.triangles[i];
       const auto at = [&](std::size_t k) -> Corner& { return corners[static_cast<std::size_t>(t[k])]; };
       if (isKnown({at(0), at(1), at(2)})) continue;
       for (std::size_t k = 0; k < 3; ++k)

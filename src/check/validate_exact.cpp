@@ -74,16 +74,6 @@ bool meets(const Corners& triangle, const ConvexHull& body) {
 
 }  // namespace
 
-ConvexHull transformed(const ConvexHull& hull, const Eigen::Isometry3d& pose) {
-  ConvexHull result = hull;
-  for (Eigen::Vector3d& v : result.vertices) v = pose * v;
-  for (HalfSpace& face : result.faces) {
-    face.normal = pose.linear() * face.normal;
-    face.offset += face.normal.dot(pose.translation());
-  }
-  return result;
-}
-
 Eigen::Vector3d nearestPoint(const ConvexHull& hull, const Eigen::Vector3d& p) {
   if (planeDistance(hull, p) <= 0) return p;
   const TriangleMesh skin = surface(hull);

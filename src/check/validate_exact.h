@@ -13,9 +13,6 @@ namespace collision_hulls {
 
 constexpr double kFurthest = std::numeric_limits<double>::infinity();
 
-/// The hull moved by a rigid transform.
-ConvexHull transformed(const ConvexHull& hull, const Eigen::Isometry3d& pose);
-
 /// Distance from p to the hull, as a solid. Exact, also for points within rounding of a face's plane.
 double pointDistance(const ConvexHull& hull, const Eigen::Vector3d& p);
 

@@ -127,13 +127,6 @@ class Resolving {
 
   static HalfSpace planeThrough(const Notch& notch) { return {notch.bisector, notch.bisector.dot(notch.point)}; }
 
-  static HalfSpace middlePlane(const SurfacePiece& piece) {
-    const Eigen::AlignedBox3d box = boundingBox(piece);
-    Eigen::Index axis = 0;
-    box.sizes().maxCoeff(&axis);
-    return {Eigen::Vector3d::Unit(axis), box.center()[axis]};
-  }
-
   void done(const SurfacePiece& piece) {
     undone_ = std::max(0.0, undone_ - area(piece));
     if (whole_ > 0) control_.report(1 - undone_ / whole_);

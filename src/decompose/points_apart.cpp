@@ -83,7 +83,7 @@ class Search {
 }  // namespace
 
 bool isLeast(const Cover& cover, const TriangleMesh& mesh, const Solid& solid, double tolerance) {
-  return cover.size() <= kMostGroups && Search(cover, mesh, solid, tolerance).run();
+  return cover.size() <= 1 || (cover.size() <= kMostGroups && Search(cover, mesh, solid, tolerance).run());
 }
 
 }  // namespace collision_hulls

@@ -81,10 +81,6 @@ ConvexHull thinned(const ConvexHull& hull, std::size_t most) {
   return roughHull(points);
 }
 
-bool holds(const ConvexHull& hull, const Eigen::Vector3d& p) {
-  return std::none_of(hull.faces.begin(), hull.faces.end(), [&](const HalfSpace& f) { return f.distance(p) > 0; });
-}
-
 ProtrusionOracle::ProtrusionOracle(const Solid& solid, const Eigen::AlignedBox3d& box, double tolerance, const RunControl& control)
     : solid_(solid), control_(control), box_(box), tolerance_(tolerance), outside_(solid, box) {}
 
@@ -185,18 +181,17 @@ bool ProtrusionOracle::mayHoldPocket(const ConvexHull& hull, double surface_boun
   query.summits_only = true;
   query.surface_bound = surface_bound;
   query.depth = leastWidth(hull) / 2;
-  const OutsideDistance::Largest summit = outside_.largest(hull, query);
+  const OutsideDistance::Largest summit = outside_.largest(hull, query, control_);
   if (summit.found > tolerance_) remember(summit.where);
   return summit.bound > tolerance_;
 }
 
 double ProtrusionOracle::bound(const ConvexHull& exact) {
-  control_.check();
   const ConvexHull hull = written(exact);
   OutsideDistance::Query query;
   query.ceiling = std::numeric_limits<double>::infinity();
   query.resolution = kFineCell * tolerance_;
-  const OutsideDistance::Largest seen = outside_.largest(hull, query);
+  const OutsideDistance::Largest seen = outside_.largest(hull, query, control_);
   SurfaceQuery on;
   on.floor = seen.found;
   on.gap = std::max(kLooseGap * tolerance_, kLooseShare * seen.found);
@@ -207,14 +202,14 @@ double ProtrusionOracle::bound(const ConvexHull& exact) {
   query.summits_only = true;
   query.surface_bound = on_surface;
   query.depth = leastWidth(hull) / 2;
-  return outside_.largest(hull, query).bound;
+  return outside_.largest(hull, query, control_).bound;
 }
 
 double ProtrusionOracle::reachByOctree(const ConvexHull& hull, double resolution) {
   OutsideDistance::Query query;
   query.floor = query.ceiling = intrusion();
   query.resolution = resolution * share_ * tolerance_;
-  const OutsideDistance::Largest within = outside_.largest(hull, query);
+  const OutsideDistance::Largest within = outside_.largest(hull, query, control_);
   if (within.found > intrusion()) remember(within.where);
   return within.bound;
 }

@@ -21,9 +21,6 @@ ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points, Corners corners
 /// itself where it has not many more.
 ConvexHull thinned(const ConvexHull& hull, std::size_t most);
 
-/// Whether p lies in the hull.
-bool holds(const ConvexHull& hull, const Eigen::Vector3d& p);
-
 /// Answers in tests, cheapest first: intruders (points outside the solid by more than the tolerance) that refuted earlier hulls, an
 /// octree of distances that the hulls share, and, where its bound leaves something open, a search over the hull's surface and one for
 /// pockets within. Not thread safe.

@@ -250,6 +250,20 @@ Eigen::AlignedBox3d boundingBox(const ConvexHull& hull) {
   return box;
 }
 
+bool holds(const ConvexHull& hull, const Eigen::Vector3d& p) {
+  return std::none_of(hull.faces.begin(), hull.faces.end(), [&](const HalfSpace& face) { return face.distance(p) > 0; });
+}
+
+ConvexHull transformed(const ConvexHull& hull, const Eigen::Isometry3d& pose) {
+  ConvexHull result = hull;
+  for (Eigen::Vector3d& v : result.vertices) v = pose * v;
+  for (HalfSpace& face : result.faces) {
+    face.normal = pose.linear() * face.normal;
+    face.offset += face.normal.dot(pose.translation());
+  }
+  return result;
+}
+
 double planeDistance(const ConvexHull& hull, const Eigen::Vector3d& p) {
   double most = -std::numeric_limits<double>::infinity();
   for (const HalfSpace& face : hull.faces) most = std::max(most, face.distance(p));

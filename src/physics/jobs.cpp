@@ -1,7 +1,6 @@
 // What the program physics does in a process of its own.
 #include "bench/jobs.h"
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "bench/hull_objects.h"
@@ -15,7 +14,6 @@
 namespace collision_hulls {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
 
 struct Subject {

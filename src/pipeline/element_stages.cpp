@@ -19,15 +19,6 @@ double toleranceFor(const TriangleMesh& mesh, const Options& options) {
                                          "metres or mend the mesh");
 }
 
-ConvexHull transformed(ConvexHull hull, const Eigen::Isometry3d& pose) {
-  for (Eigen::Vector3d& v : hull.vertices) v = pose * v;
-  for (HalfSpace& face : hull.faces) {
-    face.normal = pose.linear() * face.normal;
-    face.offset += face.normal.dot(pose.translation());
-  }
-  return hull;
-}
-
 }  // namespace
 
 ReadMesh readElement(const MeshTask& mesh, const Options& options, const RunControl& control, ElementResult& element) {

@@ -39,7 +39,8 @@ std::map<std::size_t, Tightest> tightestOf(const FittedModel& model) {
   std::map<std::size_t, std::size_t> measured;
   for (const Contact& contact : model.fitting.seen()) {
     const std::size_t a = partOf(model, contact.piece[0]), b = partOf(model, contact.piece[1]);
-    if (measured[a]++ >= kMostMeasured && measured[b]++ >= kMostMeasured) continue;
+    const std::size_t of_a = ++measured[a], of_b = ++measured[b];
+    if (of_a > kMostMeasured && of_b > kMostMeasured) continue;
     const double distance = distanceIn(model, contact);
     for (const auto& [link, other] : {PartIndices{a, b}, PartIndices{b, a}})
       if (distance < tightest[link].distance) tightest[link] = {other, distance};

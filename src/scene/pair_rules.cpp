@@ -19,14 +19,10 @@ constexpr std::size_t kEvaluations = 300;
 /// What the survey saw of a pair.
 struct Sighting {
   std::size_t a = 0, b = 0;
-  std::vector<double> distances;  // [m] no more than the clearance; the first one at rest
   bool links = false, moves = true;
-
-  std::size_t touching() const { return static_cast<std::size_t>(std::count(distances.begin() + 1, distances.end(), 0.0)); }
-  std::size_t near(double clearance) const {
-    return static_cast<std::size_t>(std::count_if(distances.begin() + 1, distances.end(), [&](double d) { return d < clearance; }));
-  }
-  std::size_t samples() const { return distances.size() - 1; }
+  double at_rest = 0;                               // [m] distance, no more than the clearance
+  double usual = 0;                                 // [m] the median of distances that are not 0; 0 if there are none
+  std::size_t samples = 0, touching = 0, near = 0;  // all, those of distance 0, and those nearer than the clearance
 };
 
 bool nearlyAll(std::size_t part, std::size_t whole) {
@@ -40,7 +36,7 @@ std::vector<Sighting> allPairs(const Assembly& assembly) {
     const bool moves = !assembly.kinematics().chain(a).joints.empty();
     for (std::size_t b = a + 1; b < assembly.parts(); ++b) {
       const bool links = assembly.isLink(b);
-      if (!assembly.piecesOf(a).empty() && !assembly.piecesOf(b).empty()) pairs.push_back({a, b, {}, links, links || moves});
+      if (!assembly.piecesOf(a).empty() && !assembly.piecesOf(b).empty()) pairs.push_back({a, b, links, links || moves});
     }
   }
   return pairs;
@@ -55,7 +51,22 @@ std::vector<Places> surveyed(const FitProblem& problem, const Assembly& assembly
 }
 
 void survey(const std::vector<Places>& places, const Originals& originals, double clearance, Sighting& pair) {
-  for (const Places& at : places) pair.distances.push_back(originals.distanceBelow(clearance, pair.a, pair.b, at));
+  std::vector<double> apart;
+  for (const Places& at : places) {
+    const double distance = originals.distanceBelow(clearance, pair.a, pair.b, at);
+    if (distance > 0) apart.push_back(distance);
+    if (&at == &places.front()) {
+      pair.at_rest = distance;
+      continue;
+    }
+    ++pair.samples;
+    pair.touching += distance == 0;
+    pair.near += distance < clearance;
+  }
+  if (apart.empty()) return;
+  const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
+  std::nth_element(apart.begin(), middle, apart.end());
+  pair.usual = *middle;
 }
 
 std::string share(std::size_t part, std::size_t whole) {
@@ -64,25 +75,18 @@ std::string share(std::size_t part, std::size_t whole) {
 
 /// Why the original says that a pair is not to be looked at; an empty reason: it is.
 LeftOutPair verdict(const Sighting& pair) {
-  const double at_rest = pair.distances.front();
   const auto said = [&](const char* reason, const std::string& known) { return LeftOutPair{"", "", reason, known, pair.links}; };
-  if (!pair.moves && at_rest <= 0) return said("Fixed", "always in contact");
-  if (pair.touching() > 0 && nearlyAll(pair.touching(), pair.samples()))
-    return said("Always", "in contact in " + share(pair.touching(), pair.samples()));
-  if (pair.links && at_rest <= 0) return said("Default", "in contact at rest");
+  if (!pair.moves && pair.at_rest <= 0) return said("Fixed", "always in contact");
+  if (pair.touching > 0 && nearlyAll(pair.touching, pair.samples))
+    return said("Always", "in contact in " + share(pair.touching, pair.samples));
+  if (pair.links && pair.at_rest <= 0) return said("Default", "in contact at rest");
   return {};
 }
 
 /// For parts that hardly ever get as far apart as the clearance half of what they usually are apart has to do.
 double ownClearance(const Sighting& pair, double clearance) {
-  if (!nearlyAll(pair.near(clearance), pair.samples())) return clearance;
-  std::vector<double> apart;
-  for (const double d : pair.distances)
-    if (d > 0) apart.push_back(d);
-  if (apart.empty()) return clearance;
-  const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
-  std::nth_element(apart.begin(), middle, apart.end());
-  return std::min(clearance, *middle / 2);
+  if (pair.usual == 0 || !nearlyAll(pair.near, pair.samples)) return clearance;
+  return std::min(clearance, pair.usual / 2);
 }
 
 /// A hull about all that a link may become.
@@ -203,7 +207,7 @@ PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const O
     rules.pairs.push_back({pair.a, pair.b, own});
     const Kinematics& kinematics = assembly.kinematics();
     const bool settled = pair.links ? kinematics.settled(pair.a, pair.b) : kinematics.settled(pair.a);
-    may_be_proved.push_back(settled && pair.near(clearance) == 0 && pair.distances.front() >= clearance);
+    may_be_proved.push_back(settled && pair.near == 0 && pair.at_rest >= clearance);
   }
   prove(problem, assembly, may_be_proved, clearance, control, rules);
   return rules;

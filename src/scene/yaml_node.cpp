@@ -59,10 +59,6 @@ YamlValue YamlValue::parse(const std::string& text, const std::string& file, Err
   }
 }
 
-bool YamlValue::isNull() const {
-  return !node_->value.IsDefined() || node_->value.IsNull();
-}
-
 bool YamlValue::isMap() const {
   return node_->value.IsMap();
 }

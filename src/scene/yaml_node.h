@@ -16,7 +16,6 @@ class YamlValue {
   /// Parses a document. `first_line`: where the text stands in the file.
   static YamlValue parse(const std::string& text, const std::string& file, ErrorCode code, std::size_t first_line = 1);
 
-  bool isNull() const;
   bool isMap() const;
   bool isSequence() const;
 

@@ -42,9 +42,24 @@ TEST_F(FitSceneProgram, WrongUse) {
   fixtures::write(folder_ / "rubbish.srdf", "disabled: none");
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --srdf rubbish.srdf", {"'rubbish.srdf', line 1"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --compare .", {"--compare", "folder"});
+  expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm -o new --compare new/c.csv", {"--compare", "output folder"});
+  expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm -o new --json " + (folder_ / "new/r.json"), {"--json", "output folder"});
+  expectWrongUse("arm.urdf --scene \"\" --clearance 1cm", {"--scene", "takes a file"});
+  expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --max-step 0.1", {"max-step", "given configurations"});
+  fixtures::write(folder_ / "empty.srdf", "");
+  expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --srdf empty.srdf", {"empty.srdf"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --configurations none.csv", {"none.csv"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm -m hacd", {"hacd", "certified"});
   expectWrongUse("bracket.obj --scene notch.yaml --clearance 1cm", {"bracket.obj", "mesh"});
+}
+
+TEST_F(FitSceneProgram, ComparesNothingWhereNothingCouldBeFitted) {
+  fixtures::write(folder_ / "torn.urdf",
+                  fixtures::robot("torn", fixtures::link("base", "    <visual>" + fixtures::meshTag("nowhere.obj") + "</visual>\n")));
+  const Finished result = run("torn.urdf --scene notch.yaml --clearance 1cm --compare c.csv");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("nowhere.obj"), std::string::npos) << result.err;
+  EXPECT_FALSE(fs::exists(folder_ / "c.csv"));
 }
 
 TEST_F(FitSceneProgram, FitsAndTells) {

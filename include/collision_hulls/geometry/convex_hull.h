@@ -38,6 +38,12 @@ ConvexHull convexHull(const std::vector<Eigen::Vector3d>& points, const RunContr
 double volume(const ConvexHull& hull);
 Eigen::AlignedBox3d boundingBox(const ConvexHull& hull);
 
+/// Whether p lies in the hull.
+bool holds(const ConvexHull& hull, const Eigen::Vector3d& p);
+
+/// The hull moved by a rigid transform.
+ConvexHull transformed(const ConvexHull& hull, const Eigen::Isometry3d& pose);
+
 /// Largest distance of p beyond a face's plane [m]; <= 0 inside. Outside it is a lower bound of the distance to the hull.
 double planeDistance(const ConvexHull& hull, const Eigen::Vector3d& p);
 

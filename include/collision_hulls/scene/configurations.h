@@ -88,7 +88,8 @@ class ConfigurationCollector {
 /// Reads configurations from a file:
 ///
 ///   .csv          the first line names joints, in any order, the others hold their positions; a column `time` or `stamp` is passed over.
-///                 Or `rostopic echo -p` of sensor_msgs/JointState. Parted by commas, semicolons or tabs; # begins a comment
+///                 Or `rostopic echo -p` of sensor_msgs/JointState. Parted by commas, semicolons or tabs; lines that begin with # are
+///                 comments
 ///   .yaml .yml    `rostopic echo`, documents parted by `---`: sensor_msgs/JointState (name, position), trajectory_msgs/JointTrajectory
 ///                 (joint_names, points with positions), and messages that hold such, as MoveIt's RobotTrajectory and DisplayTrajectory
 ///

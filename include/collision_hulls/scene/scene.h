@@ -67,8 +67,8 @@ void addBody(Scene& scene, SceneBody body);
 ///   .sdf .world       the collisions of all models, also nested and within a world, static or not, where their poses put them, or where a
 ///                     saved world's `<state>` says that they were; relative_to names links, joints, frames and models beside it, and those
 ///                     within such a model ("a::b"). Named "model::link::collision". `<include>` takes model:// (looked for in
-///                     GAZEBO_MODEL_PATH, GZ_SIM_RESOURCE_PATH, SDF_PATH, the folders that enclose the file, and ~/.gazebo/models),
-///                     package://, or a path, of a file or a model's folder
+///                     GAZEBO_MODEL_PATH, GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, SDF_PATH, the folders that enclose the file, as
+///                     a package's name, and in ~/.gazebo/models), package://, or a path, of a file or a model's folder
 ///   .stl .dae .obj .off .ply    one mesh, where it is
 ///   .bt .ot           OctoMap's maps; see octomap.h
 ///   .yaml .yml        ours:

@@ -4,8 +4,10 @@
 #include <array>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "collision_hulls/scene/reach.h"
+#include "median.h"
 #include "parallel.h"
 #include "scene/text.h"
 
@@ -63,10 +65,7 @@ void survey(const std::vector<Places>& places, const Originals& originals, doubl
     pair.touching += distance == 0;
     pair.near += distance < clearance;
   }
-  if (apart.empty()) return;
-  const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
-  std::nth_element(apart.begin(), middle, apart.end());
-  pair.usual = *middle;
+  pair.usual = median(std::move(apart));
 }
 
 std::string share(std::size_t part, std::size_t whole) {

@@ -20,12 +20,14 @@ namespace {
 
 // Shares of the tolerance that leaves are cut for: merging has room left, or leaves are as large as they can be.
 constexpr double kLeafShare = 0.7, kLargeLeafShare = 0.93;
+constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kManyLeaves = 8, kManyLeavesPerHull = 8;  // more than this beyond the best so far are not worth merging
 
 /// A way to cut.
 struct Way {
   ScoreWeights weights;
-  std::size_t few = std::numeric_limits<std::size_t>::max();  // tried only where the ways before leave no more hulls: each counts there
+  double leaf_share = kLeafShare;
+  std::size_t few = kAnyNumber;  // tried only where the ways before leave no more hulls: each counts there
   bool largest_side_first = false;
 };
 
@@ -40,10 +42,12 @@ struct Plan {
 Plan planFor(Effort effort) {
   const ScoreWeights large_sides{0.5, 0.3, 0}, any_side{0.5, 0, 0.1}, little_volume{0.1, 0, 0};
   constexpr std::size_t kFew = 24, kVeryFew = 10;
-  if (effort == Effort::kQuick) return {{{large_sides}, {any_side, kFew}, {large_sides, kVeryFew, true}}, 0, 0, 400};
-  Plan plan{{}, 150, 200, 3500};
-  for (const ScoreWeights& weights : {large_sides, any_side, little_volume}) plan.ways.push_back({weights});
-  plan.ways.push_back({large_sides, plan.ways[0].few, true});
+  if (effort == Effort::kQuick)
+    return {{{large_sides}, {any_side, kLeafShare, kFew}, {large_sides, kLargeLeafShare, kVeryFew, true}}, 0, 0, 400};
+  Plan plan{{}, 150, 200, 10'000};
+  for (const double share : {kLeafShare, kLargeLeafShare})
+    for (const ScoreWeights& weights : {large_sides, any_side, little_volume}) plan.ways.push_back({weights, share});
+  plan.ways.push_back({large_sides, kLargeLeafShare, kAnyNumber, true});
   return plan;
 }
 
@@ -130,7 +134,7 @@ class Job {
   }
 
   std::vector<Leaf> leaves(const Way& way, std::size_t most, const std::function<void(double)>& progress) {
-    oracle_.setShare(way.largest_side_first ? kLargeLeafShare : kLeafShare);
+    oracle_.setShare(way.leaf_share);
     const CutOptions options{way.weights, options_.max_vertices, options_.fill, way.largest_side_first, most};
     std::vector<Leaf> leaves = cutIntoLeaves(mesh_, oracle_, options, progress);
     oracle_.setShare(1);

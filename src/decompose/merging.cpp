@@ -7,13 +7,15 @@
 //     else merge: the union is paired with the others, and is apart from what either part is apart from
 //   then the same with the pairs of distant groups, unless there are very many: solid may lie between them
 //
-// A hull that protrudes too far does so as well when it grows: what is apart stays apart.
+// A hull that protrudes too far does so as well when it grows: what is apart stays apart. Merges may be taken on trust and settled
+// afterwards: unions that are refuted fall back into what they were merged from, and merging goes on with what is proven.
 #include "decompose/merging.h"
 
 #include <algorithm>
-#include <array>
+#include <optional>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 #include "decompose/dice.h"
 
@@ -21,9 +23,9 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr std::size_t kMany = 1000;         // groups: merging takes time by their number squared
-constexpr double kTieBreak = 1e-3;          // of the union's size, for squares that cancel out
-constexpr int kTrials = 8, kFewTrials = 2;  // of proving what was merged on trust; the latter where there are many groups
+constexpr std::size_t kMany = 1000;   // groups: merging takes time by their number squared
+constexpr std::size_t kSeveral = 40;  // groups: what more of them merge to on trust says little of what is left by proof
+constexpr double kTieBreak = 1e-3;    // of the union's size, for squares that cancel out
 
 struct Pair {
   double cost;
@@ -47,72 +49,104 @@ using ApartPairs = std::vector<std::vector<char>>;
 
 class Merging {
  public:
-  /// `apart`: what is known of the groups in the cover; takes what is learned of them.
-  Merging(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof proof, ApartPairs& apart)
-      : cover_(std::move(cover)), groups_(groups), cost_(cost), proof_(proof), given_(cover_.size()), apart_(apart) {}
-
-  Cover run() {
-    for (int b = 0; b < size(); ++b) pairWithEarlier(b, -1, -1);
-    mergeQueued();
-    if (live_.size() <= kMany) {
-      all_pairs_ = true;
-      for (const int b : live_)
-        for (const int a : live_)
-          if (a < b && !apart(a, b) && isFar(a, b)) queue(a, b);
-      mergeQueued();
-    }
-    apart_.resize(given_);
-    cover_.erase(std::remove_if(cover_.begin(), cover_.end(), [](const Group& g) { return !g.hull; }), cover_.end());
-    return std::move(cover_);
+  /// `apart`: what is known of the groups in the cover.
+  Merging(Cover cover, SurfaceGroups& groups, const MergeCost& cost, ApartPairs apart = {})
+      : groups_(groups), cost_(cost), given_(cover.size()), all_(std::move(cover)), parts_(given_, {-1, -1}), apart_(std::move(apart)) {
+    for (int i = 0; i < static_cast<int>(given_); ++i) live_.push_back(i);
   }
 
+  void run(Proof proof) {
+    all_pairs_ = false;
+    const std::vector<int> given = std::move(live_);
+    live_.clear();
+    for (const int b : given) pairWithEarlier(b, -1, -1);
+    mergeQueued(proof);
+    if (live_.size() > kMany) return;
+    all_pairs_ = true;
+    for (const int b : live_)
+      for (const int a : live_)
+        if (a < b && !apart(a, b) && isFar(a, b)) queue(a, b);
+    mergeQueued(proof);
+  }
+
+  /// Proves what was merged, down to what was given if need be. Whether nothing was refuted: if not, there may be more to merge.
+  bool settle() {
+    for (bool all = true;; all = false) {
+      std::vector<const Group*> open;
+      for (const int i : live_)
+        if (isMerged(i)) open.push_back(&group(i));
+      groups_.prove(open);
+      const auto holds = [&](int i) { return !isMerged(i) || groups_.proven(group(i)); };
+      const auto refuted = std::stable_partition(live_.begin(), live_.end(), holds);
+      if (refuted == live_.end()) return all;
+      const std::vector<int> fallen(refuted, live_.end());
+      live_.erase(refuted, live_.end());
+      for (const int i : fallen) {
+        const auto [a, b] = parts_[at(i)];
+        setApart(a, b);
+        live_.insert(live_.end(), {a, b});
+      }
+      std::sort(live_.begin(), live_.end());
+    }
+  }
+
+  std::size_t count() const { return live_.size(); }
+
+  Cover cover() const {
+    Cover result;
+    for (const int i : live_) result.push_back(all_[at(i)]);
+    return result;
+  }
+
+  /// What is known now of the groups that were given.
+  ApartPairs known() const { return {apart_.begin(), apart_.begin() + static_cast<std::ptrdiff_t>(given_)}; }
+
  private:
-  int size() const { return static_cast<int>(cover_.size()); }
-  Group& group(int i) { return cover_[static_cast<std::size_t>(i)]; }
-  bool apart(int a, int b) const { return apart_[static_cast<std::size_t>(std::max(a, b))][static_cast<std::size_t>(std::min(a, b))] != 0; }
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  Group& group(int i) { return all_[at(i)]; }
+  bool apart(int a, int b) const { return apart_[at(std::max(a, b))][at(std::min(a, b))] != 0; }
+  void setApart(int a, int b) { apart_[at(std::max(a, b))][at(std::min(a, b))] = 1; }
+  bool isMerged(int i) const { return at(i) >= given_; }
+  bool isLive(int i) const { return std::binary_search(live_.begin(), live_.end(), i); }
 
   bool isFar(int a, int b) { return farApart(group(a), group(b), groups_.tolerance()); }
   void queue(int a, int b) { queue_.push({costOf(group(a), group(b), cost_), a, b}); }
 
-  void mergeQueued() {
+  void mergeQueued(Proof proof) {
     while (!queue_.empty()) {
       const Pair pair = queue_.top();
       queue_.pop();
-      if (group(pair.a).hull && group(pair.b).hull) tryMerge(pair.a, pair.b);
+      if (isLive(pair.a) && isLive(pair.b)) tryMerge(pair.a, pair.b, proof);
     }
   }
 
-  /// Pairs group b, the union of `left` and `right` if there are such, with those before it. Merged groups have no hull any more.
+  /// Pairs group b, the union of `left` and `right` if there are such, with those before it.
   void pairWithEarlier(int b, int left, int right) {
     groups_.control().check();
-    if (apart_.size() == static_cast<std::size_t>(b)) apart_.emplace_back(static_cast<std::size_t>(b), 0);
+    if (apart_.size() == at(b)) apart_.emplace_back(at(b), 0);
     for (const int a : live_) {
-      char& is_apart = apart_[static_cast<std::size_t>(b)][static_cast<std::size_t>(a)];
-      if (left >= 0) is_apart = apart(a, left) || apart(a, right);
-      if (!is_apart && (all_pairs_ || !isFar(a, b))) queue(a, b);
+      if (left >= 0 && (apart(a, left) || apart(a, right))) setApart(a, b);
+      if (!apart(a, b) && (all_pairs_ || !isFar(a, b))) queue(a, b);
     }
     live_.push_back(b);
   }
 
-  void tryMerge(int a, int b) {
+  void tryMerge(int a, int b, Proof proof) {
     Group both = groups_.merged(group(a), group(b));
-    if (!both.hull || (proof_ == Proof::kAtOnce && !groups_.proven(both))) {
-      apart_[static_cast<std::size_t>(b)][static_cast<std::size_t>(a)] = 1;  // a < b
-      return;
-    }
-    group(a).hull = group(b).hull = nullptr;
+    if (!both.hull || (proof == Proof::kAtOnce && !groups_.proven(both))) return setApart(a, b);
     live_.erase(std::remove_if(live_.begin(), live_.end(), [&](int i) { return i == a || i == b; }), live_.end());
-    cover_.push_back(std::move(both));
-    pairWithEarlier(size() - 1, a, b);
+    all_.push_back(std::move(both));
+    parts_.push_back({a, b});
+    pairWithEarlier(static_cast<int>(all_.size()) - 1, a, b);
   }
 
-  Cover cover_;
   SurfaceGroups& groups_;
   const MergeCost cost_;
-  const Proof proof_;
   const std::size_t given_;
-  ApartPairs& apart_;
-  std::vector<int> live_;  // groups that were not merged, ascending
+  Cover all_;                               // given and merged, whatever became of them
+  std::vector<std::pair<int, int>> parts_;  // that a group was merged from; -1: it was given
+  ApartPairs apart_;
+  std::vector<int> live_;  // what the cover is made of, ascending
   bool all_pairs_ = false;
   std::priority_queue<Pair> queue_;
 };
@@ -120,28 +154,23 @@ class Merging {
 }  // namespace
 
 Cover merged(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof proof) {
-  ApartPairs apart;
-  return Merging(std::move(cover), groups, cost, proof, apart).run();
+  Merging merging(std::move(cover), groups, cost);
+  merging.run(proof);
+  return merging.cover();
 }
 
-/// What was refuted is remembered, so that merging anew takes another way.
 Cover mergedBest(const Cover& cover, SurfaceGroups& groups) {
-  constexpr std::array<MergeCost::Kind, 4> kinds{MergeCost::kSize, MergeCost::kGrowth, MergeCost::kMeanGrowth, MergeCost::kSquares};
-  const bool many = cover.size() > kMany;
-  std::vector<std::size_t> sizes(many ? 1 : kinds.size());
+  if (cover.size() > kSeveral) return merged(cover, groups, {MergeCost::kSquares, 0, 0}, Proof::kAtOnce);
   ApartPairs apart;
-  const auto mergedBy = [&](MergeCost::Kind kind, Proof proof) { return Merging(cover, groups, {kind, 0, 0}, proof, apart).run(); };
-  for (std::size_t k = 0; k < sizes.size(); ++k) sizes[k] = mergedBy(kinds[k], Proof::kLater).size();
-  std::size_t best = 0;
-  for (int trial = 0; trial < (many ? kFewTrials : kTrials); ++trial) {
-    best = static_cast<std::size_t>(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
-    Cover result = mergedBy(kinds[best], Proof::kLater);
-    if (result.size() > sizes[best])
-      sizes[best] = result.size();  // refuted meanwhile: another kind may do better now
-    else if (groups.proven(result))
-      return result;
+  std::optional<Merging> best;
+  for (const auto kind : {MergeCost::kSize, MergeCost::kGrowth, MergeCost::kMeanGrowth, MergeCost::kSquares}) {
+    Merging merging(cover, groups, {kind, 0, 0}, apart);
+    merging.run(Proof::kLater);
+    apart = merging.known();
+    if (!best || merging.count() < best->count()) best.emplace(std::move(merging));
   }
-  return mergedBy(kinds[best], Proof::kAtOnce);
+  while (!best->settle()) best->run(Proof::kLater);
+  return best->cover();
 }
 
 }  // namespace collision_hulls

@@ -21,7 +21,8 @@ enum class Proof { kLater, kAtOnce };
 /// What greedy merging leaves. Deterministic.
 Cover merged(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof proof);
 
-/// The same by the kind of cost that leaves fewest groups, all of them proven.
+/// All of them proven: of few by the kind of cost that leaves fewest on trust, of more by kSquares, which was best where kinds were
+/// compared.
 Cover mergedBest(const Cover& cover, SurfaceGroups& groups);
 
 }  // namespace collision_hulls

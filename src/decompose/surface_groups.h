@@ -62,6 +62,9 @@ class SurfaceGroups {
   bool proven(const Group& group);
   bool proven(const Cover& cover);
 
+  /// Finds out which of the groups' hulls fit, all at once.
+  void prove(std::vector<const Group*> groups);
+
   /// Whether the group's hull covers the element, be it its own or not.
   bool covers(const Group& group, int element) const;
 
@@ -95,7 +98,6 @@ class SurfaceGroups {
   ConvexHull hullOf(const Group& group) const;
   std::shared_ptr<const ConvexHull> reducedHull(const Group& group) const;  // that was proven; null: none
   bool needsProof(const Group& group) const;
-  void prove(std::vector<const Group*> groups);
   bool isWholeLeaf(const Group& group) const;
   bool hasSolidBetween(const Group& a, const Group& b) const;
   void ask(const std::vector<Eigen::Vector3d>& points, Known& known);

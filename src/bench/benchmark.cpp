@@ -46,7 +46,8 @@ class Bench {
     json hulls = json::array();
     for (int i = 0; i < options_.repeat && row.status == "ok"; ++i) {
       hulls.push_back(runner_.file("hulls_" + std::to_string(i) + ".obj"));
-      const HullsMade made = makeHulls(runner_, contender, {mesh_, *row.tolerance, options_.seed, hulls.back(), options_.time_limit});
+      const HullsMade made =
+          makeHulls(runner_, contender, {mesh_, *row.tolerance, options_.seed, hulls.back(), options_.time_limit, options_.max_vertices});
       enter(made.outcome, row);
       cpu.push_back(made.used.cpu_seconds);
       wall.push_back(made.used.wall_seconds);

@@ -24,8 +24,9 @@ struct BenchmarkOptions {
   std::vector<Effort> efforts{Effort::kQuick};  ///< of methods that have one
   std::vector<Peer> peers;
   std::vector<Length> tolerances{{0.05, true}, {0.02, true}, {0.01, true}};
-  int repeat = 1;          ///< runs of each; the medians of their times and memory count
-  double time_limit = 60;  ///< [s] of each run
+  int max_vertices = DecomposeOptions{}.max_vertices;  ///< of a hull of the methods; 0: no cap
+  int repeat = 1;                                      ///< runs of each; the medians of their times and memory count
+  double time_limit = 60;                              ///< [s] of each run
   std::uint64_t seed = 1;
   std::string program;          ///< the executable that does jobs: PROGRAM kJobCommand JOB_FILE RESULT_FILE; see jobs.h
   std::string folder;           ///< for temporary files

@@ -22,8 +22,9 @@ HullsMade makeHulls(const JobRunner& runner, const Contender& contender, const H
   std::filesystem::remove(task.hulls);
   HullsMade made;
   if (contender.command.empty()) {
-    nlohmann::json job = {{"job", "decompose"},          {"method", contender.name}, {"effort", contender.effort},
-                          {"tolerance", task.tolerance}, {"seed", task.seed},        {"hulls", task.hulls}};
+    nlohmann::json job = {
+        {"job", "decompose"}, {"method", contender.name}, {"effort", contender.effort},       {"tolerance", task.tolerance},
+        {"seed", task.seed},  {"hulls", task.hulls},      {"max_vertices", task.max_vertices}};
     job.update(task.mesh);
     made.used = runner.run(job, task.limit);
   } else {

@@ -31,8 +31,9 @@ struct HullsTask {
   nlohmann::json mesh;  ///< as a method takes it: "file" and "scale" of jobs.h
   double tolerance;     ///< [m]
   std::uint64_t seed;
-  std::string hulls;  ///< the file that the hulls go to, OBJ; one that is there is removed first
-  double limit;       ///< [s]
+  std::string hulls;                                   ///< the file that the hulls go to, OBJ; one that is there is removed first
+  double limit;                                        ///< [s]
+  int max_vertices = DecomposeOptions{}.max_vertices;  ///< of a method's hulls; 0: no cap
 };
 
 struct HullsMade {

@@ -60,6 +60,7 @@ json decomposeMesh(const json& job) {
   if (const auto effort = effortNamed(job["effort"])) options.effort = *effort;
   options.tolerance = job["tolerance"];
   options.seed = job["seed"];
+  options.max_vertices = job["max_vertices"];
   writeText(job["hulls"].get<std::string>(), encodeHullsObj(hullsOf(original, options), "hull"));
   return json::object();
 }

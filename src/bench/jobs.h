@@ -10,7 +10,7 @@ namespace collision_hulls {
 
 /// Does the job that a JSON file describes and writes what came of it to another file. Jobs, by "job":
 ///   prepare    "file", "scale"                          -> writes the repaired mesh to "cleaned" (OBJ);   "triangles", "diagonal"
-///   decompose  "file", "scale", "method", "effort", "tolerance", "seed"  -> writes the hulls to "hulls", an object each
+///   decompose  "file", "scale", "method", "effort", "tolerance", "max_vertices", "seed"  -> writes the hulls to "hulls", an object each
 ///   score      "file", "scale", "tolerance", "hulls": [files of equal runs]  -> scores the first against the mesh as it was read:
 ///              "hulls", "hull_vertices", "uncovered", "protrusion", "protrusion_found", "volume_ratio" (null: encloses nothing),
 ///              "hashes" of all

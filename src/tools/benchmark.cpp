@@ -46,6 +46,8 @@ void addOptions(CLI::App& app, Command& command) {
   app.add_option("-t,--tolerances", command.tolerances, "Tolerances: lengths, or shares of each mesh's diagonal")
       ->type_name("LIST [5%,2%,1%]");
   app.add_option("--effort", command.efforts, "Efforts of the method certified: quick, best")->type_name("LIST [quick]");
+  app.add_option("--max-vertices", options.max_vertices, "Most vertices per hull of the methods, at least 8; 0: no cap")
+      ->type_name("N [64]");
   app.add_option("-o,--output", options.folder, "Output folder; files of an earlier run there are replaced")->type_name("DIR")->required();
   app.add_option("--repeat", options.repeat, "Runs of each; times and memory are their medians")
       ->type_name("N [1]")
@@ -70,6 +72,10 @@ void addOptions(CLI::App& app, Command& command) {
 void interpret(Command& command) {
   BenchmarkOptions& options = command.options;
   options.program = fs::read_symlink("/proc/self/exe").string();
+  DecomposeOptions caps;
+  caps.tolerance = 1;  // any: those of the runs are lengths or shares
+  caps.max_vertices = options.max_vertices;
+  check(caps);
   if (!command.methods.empty()) {
     options.methods = parsedList<Method>(command.methods,
                                          [](const std::string& text) { return choice("--methods", text, methodNamed, methodChoices()); });

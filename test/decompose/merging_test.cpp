@@ -59,6 +59,25 @@ TEST(Merging, NoMoreGroupsThanGivenAndAllProven) {
   }
 }
 
+/// Where the tolerance is a little below the depth of holes, the oracle's quick answer allows what a proof does not.
+TEST(Merging, WhatIsRefutedFallsBackIntoItsParts) {
+  const TriangleMesh mesh = flange(6, 0.4, 1, 0.12, 0.6, 4, 2);
+  const double tolerance = 0.11;
+  Subject subject(mesh, tolerance);
+  const std::vector<Leaf> leaves = subject.leaves();
+  SurfaceGroups trusting(leaves, 0, subject.oracle, 0);
+  std::size_t on_trust = leaves.size();
+  for (const MergeCost::Kind kind : kKinds)
+    on_trust = std::min(on_trust, merged(trusting.leaves(), trusting, {kind, 0, 0}, Proof::kLater).size());
+  SurfaceGroups groups(leaves, 0, subject.oracle, 0);
+  const Cover cover = mergedBest(groups.leaves(), groups);
+  EXPECT_GT(cover.size(), on_trust);
+  EXPECT_LT(cover.size(), leaves.size());
+  EXPECT_EQ(elementsIn(cover), upTo(leaves.size()));
+  EXPECT_TRUE(groups.proven(cover));
+  EXPECT_LE(subject.protrusionOf(exactHulls(cover, groups)), tolerance);
+}
+
 TEST(Merging, IsDeterministic) {
   const TriangleMesh mesh = torus(1, 0.3, 16, 8);
   std::vector<std::vector<int>> first;

@@ -67,6 +67,7 @@ TEST_F(BenchmarkProgram, WrongUse) {
                                                                {"bracket.obj -o out -t 1furlong", "'1furlong'"},
                                                                {"bracket.obj -o out --effort least", "'least'"},
                                                                {"bracket.obj -o out --repeat 0", "--repeat"},
+                                                               {"bracket.obj -o out --max-vertices 5", "5"},
                                                                {"bracket.obj -o out --peer nobody", "peer_nobody"}};
   for (const auto& [arguments, part] : cases) {
     EXPECT_EQ(run(arguments), 2) << arguments;
@@ -95,6 +96,19 @@ TEST_F(BenchmarkProgram, ARowForEachMeshMethodAndTolerance) {
   EXPECT_NEAR(std::stod(all[3].at("protrusion")), (0.2 - 0.03) / 2, 1e-3);
   EXPECT_TRUE(nlohmann::json::parse(fixtures::read(folder_ / "out/machine.json")).contains("cpu"));
   EXPECT_FALSE(fs::exists(folder_ / "out/.benchmark"));
+}
+
+TEST_F(BenchmarkProgram, HullsHaveNoMoreVerticesThanTheCap) {
+  fixtures::write(folder_ / "ball.obj", fixtures::obj(test_shapes::sphere(0.1, 6)));
+  for (const int most : {0, 8, 20}) {
+    ASSERT_EQ(run("ball.obj -o out -m certified,single_hull -t 100% --max-vertices " + std::to_string(most)), 0) << log();
+    for (const Row& row : rows("out/benchmark.csv")) {
+      EXPECT_EQ(row.at("hulls"), "1");
+      const int vertices = std::stoi(row.at("hull_vertices"));
+      EXPECT_LE(vertices, most == 0 ? 1000 : most);
+      EXPECT_GT(vertices, most == 0 ? 64 : 3);
+    }
+  }
 }
 
 TEST_F(BenchmarkProgram, WhatHangsDiesOrFailsIsARow) {

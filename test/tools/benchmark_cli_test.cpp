@@ -67,7 +67,7 @@ TEST_F(BenchmarkProgram, WrongUse) {
                                                                {"bracket.obj -o out -t 1furlong", "'1furlong'"},
                                                                {"bracket.obj -o out --effort least", "'least'"},
                                                                {"bracket.obj -o out --repeat 0", "--repeat"},
-                                                               {"bracket.obj -o out --max-vertices 5", "5"},
+                                                               {"bracket.obj -o out --max-vertices 5", "max_vertices is 5"},
                                                                {"bracket.obj -o out --peer nobody", "peer_nobody"}};
   for (const auto& [arguments, part] : cases) {
     EXPECT_EQ(run(arguments), 2) << arguments;

@@ -64,11 +64,10 @@ class Place {
   }
 
   void takeBack(ConvexHull& hull) const {
-    for (Eigen::Vector3d& v : hull.vertices) v = axes_.transpose() * v + middle_;
-    for (HalfSpace& face : hull.faces) {
-      face.normal = axes_.transpose() * face.normal;
-      face.offset += face.normal.dot(middle_);
-    }
+    Eigen::Isometry3d back = Eigen::Isometry3d::Identity();
+    back.linear() = axes_.transpose();
+    back.translation() = middle_;
+    hull = transformed(hull, back);
   }
 
  private:

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "check/query_body.h"
+#include "collision_hulls/check/query_body.h"
 
 namespace collision_hulls {
 

@@ -1,4 +1,4 @@
-#include "check/query_body.h"
+#include "collision_hulls/check/query_body.h"
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>
@@ -10,6 +10,7 @@
 #include <fcl/narrowphase/distance.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "check/fcl_bodies.h"
@@ -100,6 +101,24 @@ double distanceBelow(double limit, const QueryBody& first, const QueryBody& seco
 Eigen::AlignedBox3d placed(const Eigen::AlignedBox3d& box, const Eigen::Isometry3d& pose) {
   const Eigen::Vector3d middle = pose * box.center(), half = pose.linear().cwiseAbs() * (0.5 * box.sizes());
   return {middle - half, middle + half};
+}
+
+// Convex bodies with planar sides are apart where a side of one, or a plane along an edge of each, parts them.
+bool apart(const Eigen::AlignedBox3d& first, const Eigen::AlignedBox3d& second, const Eigen::Isometry3d& pose) {
+  const Eigen::Vector3d a = 0.5 * first.sizes(), b = 0.5 * second.sizes(), way = pose * second.center() - first.center();
+  const Eigen::Matrix3d turn = pose.linear(), reach = turn.cwiseAbs();
+  if ((way.cwiseAbs() - a - reach * b).maxCoeff() > 0) return true;
+  if (((turn.transpose() * way).cwiseAbs() - b - reach.transpose() * a).maxCoeff() > 0) return true;
+  const double rounding = 1e-12 * (a.sum() + b.sum());  // the plane along two edges that are nearly parallel is none
+  for (int i = 0; i < 3; ++i) {
+    const int u = (i + 1) % 3, v = (i + 2) % 3;
+    for (int j = 0; j < 3; ++j) {
+      const int s = (j + 1) % 3, t = (j + 2) % 3;
+      const double half = a[u] * reach(v, j) + a[v] * reach(u, j) + b[s] * reach(i, t) + b[t] * reach(i, s);
+      if (std::abs(way[v] * turn(u, j) - way[u] * turn(v, j)) > half + rounding) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace collision_hulls

@@ -122,13 +122,6 @@ double QueryModel::distance(const QueryModel& other) const {
   return search.distance / kQueryEnlarged;
 }
 
-double QueryModel::distance(const QueryModel& other, const IgnoredPairs& ignored) const {
-  Search search;
-  search.ignored = &ignored;
-  impl_->tree.distance(&other.impl_->tree, &search, measurePair);
-  return search.distance / kQueryEnlarged;
-}
-
 bool QueryModel::collides(const IgnoredPairs& ignored) const {
   Search search;
   search.ignored = &ignored;

@@ -7,21 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "check/query_body.h"
+#include "collision_hulls/check/boxed_model.h"
+#include "collision_hulls/check/query_body.h"
 
 namespace collision_hulls {
-
-/// Pairs of links that are not looked at.
-class IgnoredPairs {
- public:
-  explicit IgnoredPairs(std::size_t links) : links_(links), ignored_(links * links, 0) {}
-  void ignore(std::size_t a, std::size_t b) { ignored_[a * links_ + b] = ignored_[b * links_ + a] = 1; }
-  bool operator()(std::size_t a, std::size_t b) const { return ignored_[a * links_ + b] != 0; }
-
- private:
-  std::size_t links_;
-  std::vector<char> ignored_;
-};
 
 /// Bodies that links carry, see query_body.h. FCL is asked in the settings of fcl_queries.h. Queries of two models are between all bodies
 /// of one and all of the other; not thread safe.
@@ -42,8 +31,7 @@ class QueryModel {
   bool collides(const QueryModel& other) const;
   bool collides(const QueryModel& other, const IgnoredPairs& ignored) const;  ///< pairs of a link of one and a link of the other
   double distance(const QueryModel& other) const;                             ///< [m] 0 in contact
-  double distance(const QueryModel& other, const IgnoredPairs& ignored) const;
-  bool collides(const IgnoredPairs& ignored) const;    ///< of two of its own links
+  bool collides(const IgnoredPairs& ignored) const;                           ///< of two of its own links
   double distance(const IgnoredPairs& ignored) const;  ///< [m] between two of its own links; infinite where all are ignored
   std::vector<std::pair<std::size_t, std::size_t>> touching(const IgnoredPairs& ignored) const;  ///< pairs of its own links
 

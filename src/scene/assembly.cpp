@@ -39,6 +39,26 @@ std::vector<PlacedPart> placedParts(const Assembly& assembly, const Cuts& cuts, 
   return parts;
 }
 
+/// Of all contacts between the parts of these pairs, until `visit` has enough.
+template <typename Visit>
+void visitContacts(const Assembly& assembly, const Cuts& cuts, const std::vector<PartPair>& pairs, const Places& places,
+                   const Visit& visit) {
+  const std::vector<Eigen::Isometry3d> of_pieces = placesOfPieces(assembly, places);
+  const std::vector<PlacedPart> parts = placedParts(assembly, cuts, of_pieces);
+  for (const PartPair& pair : pairs) {
+    const PlacedPart &a = parts[pair.a], &b = parts[pair.b];
+    if (!a.box.intersects(b.box)) continue;
+    for (const PlacedNode& m : a.nodes) {
+      if (!m.box.intersects(b.box)) continue;
+      for (const PlacedNode& n : b.nodes) {
+        if (!m.box.intersects(n.box)) continue;
+        const Eigen::Isometry3d pose = m.place->inverse() * *n.place;
+        if (!apart(m.body->box(), n.body->box(), pose) && touch(*m.body, *n.body, pose) && !visit(m, n, pose)) return;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Assembly::Assembly(const FitProblem& problem, std::uint64_t seed)
@@ -101,27 +121,26 @@ bool touches(const Assembly& assembly, const Contact& contact, int first, int se
     return assembly.pieces()[static_cast<std::size_t>(contact.piece[side])].tree->body(node);
   };
   const QueryBody &a = body(0, first), &b = body(1, second);
-  return a.box().intersects(placed(b.box(), contact.pose)) && touch(a, b, contact.pose);
+  return !apart(a.box(), b.box(), contact.pose) && touch(a, b, contact.pose);
 }
 
 std::vector<Contact> contacts(const Assembly& assembly, const Cuts& cuts, const std::vector<PartPair>& pairs, const Places& places,
                               std::size_t sample) {
-  const std::vector<Eigen::Isometry3d> of_pieces = placesOfPieces(assembly, places);
-  const std::vector<PlacedPart> parts = placedParts(assembly, cuts, of_pieces);
   std::vector<Contact> result;
-  for (const PartPair& pair : pairs) {
-    const PlacedPart &a = parts[pair.a], &b = parts[pair.b];
-    if (!a.box.intersects(b.box)) continue;
-    for (const PlacedNode& m : a.nodes) {
-      if (!m.box.intersects(b.box)) continue;
-      for (const PlacedNode& n : b.nodes) {
-        if (!m.box.intersects(n.box)) continue;
-        const Eigen::Isometry3d pose = m.place->inverse() * *n.place;
-        if (touch(*m.body, *n.body, pose)) result.push_back({sample, {m.piece, n.piece}, {m.node, n.node}, pose});
-      }
-    }
-  }
+  visitContacts(assembly, cuts, pairs, places, [&](const PlacedNode& m, const PlacedNode& n, const Eigen::Isometry3d& pose) {
+    result.push_back({sample, {m.piece, n.piece}, {m.node, n.node}, pose});
+    return true;
+  });
   return result;
+}
+
+bool inContact(const Assembly& assembly, const Cuts& cuts, const std::vector<PartPair>& pairs, const Places& places) {
+  bool found = false;
+  visitContacts(assembly, cuts, pairs, places, [&](const PlacedNode&, const PlacedNode&, const Eigen::Isometry3d&) {
+    found = true;
+    return false;
+  });
+  return found;
 }
 
 }  // namespace collision_hulls

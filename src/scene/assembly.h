@@ -79,4 +79,7 @@ bool touches(const Assembly& assembly, const Contact& contact, int first, int se
 std::vector<Contact> contacts(const Assembly& assembly, const Cuts& cuts, const std::vector<PartPair>& pairs, const Places& places,
                               std::size_t sample);
 
+/// Whether there is any such contact.
+bool inContact(const Assembly& assembly, const Cuts& cuts, const std::vector<PartPair>& pairs, const Places& places);
+
 }  // namespace collision_hulls

@@ -115,6 +115,7 @@ class Comparing {
       if (!truth_.hit[i] && !truth_.clear[i]) close.push_back(all.back());
     }
     row.collision_us = collisionTime(model_.assembly, planner, all, control_);
+    row.tree_us = treeTime(model_.assembly, planner, all, control_);
     row.close_us = collisionTime(model_.assembly, planner, close, control_);
     row.distance_us = distanceTime(model_.assembly, planner, all, control_);
   }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "check/query_body.h"
+#include "collision_hulls/check/query_body.h"
 #include "collision_hulls/scene/fit.h"
 
 namespace collision_hulls {

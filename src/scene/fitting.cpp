@@ -98,8 +98,7 @@ std::size_t Fitting::refute(const std::vector<std::size_t>& samples) {
   forEach(samples.size(), [&](std::size_t i) {
     control_.check();
     const Places places = assembly_.places(samples[i]);
-    std::vector<Contact> current = contacts(assembly_, cuts_, pairs, places, samples[i]);
-    if (!current.empty() && contacts(assembly_, hull_cuts_, pairs, places, samples[i]).empty()) found[i] = std::move(current);
+    if (!inContact(assembly_, hull_cuts_, pairs, places)) found[i] = contacts(assembly_, cuts_, pairs, places, samples[i]);
   });
   std::vector<Contact> all;
   for (const std::vector<Contact>& current : found) all.insert(all.end(), current.begin(), current.end());

@@ -49,8 +49,7 @@ bool Originals::touch(std::size_t a, std::size_t b, const Places& places) const 
     const Eigen::Isometry3d to_first = (places[a] * first.origin).inverse() * places[b];
     for (const Body& second : of_part_[b]) {
       const Eigen::Isometry3d pose = to_first * second.origin;
-      if (first.body.box().intersects(placed(second.body.box(), pose)) && collision_hulls::touch(first.body, second.body, pose))
-        return true;
+      if (!apart(first.body.box(), second.body.box(), pose) && collision_hulls::touch(first.body, second.body, pose)) return true;
     }
   }
   return false;

@@ -21,6 +21,12 @@ std::vector<Places> placesOf(const Assembly& assembly, const std::vector<std::si
   return places;
 }
 
+IgnoredPairs ignoredPairs(const Assembly& assembly, const PairRules& rules) {
+  IgnoredPairs ignored(assembly.parts());
+  for (const auto& [a, b] : rules.ignored) ignored.ignore(a, b);
+  return ignored;
+}
+
 /// [us] Of one question: the quickest of several rounds, which other load on the machine disturbs least.
 double microseconds(const std::vector<Places>& all, const RunControl& control, const std::function<void(const Places&)>& ask) {
   using Clock = std::chrono::steady_clock;
@@ -41,9 +47,8 @@ double microseconds(const std::vector<Places>& all, const RunControl& control, c
 
 }  // namespace
 
-PlannerModel::PlannerModel(const Assembly& assembly, const PairRules& rules) : ignored_(assembly.parts()) {
-  for (const auto& [a, b] : rules.ignored) ignored_.ignore(a, b);
-}
+PlannerModel::PlannerModel(const Assembly& assembly, const PairRules& rules)
+    : ignored_(ignoredPairs(assembly, rules)), robot_(ignored_), scene_(IgnoredPairs(0)) {}
 
 PlannerModel::PlannerModel(const Assembly& assembly, const PairRules& rules, const Cuts& cuts) : PlannerModel(assembly, rules) {
   for (std::size_t i = 0; i < cuts.size(); ++i) {
@@ -58,12 +63,10 @@ PlannerModel::PlannerModel(const Assembly& assembly, const PairRules& rules, con
 }
 
 void PlannerModel::add(const Assembly& assembly, std::size_t part, const QueryBody& body, const Eigen::Isometry3d& origin) {
-  if (assembly.isLink(part)) {
-    robot_.add(part, body, origin);
-  } else {
-    scene_.add(part, body, origin);
-    empty_scene_ = false;
-  }
+  const bool is_link = assembly.isLink(part);
+  (is_link ? robot_ : scene_).add(part, body, origin);
+  (is_link ? robot_tree_ : scene_tree_).add(part, body, origin);
+  if (!is_link) empty_scene_ = false;
 }
 
 void PlannerModel::place(const Places& places) {
@@ -74,13 +77,20 @@ void PlannerModel::place(const Places& places) {
 
 bool PlannerModel::hit(const Places& places) {
   place(places);
-  return (!empty_scene_ && robot_.collides(scene_, ignored_)) || robot_.collides(ignored_);
+  return (!empty_scene_ && robot_.collides(scene_)) || robot_.collides();
+}
+
+bool PlannerModel::hitInTrees(const Places& places) {
+  if (!scene_tree_placed_) scene_tree_.place(places);
+  scene_tree_placed_ = true;
+  robot_tree_.place(places);
+  return (!empty_scene_ && robot_tree_.collides(scene_tree_, ignored_)) || robot_tree_.collides(ignored_);
 }
 
 double PlannerModel::distance(const Places& places) {
   place(places);
-  const double own = robot_.distance(ignored_);
-  return empty_scene_ ? own : std::min(own, robot_.distance(scene_, ignored_));
+  const double own = robot_.distance();
+  return empty_scene_ ? own : std::min(own, robot_.distance(scene_));
 }
 
 std::vector<char> hits(const Assembly& assembly, const std::function<PlannerModel()>& make, std::size_t first, std::size_t count,
@@ -100,6 +110,10 @@ std::vector<char> hits(const Assembly& assembly, const std::function<PlannerMode
 
 double collisionTime(const Assembly& assembly, PlannerModel& model, const std::vector<std::size_t>& samples, const RunControl& control) {
   return microseconds(placesOf(assembly, samples, kMostTimed), control, [&](const Places& places) { model.hit(places); });
+}
+
+double treeTime(const Assembly& assembly, PlannerModel& model, const std::vector<std::size_t>& samples, const RunControl& control) {
+  return microseconds(placesOf(assembly, samples, kMostTimed), control, [&](const Places& places) { model.hitInTrees(places); });
 }
 
 double distanceTime(const Assembly& assembly, PlannerModel& model, const std::vector<std::size_t>& samples, const RunControl& control) {

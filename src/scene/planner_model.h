@@ -5,18 +5,20 @@
 #include <vector>
 
 #include "check/query_model.h"
+#include "collision_hulls/check/boxed_model.h"
 #include "scene/originals.h"
 #include "scene/pair_rules.h"
 
 namespace collision_hulls {
 
-/// Bodies in FCL's dynamic trees. Not thread safe, and to be made while no other thread uses bodies of it: FCL writes to them then.
+/// Not thread safe, and to be made while no other thread uses bodies of it: FCL writes to them then.
 class PlannerModel {
  public:
   PlannerModel(const Assembly& assembly, const PairRules& rules, const Cuts& cuts);
   PlannerModel(const Assembly& assembly, const PairRules& rules, const Originals& originals);
 
   bool hit(const Places& places);
+  bool hitInTrees(const Places& places);  ///< the same, asked of FCL's dynamic trees, in which MoveIt has its bodies
   double distance(const Places& places);  ///< [m] to the scene or itself; 0 in contact
 
  private:
@@ -25,9 +27,10 @@ class PlannerModel {
 
   void place(const Places& places);
 
-  QueryModel robot_, scene_;
   IgnoredPairs ignored_;
-  bool scene_placed_ = false, empty_scene_ = true;
+  BoxedModel robot_, scene_;
+  QueryModel robot_tree_, scene_tree_;
+  bool scene_placed_ = false, scene_tree_placed_ = false, empty_scene_ = true;
 };
 
 /// Which of the samples from `first` on hit a model; `make` gives one.
@@ -37,6 +40,7 @@ std::vector<char> hits(const Assembly& assembly, const std::function<PlannerMode
 /// [us] that a question takes on one thread, whether a sample hits and how far it is from contact: means over the first of the samples, the
 /// quickest of several rounds. 0 where there is no sample.
 double collisionTime(const Assembly& assembly, PlannerModel& model, const std::vector<std::size_t>& samples, const RunControl& control);
+double treeTime(const Assembly& assembly, PlannerModel& model, const std::vector<std::size_t>& samples, const RunControl& control);
 double distanceTime(const Assembly& assembly, PlannerModel& model, const std::vector<std::size_t>& samples, const RunControl& control);
 
 }  // namespace collision_hulls

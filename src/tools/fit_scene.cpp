@@ -11,7 +11,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr const char* kComparisonHeader =
-    "robot,scene,clearance,model,tolerance,hulls,hull_vertices,samples,clear,phantom,free,false_hits,missed,collision_us,close_us,"
+    "robot,scene,clearance,model,tolerance,hulls,hull_vertices,samples,clear,phantom,free,false_hits,missed,collision_us,tree_us,close_us,"
     "distance_us,seconds\n";
 
 std::string comparisonCsv(const std::string& robot, const FitReport& fit) {
@@ -20,7 +20,8 @@ std::string comparisonCsv(const std::string& robot, const FitReport& fit) {
   for (const ModelRow& row : fit.models) {
     text += csvLine({robot, fit.scene, csvNumber(fit.clearance), row.model, csvNumber(row.tolerance), count(row.hulls), count(row.vertices),
                      count(fit.samples), count(row.clear), count(row.phantom), count(row.free), count(row.false_hits), count(row.missed),
-                     csvNumber(row.collision_us), csvNumber(row.close_us), csvNumber(row.distance_us), csvNumber(fit.seconds)});
+                     csvNumber(row.collision_us), csvNumber(row.tree_us), csvNumber(row.close_us), csvNumber(row.distance_us),
+                     csvNumber(fit.seconds)});
   }
   return text;
 }

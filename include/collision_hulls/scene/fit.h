@@ -113,8 +113,9 @@ struct ModelRow {
   std::size_t clear = 0, phantom = 0;        ///< samples in which the original keeps its clearance; of these, the model is hit
   std::size_t free = 0, false_hits = 0;      ///< samples in which the original is not hit; of these, the model is
   std::size_t missed = 0;                    ///< samples in which the original is hit and the model is not
-  double collision_us = 0, distance_us = 0;  ///< [us] of a query, by FCL on one thread
+  double collision_us = 0, distance_us = 0;  ///< [us] of a query, by a BoxedModel on one thread
   double close_us = 0;                       ///< the former where the original is free, but nearer than the clearance; 0: it never is
+  double tree_us = 0;                        ///< the former in FCL's dynamic trees
 };
 
 /// What is known about a fitted model. Rates are of configurations, over the pairs that are looked at.

@@ -1,0 +1,164 @@
+#include "collision_hulls/check/boxed_model.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "check/query_model.h"
+#include "random_points.h"
+#include "solids.h"
+
+namespace collision_hulls {
+namespace {
+
+using namespace test_shapes;
+using Poses = std::vector<Eigen::Isometry3d>;
+
+Poses at(const std::vector<Eigen::Vector3d>& places) {
+  Poses poses;
+  for (const Eigen::Vector3d& place : places) poses.push_back(Eigen::Isometry3d(Eigen::Translation3d(place)));
+  return poses;
+}
+
+/// Anywhere in a cube of this size, turned at random.
+Eigen::Isometry3d anyPose(RandomPoints& random, double size) {
+  const Eigen::Translation3d place(random.inCube(size / 2));
+  return place * Eigen::Isometry3d(random.rotation());
+}
+
+/// Bodies of all kinds, longish, so that boxes about them say little; each off the middle of its frame.
+std::vector<QueryBody> bodies() {
+  const Eigen::Isometry3d aside = Eigen::Translation3d(0.3, -0.2, 0.1) * Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized());
+  return {QueryBody(boxHull({0, 0, 0}, {1.2, 0.1, 0.2})),
+          QueryBody(box(0.9, 0.2, 0.3)),
+          QueryBody(uChannel(0.6, 0.6, 0.1, 1)),
+          {{QueryShape::Kind::kBox, {1, 0.2, 0.1}}, aside},
+          {{QueryShape::Kind::kCylinder, {0.1, 1, 0}}, aside},
+          QueryBody(boxHull({-0.1, -0.1, -0.5}, {0.1, 0.1, 0.5}))};
+}
+
+TEST(BoxedModel, NothingTouchesNothing) {
+  BoxedModel none(IgnoredPairs(1)), box(IgnoredPairs(1));
+  box.add(0, QueryBody(boxHull({0, 0, 0}, {1, 1, 1})));
+  none.place({});
+  box.place(at({{0, 0, 0}}));
+  for (BoxedModel* model : {&none, &box}) {
+    EXPECT_FALSE(model->collides());
+    EXPECT_EQ(model->distance(), std::numeric_limits<double>::infinity());
+    EXPECT_FALSE(model->collides(none));
+    EXPECT_EQ(model->distance(none), std::numeric_limits<double>::infinity());
+  }
+  EXPECT_FALSE(none.collides(box));
+  EXPECT_EQ(none.distance(box), std::numeric_limits<double>::infinity());
+}
+
+TEST(BoxedModel, ItsOwnLinks) {
+  IgnoredPairs ignored(4);
+  const auto chain = [&] {
+    BoxedModel model(ignored);
+    for (std::size_t link = 0; link < 4; ++link) model.add(link, QueryBody(boxHull({0, 0, 0}, {1, 1, 1})));
+    model.add(3, QueryBody(boxHull({0.5, 0, 0}, {1.5, 1, 1})));  // overlaps its own link's other body, which says nothing
+    model.place(at({{0, 0, 0}, {0.5, 0, 0}, {3, 0, 0}, {4.25, 0, 0}}));
+    return model;
+  };
+  EXPECT_TRUE(chain().collides());
+  EXPECT_EQ(chain().distance(), 0);
+  ignored.ignore(1, 0);
+  EXPECT_FALSE(chain().collides());
+  EXPECT_NEAR(chain().distance(), 0.25, 1e-9);
+  ignored.ignore(2, 3);
+  EXPECT_NEAR(chain().distance(), 1.5, 1e-9);
+}
+
+TEST(BoxedModel, ASceneMayMoveAndPairsOfItAreIgnored) {
+  IgnoredPairs ignored(3);  // one link, two things
+  BoxedModel scene{IgnoredPairs(0)};
+  for (std::size_t thing = 1; thing < 3; ++thing) scene.add(thing, QueryBody(boxHull({0, 0, 0}, {1, 1, 1})));
+  const auto robot = [&] {
+    BoxedModel model(ignored);
+    model.add(0, QueryBody(box(0.1, 0.1, 0.1)));
+    model.place(at({{1.5, 0.2, 0.2}}));
+    return model;
+  };
+  scene.place(at({{}, {0, 0, 0}, {3, 0, 0}}));
+  EXPECT_FALSE(robot().collides(scene));
+  EXPECT_NEAR(robot().distance(scene), 0.5, 1e-9);
+  scene.place(at({{}, {0, 0, 0}, {1.55, 0, 0}}));
+  EXPECT_TRUE(robot().collides(scene));
+  EXPECT_EQ(robot().distance(scene), 0);
+  ignored.ignore(0, 2);
+  EXPECT_FALSE(robot().collides(scene));
+  EXPECT_NEAR(robot().distance(scene), 0.5, 1e-9);
+}
+
+TEST(BoxedModel, AnswersAsFclsDynamicTreesDo) {
+  RandomPoints random(1);
+  const std::vector<QueryBody> all = bodies();
+  const std::size_t links = 8, things = 12;
+  IgnoredPairs ignored(links + things);
+  for (std::size_t link = 1; link < links; ++link) ignored.ignore(link - 1, link);
+  ignored.ignore(2, links + 1);
+  BoxedModel robot(ignored), scene(ignored);
+  QueryModel robot_tree, scene_tree;
+  for (std::size_t part = 0; part < links + things; ++part) {
+    for (const std::size_t other : {part, 3 * part + 1}) {
+      const Eigen::Isometry3d origin = anyPose(random, 0.5);
+      (part < links ? robot : scene).add(part, all[other % all.size()], origin);
+      (part < links ? robot_tree : scene_tree).add(part, all[other % all.size()], origin);
+    }
+  }
+  std::size_t own = 0, hits = 0;
+  for (int state = 0; state < 300; ++state) {
+    Poses poses;
+    for (std::size_t part = 0; part < links + things; ++part) poses.push_back(anyPose(random, part < links ? 4 : 8));
+    robot.place(poses);
+    robot_tree.place(poses);
+    if (state % 10 == 0) {
+      scene.place(poses);
+      scene_tree.place(poses);
+    }
+    ASSERT_EQ(robot.collides(), robot_tree.collides(ignored)) << state;
+    ASSERT_EQ(robot.collides(scene), robot_tree.collides(scene_tree, ignored)) << state;
+    ASSERT_NEAR(robot.distance(), robot_tree.distance(ignored), 1e-6) << state;
+    own += robot.collides();
+    hits += robot.collides(scene);
+    ASSERT_EQ(robot.collides(scene), robot.distance(scene) == 0) << state;
+  }
+  EXPECT_GT(own, 30U);
+  EXPECT_LT(own, 270U);
+  EXPECT_GT(hits, 30U);
+  EXPECT_LT(hits, 270U);
+}
+
+TEST(BoxedModel, BoxesAreApartWhereFclSaysSo) {
+  RandomPoints random(2);
+  std::size_t apart_count = 0, along_edges = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const auto half = [&]() -> Eigen::Vector3d { return Eigen::Vector3d(0.05, 0.05, 0.05) + 0.95 * random.inCube().cwiseAbs(); };
+    const Eigen::Vector3d a = half(), b = half();
+    const Eigen::AlignedBox3d first(-a, a), second(b, 2 * b);
+    const Eigen::Isometry3d pose = anyPose(random, 4);
+    const QueryBody of_first(boxHull(first.min(), first.max())), of_second(boxHull(second.min(), second.max()));
+    const bool are_apart = apart(first, second, pose);
+    ASSERT_EQ(are_apart, !touch(of_first, of_second, pose)) << i;
+    ASSERT_EQ(are_apart, apart(second, first, pose.inverse())) << i;
+    apart_count += are_apart;
+    along_edges += are_apart && first.intersects(placed(second, pose)) && second.intersects(placed(first, pose.inverse()));
+  }
+  EXPECT_GT(apart_count, 1000U);
+  EXPECT_GT(along_edges, 20U) << "pairs that no side of a box parts";
+}
+
+TEST(BoxedModel, ParallelEdgesPartNothing) {
+  const Eigen::AlignedBox3d cube(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 1));
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const Eigen::Isometry3d pose =
+        Eigen::Translation3d(0.5, 0.5, 0.5) * Eigen::AngleAxisd(quarter * EIGEN_PI / 2, Eigen::Vector3d::UnitX());
+    EXPECT_FALSE(apart(cube, cube, pose)) << quarter;
+  }
+  EXPECT_TRUE(apart(cube, cube, Eigen::Isometry3d(Eigen::Translation3d(1.0001, 0.5, 0.5))));
+  EXPECT_FALSE(apart(cube, cube, Eigen::Isometry3d(Eigen::Translation3d(0.9999, 0.9999, -0.9999))));
+}
+
+}  // namespace
+}  // namespace collision_hulls

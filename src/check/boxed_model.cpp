@@ -1,13 +1,11 @@
 // What is asked of FCL and why: see fcl_queries.cpp.
 #include "collision_hulls/check/boxed_model.h"
 
-#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
-#include <fcl/geometry/shape/sphere.h>
-
 #include <algorithm>
-#include <deque>
+#include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -16,96 +14,95 @@ namespace {
 
 struct Body {
   QueryBody body;
-  Eigen::Isometry3d origin, pose;  // in the link's frame; in the world
-  Eigen::AlignedBox3d box;         // in the world
+  Eigen::Isometry3d origin, inverse;  // in the link's frame
+  Eigen::AlignedBox3d box;            // in the link's frame
 };
 
 struct Link {
   std::size_t index = 0;
   std::vector<Body> bodies;
-  Eigen::AlignedBox3d own_box, box;  // in the link's frame; in the world
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  bool placed = false;  // its bodies
+  Eigen::AlignedBox3d box;  // in its own frame
 };
 
-void placeBodies(Link& link) {
-  if (link.placed) return;
-  for (Body& body : link.bodies) {
-    body.pose = link.pose * body.origin;
-    body.box = placed(body.body.box(), body.pose);
-  }
-  link.placed = true;
+using Boxes = std::vector<Eigen::AlignedBox3d>;
+
+/// Of those from `first` up to `last` which meet the box, until `visit` has enough; whether it had.
+template <typename Visit>
+bool visitMeeting(const Boxes& boxes, const Eigen::AlignedBox3d& box, std::size_t first, std::size_t last, const Visit& visit) {
+  for (std::size_t i = first; i < last; ++i)
+    if (boxes[i].intersects(box) && visit(i)) return true;
+  return false;
 }
 
-bool touch(const Body& a, const Body& b) {
-  const Eigen::Isometry3d pose = a.pose.inverse() * b.pose;
+bool touch(const Body& a, const Body& b, const Eigen::Isometry3d& of_links) {
+  const Eigen::Isometry3d pose = a.inverse * of_links * b.origin;
   return !apart(a.body.box(), b.body.box(), pose) && collision_hulls::touch(a.body, b.body, pose);
 }
 
-/// Of links whose boxes meet.
-bool touch(Link& a, Link& b) {
-  placeBodies(a);
-  placeBodies(b);
+/// `pose`: of the second link in the first one's frame.
+bool touch(const Link& a, const Link& b, const Eigen::Isometry3d& pose) {
+  if (a.bodies.size() == 1 && b.bodies.size() == 1) return touch(a.bodies[0], b.bodies[0], pose);
+  if (apart(a.box, b.box, pose)) return false;
+  std::vector<const Body*> near;  // of b
+  for (const Body& body : b.bodies)
+    if (!apart(a.box, body.box, pose)) near.push_back(&body);
   for (const Body& of_a : a.bodies) {
-    if (!of_a.box.intersects(b.box)) continue;
-    for (const Body& of_b : b.bodies)
-      if (of_a.box.intersects(of_b.box) && touch(of_a, of_b)) return true;
+    if (near.empty() || apart(of_a.box, b.box, pose)) continue;
+    for (const Body* of_b : near)
+      if (!apart(of_a.box, of_b->box, pose) && touch(of_a, *of_b, pose)) return true;
   }
   return false;
 }
 
 /// [m] The distance between two links, or `limit` where they are no closer than that.
-double distanceBelow(double limit, Link& a, Link& b) {
-  placeBodies(a);
-  placeBodies(b);
-  for (const Body& of_a : a.bodies)
-    for (const Body& of_b : b.bodies)
-      if (limit > 0 && of_a.box.exteriorDistance(of_b.box) < limit)
-        limit = collision_hulls::distanceBelow(limit, of_a.body, of_b.body, of_a.pose.inverse() * of_b.pose);
+double linkDistanceBelow(double limit, const Link& a, const Link& b, const Eigen::Isometry3d& pose) {
+  for (const Body& of_b : b.bodies) {
+    const Eigen::AlignedBox3d box = placed(of_b.box, pose);
+    for (const Body& of_a : a.bodies)
+      if (limit > 0 && of_a.box.exteriorDistance(box) < limit)
+        limit = distanceBelow(limit, of_a.body, of_b.body, of_a.inverse * pose * of_b.origin);
+  }
   return limit;
 }
 
-/// A link's box as FCL's trees know it; of the sphere nothing is asked.
-class BoxObject : public fcl::CollisionObjectd {
- public:
-  BoxObject() : fcl::CollisionObjectd(std::make_shared<fcl::Sphered>(1)) {}
-  void set(Link& link) {
-    aabb.min_ = link.box.min();
-    aabb.max_ = link.box.max();
-    setUserData(&link);
-  }
-};
-
-Link& linkOf(const fcl::CollisionObjectd* object) {
-  return *static_cast<Link*>(object->getUserData());
-}
-
-/// What a traversal of the tree carries along.
-struct Search {
-  const IgnoredPairs& ignored;
-  bool found = false;
-  double distance = std::numeric_limits<double>::infinity();
-};
-
-bool askPair(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* data) {
-  Search& search = *static_cast<Search*>(data);
-  Link &first = linkOf(a), &second = linkOf(b);
-  search.found = !search.ignored(first.index, second.index) && touch(first, second);
-  return search.found;
-}
-
-bool measurePair(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* data, double& least) {
-  Search& search = *static_cast<Search*>(data);
-  Link &first = linkOf(a), &second = linkOf(b);
-  if (!search.ignored(first.index, second.index)) search.distance = distanceBelow(search.distance, first, second);
-  least = search.distance;
-  return search.distance <= 0;
+/// Neighbours in space are neighbours in the order, in groups of a size.
+void sortIntoGroups(const Boxes& boxes, std::size_t size, std::vector<std::size_t>::iterator first,
+                    std::vector<std::size_t>::iterator last) {
+  const auto count = static_cast<std::size_t>(last - first);
+  if (count <= size) return;
+  Eigen::AlignedBox3d all;
+  std::for_each(first, last, [&](std::size_t i) { all.extend(boxes[i].center()); });
+  Eigen::Index axis;
+  all.sizes().maxCoeff(&axis);
+  const std::size_t groups = (count + size - 1) / size;
+  const auto middle = first + static_cast<std::ptrdiff_t>(groups / 2 * size);
+  std::nth_element(first, middle, last, [&](std::size_t a, std::size_t b) { return boxes[a].center()[axis] < boxes[b].center()[axis]; });
+  sortIntoGroups(boxes, size, first, middle);
+  sortIntoGroups(boxes, size, middle, last);
 }
 
 struct LinkPair {
-  Link *a, *b;
-  double bound = 0;  // [m] no more than the links' distance
+  std::size_t a, b;
 };
+
+/// Two that may be near: a link and another one, or a group of them.
+struct Near {
+  std::size_t a, b;
+  double bound;  // [m] no more than their distance
+};
+
+/// Calls `measure` of them, the nearest first, while what it returns, the least distance so far, is not below the bound.
+template <typename Measure>
+double leastDistance(std::vector<Near> near, const Measure& measure) {
+  const auto further = [](const Near& a, const Near& b) { return a.bound > b.bound; };
+  std::make_heap(near.begin(), near.end(), further);
+  double least = std::numeric_limits<double>::infinity();
+  for (; !near.empty() && near.front().bound < least; near.pop_back()) {
+    std::pop_heap(near.begin(), near.end(), further);
+    least = measure(near.back(), least);
+  }
+  return least;
+}
 
 }  // namespace
 
@@ -113,41 +110,61 @@ struct BoxedModel::Impl {
   explicit Impl(IgnoredPairs pairs_ignored) : ignored(std::move(pairs_ignored)) {}
 
   IgnoredPairs ignored;
-  std::deque<Link> links;
-  std::map<std::size_t, Link*> of_index;
+  std::vector<Link> links;
+  std::map<std::size_t, std::size_t> of_index;
+  std::vector<Eigen::Isometry3d> poses;  // of the links
+  Boxes boxes;                           // of the links as placed
+
+  // For questions about itself.
+  bool paired = false;
   std::vector<LinkPair> pairs;  // of links that are not ignored
-  BoxObject probe;
 
-  fcl::DynamicAABBTreeCollisionManagerd tree;  // of the links' boxes
-  std::deque<BoxObject> leaves;
-  bool planted = false;  // the tree, since the links were placed
+  // For questions about a scene, once it is placed.
+  bool grouped = false;
+  std::vector<std::size_t> order;  // of the links
+  std::size_t group_size = 1;      // of links that have a box in common
+  Boxes ordered, groups;           // the links' boxes in this order; those of groups
 
-  Link& link(std::size_t index) {
-    Link*& link = of_index[index];
-    if (link) return *link;
-    links.emplace_back().index = index;
-    link = &links.back();
-    return *link;
-  }
+  bool ignores(std::size_t a, const Impl& other, std::size_t b) const { return ignored(links[a].index, other.links[b].index); }
 
   void pairUp() {
-    if (!pairs.empty()) return;
-    for (auto a = links.begin(); a != links.end(); ++a)
-      for (auto b = a + 1; b != links.end(); ++b)
-        if (!ignored(a->index, b->index)) pairs.push_back({&*a, &*b});
+    if (paired) return;
+    pairs.clear();
+    for (std::size_t a = 0; a < links.size(); ++a)
+      for (std::size_t b = a + 1; b < links.size(); ++b)
+        if (!ignores(a, *this, b)) pairs.push_back({a, b});
+    paired = true;
   }
 
-  void plant() {
-    if (planted) return;
-    tree.clear();
-    leaves.resize(links.size());
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      leaves[i].set(links[i]);
-      tree.registerObject(&leaves[i]);
-    }
-    tree.setup();
-    planted = true;
+  Eigen::Isometry3d between(std::size_t a, const Impl& other, std::size_t b) const { return poses[a].inverse() * other.poses[b]; }
+
+  bool touches(std::size_t a, const Impl& other, std::size_t b) const { return touch(links[a], other.links[b], between(a, other, b)); }
+
+  double distanceBelow(double limit, std::size_t a, const Impl& other, std::size_t b) const {
+    return linkDistanceBelow(limit, links[a], other.links[b], between(a, other, b));
   }
+
+  void group() {
+    if (grouped) return;
+    order.resize(links.size());
+    std::iota(order.begin(), order.end(), 0);
+    // As many groups as members, about.
+    group_size = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(std::max(links.size(), std::size_t{1})))));
+    sortIntoGroups(boxes, group_size, order.begin(), order.end());
+    ordered = Boxes(links.size());
+    groups = Boxes((links.size() + group_size - 1) / group_size);
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      Eigen::AlignedBox3d all;
+      for (std::size_t i = g * group_size; i < groupEnd(g); ++i) {
+        ordered[i] = boxes[order[i]];
+        all.extend(ordered[i]);
+      }
+      groups[g] = all;
+    }
+    grouped = true;
+  }
+
+  std::size_t groupEnd(std::size_t group) const { return std::min(links.size(), (group + 1) * group_size); }
 };
 
 BoxedModel::BoxedModel(IgnoredPairs ignored) : impl_(std::make_unique<Impl>(std::move(ignored))) {}
@@ -156,59 +173,71 @@ BoxedModel::BoxedModel(BoxedModel&&) noexcept = default;
 
 void BoxedModel::add(std::size_t link, const QueryBody& body, const Eigen::Isometry3d& origin) {
   if (body.empty()) return;
-  Link& carrier = impl_->link(link);
-  carrier.bodies.push_back({body, origin, origin, {}});
-  carrier.own_box.extend(placed(body.box(), origin));
-  impl_->pairs.clear();
+  const auto [at, is_new] = impl_->of_index.emplace(link, impl_->links.size());
+  if (is_new) impl_->links.emplace_back().index = link;
+  Link& carrier = impl_->links[at->second];
+  carrier.bodies.push_back({body, origin, origin.inverse(), placed(body.box(), origin)});
+  carrier.box.extend(carrier.bodies.back().box);
+  impl_->paired = false;
 }
 
 void BoxedModel::place(const std::vector<Eigen::Isometry3d>& links) {
-  for (Link& link : impl_->links) {
-    link.pose = links[link.index];
-    link.box = placed(link.own_box, link.pose);
-    link.placed = false;
+  const std::size_t count = impl_->links.size();
+  impl_->boxes.resize(count);
+  impl_->poses.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Link& link = impl_->links[i];
+    impl_->poses[i] = links[link.index];
+    impl_->boxes[i] = placed(link.box, impl_->poses[i]);
   }
-  impl_->planted = false;
+  impl_->grouped = false;
 }
 
 bool BoxedModel::collides() {
+  const Impl& own = *impl_;
   impl_->pairUp();
-  return std::any_of(impl_->pairs.begin(), impl_->pairs.end(),
-                     [](const LinkPair& pair) { return pair.a->box.intersects(pair.b->box) && touch(*pair.a, *pair.b); });
+  return std::any_of(own.pairs.begin(), own.pairs.end(), [&](const LinkPair& pair) {
+    return own.boxes[pair.a].intersects(own.boxes[pair.b]) && own.touches(pair.a, own, pair.b);
+  });
 }
 
 double BoxedModel::distance() {
+  const Impl& own = *impl_;
   impl_->pairUp();
-  std::vector<LinkPair> nearest = impl_->pairs;
-  for (LinkPair& pair : nearest) pair.bound = pair.a->box.exteriorDistance(pair.b->box);
-  std::sort(nearest.begin(), nearest.end(), [](const LinkPair& a, const LinkPair& b) { return a.bound < b.bound; });
-  double least = std::numeric_limits<double>::infinity();
-  for (const LinkPair& pair : nearest) {
-    if (least <= pair.bound) break;
-    least = distanceBelow(least, *pair.a, *pair.b);
-  }
-  return least;
+  std::vector<Near> near;
+  for (const LinkPair& pair : own.pairs) near.push_back({pair.a, pair.b, own.boxes[pair.a].exteriorDistance(own.boxes[pair.b])});
+  return leastDistance(std::move(near), [&](const Near& pair, double least) { return own.distanceBelow(least, pair.a, own, pair.b); });
 }
 
 bool BoxedModel::collides(BoxedModel& scene) {
-  scene.impl_->plant();
-  Search search{impl_->ignored};
-  for (Link& link : impl_->links) {
-    impl_->probe.set(link);
-    scene.impl_->tree.collide(&impl_->probe, &search, askPair);
-    if (search.found) return true;
+  const Impl &own = *impl_, &other = *scene.impl_;
+  scene.impl_->group();
+  for (std::size_t a = 0; a < own.links.size(); ++a) {
+    const Eigen::AlignedBox3d box = own.boxes[a];
+    const auto in_group = [&](std::size_t g) {
+      return visitMeeting(other.ordered, box, g * other.group_size, other.groupEnd(g),
+                          [&](std::size_t i) { return !own.ignores(a, other, other.order[i]) && own.touches(a, other, other.order[i]); });
+    };
+    if (visitMeeting(other.groups, box, 0, other.groups.size(), in_group)) return true;
   }
   return false;
 }
 
 double BoxedModel::distance(BoxedModel& scene) {
-  scene.impl_->plant();
-  Search search{impl_->ignored};
-  for (Link& link : impl_->links) {
-    impl_->probe.set(link);
-    scene.impl_->tree.distance(&impl_->probe, &search, measurePair);
-  }
-  return search.distance;
+  const Impl &own = *impl_, &other = *scene.impl_;
+  scene.impl_->group();
+  std::vector<Near> near;
+  for (std::size_t a = 0; a < own.links.size(); ++a)
+    for (std::size_t g = 0; g < other.groups.size(); ++g) near.push_back({a, g, own.boxes[a].exteriorDistance(other.groups[g])});
+  return leastDistance(std::move(near), [&](const Near& pair, double least) {
+    std::vector<Near> members;
+    for (std::size_t i = pair.b * other.group_size; i < other.groupEnd(pair.b); ++i)
+      if (!own.ignores(pair.a, other, other.order[i]))
+        members.push_back({pair.a, other.order[i], own.boxes[pair.a].exteriorDistance(other.ordered[i])});
+    return std::min(least, leastDistance(std::move(members), [&](const Near& member, double limit) {
+                      return own.distanceBelow(std::min(limit, least), member.a, other, member.b);
+                    }));
+  });
 }
 
 }  // namespace collision_hulls

@@ -47,8 +47,7 @@ double microseconds(const std::vector<Places>& all, const RunControl& control, c
 
 }  // namespace
 
-PlannerModel::PlannerModel(const Assembly& assembly, const PairRules& rules)
-    : ignored_(ignoredPairs(assembly, rules)), robot_(ignored_), scene_(IgnoredPairs(0)) {}
+PlannerModel::PlannerModel(const Assembly& assembly, const PairRules& rules) : ignored_(ignoredPairs(assembly, rules)), robot_(ignored_) {}
 
 PlannerModel::PlannerModel(const Assembly& assembly, const PairRules& rules, const Cuts& cuts) : PlannerModel(assembly, rules) {
   for (std::size_t i = 0; i < cuts.size(); ++i) {

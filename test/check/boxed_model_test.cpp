@@ -38,7 +38,7 @@ std::vector<QueryBody> bodies() {
 }
 
 TEST(BoxedModel, NothingTouchesNothing) {
-  BoxedModel none(IgnoredPairs(1)), box(IgnoredPairs(1));
+  BoxedModel none, box;
   box.add(0, QueryBody(boxHull({0, 0, 0}, {1, 1, 1})));
   none.place({});
   box.place(at({{0, 0, 0}}));
@@ -72,7 +72,7 @@ TEST(BoxedModel, ItsOwnLinks) {
 
 TEST(BoxedModel, ASceneMayMoveAndPairsOfItAreIgnored) {
   IgnoredPairs ignored(3);  // one link, two things
-  BoxedModel scene{IgnoredPairs(0)};
+  BoxedModel scene;
   for (std::size_t thing = 1; thing < 3; ++thing) scene.add(thing, QueryBody(boxHull({0, 0, 0}, {1, 1, 1})));
   const auto robot = [&] {
     BoxedModel model(ignored);

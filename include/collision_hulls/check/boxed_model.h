@@ -13,9 +13,10 @@ namespace collision_hulls {
 /// Pairs of links that are not looked at: neighbours by a joint, and what an SRDF disables.
 class IgnoredPairs {
  public:
-  explicit IgnoredPairs(std::size_t links) : links_(links), ignored_(links * links) {}
+  /// None yet. Pairs of links below this number may be ignored.
+  explicit IgnoredPairs(std::size_t links = 0) : links_(links), ignored_(links * links) {}
   void ignore(std::size_t a, std::size_t b) { ignored_[a * links_ + b] = ignored_[b * links_ + a] = true; }
-  bool operator()(std::size_t a, std::size_t b) const { return ignored_[a * links_ + b]; }
+  bool operator()(std::size_t a, std::size_t b) const { return a < links_ && b < links_ && ignored_[a * links_ + b]; }
 
  private:
   std::size_t links_;
@@ -23,11 +24,11 @@ class IgnoredPairs {
 };
 
 /// Bodies that links carry, hulls or meshes. FCL's dynamic trees serve thousands of bodies that move; of a robot's few links they take
-/// most of the time that a question takes. Here each pair of links is looked at, box against box, and bodies are placed where boxes of
-/// links meet. All in one frame, in metres. Not thread safe: copies of bodies are cheap, so each thread has a model of its own.
+/// most of the time that a question takes. Here boxes of all links are compared, and bodies looked at, box against box in the frame of one
+/// of the two links, where those meet. In metres. Not thread safe: copies of bodies are cheap, so each thread has a model of its own.
 class BoxedModel {
  public:
-  explicit BoxedModel(IgnoredPairs ignored);  ///< what questions leave out
+  explicit BoxedModel(IgnoredPairs ignored = IgnoredPairs());  ///< what its questions leave out
   ~BoxedModel();
   BoxedModel(BoxedModel&&) noexcept;
 
@@ -40,8 +41,8 @@ class BoxedModel {
   bool collides();    ///< two of its own links
   double distance();  ///< [m] between two of its own links; 0 in contact, infinite where all are ignored
 
-  /// The same of a link of this one and a link of the other, which may have many: a tree of its boxes is kept while it stays in its place.
-  /// Left out is what this one ignores; indices of the other's links are among its.
+  /// The same of a link of this one and a link of the other, which may have thousands: they are grouped when the first question is asked
+  /// after it was placed. Left out is what this one ignores, where indices of both stand for links.
   bool collides(BoxedModel& scene);
   double distance(BoxedModel& scene);
 

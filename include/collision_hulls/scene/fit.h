@@ -114,8 +114,8 @@ struct ModelRow {
   std::size_t free = 0, false_hits = 0;      ///< samples in which the original is not hit; of these, the model is
   std::size_t missed = 0;                    ///< samples in which the original is hit and the model is not
   double collision_us = 0, distance_us = 0;  ///< [us] of a query, by a BoxedModel on one thread
-  double close_us = 0;                       ///< the former where the original is free, but nearer than the clearance; 0: it never is
-  double tree_us = 0;                        ///< the former in FCL's dynamic trees
+  double tree_us = 0;                        ///< collision_us in FCL's dynamic trees
+  double close_us = 0;                       ///< collision_us where the original is free, but nearer than the clearance; 0: it never is
 };
 
 /// What is known about a fitted model. Rates are of configurations, over the pairs that are looked at.
@@ -134,8 +134,9 @@ struct FitReport {
   std::size_t leaf_contacts = 0;    ///< counterexamples that the finest hulls of the trees still are
   std::string leaf_contact;         ///< the first of them
   std::size_t pairs = 0, proved_pairs = 0;
-  double query_us = 0, original_query_us = 0;        ///< [us] whether a configuration is free, by FCL on one thread; pairs of links
-                                                     ///< that are proved apart are not asked, as the SRDF says that is written
+  double query_us = 0, original_query_us = 0;        ///< [us] whether a configuration is free, by a BoxedModel on one thread; pairs
+                                                     ///< of links that are proved apart are not asked, as the SRDF says that is
+                                                     ///< written
   double distance_us = 0, original_distance_us = 0;  ///< [us] how far it is from contact
   std::size_t hulls = 0, full_hulls = 0;             ///< of the model, primitives counted; of the trees' leaves
   std::size_t primitives = 0;                        ///< of the model

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -46,8 +47,9 @@ bool touch(const Link& a, const Link& b, const Eigen::Isometry3d& pose) {
   std::vector<const Body*> near;  // of b
   for (const Body& body : b.bodies)
     if (!apart(a.box, body.box, pose)) near.push_back(&body);
+  if (near.empty()) return false;
   for (const Body& of_a : a.bodies) {
-    if (near.empty() || apart(of_a.box, b.box, pose)) continue;
+    if (apart(of_a.box, b.box, pose)) continue;
     for (const Body* of_b : near)
       if (!apart(of_a.box, of_b->box, pose) && touch(of_a, *of_b, pose)) return true;
   }
@@ -110,6 +112,7 @@ struct BoxedModel::Impl {
   explicit Impl(IgnoredPairs pairs_ignored) : ignored(std::move(pairs_ignored)) {}
 
   IgnoredPairs ignored;
+  bool placed = true;  // all bodies
   std::vector<Link> links;
   std::map<std::size_t, std::size_t> of_index;
   std::vector<Eigen::Isometry3d> poses;  // of the links
@@ -125,9 +128,14 @@ struct BoxedModel::Impl {
   std::size_t group_size = 1;      // of links that have a box in common
   Boxes ordered, groups;           // the links' boxes in this order; those of groups
 
+  void checkPlaced() const {
+    if (!placed) throw Error(ErrorCode::kInternal, "a model is asked with bodies that are not placed; place it once all are there");
+  }
+
   bool ignores(std::size_t a, const Impl& other, std::size_t b) const { return ignored(links[a].index, other.links[b].index); }
 
   void pairUp() {
+    checkPlaced();
     if (paired) return;
     pairs.clear();
     for (std::size_t a = 0; a < links.size(); ++a)
@@ -145,6 +153,7 @@ struct BoxedModel::Impl {
   }
 
   void group() {
+    checkPlaced();
     if (grouped) return;
     order.resize(links.size());
     std::iota(order.begin(), order.end(), 0);
@@ -178,19 +187,25 @@ void BoxedModel::add(std::size_t link, const QueryBody& body, const Eigen::Isome
   Link& carrier = impl_->links[at->second];
   carrier.bodies.push_back({body, origin, origin.inverse(), placed(body.box(), origin)});
   carrier.box.extend(carrier.bodies.back().box);
-  impl_->paired = false;
+  impl_->paired = impl_->placed = false;
 }
 
 void BoxedModel::place(const std::vector<Eigen::Isometry3d>& links) {
   const std::size_t count = impl_->links.size();
+  impl_->placed = impl_->grouped = false;
   impl_->boxes.resize(count);
   impl_->poses.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     const Link& link = impl_->links[i];
+    if (link.index >= links.size())
+      throw Error(ErrorCode::kIndexOutOfRange, "there are poses for " + std::to_string(links.size()) + " links, and none for link " +
+                                                   std::to_string(link.index) + "; give one for each");
     impl_->poses[i] = links[link.index];
+    if (!std::isfinite(impl_->poses[i].matrix().sum()))
+      throw Error(ErrorCode::kNonFiniteCoordinate, "the pose of link " + std::to_string(link.index) + " is not finite; give a finite one");
     impl_->boxes[i] = placed(link.box, impl_->poses[i]);
   }
-  impl_->grouped = false;
+  impl_->placed = true;
 }
 
 bool BoxedModel::collides() {
@@ -211,6 +226,7 @@ double BoxedModel::distance() {
 
 bool BoxedModel::collides(BoxedModel& scene) {
   const Impl &own = *impl_, &other = *scene.impl_;
+  own.checkPlaced();
   scene.impl_->group();
   for (std::size_t a = 0; a < own.links.size(); ++a) {
     const Eigen::AlignedBox3d box = own.boxes[a];
@@ -225,6 +241,7 @@ bool BoxedModel::collides(BoxedModel& scene) {
 
 double BoxedModel::distance(BoxedModel& scene) {
   const Impl &own = *impl_, &other = *scene.impl_;
+  own.checkPlaced();
   scene.impl_->group();
   std::vector<Near> near;
   for (std::size_t a = 0; a < own.links.size(); ++a)

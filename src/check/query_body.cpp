@@ -109,7 +109,8 @@ bool apart(const Eigen::AlignedBox3d& first, const Eigen::AlignedBox3d& second, 
   const Eigen::Matrix3d turn = pose.linear(), reach = turn.cwiseAbs();
   if ((way.cwiseAbs() - a - reach * b).maxCoeff() > 0) return true;
   if (((turn.transpose() * way).cwiseAbs() - b - reach.transpose() * a).maxCoeff() > 0) return true;
-  const double rounding = 1e-12 * (a.sum() + b.sum());  // the plane along two edges that are nearly parallel is none
+  // The plane along two edges that are nearly parallel is none; poses may be good to single precision.
+  const double rounding = 1e-6 * (a.sum() + b.sum());
   for (int i = 0; i < 3; ++i) {
     const int u = (i + 1) % 3, v = (i + 2) % 3;
     for (int j = 0; j < 3; ++j) {

@@ -38,7 +38,7 @@ class Comparing {
 
   ModelRow original() const {
     ModelRow row = rowOf("original", truth_.hit);
-    time(PlannerModel(model_.assembly, timed_, model_.originals), row);
+    time(model_.originals, row);
     return row;
   }
 
@@ -47,7 +47,7 @@ class Comparing {
     row.hulls = model_.assembly.hulls(cuts);
     for (std::size_t i = 0; i < model_.problem.elements.size(); ++i)
       for (const int node : cuts[i]) row.vertices += model_.assembly.pieces()[i].tree->body(node).corners();
-    time(PlannerModel(model_.assembly, timed_, cuts), row);
+    time(cuts, row);
     return row;
   }
 
@@ -90,7 +90,7 @@ class Comparing {
     std::set<std::size_t> samples;
     for (const Contact& contact : model_.fitting.seen()) samples.insert(contact.sample);
     const bool refuted = std::any_of(samples.begin(), samples.end(), [&](std::size_t i) {
-      return !contacts(model_.assembly, cuts, model_.rules.pairs, model_.assembly.places(i), i).empty();
+      return inContact(model_.assembly, cuts, model_.rules.pairs, model_.assembly.places(i));
     });
     return !refuted && rowOf("", hitsOf(cuts)).phantom == 0;
   }
@@ -108,14 +108,17 @@ class Comparing {
     return row;
   }
 
-  void time(PlannerModel planner, ModelRow& row) const {
+  template <typename Bodies>
+  void time(const Bodies& bodies, ModelRow& row) const {
+    PlannerModel planner(model_.assembly, timed_, bodies);
+    TreeModel trees(model_.assembly, timed_, bodies);
     std::vector<std::size_t> all, close;
     for (std::size_t i = 0; i < model_.samples(); ++i) {
       all.push_back(model_.fitting.verifiedFrom() + i);
       if (!truth_.hit[i] && !truth_.clear[i]) close.push_back(all.back());
     }
     row.collision_us = collisionTime(model_.assembly, planner, all, control_);
-    row.tree_us = treeTime(model_.assembly, planner, all, control_);
+    row.tree_us = collisionTime(model_.assembly, trees, all, control_);
     row.close_us = collisionTime(model_.assembly, planner, close, control_);
     row.distance_us = distanceTime(model_.assembly, planner, all, control_);
   }

@@ -27,6 +27,20 @@ IgnoredPairs ignoredPairs(const Assembly& assembly, const PairRules& rules) {
   return ignored;
 }
 
+template <typename Model>
+void addBodies(const Assembly& assembly, const Cuts& cuts, Model& robot, Model& scene) {
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    const Piece& piece = assembly.pieces()[i];
+    for (const int node : cuts[i]) (assembly.isLink(piece.part) ? robot : scene).add(piece.part, piece.tree->body(node), piece.origin);
+  }
+}
+
+template <typename Model>
+void addBodies(const Assembly& assembly, const Originals& originals, Model& robot, Model& scene) {
+  for (std::size_t part = 0; part < assembly.parts(); ++part)
+    for (const Originals::Body& body : originals.bodies(part)) (assembly.isLink(part) ? robot : scene).add(part, body.body, body.origin);
+}
+
 /// [us] Of one question: the quickest of several rounds, which other load on the machine disturbs least.
 double microseconds(const std::vector<Places>& all, const RunControl& control, const std::function<void(const Places&)>& ask) {
   using Clock = std::chrono::steady_clock;
@@ -47,25 +61,13 @@ double microseconds(const std::vector<Places>& all, const RunControl& control, c
 
 }  // namespace
 
-PlannerModel::PlannerModel(const Assembly& assembly, const PairRules& rules) : ignored_(ignoredPairs(assembly, rules)), robot_(ignored_) {}
-
-PlannerModel::PlannerModel(const Assembly& assembly, const PairRules& rules, const Cuts& cuts) : PlannerModel(assembly, rules) {
-  for (std::size_t i = 0; i < cuts.size(); ++i) {
-    const Piece& piece = assembly.pieces()[i];
-    for (const int node : cuts[i]) add(assembly, piece.part, piece.tree->body(node), piece.origin);
-  }
+PlannerModel::PlannerModel(const Assembly& assembly, const PairRules& rules, const Cuts& cuts) : robot_(ignoredPairs(assembly, rules)) {
+  addBodies(assembly, cuts, robot_, scene_);
 }
 
-PlannerModel::PlannerModel(const Assembly& assembly, const PairRules& rules, const Originals& originals) : PlannerModel(assembly, rules) {
-  for (std::size_t part = 0; part < assembly.parts(); ++part)
-    for (const Originals::Body& body : originals.bodies(part)) add(assembly, part, body.body, body.origin);
-}
-
-void PlannerModel::add(const Assembly& assembly, std::size_t part, const QueryBody& body, const Eigen::Isometry3d& origin) {
-  const bool is_link = assembly.isLink(part);
-  (is_link ? robot_ : scene_).add(part, body, origin);
-  (is_link ? robot_tree_ : scene_tree_).add(part, body, origin);
-  if (!is_link) empty_scene_ = false;
+PlannerModel::PlannerModel(const Assembly& assembly, const PairRules& rules, const Originals& originals)
+    : robot_(ignoredPairs(assembly, rules)) {
+  addBodies(assembly, originals, robot_, scene_);
 }
 
 void PlannerModel::place(const Places& places) {
@@ -76,20 +78,28 @@ void PlannerModel::place(const Places& places) {
 
 bool PlannerModel::hit(const Places& places) {
   place(places);
-  return (!empty_scene_ && robot_.collides(scene_)) || robot_.collides();
-}
-
-bool PlannerModel::hitInTrees(const Places& places) {
-  if (!scene_tree_placed_) scene_tree_.place(places);
-  scene_tree_placed_ = true;
-  robot_tree_.place(places);
-  return (!empty_scene_ && robot_tree_.collides(scene_tree_, ignored_)) || robot_tree_.collides(ignored_);
+  return robot_.collides(scene_) || robot_.collides();
 }
 
 double PlannerModel::distance(const Places& places) {
   place(places);
-  const double own = robot_.distance();
-  return empty_scene_ ? own : std::min(own, robot_.distance(scene_));
+  return std::min(robot_.distance(), robot_.distance(scene_));
+}
+
+TreeModel::TreeModel(const Assembly& assembly, const PairRules& rules, const Cuts& cuts) : ignored_(ignoredPairs(assembly, rules)) {
+  addBodies(assembly, cuts, robot_, scene_);
+}
+
+TreeModel::TreeModel(const Assembly& assembly, const PairRules& rules, const Originals& originals)
+    : ignored_(ignoredPairs(assembly, rules)) {
+  addBodies(assembly, originals, robot_, scene_);
+}
+
+bool TreeModel::hit(const Places& places) {
+  if (!scene_placed_) scene_.place(places);
+  scene_placed_ = true;
+  robot_.place(places);
+  return robot_.collides(scene_, ignored_) || robot_.collides(ignored_);
 }
 
 std::vector<char> hits(const Assembly& assembly, const std::function<PlannerModel()>& make, std::size_t first, std::size_t count,
@@ -111,8 +121,8 @@ double collisionTime(const Assembly& assembly, PlannerModel& model, const std::v
   return microseconds(placesOf(assembly, samples, kMostTimed), control, [&](const Places& places) { model.hit(places); });
 }
 
-double treeTime(const Assembly& assembly, PlannerModel& model, const std::vector<std::size_t>& samples, const RunControl& control) {
-  return microseconds(placesOf(assembly, samples, kMostTimed), control, [&](const Places& places) { model.hitInTrees(places); });
+double collisionTime(const Assembly& assembly, TreeModel& model, const std::vector<std::size_t>& samples, const RunControl& control) {
+  return microseconds(placesOf(assembly, samples, kMostTimed), control, [&](const Places& places) { model.hit(places); });
 }
 
 double distanceTime(const Assembly& assembly, PlannerModel& model, const std::vector<std::size_t>& samples, const RunControl& control) {

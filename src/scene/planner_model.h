@@ -11,26 +11,35 @@
 
 namespace collision_hulls {
 
-/// Not thread safe, and to be made while no other thread uses bodies of it: FCL writes to them then.
+/// Behind boxes, see BoxedModel. Not thread safe.
 class PlannerModel {
  public:
   PlannerModel(const Assembly& assembly, const PairRules& rules, const Cuts& cuts);
   PlannerModel(const Assembly& assembly, const PairRules& rules, const Originals& originals);
 
   bool hit(const Places& places);
-  bool hitInTrees(const Places& places);  ///< the same, asked of FCL's dynamic trees, in which MoveIt has its bodies
   double distance(const Places& places);  ///< [m] to the scene or itself; 0 in contact
 
  private:
-  PlannerModel(const Assembly& assembly, const PairRules& rules);
-  void add(const Assembly& assembly, std::size_t part, const QueryBody& body, const Eigen::Isometry3d& origin);
-
   void place(const Places& places);
 
-  IgnoredPairs ignored_;
   BoxedModel robot_, scene_;
-  QueryModel robot_tree_, scene_tree_;
-  bool scene_placed_ = false, scene_tree_placed_ = false, empty_scene_ = true;
+  bool scene_placed_ = false;
+};
+
+/// The same in FCL's dynamic trees, in which MoveIt has its bodies. Not thread safe, and to be made while no other thread uses bodies of
+/// it: FCL writes to them then.
+class TreeModel {
+ public:
+  TreeModel(const Assembly& assembly, const PairRules& rules, const Cuts& cuts);
+  TreeModel(const Assembly& assembly, const PairRules& rules, const Originals& originals);
+
+  bool hit(const Places& places);
+
+ private:
+  QueryModel robot_, scene_;
+  IgnoredPairs ignored_;
+  bool scene_placed_ = false;
 };
 
 /// Which of the samples from `first` on hit a model; `make` gives one.
@@ -40,7 +49,7 @@ std::vector<char> hits(const Assembly& assembly, const std::function<PlannerMode
 /// [us] that a question takes on one thread, whether a sample hits and how far it is from contact: means over the first of the samples, the
 /// quickest of several rounds. 0 where there is no sample.
 double collisionTime(const Assembly& assembly, PlannerModel& model, const std::vector<std::size_t>& samples, const RunControl& control);
-double treeTime(const Assembly& assembly, PlannerModel& model, const std::vector<std::size_t>& samples, const RunControl& control);
+double collisionTime(const Assembly& assembly, TreeModel& model, const std::vector<std::size_t>& samples, const RunControl& control);
 double distanceTime(const Assembly& assembly, PlannerModel& model, const std::vector<std::size_t>& samples, const RunControl& control);
 
 }  // namespace collision_hulls

@@ -4,18 +4,27 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "collision_hulls/check/query_body.h"
+#include "collision_hulls/error.h"
 
 namespace collision_hulls {
 
 /// Pairs of links that are not looked at: neighbours by a joint, and what an SRDF disables.
 class IgnoredPairs {
  public:
-  /// None yet. Pairs of links below this number may be ignored.
+  /// None yet. Links below this number may be in pairs.
   explicit IgnoredPairs(std::size_t links = 0) : links_(links), ignored_(links * links) {}
-  void ignore(std::size_t a, std::size_t b) { ignored_[a * links_ + b] = ignored_[b * links_ + a] = true; }
+
+  /// Throws kIndexOutOfRange.
+  void ignore(std::size_t a, std::size_t b) {
+    if (a >= links_ || b >= links_)
+      throw Error(ErrorCode::kIndexOutOfRange, "a pair of links " + std::to_string(a) + " and " + std::to_string(b) +
+                                                   " is to be ignored where there are " + std::to_string(links_) + "; make room for more");
+    ignored_[a * links_ + b] = ignored_[b * links_ + a] = true;
+  }
   bool operator()(std::size_t a, std::size_t b) const { return a < links_ && b < links_ && ignored_[a * links_ + b]; }
 
  private:
@@ -26,6 +35,7 @@ class IgnoredPairs {
 /// Bodies that links carry, hulls or meshes. FCL's dynamic trees serve thousands of bodies that move; of a robot's few links they take
 /// most of the time that a question takes. Here boxes of all links are compared, and bodies looked at, box against box in the frame of one
 /// of the two links, where those meet. In metres. Not thread safe: copies of bodies are cheap, so each thread has a model of its own.
+/// Distances to bodies that are made of a QueryShape are those of FCL, which query_body.h tells of: where they matter, add hulls.
 class BoxedModel {
  public:
   explicit BoxedModel(IgnoredPairs ignored = IgnoredPairs());  ///< what its questions leave out
@@ -35,14 +45,17 @@ class BoxedModel {
   /// `origin`: of the body in the link's frame. Empty bodies are left out.
   void add(std::size_t link, const QueryBody& body, const Eigen::Isometry3d& origin = Eigen::Isometry3d::Identity());
 
-  /// To be called once all bodies are there, and before each question about another state: a pose for each link.
+  /// To be called once all bodies are there, and before each question about another state: a pose for each link, by its index. Throws
+  /// kIndexOutOfRange where links have no pose, kNonFiniteCoordinate.
   void place(const std::vector<Eigen::Isometry3d>& links);
+
+  // Questions throw kInternal where bodies were added that are not placed.
 
   bool collides();    ///< two of its own links
   double distance();  ///< [m] between two of its own links; 0 in contact, infinite where all are ignored
 
   /// The same of a link of this one and a link of the other, which may have thousands: they are grouped when the first question is asked
-  /// after it was placed. Left out is what this one ignores, where indices of both stand for links.
+  /// after it was placed. What this one ignores is left out, so both count their links together, such as the scene's on from the robot's.
   bool collides(BoxedModel& scene);
   double distance(BoxedModel& scene);
 

@@ -48,7 +48,8 @@ double distanceBelow(double limit, const QueryBody& first, const QueryBody& seco
 /// The box along the axes about a box that a pose places.
 Eigen::AlignedBox3d placed(const Eigen::AlignedBox3d& box, const Eigen::Isometry3d& pose);
 
-/// Whether boxes do not meet; `pose` is the second one's in the first one's frame.
+/// Whether boxes do not meet; `pose` is the second one's in the first one's frame. Boxes that only edges part by less than a millionth of
+/// their size count as meeting.
 bool apart(const Eigen::AlignedBox3d& first, const Eigen::AlignedBox3d& second, const Eigen::Isometry3d& pose);
 
 }  // namespace collision_hulls

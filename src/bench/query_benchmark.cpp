@@ -47,6 +47,7 @@ std::optional<double> numberIn(const json& result, const char* key) {
 void fill(const json& result, QueryRow& row) {
   row.bodies = result["bodies"].get<std::size_t>();
   row.collisions_per_second = numberIn(result, "collisions_per_second");
+  row.tree_collisions_per_second = numberIn(result, "tree_collisions_per_second");
   row.distances_per_second = numberIn(result, "distances_per_second");
   row.hit_rate = numberIn(result, "hit_rate");
   row.phantom_rate = numberIn(result, "phantom_rate");
@@ -139,15 +140,16 @@ std::string csvCount(const std::optional<std::size_t>& value) {
 }  // namespace
 
 std::string queryHeader() {
-  return "subject,workload,method,effort,requested,status,bodies,states,collisions_per_second,distances_per_second,hit_rate,"
+  return "subject,workload,method,effort,requested,status,bodies,states,collisions_per_second,tree_collisions_per_second,distances_per_"
+         "second,hit_rate,"
          "phantom_rate,missed,distance_error_mean,distance_error_max,diagonal,seed,message\n";
 }
 
 std::string toCsv(const QueryRow& row) {
   return csvLine({row.subject, row.workload, row.method, row.effort, row.requested, row.status, csvCount(row.bodies), csvCount(row.states),
-                  csvNumber(row.collisions_per_second), csvNumber(row.distances_per_second), csvNumber(row.hit_rate),
-                  csvNumber(row.phantom_rate), csvCount(row.missed), csvNumber(row.distance_error_mean), csvNumber(row.distance_error_max),
-                  csvNumber(row.diagonal), std::to_string(row.seed), row.message});
+                  csvNumber(row.collisions_per_second), csvNumber(row.tree_collisions_per_second), csvNumber(row.distances_per_second),
+                  csvNumber(row.hit_rate), csvNumber(row.phantom_rate), csvCount(row.missed), csvNumber(row.distance_error_mean),
+                  csvNumber(row.distance_error_max), csvNumber(row.diagonal), std::to_string(row.seed), row.message});
 }
 
 void runQueries(const BenchmarkInputs& inputs, const std::vector<BenchmarkRow>& rows, const QueryOptions& options,

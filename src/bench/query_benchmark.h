@@ -17,7 +17,7 @@ struct QueryRow {
   std::string subject, workload, method, effort, requested;
   std::string status = "ok";  ///< ok, timeout, crash, error
   std::optional<std::size_t> bodies, states;
-  std::optional<double> collisions_per_second, distances_per_second, hit_rate, phantom_rate;
+  std::optional<double> collisions_per_second, tree_collisions_per_second, distances_per_second, hit_rate, phantom_rate;
   std::optional<std::size_t> missed;
   std::optional<double> distance_error_mean, distance_error_max, diagonal;  ///< diagonal: the largest of the meshes'
   std::uint64_t seed = 1;

@@ -41,25 +41,27 @@ TriangleMesh meshOf(const json& part) {
   return transformed(scaled(readMesh(part["file"]).mesh, scale), toPose(part["origin"]));
 }
 
-/// The model that the job asks about.
-QueryModel modelOf(const json& job, const std::vector<Part>& parts, std::size_t& bodies) {
-  QueryModel model;
-  bodies = 0;
+/// A body of the model that the job asks about, in its link's frame.
+struct LinkBody {
+  std::size_t link = 0;
+  QueryBody body;
+};
+
+std::vector<LinkBody> bodiesOf(const json& job, const std::vector<Part>& parts) {
+  std::vector<LinkBody> bodies;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const json& part = job["parts"][i];
     if (job["original"].get<bool>()) {
-      model.add(parts[i].link, parts[i].mesh);
-      ++bodies;
+      bodies.push_back({parts[i].link, QueryBody(parts[i].mesh)});
       continue;
     }
     const Eigen::Isometry3d origin = toPose(part["origin"]);
     for (std::vector<Eigen::Vector3d> points : readHullObjects(part["hulls"])) {
       for (Eigen::Vector3d& p : points) p = origin * p;
-      model.add(parts[i].link, convexHull(points));
-      ++bodies;
+      bodies.push_back({parts[i].link, QueryBody(convexHull(points))});
     }
   }
-  return model;
+  return bodies;
 }
 
 /// How far the parts come in these states.
@@ -97,12 +99,12 @@ std::vector<State> sampledStates(const Kinematics& kinematics, std::size_t count
 struct Answers {
   std::vector<char> hit;
   std::vector<double> distance;  // [m]
-  double collisions_per_second = 0, distances_per_second = 0;
+  double collisions_per_second = 0, tree_collisions_per_second = 0, distances_per_second = 0;
 };
 
 /// States a second; the first round fills the answers.
-template <typename Ask>
-double timed(QueryModel& model, const std::vector<State>& states, const Ask& ask) {
+template <typename Model, typename Ask>
+double timed(Model& model, const std::vector<State>& states, const Ask& ask) {
   Stopwatch clock;
   double seconds = 0;
   std::size_t asked = 0;
@@ -116,14 +118,22 @@ double timed(QueryModel& model, const std::vector<State>& states, const Ask& ask
   return static_cast<double>(asked) / seconds;
 }
 
-/// Distances take longer: of the first states only.
-template <typename Against>
-Answers askAll(QueryModel& model, const std::vector<State>& states, const Against& against) {
+/// Distances take longer: of the first states only. `against` is what a model's questions are asked about, nothing for itself.
+template <typename... Against>
+void askAll(BoxedModel& model, const std::vector<State>& states, Answers& answers, Against&... against) {
   const std::vector<State> first(states.begin(), states.begin() + static_cast<std::ptrdiff_t>(std::min(states.size(), kDistanceStates)));
-  Answers answers{std::vector<char>(states.size()), std::vector<double>(first.size())};
-  answers.collisions_per_second = timed(model, states, [&](std::size_t i) { answers.hit[i] = model.collides(against); });
-  answers.distances_per_second = timed(model, first, [&](std::size_t i) { answers.distance[i] = model.distance(against); });
-  return answers;
+  answers.hit.resize(states.size());
+  answers.distance.resize(first.size());
+  answers.collisions_per_second = timed(model, states, [&](std::size_t i) { answers.hit[i] = model.collides(against...); });
+  answers.distances_per_second = timed(model, first, [&](std::size_t i) { answers.distance[i] = model.distance(against...); });
+}
+
+/// The same in FCL's dynamic trees.
+template <typename Against>
+void askTrees(const std::vector<LinkBody>& bodies, const std::vector<State>& states, const Against& against, Answers& answers) {
+  QueryModel model;
+  for (const LinkBody& body : bodies) model.add(body.link, body.body);
+  answers.tree_collisions_per_second = timed(model, states, [&](std::size_t) { model.collides(against); });
 }
 
 json ratio(std::size_t part, std::size_t whole) {
@@ -167,20 +177,36 @@ IgnoredPairs adjacentPairs(const Kinematics& kinematics, std::size_t links) {
   return ignored;
 }
 
-Answers askItself(QueryModel& model, const std::vector<Part>& parts, const RobotDescription& robot, const std::vector<State>& states,
-                  const json& pairs_at_rest, json& pairs) {
+Answers askItself(const std::vector<LinkBody>& bodies, const std::vector<Part>& parts, const RobotDescription& robot,
+                  const std::vector<State>& states, const json& pairs_at_rest, json& pairs) {
   const Kinematics kinematics(robot);
   IgnoredPairs ignored = adjacentPairs(kinematics, robot.links.size());
   pairs = pairs_at_rest.is_null() ? touchingAtRest(parts, kinematics, ignored) : pairs_at_rest;
   for (const json& pair : pairs) ignored.ignore(pair[0], pair[1]);
-  return askAll(model, states, ignored);
+  BoxedModel model(ignored);
+  for (const LinkBody& body : bodies) model.add(body.link, body.body);
+  Answers answers;
+  askAll(model, states, answers);
+  askTrees(bodies, states, ignored, answers);
+  return answers;
 }
 
-Answers askScene(QueryModel& model, const Reach& reach, const std::vector<State>& states, std::uint64_t seed) {
-  QueryModel scene;
-  for (const ConvexHull& thing : clutteredScene(reach, seed)) scene.add(0, thing);
-  scene.place({Eigen::Isometry3d::Identity()});
-  return askAll(model, states, scene);
+Answers askScene(const std::vector<LinkBody>& bodies, const Reach& reach, const std::vector<State>& states, std::uint64_t seed) {
+  const std::vector<ConvexHull> things = clutteredScene(reach, seed);
+  const State places(things.size(), Eigen::Isometry3d::Identity());
+  BoxedModel model, scene;
+  QueryModel tree;
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    scene.add(i, QueryBody(things[i]));
+    tree.add(i, things[i]);
+  }
+  scene.place(places);
+  tree.place(places);
+  for (const LinkBody& body : bodies) model.add(body.link, body.body);
+  Answers answers;
+  askAll(model, states, answers, scene);
+  askTrees(bodies, states, tree, answers);
+  return answers;
 }
 
 }  // namespace
@@ -190,8 +216,7 @@ json query(const json& job) {
   const bool original = job["original"], single = job["urdf"].get<std::string>().empty();
   std::vector<Part> parts;
   for (const json& part : job["parts"]) parts.push_back({part["link"], meshOf(part)});
-  std::size_t bodies = 0;
-  QueryModel model = modelOf(job, parts, bodies);
+  const std::vector<LinkBody> bodies = bodiesOf(job, parts);
 
   const RobotDescription robot = single ? RobotDescription() : readRobotDescription(job["urdf"]);
   std::vector<State> states;
@@ -201,13 +226,14 @@ json query(const json& job) {
 
   const json known = original ? json() : json::parse(readText(job["answers"].get<std::string>()));
   json pairs;
-  const Answers answers = job["workload"] == "self" ? askItself(model, parts, robot, states, original ? json() : known["pairs"], pairs)
-                                                    : askScene(model, single ? roomFor(parts) : reachOf(parts, states), states, seed);
+  const Answers answers = job["workload"] == "self" ? askItself(bodies, parts, robot, states, original ? json() : known["pairs"], pairs)
+                                                    : askScene(bodies, single ? roomFor(parts) : reachOf(parts, states), states, seed);
 
   const auto hits = static_cast<std::size_t>(std::count(answers.hit.begin(), answers.hit.end(), 1));
   json result = {{"collisions_per_second", answers.collisions_per_second},
+                 {"tree_collisions_per_second", answers.tree_collisions_per_second},
                  {"distances_per_second", answers.distances_per_second},
-                 {"bodies", bodies},
+                 {"bodies", bodies.size()},
                  {"hit_rate", ratio(hits, states.size())}};
   if (original) {
     const std::vector<int> hit(answers.hit.begin(), answers.hit.end());

@@ -12,7 +12,8 @@ namespace collision_hulls {
 ///   "parts"      each "link" (index), "origin" (3 x 4, row by row), "file", "scale", "hulls" (OBJ; empty: the mesh itself)
 ///   "answers"    of the meshes: written where "original" is true, else read
 ///   "seed", "states"
-/// gives "collisions_per_second", "distances_per_second" (of states, each with all of its pairs), "bodies", "hit_rate", and but for the
+/// gives "collisions_per_second", "distances_per_second" (of states, each with all of its pairs, by a BoxedModel),
+/// "tree_collisions_per_second" (the former in FCL's dynamic trees), "bodies", "hit_rate", and but for the
 /// original "phantom_rate" (share of the states that hit no mesh where the hulls are hit), "missed" (states that hit a mesh and no hull),
 /// "distance_error_mean", "distance_error_max" (how much too near the hulls are [m], over those of the first hundred states in
 /// which the meshes are free).

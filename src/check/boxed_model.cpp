@@ -13,6 +13,8 @@
 namespace collision_hulls {
 namespace {
 
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
 struct Body {
   QueryBody body;
   Eigen::Isometry3d origin, inverse;  // in the link's frame
@@ -56,15 +58,44 @@ bool touch(const Link& a, const Link& b, const Eigen::Isometry3d& pose) {
   return false;
 }
 
+/// Two that may be near: bodies of two links, two links, a link and a group of them.
+struct Near {
+  std::size_t a, b;
+  double bound;  // [m] no more than their distance
+};
+
+/// Calls `measure` of them, the nearest first, while what it returned last, the least distance so far, is above the bound.
+template <typename Measure>
+double leastDistance(std::vector<Near> near, double least, const Measure& measure) {
+  const auto further = [](const Near& a, const Near& b) { return a.bound > b.bound; };
+  std::make_heap(near.begin(), near.end(), further);
+  for (; !near.empty() && near.front().bound < least; near.pop_back()) {
+    std::pop_heap(near.begin(), near.end(), further);
+    least = measure(near.back(), least);
+  }
+  return least;
+}
+
 /// [m] The distance between two links, or `limit` where they are no closer than that.
 double linkDistanceBelow(double limit, const Link& a, const Link& b, const Eigen::Isometry3d& pose) {
-  for (const Body& of_b : b.bodies) {
-    const Eigen::AlignedBox3d box = placed(of_b.box, pose);
-    for (const Body& of_a : a.bodies)
-      if (limit > 0 && of_a.box.exteriorDistance(box) < limit)
-        limit = distanceBelow(limit, of_a.body, of_b.body, of_a.inverse * pose * of_b.origin);
-  }
-  return limit;
+  // Box against the box about the other one, in either frame.
+  const auto boxesOf = [](const Link& link, const Eigen::Isometry3d& place) {
+    Boxes boxes;
+    for (const Body& body : link.bodies) boxes.push_back(placed(body.box, place));
+    return boxes;
+  };
+  const Boxes of_a = boxesOf(a, pose.inverse()), of_b = boxesOf(b, pose);
+  std::vector<Near> near;
+  for (std::size_t i = 0; i < of_a.size(); ++i)
+    for (std::size_t j = 0; j < of_b.size(); ++j) {
+      const double bound =
+          std::sqrt(std::max(a.bodies[i].box.squaredExteriorDistance(of_b[j]), of_a[i].squaredExteriorDistance(b.bodies[j].box)));
+      if (bound < limit) near.push_back({i, j, bound});
+    }
+  return leastDistance(std::move(near), limit, [&](const Near& pair, double least) {
+    const Body &first = a.bodies[pair.a], &second = b.bodies[pair.b];
+    return distanceBelow(least, first.body, second.body, first.inverse * pose * second.origin);
+  });
 }
 
 /// Neighbours in space are neighbours in the order, in groups of a size.
@@ -86,25 +117,6 @@ void sortIntoGroups(const Boxes& boxes, std::size_t size, std::vector<std::size_
 struct LinkPair {
   std::size_t a, b;
 };
-
-/// Two that may be near: a link and another one, or a group of them.
-struct Near {
-  std::size_t a, b;
-  double bound;  // [m] no more than their distance
-};
-
-/// Calls `measure` of them, the nearest first, while what it returns, the least distance so far, is not below the bound.
-template <typename Measure>
-double leastDistance(std::vector<Near> near, const Measure& measure) {
-  const auto further = [](const Near& a, const Near& b) { return a.bound > b.bound; };
-  std::make_heap(near.begin(), near.end(), further);
-  double least = std::numeric_limits<double>::infinity();
-  for (; !near.empty() && near.front().bound < least; near.pop_back()) {
-    std::pop_heap(near.begin(), near.end(), further);
-    least = measure(near.back(), least);
-  }
-  return least;
-}
 
 }  // namespace
 
@@ -221,7 +233,8 @@ double BoxedModel::distance() {
   impl_->pairUp();
   std::vector<Near> near;
   for (const LinkPair& pair : own.pairs) near.push_back({pair.a, pair.b, own.boxes[pair.a].exteriorDistance(own.boxes[pair.b])});
-  return leastDistance(std::move(near), [&](const Near& pair, double least) { return own.distanceBelow(least, pair.a, own, pair.b); });
+  return leastDistance(std::move(near), kInfinite,
+                       [&](const Near& pair, double least) { return own.distanceBelow(least, pair.a, own, pair.b); });
 }
 
 bool BoxedModel::collides(BoxedModel& scene) {
@@ -246,14 +259,13 @@ double BoxedModel::distance(BoxedModel& scene) {
   std::vector<Near> near;
   for (std::size_t a = 0; a < own.links.size(); ++a)
     for (std::size_t g = 0; g < other.groups.size(); ++g) near.push_back({a, g, own.boxes[a].exteriorDistance(other.groups[g])});
-  return leastDistance(std::move(near), [&](const Near& pair, double least) {
+  return leastDistance(std::move(near), kInfinite, [&](const Near& pair, double least) {
     std::vector<Near> members;
     for (std::size_t i = pair.b * other.group_size; i < other.groupEnd(pair.b); ++i)
       if (!own.ignores(pair.a, other, other.order[i]))
         members.push_back({pair.a, other.order[i], own.boxes[pair.a].exteriorDistance(other.ordered[i])});
-    return std::min(least, leastDistance(std::move(members), [&](const Near& member, double limit) {
-                      return own.distanceBelow(std::min(limit, least), member.a, other, member.b);
-                    }));
+    return leastDistance(std::move(members), least,
+                         [&](const Near& member, double limit) { return own.distanceBelow(limit, member.a, other, member.b); });
   });
 }
 

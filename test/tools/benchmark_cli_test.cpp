@@ -164,6 +164,7 @@ TEST_F(BenchmarkProgram, QueriesOfTheMeshAndOfEachModel) {
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(all[i].at("status"), "ok") << all[i].at("message");
     EXPECT_GT(std::stod(all[i].at("collisions_per_second")), 0);
+    EXPECT_GT(std::stod(all[i].at("tree_collisions_per_second")), 0);
     EXPECT_EQ(all[i].at("missed"), i ? "0" : "");
   }
   EXPECT_EQ(all[4].at("status"), "error");

@@ -3,10 +3,8 @@
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/distance.h>
 
 #include <deque>
-#include <limits>
 #include <set>
 
 #include "check/fcl_bodies.h"
@@ -36,7 +34,6 @@ struct Search {
   const IgnoredPairs* ignored = nullptr;  // null: between two models
   bool all = false;                       // all pairs in collision, not the first one only
   std::set<LinkPair> pairs;
-  double distance = std::numeric_limits<double>::infinity();
 };
 
 bool isIgnored(const Search& search, const Object* a, const Object* b) {
@@ -51,18 +48,6 @@ bool collidePair(Object* a, Object* b, void* data) {
   fcl::CollisionResultd result;
   if (fcl::collide(a, b, request, result) > 0) search.pairs.insert(std::minmax(linkOf(a), linkOf(b)));
   return !search.all && !search.pairs.empty();
-}
-
-bool measurePair(Object* a, Object* b, void* data, double& least) {
-  Search& search = *static_cast<Search*>(data);
-  least = search.distance;
-  if (isIgnored(search, a, b)) return false;
-  const fcl::DistanceRequestd request(false, false, 0, 0, kQueryDistanceTolerance, fcl::GST_LIBCCD);
-  fcl::DistanceResultd result;
-  result.min_distance = std::numeric_limits<double>::max();
-  fcl::distance(a, b, request, result);
-  search.distance = least = std::min(search.distance, std::max(0.0, result.min_distance));
-  return search.distance <= 0;
 }
 
 }  // namespace
@@ -116,24 +101,11 @@ bool QueryModel::collides(const QueryModel& other, const IgnoredPairs& ignored) 
   return !search.pairs.empty();
 }
 
-double QueryModel::distance(const QueryModel& other) const {
-  Search search;
-  impl_->tree.distance(&other.impl_->tree, &search, measurePair);
-  return search.distance / kQueryEnlarged;
-}
-
 bool QueryModel::collides(const IgnoredPairs& ignored) const {
   Search search;
   search.ignored = &ignored;
   impl_->tree.collide(&search, collidePair);
   return !search.pairs.empty();
-}
-
-double QueryModel::distance(const IgnoredPairs& ignored) const {
-  Search search;
-  search.ignored = &ignored;
-  impl_->tree.distance(&search, measurePair);
-  return search.distance / kQueryEnlarged;
 }
 
 std::vector<LinkPair> QueryModel::touching(const IgnoredPairs& ignored) const {

@@ -1,4 +1,4 @@
-// A robot, or a scene, as planners hold one: bodies of links in a dynamic tree of boxes, asked as a whole.
+// A robot, or a scene, as MoveIt holds one: bodies of links in FCL's dynamic tree of boxes, asked as a whole.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -30,9 +30,7 @@ class QueryModel {
 
   bool collides(const QueryModel& other) const;
   bool collides(const QueryModel& other, const IgnoredPairs& ignored) const;  ///< pairs of a link of one and a link of the other
-  double distance(const QueryModel& other) const;                             ///< [m] 0 in contact
   bool collides(const IgnoredPairs& ignored) const;                           ///< of two of its own links
-  double distance(const IgnoredPairs& ignored) const;  ///< [m] between two of its own links; infinite where all are ignored
   std::vector<std::pair<std::size_t, std::size_t>> touching(const IgnoredPairs& ignored) const;  ///< pairs of its own links
 
  private:

@@ -140,9 +140,8 @@ std::string csvCount(const std::optional<std::size_t>& value) {
 }  // namespace
 
 std::string queryHeader() {
-  return "subject,workload,method,effort,requested,status,bodies,states,collisions_per_second,tree_collisions_per_second,distances_per_"
-         "second,hit_rate,"
-         "phantom_rate,missed,distance_error_mean,distance_error_max,diagonal,seed,message\n";
+  return "subject,workload,method,effort,requested,status,bodies,states,collisions_per_second,tree_collisions_per_second,"
+         "distances_per_second,hit_rate,phantom_rate,missed,distance_error_mean,distance_error_max,diagonal,seed,message\n";
 }
 
 std::string toCsv(const QueryRow& row) {

@@ -1,7 +1,6 @@
 #include "bench/query_job.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -9,6 +8,7 @@
 #include "bench/query_scene.h"
 #include "check/query_model.h"
 #include "check/validate_probes.h"
+#include "collision_hulls/check/boxed_model.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/robot/kinematics.h"
 #include "pipeline/files.h"

@@ -193,6 +193,9 @@ BoxedModel::~BoxedModel() = default;
 BoxedModel::BoxedModel(BoxedModel&&) noexcept = default;
 
 void BoxedModel::add(std::size_t link, const QueryBody& body, const Eigen::Isometry3d& origin) {
+  if (!std::isfinite(origin.matrix().sum()))
+    throw Error(ErrorCode::kNonFiniteCoordinate,
+                "the origin of a body of link " + std::to_string(link) + " is not finite; give a finite one");
   if (body.empty()) return;
   const auto [at, is_new] = impl_->of_index.emplace(link, impl_->links.size());
   if (is_new) impl_->links.emplace_back().index = link;

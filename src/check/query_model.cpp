@@ -31,7 +31,7 @@ std::size_t linkOf(const Object* object) {
 
 /// What a traversal of the tree carries along.
 struct Search {
-  const IgnoredPairs* ignored = nullptr;  // null: between two models
+  const IgnoredPairs* ignored = nullptr;  // null: none
   bool all = false;                       // all pairs in collision, not the first one only
   std::set<LinkPair> pairs;
 };

@@ -124,8 +124,8 @@ std::string sceneLines(const Report& report) {
   if (!fit.given)
     text += " (of all configurations no more than " + number("%.2g", 100 * fit.phantom_rate_bound) + " %, at 95 % confidence)";
   text += "; " + share(fit.proved_pairs, fit.pairs) + " pairs proved apart\n";
-  return text + "FCL: " + number("%.1f", fit.query_us) + " us a collision query (meshes " + number("%.1f", fit.original_query_us) + "), " +
-         number("%.0f", fit.distance_us) + " us a distance (meshes " + number("%.0f", fit.original_distance_us) + ")\n";
+  return text + "FCL: " + number("%.3g", fit.query_us) + " us a collision query (meshes " + number("%.3g", fit.original_query_us) + "), " +
+         number("%.3g", fit.distance_us) + " us a distance (meshes " + number("%.0f", fit.original_distance_us) + ")\n";
 }
 
 std::string noteLines(const Report& report) {

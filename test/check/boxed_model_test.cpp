@@ -168,6 +168,7 @@ TEST(BoxedModel, RefusesWhatItCannotAnswer) {
   EXPECT_FALSE(model.collides(scene));
   poses[1].translation().x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(codeOf([&] { model.place(poses); }), ErrorCode::kNonFiniteCoordinate);
+  EXPECT_EQ(codeOf([&] { model.add(0, cube, poses[1]); }), ErrorCode::kNonFiniteCoordinate);
   model.place(at({{0, 0, 0}, {0, 0, 0}}));
   scene.add(2, cube);
   EXPECT_EQ(codeOf([&] { model.distance(scene); }), ErrorCode::kInternal);

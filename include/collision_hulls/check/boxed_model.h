@@ -42,7 +42,7 @@ class BoxedModel {
   ~BoxedModel();
   BoxedModel(BoxedModel&&) noexcept;
 
-  /// `origin`: of the body in the link's frame. Empty bodies are left out.
+  /// `origin`: of the body in the link's frame. Empty bodies are left out. Throws kNonFiniteCoordinate.
   void add(std::size_t link, const QueryBody& body, const Eigen::Isometry3d& origin = Eigen::Isometry3d::Identity());
 
   /// To be called once all bodies are there, and before each question about another state: a pose for each link, by its index. Throws

@@ -18,8 +18,8 @@ struct QueryShape {
   Eigen::Vector3d size = Eigen::Vector3d::Zero();  ///< [m] > 0; box: sides; sphere: radius, -, -; cylinder: radius, length, -
 };
 
-/// Meshes are FCL's BVH of OBBRSS, a surface without inside, as in MoveIt; hulls are FCL's Convex. Enlarged as fcl_queries.cpp says.
-/// Immutable; copies share the body; thread safe.
+/// Meshes are FCL's BVH of OBBRSS, a surface without inside, as in MoveIt; hulls are FCL's Convex. FCL has them enlarged 1,024 times, since
+/// its thresholds are absolute. Immutable; copies share the body; thread safe.
 class QueryBody {
  public:
   explicit QueryBody(const ConvexHull& hull);

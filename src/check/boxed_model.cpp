@@ -13,8 +13,6 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
 struct Body {
   QueryBody body;
   Eigen::Isometry3d origin, inverse;  // in the link's frame
@@ -231,12 +229,15 @@ bool BoxedModel::collides() {
   });
 }
 
-double BoxedModel::distance() {
+double BoxedModel::distance(double limit) {
   const Impl& own = *impl_;
   impl_->pairUp();
   std::vector<Near> near;
-  for (const LinkPair& pair : own.pairs) near.push_back({pair.a, pair.b, own.boxes[pair.a].exteriorDistance(own.boxes[pair.b])});
-  return leastDistance(std::move(near), kInfinite,
+  for (const LinkPair& pair : own.pairs) {
+    const double bound = own.boxes[pair.a].exteriorDistance(own.boxes[pair.b]);
+    if (bound < limit) near.push_back({pair.a, pair.b, bound});
+  }
+  return leastDistance(std::move(near), limit,
                        [&](const Near& pair, double least) { return own.distanceBelow(least, pair.a, own, pair.b); });
 }
 
@@ -255,20 +256,23 @@ bool BoxedModel::collides(BoxedModel& scene) {
   return false;
 }
 
-double BoxedModel::distance(BoxedModel& scene) {
+double BoxedModel::distance(BoxedModel& scene, double limit) {
   const Impl &own = *impl_, &other = *scene.impl_;
   own.checkPlaced();
   scene.impl_->group();
   std::vector<Near> near;
   for (std::size_t a = 0; a < own.links.size(); ++a)
-    for (std::size_t g = 0; g < other.groups.size(); ++g) near.push_back({a, g, own.boxes[a].exteriorDistance(other.groups[g])});
-  return leastDistance(std::move(near), kInfinite, [&](const Near& pair, double least) {
+    for (std::size_t g = 0; g < other.groups.size(); ++g) {
+      const double bound = own.boxes[a].exteriorDistance(other.groups[g]);
+      if (bound < limit) near.push_back({a, g, bound});
+    }
+  return leastDistance(std::move(near), limit, [&](const Near& pair, double least) {
     std::vector<Near> members;
     for (std::size_t i = pair.b * other.group_size; i < other.groupEnd(pair.b); ++i)
       if (!own.ignores(pair.a, other, other.order[i]))
         members.push_back({pair.a, other.order[i], own.boxes[pair.a].exteriorDistance(other.ordered[i])});
     return leastDistance(std::move(members), least,
-                         [&](const Near& member, double limit) { return own.distanceBelow(limit, member.a, other, member.b); });
+                         [&](const Near& member, double so_far) { return own.distanceBelow(so_far, member.a, other, member.b); });
   });
 }
 

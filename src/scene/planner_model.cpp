@@ -83,7 +83,7 @@ bool PlannerModel::hit(const Places& places) {
 
 double PlannerModel::distance(const Places& places) {
   place(places);
-  return std::min(robot_.distance(), robot_.distance(scene_));
+  return robot_.distance(scene_, robot_.distance());
 }
 
 TreeModel::TreeModel(const Assembly& assembly, const PairRules& rules, const Cuts& cuts) : ignored_(ignoredPairs(assembly, rules)) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "check/query_model.h"
@@ -139,6 +140,10 @@ TEST(BoxedModel, AnswersAsFclsDynamicTreesDo) {
     ASSERT_EQ(robot.collides(scene), robot_tree.collides(scene_tree, ignored)) << state;
     ASSERT_NEAR(robot.distance(), leastDistance(bodies, links, false, ignored, poses), 1e-6) << state;
     ASSERT_NEAR(robot.distance(scene), leastDistance(bodies, links, true, ignored, poses), 1e-6) << state;
+    for (const double limit : {0.1, 1.0}) {
+      ASSERT_EQ(robot.distance(limit), std::min(limit, robot.distance())) << state;
+      ASSERT_EQ(robot.distance(scene, limit), std::min(limit, robot.distance(scene))) << state;
+    }
     own += robot.collides();
     hits += robot.collides(scene);
   }

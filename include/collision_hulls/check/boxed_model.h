@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,13 +52,14 @@ class BoxedModel {
 
   // Questions throw kInternal where bodies were added that are not placed.
 
-  bool collides();    ///< two of its own links
-  double distance();  ///< [m] between two of its own links; 0 in contact, infinite where all are ignored
+  bool collides();  ///< two of its own links
+  /// [m] Between two of its own links; 0 in contact, and `limit` where they are no closer, which is quicker the less it is.
+  double distance(double limit = std::numeric_limits<double>::infinity());
 
   /// The same of a link of this one and a link of the other, which may have thousands: they are grouped when the first question is asked
   /// after it was placed. What this one ignores is left out, so both count their links together, such as the scene's on from the robot's.
   bool collides(BoxedModel& scene);
-  double distance(BoxedModel& scene);
+  double distance(BoxedModel& scene, double limit = std::numeric_limits<double>::infinity());
 
  private:
   struct Impl;

@@ -1,6 +1,7 @@
 // Solids and hulls for the tests of the check and the decompose room.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "collision_hulls/check/solid.h"
@@ -14,6 +15,13 @@ namespace test_shapes {
 
 inline Solid solidOf(const TriangleMesh& mesh) {
   return Solid(repair(mesh));
+}
+
+/// Not turned.
+inline std::vector<Eigen::Isometry3d> posesAt(const std::vector<Eigen::Vector3d>& places) {
+  std::vector<Eigen::Isometry3d> poses;
+  for (const Eigen::Vector3d& place : places) poses.push_back(Eigen::Isometry3d(Eigen::Translation3d(place)));
+  return poses;
 }
 
 inline ConvexHull boxHull(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {

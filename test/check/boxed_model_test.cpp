@@ -15,12 +15,6 @@ namespace {
 using namespace test_shapes;
 using Poses = std::vector<Eigen::Isometry3d>;
 
-Poses at(const std::vector<Eigen::Vector3d>& places) {
-  Poses poses;
-  for (const Eigen::Vector3d& place : places) poses.push_back(Eigen::Isometry3d(Eigen::Translation3d(place)));
-  return poses;
-}
-
 /// Anywhere in a cube of this size, turned at random.
 Eigen::Isometry3d anyPose(RandomPoints& random, double size) {
   const Eigen::Translation3d place(random.inCube(size / 2));
@@ -42,7 +36,7 @@ TEST(BoxedModel, NothingTouchesNothing) {
   BoxedModel none, box;
   box.add(0, QueryBody(boxHull({0, 0, 0}, {1, 1, 1})));
   none.place({});
-  box.place(at({{0, 0, 0}}));
+  box.place(posesAt({{0, 0, 0}}));
   for (BoxedModel* model : {&none, &box}) {
     EXPECT_FALSE(model->collides());
     EXPECT_EQ(model->distance(), std::numeric_limits<double>::infinity());
@@ -59,7 +53,7 @@ TEST(BoxedModel, ItsOwnLinks) {
     BoxedModel model(ignored);
     for (std::size_t link = 0; link < 4; ++link) model.add(link, QueryBody(boxHull({0, 0, 0}, {1, 1, 1})));
     model.add(3, QueryBody(boxHull({0.5, 0, 0}, {1.5, 1, 1})));  // overlaps its own link's other body, which says nothing
-    model.place(at({{0, 0, 0}, {0.5, 0, 0}, {3, 0, 0}, {4.25, 0, 0}}));
+    model.place(posesAt({{0, 0, 0}, {0.5, 0, 0}, {3, 0, 0}, {4.25, 0, 0}}));
     return model;
   };
   EXPECT_TRUE(chain().collides());
@@ -78,13 +72,13 @@ TEST(BoxedModel, ASceneMayMoveAndPairsOfItAreIgnored) {
   const auto robot = [&] {
     BoxedModel model(ignored);
     model.add(0, QueryBody(box(0.1, 0.1, 0.1)));
-    model.place(at({{1.5, 0.2, 0.2}}));
+    model.place(posesAt({{1.5, 0.2, 0.2}}));
     return model;
   };
-  scene.place(at({{0, 0, 0}, {0, 0, 0}, {3, 0, 0}}));
+  scene.place(posesAt({{0, 0, 0}, {0, 0, 0}, {3, 0, 0}}));
   EXPECT_FALSE(robot().collides(scene));
   EXPECT_NEAR(robot().distance(scene), 0.5, 1e-9);
-  scene.place(at({{0, 0, 0}, {0, 0, 0}, {1.55, 0, 0}}));
+  scene.place(posesAt({{0, 0, 0}, {0, 0, 0}, {1.55, 0, 0}}));
   EXPECT_TRUE(robot().collides(scene));
   EXPECT_EQ(robot().distance(scene), 0);
   ignored.ignore(0, 2);
@@ -166,18 +160,18 @@ TEST(BoxedModel, RefusesWhatItCannotAnswer) {
   BoxedModel model, scene;
   model.add(1, cube);
   EXPECT_EQ(codeOf([&] { model.collides(); }), ErrorCode::kInternal);
-  EXPECT_EQ(codeOf([&] { model.place(at({{0, 0, 0}})); }), ErrorCode::kIndexOutOfRange);
+  EXPECT_EQ(codeOf([&] { model.place(posesAt({{0, 0, 0}})); }), ErrorCode::kIndexOutOfRange);
   EXPECT_EQ(codeOf([&] { model.collides(scene); }), ErrorCode::kInternal) << "still not placed";
-  Poses poses = at({{0, 0, 0}, {0, 0, 0}});
+  Poses poses = posesAt({{0, 0, 0}, {0, 0, 0}});
   model.place(poses);
   EXPECT_FALSE(model.collides(scene));
   poses[1].translation().x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(codeOf([&] { model.place(poses); }), ErrorCode::kNonFiniteCoordinate);
   EXPECT_EQ(codeOf([&] { model.add(0, cube, poses[1]); }), ErrorCode::kNonFiniteCoordinate);
-  model.place(at({{0, 0, 0}, {0, 0, 0}}));
+  model.place(posesAt({{0, 0, 0}, {0, 0, 0}}));
   scene.add(2, cube);
   EXPECT_EQ(codeOf([&] { model.distance(scene); }), ErrorCode::kInternal);
-  scene.place(at({{0, 0, 0}, {0, 0, 0}, {0.5, 0, 0}}));
+  scene.place(posesAt({{0, 0, 0}, {0, 0, 0}, {0.5, 0, 0}}));
   EXPECT_TRUE(model.collides(scene));
   model.add(1, cube, Eigen::Isometry3d(Eigen::Translation3d(5, 0, 0)));
   EXPECT_EQ(codeOf([&] { model.distance(); }), ErrorCode::kInternal);

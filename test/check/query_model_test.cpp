@@ -8,19 +8,12 @@ namespace collision_hulls {
 namespace {
 
 using namespace test_shapes;
-using Poses = std::vector<Eigen::Isometry3d>;
-
-Poses at(const std::vector<Eigen::Vector3d>& places) {
-  Poses poses;
-  for (const Eigen::Vector3d& place : places) poses.push_back(Eigen::Isometry3d(Eigen::Translation3d(place)));
-  return poses;
-}
 
 TEST(QueryModel, NothingTouchesNothing) {
   QueryModel none, box;
   none.place({});
   box.add(0, boxHull({0, 0, 0}, {1, 1, 1}));
-  box.place(at({{0, 0, 0}}));
+  box.place(posesAt({{0, 0, 0}}));
   EXPECT_FALSE(none.collides(box));
   EXPECT_FALSE(none.collides(IgnoredPairs(0)));
 }
@@ -32,10 +25,10 @@ TEST(QueryModel, TwoModels) {
     if (!as_mesh) moving.add(0, boxHull({0, 0, 0}, {0.1, 0.1, 0.1}));
     scene.add(0, boxHull({0, 0, 0}, {1, 1, 1}));
     scene.add(1, boxHull({0, 0, 0}, {1, 1, 1}));
-    scene.place(at({{0, 0, 0}, {3, 0, 0}}));
-    moving.place(at({{1.5, 0.2, 0.2}}));
+    scene.place(posesAt({{0, 0, 0}, {3, 0, 0}}));
+    moving.place(posesAt({{1.5, 0.2, 0.2}}));
     EXPECT_FALSE(moving.collides(scene));
-    moving.place(at({{2.95, 0.2, 0.2}}));
+    moving.place(posesAt({{2.95, 0.2, 0.2}}));
     EXPECT_TRUE(moving.collides(scene));
   }
 }
@@ -44,7 +37,7 @@ TEST(QueryModel, ItsOwnLinks) {
   QueryModel chain;
   for (std::size_t link = 0; link < 4; ++link) chain.add(link, boxHull({0, 0, 0}, {1, 1, 1}));
   chain.add(3, boxHull({0.5, 0, 0}, {1.5, 1, 1}));  // overlaps its own link's other body, which says nothing
-  chain.place(at({{0, 0, 0}, {0.5, 0, 0}, {3, 0, 0}, {4.25, 0, 0}}));
+  chain.place(posesAt({{0, 0, 0}, {0.5, 0, 0}, {3, 0, 0}, {4.25, 0, 0}}));
   IgnoredPairs ignored(4);
   EXPECT_TRUE(chain.collides(ignored));
   EXPECT_EQ(chain.touching(ignored), (std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}}));
@@ -57,7 +50,7 @@ TEST(QueryModel, AMeshIsASurfaceAndAHullABody) {
   small.add(0, boxHull({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
   shell.add(0, moved(box(1, 1, 1), {-0.5, -0.5, -0.5}));
   body.add(0, boxHull({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}));
-  for (QueryModel* model : {&small, &shell, &body}) model->place(at({{0, 0, 0}}));
+  for (QueryModel* model : {&small, &shell, &body}) model->place(posesAt({{0, 0, 0}}));
   EXPECT_FALSE(small.collides(shell));
   EXPECT_TRUE(small.collides(body));
   const QueryBody cube(boxHull({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1})), around(moved(box(1, 1, 1), {-0.5, -0.5, -0.5}));
@@ -80,8 +73,8 @@ TEST(QueryModel, ShapesTouchWhereTheyReach) {
     QueryModel model, other;
     model.add(0, shape, Eigen::Isometry3d(Eigen::AngleAxisd(EIGEN_PI, Eigen::Vector3d::UnitZ())));
     other.add(0, probe);
-    model.place(at({{0, 0, 0}}));
-    other.place(at({{-2, 0, 0}}));
+    model.place(posesAt({{0, 0, 0}}));
+    other.place(posesAt({{-2, 0, 0}}));
     EXPECT_TRUE(model.collides(other));
   }
 }
@@ -91,8 +84,8 @@ TEST(QueryModel, TrianglesWithoutAreaAreLeftOut) {
   QueryModel thin, body;
   thin.add(0, line);
   body.add(0, boxHull({0, -1, -1}, {1, 1, 1}));
-  thin.place(at({{0, 0, 0}}));
-  body.place(at({{0, 0, 0}}));
+  thin.place(posesAt({{0, 0, 0}}));
+  body.place(posesAt({{0, 0, 0}}));
   EXPECT_FALSE(thin.collides(body));
 }
 

@@ -1,4 +1,4 @@
-# What the library and its programs link. Debian 12 has all of it; Ubuntu 20.04 all but CLI11, and FCL 0.6 through ROS.
+# What the library and its programs link. Debian 11 and 12 have all of it; Ubuntu 20.04 has FCL 0.6 through ROS.
 
 # find_library, but absence is an error that names the package to install.
 macro(require_library variable library debian_package)
@@ -8,6 +8,7 @@ macro(require_library variable library debian_package)
   endif()
 endmacro()
 
+find_package(Boost REQUIRED COMPONENTS program_options)
 find_package(Eigen3 REQUIRED)
 find_package(assimp REQUIRED)
 find_package(ccd REQUIRED)
@@ -20,9 +21,3 @@ require_library(TBB_LIBRARY tbb libtbb-dev)
 require_library(TINYXML2_LIBRARY tinyxml2 libtinyxml2-dev)
 require_library(URDFDOM_LIBRARY urdfdom_model liburdfdom-dev)
 require_library(YAML_CPP_LIBRARY yaml-cpp libyaml-cpp-dev)
-
-find_package(CLI11 QUIET)
-if(NOT CLI11_FOUND)
-  message(FATAL_ERROR "CLI11 is missing: install libcli11-dev. Ubuntu 20.04 has no such package: download a release of "
-                      "CLI11 (headers only), `cmake --install` it, and give its prefix in CMAKE_PREFIX_PATH.")
-endif()

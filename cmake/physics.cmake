@@ -9,7 +9,7 @@ if(DART_FOUND)
   target_link_libraries(physics_room
     PUBLIC ${PROJECT_NAME} dart dart-utils-urdf dart-collision-bullet assimp::assimp nlohmann_json::nlohmann_json)
   add_executable(physics src/tools/physics.cpp)
-  target_link_libraries(physics physics_room CLI11::CLI11)
+  target_link_libraries(physics physics_room command_line)
   set_target_properties(physics PROPERTIES INSTALL_RPATH "$ORIGIN/..")
   install(TARGETS physics RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 endif()

@@ -1,7 +1,6 @@
 // benchmark INPUT...: build time against certified accuracy, for the methods and for other programs.
 #include "bench/benchmark.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -39,7 +38,7 @@ Examples:
   benchmark part.stl my_robot_description -t 5%,2%,1% -m certified,hacd -o out --repeat 5
   benchmark meshes/ -o out --peer bullet_hacd --peer vhacd='my_vhacd {in} -o {out} -e {tolerance}')";
 
-void addOptions(CLI::App& app, Command& command) {
+void addOptions(CommandLine& app, Command& command) {
   BenchmarkOptions& options = command.options;
   app.add_option("INPUT", command.inputs, "Mesh files, folders of them, and robots (package, .urdf or .xacro)")->type_name("")->required();
   app.add_option("-m,--methods", command.methods, "Methods: " + methodChoices() + "; all if not given")->type_name("LIST");
@@ -49,26 +48,24 @@ void addOptions(CLI::App& app, Command& command) {
   app.add_option("--max-vertices", options.max_vertices, "Most vertices per hull of the methods, at least 8; 0: no cap")
       ->type_name("N [64]");
   app.add_option("-o,--output", options.folder, "Output folder; files of an earlier run there are replaced")->type_name("DIR")->required();
-  app.add_option("--repeat", options.repeat, "Runs of each; times and memory are their medians")
-      ->type_name("N [1]")
-      ->check(CLI::Range(1, 1000));
-  app.add_option("--time-limit", options.time_limit, "For each run, in seconds")->type_name("S [60]")->check(CLI::Range(0.1, 1e6));
+  app.add_option("--repeat", options.repeat, "Runs of each; times and memory are their medians")->type_name("N [1]")->check(range(1, 1000));
+  app.add_option("--time-limit", options.time_limit, "For each run, in seconds")->type_name("S [60]")->check(range(0.1, 1e6));
   app.add_option("--peer", command.peers,
                  "Another program, NAME='command {in} {out} {tolerance}': OBJ in, OBJ with an object per hull out, metres. "
                  "NAME alone: the program peer_NAME of this package")
-      ->type_name("NAME[=COMMAND]")
-      ->allow_extra_args(false);
+      ->type_name("NAME[=COMMAND]");
   app.add_option("--seed", options.seed, "Of whatever is random")->type_name("N [1]");
   app.add_flag("--queries", command.queries,
                "Also collision and distance queries a second against their errors, of the meshes, each method's hulls and single hulls");
   app.add_option("--cuts", command.cuts,
                  "Also random cuts through the hull tree of each mesh (certified), whose leaves are for the first tolerance")
       ->type_name("N [0]")
-      ->check(CLI::Range(0, 1000000));
-  app.add_flag("!--no-charts", command.charts, "Leave out the charts and the page");
+      ->check(range(0, 1000000));
+  app.add_flag_callback(
+      "--no-charts", [&command] { command.charts = false; }, "Leave out the charts and the page");
 }
 
-/// The options that CLI11 leaves as text.
+/// Options that are lists, or of which other code says what they may be.
 void interpret(Command& command) {
   BenchmarkOptions& options = command.options;
   options.program = fs::read_symlink("/proc/self/exe").string();

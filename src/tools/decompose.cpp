@@ -17,8 +17,8 @@ Examples:
 int main(int argc, char** argv) {
   RobotCommand command;
   command.program = "decompose";
-  CLI::App app("Decomposes the meshes of a robot into convex hulls that cover them, and writes them with a description that uses them.",
-               command.program);
+  CommandLine app("Decomposes the meshes of a robot into convex hulls that cover them, and writes them with a description that uses them.",
+                  command.program);
   app.footer(kFooter);
   addRobotOptions(app, "A ROS package, a .urdf or .xacro file, or one mesh (.stl .dae .obj .off .ply)", command);
   const RobotWork work = [&](const Input& input, const std::string& output, const RunControl& control, const StepCallback& step) {

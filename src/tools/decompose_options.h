@@ -1,7 +1,6 @@
-// The options of a decomposition on a command line. The programs that take them share this; CLI11 enters here.
+// The options of a decomposition on a command line, which several programs have in common.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -9,6 +8,7 @@
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/pipeline/options.h"
+#include "command_line.h"
 
 namespace collision_hulls {
 
@@ -33,7 +33,7 @@ T choice(const std::string& option, const std::string& text, std::optional<T> (*
 /// kBadOption from parse().
 class DecomposeOptionAdder {
  public:
-  DecomposeOptionAdder(CLI::App& app, Options& options) : app_(app), options_(options) {}
+  DecomposeOptionAdder(CommandLine& app, Options& options) : app_(app), options_(options) {}
 
   void addAll() {
     addAccuracy();
@@ -49,9 +49,8 @@ class DecomposeOptionAdder {
   void add(const std::string& group, const std::string& names, const std::string& type, const std::string& fallback,
            const std::string& help, const Setter& set) {
     const std::string option = names.substr(names.find("--"));
-    CLI::Option* const added = app_.add_option_function<std::string>(
+    CommandLine::Option* const added = app_.add_option_function(
         names, [=](const std::string& text) { set(option, text); }, help);
-    // The default stands in the type's name, since versions of CLI11 write default_str() differently.
     added->type_name(fallback.empty() ? type : type + " [" + fallback + "]")->group(group);
   }
 
@@ -119,7 +118,7 @@ class DecomposeOptionAdder {
         ->group("Run");
   }
 
-  CLI::App& app_;
+  CommandLine& app_;
   Options& options_;
 };
 

@@ -44,7 +44,7 @@ struct SceneCommand {
   bool hulls_only = false;
 };
 
-void addOptions(CLI::App& app, SceneCommand& command) {
+void addOptions(CommandLine& app, SceneCommand& command) {
   const auto add = [&](const std::string& name, auto& value, const std::string& type, const std::string& help) {
     return app.add_option(name, value, help)->type_name(type)->group("Scene");
   };
@@ -92,7 +92,7 @@ SceneRequest requestOf(const SceneCommand& command, const Input& input) {
 int main(int argc, char** argv) {
   SceneCommand command;
   command.robot.program = "fit_scene";
-  CLI::App app("Makes a collision model of a robot that is no finer than a scene needs.", command.robot.program);
+  CommandLine app("Makes a collision model of a robot that is no finer than a scene needs.", command.robot.program);
   app.footer(kFooter);
   addOptions(app, command);
   std::string comparison;

@@ -1,13 +1,13 @@
 // What the programs that measure have in common: the command line read, jobs of their own done, charts drawn, errors told.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <string>
 
 #include "bench/child_process.h"
+#include "command_line.h"
 
 namespace collision_hulls {
 
@@ -17,14 +17,14 @@ template <typename Command>
 struct MeasuringProgram {
   const char *name, *purpose, *footer;
   std::map<std::string, Job> jobs;  ///< what it does as a process of its own for itself: NAME COMMAND JOB_FILE RESULT_FILE
-  void (*add_options)(CLI::App&, Command&);
+  void (*add_options)(CommandLine&, Command&);
   int (*run)(Command&);  ///< the exit status
 };
 
 /// The exit status: run's, 0 for a job and --help, 2 for an error, which is written to stderr under the program's name.
 template <typename Command>
 int runProgram(const MeasuringProgram<Command>& program, int argc, char** argv) {
-  CLI::App app(program.purpose, program.name);
+  CommandLine app(program.purpose, program.name);
   app.footer(program.footer);
   Command command;
   try {
@@ -34,11 +34,7 @@ int runProgram(const MeasuringProgram<Command>& program, int argc, char** argv) 
       return 0;
     }
     program.add_options(app, command);
-    app.parse(argc, argv);
-    return program.run(command);
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e);
-    std::cerr << program.name << ": " << e.what() << "; see " << program.name << " --help\n";
+    return app.parse(argc, argv) ? program.run(command) : 0;
   } catch (const std::exception& e) {
     std::cerr << program.name << ": " << e.what() << "\n";
   }

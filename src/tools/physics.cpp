@@ -1,7 +1,6 @@
 // physics INPUT...: the collision models of meshes in a physics engine: dropped on a table, and pushed; a gripper that closes on a box.
 #include "physics/physics.h"
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 
@@ -32,23 +31,22 @@ Exit status: 0 done, whatever became of the bodies; 2 wrong use.
 Example:
   physics urdf/demo_arm.urdf --grip urdf/demo_arm.urdf -m certified,single_hull -o out)";
 
-void addOptions(CLI::App& app, Command& command) {
+void addOptions(CommandLine& app, Command& command) {
   PhysicsOptions& options = command.options;
   app.add_option("INPUT", command.inputs, "Mesh files, folders of them, and robots (package, .urdf or .xacro)")->type_name("");
   app.add_option("-m,--methods", command.methods, "Methods: " + methodChoices() + "; all if not given")->type_name("LIST");
   app.add_option("-t,--tolerance", command.tolerance, "A length, or a share of each mesh's diagonal")->type_name("LENGTH [2%]");
   app.add_option("-o,--output", options.folder, "Output folder; files of an earlier run there are replaced")->type_name("DIR")->required();
   app.add_option("--grip", command.robot, "A robot with the demo robot's gripper, which closes on a box")->type_name("ROBOT");
-  app.add_option("--poses", options.poses, "Poses of each mesh at most, the most stable ones")
-      ->type_name("N [2]")
-      ->check(CLI::Range(1, 100));
-  app.add_option("--time-limit", options.time_limit, "For each run, in seconds")->type_name("S [120]")->check(CLI::Range(0.1, 1e6));
-  app.add_option("--peer", command.peers, "Another program, as for benchmark")->type_name("NAME[=COMMAND]")->allow_extra_args(false);
+  app.add_option("--poses", options.poses, "Poses of each mesh at most, the most stable ones")->type_name("N [2]")->check(range(1, 100));
+  app.add_option("--time-limit", options.time_limit, "For each run, in seconds")->type_name("S [120]")->check(range(0.1, 1e6));
+  app.add_option("--peer", command.peers, "Another program, as for benchmark")->type_name("NAME[=COMMAND]");
   app.add_option("--seed", options.seed, "Of whatever is random in the methods")->type_name("N [1]");
-  app.add_flag("!--no-charts", command.charts, "Leave out the charts and the page");
+  app.add_flag_callback(
+      "--no-charts", [&command] { command.charts = false; }, "Leave out the charts and the page");
 }
 
-/// The options that CLI11 leaves as text.
+/// Options that are lists, or of which other code says what they may be.
 void interpret(Command& command) {
   PhysicsOptions& options = command.options;
   options.program = fs::read_symlink("/proc/self/exe").string();

@@ -1,14 +1,13 @@
 // What the programs that make a robot's collision model have in common: signals, progress, report, exit status.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <csignal>
-#include <cstdio>
 #include <functional>
 #include <iostream>
 #include <string>
 
 #include "collision_hulls/pipeline/decompose_robot.h"
+#include "command_line.h"
 #include "decompose_options.h"
 #include "pipeline/files.h"
 #include "progress_display.h"
@@ -25,13 +24,8 @@ struct RobotCommand {
   Options options;
 };
 
-/// Refuses "", as of a shell's variable that is not set.
-inline CLI::Validator notEmpty(const std::string& expected) {
-  return CLI::Validator([=](const std::string& text) { return text.empty() ? "takes " + expected : std::string(); }, "");
-}
-
 /// Input, output, report and the options of a decomposition.
-inline void addRobotOptions(CLI::App& app, const std::string& input, RobotCommand& command) {
+inline void addRobotOptions(CommandLine& app, const std::string& input, RobotCommand& command) {
   app.add_option("INPUT", command.input, input)->type_name("")->required();
   app.add_option("-o,--output", command.output, "Output folder; default ./<robot>_collision. An earlier output there is replaced")
       ->type_name("DIR")
@@ -42,13 +36,6 @@ inline void addRobotOptions(CLI::App& app, const std::string& input, RobotComman
       ->check(notEmpty("a file, or - for standard output"))
       ->group("Output");
   app.add_flag("--quiet", command.quiet, "Print errors only")->group("Output");
-  app.add_flag_callback(
-      "--version",
-      [program = command.program] {
-        std::printf("%s of collision_hulls %s\n", program.c_str(), version());
-        throw CLI::Success();
-      },
-      "Print the version and exit");
   DecomposeOptionAdder(app, command.options).addAll();
 }
 
@@ -134,13 +121,9 @@ inline int runRobotCommand(const RobotCommand& command, const RobotWork& work) {
 }
 
 /// Parses and runs; errors become messages on standard error and exit statuses.
-inline int runRobotProgram(CLI::App& app, int argc, char** argv, const std::function<int()>& run) {
+inline int runRobotProgram(CommandLine& app, int argc, char** argv, const std::function<int()>& run) {
   try {
-    app.parse(argc, argv);
-    return run();
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e);
-    std::cerr << app.get_name() << ": " << e.what() << "; see " << app.get_name() << " --help\n";
+    return app.parse(argc, argv) ? run() : kDone;
   } catch (const Error& e) {
     std::cerr << app.get_name() << ": " << e.what() << "\n";
     if (e.code() == ErrorCode::kCancelled) return kInterrupted;

@@ -1,7 +1,6 @@
 // stability INPUT...: where methods of decomposition hold and where they fail, and where FCL's queries do.
 #include "bench/stability.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -49,31 +48,29 @@ std::string troubleChoices() {
   return choices;
 }
 
-void addOptions(CLI::App& app, Command& command) {
+void addOptions(CommandLine& app, Command& command) {
   StabilityOptions& options = command.options;
   app.add_option("INPUT", command.inputs, "Mesh files, folders of them, and robots (package, .urdf or .xacro)")->type_name("");
   app.add_option("-m,--methods", command.methods, "Methods: " + methodChoices() + "; all if not given")->type_name("LIST");
   app.add_option("-t,--tolerance", command.tolerance, "A length, or a share of each mesh's diagonal")->type_name("LENGTH [2%]");
   app.add_option("-o,--output", options.folder, "Output folder; files of an earlier run there are replaced")->type_name("DIR")->required();
-  app.add_option("--time-limit", options.time_limit, "For each run, in seconds")->type_name("S [60]")->check(CLI::Range(0.1, 1e6));
+  app.add_option("--time-limit", options.time_limit, "For each run, in seconds")->type_name("S [60]")->check(range(0.1, 1e6));
   app.add_option("--peer", command.peers,
                  "Another program, NAME='command {in} {out} {tolerance}': OBJ in, OBJ with an object per hull out, metres. "
                  "NAME alone: the program peer_NAME of this package")
-      ->type_name("NAME[=COMMAND]")
-      ->allow_extra_args(false);
+      ->type_name("NAME[=COMMAND]");
   app.add_option("--seed", options.seed, "Of the troubles, and of whatever else is random")->type_name("N [1]");
   app.add_option("--draws", options.draws, "Of each random trouble, with the seed and those after it")
       ->type_name("N [1]")
-      ->check(CLI::Range(1, 1000));
-  app.add_option("--jobs", options.jobs, "Meshes in trouble at a time; 0: as many as cores")
-      ->type_name("N [0]")
-      ->check(CLI::Range(0, 10000));
+      ->check(range(1, 1000));
+  app.add_option("--jobs", options.jobs, "Meshes in trouble at a time; 0: as many as cores")->type_name("N [0]")->check(range(0, 10000));
   app.add_option("--troubles", command.troubles, "Troubles: " + troubleChoices() + "; all if not given")->type_name("LIST");
   app.add_flag("--few", command.few, "A third of the troubles");
   app.add_option("--fcl-trials", command.fcl_trials, "Of FCL for each kind of query and pair; 0: leave FCL out")
       ->type_name("N [100]")
-      ->check(CLI::Range(0, 100000));
-  app.add_flag("!--no-charts", command.charts, "Leave out the charts and the page");
+      ->check(range(0, 100000));
+  app.add_flag_callback(
+      "--no-charts", [&command] { command.charts = false; }, "Leave out the charts and the page");
 }
 
 TroubleKind troubleKind(const std::string& text) {
@@ -88,7 +85,7 @@ void choose(const std::vector<TroubleKind>& chosen, std::vector<Trouble>& troubl
   troubles.erase(std::remove_if(troubles.begin(), troubles.end(), left_out), troubles.end());
 }
 
-/// The options that CLI11 leaves as text.
+/// Options that are lists, or of which other code says what they may be.
 void interpret(Command& command) {
   StabilityOptions& options = command.options;
   options.program = fs::read_symlink("/proc/self/exe").string();

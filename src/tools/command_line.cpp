@@ -1,0 +1,247 @@
+// Boost.Program_options splits the arguments into options and values; only this file uses it. Every ROS 1 brings it along, unlike the
+// parsers that do more. This file adds what it lacks: --help in groups, checks of values, and a suggestion for an unknown option.
+#include "command_line.h"
+
+#include <algorithm>
+#include <boost/program_options.hpp>
+#include <iostream>
+#include <numeric>
+#include <sstream>
+#include <utility>
+
+#include "collision_hulls/error.h"
+#include "collision_hulls/pipeline/report.h"
+
+namespace collision_hulls {
+namespace {
+
+namespace po = boost::program_options;
+
+/// The number of letters to insert, leave out or replace, to make one text of the other (Levenshtein's).
+std::size_t editDistance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string shortest(double number) {
+  std::ostringstream out;
+  out << number;
+  return out.str();
+}
+
+/// The words of a text in lines of `width` characters, those after the first indented.
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
+  std::istringstream in(text);
+  std::string result;
+  std::size_t length = 0;
+  for (std::string word; in >> word;) {
+    if (length > 0 && length + 1 + word.size() > width) {
+      result += "\n" + std::string(indent, ' ');
+      length = 0;
+    }
+    result += (length > 0 ? " " : "") + word;
+    length += (length > 0 ? 1 : 0) + word.size();
+  }
+  return result;
+}
+
+std::string helpRow(const std::string& names, const std::string& type, const std::string& help) {
+  constexpr std::size_t kIndent = 30, kWidth = 100 - kIndent;
+  std::string row = "  " + names + (type.empty() ? "" : " " + type);
+  row += row.size() + 2 > kIndent ? "\n" + std::string(kIndent, ' ') : std::string(kIndent - row.size(), ' ');
+  return row + wrapped(help, kIndent, kWidth) + "\n";
+}
+
+}  // namespace
+
+Check range(double least, double most) {
+  return [=](const std::string& text) {
+    std::istringstream in(text);
+    double value = 0;
+    const bool within = in >> value && in.eof() && value >= least && value <= most;
+    return within ? "" : "a number from " + shortest(least) + " to " + shortest(most);
+  };
+}
+
+Check notEmpty(const std::string& expected) {
+  return [=](const std::string& text) { return text.empty() ? expected : ""; };
+}
+
+CommandLine::Option* CommandLine::Option::type_name(const std::string& text) {
+  type_ = text;
+  return this;
+}
+
+CommandLine::Option* CommandLine::Option::group(const std::string& name) {
+  group_ = name;
+  return this;
+}
+
+CommandLine::Option* CommandLine::Option::required() {
+  required_ = true;
+  return this;
+}
+
+CommandLine::Option* CommandLine::Option::check(const Check& check) {
+  check_ = check;
+  return this;
+}
+
+CommandLine::CommandLine(std::string purpose, std::string program) : purpose_(std::move(purpose)), program_(std::move(program)) {
+  const auto nothing = [] {};
+  add_flag_callback("-h,--help", nothing, "Print this help and exit");
+  add_flag_callback("--version", nothing, "Print the version and exit");
+}
+
+CommandLine::Option* CommandLine::add(const std::string& names, const std::string& help) {
+  Option& option = *options_.emplace_back(std::make_unique<Option>());
+  option.names_ = names;
+  option.help_ = help;
+  option.positional_ = names.front() != '-';
+  const std::size_t comma = names.find(',');
+  if (comma != std::string::npos) option.short_name_ = names.substr(1, comma - 1);
+  option.name_ = option.positional_ ? names : names.substr(names.find("--") + 2);
+  return &option;
+}
+
+CommandLine::Option* CommandLine::add_option_function(const std::string& names, const std::function<void(const std::string&)>& set,
+                                                      const std::string& help) {
+  Option* const option = add(names, help);
+  option->set_ = [set](const std::string& text) { return set(text), true; };
+  return option;
+}
+
+CommandLine::Option* CommandLine::add_flag(const std::string& names, bool& value, const std::string& help) {
+  return add_flag_callback(
+      names, [&value] { value = true; }, help);
+}
+
+CommandLine::Option* CommandLine::add_flag_callback(const std::string& names, const std::function<void()>& set, const std::string& help) {
+  Option* const option = add(names, help);
+  option->takes_value_ = false;
+  option->set_ = [set](const std::string&) { return set(), true; };
+  return option;
+}
+
+bool CommandLine::parse(int argc, const char* const* argv) {
+  const std::map<std::string, Texts> given = split(argc, argv);
+  if (given.count("help")) return std::cout << help(), false;
+  if (given.count("version")) return std::cout << program_ << " of collision_hulls " << collision_hulls::version() << "\n", false;
+  for (const auto& option : options_) {
+    const auto found = given.find(option->name_);
+    if (found != given.end()) {
+      apply(*option, found->second);
+    } else if (option->required_) {
+      refuse((option->positional_ ? "" : "--") + option->name_ + " is required");
+    }
+  }
+  return true;
+}
+
+std::map<std::string, CommandLine::Texts> CommandLine::split(int argc, const char* const* argv) const {
+  po::options_description known;
+  po::positional_options_description positional;
+  for (const auto& option : options_) {
+    const std::string names = option->name_ + (option->short_name_.empty() ? "" : "," + option->short_name_);
+    if (option->takes_value_) {
+      known.add_options()(names.c_str(), po::value<std::vector<std::string>>(), "");
+    } else {
+      known.add_options()(names.c_str(), "");
+    }
+    if (option->positional_) positional.add(option->name_.c_str(), -1);
+  }
+  std::map<std::string, Texts> given;
+  try {
+    const auto style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+    for (const po::option& option : po::command_line_parser(argc, argv).options(known).positional(positional).style(style).run().options) {
+      Texts& texts = given[option.string_key];
+      texts.insert(texts.end(), option.value.begin(), option.value.end());
+    }
+  } catch (const po::unknown_option& e) {
+    const std::string name = e.get_option_name().substr(0, e.get_option_name().find('='));
+    refuse("there is no option " + name + nearest(name));
+  } catch (const po::error& e) {
+    refuse(e.what());
+  }
+  return given;
+}
+
+void CommandLine::refuse(const std::string& problem) const {
+  throw Error(ErrorCode::kBadOption, problem + "; see " + program_ + " --help");
+}
+
+std::string CommandLine::nearest(const std::string& unknown) const {
+  const std::string name = unknown.substr(std::min(unknown.find_first_not_of('-'), unknown.size()));
+  const std::size_t most = std::max<std::size_t>(2, name.size() / 3);  // further away it is another word
+  const Option* best = nullptr;
+  std::size_t least = most + 1;
+  for (const auto& option : options_) {
+    if (option->positional_ || name.size() < 2) continue;
+    const bool begins = option->name_.compare(0, name.size(), name) == 0;
+    const std::size_t distance = begins ? 0 : editDistance(name, option->name_);
+    if (distance < least) {
+      least = distance;
+      best = option.get();
+    }
+  }
+  return best ? "; did you mean --" + best->name_ + "?" : "";
+}
+
+void CommandLine::apply(const Option& option, const Texts& texts) const {
+  const std::string name = (option.positional_ ? "" : "--") + option.name_;
+  if (!option.takes_value_) {
+    option.set_("");
+    return;
+  }
+  if (texts.size() > 1 && !option.repeatable_)
+    refuse(option.positional_ ? "unexpected argument '" + texts[1] + "'"
+                              : name + " is given twice: '" + texts[0] + "' and '" + texts[1] + "'");
+  for (const std::string& text : texts) {
+    std::string expected = option.check_ ? option.check_(text) : "";
+    if (expected.empty() && !option.set_(text)) expected = option.expected_;
+    if (!expected.empty()) refuse(name + " '" + text + "' is not understood: it takes " + expected);
+  }
+}
+
+bool CommandLine::setNumber(const std::string& text, double& value) {
+  std::istringstream in(text);
+  return in >> value && in.eof();
+}
+
+std::vector<std::string> CommandLine::groups() const {
+  std::vector<std::string> names;
+  for (const auto& option : options_) {
+    if (!option->positional_ && std::find(names.begin(), names.end(), option->group_) == names.end()) names.push_back(option->group_);
+  }
+  return names;
+}
+
+std::string CommandLine::help() const {
+  std::string usage = "Usage: " + program_ + " [OPTIONS]", arguments;
+  for (const auto& option : options_) {
+    if (!option->positional_) continue;
+    const std::string name = option->name_ + (option->repeatable_ ? "..." : "");
+    usage += option->required_ ? " " + name : " [" + name + "]";
+    arguments += helpRow(name, "", option->help_);
+  }
+  std::string text = purpose_ + "\n" + usage + "\n\n" + arguments;
+  for (const std::string& group : groups()) {
+    text += "\n" + group + ":\n";
+    for (const auto& option : options_) {
+      if (option->positional_ || option->group_ != group) continue;
+      text += helpRow(option->names_, option->type_ + (option->required_ ? " REQUIRED" : ""), option->help_);
+    }
+  }
+  return text + footer_ + "\n";
+}
+
+}  // namespace collision_hulls

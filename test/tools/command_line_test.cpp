@@ -1,0 +1,123 @@
+// Arguments that a command line accepts, and the messages for those that it refuses.
+#include "tools/command_line.h"
+
+#include <gtest/gtest.h>
+
+#include "collision_hulls/error.h"
+
+namespace collision_hulls {
+namespace {
+
+class CommandLineTest : public ::testing::Test {
+ protected:
+  CommandLineTest() {
+    line_.add_option("INPUT", input_, "What to read")->required();
+    line_.add_option("-o,--output", output_, "Where to write")->type_name("DIR")->check(notEmpty("a folder"));
+    line_.add_option("--count", count_, "How many")->type_name("N [3]")->check(range(1, 10))->group("Numbers");
+    line_.add_option("--factor", factor_, "How much")->group("Numbers");
+    line_.add_option("--peer", peers_, "Others");
+    line_.add_flag("--quiet", quiet_, "Say nothing");
+    line_.add_option_function(
+        "--first", [this](const std::string& text) { calls_ += "first " + text + " "; }, "Called");
+    line_.add_option_function(
+        "--second", [this](const std::string& text) { calls_ += "second " + text + " "; }, "Called");
+  }
+
+  bool parse(std::vector<const char*> arguments) {
+    arguments.insert(arguments.begin(), "program");
+    return line_.parse(static_cast<int>(arguments.size()), arguments.data());
+  }
+
+  void expectRefused(const std::vector<const char*>& arguments, const std::string& message) {
+    try {
+      parse(arguments);
+      ADD_FAILURE() << "accepted; expected the message: " << message;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), ErrorCode::kBadOption);
+      EXPECT_EQ(e.what(), message + "; see program --help");
+    }
+  }
+
+  std::string input_, output_, calls_;
+  std::vector<std::string> peers_;
+  int count_ = 3;
+  double factor_ = 1;
+  bool quiet_ = false;
+  CommandLine line_{"Tests.", "program"};
+};
+
+TEST_F(CommandLineTest, OptionsFillTheirVariables) {
+  EXPECT_TRUE(parse({"--count=7", "in", "-o", "out", "--factor", "1e-3", "--peer", "a", "--peer", "b", "--quiet"}));
+  EXPECT_EQ(input_, "in");
+  EXPECT_EQ(output_, "out");
+  EXPECT_EQ(count_, 7);
+  EXPECT_EQ(factor_, 1e-3);
+  EXPECT_EQ(peers_, (std::vector<std::string>{"a", "b"}));
+  EXPECT_TRUE(quiet_);
+}
+
+TEST_F(CommandLineTest, FunctionsAreCalledInTheOrderOfDeclaration) {
+  EXPECT_TRUE(parse({"--second", "2", "in", "--first", "1"}));
+  EXPECT_EQ(calls_, "first 1 second 2 ");
+}
+
+TEST_F(CommandLineTest, ValuesMayBeginWithADash) {
+  EXPECT_TRUE(parse({"-o-", "--factor", "-2", "--", "--strange"}));
+  EXPECT_EQ(output_, "-");
+  EXPECT_EQ(factor_, -2);
+  EXPECT_EQ(input_, "--strange");
+}
+
+TEST_F(CommandLineTest, AnUnknownOptionSuggestsTheNearest) {
+  expectRefused({"in", "--ouptut", "out"}, "there is no option --ouptut; did you mean --output?");
+  expectRefused({"in", "--out", "out"}, "there is no option --out; did you mean --output?");
+  expectRefused({"in", "--counts=3"}, "there is no option --counts; did you mean --count?");
+  expectRefused({"in", "--velocity", "3"}, "there is no option --velocity");
+  expectRefused({"in", "-x"}, "there is no option -x");
+}
+
+TEST_F(CommandLineTest, WrongValuesAreNamed) {
+  expectRefused({"in", "--count", "few"}, "--count 'few' is not understood: it takes a number from 1 to 10");
+  expectRefused({"in", "--count", "11"}, "--count '11' is not understood: it takes a number from 1 to 10");
+  expectRefused({"in", "--count", "2.5"}, "--count '2.5' is not understood: it takes a whole number");
+  expectRefused({"in", "--factor", "2m"}, "--factor '2m' is not understood: it takes a number");
+  expectRefused({"in", "-o", ""}, "--output '' is not understood: it takes a folder");
+}
+
+TEST_F(CommandLineTest, WhatIsMissingOrTooMuchIsNamed) {
+  expectRefused({}, "INPUT is required");
+  expectRefused({"in", "another"}, "unexpected argument 'another'");
+  expectRefused({"in", "-o", "a", "--output", "b"}, "--output is given twice: 'a' and 'b'");
+  expectRefused({"in", "--output"}, "the required argument for option '--output' is missing");
+  expectRefused({"in", "--quiet=1"}, "option '--quiet' does not take any arguments");
+}
+
+TEST_F(CommandLineTest, HelpAndVersionNeedNothingElse) {
+  for (const char* option : {"-h", "--help", "--version"}) EXPECT_FALSE(parse({option})) << option;
+}
+
+TEST_F(CommandLineTest, HelpListsOptionsByGroup) {
+  line_.footer("The end.");
+  EXPECT_EQ(line_.help(), R"(Tests.
+Usage: program [OPTIONS] INPUT
+
+  INPUT                       What to read
+
+Options:
+  -h,--help                   Print this help and exit
+  --version                   Print the version and exit
+  -o,--output DIR             Where to write
+  --peer                      Others
+  --quiet                     Say nothing
+  --first                     Called
+  --second                    Called
+
+Numbers:
+  --count N [3]               How many
+  --factor                    How much
+The end.
+)");
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -1,4 +1,4 @@
-# `cmake --build build --target doc`: the public headers and the README as HTML in build/html. Optional.
+# `cmake --build build --target doc`: the public headers and the documents as HTML in build/html. Optional.
 
 find_package(Doxygen QUIET)
 if(DOXYGEN_FOUND)
@@ -8,5 +8,5 @@ if(DOXYGEN_FOUND)
   set(DOXYGEN_QUIET YES)
   set(DOXYGEN_WARN_AS_ERROR YES)
   set(DOXYGEN_HAVE_DOT NO)
-  doxygen_add_docs(doc include README.md doc/benchmark.md doc/results/summary.md WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
+  doxygen_add_docs(doc include README.md doc/ros.md doc/options.md doc/scenes.md doc/library.md doc/benchmark.md doc/limits.md doc/results/summary.md WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")
 endif()

@@ -1,4 +1,4 @@
-// rosrun collision_hulls collision_hulls_node: see node.h and the README.
+// rosrun collision_hulls collision_hulls_node: see node.h and doc/ros.md.
 #include <ros/ros.h>
 
 #include <csignal>

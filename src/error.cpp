@@ -1,3 +1,4 @@
+// The names of the error codes, as used in reports.
 #include "collision_hulls/error.h"
 
 namespace collision_hulls {

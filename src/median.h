@@ -7,7 +7,7 @@
 
 namespace collision_hulls {
 
-/// The middle value, or the mean of the two; 0 of none.
+/// The middle value, or the mean of the two middle ones; 0 if there are no values.
 inline double median(std::vector<double> values) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());

@@ -1,3 +1,5 @@
+// Each call runs in an isolated task group: by default TBB would bind it to an enclosing one and silently drop its work when that is
+// cancelled.
 #include "parallel.h"
 
 #include <tbb/parallel_for.h>
@@ -15,7 +17,7 @@ void forEach(std::size_t count, const std::function<void(std::size_t)>& work) {
 }
 
 void forEachInTurn(std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next{0};  // TBB splits the range in halves: the order is ours
+  std::atomic<std::size_t> next{0};  // TBB splits the range in halves; the order is ours
   forEach(count, [&](std::size_t) { tbb::this_task_arena::isolate([&] { work(next++); }); });
 }
 
@@ -25,7 +27,7 @@ void atOnce(const std::function<void()>& one, const std::function<void()>& other
 }
 
 void withJobs(int jobs, const std::function<void()>& work) {
-  const auto threads = static_cast<int>(mostThreads());  // more than cores would only make TBB print a warning
+  const auto threads = static_cast<int>(mostThreads());  // more than the cores would only make TBB print a warning
   tbb::task_arena arena(jobs > 0 ? std::min(jobs, threads) : threads);
   arena.execute(work);
 }

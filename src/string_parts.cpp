@@ -1,3 +1,4 @@
+// Trimming and file extensions, in ASCII and independent of the locale.
 #include "string_parts.h"
 
 #include <algorithm>

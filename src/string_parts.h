@@ -1,4 +1,4 @@
-// Parts of strings.
+// Trimming, and extensions of file names.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace collision_hulls {
 
-/// Without the given characters at its begin and its end.
+/// `text` without leading and trailing characters from `blanks`.
 std::string trimmed(std::string_view text, std::string_view blanks);
 
-/// The extension of a path in lower case (ASCII), with the dot; empty where there is none.
+/// A path's extension in lower case (ASCII), with the dot; empty if it has none.
 std::string lowerExtension(const std::string& path);
 
 }  // namespace collision_hulls

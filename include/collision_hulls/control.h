@@ -1,4 +1,4 @@
-// How a caller follows and stops a long computation.
+// How a caller follows and cancels a long computation.
 #pragma once
 
 #include <atomic>
@@ -8,17 +8,17 @@
 
 namespace collision_hulls {
 
-/// Passed down by reference through every long-running stage. Thread safe: cancel() and the stages may run on different
-/// threads, and `progress` may be called from any of them, one call at a time.
+/// Passed down by reference through every long-running stage. Thread safe: cancel() and the stages may run on different threads. Any of
+/// those threads may call `progress`, but only one at a time.
 struct RunControl {
-  /// Called with the share of the work that is done, in [0, 1], never decreasing; empty: nobody asks.
+  /// Called with the share of the work done so far, in [0, 1]; never decreases. May be empty.
   std::function<void(double fraction)> progress;
-  /// The run that this one is a part of; its cancel() stops the part too. Null for a whole run.
+  /// The run that this one is part of: cancelling it cancels this one too. Null at the top level.
   const RunControl* whole = nullptr;
 
   void cancel() const { cancelled_.store(true); }
   bool cancelled() const { return cancelled_.load(std::memory_order_relaxed) || (whole && whole->cancelled()); }
-  /// Throws Error(kCancelled) once cancel() was called. Stages call it at least every 0.1 s.
+  /// Throws Error(kCancelled) after cancel(). Stages call this at least every 0.1 s.
   void check() const {
     if (cancelled()) throw Error(ErrorCode::kCancelled, "cancelled by the caller");
   }

@@ -1,3 +1,4 @@
+// Framing of the library's own files: magic, version, size, payload, checksum.
 #include "geometry/bytes.h"
 
 namespace collision_hulls {
@@ -6,7 +7,7 @@ namespace {
 constexpr std::size_t kHeader = 8 + 4 + 8;  // magic, version, size of the payload
 constexpr std::size_t kChecksum = 8;
 
-/// FNV-1a (Fowler, Noll, Vo). Each step is one-to-one in the state, so a single changed byte always changes the sum.
+/// FNV-1a (Fowler, Noll, Vo). Each step is a bijection of the state, so changing a single byte always changes the sum.
 std::uint64_t checksum(const char* bytes, std::size_t size) {
   std::uint64_t sum = 0xcbf29ce484222325u;
   for (std::size_t i = 0; i < size; ++i) sum = (sum ^ static_cast<unsigned char>(bytes[i])) * 0x100000001b3u;
@@ -28,20 +29,20 @@ std::string opened(const FileKind& kind, const std::string& bytes) {
   std::uint64_t size = 0, sum = 0;
   ByteReader in(bytes);
   in(found.magic);
-  if (found.magic != kind.magic) throw ByteFault("it does not begin as such a file does");
+  if (found.magic != kind.magic) throw ByteFault("its first bytes are not those of this kind of file");
   in(found.version);
   if (found.version != kind.version) {
-    throw ByteFault("its format has version " + std::to_string(found.version) + ", and version " + std::to_string(kind.version) +
-                    " is what this program reads");
+    throw ByteFault("its format is version " + std::to_string(found.version) + "; this program reads version " +
+                    std::to_string(kind.version));
   }
   in(size);
   const std::size_t around = kHeader + kChecksum;
   if (bytes.size() < around || bytes.size() - around != size) {
-    throw ByteFault("it has " + std::to_string(bytes.size()) + " bytes, where its header says " + std::to_string(size) + " and " +
-                    std::to_string(around) + " around them");
+    throw ByteFault("it is " + std::to_string(bytes.size()) + " bytes long, but its header announces " + std::to_string(size) +
+                    " bytes of content and the frame takes " + std::to_string(around));
   }
   fromBytes(bytes.substr(bytes.size() - kChecksum), sum);
-  if (sum != checksum(bytes.data(), bytes.size() - kChecksum)) throw ByteFault("its checksum is wrong");
+  if (sum != checksum(bytes.data(), bytes.size() - kChecksum)) throw ByteFault("its checksum does not match its content");
   return bytes.substr(kHeader, size);
 }
 

@@ -1,6 +1,6 @@
-// Values to bytes and back, without loss: what files of our own are made of.
+// Lossless conversion of values to bytes and back, for the library's own files.
 //
-// A type takes part by a function `fields(archive, value)` that names its members once, for both directions:
+// A type takes part through a function `fields(archive, value)` that lists its members once, for both directions:
 //
 //   template <typename Archive>
 //   void fields(Archive& archive, HalfSpace& face) { archive(face.normal, face.offset); }
@@ -22,20 +22,20 @@
 
 namespace collision_hulls {
 
-// Files are little-endian, which is how the machines that this runs on hold numbers.
-static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "numbers are copied as they lie in memory");
+// Files are little-endian, like the machines this runs on.
+static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "numbers are copied byte for byte from memory");
 
-/// What is wrong with bytes, as the end of a sentence that names the file.
+/// What is wrong with some bytes, worded to end a sentence that names the file.
 class ByteFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Numbers and enumerators, which are copied as they are.
+/// Numbers and enumerators: copied as they are.
 template <typename Value>
 constexpr bool kIsPlain = std::is_arithmetic_v<Value> || std::is_enum_v<Value>;
 
-/// Puts values one after the other.
+/// Appends values to a byte string.
 class ByteWriter {
  public:
   template <typename... Values>
@@ -52,7 +52,7 @@ class ByteWriter {
       std::memcpy(raw, &value, sizeof value);
       bytes_.append(raw, sizeof value);
     } else {
-      fields(*this, const_cast<Value&>(value));  // which changes nothing: this archive takes const references
+      fields(*this, const_cast<Value&>(value));  // changes nothing: this archive takes const references
     }
   }
   void put(const std::string& text) {
@@ -73,7 +73,7 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Gets them back in the same order. Never reads, or reserves memory for, more than there is. Throws ByteFault.
+/// Reads the values back in the same order. Never reads past the end, nor reserves more memory than the bytes can fill. Throws ByteFault.
 class ByteReader {
  public:
   explicit ByteReader(const std::string& bytes) : bytes_(bytes) {}
@@ -82,9 +82,9 @@ class ByteReader {
   void operator()(Values&... values) {
     (get(values), ...);
   }
-  /// Throws ByteFault where something is left.
+  /// Throws ByteFault if any bytes are left.
   void expectEnd() const {
-    if (left() > 0) throw ByteFault(std::to_string(left()) + " bytes follow after its end");
+    if (left() > 0) throw ByteFault(std::to_string(left()) + " bytes follow its end");
   }
 
  private:
@@ -119,7 +119,8 @@ class ByteReader {
     return count;
   }
   const char* take(std::uint64_t size) {
-    if (size > left()) throw ByteFault("it ends within a value: " + std::to_string(left()) + " bytes of " + std::to_string(size));
+    if (size > left())
+      throw ByteFault("it ends inside a value: only " + std::to_string(left()) + " of its " + std::to_string(size) + " bytes are there");
     at_ += size;
     return bytes_.data() + (at_ - size);
   }
@@ -129,7 +130,7 @@ class ByteReader {
   std::uint64_t at_ = 0;
 };
 
-/// The bytes of some values, and back; fromBytes also throws where bytes are left over.
+/// Some values as bytes, and back; fromBytes also throws if bytes are left over.
 template <typename... Values>
 std::string toBytes(const Values&... values) {
   ByteWriter out;
@@ -143,16 +144,17 @@ void fromBytes(const std::string& bytes, Values&... values) {
   in.expectEnd();
 }
 
-/// The kind of a file and the version of its format, as they stand at its beginning.
+/// A file's kind and format version, as stored at its start.
 struct FileKind {
   std::array<char, 8> magic;
   std::uint32_t version;
 };
 
-/// A file's bytes: magic, version, size of the payload, payload, checksum (64 bits) of all that. A change of one byte is always found.
+/// A file's bytes: magic, version, size of the payload, payload, and a 64-bit checksum of all these. Any change to a single byte is
+/// detected.
 std::string sealed(const FileKind& kind, const std::string& payload);
 
-/// The payload of a file. Throws ByteFault where kind, version, size or checksum are not as they should be.
+/// The payload of a file. Throws ByteFault if the kind, version, size or checksum does not match.
 std::string opened(const FileKind& kind, const std::string& bytes);
 
 template <typename Archive>

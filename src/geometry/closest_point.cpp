@@ -1,3 +1,5 @@
+// Nearest point of a triangle: Ericson's classification of p by Voronoi regions of corners, edges and face. His barycentric areas cancel
+// for slivers, so these take a slower path through the edges and a frame in their plane.
 #include <algorithm>
 
 #include "collision_hulls/geometry/triangle_bvh.h"
@@ -6,7 +8,7 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kThin = 1e-6;  // squared height over length below which a triangle is a sliver
+constexpr double kThin = 1e-6;  // a triangle whose squared height is below this share of its squared length is a sliver
 
 Eigen::Vector3d closestOnEdge(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& p) {
   const Eigen::Vector3d ab = b - a;
@@ -14,8 +16,8 @@ Eigen::Vector3d closestOnEdge(const Eigen::Vector3d& a, const Eigen::Vector3d& b
   return along <= 0 ? a : along >= length ? b : Eigen::Vector3d(a + ab * (along / length));
 }
 
-/// closestPoint() for triangles so thin that Ericson's areas are rounding: the best of the edges and of the foot of p, which is
-/// found in a frame of the plane along the longest edge, where thinness blurs nothing but a turn about that edge.
+/// closestPoint() for triangles so thin that Ericson's areas are mere rounding: the best of the edges and the foot of the perpendicular
+/// from p. The foot is found in a frame along the longest edge, where thinness blurs nothing but a rotation about that edge.
 Eigen::Vector3d closestOnSliver(Eigen::Vector3d a, Eigen::Vector3d b, Eigen::Vector3d c, const Eigen::Vector3d& p) {
   while ((b - a).squaredNorm() < std::max((c - b).squaredNorm(), (a - c).squaredNorm())) {
     std::swap(a, b);

@@ -1,3 +1,6 @@
+// Builds a hull in three attempts: quickhull (fast, refuses where rounding would decide), Qhull (slow, merges facets, joggles the input if
+// it has to), and for flat sets or when both refuse, a plate around all points. Then finish() merges coplanar faces and moves each one out
+// until it holds every vertex: the guarantee rests on this measurement, not on the builders.
 #include "collision_hulls/geometry/convex_hull.h"
 
 #include <algorithm>
@@ -16,23 +19,23 @@ namespace collision_hulls {
 
 namespace {
 
-// Planes closer than this in normal, and in offset as a share of the extent, are one.
+// Planes that differ by less than this, in normal and in offset as a share of the extent, are the same.
 constexpr double kSamePlane = 1e-10;
 
 using Points = std::vector<Eigen::Vector3d>;
 
-// Least thickness of a hull as a share of its extent: faces of a body this thin still have normals that double precision
-// tells apart, and single precision keeps its two sides apart after rounding outward.
+// Least thickness of a hull as a share of its extent. In a body this thin, double precision still distinguishes the face normals, and
+// single precision keeps the two sides apart after rounding outward.
 constexpr double kLeastThickness = 1e-6;
-// The same for the coordinates' size, for small bodies far from the origin; and for a lone point at the origin [m].
+// The same as a share of the coordinates' size, for small bodies far from the origin; and for a lone point at the origin [m].
 constexpr double kLeastThicknessFar = 1e-12, kLeastThicknessAtOrigin = 1e-9;
 
-// Points off a line by less than this share of its length lie on it.
+// Points closer to a line than this share of its length lie on it.
 constexpr double kCollinear = 1e-12;
-// Rounding of the way into a frame and back, as a share of the coordinates' size.
+// Rounding error of a round trip into a frame and back, as a share of the coordinates' size.
 constexpr double kFrameRounding = 4e-15;
 
-/// An orthonormal frame in which a point set is long, broad and thin, in this order.
+/// An orthonormal frame whose axes follow a point set's length, breadth and thickness, in this order.
 struct Frame {
   Eigen::Vector3d origin, middle;
   Eigen::Matrix3d axes;                              // columns
@@ -41,7 +44,7 @@ struct Frame {
   Eigen::Vector3d local(const Eigen::Vector3d& p) const { return axes.transpose() * (p - origin); }
 };
 
-/// The point that maximises f; the first of equals.
+/// The point that maximises f; the first one on a tie.
 template <class F>
 const Eigen::Vector3d& furthest(const Points& points, F f) {
   std::size_t best = 0;
@@ -53,7 +56,7 @@ const Eigen::Vector3d& furthest(const Points& points, F f) {
   return points[best];
 }
 
-/// Axes along a longest chord, the point furthest from it, and their normal.
+/// Axes along a longest chord, toward the point furthest from it, and normal to both.
 Frame spanningFrame(const Points& points) {
   Frame frame;
   const Eigen::Vector3d a = furthest(points, [&](const auto& p) { return (p - points[0]).squaredNorm(); });
@@ -65,7 +68,7 @@ Frame spanningFrame(const Points& points) {
   const Eigen::Vector3d c = furthest(points, [&](const auto& p) { return (p - a - x * x.dot(p - a)).squaredNorm(); });
   Eigen::Vector3d y = c - a - x * x.dot(c - a);
   y -= x * x.dot(y);
-  // Beneath this share of the length y is rounding and may point anywhere, along x too.
+  // Below this share of the length, y is rounding and may point anywhere, even along x.
   if (!(y.norm() > kCollinear * (b - a).norm())) y = x.unitOrthogonal();
   y.normalize();
   frame.axes << x, y, x.cross(y).normalized();
@@ -87,12 +90,12 @@ double leastThickness(double size, const Frame& frame) {
       {kLeastThickness * frame.extent.maxCoeff(), kLeastThicknessFar * size, frame.extent.maxCoeff() > 0 ? 0 : kLeastThicknessAtOrigin});
 }
 
-/// Corners of the 2D convex hull, counter-clockwise (monotone chain); points less than `flat` beyond their neighbours' chord are
-/// left out, and no point then lies further than that beyond the outline.
+/// Corners of the 2D convex hull, counter-clockwise (Andrew's monotone chain). Drops points that stand out less than `flat` beyond their
+/// neighbours' chord; no dropped point lies further than that beyond the outline.
 std::vector<Eigen::Vector2d> hull2d(std::vector<Eigen::Vector2d> p, double flat) {
   struct Corner {
     Eigen::Vector2d at;
-    double lost = 0;  // how far points were left beyond the edge that ends here
+    double lost = 0;  // how far dropped points lie beyond the edge that ends here
   };
   std::sort(p.begin(), p.end(), [](const auto& a, const auto& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
   std::vector<Corner> chain;
@@ -117,7 +120,7 @@ std::vector<Eigen::Vector2d> hull2d(std::vector<Eigen::Vector2d> p, double flat)
   return corners;
 }
 
-/// A flat set as a plate: its outline in the frame's plane, between two planes `thickness` apart at least.
+/// A flat set as a plate: its outline in the frame's plane, between two planes at least `thickness` apart.
 Points plate(const Points& points, const Frame& frame, double thickness) {
   std::vector<Eigen::Vector2d> flat;
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -125,7 +128,7 @@ Points plate(const Points& points, const Frame& frame, double thickness) {
     Eigen::Vector3d q = frame.local(p);
     low = std::min(low, q.z()), high = std::max(high, q.z());
     flat.emplace_back(q.x(), q.y());
-    if (frame.extent.y() < thickness) {  // a line or a point: give it breadth too, and a point length
+    if (frame.extent.y() < thickness) {  // a line or a point: add breadth, and for a point length too
       const double along = frame.extent.x() < thickness ? thickness / 2 : 0;
       flat.back() += Eigen::Vector2d(along, thickness / 2);
       flat.emplace_back(q.x() - along, q.y() - thickness / 2);
@@ -139,7 +142,7 @@ Points plate(const Points& points, const Frame& frame, double thickness) {
   return corners;
 }
 
-/// A prism from the corners that plate() made: bottom and top alternate. Its planes lie `slack` outside of them, for what
+/// A prism over the corners from plate(), where bottom and top alternate. Its planes lie `slack` outside them to allow for points that
 /// rounding left beyond.
 ConvexHull prism(const Points& corners, const Frame& frame, double slack) {
   ConvexHull hull;
@@ -163,11 +166,11 @@ ConvexHull prism(const Points& corners, const Frame& frame, double slack) {
   return hull;
 }
 
-/// Leaves one of the faces that are the same plane; the outermost stands for all. Takes one face per triangle and returns, per
-/// triangle, which of those that are left is its own.
+/// Merges faces that lie in the same plane, keeping the outermost. Expects one face per triangle and returns, per triangle, which of the
+/// remaining faces is its own.
 std::vector<std::size_t> joinCoplanarFaces(ConvexHull& hull) {
   const double extent = largestCoordinate(hull.vertices);
-  // Same planes are neighbours along any direction; few others are along one that is no drawing's.
+  // Equal planes are neighbours in the order along any direction. Along this odd one, few CAD models have other planes between them.
   const Eigen::Vector3d direction = Eigen::Vector3d(0.5773, 0.3141, 0.7541).normalized();
   std::vector<double> along;
   for (const HalfSpace& face : hull.faces) along.push_back(direction.dot(face.normal));
@@ -190,7 +193,7 @@ std::vector<std::size_t> joinCoplanarFaces(ConvexHull& hull) {
   return joined;
 }
 
-/// Joins coplanar faces, moves each out until all vertices lie beneath it, and records how far they then lie off their faces.
+/// Merges coplanar faces, moves each out until all vertices lie below it, and records how far they then lie off their faces.
 void finish(ConvexHull& hull) {
   for (HalfSpace& face : hull.faces) face.normal.normalize();
   const std::vector<std::size_t> face_of = joinCoplanarFaces(hull);
@@ -205,7 +208,7 @@ void finish(ConvexHull& hull) {
       hull.slack = std::max(hull.slack, std::abs(hull.faces[face_of[t]].distance(hull.vertices[static_cast<std::size_t>(v)])));
 }
 
-/// Works about the set's middle, where double precision is finest.
+/// Works about the middle of the set, where double precision is finest.
 std::optional<ConvexHull> spatialHull(const Points& points, const Eigen::Vector3d& middle, const RunControl& control) {
   Points centred(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) centred[i] = points[i] - middle;
@@ -219,9 +222,10 @@ std::optional<ConvexHull> spatialHull(const Points& points, const Eigen::Vector3
 }
 
 void requireFinite(const Points& points) {
-  if (points.empty()) throw Error(ErrorCode::kEmptyMesh, "convex hull of no point; at least one is needed");
+  if (points.empty()) throw Error(ErrorCode::kEmptyMesh, "convex hull of an empty point set; give at least one point");
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (!points[i].allFinite()) throw Error(ErrorCode::kNonFiniteCoordinate, "convex hull: point " + std::to_string(i) + " is not finite");
+    if (!points[i].allFinite())
+      throw Error(ErrorCode::kNonFiniteCoordinate, "convex hull: point " + std::to_string(i) + " is not finite; remove it");
 }
 
 }  // namespace
@@ -233,7 +237,7 @@ ConvexHull convexHull(const Points& points, const RunControl& control) {
   if (frame.extent.z() >= least) {
     if (auto hull = spatialHull(points, frame.middle, control)) return *hull;
   }
-  // Flat, or so nearly that Qhull gave up: a plate holds everything.
+  // Flat, or so nearly flat that Qhull gave up: a plate holds everything.
   ConvexHull hull = prism(plate(points, frame, least), frame, kCollinear * frame.extent.x() + kFrameRounding * size);
   hull.thickness = least;
   finish(hull);

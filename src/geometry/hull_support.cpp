@@ -1,3 +1,4 @@
+// Hill climbing over the vertex graph, stored as one flat array of neighbours. On a convex surface any local maximum is global.
 #include "geometry/hull_support.h"
 
 namespace collision_hulls {

@@ -1,4 +1,4 @@
-// Support points of a hull, by walking along its edges.
+// Support points of a hull, found by walking along its edges.
 #pragma once
 
 #include <cstddef>
@@ -8,22 +8,22 @@
 
 namespace collision_hulls {
 
-/// Answers in a few steps where the walk begins near by. Keeps a reference to the hull. Thread safe.
+/// Takes a few steps if the walk starts nearby. Keeps a reference to the hull. Thread safe.
 class HullSupport {
  public:
   explicit HullSupport(const ConvexHull& hull);
 
-  /// The vertex furthest along a direction: uphill from vertex `start`, which on a convex surface ends at the summit. Vertices
-  /// level with it up to the hull's slack may be missed.
+  /// The support point in a direction: climbs from vertex `start`; on a convex surface the climb ends at the maximum. May stop short of
+  /// vertices that are higher by less than the hull's slack.
   int furthest(const Eigen::Vector3d& direction, int start) const;
 
  private:
   const ConvexHull& hull_;
-  std::vector<std::size_t> first_;  // by vertex: its first neighbour
-  std::vector<int> neighbours_;     // joined to it by a triangle's edge
+  std::vector<std::size_t> first_;  // per vertex: its first neighbour
+  std::vector<int> neighbours_;     // vertices joined to it by an edge
 };
 
-/// The width [m] of a hull across that of its faces where it is least: a ball within is no wider.
+/// The least width [m] of a hull, measured across its faces: no ball inside it is wider.
 double leastWidth(const ConvexHull& hull);
 
 }  // namespace collision_hulls

@@ -1,3 +1,5 @@
+// Groups a sample of the triangles by normal. The group with the largest area gives the first axis, the largest group at right angles to it
+// the second. The new axes are used only if clearly more of the area is axis-aligned with them than without.
 #include "geometry/own_axes.h"
 
 #include <Eigen/Geometry>
@@ -9,19 +11,19 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kLike = 1 - 1e-6;        // cosine between normals above which faces lie the same way
-constexpr double kUpright = 0.01;         // cosine below which they are at right angles
-constexpr double kMuch = 0.15;            // share of the area
-constexpr std::size_t kTriangles = 5000;  // looked at
-constexpr std::size_t kMostKinds = 300;   // directions that are told apart
+constexpr double kLike = 1 - 1e-6;        // normals whose cosine is above this have the same direction
+constexpr double kUpright = 0.01;         // directions whose cosine is below this are at right angles
+constexpr double kMuch = 0.15;            // gain, as a share of the area, that makes turning the mesh worthwhile
+constexpr std::size_t kTriangles = 5000;  // size of the sample
+constexpr std::size_t kMostKinds = 300;   // directions that are distinguished
 
-/// Faces that lie the same way, whichever side is out.
+/// Faces with the same direction, regardless of which side is out.
 struct Kind {
   Eigen::Vector3d normal;
   double area;
 };
 
-/// Twice the area, along the normal; of no more than kTriangles, largest first.
+/// Area vectors (twice the area, along the normal) of at most kTriangles triangles, largest first.
 std::vector<Eigen::Vector3d> areas(const TriangleMesh& mesh) {
   std::vector<Eigen::Vector3d> result;
   const std::size_t count = mesh.triangles.size();
@@ -46,7 +48,7 @@ std::vector<Kind> kindsOf(const std::vector<Eigen::Vector3d>& areas) {
   return kinds;
 }
 
-/// The kind of most area at right angles to `axis`; null if there is none.
+/// The kind with the largest area at right angles to `axis`; null if there is none.
 const Kind* largestAcross(const std::vector<Kind>& kinds, const Eigen::Vector3d& axis) {
   const Kind* best = nullptr;
   for (const Kind& kind : kinds)
@@ -54,7 +56,7 @@ const Kind* largestAcross(const std::vector<Kind>& kinds, const Eigen::Vector3d&
   return best;
 }
 
-/// Of the area, what lies flat along the axes (rows), as a share.
+/// The share of the area whose normals lie along the axes (rows).
 double flatShare(const std::vector<Eigen::Vector3d>& areas, const Eigen::Matrix3d& axes) {
   double flat = 0, all = 0;
   for (const Eigen::Vector3d& a : areas) {

@@ -1,4 +1,4 @@
-// A mesh stood upright: decomposition is quicker, and the number of hulls steadier, where flat faces lie along the axes.
+// Axes of a mesh's own: decomposition is quicker, and the number of hulls steadier, if flat faces are axis-aligned.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,8 +7,8 @@
 
 namespace collision_hulls {
 
-/// The rotation from the mesh's frame into one along whose axes much more of its surface lies flat; the identity where there is none,
-/// as for parts that are upright already, and for round ones. Deterministic.
+/// The rotation from the mesh's frame into one in which much more of its surface is axis-aligned; the identity if there is no such frame,
+/// as for parts that are aligned already and for round ones. Deterministic.
 Eigen::Matrix3d ownAxes(const TriangleMesh& mesh);
 
 }  // namespace collision_hulls

@@ -1,3 +1,4 @@
+// A balanced k-d tree as an implicit binary heap: each node halves its points at the median of its box's longest side.
 #include "geometry/point_tree.h"
 
 #include <algorithm>
@@ -6,7 +7,7 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr std::size_t kFew = 16;  // points that are not divided any more
+constexpr std::size_t kFew = 16;  // points at which a node is not split further
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Points in boxes within boxes: most planes need be compared with few of them.
+// A tree of boxes over points, so that a plane is compared with few of them.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,7 +16,7 @@ class PointTree {
   bool anyBeyond(const HalfSpace& plane, double margin) const { return anyBeyond(0, 0, points_.size(), plane, margin); }
 
  private:
-  // A node has the points [first, last) in halves; the nodes beneath node i are 2 i + 1 and 2 i + 2.
+  // A node holds the points [first, last) and splits them into halves; the children of node i are 2 i + 1 and 2 i + 2.
   void build(std::size_t node, std::size_t first, std::size_t last);
   bool anyBeyond(std::size_t node, std::size_t first, std::size_t last, const HalfSpace& plane, double margin) const;
 

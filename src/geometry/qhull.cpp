@@ -1,3 +1,5 @@
+// Qhull (Barber, Dobkin & Huhdanpaa 1996) in its reentrant C form. Tried first with merged facets, then with joggled input; the result
+// counts only if it is a closed 2-manifold.
 #include "geometry/qhull.h"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace collision_hulls {
 
 namespace {
 
-/// Owns a Qhull run and its memory.
+/// Owns one run of Qhull and its memory.
 class QhullRun {
  public:
   QhullRun(const std::vector<Eigen::Vector3d>& points, const char* command) : coordinates_(points.size() * 3) {
@@ -37,7 +39,7 @@ class QhullRun {
     ConvexHull result;
     std::unordered_map<int, int> vertex_of_point;
     qhT* qh = &qh_;
-    // Points that were merged into a face may lie this far beyond it.
+    // Points merged into a face may lie this far beyond it.
     const double outside = std::max(0.0, static_cast<double>(qh->max_outside));
     facetT* facet = nullptr;
     FORALLfacets {
@@ -65,7 +67,7 @@ class QhullRun {
   bool ok_ = false;
 };
 
-/// Closed: each directed edge has its opposite exactly once.
+/// Closed: each directed edge has exactly one opposite.
 bool isClosed(const ConvexHull& hull) {
   std::unordered_map<long long, int> edges;
   const auto key = [](int a, int b) { return (static_cast<long long>(a) << 32) | b; };
@@ -82,7 +84,7 @@ bool isClosed(const ConvexHull& hull) {
 }  // namespace
 
 std::optional<ConvexHull> qhull(const std::vector<Eigen::Vector3d>& points) {
-  // Qt: merged facets triangulated. QJ, joggled input, is slower and less exact, but never gives up on hard sets.
+  // Qt triangulates merged facets. QJ joggles the input: slower and less exact, but it never gives up on hard sets.
   for (const char* command : {"qhull Qt Pp", "qhull QJ Pp"}) {
     QhullRun run(points, command);
     if (!run.ok()) continue;

@@ -1,4 +1,4 @@
-// Qhull behind three plain values. The only file pair that sees it.
+// Qhull behind three plain values. Nothing else includes it.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,8 +9,8 @@
 
 namespace collision_hulls {
 
-/// The hull of points that span three dimensions, as Qhull finds it; nullopt where Qhull gives up or its result is not a
-/// closed 2-manifold. Vertices are among the points; face i is that of triangle i, not yet measured against them.
+/// Qhull's hull of points that span three dimensions; nullopt if Qhull gives up or its result is not a closed 2-manifold. Vertices are
+/// among the points; face i belongs to triangle i and has not been measured against the points yet.
 std::optional<ConvexHull> qhull(const std::vector<Eigen::Vector3d>& points);
 
 }  // namespace collision_hulls

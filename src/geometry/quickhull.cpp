@@ -1,12 +1,13 @@
 // Barber, Dobkin & Huhdanpaa, "The quickhull algorithm for convex hulls" (1996), for triangles in three dimensions.
 //
-//   begin with a tetrahedron, and with many points the extreme ones along some directions; give each point outside to a face
-//   that sees it
+//   start with a tetrahedron; for large sets, add the extreme points in some directions
+//   give each outside point to a face that sees it
 //   while some face has points: take its furthest point p
-//     the faces that p sees are one patch; its border is the horizon
-//     replace the patch by triangles from the horizon's edges to p, and share out the patch's points anew
+//     the faces that p sees form a patch; the patch's border is the horizon
+//     replace the patch by triangles from the horizon's edges to p, and redistribute the patch's points
 //
-// Faces are not merged as Qhull does: rounding is detected instead, and the caller falls back.
+// O(n log n) under the paper's balance assumptions. Unlike Qhull, it does not merge faces: it detects rounding trouble, and the caller
+// falls back.
 #include "geometry/quickhull.h"
 
 #include <algorithm>
@@ -20,32 +21,32 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kVisible = 1e-12;  // share of the extent that a point must lie beyond a face to be seen by it
-constexpr double kSliver = 1e-9;    // least height of a face over its longest side, likewise
-constexpr std::size_t kMany = 500;  // points from which on extreme ones are added first
+constexpr double kVisible = 1e-12;  // share of the extent that a point must lie beyond a face to see it
+constexpr double kSliver = 1e-9;    // least height of a face over its longest side, as a share of the extent
+constexpr std::size_t kMany = 500;  // sets larger than this start with extreme points
 constexpr int kExtremes = 26;
 constexpr double kWorthwhile = 1e-3, kGoldenAngle = 2.399963229728653;
 constexpr std::size_t kFacesBetweenChecks = 10000;
-constexpr std::size_t kUsualFaces = 4;   // made in all, per point, where most points are corners
-constexpr std::size_t kMostFaces = 100;  // made in all, per point; more means that rounding goes round in circles
-constexpr double kDent = 1e-10;          // most that a vertex may lie beyond a neighbouring face
-constexpr double kSuspicious = 2e-12;    // dents beyond this are not kVisible's: then vertices are compared with all faces
-constexpr double kFlat = 1e-11;          // an edge whose faces' far corners lie no further from each other's planes is none
+constexpr std::size_t kUsualFaces = 4;   // created in all, per point, if most points are corners
+constexpr std::size_t kMostFaces = 100;  // created in all, per point; more means that rounding runs in circles
+constexpr double kDent = 1e-10;          // furthest that a vertex may lie beyond a neighbouring face, as a share of the extent
+constexpr double kSuspicious = 2e-12;    // kVisible does not explain dents deeper than this: compare all vertices with all faces
+constexpr double kFlat = 1e-11;          // an edge is flat if its faces' opposite corners lie no further than this from each other's planes
 
 struct Face {
   std::array<int, 3> vertex{};
   std::array<int, 3> neighbour{-1, -1, -1};  // across the edge from vertex[k] to vertex[(k + 1) % 3]
   Eigen::Vector3d normal;
   double offset = 0;
-  int first_point = -1;  // list of points that this face is responsible for
+  int first_point = -1;  // head of the list of points assigned to this face
   int furthest = -1;
   double furthest_distance = 0;
-  int seen_by = -1;      // the last point that visited this face
-  int replaced_by = -1;  // a face made in its place; -1: it is there
+  int seen_by = -1;      // the last point whose walk reached this face
+  int replaced_by = -1;  // a face created in its place; -1: still part of the hull
 };
 
 struct HorizonEdge {
-  int face, edge;  // the face beyond the horizon, and which of its edges
+  int face, edge;  // the face beyond the horizon, and which of its edges is on it
   int from, to;    // as seen from within the patch
 };
 
@@ -68,12 +69,12 @@ class Builder {
     return result();
   }
 
-  /// The vertices that at least three sharp edges meet at; the others lie within a face or along an edge, up to rounding.
+  /// The vertices where at least three sharp edges meet, and the others, which lie within a face or along an edge up to rounding.
   struct Vertices {
     std::vector<Eigen::Vector3d> corners, others;
   };
   Vertices vertices() const {
-    std::vector<int> sharp(points_.size(), -1);  // -1: no vertex
+    std::vector<int> sharp(points_.size(), -1);  // number of sharp edges; -1: not a vertex
     for (std::size_t i = 0; i < faces_.size(); ++i)
       for (std::size_t k = 0; k < 3 && isThere(faces_[i]); ++k) {
         int& edges = sharp[static_cast<std::size_t>(faces_[i].vertex[k])];
@@ -125,7 +126,7 @@ class Builder {
     return true;
   }
 
-  /// Adds the extreme points along directions that are no drawing's, so that few points lie outside for long.
+  /// Adds the extreme points in directions that CAD models seldom share; few points then stay outside for long.
   bool addExtremes() {
     for (int i = 0; i < kExtremes; ++i) {
       const double z = (2 * i + 1.0) / kExtremes - 1, across = std::sqrt(1 - z * z), turn = i * kGoldenAngle;
@@ -136,7 +137,7 @@ class Builder {
     return true;
   }
 
-  /// Gives each point to the face before it, if that sees it.
+  /// Gives each point to the face it projects to from the middle, if it lies beyond that face.
   void shareOut() {
     for (int p = 0, f = present(0); p < static_cast<int>(points_.size()); ++p) {
       const int before = pierced(point(p), f);
@@ -161,7 +162,7 @@ class Builder {
     return true;
   }
 
-  /// Gives a point to the first face from `from` on that sees it; points within all of those are dropped.
+  /// Gives a point to the first face in [from, to) that it sees; drops it if it sees none.
   void assign(int p, std::size_t from, std::size_t to) {
     for (std::size_t k = from; k < to; ++k) {
       Face& f = faces_[k];
@@ -177,20 +178,20 @@ class Builder {
 
   double height(int p, int f) const { return face(f).normal.dot(point(p)) - face(f).offset; }
 
-  /// Whether p and an edge are so nearly in line that a face over them would be a sliver.
+  /// Whether p is so nearly collinear with an edge that the face over them would be a sliver.
   bool isSliver(int p, int from, int to) const {
     const Eigen::Vector3d edge = point(to) - point(from), way = point(p) - point(from);
     const double longest = std::sqrt(std::max({edge.squaredNorm(), way.squaredNorm(), (way - edge).squaredNorm()}));
     return !(edge.cross(way).norm() > 2 * kSliver * extent_ * longest);
   }
 
-  /// A face that p lies level with counts as seen where p is in line with the edge that leads to it: it is spanned anew from p.
+  /// p counts as seeing a face level with it if p is collinear with the edge leading to that face: the face is then spanned anew from p.
   bool sees(int p, int f, int from, int to) {
     const double h = height(p, f);
     return h > kVisible * extent_ || (h > -kVisible * extent_ && isSliver(p, from, to));
   }
 
-  /// Walks the patch that p sees, depth first around each face, so that the horizon comes out in order.
+  /// Walks the patch that p sees, depth first around each face; this visits the horizon's edges in order.
   void findHorizon(int p, int start) {
     patch_.assign(1, start);
     horizon_.clear();
@@ -222,7 +223,7 @@ class Builder {
     }
   }
 
-  /// Adds a point that a face sees.
+  /// Adds a point that lies beyond face `start`; false if rounding gets in the way.
   bool add(int p, int start) {
     findHorizon(p, start);
     const std::size_t n = horizon_.size(), first = faces_.size();
@@ -239,8 +240,8 @@ class Builder {
       face(f).replaced_by = static_cast<int>(first);
       for (int v : face(f).vertex)
         if (settled_by_[static_cast<std::size_t>(v)] != p) {
-          settled_by_[static_cast<std::size_t>(v)] = p;  // several faces of the patch share it, and it may be in one list only
-          assign(v, first, faces_.size());               // once level faces are gone it may stick out
+          settled_by_[static_cast<std::size_t>(v)] = p;  // several faces of the patch may share it, but it may be in one list only
+          assign(v, first, faces_.size());               // without the level faces it may stick out
         }
       for (int q = face(f).first_point; q >= 0;) {
         const int following = next_[static_cast<std::size_t>(q)];
@@ -251,7 +252,7 @@ class Builder {
     return true;
   }
 
-  /// How far beneath face f the vertices of its neighbour n lie.
+  /// How far below face f the vertices of its neighbour n reach.
   double drop(const Face& f, const Face& n) const {
     double least = 0;
     for (int v : n.vertex) least = std::min(least, f.normal.dot(point(v)) - f.offset);
@@ -263,8 +264,8 @@ class Builder {
     return std::min(drop(f, n), drop(n, f)) > kFlat * extent_;
   }
 
-  /// The face that the way from the middle through a point leads to, by a walk across edges that the point lies beyond; -1 where
-  /// rounding leads the walk in circles.
+  /// The face that the ray from the middle through p pierces. Walks across edges that p lies beyond; -1 if rounding leads the walk in
+  /// circles.
   int pierced(const Eigen::Vector3d& p, int start) const {
     const Eigen::Vector3d way = p - middle_;
     int f = start;
@@ -278,14 +279,14 @@ class Builder {
     return -1;
   }
 
-  /// Whether a way from the middle passes an edge on the right. Both faces of an edge get the same answer.
+  /// Whether a ray from the middle passes an edge on the right. Both faces of an edge get the same answer.
   bool isBeyond(const Eigen::Vector3d& way, int from, int to) const {
     const Eigen::Vector3d a = point(std::min(from, to)) - middle_, b = point(std::max(from, to)) - middle_;
     const double side = a.cross(b).dot(way);
     return from < to ? side < 0 : side > 0;
   }
 
-  /// The face that stands where f stood.
+  /// The face that now stands in place of f.
   int present(int f) const {
     while (!isThere(face(f))) f = face(f).replaced_by;
     return f;
@@ -301,22 +302,22 @@ class Builder {
     return most;
   }
 
-  /// Points were dropped because some faces did not see them. Each must lie between the middle and the face before it: then it lies
-  /// in the hull of four points that all faces hold.
+  /// Whether all dropped points are inside. Being below some faces is no proof: each must lie between the middle and the face it projects
+  /// to, hence in the convex hull of four points that all faces hold.
   bool holdsAll(const std::vector<int>& vertex) {
     for (std::size_t p = 0; p < points_.size(); ++p)
       if (vertex[p] < 0 && dropped_[p] >= 0 && beyond(points_[p], present(dropped_[p])) > kDent * extent_) return false;
     return true;
   }
 
-  /// Whether all faces hold all vertices.
+  /// Whether every face holds every vertex.
   bool holdsVertices(const ConvexHull& hull) const {
     const PointTree vertices(hull.vertices);
     const auto cuts = [&](const HalfSpace& face) { return vertices.anyBeyond(face, kDent * extent_); };
     return std::none_of(hull.faces.begin(), hull.faces.end(), cuts);
   }
 
-  /// The furthest that a vertex lies beyond a neighbouring face.
+  /// The furthest distance of a vertex beyond a neighbouring face.
   double deepestDent() const {
     double most = 0;
     for (const Face& f : faces_) {
@@ -328,12 +329,12 @@ class Builder {
     return most;
   }
 
-  /// Whether a face looks inward: rounding may fold one back upon others in its plane, which no dent shows.
+  /// Whether some face looks inward: rounding may fold a face back onto others in its plane, and no dent reveals that.
   bool isFolded() const {
     return std::any_of(faces_.begin(), faces_.end(), [&](const Face& f) { return isThere(f) && f.normal.dot(middle_) >= f.offset; });
   }
 
-  /// A surface that is nowhere folded and whose edges are all convex to rounding is convex, so its faces hold its vertices.
+  /// A surface that is nowhere folded and whose edges are all convex up to rounding is convex, so its faces hold its vertices.
   std::optional<ConvexHull> result() {
     const double dent = deepestDent();
     if (dent > kDent * extent_ || isFolded()) return std::nullopt;
@@ -364,8 +365,8 @@ class Builder {
   const std::vector<Eigen::Vector3d>& points_;
   const RunControl& control_;
   std::vector<int> next_;
-  std::vector<int> dropped_;     // by point: the first of the faces that were made when it was dropped last; -1: never
-  std::vector<int> settled_by_;  // by vertex: the last point that replaced faces of it
+  std::vector<int> dropped_;     // per point: the first of the faces created when it was last dropped; -1: never dropped
+  std::vector<int> settled_by_;  // per vertex: the last point that replaced some of its faces
   std::vector<Face> faces_;
   struct Step {  // of the walk around a patch
     int face, edge, left;
@@ -374,7 +375,7 @@ class Builder {
   std::vector<int> patch_;
   std::vector<HorizonEdge> horizon_;
   double extent_ = 0;
-  Eigen::Vector3d middle_;  // of the first tetrahedron
+  Eigen::Vector3d middle_;  // centroid of the first tetrahedron
 };
 
 }  // namespace
@@ -390,7 +391,7 @@ std::optional<ConvexHull> quickhull(const std::vector<Eigen::Vector3d>& points, 
   double beyond = 0;
   for (const Eigen::Vector3d& p : vertices.others) beyond = std::max(beyond, planeDistance(*lean, p));
   if (beyond > kDent * builder.extent()) return hull;
-  for (HalfSpace& face : lean->faces) face.offset += beyond + kVisible * builder.extent();  // the first run's own margin
+  for (HalfSpace& face : lean->faces) face.offset += beyond + kVisible * builder.extent();  // plus the first run's own margin
   return lean;
 }
 

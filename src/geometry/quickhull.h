@@ -1,4 +1,4 @@
-// Quickhull for the many small hulls of a decomposition, where Qhull's set-up and generality cost most of the time.
+// Quickhull for the many small hulls of a decomposition, where Qhull's set-up and generality would take most of the time.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@
 
 namespace collision_hulls {
 
-/// Of points that lie in one plane quickhull takes some for vertices that are no corners; a second run leaves them out.
+/// Among coplanar points quickhull keeps some vertices that are not corners. kNeeded runs it again without them.
 enum class Corners { kNeeded, kAsFound };
 
-/// The hull of points about the origin that span three dimensions: vertices, triangles and one face per triangle, face i being
-/// that of triangle i (faces moved out by what rounding may have left beyond them). nullopt where rounding would decide
-/// something (a sliver of a face, a horizon that does not close, a dent): then a slower and more careful builder is needed.
+/// The hull of points about the origin that span three dimensions: vertices, triangles, and one face per triangle (face i belongs to
+/// triangle i and is moved out by what rounding may have left beyond it). nullopt if rounding would decide something (a sliver, a horizon
+/// that does not close, a dent): the caller then needs a slower, more careful builder.
 std::optional<ConvexHull> quickhull(const std::vector<Eigen::Vector3d>& points, const RunControl& control = {},
                                     Corners corners = Corners::kNeeded);
 

@@ -1,6 +1,6 @@
-// Tree: splits near the median along the longest side of the centres' box, so that all leaves but the last have four triangles;
-// then the number of nodes beneath each is known, and subtrees are built in parallel. Children are stored side by side.
-// Queries: depth first, nearer child first, O(log n) on surfaces; the nearest point by boxes in packs of four.
+// Tree: nodes split near the median along the longest side of the centroids' box, at a multiple of four triangles, so all leaves but the
+// last hold four. That fixes the number of nodes below each node, and subtrees can be built in parallel. Siblings are stored side by side.
+// Queries: depth first, nearer child first, O(log n) on surfaces; nearest() tests boxes in packs of four.
 #include "collision_hulls/geometry/triangle_bvh.h"
 
 #include <algorithm>
@@ -15,36 +15,36 @@ namespace collision_hulls {
 namespace {
 
 constexpr int kLeafSize = 4;
-constexpr int kParallel = 4096;  // triangles from which on both halves of a tree are built at the same time
+constexpr int kParallel = 4096;  // nodes with more triangles than this build both halves in parallel
 
-// Boxes in single precision: what a coordinate, of size 2 units at most, is rounded by, and the squared distance to a box, as a share.
+// For boxes in single precision: rounding error of a coordinate (at most 2 units large), and of the squared distance to a box, as a share.
 constexpr float kBoxMargin = 4e-7F;
 constexpr double kBoxRounding = 1e-6;
 
 constexpr double kAnyDirection = kPi;
-constexpr double kNarrow = 0.35;  // [rad] cones narrower than this stand for their triangles
+constexpr double kNarrow = 0.35;  // [rad] a cone narrower than this stands for all its triangles
 constexpr std::size_t kMostCones = 64;
-constexpr double kLevel = 1e-6;  // directions whose cosine is below this count as level: not within the half-space
+constexpr double kLevel = 1e-6;  // directions whose cosine is below this count as level: outside the half-space
 constexpr int kHalfSpaceRounds = 24;
-constexpr double kLean = 0.3, kEnough = 1.01;  // how hard it leans; the gain per round that is worth another one
+constexpr double kLean = 0.3, kEnough = 1.01;  // step toward the worst cone; gain per round that justifies another round
 
 std::size_t leavesFor(int triangles) {
   return (static_cast<std::size_t>(triangles) + kLeafSize - 1) / kLeafSize;
 }
 
-/// As Eigen's squaredExteriorDistance(), without branches.
+/// Eigen's squaredExteriorDistance(), without branches.
 double squaredDistance(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& p) {
   return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0).squaredNorm();
 }
 
-/// Directions within an angle of an axis.
+/// The directions within some angle of an axis.
 struct Spread {
   Eigen::Vector3d axis;
   double sine;  // of the angle
 };
 
-/// Looks for a direction that all of these make an acute angle with: begins with the mean, then leans toward the worst.
-/// Returns the least cosine of the best direction found; 0 where none was found.
+/// Searches for a direction at an acute angle to all the cones: starts with the mean, then leans toward the worst. Returns the least cosine
+/// of the best direction found; 0 if none was found.
 double leastCosine(const Spread* cones, std::size_t count) {
   Eigen::Vector3d u = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < count; ++i) u += cones[i].axis;
@@ -87,7 +87,7 @@ TriangleBvh::TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_
   gather(0);
 }
 
-/// Packs the boxes two levels beneath a node, or those of a leaf's triangles; returns where they are.
+/// Packs the boxes two levels below a node, or those of a leaf's triangles; returns their place.
 int TriangleBvh::gather(int id) {
   const auto at = static_cast<int>(fours_.size());
   fours_.emplace_back();
@@ -115,7 +115,7 @@ int TriangleBvh::gather(int id) {
   return at;
 }
 
-/// Makes a node of `count` triangles. `below`: where the nodes beneath it go.
+/// Builds a node of `count` triangles. `below`: where its descendants go.
 void TriangleBvh::build(const TriangleMesh& mesh, std::vector<Centre>& centres, int id, int first, int count, int below) {
   Node& node = nodes_[static_cast<std::size_t>(id)];
   node.first = first;
@@ -155,7 +155,7 @@ void TriangleBvh::fillLeaf(const TriangleMesh& mesh, const std::vector<Centre>& 
   }
 }
 
-/// Box and cluster of a node from its triangles or its (already fitted) children.
+/// Computes a node's box and cluster from its triangles or its (finished) children.
 void TriangleBvh::fit(int id) {
   Node& node = nodes_[static_cast<std::size_t>(id)];
   Cluster& cluster = clusters_[static_cast<std::size_t>(id)];
@@ -183,7 +183,7 @@ void TriangleBvh::fit(int id) {
   fitCone(id);
 }
 
-/// The cone about the mean normal of a leaf's triangles, or about both children's cones.
+/// The cone about the mean normal of a leaf's triangles, or about the children's cones.
 void TriangleBvh::fitCone(int id) {
   const Node& node = nodes_[static_cast<std::size_t>(id)];
   Cluster& cluster = clusters_[static_cast<std::size_t>(id)];
@@ -215,8 +215,8 @@ TriangleBvh::Cone TriangleBvh::cone(int k) const {
   return {vector / length, 0};
 }
 
-/// Calls visit(k) for the triangles within `radius` of p and, where their cone is narrower than `narrow`, skip(cluster) for whole
-/// nodes; ends and returns false as soon as one of them does.
+/// Calls visit(k) for the triangles within `radius` of p, but skip(cluster) instead for whole nodes whose cone is narrower than `narrow`.
+/// Stops and returns false as soon as a call does.
 template <class Visit, class Skip>
 bool TriangleBvh::forEachNear(const Eigen::Vector3d& p, double radius, double narrow, Visit visit, Skip skip) const {
   int stack[kDeepest];
@@ -317,7 +317,7 @@ TriangleBvh::Nearest TriangleBvh::nearest(const Eigen::Vector3d& p, double limit
         visit(~child);
         continue;
       }
-      int place = top++;  // the nearest on top
+      int place = top++;  // keep the nearest on top
       for (; place > others && stack[place - 1].distance < distance; --place) stack[place] = stack[place - 1];
       stack[place] = {distance, child};
     }

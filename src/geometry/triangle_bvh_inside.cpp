@@ -1,4 +1,4 @@
-// Inside or outside: crossings of a ray where surfaces are closed, solid angles where they are not.
+// Inside or outside: ray crossings for closed surfaces, solid angles for open ones.
 #include <cmath>
 
 #include "collision_hulls/geometry/triangle_bvh.h"
@@ -8,11 +8,11 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kDipoleDistance = 4;  // in radii: dipoles nearer than this would err by more than 0.01
-constexpr double kAside = 1e-9;        // of a ray from its point, as a share of the extent
+constexpr double kDipoleDistance = 4;  // in radii; nearer dipoles would err by more than 0.01
+constexpr double kAside = 1e-9;        // offset of the ray from its point, as a share of the extent
 
-/// The sum of many angles, each from -pi to pi: complex numbers of those angles are multiplied, and turns counted, with a single atan2 in
-/// the end.
+/// The sum of many angles, each from -pi to pi. Multiplies complex numbers with these angles and counts full turns, so a single atan2 at
+/// the end suffices.
 class SumOfAngles {
  public:
   /// Adds the angle of the vector (x, y).
@@ -22,7 +22,7 @@ class SumOfAngles {
     const double re = (x * x_ - y * y_) / length, im = (x * y_ + y * x_) / length;
     if (y >= 0 && y_ >= 0 && (im < 0 || (im == 0 && re > 0 && x < 0))) ++turns_;
     if (y < 0 && y_ < 0 && (im > 0 || (im == 0 && re < 0))) --turns_;
-    const double size = std::abs(re) + std::abs(im);  // from 1/2 to 2 of what it was
+    const double size = std::abs(re) + std::abs(im);  // between 1/2 and 2 times its former value
     x_ = re / size, y_ = im / size;
   }
   double value() const { return std::atan2(y_, x_) + 2 * kPi * turns_; }
@@ -32,14 +32,14 @@ class SumOfAngles {
   int turns_ = 0;
 };
 
-/// Adds a triangle's signed solid angle seen from the origin, over 2 (Van Oosterom & Strackee 1983).
+/// Adds half a triangle's signed solid angle seen from the origin (Van Oosterom & Strackee 1983).
 void addHalfSolidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, SumOfAngles& sum) {
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
   sum.add(la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb, a.dot(b.cross(c)));
 }
 
-/// Twice the signed area of a, b and the origin, seen along z; evaluated alike for both directions of an edge, so that two
-/// triangles that share it agree on which side of it the origin lies.
+/// Twice the signed area of a, b and the origin, seen along z. Evaluated identically for both directions of an edge, so the two triangles
+/// that share it agree on which side the origin lies.
 double edgeSide(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   const bool swap = b.x() < a.x() || (b.x() == a.x() && b.y() < a.y());
   const Eigen::Vector3d &u = swap ? b : a, &v = swap ? a : b;
@@ -47,7 +47,7 @@ double edgeSide(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return swap ? -side : side;
 }
 
-/// Where the triangle crosses the z axis above the origin: 1 upward, -1 downward, 0 not.
+/// How the triangle crosses the z axis above the origin: 1 upward, -1 downward, 0 not at all.
 int crossing(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const double ab = edgeSide(a, b), bc = edgeSide(b, c), ca = edgeSide(c, a);
   const bool up = ab > 0 && bc > 0 && ca > 0, down = ab < 0 && bc < 0 && ca < 0;
@@ -60,7 +60,7 @@ int crossing(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
 
 int TriangleBvh::signedCrossings(const Eigen::Vector3d& p) const {
   if (nodes_.empty()) return 0;
-  // A step aside that no drawing's coordinates share: a ray through an edge or a vertex would be ambiguous.
+  // Step aside by an amount that CAD coordinates do not share: a ray through an edge or a vertex would be ambiguous.
   const double extent = nodes_[0].box.sizes().maxCoeff();
   const Eigen::Vector3d q = p + extent * kAside * Eigen::Vector3d(0.7548776662, 0.5698402910, 0);
   const Eigen::Vector3f u = inUnits(q);
@@ -86,8 +86,8 @@ int TriangleBvh::signedCrossings(const Eigen::Vector3d& p) const {
 }
 
 double TriangleBvh::windingNumber(const Eigen::Vector3d& p) const {
-  double sum = 0;      // of half solid angles, of dipoles
-  SumOfAngles angles;  // and of triangles
+  double sum = 0;      // half solid angles of dipoles
+  SumOfAngles angles;  // half solid angles of triangles
   int stack[kDeepest];
   int top = 0;
   if (!nodes_.empty()) stack[top++] = 0;

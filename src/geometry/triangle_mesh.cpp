@@ -1,3 +1,4 @@
+// Sums over a mesh's triangles, and copies of a mesh scaled or moved.
 #include "collision_hulls/geometry/triangle_mesh.h"
 
 #include <utility>
@@ -34,7 +35,7 @@ double signedVolume(const TriangleMesh& mesh) {
 double signedVolume(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles) {
   if (triangles.empty()) return 0;
   const auto at = [&](int v) -> const Eigen::Vector3d& { return vertices[static_cast<std::size_t>(v)]; };
-  // About a corner of the mesh instead of the origin: far from the origin the tetrahedra would cancel badly.
+  // About a corner of the mesh rather than the origin: far from the origin the tetrahedra would cancel badly.
   const Eigen::Vector3d apex = at(triangles[0][0]);
   double sum = 0;
   for (const Triangle& t : triangles) sum += (at(t[0]) - apex).dot((at(t[1]) - apex).cross(at(t[2]) - apex)) / 6;
@@ -44,7 +45,8 @@ double signedVolume(const std::vector<Eigen::Vector3d>& vertices, const std::vec
 TriangleMesh scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale) {
   if (!scale.allFinite() || (scale.array() == 0).any())
     throw Error(ErrorCode::kBadScale, "mesh scale [" + std::to_string(scale.x()) + " " + std::to_string(scale.y()) + " " +
-                                          std::to_string(scale.z()) + "]: each factor must be finite and not zero; mend the URDF's scale");
+                                          std::to_string(scale.z()) +
+                                          "]: each factor must be finite and non-zero; correct the scale in the URDF");
   TriangleMesh result = mesh;
   for (Eigen::Vector3d& v : result.vertices) v = v.cwiseProduct(scale);
   if (scale.prod() < 0)

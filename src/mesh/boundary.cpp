@@ -1,3 +1,5 @@
+// Closes open surfaces by fans. Opposite boundary edges cancel first; what remains splits into simple loops, and each loop gets a fan about
+// its mean vertex. Near-linear: two sorts and one walk over the edges.
 #include "mesh/boundary.h"
 
 #include <algorithm>
@@ -15,7 +17,7 @@ std::tuple<int, int, int> undirected(const BoundaryEdge& e) {
   return {e.surface, std::min(e.from, e.to), std::max(e.from, e.to)};
 }
 
-/// Leaves, of each undirected edge, the surplus of one direction over the other.
+/// For each undirected edge, keeps the surplus of one direction over the other.
 Boundary withoutOpposites(Boundary edges) {
   std::sort(edges.begin(), edges.end(), [](const BoundaryEdge& a, const BoundaryEdge& b) { return undirected(a) < undirected(b); });
   Boundary kept;
@@ -31,15 +33,15 @@ Boundary withoutOpposites(Boundary edges) {
   return kept;
 }
 
-/// Splits the edges of each surface into simple loops and adds up their fans. A walk takes unused edges; each time it meets a
-/// vertex of its own path, the path since that vertex is a loop and is cut off.
+/// Splits each surface's edges into simple loops and sums up their fans. A walk follows unused edges; whenever it reaches a vertex of its
+/// own path, the path since that vertex is a loop and is taken off.
 class LoopWalk {
  public:
-  /// `edges`: sorted by surface, then by start.
+  /// `edges`: sorted by surface, then by start vertex.
   LoopWalk(const std::vector<Eigen::Vector3d>& vertices, const Boundary& edges, const Eigen::Vector3d& origin)
       : vertices_(vertices), edges_(edges), origin_(origin), next_(vertices.size(), 0), place_(vertices.size(), kNowhere) {}
 
-  /// Edges [begin, end) are those of one surface.
+  /// Closes the surface with the edges [begin, end).
   Closure close(std::size_t begin, std::size_t end) {
     closure_ = {};
     end_ = end;
@@ -66,7 +68,7 @@ class LoopWalk {
     cut(0);
   }
 
-  /// Adds the fan over the path from place `first` on, and takes that part off the path.
+  /// Adds the fan over the path from place `first` on and removes that part from the path.
   void cut(std::size_t first) {
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
     for (std::size_t i = first; i < path_.size(); ++i) center += vertices_[path_[i]] - origin_;
@@ -84,7 +86,7 @@ class LoopWalk {
   const std::vector<Eigen::Vector3d>& vertices_;
   const Boundary& edges_;
   Eigen::Vector3d origin_;
-  std::size_t end_ = 0;             // of the current surface's edges
+  std::size_t end_ = 0;             // end of the current surface's edges
   std::vector<std::size_t> next_;   // per vertex: the first unused edge that starts there
   std::vector<std::size_t> place_;  // per vertex: its place on the path, or kNowhere
   std::vector<std::size_t> path_;

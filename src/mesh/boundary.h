@@ -1,4 +1,4 @@
-// What it would take to close an open surface.
+// What it takes to close an open surface.
 #pragma once
 
 #include <cstddef>
@@ -10,26 +10,25 @@ namespace collision_hulls {
 
 double triangleArea(const TriangleMesh& mesh, int triangle);  ///< [m^2]
 
-/// A boundary edge of a surface, in the direction of its triangle.
+/// A boundary edge of a surface, in its triangle's direction.
 struct BoundaryEdge {
-  int surface;  ///< number of the surface that it bounds
+  int surface;  ///< number of the surface it bounds
   int from;
   int to;
 };
 
-/// Half-edge `half_edge` (see edges.h) as a boundary edge, where the triangles marked in `turn` are turned over. `surface`: per
-/// triangle, the number of the surface that it belongs to.
+/// Half-edge `half_edge` (see edges.h) as a boundary edge, with the triangles marked in `turn` flipped. `surface`: per triangle, the number
+/// of its surface.
 BoundaryEdge boundaryEdge(const TriangleMesh& mesh, int half_edge, const std::vector<char>& turn, const std::vector<int>& surface);
 
-/// The fans that close a surface, one over each boundary loop, about the loop's mean vertex.
+/// The fans that close a surface, one over each boundary loop about its mean vertex.
 struct Closure {
   double area = 0;    ///< [m^2]
-  double volume = 0;  ///< [m^3] of the tetrahedra of the fans to the origin: what the surface's own tetrahedra lack
+  double volume = 0;  ///< [m^3] of the tetrahedra from the fans to the origin: what the surface's own tetrahedra lack
 };
 
-/// The closures of `surfaces` surfaces. Edges of a surface that run against each other close each other and take no part. Loops
-/// that touch at a vertex are taken one by one; a chain that returns nowhere (the boundary of a surface that cannot be
-/// oriented) counts as a loop.
+/// The closures of `surfaces` surfaces. Opposite edges of a surface cancel and are ignored. Loops that touch at a vertex are closed
+/// separately. A chain that does not return (the boundary of a non-orientable surface) counts as a loop.
 std::vector<Closure> closures(const std::vector<Eigen::Vector3d>& vertices, std::vector<BoundaryEdge> boundary, std::size_t surfaces,
                               const Eigen::Vector3d& origin);
 

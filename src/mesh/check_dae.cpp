@@ -1,4 +1,6 @@
-// Assimp recurses as deep as elements nest and nodes instance each other, and reads arrays where accessors point.
+// Checks a Collada file before Assimp reads it: Assimp recurses as deep as elements nest and nodes instance each other, trusts the indices
+// of accessors, and adds indices without end at text that is not a number. One pass over the tags collects nodes, arrays and accessors;
+// then every node is expanded once.
 #include <algorithm>
 #include <cmath>
 #include <locale>
@@ -18,23 +20,23 @@ constexpr std::size_t kDeepestNesting = 200;
 constexpr std::size_t kMostNodes = 1'000'000;
 constexpr std::int64_t kNoItem = -1;
 
-/// What an attribute "#id" points to.
+/// The id that a reference "#id" points to.
 std::string target(std::string_view url) {
   return std::string(url.substr(url.substr(0, 1) == "#" ? 1 : 0));
 }
 
-/// A <node>, or a <visual_scene>, which can be instanced like one.
+/// A <node>, or a <visual_scene>, which can be instanced in the same way.
 struct Node {
   std::vector<std::size_t> children;
   std::vector<std::string> instances;  // ids of nodes
-  std::size_t expanded = 0;            // nodes in it with all instances; 0: not yet known
-  std::size_t height = 0;              // longest chain of those
-  bool open = false;                   // being expanded
+  std::size_t expanded = 0;            // number of nodes in it with all instances expanded; 0: not known yet
+  std::size_t height = 0;              // longest chain of nested nodes
+  bool open = false;                   // is being expanded
 };
 
 struct Accessor {
   std::string source;
-  std::int64_t last = 0;  // place in the array of the first value of its last item
+  std::int64_t last = 0;  // index in the array of the first value of the last item
   std::int64_t params = 0;
 };
 
@@ -51,7 +53,7 @@ class DaeCheck {
       if (tag.name == "p" && tag.opens && !tag.closes) checkIndices(rest);
       if (tag.closes) close(tag);
     }
-    if (!collada) failNotAMesh(path_, "has no element <COLLADA>");
+    if (!collada) failNotAMesh(path_, "has no <COLLADA> element");
     for (const Accessor& accessor : accessors_) check(accessor);
     for (std::size_t i = 0; i < nodes_.size(); ++i) expand(i, 0);
   }
@@ -70,7 +72,7 @@ class DaeCheck {
     openPrimitivePart(tag);
   }
 
-  /// Assimp takes what is no positive number for 1.
+  /// Assimp replaces anything but a positive number by 1.
   void checkUnit(std::string_view metres) const {
     if (metres.empty()) return;
     std::istringstream in{std::string(metres)};
@@ -87,14 +89,14 @@ class DaeCheck {
 
   bool inside(const char* name) const { return stack_.size() > 1 && stack_[stack_.size() - 2] == name; }
 
-  /// An attribute that counts something which takes at least a byte of the file each.
+  /// An attribute that counts things of which each takes at least one byte of the file.
   std::int64_t number(const XmlTag& tag, const char* key, std::int64_t otherwise) const {
     const std::string_view text = tag.attribute(key);
     if (text.empty()) return otherwise;
     std::int64_t value = 0;
     if (!parseInteger(text, &value) || value < 0 || value > static_cast<std::int64_t>(bytes_.size()))
       failNotAMesh(path_, "<" + std::string(tag.name) + " " + key + "=\"" + std::string(text.substr(0, 40)) +
-                              "\">: no integer from 0 to the file's " + std::to_string(bytes_.size()) + " bytes");
+                              "\">: expected an integer from 0 to " + std::to_string(bytes_.size()) + ", the file's size in bytes");
     return value;
   }
 
@@ -111,7 +113,7 @@ class DaeCheck {
     accessors_.push_back({target(tag.attribute("source")), count > 0 ? offset + (count - 1) * stride : kNoItem, 0});
   }
 
-  /// A primitive's <p> must come after the input VERTEX, and in a polylist after the <vcount>.
+  /// A primitive's <p> must follow its VERTEX input and, in a polylist, the <vcount>.
   void openPrimitivePart(const XmlTag& tag) {
     static const std::set<std::string_view> kPrimitives{"triangles", "lines", "linestrips", "polygons", "polylist", "trifans", "tristrips"};
     if (kPrimitives.count(tag.name) > 0) {
@@ -120,16 +122,14 @@ class DaeCheck {
     }
     if (tag.name == "input" && tag.attribute("semantic") == "VERTEX") has_vertex_input_ = true;
     if (tag.name == "vcount") has_vcount_ = true;
-    if (tag.name == "p" && !(has_vertex_input_ && has_vcount_))
-      failNotAMesh(path_, "a <p> without an input VERTEX or a <vcount> before it");
+    if (tag.name == "p" && !(has_vertex_input_ && has_vcount_)) failNotAMesh(path_, "a <p> without a VERTEX input or a <vcount> before it");
   }
 
-  /// `rest` begins with the text of a <p>. At anything but numbers Assimp would add indices until memory is used up.
+  /// `rest` begins with the text of a <p>. At anything but a number Assimp would add indices until memory runs out.
   void checkIndices(std::string_view rest) const {
     const std::size_t end = std::min(rest.find_first_not_of("0123456789 \t\n\r"), rest.size());
-    if (rest.substr(end, 1) == "-")
-      throw Error(ErrorCode::kIndexOutOfRange, path_ + ": a <p> holds a number below 0, which is no index; export it again");
-    if (rest.substr(end, 2) != "</") failNotAMesh(path_, "a <p> that holds something else than numbers");
+    if (rest.substr(end, 1) == "-") throw Error(ErrorCode::kIndexOutOfRange, path_ + ": a <p> holds an index below 0; export it again");
+    if (rest.substr(end, 2) != "</") failNotAMesh(path_, "a <p> holds something other than numbers");
   }
 
   void check(const Accessor& accessor) const {
@@ -137,11 +137,12 @@ class DaeCheck {
     if (array == arrays_.end() || accessor.last == kNoItem) return;
     const std::int64_t needed = accessor.last + std::max<std::int64_t>(accessor.params, 1);
     if (needed > array->second)
-      throw Error(ErrorCode::kIndexOutOfRange, path_ + ": an <accessor> reaches to value " + std::to_string(needed) + " of the array '" +
-                                                   accessor.source + "', which has " + std::to_string(array->second) + "; export it again");
+      throw Error(ErrorCode::kIndexOutOfRange, path_ + ": an <accessor> reads value " + std::to_string(needed) + " of the array '" +
+                                                   accessor.source + "', which has only " + std::to_string(array->second) +
+                                                   "; export it again");
   }
 
-  /// The node that an <instance_node> means, by id or else by name; null if there is none.
+  /// The target of an <instance_node>, by id or else by name; null if there is none.
   const std::size_t* findNode(const std::string& id) const {
     const auto by_id = by_id_.find(id);
     if (by_id != by_id_.end()) return &by_id->second;
@@ -149,7 +150,7 @@ class DaeCheck {
     return by_name != by_name_.end() ? &by_name->second : nullptr;
   }
 
-  /// Finds out how many nodes a node becomes with all its instances, and how deep they nest.
+  /// Counts the nodes that a node becomes with all its instances, and how deep they nest.
   void expand(std::size_t i, std::size_t depth) {
     if (nodes_[i].open || depth > kDeepestNesting) failNesting();
     if (nodes_[i].expanded > 0) return;
@@ -165,7 +166,7 @@ class DaeCheck {
       if (nodes_[i].height > kDeepestNesting) failNesting();
       if (nodes_[i].expanded > kMostNodes)
         throw Error(ErrorCode::kTooLarge,
-                    path_ + ": more than " + std::to_string(kMostNodes) + " nodes with all instances; simplify the file");
+                    path_ + ": more than " + std::to_string(kMostNodes) + " nodes once its instances are expanded; simplify the file");
     }
     nodes_[i].open = false;
   }
@@ -180,7 +181,7 @@ class DaeCheck {
   std::vector<Node> nodes_;
   std::vector<std::size_t> open_nodes_;
   std::map<std::string, std::size_t> by_id_, by_name_;
-  std::map<std::string, std::int64_t> arrays_;  // number of values by id
+  std::map<std::string, std::int64_t> arrays_;  // number of values, by id
   std::vector<Accessor> accessors_;
   bool has_vertex_input_ = false;
   bool has_vcount_ = false;

@@ -1,3 +1,5 @@
+// Checks an OBJ file before Assimp reads it: Assimp drops vertices it does not understand, which shifts every later index, and clamps
+// indices that are out of range. One pass over the lines.
 #include <algorithm>
 
 #include "mesh/scan.h"
@@ -17,7 +19,7 @@ class ObjCheck {
       if (keyword == "f" || keyword == "l" || keyword == "p") checkCorners(line);
       known_ = known_ || isKnown(keyword);
     }
-    if (vertices_ == 0 && !known_) failNotAMesh(path_, "no line of it is one of an OBJ file");
+    if (vertices_ == 0 && !known_) failNotAMesh(path_, "none of its lines belongs in an OBJ file");
     if (largest_index_ > vertices_) failIndex(largest_line_, largest_index_);
   }
 
@@ -27,7 +29,7 @@ class ObjCheck {
     return keyword[0] == '#' || std::find(std::begin(kKeywords), std::end(kKeywords), keyword) != std::end(kKeywords);
   }
 
-  /// The next line, with those joined to it that a backslash at the end announces.
+  /// The next line, joined with its continuation lines (each announced by a trailing backslash).
   bool nextRecord(std::string_view* record) {
     if (!lines_.next(record)) return false;
     if (record->back() != '\\') return true;
@@ -42,14 +44,14 @@ class ObjCheck {
     return true;
   }
 
-  /// Assimp leaves out a vertex with another number of numbers, which shifts the indices of all that follow.
+  /// Assimp skips a vertex with any other number of values, which shifts the indices of all that follow.
   void checkVertex(std::string_view line) {
     int numbers = 0;
     for (std::string_view word = nextWord(&line); !word.empty() && word[0] != '#'; word = nextWord(&line)) numbers += startsNumber(word);
     if (numbers != 3 && numbers != 4 && numbers != 6)
       failNotAMesh(path_, lines_.number(),
                    "a vertex of " + std::to_string(numbers) +
-                       " numbers; 3, 4 (with w) or 6 (with a colour) are read, each "
+                       " numbers; it needs 3, 4 (with w) or 6 (with a colour), each "
                        "starting with a digit or a sign");
     ++vertices_;
   }
@@ -59,12 +61,12 @@ class ObjCheck {
     return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == 'n' || c == 'N' || c == 'i' || c == 'I';
   }
 
-  /// Corners "v", "v/vt", "v//vn" or "v/vt/vn"; v counts from 1, or back from the last vertex so far where negative.
+  /// Corners "v", "v/vt", "v//vn" or "v/vt/vn"; v counts from 1, or, if negative, back from the latest vertex.
   void checkCorners(std::string_view line) {
     for (std::string_view word = nextWord(&line); !word.empty(); word = nextWord(&line)) {
       std::int64_t index = 0;
       if (!parseInteger(word.substr(0, word.find('/')), &index) || word.find_first_not_of("-/0123456789") != std::string_view::npos)
-        failNotAMesh(path_, lines_.number(), "'" + std::string(word.substr(0, 40)) + "' is no corner of a face");
+        failNotAMesh(path_, lines_.number(), "'" + std::string(word.substr(0, 40)) + "' is not a corner of a face");
       if (index == 0 || index < -vertices_) failIndex(lines_.number(), index);
       if (index <= largest_index_) continue;
       largest_index_ = index;
@@ -74,7 +76,7 @@ class ObjCheck {
 
   [[noreturn]] void failIndex(std::size_t line, std::int64_t index) const {
     throw Error(ErrorCode::kIndexOutOfRange, path_ + ": line " + std::to_string(line) + " names vertex " + std::to_string(index) +
-                                                 ", there are " + std::to_string(vertices_) + ", counted from 1; export it again");
+                                                 ", but there are " + std::to_string(vertices_) + ", counted from 1; export it again");
   }
 
   LineScanner lines_;

@@ -1,3 +1,5 @@
+// Checks an OFF file before Assimp reads it: Assimp allocates whatever the header announces, drops large faces, overruns a fixed line
+// buffer and stops silently at the end of a truncated file.
 #include <algorithm>
 
 #include "mesh/scan.h"
@@ -6,10 +8,10 @@
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kLongestLine = 4000;  // Assimp's buffer holds 4096 characters, and writes one beyond
+constexpr std::size_t kLongestLine = 4000;  // Assimp's buffer holds 4096 characters and is written one beyond its end
 constexpr std::int64_t kMostCorners = 9;    // Assimp drops larger faces
 
-/// The next word that is no comment; what follows the last word taken stays in `rest`.
+/// The next word outside comments; `rest` keeps what follows it.
 std::string_view nextHeaderWord(std::string_view* rest) {
   while (true) {
     const std::string_view word = nextWord(rest);
@@ -23,12 +25,12 @@ struct Counts {
   std::int64_t faces = 0;
 };
 
-/// Takes the header off `rest`: a keyword that ends in OFF, which may be missing, and three numbers.
+/// Takes the header off `rest`: an optional keyword that ends in OFF, and three numbers.
 Counts readHeader(std::string_view* rest, const std::string& path) {
   std::string_view word = nextHeaderWord(rest);
   const bool keyword = word.size() >= 3 && word.substr(word.size() - 3) == "OFF";
   if (keyword) word = nextHeaderWord(rest);
-  if (keyword && word == "BINARY") failNotAMesh(path, "a binary OFF file, which is not read");
+  if (keyword && word == "BINARY") failNotAMesh(path, "binary OFF is not supported");
   Counts counts;
   std::int64_t edges = 0;
   if (!parseInteger(word, &counts.vertices) || !parseInteger(nextHeaderWord(rest), &counts.faces) ||
@@ -43,10 +45,10 @@ void checkFace(std::string_view line, std::size_t number, std::int64_t vertices,
     failNotAMesh(path, number, "a face line begins with its number of corners, from 1 to " + std::to_string(kMostCorners));
   for (; corners > 0; --corners) {
     std::int64_t index = 0;
-    if (!parseInteger(nextWord(&line), &index)) failNotAMesh(path, number, "a corner of the face is missing or no number");
+    if (!parseInteger(nextWord(&line), &index)) failNotAMesh(path, number, "a corner of the face is missing or not a number");
     if (index < 0 || index >= vertices)
       throw Error(ErrorCode::kIndexOutOfRange, path + ": line " + std::to_string(number) + " names vertex " + std::to_string(index) +
-                                                   ", there are " + std::to_string(vertices) + ", counted from 0; export it again");
+                                                   ", but there are " + std::to_string(vertices) + ", counted from 0; export it again");
   }
 }
 
@@ -60,8 +62,9 @@ Announced checkOff(std::string_view bytes, const std::string& path, std::size_t 
     throw Error(ErrorCode::kEmptyMesh, path + ": announces " + std::to_string(counts.vertices) + " vertices and " +
                                            std::to_string(counts.faces) + " faces; export the mesh again");
   checkTriangleCount(path, static_cast<std::uint64_t>(counts.faces), max_triangles);
-  if (counts.vertices > static_cast<std::int64_t>(bytes.size()))  // each takes a line
-    failNotAMesh(path, "announces " + std::to_string(counts.vertices) + " vertices, more than there are bytes; export the mesh again");
+  if (counts.vertices > static_cast<std::int64_t>(bytes.size()))  // each vertex takes a line
+    failNotAMesh(path,
+                 "announces " + std::to_string(counts.vertices) + " vertices but has only " + std::to_string(bytes.size()) + " bytes");
   const std::string_view header = bytes.substr(0, bytes.size() - rest.size());
   LineScanner lines(rest, 1 + static_cast<std::size_t>(std::count(header.begin(), header.end(), '\n')));
   std::string_view line;

@@ -1,4 +1,5 @@
-// Walks through a PLY file as its header describes it, so that each count is known to be backed by data.
+// Checks a PLY file before Assimp reads it: walks through the data as the header describes it, and so makes sure that data backs every
+// count.
 #include <algorithm>
 #include <cstring>
 #include <vector>
@@ -11,8 +12,8 @@ namespace {
 
 struct Property {
   std::string name;
-  std::size_t bytes = 0;        // of a value
-  std::size_t count_bytes = 0;  // of a list's count; 0: no list
+  std::size_t bytes = 0;        // of one value
+  std::size_t count_bytes = 0;  // of a list's count; 0: not a list
 };
 
 struct Element {
@@ -26,7 +27,7 @@ struct Element {
   }
 };
 
-/// Bytes of a value of a PLY type; 0 for none.
+/// The size in bytes of a PLY type; 0 if there is no such type.
 std::size_t typeBytes(std::string_view type) {
   struct Type {
     std::string_view name;
@@ -96,15 +97,15 @@ class PlyCheck {
     elements_.back().properties.push_back(property);
   }
 
-  /// Assimp takes missing coordinates as 0, faces without an index list as empty, and keeps one triangle of each strip.
+  /// Assimp takes missing coordinates for 0 and faces without an index list for empty, and keeps only one triangle of each strip.
   void checkElements(std::size_t max_triangles) const {
     for (const Element& e : elements_) {
       if (e.rows > 0 && e.properties.empty()) failNotAMesh(path_, "element '" + e.name + "' has no property");
       if (e.name == "vertex" && !(e.has("x", false) && e.has("y", false) && e.has("z", false)))
-        failNotAMesh(path_, "its vertices lack an x, y or z");
+        failNotAMesh(path_, "its vertices lack x, y or z");
       if (e.name == "face" && !e.has("vertex_indices", true) && !e.has("vertex_index", true))
         failNotAMesh(path_, "its faces have no list vertex_indices");
-      if (e.name == "tristrips") failNotAMesh(path_, "triangle strips are not read; write faces");
+      if (e.name == "tristrips") failNotAMesh(path_, "triangle strips are not supported; write faces instead");
       if (e.name == "face") checkTriangleCount(path_, static_cast<std::uint64_t>(e.rows), max_triangles);
     }
   }
@@ -112,11 +113,12 @@ class PlyCheck {
   void walkTextRow(const Element& element) {
     std::string_view line;
     if (!lines_.next(&line)) failShort(element);
-    if (lines_.passedBlanks()) failNotAMesh(path_, lines_.number(), "a line before it holds blanks alone, which Assimp takes for a row");
+    if (lines_.passedBlanks())
+      failNotAMesh(path_, lines_.number(), "a whitespace-only line before it would count as a row; remove that line");
     for (const Property& property : element.properties) {
       std::int64_t values = 1;
       if (property.count_bytes > 0 && (!parseInteger(nextWord(&line), &values) || values < 0))
-        failNotAMesh(path_, lines_.number(), "a list begins with its number of values");
+        failNotAMesh(path_, lines_.number(), "a list must begin with its number of values");
       countEmpty(element, property, values == 0);
       for (; values > 0; --values)
         if (nextWord(&line).empty()) failNotAMesh(path_, lines_.number(), "too few values for element '" + element.name + "'");
@@ -154,7 +156,7 @@ class PlyCheck {
   }
 
   [[noreturn]] void failShort(const Element& element) const {
-    failNotAMesh(path_, "ends within the " + std::to_string(element.rows) + " rows that it announces of element '" + element.name + "'");
+    failNotAMesh(path_, "ends within the " + std::to_string(element.rows) + " rows announced for element '" + element.name + "'");
   }
 
   LineScanner lines_;
@@ -163,7 +165,7 @@ class PlyCheck {
   bool big_endian_ = false;
   std::vector<Element> elements_;
   std::size_t empty_faces_ = 0;
-  std::string_view data_;  // of a binary file, from the current value on
+  std::string_view data_;  // a binary file's data from the current value on
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Half-edges are put into a bucket per lower end (a counting sort) and each small bucket is sorted by upper end: no hash, no
-// global sort.
+// Puts half-edges into one bucket per lower end (a counting sort) and sorts each small bucket by upper end: no hashing, no global sort. A
+// union-find over the shared edges then gives the components.
 #include "mesh/edges.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace collision_hulls {
 namespace {
 
-/// Half-edges, those of a lower end v in [begin[v], begin[v + 1]), sorted by upper end, then by number.
+/// Half-edges with lower end v are in [begin[v], begin[v + 1]), sorted by upper end, then by number.
 struct Buckets {
   struct Entry {
     int upper;
@@ -37,7 +37,7 @@ Buckets fillBuckets(const std::vector<Triangle>& triangles, std::size_t vertices
   return buckets;
 }
 
-/// Union-find over triangles, the lowest triangle of a set as its root.
+/// Union-find over triangles; a set's root is its lowest triangle.
 class Sets {
  public:
   explicit Sets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -57,7 +57,7 @@ class Sets {
   std::vector<int> parent_;
 };
 
-/// Half-edges first .. last lie on one edge.
+/// Records one edge, with half-edges [first, last).
 void record(const Buckets::Entry* first, const Buckets::Entry* last, Edges* edges, Sets* sets) {
   const auto count = last - first;
   if (count == 1) ++edges->open;

@@ -1,4 +1,4 @@
-// Which triangles meet at which edges.
+// Which triangles meet at which edges: the mesh's half-edges and its edge-connected components.
 #pragma once
 
 #include <cstddef>
@@ -11,16 +11,16 @@ namespace collision_hulls {
 /// Half-edge h = 3 * t + k runs from corner k of triangle t to corner k + 1.
 struct Edges {
   static constexpr int kOpen = -1;         ///< no other triangle has this edge
-  static constexpr int kNonManifold = -2;  ///< two or more other triangles have it
+  static constexpr int kNonManifold = -2;  ///< two or more other triangles have this edge
 
   std::vector<int> twin;       ///< per half-edge: the other triangle's half-edge on the same edge, or kOpen or kNonManifold
   std::vector<int> component;  ///< per triangle: its edge-connected component, numbered in order of first triangle
   std::size_t components = 0;
-  std::size_t open = 0;         ///< edges of one triangle
-  std::size_t nonmanifold = 0;  ///< edges of more than two triangles
+  std::size_t open = 0;         ///< edges with one triangle
+  std::size_t nonmanifold = 0;  ///< edges with more than two triangles
 };
 
-/// Linear in the mesh. Triangles have three different corners below `vertices`.
+/// Near-linear in the size of the mesh. Each triangle must have three different corners, all below `vertices`.
 Edges findEdges(const std::vector<Triangle>& triangles, std::size_t vertices);
 
 /// Start and end of a half-edge.

@@ -1,3 +1,6 @@
+// Starts from all patches that might be fins (open and hanging at non-manifold edges) or shared walls, and excludes those that other
+// triangles need to be balanced, repeatedly for walls because excluding one may unbalance another. Last, it excludes patches that are
+// closed but for a small opening.
 #include "mesh/fins.h"
 
 #include <algorithm>
@@ -59,7 +62,7 @@ class Fins {
     }
   }
 
-  /// Whether there were any.
+  /// Whether it excluded any.
   bool excludeWallsThatSurfacesNeed() {
     bool any = false;
     for (const auto& [edge, halves] : meeting_) {
@@ -75,7 +78,7 @@ class Fins {
     return any;
   }
 
-  /// Walls that hang on nothing but each other are a surface whose triangles all face both ways.
+  /// Walls that hang only on each other are a surface all of whose triangles face both ways.
   void excludeWallsOfNothingElse() {
     std::vector<char> hangs(is_wall_.size(), 0);
     const auto holds = [&](const BoundaryEdge& half) { return !is_wall_[at(half.surface)] || hangs[at(half.surface)]; };
@@ -101,9 +104,9 @@ class Fins {
   }
 
   const TriangleMesh& mesh_;
-  const std::vector<int>& patch_;  // by triangle
-  std::vector<char> is_fin_;       // by patch: not excluded yet,
-  std::vector<char> is_wall_;      // as a wall that solids share
+  const std::vector<int>& patch_;  // per triangle
+  std::vector<char> is_fin_;       // per patch: not excluded yet,
+  std::vector<char> is_wall_;      // the same, as a wall shared by two solids
   std::vector<BoundaryEdge> boundary_;
   std::map<Edge, std::vector<BoundaryEdge>> meeting_;  // at non-manifold edges
 };

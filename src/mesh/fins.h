@@ -1,4 +1,4 @@
-// Sheets that hang on a surface which is whole without them, on its outside or within.
+// Sheets that hang, inside or outside, on a surface that is complete without them.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace collision_hulls {
 
-/// Per triangle: 1 where it is of a fin, which encloses nothing. A fin is a patch that has open edges, and non-manifold ones at each of
-/// which the other triangles run along it equally often in both directions; what would close it is a tenth of its area or more. Triangles
-/// to turn count as turned over.
+/// Per triangle: 1 if it belongs to a fin, which encloses nothing. A fin is a patch with open edges and with non-manifold edges where the
+/// other triangles use the edge equally often in both directions; closing it would take a tenth of its area or more. Triangles marked in
+/// `oriented.turn` count as flipped.
 ///
-/// A wall that two solids share is a fin, too: a patch without open edges of triangles whose `surplus` (of copies that face their way, over
-/// those that face the other) is zero, hanging likewise where all walls are left out.
+/// A wall shared by two solids is a fin, too: a patch without open edges whose triangles all have `surplus` zero (copies that face the same
+/// way minus copies that face the other) and which hangs in the same manner once all such walls are left out.
 std::vector<char> findFins(const TriangleMesh& mesh, const Edges& edges, const OrientedPatches& oriented, const std::vector<int>& surplus);
 
 }  // namespace collision_hulls

@@ -1,3 +1,4 @@
+// Loose segments as degenerate triangles; the distance queries accept those.
 #include "mesh/loose_segments.h"
 
 namespace collision_hulls {

@@ -1,4 +1,5 @@
-// Reading meshes with Assimp: bytes, checks, Assimp's scene, its instances in metres.
+// Reads a mesh: bytes, checks of what Assimp trusts (source_checks.h), Assimp's scene, and every instance of every mesh in metres. Binary
+// STL, the most common format, is read directly at a tenth of Assimp's cost.
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/config.h>
 #include <assimp/scene.h>
@@ -30,28 +31,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Single precision must resolve this share of a mesh's diagonal.
+/// Single precision must resolve at least this share of a mesh's diagonal.
 constexpr double kCoarsestResolution = 1e-3;
 
 constexpr unsigned kFacesBetweenChecks = 1 << 16;
 
-/// What a file begins with whose content a clone left out.
+/// The start of a Git LFS pointer, which stands in for a file not fetched.
 constexpr std::string_view kLfsPointer = "version https://git-lfs.github.com/spec/";
 
-/// Three corners of a triangle stay below the range of int.
+/// Keeps three corners per triangle within the range of int.
 constexpr std::size_t kMostTriangles = std::numeric_limits<int>::max() / 3;
 
 void checkExtension(const std::string& path, const std::string& extension) {
   if (isMeshFile(path)) return;
   std::string list;
   for (const std::string& e : meshExtensions()) list += " " + e;
-  throw Error(ErrorCode::kUnsupportedFormat, path + ": extension '" + extension + "' is not read; convert it to one of" + list);
+  throw Error(ErrorCode::kUnsupportedFormat, path + ": extension '" + extension + "' is not supported; convert the file to one of" + list);
 }
 
 std::string readBytes(const std::string& path, std::uintmax_t max_bytes) {
   std::error_code failure;
   if (!fs::is_regular_file(path, failure))
-    throw Error(ErrorCode::kFileNotFound, path + (fs::exists(path, failure) ? ": is no regular file" : ": no such file"));
+    throw Error(ErrorCode::kFileNotFound, path + (fs::exists(path, failure) ? ": not a regular file" : ": no such file"));
   const std::uintmax_t size = fs::file_size(path, failure);
   if (failure) throw Error(ErrorCode::kFileNotFound, path + ": " + failure.message());
   if (size > max_bytes)
@@ -68,7 +69,7 @@ std::optional<Announced> checkSource(const std::string& bytes, const std::string
                                      std::size_t max_triangles) {
   if (bytes.empty()) throw Error(ErrorCode::kEmptyMesh, path + ": the file is empty (0 bytes); export the mesh again");
   if (bytes.compare(0, kLfsPointer.size(), kLfsPointer) == 0)
-    throw Error(ErrorCode::kNotAMesh, path + ": is a pointer of Git LFS, not the mesh itself; fetch that with 'git lfs pull'");
+    throw Error(ErrorCode::kNotAMesh, path + ": a Git LFS pointer, not the mesh itself; fetch the mesh with 'git lfs pull'");
   if (extension == ".stl") checkStl(bytes, path, max_triangles);
   if (extension == ".obj") checkObj(bytes, path);
   if (extension == ".off") return checkOff(bytes, path, max_triangles);
@@ -77,7 +78,7 @@ std::optional<Announced> checkSource(const std::string& bytes, const std::string
   return std::nullopt;
 }
 
-/// Assimp counts rows otherwise where lines hold blanks alone, or where a PLY has elements before its vertices that it does not know.
+/// Assimp's count differs from the file's if lines hold only blanks, or if a PLY has unknown elements before its vertices.
 void expectAll(const Announced& announced, const aiScene& scene, const std::string& path) {
   Announced read;
   for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
@@ -88,10 +89,10 @@ void expectAll(const Announced& announced, const aiScene& scene, const std::stri
   throw Error(ErrorCode::kNotAMesh, path + ": announces " + std::to_string(announced.vertices) + " vertices and " +
                                         std::to_string(announced.faces) + " faces, but Assimp finds " + std::to_string(read.vertices) +
                                         " and " + std::to_string(read.faces) +
-                                        "; remove lines that hold blanks alone, and elements before the vertices, or export it again");
+                                        "; remove whitespace-only lines and any elements before the vertices, or export it again");
 }
 
-/// Shows Assimp one file and nothing else: materials and textures play no part, so a missing or hostile one does no harm.
+/// Shows Assimp this one file and no other: materials and textures are ignored, so missing or hostile ones do no harm.
 class OneFile : public Assimp::IOSystem {
  public:
   OneFile(std::string name, const std::string& bytes) : name_(std::move(name)), bytes_(bytes) {}
@@ -109,7 +110,7 @@ class OneFile : public Assimp::IOSystem {
   const std::string& bytes_;
 };
 
-/// The first part of a text, printable.
+/// The beginning of a text, made printable.
 std::string excerpt(std::string text) {
   constexpr std::size_t kLength = 200;
   if (text.size() > kLength) text = text.substr(0, kLength) + "...";
@@ -118,7 +119,7 @@ std::string excerpt(std::string text) {
   return text;
 }
 
-/// Ends the readers of Assimp that report their progress once the run is cancelled.
+/// Stops those readers of Assimp that report progress once the run is cancelled.
 class Cancelling : public Assimp::ProgressHandler {
  public:
   explicit Cancelling(const RunControl& control) : control_(control) {}
@@ -134,9 +135,9 @@ class Cancelling : public Assimp::ProgressHandler {
 const aiScene* import(Assimp::Importer* importer, const std::string& bytes, const std::string& path, const std::string& extension,
                       const RunControl& control) {
   const std::string name = "mesh" + extension;
-  importer->SetIOHandler(new OneFile(name, bytes));  // the importer deletes it
+  importer->SetIOHandler(new OneFile(name, bytes));  // owned by the importer
   importer->SetProgressHandler(new Cancelling(control));
-  // Without this a Collada file without geometry comes back as a made-up skeleton.
+  // Without this, Assimp turns a Collada file without geometry into a made-up skeleton mesh.
   importer->SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene* scene = importer->ReadFile(name, 0);
   control.check();
@@ -153,8 +154,8 @@ Eigen::Affine3d toEigen(const aiMatrix4x4& m) {
   return result;
 }
 
-/// The root's transform as rviz applies it. Assimp puts a Collada file's unit there, and a turn to make Y the upward axis; rviz
-/// keeps the scale and the position and drops the turn, so that up_axis has no effect and coordinates stay as written.
+/// The root's transform as rviz applies it. Assimp puts a Collada file's unit there, and a rotation that makes Y the up-axis. rviz keeps
+/// scale and translation but drops the rotation: up_axis has no effect, and coordinates stay as written.
 Eigen::Affine3d rootTransform(const aiMatrix4x4& m, const std::string& path) {
   Eigen::Affine3d root = toEigen(m);
   const Eigen::Vector3d scale = root.linear().colwise().norm();
@@ -164,8 +165,8 @@ Eigen::Affine3d rootTransform(const aiMatrix4x4& m, const std::string& path) {
   return root;
 }
 
-/// Where a node stands, and the sums of absolute values in it, which bound what single precision rounded on the way: numbers
-/// that are large and cancel each other lose as much as those that stay large.
+/// A node's transform, and the same with absolute values. The latter bounds the magnitudes that single precision rounded on the way: large
+/// numbers that cancel lose as much as those that stay large.
 struct Placement {
   Eigen::Affine3d to_root;
   Eigen::Affine3d magnitude;
@@ -180,7 +181,7 @@ struct Placement {
 
 [[noreturn]] void failNotFinite(const std::string& path, std::size_t vertex, std::size_t face) {
   throw Error(ErrorCode::kNonFiniteCoordinate, path + ": vertex " + std::to_string(vertex) + " (of face " + std::to_string(face) +
-                                                   ", both counted from 0) has a coordinate that is no finite number; export it again");
+                                                   ", both counted from 0) has a coordinate that is not a finite number; export it again");
 }
 
 std::string digits(double number) {
@@ -189,7 +190,7 @@ std::string digits(double number) {
   return text.str();
 }
 
-/// LoadedMesh::resolution, where `largest` is the largest number [m] that single precision rounded.
+/// LoadedMesh::resolution; `largest` is the largest number [m] that single precision rounded.
 double resolution(const TriangleMesh& mesh, double largest, const std::string& path) {
   if (!(largest > 0)) return 0;
   const double result =
@@ -197,12 +198,12 @@ double resolution(const TriangleMesh& mesh, double largest, const std::string& p
   const double size = diagonal(mesh);
   if (size > 0 && result > kCoarsestResolution * size)
     throw Error(ErrorCode::kTooFarFromOrigin, path + ": the mesh is " + digits(size) + " m across and up to " + digits(largest) +
-                                                  " m away from its origin, where single precision resolves " + digits(result) +
+                                                  " m away from its origin, where single precision resolves only " + digits(result) +
                                                   " m; move the mesh to its origin");
   return result;
 }
 
-/// A binary STL that passed checkStl(), as Assimp would give it at ten times the cost.
+/// Reads a binary STL that passed checkStl(); the result equals Assimp's at a tenth of the cost.
 LoadedMesh readBinaryStl(const std::string& bytes, const std::string& path, const RunControl& control) {
   LoadedMesh result;
   result.submeshes = 1;
@@ -212,7 +213,7 @@ LoadedMesh readBinaryStl(const std::string& bytes, const std::string& path, cons
   float largest = 0;
   for (std::size_t f = 0; f < count; ++f) {
     if (f % kFacesBetweenChecks == 0) control.check();
-    std::array<float, 9> corners;  // after the normal
+    std::array<float, 9> corners;  // they follow the normal
     std::memcpy(corners.data(), bytes.data() + kStlHeaderBytes + kStlFacetBytes * f + 3 * sizeof(float), sizeof corners);
     const int first = static_cast<int>(3 * f);
     result.mesh.triangles.push_back({first, first + 1, first + 2});
@@ -226,7 +227,7 @@ LoadedMesh readBinaryStl(const std::string& bytes, const std::string& path, cons
   return result;
 }
 
-/// Collects the triangles of a scene's nodes, each instance of a mesh on its own.
+/// Collects the triangles of a scene's nodes; each instance of a mesh contributes its own.
 class SceneReader {
  public:
   SceneReader(const aiScene& scene, const std::string& path, std::size_t max_triangles, const RunControl& control)
@@ -235,8 +236,8 @@ class SceneReader {
   LoadedMesh read() {
     visit(*scene_.mRootNode, Placement(rootTransform(scene_.mRootNode->mTransformation, path_)));
     if (result_.mesh.triangles.empty())
-      throw Error(ErrorCode::kEmptyMesh, path_ + ": no triangle in it (" + std::to_string(result_.skipped_primitives) +
-                                             " lines and points, which have no surface); export the surface");
+      throw Error(ErrorCode::kEmptyMesh, path_ + ": holds no triangle (" + std::to_string(result_.skipped_primitives) +
+                                             " lines and points, which have no surface); export it with its faces");
     result_.resolution = resolution(result_.mesh, largest_, path_);
     return std::move(result_);
   }
@@ -281,12 +282,12 @@ class SceneReader {
 
   int polygonAt(int k) const { return polygon_[static_cast<std::size_t>(k)]; }
 
-  /// The number in the result of corner k of face f.
+  /// The index in the result of corner k of face f.
   int vertexNumber(const aiMesh& source, unsigned f, unsigned k, const Placement& placement) {
     const unsigned index = source.mFaces[f].mIndices[k];
     if (index >= source.mNumVertices)
       throw Error(ErrorCode::kIndexOutOfRange, path_ + ": face " + std::to_string(f) + " names vertex " + std::to_string(index) +
-                                                   ", there are " + std::to_string(source.mNumVertices) +
+                                                   ", but there are " + std::to_string(source.mNumVertices) +
                                                    ", counted from 0; export it again");
     int& number = number_[index];
     if (number < 0) number = addVertex(source.mVertices[index], index, f, placement);
@@ -307,8 +308,8 @@ class SceneReader {
   std::size_t max_triangles_;
   const RunControl& control_;
   LoadedMesh result_;
-  double largest_ = 0;        // [m] of the numbers that single precision rounded
-  std::vector<int> number_;   // of the current instance's vertices in the result, -1 before their first use
+  double largest_ = 0;        // [m] largest of the numbers that single precision rounded
+  std::vector<int> number_;   // per vertex of the current instance: its index in the result, -1 before its first use
   std::vector<int> polygon_;  // the current face
 };
 
@@ -331,7 +332,7 @@ LoadedMesh readMesh(const std::string& path, const MeshLimits& limits, const Run
   control.check();
   const std::optional<Announced> announced = checkSource(bytes, path, extension, limits.max_triangles);
   if (extension == ".stl" && isBinaryStl(bytes)) return readBinaryStl(bytes, path, control);
-  if (extension == ".obj" || extension == ".off") bytes += '\n';  // Assimp loses a last line that does not end
+  if (extension == ".obj" || extension == ".off") bytes += '\n';  // Assimp drops a last line without a line end
   Assimp::Importer importer;
   const aiScene* scene = import(&importer, bytes, path, extension, control);
   if (announced) expectAll(*announced, *scene, path);

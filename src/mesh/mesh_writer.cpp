@@ -1,4 +1,4 @@
-// Writing hulls. The same hull gives the same bytes: no date, no version, no locale.
+// Encodes hulls as mesh files. The same hull gives the same bytes: no date, no version, no locale.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -18,7 +18,7 @@ constexpr std::size_t kStlHeaderBytes = 80;
 constexpr char kStlHeader[] = "binary STL, convex hull, metres, written by collision_hulls";
 constexpr char kObjHeader[] = "# convex hulls, metres, written by collision_hulls\n";
 
-/// Little-endian, as the format wants it and the machines that this runs on store it.
+/// Appends a number in little-endian order, which both the format and the machines this runs on use.
 template <typename Number>
 void append(std::string* bytes, Number number) {
   char raw[sizeof number];
@@ -43,8 +43,8 @@ std::string stl(const ConvexHull& hull) {
   return bytes;
 }
 
-/// Writes numbers as single precision with the nine digits that bring each back. Assimp rounds a power of ten several times, so
-/// small numbers are written without one as far as it reads digits.
+/// Writes numbers as single precision with nine digits, enough to recover each one. Assimp rounds several times when it applies a power of
+/// ten, so small numbers are written without an exponent as far as Assimp reads digits.
 class Decimals {
  public:
   Decimals() { text_.imbue(std::locale::classic()); }
@@ -65,14 +65,14 @@ class Decimals {
   std::ostringstream text_;
 };
 
-/// A name of one word that XML takes as it is.
+/// A name as one word that needs no escaping in XML.
 std::string oneWord(std::string name) {
   const auto reserved = [](char c) { return static_cast<unsigned char>(c) <= ' ' || std::strchr("<>&\"'", c) != nullptr; };
   std::replace_if(name.begin(), name.end(), reserved, '_');
   return name;
 }
 
-/// `first`: the number of the hull's first vertex in the file, from 1.
+/// `first`: the index in the file of the hull's first vertex, counted from 1.
 std::string objObject(const ConvexHull& hull, const std::string& name, std::size_t first) {
   Decimals text;
   text << "o " + oneWord(name) + "\n";
@@ -85,7 +85,7 @@ std::string objObject(const ConvexHull& hull, const std::string& name, std::size
   return text.text();
 }
 
-// The schema asks for both dates; those of the day would give the same hull other bytes.
+// The schema requires both dates; today's would make the bytes of a hull change from day to day.
 constexpr char kDae[] = R"(<?xml version="1.0" encoding="utf-8"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
   <asset>
@@ -123,7 +123,7 @@ constexpr char kDae[] = R"(<?xml version="1.0" encoding="utf-8"?>
 </COLLADA>
 )";
 
-/// The text with each @key@ replaced by its value.
+/// The text with every @key@ replaced by its value.
 std::string filled(std::string_view text, const std::map<std::string_view, std::string>& values) {
   std::string result;
   for (bool key = false;; key = !key) {

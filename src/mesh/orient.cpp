@@ -1,3 +1,5 @@
+// Flood fill over manifold edges gives patches with consistent triangles; signed volumes, with fans over the openings, then tell which
+// patches and components face inward. Linear, apart from sorting the boundary.
 #include "mesh/orient.h"
 
 #include <cmath>
@@ -7,15 +9,15 @@
 namespace collision_hulls {
 namespace {
 
-/// A volume below this share of area^1.5 is nil: a plate as thin as that is thinner than the weld tolerance leaves any.
+/// A volume below this share of area^1.5 is negligible: a plate that thin is thinner than any the weld tolerance leaves.
 constexpr double kNilVolume = 1e-6;
 
 struct Patch {
   int component = 0;
   double area = 0;
-  double turned_area = 0;  // of the triangles that differ from the patch's first
-  double volume = 0;       // closed by the fans
-  bool closed = false;     // as good as, on its own
+  double turned_area = 0;  // of the triangles whose direction differs from the first one's
+  double volume = 0;       // with the fans that close the patch
+  bool closed = false;     // or nearly so, on its own
   bool turn = false;
 };
 
@@ -46,7 +48,7 @@ class Orientation {
  private:
   static bool isNegative(double volume, double area) { return volume < -kNilVolume * area * std::sqrt(area); }
 
-  /// Numbers the triangles that manifold edges connect to `seed`, and turns over those that disagree with it.
+  /// Numbers the triangles reachable from `seed` across manifold edges and flips those that disagree with it.
   void growPatch(int seed) {
     const int number = static_cast<int>(patches_.size());
     Patch patch;
@@ -71,7 +73,7 @@ class Orientation {
     patches_.push_back(patch);
   }
 
-  /// Turns the chosen patches over.
+  /// Flips the patches chosen.
   template <typename Choice>
   void turn(const Choice& choice) {
     for (Patch& patch : patches_) {

@@ -1,3 +1,5 @@
+// Repairs a mesh in this order: weld, drop degenerate and duplicate triangles, find edges, orient, find fins, decide per component how to
+// tell its inside (closed, winding number, or none). Each step is a file of its own; repair() below calls them in order.
 #include "collision_hulls/mesh/repair.h"
 
 #include <algorithm>
@@ -17,8 +19,8 @@
 namespace collision_hulls {
 namespace {
 
-/// A triangle is flat when its height over its longest edge is below this share of the mesh's extent: what double precision
-/// leaves of three collinear points.
+/// A triangle is flat if its height over its longest edge is below this share of the mesh's extent, which is what double precision leaves
+/// of three collinear points.
 constexpr double kFlatHeight = 1e-14;
 
 constexpr double kLargestWeldTolerance = 0.1;
@@ -30,15 +32,16 @@ std::size_t at(int i) {
 void check(const TriangleMesh& mesh, const RepairOptions& options) {
   if (!(options.weld_tolerance >= 0 && options.weld_tolerance <= kLargestWeldTolerance))
     throw Error(ErrorCode::kBadOption, "weld tolerance " + std::to_string(options.weld_tolerance) +
-                                           ": it is a share of the mesh's extent, from 0 to " + std::to_string(kLargestWeldTolerance));
+                                           " is out of range; give a share of the mesh's extent from 0 to " +
+                                           std::to_string(kLargestWeldTolerance));
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (const int v : mesh.triangles[t]) {
       if (v < 0 || at(v) >= mesh.vertices.size())
         throw Error(ErrorCode::kIndexOutOfRange, "triangle " + std::to_string(t) + " names vertex " + std::to_string(v) +
-                                                     ", the mesh has " + std::to_string(mesh.vertices.size()) +
+                                                     ", but the mesh has " + std::to_string(mesh.vertices.size()) +
                                                      " vertices, counted from 0");
       if (!mesh.vertices[at(v)].allFinite())
-        throw Error(ErrorCode::kNonFiniteCoordinate, "vertex " + std::to_string(v) + " has a coordinate that is no finite number");
+        throw Error(ErrorCode::kNonFiniteCoordinate, "vertex " + std::to_string(v) + " has a coordinate that is not a finite number");
     }
 }
 
@@ -58,7 +61,7 @@ class TriangleSet {
     table_.assign(size, -1);
   }
 
-  /// Puts triangle `t` of the list into the set, unless one with the same corners is there; that one, or `t`.
+  /// Inserts triangle `t` of the list unless one with the same corners is present; returns that one, or `t`.
   int insert(int t) {
     const Triangle key = sorted(t);
     std::uint64_t hash = 0;
@@ -83,14 +86,14 @@ class TriangleSet {
   std::vector<int> table_;  // open addressing, at most half full
 };
 
-/// Whether two triangles of the same corners face the same way.
+/// Whether two triangles with the same corners face the same way.
 bool isTurnOf(const Triangle& a, const Triangle& b) {
   const auto k = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
   return b[(k + 1) % 3] == a[1];
 }
 
-/// The triangles of the welded mesh that have an area and are no repetition; those without go to `flat`. `surplus`: how many of them all
-/// face the way of the kept one less how many face the other.
+/// The welded mesh's triangles, without duplicates and without those that have no area, which go to `flat`. `surplus`: per kept triangle,
+/// the number of copies that face its way minus those that face the other.
 std::vector<Triangle> keptTriangles(const TriangleMesh& mesh, const std::vector<int>& representative, double extent, RepairCounts* counts,
                                     std::vector<Triangle>* flat, std::vector<int>* surplus) {
   std::vector<Triangle> kept;
@@ -117,7 +120,7 @@ std::vector<Triangle> keptTriangles(const TriangleMesh& mesh, const std::vector<
   return kept;
 }
 
-/// A triangle's corners, its longest side first.
+/// A triangle's corners, longest side first.
 Triangle longestSideFirst(const std::vector<Eigen::Vector3d>& vertices, const Triangle& t) {
   const auto length = [&](std::size_t k) { return (vertices[at(t[(k + 1) % 3])] - vertices[at(t[k])]).norm(); };
   std::size_t longest = 0;
@@ -126,8 +129,8 @@ Triangle longestSideFirst(const std::vector<Eigen::Vector3d>& vertices, const Tr
   return {t[longest], t[(longest + 1) % 3], t[(longest + 2) % 3]};
 }
 
-/// What is left of flat triangles, each once: their longest sides, unless kept triangles have it as a side or in two of them, and points
-/// that nothing else holds.
+/// What remains of flat triangles, each part once: the longest side, unless a kept triangle has it as a side or kept triangles have both
+/// other sides; and points that nothing else contains.
 std::vector<Segment> looseOf(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& kept,
                              const std::vector<Triangle>& flat) {
   using Side = std::pair<int, int>;
@@ -155,7 +158,7 @@ std::vector<Segment> looseOf(const std::vector<Eigen::Vector3d>& vertices, const
   return result;
 }
 
-/// Numbers the vertices anew that the triangles use, in their old order.
+/// Renumbers the vertices used by triangles, keeping their order.
 void compact(const std::vector<Eigen::Vector3d>& vertices, RepairedMesh* result) {
   std::vector<int> number(vertices.size(), -1);
   for (const Triangle& t : result->mesh.triangles)
@@ -169,7 +172,7 @@ void compact(const std::vector<Eigen::Vector3d>& vertices, RepairedMesh* result)
     for (int& v : t) v = number[at(v)];
 }
 
-/// Per component without its fins, where the triangles marked in `turn` are turned over.
+/// Per component, without its fins; triangles marked in `turn` count as flipped.
 std::vector<Interior> findInteriors(const TriangleMesh& mesh, const Edges& edges, const std::vector<char>& turn,
                                     const std::vector<char>& fin) {
   std::vector<double> area(edges.components, 0);

@@ -1,3 +1,4 @@
+// A minimal scanner on string views: no copies, no locale, no exceptions but for the failures it reports.
 #include "mesh/scan.h"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ void checkTriangleCount(const std::string& path, std::uint64_t triangles, std::s
 
 void checkIsText(std::string_view bytes, const std::string& path) {
   const std::size_t zero = bytes.find('\0');
-  if (zero != std::string_view::npos) failNotAMesh(path, "holds a zero byte at " + std::to_string(zero) + ", so it is no text");
+  if (zero != std::string_view::npos) failNotAMesh(path, "holds a zero byte at offset " + std::to_string(zero) + ", so it is not text");
 }
 
 }  // namespace collision_hulls

@@ -1,3 +1,4 @@
+// Ear clipping in the plane of the polygon's mean normal (Newell), O(n^2) for typical polygons; convex ones are a fan in O(n).
 #include "mesh/triangulate.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ double area(const Point& a, const Point& b, const Point& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-/// The corners without the axis along which Newell's normal is longest, so that the polygon runs counter-clockwise.
+/// The corners projected along the longest component of Newell's normal; this makes the polygon run counter-clockwise.
 std::vector<Point> projected(const std::vector<Eigen::Vector3d>& corners) {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < corners.size(); ++i)
@@ -30,7 +31,7 @@ std::vector<Point> projected(const std::vector<Eigen::Vector3d>& corners) {
   return points;
 }
 
-/// The corners that are not yet cut off, in order.
+/// The corners not cut off yet, in order.
 class EarCutter {
  public:
   explicit EarCutter(const std::vector<Eigen::Vector3d>& corners) : points_(projected(corners)), rest_(corners.size()) {
@@ -51,7 +52,7 @@ class EarCutter {
   }
 
  private:
-  /// `triangles` and those from the first corner left to the others.
+  /// `triangles`, followed by a fan from the first remaining corner.
   std::vector<Triangle> fan(std::vector<Triangle> triangles) const {
     for (std::size_t i = 1; i + 1 < rest_.size(); ++i) triangles.push_back({rest_[0], rest_[i], rest_[i + 1]});
     return triangles;
@@ -67,7 +68,7 @@ class EarCutter {
   Triangle triangle(std::size_t i) const { return {rest_[(i + rest_.size() - 1) % rest_.size()], rest_[i], rest_[(i + 1) % rest_.size()]}; }
   const Point& point(int corner) const { return points_[static_cast<std::size_t>(corner)]; }
 
-  /// The place of a convex corner whose triangle holds no other corner; the number of corners left if there is none.
+  /// The position of an ear: a convex corner whose triangle contains no other corner; the number of corners left if there is none.
   std::size_t findEar() const {
     for (std::size_t k = 0; k < rest_.size(); ++k) {
       const std::size_t i = (start_ + k) % rest_.size();
@@ -88,7 +89,7 @@ class EarCutter {
 
   std::vector<Point> points_;
   std::vector<int> rest_;
-  std::size_t start_ = 0;  // where to look for the next ear
+  std::size_t start_ = 0;  // where to start looking for the next ear
 };
 
 }  // namespace

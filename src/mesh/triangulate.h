@@ -1,4 +1,4 @@
-// Polygons to triangles.
+// Triangulates polygons.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,11 +8,11 @@
 
 namespace collision_hulls {
 
-/// The n - 2 triangles of a polygon with n >= 3 corners, as places in `corners`, in the polygon's direction. A fan from the first
-/// corner where that corner sees all others: most programs divide so, and the corners of a polygon seldom lie in one plane, so
-/// that another division would be another surface. Else ears are cut in the
-/// plane of the polygon's mean normal; where none is left (it crosses itself, or has no area) the rest becomes a fan, so that
-/// every corner is a corner of some triangle whatever the polygon is.
+/// The n - 2 triangles of a polygon with n >= 3 corners, as indices into `corners`, in the polygon's direction. A fan from the first corner
+/// if that corner sees all others: most programs triangulate in this way, and since corners are seldom exactly coplanar, another
+/// triangulation would be another surface. Otherwise ears are cut off in the plane of the polygon's mean normal; if there are none left
+/// (the polygon crosses itself or has no area) the rest becomes a fan. Every corner is thus a corner of some triangle, whatever the polygon
+/// looks like.
 std::vector<Triangle> triangulate(const std::vector<Eigen::Vector3d>& corners);
 
 }  // namespace collision_hulls

@@ -1,5 +1,5 @@
-// A hash grid of the representatives. Its cells are much wider than the tolerance, so that a query mostly looks into one cell,
-// and much narrower than the mesh, so that few representatives share a cell. Buckets may mix cells: distances decide.
+// A hash grid of the representatives. Its cells are much wider than the tolerance, so most queries look into one cell, and much smaller
+// than the mesh, so few representatives share a cell. Buckets may mix cells: distances decide. Near-linear.
 #include "mesh/weld.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ class Grid {
     head_.assign(buckets, -1);
   }
 
-  /// The nearest representative within the tolerance, the earlier one of two equally near; -1 for none.
+  /// The nearest representative within the tolerance, the earlier one on a tie; -1 if there is none.
   int nearest(const Eigen::Vector3d& p, double* distance) const {
     const Cell low = cellOf(p.array() - tolerance_);
     const Cell high = cellOf(p.array() + tolerance_);

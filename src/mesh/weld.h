@@ -1,4 +1,4 @@
-// Joining vertices that lie at the same place.
+// Welding: joining vertices that lie at the same place.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 namespace collision_hulls {
 
 struct Welding {
-  std::vector<int> representative;  ///< per vertex: the vertex that stands for it, itself or one before it; -1 where no triangle uses it
-  std::size_t joined = 0;           ///< vertices that another one stands for
-  double distance = 0;              ///< [m] furthest distance of a vertex from its representative
+  std::vector<int> representative;  ///< per vertex: the vertex that represents it (itself or an earlier one); -1 if no triangle uses it
+  std::size_t joined = 0;           ///< vertices represented by another one
+  double distance = 0;              ///< [m] largest distance of a vertex from its representative
 };
 
-/// Joins every vertex to the nearest earlier representative within `tolerance` [m]; a vertex without one becomes a
-/// representative itself. So no vertex moves further than the tolerance however long a chain of close vertices is, and the
-/// result depends on distances and on the order of the vertices alone, not on the axes.
+/// Welds every vertex to the nearest earlier representative within `tolerance` [m]; a vertex without one becomes a representative itself.
+/// Hence no vertex moves further than the tolerance, however long a chain of close vertices is, and the result depends only on distances
+/// and on the order of the vertices, not on the axes.
 Welding weld(const TriangleMesh& mesh, double tolerance);
 
 }  // namespace collision_hulls

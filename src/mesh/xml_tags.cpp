@@ -1,3 +1,4 @@
+// Finds tags without building a tree. Knows just enough XML to skip comments, CDATA, declarations and quoted '>'.
 #include "mesh/xml_tags.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ bool skipOther(std::string_view* rest) {
   return false;
 }
 
-/// The place of the '>' that ends the tag at the front of `text`; one in quotes does not.
+/// The position of the '>' that ends the tag at the front of `text`, ignoring any in quotes.
 std::size_t endOfTag(std::string_view text) {
   char quote = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {

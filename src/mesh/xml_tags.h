@@ -1,4 +1,4 @@
-// The tags of an XML text, one after the other.
+// The tags of an XML text, one after another.
 #pragma once
 
 #include <string>
@@ -8,15 +8,15 @@ namespace collision_hulls {
 
 struct XmlTag {
   std::string_view name;
-  std::string_view attributes;  ///< the text between the name and the end
+  std::string_view attributes;  ///< the text between the name and the end of the tag
   bool opens = false;           ///< <name> or <name/>
   bool closes = false;          ///< </name> or <name/>
 
-  /// The value of an attribute; empty if it is not there.
+  /// The value of an attribute; empty if it is missing.
   std::string_view attribute(std::string_view key) const;
 };
 
-/// Takes the next tag off the front of `rest`, past text, comments, CDATA and declarations; false if none is whole.
+/// Takes the next tag off the front of `rest`, skipping text, comments, CDATA and declarations; false if no complete tag is left.
 bool nextTag(std::string_view* rest, XmlTag* tag);
 
 }  // namespace collision_hulls

@@ -1,4 +1,4 @@
-// A triangle mesh, the value that every stage exchanges.
+// A triangle mesh: the value that the stages exchange.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,8 +9,8 @@ namespace collision_hulls {
 
 using Triangle = std::array<int, 3>;
 
-/// Indexed triangles; coordinates in metres, in the frame of the caller (a link's, unless said otherwise). Corners are
-/// counter-clockwise seen from outside, where the mesh has an outside. No invariant: meshes as read may hold anything.
+/// Indexed triangles; coordinates in metres, in the caller's frame (a link's, unless noted otherwise). Corners run counter-clockwise seen
+/// from outside, where the mesh has an outside. No invariant: a mesh read from a file may hold anything.
 struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<Triangle> triangles;
@@ -20,21 +20,21 @@ struct TriangleMesh {
   }
 };
 
-/// The axis-aligned box of the vertices that triangles use; empty for a mesh without triangles.
+/// The axis-aligned box of the vertices used by triangles; empty for a mesh without triangles.
 Eigen::AlignedBox3d boundingBox(const TriangleMesh& mesh);
 
-/// D of the paper: the diagonal of boundingBox() [m]; 0 for a mesh without triangles.
+/// The diagonal of boundingBox() [m], D in the paper; 0 for a mesh without triangles.
 double diagonal(const TriangleMesh& mesh);
 
-/// Sum of the triangles' areas [m^2].
+/// The sum of the triangles' areas [m^2].
 double area(const TriangleMesh& mesh);
 
-/// Sum of the signed tetrahedra to the origin [m^3]: the enclosed volume of a closed, outward mesh; negative for an inward one.
+/// The sum of the signed tetrahedra to the origin [m^3]: the enclosed volume of a closed, outward mesh; negative for an inward one.
 double signedVolume(const TriangleMesh& mesh);
 double signedVolume(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles);
 
-/// The mesh with every vertex scaled per axis and, for a mirroring scale (negative product), its triangles turned over, so
-/// that outside stays outside. Throws kBadScale for a zero or non-finite factor.
+/// The mesh with every vertex scaled per axis. For a mirroring scale (negative product) the triangles are flipped, which keeps the outside
+/// outside. Throws kBadScale for a zero or non-finite factor.
 TriangleMesh scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale);
 
 /// The mesh moved by a rigid transform.

@@ -1,4 +1,4 @@
-// Meshes from and to files. The only room that sees Assimp.
+// Reading and writing mesh files. No other room sees Assimp.
 #pragma once
 
 #include <cstddef>
@@ -18,26 +18,26 @@ struct MeshLimits {
   std::size_t max_triangles = 20'000'000;              ///< most triangles in a file
 };
 
-/// What a file held.
+/// The contents of a mesh file.
 struct LoadedMesh {
-  TriangleMesh mesh;                   ///< metres; node transforms and Collada unit applied as rviz shows them; its up-axis turns nothing
-  int submeshes = 0;                   ///< sub-meshes that gave triangles (a node's instance counts once each)
-  std::size_t skipped_primitives = 0;  ///< lines and points, which have no surface, left out
+  TriangleMesh mesh;                   ///< metres; node transforms and Collada's unit are applied as in rviz, Collada's up-axis is ignored
+  int submeshes = 0;                   ///< sub-meshes that contributed triangles (each instance in the node tree counts)
+  std::size_t skipped_primitives = 0;  ///< lines and points, left out because they have no surface
   double resolution = 0;  ///< [m] half a unit in the last place of the largest number that the single-precision reader rounded; decimal
-                          ///< text errs by up to 1.25 of it
+                          ///< text errs by up to 1.25 times this
 };
 
-/// The extensions that readMesh takes, lower case with the dot: .stl .dae .obj .off .ply (any case in a file's name).
+/// The extensions that readMesh supports, in lower case with the dot: .stl .dae .obj .off .ply (file names may use any case).
 const std::vector<std::string>& meshExtensions();
 
-/// Whether a file is named as one that readMesh takes.
+/// Whether a file's name has one of the extensions that readMesh supports.
 bool isMeshFile(const std::string& path);
 
-/// Reads a mesh file. Collada's `<unit>` scales, its `<up_axis>` has no effect, and node transforms apply, as in rviz. Polygons are
-/// triangulated without loss; materials and textures are not looked for; vertices that no triangle uses are left out. A file
-/// that is cut off or contradicts itself is an error, never half a mesh. Units: Collada's are converted to metres, the other formats'
-/// numbers are taken as metres. Throws kFileNotFound, kUnsupportedFormat, kNotAMesh, kEmptyMesh, kTooLarge, kNonFiniteCoordinate,
-/// kIndexOutOfRange, kTooFarFromOrigin (single precision resolves less than a thousandth of the mesh's diagonal), kCancelled. Thread safe.
+/// Reads a mesh file. As in rviz, Collada's `<unit>` scales, its `<up_axis>` is ignored, and node transforms apply. Units: Collada's are
+/// converted to metres; numbers in other formats are metres. Polygons are triangulated without loss; materials and textures are ignored;
+/// vertices that no triangle uses are dropped. A truncated or inconsistent file is an error, never half a mesh. Throws kFileNotFound,
+/// kUnsupportedFormat, kNotAMesh, kEmptyMesh, kTooLarge, kNonFiniteCoordinate, kIndexOutOfRange, kTooFarFromOrigin (single precision cannot
+/// resolve a thousandth of the mesh's diagonal), kCancelled. Thread safe.
 LoadedMesh readMesh(const std::string& path, const MeshLimits& limits = {}, const RunControl& control = {});
 
 enum class MeshFormat { kStl, kObj, kDae };
@@ -46,13 +46,12 @@ enum class MeshFormat { kStl, kObj, kDae };
 const char* extension(MeshFormat format);
 std::optional<MeshFormat> meshFormatNamed(const std::string& name);  ///< "stl", "obj", "dae"
 
-/// The text of a mesh file that holds one hull: binary STL, OBJ, or Collada. Coordinates are written as single-precision numbers
-/// (exactly, so a hull whose vertices are single-precision numbers is read back unchanged; Assimp reads a text's numbers below
-/// 1e-6 m with an error of a few units in their last place). The same hull gives the same bytes. Blanks in names become '_', and so
-/// does what XML reserves.
+/// The contents of a mesh file with one hull: binary STL, OBJ, or Collada. Coordinates are written as single-precision numbers, exactly: a
+/// hull with single-precision vertices is read back unchanged (but Assimp reads text numbers below 1e-6 m with an error of a few units in
+/// the last place). The same hull gives the same bytes. In names, blanks and characters that XML reserves become '_'.
 std::string encodeHull(const ConvexHull& hull, MeshFormat format, const std::string& object_name);
 
-/// One OBJ with an object (`o <name>_<m>`) per hull; coordinates as in encodeHull.
+/// One OBJ file with an object (`o <name>_<m>`) per hull; coordinates as in encodeHull.
 std::string encodeHullsObj(const std::vector<ConvexHull>& hulls, const std::string& name);
 
 }  // namespace collision_hulls

@@ -1,3 +1,5 @@
+// Lien & Amato's divide and conquer with a priority queue on concavity: the most concave part is cut next, at its deepest notch. A part
+// whose plane divides nothing is cut in the middle instead, and if that fails too, kept.
 #include "collision_hulls/decompose/acd.h"
 
 #include <algorithm>
@@ -23,14 +25,14 @@ struct Part {
   bool two_sided = false;
 };
 
-/// Parts by what is to be cut next: highest concavity, then the oldest.
+/// Parts in the order to cut them: highest concavity first, then oldest first.
 struct Waiting {
   double concavity;
   std::size_t part;
   bool operator<(const Waiting& o) const { return concavity != o.concavity ? concavity < o.concavity : part > o.part; }
 };
 
-/// The triangles of sheets, or those that are of none.
+/// The triangles of the sheets, or all the others.
 SurfacePiece trianglesOf(const RepairedMesh& mesh, bool sheets) {
   SurfacePiece piece;
   piece.vertices = mesh.mesh.vertices;
@@ -49,8 +51,8 @@ bool within(const ConvexHull& hull, const SurfacePiece& piece) {
   return std::all_of(piece.vertices.begin(), piece.vertices.end(), [&](const Eigen::Vector3d& v) { return planeDistance(hull, v) <= 0; });
 }
 
-/// What a cut leaves on one side: components, one within another's hull as one with it. The skins of a wall that was cut at
-/// all of its edges are components, and the outer one alone is convex, whatever it goes around.
+/// What a cut leaves on one side: its components, with each component inside another's hull joined to that one. Why: if a wall is cut at
+/// all of its edges its two skins become separate components, and the outer skin alone is convex, whatever it encloses.
 std::vector<SurfacePiece> separated(const SurfacePiece& side) {
   std::vector<SurfacePiece> parts;
   std::vector<ConvexHull> hulls;
@@ -65,7 +67,7 @@ std::vector<SurfacePiece> separated(const SurfacePiece& side) {
       hull = convexHull(piece.vertices);
       parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(i));
       hulls.erase(hulls.begin() + static_cast<std::ptrdiff_t>(i));
-      i = 0;  // the hull has grown
+      i = 0;  // the hull has grown: start again
     }
     parts.push_back(std::move(piece));
     hulls.push_back(std::move(hull));
@@ -110,7 +112,7 @@ class Resolving {
     parts_.push_back(std::move(part));
   }
 
-  /// Gives way to the parts of it that the plane through its deepest notch leaves; stays as it is where that divides nothing.
+  /// Replaces a part by the pieces on either side of the plane through its deepest notch; keeps it if no plane divides it.
   void resolve(std::size_t index) {
     const Part part = std::exchange(parts_[index], {});
     for (const HalfSpace& plane : {planeThrough(part.notch), middlePlane(part.piece)}) {
@@ -135,7 +137,7 @@ class Resolving {
   double epsilon_, on_plane_;
   const RunControl& control_;
   double undone_, whole_ = 0;
-  std::vector<Part> parts_;  // those that gave way to others are empty
+  std::vector<Part> parts_;  // parts that were replaced are empty
   std::size_t resolved_ = 0;
   std::priority_queue<Waiting> waiting_;
 };

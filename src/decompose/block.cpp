@@ -1,3 +1,5 @@
+// Cuts surfaces together with the region of space around them. When filling, a plane's section of the region adds its corners inside the
+// solid to both sides; the hulls of the sides then cover the solid up to the plane.
 #include "decompose/block.h"
 
 #include <algorithm>
@@ -10,10 +12,10 @@ namespace collision_hulls {
 
 namespace {
 
-// Of the way to the region's middle: a corner on the surface counts if the solid is on the region's side of it.
+// As a share of the way to the region's middle. A corner on the surface counts if the solid is on the region's side of it.
 constexpr double kInward = 1e-7;
 
-/// Corners of a convex polygon in the plane with this normal, brought into order.
+/// Sorts the corners of a convex polygon in a plane with this normal around their mean.
 ConvexPolygon ordered(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& normal) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& p : corners) middle += p / static_cast<double>(corners.size());
@@ -63,7 +65,7 @@ std::vector<Eigen::Vector3d> Region::cut(const HalfSpace& plane) {
   return corners;
 }
 
-/// Mean of all corners, each as often as there are faces that it is one of.
+/// Mean of all corners, counted once per face.
 Eigen::Vector3d Region::middle() const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double count = 0;

@@ -1,3 +1,5 @@
+// Tries the normals of the largest hull faces, the coordinate axes and the principal axes as one direction of the box, and finds the
+// smallest rectangle across each exactly by rotating calipers: O(n log n) per direction. An exact search (O'Rourke 1985) would take O(n^3).
 #include "decompose/bounding_box.h"
 
 #include <Eigen/Eigenvalues>
@@ -12,7 +14,7 @@ namespace collision_hulls {
 
 namespace {
 
-// Projections of a vertex along a direction that a search may take; hulls of up to 2,000 vertices try 500 faces or more.
+// Vertex projections that one search may spend; hulls of up to 2,000 vertices can try 500 faces or more.
 constexpr std::size_t kMostProjections = 1'000'000;
 constexpr std::size_t kLeastDirections = 20;
 
@@ -22,8 +24,8 @@ struct OrientedBox {
   double volume() const { return (high - low).prod(); }
 };
 
-/// The direction of a side of the smallest rectangle about a convex outline: it is flush with one of the outline's edges.
-/// Rotating calipers: the furthest corners along, across and against an edge move on as the edge does.
+/// The direction of a side of the smallest rectangle around a convex outline; one of its sides is flush with an edge. Rotating calipers:
+/// the furthest corners along, across and against an edge advance together with the edge.
 Eigen::Vector2d smallestRectangle(const Outline& corners) {
   const std::size_t n = corners.size();
   std::array<std::size_t, 3> far{1, 1, 1};
@@ -49,7 +51,7 @@ OrientedBox boxAlong(const std::vector<Eigen::Vector3d>& points, const Eigen::Ma
   return {axes, box.min(), box.max()};
 }
 
-/// The smallest box with a side across `direction`.
+/// The smallest box with a side normal to `direction`.
 OrientedBox boxAcross(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& direction) {
   const Eigen::Vector3d u = direction.unitOrthogonal(), v = direction.cross(u);
   std::vector<Eigen::Vector2d> flat;
@@ -62,7 +64,7 @@ OrientedBox boxAcross(const std::vector<Eigen::Vector3d>& points, const Eigen::V
   return boxAlong(points, axes);
 }
 
-/// Normals of the largest faces first, each plane counted once.
+/// Face normals, largest triangle first, each direction once.
 std::vector<Eigen::Vector3d> faceNormals(const ConvexHull& hull, std::size_t most) {
   std::vector<std::pair<double, Eigen::Vector3d>> normals;
   for (const Triangle& t : hull.triangles) {
@@ -106,7 +108,7 @@ ConvexHull orientedBox(const ConvexHull& hull, const RunControl& control) {
     if (box.volume() < best.volume()) best = box;
   }
   std::optional<ConvexHull> result = hullHolding(corners(best, middle), hull.vertices);
-  if (!result) throw Error(ErrorCode::kInternal, "an oriented box does not hold the hull that it was built about");
+  if (!result) throw Error(ErrorCode::kInternal, "an oriented box does not contain the hull it was built around");
   result->thickness = std::max(result->thickness, hull.thickness);
   return *result;
 }
@@ -121,7 +123,7 @@ Eigen::Matrix3d principalAxes(const std::vector<Eigen::Vector3d>& points) {
 
 std::optional<ConvexHull> hullHolding(std::vector<Eigen::Vector3d> corners, const std::vector<Eigen::Vector3d>& held) {
   constexpr int kTries = 8;
-  constexpr double kMostGrowth = 1e-6;  // share of the size; more than this is no rounding
+  constexpr double kMostGrowth = 1e-6;  // as a share of the size; larger excesses are not due to rounding
   for (int k = 0; k < kTries; ++k) {
     ConvexHull hull = convexHull(corners);
     double excess = 0;

@@ -1,4 +1,4 @@
-// Oriented boxes about hulls.
+// Oriented boxes around hulls.
 #pragma once
 
 #include <optional>
@@ -9,18 +9,17 @@
 
 namespace collision_hulls {
 
-/// The smallest oriented box found about a hull, as a hull of 8 vertices that contains it. Tried are the boxes with one side
-/// flush with a face of the hull, along the mesh's axes, or along the principal axes of the vertices, each with the smallest
-/// rectangle about the rest (exact, by rotating calipers). The smallest box of all need not have a side flush with a face, but
-/// is seldom much smaller. Of hulls with very many faces the largest ones are tried. A thickened hull gives a thickened box.
-/// Throws kCancelled.
+/// The smallest oriented box found around a hull, as a hull of 8 vertices that contains it. Candidates have one side flush with a face of
+/// the hull or normal to one of the mesh's axes or of the vertices' principal axes; the other two sides form the smallest rectangle (exact,
+/// by rotating calipers). The very smallest box need not have a side flush with a face, but is seldom much smaller. If there are very many
+/// faces only the largest are tried. A thickened hull gives a thickened box. Throws kCancelled.
 ConvexHull orientedBox(const ConvexHull& hull, const RunControl& control = {});
 
-/// Axes of the points' covariance, as columns; spread is least along the first.
+/// The principal axes of the points (of their covariance), as columns; the spread is least along the first.
 Eigen::Matrix3d principalAxes(const std::vector<Eigen::Vector3d>& points);
 
-/// The hull of `corners` if need be grown about their middle by what rounding takes, until its faces hold all of `held`;
-/// nullopt where that needs more than rounding explains.
+/// The hull of `corners`, grown about their middle as far as rounding requires until its faces hold all of `held`; nullopt if it would have
+/// to grow by more than rounding explains.
 std::optional<ConvexHull> hullHolding(std::vector<Eigen::Vector3d> corners, const std::vector<Eigen::Vector3d>& held);
 
 }  // namespace collision_hulls

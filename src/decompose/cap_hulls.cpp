@@ -1,3 +1,5 @@
+// Greedy merging with a lazy priority queue: a pair enters with a lower bound of its cost and gets its exact cost, which takes a hull, only
+// when it comes out on top.
 #include "decompose/cap_hulls.h"
 
 #include <algorithm>
@@ -9,10 +11,10 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kDiagonalShare = 0.05;  // of a union's diagonal in its cost
-constexpr std::size_t kNeighbours = 8;   // nearest boxes that a hull may merge with
+constexpr double kDiagonalShare = 0.05;  // weight of the union's diagonal in a pair's cost
+constexpr std::size_t kNeighbours = 8;   // nearest boxes considered for merging, per hull
 
-/// A hull that others may have been merged into.
+/// A hull, or a union of hulls.
 struct Body {
   ConvexHull hull;
   double volume = 0;
@@ -24,7 +26,7 @@ struct Body {
 struct Pair {
   double cost;
   int a, b;    // a < b
-  bool exact;  // else `cost` is a lower bound
+  bool exact;  // otherwise `cost` is a lower bound
   bool operator<(const Pair& o) const { return std::tie(cost, a, b) > std::tie(o.cost, o.a, o.b); }
 };
 
@@ -62,7 +64,7 @@ class Merging {
  private:
   double leastCost(const Body& a, const Body& b) const { return kDiagonalShare * a.box.merged(b.box).diagonal().norm(); }
 
-  /// Adds a body and its pairs with the bodies whose boxes are nearest.
+  /// Adds a body and its pairs with the bodies that have the nearest boxes.
   void add(ConvexHull hull, int first) {
     control_.check();
     const int index = static_cast<int>(bodies_.size());
@@ -78,7 +80,7 @@ class Merging {
     bodies_.push_back(std::move(body));
   }
 
-  /// The cheapest pair of bodies that are still there; its cost is known exactly.
+  /// The cheapest pair of unmerged bodies, with its exact cost.
   Pair cheapest() {
     for (;;) {
       control_.check();

@@ -1,3 +1,6 @@
+// Runs the steps of certified.h. Different plane scores and leaf sizes win on different meshes, so there are several ways to cut; later
+// ways run only while the best cover is small, when every hull counts. Stops early if the cover is provably minimal (points_apart.h). Works
+// about the origin and along the mesh's own axes, which makes results finer and steadier.
 #include "collision_hulls/decompose/certified.h"
 
 #include <cmath>
@@ -18,25 +21,26 @@ namespace collision_hulls {
 
 namespace {
 
-// Shares of the tolerance that leaves are cut for: merging has room left, or leaves are as large as they can be.
+// Share of the tolerance used for cutting leaves: a small one leaves merging some room, a large one makes leaves as large as possible.
 constexpr double kLeafShare = 0.7, kLargeLeafShare = 0.93;
 constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
-constexpr std::size_t kManyLeaves = 8, kManyLeavesPerHull = 8;  // more than this beyond the best so far are not worth merging
+constexpr std::size_t kManyLeaves = 8,
+                      kManyLeavesPerHull = 8;  // leaves beyond this many, per hull of the best cover, are not worth merging
 
-/// A way to cut.
+/// One way to cut.
 struct Way {
   ScoreWeights weights;
   double leaf_share = kLeafShare;
-  std::size_t few = kAnyNumber;  // tried only where the ways before leave no more hulls: each counts there
+  std::size_t few = kAnyNumber;  // tried only if the ways before it leave no more hulls than this
   bool largest_side_first = false;
 };
 
 /// How hard to try.
 struct Plan {
   std::vector<Way> ways;
-  std::size_t elements = 0;    // that leaves are divided into for the search; 0: leaves as they are
-  long first_evaluations = 0;  // of the search after each cut,
-  long evaluations = 0;        // and of that with the best of them
+  std::size_t elements = 0;    // pieces that leaves are divided into for the search; 0: leaves are not divided
+  long first_evaluations = 0;  // evaluations for the search after each way of cutting,
+  long evaluations = 0;        // and for the final search on the best cover
 };
 
 Plan planFor(Effort effort) {
@@ -51,7 +55,7 @@ Plan planFor(Effort effort) {
   return plan;
 }
 
-/// Where the work is done: about the origin, as coordinates are finest near it, and along the mesh's own axes.
+/// The frame to work in: about the origin, where coordinates are finest, and along the mesh's own axes.
 class Place {
  public:
   explicit Place(const RepairedMesh& mesh) : axes_(ownAxes(mesh.mesh)), middle_(boundingBox(mesh).center()) {}
@@ -75,12 +79,12 @@ class Place {
   const Eigen::Vector3d middle_;
 };
 
-/// Reports shares of a stretch of the whole work.
+/// Maps the progress of one stage to its stretch of the whole.
 std::function<void(double)> stretch(const RunControl& control, double from, double to) {
   return [&control, from, to](double share) { control.report(from + (to - from) * share); };
 }
 
-/// A decomposition under way.
+/// One decomposition in progress.
 class Job {
  public:
   Job(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control)
@@ -174,7 +178,7 @@ Decomposition certified(const RepairedMesh& original, const DecomposeOptions& op
 HullTree hullTree(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
   check(options);
   if (mesh.mesh.triangles.empty() && mesh.loose.empty())
-    throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangle; a hull tree needs at least one");
+    throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangles; a hull tree needs at least one");
   const Place place(mesh);
   const RepairedMesh local = place.brought(mesh);
   Job job(local, options, control);

@@ -1,3 +1,5 @@
+// One exact hull per cluster. A loose segment that no hull contains joins the hull whose distance from the segment's further end is least;
+// boxes prune that search.
 #include "decompose/cluster_hulls.h"
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/// Corners of a cluster's triangles, each once.
+/// The corners of a cluster's triangles, each once.
 Points corners(const TriangleMesh& mesh, const std::vector<int>& cluster) {
   std::vector<int> indices;
   for (int t : cluster) indices.insert(indices.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
@@ -22,7 +24,7 @@ Points corners(const TriangleMesh& mesh, const std::vector<int>& cluster) {
   return points;
 }
 
-/// The hull nearest to a segment, by its further end, or -1 if one holds it.
+/// The hull nearest to a segment, by the segment's further end; -1 if some hull contains it.
 int nearestOutside(const std::vector<ConvexHull>& hulls, const std::vector<Eigen::AlignedBox3d>& boxes, const Segment& segment) {
   int best = -1;
   double least = std::numeric_limits<double>::infinity();

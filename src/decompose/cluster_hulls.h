@@ -1,4 +1,4 @@
-// From clusters of triangles to the hulls that cover them.
+// From clusters of triangles to hulls that cover them.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,11 @@
 
 namespace collision_hulls {
 
-/// The hull of each cluster's corners. Every loose segment that lies in none of them is given to the nearest hull, which is built
-/// again with its ends; without any cluster the loose segments have a hull of their own. Deterministic; ties go to the first.
-/// Throws kCancelled.
+/// The hull of each cluster's corners. A loose segment outside all hulls is added to the nearest one; without clusters, the loose segments
+/// get a hull of their own. Deterministic; ties go to the first hull. Throws kCancelled.
 std::vector<ConvexHull> clusterHulls(const RepairedMesh& mesh, const std::vector<std::vector<int>>& clusters, const RunControl& control);
 
-/// What clusterHulls does with loose segments. `hulls` must not be empty.
+/// The step of clusterHulls that handles loose segments. `hulls` must not be empty.
 void addLoose(std::vector<ConvexHull>& hulls, const std::vector<Segment>& loose, const RunControl& control);
 
 }  // namespace collision_hulls

@@ -1,3 +1,5 @@
+// C(S), equation (6), for unions of patches. Most triangles are dismissed by an upper bound, the height of the patch's hull over the
+// triangle's plane; those left, highest first, go through the cutting planes of concavityOfTriangle() against an exact hull.
 #include "decompose/concavity.h"
 
 #include <algorithm>
@@ -12,12 +14,12 @@ namespace collision_hulls {
 
 namespace {
 
-// A face whose normal has less than this share along a ray counts as parallel to it: the ray then passes it by at most this
-// share of the hull's extent.
+// A face whose normal has a smaller component than this along a ray counts as parallel to it; the ray then passes it by at most this share
+// of the hull's extent.
 constexpr double kParallel = 1e-6;
-// Bounds of a triangle's concavity that differ by this share of the value have met.
+// The bounds of a triangle's concavity have met once they differ by less than this share.
 constexpr double kBoundsMeet = 1e-9;
-// Faces that a cutting-plane search may look at; far more than it needs, a guard against cycling by rounding.
+// Most faces that a cutting-plane search examines: far more than it needs, a guard against cycling due to rounding.
 constexpr int kMostCuts = 100;
 
 const Eigen::Vector3d kUnaligned = Eigen::Vector3d(0.5477, 0.6245, 0.5568).normalized();
@@ -48,7 +50,7 @@ std::size_t firstExit(const std::vector<ExitFunction>& exits, const Eigen::Vecto
   return best;
 }
 
-/// Coordinates of points, laid out for dot products with one normal after another.
+/// Coordinates of points, laid out for many dot products with one normal at a time.
 class SupportFunction {
  public:
   SupportFunction(const std::vector<Eigen::Vector3d>& position, const std::vector<int>& points)
@@ -94,7 +96,7 @@ double concavityOfTriangle(const ConvexHull& hull, const std::array<Eigen::Vecto
     for (std::size_t g : cuts)
       clip(
           polygon, [&](const Eigen::Vector3d& p) { return exits[g](p) - exits[f](p); }, scratch);
-    if (polygon.empty()) break;  // f was below the others by rounding alone
+    if (polygon.empty()) break;  // f was below the others only by rounding
     cuts.push_back(f);
     m = largest(polygon, exits[f]);
     upper = exits[f](m);
@@ -139,8 +141,8 @@ std::vector<Eigen::Vector3d> ConcavityMeasure::positions(const std::vector<int>&
   return result;
 }
 
-/// Heights of triangles once `other` has joined their patch. Where even other's box does not rise above `floor`, the box's
-/// height is upper bound enough.
+/// Updates the heights of triangles after `other` joins their patch. If even other's box does not rise above `floor`, the box's height
+/// suffices as an upper bound.
 void ConcavityMeasure::raise(std::vector<double>& heights, const std::vector<int>& triangles, const Patch& other, double floor) const {
   const SupportFunction exact(position_, other.points);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -151,7 +153,7 @@ void ConcavityMeasure::raise(std::vector<double>& heights, const std::vector<int
   }
 }
 
-/// The triangles whose exit distance may pass `floor`, those of greatest height first.
+/// The triangles whose exit distance may exceed `floor`, in descending order of height.
 std::vector<ConcavityMeasure::Candidate> ConcavityMeasure::candidates(const Patch& a, const Patch& b, double floor) const {
   std::vector<Candidate> result;
   const auto collect = [&](const Patch& one, const Patch& other) {
@@ -206,7 +208,7 @@ Patch ConcavityMeasure::unite(Patch a, const Patch& b, Union measured) const {
   return a;
 }
 
-/// The points that are the hull's vertices. A thickened hull's vertices are none of them, but near the outermost ones.
+/// Those of the points that are vertices of the hull. A thickened hull has its own vertices, near the outermost points.
 std::vector<int> ConcavityMeasure::extreme(const std::vector<int>& points, const ConvexHull& hull) const {
   constexpr double kRounding = 1e-12;
   std::vector<int> result;

@@ -1,4 +1,4 @@
-// A convex polygon in a plane of space, cut by half-planes: the two-dimensional step of small linear programs.
+// A convex polygon in 3D, clipped by half-planes: the two-dimensional step of small linear programs.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +9,7 @@ namespace collision_hulls {
 /// Corners in order.
 using ConvexPolygon = std::vector<Eigen::Vector3d>;
 
-/// Keeps the part where the affine function `inside(point)` is >= 0 (Sutherland & Hodgman). `scratch` saves allocations.
+/// Keeps the part of the polygon where the affine function `inside(point)` is >= 0 (Sutherland & Hodgman). `scratch` saves allocations.
 template <class Affine>
 void clip(ConvexPolygon& polygon, const Affine& inside, ConvexPolygon& scratch) {
   scratch.clear();
@@ -22,7 +22,7 @@ void clip(ConvexPolygon& polygon, const Affine& inside, ConvexPolygon& scratch) 
   polygon.swap(scratch);
 }
 
-/// The corner where a function is largest; the first of equals. The polygon must not be empty.
+/// The corner where a function is largest; the first one on a tie. The polygon must not be empty.
 template <class Function>
 const Eigen::Vector3d& largest(const ConvexPolygon& polygon, const Function& value) {
   std::size_t best = 0;

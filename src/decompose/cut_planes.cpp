@@ -1,3 +1,5 @@
+// Collects candidate planes for one cut: at reflex edges (similar planes joined, heaviest kept), and through intruders from each quarter of
+// the list sorted by depth. Scoring (plane_score.h) is what costs time, hence the limits.
 #include "decompose/cut_planes.h"
 
 #include <algorithm>
@@ -9,12 +11,12 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kFlat = 0.995;          // cosine between faces above which an edge does not count as reflex
-constexpr double kLevel = 1e-3;          // how far beyond a face its neighbour must rise, in tolerances
-constexpr double kLike = 0.9995;         // planes whose normals have a larger cosine ...
-constexpr double kNear = 0.1;            // ... and that lie closer than this, in tolerances, are one
-constexpr std::size_t kMostKinds = 300;  // reflex planes that are told apart
-constexpr std::size_t kMostReflex = 60;  // and tried
+constexpr double kFlat = 0.995;          // an edge is not reflex if the cosine between its faces is above this
+constexpr double kLevel = 1e-3;          // how far a face must rise above its neighbour's plane, in tolerances
+constexpr double kLike = 0.9995;         // planes count as one if the cosine between their normals is larger than this ...
+constexpr double kNear = 0.1;            // ... and their offsets differ by less than this, in tolerances
+constexpr std::size_t kMostKinds = 300;  // reflex planes that are distinguished
+constexpr std::size_t kMostReflex = 60;  // ... and those of them that are tried
 
 struct Weighted {
   HalfSpace plane;
@@ -30,7 +32,7 @@ Eigen::Vector3d normalOf(const SurfacePiece& piece, int t) {
   return n.norm() > 0 ? Eigen::Vector3d(n.normalized()) : Eigen::Vector3d::Zero();
 }
 
-/// The three planes at an edge a-b between two faces, if it is reflex: weight length times angle.
+/// Adds three planes at the edge a-b between two faces if it is reflex. Their weight is the edge's length times the angle.
 void addReflexPlanes(const SurfacePiece& piece, int first, int second, int a, int b, double tolerance, std::vector<Weighted>& planes) {
   const Eigen::Vector3d n1 = normalOf(piece, first), n2 = normalOf(piece, second);
   const double cosine = n1.dot(n2);
@@ -67,7 +69,7 @@ std::vector<Weighted> reflexPlanes(const SurfacePiece& piece, double tolerance) 
   return planes;
 }
 
-/// Like planes joined, their weights added; heaviest first.
+/// Joins similar planes and adds up their weights; heaviest first.
 std::vector<Weighted> joined(std::vector<Weighted> planes, double tolerance) {
   const auto heavier = [](const Weighted& a, const Weighted& b) { return a.weight > b.weight; };
   std::stable_sort(planes.begin(), planes.end(), heavier);
@@ -94,7 +96,7 @@ void addAxisPlanes(const Eigen::Vector3d& p, bool diagonals, std::vector<HalfSpa
       planes.push_back(through(p, (Eigen::Vector3d::Unit((axis + 1) % 3) + sign * Eigen::Vector3d::Unit((axis + 2) % 3)).normalized()));
 }
 
-/// Across and along the way from the solid to an intruder.
+/// Planes across and along the shortest line from the solid to an intruder.
 void addNearestPlanes(const Eigen::Vector3d& p, const Solid& solid, std::vector<HalfSpace>& planes) {
   const Eigen::Vector3d nearest = solid.surface().nearest(p).point, way = p - nearest;
   if (!(way.norm() > 0)) return;

@@ -1,4 +1,4 @@
-// Planes along which a piece that protrudes too far may be cut.
+// Candidate planes for cutting a piece that protrudes too far.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace collision_hulls {
 
-/// Candidates, best guesses first: the planes of both faces and of the bisector at reflex edges, where the surface turns
-/// inward (like ones are joined; long, sharp edges first), then planes through a few of the intruders, along the axes and across
-/// and along the way to the solid's nearest point. Deterministic.
+/// Candidates, the most promising first: at reflex edges, where the surface bends inward, the planes of both faces and of the bisector
+/// (similar planes are joined; long, sharp edges come first); then planes through a few of the intruders, normal to the axes, and across
+/// and along the line to the solid's nearest point. Deterministic.
 std::vector<HalfSpace> cutPlanes(const SurfacePiece& piece, const std::vector<OutsideDistance::Intruder>& intruders, const Solid& solid,
                                  double tolerance);
 

@@ -1,13 +1,13 @@
 // cut(piece):
-//   H = hull of the piece; if H fits: a leaf
-//   (it has to fit also with its vertices capped; a piece whose hull has more is halved where that does not)
+//   H = hull of the piece; if H stays within the tolerance: a leaf
+//   (a hull over the vertex cap must do so after it is capped as well; if it does not, the piece is halved)
 //   if the piece falls into components: cut(each)
-//   else, of all candidate planes, take the one with the best score and cut(both sides)
-//   (or, if asked for, first the one that leaves the largest side done)
+//   else choose the candidate plane with the best score and cut(both sides)
+//   (or first, on request, the one that finishes the largest possible side)
 //
-// A plane's score: of the intruders (points of H outside the solid by more than the tolerance), those that lie in neither side's
-// hull are cured by it; beside that, volume that leaves the hulls is good, and so is a side that is done. Scores are reckoned on
-// simplified pieces: on a rough one for all planes, on a finer one for the best of them. What is cut is the piece itself.
+// A plane's score counts the intruders (points of H outside the solid by more than the tolerance) that remain in either side's hull. Volume
+// that neither side's hull contains improves the score, and so does a finished side. Scores are computed on simplified pieces: a rough one
+// for all planes, a finer one for the best of them. The cut is made on the piece itself.
 #include "decompose/cutting.h"
 
 #include <algorithm>
@@ -26,20 +26,23 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kVertices = 200, kRoughVertices = 50;  // of the simplified pieces
-constexpr std::size_t kIntruders = 100, kRoughThinning = 3;  // for scoring; on the rough piece only each third
-constexpr std::size_t kFinalists = 8;                        // planes that are scored on the finer piece
-constexpr std::size_t kEdgesOfPiece = 4000;                  // a piece with fewer triangles shows its own reflex edges
-constexpr std::size_t kSome = 3000;                          // points of a piece whose hull is looked at before that of all
-constexpr std::size_t kThin = 300;                           // vertices of a hull that intruders are looked for in
-constexpr double kSlim = 0.01, kSmall = 0.01;                // tolerances, share of the area: of a side that is not worth a cut
-constexpr double kOnPlane = 1e-9;                            // in extents of the whole mesh
-constexpr int kHalveFrom = 40, kDeepest = 200;               // cuts above a piece: plain halving, the end
-constexpr double kMostLeaves = 10'000;                       // of a mesh; parts have shares of it by their area
-constexpr std::size_t kApart = 1000, kShares = 16;           // triangles of a part, shares of all of them, that are worth a thread
+constexpr std::size_t kIntruders = 100, kRoughThinning = 3;  // for scoring; the rough piece uses only every third
+constexpr std::size_t kFinalists = 8;                        // planes scored on the finer piece
+constexpr std::size_t kEdgesOfPiece =
+    4000;  // pieces with fewer triangles contribute their own reflex edges, larger ones those of their simplified piece
+constexpr std::size_t kSome = 3000;             // points of a piece whose hull is tried before that of all points
+constexpr std::size_t kThin = 300;              // vertices of a hull that is searched for intruders
+constexpr double kSlim = 0.01, kSmall = 0.01;   // in tolerances and as a share of the area: a side this slim and small is not worth a cut
+constexpr double kOnPlane = 1e-9;               // in extents of the whole mesh
+constexpr int kHalveFrom = 40, kDeepest = 200;  // depth of recursion from which pieces are simply halved, and where it ends
+constexpr double kMostLeaves = 10'000;          // per mesh; parts get shares in proportion to their areas
+constexpr std::size_t kApart = 1000,
+                      kShares =
+                          16;  // a part is worth a thread of its own from this many triangles and this fraction (1/16) of all triangles
 
 using Intruders = std::vector<OutsideDistance::Intruder>;
 
-/// No more than kSome of the points, evenly spread over their order.
+/// At most kSome of the points, evenly spread over their order.
 std::vector<Eigen::Vector3d> some(const std::vector<Eigen::Vector3d>& points) {
   if (points.size() <= kSome) return points;
   std::vector<Eigen::Vector3d> result;
@@ -65,7 +68,7 @@ Eigen::AlignedBox3d boxOf(const std::vector<Block>& blocks) {
   return box;
 }
 
-/// The share of the area that is done. Thread safe.
+/// The share of the area that is finished. Thread safe.
 class Done {
  public:
   Done(double whole, const std::function<void(double)>& progress) : whole_(whole), progress_(progress) {}
@@ -87,8 +90,8 @@ class Cutting {
   Cutting(ProtrusionOracle& oracle, const CutOptions& options, double on_plane, std::size_t apart, double budget, Done& done)
       : oracle_(oracle), options_(options), on_plane_(on_plane), apart_(apart), budget_(budget), done_(done) {}
 
-  /// Large blocks at the same time, half of them by an oracle of their own: always the same ones, so that the number of threads decides
-  /// nothing.
+  /// Cuts large blocks in parallel, half of them with an oracle of their own. The halves do not depend on the number of threads, and so
+  /// neither does the result.
   void run(std::vector<Block> blocks, int depth) {
     if (blocks.size() == 1) return run(std::move(blocks[0]), depth);
     std::vector<Block> others(std::make_move_iterator(blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 2)),
@@ -114,7 +117,7 @@ class Cutting {
  private:
   void run(Block block, int depth) {
     const std::vector<Eigen::Vector3d>& points = block.surface.vertices;
-    ConvexHull hull = roughHull(some(points));  // a part of the piece's own: what refutes it refutes that
+    ConvexHull hull = roughHull(some(points));  // a part of the piece's hull: whatever refutes it refutes the whole
     const ConvexHull thin = thinned(hull, kThin);
     const double reach = oracle_.reach(thin);
     const bool clear = !std::isinf(reach), is_last = depth >= kDeepest || isFull();
@@ -148,7 +151,7 @@ class Cutting {
     return options_.max_vertices > 0 && hull.vertices.size() > static_cast<std::size_t>(options_.max_vertices);
   }
 
-  /// Both sides of the best plane that divides the piece; the piece alone if none does.
+  /// Both sides of the best plane that divides the piece; the piece alone if no plane does.
   std::vector<Block> bestCut(const Block& block, const ConvexHull& hull) {
     const SurfacePiece& piece = block.surface;
     if (options_.largest_side_first)
@@ -166,12 +169,12 @@ class Cutting {
     if (planes.size() > kFinalists) planes = rough.best(planes, kFinalists);
     for (const HalfSpace& plane : fine.best(planes, kFinalists)) {
       std::vector<Block> parts = parted(block, plane, on_plane_);
-      if (parts.size() > 1 && !isPared(parts, plane)) return parts;  // what divides the simplified piece may pass the real one by
+      if (parts.size() > 1 && !isPared(parts, plane)) return parts;  // a plane that divides the simplified piece may miss the real one
     }
     return halves(block, on_plane_);
   }
 
-  /// Whether one side is so slim and small that nothing is gained: cut after cut, triangles would only become more.
+  /// Whether one side is so slim and small that nothing is gained: such cuts, repeated, only multiply triangles.
   bool isPared(const std::vector<Block>& sides, const HalfSpace& plane) const {
     const auto slim = [&](const SurfacePiece& side) {
       return std::all_of(side.vertices.begin(), side.vertices.end(),
@@ -184,8 +187,8 @@ class Cutting {
   ProtrusionOracle& oracle_;
   const CutOptions options_;
   const double on_plane_;
-  const std::size_t apart_;  // triangles
-  double budget_;            // leaves
+  const std::size_t apart_;  // [triangles]
+  double budget_;            // [leaves]
   Done& done_;
 };
 

@@ -1,4 +1,4 @@
-// Top down: a mesh's surface cut by planes until every piece's hull stays within the tolerance.
+// Top down: cuts a mesh's surface by planes until every piece's hull stays within the tolerance.
 #pragma once
 
 #include <functional>
@@ -14,21 +14,23 @@ namespace collision_hulls {
 
 struct CutOptions {
   ScoreWeights weights;
-  int max_vertices = 0;             ///< of a leaf's hull, which has to fit also when reduced to so many; 0: no cap
-  bool fill = false;                ///< cover the solid, not its surface alone
-  bool largest_side_first = false;  ///< by largestSide() where it finds one, whatever other planes score
-  std::size_t most_leaves = 5000;   ///< of a part that is cut on its own; beyond them the rest is left uncut
+  int max_vertices = 0;             ///< cap for a leaf's hull, which must stay within the tolerance when capped as well; 0: no cap
+  bool fill = false;                ///< cover the solid, not only its surface
+  bool largest_side_first = false;  ///< cut by largestSide() if it finds a plane, regardless of scores
+  std::size_t most_leaves = 5000;   ///< per part that is cut on its own; once reached, the rest is left uncut
 };
 
 /// A block and the hull of its points.
 struct Leaf {
   Block block;
   ConvexHull hull;
-  std::shared_ptr<const ConvexHull> reduced = nullptr;  ///< the same with its vertices capped, where that is what fits
+  std::shared_ptr<const ConvexHull> reduced =
+      nullptr;  ///< the hull after capping its vertices, if that is what was shown to stay within the tolerance
 };
 
-/// Leaves whose blocks make up the whole surface (loose segments included); each hull fits in the eyes of the oracle unless its piece
-/// could not be cut any more. In a fixed order. Calls `progress` with the share of the area that is done.
+/// Cuts a mesh into leaves whose blocks make up the whole surface (including loose segments). By the oracle's account each hull stays
+/// within the tolerance, unless its piece could not be cut further. The order is fixed. Calls `progress` with the finished share of the
+/// area.
 std::vector<Leaf> cutIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& oracle, const CutOptions& options,
                                 const std::function<void(double)>& progress);
 

@@ -1,3 +1,4 @@
+// Selects the method, then applies the caps. certified applies them itself, since they affect what it may merge.
 #include "collision_hulls/decompose/decompose.h"
 
 #include <cmath>
@@ -23,7 +24,7 @@ void check(const DecomposeOptions& options) {
   if (options.max_vertices != 0 && options.max_vertices < kLeastVertices)
     refuse("max_vertices is " + std::to_string(options.max_vertices) + "; it must be at least 8, or 0 for no cap");
   if (options.fill && options.method != Method::kCertified)
-    refuse(std::string("fill is on and the method is ") + name(options.method) + "; only certified fills: leave one of the two out");
+    refuse(std::string("fill is set but the method is ") + name(options.method) + "; only certified can fill: drop one of the two");
 }
 
 namespace {
@@ -36,7 +37,7 @@ std::vector<std::vector<int>> clusters(const TriangleMesh& mesh, const Decompose
   return {all};
 }
 
-/// Applies the cap on vertices to each hull; whether it changed one.
+/// Caps the vertices of each hull; returns whether any hull changed.
 bool capVertices(std::vector<ConvexHull>& hulls, int max_vertices, const RunControl& control) {
   bool capped = false;
   for (ConvexHull& hull : hulls) {
@@ -85,7 +86,7 @@ std::optional<Effort> effortNamed(const std::string& text) {
 Decomposition decompose(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
   check(options);
   if (mesh.mesh.triangles.empty() && mesh.loose.empty())
-    throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangle; decomposing it needs at least one");
+    throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangles; a decomposition needs at least one");
   control.check();
   if (options.method == Method::kCertified) return certified(mesh, options, control);
   Decomposition result;

@@ -1,4 +1,4 @@
-// Random numbers that are the same everywhere.
+// Random numbers that are the same on every machine.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace collision_hulls {
 
-/// splitmix64 (Steele, Lea & Flood 2014): a bijection that spreads every bit.
+/// splitmix64 (Steele, Lea & Flood 2014): a bijection that mixes all bits.
 inline std::uint64_t mixed(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -14,7 +14,7 @@ inline std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// The number in [0, 1) that 64 random bits stand for.
+/// Maps 64 random bits to a number in [0, 1).
 inline double unitInterval(std::uint64_t bits) {
   return static_cast<double>(bits >> 11) * 0x1p-53;
 }

@@ -1,3 +1,4 @@
+// Sorts all triangle sides by mesh edge and connects the triangles in each run of equal edges.
 #include "decompose/dual_graph.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace {
 
 constexpr std::size_t kFanReach = 8;  // pairs per triangle at a non-manifold edge
 
-/// A triangle's side, as the mesh edge that it is.
+/// A triangle's side, identified by its mesh edge.
 struct Side {
   int low, high, triangle;
   bool operator<(const Side& o) const { return std::tie(low, high, triangle) < std::tie(o.low, o.high, o.triangle); }
@@ -28,7 +29,7 @@ std::vector<Side> sortedSides(const TriangleMesh& mesh) {
   return sides;
 }
 
-/// One edge for each pair, borders added up: two triangles may share two mesh edges.
+/// Merges the edges of each pair and adds up their borders: two triangles may share two mesh edges.
 std::vector<DualEdge> joined(std::vector<DualEdge> edges) {
   std::sort(edges.begin(), edges.end(), [](const DualEdge& a, const DualEdge& b) { return std::tie(a.v, a.w) < std::tie(b.v, b.w); });
   std::vector<DualEdge> result;

@@ -1,3 +1,7 @@
+// Rounds hulls outward to single precision. Every vertex moves by the shortest step that takes all its faces out by the distance needed (a
+// mitre); a vertex too sharp for that becomes a small octahedron, and a hull that then exceeds its vertex cap gives way to a blunter one,
+// at worst its oriented box. Each result is measured against the hull it came from. Then all original triangles are tested (check/cover.h),
+// and any that are uncovered are added, until none is left.
 #include "collision_hulls/decompose/fit_cover.h"
 
 #include <algorithm>
@@ -22,20 +26,20 @@ namespace {
 
 // Half a unit in the last place of a single-precision number, as a share of its size; times sqrt(3) for three coordinates.
 constexpr double kSinglePrecision = 5.97e-8 * 1.7321;
-// A vertex of a sharp hull has to move far to move its faces a little. Beyond the first limit, in distances, it is replaced by an
-// octahedron about it; the second limit is for hulls whose cap on vertices leaves no room for those.
+// Moving the faces of a sharp hull a little moves its vertex far. A vertex that would move beyond the first limit, in distances, is
+// replaced by an octahedron around it; the second limit is for hulls whose vertex cap leaves no room for octahedra.
 constexpr double kMitreLimit = 20, kLooseMitreLimit = 1e4;
 constexpr int kDoublings = 6;
 constexpr int kRounds = 12;
-constexpr double kParallel = 1e-12;       // normals and planes that cannot be told apart
-constexpr std::size_t kManyNormals = 12;  // beyond so many, triples are tried only until a step is found,
-constexpr std::size_t kMostNormals = 60;  // and beyond so many their mean alone
+constexpr double kParallel = 1e-12;       // normals and planes closer than this are the same
+constexpr std::size_t kManyNormals = 12;  // with more normals than this, triples are tried only until a step is found,
+constexpr std::size_t kMostNormals = 60;  // and with more than this, only their mean is tried
 
 using Points = std::vector<Eigen::Vector3d>;
 
 /// How far to grow a hull.
 struct Growth {
-  double distance = 0;     // [m] of each face
+  double distance = 0;     // [m] by which each face moves
   double mitre_limit = 0;  // longest step of a vertex, in distances
 };
 
@@ -44,8 +48,8 @@ bool reaches(const std::vector<Eigen::Vector3d>& normals, const Eigen::Vector3d&
   return std::all_of(normals.begin(), normals.end(), [&](const auto& n) { return n.dot(step) >= distance * (1 - kRounding); });
 }
 
-/// The shortest step that takes a point at least `distance` along each of the normals, which lies on one, two or three of those
-/// planes; nullopt if there is none within the limit.
+/// The shortest step that moves a point by at least `distance` along each of the normals. It lies on one, two or three of the planes at
+/// that distance. nullopt if there is no such step within the limit.
 std::optional<Eigen::Vector3d> outwardStep(const std::vector<Eigen::Vector3d>& normals, const Growth& growth) {
   double shortest = growth.mitre_limit * growth.distance;
   std::optional<Eigen::Vector3d> best;
@@ -76,7 +80,7 @@ std::optional<Eigen::Vector3d> outwardStep(const std::vector<Eigen::Vector3d>& n
   return best;
 }
 
-/// Different outward normals of the triangles at each vertex.
+/// The distinct outward normals of the triangles at each vertex.
 std::vector<std::vector<Eigen::Vector3d>> normalsAtVertices(const ConvexHull& hull) {
   std::vector<std::vector<Eigen::Vector3d>> normals(hull.vertices.size());
   for (const Triangle& t : hull.triangles) {
@@ -91,7 +95,7 @@ std::vector<std::vector<Eigen::Vector3d>> normalsAtVertices(const ConvexHull& hu
   return normals;
 }
 
-/// Points whose hull has each face of the hull moved outward by the growth's distance, at least.
+/// Points whose hull has each face moved outward by at least the growth's distance.
 Points grown(const ConvexHull& hull, const Growth& growth) {
   const std::vector<std::vector<Eigen::Vector3d>> normals = normalsAtVertices(hull);
   Points points;
@@ -100,7 +104,7 @@ Points grown(const ConvexHull& hull, const Growth& growth) {
       points.push_back(hull.vertices[v] + *step);
       continue;
     }
-    // An octahedron that holds a ball of the distance.
+    // An octahedron that contains a ball of that radius.
     for (int axis = 0; axis < 3; ++axis)
       for (double sign : {1.0, -1.0})
         points.push_back(hull.vertices[v] + sign * std::sqrt(3.0) * growth.distance * Eigen::Vector3d::Unit(axis));
@@ -108,7 +112,7 @@ Points grown(const ConvexHull& hull, const Growth& growth) {
   return points;
 }
 
-/// GCC 12.2 optimises the way to single precision and back away where it vectorizes; a volatile number keeps it.
+/// When GCC 12.2 vectorizes it optimises the conversion to single precision and back away; a volatile variable prevents that.
 double roundedToSingle(double x) {
   const volatile float single = static_cast<float>(x);
   return single;
@@ -127,19 +131,19 @@ bool overCap(const ConvexHull& hull, int max_vertices) {
   return max_vertices > 0 && hull.vertices.size() > static_cast<std::size_t>(max_vertices);
 }
 
-/// At most max_vertices vertices (0: any number), outward.
+/// Caps the vertices, outward; max_vertices 0: no cap.
 ConvexHull capped(const ConvexHull& hull, int max_vertices) {
   return overCap(hull, max_vertices) ? reduceVertices(hull, max_vertices) : hull;
 }
 
-/// How far rounding a vertex to single precision may move it, twice over.
+/// Twice the furthest that rounding to single precision may move a vertex.
 double roundingOf(const ConvexHull& hull) {
   double size = 0;
   for (const Eigen::Vector3d& v : hull.vertices) size = std::max(size, v.cwiseAbs().maxCoeff());
   return 2 * kSinglePrecision * size + std::numeric_limits<float>::min();
 }
 
-/// The hull grown by `margin` at least, with single-precision vertices, and by how much it had to be grown for that.
+/// A hull grown by at least `margin`, with single-precision vertices, and how far it had to be grown for that.
 struct Rounded {
   ConvexHull hull;
   double nudge = 0;
@@ -149,14 +153,14 @@ std::optional<Rounded> roundOutward(const ConvexHull& hull, const Points& held, 
   Growth growth{margin + roundingOf(hull), mitre_limit};
   for (int i = 0; i < kDoublings; ++i, growth.distance *= 2) {
     Rounded result{convexHull(roundedToSingle(grown(hull, growth))), growth.distance};
-    result.hull.vertices = roundedToSingle(std::move(result.hull.vertices));  // convexHull() may turn a last bit
+    result.hull.vertices = roundedToSingle(std::move(result.hull.vertices));  // convexHull() may change a last bit
     if (overCap(result.hull, max_vertices)) break;
     if (result.hull.thickness == 0 && holdsAll(result.hull, held, margin)) return result;
   }
   return std::nullopt;
 }
 
-/// The hull of the vertices moved both ways along the direction in which they spread least.
+/// The hull of the vertices moved both ways along their direction of least spread.
 ConvexHull slab(const ConvexHull& hull, double distance) {
   const Eigen::Vector3d way = distance * principalAxes(hull.vertices).col(0);
   Points points;
@@ -164,7 +168,7 @@ ConvexHull slab(const ConvexHull& hull, double distance) {
   return convexHull(points);
 }
 
-/// Blunter hulls about one that is too sharp for its cap on vertices, as thin ones are.
+/// Blunter hulls around one that is too sharp for its vertex cap, as thin hulls are.
 std::vector<ConvexHull> blunted(const ConvexHull& hull, double distance, int max_vertices) {
   std::vector<ConvexHull> result;
   if (max_vertices == 0) return result;
@@ -174,8 +178,8 @@ std::vector<ConvexHull> blunted(const ConvexHull& hull, double distance, int max
   return result;
 }
 
-/// The same for every hull: one that is too sharp gives way to the nearest of blunter ones about it; then its vertices may move far; then
-/// it gives way to its oriented box.
+/// Rounds any hull outward. If it is too sharp, tries, in this order: the closest of the blunter hulls around it, a larger limit on the
+/// vertices' steps, and its oriented box.
 Rounded roundOutward(const ConvexHull& hull, double margin, int max_vertices) {
   const auto attempt = [&](const ConvexHull& outer, double mitre_limit) {
     return roundOutward(outer, hull.vertices, margin, mitre_limit, max_vertices);
@@ -200,7 +204,7 @@ Rounded roundOutward(const ConvexHull& hull, double margin, int max_vertices) {
                                         std::to_string(hull.vertices.front().x()) + " m cannot be rounded outward to single precision");
 }
 
-/// The hull that a triangle's corners lie least outside of.
+/// The hull that a triangle's corners stick out of least.
 std::size_t leastOutside(const std::vector<ConvexHull>& hulls, const std::array<Eigen::Vector3d, 3>& corners) {
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -239,7 +243,7 @@ FittedHulls fitCover(const std::vector<ConvexHull>& hulls, const TriangleMesh& o
     const std::vector<UncoveredTriangle> missing = uncoveredTriangles(original, fitted.hulls, control);
     if (missing.empty()) return fitted;
     if (fitted.hulls.empty())
-      throw Error(ErrorCode::kInternal, "no hull for " + std::to_string(missing.size()) + " triangles to be added to");
+      throw Error(ErrorCode::kInternal, "there is no hull to add " + std::to_string(missing.size()) + " uncovered triangles to");
     fitted.completed += missing.size();
     std::map<std::size_t, Points> extra;
     for (const UncoveredTriangle& m : missing) {
@@ -251,7 +255,7 @@ FittedHulls fitCover(const std::vector<ConvexHull>& hulls, const TriangleMesh& o
     for (const auto& [h, points] : extra)
       take(roundOutward(withPoints(fitted.hulls[h], points, max_vertices), 0, max_vertices), fitted.hulls[h]);
   }
-  throw Error(ErrorCode::kInternal, "the hulls still leave a part of the mesh uncovered after " + std::to_string(kRounds) + " rounds");
+  throw Error(ErrorCode::kInternal, "the hulls still leave part of the mesh uncovered after " + std::to_string(kRounds) + " rounds");
 }
 
 }  // namespace collision_hulls

@@ -1,3 +1,5 @@
+// Walks down from the root: cutAt() by bounds, cutTo() by a queue of the furthest protruding nodes. Linear, or O(n log n), in the nodes
+// visited.
 #include "collision_hulls/decompose/hull_tree.h"
 
 #include <algorithm>
@@ -25,7 +27,7 @@ std::vector<int> HullTree::cutAt(double tolerance) const {
 }
 
 std::vector<int> HullTree::cutTo(int hulls) const {
-  std::priority_queue<std::pair<double, int>> openable;  // furthest protruding first, of equals the later node
+  std::priority_queue<std::pair<double, int>> openable;  // furthest protruding first; the later node on a tie
   std::vector<int> cut;
   const auto add = [&](int id) {
     const HullNode& node = nodes[static_cast<std::size_t>(id)];

@@ -1,3 +1,5 @@
+// A tree's fields in the frame of geometry/bytes.h. Loading checks everything that the library later relies on, so that a damaged file
+// cannot crash it.
 #include "collision_hulls/decompose/hull_tree_file.h"
 
 #include <unistd.h>
@@ -28,12 +30,12 @@ namespace fs = std::filesystem;
 
 constexpr FileKind kKind{{'C', 'H', 'U', 'L', 'T', 'R', 'E', 'E'}, 1};
 
-/// A length, or a bound of one.
+/// A length, or a bound on one.
 bool isLength(double value) {
   return std::isfinite(value) && value >= 0;
 }
 
-/// The functions called fault give what is wrong, as the end of a sentence; nothing for what is sound.
+/// The fault functions say what is wrong, worded to end a sentence; an empty text means nothing is.
 std::string fault(const ConvexHull& hull) {
   for (const Eigen::Vector3d& v : hull.vertices) {
     if (!v.allFinite()) return "a vertex is not finite";
@@ -47,12 +49,12 @@ std::string fault(const ConvexHull& hull) {
       return "a triangle names vertex " + std::to_string(v) + " of " + std::to_string(hull.vertices.size());
     }
   }
-  if (!isLength(hull.thickness) || !isLength(hull.slack)) return "thickness or slack is no length";
-  return hull.vertices.empty() ? "its hull has no vertex" : "";
+  if (!isLength(hull.thickness) || !isLength(hull.slack)) return "thickness or slack is not a length";
+  return hull.vertices.empty() ? "its hull has no vertices" : "";
 }
 
 std::string childFault(const HullTree& tree, int id, int child) {
-  if (child < 0 || child >= id) return "child " + std::to_string(child) + " does not stand before it";
+  if (child < 0 || child >= id) return "child " + std::to_string(child) + " does not precede it";
   const HullNode& node = tree.nodes[static_cast<std::size_t>(id)];
   const HullNode& below = tree.nodes[static_cast<std::size_t>(child)];
   if (below.parent != id) return "child " + std::to_string(child) + " has another parent, " + std::to_string(below.parent);
@@ -63,36 +65,37 @@ std::string childFault(const HullTree& tree, int id, int child) {
 std::string nodeFault(const HullTree& tree, int id) {
   const int count = static_cast<int>(tree.nodes.size());
   const HullNode& node = tree.nodes[static_cast<std::size_t>(id)];
-  if (!isLength(node.protrusion)) return "its protrusion is no length";
+  if (!isLength(node.protrusion)) return "its protrusion is not a length";
   const bool is_root = id == count - 1;
-  // That the parent knows the node is seen at the parent: two children, different from each other, and count - 1 parents in all.
-  if (is_root ? node.parent != -1 : node.parent <= id || node.parent >= count) return "parent " + std::to_string(node.parent);
+  // The parent's side of the relation is checked at the parent: its two children are different nodes, and they name it as their parent.
+  if (is_root ? node.parent != -1 : node.parent <= id || node.parent >= count)
+    return "its parent cannot be node " + std::to_string(node.parent);
   if (const std::string wrong = fault(node.hull); !wrong.empty()) return wrong;
   if (node.left == -1 && node.right == -1) return "";
-  if (node.left == node.right) return "its children are one";
+  if (node.left == node.right) return "its two children are the same node";
   const std::string wrong = childFault(tree, id, node.left);
   return wrong.empty() ? childFault(tree, id, node.right) : wrong;
 }
 
 std::string fault(const HullTree& tree) {
-  if (!isLength(tree.tolerance)) return "its tolerance is no length";
+  if (!isLength(tree.tolerance)) return "its tolerance is not a length";
   std::size_t named = 0;  // as children
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     if (const std::string wrong = nodeFault(tree, static_cast<int>(i)); !wrong.empty()) return "node " + std::to_string(i) + ": " + wrong;
     if (tree.nodes[i].left >= 0) named += 2;
   }
-  return tree.nodes.empty() || named + 1 == tree.nodes.size() ? "" : "a node is no child of the parent that it names";
+  return tree.nodes.empty() || named + 1 == tree.nodes.size() ? "" : "a node is not a child of the parent it names";
 }
 
 [[noreturn]] void throwUnwritable(const std::string& file) {
   throw Error(ErrorCode::kUnwritableOutput,
-              "cannot write the hull tree '" + file + "'; choose another place, or check its permissions and free space");
+              "cannot write the hull tree '" + file + "'; choose another path, or check permissions and free space");
 }
 
 }  // namespace
 
 std::string encodeHullTree(const HullTree& tree) {
-  if (const std::string wrong = fault(tree); !wrong.empty()) throw Error(ErrorCode::kInternal, "a hull tree is not sound: " + wrong);
+  if (const std::string wrong = fault(tree); !wrong.empty()) throw Error(ErrorCode::kInternal, "a hull tree is invalid: " + wrong);
   return sealed(kKind, toBytes(tree));
 }
 
@@ -102,7 +105,7 @@ HullTree decodeHullTree(const std::string& bytes, const std::string& name) try {
   if (const std::string wrong = fault(tree); !wrong.empty()) throw ByteFault(wrong);
   return tree;
 } catch (const ByteFault& wrong) {
-  throw Error(ErrorCode::kNotAHullTree, "'" + name + "' is no hull tree that can be used: " + wrong.what() + "; make it anew");
+  throw Error(ErrorCode::kNotAHullTree, "'" + name + "' is not a usable hull tree: " + wrong.what() + "; create it again");
 }
 
 void saveHullTree(const HullTree& tree, const std::string& file) {
@@ -122,7 +125,7 @@ HullTree loadHullTree(const std::string& file) {
   std::error_code ignored;
   std::ifstream in(file, std::ios::binary);
   if (!fs::is_regular_file(file, ignored) || !in) {
-    throw Error(ErrorCode::kFileNotFound, "'" + file + "' is not a file that can be read; check the path and its permissions");
+    throw Error(ErrorCode::kFileNotFound, "'" + file + "' is not a readable file; check the path and its permissions");
   }
   return decodeHullTree({std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()}, file);
 }

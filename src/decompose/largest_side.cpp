@@ -1,5 +1,5 @@
-// For each direction: if what lies beneath a plane across it fits, when it is as much as the best so far, then the plane moves on as far
-// as it does.
+// For each direction: raise a plane to where the area below it just exceeds the best so far. If the hull of what is below stays within the
+// tolerance, raise the plane further, by bisection, as long as it does.
 #include "decompose/largest_side.h"
 
 #include <algorithm>
@@ -10,13 +10,13 @@ namespace collision_hulls {
 
 namespace {
 
-// Vertices of a piece at most: more take long, and to simplify would blur where a hull begins to fit.
+// Largest piece to try: larger ones take long, and simplifying them would blur where the hull stops fitting.
 constexpr std::size_t kVertices = 4000;
-constexpr double kLeast = 0.15, kMost = 0.95;  // share of the area that is worth a cut
-constexpr int kAreaHalvings = 20;              // of the way to a share of the area,
+constexpr double kLeast = 0.15, kMost = 0.95;  // shares of the area that make a cut worthwhile
+constexpr int kAreaHalvings = 20;              // bisections to reach a given share of the area,
 constexpr int kHalvings = 8;                   // and from there on
 
-/// A piece as planes across one direction divide it.
+/// A piece, divided by planes normal to one direction.
 class Beneath {
  public:
   explicit Beneath(const SurfacePiece& piece) : piece_(piece), edges_(edgesOf(piece_)), height_(piece_.vertices.size()) {
@@ -33,7 +33,7 @@ class Beneath {
     for (std::size_t i = 0; i < height_.size(); ++i) height_[i] = up.dot(piece_.vertices[i]);
   }
 
-  /// The share of the area beneath the plane at a height.
+  /// The share of the area below the plane at some height.
   double share(double plane) const {
     double sum = 0;
     for (std::size_t t = 0; t < piece_.triangles.size(); ++t) {
@@ -50,7 +50,7 @@ class Beneath {
     return sum / area_;
   }
 
-  /// The greatest height of a plane beneath which the piece fits and more than `least` of the area lies.
+  /// The greatest height of a plane below which the piece's hull fits the tolerance and more than `least` of the area lies.
   std::optional<double> highest(double least, ProtrusionOracle& oracle) const {
     double low = *std::min_element(height_.begin(), height_.end()), top = *std::max_element(height_.begin(), height_.end()), high = top;
     halve(low, high, kAreaHalvings, [&](double plane) { return share(plane) <= least; });
@@ -61,7 +61,7 @@ class Beneath {
   }
 
  private:
-  /// Brings two numbers together about the place where `lower` turns false.
+  /// Bisects towards the point where `lower` becomes false.
   template <class F>
   static void halve(double& low, double& high, int times, F lower) {
     for (int i = 0; i < times; ++i) {
@@ -88,7 +88,7 @@ class Beneath {
   double area_ = 0;
 };
 
-/// Both ways along the axes and the diagonals of their planes, in this order.
+/// The axes and the face diagonals of a cube, each in both directions; axes first.
 std::vector<Eigen::Vector3d> directions() {
   std::vector<Eigen::Vector3d> axes, diagonals;
   for (int x = -1; x <= 1; ++x)

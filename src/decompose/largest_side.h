@@ -1,4 +1,4 @@
-// A cut that leaves one side done: the most of a piece that one hull can take, from outside inward.
+// A cut that finishes one side: as much of a piece as one hull can take, from the outside inward.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace collision_hulls {
 
-/// The plane beneath which the most of the piece's area lies whose hull most likely fits, of planes across a few directions; nullopt
-/// where it is little or next to all, and for large pieces.
+/// Of the planes normal to a few directions, the one below which the most area lies while its hull very likely stays within the tolerance;
+/// nullopt if that area is small or nearly all of the piece, and for large pieces.
 std::optional<HalfSpace> largestSide(const SurfacePiece& piece, ProtrusionOracle& oracle);
 
 }  // namespace collision_hulls

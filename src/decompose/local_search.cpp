@@ -1,8 +1,8 @@
-// A move: dissolve a group (small ones sooner) and up to three of its neighbours. Elements that another group's hull covers anyway go
-// to that group. The others fall into random halves, single elements or the leaves' parts, by lot, and merge again with the groups
-// nearby, by a random kind of cost and with noise. The move counts if groups become fewer or, at their number, if the sum of their
-// squared areas does not fall: so large groups grow, and small ones starve until they can be done without. Proofs are dear: only a
-// cover by fewer groups is proven, and the search goes back to the last one that was if that fails.
+// One move dissolves a group (preferably a small one) and up to three of its neighbours. Elements that another group's hull covers anyway
+// go to that group. The rest fall into random halves, single elements or the parts of each leaf, at random, and merge again with nearby
+// groups, by a random kind of cost and with noise. The move is accepted if there are fewer groups, or as many and the sum of their squared
+// areas does not fall: large groups then grow, and small ones starve until they can be dispensed with. Proofs are expensive: only a cover
+// with fewer groups is proven, and if the proof fails the search goes back to the last proven cover.
 #include "decompose/local_search.h"
 
 #include <algorithm>
@@ -14,13 +14,13 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr std::size_t kMostNeighbours = 3;        // dissolved with a group
-constexpr double kInHalves = 0.4, kSingly = 0.2;  // how often groups fall into halves, into elements
+constexpr std::size_t kMostNeighbours = 3;        // dissolved together with a group
+constexpr double kInHalves = 0.4, kSingly = 0.2;  // probability that dissolved groups fall into random halves, into single elements
 constexpr int kNoiseLevels = 4;                   // 0, 0.1, ...
 constexpr double kNoiseStep = 0.1;
-constexpr long kIdleMovesPerGroup = 20, kIdleMoves = 200;  // without gain before the search ends
-constexpr long kIdleWork = 2'000'000;                      // groups that such moves look at: of thousands each takes long
-constexpr std::size_t kMostToProve = 8;                    // groups: of more it hardly ever succeeds
+constexpr long kIdleMovesPerGroup = 20, kIdleMoves = 200;  // moves without gain before the search ends
+constexpr long kIdleWork = 2'000'000;    // the same as a limit on groups looked at: with thousands of them each move takes long
+constexpr std::size_t kMostToProve = 8;  // most groups to prove minimal: with more it hardly ever succeeds
 constexpr double kRounding = 1e-12;
 
 double squaredAreas(const Cover& cover) {
@@ -33,7 +33,7 @@ class Search {
  public:
   Search(SurfaceGroups& groups, std::uint64_t seed) : groups_(groups), dice_(seed) {}
 
-  /// A neighbour of a cover; not proven.
+  /// A random neighbour of a cover in the search space; not proven.
   Cover moved(const Cover& cover) {
     const std::vector<char> dissolve = chosen(cover);
     Cover kept;
@@ -95,7 +95,7 @@ class Search {
     return parts;
   }
 
-  /// Divides at random until each part may fit.
+  /// Divides at random until each part is likely to fit the tolerance.
   void halve(const std::vector<int>& elements, Cover& parts) {
     if (elements.empty()) return;
     Group whole = groups_.whole(elements);
@@ -128,7 +128,7 @@ class Search {
   Dice dice_;
 };
 
-/// Whether the cover holds an element of each group such that no two of them may share a hull: then there is none by fewer groups.
+/// Whether each group has an element such that no two of these elements may share a hull: no cover then has fewer groups.
 bool leastPossible(const Cover& cover, SurfaceGroups& groups) {
   if (cover.size() > kMostToProve) return false;
   std::vector<int> chosen;
@@ -148,7 +148,7 @@ bool leastPossible(const Cover& cover, SurfaceGroups& groups) {
 Cover improved(Cover cover, SurfaceGroups& groups, const SearchOptions& options, const std::function<void(double)>& progress) {
   if (leastPossible(cover, groups)) return cover;
   Search search(groups, options.seed);
-  Cover current = cover;  // no more groups than `cover`, which alone is proven
+  Cover current = cover;  // no more groups than `cover`; only `cover` is proven
   long first = groups.evaluations();
   long idle = 0;
   const auto most_idle = [&] {
@@ -165,7 +165,7 @@ Cover improved(Cover cover, SurfaceGroups& groups, const SearchOptions& options,
     const bool fewer = next.size() < cover.size();
     if (!fewer && (next.size() > cover.size() || squaredAreas(next) < squaredAreas(current) * (1 - kRounding))) continue;
     if (fewer && !groups.proven(next)) {
-      current = cover;  // some of it was refuted
+      current = cover;  // some of its merges were refuted
       continue;
     }
     current = std::move(next);

@@ -1,4 +1,4 @@
-// Fewer hulls: groups that lie near each other are dissolved and merged anew, again and again, and what is no worse is kept.
+// Fewer hulls by local search: dissolves neighbouring groups and merges them again, and keeps what is no worse.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 namespace collision_hulls {
 
 struct SearchOptions {
-  long evaluations = 0;  ///< hulls that may be built and asked about: not seconds, so that the result does not depend on the machine
+  long evaluations = 0;  ///< hulls that may be built and evaluated: counted, not timed, so that the result does not depend on the machine
   std::uint64_t seed = 1;
 };
 
-/// A cover by no more groups than `cover`, proven if that is. Deterministic. Calls `progress` with the share of evaluations made.
+/// A cover with no more groups than `cover`, proven if `cover` is. Deterministic. Calls `progress` with the share of evaluations used.
 Cover improved(Cover cover, SurfaceGroups& groups, const SearchOptions& options, const std::function<void(double)>& progress);
 
 }  // namespace collision_hulls

@@ -1,4 +1,4 @@
-// By cutting planes: an optimum that a further plane cuts off moves to that plane, where the problem has two unknowns.
+// Cutting planes: while a plane cuts the optimum off, the optimum moves onto that plane, where the problem has two unknowns.
 #include "decompose/lowest_point.h"
 
 #include "decompose/convex_polygon.h"
@@ -7,11 +7,11 @@ namespace collision_hulls {
 
 namespace {
 
-// Planes that a search may look at, a guard against cycling by rounding, and the share of `reach` that counts as on a plane.
+// Most planes that a search examines, a guard against cycling due to rounding; and the share of `reach` within which a point is on a plane.
 constexpr int kMostCuts = 50;
 constexpr double kOnPlane = 1e-13;
 
-/// Covers the part of a plane within `reach` of a point.
+/// A square that covers the part of a plane within `reach` of a point.
 ConvexPolygon square(const HalfSpace& plane, const Eigen::Vector3d& middle, double reach) {
   const Eigen::Vector3d centre = middle - plane.normal * plane.distance(middle);
   const Eigen::Vector3d a = plane.normal.unitOrthogonal() * (2 * reach), b = plane.normal.cross(a);

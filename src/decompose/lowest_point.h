@@ -9,8 +9,8 @@
 
 namespace collision_hulls {
 
-/// The point that lies on or beyond every plane (distance >= 0) and lowest along `up`, within a cube of half side `reach` about
-/// `middle`; nullopt where there is none. Exact up to rounding.
+/// The point that lies on or beyond every plane (distance >= 0) and lowest along `up`, within a cube of half side `reach` around `middle`;
+/// nullopt if there is none. Exact up to rounding.
 std::optional<Eigen::Vector3d> lowestPointBeyond(const std::vector<HalfSpace>& planes, const Eigen::Vector3d& up,
                                                  const Eigen::Vector3d& middle, double reach);
 

@@ -2,13 +2,13 @@
 //
 //   queue every pair of near groups under its cost
 //   while the queue holds a pair: take the cheapest
-//     if a group of it was merged meanwhile: drop it
-//     if the hull of both protrudes too far: they are apart
-//     else merge: the union is paired with the others, and is apart from what either part is apart from
-//   then the same with the pairs of distant groups, unless there are very many: solid may lie between them
+//     if one of its groups has merged meanwhile: drop it
+//     if their common hull protrudes too far: they are apart
+//     else merge them: pair the union with the others; it is apart from whatever either part is apart from
+//   then the same with pairs of distant groups, unless there are very many groups: solid may lie between them
 //
-// A hull that protrudes too far does so as well when it grows: what is apart stays apart. Merges may be taken on trust and settled
-// afterwards: unions that are refuted fall back into what they were merged from, and merging goes on with what is proven.
+// A hull that protrudes too far still does after it grows: what is apart stays apart. Merges may also be accepted provisionally and settled
+// afterwards: unions that are refuted fall back into their parts, and merging continues with the proven ones.
 #include "decompose/merging.h"
 
 #include <algorithm>
@@ -23,9 +23,9 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr std::size_t kMany = 1000;   // groups: merging takes time by their number squared
-constexpr std::size_t kSeveral = 40;  // groups: what more of them merge to on trust says little of what is left by proof
-constexpr double kTieBreak = 1e-3;    // of the union's size, for squares that cancel out
+constexpr std::size_t kMany = 1000;   // groups; with more, distant pairs are not tried, as time grows with their number squared
+constexpr std::size_t kSeveral = 40;  // groups; beyond this, the result of provisional merging says little about what can be proven
+constexpr double kTieBreak = 1e-3;    // as a share of the union's square, for squares that cancel out
 
 struct Pair {
   double cost;
@@ -44,12 +44,12 @@ double costOf(const Group& a, const Group& b, const MergeCost& cost) {
   return value;
 }
 
-/// [b][a] for a < b: whether no hull is common to both.
+/// [b][a] for a < b: whether a and b are known to be apart, i.e. cannot share a hull.
 using ApartPairs = std::vector<std::vector<char>>;
 
 class Merging {
  public:
-  /// `apart`: what is known of the groups in the cover.
+  /// `apart`: what is already known about the groups in the cover.
   Merging(Cover cover, SurfaceGroups& groups, const MergeCost& cost, ApartPairs apart = {})
       : groups_(groups), cost_(cost), given_(cover.size()), all_(std::move(cover)), parts_(given_, {-1, -1}), apart_(std::move(apart)) {
     for (int i = 0; i < static_cast<int>(given_); ++i) live_.push_back(i);
@@ -69,7 +69,8 @@ class Merging {
     mergeQueued(proof);
   }
 
-  /// Proves what was merged, down to what was given if need be. Whether nothing was refuted: if not, there may be more to merge.
+  /// Proves the merged groups; refuted ones fall back into their parts, if need be down to the given ones. Returns whether nothing was
+  /// refuted; if something was, there may be more to merge.
   bool settle() {
     for (bool all = true;; all = false) {
       std::vector<const Group*> open;
@@ -98,7 +99,7 @@ class Merging {
     return result;
   }
 
-  /// What is known now of the groups that were given.
+  /// What is now known about the given groups.
   ApartPairs known() const { return {apart_.begin(), apart_.begin() + static_cast<std::ptrdiff_t>(given_)}; }
 
  private:
@@ -120,7 +121,7 @@ class Merging {
     }
   }
 
-  /// Pairs group b, the union of `left` and `right` if there are such, with those before it.
+  /// Pairs group b with the earlier ones. If b is a union, `left` and `right` are its parts.
   void pairWithEarlier(int b, int left, int right) {
     groups_.control().check();
     if (apart_.size() == at(b)) apart_.emplace_back(at(b), 0);
@@ -143,10 +144,10 @@ class Merging {
   SurfaceGroups& groups_;
   const MergeCost cost_;
   const std::size_t given_;
-  Cover all_;                               // given and merged, whatever became of them
-  std::vector<std::pair<int, int>> parts_;  // that a group was merged from; -1: it was given
+  Cover all_;                               // all groups ever, given and merged
+  std::vector<std::pair<int, int>> parts_;  // the two parts of each merged group; -1: the group was given
   ApartPairs apart_;
-  std::vector<int> live_;  // what the cover is made of, ascending
+  std::vector<int> live_;  // the groups of the current cover, in ascending order
   bool all_pairs_ = false;
   std::priority_queue<Pair> queue_;
 };

@@ -1,4 +1,4 @@
-// Bottom up: groups merged, cheapest first, while their common hull stays within the tolerance.
+// Bottom up: merges groups, cheapest first, while their common hull stays within the tolerance.
 #pragma once
 
 #include <cstdint>
@@ -7,22 +7,22 @@
 
 namespace collision_hulls {
 
-/// What a merge costs, by the mean widths of the union u and of both parts a and b.
+/// The cost of a merge, in terms of the mean widths of the union u and of both parts a and b.
 struct MergeCost {
   enum Kind { kSize, kGrowth, kMeanGrowth, kSquares };
   Kind kind = kSize;  ///< u; u - max(a, b); u - (a + b) / 2; u^2 - a^2 - b^2
-  double noise = 0;   ///< random share of u that is added or taken away
+  double noise = 0;   ///< u is perturbed by a random share of up to half of this, either way
   std::uint64_t seed = 0;
 };
 
-/// Whether a merge is taken on trust, to be proven afterwards, or proven before it is made.
+/// Whether merges are accepted provisionally, to be proven afterwards, or proven before they are made.
 enum class Proof { kLater, kAtOnce };
 
-/// What greedy merging leaves. Deterministic.
+/// Merges greedily. Deterministic.
 Cover merged(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof proof);
 
-/// All of them proven: of few by the kind of cost that leaves fewest on trust, of more by kSquares, which was best where kinds were
-/// compared.
+/// Merges greedily with everything proven. For few groups it takes the kind of cost that provisionally leaves fewest; for many, kSquares,
+/// which did best when the kinds were compared.
 Cover mergedBest(const Cover& cover, SurfaceGroups& groups);
 
 }  // namespace collision_hulls

@@ -1,3 +1,5 @@
+// Visits all edges, sorted so that the two sides of each are neighbours, and measures the distance from each reflex edge to its bridge. The
+// scan for the nearest face starts at the last bridge and stops as soon as the notch cannot be the deepest.
 #include "decompose/notches.h"
 
 #include <algorithm>
@@ -9,12 +11,12 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kFlat = 1 - 1e-10;     // cosine between two faces above which their edge is none
-constexpr double kOpensTowards = 0.1;   // least cosine between the way out of a notch and the normal of its bridge
-constexpr double kNil = 1e-9;           // concavity, in extents of the piece, that counts as none
-constexpr int kNotchesPerCheck = 1000;  // between two looks at the caller's wish to stop
+constexpr double kFlat = 1 - 1e-10;     // an edge is flat if the cosine between its faces is above this
+constexpr double kOpensTowards = 0.1;   // least cosine between the direction out of a notch and the normal of its bridge
+constexpr double kNil = 1e-9;           // concavity, in extents of the piece, that counts as zero
+constexpr int kNotchesPerCheck = 1000;  // between two checks for cancellation
 
-/// A triangle's side, as it runs around the triangle.
+/// A triangle's side, in the direction in which it runs around the triangle.
 struct Side {
   int low, high, triangle;
   bool forward;  // from low to high
@@ -62,7 +64,7 @@ class Search {
     const Eigen::Vector3d &a = piece_.vertices[static_cast<std::size_t>(first.low)],
                           &b = piece_.vertices[static_cast<std::size_t>(first.high)];
     const Eigen::Vector3d edge = first.forward ? Eigen::Vector3d(b - a) : Eigen::Vector3d(a - b);
-    const double turn = edge.cross(n1).dot(n2);  // > 0: the second face bends back from the plane of the first
+    const double turn = edge.cross(n1).dot(n2);  // > 0: a convex edge, where the second face bends back from the plane of the first
     if (turn == 0 || (turn > 0 && !two_sided_)) return;
     const Eigen::Vector3d out = ((turn < 0 ? 1.0 : -1.0) * (n1 + n2)).normalized();
     const Eigen::Vector3d bisector = edge.cross(out).normalized();
@@ -72,13 +74,13 @@ class Search {
     }
   }
 
-  /// Infinite where the notch opens towards no face; given up, with a distance that is too large, no sooner than it is known not to be
-  /// the deepest.
+  /// 0 if the notch opens towards no face. Stops early, with a distance that is too large, only once the notch is known not to be the
+  /// deepest.
   double distanceToBridge(const Eigen::Vector3d& p, const Eigen::Vector3d& out) {
     double least = std::numeric_limits<double>::infinity();
     const std::size_t count = hull_.faces.size();
     for (std::size_t i = 0; i < count && least > deepest_.concavity; ++i) {
-      const std::size_t f = (last_bridge_ + i) % count;  // neighbours have the same bridge more often than not
+      const std::size_t f = (last_bridge_ + i) % count;  // neighbouring notches usually have the same bridge
       if (hull_.faces[f].normal.dot(out) < kOpensTowards) continue;
       const double d = -hull_.faces[f].distance(p);
       if (d < least) {

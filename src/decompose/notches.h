@@ -1,4 +1,4 @@
-// Where a surface is not convex: its reflex edges, and how far they lie beneath the hull.
+// Where a surface is not convex: its reflex edges and their depth below the hull.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -10,13 +10,13 @@ namespace collision_hulls {
 
 /// The notch of highest concavity.
 struct Notch {
-  double concavity = 0;                                ///< [m] from `point` to its bridge; 0: there is no notch
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();     ///< an end or the middle of a reflex edge
-  Eigen::Vector3d bisector = Eigen::Vector3d::Zero();  ///< unit normal of the plane that contains the edge and halves the angle there
+  double concavity = 0;                                ///< [m] distance from `point` to its bridge; 0: there is no notch
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();     ///< an end or the midpoint of a reflex edge
+  Eigen::Vector3d bisector = Eigen::Vector3d::Zero();  ///< unit normal of the plane that contains the edge and bisects the angle there
 };
 
-/// Of equal notches the first is taken. Edges of more than two triangles count where two consecutive ones, which must run along the
-/// edge in opposite directions, make them reflex. Deterministic. Throws kCancelled.
+/// The deepest notch, the first one on a tie. At edges of more than two triangles, two consecutive triangles count if they run along the
+/// edge in opposite directions and form a reflex angle. Deterministic. Throws kCancelled.
 Notch deepestNotch(const SurfacePiece& piece, const ConvexHull& hull, bool two_sided, const RunControl& control);
 
 }  // namespace collision_hulls

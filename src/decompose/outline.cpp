@@ -1,3 +1,5 @@
+// 2D convex hulls by the monotone chain, and a simplification that only grows: it drops one edge at a time and extends its neighbours until
+// they meet. The edge whose removal reaches least far goes first. O(n^2).
 #include "decompose/outline.h"
 
 #include <algorithm>
@@ -16,7 +18,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Where the edges next to the one from corner i on meet beyond it; nullopt if they do not.
+/// Where the neighbours of the edge that starts at corner i meet beyond it; nullopt if they do not.
 std::optional<Eigen::Vector2d> apexOver(const Outline& outline, std::size_t i) {
   const std::size_t n = outline.size();
   const Eigen::Vector2d &a = outline[i], &b = outline[(i + 1) % n];
@@ -28,7 +30,7 @@ std::optional<Eigen::Vector2d> apexOver(const Outline& outline, std::size_t i) {
 
 }  // namespace
 
-/// Monotone chain.
+/// Andrew's monotone chain.
 Outline outlineOf(std::vector<Eigen::Vector2d> p) {
   std::sort(p.begin(), p.end(), [](const auto& a, const auto& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
   Outline chain;
@@ -56,7 +58,7 @@ Outline simplified(Outline outline, std::size_t most) {
       const double beyond = std::abs(cross(edge.normalized(), *apex - outline[i]));
       if (beyond < least) least = beyond, dropped = i, corner = *apex;
     }
-    if (dropped == n) break;  // rounding: of five edges and more some can be dropped
+    if (dropped == n) break;  // only rounding gets here: from five edges up some edge can be dropped
     outline[dropped] = corner;
     outline.erase(outline.begin() + static_cast<std::ptrdiff_t>((dropped + 1) % n));
   }

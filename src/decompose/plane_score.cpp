@@ -1,3 +1,5 @@
+// A score builds the hulls of both sides of a plane and tests each intruder against the hull on its side. Hundreds of planes are scored in
+// parallel for every cut.
 #include "decompose/plane_score.h"
 
 #include <algorithm>
@@ -15,13 +17,13 @@ namespace {
 using Points = std::vector<Eigen::Vector3d>;
 constexpr double kUseless = std::numeric_limits<double>::infinity();
 constexpr double kOnPlane = 1e-9;        // in extents of the piece
-constexpr std::size_t kLeastPoints = 4;  // of a side
+constexpr std::size_t kLeastPoints = 4;  // per side
 
 struct Sides {
   Points beneath, above;
 };
 
-/// As cut() divides: what lies in the plane belongs to the side that its edges lead to, and beneath if they stay in the plane.
+/// Divides like cut(): vertices in the plane belong to the side that their edges lead to, and below if all of these stay in the plane.
 Sides divided(const SurfacePiece& piece, const std::vector<std::pair<int, int>>& edges, const HalfSpace& plane, double on_plane) {
   std::vector<double> distance;
   distance.reserve(piece.vertices.size());
@@ -57,7 +59,7 @@ PlaneScore::PlaneScore(const SurfacePiece& piece, std::size_t vertices, std::vec
   on_plane_ = kOnPlane * boundingBox(piece_).sizes().maxCoeff();
 }
 
-/// Less is better.
+/// Lower is better.
 double PlaneScore::operator()(const HalfSpace& plane) const {
   const Sides sides = divided(piece_, edges_, plane, on_plane_);
   if (sides.beneath.size() < kLeastPoints || sides.above.size() < kLeastPoints) return kUseless;

@@ -1,4 +1,4 @@
-// How good a cut is: reckoned on a simplified piece, since hundreds of planes are tried for each cut.
+// How good a cut is: estimated on a simplified piece, because hundreds of planes are tried for each cut.
 #pragma once
 
 #include <utility>
@@ -9,20 +9,20 @@
 
 namespace collision_hulls {
 
-/// What counts beside the intruders that a cut leaves in the hulls of its sides, all of which together weigh 1.
+/// What counts besides the intruders that a cut leaves in its sides' hulls; all intruders together weigh 1.
 struct ScoreWeights {
-  double volume_gain = 0.5;   ///< the share of the hull's volume that neither side's hull holds
-  double finished_share = 0;  ///< the share of it in a side that holds no intruder
-  double finished = 0;        ///< whether there is such a side
+  double volume_gain = 0.5;   ///< for the share of the hull's volume that neither side's hull contains
+  double finished_share = 0;  ///< for the share of it in a side without intruders
+  double finished = 0;        ///< for having such a side at all
 };
 
 class PlaneScore {
  public:
-  /// `piece` is simplified to `vertices` at most; `volume` [m^3] is that of its hull.
+  /// `piece` is simplified to at most `vertices`; `volume` [m^3] is that of its hull.
   PlaneScore(const SurfacePiece& piece, std::size_t vertices, std::vector<OutsideDistance::Intruder> intruders, double volume,
              const ScoreWeights& weights);
 
-  /// The planes, best first, at most `most`; those that divide nothing are left out.
+  /// At most `most` of the planes, best first, without those that divide nothing.
   std::vector<HalfSpace> best(const std::vector<HalfSpace>& planes, std::size_t most) const;
 
   const SurfacePiece& piece() const { return piece_; }

@@ -1,3 +1,5 @@
+// Backtracking over sample points, one per group. Two points cannot share a hull if the segment between them leaves the solid dilated by
+// the tolerance; each such test samples the segment at up to seven points and is remembered.
 #include "decompose/points_apart.h"
 
 #include <algorithm>
@@ -7,13 +9,13 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr std::size_t kMostGroups = 8;      // of more it hardly ever succeeds
-constexpr std::size_t kPoints = 16;         // of a group
-constexpr std::size_t kSamples = 2000;      // of the mesh
-constexpr int kHalvings = 3;                // of the way between two points
+constexpr std::size_t kMostGroups = 8;      // with more it hardly ever succeeds
+constexpr std::size_t kPoints = 16;         // per group
+constexpr std::size_t kSamples = 2000;      // triangles sampled
+constexpr int kHalvings = 3;                // of the segment between two points
 constexpr std::size_t kMostSteps = 20'000;  // of the search
 
-/// Looks for points, one of each group, that are apart from each other.
+/// Searches for points, one per group, that are pairwise apart.
 class Search {
  public:
   Search(const Cover& cover, const TriangleMesh& mesh, const Solid& solid, double tolerance) : solid_(solid), tolerance_(tolerance) {
@@ -26,7 +28,7 @@ class Search {
     apart_.resize(points_.size() * points_.size(), -1);
   }
 
-  /// From this group on.
+  /// Continues with the given group.
   bool run(std::size_t group = 0) {
     if (group + 1 == first_.size()) return true;
     for (std::size_t p = first_[group]; p < first_[group + 1] && ++steps_ < kMostSteps; ++p) {
@@ -39,7 +41,7 @@ class Search {
   }
 
  private:
-  /// Of each group the points of the mesh that its hull holds, and no other one's: centres of triangles, and corners.
+  /// Per group, the sample points that lie in its hull and in no other: triangle centroids and corners.
   static std::vector<std::vector<Eigen::Vector3d>> ownPoints(const Cover& cover, const TriangleMesh& mesh) {
     std::vector<std::vector<Eigen::Vector3d>> own(cover.size());
     const auto add = [&](const Eigen::Vector3d& p) {
@@ -63,7 +65,7 @@ class Search {
     return known != 0;
   }
 
-  /// Whether the way between two points does, by more than the tolerance.
+  /// Whether the segment between two points leaves the solid by more than the tolerance.
   bool leavesSolid(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
     for (int parts = 2; parts <= 1 << kHalvings; parts *= 2)
       for (int i = 1; i < parts; i += 2)
@@ -73,10 +75,10 @@ class Search {
 
   const Solid& solid_;
   const double tolerance_;
-  std::vector<Eigen::Vector3d> points_;  // group by group
-  std::vector<std::size_t> first_;       // of a group's points
-  std::vector<signed char> apart_;       // of two points; -1: not yet asked
-  std::vector<std::size_t> chosen_;      // points, one of each group so far
+  std::vector<Eigen::Vector3d> points_;  // grouped by group
+  std::vector<std::size_t> first_;       // per group: its first point
+  std::vector<signed char> apart_;       // per pair of points; -1: not evaluated yet
+  std::vector<std::size_t> chosen_;      // points chosen so far, one per group
   std::size_t steps_ = 0;
 };
 

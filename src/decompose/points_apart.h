@@ -1,4 +1,4 @@
-// A lower bound of the number of hulls that holds however the surface is cut.
+// A lower bound on the number of hulls, valid for any way of cutting the surface.
 #pragma once
 
 #include "collision_hulls/check/solid.h"
@@ -6,8 +6,8 @@
 
 namespace collision_hulls {
 
-/// Whether points of the mesh were found, one of each group, no two of which any hull may hold, as the way between them leaves the solid
-/// by more than the tolerance [m]: then no cover has fewer hulls. Looks at few points, and at covers by few groups alone; false says
+/// Whether some points of the mesh, one per group, were found of which no two can be in one hull because the segment between them leaves
+/// the solid by more than the tolerance [m]. If so, no cover has fewer hulls. Tries few points, and only covers with few groups; false says
 /// nothing.
 bool isLeast(const Cover& cover, const TriangleMesh& mesh, const Solid& solid, double tolerance);
 

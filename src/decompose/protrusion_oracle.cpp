@@ -1,3 +1,6 @@
+// Tests of increasing cost. To refute a hull: intruders remembered from earlier hulls, then a shared octree of outside distances. To prove
+// that it fits: the octree's bound if it is tight enough; else a branch and bound over the hull's surface (check/surface_search.h) and a
+// search for pockets inside it. Intruders that prove useful move to the front.
 #include "decompose/protrusion_oracle.h"
 
 #include <algorithm>
@@ -14,21 +17,21 @@ namespace collision_hulls {
 
 namespace {
 
-// Shares of the tolerance.
-constexpr double kReserve = 0.004;       // left to the certificate, whose bounds come from the hulls as written
+// The following are shares of the tolerance.
+constexpr double kReserve = 0.004;       // reserved for the certificate, whose bounds refer to the hulls as written
 constexpr double kProofGap = 0.002;      // between the bounds of a proof
-constexpr double kQuickCell = 1;         // radius of the smallest cells asked for a quick answer,
-constexpr double kFineCell = 0.42;       // before a proof: of leaves' share of the tolerance it is one,
+constexpr double kQuickCell = 1;         // radius of the smallest octree cells: for a quick answer,
+constexpr double kFineCell = 0.42;       // before a proof (for leaves, whose share of the tolerance is smaller, this is a proof),
 constexpr double kIntruderCell = 0.125;  // and for intruders
 constexpr double kPocketCell = 0.01;     // where the search for pockets ends
 constexpr double kLooseGap = 0.005;      // between the bounds of large protrusions
 
-constexpr double kLooseShare = 0.01;     // the same, of the protrusion itself
-constexpr double kInward = 1e-9;         // of the way to a vertex, that intruders on a hull's surface are moved into it
-constexpr double kGrowth = 1e-5;         // of a hull, for rounding when it is written
-constexpr double kJoggle = 1e-6;         // most that a rough hull's points are moved, as a share of their way from the middle
-constexpr std::size_t kJoggles = 3;      // trials,
-constexpr std::size_t kMany = 3000;      // points of which four in a plane hinder quickhull so often that they are moved at once
+constexpr double kLooseShare = 0.01;  // the same as a share of the protrusion itself
+constexpr double kInward = 1e-9;      // how far, on the way to a vertex, intruders on a hull's surface are moved into it
+constexpr double kGrowth = 1e-5;      // growth of a hull to allow for rounding when it is written
+constexpr double kJoggle = 1e-6;      // most that points of a rough hull are moved, as a share of their distance from the middle
+constexpr std::size_t kJoggles = 3;   // attempts,
+constexpr std::size_t kMany = 3000;   // with more points than this, coplanar points hinder quickhull so often that all are moved right away
 constexpr std::size_t kMostKnown = 400;  // intruders remembered
 
 ConvexHull grown(ConvexHull hull) {
@@ -38,8 +41,8 @@ ConvexHull grown(ConvexHull hull) {
   return hull;
 }
 
-/// The points moved away from the origin, which lies in their hull: that of the moved ones holds it, and of those that lay in a plane
-/// hardly any four still do. Another way in each trial.
+/// Moves the points away from the origin, which lies in their hull: the new hull contains the old one, and points that were coplanar hardly
+/// ever still are. Each trial moves them differently.
 std::vector<Eigen::Vector3d> joggled(std::vector<Eigen::Vector3d> points, std::size_t trial) {
   for (std::size_t i = 0; i < points.size(); ++i) points[i] *= 1 + kJoggle * unitInterval(mixed(i + trial * points.size()));
   return points;
@@ -68,7 +71,7 @@ ConvexHull thinned(const ConvexHull& hull, std::size_t most) {
   const HullSupport support(hull);
   std::vector<int> chosen;
   int at = 0;
-  for (std::size_t i = 0; i < most; ++i) {  // a spiral from pole to pole
+  for (std::size_t i = 0; i < most; ++i) {  // directions on a spiral from pole to pole
     const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(most), turn = kGoldenAngle * static_cast<double>(i);
     const double r = std::sqrt(1 - z * z);
     at = support.furthest({r * std::cos(turn), r * std::sin(turn), z}, at);
@@ -92,7 +95,7 @@ ProtrusionOracle ProtrusionOracle::forPart(const Eigen::AlignedBox3d& part) cons
   return result;
 }
 
-/// The most useful intruders of both stay in front.
+/// Merges the remembered intruders; the most useful of both stay in front.
 void ProtrusionOracle::learn(const ProtrusionOracle& part) {
   outside_.learn(part.outside_, box_);
   const std::vector<Eigen::Vector3d> mine = std::move(known_);
@@ -144,7 +147,7 @@ std::vector<char> ProtrusionOracle::fit(const std::vector<const ConvexHull*>& hu
   return result;
 }
 
-/// nullopt: that is open.
+/// nullopt: undecided.
 std::optional<bool> ProtrusionOracle::fitsByOctree(const ConvexHull& hull, double reach) const {
   if (std::isinf(reach)) return false;
   // A hull of few vertices may reach far beyond the mesh.
@@ -160,7 +163,8 @@ Protrusion ProtrusionOracle::onSurface(const ConvexHull& hull) const {
   return largestOnSurface(written(hull), solid_, on, control_);
 }
 
-/// What may be written for a hull. Where the surface has openings the distance jumps, and what is a little larger must not reach across.
+/// The largest hull that may be written for this one. Where the surface has openings the distance function jumps, and a slightly larger
+/// hull must not reach across.
 ConvexHull ProtrusionOracle::written(const ConvexHull& hull) const {
   return solid_.hasOpenings() ? grown(hull) : hull;
 }
@@ -171,9 +175,9 @@ bool ProtrusionOracle::concluded(const ConvexHull& hull, const Protrusion& on_su
   return false;
 }
 
-/// Whether the middle of a pocket between surfaces may be further than anything on the hull's surface, and than the tolerance.
+/// Whether the middle of a pocket between surfaces may be further from the solid than the hull's whole surface, and than the tolerance.
 bool ProtrusionOracle::mayHoldPocket(const ConvexHull& hull, double surface_bound) {
-  // However the octree stands: nothing in a small hull is far from the surface that one of its vertices is near to.
+  // Independent of the octree: nothing in a small hull is far from the surface if one of its vertices is near it.
   if (solid_.distanceToSurface(hull.vertices[0]) + boundingBox(hull).diagonal().norm() <= tolerance_) return false;
   OutsideDistance::Query query;
   query.floor = query.ceiling = tolerance_;
@@ -214,7 +218,7 @@ double ProtrusionOracle::reachByOctree(const ConvexHull& hull, double resolution
   return within.bound;
 }
 
-/// An intruder that was useful moves forward.
+/// A useful intruder moves forward.
 bool ProtrusionOracle::holdsKnownIntruder(const ConvexHull& hull) {
   const Eigen::AlignedBox3d box = boundingBox(hull);
   for (std::size_t i = 0; i < known_.size(); ++i) {
@@ -234,7 +238,7 @@ void ProtrusionOracle::remember(const Eigen::Vector3d& intruder) {
 std::vector<OutsideDistance::Intruder> ProtrusionOracle::intruders(const ConvexHull& hull, std::size_t wanted) {
   control_.check();
   const std::vector<OutsideDistance::Intruder> all = outside_.intruders(hull, intrusion(), wanted, kIntruderCell * share_ * tolerance_);
-  if (all.empty()) {  // thinner than the cells
+  if (all.empty()) {  // the hull is thinner than the cells
     SurfaceQuery on;
     on.gap = kIntruderCell * tolerance_;
     const Protrusion most = largestOnSurface(hull, solid_, on, control_);

@@ -1,14 +1,14 @@
 // From within, then outward:
 //
-//   inner hull: begin with the extreme points along the axes
-//   until there are max_vertices points, add the hull's vertices furthest outside of the inner hull, as quickhull does
-//   move each of the inner hull's vertices out, beyond the hull's touching planes parallel to the faces around it
-//   let each sink again, as far as the faces around it can turn before they cut into the hull
-//   a few times, unless it is near already: draw the vertices half way to the middle of their neighbours, move them out and let them sink
-//   again; keep the result that protrudes least
+//   inner hull: start with the extreme points along the axes;
+//     until there are max_vertices points, add the hull's vertices furthest outside the inner hull, as quickhull does
+//   rise: move each vertex of the inner hull out, beyond the hull's supporting planes parallel to the faces around it
+//   sink: lower each again as far as the faces around it can turn before they cut into the hull
+//   relax, a few times, unless the result is already close: move the vertices half way to the mean of their neighbours, rise and
+//     sink again; keep the result that protrudes least
 //
-// All corners of a moved face lie beyond a touching plane, so no face meets the hull's interior, and the hull stays within.
-// Collapsing edges outward (progressive hulls) was tried instead: nearly twice the protrusion on round hulls.
+// All corners of a moved face lie beyond a supporting plane, so no face meets the hull's interior, and the hull stays inside. Collapsing
+// edges outward (progressive hulls) was tried instead: it protruded nearly twice as far on round hulls.
 #include "collision_hulls/decompose/reduce_vertices.h"
 
 #include <algorithm>
@@ -30,13 +30,13 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-// A hull is stretched where it is thinner than this share of its length, so that rounding does not decide.
+// A hull is stretched where it is thinner than this share of its length, to keep rounding from deciding anything.
 constexpr double kThinnest = 0.01;
-// In a round all points are added that lie outside by this share of the largest such distance: less is faster and worse.
+// Each round adds all points that lie outside by this share of the largest such distance: a lower share is faster and worse.
 constexpr double kShareOfFurthest = 0.5;
-// Points that lie outside of the inner hull by less than this share of the extent are not worth a vertex.
+// Points outside the inner hull by less than this share of the extent are not worth a vertex.
 constexpr double kNegligible = 1e-9;
-// Attempts to space the vertices more evenly, unless all are as near to the hull as this share of its extent.
+// Attempts to space the vertices more evenly, unless all are closer to the hull than this share of its extent.
 constexpr int kRelaxations = 3;
 constexpr double kNearEnough = 1e-3;
 
@@ -44,7 +44,7 @@ Eigen::Vector3d areaVector(const Eigen::Vector3d& a, const Eigen::Vector3d& b, c
   return (b - a).cross(c - a) / 2;
 }
 
-/// The vertices of a hull that are furthest along the axes.
+/// The extreme vertices of a hull along the axes.
 Points extremeVertices(const ConvexHull& hull, const HullSupport& support) {
   Points result;
   int last = 0;
@@ -56,7 +56,7 @@ Points extremeVertices(const ConvexHull& hull, const HullSupport& support) {
   return result;
 }
 
-/// The vertices of a hull that are furthest beyond the faces of another one, each once, with that distance; the furthest first.
+/// The vertices of a hull that are furthest beyond the faces of another one, each once, with that distance; furthest first.
 std::vector<std::pair<double, int>> furthestBeyond(const ConvexHull& inner, const ConvexHull& hull, const HullSupport& support) {
   std::vector<std::pair<double, int>> furthest;
   int last = 0;
@@ -72,7 +72,7 @@ std::vector<std::pair<double, int>> furthestBeyond(const ConvexHull& inner, cons
   return unique;
 }
 
-/// The hull of some vertices of a hull.
+/// The hull of well-chosen vertices of a hull.
 ConvexHull innerHull(const ConvexHull& hull, const HullSupport& support, std::size_t max_vertices) {
   const double negligible = kNegligible * boundingBox(hull).sizes().maxCoeff();
   ConvexHull inner = convexHull(extremeVertices(hull, support));
@@ -83,13 +83,13 @@ ConvexHull innerHull(const ConvexHull& hull, const HullSupport& support, std::si
     for (const auto& [distance, v] : furthest)
       if (distance > least && more.size() < max_vertices) more.push_back(hull.vertices[static_cast<std::size_t>(v)]);
     ConvexHull larger = convexHull(more);
-    if (larger.vertices.size() <= inner.vertices.size()) break;  // nothing to add, or rounding took it for no vertex
+    if (larger.vertices.size() <= inner.vertices.size()) break;  // nothing to add, or rounding dropped it
     inner = std::move(larger);
   }
   return inner;
 }
 
-/// A hull that is to be held.
+/// The hull to be contained.
 struct Held {
   explicit Held(const ConvexHull& the_hull) : hull(the_hull), support(hull), surface(collision_hulls::surface(hull)) {}
   const Eigen::Vector3d& vertex(int i) const { return hull.vertices[static_cast<std::size_t>(i)]; }
@@ -99,7 +99,7 @@ struct Held {
   TriangleBvh surface;
 };
 
-/// A closed surface about a hull, whose vertices move.
+/// A closed surface around a hull, with vertices that move.
 class OuterSurface {
  public:
   OuterSurface(const ConvexHull& start, const Held& held)
@@ -108,20 +108,21 @@ class OuterSurface {
       for (int v : triangles_[t]) around_[v].push_back(static_cast<int>(t));
   }
 
-  /// Draws every vertex half way to the mean of its neighbours.
+  /// Moves every vertex half way to the mean of its neighbours.
   void relax() {
     Points relaxed;
     for (std::size_t v = 0; v < vertices_.size(); ++v) {
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (int t : around_[v])
         for (int n : triangles_[t]) sum += vertices_[n];
-      const auto count = static_cast<double>(around_[v].size());  // of neighbours, each in two triangles; and v in all
+      const auto count =
+          static_cast<double>(around_[v].size());  // number of neighbours; the sum counts each twice, and v once per triangle
       relaxed.push_back(vertices_[v] / 2 + (sum - count * vertices_[v]) / (4 * count));
     }
     vertices_ = std::move(relaxed);
   }
 
-  /// Moves every vertex out to where the touching planes of all faces around it are beneath; false if one has no such place.
+  /// Moves every vertex out to where it is beyond the supporting planes of all faces around it; false if some vertex has no such place.
   bool rise() {
     std::vector<HalfSpace> touching;
     for (const Triangle& t : triangles_) {
@@ -148,8 +149,8 @@ class OuterSurface {
   ConvexHull hull() const { return convexHull(vertices_); }
 
  private:
-  /// Moves a vertex to where its faces hold the hull and least else, if it gets no further from the hull. Each face turns about
-  /// the edge opposite to the vertex, so the vertex must stay beyond the plane through that edge that touches the hull.
+  /// Moves a vertex to where its faces contain the hull and as little else as possible, unless that takes it further from the hull. Each
+  /// face turns about the edge opposite the vertex, so the vertex must stay beyond the plane through that edge that touches the hull.
   void sink(int v) {
     std::vector<HalfSpace> planes;
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
@@ -167,7 +168,7 @@ class OuterSurface {
     if (held_.surface.nearest(*x, std::numeric_limits<double>::infinity(), own.triangle).distance <= own.distance) vertices_[v] = *x;
   }
 
-  /// Length of the longest edge at a vertex.
+  /// The length of the longest edge at a vertex.
   double reach(int v) const {
     double furthest = 0;
     for (int t : around_[v])
@@ -175,7 +176,8 @@ class OuterSurface {
     return furthest;
   }
 
-  /// A point beyond all planes near a vertex: lowest along the faces' mean normal, or the one that adds least volume.
+  /// A point near a vertex beyond all planes: the lowest along the faces' mean normal, or the one that adds the least volume, whichever is
+  /// nearer.
   std::optional<Eigen::Vector3d> nearestBeyond(int v, const std::vector<HalfSpace>& planes) const {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero(), gradient = normal;
     for (const HalfSpace& plane : planes) normal += plane.normal;
@@ -188,17 +190,17 @@ class OuterSurface {
     return best;
   }
 
-  /// The plane through a and b that is lowest at x and has the hull beneath; nullopt where a, b and x are in line.
+  /// The plane through a and b that is lowest at x and has the hull below it; nullopt if a, b and x are collinear.
   ///
-  /// It rises by the largest slope that a vertex has from the edge (Dinkelbach 1967): the vertex furthest beyond the plane of one slope
-  /// gives a larger slope, until there is none.
+  /// Its slope is the largest slope from the edge to any vertex (Dinkelbach 1967): the vertex furthest beyond the plane of one slope gives
+  /// a larger slope, until there is none.
   std::optional<HalfSpace> touchingPlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& x) {
     constexpr double kInLine = 1e-9;
     constexpr int kMostSteps = 30;
     const Eigen::Vector3d along = (b - a).normalized(), normal = (b - a).cross(x - a);
     if (!(normal.norm() > kInLine * (b - a).norm() * (x - a).norm())) return std::nullopt;
     const Eigen::Vector3d up = normal.normalized(), toward = up.cross(along);
-    double slope = 0;  // of abx; that of any vertex is low enough to begin with
+    double slope = 0;  // of the plane abx; the first support point gives a slope low enough to start with
     for (int step = 0; step < kMostSteps; ++step) {
       last_ = held_.support.furthest(up - slope * toward, last_);
       const double run = toward.dot(held_.vertex(last_) - a), rise = up.dot(held_.vertex(last_) - a);
@@ -211,12 +213,12 @@ class OuterSurface {
 
   Points vertices_;
   std::vector<Triangle> triangles_;
-  std::vector<std::vector<int>> around_;  // triangles by vertex
+  std::vector<std::vector<int>> around_;  // per vertex: its triangles
   const Held& held_;
-  int last_ = 0;  // the vertex of the hull that was found last
+  int last_ = 0;  // the support point found last
 };
 
-/// The hull of a start's vertices once they have risen beyond `held` and sunk again; nullopt where one cannot rise.
+/// The hull of the vertices of `start` after they have risen beyond `held` and sunk again; nullopt if one cannot rise.
 std::optional<ConvexHull> risenAndSunk(const ConvexHull& start, const Held& held) {
   OuterSurface surface(start, held);
   if (!surface.rise()) return std::nullopt;
@@ -231,7 +233,7 @@ double largestDistance(const ConvexHull& outer, const Held& held) {
   return most;
 }
 
-/// Points whose hull holds `hull`; nullopt where that fails.
+/// Points whose hull contains `hull`; nullopt if that fails.
 std::optional<Points> outerPoints(const ConvexHull& hull, std::size_t max_vertices) {
   const Held held(hull);
   std::optional<ConvexHull> outer = risenAndSunk(innerHull(hull, held.support, max_vertices), held);
@@ -250,7 +252,7 @@ std::optional<Points> outerPoints(const ConvexHull& hull, std::size_t max_vertic
   return best;
 }
 
-/// An affine map that makes thin sets thicker; volumes keep their order under it, and what holds what.
+/// An affine map that thickens thin sets. It preserves containment and the order of volumes.
 struct Stretch {
   explicit Stretch(const Points& points) : axes(principalAxes(points)) {
     Eigen::AlignedBox3d box;
@@ -284,7 +286,7 @@ std::optional<ConvexHull> outerHull(const ConvexHull& hull, std::size_t max_vert
 ConvexHull reduceVertices(const ConvexHull& hull, int max_vertices) {
   if (max_vertices < kLeastVertices)
     throw Error(ErrorCode::kBadOption, "max_vertices is " + std::to_string(max_vertices) + "; a hull needs at least " +
-                                           std::to_string(kLeastVertices) + " vertices, so that a box is always possible");
+                                           std::to_string(kLeastVertices) + " vertices: with that many, a box is always possible");
   const auto most = static_cast<std::size_t>(max_vertices);
   if (hull.vertices.size() <= most) return hull;
   std::optional<ConvexHull> outer = outerHull(hull, most);

@@ -1,4 +1,5 @@
-// Who covers what: elements of surface, groups of them that share a hull, and a memory of which groups may.
+// Who covers what: elements of the surface, groups of elements that share a hull, and a memory of which groups may share one. As in
+// protrusion_oracle.h, a hull fits if it protrudes no further than the tolerance.
 #pragma once
 
 #include <cstdint>
@@ -12,91 +13,91 @@
 
 namespace collision_hulls {
 
-/// A piece of surface that is not divided any more.
+/// A piece of surface that is not divided further.
 struct Element {
   std::vector<Eigen::Vector3d> points;  ///< vertices of its hull
-  std::vector<Eigen::Vector3d> likely;  ///< of these those that matter most: all if they are few
+  std::vector<Eigen::Vector3d> likely;  ///< those of them that are likely to matter most; all if they are few
   double area = 0;                      ///< [m^2]
-  int leaf = 0;                         ///< that it was cut from
+  int leaf = 0;                         ///< the leaf it was cut from
 };
 
-/// The leaves as elements, halved, largest first, until there are `count` (0: the leaves as they are). Ordered by leaf. `tolerance` [m]
-/// decides how many points are likely to matter.
+/// The leaves as elements, or halved, largest first, until there are `count` elements (0: the leaves as they are). Ordered by leaf.
+/// `tolerance` [m] determines how many points are likely to matter.
 std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t count, double tolerance);
 
-/// Elements that one hull covers.
+/// Elements covered by one hull.
 struct Group {
-  std::vector<int> elements;               ///< ascending
-  std::uint64_t key = 0;                   ///< of the set of elements
+  std::vector<int> elements;               ///< in ascending order
+  std::uint64_t key = 0;                   ///< hash of the set of elements
   double area = 0;                         ///< [m^2]
   Widths widths;                           ///< of the elements
   std::shared_ptr<const ConvexHull> hull;  ///< of their likely points
 };
 
-/// Whether two groups are so far apart that a common hull hardly fits unless what lies between is solid.
+/// Whether two groups are so far apart that a common hull hardly fits unless solid lies in between.
 bool farApart(const Group& a, const Group& b, double tolerance);
 
-/// Groups that have every element among them, in one of them.
+/// Groups that together contain every element, each in one group.
 using Cover = std::vector<Group>;
 
-/// Groups and what is known of their hulls. The same set of elements is never asked about twice.
+/// Groups and what is known about their hulls. The same set of elements is never evaluated twice.
 class SurfaceGroups {
  public:
-  /// A hull with more than `max_vertices` (0: no cap) has to fit also when reduced to so many, as the leaves' hulls do.
-  /// `element_count` as for elementsOf().
+  /// A hull of more than `max_vertices` (0: no cap) vertices must also fit after it is capped, as the leaves' hulls do. `element_count`:
+  /// see elementsOf().
   SurfaceGroups(const std::vector<Leaf>& leaves, std::size_t element_count, ProtrusionOracle& oracle, int max_vertices);
 
   const Group& single(int element) const { return singles_[static_cast<std::size_t>(element)]; }
   Cover leaves();
 
-  /// These elements (ascending), parted by leaf: each part lies in its leaf, which fits.
+  /// These elements (ascending), grouped by leaf: each group is part of a leaf, which fits.
   Cover byLeaf(const std::vector<int>& elements);
 
-  /// The group of these elements (ascending), if its hull may fit; without a hull if not.
+  /// The group of these elements (ascending); without a hull if its hull does not fit.
   Group whole(const std::vector<int>& elements);
 
-  /// The union of two groups, if its hull may fit; without a hull if not.
+  /// The union of two groups; without a hull if the common hull does not fit.
   Group merged(const Group& a, const Group& b);
 
-  /// Whether the group's hull fits, by proof; what it may do was taken on trust.
+  /// Whether the group's hull provably fits; without this, a fit is provisional.
   bool proven(const Group& group);
   bool proven(const Cover& cover);
 
-  /// Finds out which of the groups' hulls fit, all at once.
+  /// Tests in parallel which of the groups' hulls fit.
   void prove(std::vector<const Group*> groups);
 
-  /// Whether the group's hull covers the element, be it its own or not.
+  /// Whether the group's hull covers the element, whether or not the element is in the group.
   bool covers(const Group& group, int element) const;
 
-  /// Takes another group's element over; the hull must cover it.
+  /// Takes over another group's element, which the hull must cover.
   void add(int element, Group& group) const;
 
-  /// The hull of all points of the group's elements. If it has more vertices than the cap it is, to the last bit, what was proven with
-  /// its vertices capped.
+  /// The hull of all points of the group's elements. If it exceeds the vertex cap, it is, to the last bit, the hull that was proven after
+  /// capping.
   ConvexHull exactHull(const Group& group) const;
 
-  /// The same with its vertices capped.
+  /// The same, with its vertices capped.
   ConvexHull cappedHull(const Group& group) const;
 
-  long evaluations() const { return evaluations_; }  ///< hulls built and asked about so far
+  long evaluations() const { return evaluations_; }  ///< hulls built and evaluated so far
   double tolerance() const { return oracle_.tolerance(); }
   const RunControl& control() const { return oracle_.control(); }
 
  private:
   struct Known {
     bool may_fit = false, asked = false, proven = false;
-    std::shared_ptr<const ConvexHull> hull;     // where it may fit
-    std::shared_ptr<const ConvexHull> reduced;  // what is proven, where that has fewer vertices than the group's own
+    std::shared_ptr<const ConvexHull> hull;     // if it may fit
+    std::shared_ptr<const ConvexHull> reduced;  // the capped hull, if that is what was proven
   };
   struct Candidate {
-    ConvexHull hull;  // as it is to be written
+    ConvexHull hull;  // as it will be written
     bool is_reduced = false;
   };
   Group groupOf(const std::vector<int>& elements) const;
   std::vector<Eigen::Vector3d> pointsOf(const std::vector<int>& elements) const;
   std::vector<Eigen::Vector3d> likelyPointsOf(const std::vector<int>& elements) const;
   ConvexHull hullOf(const Group& group) const;
-  std::shared_ptr<const ConvexHull> reducedHull(const Group& group) const;  // that was proven; null: none
+  std::shared_ptr<const ConvexHull> reducedHull(const Group& group) const;  // the proven one; null: none
   bool needsProof(const Group& group) const;
   bool isWholeLeaf(const Group& group) const;
   bool hasSolidBetween(const Group& a, const Group& b) const;

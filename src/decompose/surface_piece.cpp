@@ -1,3 +1,5 @@
+// Cutting triangle by triangle, components by union-find, and simplification by clustering vertices in a grid. All linear in the piece
+// (expected, where hashing is involved).
 #include "decompose/surface_piece.h"
 
 #include <algorithm>
@@ -21,7 +23,7 @@ std::uint64_t key(int a, int b) {
   return (static_cast<std::uint64_t>(low) << 32) | static_cast<std::uint64_t>(high);
 }
 
-/// Gathers the triangles of one side, taking over the vertices that they use.
+/// Collects the triangles of one side and the vertices they use.
 class Part {
  public:
   explicit Part(const SurfacePiece& source) : source_(source), index_(source.vertices.size(), -1) {}
@@ -35,7 +37,7 @@ class Part {
     piece.vertices.push_back(p);
     return static_cast<int>(piece.vertices.size()) - 1;
   }
-  /// Of two different corners a segment is left.
+  /// With only two different corners, a segment remains.
   void addFan(std::array<int, 4> corners, std::size_t count) {
     count = static_cast<std::size_t>(std::unique(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(count)) - corners.begin());
     if (corners[count - 1] == corners[0]) --count;
@@ -93,7 +95,7 @@ class Cutter {
   std::pair<int, int> crossing(int a, int b) {
     const auto [place, fresh] = crossings_.try_emplace(key(a, b));
     if (fresh) {
-      if (a > b) std::swap(a, b);  // the same point from both triangles
+      if (a > b) std::swap(a, b);  // gives the same point for both triangles
       const double share = distance_[at(a)] / (distance_[at(a)] - distance_[at(b)]);
       const Eigen::Vector3d p = piece_.vertices[at(a)] + share * (piece_.vertices[at(b)] - piece_.vertices[at(a)]);
       place->second = {beneath_.add(p), above_.add(p)};
@@ -107,7 +109,7 @@ class Cutter {
   std::unordered_map<std::uint64_t, std::pair<int, int>> crossings_;
 };
 
-/// Disjoint sets of vertices.
+/// Union-find over vertices.
 class Sets {
  public:
   explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -121,8 +123,8 @@ class Sets {
   std::vector<int> parent_;
 };
 
-/// The piece with vertices of one grid cell joined, if there are no more than `most` then. Triangles that collapse are left out; what was a
-/// segment or a point before stays.
+/// The piece with the vertices in each grid cell merged into one, if at most `most` remain. Drops triangles that collapse, but keeps what
+/// was a segment or a point before.
 std::optional<SurfacePiece> clustered(const SurfacePiece& piece, const Eigen::AlignedBox3d& box, double side, std::size_t most) {
   SurfacePiece result;
   std::unordered_map<std::uint64_t, int> cells;
@@ -193,7 +195,7 @@ std::vector<SurfacePiece> components(const SurfacePiece& piece) {
 SurfacePiece simplified(const SurfacePiece& piece, std::size_t vertices) {
   if (piece.vertices.size() <= vertices) return piece;
   const Eigen::AlignedBox3d box = boundingBox(piece);
-  // A surface as broad as its box fills about one cell per vertex; coarser until it fits.
+  // A surface as large as one side of its box fills about one cell per vertex; coarsen until there are few enough.
   constexpr double kFirstSide = 0.8, kCoarser = 1.3;
   double side = kFirstSide * box.sizes().maxCoeff() / std::sqrt(static_cast<double>(vertices));
   for (;; side *= kCoarser)

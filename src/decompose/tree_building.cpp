@@ -1,5 +1,5 @@
-// In stages: while a merge stays within the stage's tolerance, the smallest union first; then the tolerance is raised. Within a stage
-// merges are taken on trust in the oracle's quick answer; the bound of each node is proven, and never less than its children's.
+// In stages: merges within a stage's tolerance, smallest union first; then the tolerance is raised. Within a stage, merges rely on the
+// oracle's quick answer; each node's bound is proven, and never less than its children's.
 #include "decompose/tree_building.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kStage = 1.25;  // factor between stages' tolerances
+constexpr double kStage = 1.25;  // ratio of successive stages' tolerances
 
 struct Pair {
   double cost;
@@ -59,10 +59,10 @@ class Building {
     return id;
   }
 
-  /// `anything`: whatever is left is merged, asked or not.
+  /// `anything`: merge whatever is left, without consulting the oracle.
   void mergeWithin(double tolerance, bool anything) {
     std::priority_queue<Pair> queue;
-    std::set<std::pair<int, int>> apart;  // a < b: their hull protrudes too far, and so does any that holds it
+    std::set<std::pair<int, int>> apart;  // a < b: their common hull protrudes too far, and so does any hull that contains it
     const auto areApart = [&](int a, int b) { return b >= 0 && apart.count(std::minmax(a, b)) > 0; };
     const auto pairWithEarlier = [&](int b) {
       for (int a = 0; a < b; ++a) {

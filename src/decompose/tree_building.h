@@ -6,8 +6,8 @@
 
 namespace collision_hulls {
 
-/// The groups as leaves, merged on up to a single root; at any tolerance, the coarsest cut is about as good as merging anew would be.
-/// Deterministic. Calls `progress` with the share of merges that are made.
+/// The groups as leaves, merged up to a single root. At any tolerance, the coarsest cut of the tree is about as good as a new merge would
+/// be. Deterministic. Calls `progress` with the share of merges made.
 HullTree treeAbove(const Cover& cover, ProtrusionOracle& oracle, const std::function<void(double)>& progress);
 
 }  // namespace collision_hulls

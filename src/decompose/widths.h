@@ -1,4 +1,4 @@
-// The extent of a point set along 13 directions: how large a union is and how near its parts are, without its hull.
+// The extent of a point set along 13 directions. Tells how large a union is, and how near its parts are, without building its hull.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +9,7 @@ namespace collision_hulls {
 
 class Widths {
  public:
-  static constexpr int kDirections = 13;  // axes, diagonals of faces and of the body of a cube
+  static constexpr int kDirections = 13;  // axes, and diagonals of a cube's faces and body
   using Array = Eigen::Array<double, kDirections, 1>;
 
   void extend(const Eigen::Vector3d& p) {
@@ -22,10 +22,10 @@ class Widths {
     return both;
   }
   bool contains(const Widths& other) const { return (low_ <= other.low_).all() && (high_ >= other.high_).all(); }
-  double gap(const Widths& other) const {  ///< a lower bound of the distance between the two sets' hulls
+  double gap(const Widths& other) const {  ///< a lower bound on the distance between the two sets' hulls
     return std::max(0.0, (low_.max(other.low_) - high_.min(other.high_)).maxCoeff());
   }
-  double mean() const { return (high_ - low_).mean(); }  ///< all but independent of rotation
+  double mean() const { return (high_ - low_).mean(); }  ///< nearly independent of rotation
   double middle(int direction) const { return (low_[direction] + high_[direction]) / 2; }
 
  private:

@@ -1,14 +1,14 @@
-// The method `certified`: few hulls that cover the surface and protrude no further than the tolerance, by proof.
+// The method `certified`: few hulls that cover the surface and, provably, protrude no further than the tolerance.
 //
 //   1. cut the surface by planes until each piece's hull stays within the tolerance   (leaves);
-//      where few hulls come of it cut in other ways, too, and keep the best
-//   2. merge hulls, cheapest first, while their common hull does, also with its vertices reduced to the cap, outward
-//   3. search: dissolve some of them, and merge anew
-//   4. on demand merge on, up to a single root                                        (hull tree)
+//      if this gives few hulls, cut in other ways as well and keep the best result
+//   2. merge hulls, cheapest first, while their common hull stays within it, also after its vertices are capped (outward)
+//   3. search: dissolve some hulls and merge again
+//   4. on request, keep merging up to a single root                                   (hull tree)
 //
-// It is the paper's hierarchy (Mamou & Ghorbel 2009: clusters merged under a cost of concavity and compactness) with the true
-// protrusion, the one-sided Hausdorff distance to the solid, in place of ray concavity, with clusters whose borders may cut
-// triangles, and with merges between any hulls that are near, neighbours on the surface or not.
+// This is the paper's hierarchy (Mamou & Ghorbel 2009: merging clusters by a cost of concavity and compactness) with three changes: the
+// true protrusion, i.e. the one-sided Hausdorff distance to the solid, replaces ray concavity; cluster borders may cut triangles; and any
+// hulls that are near each other may merge, neighbours on the surface or not.
 #pragma once
 
 #include "collision_hulls/decompose/decompose.h"
@@ -16,13 +16,14 @@
 
 namespace collision_hulls {
 
-/// Hulls by steps 1 to 3, or cut from the tree where their number is capped. Only what could not be cut, or a cap, leaves a hull beyond the
-/// tolerance. On all threads of the caller's TBB arena; their number does not change the result. See decompose().
+/// The hulls of steps 1 to 3, or of a cut of the tree if their number is capped. A hull exceeds the tolerance only if its piece could not
+/// be cut or a cap forces it to. Runs on all threads of the caller's TBB arena; their number does not affect the result. See decompose().
 Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control = {});
 
-/// The hulls of certified() as leaves, merged on up to a single root: a cut at a larger tolerance, or to any number of hulls, is then
-/// a matter of microseconds. Vertices are not capped (but leaves fit also when they are), nor hulls; `method` is ignored. Bounds are
-/// within a few per cent of the truth. Deterministic. Throws kEmptyMesh, kBadOption, kCancelled.
+/// The hulls of certified() as leaves, merged up to a single root. A cut of the tree at a larger tolerance, or with any number of hulls,
+/// then takes microseconds. The tree's hulls are not capped, neither in vertices nor in number (but its leaves stay within the tolerance
+/// even after their vertices are capped); `method` is ignored. Bounds are within a few per cent of the truth. Deterministic. Throws
+/// kEmptyMesh, kBadOption, kCancelled.
 HullTree hullTree(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control = {});
 
 }  // namespace collision_hulls

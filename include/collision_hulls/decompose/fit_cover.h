@@ -1,4 +1,4 @@
-// From the hulls of a method to the hulls that are written: every original triangle covered, in single precision.
+// From a method's hulls to the hulls that are written: in single precision, covering every original triangle.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,16 @@
 namespace collision_hulls {
 
 struct FittedHulls {
-  std::vector<ConvexHull> hulls;  ///< vertices are single-precision numbers
-  double nudge = 0;               ///< [m] distance that every hull was grown by to absorb rounding
-  std::size_t completed = 0;      ///< triangles that no hull held and that were added to one
-  double blunted = 0;             ///< [m] furthest that a hull was made to reach as it was too sharp for its cap on vertices
+  std::vector<ConvexHull> hulls;  ///< their vertices are single-precision numbers
+  double nudge = 0;               ///< [m] distance by which every hull was grown to absorb rounding
+  std::size_t completed = 0;      ///< triangles that no hull covered and that were added to one
+  double blunted = 0;             ///< [m] furthest distance that a hull too sharp for its vertex cap was extended
 };
 
-/// Grows each hull outward by `margin` [m] (how far original points may lie from the repaired mesh: weld and reader's
-/// rounding) plus what single precision needs, and rounds its vertices; then gives every triangle of `original` that the
-/// union still fails to cover to the hull that grows least. After it uncovered(original, hulls) == 0.
-/// At most `max_vertices` vertices a hull (0: no cap).
+/// Grows each hull outward by `margin` [m] (how far original points may lie from the repaired mesh: the weld tolerance plus the reader's
+/// rounding) and by what single precision needs, and rounds its vertices. Any triangle of `original` that the union still does not cover is
+/// added to the hull that has to grow least. Afterwards uncovered(original, hulls) == 0. Each hull has at most `max_vertices` vertices (0:
+/// no cap).
 FittedHulls fitCover(const std::vector<ConvexHull>& hulls, const TriangleMesh& original, double margin, int max_vertices,
                      const RunControl& control = {});
 

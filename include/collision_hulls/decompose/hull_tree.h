@@ -1,4 +1,4 @@
-// The tree of hulls that merging leaves behind: every level of detail of a collision model at once.
+// The tree of hulls that merging produces: every level of detail of a collision model at once.
 #pragma once
 
 #include <vector>
@@ -7,30 +7,30 @@
 
 namespace collision_hulls {
 
-/// A node of the tree: a leaf is the hull of a piece of surface, an inner node the hull of its two children.
+/// A node of the tree. A leaf is the hull of a piece of surface, an inner node the hull of its two children.
 struct HullNode {
   ConvexHull hull;
-  double protrusion = 0;      ///< [m] no point of the hull is further from the solid; never less than a child's
+  double protrusion = 0;      ///< [m] upper bound on the distance of the hull's points from the solid; never less than a child's
   int parent = -1;            ///< -1: the root
   int left = -1, right = -1;  ///< -1: a leaf
 };
 
-/// Binary; children stand before their parents, and the root, which holds everything, last. A cut (a set of nodes of which each leaf
-/// has exactly one above it or is one) is a covering hull set. Immutable values are safe to share between threads.
+/// A binary tree. Children precede their parents; the last node is the root, which contains everything. A cut is a set of nodes with
+/// exactly one node on each path from the root to a leaf; its hulls cover the mesh. Immutable values may be shared between threads.
 struct HullTree {
   std::vector<HullNode> nodes;
-  double tolerance = 0;  ///< [m] that the leaves were made for
+  double tolerance = 0;  ///< [m] the tolerance of the leaves
 
-  /// The coarsest cut whose nodes protrude no further than `tolerance` [m]; leaves where even they do. Nodes ascending.
+  /// The coarsest cut whose nodes protrude no further than `tolerance` [m], but for leaves that do. Nodes in ascending order.
   std::vector<int> cutAt(double tolerance) const;
 
-  /// The cut of at most `hulls` (>= 1) nodes that opening the furthest protruding node, again and again, leads to.
+  /// A cut of at most `hulls` (>= 1) nodes: starts at the root and keeps replacing the furthest protruding node by its children.
   std::vector<int> cutTo(int hulls) const;
 
-  /// Whether these nodes are a cut.
+  /// Whether these nodes form a cut.
   bool isCut(const std::vector<int>& nodes) const;
 
-  /// The hulls of a cut, in its order.
+  /// The hulls of a cut, in the cut's order.
   std::vector<ConvexHull> hullsOf(const std::vector<int>& cut) const;
 };
 

@@ -1,8 +1,8 @@
-// Hull trees to and from files, so that other levels of detail need no decomposition.
+// Saves and loads hull trees; other levels of detail then need no new decomposition.
 //
-// The format, little-endian: "CHULTREE", version (32 bits), size of the payload (64), payload, FNV-1a checksum (64) of all before it.
-// The payload: tolerance, number of nodes (64), and for each node parent, left, right (32 each), protrusion, and its hull: vertices,
-// triangles and faces, each preceded by their number (64), thickness, slack. Real numbers are doubles, so that nothing is lost.
+// The format, little-endian: "CHULTREE", version (32 bits), size of the payload (64), payload, FNV-1a checksum (64) of everything before
+// it. The payload: tolerance, number of nodes (64), and for each node parent, left, right (32 each), protrusion, and its hull: vertices,
+// triangles and faces, each preceded by their number (64), thickness, slack. Real numbers are doubles, so nothing is lost.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@
 
 namespace collision_hulls {
 
-/// Writes a tree to a file, in one rename. Throws kUnwritableOutput, and kInternal for a tree that loading would refuse.
+/// Writes a tree to a file, atomically (by a rename). Throws kUnwritableOutput, and kInternal for a tree that loading would refuse.
 void saveHullTree(const HullTree& tree, const std::string& file);
 
-/// The tree of a file, the same to the last bit. Throws kFileNotFound, and kNotAHullTree, naming file and fault, unless all of it is
-/// as it should be: magic, version, size, checksum; finite numbers, indices in range; children before their parents, the root last,
-/// bounds that never decrease toward it.
+/// Reads a tree from a file, identical to the last bit. Throws kFileNotFound, and kNotAHullTree (naming the file and the fault) unless
+/// everything holds: magic, version, size, checksum; finite numbers, indices in range; children before their parents, root last, bounds
+/// that never decrease toward it.
 HullTree loadHullTree(const std::string& file);
 
-/// The bytes of such a file, and back; `name` stands for the file in messages.
+/// The bytes of such a file, and back; `name` names the file in messages.
 std::string encodeHullTree(const HullTree& tree);
 HullTree decodeHullTree(const std::string& bytes, const std::string& name);
 

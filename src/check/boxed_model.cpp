@@ -1,4 +1,6 @@
-// What is asked of FCL and why: see fcl_queries.cpp.
+// Distances are a best-first search: pairs of boxes wait in a heap by a lower bound of their distance, and the search ends once that
+// exceeds the least distance found. Links of a scene are sorted into about sqrt(n) groups of neighbours, each with a box of its own. For
+// FCL's settings, and why, see fcl_queries.cpp.
 #include "collision_hulls/check/boxed_model.h"
 
 #include <algorithm>
@@ -27,7 +29,7 @@ struct Link {
 
 using Boxes = std::vector<Eigen::AlignedBox3d>;
 
-/// Of those from `first` up to `last` which meet the box, until `visit` has enough; whether it had.
+/// Visits the boxes in [first, last) that meet `box` until `visit` returns true; returns whether it did.
 template <typename Visit>
 bool visitMeeting(const Boxes& boxes, const Eigen::AlignedBox3d& box, std::size_t first, std::size_t last, const Visit& visit) {
   for (std::size_t i = first; i < last; ++i)
@@ -40,7 +42,7 @@ bool touch(const Body& a, const Body& b, const Eigen::Isometry3d& of_links) {
   return !apart(a.body.box(), b.body.box(), pose) && collision_hulls::touch(a.body, b.body, pose);
 }
 
-/// `pose`: of the second link in the first one's frame.
+/// `pose`: the second link's in the first one's frame.
 bool touch(const Link& a, const Link& b, const Eigen::Isometry3d& pose) {
   if (a.bodies.size() == 1 && b.bodies.size() == 1) return touch(a.bodies[0], b.bodies[0], pose);
   if (apart(a.box, b.box, pose)) return false;
@@ -56,13 +58,13 @@ bool touch(const Link& a, const Link& b, const Eigen::Isometry3d& pose) {
   return false;
 }
 
-/// Two that may be near: bodies of two links, two links, a link and a group of them.
+/// Two things that may be near each other: bodies of two links, two links, or a link and a group of links.
 struct Near {
   std::size_t a, b;
-  double bound;  // [m] no more than their distance
+  double bound;  // [m] lower bound on their distance
 };
 
-/// Calls `measure` of them, the nearest first, while what it returned last, the least distance so far, is above the bound.
+/// Calls `measure` on the pairs, nearest first, as long as a pair's bound is below the least distance so far, which `measure` returns.
 template <typename Measure>
 double leastDistance(std::vector<Near> near, double least, const Measure& measure) {
   const auto further = [](const Near& a, const Near& b) { return a.bound > b.bound; };
@@ -74,9 +76,9 @@ double leastDistance(std::vector<Near> near, double least, const Measure& measur
   return least;
 }
 
-/// [m] The distance between two links, or `limit` where they are no closer than that.
+/// [m] The distance between two links, or `limit` if they are no closer than that.
 double linkDistanceBelow(double limit, const Link& a, const Link& b, const Eigen::Isometry3d& pose) {
-  // Box against the box about the other one, in either frame.
+  // Box against the box around the other box, in either frame.
   const auto boxesOf = [](const Link& link, const Eigen::Isometry3d& place) {
     Boxes boxes;
     for (const Body& body : link.bodies) boxes.push_back(placed(body.box, place));
@@ -96,7 +98,7 @@ double linkDistanceBelow(double limit, const Link& a, const Link& b, const Eigen
   });
 }
 
-/// Neighbours in space are neighbours in the order, in groups of a size.
+/// Sorts so that each run of `size` boxes is a group of neighbours in space.
 void sortIntoGroups(const Boxes& boxes, std::size_t size, std::vector<std::size_t>::iterator first,
                     std::vector<std::size_t>::iterator last) {
   const auto count = static_cast<std::size_t>(last - first);
@@ -122,24 +124,25 @@ struct BoxedModel::Impl {
   explicit Impl(IgnoredPairs pairs_ignored) : ignored(std::move(pairs_ignored)) {}
 
   IgnoredPairs ignored;
-  bool placed = true;  // all bodies
+  bool placed = true;  // all bodies are
   std::vector<Link> links;
   std::map<std::size_t, std::size_t> of_index;
   std::vector<Eigen::Isometry3d> poses;  // of the links
   Boxes boxes;                           // of the links as placed
 
-  // For questions about itself.
+  // For queries on the model itself.
   bool paired = false;
-  std::vector<LinkPair> pairs;  // of links that are not ignored
+  std::vector<LinkPair> pairs;  // of links, without ignored ones
 
-  // For questions about a scene, once it is placed.
+  // For queries against this model as a scene, once it is placed.
   bool grouped = false;
   std::vector<std::size_t> order;  // of the links
-  std::size_t group_size = 1;      // of links that have a box in common
-  Boxes ordered, groups;           // the links' boxes in this order; those of groups
+  std::size_t group_size = 1;      // links that share a box
+  Boxes ordered, groups;           // the links' boxes in this order; the groups' boxes
 
   void checkPlaced() const {
-    if (!placed) throw Error(ErrorCode::kInternal, "a model is asked with bodies that are not placed; place it once all are there");
+    if (!placed)
+      throw Error(ErrorCode::kInternal, "a collision model was queried before its bodies were placed; call place() after the last add()");
   }
 
   bool ignores(std::size_t a, const Impl& other, std::size_t b) const { return ignored(links[a].index, other.links[b].index); }
@@ -167,7 +170,7 @@ struct BoxedModel::Impl {
     if (grouped) return;
     order.resize(links.size());
     std::iota(order.begin(), order.end(), 0);
-    // As many groups as members, about.
+    // Makes about as many groups as each has members.
     group_size = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(std::max(links.size(), std::size_t{1})))));
     sortIntoGroups(boxes, group_size, order.begin(), order.end());
     ordered = Boxes(links.size());
@@ -192,8 +195,7 @@ BoxedModel::BoxedModel(BoxedModel&&) noexcept = default;
 
 void BoxedModel::add(std::size_t link, const QueryBody& body, const Eigen::Isometry3d& origin) {
   if (!std::isfinite(origin.matrix().sum()))
-    throw Error(ErrorCode::kNonFiniteCoordinate,
-                "the origin of a body of link " + std::to_string(link) + " is not finite; give a finite one");
+    throw Error(ErrorCode::kNonFiniteCoordinate, "the origin of a body of link " + std::to_string(link) + " is not finite; correct it");
   if (body.empty()) return;
   const auto [at, is_new] = impl_->of_index.emplace(link, impl_->links.size());
   if (is_new) impl_->links.emplace_back().index = link;
@@ -211,11 +213,11 @@ void BoxedModel::place(const std::vector<Eigen::Isometry3d>& links) {
   for (std::size_t i = 0; i < count; ++i) {
     const Link& link = impl_->links[i];
     if (link.index >= links.size())
-      throw Error(ErrorCode::kIndexOutOfRange, "there are poses for " + std::to_string(links.size()) + " links, and none for link " +
-                                                   std::to_string(link.index) + "; give one for each");
+      throw Error(ErrorCode::kIndexOutOfRange, "link " + std::to_string(link.index) + " has no pose, as only " +
+                                                   std::to_string(links.size()) + " were given; give one for each link");
     impl_->poses[i] = links[link.index];
     if (!std::isfinite(impl_->poses[i].matrix().sum()))
-      throw Error(ErrorCode::kNonFiniteCoordinate, "the pose of link " + std::to_string(link.index) + " is not finite; give a finite one");
+      throw Error(ErrorCode::kNonFiniteCoordinate, "the pose of link " + std::to_string(link.index) + " is not finite; correct it");
     impl_->boxes[i] = placed(link.box, impl_->poses[i]);
   }
   impl_->placed = true;

@@ -1,5 +1,6 @@
-// A triangle whose corners lie in one hull is covered, since hulls are convex. Any other is clipped by each hull in turn: what
-// lies outside a face is kept as a polygon, what remains inside all faces is covered and dropped.
+// A triangle whose corners lie in one hull is covered, since hulls are convex. Any other is clipped by each hull in turn: what lies beyond
+// a face is kept as a polygon; what remains inside all faces is covered and dropped. Branch and bound then finds the largest distance from
+// the polygons left over. Volumes are sampled by a low-discrepancy sequence.
 #include "check/cover.h"
 
 #include <algorithm>
@@ -18,10 +19,10 @@ namespace collision_hulls {
 
 namespace {
 
-// Rounding of a plane's distance to a point, as a share of the coordinates' size.
+// Rounding error of the distance between a plane and a point, as a share of the coordinates' size.
 constexpr double kRounding = 1e-12;
 
-// As many share the choice of hulls and faces that they are compared with.
+// This many triangles share a selection of the hulls and faces to compare them with.
 constexpr int kTrianglesAtOnce = 256;
 
 using Polygon = std::vector<Eigen::Vector3d>;
@@ -54,7 +55,7 @@ struct Hulls {
     return least <= tolerance ? 0 : least;
   }
 
-  /// The hulls nearest to p, `most` of them if there are as many.
+  /// The `most` hulls nearest to p, or all of them if there are fewer.
   std::vector<std::size_t> nearest(const Eigen::Vector3d& p, std::size_t most) const {
     std::vector<std::pair<double, std::size_t>> near;
     for (std::size_t h = 0; h < hulls.size(); ++h) {
@@ -69,8 +70,8 @@ struct Hulls {
   }
 };
 
-/// The hulls that come near some triangles, each with the faces that those may reach beyond: few, where triangles that follow on
-/// each other lie close together.
+/// The hulls near some triangles, each with only those faces that the triangles may reach beyond. These are few because consecutive
+/// triangles tend to lie close together.
 class NearHulls {
  public:
   NearHulls(const Hulls& set, const TriangleMesh& mesh, int begin, int end) : tolerance_(set.tolerance) {
@@ -108,7 +109,7 @@ class NearHulls {
   double tolerance_;
 };
 
-/// Divides a polygon by a face: what lies beyond it goes to `outside`, the rest is returned.
+/// Divides a polygon by a face: what lies beyond it goes to `outside`; the rest is returned.
 Polygon split(const Polygon& polygon, const HalfSpace& face, double tolerance, Polygon& outside) {
   Polygon inside;
   outside.clear();
@@ -125,7 +126,7 @@ Polygon split(const Polygon& polygon, const HalfSpace& face, double tolerance, P
   return inside;
 }
 
-/// polygon less the hull, as convex polygons added to `rest`.
+/// Adds the polygon minus the hull, as convex polygons, to `rest`.
 void subtract(const Polygon& polygon, const ConvexHull& hull, double tolerance, std::vector<Polygon>& rest) {
   const std::size_t before = rest.size();
   Polygon inside = polygon, outside;
@@ -140,11 +141,11 @@ void subtract(const Polygon& polygon, const ConvexHull& hull, double tolerance, 
   }
 }
 
-/// The largest distance to the hulls over polygons that lie outside of them all, by branch and bound. Corners of what is left of
-/// a triangle would not do: they lie on the faces that cut it.
+/// The largest distance from the hulls over polygons outside all of them, by branch and bound. The corners of what is left of a triangle
+/// would not suffice: they lie on the faces that cut it.
 ///
-/// The distance to one hull is convex, so over a piece its largest value lies at a corner; the mean of two such distances bounds
-/// the smaller one, and tightly so midway between two hulls.
+/// The distance to one hull is convex, so its maximum over a piece is at a corner. The mean of the distances to two hulls bounds the
+/// smaller one, and tightly so midway between them.
 class Furthest {
  public:
   explicit Furthest(const Hulls& set) : set_(set) {}
@@ -154,7 +155,7 @@ class Furthest {
     for (std::size_t i = 2; i < polygon.size(); ++i) push({{polygon[0], polygon[i - 1], polygon[i]}, 0});
   }
 
-  /// Never too small; too large by kGap unless it takes too many pieces.
+  /// Never too small; too large by at most kGap unless that takes too many pieces.
   double bound() {
     for (int pieces = 0; pieces < kMostPieces && !queue_.empty() && queue_.top().bound > found_ * (1 + kGap); ++pieces) halve();
     const double most = queue_.empty() ? found_ : std::max(found_, queue_.top().bound);
@@ -208,7 +209,7 @@ class Furthest {
   std::priority_queue<Piece> queue_;
 };
 
-/// The distance of what the hulls leave of a triangle; 0 where they leave nothing.
+/// The largest distance from the hulls over what they leave of a triangle; 0 if they leave nothing.
 double uncoveredDistance(const Polygon& triangle, const Hulls& set) {
   const auto boxOf = [](const Polygon& polygon) {
     Eigen::AlignedBox3d box;
@@ -274,11 +275,11 @@ std::vector<Eigen::AlignedBox3d> boxesOf(const std::vector<ConvexHull>& hulls) {
 }
 
 constexpr double kSamples = 20000;
-constexpr std::size_t kLeastSamples = 50;     // of a hull,
-constexpr std::size_t kTriesPerSample = 200;  // as many of its box may lie beside it
+constexpr std::size_t kLeastSamples = 50;     // per hull,
+constexpr std::size_t kTriesPerSample = 200;  // points of its box that may miss the hull, per sample
 
-/// A point of the R3 sequence (fractional parts of multiples of the plastic number's powers), whose points spread more evenly over
-/// the unit cube than random ones.
+/// A point of the R3 sequence (fractional parts of multiples of the plastic number's powers), which fills the unit cube more evenly than
+/// random points.
 Eigen::Vector3d spread(std::size_t i) {
   const Eigen::Vector3d u = (static_cast<double>(i) + 0.5) * Eigen::Vector3d(0.8191725133961645, 0.6710436067037893, 0.5497004779019703);
   return u - u.array().floor().matrix();
@@ -291,7 +292,7 @@ double unionVolume(const std::vector<ConvexHull>& hulls) {
   const std::vector<Eigen::AlignedBox3d> boxes = boxesOf(hulls);
   double all = 0;
   for (const ConvexHull& hull : hulls) all += volume(hull);
-  // What a hull shares with others counts for each of them by its part.
+  // A part shared by several hulls counts for each of them with an equal share.
   std::vector<double> own(hulls.size(), 0);
   forEach(hulls.size(), [&](std::size_t h) {
     const double mine = volume(hulls[h]);

@@ -1,4 +1,4 @@
-// Which of a mesh's triangles a hull set leaves uncovered: the common part of measuring and of mending.
+// Which of a mesh's triangles a hull set leaves uncovered: used both to measure and to complete a cover.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,10 @@ namespace collision_hulls {
 
 struct UncoveredTriangle {
   int triangle = 0;
-  double distance = 0;  ///< [m] largest distance to the hulls over what they leave of the triangle; see uncovered()
+  double distance = 0;  ///< [m] largest distance from the hulls over the uncovered part of the triangle; see uncovered()
 };
 
-/// The triangles that are not wholly within the union of the hulls, in ascending order.
+/// The triangles not wholly inside the union of the hulls, in ascending order.
 std::vector<UncoveredTriangle> uncoveredTriangles(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
                                                   const RunControl& control = {});
 

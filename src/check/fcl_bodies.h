@@ -1,4 +1,4 @@
-// FCL's own types of the bodies that are asked about; for the files of this room alone.
+// FCL's types behind QueryBody; for this room's files only.
 #pragma once
 
 #include <fcl/geometry/collision_geometry.h>
@@ -9,13 +9,13 @@
 
 namespace collision_hulls {
 
-// FCL's thresholds are absolute: bodies are given to it enlarged, by a power of two, so that nothing is rounded.
+// FCL's thresholds are absolute, so bodies are enlarged; by a power of two, so that nothing is rounded.
 constexpr double kQueryEnlarged = 1024;
 constexpr double kQueryDistanceTolerance = 1e-9;
 
 struct QueryBody::Impl {
   std::shared_ptr<fcl::CollisionGeometryd> geometry;
-  Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();  // [m] of the geometry in the body's frame
+  Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();  // [m] the geometry's pose in the body's frame
 };
 
 }  // namespace collision_hulls

@@ -1,3 +1,5 @@
+// Generates pairs with seeded random numbers, and computes the true signed distance by brute force: separating axes from faces and from
+// pairs of edges, O(n^2) support queries.
 #include "check/fcl_pairs.h"
 
 #include <algorithm>
@@ -15,7 +17,7 @@ using Points = std::vector<Eigen::Vector3d>;
 
 constexpr int kVertices = 14;
 constexpr double kLeastGap = 1e-9, kLargestGap = 1e-2;  // [m]
-constexpr double kMillimetre = 1e-3;                    // of a metre
+constexpr double kMillimetre = 1e-3;                    // in metres
 
 ConvexHull roundBody(double size, Random& random) {
   const Eigen::Vector3d radii = size / 2 * Eigen::Vector3d(1, random.uniform(0.4, 1), random.uniform(0.4, 1));
@@ -42,7 +44,7 @@ ConvexHull plate(Random& random) {
   return convexHull(points);
 }
 
-/// How far a body reaches in a direction.
+/// The support function: how far a body extends in a direction.
 double reach(const ConvexHull& body, const Eigen::Vector3d& direction) {
   double furthest = -std::numeric_limits<double>::infinity();
   for (const Eigen::Vector3d& v : body.vertices) furthest = std::max(furthest, direction.dot(v));
@@ -62,7 +64,7 @@ Eigen::Vector3d middleOfFace(const ConvexHull& body, const HalfSpace& face) {
   return sum / count;
 }
 
-/// The second turned anyhow, its lowest corner `gap` above the middle of a face of the first.
+/// Places the second body, rotated at random, with its lowest corner `gap` above the middle of a face of the first.
 void placeOverFace(double gap, Random& random, BodyPair& pair) {
   const HalfSpace& face = pair.first.faces[random.below(pair.first.faces.size())];
   const Eigen::Quaterniond turn = random.rotation();
@@ -70,7 +72,7 @@ void placeOverFace(double gap, Random& random, BodyPair& pair) {
   pair.pose = Eigen::Translation3d(middleOfFace(pair.first, face) + gap * face.normal - corner) * turn;
 }
 
-/// The second turned anyhow, `gap` apart from the first along some direction, and so no nearer.
+/// Places the second body, rotated at random, `gap` from the first along some direction, so the bodies are at least `gap` apart.
 void placeApart(double gap, Random& random, BodyPair& pair) {
   const Eigen::Quaterniond turn = random.rotation();
   const Eigen::Vector3d way = random.direction();
@@ -89,7 +91,7 @@ void placeInMiddle(Random& random, BodyPair& pair) {
   pair.pose = Eigen::Translation3d(middle) * random.rotation();
 }
 
-/// Two boxes, the one standing on the other, edges parallel to edges.
+/// Two boxes, one standing on the other, with parallel edges.
 BodyPair stacked(Random& random) {
   const Eigen::Vector3d a(1, random.uniform(0.2, 1), random.uniform(0.2, 1)), b(0.5, random.uniform(0.2, 1), random.uniform(0.2, 1));
   BodyPair pair{boxBody(a), boxBody(b)};
@@ -97,7 +99,7 @@ BodyPair stacked(Random& random) {
   return pair;
 }
 
-/// max over the directions n that may part the bodies of -(h_A(n) + h_B(-n)).
+/// The least overlap over all directions that may separate the bodies.
 double penetration(const ConvexHull& a, const ConvexHull& b) {
   double least = std::numeric_limits<double>::infinity();
   const auto tryAxis = [&](const Eigen::Vector3d& axis) { least = std::min(least, reach(a, axis) + reach(b, -axis)); };

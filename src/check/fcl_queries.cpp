@@ -1,16 +1,16 @@
-// What is asked of FCL, and what is not:
-// - Unsigned distance by libccd's GJK with a distance tolerance of 1e-9. Signed distance and penetration depth run EPA, whose
-//   asserts end the process; the other solver, GST_INDEP, is wrong in some pairs and in most at millimetre scale. Where faces of two
-//   hulls line up, one answer in a hundred is wrong even so: it counts with the proof of its nearest points alone, see proved().
-// - A sphere is its centre, the radius being taken off the answer: GJK stops up to 1e-5 early on a curved body, and a sphere that
-//   overlaps a BVH's triangle leaves the distance uninitialised.
-// - Bodies are given to FCL enlarged: its thresholds are absolute, and libccd's GJK takes 6 % of the overlaps of millimetre cubes
-//   (in metres) for separated.
-// - Polyhedra against a mesh go as meshes: BVH against BVH is exact to rounding, BVH against Convex only to 2e-5.
+// Which of FCL's queries are used, and which are not:
+// - Unsigned distance by libccd's GJK with a distance tolerance of 1e-9. Signed distance and penetration depth run EPA, whose asserts end
+//   the process; the other solver, GST_INDEP, is wrong for some pairs, and for most at millimetre scale. Even so, if faces of two hulls
+//   line up one answer in a hundred is wrong: it counts only if its nearest points prove it, see proved().
+// - A sphere is queried as its centre, and its radius subtracted: GJK stops up to 1e-5 early on a curved body, and for a sphere that
+//   overlaps a BVH's triangle the distance is left uninitialised.
+// - Bodies are enlarged: FCL's thresholds are absolute, and libccd's GJK reports 6 % of the overlaps of millimetre cubes (in metres) as
+//   separated.
+// - Polyhedra are queried against a mesh as meshes: BVH against BVH is exact up to rounding, BVH against Convex only to 2e-5.
 #include "check/fcl_queries.h"
 
 #include <fcl/config.h>
-// FCL 0.6 and 0.7 agree in all that is used here; 0.5 has another Convex (plane arrays instead of a face array) and no scalar type.
+// FCL 0.6 and 0.7 agree in everything used here; 0.5 has a different Convex (plane arrays instead of a face array) and no scalar type.
 #if FCL_MAJOR_VERSION == 0 && FCL_MINOR_VERSION < 6
 #error "collision_hulls needs FCL 0.6 or newer; on Ubuntu 20.04 that is the package ros-noetic-fcl or a build from source"
 #endif
@@ -68,8 +68,8 @@ FclAnswer askPoint(const fcl::CollisionGeometryd& body, const Eigen::Vector3d& p
 
 }  // namespace
 
-/// Fits boxes along the coordinate axes, as the rounded rectangles (RSS) that FCL's distance queries use of an OBBRSS too. FCL's own
-/// fitter takes ten times as long for boxes along the axes of inertia, which make queries little faster.
+/// Fits boxes along the coordinate axes, expressed as rounded rectangles (RSS), which FCL's distance queries also use for an OBBRSS. FCL's
+/// own fitter aligns boxes with the axes of inertia: it takes ten times as long and makes queries little faster.
 class BoxFitter : public fcl::detail::BVFitterBase<fcl::RSSd> {
  public:
   explicit BoxFitter(const TriangleMesh& mesh) {
@@ -83,7 +83,7 @@ class BoxFitter : public fcl::detail::BVFitterBase<fcl::RSSd> {
   void set(Eigen::Vector3d*, Eigen::Vector3d*, fcl::Triangle*, fcl::BVHModelType) override {}
   void clear() override { boxes_ = {}; }
 
-  /// The rectangle lies halfway up the box, across its shortest side; half of that is the radius.
+  /// The rectangle lies halfway up the box's shortest side; half of that side is the radius.
   fcl::RSSd fit(unsigned int* indices, int count) override {
     Eigen::AlignedBox3d box;
     for (int i = 0; i < count; ++i) box.extend(boxes_[indices[i]]);
@@ -93,7 +93,7 @@ class BoxFitter : public fcl::detail::BVFitterBase<fcl::RSSd> {
     Eigen::Index middle = (longest + 1) % 3, shortest = (longest + 2) % 3;
     if (size[middle] < size[shortest]) std::swap(middle, shortest);
     fcl::RSSd rss;
-    rss.axis.col(0) = Eigen::Vector3d::Unit(longest);  // FCL divides nodes along it
+    rss.axis.col(0) = Eigen::Vector3d::Unit(longest);  // FCL splits nodes along it
     rss.axis.col(1) = Eigen::Vector3d::Unit(middle);
     rss.axis.col(2) = rss.axis.col(0).cross(rss.axis.col(1));
     rss.l[0] = size[longest];
@@ -122,7 +122,7 @@ FclMesh::FclMesh(const TriangleMesh& mesh) : impl_(std::make_unique<Impl>()) {
     impl_->model.addSubModel(enlarged(mesh.vertices), triangles);
   }
   if (impl_->model.endModel() != fcl::BVH_OK)
-    throw Error(ErrorCode::kInternal, "FCL refused a mesh of " + std::to_string(mesh.triangles.size()) + " triangles");
+    throw Error(ErrorCode::kInternal, "FCL rejected a mesh of " + std::to_string(mesh.triangles.size()) + " triangles");
 }
 
 FclMesh::~FclMesh() = default;
@@ -137,7 +137,7 @@ struct FclHull::Impl {
 };
 
 FclHull::FclHull(const ConvexHull& hull) : impl_(std::make_unique<Impl>()) {
-  // FCL's face array: for each face its number of vertices, then their indices counter-clockwise.
+  // FCL's face array: for each face its number of vertices, followed by their indices counter-clockwise.
   const auto faces = std::make_shared<std::vector<int>>();
   for (const Triangle& t : hull.triangles) faces->insert(faces->end(), {3, t[0], t[1], t[2]});
   const auto vertices = std::make_shared<std::vector<Eigen::Vector3d>>(enlarged(hull.vertices));
@@ -154,7 +154,7 @@ FclAnswer fclDistance(const FclMesh& mesh, const Eigen::Vector3d& point) {
 FclAnswer fclDistance(const FclHull& hull, const Eigen::Vector3d& point) {
   const std::vector<Eigen::Vector3d>& vertices = hull.impl().convex->getVertices();
   const bool is_vertex = std::find(vertices.begin(), vertices.end(), kEnlarged * point) != vertices.end();
-  if (is_vertex) return {};  // one of FCL's asserts would end the process
+  if (is_vertex) return {};  // otherwise one of FCL's asserts would end the process
   return askPoint(*hull.impl().convex, point);
 }
 

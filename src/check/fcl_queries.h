@@ -1,4 +1,4 @@
-// Distance queries of FCL in the settings that were found to be safe, with exceptions and NaN turned into values.
+// FCL's distance queries in settings found to be safe, with exceptions and NaN turned into values.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -10,7 +10,7 @@
 
 namespace collision_hulls {
 
-/// The largest error of a distance, as a share of the bodies' size, that is taken for FCL's rounding and not for a fault.
+/// The largest error of a distance, as a share of the bodies' size, that counts as FCL's rounding rather than a fault.
 constexpr double kFclTolerance = 1e-6;
 
 /// One answer of FCL.
@@ -18,20 +18,20 @@ struct FclAnswer {
   enum class Status { kDistance, kException, kNan };
   Status status = Status::kDistance;
   double distance = 0;                                  ///< 0: in contact or overlapping
-  Eigen::Vector3d on_first = Eigen::Vector3d::Zero();   ///< nearest points, between separated hulls alone
+  Eigen::Vector3d on_first = Eigen::Vector3d::Zero();   ///< nearest points, only between separated hulls
   Eigen::Vector3d on_second = Eigen::Vector3d::Zero();  ///< in the frame of the first body
-  double microseconds = 0;                              ///< what FCL's call took
+  double microseconds = 0;                              ///< duration of FCL's call
   std::string error;                                    ///< the text of an exception
 };
 
-/// A mesh as FCL and MoveIt hold one: a tree of triangles, a surface without inside. Triangles must have an area: FCL fits
-/// no box to a line or a point, and its answers about them are wrong. Immutable, thread safe.
+/// A mesh as in FCL and MoveIt: a tree of triangles, a surface without an inside. Triangles must have an area: for a line or a point FCL's
+/// answers are wrong, as it fits no box to it. Immutable, thread safe.
 class FclMesh {
  public:
   explicit FclMesh(const TriangleMesh& mesh);
   ~FclMesh();
   FclMesh(FclMesh&&) noexcept;
-  bool empty() const;  ///< no triangle; such a mesh must not be asked for distances
+  bool empty() const;  ///< no triangles; distance queries on such a mesh are not allowed
 
   struct Impl;
   const Impl& impl() const { return *impl_; }
@@ -40,8 +40,8 @@ class FclMesh {
   std::unique_ptr<Impl> impl_;
 };
 
-/// A hull as FCL's Convex. FCL trusts it to be convex; where its triangles are not closed, FCL searches all vertices instead of
-/// walking along edges. Immutable, thread safe.
+/// A hull as FCL's Convex. FCL trusts it to be convex; if its triangles are not closed, FCL searches all vertices instead of walking along
+/// edges. Immutable, thread safe.
 class FclHull {
  public:
   explicit FclHull(const ConvexHull& hull);
@@ -55,8 +55,8 @@ class FclHull {
   std::unique_ptr<Impl> impl_;
 };
 
-// Distance from the first body to a point, or to a second body placed at `pose` in the first one's frame. A sphere is asked
-// for by its centre. FCL's tolerances are absolute: bodies are expected to be about one unit in size.
+// The distance from the first body to a point, or to a second body at `pose` in the first one's frame. For a sphere, query its centre.
+// FCL's tolerances are absolute: bodies should be about one unit in size.
 FclAnswer fclDistance(const FclMesh& mesh, const Eigen::Vector3d& point);
 FclAnswer fclDistance(const FclHull& hull, const Eigen::Vector3d& point);
 FclAnswer fclDistance(const FclMesh& mesh, const FclMesh& other, const Eigen::Isometry3d& pose);

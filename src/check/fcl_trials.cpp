@@ -1,3 +1,4 @@
+// Runs one of FCL's queries as a user would write it, or as the validator does, and compares the answer with the true signed distance.
 #include "check/fcl_trials.h"
 
 #include <fcl/geometry/bvh/BVH_model.h>
@@ -69,7 +70,7 @@ ConvexHull enlarged(ConvexHull hull, double factor) {
   return hull;
 }
 
-/// With the larger body about one unit in size, as UnitFrame makes elements and probes.
+/// Scales so that the larger body is about one unit in size, as UnitFrame does with elements and probes.
 FclAnswer askAsValidator(const FclSetting& setting, const BodyPair& pair, double& unit) {
   int exponent = 0;
   std::frexp(pair.size, &exponent);

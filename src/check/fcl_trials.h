@@ -1,4 +1,4 @@
-// FCL asked in one of the ways that it can be asked, and its answer held against the truth.
+// Queries FCL in any one of its settings and compares the answer with the truth.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace collision_hulls {
 
-/// A way of asking. `tolerance` is FCL's own, absolute [m]; 0 where the query has none.
+/// One setting of a query. `tolerance` is FCL's own, absolute [m]; 0 if the query has none.
 struct FclSetting {
   enum class Query {
-    kDistance,        ///< distance(), 0 or -1 for overlap
-    kSignedDistance,  ///< distance() with enable_signed_distance, negative for overlap
-    kCollide,         ///< collide(), whether or not
-    kValidator        ///< the queries of validate(), in its frame: see fcl_queries.h
+    kDistance,        ///< distance(); 0 or -1 for overlap
+    kSignedDistance,  ///< distance() with enable_signed_distance; negative for overlap
+    kCollide,         ///< collide(); yes or no
+    kValidator        ///< as validate() queries, in its frame: see fcl_queries.h
   };
   enum class Bodies { kConvexConvex, kBvhConvex, kBvhBvh };
   enum class Solver { kLibccd, kIndep, kNone };
@@ -31,16 +31,16 @@ const std::vector<FclSetting>& fclSettings();
 struct FclTrial {
   enum class Outcome {
     kExact,     ///< within kFclTolerance of the truth, in sizes of the larger body
-    kMinusOne,  ///< -1 for bodies that overlap: right, but no distance
+    kMinusOne,  ///< -1 for overlapping bodies: correct, but not a distance
     kOff,
     kNan,
     kException
   } outcome = Outcome::kExact;
-  double error = 0;  ///< of exact and off, in sizes of the larger body; of a wrong collide(), how clear the case was
+  double error = 0;  ///< for exact and off: in sizes of the larger body; for a wrong collide(): how clear the case was
 };
 const char* name(FclTrial::Outcome outcome);  ///< "exact", "minus_one", "off", "nan", "exception"
 
-/// Asks FCL once. The truth is that of solids, which is more than a BVH knows. May abort the process, or not end: FCL's doing.
+/// Queries FCL once. The truth refers to solids, which is more than a BVH represents. FCL may abort the process or never return.
 FclTrial tryFcl(const FclSetting& setting, const BodyPair& pair);
 
 }  // namespace collision_hulls

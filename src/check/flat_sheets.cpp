@@ -1,6 +1,6 @@
-// Within a group the two triangles of an edge run along it in opposite directions and face the same way, so that they lie on both of its
-// sides: projected to the plane, the group covers a neighbourhood of each of its points but those of its rim. So what is connected, holds
-// a point of it and meets no edge of the rim, is covered.
+// Inside a group, the two triangles at an edge run along it in opposite directions and face the same way, so they lie on either side of it.
+// Projected to the plane, the group therefore covers a neighbourhood of each of its points except those on its rim. Hence a connected set
+// that contains a point of the group and meets no edge of the rim is covered.
 #include "check/flat_sheets.h"
 
 #include <algorithm>
@@ -11,11 +11,11 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kFlat = 1e-6;            // of the mesh's diagonal
-constexpr double kSameWay = 0.5;          // cosine between normals within a group, at least
+constexpr double kFlat = 1e-6;            // largest deviation from the plane, as a share of the mesh's diagonal
+constexpr double kSameWay = 0.5;          // least cosine between the group's normal and its triangles'
 constexpr std::size_t kFewTriangles = 2;  // smaller groups are left to the search's other bounds
 
-/// The triangle on the other side of a half-edge, that runs along it in the other direction; -1: none.
+/// The triangle across a half-edge if it runs along the edge in the opposite direction; -1: none.
 int neighbour(const RepairedMesh& mesh, const Edges& edges, int h) {
   const int twin = edges.twin[static_cast<std::size_t>(h)];
   return twin >= 0 && startOf(mesh.mesh.triangles, twin) == endOf(mesh.mesh.triangles, h) ? twin / 3 : -1;
@@ -87,7 +87,7 @@ double FlatSheets::bound(const std::array<Eigen::Vector3d, 3>& patch, const Tria
     highest = std::max(highest, std::abs(height(p)));
   }
   if (slack > radius) return kNone;
-  std::array<Eigen::Vector3d, 3> inner;  // the patch in the plane, drawn together about the middle by no more than `slack`
+  std::array<Eigen::Vector3d, 3> inner;  // the patch projected to the plane and shrunk toward the middle by at most `slack`
   for (std::size_t k = 0; k < 3; ++k) {
     const Eigen::Vector3d flat = patch[k] - height(patch[k]) * group.normal;
     inner[k] = flat + slack / radius * (middle - flat);
@@ -95,7 +95,7 @@ double FlatSheets::bound(const std::array<Eigen::Vector3d, 3>& patch, const Tria
   return isCovered(inner, middle, group) ? highest + group.deviation + slack : kNone;
 }
 
-/// Whether a triangle in a group's plane that holds a point of the group meets no edge of the rim.
+/// Whether a triangle in a group's plane that contains a point of the group meets no edge of the rim.
 bool FlatSheets::isCovered(const std::array<Eigen::Vector3d, 3>& triangle, const Eigen::Vector3d& point, const Group& group) const {
   std::array<Eigen::Vector3d, 3> normals;
   for (std::size_t k = 0; k < 3; ++k) normals[k] = group.normal.cross(triangle[(k + 1) % 3] - triangle[k]);

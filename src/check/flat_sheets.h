@@ -1,4 +1,4 @@
-// Flat parts of sheets: what lies over one of them is no further from it than its height.
+// Flat parts of sheets: a point over such a part is no further from it than its height.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,14 +11,14 @@
 
 namespace collision_hulls {
 
-/// The triangles that may be sheets, in groups that edges connect and that lie in one plane. Immutable, thread safe.
+/// The triangles that may be sheets, in edge-connected groups that each lie in one plane. Immutable, thread safe.
 class FlatSheets {
  public:
-  /// `two_sided`: per triangle, whether both of its sides may face the outside.
+  /// `two_sided`: per triangle, whether either side may face the outside.
   FlatSheets(const RepairedMesh& mesh, const Edges& edges, const std::vector<char>& two_sided);
 
-  /// [m] A bound of the distance from any point of a patch to the surface, by its height above one group; infinite where it reaches further
-  /// than `slack` [m] beyond that. `near`: the point of the surface nearest to a point of the patch. The bound is larger by the slack.
+  /// [m] An upper bound on the distance of a patch's points from the surface: the patch's height above one group, plus `slack` [m];
+  /// infinite if the patch sticks out sideways by more than the slack. `near`: the point of the surface nearest to a point of the patch.
   double bound(const std::array<Eigen::Vector3d, 3>& patch, const TriangleBvh::Nearest& near, double slack) const;
 
  private:
@@ -32,10 +32,10 @@ class FlatSheets {
   bool isCovered(const std::array<Eigen::Vector3d, 3>& triangle, const Eigen::Vector3d& point, const Group& group) const;
   TriangleBvh rims(const RepairedMesh& mesh, const Edges& edges) const;
 
-  double flat_ = 0;            // [m] deviation that is allowed
+  double flat_ = 0;            // [m] allowed deviation
   std::vector<int> group_;     // per triangle of the mesh; -1: none
-  std::vector<Group> groups_;  // large ones
-  TriangleBvh rim_;            // their edges that lead to no triangle of the same group
+  std::vector<Group> groups_;  // only large ones
+  TriangleBvh rim_;            // the groups' edges that lead to no triangle of the same group
 };
 
 }  // namespace collision_hulls

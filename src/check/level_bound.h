@@ -1,4 +1,4 @@
-// An upper bound of the distance to a surface over a convex polytope, tight where that distance is level.
+// An upper bound on the distance to a surface over a convex polytope; tight where that distance is nearly constant (level).
 #pragma once
 
 #include <Eigen/Core>
@@ -10,15 +10,15 @@
 
 namespace collision_hulls {
 
-/// The distance f to the surface is at most the distance d_j to any one of its triangles, so f <= min_j d_j <= sum_j w_j d_j for
-/// any weights w that sum to 1. That sum is convex: over a polytope its largest value lies at a corner. One triangle bounds
-/// well beside a wall, two do midway between walls. The best weights are those of a small matrix game, corner against triangle.
+/// The distance f to the surface is at most the distance d_j to any of its triangles, so f <= min_j d_j <= sum_j w_j d_j for any weights w
+/// >= 0 that sum to 1. That sum is convex: its maximum over a polytope is at a corner. One triangle gives a good bound beside a wall, two
+/// do so midway between walls. The best weights are those of a small matrix game, corner against triangle.
 template <std::size_t Corners, std::size_t MostTriangles>
 class LevelBound {
  public:
   LevelBound(const std::array<Eigen::Vector3d, Corners>& corners, const TriangleBvh& surface) : corners_(corners), surface_(surface) {}
 
-  /// Adds a triangle of the surface (-1, a known one, or one too many: nothing is added).
+  /// Adds a triangle of the surface; ignores -1, a triangle added before, and any beyond the capacity.
   void add(int triangle) {
     if (triangle < 0 || count_ == MostTriangles) return;
     for (std::size_t k = 0; k < count_; ++k)
@@ -34,17 +34,17 @@ class LevelBound {
   /// Infinite without triangles.
   double value() const { return count_ > 1 ? std::min(nearest_, gameValue()) : nearest_; }
 
-  /// Whether value() is no larger, by one triangle alone: then others change nothing of that.
+  /// Whether one triangle alone already gives value() <= distance; more triangles then do not matter.
   bool reaches(double distance) const { return nearest_ <= distance; }
 
-  /// Whether value() is no larger.
+  /// Whether value() <= distance.
   bool isWithin(double distance) const { return nearest_ <= distance || value() <= distance; }
 
  private:
   static constexpr int kRounds = 16;
   static constexpr int kRows = static_cast<int>(Corners), kColumns = static_cast<int>(MostTriangles);
 
-  /// Min over weights of max over corners, by fictitious play: any weights give an upper bound, good ones a tight one.
+  /// The minimum over weights of the maximum over corners, by fictitious play: any weights give an upper bound, good ones a tight one.
   double gameValue() const {
     const auto distance = distance_.leftCols(static_cast<Eigen::Index>(count_));
     Eigen::Matrix<double, kRows, 1> total = Eigen::Matrix<double, kRows, 1>::Zero();
@@ -63,8 +63,8 @@ class LevelBound {
 
   const std::array<Eigen::Vector3d, Corners> corners_;
   const TriangleBvh& surface_;
-  Eigen::Matrix<double, kRows, kColumns> distance_;           // corner against triangle
-  double nearest_ = std::numeric_limits<double>::infinity();  // the least that one triangle is from the corner furthest from it
+  Eigen::Matrix<double, kRows, kColumns> distance_;           // per corner (row) and triangle (column)
+  double nearest_ = std::numeric_limits<double>::infinity();  // least over the triangles of the largest distance from a corner
   std::array<int, MostTriangles> triangles_{};
   std::size_t count_ = 0;
 };

@@ -1,3 +1,6 @@
+// An octree of signed distances with two searches: largest() is branch and bound, largest bound first; intruders() goes level by level. A
+// hull's faces are compared with a cell four at a time in single precision, and a cell hands down to its children only the faces that may
+// cut it.
 #include "check/outside_distance.h"
 
 #include <algorithm>
@@ -14,32 +17,32 @@ namespace collision_hulls {
 namespace {
 
 const double kSqrt3 = std::sqrt(3.0);
-constexpr double kBoxMargin = 1e-4;                 // the root's size beyond the box, as a share
-constexpr float kSingleRounding = 4e-6F;            // of sums of a few products in single precision
-constexpr double kOnFace = 1e-9;                    // a point this far beyond a face, in cells, still lies in the hull
-constexpr std::size_t kMostCellsInAll = 8'000'000;  // then cells are not divided any more
-constexpr int kDeepest = 40;                        // level that isWithin() descends to
+constexpr double kBoxMargin = 1e-4;                 // how far the root extends beyond the box, as a share of its size
+constexpr float kSingleRounding = 4e-6F;            // rounding error of sums of a few products in single precision
+constexpr double kOnFace = 1e-9;                    // a point this far beyond a face, in cells, still counts as in the hull
+constexpr std::size_t kMostCellsInAll = 8'000'000;  // with more cells than this none are divided
+constexpr int kDeepest = 40;                        // level down to which isWithin() descends
 constexpr std::size_t kVisitsBetweenChecks = 1024;
-constexpr std::size_t kMostCells = 40000;  // of one size that a search for intruders divides further
+constexpr std::size_t kMostCells = 40000;  // cells of one size that a search for intruders may divide
 
 }  // namespace
 
-/// A hull's faces, as cells are compared with them: four at once, in single precision, about the middle of the hull's box, in units of its
-/// half size.
+/// A hull's faces, prepared for comparison with cells: four at a time, in single precision, relative to the middle of the hull's box and in
+/// units of its half size.
 struct OutsideDistance::Faces {
-  /// Of fours.
+  /// A list of fours.
   struct List {
-    std::size_t first = 0, count = 0;  // in `lists`
+    std::size_t first = 0, count = 0;  // range in `lists`
   };
   const ConvexHull& hull;
   const Eigen::Matrix3d& axes;
   Eigen::Vector3d middle, half;  // of the hull's box
   double unit = 1;               // [m]
   std::vector<Four>& fours;
-  std::vector<int>& lists;  // one after the other
+  std::vector<int>& lists;  // one after another
   List all;
 
-  /// `memory`: so that each query does not ask for its own.
+  /// `memory` is reused so that each query need not allocate its own.
   Faces(const ConvexHull& the_hull, const Eigen::Matrix3d& the_axes, Memory& memory)
       : hull(the_hull), axes(the_axes), fours(memory.fours), lists(memory.lists) {
     Eigen::AlignedBox3d box;
@@ -59,16 +62,16 @@ struct OutsideDistance::Faces {
     std::iota(lists.begin(), lists.end(), 0);
   }
 
-  /// Along the cells.
+  /// In the frame of the cells.
   HalfSpace face(std::size_t f) const { return {axes * hull.faces[f].normal, hull.faces[f].offset}; }
 };
 
-/// A cell as a hull's faces see it.
+/// A cell in relation to a hull's faces.
 struct OutsideDistance::View {
-  Faces::List faces;                                       // that may cut the cell, and some besides
-  double depth = std::numeric_limits<double>::infinity();  // no point of both lies deeper beneath the hull's surface
-  bool outside = false;                                    // the cell and the hull have nothing in common
-  double offset = 0;                                       // the centre lies no further beyond a face
+  Faces::List faces;                                       // those that may cut the cell, and some others
+  double depth = std::numeric_limits<double>::infinity();  // upper bound on how deep below the hull's surface any common point lies
+  bool outside = false;                                    // the cell and the hull are disjoint
+  double offset = 0;                                       // upper bound on how far the centre lies beyond a face
 
   /// `candidates`: the faces that may cut a cell around this one.
   View(const Cell& cell, Faces& hull, const Faces::List& candidates) : faces{hull.lists.size(), 0} {
@@ -86,10 +89,10 @@ struct OutsideDistance::View {
       const float above = distance.maxCoeff();
       beyond = std::max(beyond, (distance - reach).maxCoeff());
       cutting[faces.count] = candidate[i];
-      faces.count += static_cast<std::size_t>((distance + reach).maxCoeff() > -rounding);  // no branch: there is no telling
+      faces.count += static_cast<std::size_t>((distance + reach).maxCoeff() > -rounding);  // no branch: it would be unpredictable
       if (above > highest) {
         highest = above;
-        std::swap(cutting[0], cutting[faces.count - 1]);  // they are the likeliest to part cells within from the hull
+        std::swap(cutting[0], cutting[faces.count - 1]);  // in front: the likeliest to separate sub-cells from the hull
       }
     }
     outside = beyond > rounding;
@@ -98,7 +101,7 @@ struct OutsideDistance::View {
     offset = hull.unit * (highest + rounding);
   }
 
-  /// The point of the hull in the cell that is nearest to its centre, roughly; nullopt where that is hard to tell.
+  /// Roughly the point of the hull in the cell that is nearest to the cell's centre; nullopt if it is hard to find.
   std::optional<Eigen::Vector3d> point(const Cell& cell, const Faces& hull) const {
     if (offset <= 0) return cell.centre;
     std::vector<HalfSpace> mine;
@@ -140,8 +143,8 @@ double OutsideDistance::radius(const Cell& cell) const {
   return cell.half * kSqrt3;
 }
 
-/// Where the parent's distance exceeds the way between the centres, nothing that closes the surface lies between them and the sign is the
-/// same, unless there are openings.
+/// If the parent's distance exceeds the distance between the centres, no closed surface lies between them and the sign is the same, unless
+/// there are openings.
 void OutsideDistance::measure(Cell& cell, const Cell* parent) const {
   const TriangleBvh::Nearest n =
       solid_.surface().nearest(inWorld(cell.centre), std::numeric_limits<double>::infinity(), parent ? parent->triangle : -1);
@@ -154,13 +157,13 @@ void OutsideDistance::measure(Cell& cell, const Cell* parent) const {
     cell.distance = solid_.signedDistance(inWorld(cell.centre), n.distance);
 }
 
-/// Over a cell, of the distance to S as a set; infinite if it was not measured yet.
+/// An upper bound over a cell on the distance to S as a set; infinite if the cell was not measured yet.
 double OutsideDistance::knownBound(int id) const {
   const Cell& cell = cells_[static_cast<std::size_t>(id)];
   return cell.triangle < 0 ? std::numeric_limits<double>::infinity() : cell.distance + radius(cell);
 }
 
-/// A point of the hull in a cell whose centre is outside, that is outside, too.
+/// A point of the hull in a cell whose centre is outside the solid; nullopt if that point may not be outside, too.
 std::optional<Eigen::Vector3d> OutsideDistance::outsidePoint(const Cell& cell, const Faces& hull, const View& view) const {
   const std::optional<Eigen::Vector3d> p = view.point(cell, hull);
   return p && view.offset > 0 && solid_.hasOpenings() && solid_.contains(inWorld(*p)) ? std::nullopt : p;
@@ -170,7 +173,7 @@ bool OutsideDistance::canDivide(int id) const {
   return cells_.size() < kMostCellsInAll || cells_[static_cast<std::size_t>(id)].children >= 0;
 }
 
-/// Not measured yet: the hull that asks may lie in few of them.
+/// Does not measure them yet: the hull in question may meet only few of them.
 int OutsideDistance::children(int id) {
   if (cells_[static_cast<std::size_t>(id)].children >= 0) return cells_[static_cast<std::size_t>(id)].children;
   const Cell parent = cells_[static_cast<std::size_t>(id)];
@@ -202,7 +205,7 @@ void OutsideDistance::learn(int id, const OutsideDistance& other, int known_id, 
   for (int k = 0; k < 8; ++k) learn(first + k, other, known.children + k, part);
 }
 
-/// A border of S that is no surface faces any way.
+/// A border of S that is not surface may face any way.
 bool OutsideDistance::mayHoldSummit(int id) {
   Cell& cell = cells_[static_cast<std::size_t>(id)];
   if (cell.summit < 0) {
@@ -213,7 +216,7 @@ bool OutsideDistance::mayHoldSummit(int id) {
   return cell.summit != 0;
 }
 
-/// Over a divided cell, by the distances to the triangles nearest to its own and its children's centres.
+/// Bounds the distance over a divided cell by the triangles nearest to its own and its children's centres.
 bool OutsideDistance::isLevelWithin(double distance, int id) {
   for (int k = 0; k < 8; ++k) measuredChild(cells_[static_cast<std::size_t>(id)].children + k, id);
   const Cell& cell = cells_[static_cast<std::size_t>(id)];

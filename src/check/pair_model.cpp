@@ -1,3 +1,5 @@
+// Scales one element and its hulls to unit size and builds everything that queries need, once: FCL's tree, our own tree, and the solid.
+// Triangles without area are kept apart because FCL's answers about them are wrong.
 #include "check/pair_model.h"
 
 #include <algorithm>
@@ -9,7 +11,7 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kThinnest = 1e-12;  // height over length of a triangle that has an area
+constexpr double kThinnest = 1e-12;  // a thinner triangle (height over length) has no area
 
 bool hasArea(const TriangleMesh& mesh, int t) {
   const Eigen::Vector3d u = mesh.corner(t, 1) - mesh.corner(t, 0), v = mesh.corner(t, 2) - mesh.corner(t, 0);
@@ -23,7 +25,7 @@ void append(TriangleMesh& mesh, const std::array<Eigen::Vector3d, 3>& corners) {
   mesh.triangles.push_back({i, i + 1, i + 2});
 }
 
-/// The triangles that have an area to rounding, or the others.
+/// The triangles that have an area up to rounding, or the others.
 TriangleMesh selected(const TriangleMesh& mesh, bool with_area) {
   TriangleMesh result;
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)

@@ -1,4 +1,4 @@
-// What the queries of one element look at.
+// What the queries on one element work with.
 #pragma once
 
 #include <memory>
@@ -14,23 +14,23 @@
 
 namespace collision_hulls {
 
-/// A hull of another element that comes near, in the frame of the pair.
+/// A nearby hull of another element, in the pair's frame.
 struct Neighbour {
   std::string name;
   const ConvexHull* hull;
 };
 
-/// Original and hulls of a pair without fault, in units. Immutable, thread safe.
+/// The original and the hulls of a sound pair, in units. Immutable, thread safe.
 class PairModel {
  public:
-  /// `boxes`: see boxShapes(). Keeps references to the pair and to them.
+  /// `boxes`: see boxShapes(). Keeps references to the pair and to the boxes.
   PairModel(const ValidationPair& pair, const std::vector<ProbeShape>& boxes, const std::vector<Neighbour>& neighbours);
   PairModel(const PairModel&) = delete;
   PairModel& operator=(const PairModel&) = delete;
 
-  const TriangleMesh& withArea() const { return with_area_ ? *with_area_ : original; }  ///< the triangles that FCL is asked about
-  TriangleMesh nearestWithArea(const Eigen::Vector3d& p) const;                         ///< the one nearest to p alone
-  TriangleMesh withAreaNear(const Eigen::AlignedBox3d& box) const;                      ///< those of them whose boxes meet a box
+  const TriangleMesh& withArea() const { return with_area_ ? *with_area_ : original; }  ///< the triangles given to FCL
+  TriangleMesh nearestWithArea(const Eigen::Vector3d& p) const;                         ///< only the triangle nearest to p
+  TriangleMesh withAreaNear(const Eigen::AlignedBox3d& box) const;                      ///< those whose boxes meet a box
   bool inSolid(const Eigen::Vector3d& p) const;
   bool hasOpenings() const;
 
@@ -46,12 +46,12 @@ class PairModel {
   std::unique_ptr<const TriangleBvh> bvh, bvh_without_area;
   std::unique_ptr<const FclMesh> fcl_original;
   const PoseSampler sampler;
-  double tolerance = 0;                           // of a verdict
-  double allowed = 0;                             // the certified protrusion, and what the tolerance and welding add to it
-  std::vector<Eigen::Vector3d> component_points;  // of the surface, one of each
+  double tolerance = 0;                           // for a verdict
+  double allowed = 0;                             // the certified protrusion plus the allowance for tolerance and welding
+  std::vector<Eigen::Vector3d> component_points;  // one for each component of the surface
 
  private:
-  std::optional<TriangleMesh> with_area_;  // where there are others
+  std::optional<TriangleMesh> with_area_;  // if there are others
   std::shared_ptr<const Solid> solid_;
   Eigen::Isometry3d to_solid_;  // from the pair's frame [m]
 };

@@ -1,6 +1,7 @@
-// The largest distance over a hull lies on its surface, or at a summit: a local maximum of the distance in its interior. The
-// surface is searched patch by patch (surface_search.h). Summits are a matter of the solid alone: they lie in pockets between
-// walls that face each other, and an octree that the hulls share leaves out all the rest of space (outside_distance.h).
+// The largest distance over a hull is either on its surface or at a summit, a local maximum of the distance in the hull's interior. The
+// surface is searched patch by patch (surface_search.h). Summits depend only on the solid: they lie in pockets between walls that face each
+// other, and an octree shared by all hulls excludes the rest of space (outside_distance.h). The search runs in passes with a shrinking gap,
+// so most hulls are dismissed by a floor that another hull sets.
 #include "check/protrusion.h"
 
 #include <algorithm>
@@ -15,22 +16,22 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kLooseGap = 16;  // of the first searches, in gaps of the last
+constexpr double kLooseGap = 16;  // gap of the first passes, in gaps of the last
 constexpr int kGlance = 20;       // halvings
-// Surfaces that the search does not close in on, as in the plane of an opening, keep the bound that so many halvings leave.
+// If the search does not converge on a surface, as in the plane of an opening, it keeps the bound after this many halvings.
 constexpr int kMostHalvings = 2'000'000;
-// A bound of few gaps is worth no more than so many.
+// A bound of only a few gaps is not worth more halvings than this.
 constexpr int kPatience = 100'000;
 constexpr double kFewGaps = 12;
 
-/// Keeps the further of two places, and the larger of two bounds.
+/// Keeps the further of two places and the larger of two bounds.
 void add(Protrusion& worst, const Protrusion& other) {
   const double bound = std::max({worst.bound, other.bound, other.found});
   if (other.found > worst.found) worst = other;
   worst.bound = bound;
 }
 
-/// `on_surface`: what was found on that of each hull.
+/// `on_surface`: per hull, the result of searching its surface.
 void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const std::vector<Protrusion>& on_surface, const Solid& solid,
                 double gap, std::size_t spare, const RunControl& control) {
   Eigen::AlignedBox3d box;
@@ -54,7 +55,7 @@ void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const s
     summit.bound = largest.bound;
     if (largest.found > worst.found) {
       const TriangleBvh::Nearest n = solid.surface().nearest(largest.where);
-      summit.found = n.distance;  // largest.found is a bound of it, from the middle of a cell
+      summit.found = n.distance;  // largest.found is only a bound on it, from the middle of a cell
       summit.where = largest.where;
       summit.nearest = n.point;
       summit.hull = static_cast<int>(i);
@@ -71,12 +72,12 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
 
 Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, const ProtrusionSearch& search, const RunControl& control) {
   const double gap = search.gap;
-  // Vertices first: what they reach is a floor that spares the other hulls most of the search.
+  // Vertices first: the distance they reach is a floor that spares the other hulls most of the search.
   double floor = 0;
   for (const ConvexHull& hull : hulls)
     for (const Eigen::Vector3d& v : hull.vertices)
       if (solid.distanceToSurface(v) > floor) floor = std::max(floor, solid.distance(v));
-  // Then all hulls at a glance, and on those that may reach further than what was found more and more closely.
+  // Then all hulls at a glance, and more and more closely those that may reach further than what was found.
   struct Pass {
     double gap;
     int halvings;
@@ -93,7 +94,7 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
       if (each[i].hull >= 0 && each[i].bound <= floor + query.gap) return;
       Protrusion found = largestOnSurface(hulls[i], solid, query, control);
       found.hull = static_cast<int>(i);
-      if (found.found < each[i].found) {  // the place is beneath the floor now
+      if (found.found < each[i].found) {  // the place has fallen below the floor
         each[i].bound = std::max(found.bound, each[i].found);
         return;
       }

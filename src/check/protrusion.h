@@ -1,4 +1,4 @@
-// How hard protrusion() searches.
+// Settings of the search for protrusion().
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@ namespace collision_hulls {
 
 struct ProtrusionSearch {
   double gap = 0;  ///< [m] as in measures.h
-  /// Cells that the search for summits may visit beyond its usual number, for all hulls together. It may want them along a narrow gap of
-  /// even width, as between a shaft and its bore: nearly every point there is one.
+  /// Cells that the search for summits may visit beyond its usual number, for all hulls together. It may need them along a narrow gap of
+  /// constant width, as between a shaft and its bore, where nearly every point is a summit.
   std::size_t spare_visits = 0;
 };
 Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, const ProtrusionSearch& search, const RunControl& control);

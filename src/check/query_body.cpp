@@ -1,3 +1,5 @@
+// Wraps FCL's narrow phase. For the settings, and why bodies are enlarged, see fcl_queries.cpp. apart() is the separating-axis test for
+// oriented boxes (Gottschalk et al. 1996).
 #include "collision_hulls/check/query_body.h"
 
 #include <fcl/geometry/bvh/BVH_model.h>
@@ -50,7 +52,7 @@ std::shared_ptr<fcl::CollisionGeometryd> geometryOf(const QueryShape& shape) {
   return std::make_shared<fcl::Boxd>(size);
 }
 
-/// Half the sides of the box along its frame's axes.
+/// Half the sides of the shape's box in its own frame.
 Eigen::Vector3d halfSides(const QueryShape& shape) {
   const Eigen::Vector3d& size = shape.size;
   if (shape.kind == QueryShape::Kind::kSphere) return Eigen::Vector3d::Constant(size.x());
@@ -93,7 +95,7 @@ double distanceBelow(double limit, const QueryBody& first, const QueryBody& seco
   if (first.empty() || second.empty()) return limit;
   const fcl::DistanceRequestd request(false, false, 0, 0, kQueryDistanceTolerance, fcl::GST_LIBCCD);
   fcl::DistanceResultd result;
-  result.min_distance = kQueryEnlarged * limit;  // branches that are further away are not looked into
+  result.min_distance = kQueryEnlarged * limit;  // FCL skips branches that are further away
   fcl::distance(geometry(first), enlarged(first.impl()->origin), geometry(second), enlarged(pose * second.impl()->origin), request, result);
   return std::clamp(result.min_distance / kQueryEnlarged, 0.0, limit);
 }
@@ -103,13 +105,13 @@ Eigen::AlignedBox3d placed(const Eigen::AlignedBox3d& box, const Eigen::Isometry
   return {middle - half, middle + half};
 }
 
-// Convex bodies with planar sides are apart where a side of one, or a plane along an edge of each, parts them.
+// Two boxes are disjoint if and only if a face normal of one, or the cross product of an edge of each, separates them.
 bool apart(const Eigen::AlignedBox3d& first, const Eigen::AlignedBox3d& second, const Eigen::Isometry3d& pose) {
   const Eigen::Vector3d a = 0.5 * first.sizes(), b = 0.5 * second.sizes(), way = pose * second.center() - first.center();
   const Eigen::Matrix3d turn = pose.linear(), reach = turn.cwiseAbs();
   if ((way.cwiseAbs() - a - reach * b).maxCoeff() > 0) return true;
   if (((turn.transpose() * way).cwiseAbs() - b - reach.transpose() * a).maxCoeff() > 0) return true;
-  // The plane along two edges that are nearly parallel is none; poses may be good to single precision.
+  // Nearly parallel edges give no usable axis; poses may be accurate to single precision only.
   const double rounding = 1e-6 * (a.sum() + b.sum());
   for (int i = 0; i < 3; ++i) {
     const int u = (i + 1) % 3, v = (i + 2) % 3;

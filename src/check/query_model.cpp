@@ -1,4 +1,4 @@
-// What is asked of FCL and why: see fcl_queries.cpp. Bodies are enlarged as there.
+// Uses FCL's broad phase as MoveIt does. For the settings, and why bodies are enlarged, see fcl_queries.cpp.
 #include "check/query_model.h"
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
@@ -15,7 +15,7 @@ namespace {
 using Object = fcl::CollisionObjectd;
 using LinkPair = std::pair<std::size_t, std::size_t>;
 
-/// Where an object belongs.
+/// An object's link and its place there.
 struct Seat {
   std::size_t link;
   Eigen::Isometry3d origin;  // in the link's frame
@@ -29,7 +29,7 @@ std::size_t linkOf(const Object* object) {
   return seatOf(object).link;
 }
 
-/// What a traversal of the tree carries along.
+/// State of a traversal of the tree.
 struct Search {
   const IgnoredPairs* ignored = nullptr;  // null: none
   bool all = false;                       // all pairs in collision, not the first one only

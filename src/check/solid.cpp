@@ -1,3 +1,7 @@
+// Tells inside from outside by the winding number of the surface. The rim (edges whose triangles are unbalanced) falls into loops: narrow
+// ones are cracks, closed by lids that count as surface; the others are openings, closed by cones. The closed surface's winding number is a
+// count of ray crossings; subtracting that of the cones gives the generalized winding number at little more cost. Near openings, the
+// number's gradient bounds how far the border of the solid can be (Biot-Savart).
 #include "collision_hulls/check/solid.h"
 
 #include <algorithm>
@@ -22,17 +26,17 @@ namespace collision_hulls {
 
 namespace {
 
-/// Edges, from and to.
+/// Edges as pairs (from, to).
 using Rim = std::vector<std::array<int, 2>>;
 
-/// Whether a half-edge and its twin, the only other one on its edge, run against each other.
+/// Whether a half-edge and its twin, the only other one on its edge, run in opposite directions.
 bool isPaired(const std::vector<Triangle>& triangles, const Edges& edges, int h) {
   const int twin = edges.twin[static_cast<std::size_t>(h)];
   return twin >= 0 && startOf(triangles, twin) == endOf(triangles, h);
 }
 
-/// The boundary of the oriented surface without its sheets: edges whose triangles do not run along them equally often in both directions,
-/// as the surface runs along them, as often as that direction prevails.
+/// The boundary of the oriented surface without its sheets: the edges that triangles do not use equally often in both directions, in the
+/// direction that prevails and as many times as it does.
 Rim rimOf(const RepairedMesh& mesh, const Edges& edges) {
   const std::vector<Triangle>& triangles = mesh.mesh.triangles;
   std::map<std::array<int, 2>, int> surplus;
@@ -50,7 +54,7 @@ Rim rimOf(const RepairedMesh& mesh, const Edges& edges) {
   return rim;
 }
 
-/// Takes the edge onward from v that turns back the most, so that the two sides of a crack make one loop.
+/// Takes the outgoing edge at v that turns back most; the two sides of a crack then form one loop.
 int takeOnward(const std::vector<Eigen::Vector3d>& vertices, int before, int v, std::vector<int>* ends) {
   const auto at = [&](int i) -> const Eigen::Vector3d& { return vertices[static_cast<std::size_t>(i)]; };
   const Eigen::Vector3d back = at(before) - at(v);
@@ -66,9 +70,9 @@ int takeOnward(const std::vector<Eigen::Vector3d>& vertices, int before, int v, 
 /// A simple cycle of vertices.
 using Loop = std::vector<int>;
 
-/// The rim as loops. It is a cycle: as many of its edges begin at a vertex as end there.
+/// Splits the rim into loops. It is a cycle: at each vertex as many of its edges begin as end.
 std::vector<Loop> loopsOf(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
-  std::map<int, std::vector<int>> onward;  // by vertex: the ends of edges that were not walked yet
+  std::map<int, std::vector<int>> onward;  // per vertex: the end points of edges not walked yet
   for (const auto& [from, to] : rim) onward[from].push_back(to);
   std::vector<Loop> loops;
   std::map<int, std::size_t> place;  // on the path
@@ -90,7 +94,7 @@ std::vector<Loop> loopsOf(const std::vector<Eigen::Vector3d>& vertices, const Ri
   return loops;
 }
 
-/// [m] No point of the loop, nor of what spans it, is further from some segment that the loop runs along, there and back.
+/// [m] An upper bound on the distance of the loop, and of any surface spanning it, from a segment along which the loop runs there and back.
 double widthOf(const std::vector<Eigen::Vector3d>& vertices, const Loop& loop) {
   const auto at = [&](int v) -> const Eigen::Vector3d& { return vertices[static_cast<std::size_t>(v)]; };
   const auto furthestFrom = [&](int v) {
@@ -106,19 +110,19 @@ double widthOf(const std::vector<Eigen::Vector3d>& vertices, const Loop& loop) {
   return width;
 }
 
-/// What closes the surface along its rim. A loop no wider than vertices are welded over is a crack, as where one triangle's long side
-/// meets two short ones: its lids lie in it and count as surface wherever inside and outside are told apart. Other loops are openings.
+/// What closes the surface along its rim. A loop no wider than the weld tolerance is a crack, as where one triangle's long side meets two
+/// short ones: its lids lie within it and count as surface wherever inside and outside are told apart. Other loops are openings.
 struct Lids {
-  std::vector<Eigen::Vector3d> vertices;  // the surface's, and more
+  std::vector<Eigen::Vector3d> vertices;  // those of the surface, and apexes
   std::vector<Triangle> of_cracks, of_openings;
   Rim rim_of_openings;
-  double crack_width = 0;  // [m] the largest
+  double crack_width = 0;  // [m] of the widest crack
 };
 
-constexpr double kApexAside = 0.05;  // of a loop's extent
+constexpr double kApexAside = 0.05;  // as a share of a loop's extent
 
-/// Openings get a cone of triangles to a point near the loop's middle, but aside from the plane that it may lie in, where lids would be
-/// asked about most.
+/// An opening gets a cone of triangles with its apex near the loop's middle, but off the plane that the loop may lie in, where queries are
+/// most frequent.
 Lids lidsOf(const TriangleMesh& mesh, const Rim& rim) {
   Lids lids;
   if (rim.empty()) return lids;
@@ -145,7 +149,7 @@ Lids lidsOf(const TriangleMesh& mesh, const Rim& rim) {
   return lids;
 }
 
-/// The triangles that are of no sheet.
+/// The triangles that are not in sheets.
 TriangleMesh wallsOf(const RepairedMesh& mesh) {
   TriangleMesh result;
   result.vertices = mesh.mesh.vertices;
@@ -154,7 +158,7 @@ TriangleMesh wallsOf(const RepairedMesh& mesh) {
   return result;
 }
 
-/// The surface closed.
+/// The closed surface.
 TriangleMesh joined(const TriangleMesh& mesh, const Lids& lids) {
   TriangleMesh result = mesh;
   if (!lids.vertices.empty()) result.vertices = lids.vertices;
@@ -163,7 +167,7 @@ TriangleMesh joined(const TriangleMesh& mesh, const Lids& lids) {
   return result;
 }
 
-/// Edges as triangles of no area, for their distance.
+/// Edges as triangles without area, for distance queries.
 TriangleMesh edgeMesh(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
   TriangleMesh result;
   if (!rim.empty()) result.vertices = vertices;
@@ -177,17 +181,17 @@ double lengthOf(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
   return sum;
 }
 
-// How many triangles' outer sides are looked at for a winding number below zero.
+// Triangles whose outer side is probed for a negative winding number.
 constexpr std::size_t kMostProbes = 5000;
-constexpr double kProbeStep = 1e-3;  // off the triangle, in lengths of its shortest altitude or so
+constexpr double kProbeStep = 1e-3;  // off the triangle, roughly in lengths of its shortest altitude
 
-// With openings: points of winding numbers above are inside, and what ours may err by.
+// With openings: points with a larger winding number are inside; error bound of our winding numbers.
 constexpr double kSurelyInside = 0.55, kWindingError = 0.02;
 
-/// What lies inside. The winding number is that of the surface closed with lids, which counting crossings tells, less that of the lids of
-/// openings, which are few.
+/// What lies inside. The winding number is that of the closed surface, by counting crossings, minus that of the lids of openings, which are
+/// few.
 struct Walls {
-  /// `surface`: a tree over all triangles, which serves where all of them are walls without a rim.
+  /// `surface`: a tree over all triangles, reused if all of them are walls and there is no rim.
   Walls(const RepairedMesh& mesh, const Rim& rim_edges, const std::shared_ptr<const TriangleBvh>& surface)
       : Walls(wallsOf(mesh), lidsOf(mesh.mesh, rim_edges), mesh, surface) {}
   Walls(const TriangleMesh& walls, const Lids& all_lids, const RepairedMesh& mesh, const std::shared_ptr<const TriangleBvh>& surface)
@@ -201,23 +205,24 @@ struct Walls {
         volume(signedVolume(walls)),
         inverted(hasInvertedRegion(walls)) {}
 
-  /// Winding numbers above are those of points inside. With openings what might be outside counts as that, lest a hull reach there.
+  /// Points with a larger winding number are inside. With openings, points that might be outside count as outside, so that no hull reaches
+  /// there unnoticed.
   double inside() const { return lids.empty() ? 0.5 : kSurelyInside; }
 
   double windingNumber(const Eigen::Vector3d& p) const { return closed->signedCrossings(p) - (lids.empty() ? 0 : lids.windingNumber(p)); }
 
-  /// What a path from p has to be longer than if it does not cross the surface and comes from one side of inside() to the other;
-  /// it is `winding` at p. Its gradient depends on the rim alone, as a current's magnetic field does (Biot-Savart): it is at most
-  /// length / (4 pi d^2) at a distance of d from the rim.
+  /// A lower bound on the length of any path from p, where the winding number is `winding`, to the other side of inside() that does not
+  /// cross the surface. Away from the surface the winding number's gradient depends only on the rim, like the magnetic field of a current
+  /// (Biot-Savart): at a distance d from the rim it is at most length / (4 pi d^2).
   double wayToBorder(const Eigen::Vector3d& p, double winding) const {
     const double margin = std::abs(winding - inside()) - kWindingError;
     if (margin <= 0) return 0;
     if (lids.empty()) return std::numeric_limits<double>::infinity();
     const double d = rim.nearest(p).distance, k = rim_length / (4 * kPi * margin), b = 2 * d + k;
-    return 2 * d * d / (b + std::sqrt(b * b - 4 * d * d));  // r with k r = (d - r)^2
+    return 2 * d * d / (b + std::sqrt(b * b - 4 * d * d));  // the r with k r = (d - r)^2
   }
 
-  /// Whether some region is enclosed inside out: then a triangle's back may face the outside.
+  /// Whether the surface encloses some region inside out; a triangle's back may then face the outside.
   bool hasInvertedRegion(const TriangleMesh& walls) const {
     const std::size_t n = walls.triangles.size(), stride = std::max<std::size_t>(1, n / kMostProbes);
     std::atomic<bool> found{false};
@@ -240,7 +245,7 @@ struct Walls {
   bool inverted;
 };
 
-/// Per triangle of withLoose(): whether both of its sides may face the outside.
+/// Per triangle of withLoose(): whether either side may face the outside.
 std::vector<char> twoSided(const RepairedMesh& mesh, const Edges& edges) {
   const std::vector<Triangle>& triangles = mesh.mesh.triangles;
   std::vector<char> result(triangles.size() + mesh.loose.size(), 1);
@@ -304,7 +309,8 @@ double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface) const 
   const Walls& walls = impl_->walls;
   const double winding = walls.windingNumber(p);
   if (winding <= walls.inside()) return to_surface;
-  // A crack's lids are nowhere further from the surface than twice its width; so is what lies beyond them where they are crossed.
+  // A crack's lids are nowhere further from the surface than twice its width; the same holds for what lies behind them when they are
+  // crossed.
   return -std::max(0.0, std::min(to_surface - crackSlack(), walls.wayToBorder(p, winding)));
 }
 double Solid::crackSlack() const {

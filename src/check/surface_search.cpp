@@ -1,10 +1,10 @@
-// Put the hull's triangles into a queue, largest bound first; until the largest bound is at most found + gap, divide that triangle
-// at its longest edge and put both parts back. Where a hull's face is level with the surface on one side of an edge of it and runs into the
-// solid on the other, it is divided along that edge instead.
+// Queue the hull's triangles by their bounds. While the largest bound exceeds found + gap, split that triangle at its longest edge and
+// queue both parts. If a hull's face is level with the surface on one side of a surface edge and enters the solid on the other, split along
+// that edge instead.
 //
-// The distance f to the solid is 1-Lipschitz: within a radius r of the centre c it is at most f(c) + r. Where f is level that closes
-// slowly, and LevelBound takes over; TriangleBvh::frontBound settles patches within the solid that end at its surface, where
-// no opening is as near as that.
+// The distance f to the solid is 1-Lipschitz: within a radius r of the centre c it is at most f(c) + r. Where f is nearly constant this
+// converges slowly, and LevelBound takes over. TriangleBvh::frontBound settles patches inside the solid that end at its surface, unless an
+// opening is as near as that.
 #include "check/surface_search.h"
 
 #include <algorithm>
@@ -22,25 +22,26 @@ namespace {
 
 constexpr int kStepsBetweenChecks = 1024;
 constexpr std::size_t kTrianglesBetweenChecks = 1024;
-constexpr int kMostInARow = 4;   // divisions by planes, which may not make a patch shorter
-constexpr double kLevel = 0.25;  // thresholds: a corner nearer to a plane lies in it
-constexpr double kSteep = 0.05;  // sine of the least angle between a patch and a plane that divides it
-constexpr double kLarge = 0.25;  // a triangle's size over the patch's: smaller ones are too many to divide along each
-constexpr double kSlack = 0.5;   // gaps: how far beyond a flat sheet a patch may reach and still count as above it
-constexpr double kLong = 40;     // thresholds: shorter patches are halved: planes would gain little
+constexpr int kMostInARow = 4;   // splits by planes in a row; these need not make a patch shorter
+constexpr double kLevel = 0.25;  // in thresholds: a corner nearer to a plane than this lies in it
+constexpr double kSteep = 0.05;  // least sine of the angle between a patch and a plane that splits it
+constexpr double kLarge =
+    0.25;  // least size of a surface triangle, relative to the patch, for splitting along its edges: smaller ones are too many
+constexpr double kSlack = 0.5;  // in gaps: how far a patch may stick out sideways and still count as above a flat sheet
+constexpr double kLong = 40;    // in thresholds: shorter patches are halved, as planes would gain little
 
 /// A corner of patches, and the triangle of the solid's surface nearest to it.
 struct Corner {
   Eigen::Vector3d p;
   int triangle = -1;
-  double distance = 0;  // from it
+  double distance = 0;  // [m] to that triangle
 };
 
 struct Patch {
   std::array<Corner, 3> corner;
   double bound = 0;
-  int divider = -1;  // a triangle of the solid's surface whose plane may divide what is level from what lies within; -1: none known
-  int divided = 0;   // how often it and its like were divided by planes in a row
+  int divider = -1;  // a surface triangle whose plane may separate what is level from what is inside; -1: none known
+  int divided = 0;   // times in a row that it and its ancestors were split by planes
 
   bool operator<(const Patch& other) const { return bound < other.bound; }
   Eigen::Vector3d centre() const { return (corner[0].p + corner[1].p + corner[2].p) / 3; }
@@ -78,17 +79,17 @@ class Search {
   }
 
  private:
-  /// What a patch must promise to exceed to be worth halving.
+  /// A patch whose bound is below this is not worth splitting.
   double threshold() const { return std::max(best_.found, query_.floor) + query_.gap; }
 
-  /// Whether nothing of the patch is further than what counts, as far as distances are known.
+  /// Whether, as far as distances are known, no point of the patch is far enough to matter.
   bool isKnown(const std::array<Corner, 3>& corner) {
     if (!query_.known || !query_.known->isWithin({corner[0].p, corner[1].p, corner[2].p}, threshold())) return false;
     dropped_ = std::max(dropped_, threshold());
     return true;
   }
 
-  /// A corner at p, whose distance from the solid is a candidate for the largest.
+  /// Makes a corner at p; its distance from the solid is a candidate for the largest.
   Corner visit(const Eigen::Vector3d& p, int hint) {
     const TriangleBvh::Nearest n = solid_.surface().nearest(p, std::numeric_limits<double>::infinity(), hint);
     if (n.distance > best_.found && n.distance > query_.floor && !solid_.contains(p)) {
@@ -99,7 +100,7 @@ class Search {
 
   void push(Patch patch) {
     const std::array<Eigen::Vector3d, 3> corners{patch.corner[0].p, patch.corner[1].p, patch.corner[2].p};
-    LevelBound<3, 4> level(corners, solid_.surface());  // by the triangles nearest to the corners and to the centre
+    LevelBound<3, 4> level(corners, solid_.surface());  // from the triangles nearest to the corners and to the centre
     for (const Corner& c : patch.corner) level.add(c.triangle);
     patch.bound = level.value();
     if (patch.bound > threshold()) {
@@ -127,7 +128,7 @@ class Search {
   /// Where a plane crosses an edge of a patch.
   struct Crossing {
     std::size_t edge = 0;  // from corner `edge` to the next one
-    double at = 0.5;       // of the way
+    double at = 0.5;       // as a share of the edge
   };
   std::optional<Crossing> crossing(const Patch& patch) const {
     const Crossing longest = middleOfLongest(patch);
@@ -137,7 +138,7 @@ class Search {
       const auto& [a, b, c] = solid_.surface().corners(patch.divider);
       return crossing(patch, (b - a).cross(c - a), a);
     }
-    // Over a level surface of several triangles: where one of them ends.
+    // Over a level surface of several triangles: split where one of them ends.
     const auto is_near = [&](const Corner& c) { return c.distance < threshold(); };
     if (!std::all_of(patch.corner.begin(), patch.corner.end(), is_near)) return std::nullopt;
     for (const Corner& corner : patch.corner) {
@@ -157,7 +158,7 @@ class Search {
     const auto [low, high] = std::minmax_element(height.begin(), height.end());
     const Crossing longest = middleOfLongest(patch);
     const double length = (patch.corner[longest.edge].p - patch.corner[(longest.edge + 1) % 3].p).norm();
-    if (!(*high - *low > kSteep * normal.norm() * length)) return std::nullopt;  // nearly level: it would cut slivers off
+    if (!(*high - *low > kSteep * normal.norm() * length)) return std::nullopt;  // nearly level: it would cut off slivers
     const double level = kLevel * threshold() * normal.norm();
     for (std::size_t i = 0; i < 3; ++i) {
       const double from = height[i], to = height[(i + 1) % 3];

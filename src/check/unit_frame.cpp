@@ -1,3 +1,4 @@
+// Shifts by the box's centre and scales by a power of two.
 #include "check/unit_frame.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@ namespace collision_hulls {
 
 namespace {
 
-// Of our own distances: as a share of the element's size, and of its coordinates' size.
+// Rounding error of our own distances: as a share of the element's size, and of its coordinates' size.
 constexpr double kRounding = 1e-9, kCoordinateRounding = 8 * std::numeric_limits<double>::epsilon();
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A frame in which an element lies at the origin and is about one unit in size.
+// A frame in which an element is at the origin and about one unit in size.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -8,14 +8,14 @@
 
 namespace collision_hulls {
 
-/// FCL's tolerances are absolute; here they are shares of the element's size. The factor is a power of two, so that nothing is
-/// rounded but the shift.
+/// FCL's tolerances are absolute; in this frame they are shares of the element's size. The scale is a power of two, so only the shift is
+/// rounded.
 class UnitFrame {
  public:
-  /// The coordinates of the pair are finite and it has triangles or hulls.
+  /// The pair must have finite coordinates, and triangles or hulls.
   explicit UnitFrame(const ValidationPair& pair);
 
-  double rounding() const { return rounding_; }  ///< of our own distances, where no triangle is a sliver, in units
+  double rounding() const { return rounding_; }  ///< of our own distances, in units, unless there are slivers
   double units(double metres) const { return metres * scale_; }
   double metres(double units) const { return units / scale_; }
   Eigen::Vector3d metres(const Eigen::Vector3d& p) const { return p / scale_ + centre_; }

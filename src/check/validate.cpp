@@ -1,4 +1,4 @@
-// Pairs are checked in parallel and summed up in their order.
+// Checks pairs in parallel and sums up the results in the order of the pairs.
 #include "collision_hulls/check/validate.h"
 
 #include <algorithm>
@@ -13,9 +13,9 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kMostNeighbours = 4;
-constexpr double kNeighbourhood = 0.25;  // how far neighbours may be, as a share of the element's diagonal
+constexpr double kNeighbourhood = 0.25;  // how far away neighbours may be, as a share of the element's diagonal
 
-/// The boxes of a pair; empty for one that cannot be checked.
+/// The boxes of a pair; empty for a pair that cannot be checked.
 struct Boxes {
   Eigen::AlignedBox3d all;
   std::vector<Eigen::AlignedBox3d> hulls;
@@ -31,7 +31,7 @@ Boxes boxesOf(const ValidationPair& pair) {
   return boxes;
 }
 
-/// The hulls of other elements whose boxes come nearest to the element's.
+/// The hulls of other elements whose boxes are nearest to the element's.
 std::vector<Neighbour> neighboursOf(std::size_t index, const std::vector<ValidationPair>& pairs, const std::vector<Boxes>& boxes) {
   const Eigen::AlignedBox3d& box = boxes[index].all;
   std::vector<std::pair<double, Neighbour>> near;
@@ -72,7 +72,7 @@ Validation merged(const std::vector<std::vector<PairResult>>& results) {
   return sum;
 }
 
-/// A pair that gives no answers is said to be one; where that is a fault, its queries count as NaN.
+/// Reports a pair that was not checked; if that is due to a fault, its queries count as NaN.
 PairResult notChecked(const ValidationPair& pair, const std::string& why, std::size_t queries) {
   PairResult result;
   result.counts.queries = result.counts.nan = queries;
@@ -100,7 +100,8 @@ class Finished {
 
 Validation validate(const std::vector<ValidationPair>& pairs, const ValidationOptions& options, const RunControl& control) {
   if (options.queries_per_pair < 0)
-    throw Error(ErrorCode::kBadOption, "validation: " + std::to_string(options.queries_per_pair) + " queries per pair; give 0 or more");
+    throw Error(ErrorCode::kBadOption,
+                "validation: the number of queries per pair is " + std::to_string(options.queries_per_pair) + "; give 0 or more");
   std::vector<std::string> faults;
   std::vector<Boxes> pair_boxes(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -115,7 +116,7 @@ Validation validate(const std::vector<ValidationPair>& pairs, const ValidationOp
     if (!faults[i].empty())
       results[i] = {notChecked(pairs[i], faults[i], static_cast<std::size_t>(options.queries_per_pair))};
     else if (pairs[i].original.triangles.empty())
-      results[i] = {notChecked(pairs[i], "its original has no triangle", 0)};
+      results[i] = {notChecked(pairs[i], "its original has no triangles", 0)};
     else
       results[i] = validatePair(pairs[i], i, boxes, neighboursOf(i, pairs, pair_boxes), options, control);
     finished.one();

@@ -1,3 +1,5 @@
+// Brute-force distances between triangles, hulls and points, in double precision. A triangle meets a body if clipping it by all the body's
+// faces leaves something.
 #include "check/validate_exact.h"
 
 #include <algorithm>
@@ -17,7 +19,7 @@ Corners corners(const TriangleMesh& mesh, int triangle) {
   return {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
 }
 
-/// Squared distance of the segments ab and cd (Ericson, Real-Time Collision Detection, 5.1.9). Points are allowed.
+/// Squared distance between the segments ab and cd (Ericson, Real-Time Collision Detection, 5.1.9). Either may be a point.
 double squaredSegmentDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d) {
   const Eigen::Vector3d u = b - a, v = d - c, r = a - c;
   const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), ur = u.dot(r), vr = v.dot(r);
@@ -32,7 +34,7 @@ double squaredSegmentDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b
   return (r + u * s - v * t).squaredNorm();
 }
 
-/// Squared distance of two triangles that do not cross: it lies between two edges, or a corner and a face.
+/// Squared distance between two triangles that do not intersect: attained between two edges, or a corner and a face.
 double squaredTriangleDistance(const Corners& a, const Corners& b) {
   double least = kFurthest;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -43,7 +45,7 @@ double squaredTriangleDistance(const Corners& a, const Corners& b) {
   return least;
 }
 
-/// What is left of a polygon beneath a plane (Sutherland & Hodgman 1974).
+/// The part of a polygon below a plane (Sutherland & Hodgman 1974).
 std::vector<Eigen::Vector3d> clipped(const std::vector<Eigen::Vector3d>& polygon, const HalfSpace& face) {
   std::vector<Eigen::Vector3d> result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -55,7 +57,8 @@ std::vector<Eigen::Vector3d> clipped(const std::vector<Eigen::Vector3d>& polygon
   return result;
 }
 
-/// A lower bound of the distance between a triangle and a body: how far it lies beyond one of the body's planes; below 0 if it does not.
+/// A lower bound on the distance between a triangle and a body: how far the triangle lies beyond one of the body's planes; below 0 if it
+/// does not.
 double gapBetween(const Corners& triangle, const ConvexHull& body) {
   double most = -kFurthest;
   for (const HalfSpace& face : body.faces)

@@ -1,6 +1,6 @@
-// Every verdict is our own: a sphere's distances are computed exactly beside FCL's, an answer between hulls is accepted with the
-// proof that FCL's nearest points give, or else computed, and an answer between meshes (exact to rounding, wherever it was
-// measured) is computed again where it would speak against the hulls.
+// FCL's answers never decide alone. Distances of spheres are also computed exactly. An answer between hulls is accepted if FCL's nearest
+// points prove it, and computed otherwise. An answer between meshes (exact up to rounding wherever it was measured) is computed again if it
+// would count against the hulls.
 #include "check/validate_pair.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ class PairCheck {
   const PairModel& model_;
 };
 
-/// Of ten queries three are spheres, two boxes, one a neighbour's hull (the first time where it is, then anywhere), four points.
+/// Of ten queries three are spheres, two boxes, one is a neighbour's hull (at first where it is, later anywhere), four are points.
 void PairCheck::query(std::size_t number, Random& random) {
   ++result.counts.queries;
   const std::size_t kind = number % 10, round = number / 10;
@@ -90,7 +90,7 @@ void PairCheck::probe(const Probe& probe) {
   judge(probe, original, hulls);
 }
 
-/// Hulls in the order of the distances of their boxes, which never exceed their own.
+/// Hulls, by the distances of their boxes; these never exceed the hulls' distances.
 std::vector<std::pair<double, std::size_t>> PairCheck::hullsByBox(const Eigen::AlignedBox3d& box) const {
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < model_.hull_boxes.size(); ++i) order.emplace_back(model_.hull_boxes[i].exteriorDistance(box), i);
@@ -120,7 +120,7 @@ double PairCheck::toHull(const Probe& probe, std::size_t hull, const FclAnswer& 
   return settled(probe, answer, bodyDistance(model_.hulls[hull], probe.body), "hulls");
 }
 
-/// FCL's part and what it cannot be asked about.
+/// The lesser of FCL's distance and that of the triangles FCL cannot handle.
 double PairCheck::toOriginal(const Probe& probe) {
   const double without_area = probe.shape ? distanceToBody(model_.without_area, probe.body)
                                           : std::max(0.0, model_.bvh_without_area->nearest(probe.centre).distance - probe.radius);
@@ -135,7 +135,7 @@ double PairCheck::toSurface(const Probe& probe, const FclAnswer& answer) {
   const double centre = model_.bvh->nearest(probe.centre).distance;
   if (!probe.shape) return settled(probe, answer, std::max(0.0, centre - probe.radius), "original");
   if (answer.status == FclAnswer::Status::kDistance) {
-    if (holdsAComponent(probe)) return 0;  // as a surface among surfaces FCL sees it apart
+    if (holdsAComponent(probe)) return 0;  // FCL, comparing surfaces, sees them apart
     const bool possible = answer.distance <= centre + kFclTolerance && answer.distance >= centre - probe.radius - kFclTolerance;
     if (answer.distance > 0 && possible) return answer.distance;
     if (answer.distance == 0 && touches(probe)) return 0;
@@ -145,7 +145,7 @@ double PairCheck::toSurface(const Probe& probe, const FclAnswer& answer) {
 
 /// Whether the original comes within FCL's tolerance of a polyhedron.
 bool PairCheck::touches(const Probe& probe) const {
-  // Mostly one look is enough.
+  // One look is mostly enough.
   if (distanceToBody(model_.nearestWithArea(probe.centre), probe.body, kFclTolerance) < kFclTolerance) return true;
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kFclTolerance);
   const TriangleMesh near = model_.withAreaNear({probe.box.min() - margin, probe.box.max() + margin});
@@ -157,30 +157,30 @@ bool PairCheck::holdsAComponent(const Probe& probe) const {
                      [&](const Eigen::Vector3d& p) { return probe.box.contains(p) && planeDistance(probe.body, p) <= 0; });
 }
 
-/// Our own distance, after FCL's answer was compared with it and counted.
+/// Compares FCL's answer with our own distance, counts any fault, and returns our own.
 double PairCheck::settled(const Probe& probe, FclAnswer answer, double ours, const char* against) {
   if (!probe.shape) answer.distance = std::max(0.0, answer.distance - probe.radius);
   if (answer.microseconds > kTimeout) ++result.counts.timeouts;
   std::ostringstream text;
   if (answer.status == FclAnswer::Status::kException) {
     ++result.counts.exceptions;
-    text << "exception of FCL (" << answer.error << ")";
+    text << "FCL threw an exception (" << answer.error << ")";
   } else if (answer.status == FclAnswer::Status::kNan) {
     ++result.counts.nan;
     text << "FCL answered NaN";
   } else if (std::abs(answer.distance - ours) > kFclTolerance) {
     ++result.counts.disagreements;
-    text << "disagreement, FCL " << model_.frame.metres(answer.distance) << " m";
+    text << "disagreement: FCL says " << model_.frame.metres(answer.distance) << " m";
   } else {
     return ours;
   }
-  text << ", ours " << model_.frame.metres(ours) << " m, counted, to the " << against;
+  text << "; our own distance to the " << against << ", " << model_.frame.metres(ours) << " m, was used";
   remark(probe, text.str());
   return ours;
 }
 
-/// The distance to the solid: 0 for a probe that touches no surface and is inside. Looked up only where the verdict or the
-/// largest underestimate depends on it.
+/// The distance to the solid: 0 for a probe that is inside without touching the surface. Computed only if the verdict or the largest
+/// underestimate depends on it.
 double PairCheck::toSolid(const Probe& probe, double original, double hulls) const {
   const double matters = std::min(model_.allowed, model_.frame.units(result.counts.max_underestimate));
   if (original - hulls <= matters) return original;
@@ -188,8 +188,8 @@ double PairCheck::toSolid(const Probe& probe, double original, double hulls) con
   return model_.hasOpenings() && meetsTheInside(probe, hulls) ? hulls : original;
 }
 
-/// A probe may come to the inside through an opening, without touching the surface: whether a point of the hulls that is as near to it as
-/// they are was found to lie inside.
+/// A probe may reach the inside through an opening without touching the surface. Whether some point of the hulls at the hulls' distance
+/// from the probe lies inside.
 bool PairCheck::meetsTheInside(const Probe& probe, double hulls) const {
   const auto inside = [&](const Eigen::Vector3d& p) { return model_.inSolid(p); };
   for (const auto& [lower, hull] : hullsByBox(probe.box)) {
@@ -210,15 +210,15 @@ void PairCheck::judge(const Probe& probe, double original, double hulls) {
   std::ostringstream text;
   if (original == 0 && hulls > model_.tolerance) {
     ++result.counts.missed;
-    text << "missed: original hit, hulls " << model_.frame.metres(hulls) << " m away";
+    text << "missed: the original is hit, the hulls are " << model_.frame.metres(hulls) << " m away";
   }
   const double solid = toSolid(probe, original, hulls);
   result.counts.max_underestimate = std::max(result.counts.max_underestimate, model_.frame.metres(solid - hulls));
   if (solid - hulls > model_.allowed) {
     if (hulls == 0) ++result.counts.phantom;
-    text << (hulls == 0 ? "phantom: hulls hit" : "underestimate: hulls ")
-         << (hulls == 0 ? "" : std::to_string(model_.frame.metres(hulls)) + " m away") << ", original " << model_.frame.metres(solid)
-         << " m away, protrusion at most " << model_.frame.metres(model_.allowed) << " m";
+    text << (hulls == 0 ? "phantom: the hulls are hit" : "underestimate: the hulls are ")
+         << (hulls == 0 ? "" : std::to_string(model_.frame.metres(hulls)) + " m away") << ", the original is " << model_.frame.metres(solid)
+         << " m away, but the protrusion is at most " << model_.frame.metres(model_.allowed) << " m";
   }
   if (!text.str().empty()) remark(probe, text.str());
 }
@@ -245,8 +245,8 @@ std::string fault(const ValidationPair& pair) {
   for (const Triangle& t : pair.original.triangles) {
     for (int i : t) {
       if (i < 0 || i >= static_cast<int>(pair.original.vertices.size()))
-        throw Error(ErrorCode::kIndexOutOfRange, pair.name + ": a triangle names vertex " + std::to_string(i) + " of " +
-                                                     std::to_string(pair.original.vertices.size()) + "; mend the mesh");
+        throw Error(ErrorCode::kIndexOutOfRange, pair.name + ": a triangle names vertex " + std::to_string(i) + ", but there are " +
+                                                     std::to_string(pair.original.vertices.size()) + ", counted from 0; repair the mesh");
       const Eigen::Vector3d& v = pair.original.vertices[static_cast<std::size_t>(i)];
       if (!v.allFinite()) return "a vertex of the original is not finite";
       box.extend(v);
@@ -261,9 +261,9 @@ std::string fault(const ValidationPair& pair) {
     for (const HalfSpace& face : hull.faces)
       if (!face.normal.allFinite() || !std::isfinite(face.offset)) return "a face of a hull is not finite";
   }
-  if (!box.isEmpty() && !std::isfinite(box.diagonal().squaredNorm())) return "its coordinates are too large to be squared";
+  if (!box.isEmpty() && !std::isfinite(box.diagonal().squaredNorm())) return "its coordinates are too large to square";
   if (!std::isfinite(pair.protrusion) || pair.protrusion < 0)
-    return "its protrusion of " + std::to_string(pair.protrusion) + " m is no bound";
+    return "its protrusion of " + std::to_string(pair.protrusion) + " m is not a valid bound";
   return "";
 }
 

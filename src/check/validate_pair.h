@@ -1,4 +1,4 @@
-// The check of one element: original against hulls, query by query.
+// Checks one element: the original against its hulls, query by query.
 #pragma once
 
 #include <cstddef>
@@ -10,19 +10,19 @@
 
 namespace collision_hulls {
 
-/// What the queries of one pair gave, before they are summed up.
+/// The results of a pair's queries, before they are summed up.
 struct PairResult {
-  Validation counts;                     ///< all but the times
-  std::vector<double> mesh_us, hull_us;  ///< [us] of each probe that both were asked about
+  Validation counts;                     ///< everything except times
+  std::vector<double> mesh_us, hull_us;  ///< [us] per probe that was queried against both
 };
 
 constexpr std::size_t kMostRemarks = 20;
 
-/// Why a pair cannot be checked, as the end of a sentence; empty if it can. Throws kIndexOutOfRange.
+/// Why a pair cannot be checked, worded to end a sentence; empty if it can. Throws kIndexOutOfRange.
 std::string fault(const ValidationPair& pair);
 
-/// Runs the queries of a pair without fault whose original has triangles; `index` and the seed choose the poses. `boxes`: see boxShapes().
-/// The result of several queries at a time, in their order. Deterministic but for the times.
+/// Runs the queries of a sound pair whose original has triangles; `index` and the seed determine the poses. `boxes`: see boxShapes(). Each
+/// result covers several queries, in order. Deterministic except for the times.
 std::vector<PairResult> validatePair(const ValidationPair& pair, std::size_t index, const std::vector<ProbeShape>& boxes,
                                      const std::vector<Neighbour>& neighbours, const ValidationOptions& options, const RunControl& control);
 

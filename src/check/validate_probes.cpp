@@ -1,3 +1,5 @@
+// Probes are biased toward contact: most are anchored on the original or in a hull and moved off by a log-uniform distance. Each query has
+// its own random stream, so any query can be repeated alone.
 #include "check/validate_probes.h"
 
 #include <algorithm>
@@ -10,14 +12,14 @@ namespace collision_hulls {
 
 namespace {
 
-// Shares of the element's size.
-constexpr double kSurroundings = 0.25;          // how far around the element free poses reach
-constexpr double kNudge = 1e-4;                 // of the first pose of a neighbour, and in radians
+// The following are shares of the element's size.
+constexpr double kSurroundings = 0.25;          // how far around the element free poses extend
+constexpr double kNudge = 1e-4;                 // displacement of a neighbour's first pose; its rotation in radians
 constexpr double kNearest = 1e-5, kNear = 0.1;  // distances of poses near contact
 constexpr double kBoxSides[][3] = {{0.001, 0.001, 0.001}, {0.02, 0.02, 0.02}, {0.1, 0.06, 0.04},
                                    {0.3, 0.01, 0.01},     {0.2, 0.15, 0.005}, {0.35, 0.25, 0.2}};
 
-/// A point of a triangle: a corner, a point of an edge or of the inside.
+/// A random point of a triangle: a corner, a point on an edge, or an inner point.
 Eigen::Vector3d pointOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, Random& random) {
   const std::size_t kind = random.below(4);
   if (kind == 0) return a;
@@ -59,7 +61,7 @@ double Random::logUniform(double low, double high) {
 
 Eigen::Vector3d Random::direction() {
   for (;;) {
-    const Eigen::Vector3d v{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};  // braces: drawn in this order
+    const Eigen::Vector3d v{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};  // braces: evaluated in this order
     const double n = v.squaredNorm();
     if (n > 0.01 && n <= 1) return v.normalized();
   }
@@ -120,7 +122,7 @@ PoseSampler::PoseSampler(const TriangleMesh& original, const std::vector<ConvexH
 }
 
 Eigen::Vector3d PoseSampler::onOriginal(Random& random) const {
-  // Half by area, half by triangle: small parts have many small ones.
+  // Half by area, half by triangle: small parts have many small triangles.
   std::size_t triangle = random.below(area_below_.size());
   if (random.below(2) == 0) {
     const auto chosen = std::upper_bound(area_below_.begin(), area_below_.end() - 1, random.uniform(0, area_below_.back()));
@@ -138,7 +140,7 @@ Eigen::Vector3d PoseSampler::inHull(Random& random) const {
   return p + (q - p) * random.uniform(0, 1);
 }
 
-/// Where something is to be touched: on the original, on or in a hull, or anywhere around.
+/// A place to touch: on the original, on or in a hull, or anywhere around.
 Eigen::Vector3d PoseSampler::anchor(Random& random) const {
   const std::size_t kind = random.below(5);
   if (kind < 2) return onOriginal(random);

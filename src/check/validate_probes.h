@@ -1,4 +1,4 @@
-// The bodies that validation touches an element with, and where: seeded, independent of the order of the queries.
+// The bodies that validation probes an element with, and their poses: seeded, independent of the order of queries.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,7 +12,7 @@
 
 namespace collision_hulls {
 
-/// Random numbers that are the same on every platform (SplitMix64, Steele et al. 2014), a stream for each query.
+/// Random numbers that are the same on every platform (SplitMix64, Steele et al. 2014); one stream per query.
 class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t pair, std::uint64_t query);
@@ -27,7 +27,7 @@ class Random {
   std::uint64_t state_;
 };
 
-/// A polyhedral probe, for FCL and for us.
+/// A polyhedral probe, for FCL and for our own computation.
 struct ProbeShape {
   explicit ProbeShape(std::string probe_name, const ConvexHull& probe_hull);
   std::string name;  ///< for messages
@@ -36,32 +36,32 @@ struct ProbeShape {
   FclMesh mesh;
 };
 
-/// Boxes, plates and rods about the origin for an element of unit size, from a thousandth to a third of it.
+/// Boxes, plates and rods about the origin, from a thousandth to a third of the size of an element of unit size.
 std::vector<ProbeShape> boxShapes();
 
-/// A sphere, or a shape at its place.
+/// A sphere, or a shape at some pose.
 struct Probe {
   const ProbeShape* shape = nullptr;  ///< null: a sphere
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   ConvexHull body;                                   ///< the shape at the pose
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< a point of the probe
-  double radius = 0;                                 ///< of the sphere, or of the ball about `centre` that holds the body
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< some point of the probe
+  double radius = 0;                                 ///< of the sphere, or of a ball about `centre` that contains the body
   Eigen::AlignedBox3d box;
 };
 Probe sphere(const Eigen::Vector3d& centre, double radius);
 Probe placed(const ProbeShape& shape, const Eigen::Isometry3d& pose);  ///< keeps the address of the shape
 
-/// Places about an element of unit size.
+/// Poses around an element of unit size.
 class PoseSampler {
  public:
-  /// Keeps references. `original` has triangles.
+  /// Keeps references. `original` must have triangles.
   PoseSampler(const TriangleMesh& original, const std::vector<ConvexHull>& hulls);
 
-  Eigen::Vector3d onOriginal(Random& random) const;  ///< a vertex, a point of an edge or of a triangle
-  Eigen::Vector3d inHull(Random& random) const;      ///< a vertex, a point of a hull's face or of its inside; there are hulls
-  // Never exactly in place: contacts to the last bit, as between flush faces, can run into an assert of FCL, which ends the process.
+  Eigen::Vector3d onOriginal(Random& random) const;  ///< a vertex, a point on an edge, or a point in a triangle
+  Eigen::Vector3d inHull(Random& random) const;      ///< a vertex, a point on a face, or an inner point of a hull; requires hulls
+  // Never exactly in place: contact to the last bit, as between flush faces, can trigger an assert of FCL, which ends the process.
   Eigen::Vector3d sphereCentre(Random& random, double radius) const;      ///< near contact, or anywhere
-  Eigen::Isometry3d pose(Random& random, const ConvexHull& probe) const;  ///< turned anyhow, near contact or anywhere
+  Eigen::Isometry3d pose(Random& random, const ConvexHull& probe) const;  ///< any orientation, near contact or anywhere
   Eigen::Isometry3d nudge(Random& random) const;                          ///< a small motion
 
  private:
@@ -70,7 +70,7 @@ class PoseSampler {
 
   const TriangleMesh& original_;
   const std::vector<ConvexHull>& hulls_;
-  std::vector<double> area_below_;  // of the triangles up to and with each
+  std::vector<double> area_below_;  // cumulative: of the triangles up to and including each
   Eigen::AlignedBox3d surroundings_;
 };
 

@@ -1,4 +1,4 @@
-// The solid S that a mesh stands for, and the distance to it: what protrusion is measured against.
+// The solid S that a mesh represents, and the distance to it: the reference for protrusion.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,46 +12,47 @@
 
 namespace collision_hulls {
 
-/// S: the surface, and the points inside what of it is no sheet: generalized winding number > 1/2. With openings it is > 0.55, since what
-/// computes such numbers errs by some hundredths, here by 0.02 at most. Components are oriented outward, so that a closed cavity within a
-/// housing is inside. Cracks of the surface no wider than vertices are welded over by default (1e-5 of the extent) count as closed.
-/// Immutable, thread safe.
+/// S consists of the surface and of the points inside the parts of it that are not sheets: those whose generalized winding number exceeds
+/// 1/2. If there are openings the limit is 0.55, because computed winding numbers err by some hundredths (here by at most 0.02). Components
+/// face outward, so a closed cavity in a housing counts as inside. Cracks no wider than the default weld tolerance (1e-5 of the extent)
+/// count as closed. Immutable, thread safe.
 class Solid {
  public:
   explicit Solid(const RepairedMesh& mesh, const RunControl& control = {});
   ~Solid();
   Solid(Solid&&) noexcept;
 
-  bool contains(const Eigen::Vector3d& p) const;                   ///< inside by the winding rule (the surface itself: either)
+  bool contains(const Eigen::Vector3d& p) const;                   ///< inside by the winding rule (on the surface itself: either answer)
   double distanceToSurface(const Eigen::Vector3d& p) const;        ///< [m] exact
-  double distance(const Eigen::Vector3d& p) const;                 ///< [m] to S; 0 inside. Outside to its surface, also by openings
-  bool isWithin(double distance, const Eigen::Vector3d& p) const;  ///< whether distance(p) is smaller, or p inside
-  /// [m] distance(p) outside; inside, the negative radius of a ball about p that lies within S: the distance to the surface, less four
-  /// times the widest crack, or less near openings. `to_surface`: distanceToSurface(p).
+  double distance(const Eigen::Vector3d& p) const;                 ///< [m] to S: 0 inside, distanceToSurface() outside, also near openings
+  bool isWithin(double distance, const Eigen::Vector3d& p) const;  ///< whether distance(p) is smaller, or p is inside
+  /// [m] Outside, distance(p). Inside, minus the radius of a ball about p that lies within S: the distance to the surface, less four times
+  /// the width of the widest crack; less than that near openings. `to_surface`: distanceToSurface(p).
   double signedDistance(const Eigen::Vector3d& p, double to_surface) const;
-  /// [m] What a distance to the surface may tell too much by inside, and off the surface about where inside and outside meet, for cracks
-  /// that count as closed; 0 without such.
+  /// [m] How far cracks that count as closed can mislead: inside, the border of S may be nearer than the surface by this much, and inside
+  /// may meet outside this far off the surface. 0 if there are no cracks.
   double crackSlack() const;
-  /// [m] No point within `radius` of one at this signedDistance() has a larger distance(). Near openings a step out of the ball may lead
-  /// to the far side of a border that is no surface, where the nearest wall counts.
+  /// [m] An upper bound on distance() within `radius` of a point with this signedDistance(). Near openings, a step out of the ball inside S
+  /// may cross a border that is not surface; then only the nearest surface counts.
   double distanceWithin(double radius, double signed_distance, double to_surface) const;
-  /// [m] No point of a patch is further from the surface: where it lies over one flat part of a sheet, and no more than `slack` [m]
-  /// beyond, its height above that and the slack, else infinite. `near`: the point of the surface nearest to one of the patch.
+  /// [m] An upper bound on the distance of a patch's points from the surface. If the patch lies over one flat part of a sheet, or sticks
+  /// out sideways by at most `slack` [m], it is the patch's height above that part plus the slack, else infinite. `near`: the point of the
+  /// surface nearest to a point of the patch.
   double heightAboveSheet(const std::array<Eigen::Vector3d, 3>& patch, const TriangleBvh::Nearest& near, double slack) const;
-  /// [m] No path from p to a border of S that is no surface is shorter, unless it crosses the surface.
+  /// [m] A lower bound on the length of any path from p to a border of S that is not surface, among paths that do not cross the surface.
   double wayToBorder(const Eigen::Vector3d& p) const;
-  bool hasOpenings() const;  ///< whether S has borders that are no surface: distance() then jumps where they are crossed
-  double volume() const;     ///< [m^3] of the components that have an inside (sum)
+  bool hasOpenings() const;  ///< whether S has borders that are not surface; distance() jumps where they are crossed
+  double volume() const;     ///< [m^3] sum over the components that have an inside
   Interior interior() const;
-  /// The rotation into a frame along whose axes much of the surface lies flat; see geometry/own_axes.h.
+  /// The rotation into a frame in which much of the surface is axis-aligned; see geometry/own_axes.h.
   const Eigen::Matrix3d& axes() const;
-  double weldDistance() const;                                  ///< [m] furthest that repair moved a point of the surface
+  double weldDistance() const;                                  ///< [m] furthest that repair() moved a point of the surface
   const std::vector<Eigen::Vector3d>& componentPoints() const;  ///< a point of each component of the surface and of each loose segment
 
-  /// Its triangles are those of the mesh, then one for each loose segment. Where it facesOneWay(p, distanceToSurface(p) + 2 * radius)
-  /// and wayToBorder(p) is longer than that, no point within `radius` of p is a local maximum of the distance to S, S itself apart:
-  /// all that could be nearest to it is surface that faces one way, so that the distance grows in a common direction. Assumes that a
-  /// region of negative winding, if there is one, is met by one of 5,000 probes over the surface.
+  /// The triangles of the mesh, followed by one for each loose segment. If surface().facesOneWay(p, distanceToSurface(p) + 2 * radius) and
+  /// wayToBorder(p) is longer than that, then no point within `radius` of p is a local maximum of the distance to S, S itself apart. Why:
+  /// whatever could be nearest to such a point is surface that faces one way, so the distance grows in a common direction. This assumes
+  /// that a region of negative winding, if there is one, is met by one of 5,000 probes over the surface.
   const TriangleBvh& surface() const;
 
  private:

@@ -1,4 +1,4 @@
-// Seeded random points for the tests of every room; the same numbers with every standard library.
+// Seeded random points for the tests of all rooms; the same numbers with every standard library.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -47,7 +47,7 @@ class RandomPoints {
     const Eigen::Vector3d axis = onSphere();
     return Eigen::AngleAxisd(number(-3.14, 3.14), axis).toRotationMatrix();
   }
-  /// Triangles that have nothing to do with each other.
+  /// Unrelated triangles.
   TriangleMesh soup(int triangles, double size = 0.3) {
     TriangleMesh mesh;
     for (int t = 0; t < triangles; ++t) {

@@ -1,7 +1,7 @@
-// Closed-form shapes for the tests of every room. Closed shapes are watertight, welded and outward; lengths in metres.
+// Closed-form shapes for the tests of all rooms. Closed shapes are watertight, welded and outward; lengths in metres.
 //
-// Each takes `n`, the number of pieces that every edge of the coarse shape is cut into (n * n triangles for one), or the
-// numbers of segments of a round one.
+// Each shape takes `n`, the number of pieces that every edge of the coarse shape is divided into (one triangle becomes n * n), or, if it is
+// round, its numbers of segments.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -43,14 +43,14 @@ class MeshBuilder {
   std::map<std::array<long long, 3>, int> index_;
 };
 
-/// Points as repair() leaves them of triangles that are nothing more.
+/// Points, represented as repair() leaves triangles that shrink to a point.
 inline std::vector<Segment> loosePoints(const std::vector<Eigen::Vector3d>& points) {
   std::vector<Segment> result;
   for (const Eigen::Vector3d& p : points) result.push_back({p, p});
   return result;
 }
 
-/// Every triangle cut into n * n equal ones.
+/// Every triangle divided into n * n equal ones.
 inline TriangleMesh subdivided(const TriangleMesh& mesh, int n) {
   if (n <= 1) return mesh;
   MeshBuilder builder;
@@ -69,7 +69,7 @@ inline TriangleMesh subdivided(const TriangleMesh& mesh, int n) {
   return builder.mesh();
 }
 
-/// Meshes side by side, not welded to each other.
+/// Several meshes as one, not welded to each other.
 inline TriangleMesh merged(const std::vector<TriangleMesh>& parts) {
   TriangleMesh all;
   for (const TriangleMesh& part : parts) {
@@ -85,7 +85,7 @@ inline TriangleMesh moved(TriangleMesh mesh, const Eigen::Vector3d& offset) {
   return mesh;
 }
 
-/// An outline (counter-clockwise, in x and y) with its triangulation, drawn along z from 0 to `height`.
+/// An outline (counter-clockwise, in x and y) with its triangulation, extruded along z from 0 to `height`.
 inline TriangleMesh prism(const std::vector<Eigen::Vector2d>& outline, const std::vector<Triangle>& cap, double height) {
   const auto at = [&](std::size_t i, double z) { return Eigen::Vector3d(outline[i].x(), outline[i].y(), z); };
   MeshBuilder builder;
@@ -106,15 +106,15 @@ inline TriangleMesh box(double x, double y, double z, int n = 1) {
   return subdivided(prism({{0, 0}, {x, 0}, {x, y}, {0, y}}, {{0, 1, 2}, {0, 2, 3}}, z), n);
 }
 
-/// Two walls of thickness t along the x and the y axis, each `leg` long, `height` high in z; 20 n^2 triangles.
-/// Volume (2 leg t - t^2) height; its hull's largest distance from it is (leg - t) / 2.
+/// Two walls of thickness t along the x and y axes, each `leg` long and `height` high in z; 20 n^2 triangles. Volume (2 leg t - t^2)
+/// height; its hull protrudes by (leg - t) / 2.
 inline TriangleMesh lBracket(double leg = 1, double t = 0.1, double height = 1, int n = 1) {
   const std::vector<Eigen::Vector2d> outline{{0, 0}, {leg, 0}, {leg, t}, {t, t}, {t, leg}, {0, leg}};
   return subdivided(prism(outline, {{0, 1, 2}, {0, 2, 3}, {0, 3, 5}, {3, 4, 5}}, height), n);
 }
 
-/// A floor along x and two walls along y, all of thickness t; `height` in z; 28 n^2 triangles.
-/// Its hull's largest distance from it is min(width / 2 - t, depth - t).
+/// A floor along x and two walls along y, all of thickness t; `height` in z; 28 n^2 triangles. Its hull protrudes by min(width / 2 - t,
+/// depth - t).
 inline TriangleMesh uChannel(double width = 1, double depth = 1, double t = 0.1, double height = 2, int n = 1) {
   const std::vector<Eigen::Vector2d> outline{{0, 0},         {width, 0}, {width, depth}, {width - t, depth},
                                              {width - t, t}, {t, t},     {t, depth},     {0, depth}};
@@ -154,7 +154,7 @@ inline TriangleMesh torus(double ring = 1, double tube = 0.3, int around = 32, i
   return builder.mesh();
 }
 
-/// An icosahedron cut n times, corners on the sphere about the origin; 20 n^2 triangles, 10 n^2 + 2 vertices.
+/// A subdivided icosahedron, corners on the sphere about the origin; 20 n^2 triangles, 10 n^2 + 2 vertices.
 inline TriangleMesh sphere(double radius = 1, int n = 4) {
   const double g = (1 + std::sqrt(5.0)) / 2;
   TriangleMesh mesh;
@@ -173,8 +173,8 @@ inline TriangleMesh fourSpheres(int n = 3) {
   return merged({moved(one, {-2, -2, 0}), moved(one, {2, -2, 0}), moved(one, {2, 2, 0}), moved(one, {-2, 2, 0})});
 }
 
-/// A disc in x and y with a bore and `holes` round holes on a circle between bore and rim, from z = 0 to thickness.
-/// Each hole has 4 * quarter segments, the rings between a hole and its sector's border `rings`. Genus holes + 1.
+/// A disc in x and y with a bore and `holes` round holes on a circle between bore and rim, from z = 0 to thickness. Each hole has 4 *
+/// quarter segments; `rings` counts the rings between a hole and its sector's border. Genus holes + 1.
 inline TriangleMesh flange(int holes = 6, double bore = 0.4, double rim = 1, double hole_radius = 0.12, double thickness = 0.15,
                            int quarter = 4, int rings = 2) {
   const double middle = (bore + rim) / 2, half = kPi / holes;

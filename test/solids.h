@@ -1,4 +1,4 @@
-// Solids and hulls for the tests of the check and the decompose room.
+// Solids and hulls for the tests of the check and decompose rooms.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -17,7 +17,7 @@ inline Solid solidOf(const TriangleMesh& mesh) {
   return Solid(repair(mesh));
 }
 
-/// Not turned.
+/// Without rotation.
 inline std::vector<Eigen::Isometry3d> posesAt(const std::vector<Eigen::Vector3d>& places) {
   std::vector<Eigen::Isometry3d> poses;
   for (const Eigen::Vector3d& place : places) poses.push_back(Eigen::Isometry3d(Eigen::Translation3d(place)));
@@ -33,7 +33,7 @@ inline ConvexHull hullOf(const TriangleMesh& mesh) {
   return convexHull(mesh.vertices);
 }
 
-/// Squares about the z axis, of half sides `rings[i].x()` at heights `rings[i].y()`, joined by walls, closed at both ends.
+/// Squares about the z axis with half sides `rings[i].x()` at heights `rings[i].y()`, joined by walls and closed at both ends.
 inline TriangleMesh squareVessel(const std::vector<Eigen::Vector2d>& rings) {
   const auto corner = [&](std::size_t ring, std::size_t k) {
     const double half = rings[ring].x(), x = k == 1 || k == 2 ? half : -half, y = k >= 2 ? half : -half;
@@ -51,13 +51,13 @@ inline TriangleMesh squareVessel(const std::vector<Eigen::Vector2d>& rings) {
   return builder.mesh();
 }
 
-/// A block of 3 x 3 x 3 about the z axis from z = 0, with a hollow of 2 x 2 x 2 and a neck 2 * neck wide to the top. The middle
+/// A block of 3 x 3 x 3 about the z axis, standing on z = 0, with a hollow of 2 x 2 x 2 and a neck, 2 * neck wide, to the top. The middle
 /// of the hollow, at distance 1, is further from the block than anything on the surface of its hull.
 inline TriangleMesh flask(double neck = 0.2, int n = 1) {
   return subdivided(squareVessel({{1.5, 0}, {1.5, 3}, {neck, 3}, {neck, 2.5}, {1, 2.5}, {1, 0.5}}), n);
 }
 
-/// A box [0, 1]^3 without its top's middle, [0.5 - half, 0.5 + half]^2: an open surface.
+/// A box [0, 1]^3 with a window [0.5 - half, 0.5 + half]^2 in its top: an open surface.
 inline TriangleMesh boxWithWindow(double half = 0.2) {
   TriangleMesh shell = squareVessel({{0.5, 0}, {0.5, 1}, {half, 1}});
   shell.triangles.resize(shell.triangles.size() - 2);

@@ -24,8 +24,7 @@ struct CutOptions {
 struct Leaf {
   Block block;
   ConvexHull hull;
-  std::shared_ptr<const ConvexHull> reduced =
-      nullptr;  ///< the hull after capping its vertices, if that is what was shown to stay within the tolerance
+  std::shared_ptr<const ConvexHull> reduced = nullptr;  ///< the hull with its vertices capped, if that is what fits
 };
 
 /// Cuts a mesh into leaves whose blocks make up the whole surface (including loose segments). By the oracle's account each hull stays

@@ -15,13 +15,13 @@ namespace {
 using namespace test_shapes;
 using Poses = std::vector<Eigen::Isometry3d>;
 
-/// Anywhere in a cube of this size, turned at random.
+/// A random pose in a cube of this size.
 Eigen::Isometry3d anyPose(RandomPoints& random, double size) {
   const Eigen::Translation3d place(random.inCube(size / 2));
   return place * Eigen::Isometry3d(random.rotation());
 }
 
-/// Bodies of all kinds, longish, so that boxes about them say little; each off the middle of its frame.
+/// Elongated bodies of all kinds, around which boxes say little; each off the middle of its frame.
 std::vector<QueryBody> bodies() {
   const Eigen::Isometry3d aside = Eigen::Translation3d(0.3, -0.2, 0.1) * Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized());
   return {QueryBody(boxHull({0, 0, 0}, {1.2, 0.1, 0.2})),
@@ -52,7 +52,7 @@ TEST(BoxedModel, ItsOwnLinks) {
   const auto chain = [&] {
     BoxedModel model(ignored);
     for (std::size_t link = 0; link < 4; ++link) model.add(link, QueryBody(boxHull({0, 0, 0}, {1, 1, 1})));
-    model.add(3, QueryBody(boxHull({0.5, 0, 0}, {1.5, 1, 1})));  // overlaps its own link's other body, which says nothing
+    model.add(3, QueryBody(boxHull({0.5, 0, 0}, {1.5, 1, 1})));  // overlaps its own link's other body, which does not count
     model.place(posesAt({{0, 0, 0}, {0.5, 0, 0}, {3, 0, 0}, {4.25, 0, 0}}));
     return model;
   };
@@ -65,8 +65,8 @@ TEST(BoxedModel, ItsOwnLinks) {
   EXPECT_NEAR(chain().distance(), 1.5, 1e-9);
 }
 
-TEST(BoxedModel, ASceneMayMoveAndPairsOfItAreIgnored) {
-  IgnoredPairs ignored(3);  // one link, two things
+TEST(BoxedModel, ASceneMayMoveAndHaveIgnoredPairs) {
+  IgnoredPairs ignored(3);  // one link, two scene objects
   BoxedModel scene;
   for (std::size_t thing = 1; thing < 3; ++thing) scene.add(thing, QueryBody(boxHull({0, 0, 0}, {1, 1, 1})));
   const auto robot = [&] {
@@ -92,7 +92,7 @@ struct Placed {
   Eigen::Isometry3d origin;
 };
 
-/// Of links, or of links and a scene's things, that are not ignored: one pair of bodies after the other.
+/// Compares every pair of bodies of links, or of links and a scene's objects, that is not ignored.
 double leastDistance(const std::vector<Placed>& bodies, std::size_t links, bool of_scene, const IgnoredPairs& ignored, const Poses& poses) {
   double least = std::numeric_limits<double>::infinity();
   for (const Placed& a : bodies)
@@ -102,7 +102,7 @@ double leastDistance(const std::vector<Placed>& bodies, std::size_t links, bool 
   return least;
 }
 
-TEST(BoxedModel, AnswersAsFclsDynamicTreesDo) {
+TEST(BoxedModel, AgreesWithFclsDynamicTrees) {
   RandomPoints random(1);
   const std::vector<QueryBody> all = bodies();
   const std::size_t links = 8, things = 12;
@@ -147,7 +147,7 @@ TEST(BoxedModel, AnswersAsFclsDynamicTreesDo) {
   EXPECT_LT(hits, 270U);
 }
 
-TEST(BoxedModel, RefusesWhatItCannotAnswer) {
+TEST(BoxedModel, RejectsQueriesItCannotAnswer) {
   const auto codeOf = [](const auto& ask) {
     try {
       ask();
@@ -178,7 +178,7 @@ TEST(BoxedModel, RefusesWhatItCannotAnswer) {
   EXPECT_EQ(codeOf([] { IgnoredPairs(2).ignore(0, 2); }), ErrorCode::kIndexOutOfRange);
 }
 
-TEST(BoxedModel, BoxesAreApartWhereFclSaysSo) {
+TEST(BoxedModel, BoxesAreApartIfFclSaysSo) {
   RandomPoints random(2);
   std::size_t apart_count = 0, along_edges = 0;
   for (int i = 0; i < 10000; ++i) {
@@ -194,11 +194,11 @@ TEST(BoxedModel, BoxesAreApartWhereFclSaysSo) {
     along_edges += are_apart && first.intersects(placed(second, pose)) && second.intersects(placed(first, pose.inverse()));
   }
   EXPECT_GT(apart_count, 1000U);
-  EXPECT_GT(along_edges, 20U) << "pairs that no side of a box parts";
+  EXPECT_GT(along_edges, 20U) << "pairs that no face of a box separates";
 }
 
-TEST(BoxedModel, BoxesThatAreNearlyParallelAreApartOnlyWhereTheyAre) {
-  // Poses as single precision leaves them: edges cross at angles that are rounding alone.
+TEST(BoxedModel, JudgesNearlyParallelBoxesCorrectly) {
+  // Poses rounded to single precision: edges cross at angles that are mere rounding.
   RandomPoints random(3);
   const Eigen::AlignedBox3d bar(Eigen::Vector3d(-0.5, -0.05, -0.05), Eigen::Vector3d(0.5, 0.05, 0.05));
   for (int i = 0; i < 3000; ++i) {

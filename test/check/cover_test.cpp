@@ -25,7 +25,7 @@ double distanceToUnion(const std::vector<ConvexHull>& hulls, const Vector3d& p) 
 
 // Degenerate input.
 
-TEST(Uncovered, NothingIsCoveredByNoHull) {
+TEST(Uncovered, WithoutHullsNothingIsCovered) {
   EXPECT_EQ(uncovered(test_shapes::box(1, 1, 1), {}), kInfinity);
   EXPECT_EQ(uncovered({}, {}), 0);
   EXPECT_EQ(uncovered({}, {boxHull({0, 0, 0}, {1, 1, 1})}), 0);
@@ -45,7 +45,7 @@ TEST(Uncovered, ASegmentAcrossAGap) {
   EXPECT_NEAR(uncovered({{{0.5, 0.5, 0.5}, {2.5, 0.5, 0.5}}, {{0, 1, 1}}}, hulls), 0.5, 1e-9);
 }
 
-// Closed form.
+// Closed-form answers.
 
 TEST(Uncovered, AMeshIsCoveredByItsHull) {
   for (const TriangleMesh& mesh : {test_shapes::torus(), test_shapes::sheet(), test_shapes::flask()}) {
@@ -55,7 +55,7 @@ TEST(Uncovered, AMeshIsCoveredByItsHull) {
   }
 }
 
-TEST(Uncovered, WhatSticksOutOfOneHull) {
+TEST(Uncovered, APartOutsideOneHull) {
   const TriangleMesh mesh = test_shapes::box(1, 1, 1, 3);
   EXPECT_NEAR(uncovered(mesh, {boxHull({0, 0, 0}, {0.75, 1, 1})}), 0.25, 1e-12);
   EXPECT_NEAR(uncovered(mesh, {boxHull({0, 0, 0}, {0.5, 0.5, 0.5})}), std::sqrt(0.75), 1e-12);
@@ -65,7 +65,7 @@ TEST(Uncovered, ATriangleThatOnlyTheUnionCovers) {
   const TriangleMesh mesh{{{0.1, 0.1, 0.5}, {1.9, 0.1, 0.5}, {1, 0.9, 0.5}}, {{0, 1, 2}}};
   EXPECT_EQ(uncovered(mesh, {boxHull({0, 0, 0}, {1, 1, 1}), boxHull({1, 0, 0}, {2, 1, 1})}), 0);
   EXPECT_EQ(uncovered(mesh, {boxHull({0, 0, 0}, {1.2, 1, 1}), boxHull({0.8, 0, 0}, {2, 1, 1})}), 0);
-  // In a face that both share, and cut in four.
+  // In a face shared by both hulls, and divided in four.
   EXPECT_EQ(uncovered(test_shapes::moved(mesh, {0, 0, 0.5}), {boxHull({0, 0, 0}, {1, 1, 1}), boxHull({1, 0, 0}, {2, 1, 1})}), 0);
   EXPECT_EQ(uncovered(mesh, {boxHull({0, 0, 0}, {1, 0.3, 1}), boxHull({1, 0, 0}, {2, 0.3, 1}), boxHull({0, 0.3, 0}, {1, 1, 1}),
                              boxHull({1, 0.3, 0}, {2, 1, 1})}),
@@ -83,7 +83,7 @@ TEST(Uncovered, ASlitBetweenTwoHulls) {
 }
 
 TEST(Uncovered, AHoleBetweenFourHulls) {
-  // Boxes about a square hole of 0.2, the triangle over all of them: the hole's middle is 0.1 away.
+  // Boxes around a square hole of 0.2 and a triangle over all of them: the hole's middle is 0.1 away.
   const TriangleMesh mesh{{{-3, -3, 0.5}, {3, -3, 0.5}, {0, 4, 0.5}}, {{0, 1, 2}}};
   const std::vector<ConvexHull> hulls{boxHull({-9, -9, 0}, {9, -0.1, 1}), boxHull({-9, 0.1, 0}, {9, 9, 1}),
                                       boxHull({-9, -1, 0}, {-0.1, 1, 1}), boxHull({0.1, -1, 0}, {9, 1, 1})};
@@ -101,7 +101,7 @@ TEST(Uncovered, NamesTheTrianglesInOrder) {
   for (std::size_t i = 1; i < missing.size(); ++i) EXPECT_LT(missing[i - 1].triangle, missing[i].triangle);
 }
 
-TEST(Uncovered, FarFromTheOriginASlitIsStillSeen) {
+TEST(Uncovered, ASlitFarFromTheOriginIsStillFound) {
   const Vector3d far(1e5, 1e5, 1e5);
   const TriangleMesh mesh = test_shapes::moved({{{0.1, 0.1, 0.5}, {1.9, 0.1, 0.5}, {1, 0.9, 0.5}}, {{0, 1, 2}}}, far);
   EXPECT_EQ(uncovered(mesh, {boxHull(far, far + Vector3d(1, 1, 1)), boxHull(far + Vector3d(1, 0, 0), far + Vector3d(2, 1, 1))}), 0);
@@ -109,7 +109,7 @@ TEST(Uncovered, FarFromTheOriginASlitIsStillSeen) {
               0.0005, 1e-6);
 }
 
-// Random.
+// Random input.
 
 TEST(Uncovered, AgreesWithSamplesOfTheSurface) {
   int covered = 0, open = 0;
@@ -151,20 +151,20 @@ TEST(Uncovered, MoreHullsNeverUncover) {
   }
 }
 
-TEST(UnionVolume, OfHullsThatShareSome) {
+TEST(UnionVolume, OverlappingHulls) {
   EXPECT_EQ(unionVolume({}), 0);
   EXPECT_NEAR(unionVolume({boxHull({0, 0, 0}, {1, 2, 3})}), 6, 0.06);
   EXPECT_NEAR(unionVolume({boxHull({0, 0, 0}, {1, 1, 1}), boxHull({0.5, 0, 0}, {1.5, 1, 1})}), 1.5, 0.015);
   EXPECT_NEAR(unionVolume({boxHull({0, 0, 0}, {1, 1, 1}), boxHull({1, 1, 1}, {2, 2, 2})}), 2, 1e-9);
 }
 
-TEST(UnionVolume, OfThinHullsFarApart) {
+TEST(UnionVolume, ThinHullsFarApart) {
   const ConvexHull rod = boxHull({0, 0, 0}, {1, 1e-3, 1e-3}), other = boxHull({0, 5, 5}, {1, 5 + 1e-3, 5 + 1e-3});
   EXPECT_NEAR(unionVolume({rod, other}), 2e-6, 1e-12);
   EXPECT_NEAR(unionVolume({rod, rod, other, other}), 2e-6, 1e-12);
 }
 
-TEST(CoveredShare, OfABlock) {
+TEST(CoveredShare, ABlock) {
   const Solid block(repair(test_shapes::box(2, 1, 1)));
   const auto share = [&](double from, double to) {
     return coveredShare({boxHull({from, -3, -3}, {to, 3, 3}), boxHull({-0.001, -0.001, -0.001}, {2.001, 0.001, 1.001})}, block);

@@ -1,4 +1,4 @@
-// The settings in which FCL is asked, on pairs whose distance is known.
+// FCL in the settings used here, on pairs whose distance is known.
 #include "check/fcl_queries.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ Eigen::Isometry3d shift(double x, double y, double z) {
   return Eigen::Isometry3d(Eigen::Translation3d(x, y, z));
 }
 
-/// A cube of side 1 and one of side 1/2, turned so that a corner points at the first one's face x = 1/2, from `gap` away.
+/// A cube of side 1, and one of side 1/2 rotated to point a corner at the first one's face x = 1/2 from a distance of `gap`.
 Eigen::Isometry3d cornerTo(double gap, double scale) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   const Vector3d corner = Vector3d(-1, -1, -1) * scale / 4;
@@ -90,7 +90,7 @@ TEST(FclHull, NearestPointsLieOnTheBodies) {
   EXPECT_TRUE(proved(answer, cube, transformed(other, pose), 1e-9));
 }
 
-TEST(FclQueries, APointMayBeACorner) {
+TEST(FclQueries, APointMayCoincideWithACorner) {
   for (const Vector3d& sides : {Vector3d(1, 1, 1), Vector3d(0.125, 0.75, 0.5), Vector3d(1, 0.006, 0.002)}) {
     const ConvexHull box = boxHull(sides);
     const FclHull hull(box);
@@ -104,7 +104,7 @@ TEST(FclQueries, APointMayBeACorner) {
   }
 }
 
-/// A box whose corners lie on a grid of eighths, so that faces, edges and corners of two of them line up.
+/// A box with corners on a grid of eighths: faces, edges and corners of two such boxes often line up.
 Eigen::AlignedBox3d gridBox(Random& random) {
   Eigen::AlignedBox3d box;
   for (int axis = 0; axis < 3; ++axis) {
@@ -119,9 +119,9 @@ ConvexHull hullOf(const Eigen::AlignedBox3d& box) {
   return convexHull(test_shapes::moved(test_shapes::box(box.sizes().x(), box.sizes().y(), box.sizes().z()), box.min()).vertices);
 }
 
-// FCL's answers about hulls whose faces line up are off by as much as their size in one pair of a hundred; none of these must count as
+// FCL's answers about hulls with aligned faces are off by as much as the hulls' size in one pair of a hundred; none of these may count as
 // proved.
-TEST(FclQueries, WrongAnswersAboutLinedUpBoxesAreNeverProved) {
+TEST(FclQueries, WrongAnswersAboutAlignedBoxesAreNeverProved) {
   Random random(1, 0, 0);
   for (int i = 0; i < 2000; ++i) {
     const Eigen::AlignedBox3d first = gridBox(random), second = gridBox(random);
@@ -139,8 +139,8 @@ TEST(FclQueries, WrongAnswersAboutLinedUpBoxesAreNeverProved) {
   }
 }
 
-TEST(FclQueries, OverlapsOfSmallBodiesAreSeen) {
-  // Cubes of a thousandth of the unit: as they are, FCL calls about one overlap in fifteen separated.
+TEST(FclQueries, DetectsOverlapsOfSmallBodies) {
+  // Cubes of a thousandth of the unit: unless they are enlarged, FCL calls about one overlap in fifteen separated.
   const ConvexHull cube = boxHull(Vector3d::Constant(1e-3));
   const FclHull fcl(cube);
   Random random(3, 0, 0);
@@ -151,7 +151,7 @@ TEST(FclQueries, OverlapsOfSmallBodiesAreSeen) {
   }
 }
 
-TEST(FclQueries, AgreeWithOurOwnDistances) {
+TEST(FclQueries, AgreesWithOurOwnDistances) {
   const std::vector<ProbeShape> shapes = boxShapes();
   const TriangleMesh original = test_shapes::moved(test_shapes::torus(0.35, 0.12, 16, 8), Vector3d(0.01, 0, 0));
   const ConvexHull hull = convexHull(original.vertices);

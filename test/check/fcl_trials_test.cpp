@@ -1,4 +1,4 @@
-// The pairs of bodies that FCL is tried on, and that the settings of the validator are safe on all of them.
+// The pairs of bodies that FCL is tried on; and that the validator's settings are safe on all of them.
 #include "check/fcl_trials.h"
 
 #include <gtest/gtest.h>
@@ -37,14 +37,14 @@ TEST(SignedDistance, OfBoxes) {
 }
 
 TEST(SignedDistance, EdgesMayBeTheWayOut) {
-  BodyPair pair = boxesAt({0.9, 0.9, 0});  // turned, an edge along z of each meets one along x + y of the other: out along (1, 1, 0)
+  BodyPair pair = boxesAt({0.9, 0.9, 0});  // rotated, an edge along z of each meets an edge along x + y of the other: out along (1, 1, 0)
   pair.pose.linear() = Eigen::AngleAxisd(test_shapes::kPi / 4, Vector3d(1, 1, 0).normalized()).toRotationMatrix();
   const double depth = -signedDistance(pair);
   EXPECT_GT(depth, 0);
   EXPECT_LT(depth, 2 * std::sqrt(0.5) - 0.9 * std::sqrt(2) + 1e-9);
 }
 
-TEST(BodyPair, IsOfItsKind) {
+TEST(BodyPair, MatchesItsKind) {
   for (std::uint64_t number = 0; number < 20; ++number) {
     const auto distance = [&](PairKind kind) { return signedDistance(bodyPair(kind, 3, number)); };
     EXPECT_GE(distance(PairKind::kFar), 1 - 1e-9);
@@ -67,7 +67,7 @@ TEST(Fcl, NamesAreDistinct) {
   EXPECT_EQ(names.size(), fclSettings().size());
 }
 
-/// What the settings of the validator give is right, on all kinds of pairs; but that meshes know no inside, which it knows, too.
+/// The validator's settings give correct answers for all kinds of pairs, except that meshes have no inside, which the validator allows for.
 TEST(Fcl, TheValidatorsSettingsAreSafe) {
   int settings = 0;
   for (const FclSetting& setting : fclSettings()) {
@@ -85,13 +85,13 @@ TEST(Fcl, TheValidatorsSettingsAreSafe) {
   EXPECT_EQ(settings, 2);
 }
 
-TEST(Fcl, AMeshKnowsNoInside) {
+TEST(Fcl, AMeshHasNoInside) {
   const FclSetting setting{FclSetting::Query::kDistance, FclSetting::Bodies::kBvhBvh, FclSetting::Solver::kNone, 0};
   EXPECT_EQ(tryFcl(setting, bodyPair(PairKind::kContained, 1, 0)).outcome, FclTrial::Outcome::kOff);
   EXPECT_EQ(tryFcl(setting, bodyPair(PairKind::kDeep, 1, 0)).outcome, FclTrial::Outcome::kExact);
 }
 
-TEST(Fcl, OverlapIsMinusOneWithoutSign) {
+TEST(Fcl, UnsignedDistanceOfAnOverlapIsMinusOne) {
   const FclSetting setting{FclSetting::Query::kDistance, FclSetting::Bodies::kConvexConvex, FclSetting::Solver::kLibccd, 1e-9};
   EXPECT_EQ(tryFcl(setting, bodyPair(PairKind::kDeep, 1, 0)).outcome, FclTrial::Outcome::kMinusOne);
 }

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector3d;
 using Patch = std::array<Vector3d, 3>;
 
-/// Two flat parts that meet at a right angle, one with a window in it: triangles whose middle lies in it are left out.
+/// Two flat parts at a right angle, one with a window: triangles whose middle lies in the window are left out.
 TriangleMesh bentSheetWithAWindow() {
   TriangleMesh flat = test_shapes::sheet(2, 1, 16), upright = test_shapes::sheet(1, 1, 8);
   for (Vector3d& v : upright.vertices) v = Vector3d(0, v.y(), v.x());
@@ -61,7 +61,7 @@ TEST(FlatSheets, NoPointIsFurtherThanTheBound) {
   EXPECT_GT(bounded, 300);
 }
 
-TEST(FlatSheets, HeightOverThePlaneAndNothingBesideIt) {
+TEST(FlatSheets, BoundsByHeightButOnlyAboveTheSheet) {
   const Solid solid = test_shapes::solidOf(test_shapes::sheet(1, 1, 10));
   const auto bound = [&](double x, double z, double slack) {
     const Patch patch{Vector3d(x, 0.2, z), Vector3d(x + 0.5, 0.3, z), Vector3d(x, 0.8, 2 * z)};
@@ -75,10 +75,10 @@ TEST(FlatSheets, HeightOverThePlaneAndNothingBesideIt) {
   EXPECT_TRUE(std::isinf(block.heightAboveSheet(above, block.surface().nearest(above[0]), 0))) << "solids have other bounds";
 }
 
-TEST(FlatSheets, ManyTrianglesInAPlaneAreCertifiedClosely) {
+TEST(FlatSheets, ManyCoplanarTrianglesAreCertifiedClosely) {
   const TriangleMesh sheet = test_shapes::sheet(1, 1, 80);
   ConvexHull plate = test_shapes::hullOf(sheet);
-  for (Vector3d& v : plate.vertices) v += 1e-6 * (v - Vector3d(0.5, 0.5, 0));  // beyond the rim, as hulls that are written are
+  for (Vector3d& v : plate.vertices) v += 1e-6 * (v - Vector3d(0.5, 0.5, 0));  // beyond the rim, like hulls as written
   const Protrusion p = protrusion({plate}, test_shapes::solidOf(sheet), 1e-5);
   EXPECT_LE(p.bound - p.found, 1e-5);
 }

@@ -38,9 +38,9 @@ TEST(OutsideDistance, ABoxWithoutExtent) {
   EXPECT_GE(largest.bound, 2 - 1e-9);
 }
 
-// Closed form.
+// Closed-form answers.
 
-TEST(OutsideDistance, OfAFilledChannel) {
+TEST(OutsideDistance, AFilledChannel) {
   const TriangleMesh mesh = test_shapes::uChannel(1, 1, 0.1, 2, 2);
   const Solid solid = solidOf(mesh);
   const ConvexHull hull = hullOf(mesh);
@@ -52,8 +52,8 @@ TEST(OutsideDistance, OfAFilledChannel) {
   EXPECT_LE(largest.bound, 0.44);
 }
 
-// Its cells turn with the mesh.
-TEST(OutsideDistance, OfATurnedMesh) {
+// Its cells rotate with the mesh.
+TEST(OutsideDistance, ARotatedMesh) {
   Eigen::Isometry3d turn(Eigen::Quaterniond(0.8, 0.3, -0.4, 0.2).normalized());
   OutsideDistance::Largest largest[2];
   std::vector<OutsideDistance::Intruder> intruders[2];
@@ -84,7 +84,7 @@ TEST(OutsideDistance, KnowsNothingBeyondItsBox) {
   EXPECT_FALSE(outside.reaches(boxHull({0, 0, 0}, {1, 1, 5})));
 }
 
-TEST(OutsideDistance, NothingAboveTheFloorIsSaidQuickly) {
+TEST(OutsideDistance, FindsNothingAboveTheFloorQuickly) {
   const TriangleMesh mesh = test_shapes::uChannel(1, 1, 0.1, 2, 2);
   const Solid solid = solidOf(mesh);
   OutsideDistance outside(solid, boundingBox(mesh));
@@ -111,13 +111,13 @@ TEST(OutsideDistance, SummitsOnly) {
   const OutsideDistance::Largest summit = outside.largest(hullOf(mesh), q);
   EXPECT_NEAR(summit.found, 1, 0.02);
   EXPECT_GE(summit.bound, 1 - 1e-9);
-  // A hull beside the hollow's middle holds none above the floor.
+  // A hull beside the hollow's middle has no summit above the floor.
   EXPECT_EQ(outside.largest(boxHull({-1.4, -1.4, 0.1}, {-0.8, 1.4, 2.9}), q).bound, 0.3);
 }
 
-// Random.
+// Random input.
 
-// The middle of the gap is as far from the plate as from the opening beneath, and nothing but the plate's flat side is as near.
+// The middle of the gap is as far from the plate as from the opening below, and only the plate's flat side is as near.
 TEST(OutsideDistance, SummitsBetweenAWallAndAnOpening) {
   const double gap = 0.1;
   const Solid solid =
@@ -176,7 +176,7 @@ TEST(OutsideDistance, AnswersDoNotDependOnTheOrderOfQueries) {
   }
 }
 
-TEST(OutsideDistance, LearnsWhatAnotherKnowsOfAPart) {
+TEST(OutsideDistance, LearnsFromAnotherAboutAPart) {
   const TriangleMesh mesh = test_shapes::uChannel(1, 1, 0.1, 2, 2);
   const Solid solid = solidOf(mesh);
   OutsideDistance teacher(solid, boundingBox(mesh)), whole(solid, boundingBox(mesh)), part(solid, boundingBox(mesh));
@@ -199,7 +199,7 @@ TEST(OutsideDistance, LearnsWhatAnotherKnowsOfAPart) {
   }
 }
 
-TEST(OutsideDistance, IntrudersLieInTheHullAndFarFromTheSolid) {
+TEST(OutsideDistance, IntrudersAreInTheHullAndFarFromTheSolid) {
   const TriangleMesh mesh = test_shapes::openBox(1, 1, 1, 0.05, 3);
   const Solid solid = solidOf(mesh);
   const ConvexHull hull = hullOf(mesh);

@@ -16,7 +16,7 @@ using test_shapes::inHull;
 using test_shapes::RandomPoints;
 using test_shapes::solidOf;
 
-/// What measures.h promises of every result, whatever the truth is.
+/// What measures.h promises for every result, whatever the truth is.
 void expectConsistent(const Protrusion& p, const std::vector<ConvexHull>& hulls, const Solid& solid, double gap) {
   EXPECT_LE(p.found, p.bound);
   EXPECT_LE(p.bound - p.found, gap * (1 + 1e-9));
@@ -36,27 +36,27 @@ Protrusion checkedProtrusion(const std::vector<ConvexHull>& hulls, const Solid& 
 
 void expectProtrusion(double expected, const std::vector<ConvexHull>& hulls, const Solid& solid, double gap = 0.01) {
   const Protrusion p = checkedProtrusion(hulls, solid, gap);
-  const double rounding = 1e-11 * boundingBox(hulls[0]).diagonal().norm();  // hulls' planes lie outside of their vertices
+  const double rounding = 1e-11 * boundingBox(hulls[0]).diagonal().norm();  // hulls' planes lie outside their vertices
   EXPECT_LE(p.found, expected + rounding);
   EXPECT_GE(p.bound, expected - rounding);
 }
 
 // Degenerate input.
 
-TEST(Protrusion, OfNoHull) {
+TEST(Protrusion, NoHulls) {
   const Protrusion p = protrusion({}, solidOf(test_shapes::box(1, 1, 1)), 0.01);
   EXPECT_EQ(p.bound, 0);
   EXPECT_EQ(p.hull, -1);
 }
 
-TEST(Protrusion, OfAPlateAboutASheet) {
+TEST(Protrusion, APlateAroundASheet) {
   const TriangleMesh sheet = test_shapes::sheet(1, 1, 3);
   const ConvexHull plate = hullOf(sheet);
   const Protrusion p = checkedProtrusion({plate}, solidOf(sheet), 0.001);
   EXPECT_NEAR(p.found, plate.thickness / 2, 1e-3 * plate.thickness);
 }
 
-TEST(Protrusion, AboutPointsAndSegments) {
+TEST(Protrusion, AroundPointsAndSegments) {
   const Solid point = solidOf({{{1, 1, 1}}, {{0, 0, 0}}});
   expectProtrusion(std::sqrt(3.0), {boxHull({0, 0, 0}, {2, 2, 2})}, point);
   const Solid segment = solidOf({{{0, 0, 0}, {3, 0, 0}}, {{0, 1, 1}}});
@@ -74,7 +74,7 @@ TEST(Protrusion, CanBeCancelled) {
   }
 }
 
-// Closed form.
+// Closed-form answers.
 
 TEST(Protrusion, ExactBoxesHaveNone) {
   const TriangleMesh bracket = test_shapes::lBracket(1, 0.1, 1, 3);
@@ -96,7 +96,7 @@ TEST(Protrusion, FilledShapes) {
   }
 }
 
-TEST(Protrusion, ABoxWithinAHull) {
+TEST(Protrusion, ABoxInsideAHull) {
   const Solid solid = solidOf(test_shapes::moved(test_shapes::box(1, 1, 1, 2), {1, 1, 1}));
   expectProtrusion(std::sqrt(3.0), {boxHull({0, 0, 0}, {3, 3, 3})}, solid, 0.001);
   expectProtrusion(1, {boxHull({1, 1, 0}, {2, 2, 2})}, solid, 0.001);
@@ -110,7 +110,7 @@ TEST(Protrusion, AHullApartFromTheSolid) {
   EXPECT_EQ(p.hull, 1);
 }
 
-TEST(Protrusion, AHollowWithANarrowNeckIsASummitWithin) {
+TEST(Protrusion, AHollowBehindANarrowNeckIsAnInnerSummit) {
   for (double neck : {0.05, 0.2, 0.4})
     for (int n : {1, 3})
       for (double gap : {0.1, 0.01, 0.002}) {
@@ -124,7 +124,7 @@ TEST(Protrusion, AHollowWithANarrowNeckIsASummitWithin) {
 }
 
 TEST(Protrusion, ASummitAtTheHullsOwnCorner) {
-  // Hulls that end at the middle of the hollow: it is a point of their surface, or a rounding short of one.
+  // Hulls that end at the middle of the hollow, which is on their surface or short of it by rounding.
   const Solid solid = solidOf(test_shapes::flask(0.2, 2));
   for (double past : {0.0, 1e-9, 1e-3, 0.01, -1e-9, -0.01}) {
     SCOPED_TRACE(past);
@@ -142,24 +142,24 @@ TEST(Protrusion, AClosedCavityIsSolid) {
   expectProtrusion(0, {hullOf(mesh)}, solidOf(mesh), 0.002);
 }
 
-TEST(Protrusion, APartWithinAHousingIsSolid) {
+TEST(Protrusion, APartInsideAHousingIsSolid) {
   const TriangleMesh mesh =
       test_shapes::merged({test_shapes::box(1, 1, 1, 2), test_shapes::moved(test_shapes::sphere(0.2, 3), {0.5, 0.5, 0.5})});
   expectProtrusion(0, {hullOf(mesh)}, solidOf(mesh), 0.002);
 }
 
-TEST(Protrusion, ABoxAboutASheet) {
+TEST(Protrusion, ABoxAroundASheet) {
   expectProtrusion(0.3, {boxHull({0, 0, -0.2}, {1, 1, 0.3})}, solidOf(test_shapes::sheet(1, 1, 3)), 0.002);
 }
 
-TEST(Protrusion, BetweenTwoSheetsThereIsASummit) {
+TEST(Protrusion, SummitBetweenTwoSheets) {
   const TriangleMesh mesh = test_shapes::merged({test_shapes::sheet(2, 2, 2), test_shapes::moved(test_shapes::sheet(2, 2, 2), {0, 0, 1})});
   expectProtrusion(0.5, {boxHull({0, 0, 0}, {2, 2, 1})}, solidOf(mesh), 0.004);
 }
 
 TEST(Protrusion, HullsThatLeaveABoxThroughItsWindow) {
-  // The window's plane is where the winding number passes 1/2: a post through it protrudes by what stands above, though its foot
-  // lies deeper inside than that.
+  // The winding number passes 1/2 in the plane of the window: a post through it protrudes by its part above, though its foot lies deeper
+  // inside than that.
   const Solid solid = solidOf(test_shapes::boxWithWindow(0.2));
   ASSERT_EQ(solid.interior(), Interior::kWinding);
   for (double height : {0.3, 0.1, 0.03}) {
@@ -171,7 +171,7 @@ TEST(Protrusion, HullsThatLeaveABoxThroughItsWindow) {
 }
 
 TEST(Protrusion, AnEdgeAcrossAWindow) {
-  // Its ends are near the window's rim; the middles of its two faces lie deep inside, further from the surface than from its own.
+  // Its ends are near the window's rim; the middles of its two faces lie deep inside, further from the surface than from this edge.
   const Solid solid = solidOf(test_shapes::boxWithWindow(0.2));
   const ConvexHull blade = convexHull({{0.32, 0.5, 1.001}, {0.68, 0.5, 1.001}, {0.5, 0.45, 0.2}, {0.5, 0.55, 0.2}});
   RandomPoints random(1);
@@ -183,9 +183,9 @@ TEST(Protrusion, AnEdgeAcrossAWindow) {
   EXPECT_LE(sampled, p.bound);
 }
 
-// Random.
+// Random input.
 
-/// A shape of each kind, turned at random.
+/// One shape of each kind, rotated at random.
 TriangleMesh anyShape(std::uint32_t seed, RandomPoints& random) {
   const std::vector<TriangleMesh> meshes{test_shapes::torus(0.7, 0.25, 16, 8),
                                          test_shapes::openBox(1, 1, 1, 0.05, 2),
@@ -199,7 +199,7 @@ TriangleMesh anyShape(std::uint32_t seed, RandomPoints& random) {
   return transformed(meshes[seed % meshes.size()], pose);
 }
 
-/// Hulls of the shape itself or of points about it.
+/// Hulls of the shape itself, or of points around it.
 std::vector<ConvexHull> anyHulls(std::uint32_t seed, const TriangleMesh& mesh, RandomPoints& random) {
   if (seed % 3 == 0) return {hullOf(mesh)};
   std::vector<ConvexHull> hulls;
@@ -249,7 +249,7 @@ TEST(Protrusion, GrowsWithTheHull) {
   }
 }
 
-TEST(Protrusion, OfASetIsTheLargestOfItsHulls) {
+TEST(Protrusion, IsTheLargestOverTheHullsOfASet) {
   RandomPoints random(3);
   const TriangleMesh mesh = test_shapes::flask(0.2, 2);
   const Solid solid = solidOf(mesh);
@@ -264,7 +264,7 @@ TEST(Protrusion, OfASetIsTheLargestOfItsHulls) {
   EXPECT_LE(found, all.bound);
 }
 
-TEST(Protrusion, SameInputSameResult) {
+TEST(Protrusion, SameInputGivesSameResult) {
   RandomPoints random(4);
   const TriangleMesh mesh = test_shapes::torus(0.7, 0.25, 16, 8);
   const Solid solid = solidOf(mesh);
@@ -276,8 +276,8 @@ TEST(Protrusion, SameInputSameResult) {
   EXPECT_EQ(a.hull, b.hull);
 }
 
-/// Many small triangles beneath one face: it must not be divided along the edges of each.
-TEST(Protrusion, OfASheetThatIsNotQuiteFlat) {
+/// Many small triangles below one face, which must not be divided along the edges of each.
+TEST(Protrusion, ASheetThatIsNotQuiteFlat) {
   RandomPoints random(9);
   TriangleMesh mesh = test_shapes::sheet(1, 1, 40);
   for (Eigen::Vector3d& v : mesh.vertices) v += random.inCube(1e-7);

@@ -36,7 +36,7 @@ TEST(QueryModel, TwoModels) {
 TEST(QueryModel, ItsOwnLinks) {
   QueryModel chain;
   for (std::size_t link = 0; link < 4; ++link) chain.add(link, boxHull({0, 0, 0}, {1, 1, 1}));
-  chain.add(3, boxHull({0.5, 0, 0}, {1.5, 1, 1}));  // overlaps its own link's other body, which says nothing
+  chain.add(3, boxHull({0.5, 0, 0}, {1.5, 1, 1}));  // overlaps its own link's other body, which does not count
   chain.place(posesAt({{0, 0, 0}, {0.5, 0, 0}, {3, 0, 0}, {4.25, 0, 0}}));
   IgnoredPairs ignored(4);
   EXPECT_TRUE(chain.collides(ignored));
@@ -45,7 +45,7 @@ TEST(QueryModel, ItsOwnLinks) {
   EXPECT_FALSE(chain.collides(ignored));
 }
 
-TEST(QueryModel, AMeshIsASurfaceAndAHullABody) {
+TEST(QueryModel, AMeshIsASurfaceAndAHullIsSolid) {
   QueryModel small, shell, body;
   small.add(0, boxHull({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
   shell.add(0, moved(box(1, 1, 1), {-0.5, -0.5, -0.5}));
@@ -58,14 +58,14 @@ TEST(QueryModel, AMeshIsASurfaceAndAHullABody) {
   EXPECT_EQ(distanceBelow(0.3, cube, around, Eigen::Isometry3d::Identity()), 0.3);
 }
 
-TEST(QueryModel, ShapesTouchWhereTheyReach) {
+TEST(QueryModel, ShapesTouchUpToTheirExtent) {
   const Eigen::Isometry3d aside(Eigen::Translation3d(2, 0, 0));
   const QueryBody shapes[] = {{{QueryShape::Kind::kBox, {2, 1, 1}}, aside},
                               {{QueryShape::Kind::kSphere, {1, 0, 0}}, aside},
                               {{QueryShape::Kind::kCylinder, {1, 0.5, 0}}, aside}};
   const QueryBody probe(boxHull({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
   for (const QueryBody& shape : shapes) {
-    // Each reaches from x = 1 to x = 3 at the height of the probe.
+    // Each extends from x = 1 to x = 3 at the height of the probe.
     EXPECT_NEAR(shape.box().min().x(), 1, 1e-12);
     EXPECT_NEAR(shape.box().max().x(), 3, 1e-12);
     EXPECT_FALSE(touch(shape, probe, Eigen::Isometry3d(Eigen::Translation3d(0.899, 0, 0))));

@@ -21,7 +21,7 @@ bool withoutSummit(const Solid& solid, const Vector3d& p, double radius) {
 
 // Degenerate input.
 
-TEST(Solid, OfTrianglesWithoutAreaIsItsCorners) {
+TEST(Solid, TrianglesWithoutAreaAreTheirCorners) {
   const Solid solid = solidOf({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}});
   EXPECT_EQ(solid.volume(), 0);
   EXPECT_FALSE(solid.contains({1, 0, 0}));
@@ -29,7 +29,7 @@ TEST(Solid, OfTrianglesWithoutAreaIsItsCorners) {
   EXPECT_FALSE(withoutSummit(solid, {1, 1, 1}, 0.1));
 }
 
-TEST(Solid, LoosePointsAreSurface) {
+TEST(Solid, LoosePointsArePartOfTheSurface) {
   TriangleMesh mesh = test_shapes::box(1, 1, 1);
   mesh.vertices.push_back({5, 5, 5});
   mesh.triangles.push_back({8, 8, 8});
@@ -38,7 +38,7 @@ TEST(Solid, LoosePointsAreSurface) {
   EXPECT_TRUE(solid.contains({0.5, 0.5, 0.5}));
 }
 
-// Closed form.
+// Closed-form answers.
 
 TEST(Solid, Box) {
   const Solid solid = solidOf(test_shapes::box(1, 2, 3, 4));
@@ -51,7 +51,7 @@ TEST(Solid, Box) {
   EXPECT_NEAR(solid.distance({4, 6, 1}), 5, 1e-12);
 }
 
-TEST(Solid, AnInsideOutBoxIsABox) {
+TEST(Solid, ABoxInsideOutIsABox) {
   TriangleMesh mesh = test_shapes::box(1, 1, 1, 2);
   for (Triangle& t : mesh.triangles) std::swap(t[0], t[1]);
   const Solid solid = solidOf(mesh);
@@ -94,8 +94,8 @@ TEST(Solid, ASmallWindowLeavesAnInside) {
   EXPECT_FALSE(solid.contains({0.5, 0.5, -0.05}));
 }
 
-TEST(Solid, APartitionWithinABoxChangesNothingOutside) {
-  // Three triangles meet at the partition's edges: the surface is closed, but what it encloses is not a matter of counting.
+TEST(Solid, APartitionInsideABoxChangesNothingOutside) {
+  // Three triangles meet at the partition's edges: the surface is closed, but counting crossings cannot tell what it encloses.
   for (bool up : {true, false}) {
     TriangleMesh partition = test_shapes::moved(test_shapes::sheet(1, 1, 1), {0, 0, 0.5});
     if (!up)
@@ -110,7 +110,8 @@ TEST(Solid, APartitionWithinABoxChangesNothingOutside) {
   }
 }
 
-/// Unit cubes side by side, all of their walls there, each the mirror image of its neighbours: what they share has the same triangles.
+/// Adjacent unit cubes with all of their walls, each cube the mirror image of its neighbours: the same triangles make up both sides of a
+/// shared wall.
 TriangleMesh cubes(int x, int y) {
   std::vector<TriangleMesh> all;
   for (int i = 0; i < x; ++i)
@@ -124,7 +125,7 @@ TriangleMesh cubes(int x, int y) {
   return test_shapes::merged(all);
 }
 
-TEST(Solid, WallsThatSolidsShareEncloseNothing) {
+TEST(Solid, WallsSharedBySolidsEncloseNothing) {
   for (const auto& [x, y] : {std::pair(2, 1), std::pair(5, 1), std::pair(2, 2), std::pair(3, 3)}) {
     const Solid solid = solidOf(cubes(x, y));
     EXPECT_FALSE(solid.hasOpenings());
@@ -136,7 +137,7 @@ TEST(Solid, WallsThatSolidsShareEncloseNothing) {
   }
 }
 
-TEST(Solid, TrianglesThatAllFaceBothWaysAreASolidYet) {
+TEST(Solid, TrianglesThatAllFaceBothWaysStillEncloseASolid) {
   TriangleMesh mesh = cubes(2, 2);
   const std::size_t triangles = mesh.triangles.size();
   for (std::size_t t = 0; t < triangles; ++t) mesh.triangles.push_back({mesh.triangles[t][0], mesh.triangles[t][2], mesh.triangles[t][1]});
@@ -167,7 +168,7 @@ TEST(Solid, TheSignedDistanceStaysInside) {
   EXPECT_EQ(closed.signedDistance({0.5, 0.5, 1.5}, 0.5), 0.5);
 }
 
-/// A cube of side 1 whose top meets its sides at other vertices: each upper edge of the top is split, `off` aside of the sides' edge.
+/// A cube of side 1 whose top and sides meet at different vertices: each edge of the top is split at a point `off` beside the sides' edge.
 TriangleMesh cubeWithCracks(double off) {
   TriangleMesh mesh = test_shapes::box(1, 1, 1);
   TriangleMesh result{mesh.vertices, {}};
@@ -175,7 +176,7 @@ TriangleMesh cubeWithCracks(double off) {
     const Triangle& face = mesh.triangles[t];
     const auto at = [&](std::size_t k) { return mesh.vertices[static_cast<std::size_t>(face[k])]; };
     const bool top = at(0).z() + at(1).z() + at(2).z() == 3;
-    std::size_t k = 0;  // the longest side is the diagonal of the top, k + 1 to k + 2 is not
+    std::size_t k = 0;  // the longest side is the diagonal of the top; the side k + 1 to k + 2 is not
     while (top && (at(k) - at((k + 1) % 3)).norm() > 1.1) ++k;
     if (!top) {
       result.triangles.push_back(face);
@@ -189,7 +190,7 @@ TriangleMesh cubeWithCracks(double off) {
   return result;
 }
 
-TEST(Solid, CracksNoWiderThanTheWeldToleranceAreNoOpenings) {
+TEST(Solid, CracksWithinTheWeldToleranceAreNotOpenings) {
   for (const double off : {0.0, 1e-9, -1e-9, 5e-6, -5e-6}) {
     const RepairedMesh repaired = repair(cubeWithCracks(off));
     ASSERT_EQ(repaired.counts.open_edges, 6U);
@@ -204,14 +205,14 @@ TEST(Solid, CracksNoWiderThanTheWeldToleranceAreNoOpenings) {
       }
       const double to_surface = solid.distanceToSurface(p), d = solid.signedDistance(p, to_surface);
       EXPECT_NEAR(d, solid.contains(p) ? -to_surface : to_surface, 6 * std::abs(off));
-      const double radius = 0.3;  // what is within reach may lie outside, across a crack
+      const double radius = 0.3;  // a point in reach may be outside, across a crack
       EXPECT_GE(solid.distanceWithin(radius, d, to_surface), solid.distance(p + radius * random.onSphere())) << p.transpose();
     }
   }
   EXPECT_TRUE(Solid(repair(cubeWithCracks(1e-4))).hasOpenings());
 }
 
-TEST(Solid, FinsDoNotTouchWhatIsInside) {
+TEST(Solid, FinsDoNotAffectTheInside) {
   TriangleMesh mesh = test_shapes::box(1, 1, 1);
   for (int side = 0; side < 2; ++side) {
     const auto y = static_cast<double>(side);
@@ -228,7 +229,7 @@ TEST(Solid, FinsDoNotTouchWhatIsInside) {
   EXPECT_DOUBLE_EQ(solid.volume(), 1);
 }
 
-TEST(Solid, NoWayToABorderIsShorter) {
+TEST(Solid, NoPathToABorderIsShorterThanTheBound) {
   const TriangleMesh mesh = test_shapes::boxWithWindow(0.2);
   const Solid solid = solidOf(mesh);
   RandomPoints random(1);
@@ -239,7 +240,7 @@ TEST(Solid, NoWayToABorderIsShorter) {
     const double way = solid.wayToBorder(p);
     const bool inside = solid.contains(p);
     largest = std::max(largest, way);
-    for (int k = 0; k < 20; ++k) {  // straight ways through the window: what parts their ends is the border
+    for (int k = 0; k < 20; ++k) {  // straight paths through the window: the border separates their ends
       const Vector3d through(0.5 + random.number(-0.2, 0.2), 0.5 + random.number(-0.2, 0.2), 1);
       const Vector3d end = through + random.number(0, 0.5) * (through - p);
       if (solid.contains(end) == inside) continue;
@@ -252,7 +253,7 @@ TEST(Solid, NoWayToABorderIsShorter) {
   EXPECT_TRUE(std::isinf(solidOf(test_shapes::box(1, 1, 1)).wayToBorder({0.5, 0.5, 0.5})));
 }
 
-TEST(Solid, ComponentsThatOverlapAreOneSolid) {
+TEST(Solid, OverlappingComponentsAreOneSolid) {
   const Solid solid =
       solidOf(test_shapes::merged({test_shapes::box(1, 1, 1), test_shapes::moved(test_shapes::box(1, 1, 1), {0.5, 0.25, 0.25})}));
   EXPECT_TRUE(solid.contains({0.75, 0.5, 0.5}));
@@ -268,10 +269,10 @@ TEST(Solid, FarFromTheOriginAndTiny) {
   EXPECT_NEAR(tiny.distance(1e-9 * Vector3d(0.5, 0.5, 0.55)), 0.45e-9, 1e-20);
 }
 
-// Random.
+// Random input.
 
-TEST(Solid, WhereThereIsNoSummitTheDistanceHasNone) {
-  // A maximum within a ball that is larger than all on its border is a summit.
+TEST(Solid, TheDistanceHasNoSummitWhereNoneIsPredicted) {
+  // A maximum inside a ball that exceeds all values on the ball's border is a summit.
   int without = 0, with = 0;
   for (std::uint32_t seed = 0; seed < 4; ++seed) {
     SCOPED_TRACE(seed);

@@ -15,14 +15,14 @@ ConvexHull cube(const Vector3d& centre, double side) {
   return convexHull(test_shapes::moved(test_shapes::box(side, side, side), centre - Vector3d::Constant(side / 2)).vertices);
 }
 
-TEST(PointDistance, OnInAndAround) {
-  const ConvexHull hull = convexHull(test_shapes::torus(1, 0.3, 24, 24).vertices);  // flat faces of many corners on top and beneath
+TEST(PointDistance, OnInsideAndAround) {
+  const ConvexHull hull = convexHull(test_shapes::torus(1, 0.3, 24, 24).vertices);  // flat faces with many corners on top and below
   for (const Vector3d& v : hull.vertices) EXPECT_LT(pointDistance(hull, v), 1e-12);
   EXPECT_EQ(pointDistance(hull, Vector3d(0.2, 0.1, 0)), 0);
   EXPECT_NEAR(pointDistance(hull, Vector3d(0.4, 0.3, 0.8)), 0.5, 1e-12);
 }
 
-TEST(NearestPoint, OnInAndAround) {
+TEST(NearestPoint, OnInsideAndAround) {
   const ConvexHull body = convexHull(test_shapes::box(1, 1, 1).vertices);
   for (const auto& [p, nearest] : std::vector<std::pair<Vector3d, Vector3d>>{
            {{0.5, 0.4, 0.3}, {0.5, 0.4, 0.3}}, {{0.5, 0.4, 1.3}, {0.5, 0.4, 1}}, {{-1, 2, 0.3}, {0, 1, 0.3}}, {{2, 2, 2}, {1, 1, 1}}})
@@ -46,8 +46,8 @@ TEST(CommonPoints, AreTheCornersOfTheOverlap) {
 TEST(DistanceToBody, ContactContainmentAndLimit) {
   const TriangleMesh sheet = test_shapes::sheet();
   EXPECT_NEAR(distanceToBody(sheet, cube({0.5, 0.5, 0.75}, 0.5)), 0.5, 1e-12);
-  EXPECT_EQ(distanceToBody(sheet, cube({0.5, 0.5, 0.2}, 0.5)), 0) << "pierced: no corner of the sheet is in the cube";
-  EXPECT_EQ(distanceToBody(sheet, cube({0, 0, 0}, 5)), 0) << "the cube holds the sheet";
+  EXPECT_EQ(distanceToBody(sheet, cube({0.5, 0.5, 0.2}, 0.5)), 0) << "pierced, with no corner of the sheet in the cube";
+  EXPECT_EQ(distanceToBody(sheet, cube({0, 0, 0}, 5)), 0) << "the cube contains the sheet";
   EXPECT_EQ(distanceToBody(sheet, cube({0.5, 0.5, 0.75}, 0.5), 0.125), 0.125);
   EXPECT_TRUE(std::isinf(distanceToBody(TriangleMesh{}, cube({0, 0, 0}, 1))));
 }
@@ -64,7 +64,7 @@ TEST(BodyDistance, FacesEdgesAndCorners) {
   EXPECT_NEAR(bodyDistance(unit, cube({2, 0.1, 0}, 1)), 1, 1e-12);
   EXPECT_NEAR(bodyDistance(unit, cube({2, 2, 2}, 1)), std::sqrt(3.0), 1e-12);
   Eigen::Isometry3d turned(Eigen::AngleAxisd(test_shapes::kPi / 4, Vector3d::UnitZ()));
-  turned = Eigen::AngleAxisd(test_shapes::kPi / 2, Vector3d::UnitX()) * turned;  // an edge of it runs along y and points to x
+  turned = Eigen::AngleAxisd(test_shapes::kPi / 2, Vector3d::UnitX()) * turned;  // one of its edges runs along y and points to x
   turned = Eigen::Translation3d(0.75 + std::sqrt(0.5), 0, 0) * turned;
   EXPECT_NEAR(bodyDistance(unit, transformed(unit, turned)), 0.25, 1e-12);
 }
@@ -83,7 +83,7 @@ TEST(Proved, OnlyByPointsOfTheBodiesAndSeparatingPlanes) {
   answer.on_second = Vector3d(1.5, 0.1, 0.2);
   EXPECT_TRUE(proved(answer, first, second, 1e-9));
 
-  FclAnswer too_far = answer;  // points of the bodies that are not the nearest
+  FclAnswer too_far = answer;  // points of the bodies, but not the nearest ones
   too_far.on_second = Vector3d(1.5, 0.2, 0.2);
   too_far.distance = (too_far.on_second - too_far.on_first).norm();
   EXPECT_FALSE(proved(too_far, first, second, 1e-9));

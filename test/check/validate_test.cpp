@@ -18,7 +18,7 @@ using test_shapes::boxHull;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// An L-bracket and the two boxes that it consists of.
+/// An L-bracket and the two boxes that make it up.
 ValidationPair bracket(const std::string& name = "bracket") {
   return {name, test_shapes::lBracket(1, 0.1, 1, 3), {boxHull({0, 0, 0}, {1, 0.1, 1}), boxHull({0, 0, 0}, {0.1, 1, 1})}, 0};
 }
@@ -65,7 +65,7 @@ TEST(Validate, NothingToCheck) {
   EXPECT_EQ(run({bracket()}, 0).queries, 0u);
 }
 
-TEST(Validate, NegativeNumberOfQueriesIsRefused) {
+TEST(Validate, RejectsANegativeNumberOfQueries) {
   try {
     run({bracket()}, -1);
     FAIL();
@@ -74,7 +74,7 @@ TEST(Validate, NegativeNumberOfQueriesIsRefused) {
   }
 }
 
-TEST(Validate, IndexOutOfRangeIsRefused) {
+TEST(Validate, RejectsAnIndexOutOfRange) {
   ValidationPair pair = bracket("broken");
   pair.original.triangles.push_back({0, 1, 1000000});
   try {
@@ -86,7 +86,7 @@ TEST(Validate, IndexOutOfRangeIsRefused) {
   }
 }
 
-TEST(Validate, NumbersThatAreNotFiniteAreCountedAndSaid) {
+TEST(Validate, NonFiniteNumbersAreCountedAndReported) {
   ValidationPair vertex = bracket("vertex"), hull = bracket("hull"), face = bracket("face"), protrusion = bracket("protrusion");
   vertex.original.vertices[0].x() = kNan;
   hull.hulls[1].vertices[0].y() = std::numeric_limits<double>::infinity();
@@ -117,7 +117,7 @@ TEST(Validate, OriginalsWithoutArea) {
   }
 }
 
-// Shapes whose answer is known.
+// Shapes with a known answer.
 
 TEST(Validate, ExactHulls) {
   const Validation validation = run({bracket()});
@@ -130,7 +130,7 @@ TEST(Validate, ExactHulls) {
   EXPECT_GT(validation.hull_query_us, 0);
 }
 
-TEST(Validate, AMissingHullIsFound) {
+TEST(Validate, DetectsAMissingHull) {
   ValidationPair pair = bracket();
   pair.hulls.pop_back();
   const Validation validation = run({pair}, 200);
@@ -141,13 +141,13 @@ TEST(Validate, AMissingHullIsFound) {
   EXPECT_GT(run({pair}, 200).missed, 50u);
 }
 
-TEST(Validate, AHullThatIsTooSmallIsFound) {
+TEST(Validate, DetectsAHullThatIsTooSmall) {
   ValidationPair pair = bracket();
   pair.hulls[1] = boxHull({0, 0, 0}, {0.1, 1, 0.999});
   EXPECT_GT(run({pair}).missed, 0u);
 }
 
-TEST(Validate, AFilledChannelIsFound) {
+TEST(Validate, DetectsAFilledChannel) {
   const TriangleMesh channel = test_shapes::uChannel(1, 1, 0.1, 2, 2);
   ValidationPair pair{"channel", channel, {convexHull(channel.vertices)}, 0};
   const Validation lie = run({pair}, 200);
@@ -168,7 +168,7 @@ TEST(Validate, ProbesInsideASolid) {
   const Validation filled = run({{"cube", cube, {boxHull({0, 0, 0}, {1, 1, 1})}, 0}});
   expectClean(filled);
   EXPECT_LT(filled.max_underestimate, 1e-9);
-  // Six plates cover the surface and leave the middle empty: no miss either.
+  // Six plates cover the surface and leave the middle empty: that is not a miss either.
   std::vector<ConvexHull> plates;
   for (int axis = 0; axis < 3; ++axis) {
     Vector3d low = Vector3d::Zero(), high = Vector3d::Ones();
@@ -180,7 +180,7 @@ TEST(Validate, ProbesInsideASolid) {
   expectClean(run({{"cube", cube, plates, 0}}));
 }
 
-TEST(Validate, AProbeThatComesInThroughAnOpeningIsNoPhantom) {
+TEST(Validate, AProbeThatEntersThroughAnOpeningIsNotAPhantom) {
   ValidationPair pair{"window", test_shapes::boxWithWindow(0.3), {boxHull({0, 0, 0}, {1, 1, 0.93})}, 0.02};
   for (const double low : {0.0, 0.8}) {  // beside the window
     pair.hulls.push_back(boxHull({low, 0, 0.93}, {low + 0.2, 1, 1}));
@@ -194,7 +194,7 @@ TEST(Validate, AnOpenSheetHasNoInside) {
   EXPECT_GT(run({{"tub", tub, {boxHull({0, 0, 0}, {1, 1, 1})}, 0}}).phantom, 0u);
 }
 
-TEST(Validate, ProbesThatHoldAWholeComponent) {
+TEST(Validate, ProbesThatContainAWholeComponent) {
   std::vector<TriangleMesh> parts;
   std::vector<ConvexHull> hulls;
   for (const Vector3d& at : {Vector3d(0, 0, 0), Vector3d(1, 0.2, 0.1), Vector3d(0.4, 0.9, 0.5)}) {
@@ -215,12 +215,12 @@ TEST(Validate, FlatHulls) {
   EXPECT_LE(validation.max_underestimate, plate.thickness + 1e-6);
 }
 
-TEST(Validate, AnyScaleAndPlace) {
+TEST(Validate, AnyScaleAndPosition) {
   const TriangleMesh channel = test_shapes::uChannel(1, 1, 0.1, 2, 2);
   const ValidationPair filled{"channel", channel, {convexHull(channel.vertices)}, 0.4};
   for (double scale : {1e-6, 1e-3, 10.0, 1e4}) {
     for (const Vector3d& offset : {Vector3d(0, 0, 0), Vector3d(-3e5, 2e5, 7e4)}) {
-      if (scale < 1e-3 && !offset.isZero()) continue;  // double precision does not resolve it there
+      if (scale < 1e-3 && !offset.isZero()) continue;  // double precision does not resolve it that far out
       SCOPED_TRACE(std::to_string(scale) + " at " + std::to_string(offset.norm()));
       const Validation validation = run({moved(bracket(), scale, offset), moved(filled, scale, offset)}, 300);
       expectClean(validation);
@@ -230,7 +230,7 @@ TEST(Validate, AnyScaleAndPlace) {
   }
 }
 
-TEST(Validate, HullsOfNeighboursAreProbes) {
+TEST(Validate, UsesHullsOfNeighboursAsProbes) {
   const ValidationPair base{"base", test_shapes::box(1, 1, 1), {}, 0};
   const ValidationPair arm{
       "arm", test_shapes::moved(test_shapes::box(0.2, 0.2, 2), {0.4, 0.4, 0.9}), {boxHull({0.4, 0.4, 0.9}, {0.6, 0.6, 2.9})}, 0};
@@ -244,7 +244,7 @@ TEST(Validate, TheSamePartTwiceInOnePlace) {
   expectClean(run({bracket("one"), bracket("other")}));
 }
 
-// How it runs.
+// Execution.
 
 TEST(Validate, SameAnswersForTheSameSeed) {
   ValidationPair holed = bracket("holed");
@@ -263,7 +263,7 @@ TEST(Validate, SameAnswersForTheSameSeed) {
   EXPECT_NE(validate(pairs, other).remarks, a.remarks);
 }
 
-TEST(Validate, ProgressEndsAtOneAndNeverFalls) {
+TEST(Validate, ProgressNeverDecreasesAndEndsAtOne) {
   std::vector<double> seen;
   RunControl control;
   control.progress = [&](double fraction) { seen.push_back(fraction); };
@@ -273,7 +273,7 @@ TEST(Validate, ProgressEndsAtOneAndNeverFalls) {
   EXPECT_EQ(seen.back(), 1);
 }
 
-TEST(Validate, CancelledBeforeAndWithin) {
+TEST(Validate, CanBeCancelledBeforeAndDuring) {
   RunControl before;
   before.cancel();
   EXPECT_THROW(validate({bracket()}, {}, before), Error);
@@ -287,7 +287,7 @@ TEST(Validate, CancelledBeforeAndWithin) {
   }
 }
 
-TEST(Validate, ASolidThatTheCallerHasServesInItsPlace) {
+TEST(Validate, UsesASolidFromTheCaller) {
   ValidationPair pair = bracket();
   const auto solid = std::make_shared<const Solid>(repair(pair.original));
   pair.solid_pose = Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(0.3, Vector3d(1, 2, 2).normalized());
@@ -296,7 +296,7 @@ TEST(Validate, ASolidThatTheCallerHasServesInItsPlace) {
     for (Vector3d& v : hull.vertices) v = pair.solid_pose * v;
     hull = convexHull(hull.vertices);
   }
-  pair.hulls.push_back(boxHull({1, 2, 3}, {1.2, 2.2, 3.2}));  // so that there is something to be found
+  pair.hulls.push_back(boxHull({1, 2, 3}, {1.2, 2.2, 3.2}));  // so that there is something to find
   const Validation made = run({pair});
   pair.solid = solid;
   const Validation given = run({pair});

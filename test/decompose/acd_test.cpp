@@ -25,7 +25,7 @@ double totalVolume(const std::vector<ConvexHull>& hulls) {
   return sum;
 }
 
-TEST(StraightLineConcavity, NothingAndConvexShapesHaveNone) {
+TEST(StraightLineConcavity, EmptyAndConvexShapesHaveNone) {
   EXPECT_EQ(straightLineConcavity({}), 0);
   EXPECT_EQ(straightLineConcavity(test_shapes::singleTriangle()), 0);
   EXPECT_EQ(straightLineConcavity(test_shapes::singleTriangle(), true), 0);
@@ -33,18 +33,18 @@ TEST(StraightLineConcavity, NothingAndConvexShapesHaveNone) {
   EXPECT_EQ(straightLineConcavity(test_shapes::sphere()), 0);
 }
 
-TEST(StraightLineConcavity, LBracketsNotchBeneathTheFaceOverIt) {
+TEST(StraightLineConcavity, LBracketsNotchBelowItsBridge) {
   // The bridge is the plane from (leg, t) to (t, leg), the notch at (t, t).
   EXPECT_NEAR(straightLineConcavity(lBracket(1, 0.1, 1)), 0.9 / std::sqrt(2), kRounding);
   EXPECT_NEAR(straightLineConcavity(lBracket(1, 0.1, 1, 5)), 0.9 / std::sqrt(2), kRounding);
 }
 
-TEST(StraightLineConcavity, UChannelsNotchesBeneathItsOpening) {
-  // The ends' faces hold the notches' ends and are no bridges: the notches do not open towards them.
+TEST(StraightLineConcavity, UChannelsNotchesBelowItsOpening) {
+  // The end faces contain the notches' ends but are not bridges: the notches do not open towards them.
   EXPECT_NEAR(straightLineConcavity(test_shapes::uChannel(3, 1, 0.1, 2)), 0.9, kRounding);
 }
 
-TEST(StraightLineConcavity, RidgeOfASheetIsANotchFromBeneath) {
+TEST(StraightLineConcavity, ASheetsRidgeIsANotchFromBelow) {
   test_shapes::MeshBuilder builder;
   builder.quad({-1, 0, 0}, {0, 0, 1}, {0, 1, 1}, {-1, 1, 0});
   builder.quad({0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {0, 1, 1});
@@ -56,7 +56,7 @@ TEST(StraightLineConcavity, RidgeOfASheetIsANotchFromBeneath) {
   }
 }
 
-TEST(Acd, LoosePointsAloneAreCovered) {
+TEST(Acd, OnlyLoosePointsAreCovered) {
   RepairedMesh mesh;
   mesh.loose = test_shapes::loosePoints({{0, 0, 0}, {1, 0, 0}});
   const std::vector<ConvexHull> hulls = acdHulls(mesh, 0.1);
@@ -80,7 +80,7 @@ TEST(Acd, LBracketIsHalvedAtItsNotch) {
 }
 
 TEST(Acd, DeepUChannelIsExact) {
-  // A plane at 45 degrees through one notch, then one through the other; the first takes the tip of the wall opposite off.
+  // A plane at 45 degrees through one notch, then one through the other; the first cuts off the tip of the opposite wall.
   const TriangleMesh mesh = test_shapes::uChannel(1, 1, 0.1, 2);
   const std::vector<ConvexHull> hulls = run(mesh, 1e-6);
   EXPECT_EQ(hulls.size(), 4u);
@@ -88,14 +88,14 @@ TEST(Acd, DeepUChannelIsExact) {
 }
 
 TEST(Acd, TheSkinsOfAWallStayTogether) {
-  // The walls are as thick as the floor: the planes through the notches meet the outer edges too.
+  // The walls are as thick as the floor, so the planes through the notches also meet the outer edges.
   const TriangleMesh mesh = test_shapes::openBox();
   const std::vector<ConvexHull> hulls = run(mesh, 1e-6);
   EXPECT_LT(protrusion(hulls, Solid(repair(mesh)), 1e-3).bound, 2e-3);
   EXPECT_EQ(uncovered(mesh, hulls), 0);
 }
 
-TEST(Acd, EpsilonAboveTheConcavityLeavesAllInOne) {
+TEST(Acd, EpsilonAboveTheConcavityLeavesOneHull) {
   const RepairedMesh mesh = repair(lBracket());
   const double concavity = straightLineConcavity(mesh.mesh);
   EXPECT_EQ(acdHulls(mesh, 1.001 * concavity).size(), 1u);
@@ -110,7 +110,7 @@ TEST(Acd, AHandleIsCutThrough) {
   EXPECT_EQ(uncovered(torus, hulls), 0);
 }
 
-TEST(Acd, RubbishIsCovered) {
+TEST(Acd, RandomTrianglesAreCovered) {
   test_shapes::RandomPoints random(7);
   for (int round = 0; round < 5; ++round) {
     SCOPED_TRACE(round);
@@ -119,14 +119,14 @@ TEST(Acd, RubbishIsCovered) {
     mesh = test_shapes::merged({mesh, torus, torus, test_shapes::sheet()});
     for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
     mesh.triangles.push_back({0, 0, 1});
-    EXPECT_LE(uncovered(mesh, acdHulls(repair(mesh), 0.01)), 1e-5 * diagonal(mesh));  // what welding moves
+    EXPECT_LE(uncovered(mesh, acdHulls(repair(mesh), 0.01)), 1e-5 * diagonal(mesh));  // the distance that welding moves vertices
   }
 }
 
-TEST(Acd, EndsWhereNothingIsEverConvexEnough) {
+TEST(Acd, EndsEvenIfNothingIsEverConvexEnough) {
   const TriangleMesh mesh = test_shapes::torus(1, 0.3, 48, 24);
   const std::vector<ConvexHull> hulls = run(mesh, 1e-9);
-  EXPECT_LE(hulls.size(), 2002u);  // the last cut may leave some more
+  EXPECT_LE(hulls.size(), 2002u);  // the last cut may add a few more
   EXPECT_EQ(uncovered(mesh, hulls), 0);
 }
 

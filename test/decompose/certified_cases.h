@@ -1,4 +1,4 @@
-// What the method `certified` and its trees are tested with.
+// Test cases for the method `certified` and its trees.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace collision_hulls {
 namespace test_shapes {
 
-constexpr double kGap = 0.001;  // of the tolerance: between the bounds of a protrusion
+constexpr double kGap = 0.001;  // as a share of the tolerance: between the bounds of a protrusion
 
 inline DecomposeOptions within(double tolerance, Effort effort = Effort::kQuick, int max_vertices = 64) {
   DecomposeOptions options;
@@ -30,7 +30,7 @@ inline double sizeOf(const RepairedMesh& mesh) {
   return box.diagonal().norm() + box.center().norm();
 }
 
-/// The surface as triangles of which loose segments are some.
+/// The surface as triangles, including loose segments.
 inline TriangleMesh surfaceOf(const RepairedMesh& mesh) {
   TriangleMesh all = mesh.mesh;
   for (const Segment& segment : mesh.loose) {
@@ -41,7 +41,7 @@ inline TriangleMesh surfaceOf(const RepairedMesh& mesh) {
   return all;
 }
 
-/// As decompose.h and fit_cover.h promise: the hulls cover, as they are up to rounding and as they are written without any doubt.
+/// The promise of decompose.h and fit_cover.h: the hulls cover, up to rounding as they are and strictly as they are written.
 inline FittedHulls expectCovers(const RepairedMesh& mesh, const std::vector<ConvexHull>& hulls, int max_vertices = 0) {
   const TriangleMesh all = surfaceOf(mesh);
   EXPECT_LE(uncovered(all, hulls), 1e-12 * sizeOf(mesh));
@@ -51,7 +51,7 @@ inline FittedHulls expectCovers(const RepairedMesh& mesh, const std::vector<Conv
   return fitted;
 }
 
-/// A quarter of a ring, with its bore, as a closed surface.
+/// A quarter of a ring with its bore, as a closed surface.
 inline TriangleMesh bentTube(int around = 12, int across = 10, double ring = 1, double outer = 0.3, double inner = 0.22) {
   const auto at = [&](double tube, int i, int j) {
     const double a = kPi / 2 * i / around, b = 2 * kPi * (j % across) / across;

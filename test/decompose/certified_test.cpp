@@ -39,7 +39,7 @@ TriangleMesh rotated(const TriangleMesh& mesh, const Eigen::Matrix3d& rotation) 
   return transformed(mesh, pose);
 }
 
-/// A square frame and a wall on it: an L with a hole.
+/// A square frame with a wall on it: an L with a hole.
 TriangleMesh bracketWithHole() {
   const std::vector<Eigen::Vector2d> outer{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, hole{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}};
   const auto at = [](const Eigen::Vector2d& p, double z) { return Eigen::Vector3d(p.x(), p.y(), z); };
@@ -75,7 +75,7 @@ TEST(Certified, SingleTriangleAndFlatMesh) {
   EXPECT_EQ(count(l_shape, 0.05), 2u);
 }
 
-TEST(Certified, LoosePointsOnly) {
+TEST(Certified, OnlyLoosePoints) {
   RepairedMesh mesh;
   mesh.loose = test_shapes::loosePoints({{0, 0, 0}, {0.01, 0, 0}, {5, 0, 0}, {5, 0.01, 0}, {0, 0, 7}});
   for (Effort effort : {Effort::kQuick, Effort::kBest}) {
@@ -96,7 +96,7 @@ TEST(Certified, OpenAndOverlappingSurfaces) {
   EXPECT_EQ(count(test_shapes::merged({box, test_shapes::moved(box, {0.5, 0, 0})}), 0.02), 1u);
 }
 
-// Closed-form counts.
+// Known counts.
 
 TEST(Certified, ConvexInputIsOneHull) {
   RandomPoints random(3);
@@ -140,7 +140,7 @@ TEST(Certified, PartsWithSolidBetweenThemShareAHull) {
   EXPECT_EQ(count(star(20), 0.01), 10u) << "opposite teeth";
 }
 
-TEST(Certified, PartsThatAreFarApartAreOneHullEach) {
+TEST(Certified, DistantPartsAreOneHullEach) {
   EXPECT_EQ(count(test_shapes::fourSpheres(), 0.02), 4u);
 }
 
@@ -155,7 +155,7 @@ TEST(Certified, APocketBehindANarrowNeckIsNotFilled) {
   EXPECT_EQ(checked(mesh, within(1.1)).hulls.size(), 1u);
 }
 
-TEST(Certified, FilledHullsHoldTheInside) {
+TEST(Certified, FilledHullsContainTheInside) {
   const TriangleMesh mesh = test_shapes::flask(0.1);
   const Solid solid(repair(mesh));
   double least = 1;
@@ -167,7 +167,7 @@ TEST(Certified, FilledHullsHoldTheInside) {
       options.fill = true;
       EXPECT_EQ(coveredShare(checked(mesh, options).hulls, solid), 1);
     }
-  EXPECT_LT(least, 1) << "else there was nothing to fill";
+  EXPECT_LT(least, 1) << "otherwise there was nothing to fill";
 }
 
 // The promise.
@@ -212,11 +212,11 @@ TEST(Certified, RotationChangesTheCountLittle) {
   }
 }
 
-// How it runs.
+// Execution.
 
-TEST(Certified, SameInputSameBytesWhateverTheThreads) {
+TEST(Certified, SameBytesForAnyNumberOfThreads) {
   const RepairedMesh large = repair(bentTube(36, 36)), small = repair(bentTube(8, 8));
-  ASSERT_GT(large.mesh.triangles.size(), 5000u) << "small parts are not cut at the same time";
+  ASSERT_GT(large.mesh.triangles.size(), 5000u) << "small parts are not cut in parallel";
   for (Effort effort : {Effort::kQuick, Effort::kBest}) {
     const RepairedMesh& mesh = effort == Effort::kQuick ? large : small;
     DecomposeOptions options = within(0.1, effort);
@@ -230,7 +230,7 @@ TEST(Certified, SameInputSameBytesWhateverTheThreads) {
   }
 }
 
-TEST(Certified, MaxHullsCapsAndSaysSo) {
+TEST(Certified, MaxHullsCapsAndIsReported) {
   const TriangleMesh mesh = test_shapes::openBox();
   const RepairedMesh repaired = repair(mesh);
   DecomposeOptions options = within(0.01 * diagonal(mesh));
@@ -243,7 +243,7 @@ TEST(Certified, MaxHullsCapsAndSaysSo) {
   }
 }
 
-TEST(Certified, CancelledAtAnyShare) {
+TEST(Certified, CanBeCancelledAtAnyTime) {
   const RepairedMesh mesh = repair(test_shapes::torus(1, 0.3, 16, 8));
   for (double share : {0.0, 0.3, 0.8}) {
     RunControl control;

@@ -36,18 +36,18 @@ TEST(TriangleConcavity, DistanceToTheOppositeFace) {
   EXPECT_NEAR(concavityOfTriangle(cube, Corners{{{0, 0, 0.25}, {1, 0, 0.25}, {0, 1, 0.25}}}, {0, 0, 1}), 0.75, 1e-9);
 }
 
-TEST(TriangleConcavity, LargestWithinTheTriangleNotAtACorner) {
+TEST(TriangleConcavity, LargestInsideTheTriangle) {
   const ConvexHull pyramid = convexHull({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0.1, 0, 1}});
   EXPECT_NEAR(concavityOfTriangle(pyramid, Corners{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}}, {0, 0, 1}), 1, 1e-9);
 }
 
 TEST(TriangleConcavity, LargestOnASideOfTheTriangle) {
   const ConvexHull pyramid = convexHull({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 1}});
-  // Of the triangle beyond y = 1/2 the middle of its lower side is nearest to the axis.
+  // Of the part of the triangle beyond y = 1/2, the middle of its lower side is nearest to the axis.
   EXPECT_NEAR(concavityOfTriangle(pyramid, Corners{{{-0.5, 0.5, 0}, {0.5, 0.5, 0}, {0, 0.9, 0}}}, {0, 0, 1}), 0.5, 1e-9);
 }
 
-TEST(TriangleConcavity, StopsWhereItIsKnownToBeLess) {
+TEST(TriangleConcavity, StopsOnceItIsKnownToBeSmaller) {
   const ConvexHull cube = hullOf(test_shapes::box(1, 1, 1));
   EXPECT_LE(concavityOfTriangle(cube, Corners{{{0, 0, 0.25}, {1, 0, 0.25}, {0, 1, 0.25}}}, {0, 0, 1}, 2.0), 2.0);
 }
@@ -81,12 +81,12 @@ TEST(TriangleConcavity, AgreesWithDenseSampling) {
   }
 }
 
-TEST(Concavity, NoneWithoutOrWithinOneTriangle) {
+TEST(Concavity, NoneForAtMostOneTriangle) {
   EXPECT_EQ(concavity(test_shapes::singleTriangle(), {}), 0);
   EXPECT_EQ(concavity(test_shapes::singleTriangle(), {0}), 0);
 }
 
-TEST(Concavity, NoneOfConvexSurfaces) {
+TEST(Concavity, NoneForConvexSurfaces) {
   for (const TriangleMesh& mesh : {test_shapes::box(1, 2, 3, 3), test_shapes::sphere(2, 4), test_shapes::sheet(1, 1, 4)})
     EXPECT_EQ(concavity(mesh, all(mesh)), 0);
 }
@@ -99,7 +99,7 @@ TriangleMesh valley() {
   return mesh;
 }
 
-TEST(Concavity, OfAValleyFollowsFromItsAngle) {
+TEST(Concavity, FollowsFromTheAngleOfAValley) {
   // The hull's lid is at z = 1. A ray from the bottom leaves the hull at the end of the other slope, after sqrt(2).
   TriangleMesh mesh = valley();
   EXPECT_NEAR(concavity(mesh, all(mesh)), std::sqrt(2.0), 1e-6);
@@ -107,7 +107,7 @@ TEST(Concavity, OfAValleyFollowsFromItsAngle) {
   EXPECT_EQ(concavity(mesh, all(mesh)), 0);
 }
 
-TEST(Concavity, FlatBandThatIsNotConvexHasNone) {
+TEST(Concavity, NoneForAFlatNonConvexBand) {
   const TriangleMesh channel = test_shapes::uChannel();
   std::vector<int> top;
   for (std::size_t t = 0; t < channel.triangles.size(); ++t) {
@@ -119,7 +119,7 @@ TEST(Concavity, FlatBandThatIsNotConvexHasNone) {
   EXPECT_EQ(concavity(channel, top), 0);
 }
 
-TEST(Concavity, NeverFallsWhenASurfaceGrows) {
+TEST(Concavity, NeverDecreasesAsASurfaceGrows) {
   const unsigned seed = 11;
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 random(seed);
@@ -133,7 +133,7 @@ TEST(Concavity, NeverFallsWhenASurfaceGrows) {
       const Patch next = measure.patch(order[i]);
       grown = measure.unite(std::move(grown), next, measure.ofUnion(grown, next, 0, kInfinity));
       EXPECT_GE(grown.concavity, before);
-      // From scratch, without what was known of the parts.
+      // From scratch, without what is known about the parts.
       const ConvexHull hull = convexHull(measure.positions(grown.points));
       double fresh = 0;
       for (int t : grown.triangles) {

@@ -21,7 +21,7 @@ std::vector<ConvexHull> hullsOf(const std::vector<Leaf>& leaves) {
   return hulls;
 }
 
-/// Leaves that make up the surface, cover it and fit.
+/// The leaves make up the surface, cover it, and fit the tolerance.
 std::vector<Leaf> checkedLeaves(const TriangleMesh& mesh, double share, const CutOptions& options = {}) {
   Subject subject(mesh, share * diagonal(mesh));
   double done = 0;
@@ -55,7 +55,7 @@ TEST(Cutting, LoosePointsAreLeaves) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(leaves[i].block.surface.vertices, std::vector<Eigen::Vector3d>{mesh.loose[i][0]});
 }
 
-TEST(Cutting, ASegmentIsDividedIntoTwo) {
+TEST(Cutting, ASegmentIsDivided) {
   const SurfacePiece segment{{{0, 0, 0}, {3, 0, 0}}, {{0, 1, 1}}};
   const auto [beneath, above] = cut(segment, {Eigen::Vector3d::UnitX(), 1}, 1e-9);
   ASSERT_EQ(beneath.triangles.size(), 1u);
@@ -71,11 +71,11 @@ TEST(Cutting, WallsAreLeaves) {
   EXPECT_GE(checkedLeaves(uChannel(), 0.02).size(), 3u);
 }
 
-TEST(Cutting, PartsThatAreNotJoinedAreLeaves) {
+TEST(Cutting, DisconnectedPartsAreLeaves) {
   EXPECT_EQ(checkedLeaves(fourSpheres(), 0.02).size(), 4u);
 }
 
-TEST(Cutting, RoundShapesFit) {
+TEST(Cutting, RoundShapesGiveFittingLeaves) {
   for (const ScoreWeights& weights : {ScoreWeights{}, ScoreWeights{0.5, 0.3, 0}, ScoreWeights{0.1, 0, 0.1}}) {
     CutOptions options;
     options.weights = weights;
@@ -83,7 +83,7 @@ TEST(Cutting, RoundShapesFit) {
   }
 }
 
-TEST(Cutting, LargestSidesFirstFitToo) {
+TEST(Cutting, LargestSideFirstGivesFittingLeavesToo) {
   CutOptions options;
   options.largest_side_first = true;
   EXPECT_EQ(checkedLeaves(lBracket(), 0.02, options).size(), 2u);
@@ -91,7 +91,7 @@ TEST(Cutting, LargestSidesFirstFitToo) {
   EXPECT_GT(checkedLeaves(torus(1, 0.3, 16, 8), 0.03, options).size(), 4u);
 }
 
-TEST(Cutting, EndsBeyondTheMostLeaves) {
+TEST(Cutting, StopsAtTheLimitOnLeaves) {
   Subject subject(torus(1, 0.3, 32, 16), 0.01);
   CutOptions options;
   const std::size_t all = subject.leaves().size();
@@ -102,13 +102,13 @@ TEST(Cutting, EndsBeyondTheMostLeaves) {
   EXPECT_LE(uncovered(subject.mesh.mesh, hullsOf(leaves)), 1e-12);
 }
 
-/// Pieces of so many points are looked at by some of them first: also where one of the others alone makes the piece unfit.
-TEST(Cutting, NoPointOfALargePieceIsForgotten) {
+/// For large pieces the hull of a selection of points is tried first: this must also work if one of the others alone makes the piece unfit.
+TEST(Cutting, IgnoresNoPointOfALargePiece) {
   const TriangleMesh ball = sphere(1, 20);
   ASSERT_GE(ball.vertices.size(), 4000u);
   for (const double spike : {1.0, 1.5}) {
     TriangleMesh mesh = ball;
-    mesh.vertices[3] *= spike;  // not among those that are looked at first
+    mesh.vertices[3] *= spike;  // not in the selection tried first
     Subject subject(mesh, 0.05 * diagonal(mesh));
     const std::vector<Leaf> leaves = cutIntoLeaves(subject.mesh, subject.oracle, {}, [](double) {});
     EXPECT_EQ(leaves.size() > 1, spike > 1);
@@ -121,7 +121,7 @@ TEST(Cutting, NoPointOfALargePieceIsForgotten) {
   }
 }
 
-TEST(Cutting, AVertexCapIsMetWithinTheTolerance) {
+TEST(Cutting, KeepsTheVertexCapWithinTheTolerance) {
   const TriangleMesh ball = sphere(1, 4);
   EXPECT_EQ(checkedLeaves(ball, 0.01).size(), 1u);
   CutOptions options;
@@ -136,13 +136,13 @@ TEST(Cutting, IsDeterministic) {
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].hull.vertices, b[i].hull.vertices);
 }
 
-TEST(Cutting, IsCancelled) {
+TEST(Cutting, CanBeCancelled) {
   Subject subject(torus(1, 0.3, 16, 8), 0.1);
   const auto cancel = [&](double) { subject.control.cancel(); };
   EXPECT_THROW(cutIntoLeaves(subject.mesh, subject.oracle, {}, cancel), Error);
 }
 
-// An L's inner corner stands at x = y = 0.1; the plane through it that halves the angle parts the walls.
+// An L has its inner corner at x = y = 0.1; the plane through it that bisects the angle separates the walls.
 const HalfSpace kAtTheCorner{Eigen::Vector3d(1, -1, 0).normalized(), 0}, kThroughAWall{Eigen::Vector3d::UnitX(), 0.7},
     kAside{Eigen::Vector3d::UnitX(), 2};
 
@@ -155,14 +155,14 @@ class PlaneScoreOfABracket : public ::testing::Test {
 
 TEST_F(PlaneScoreOfABracket, PrefersTheCutAtTheCorner) {
   const std::vector<HalfSpace> best = score.best({kThroughAWall, kAside, kAtTheCorner}, 3);
-  ASSERT_EQ(best.size(), 2u) << "what divides nothing is left out";
+  ASSERT_EQ(best.size(), 2u) << "planes that divide nothing are left out";
   EXPECT_EQ(best[0].offset, kAtTheCorner.offset);
   EXPECT_EQ(best[1].offset, kThroughAWall.offset);
   EXPECT_EQ(score.best({kThroughAWall, kAtTheCorner}, 1).size(), 1u);
   EXPECT_TRUE(score.best({}, 3).empty());
 }
 
-TEST_F(PlaneScoreOfABracket, OfEqualPlanesTheFirstIsFirst) {
+TEST_F(PlaneScoreOfABracket, KeepsTheOrderOfEqualPlanes) {
   const HalfSpace turned{-kThroughAWall.normal, -kThroughAWall.offset};
   EXPECT_EQ(score.best({turned, kThroughAWall}, 1)[0].offset, turned.offset);
   EXPECT_EQ(score.best({kThroughAWall, turned}, 1)[0].offset, kThroughAWall.offset);

@@ -41,7 +41,7 @@ TEST(Method, NamesAreReadBack) {
   EXPECT_FALSE(methodNamed("HACD"));
 }
 
-TEST(Decompose, EmptyMeshIsRefused) {
+TEST(Decompose, RejectsAnEmptyMesh) {
   for (Method method : allMethods()) {
     DecomposeOptions options;
     options.method = method;
@@ -50,7 +50,7 @@ TEST(Decompose, EmptyMeshIsRefused) {
   }
 }
 
-TEST(Decompose, OptionsOutOfRangeAreRefused) {
+TEST(Decompose, RejectsOptionsOutOfRange) {
   const TriangleMesh box = test_shapes::box(1, 1, 1);
   const RepairedMesh mesh = repair(box);
   DecomposeOptions filled = with(Method::kAcd, box);
@@ -84,7 +84,7 @@ TEST(Decompose, EveryMethodCoversEveryShape) {
     }
 }
 
-TEST(Decompose, LoosePointsAloneAreCovered) {
+TEST(Decompose, OnlyLoosePointsAreCovered) {
   RepairedMesh mesh;
   mesh.loose = test_shapes::loosePoints({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}});
   for (Method method : allMethods()) {
@@ -103,7 +103,7 @@ TEST(Decompose, LoosePointsAloneAreCovered) {
 
 TEST(Decompose, LoosePointsGoToTheNearestHull) {
   RepairedMesh mesh = repair(test_shapes::fourSpheres());
-  mesh.loose = test_shapes::loosePoints({{3.5, 2, 0}, {2, 2, 0.5}});  // beside one sphere, within it
+  mesh.loose = test_shapes::loosePoints({{3.5, 2, 0}, {2, 2, 0.5}});  // one beside a sphere, one inside it
   DecomposeOptions options = with(Method::kHacd, mesh.mesh);
   const Decomposition result = decompose(mesh, options);
   ASSERT_EQ(result.hulls.size(), 4u);
@@ -117,7 +117,7 @@ TEST(Decompose, LoosePointsGoToTheNearestHull) {
   EXPECT_EQ(changed, 1);
 }
 
-// Flat triangles from one of two boxes to the other, and a free end: surface like any other.
+// Flat triangles from one box to another, with a loose end: part of the surface like any other.
 TEST(Decompose, AWireOfFlatTrianglesIsCovered) {
   TriangleMesh mesh = test_shapes::merged({test_shapes::box(1, 1, 1), test_shapes::moved(test_shapes::box(1, 1, 1), {4, 0, 0})});
   const int first = static_cast<int>(mesh.vertices.size());
@@ -137,7 +137,7 @@ TEST(Decompose, AWireOfFlatTrianglesIsCovered) {
   }
 }
 
-TEST(SingleHull, IsTheHullOfAll) {
+TEST(SingleHull, IsTheHullOfTheWholeMesh) {
   DecomposeOptions options;
   options.method = Method::kSingleHull;
   const Decomposition result = decompose(repair(test_shapes::lBracket(1, 0.1, 2)), options);
@@ -146,7 +146,7 @@ TEST(SingleHull, IsTheHullOfAll) {
   EXPECT_FALSE(result.capped);
 }
 
-TEST(BoundingBox, FindsABoxThatWasTurned) {
+TEST(BoundingBox, FindsARotatedBox) {
   const Eigen::Isometry3d pose(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
   const Decomposition result = run(transformed(test_shapes::box(1, 2, 3, 3), pose), Method::kBoundingBox);
   ASSERT_EQ(result.hulls.size(), 1u);
@@ -155,7 +155,7 @@ TEST(BoundingBox, FindsABoxThatWasTurned) {
 }
 
 TEST(BoundingBox, IsFlushWithAFace) {
-  // Of a right-angled prism the best box has its two short sides flush.
+  // The smallest box around a right-angled prism is flush with its two short sides.
   const Eigen::Isometry3d pose(Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, -1, 0.5).normalized()));
   const TriangleMesh prism = test_shapes::prism({{0, 0}, {4, 0}, {0, 3}}, {{0, 1, 2}}, 2);
   EXPECT_NEAR(volume(run(transformed(prism, pose), Method::kBoundingBox).hulls[0]), 24, 1e-9);
@@ -168,7 +168,7 @@ TEST(BoundingBox, FlatInputGivesAThinBox) {
   EXPECT_LT(volume(result.hulls[0]), 1e-4);
 }
 
-TEST(MaxVertices, CapsEveryHullAndSaysSo) {
+TEST(MaxVertices, CapsEveryHullAndIsReported) {
   const TriangleMesh sphere = test_shapes::sphere(1, 5);
   for (Method method : {Method::kHacd, Method::kSingleHull}) {
     DecomposeOptions options = with(method, sphere);
@@ -213,7 +213,7 @@ TEST(MaxHulls, IsReachedFromManyClusters) {
   }
 }
 
-TEST(Decompose, SameInputSameBytes) {
+TEST(Decompose, SameInputGivesSameBytes) {
   const TriangleMesh mesh = test_shapes::flange();
   for (Method method : allMethods()) {
     const Decomposition a = run(mesh, method), b = run(mesh, method);

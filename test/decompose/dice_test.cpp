@@ -18,7 +18,7 @@ TEST(Dice, UnitIntervalIsHalfOpen) {
   EXPECT_EQ(unitInterval(std::uint64_t{1} << 63), 0.5);
 }
 
-TEST(Dice, FollowFromTheSeed) {
+TEST(Dice, DependOnTheSeedAlone) {
   Dice a(1), b(1), c(2);
   for (int i = 0; i < 10; ++i) {
     const std::uint64_t bits = a.bits();
@@ -27,7 +27,7 @@ TEST(Dice, FollowFromTheSeed) {
   }
 }
 
-TEST(Dice, FallOnEverySideAboutAsOften) {
+TEST(Dice, AreUniform) {
   Dice dice(3);
   std::array<int, 6> fallen{};
   for (int i = 0; i < 6000; ++i) ++fallen.at(dice.below(6));

@@ -9,7 +9,7 @@
 namespace collision_hulls {
 namespace {
 
-TEST(DualGraph, NothingForNothing) {
+TEST(DualGraph, EmptyMesh) {
   EXPECT_TRUE(dualGraph({}).empty());
   EXPECT_TRUE(dualGraph(test_shapes::singleTriangle()).empty());
 }
@@ -22,7 +22,7 @@ TEST(DualGraph, TwoTrianglesShareTheirBorder) {
   EXPECT_DOUBLE_EQ(edges[0].border, 5);
 }
 
-TEST(DualGraph, ClosedMeshHasThreeEdgesForTwoTriangles) {
+TEST(DualGraph, ClosedMeshHasThreeEdgesPerTwoTriangles) {
   const TriangleMesh mesh = test_shapes::torus();
   EXPECT_EQ(dualGraph(mesh).size(), mesh.triangles.size() * 3 / 2);
 }

@@ -29,7 +29,7 @@ bool isSingle(double x) {
   return single == x;
 }
 
-/// What fit_cover.h promises, of hulls built anew from the vertices as they are written.
+/// What fit_cover.h promises, checked on hulls rebuilt from the vertices as written.
 FittedHulls checkedFit(const std::vector<ConvexHull>& hulls, const TriangleMesh& mesh, double margin = 0, int max_vertices = 0) {
   const FittedHulls fitted = fitCover(hulls, mesh, margin, max_vertices);
   EXPECT_EQ(uncovered(mesh, fitted.hulls), 0);
@@ -48,7 +48,7 @@ FittedHulls checkedFit(const std::vector<ConvexHull>& hulls, const TriangleMesh&
   return fitted;
 }
 
-/// Furthest that the fitted hulls' vertices lie beyond the hulls.
+/// The furthest distance of the fitted hulls' vertices from the given hulls.
 double growth(const FittedHulls& fitted, const std::vector<ConvexHull>& hulls) {
   double most = 0;
   for (std::size_t h = 0; h < hulls.size(); ++h)
@@ -62,7 +62,7 @@ TEST(FitCover, NothingToFit) {
   EXPECT_TRUE(fitCover({}, {}, 0, 0).hulls.empty());
 }
 
-TEST(FitCover, TrianglesWithoutAnyHullAreAnErrorOfOurs) {
+TEST(FitCover, TrianglesWithoutAnyHullAreAnInternalError) {
   try {
     fitCover({}, test_shapes::box(1, 1, 1), 0, 0);
     FAIL();
@@ -89,7 +89,7 @@ TEST(FitCover, APointALineAndAPlane) {
     }
 }
 
-TEST(FitCover, TrianglesThatNoHullHeldAreAdded) {
+TEST(FitCover, UncoveredTrianglesAreAdded) {
   TriangleMesh mesh = test_shapes::box(1, 1, 1, 2);
   const int first = static_cast<int>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), {{1.2, 0.5, 0.5}, {0.5, 0.5, 1.1}, {0.5, 0.5, 0.5}});
@@ -109,12 +109,12 @@ TEST(FitCover, ATriangleGoesToTheHullThatGrowsLeast) {
   EXPECT_LT(volume(fitted.hulls[2]), 1.001);
 }
 
-TEST(FitCover, ATriangleAcrossASlitIsMended) {
+TEST(FitCover, CoversATriangleAcrossASlit) {
   const TriangleMesh mesh{{{0.1, 0.1, 0.5}, {1.9, 0.1, 0.5}, {1, 0.9, 0.5}}, {{0, 1, 2}}};
   EXPECT_EQ(checkedFit({boxHull({0, 0, 0}, {0.99, 1, 1}), boxHull({1.01, 0, 0}, {2, 1, 1})}, mesh).completed, 1u);
 }
 
-// Closed form.
+// Closed-form answers.
 
 TEST(FitCover, ABoxGrowsByTheMarginAndSinglePrecision) {
   const TriangleMesh mesh = test_shapes::box(1, 1, 1, 3);
@@ -139,7 +139,7 @@ TEST(FitCover, FarFromTheOriginItGrowsWithTheCoordinates) {
   }
 }
 
-TEST(FitCover, OfAnySize) {
+TEST(FitCover, WorksAtAnySize) {
   for (double scale : {1e-6, 1e-3, 1e3, 1e6}) {
     const TriangleMesh mesh = scaled(test_shapes::torus(1, 0.3, 12, 8), Vector3d::Constant(scale));
     const std::vector<ConvexHull> hulls{hullOf(mesh)};
@@ -147,9 +147,9 @@ TEST(FitCover, OfAnySize) {
   }
 }
 
-// Random.
+// Random input.
 
-TEST(FitCover, HullsOfEveryForm) {
+TEST(FitCover, HullsOfAnyShape) {
   for (std::uint32_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     RandomPoints random(seed);
@@ -172,7 +172,7 @@ TEST(FitCover, HullsOfEveryForm) {
   }
 }
 
-TEST(FitCover, KeepsTheCapOnVertices) {
+TEST(FitCover, KeepsTheVertexCap) {
   for (std::uint32_t seed = 0; seed < 24; ++seed) {
     SCOPED_TRACE(seed);
     RandomPoints random(seed);
@@ -184,8 +184,8 @@ TEST(FitCover, KeepsTheCapOnVertices) {
   }
 }
 
-/// A disc far thinner than the margin has sharp vertices all around: moved as far as their faces are, they would not be its vertices any
-/// more.
+/// A disc far thinner than the margin has sharp vertices all around: moved as far as their faces require, they would no longer be its
+/// vertices.
 TEST(FitCover, ThinDiscUnderACapStaysADisc) {
   constexpr int kSegments = 62, kCap = 64;
   constexpr double kRadius = 0.15, kThickness = 3e-7, kMargin = 8e-6;
@@ -199,11 +199,11 @@ TEST(FitCover, ThinDiscUnderACapStaysADisc) {
     }
     const ConvexHull disc = convexHull(points);
     const FittedHulls fitted = checkedFit({disc}, {disc.vertices, disc.triangles}, kMargin, kCap);
-    EXPECT_LT(growth(fitted, {disc}), 0.012 * kRadius + 3 * kMargin);  // about twice that of a regular prism of 62 corners
+    EXPECT_LT(growth(fitted, {disc}), 0.012 * kRadius + 3 * kMargin);  // about twice that of a regular prism with 62 corners
   }
 }
 
-TEST(FitCover, CompletesAtTheCapToo) {
+TEST(FitCover, CompletesTheCoverAtTheCapToo) {
   RandomPoints random(2);
   const TriangleMesh ball = test_shapes::sphere(1, 3);
   TriangleMesh mesh = ball;
@@ -216,7 +216,7 @@ TEST(FitCover, CompletesAtTheCapToo) {
   EXPECT_LE(fitted.completed, 40u);
 }
 
-TEST(FitCover, SameInputSameBytes) {
+TEST(FitCover, SameInputGivesSameBytes) {
   const TriangleMesh mesh = test_shapes::torus(1, 0.3, 16, 8);
   const std::vector<ConvexHull> hulls{hullOf(mesh)};
   EXPECT_EQ(fitCover(hulls, mesh, 1e-6, 16).hulls[0].vertices, fitCover(hulls, mesh, 1e-6, 16).hulls[0].vertices);

@@ -32,7 +32,7 @@ std::vector<ConvexHull> hulls(const TriangleMesh& mesh) {
   return result;
 }
 
-/// Largest distance to the surface of points of the hulls that lie in open space by `outside`.
+/// The largest distance from the surface of those points of the hulls that lie in open space according to `outside`.
 template <class Outside>
 double sampledProtrusion(const TriangleMesh& mesh, const Outside& outside) {
   const TriangleBvh bvh(mesh);
@@ -96,7 +96,7 @@ TEST(HacdPartition, EveryTriangleIsInOneCluster) {
   EXPECT_EQ(seen.size(), mesh.triangles.size());
 }
 
-TEST(HacdPartition, EndsWhereNoEdgeGivesAConcavityBelowEpsilon) {
+TEST(HacdPartition, EndsWhenNoEdgeGivesAConcavityBelowEpsilon) {
   const TriangleMesh mesh = test_shapes::torus(1, 0.3, 20, 10);
   const double epsilon = kShare * diagonal(mesh);
   const auto clusters = hacdPartition(mesh, epsilon);
@@ -118,7 +118,7 @@ TEST(HacdPartition, EndsWhereNoEdgeGivesAConcavityBelowEpsilon) {
   }
 }
 
-/// The decimation as the paper has it: every cost computed from scratch before every collapse.
+/// The decimation as in the paper: every cost is computed from scratch before every collapse.
 std::vector<std::vector<int>> eagerPartition(const TriangleMesh& mesh, double epsilon) {
   const double d = diagonal(mesh), alpha = shapeWeight(epsilon, d);
   std::vector<std::vector<int>> clusters;
@@ -159,7 +159,7 @@ std::vector<std::vector<int>> eagerPartition(const TriangleMesh& mesh, double ep
 }
 
 TEST(HacdPartition, LazyEvaluationChangesNothing) {
-  // Moved a little, so that no two costs are equal.
+  // Vertices are moved slightly so that no two costs are equal.
   for (TriangleMesh mesh : {test_shapes::lBracket(), test_shapes::uChannel(), test_shapes::openBox(), test_shapes::torus(1, 0.4, 7, 5)}) {
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
       mesh.vertices[i] += 0.01 * Eigen::Vector3d(std::sin(1.0 + 7.0 * i), std::sin(2.0 + 11.0 * i), std::sin(3.0 + 13.0 * i));
@@ -167,7 +167,7 @@ TEST(HacdPartition, LazyEvaluationChangesNothing) {
   }
 }
 
-TEST(PapersWeakness, LBracketIsTwoHullsThatFit) {
+TEST(PapersWeakness, LBracketIsTwoHullsWithinEpsilon) {
   const TriangleMesh mesh = test_shapes::lBracket();
   EXPECT_EQ(hulls(mesh).size(), 2u);
   const auto outside = [](const Eigen::Vector3d& p) { return p.x() > 0.1 + 1e-6 && p.y() > 0.1 + 1e-6; };
@@ -175,7 +175,7 @@ TEST(PapersWeakness, LBracketIsTwoHullsThatFit) {
 }
 
 TEST(PapersWeakness, UChannelsGapIsFilled) {
-  // The end faces are flat bands without concavity, whose hulls span the gap: half its width from the surface.
+  // The end faces are flat bands without concavity, but their hulls span the gap: up to half its width from the surface.
   const TriangleMesh mesh = test_shapes::uChannel(1, 1, 0.1, 2);
   EXPECT_EQ(hulls(mesh).size(), 4u);
   const auto outside = [](const Eigen::Vector3d& p) { return p.x() > 0.1 && p.x() < 0.9 && p.y() > 0.1; };
@@ -192,14 +192,14 @@ TEST(PapersWeakness, OpenBoxIsFilled) {
   EXPECT_GT(sampledProtrusion(mesh, outside), 3 * kShare * diagonal(mesh));
 }
 
-TEST(HacdPartition, ScaleAndPlaceDoNotMatter) {
+TEST(HacdPartition, DoesNotDependOnScaleOrPosition) {
   const TriangleMesh mesh = test_shapes::flange(5);
   TriangleMesh far = mesh;
   for (Eigen::Vector3d& v : far.vertices) v = 1e-3 * v + Eigen::Vector3d(1, -2, 0.5);
   EXPECT_NEAR(static_cast<double>(partition(mesh).size()), static_cast<double>(partition(far).size()), 3);
 }
 
-TEST(HacdPartition, SameInputSameResult) {
+TEST(HacdPartition, SameInputGivesSameResult) {
   const TriangleMesh mesh = test_shapes::torus();
   EXPECT_EQ(partition(mesh), partition(mesh));
 }
@@ -218,7 +218,7 @@ TEST(HacdPartition, ProgressRisesFromZeroToOne) {
   EXPECT_GT(last, 0.9);
 }
 
-TEST(HacdPartition, CancelledInTheMiddle) {
+TEST(HacdPartition, CanBeCancelledHalfway) {
   RunControl control;
   control.progress = [&](double fraction) {
     if (fraction > 0.5) control.cancel();

@@ -36,14 +36,14 @@ class HullTreeFile : public ::testing::Test {
   }
   std::string file() const { return (folder_ / "part.hulltree").string(); }
 
-  /// What is said of a file of these bytes.
+  /// The message for a file with these bytes.
   std::string refusal(const std::string& bytes) {
     try {
       loadHullTree(write(bytes));
     } catch (const Error& e) {
       EXPECT_EQ(e.code(), ErrorCode::kNotAHullTree) << e.what();
       EXPECT_NE(std::string(e.what()).find(file()), std::string::npos) << e.what();
-      EXPECT_NE(std::string(e.what()).find("make it anew"), std::string::npos) << e.what();
+      EXPECT_NE(std::string(e.what()).find("create it again"), std::string::npos) << e.what();
       return e.what();
     }
     return "";
@@ -104,7 +104,7 @@ void expectEqual(const HullTree& a, const HullTree& b) {
   }
 }
 
-/// The bytes of a tree that encodeHullTree would refuse: the fields in the format's order, sealed as it says.
+/// The bytes of a tree that encodeHullTree would reject: fields in the order of the format, in its frame.
 std::string unchecked(const HullTree& tree) {
   ByteWriter out;
   out(tree.tolerance, std::uint64_t{tree.nodes.size()});
@@ -120,7 +120,7 @@ TEST_F(HullTreeFile, EmptyTreeAndSingleNode) {
   expectEqual(loadHullTree(file()), one);
 }
 
-TEST_F(HullTreeFile, FilesThatAreNotThere) {
+TEST_F(HullTreeFile, MissingFiles) {
   for (const std::string& file : {(folder_ / "none").string(), folder_.string()}) {
     try {
       loadHullTree(file);
@@ -133,7 +133,7 @@ TEST_F(HullTreeFile, FilesThatAreNotThere) {
   EXPECT_NE(refusal("solid cube"), "");
 }
 
-TEST_F(HullTreeFile, UnwritablePlace) {
+TEST_F(HullTreeFile, UnwritablePath) {
   write("a file");
   try {
     saveHullTree(randomTree(2, 1), file() + "/tree");
@@ -143,7 +143,7 @@ TEST_F(HullTreeFile, UnwritablePlace) {
   }
 }
 
-TEST_F(HullTreeFile, ComesBackToTheLastBit) {
+TEST_F(HullTreeFile, IsReadBackToTheLastBit) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const HullTree tree = randomTree(5 * seed, seed);
     saveHullTree(tree, file());
@@ -152,10 +152,10 @@ TEST_F(HullTreeFile, ComesBackToTheLastBit) {
     EXPECT_EQ(back.cutTo(3), tree.cutTo(3));
     EXPECT_EQ(encodeHullTree(back), read());
   }
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1) << "something else was left behind";
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1) << "something else was left behind in the folder";
 }
 
-// A file of version 1 must stay readable: this is what stands in one.
+// Files of version 1 must stay readable; this is what they contain.
 TEST_F(HullTreeFile, TheFormatAsDocumented) {
   const HullTree tree = randomTree(4, 2);
   EXPECT_EQ(encodeHullTree(tree), unchecked(tree));
@@ -163,7 +163,7 @@ TEST_F(HullTreeFile, TheFormatAsDocumented) {
             std::string("CHULTREE\1\0\0\0\20\0\0\0\0\0\0\0", 20) + std::string(16, '\0') + encodeHullTree(HullTree{}).substr(36));
 }
 
-TEST_F(HullTreeFile, CutOffAnywhere) {
+TEST_F(HullTreeFile, TruncatedAnywhere) {
   const std::string bytes = encodeHullTree(randomTree(2, 3));
   for (std::size_t size = 0; size < bytes.size(); size += 1 + size / 16) EXPECT_NE(refusal(bytes.substr(0, size)), "") << size;
   EXPECT_NE(refusal(bytes.substr(0, bytes.size() - 1)), "");
@@ -190,7 +190,7 @@ TEST_F(HullTreeFile, MoreThanTheTree) {
             std::string::npos);
 }
 
-TEST_F(HullTreeFile, TreesThatAreNotSound) {
+TEST_F(HullTreeFile, InvalidTrees) {
   const HullTree sound = randomTree(3, 6);  // leaves 0, 1, 2; 3 is an inner node, 4 the root
   ASSERT_EQ(sound.nodes.size(), 5u);
   EXPECT_EQ(refusal(unchecked(sound)), "");
@@ -205,16 +205,16 @@ TEST_F(HullTreeFile, TreesThatAreNotSound) {
       {"parent", [&](HullTree& tree) { tree.nodes[3].parent = 3; }},
       {"parent", [&](HullTree& tree) { tree.nodes[3].parent = 2147483647; }},
       {"parent", [&](HullTree& tree) { tree.nodes[0].parent = -1; }},
-      {"does not stand before it", [&](HullTree& tree) { tree.nodes[4].left = 4; }},
-      {"does not stand before it", [&](HullTree& tree) { tree.nodes[4].right = -1; }},
-      {"does not stand before it", [&](HullTree& tree) { tree.nodes[3].left = -7; }},
-      {"children are one", [&](HullTree& tree) { tree.nodes[4].left = tree.nodes[4].right; }},
+      {"does not precede it", [&](HullTree& tree) { tree.nodes[4].left = 4; }},
+      {"does not precede it", [&](HullTree& tree) { tree.nodes[4].right = -1; }},
+      {"does not precede it", [&](HullTree& tree) { tree.nodes[3].left = -7; }},
+      {"children are the same node", [&](HullTree& tree) { tree.nodes[4].left = tree.nodes[4].right; }},
       {"another parent", [&](HullTree& tree) { leaf_of_root(tree) = tree.nodes[3].left; }},
-      {"no child of the parent", [&](HullTree& tree) { tree.nodes[3].left = tree.nodes[3].right = -1; }},
+      {"not a child of the parent", [&](HullTree& tree) { tree.nodes[3].left = tree.nodes[3].right = -1; }},
       {"vertex is not finite", [&](HullTree& tree) { tree.nodes[1].hull.vertices[2].y() = nan; }},
       {"face is not finite", [&](HullTree& tree) { tree.nodes[1].hull.faces[2].offset = infinity; }},
-      {"no vertex", [&](HullTree& tree) { tree.nodes[2].hull = {}; }},
-      {"no length", [&](HullTree& tree) { tree.nodes[2].hull.slack = nan; }},
+      {"no vertices", [&](HullTree& tree) { tree.nodes[2].hull = {}; }},
+      {"not a length", [&](HullTree& tree) { tree.nodes[2].hull.slack = nan; }},
       {"names vertex -1", [&](HullTree& tree) { tree.nodes[2].hull.triangles[0][1] = -1; }},
       {"names vertex 1000", [&](HullTree& tree) { tree.nodes[2].hull.triangles[0][1] = 1000; }},
   };

@@ -1,4 +1,4 @@
-// The tree of hulls that certified() cuts: sound, proved, and covering wherever it is cut.
+// The tree of hulls built by certified: well-formed, proven, and covering wherever it is cut.
 #include "collision_hulls/decompose/hull_tree.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using test_shapes::RandomPoints;
 using test_shapes::sizeOf;
 using test_shapes::within;
 
-TEST(HullTree, RefusesWhatItCannotUse) {
+TEST(HullTree, RejectsUnusableInput) {
   const auto code = [](const RepairedMesh& mesh, double tolerance) {
     try {
       hullTree(mesh, within(tolerance));
@@ -35,7 +35,7 @@ TEST(HullTree, RefusesWhatItCannotUse) {
     EXPECT_EQ(code(box, tolerance), ErrorCode::kBadOption);
 }
 
-/// Children before parents, each with one parent, bounds that never fall on the way up, the root last.
+/// Children precede parents, each has one parent, bounds never decrease on the way up, and the root comes last.
 void expectSound(const HullTree& tree) {
   const int size = static_cast<int>(tree.nodes.size());
   for (int i = 0; i < size; ++i) {
@@ -78,7 +78,7 @@ class HullTreeOfBentTube : public ::testing::Test {
 const RepairedMesh* HullTreeOfBentTube::mesh_ = nullptr;
 const HullTree* HullTreeOfBentTube::tree_ = nullptr;
 
-TEST_F(HullTreeOfBentTube, IsSound) {
+TEST_F(HullTreeOfBentTube, IsWellFormed) {
   EXPECT_GT(tree_->nodes.size(), 10u);
   EXPECT_EQ(tree_->tolerance, kTolerance);
   expectSound(*tree_);
@@ -104,7 +104,7 @@ TEST_F(HullTreeOfBentTube, CutsCover) {
   EXPECT_EQ(tree_->cutAt(10).size(), 1u);
 }
 
-TEST_F(HullTreeOfBentTube, CutToSoMany) {
+TEST_F(HullTreeOfBentTube, CutsToAGivenNumber) {
   const std::size_t leaves = (tree_->nodes.size() + 1) / 2;
   double last = std::numeric_limits<double>::infinity();
   for (std::size_t most = 1; most <= leaves + 1; ++most) {
@@ -138,7 +138,7 @@ TEST_F(HullTreeOfBentTube, RandomCutsCover) {
   }
 }
 
-TEST_F(HullTreeOfBentTube, IsTheSameAgain) {
+TEST_F(HullTreeOfBentTube, IsDeterministic) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
   const HullTree again = hullTree(*mesh_, within(kTolerance));
   ASSERT_EQ(again.nodes.size(), tree_->nodes.size());
@@ -149,7 +149,7 @@ TEST_F(HullTreeOfBentTube, IsTheSameAgain) {
   }
 }
 
-TEST(HullTree, OfDegenerateInput) {
+TEST(HullTree, DegenerateInput) {
   RepairedMesh points;
   points.loose = test_shapes::loosePoints({{0, 0, 0}, {0.01, 0, 0}, {5, 0, 0}, {0, 0, 7}});
   const HullTree tree = hullTree(points, within(0.1));
@@ -163,7 +163,7 @@ TEST(HullTree, OfDegenerateInput) {
   EXPECT_TRUE(HullTree{}.cutTo(1).empty());
 }
 
-TEST(HullTree, FarPartsAreMergedAtLast) {
+TEST(HullTree, DistantPartsAreMergedInTheEnd) {
   const RepairedMesh mesh = repair(test_shapes::fourSpheres(2));
   const HullTree tree = hullTree(mesh, within(0.1));
   expectSound(tree);

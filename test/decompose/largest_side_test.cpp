@@ -14,12 +14,12 @@ std::optional<HalfSpace> largestSideOf(const TriangleMesh& mesh, double toleranc
   return largestSide(subject.mesh.mesh, subject.oracle);
 }
 
-TEST(LargestSide, NoneWhereNothingFits) {
+TEST(LargestSide, NoneIfNothingFits) {
   EXPECT_FALSE(largestSideOf({{{1, 2, 3}}, {{{0, 0, 0}}}}, 0.02));
   EXPECT_FALSE(largestSideOf(torus(1, 0.1, 40, 12), 0.02));
 }
 
-TEST(LargestSide, NoneOfPiecesOfManyPoints) {
+TEST(LargestSide, NoneForLargePieces) {
   for (const int steps : {8, 80}) {
     const TriangleMesh mesh = lBracket(1, 0.1, 1, steps);
     ASSERT_EQ(mesh.vertices.size() > 4000, steps == 80);
@@ -27,8 +27,8 @@ TEST(LargestSide, NoneOfPiecesOfManyPoints) {
   }
 }
 
-/// A column on a wide foot: the column may take a little of the foot as deep as the tolerance allows, not more.
-TEST(LargestSide, ReachesAsFarAsItsHullFits) {
+/// A column on a wide foot: the column may take along a little of the foot, as deep as the tolerance allows and no more.
+TEST(LargestSide, ExtendsAsFarAsItsHullFits) {
   const double tolerance = 0.05;
   const TriangleMesh mesh = merged({box(1, 1, 0.1), moved(box(0.2, 0.2, 4), {0.4, 0.4, 0.1})});
   Subject subject(mesh, tolerance);

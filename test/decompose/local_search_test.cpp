@@ -12,7 +12,7 @@ using namespace test_shapes;
 
 const auto kSilent = [](double) {};
 
-TEST(LocalSearch, WithoutEvaluationsLeavesTheCoverAsItIs) {
+TEST(LocalSearch, WithoutEvaluationsKeepsTheCover) {
   Subject subject(uChannel(), 0.05);
   SurfaceGroups groups(subject.leaves(), 12, subject.oracle, 0);
   const Cover cover = groups.leaves();
@@ -30,7 +30,7 @@ TEST(LocalSearch, MergesSingleElements) {
   EXPECT_EQ(elementsIn(cover), upTo(24));
 }
 
-TEST(LocalSearch, NoMoreGroupsAndAProvenCover) {
+TEST(LocalSearch, ReturnsAProvenCoverWithNoMoreGroups) {
   constexpr std::size_t kElements = 60;
   const TriangleMesh mesh = torus(1, 0.3, 16, 8);
   for (std::uint64_t seed : {1, 2, 3}) {
@@ -62,7 +62,7 @@ TEST(LocalSearch, IsDeterministic) {
   }
 }
 
-TEST(LocalSearch, IsCancelled) {
+TEST(LocalSearch, CanBeCancelled) {
   Subject subject(torus(1, 0.3, 16, 8), 0.1);
   SurfaceGroups groups(subject.leaves(), 60, subject.oracle, 0);
   const Cover cover = groups.leaves();

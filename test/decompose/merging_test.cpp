@@ -11,14 +11,14 @@ using namespace test_shapes;
 
 constexpr MergeCost::Kind kKinds[]{MergeCost::kSize, MergeCost::kGrowth, MergeCost::kMeanGrowth, MergeCost::kSquares};
 
-TEST(Merging, OfNothingAndOfOne) {
+TEST(Merging, NoneOrOneGroup) {
   Subject subject(box(1, 1, 1), 0.05);
   SurfaceGroups groups(subject.leaves(), 0, subject.oracle, 0);
   EXPECT_TRUE(merged({}, groups, {}, Proof::kLater).empty());
   EXPECT_EQ(mergedBest(groups.leaves(), groups).size(), 1u);
 }
 
-TEST(Merging, FarApartIsByTheTolerance) {
+TEST(Merging, FarApartDependsOnTheTolerance) {
   const TriangleMesh two = test_shapes::merged({box(1, 1, 1), moved(box(1, 1, 1), {1.5, 0, 0})});
   Subject subject(two, 0.2);
   SurfaceGroups groups(subject.leaves(), 0, subject.oracle, 0);
@@ -30,7 +30,7 @@ TEST(Merging, FarApartIsByTheTolerance) {
   EXPECT_EQ(groups.evaluations(), 0);
 }
 
-TEST(Merging, PiecesOfABoxMergeByEachKindOfCost) {
+TEST(Merging, PiecesOfABoxMergeWithEveryKindOfCost) {
   Subject subject(box(1, 2, 3, 3), 0.05);
   for (MergeCost::Kind kind : kKinds)
     for (Proof proof : {Proof::kLater, Proof::kAtOnce}) {
@@ -41,7 +41,7 @@ TEST(Merging, PiecesOfABoxMergeByEachKindOfCost) {
     }
 }
 
-TEST(Merging, NoMoreGroupsThanGivenAndAllProven) {
+TEST(Merging, GivesNoMoreGroupsAllProven) {
   constexpr std::size_t kElements = 40;
   for (const TriangleMesh& mesh : {uChannel(1, 1, 0.1, 2, 2), torus(1, 0.3, 16, 8), flange(3, 0.4, 1, 0.12, 0.15, 2, 1)}) {
     SCOPED_TRACE(testing::Message() << mesh.triangles.size() << " triangles");
@@ -59,8 +59,8 @@ TEST(Merging, NoMoreGroupsThanGivenAndAllProven) {
   }
 }
 
-/// Where the tolerance is a little below the depth of holes, the oracle's quick answer allows what a proof does not.
-TEST(Merging, WhatIsRefutedFallsBackIntoItsParts) {
+/// The tolerance is slightly below the depth of holes; there, the oracle's quick answer accepts what a proof rejects.
+TEST(Merging, RefutedUnionsFallBackIntoTheirParts) {
   const TriangleMesh mesh = flange(6, 0.4, 1, 0.12, 0.6, 4, 2);
   const double tolerance = 0.11;
   Subject subject(mesh, tolerance);

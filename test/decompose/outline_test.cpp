@@ -29,7 +29,7 @@ double areaOf(const Outline& outline) {
   return twice / 2;
 }
 
-/// Least distance of a point from the lines of an outline's edges, on their inner side.
+/// The least distance of a point from the lines through an outline's edges, on their inner side.
 double depthIn(const Outline& outline, const Vector2d& p) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -39,28 +39,28 @@ double depthIn(const Outline& outline, const Vector2d& p) {
   return least;
 }
 
-TEST(Outline, OfALine) {
+TEST(Outline, CollinearPoints) {
   EXPECT_EQ(outlineOf({{0, 0}, {2, 2}, {1, 1}}).size(), 2u);
 }
 
-TEST(Outline, IsCounterClockwiseAndLeavesOutWhatIsNoCorner) {
+TEST(Outline, IsCounterClockwiseWithCornersOnly) {
   const Outline square = outlineOf({{1, 1}, {0, 0}, {0.5, 0.5}, {0, 1}, {1, 0}, {0.5, 0}});
   EXPECT_EQ(square.size(), 4u);
   EXPECT_EQ(areaOf(square), 1);
 }
 
-TEST(Outline, FewEnoughCornersAreLeftAlone) {
+TEST(Outline, FewEnoughCornersAreKept) {
   EXPECT_EQ(simplified(polygon(6), 6), polygon(6));
 }
 
-/// Every second edge would be best; where both ways around meet two neighbours go.
+/// Dropping every second edge would be best; where the two ways around meet, two neighbours are dropped.
 TEST(Outline, HalfOfARegularPolygonsEdges) {
   const Outline half = simplified(polygon(62), 31);
   EXPECT_EQ(half.size(), 31u);
   for (const Vector2d& p : half) EXPECT_LE(p.norm(), (1 + 1e-9) / std::cos(1.5 * kPi / 31));
 }
 
-TEST(Outline, HoldsWhatItSimplifies) {
+TEST(Outline, ContainsTheOutlineItSimplifies) {
   for (std::uint32_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
     RandomPoints random(seed);
@@ -76,12 +76,12 @@ TEST(Outline, HoldsWhatItSimplifies) {
   }
 }
 
-TEST(Prism, AboutABoxIsTheBox) {
+TEST(Prism, AroundABoxIsTheBox) {
   const ConvexHull box = test_shapes::boxHull({0, 0, 0}, {3, 2, 0.1});
   EXPECT_NEAR(volume(prismAbout(box, 8)), volume(box), 1e-12);
 }
 
-TEST(Prism, AboutABallHasAsManyCornersAsItMay) {
+TEST(Prism, AroundABallUsesAllAllowedCorners) {
   const ConvexHull ball = test_shapes::hullOf(test_shapes::sphere(1, 6));
   for (int most : {8, 9, 16}) {
     const ConvexHull prism = prismAbout(ball, most);

@@ -12,14 +12,14 @@ namespace {
 
 using namespace test_shapes;
 
-/// Largest distance of a vertex of `hull` to `inner`, which it holds.
+/// The largest distance of a vertex of `hull` from `inner`, which `hull` contains.
 double shrinkage(const ConvexHull& inner, const ConvexHull& hull) {
   double most = 0;
   for (const Eigen::Vector3d& v : hull.vertices) most = std::max(most, distance(inner, v));
   return most;
 }
 
-TEST(RoughHull, HoldsItsPoints) {
+TEST(RoughHull, ContainsItsPoints) {
   RandomPoints random(1);
   for (double place : {0.0, 100.0}) {
     std::vector<Eigen::Vector3d> points = random.cloud(200);
@@ -30,19 +30,19 @@ TEST(RoughHull, HoldsItsPoints) {
   }
 }
 
-TEST(RoughHull, OfDegeneratePointsIsABody) {
+TEST(RoughHull, IsABodyEvenForDegeneratePoints) {
   EXPECT_GT(volume(roughHull({{1, 2, 3}})), 0);
   EXPECT_GT(volume(roughHull({{0, 0, 0}, {1, 0, 0}})), 0);
   EXPECT_GT(volume(roughHull(sheet().vertices)), 0);
 }
 
-TEST(Thinned, LeavesSmallAndFlatHullsAlone) {
+TEST(Thinned, KeepsSmallAndFlatHulls) {
   const ConvexHull small = hullOf(sphere(1, 3)), plate = hullOf(sheet(1, 1, 20));
   EXPECT_EQ(thinned(small, 100).vertices, small.vertices);
   EXPECT_EQ(thinned(plate, 2).vertices, plate.vertices);
 }
 
-TEST(Thinned, StaysWithinAndNear) {
+TEST(Thinned, StaysInsideAndClose) {
   for (const TriangleMesh& mesh : {sphere(1, 30), flange(40, 0.4, 1, 0.01, 0.15, 20)}) {
     const ConvexHull hull = hullOf(mesh);
     double last = std::numeric_limits<double>::infinity();
@@ -58,7 +58,7 @@ TEST(Thinned, StaysWithinAndNear) {
   }
 }
 
-TEST(Holds, WhatIsInside) {
+TEST(Holds, PointsInside) {
   const ConvexHull cube = boxHull({0, 0, 0}, {1, 1, 1});
   EXPECT_TRUE(holds(cube, {0.5, 0.5, 0.5}));
   EXPECT_FALSE(holds(cube, {0.5, 0.5, 1.01}));
@@ -86,8 +86,8 @@ TEST(Oracle, TheHullOfAChannelDoesNotFitButItsWallsDo) {
     EXPECT_TRUE(subject.oracle.fits(wall));
 }
 
-/// A lid of a box's top that stands off by a known distance: the answer turns at the tolerance, less a reserve of a few per cent.
-TEST(Oracle, TurnsAtTheTolerance) {
+/// A lid at a known distance above the top of a box: the answer changes at the tolerance, less a reserve of a few per cent.
+TEST(Oracle, AnswerChangesAtTheTolerance) {
   const TriangleMesh cube = box(1, 1, 1);
   for (double tolerance : {0.2, 0.05, 0.01}) {
     const auto raised = [&](double share) { return boxHull({0.2, 0.2, 0}, {0.8, 0.8, 1 + share * tolerance}); };
@@ -96,7 +96,7 @@ TEST(Oracle, TurnsAtTheTolerance) {
     ProtrusionOracle oracle(solid, {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 2)}, tolerance, control);
     EXPECT_TRUE(oracle.fits(raised(0.95)));
     EXPECT_FALSE(oracle.fits(raised(1.001)));
-    EXPECT_TRUE(oracle.fits(raised(0.95))) << "also after a refusal";
+    EXPECT_TRUE(oracle.fits(raised(0.95))) << "even after it rejected another hull";
     EXPECT_FALSE(oracle.fits(raised(3)));
     oracle.setShare(0.5);
     EXPECT_TRUE(oracle.mayFit(raised(0.4)));
@@ -107,8 +107,8 @@ TEST(Oracle, TurnsAtTheTolerance) {
   }
 }
 
-/// A little above the tolerance: a proof alone finds it, or who remembers what a proof found.
-TEST(Oracle, IntrudersAreHandedOn) {
+/// Slightly above the tolerance: only a proof finds it, or an oracle that remembers what a proof found.
+TEST(Oracle, IntrudersArePassedOn) {
   const ConvexHull raised = convexHull({{0.2, 0.2, 0}, {0.8, 0.2, 0}, {0.8, 0.8, 0}, {0.2, 0.8, 0}, {0.513, 0.471, 1.101}});
   Subject subject(box(1, 1, 1), 0.1);
   const Eigen::AlignedBox3d whole(Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 1, 2)), below(whole.min(), Eigen::Vector3d(1, 1, 0.5));
@@ -124,10 +124,10 @@ TEST(Oracle, IntrudersAreHandedOn) {
   oracle.learn(for_all);
   EXPECT_FALSE(oracle.mayFit(raised));
   EXPECT_FALSE(oracle.forPart(whole).mayFit(raised));
-  EXPECT_TRUE(oracle.forPart(below).mayFit(raised)) << "what lies elsewhere is of no use there";
+  EXPECT_TRUE(oracle.forPart(below).mayFit(raised)) << "intruders elsewhere are of no use there";
 }
 
-TEST(Oracle, SeveralHullsAtOnceGetTheAnswersOfEach) {
+TEST(Oracle, SeveralHullsAtOnceGetTheSameAnswersAsEachAlone) {
   Subject subject(uChannel(), 0.05);
   const ConvexHull all = hullOf(subject.mesh.mesh), wall = boxHull({0, 0, 0}, {0.1, 1, 2}), thick = boxHull({0, 0, 0}, {0.16, 1, 2});
   EXPECT_EQ(subject.oracle.fit({&all, &wall, &thick, &wall}), (std::vector<char>{0, 1, 0, 1}));
@@ -156,7 +156,7 @@ TEST(Oracle, FitsIsAProof) {
   EXPECT_LT(fit, 95);
 }
 
-TEST(Oracle, BoundsAreAboveAndNear) {
+TEST(Oracle, BoundsAreAboveTheTruthAndClose) {
   Subject subject(lBracket(), 0.02);
   const ConvexHull hull = hullOf(subject.mesh.mesh);
   const double exact = protrusion({hull}, subject.solid, 1e-4).found;
@@ -165,8 +165,8 @@ TEST(Oracle, BoundsAreAboveAndNear) {
   EXPECT_LE(bound, 1.05 * exact + 0.05 * 0.02);
 }
 
-/// The surface of the flask's hull is nowhere further than the neck's half width from it, the middle of its hollow is.
-TEST(Oracle, PocketsAreSeenBehindANarrowNeck) {
+/// No point on the surface of the flask's hull is further from the flask than half the neck's width, but the middle of its hollow is.
+TEST(Oracle, FindsPocketsBehindANarrowNeck) {
   Subject subject(flask(), 0.5);
   const ConvexHull hull = hullOf(subject.mesh.mesh);
   EXPECT_FALSE(subject.oracle.fits(hull));
@@ -174,7 +174,7 @@ TEST(Oracle, PocketsAreSeenBehindANarrowNeck) {
   EXPECT_TRUE(subject.oracle.fits(hull));
 }
 
-TEST(Oracle, IntrudersLieInTheHullAndBeyondTheTolerance) {
+TEST(Oracle, IntrudersAreInTheHullAndBeyondTheTolerance) {
   for (const TriangleMesh& mesh : {uChannel(), openBox(), torus(1, 0.3, 16, 8)}) {
     const double tolerance = 0.02 * diagonal(mesh);
     Subject subject(mesh, tolerance);
@@ -185,14 +185,14 @@ TEST(Oracle, IntrudersLieInTheHullAndBeyondTheTolerance) {
     for (const OutsideDistance::Intruder& i : intruders) {
       EXPECT_LE(planeDistance(hull, i.p), 1e-9);
       EXPECT_NEAR(subject.solid.distance(i.p), i.distance, 1e-9);
-      EXPECT_GT(i.distance, 0.98 * tolerance);  // what a proof asks for
+      EXPECT_GT(i.distance, 0.98 * tolerance);  // required by a proof
       EXPECT_GT(i.weight, 0);
     }
   }
 }
 
-// Two clusters of points far apart: the hull of few faces about theirs reaches far beyond them.
-TEST(Oracle, ProvesWhatReachesBeyondTheMesh) {
+// Two distant clusters of points: a hull with few faces around theirs reaches far beyond them.
+TEST(Oracle, JudgesHullsThatReachBeyondTheMesh) {
   int refuted = 0;
   for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
     RandomPoints random(seed);
@@ -211,7 +211,7 @@ TEST(Oracle, ProvesWhatReachesBeyondTheMesh) {
   EXPECT_EQ(16, refuted);
 }
 
-TEST(Oracle, IsCancelled) {
+TEST(Oracle, CanBeCancelled) {
   Subject subject(uChannel(), 0.05);
   subject.control.cancel();
   const ConvexHull hull = hullOf(subject.mesh.mesh);

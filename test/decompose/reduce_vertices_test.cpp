@@ -34,7 +34,7 @@ Points cylinder(int segments, double radius, double height) {
   return points;
 }
 
-TEST(ReduceVertices, FewEnoughAreLeftAlone) {
+TEST(ReduceVertices, KeepsHullsWithinTheCap) {
   const ConvexHull cube = convexHull(test_shapes::box(1, 1, 1).vertices);
   const ConvexHull reduced = reduceVertices(cube, 8);
   EXPECT_EQ(reduced.vertices.size(), 8u);
@@ -42,7 +42,7 @@ TEST(ReduceVertices, FewEnoughAreLeftAlone) {
   EXPECT_EQ(addedDistance(reduced, cube), 0);
 }
 
-TEST(ReduceVertices, FewerThanABoxIsRefused) {
+TEST(ReduceVertices, RejectsACapBelowABox) {
   try {
     reduceVertices(convexHull(test_shapes::box(1, 1, 1).vertices), 7);
     FAIL();
@@ -52,7 +52,7 @@ TEST(ReduceVertices, FewerThanABoxIsRefused) {
   }
 }
 
-TEST(ReduceVertices, RoundHullIsHeldClosely) {
+TEST(ReduceVertices, EnclosesARoundHullClosely) {
   const ConvexHull sphere = convexHull(test_shapes::sphere(1, 14).vertices);
   ASSERT_EQ(sphere.vertices.size(), 1962u);
   const ConvexHull reduced = reduceVertices(sphere, 64);
@@ -62,7 +62,7 @@ TEST(ReduceVertices, RoundHullIsHeldClosely) {
   EXPECT_LT(addedDistance(reduced, sphere), 0.09);
 }
 
-TEST(ReduceVertices, CylinderStaysACylinder) {
+TEST(ReduceVertices, ACylinderStaysACylinder) {
   const ConvexHull hull = convexHull(cylinder(128, 1, 2));
   const ConvexHull reduced = reduceVertices(hull, 64);
   expectHolds(reduced, hull);
@@ -78,7 +78,7 @@ TEST(ReduceVertices, AddedDistanceIsThatOfTheFurthestVertex) {
   EXPECT_DOUBLE_EQ(addedDistance(reduced, hull), most);
 }
 
-TEST(ReduceVertices, FlatHullStaysFlat) {
+TEST(ReduceVertices, AFlatHullStaysFlat) {
   Points disc;
   for (const Eigen::Vector3d& p : cylinder(200, 1, 0)) disc.push_back(p);
   const ConvexHull hull = convexHull(disc);
@@ -91,7 +91,7 @@ TEST(ReduceVertices, FlatHullStaysFlat) {
   EXPECT_GE(reduced.thickness, hull.thickness);
 }
 
-TEST(ReduceVertices, HoldsWhateverTheShapeSizeAndPlace) {
+TEST(ReduceVertices, ContainsHullsOfAnyShapeAndSizeAnywhere) {
   const unsigned seed = 3;
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 random(seed);
@@ -111,7 +111,7 @@ TEST(ReduceVertices, HoldsWhateverTheShapeSizeAndPlace) {
   }
 }
 
-TEST(ReduceVertices, SameInputSameResult) {
+TEST(ReduceVertices, SameInputGivesSameResult) {
   std::mt19937 random(9);
   const ConvexHull hull = convexHull(ellipsoid(300, {3, 2, 1}, random));
   EXPECT_EQ(reduceVertices(hull, 40).vertices, reduceVertices(hull, 40).vertices);

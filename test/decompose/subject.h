@@ -1,4 +1,4 @@
-// What the parts of the certified method are tested with: a mesh, its solid, and an oracle for both.
+// Test subjects for the parts of the certified method: a mesh, its solid, and an oracle for both.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -31,12 +31,12 @@ struct Subject {
   ProtrusionOracle oracle;
 };
 
-/// A leaf as it is, whether its hull fits or not.
+/// A leaf as given, whether or not its hull fits.
 inline Leaf leafOf(const TriangleMesh& mesh) {
   return {{mesh, {}}, roughHull(mesh.vertices)};
 }
 
-/// Each element that is in any of the groups, as often as it is.
+/// The elements of all groups, with repetitions.
 inline std::vector<int> elementsIn(const Cover& cover) {
   std::vector<int> all;
   for (const Group& g : cover) all.insert(all.end(), g.elements.begin(), g.elements.end());

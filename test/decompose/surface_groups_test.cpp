@@ -28,7 +28,7 @@ class GroupsOfABracket : public ::testing::Test {
   SurfaceGroups groups{leaves, kElements, subject.oracle, 0};
 };
 
-TEST(Elements, AreTheLeavesWhereNoMoreAreWanted) {
+TEST(Elements, AreTheLeavesIfNoMoreAreWanted) {
   Subject subject(lBracket(), kTolerance);
   const std::vector<Leaf> leaves = subject.leaves();
   ASSERT_EQ(leaves.size(), 2u);
@@ -39,11 +39,11 @@ TEST(Elements, AreTheLeavesWhereNoMoreAreWanted) {
   }
 }
 
-TEST(Elements, OfAPointAreNotHalved) {
+TEST(Elements, APointIsNotHalved) {
   EXPECT_EQ(elementsOf({leafOf({{{1, 2, 3}}, {{0, 0, 0}}})}, 10, kTolerance).size(), 1u);
 }
 
-TEST(Elements, MakeUpTheSurfaceAndLieInTheirLeaves) {
+TEST(Elements, MakeUpTheSurfaceInsideTheirLeaves) {
   Subject subject(uChannel(1, 1, 0.1, 2, 2), kTolerance);
   const std::vector<Leaf> leaves = subject.leaves();
   const std::vector<Element> elements = elementsOf(leaves, 40, kTolerance);
@@ -56,7 +56,7 @@ TEST(Elements, MakeUpTheSurfaceAndLieInTheirLeaves) {
   }
 }
 
-TEST(Elements, LikelyPointsAreFewAndNearTheRest) {
+TEST(Elements, LikelyPointsAreFewAndCloseToTheRest) {
   const TriangleMesh ball = sphere(1, 30);  // 9,002 vertices
   const std::vector<Element> elements = elementsOf({leafOf(ball)}, 0, 0.1);
   ASSERT_EQ(elements.size(), 1u);
@@ -66,7 +66,7 @@ TEST(Elements, LikelyPointsAreFewAndNearTheRest) {
   for (const Eigen::Vector3d& p : elements[0].points) EXPECT_LE(planeDistance(likely, p), 0.3 * 0.1);
 }
 
-TEST_F(GroupsOfABracket, LeavesHoldEveryElementOnce) {
+TEST_F(GroupsOfABracket, LeavesContainEveryElementOnce) {
   const Cover cover = groups.leaves();
   EXPECT_EQ(cover.size(), leaves.size());
   EXPECT_EQ(elementsIn(cover), upTo(kElements));
@@ -91,7 +91,7 @@ TEST_F(GroupsOfABracket, PartsOfOneWallFitOneHull) {
   EXPECT_TRUE(three.hull);
 }
 
-TEST_F(GroupsOfABracket, TheSameSetIsAskedAboutOnce) {
+TEST_F(GroupsOfABracket, TheSameSetIsEvaluatedOnce) {
   const std::vector<int> wall = leaf(0).elements;
   const Group a = groups.single(wall[0]), b = groups.single(wall[1]);
   const Group merged = groups.merged(a, b);
@@ -106,7 +106,7 @@ TEST_F(GroupsOfABracket, TheSameSetIsAskedAboutOnce) {
   EXPECT_EQ(groups.evaluations(), 2);
 }
 
-TEST_F(GroupsOfABracket, ByLeafPartsAndKeepsAll) {
+TEST_F(GroupsOfABracket, ByLeafKeepsAllElements) {
   const std::vector<int> some{1, 2, static_cast<int>(kElements) - 2, static_cast<int>(kElements) - 1};
   const Cover parts = groups.byLeaf(some);
   EXPECT_EQ(parts.size(), 2u);
@@ -132,7 +132,7 @@ TEST_F(GroupsOfABracket, AHullCoversItsOwnElementsAndTakesOverOthers) {
   EXPECT_NEAR(all.area, area(subject.mesh.mesh), 1e-9);
 }
 
-TEST_F(GroupsOfABracket, WhatIsTakenOnTrustIsRefutedByProof) {
+TEST_F(GroupsOfABracket, AProofRefutesWhatWasAcceptedProvisionally) {
   Group both = groups.single(0);
   for (int e : upTo(kElements))
     if (e != 0) groups.add(e, both);

@@ -27,13 +27,13 @@ TEST(TreeBuilding, OneGroupIsLeafAndRoot) {
   EXPECT_EQ(tree.nodes[0].right, -1);
 }
 
-TEST(TreeBuilding, WallsMergeIntoWhole) {
+TEST(TreeBuilding, WallsMergeIntoOneRoot) {
   Subject subject(uChannel(), 0.05);
   const HullTree tree = treeOf(subject);
   const std::size_t leaves = subject.leaves().size();
   ASSERT_EQ(tree.nodes.size(), 2 * leaves - 1);
   EXPECT_EQ(tree.tolerance, 0.05);
-  EXPECT_EQ(subject.oracle.tolerance(), 0.05) << "the oracle is left as it was";
+  EXPECT_EQ(subject.oracle.tolerance(), 0.05) << "the oracle's tolerance is restored";
   for (std::size_t i = 0; i < leaves; ++i) EXPECT_LE(tree.nodes[i].protrusion, 0.05);
   EXPECT_EQ(tree.nodes.back().parent, -1);
   EXPECT_NEAR(volume(tree.nodes.back().hull), 2, 1e-9);
@@ -41,7 +41,7 @@ TEST(TreeBuilding, WallsMergeIntoWhole) {
   EXPECT_LE(tree.nodes.back().protrusion, 0.4 * 1.05);
 }
 
-TEST(TreeBuilding, BoundsAreProvenAndNeverFall) {
+TEST(TreeBuilding, BoundsAreProvenAndNeverDecrease) {
   Subject subject(torus(1, 0.3, 16, 8), 0.15);
   const HullTree tree = treeOf(subject);
   EXPECT_GT(tree.nodes.size(), 5u);
@@ -57,7 +57,7 @@ TEST(TreeBuilding, BoundsAreProvenAndNeverFall) {
   }
 }
 
-TEST(TreeBuilding, IsCancelled) {
+TEST(TreeBuilding, CanBeCancelled) {
   Subject subject(uChannel(), 0.05);
   SurfaceGroups groups(subject.leaves(), 0, subject.oracle, 0);
   const Cover cover = groups.leaves();

@@ -22,7 +22,7 @@ Vector3d nearestOn(const TriangleMesh& mesh, const Vector3d& p) {
   return TriangleBvh(mesh).nearest(p).point;
 }
 
-/// Between two hulls that do not meet, from above: alternating projections.
+/// An upper bound on the distance between two disjoint hulls, by alternating projections.
 double distanceBetween(const ConvexHull& a, const ConvexHull& b) {
   const TriangleMesh on_a = surface(a), on_b = surface(b);
   Vector3d p = on_a.vertices.front(), q = p;
@@ -33,14 +33,14 @@ double distanceBetween(const ConvexHull& a, const ConvexHull& b) {
   return (p - q).norm();
 }
 
-TEST(Widths, OfNothingAreWithinAnything) {
+TEST(Widths, AnythingContainsTheEmptySet) {
   const Widths nothing, point = widthsOf({{1, 2, 3}});
   EXPECT_TRUE(point.contains(nothing));
   EXPECT_FALSE(nothing.contains(point));
   EXPECT_EQ(nothing.merged(point).mean(), 0);
 }
 
-TEST(Widths, OfAPoint) {
+TEST(Widths, APointHasNone) {
   const Widths point = widthsOf({{1, 2, 3}});
   EXPECT_EQ(point.mean(), 0);
   EXPECT_EQ(point.middle(0), 1);
@@ -84,14 +84,14 @@ TEST(Widths, GapIsALowerBoundOfTheDistance) {
   EXPECT_GT(apart, 30);
 }
 
-TEST(Widths, GapOfBallsIsNearTheDistance) {
+TEST(Widths, GapOfBallsIsCloseToTheDistance) {
   RandomPoints random(8);
   const TriangleMesh ball = test_shapes::sphere(1, 6);
   for (int i = 0; i < 50; ++i) {
     const Vector3d away = 10 * random.onSphere();
     const double gap = widthsOf(ball.vertices).gap(widthsOf(test_shapes::moved(ball, away).vertices));
     EXPECT_GT(gap, 0.85 * 8);
-    EXPECT_LE(gap, 8.1);  // the faces of the ball lie within it
+    EXPECT_LE(gap, 8.1);  // the ball's faces lie inside it
   }
 }
 

@@ -18,7 +18,7 @@ std::string faultOf(const FileKind& kind, const std::string& bytes) {
   }
 }
 
-TEST(Bytes, Nothing) {
+TEST(Bytes, EmptyPayload) {
   EXPECT_EQ(toBytes(), "");
   EXPECT_NO_THROW(fromBytes(""));
   char value = 0;
@@ -32,7 +32,7 @@ TEST(Bytes, AreLittleEndian) {
   EXPECT_EQ(toBytes(std::string("ab")), std::string("\2\0\0\0\0\0\0\0ab", 10));
 }
 
-TEST(Bytes, ValuesComeBack) {
+TEST(Bytes, ValuesAreReadBackUnchanged) {
   const std::vector<std::string> texts = {"", std::string("a\0b", 3)};
   const Eigen::Vector3d point(-0.0, std::numeric_limits<double>::denorm_min(), 1.0 / 3);
   const std::string bytes = toBytes(true, -5, texts, point);
@@ -44,20 +44,20 @@ TEST(Bytes, ValuesComeBack) {
   EXPECT_TRUE(flag);
   EXPECT_EQ(number, -5);
   EXPECT_EQ(texts_back, texts);
-  EXPECT_EQ(toBytes(point_back), toBytes(point)) << "to the last bit, the sign of a zero too";
+  EXPECT_EQ(toBytes(point_back), toBytes(point)) << "to the last bit, including the sign of a zero";
 }
 
-TEST(Bytes, WhatIsTooShortOrTooLong) {
+TEST(Bytes, TooFewOrTooManyBytesAreFaults) {
   const std::string bytes = toBytes(std::vector<double>{1, 2, 3});
   std::vector<double> values;
   EXPECT_THROW(fromBytes(bytes.substr(0, bytes.size() - 1), values), ByteFault);
   EXPECT_THROW(fromBytes(bytes + "x", values), ByteFault);
   EXPECT_NO_THROW(fromBytes(bytes, values));
   EXPECT_EQ(values, (std::vector<double>{1, 2, 3}));
-  EXPECT_THROW(fromBytes(toBytes(std::numeric_limits<std::uint64_t>::max()), values), ByteFault) << "a count beyond all memory";
+  EXPECT_THROW(fromBytes(toBytes(std::numeric_limits<std::uint64_t>::max()), values), ByteFault) << "a count larger than any memory";
 }
 
-TEST(SealedBytes, EveryChangeIsFound) {
+TEST(SealedBytes, EveryFlippedBitIsDetected) {
   const std::string whole = sealed(kKind, "the payload");
   EXPECT_EQ(opened(kKind, whole), "the payload");
   for (std::size_t size = 0; size < whole.size(); ++size) EXPECT_NE(faultOf(kKind, whole.substr(0, size)), "") << size;

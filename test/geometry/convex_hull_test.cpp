@@ -32,7 +32,7 @@ double extentOf(const Points& points) {
   return box.diagonal().norm();
 }
 
-/// Each directed edge once, with its opposite: together with Euler's formula, one closed surface of genus 0.
+/// Each directed edge occurs once, and so does its opposite: by Euler's formula this is one closed surface of genus 0.
 void expectClosed(const ConvexHull& hull) {
   std::map<std::pair<int, int>, int> edges;
   std::vector<char> used(hull.vertices.size(), 0);
@@ -49,7 +49,7 @@ void expectClosed(const ConvexHull& hull) {
   EXPECT_EQ(hull.triangles.size(), 2 * hull.vertices.size() - 4);
 }
 
-/// How far the faces' intersection reaches beyond the triangles, along their normals (slivers, whose normals are noise, left out).
+/// How far the intersection of the faces reaches beyond the triangles, along their normals. Skips slivers, whose normals are noise.
 double furthestBeyondSurface(const ConvexHull& hull, RandomPoints& random) {
   double most = 0;
   for (const Triangle& t : hull.triangles) {
@@ -66,7 +66,7 @@ double furthestBeyondSurface(const ConvexHull& hull, RandomPoints& random) {
   return most;
 }
 
-/// What the header promises of every hull.
+/// What the header promises for every hull.
 void expectHull(const ConvexHull& hull, const Points& points) {
   RandomPoints random(7);
   expectClosed(hull);
@@ -75,7 +75,7 @@ void expectHull(const ConvexHull& hull, const Points& points) {
   for (const Vector3d& p : points) beyond = std::max(beyond, planeDistance(hull, p));
   EXPECT_LE(beyond, rounding) << "a point lies outside a face";
   for (const HalfSpace& f : hull.faces) EXPECT_NEAR(f.normal.norm(), 1, 1e-14);
-  // Each triangle lies on a face, and outward: up to `slack`, which is small.
+  // Each triangle lies on some face and points outward, up to `slack`, which is small.
   EXPECT_LE(hull.slack, 1e-9 * extent + 16 * rounding);
   for (const Triangle& t : hull.triangles) {
     double best = std::numeric_limits<double>::infinity();
@@ -88,8 +88,8 @@ void expectHull(const ConvexHull& hull, const Points& points) {
     }
     off = std::max(off, best);
   }
-  EXPECT_LE(off, hull.slack + 2 * rounding) << "a triangle lies on no face";
-  EXPECT_LE(furthestBeyondSurface(hull, random), 2 * hull.slack + 8 * rounding) << "the faces leave more than the hull";
+  EXPECT_LE(off, hull.slack + 2 * rounding) << "a triangle does not lie on any face";
+  EXPECT_LE(furthestBeyondSurface(hull, random), 2 * hull.slack + 8 * rounding) << "the intersection of the faces is larger than the hull";
   EXPECT_GT(volume(hull), 0);
 }
 
@@ -101,7 +101,7 @@ ConvexHull checkedHull(const Points& points) {
 
 // Degenerate input.
 
-TEST(ConvexHull, NoPointIsRefused) {
+TEST(ConvexHull, RejectsAnEmptySet) {
   try {
     convexHull({});
     FAIL();
@@ -110,7 +110,7 @@ TEST(ConvexHull, NoPointIsRefused) {
   }
 }
 
-TEST(ConvexHull, NumbersThatAreNotFiniteAreRefused) {
+TEST(ConvexHull, RejectsNonFiniteCoordinates) {
   for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     Points points = test_shapes::box(1, 1, 1).vertices;
     points[3].y() = bad;
@@ -197,7 +197,7 @@ TEST(ConvexHull, NeedlesAndRodsAcrossTheThreshold) {
     }
 }
 
-// Closed form.
+// Closed-form answers.
 
 TEST(ConvexHull, ABoxHasSixFaces) {
   const ConvexHull hull = checkedHull(test_shapes::box(1, 2, 3, 5).vertices);
@@ -208,7 +208,7 @@ TEST(ConvexHull, ABoxHasSixFaces) {
   EXPECT_EQ(boundingBox(hull).max(), Vector3d(1, 2, 3));
 }
 
-TEST(ConvexHull, ATurnedPrismOfManySidesHasOneFaceASide) {
+TEST(ConvexHull, ARotatedPrismHasOneFacePerSide) {
   RandomPoints random(8);
   const Eigen::Matrix3d turn = random.rotation();
   for (int sides : {3, 8, 64, 500}) {
@@ -255,9 +255,9 @@ TEST(ConvexHull, TheSurfaceIsItsTriangles) {
   EXPECT_NEAR(area(mesh), 22, 1e-10);
 }
 
-// Random.
+// Random input.
 
-TEST(ConvexHull, RandomSetsOfEverySizeAndPlace) {
+TEST(ConvexHull, RandomSetsOfAnySizeAnywhere) {
   for (std::uint32_t seed = 0; seed < 150; ++seed) {
     SCOPED_TRACE(seed);
     RandomPoints random(seed);
@@ -282,7 +282,7 @@ TEST(ConvexHull, SetsWithManyPointsInOnePlane) {
   }
 }
 
-TEST(ConvexHull, CoplanarUpToNoiseOfEverySize) {
+TEST(ConvexHull, CoplanarUpToNoiseOfAnySize) {
   for (double noise : {1e-16, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-6})
     for (std::uint32_t seed = 0; seed < 20; ++seed) {
       SCOPED_TRACE(testing::Message() << "noise " << noise << ", seed " << seed);
@@ -294,7 +294,7 @@ TEST(ConvexHull, CoplanarUpToNoiseOfEverySize) {
 }
 
 TEST(ConvexHull, AFlatDomeKeepsItsShape) {
-  // Neighbouring faces' normals differ by less and less: joining those that look alike must not leave the dome's top open.
+  // Normals of neighbouring faces differ by less and less: merging similar ones must not leave the top of the dome open.
   for (double height : {1e-2, 1e-4, 1e-5}) {
     SCOPED_TRACE(height);
     Points points;
@@ -308,7 +308,7 @@ TEST(ConvexHull, AFlatDomeKeepsItsShape) {
   }
 }
 
-TEST(ConvexHull, DoesNotDependOnTheNumberOfCopies) {
+TEST(ConvexHull, DuplicatePointsChangeNothing) {
   RandomPoints random(9);
   Points points = random.cloud(50);
   const double once = volume(convexHull(points));
@@ -316,7 +316,7 @@ TEST(ConvexHull, DoesNotDependOnTheNumberOfCopies) {
   EXPECT_NEAR(volume(checkedHull(points)), once, 1e-12);
 }
 
-TEST(ConvexHull, SameInputSameBytes) {
+TEST(ConvexHull, SameInputGivesSameBytes) {
   RandomPoints random(10);
   const Points points = random.cloud(400);
   const ConvexHull a = convexHull(points), b = convexHull(points);

@@ -19,7 +19,7 @@ double furthest(const ConvexHull& hull, const Vector3d& direction) {
   return most;
 }
 
-/// From every start, along many directions: as far as a search over all vertices gets.
+/// From every start and in many directions: as far as a search over all vertices.
 void expectSupport(const ConvexHull& hull, std::uint32_t seed) {
   const HullSupport support(hull);
   test_shapes::RandomPoints random(seed);

@@ -16,7 +16,7 @@ TriangleMesh turned(const TriangleMesh& mesh) {
   return transformed(mesh, Eigen::Isometry3d(Eigen::Quaterniond(0.8, 0.3, -0.4, 0.2).normalized()));
 }
 
-/// Of the triangles, how many lie flat along the axes (rows).
+/// How many triangles are axis-aligned with respect to the rows of a rotation.
 int flat(const TriangleMesh& mesh, const Eigen::Matrix3d& axes) {
   int count = 0;
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
@@ -26,13 +26,13 @@ int flat(const TriangleMesh& mesh, const Eigen::Matrix3d& axes) {
   return count;
 }
 
-TEST(OwnAxes, UprightAndRoundMeshesStayAsTheyAre) {
+TEST(OwnAxes, LeaveAlignedAndRoundMeshesAlone) {
   for (const TriangleMesh& mesh : {box(1, 2, 3), uChannel(), torus(), sphere(), turned(sphere()), turned(torus()), singleTriangle()})
     EXPECT_TRUE(ownAxes(mesh).isIdentity(0));
   EXPECT_TRUE(ownAxes(TriangleMesh()).isIdentity(0));
 }
 
-TEST(OwnAxes, TurnedFlatFacesComeToLieAlongTheAxes) {
+TEST(OwnAxes, AlignTheFlatFacesOfARotatedMesh) {
   for (const TriangleMesh& upright : {box(1, 2, 3), uChannel(), openBox(1, 1, 1, 0.05, 3), moved(lBracket(), {100, -20, 3})}) {
     const TriangleMesh mesh = turned(upright);
     const Eigen::Matrix3d axes = ownAxes(mesh);
@@ -43,8 +43,8 @@ TEST(OwnAxes, TurnedFlatFacesComeToLieAlongTheAxes) {
   }
 }
 
-// A sheet.
-TEST(OwnAxes, OneFlatDirectionIsEnough) {
+// An open sheet.
+TEST(OwnAxes, NeedOnlyOneFlatDirection) {
   const TriangleMesh mesh = turned(sheet(1, 2, 4));
   EXPECT_EQ(static_cast<int>(mesh.triangles.size()), flat(mesh, ownAxes(mesh)));
 }

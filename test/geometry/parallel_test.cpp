@@ -15,7 +15,7 @@
 namespace collision_hulls {
 namespace {
 
-/// Calls `work` within a call of TBB that was cancelled meanwhile, as by an exception of another thread.
+/// Calls `work` inside a TBB call that was cancelled, as it is when another thread throws.
 void withinCancelled(const std::function<void()>& work) {
   tbb::parallel_for(0, 1, [&](int) {
     tbb::task::current_context()->cancel_group_execution();
@@ -23,14 +23,14 @@ void withinCancelled(const std::function<void()>& work) {
   });
 }
 
-TEST(Parallel, EachIsCalledOnce) {
+TEST(Parallel, CallsEachIndexOnce) {
   std::vector<std::atomic<int>> calls(1000);
   forEach(calls.size(), [&](std::size_t i) { ++calls[i]; });
   forEachInTurn(calls.size(), [&](std::size_t i) { ++calls[i]; });
   for (const std::atomic<int>& count : calls) EXPECT_EQ(2, count);
 }
 
-TEST(Parallel, AnExceptionComesOut) {
+TEST(Parallel, PassesExceptionsOn) {
   const auto fail = [] { throw std::runtime_error("failed"); };
   EXPECT_THROW(forEach(10, [&](std::size_t i) { return i == 5 ? fail() : void(); }), std::runtime_error);
   EXPECT_THROW(forEachInTurn(10, [&](std::size_t i) { return i == 5 ? fail() : void(); }), std::runtime_error);
@@ -38,7 +38,7 @@ TEST(Parallel, AnExceptionComesOut) {
   EXPECT_THROW(withJobs(1, fail), std::runtime_error);
 }
 
-TEST(Parallel, NothingIsLeftOutWithinWhatIsCancelled) {
+TEST(Parallel, SkipsNothingInsideACancelledCall) {
   std::atomic<int> calls{0};
   withinCancelled([&] {
     forEach(100, [&](std::size_t) { ++calls; });
@@ -48,8 +48,8 @@ TEST(Parallel, NothingIsLeftOutWithinWhatIsCancelled) {
   EXPECT_EQ(112, calls);
 }
 
-// A tree of which halves were missing once had its caller go round in it for ever.
-TEST(Parallel, ATreeBuiltWithinWhatIsCancelledIsWhole) {
+// Once, the caller of a tree with missing halves ran in circles in it for ever.
+TEST(Parallel, ATreeBuiltInsideACancelledCallIsComplete) {
   const TriangleMesh mesh = test_shapes::sphere(1, 30);
   ASSERT_GT(mesh.triangles.size(), 10000U);
   const Eigen::Vector3d p(0.1, 0.2, 0.3);

@@ -11,7 +11,7 @@ namespace {
 
 using test_shapes::RandomPoints;
 
-TEST(PointTree, AnswersAsEachPointDoes) {
+TEST(PointTree, AgreesWithTestingEveryPoint) {
   RandomPoints random(5);
   for (const int count : {1, 15, 16, 17, 33, 1000}) {
     const std::vector<Eigen::Vector3d> points = random.cloud(count), planes = random.cloud(50);

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 using Points = std::vector<Vector3d>;
 
-/// Closed, outward, one face per triangle, and every point beneath every face.
+/// Closed, outward, one face per triangle, and every point below every face.
 void expectHull(const std::optional<ConvexHull>& hull, const Points& points) {
   ASSERT_TRUE(hull);
   EXPECT_EQ(hull->triangles.size(), 2 * hull->vertices.size() - 4);
@@ -26,9 +26,9 @@ void expectHull(const std::optional<ConvexHull>& hull, const Points& points) {
     for (int v : hull->triangles[i]) EXPECT_NEAR(hull->faces[i].distance(hull->vertices[static_cast<std::size_t>(v)]), 0, 1e-10);
 }
 
-// Degenerate input: nothing to build from, and a careful builder is asked for.
+// Degenerate input: nothing to build from, so a more careful builder is needed.
 
-TEST(Quickhull, RefusesWhatDoesNotSpanSpace) {
+TEST(Quickhull, RefusesSetsThatDoNotSpanSpace) {
   test_shapes::RandomPoints random(1);
   EXPECT_FALSE(quickhull({}));
   EXPECT_FALSE(quickhull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
@@ -42,7 +42,7 @@ TEST(Quickhull, RefusesWhatDoesNotSpanSpace) {
   EXPECT_FALSE(quickhull(plane));
 }
 
-// Closed form.
+// Closed-form answers.
 
 TEST(Quickhull, Tetrahedron) {
   const Points points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -52,7 +52,7 @@ TEST(Quickhull, Tetrahedron) {
   EXPECT_NEAR(volume(*hull), 1.0 / 6, 1e-15);
 }
 
-TEST(Quickhull, CubeWithPointsInsideAndTwice) {
+TEST(Quickhull, CubeWithInnerAndDuplicatePoints) {
   Points points = test_shapes::box(1, 1, 1).vertices;
   points.insert(points.end(), points.begin(), points.begin() + 8);
   points.push_back({0.5, 0.5, 0.5});
@@ -62,7 +62,7 @@ TEST(Quickhull, CubeWithPointsInsideAndTwice) {
   EXPECT_NEAR(volume(*hull), 1, 1e-14);
 }
 
-// Random.
+// Random input.
 
 TEST(Quickhull, RandomPointsOnASphereAreAllVertices) {
   test_shapes::RandomPoints random(2);
@@ -73,7 +73,7 @@ TEST(Quickhull, RandomPointsOnASphereAreAllVertices) {
   EXPECT_EQ(hull->vertices.size(), points.size());
 }
 
-TEST(Quickhull, RandomCloudsOfEverySize) {
+TEST(Quickhull, RandomCloudsOfAnySize) {
   for (std::uint32_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     test_shapes::RandomPoints random(seed);
@@ -82,8 +82,8 @@ TEST(Quickhull, RandomCloudsOfEverySize) {
   }
 }
 
-// So many that extreme ones are added first.
-TEST(Quickhull, ManyPointsInsideOnFacesAndInHeaps) {
+// So many points that extreme ones are added first.
+TEST(Quickhull, ManyPointsInsideOnFacesAndInClusters) {
   for (std::uint32_t seed = 0; seed < 10; ++seed) {
     SCOPED_TRACE(seed);
     test_shapes::RandomPoints random(seed);
@@ -107,12 +107,12 @@ TEST(Quickhull, CanBeCancelled) {
   EXPECT_THROW(quickhull(test_shapes::sphere(1, 20).vertices, control), Error);
 }
 
-TEST(Quickhull, WhatItDoesNotRefuseIsRight) {
+TEST(Quickhull, IsCorrectWheneverItDoesNotRefuse) {
   int built = 0;
   for (std::uint32_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
     test_shapes::RandomPoints random(seed);
-    Points points;  // of a coarse grid, so that many lie in one plane or on one line
+    Points points;  // on a coarse grid, so many are coplanar or collinear
     for (int i = 0; i < 60; ++i) points.push_back(Vector3d(random.index(5), random.index(5), random.index(5)) - Vector3d(2, 2, 2));
     const auto hull = quickhull(points);
     if (!hull) continue;
@@ -122,8 +122,8 @@ TEST(Quickhull, WhatItDoesNotRefuseIsRight) {
   EXPECT_GT(built, 0);
 }
 
-// A vertex whose faces went, several of them at once, was put into a list of points twice; the walk along that list never ended.
-TEST(Quickhull, AVertexOfSeveralLevelFacesIsGivenBackOnce) {
+// A vertex that lost several of its faces at once was once put into a list of points twice, and the walk along that list never ended.
+TEST(Quickhull, AVertexOfSeveralLevelFacesIsReassignedOnce) {
   const Points points{{-0.0048563383042567812, 0.0087360428114834215, -0.0049686220901937793},
                       {-0.0048563389424097145, 0.0087360427779745384, -0.004968622028528831},
                       {-0.0048563383042567812, -0.0089844043292082523, 0.019222903308025036},
@@ -142,8 +142,8 @@ TEST(Quickhull, AVertexOfSeveralLevelFacesIsGivenBackOnce) {
   if (const auto hull = quickhull(points)) expectHull(hull, points);
 }
 
-// A face was folded back upon others in its plane: no edge was dented, yet a third of the size lay beyond a face.
-TEST(Quickhull, AFoldedFaceIsSeen) {
+// A face was once folded back onto others in its plane: no edge was dented, yet a third of the hull's size lay beyond a face.
+TEST(Quickhull, DetectsAFoldedFace) {
   const Points points{{0.0025420871112633303, -0.023752397285218111, 0.0043372799437768686},
                       {0.0028640417163243448, -0.022760599977479062, 0.016632416128108285},
                       {0.0022063369336474403, -0.02478666842003039, -0.0084840905565322002},

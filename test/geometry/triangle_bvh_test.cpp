@@ -51,8 +51,8 @@ TEST(ClosestPoint, EachOfTheSevenRegions) {
   EXPECT_EQ(closestPoint(a, b, c, {4, 4, 5}), Vector3d(2, 2, 0));
 }
 
-/// A triangle with corners (0, 0), (1, 0) and (x, h) of a plane, and a point at (t, s) of it and d above: the nearest point is a
-/// matter of two dimensions, where thinness is harmless.
+/// A triangle with corners (0, 0), (1, 0) and (x, h) in a plane, and a point at (t, s) in that plane and d above it: finding the nearest
+/// point is a two-dimensional problem, where thin triangles do no harm.
 void expectExact(const Eigen::Isometry3d& pose, double x, double h, const Vector3d& p, double scale) {
   const Vector3d a(0, 0, 0), b(1, 0, 0), c(x, h, 0), flat(p.x(), p.y(), 0);
   const auto left = [](const Vector3d& u, const Vector3d& v) { return u.x() * v.y() - u.y() * v.x() >= 0; };
@@ -66,7 +66,7 @@ void expectExact(const Eigen::Isometry3d& pose, double x, double h, const Vector
   EXPECT_NEAR(distanceTo(at(c), at(b), at(a), at(p)), expected, tolerance) << "x " << x << ", h " << h << ", p " << p.transpose();
 }
 
-TEST(ClosestPoint, IsExactHoweverThinTheTriangle) {
+TEST(ClosestPoint, IsExactForTrianglesOfAnyThinness) {
   RandomPoints random(1);
   for (int thinness = 0; thinness <= 18; ++thinness)
     for (int i = 0; i < 300; ++i) {
@@ -82,7 +82,7 @@ TEST(ClosestPoint, IsExactHoweverThinTheTriangle) {
 
 // TriangleBvh: degenerate input.
 
-TEST(TriangleBvh, OfNoTriangle) {
+TEST(TriangleBvh, EmptyMesh) {
   const TriangleBvh bvh(TriangleMesh{});
   EXPECT_TRUE(bvh.empty());
   EXPECT_EQ(bvh.nearest({0, 0, 0}).distance, kInfinity);
@@ -92,7 +92,7 @@ TEST(TriangleBvh, OfNoTriangle) {
   EXPECT_TRUE(bvh.facesOneWay({0, 0, 0}, 1));
 }
 
-TEST(TriangleBvh, OfTrianglesWithoutArea) {
+TEST(TriangleBvh, TrianglesWithoutArea) {
   TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {}};
   for (int i = 0; i < 20; ++i) mesh.triangles.push_back(i % 2 ? Triangle{0, 1, 2} : Triangle{1, 1, 1});
   const TriangleBvh bvh(mesh);
@@ -113,7 +113,7 @@ TEST(TriangleBvh, OneTriangleManyTimes) {
   EXPECT_TRUE(bvh.facesOneWay({0.25, 0.25, 1}, 2));
 }
 
-TEST(TriangleBvh, APointThatIsNoNumberHasNoNearest) {
+TEST(TriangleBvh, NothingIsNearestToNan) {
   const TriangleBvh bvh(test_shapes::box(1, 1, 1, 3));
   EXPECT_EQ(bvh.nearest(Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())).triangle, -1);
 }
@@ -155,9 +155,9 @@ TEST(TriangleBvh, NearestAgreesWithBruteForce) {
   }
 }
 
-// Inside or outside.
+// Inside or outside
 
-/// Solid angles of all triangles (Van Oosterom & Strackee), over 4 pi.
+/// The solid angles of all triangles (Van Oosterom & Strackee), divided by 4 pi.
 double winding(const TriangleMesh& mesh, const Vector3d& p) {
   double sum = 0;
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
@@ -184,14 +184,14 @@ TEST(TriangleBvh, WindingNumberWithinAHundredth) {
   }
 }
 
-/// Asks at p unless the surface is so near that either answer would do.
+/// Compares at p unless the surface is so near that either answer would do.
 void expectCrossings(const TriangleBvh& bvh, const TriangleMesh& mesh, const Vector3d& p) {
   if (bruteForce(mesh, p) <= 2e-9 * diagonal(mesh)) return;
   EXPECT_EQ(bvh.signedCrossings(p), std::lround(winding(mesh, p))) << p.transpose();
 }
 
-TEST(TriangleBvh, CrossingsAtPositionsThatShareTheMeshsCoordinates) {
-  // Rays through vertices, along edges and within faces.
+TEST(TriangleBvh, CrossingsAtPointsThatShareCoordinatesWithTheMesh) {
+  // Rays through vertices, along edges and inside faces.
   const std::vector<TriangleMesh> meshes{test_shapes::box(1, 1, 1, 4), test_shapes::openBox(1, 1, 1, 0.25, 4),
                                          test_shapes::uChannel(1, 1, 0.25, 2, 2), test_shapes::flange(6, 0.4, 1, 0.12, 0.15, 2, 1),
                                          test_shapes::sphere(1, 3)};
@@ -232,10 +232,10 @@ TEST(TriangleBvh, CrossingsOfAnInwardSurfaceAreNegative) {
   EXPECT_EQ(TriangleBvh(box).signedCrossings({0.5, 0.5, 0.5}), -1);
 }
 
-// facesOneWay() and frontBound(): they may fall short, and never claim too much.
+// facesOneWay() and frontBound(): they may fall short but never claim too much.
 
-/// Whether some direction makes an acute angle with all normals of the triangles within the radius: if one does, then the point
-/// of the normals' convex hull that is nearest to 0 does (Gilbert's method).
+/// Whether some direction makes an acute angle with the normals of all triangles within the radius. If one does, so does the point of the
+/// normals' convex hull that is nearest to 0 (Gilbert's method).
 bool openHalfSpace(const TriangleMesh& mesh, const Vector3d& p, double radius) {
   std::vector<Vector3d> normals;
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
@@ -259,14 +259,14 @@ TEST(TriangleBvh, FacesOneWayClosedForm) {
   EXPECT_TRUE(box.facesOneWay({0.5, 0.5, 1.2}, 0.3));   // one face
   EXPECT_TRUE(box.facesOneWay({0.5, 1.1, 1.1}, 0.3));   // two at an edge
   EXPECT_TRUE(box.facesOneWay({1.1, 1.1, 1.1}, 0.3));   // three at a corner
-  EXPECT_TRUE(box.facesOneWay({2, 2, 2}, 0.1));         // none
-  EXPECT_FALSE(box.facesOneWay({0.5, 0.5, 0.5}, 0.6));  // opposite ones
+  EXPECT_TRUE(box.facesOneWay({2, 2, 2}, 0.1));         // no triangle
+  EXPECT_FALSE(box.facesOneWay({0.5, 0.5, 0.5}, 0.6));  // opposite faces
   const TriangleBvh channel(test_shapes::uChannel(1, 1, 0.1, 2, 6));
   EXPECT_TRUE(channel.facesOneWay({0.2, 0.5, 1}, 0.15));
   EXPECT_FALSE(channel.facesOneWay({0.5, 0.5, 1}, 0.45));
 }
 
-TEST(TriangleBvh, TwoSidedTrianglesFaceNoWay) {
+TEST(TriangleBvh, TwoSidedTrianglesDoNotFaceOneWay) {
   const TriangleMesh sheet = test_shapes::sheet(1, 1, 4);
   EXPECT_TRUE(TriangleBvh(sheet).facesOneWay({0.5, 0.5, 0.1}, 0.2));
   std::vector<char> two_sided(sheet.triangles.size(), 0);
@@ -279,7 +279,7 @@ TEST(TriangleBvh, TwoSidedTrianglesFaceNoWay) {
   EXPECT_NEAR(bvh.frontBound({{0.1, 0.1, 0.1}}, {0.1, 0.1, 0.1}, 0.2), 0.1, 1e-9);
 }
 
-TEST(TriangleBvh, FacesOneWayNeverClaimsWhatIsNotSo) {
+TEST(TriangleBvh, FacesOneWayNeverClaimsTooMuch) {
   int claimed = 0, refuted = 0;
   for (std::uint32_t seed = 0; seed < 10; ++seed) {
     SCOPED_TRACE(seed);
@@ -351,7 +351,7 @@ TEST(TriangleBvh, TrianglesNearABoxAreThoseWhoseBoxesMeetIt) {
   EXPECT_TRUE(TriangleBvh(TriangleMesh{}).trianglesNear({Vector3d::Zero(), Vector3d::Ones()}).empty());
 }
 
-// More than are built by one thread.
+// More triangles than one thread builds.
 TEST(TriangleBvh, LargeMeshesHaveTheSameNearestPointsAsBruteForce) {
   const TriangleMesh mesh = test_shapes::torus(1, 0.3, 150, 75);
   const TriangleBvh bvh(mesh);

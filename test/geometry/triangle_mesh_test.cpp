@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 // Degenerate input.
 
-TEST(TriangleMesh, WithoutTrianglesMeasuresNothing) {
+TEST(TriangleMesh, AllMeasuresOfAnEmptyMeshAreZero) {
   const TriangleMesh empty, points{{{1, 2, 3}, {4, 5, 6}}, {}};
   for (const TriangleMesh& mesh : {empty, points}) {
     EXPECT_TRUE(boundingBox(mesh).isEmpty());
@@ -26,14 +26,14 @@ TEST(TriangleMesh, WithoutTrianglesMeasuresNothing) {
   }
 }
 
-TEST(TriangleMesh, UnusedVerticesTakeNoPart) {
+TEST(TriangleMesh, IgnoresUnusedVertices) {
   TriangleMesh mesh = test_shapes::singleTriangle();
   mesh.vertices.push_back({100, 100, 100});
   EXPECT_EQ(boundingBox(mesh).max(), Vector3d(1, 1, 0));
   EXPECT_DOUBLE_EQ(diagonal(mesh), std::sqrt(2.0));
 }
 
-TEST(TriangleMesh, AScaleThatFlattensIsRefused) {
+TEST(TriangleMesh, RejectsAZeroOrNonFiniteScale) {
   for (double bad : {0.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     try {
       scaled(test_shapes::box(1, 1, 1), {1, bad, 1});
@@ -44,9 +44,9 @@ TEST(TriangleMesh, AScaleThatFlattensIsRefused) {
   }
 }
 
-// Closed form.
+// Closed-form answers.
 
-TEST(TriangleMesh, MeasuresOfABox) {
+TEST(TriangleMesh, MeasuresABox) {
   const TriangleMesh box = test_shapes::moved(test_shapes::box(1, 2, 3, 4), {10, -20, 30});
   EXPECT_NEAR(area(box), 22, 1e-12);
   EXPECT_NEAR(signedVolume(box), 6, 1e-12);
@@ -72,7 +72,7 @@ TEST(TriangleMesh, MirroringKeepsOutsideOutside) {
   EXPECT_NEAR(signedVolume(scaled(box, {-2, -1, -1})), 12, 1e-12);
 }
 
-TEST(TriangleMesh, RigidTransformsKeepMeasures) {
+TEST(TriangleMesh, RigidTransformsPreserveMeasures) {
   const TriangleMesh torus = test_shapes::torus(1, 0.3, 24, 12);
   Eigen::Isometry3d pose(Eigen::AngleAxisd(1.1, Vector3d(1, 2, 3).normalized()));
   pose.translation() = Vector3d(4, 5, 6);

@@ -1,4 +1,4 @@
-// Mesh files that a test makes up.
+// Mesh files made up by tests.
 #pragma once
 
 #include <unistd.h>
@@ -12,7 +12,7 @@
 namespace collision_hulls {
 namespace test_files {
 
-/// A file in a folder of this process, removed with it.
+/// A file in a temporary folder of this process; the folder is removed with it.
 class TempFile {
  public:
   TempFile(const std::string& name, const std::string& bytes)
@@ -37,7 +37,7 @@ std::string raw(Number number) {
   return bytes;
 }
 
-/// A binary STL of `triangles` copies of the right triangle (0 0 0) (1 0 0) (0 1 0), which announces `announced`.
+/// A binary STL with `triangles` copies of the right triangle (0 0 0) (1 0 0) (0 1 0) that announces `announced` of them.
 inline std::string binaryStl(const std::string& header, std::uint32_t triangles, std::uint32_t announced) {
   std::string bytes = header;
   bytes.resize(80, ' ');
@@ -49,7 +49,7 @@ inline std::string binaryStl(const std::string& header, std::uint32_t triangles,
   return bytes;
 }
 
-/// A Collada file around a geometry "shape" that has the vertices (0 0 0) (1 0 0) (1 2 0) (0 2 0) (0 0 3), and a scene.
+/// A Collada file around a geometry "shape" with the vertices (0 0 0) (1 0 0) (1 2 0) (0 2 0) (0 0 3), and a scene.
 inline std::string dae(const std::string& asset, const std::string& primitives, const std::string& scene,
                        const std::string& library_nodes = "") {
   return R"(<?xml version="1.0" encoding="utf-8"?>

@@ -17,7 +17,7 @@ LoadedMesh read(const std::string& name, const std::string& bytes, const MeshLim
   return readMesh(file.path(), limits);
 }
 
-/// Expects an error with this code whose text names the file and holds `part`.
+/// Expects an error with this code and a text that names the file and contains `part`.
 void expectError(ErrorCode code, const std::string& part, const std::string& name, const std::string& bytes,
                  const MeshLimits& limits = {}) {
   try {
@@ -74,14 +74,14 @@ TEST(ReadMeshError, FileNotFound) {
   }
 }
 
-TEST(ReadMeshError, AFolderIsNoFile) {
+TEST(ReadMeshError, AFolderIsNotAFile) {
   const TempFile file("a.stl/b.txt", "");
   std::filesystem::create_directories(file.path() + ".stl");
   EXPECT_THROW(readMesh(file.path() + ".stl"), Error);
 }
 
 TEST(ReadMeshError, UnsupportedFormat) {
-  expectError(ErrorCode::kUnsupportedFormat, "'.fbx' is not read; convert it to one of .stl .dae .obj .off .ply", "a.fbx", "x");
+  expectError(ErrorCode::kUnsupportedFormat, "'.fbx' is not supported; convert the file to one of .stl .dae .obj .off .ply", "a.fbx", "x");
   expectError(ErrorCode::kUnsupportedFormat, "''", "no_extension", "x");
 }
 
@@ -90,12 +90,12 @@ TEST(ReadMeshError, NotAMesh) {
   for (const std::string& extension : meshExtensions()) expectError(ErrorCode::kNotAMesh, "check the file", "letter" + extension, text);
 }
 
-TEST(ReadMeshError, NotTheMeshButItsPointer) {
+TEST(ReadMeshError, GitLfsPointer) {
   const std::string pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:" + std::string(64, 'a') + "\nsize 12345\n";
   for (const std::string& extension : meshExtensions()) expectError(ErrorCode::kNotAMesh, "git lfs pull", "left_out" + extension, pointer);
 }
 
-TEST(ReadMeshError, NotAMeshGivesAssimpsReason) {
+TEST(ReadMeshError, NotAMeshQuotesAssimp) {
   expectError(ErrorCode::kNotAMesh, "cannot be read as obj (OBJ: Invalid", "w.obj", "v 1 2 3 0\nf 1 1 1\n");
   expectError(ErrorCode::kNotAMesh, "cannot be read as off (", "words.off", "OFF\n3 1 0\none two three\n0 1 0\n1 0 0\n3 0 1 2\n");
 }
@@ -108,7 +108,7 @@ TEST(ReadMeshError, EmptyMesh) {
   expectError(ErrorCode::kEmptyMesh, "no triangle", "nothing.dae", dae("", "", "<node id=\"empty\"/>"));
 }
 
-TEST(ReadMeshError, LinesAloneAreAnEmptyMesh) {
+TEST(ReadMeshError, OnlyLinesAreAnEmptyMesh) {
   expectError(ErrorCode::kEmptyMesh, "2 lines and points", "lines.obj", kObjCorners + "l 1 2 3\n");
 }
 
@@ -126,7 +126,7 @@ TEST(ReadMeshError, TooLarge) {
   expectError(ErrorCode::kTooLarge, "limit of 1;", "big.dae", dae("", kTwoTriangles, kPlainNode), limits);
 }
 
-TEST(ReadMeshError, NonFiniteCoordinateIsNamed) {
+TEST(ReadMeshError, NonFiniteCoordinate) {
   expectError(ErrorCode::kNonFiniteCoordinate, "vertex 1 (of face 0", "nan.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n");
   expectError(ErrorCode::kNonFiniteCoordinate, "vertex 2 (of face 0", "inf.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1e39 0\n3 0 1 2\n");
   std::string stl = binaryStl("", 2, 2);
@@ -135,16 +135,16 @@ TEST(ReadMeshError, NonFiniteCoordinateIsNamed) {
 }
 
 TEST(ReadMeshError, IndexOutOfRange) {
-  expectError(ErrorCode::kIndexOutOfRange, "line 6 names vertex 6, there are 5", "a.obj", kObjCorners + "f 1 2 6\n");
-  expectError(ErrorCode::kIndexOutOfRange, "line 6 names vertex 0, there are 5", "b.obj", kObjCorners + "f 0 1 2\n");
+  expectError(ErrorCode::kIndexOutOfRange, "line 6 names vertex 6, but there are 5", "a.obj", kObjCorners + "f 1 2 6\n");
+  expectError(ErrorCode::kIndexOutOfRange, "line 6 names vertex 0, but there are 5", "b.obj", kObjCorners + "f 0 1 2\n");
   expectError(ErrorCode::kIndexOutOfRange, "line 6 names vertex -6", "c.obj", kObjCorners + "f -1 -2 -6\n");
-  expectError(ErrorCode::kIndexOutOfRange, "line 9 names vertex 5, there are 5", "a.off",
+  expectError(ErrorCode::kIndexOutOfRange, "line 9 names vertex 5, but there are 5", "a.off",
               "OFF\n# corners\n5 1 0\n" + kOffCorners + "3 0 1 5\n");
-  expectError(ErrorCode::kIndexOutOfRange, "face 0 names vertex 5, there are 5", "a.ply",
+  expectError(ErrorCode::kIndexOutOfRange, "face 0 names vertex 5, but there are 5", "a.ply",
               plyHeader("ascii", 5, 1) + kOffCorners + "3 0 1 5\n");
   std::string beyond = dae("", kTwoTriangles, kPlainNode);
   beyond.replace(beyond.find("count=\"5\""), 9, "count=\"6\"");
-  expectError(ErrorCode::kIndexOutOfRange, "reaches to value 18 of the array 'array', which has 15", "a.dae", beyond);
+  expectError(ErrorCode::kIndexOutOfRange, "reads value 18 of the array 'array', which has only 15", "a.dae", beyond);
   expectError(ErrorCode::kIndexOutOfRange, "below 0", "b.dae",
               dae("", "<triangles count=\"1\">" + kVertexInput + "<p>0 -1 2</p></triangles>", kPlainNode));
 }
@@ -154,7 +154,7 @@ TEST(ReadMeshError, TooFarFromOrigin) {
               "v 1600 0 0\nv 1600.001 0 0\nv 1600 0.001 0\nf 1 2 3\n");
 }
 
-TEST(ReadMeshError, FarInTheFileAndBroughtBackByItsNodeIsTooFarToo) {
+TEST(ReadMeshError, TooFarFromOriginBeforeItsNodeMovesItBack) {
   const std::string node = R"(<node id="n"><translate>1e4 0 0</translate><instance_geometry url="#shape"/></node>)";
   const std::string moved = R"(<node id="m"><translate>-1e4 0 0</translate>)" + node + "</node>";
   EXPECT_NO_THROW(read("back.dae", dae("", kTwoTriangles, moved)));
@@ -163,9 +163,9 @@ TEST(ReadMeshError, FarInTheFileAndBroughtBackByItsNodeIsTooFarToo) {
   expectError(ErrorCode::kTooFarFromOrigin, "single precision", "back.dae", dae("", kTwoTriangles, further));
 }
 
-// --- What a reader that trusts its input gets wrong ---
+// --- Faults that a trusting reader would miss ---
 
-TEST(ReadMeshTrust, StlThatIsCutOff) {
+TEST(ReadMeshTrust, TruncatedStl) {
   expectError(ErrorCode::kNotAMesh, "announces 3 triangles, which take 234 bytes, but it has 184", "cut.stl", binaryStl("", 2, 3));
   expectError(ErrorCode::kNotAMesh, "announces 4294967295", "huge.stl", binaryStl("", 2, 0xffffffffu));
   expectError(ErrorCode::kNotAMesh, "without 'endsolid'", "cut.stl", kTextStl.substr(0, kTextStl.size() - 11));
@@ -179,39 +179,39 @@ TEST(ReadMeshTrust, TextStlWithFourVerticesInAFacet) {
 
 TEST(ReadMeshTrust, ObjVerticesOfOddLength) {
   expectError(ErrorCode::kNotAMesh, "line 1: a vertex of 2 numbers", "two.obj", "v 0 0\n" + kObjCorners + "f 1 2 3\n");
-  expectError(ErrorCode::kNotAMesh, "line 6: 'x' is no corner", "word.obj", kObjCorners + "f 1 x 3\n");
+  expectError(ErrorCode::kNotAMesh, "line 6: 'x' is not a corner", "word.obj", kObjCorners + "f 1 x 3\n");
   expectError(ErrorCode::kNotAMesh, "zero byte", "zero.obj", kObjCorners + std::string(1, '\0'));
 }
 
-TEST(ReadMeshTrust, OffThatAnnouncesMoreThanItHas) {
+TEST(ReadMeshTrust, OffThatAnnouncesMoreThanItContains) {
   expectError(ErrorCode::kNotAMesh, "ends after 6 lines", "short.off", "OFF\n5 4000000000 0\n" + kOffCorners + "3 0 1 2\n",
               {1 << 20, std::size_t{5'000'000'000}});
   expectError(ErrorCode::kNotAMesh, "line 8: a face line begins with its number of corners, from 1 to 9", "ten.off",
               "OFF\n5 1 0\n" + kOffCorners + "10 0 1 2 3 0 1 2 3 0 1\n");
 }
 
-TEST(ReadMeshTrust, RowsThatAssimpCountsOtherwise) {
+TEST(ReadMeshTrust, RowsThatAssimpMiscounts) {
   const std::string faces = "3 0 1 2\n3 0 2 3\n3 0 1 4\n", blanks = "  \n";
   expectError(ErrorCode::kNotAMesh, "3 faces, but Assimp finds", "blank.off", "OFF\n5 3 0\n" + kOffCorners + blanks + faces);
-  expectError(ErrorCode::kNotAMesh, "line 17: a line before it holds blanks alone", "blank.ply",
+  expectError(ErrorCode::kNotAMesh, "line 17: a whitespace-only line before it", "blank.ply",
               plyHeader("ascii", 5, 3) + kOffCorners + blanks + faces);
-  EXPECT_EQ(read("empty.off", "OFF\n5 3 0\n" + kOffCorners + "\n" + faces).mesh.triangles.size(), 3u) << "a line of nothing does no harm";
+  EXPECT_EQ(read("empty.off", "OFF\n5 3 0\n" + kOffCorners + "\n" + faces).mesh.triangles.size(), 3u) << "an empty line does no harm";
   std::string camera = plyHeader("ascii", 5, 3);
   camera.insert(camera.find("element vertex"), "element camera 1\nproperty float a\nproperty float b\nproperty float c\n");
   expectError(ErrorCode::kNotAMesh, "3 faces, but Assimp finds", "camera.ply", camera + "0 0 1\n" + kOffCorners + faces);
 }
 
-TEST(ReadMeshTrust, PlyThatAnnouncesMoreThanItHas) {
+TEST(ReadMeshTrust, PlyThatAnnouncesMoreThanItContains) {
   expectError(ErrorCode::kNotAMesh, "ends within the 6 rows", "short.ply", plyHeader("ascii", 4, 6) + kOffCorners);
   expectError(ErrorCode::kNotAMesh, "too few values", "list.ply", plyHeader("ascii", 5, 1) + kOffCorners + "2000000000 0 1 2\n");
   expectError(ErrorCode::kNotAMesh, "ends within the 1 rows", "cut.ply",
               plyHeader("binary_little_endian", 0, 1) + std::string(1, '\3') + raw(0) + raw(1));
   std::string no_z = plyHeader("ascii", 5, 1);
   no_z.replace(no_z.find("float z"), 7, "float q");
-  expectError(ErrorCode::kNotAMesh, "lack an x, y or z", "no_z.ply", no_z + kOffCorners + "3 0 1 2\n");
+  expectError(ErrorCode::kNotAMesh, "lack x, y or z", "no_z.ply", no_z + kOffCorners + "3 0 1 2\n");
 }
 
-TEST(ReadMeshTrust, DaeThatNestsForever) {
+TEST(ReadMeshTrust, DaeThatNestsWithoutEnd) {
   const std::string circle = R"(<node id="a"><instance_node url="#b"/></node><node id="b"><instance_node url="#a"/></node>)";
   expectError(ErrorCode::kNotAMesh, "instance each other in a circle", "circle.dae", dae("", kTwoTriangles, circle));
   std::string deep;
@@ -222,11 +222,11 @@ TEST(ReadMeshTrust, DaeThatNestsForever) {
     const std::string inner = "<instance_node url=\"#n" + std::to_string(i - 1) + "\"/>";
     doubling += "<node id=\"n" + std::to_string(i) + "\">" + inner + inner + "</node>";
   }
-  expectError(ErrorCode::kTooLarge, "nodes with all instances", "doubling.dae", dae("", kTwoTriangles, doubling));
+  expectError(ErrorCode::kTooLarge, "nodes once its instances are expanded", "doubling.dae", dae("", kTwoTriangles, doubling));
 }
 
 TEST(ReadMeshTrust, DaeWithoutVertexInput) {
-  expectError(ErrorCode::kNotAMesh, "without an input VERTEX", "a.dae",
+  expectError(ErrorCode::kNotAMesh, "without a VERTEX input", "a.dae",
               dae("", "<triangles count=\"1\"><p>0 1 2</p></triangles>", kPlainNode));
   expectError(ErrorCode::kNotAMesh, "count=\"4294967295\"", "b.dae",
               dae("", "<triangles count=\"4294967295\">" + kVertexInput + "<p>0 1 2</p></triangles>", kPlainNode));
@@ -236,7 +236,7 @@ TEST(ReadMeshTrust, DaeWithoutVertexInput) {
 
 // --- Formats ---
 
-TEST(ReadMesh, BinaryStlWhoseHeaderBeginsLikeAText) {
+TEST(ReadMesh, BinaryStlWithAHeaderThatBeginsWithSolid) {
   const LoadedMesh loaded = read("UPPER.STL", binaryStl("solid from a CAD program", 2, 2));
   EXPECT_EQ(2u, loaded.mesh.triangles.size());
   expectBox(loaded, {0, 0, 0}, {1, 1, 0});
@@ -258,7 +258,7 @@ TEST(ReadMesh, ObjWithQuadsNegativeIndicesContinuedLinesAndNoMaterialFile) {
   expectBox(loaded, {0, 0, 0}, {1, 2, 3});
 }
 
-TEST(ReadMesh, LinesAndPointsAreLeftOutAndCounted) {
+TEST(ReadMesh, LinesAndPointsAreSkippedAndCounted) {
   const LoadedMesh obj = read("a.obj", kObjCorners + "f 1 2 3\nl 1 2 3 4\np 1\n");
   EXPECT_EQ(1u, obj.mesh.triangles.size());
   EXPECT_EQ(4u, obj.skipped_primitives);
@@ -286,7 +286,7 @@ TEST(ReadMesh, PlyTextAndBinaryOfEitherByteOrder) {
   }
 }
 
-TEST(ReadMesh, SameMeshInstancedTwiceCountsTwice) {
+TEST(ReadMesh, AMeshInstancedTwiceCountsTwice) {
   const std::string scene = R"(<node id="a"><instance_geometry url="#shape"/></node>
     <node id="b"><translate>10 0 0</translate><instance_geometry url="#shape"/></node>
     <node id="c"><translate>0 10 0</translate><instance_node url="#library"/></node>)";
@@ -304,7 +304,7 @@ TEST(ReadMesh, NodeTransformsNest) {
   expectBox(read("a.dae", dae("", kTwoTriangles, scene)), {3, 0, 0}, {5, 2, 3});
 }
 
-// --- Collada's unit and up-axis as rviz shows them: the unit counts, the up-axis does not ---
+// --- Collada's unit and up-axis as in rviz: the unit counts, the up-axis does not ---
 
 struct UnitCase {
   const char* meter;
@@ -334,16 +334,16 @@ TEST(ReadMesh, ResolutionIsHalfAUnitInTheLastPlaceOfTheLargestCoordinate) {
   EXPECT_EQ(std::ldexp(1, -25), read("a.obj", "v 0 0 0\nv 0.9 0 0\nv 0 0.9 0\nf 1 2 3\n").resolution);
   EXPECT_EQ(std::ldexp(1, -21), read("a.obj", "v 0 0 0\nv 1 0 0\nv 0 -8.5 0\nf 1 2 3\n").resolution);
   const double millimetres = read("a.dae", dae(unit("0.001"), kTwoTriangles, kPlainNode)).resolution;
-  EXPECT_EQ(std::ldexp(1, -33), millimetres) << "of 0.003, after the unit";
+  EXPECT_EQ(std::ldexp(1, -33), millimetres) << "of 0.003, after applying the unit";
 }
 
-TEST(ReadMesh, VerticesThatNoTriangleUsesPlayNoPart) {
+TEST(ReadMesh, IgnoresUnusedVertices) {
   const LoadedMesh loaded = read("a.off", "OFF\n4 1 0\n0 0 0\nnan 1e30 0\n1 0 0\n0 1 0\n3 0 2 3\n");
   EXPECT_EQ(3u, loaded.mesh.vertices.size());
   expectBox(loaded, {0, 0, 0}, {1, 1, 0});
 }
 
-TEST(ReadMesh, BinaryStlIsTheSameMeshAsText) {
+TEST(ReadMesh, BinaryAndTextStlGiveTheSameMesh) {
   const LoadedMesh binary = read("b.stl", binaryStl("solid, though it is not text", 1, 1)), text = read("t.stl", kTextStl);
   EXPECT_EQ(binary.mesh.vertices, (std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
   EXPECT_EQ(binary.mesh.triangles, text.mesh.triangles);

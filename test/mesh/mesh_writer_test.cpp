@@ -27,7 +27,7 @@ LoadedMesh readBack(const std::string& name, const std::string& bytes) {
   return readMesh(file.path());
 }
 
-/// The corners of all triangles, one after the other.
+/// The corners of all triangles, one after another.
 std::vector<Eigen::Vector3d> corners(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles) {
   std::vector<Eigen::Vector3d> result;
   for (const Triangle& t : triangles)
@@ -35,7 +35,7 @@ std::vector<Eigen::Vector3d> corners(const std::vector<Eigen::Vector3d>& vertice
   return result;
 }
 
-/// A hull-like body whose vertices are random single-precision numbers of sizes from `smallest` to `largest`.
+/// A hull-like body with random single-precision vertices of sizes from `smallest` to `largest`.
 ConvexHull randomBody(double smallest, double largest, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> exponent(std::log(smallest), std::log(largest));
@@ -45,7 +45,7 @@ ConvexHull randomBody(double smallest, double largest, unsigned seed) {
   return hull;
 }
 
-TEST(EncodeHull, StlHasTheLengthOfItsTrianglesAndNoTextMark) {
+TEST(EncodeHull, StlHasTheRightSizeAndDoesNotBeginWithSolid) {
   const std::string bytes = encodeHull(tetrahedron({0, 0, 0}, 1), MeshFormat::kStl, "unused");
   ASSERT_EQ(84u + 4 * 50, bytes.size());
   EXPECT_NE("solid", bytes.substr(0, 5));
@@ -66,7 +66,7 @@ TEST(EncodeHull, ObjAsText) {
       encodeHull(tetrahedron({0, 0, 0}, 0.5), MeshFormat::kObj, "arm link\n0"));
 }
 
-TEST(EncodeHull, EachFormatIsReadBackUnchanged) {
+TEST(EncodeHull, EveryFormatIsReadBackUnchanged) {
   for (unsigned seed = 1; seed <= 200; ++seed) {
     const ConvexHull hull = randomBody(1e-6, 1e4, seed);
     const std::vector<Eigen::Vector3d> expected = corners(hull.vertices, hull.triangles);
@@ -77,7 +77,7 @@ TEST(EncodeHull, EachFormatIsReadBackUnchanged) {
   }
 }
 
-TEST(EncodeHull, DaeIsInMetresWithNamesThatXmlTakes) {
+TEST(EncodeHull, DaeIsInMetresWithNamesValidInXml) {
   const std::string bytes = encodeHull(tetrahedron({0, 0, 0}, 0.5), MeshFormat::kDae, "arm \"<&>'");
   EXPECT_NE(std::string::npos, bytes.find("name=\"arm______\""));
   EXPECT_NE(std::string::npos, bytes.find("<unit name=\"meter\" meter=\"1\"/>"));
@@ -91,7 +91,7 @@ TEST(MeshFormat, Names) {
   for (const char* name : {"", "ply", ".stl", "STL"}) EXPECT_FALSE(meshFormatNamed(name)) << name;
 }
 
-TEST(EncodeHull, ObjKeepsNumbersOfAnySize) {
+TEST(EncodeHull, ObjPreservesNumbersOfAnySize) {
   for (unsigned seed = 1; seed <= 200; ++seed) {
     const ConvexHull hull = randomBody(1e-37, 1e37, seed);
     std::istringstream text(encodeHull(hull, MeshFormat::kObj, "hull"));
@@ -108,7 +108,7 @@ TEST(EncodeHull, ObjKeepsNumbersOfAnySize) {
   }
 }
 
-TEST(EncodeHull, ObjectsOfOneFileNumberTheirVerticesOn) {
+TEST(EncodeHull, VertexNumbersContinueAcrossObjectsOfAFile) {
   const std::vector<ConvexHull> hulls{tetrahedron({0, 0, 0}, 1), tetrahedron({2, 0, 0}, 1)};
   const std::string text = encodeHullsObj(hulls, "arm");
   EXPECT_NE(std::string::npos, text.find("o arm_0\n"));
@@ -121,7 +121,7 @@ TEST(EncodeHull, ObjectsOfOneFileNumberTheirVerticesOn) {
   EXPECT_EQ(expected, corners(loaded.mesh.vertices, loaded.mesh.triangles));
 }
 
-TEST(EncodeHull, LocaleChangesNothing) {
+TEST(EncodeHull, IgnoresTheLocale) {
   const ConvexHull hull = tetrahedron({0.5, 0, 0}, 12345);
   const std::string before = encodeHull(hull, MeshFormat::kObj, "hull");
   struct German : std::numpunct<char> {

@@ -23,7 +23,7 @@ TriangleMesh inward(TriangleMesh mesh) {
   return mesh;
 }
 
-/// Every triangle with three vertices of its own, each moved by up to `jitter` along each axis.
+/// Gives each triangle three vertices of its own, each moved by up to `jitter` along each axis.
 TriangleMesh soup(const TriangleMesh& mesh, double jitter, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> offset(-jitter, jitter);
@@ -37,7 +37,7 @@ TriangleMesh soup(const TriangleMesh& mesh, double jitter, unsigned seed) {
   return result;
 }
 
-/// Turns triangles over at random.
+/// Flips triangles at random.
 TriangleMesh scrambled(TriangleMesh mesh, double share, unsigned seed) {
   std::mt19937 random(seed);
   std::bernoulli_distribution turn(share);
@@ -46,7 +46,7 @@ TriangleMesh scrambled(TriangleMesh mesh, double share, unsigned seed) {
   return mesh;
 }
 
-/// No triangle of a component runs an edge the same way as another one of it; only for manifold meshes.
+/// No two triangles of a component run along an edge in the same direction; for manifold meshes only.
 void expectConsistent(const RepairedMesh& repaired) {
   std::set<std::pair<int, int>> edges;
   for (const Triangle& t : repaired.mesh.triangles)
@@ -60,7 +60,7 @@ void expectClosed(const RepairedMesh& repaired, double volume, std::size_t compo
   EXPECT_NEAR(volume, signedVolume(repaired.mesh), 1e-4 * volume);
 }
 
-// --- Nothing, and not much ---
+// --- Nothing, or next to nothing ---
 
 TEST(Repair, MeshWithoutTriangles) {
   const RepairedMesh repaired = repair({{{1, 2, 3}}, {}});
@@ -77,7 +77,7 @@ TEST(Repair, OneTriangle) {
   EXPECT_EQ(std::vector<Interior>{Interior::kSurface}, repaired.interior);
 }
 
-TEST(Repair, DegenerateTrianglesAloneLeaveTheirLongestSides) {
+TEST(Repair, OnlyDegenerateTrianglesLeaveTheirLongestSides) {
   const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {5, 5, 5}}, {{0, 1, 2}, {3, 3, 3}, {1, 1, 0}}};
   const RepairedMesh repaired = repair(mesh);
   EXPECT_TRUE(repaired.mesh.triangles.empty());
@@ -97,12 +97,12 @@ TEST(Repair, SidesOfKeptTrianglesAreNotLoose) {
   const std::vector<Eigen::Vector3d> vertices{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}, {2, -1, 0}, {0.5, 0, 0}};
   const auto loose = [&](const std::vector<Triangle>& triangles) { return repair({vertices, triangles}).loose; };
   EXPECT_EQ((std::vector<Segment>{{vertices[0], vertices[3]}}), loose({{0, 1, 2}, {0, 1, 3}}));  // reaches beyond
-  EXPECT_TRUE(loose({{0, 1, 2}, {0, 1, 5}}).empty());                                            // its longest side
-  EXPECT_TRUE(loose({{0, 1, 2}, {1, 3, 4}, {0, 3, 1}}).empty());                                 // the two others
+  EXPECT_TRUE(loose({{0, 1, 2}, {0, 1, 5}}).empty());             // its longest side is that of a kept triangle
+  EXPECT_TRUE(loose({{0, 1, 2}, {1, 3, 4}, {0, 3, 1}}).empty());  // its two other sides are
   EXPECT_TRUE(loose({{0, 1, 2}, {2, 2, 2}}).empty());
 }
 
-// --- What it refuses ---
+// --- Rejected input ---
 
 ErrorCode codeOf(const TriangleMesh& mesh, const RepairOptions& options = {}) {
   try {
@@ -138,7 +138,7 @@ TEST(RepairWeld, SoupBecomesClosed) {
   expectClosed(repaired, 6);
 }
 
-TEST(RepairWeld, JitteredSoupBecomesClosedAndNoVertexMovesFurtherThanTheTolerance) {
+TEST(RepairWeld, JitteredSoupBecomesClosedWithinTheTolerance) {
   const TriangleMesh torus = test_shapes::torus();
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const RepairedMesh repaired = repair(soup(torus, 2e-6, seed));
@@ -149,7 +149,7 @@ TEST(RepairWeld, JitteredSoupBecomesClosedAndNoVertexMovesFurtherThanTheToleranc
   }
 }
 
-TEST(RepairWeld, TurningTheMeshChangesNothing) {
+TEST(RepairWeld, DoesNotDependOnRotation) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-1, 1);
   const TriangleMesh ball = soup(test_shapes::sphere(1, 8), 2e-6, 1);
@@ -163,7 +163,7 @@ TEST(RepairWeld, TurningTheMeshChangesNothing) {
 }
 
 TEST(RepairWeld, AChainOfCloseVerticesDoesNotCollapse) {
-  // 1000 vertices, each within the tolerance of the next, over 90 times the tolerance.
+  // 1000 vertices, each within the tolerance of the next, spread over 90 times the tolerance.
   TriangleMesh mesh;
   for (int i = 0; i < 1000; ++i) mesh.vertices.emplace_back(9e-7 * i, 0, 0);
   mesh.vertices.emplace_back(0, 1, 0);
@@ -171,10 +171,10 @@ TEST(RepairWeld, AChainOfCloseVerticesDoesNotCollapse) {
   const RepairedMesh repaired = repair(mesh);
   EXPECT_LE(repaired.counts.weld_distance, 1e-5);
   EXPECT_GE(repaired.mesh.vertices.size(), 1 + 45u);
-  EXPECT_EQ(mesh.vertices[0], repaired.mesh.vertices[0]) << "the lowest index stands for its neighbours";
+  EXPECT_EQ(mesh.vertices[0], repaired.mesh.vertices[0]) << "the lowest index represents its neighbours";
 }
 
-TEST(RepairWeld, ToleranceOfZeroJoinsEqualVerticesOnly) {
+TEST(RepairWeld, ToleranceOfZeroWeldsOnlyEqualVertices) {
   TriangleMesh mesh = soup(box(1, 1, 1), 0, 1);
   mesh.vertices[0].x() += 1e-12;
   EXPECT_EQ(27u, repair(mesh, {0.0}).counts.welded);
@@ -198,7 +198,7 @@ TEST(RepairDuplicate, EitherOrderAndAnyFirstCorner) {
   expectClosed(repaired, 1);
 }
 
-TEST(RepairDuplicate, EveryFaceTwiceOnceEachWay) {
+TEST(RepairDuplicate, EveryFaceOnceInEachDirection) {
   const TriangleMesh ball = test_shapes::sphere();
   const RepairedMesh repaired = repair(merged({ball, inward(ball)}));
   EXPECT_EQ(ball.triangles.size(), repaired.counts.duplicate);
@@ -207,21 +207,21 @@ TEST(RepairDuplicate, EveryFaceTwiceOnceEachWay) {
 
 // --- Orientation ---
 
-TEST(RepairOrient, OutwardMeshStays) {
+TEST(RepairOrient, KeepsAnOutwardMesh) {
   const TriangleMesh flange = test_shapes::flange();
   const RepairedMesh repaired = repair(flange);
   EXPECT_EQ(0u, repaired.counts.flipped);
   EXPECT_EQ(flange.triangles, repaired.mesh.triangles);
 }
 
-TEST(RepairOrient, InwardMeshIsTurnedOver) {
+TEST(RepairOrient, FlipsAnInwardMesh) {
   const TriangleMesh torus = test_shapes::torus();
   const RepairedMesh repaired = repair(inward(torus));
   EXPECT_EQ(torus.triangles.size(), repaired.counts.flipped);
   expectClosed(repaired, signedVolume(torus));
 }
 
-TEST(RepairOrient, ScrambledTrianglesAgreeAgain) {
+TEST(RepairOrient, ScrambledTrianglesBecomeConsistent) {
   const TriangleMesh torus = test_shapes::torus();
   for (const double share : {0.01, 0.3, 0.5, 0.9}) {
     const RepairedMesh repaired = repair(scrambled(torus, share, 1));
@@ -230,7 +230,7 @@ TEST(RepairOrient, ScrambledTrianglesAgreeAgain) {
   }
 }
 
-TEST(RepairOrient, WallOfACavityIsOutwardToo) {
+TEST(RepairOrient, TheWallOfACavityFacesOutwardToo) {
   const RepairedMesh repaired = repair(merged({box(4, 4, 4), inward(moved(box(1, 1, 1), {1, 1, 1}))}));
   EXPECT_EQ(12u, repaired.counts.flipped);
   expectClosed(repaired, 64 + 1, 2);
@@ -252,7 +252,7 @@ TEST(RepairOrient, FlatSheetKeepsTheSideOfItsLargerPart) {
   EXPECT_EQ(std::vector<Interior>{Interior::kSurface}, repaired.interior);
 }
 
-TEST(RepairOrient, SolidsThatShareAnEdgeAreOutwardEachOnItsOwn) {
+TEST(RepairOrient, SolidsThatShareAnEdgeEachFaceOutward) {
   const RepairedMesh repaired = repair(merged({box(1, 1, 1), inward(moved(box(1, 1, 1), {1, 1, 0}))}));
   EXPECT_EQ(1u, repaired.counts.nonmanifold_edges);
   EXPECT_EQ(12u, repaired.counts.flipped);
@@ -260,8 +260,8 @@ TEST(RepairOrient, SolidsThatShareAnEdgeAreOutwardEachOnItsOwn) {
 }
 
 TEST(RepairOrient, ADentBetweenNonManifoldEdgesStaysADent) {
-  // A box, one of whose faces has a pit of four slopes; fins on the pit's rim cut it off as a patch of its own, which alone
-  // encloses a negative volume.
+  // A box with a pit of four slopes in one of its faces. Fins on the pit's rim make the pit a patch of its own, which by itself encloses a
+  // negative volume.
   test_shapes::MeshBuilder builder;
   const TriangleMesh cube = box(2, 2, 2);
   for (int t = 0; t < 12; ++t)
@@ -281,7 +281,7 @@ TEST(RepairOrient, ADentBetweenNonManifoldEdgesStaysADent) {
   }
 }
 
-TEST(RepairOrient, MoebiusStripIsKeptAsASurface) {
+TEST(RepairOrient, AMoebiusStripStaysASurface) {
   test_shapes::MeshBuilder builder;
   const auto at = [](int i, int side) -> Eigen::Vector3d {
     const double angle = 2 * test_shapes::kPi * i / 24, twist = angle / 2, r = 1 + side * 0.2 * std::cos(twist);
@@ -296,7 +296,7 @@ TEST(RepairOrient, MoebiusStripIsKeptAsASurface) {
 
 // --- Components and interiors ---
 
-TEST(RepairComponents, AreNumberedInOrderOfTheirFirstTriangle) {
+TEST(RepairComponents, AreNumberedByFirstTriangle) {
   TriangleMesh mesh = merged({box(1, 1, 1), moved(box(1, 1, 1), {3, 0, 0}), moved(test_shapes::sheet(1, 1, 1), {0, 5, 0})});
   std::swap(mesh.triangles[0], mesh.triangles[25]);
   const RepairedMesh repaired = repair(mesh);
@@ -305,7 +305,7 @@ TEST(RepairComponents, AreNumberedInOrderOfTheirFirstTriangle) {
   EXPECT_EQ(1, repaired.component[1]);
   EXPECT_EQ(2, repaired.component[12]);
   EXPECT_EQ((std::vector<Interior>{Interior::kSurface, Interior::kClosed, Interior::kClosed}), repaired.interior);
-  EXPECT_EQ(Interior::kWinding, interiorOf(repaired)) << "neither all closed nor all sheets";
+  EXPECT_EQ(Interior::kWinding, interiorOf(repaired)) << "the components are neither all closed nor all sheets";
 }
 
 TEST(RepairComponents, TouchingAtACornerIsNotConnected) {
@@ -324,7 +324,7 @@ TEST(RepairInterior, BoxWithoutALidIsASurface) {
   EXPECT_EQ(std::vector<Interior>{Interior::kSurface}, repair(open).interior) << "its lid is a fifth of its area";
 }
 
-/// A box of side 1 and, on each edge of its top, a sheet of `height` that stands up, of two triangles.
+/// A box of side 1 with a sheet of `height`, made of two triangles, standing on each edge of its top.
 TriangleMesh boxWithFins(double height) {
   TriangleMesh mesh = box(1, 1, 1);
   for (int side = 0; side < 4; ++side) {
@@ -337,7 +337,7 @@ TriangleMesh boxWithFins(double height) {
 }
 
 TEST(RepairInterior, FinsEncloseNothingAndOpenNothing) {
-  for (const double height : {0.01, 0.5, 5.0}) {  // also where what would close them is more than a tenth of all
+  for (const double height : {0.01, 0.5, 5.0}) {  // even if closing them would take more than a tenth of the whole area
     const TriangleMesh mesh = boxWithFins(height);
     const RepairedMesh repaired = repair(mesh);
     ASSERT_EQ(repaired.counts.components, 1U);
@@ -347,7 +347,7 @@ TEST(RepairInterior, FinsEncloseNothingAndOpenNothing) {
   }
 }
 
-TEST(RepairInterior, AnOpenBoxThatHangsOnAClosedOneIsAFin) {
+TEST(RepairInterior, AnOpenBoxAttachedToAClosedOneIsAFin) {
   TriangleMesh open = moved(box(1, 1, 1), {1, 0, 1});  // shares one edge with the box below
   open.triangles.resize(10);
   const RepairedMesh repaired = repair(merged({box(1, 1, 1), open}));
@@ -357,11 +357,11 @@ TEST(RepairInterior, AnOpenBoxThatHangsOnAClosedOneIsAFin) {
   for (std::size_t t = 0; t < repaired.sheet.size(); ++t) EXPECT_EQ(repaired.sheet[t], t >= 12) << t;
 }
 
-TEST(RepairInterior, WallsThatEncloseAreNoFins) {
+TEST(RepairInterior, WallsThatEncloseAreNotFins) {
   const RepairedMesh two = repair(merged({box(1, 1, 1), moved(box(1, 1, 1), {1, 0, 1})}));
   EXPECT_EQ(two.counts.nonmanifold_edges, 1U);
   EXPECT_EQ(std::count(two.sheet.begin(), two.sheet.end(), 1), 0);
-  TriangleMesh torn = box(1, 1, 1, 8);  // almost closed, hung on a closed one
+  TriangleMesh torn = box(1, 1, 1, 8);  // almost closed, and attached to a closed one
   torn.triangles.pop_back();
   const RepairedMesh hung = repair(merged({box(1, 1, 1, 8), moved(torn, {1, 0, 1})}));
   EXPECT_EQ(hung.interior[0], Interior::kWinding);

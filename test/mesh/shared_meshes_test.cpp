@@ -1,4 +1,4 @@
-// Real meshes, where they are at hand.
+// Real meshes, if they are available.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class SharedMeshes : public testing::Test {
   static RepairedMesh repaired(const std::string& name) { return repair(readMesh((kMeshes / name).string()).mesh); }
 };
 
-/// What holds of every repaired mesh.
+/// What must hold for every repaired mesh.
 void expectSound(const LoadedMesh& loaded, const RepairedMesh& repaired) {
   const RepairCounts& counts = repaired.counts;
   EXPECT_EQ(loaded.mesh.triangles.size(), repaired.mesh.triangles.size() + counts.degenerate + counts.duplicate);
@@ -33,10 +33,10 @@ void expectSound(const LoadedMesh& loaded, const RepairedMesh& repaired) {
   EXPECT_LE(counts.weld_distance, 1e-5 * boundingBox(loaded.mesh).sizes().maxCoeff());
   EXPECT_LE(static_cast<double>(counts.degenerate), 0.01 * static_cast<double>(loaded.mesh.triangles.size())) << "fine features are lost";
   const RepairedMesh again = repair(repaired.mesh);
-  EXPECT_EQ(repaired.mesh.triangles, again.mesh.triangles) << "a second repair must find nothing";
+  EXPECT_EQ(repaired.mesh.triangles, again.mesh.triangles) << "a second repair must find nothing to do";
 }
 
-TEST_F(SharedMeshes, EveryMeshOfEveryRobotLoadsAndIsRepaired) {
+TEST_F(SharedMeshes, EveryMeshOfEveryRobotIsReadAndRepaired) {
   std::size_t read = 0;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(SHARED_DATA) / "robots")) {
     std::string extension = entry.path().extension().string();
@@ -57,13 +57,13 @@ TEST_F(SharedMeshes, JitteredSoupBecomesClosed) {
   EXPECT_EQ(Interior::kClosed, interiorOf(mesh));
 }
 
-TEST_F(SharedMeshes, HalfFlippedTeddyIsOutward) {
+TEST_F(SharedMeshes, HalfFlippedTeddyFacesOutward) {
   const RepairedMesh mesh = repaired("broken/flipped_half.obj");
   EXPECT_EQ(Interior::kClosed, interiorOf(mesh));
   EXPECT_NEAR(0.0385, signedVolume(mesh.mesh), 1e-4);
 }
 
-TEST_F(SharedMeshes, ChairWithEachFaceTwiceHasAnInside) {
+TEST_F(SharedMeshes, ChairWithDuplicateFacesHasAnInside) {
   const RepairedMesh mesh = repaired("broken/chair_model.obj");
   EXPECT_GE(mesh.counts.duplicate, 12756u / 2);
   EXPECT_GT(signedVolume(mesh.mesh), 0);
@@ -74,7 +74,7 @@ TEST_F(SharedMeshes, CracksBetweenPatchesAreWelded) {
   EXPECT_EQ(0u, repaired("broken/featuretype.STL").counts.open_edges);
 }
 
-TEST_F(SharedMeshes, TinyMeshFarAwayIsRefused) {
+TEST_F(SharedMeshes, RejectsATinyMeshFarAway) {
   try {
     readMesh((kMeshes / "broken/tiny_far.obj").string());
     FAIL();

@@ -16,7 +16,7 @@ Eigen::Vector3d normalOf(const Polygon& p, const Triangle& t) {
   return (at(1) - at(0)).cross(at(2) - at(0));
 }
 
-/// Expects n - 2 triangles that use every corner, run the polygon's way and have its area.
+/// Expects n - 2 triangles that use every corner, run in the polygon's direction and have its area.
 void expectTriangulation(const Polygon& polygon, double area) {
   const std::vector<Triangle> triangles = triangulate(polygon);
   EXPECT_EQ(polygon.size() - 2, triangles.size());
@@ -36,7 +36,7 @@ TEST(Triangulate, PolygonWithoutAreaUsesEveryCorner) {
   EXPECT_EQ(2u, triangulate({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}).size());
 }
 
-TEST(Triangulate, PolygonThatCrossesItselfUsesEveryCorner) {
+TEST(Triangulate, SelfIntersectingPolygonUsesEveryCorner) {
   const Polygon bow{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
   std::set<int> used;
   for (const Triangle& t : triangulate(bow)) used.insert(t.begin(), t.end());

@@ -25,10 +25,9 @@ constexpr std::size_t kTrianglesBetweenChecks = 1024;
 constexpr int kMostInARow = 4;   // splits by planes in a row; these need not make a patch shorter
 constexpr double kLevel = 0.25;  // in thresholds: a corner nearer to a plane than this lies in it
 constexpr double kSteep = 0.05;  // least sine of the angle between a patch and a plane that splits it
-constexpr double kLarge =
-    0.25;  // least size of a surface triangle, relative to the patch, for splitting along its edges: smaller ones are too many
-constexpr double kSlack = 0.5;  // in gaps: how far a patch may stick out sideways and still count as above a flat sheet
-constexpr double kLong = 40;    // in thresholds: shorter patches are halved, as planes would gain little
+constexpr double kLarge = 0.25;  // least size, relative to the patch, of surface triangles along whose edges it may be split
+constexpr double kSlack = 0.5;   // in gaps: how far a patch may stick out sideways and still count as above a flat sheet
+constexpr double kLong = 40;     // in thresholds: shorter patches are halved, as planes would gain little
 
 /// A corner of patches, and the triangle of the solid's surface nearest to it.
 struct Corner {

@@ -24,8 +24,7 @@ namespace {
 // Share of the tolerance used for cutting leaves: a small one leaves merging some room, a large one makes leaves as large as possible.
 constexpr double kLeafShare = 0.7, kLargeLeafShare = 0.93;
 constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
-constexpr std::size_t kManyLeaves = 8,
-                      kManyLeavesPerHull = 8;  // leaves beyond this many, per hull of the best cover, are not worth merging
+constexpr std::size_t kManyLeaves = 8, kManyLeavesPerHull = 8;  // more leaves than this are not worth merging
 
 /// One way to cut.
 struct Way {

@@ -28,17 +28,14 @@ namespace {
 constexpr std::size_t kVertices = 200, kRoughVertices = 50;  // of the simplified pieces
 constexpr std::size_t kIntruders = 100, kRoughThinning = 3;  // for scoring; the rough piece uses only every third
 constexpr std::size_t kFinalists = 8;                        // planes scored on the finer piece
-constexpr std::size_t kEdgesOfPiece =
-    4000;  // pieces with fewer triangles contribute their own reflex edges, larger ones those of their simplified piece
-constexpr std::size_t kSome = 3000;             // points of a piece whose hull is tried before that of all points
-constexpr std::size_t kThin = 300;              // vertices of a hull that is searched for intruders
+constexpr std::size_t kEdgesOfPiece = 4000;                  // larger pieces show the reflex edges of their simplified form
+constexpr std::size_t kSome = 3000;                          // points of a piece whose hull is tried before that of all points
+constexpr std::size_t kThin = 300;                           // vertices of a hull that is searched for intruders
 constexpr double kSlim = 0.01, kSmall = 0.01;   // in tolerances and as a share of the area: a side this slim and small is not worth a cut
 constexpr double kOnPlane = 1e-9;               // in extents of the whole mesh
 constexpr int kHalveFrom = 40, kDeepest = 200;  // depth of recursion from which pieces are simply halved, and where it ends
 constexpr double kMostLeaves = 10'000;          // per mesh; parts get shares in proportion to their areas
-constexpr std::size_t kApart = 1000,
-                      kShares =
-                          16;  // a part is worth a thread of its own from this many triangles and this fraction (1/16) of all triangles
+constexpr std::size_t kApart = 1000, kShares = 16;  // triangles, and shares of them all, that make a part worth a thread
 
 using Intruders = std::vector<OutsideDistance::Intruder>;
 

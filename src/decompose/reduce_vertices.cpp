@@ -115,8 +115,7 @@ class OuterSurface {
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (int t : around_[v])
         for (int n : triangles_[t]) sum += vertices_[n];
-      const auto count =
-          static_cast<double>(around_[v].size());  // number of neighbours; the sum counts each twice, and v once per triangle
+      const auto count = static_cast<double>(around_[v].size());  // neighbours; the sum has each twice, and v in every triangle
       relaxed.push_back(vertices_[v] / 2 + (sum - count * vertices_[v]) / (4 * count));
     }
     vertices_ = std::move(relaxed);

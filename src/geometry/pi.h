@@ -1,3 +1,4 @@
+// Pi: C++17 has no constant for it.
 #pragma once
 
 namespace collision_hulls {

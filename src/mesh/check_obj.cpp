@@ -1,5 +1,5 @@
-// Checks an OBJ file before Assimp reads it: Assimp drops vertices it does not understand, which shifts every later index, and clamps
-// indices that are out of range. One pass over the lines.
+// Checks an OBJ file before Assimp reads it: Assimp skips vertices it does not understand, which shifts every later index, and clamps or
+// drops indices that are out of range. One pass over the lines.
 #include <algorithm>
 
 #include "mesh/scan.h"

@@ -1,5 +1,5 @@
 // Reads a mesh: bytes, checks of what Assimp trusts (source_checks.h), Assimp's scene, and every instance of every mesh in metres. Binary
-// STL, the most common format, is read directly at a tenth of Assimp's cost.
+// STL is read directly, at a tenth of Assimp's cost.
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/config.h>
 #include <assimp/scene.h>

@@ -40,7 +40,7 @@ TEST(Widths, AnythingContainsTheEmptySet) {
   EXPECT_EQ(nothing.merged(point).mean(), 0);
 }
 
-TEST(Widths, APointHasNone) {
+TEST(Widths, APointHasWidthZero) {
   const Widths point = widthsOf({{1, 2, 3}});
   EXPECT_EQ(point.mean(), 0);
   EXPECT_EQ(point.middle(0), 1);

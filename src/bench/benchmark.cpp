@@ -40,7 +40,7 @@ class Bench {
     row.method = contender.name;
     row.effort = contender.effort;
     row.requested = toString(tolerance);
-    if (row.diagonal || !tolerance.relative) row.tolerance = tolerance.metres(row.diagonal.value_or(0));
+    if (row.diagonal || tolerance.share == Length::kUnset) row.tolerance = tolerance.metres(row.diagonal.value_or(0));
     if (row.status != "ok") return row;
     std::vector<double> cpu, wall, peak;
     json hulls = json::array();

@@ -23,7 +23,7 @@ struct BenchmarkOptions {
   std::vector<Method> methods = allMethods();
   std::vector<Effort> efforts{Effort::kQuick};  ///< of methods that have one
   std::vector<Peer> peers;
-  std::vector<Length> tolerances{{0.05, true}, {0.02, true}, {0.01, true}};
+  std::vector<Length> tolerances{shareOf(0.05), shareOf(0.02), shareOf(0.01)};
   int max_vertices = DecomposeOptions{}.max_vertices;  ///< of a hull of the methods; 0: no cap
   int repeat = 1;                                      ///< runs of each; the medians of their times and memory count
   double time_limit = 60;                              ///< [s] of each run

@@ -89,8 +89,7 @@ class Runs {
     enter(outcome, row);
     if (!outcome.ok()) return;
     diagonal_ = done["diagonal"].get<double>() * lengthFactor(row.trouble);
-    const Length& tolerance = options_.tolerance;
-    row.tolerance = tolerance.value * (tolerance.relative ? diagonal_ : lengthFactor(row.trouble));
+    row.tolerance = Length{options_.tolerance.limit * lengthFactor(row.trouble), options_.tolerance.share}.metres(diagonal_);
   }
 
   StabilityRow rowOf(const Contender& contender, StabilityRow row, const std::string& hulls) const {

@@ -40,8 +40,8 @@ struct StabilityOptions {
   std::vector<Method> methods = allMethods();
   std::vector<Peer> peers;
   std::vector<Trouble> troubles = usualTroubles();
-  Length tolerance{0.02, true};  ///< of the diagonal without trouble
-  double time_limit = 60;        ///< [s] of each run
+  Length tolerance = shareOf(0.02);  ///< of the diagonal without trouble
+  double time_limit = 60;            ///< [s] of each run
   std::uint64_t seed = 1;
   int draws = 1;        ///< of each random trouble, with this seed and those after it
   int jobs = 0;         ///< meshes in trouble at a time; 0: as many as cores

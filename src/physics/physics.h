@@ -41,7 +41,7 @@ struct GripRow {
 struct PhysicsOptions {
   std::vector<Method> methods = allMethods();
   std::vector<Peer> peers;
-  Length tolerance{0.02, true};
+  Length tolerance = shareOf(0.02);
   std::size_t poses = 2;
   double time_limit = 120;  ///< [s] of each step
   std::uint64_t seed = 1;

@@ -41,7 +41,7 @@ void fields(Archive& archive, Validation& validation) {
 
 template <typename Archive>
 void fields(Archive& archive, Length& length) {
-  archive(length.value, length.relative);
+  archive(length.limit, length.share);
 }
 
 namespace {

@@ -12,11 +12,11 @@ namespace collision_hulls {
 namespace {
 
 double toleranceFor(const TriangleMesh& mesh, const Options& options) {
-  const double size = diagonal(mesh);
-  if (size > 0 || !options.tolerance.relative) return options.tolerance.metres(size);
+  const double tolerance = options.tolerance.metres(diagonal(mesh));
+  if (tolerance > 0) return tolerance;
   throw Error(ErrorCode::kEmptyMesh, "all " + std::to_string(mesh.triangles.size()) +
-                                         " triangles lie in one point, which a relative tolerance means nothing for; give a tolerance in "
-                                         "metres or mend the mesh");
+                                         " triangles lie in one point, so a share of the mesh's size is no tolerance for it; give a length "
+                                         "alone, as in 1mm, or mend the mesh");
 }
 
 }  // namespace

@@ -34,45 +34,113 @@ void checkRange(const std::string& option, int value, int low, int high, const s
             "a number from " + std::to_string(low) + " to " + std::to_string(high) + ", or 0 for " + meaning);
 }
 
-void checkLength(const std::string& option, const Length& length) {
-  if (std::isfinite(length.value) && length.value > 0 && !(length.relative && length.value > 1)) return;
-  const double shown = length.relative ? length.value * 100 : length.value;
-  badOption(option, std::to_string(shown) + (length.relative ? "%" : "m"), "a length above 0, or a share above 0% and up to 100%");
+bool isSet(double part) {
+  return part != Length::kUnset;
 }
 
-std::string shortest(double value, const Length& wanted, const char* unit) {
+/// A number and its unit.
+struct Quantity {
+  double value = 0;  // metres, or a fraction
+  std::string unit;
+  bool isShare() const { return unit == "%"; }
+};
+
+std::optional<Quantity> parseQuantity(const std::string& text) {
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  double number = 0;
+  std::string unit, rest;
+  if (!(in >> number) || !std::isfinite(number)) return std::nullopt;
+  in >> unit >> rest;
+  const auto found = std::find_if(kLengthUnits.begin(), kLengthUnits.end(), [&](const Unit& u) { return unit == u.name; });
+  if (found == kLengthUnits.end() || !rest.empty()) return std::nullopt;
+  const Quantity quantity{number * found->numerator / found->denominator, unit};
+  const bool in_range = quantity.value > 0 && !(quantity.isShare() && quantity.value > 1);
+  return in_range ? std::optional(quantity) : std::nullopt;
+}
+
+Length toLength(const Quantity& quantity) {
+  return quantity.isShare() ? shareOf(quantity.value) : lengthOf(quantity.value);
+}
+
+/// One length and one share, each with its unit.
+std::optional<Length> pairOf(const std::optional<Quantity>& first, const std::optional<Quantity>& second) {
+  if (!first || !second || first->unit.empty() || second->unit.empty() || first->isShare() == second->isShare()) return std::nullopt;
+  return first->isShare() ? Length{second->value, first->value} : Length{first->value, second->value};
+}
+
+/// The fewest digits that are read back as the same value; nothing where 17 do not suffice in this unit.
+std::optional<std::string> shortest(double value, const char* unit) {
+  const auto known = std::find_if(kLengthUnits.begin(), kLengthUnits.end(), [&](const Unit& u) { return std::string(unit) == u.name; });
   std::ostringstream out;
   out.imbue(std::locale::classic());
   for (int digits = 3; digits <= 17; ++digits) {
     out.str("");
     out.precision(digits);
-    out << value << unit;
-    if (parseLength(out.str()).value == wanted.value) break;
+    out << value * known->denominator / known->numerator << unit;
+    const std::optional<Quantity> back = parseQuantity(out.str());
+    if (back && back->value == value) return out.str();
   }
+  return std::nullopt;
+}
+
+/// In the unit that makes the shortest text; metres, which every value can be written in, if there is none.
+std::string shortestLength(double metres) {
+  std::string best;
+  for (const char* const unit : {"m", "cm", "mm"}) {
+    const std::optional<std::string> text = shortest(metres, unit);
+    if (text && (best.empty() || text->size() < best.size())) best = *text;
+  }
+  return best;
+}
+
+std::string plain(double number) {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << number;
   return out.str();
+}
+
+void checkLength(const std::string& option, const Length& length) {
+  const char* const allowed = "a length above 0, a share above 0% and up to 100%, or both";
+  if (!isSet(length.limit) && !isSet(length.share)) badOption(option, "inf", allowed);
+  if (isSet(length.limit) && !(std::isfinite(length.limit) && length.limit > 0)) badOption(option, plain(length.limit) + "m", allowed);
+  if (isSet(length.share) && !(length.share > 0 && length.share <= 1)) badOption(option, plain(100 * length.share) + "%", allowed);
+}
+
+/// Whether `tree` is the larger length for every mesh, whatever its size. Where only some meshes make it larger, these take the
+/// tolerance instead.
+bool alwaysLarger(const Length& tree, const Length& tolerance) {
+  const auto larger = [](double a, double b) { return a > b || (!isSet(a) && !isSet(b)); };
+  return larger(tree.limit, tolerance.limit) && larger(tree.share, tolerance.share);
 }
 
 }  // namespace
 
 Length parseLength(const std::string& text, const std::string& option) {
-  const char* const understood =
-      "a positive length with its unit, as in 5mm, 0.5cm, 0.005 or 0.005m (metres), 200um, 0.2in, or a share of the mesh's bounding-box "
-      "diagonal above 0% and up to 100%, as in 1%";
-  std::istringstream in(text);
-  in.imbue(std::locale::classic());
-  double number = 0;
-  std::string unit, rest;
-  if (!(in >> number) || !std::isfinite(number) || number <= 0) badOption(option, text, understood);
-  in >> unit >> rest;
-  const auto found = std::find_if(kLengthUnits.begin(), kLengthUnits.end(), [&](const Unit& u) { return unit == u.name; });
-  if (found == kLengthUnits.end() || !rest.empty()) badOption(option, text, understood);
-  const Length length{number * found->numerator / found->denominator, unit == "%"};
-  if (length.value <= 0 || (length.relative && length.value > 1)) badOption(option, text, understood);
-  return length;
+  const std::size_t comma = text.find(',');
+  std::optional<Length> length;
+  if (comma != std::string::npos) {
+    length = pairOf(parseQuantity(text.substr(0, comma)), parseQuantity(text.substr(comma + 1)));
+  } else if (const std::optional<Quantity> quantity = parseQuantity(text)) {
+    length = toLength(*quantity);
+  }
+  if (length) return *length;
+  badOption(option, text,
+            "a positive length, as in 5mm, 0.5cm, 0.005 or 0.005m (metres), 200um, 0.2in; a share of each mesh's bounding-box diagonal "
+            "above 0% and up to 100%, as in 1%; or the smaller of both, each with its unit, as in 1cm,5%");
+}
+
+double parseMetres(const std::string& text, const std::string& option) {
+  const std::optional<Quantity> quantity = parseQuantity(text);
+  if (quantity && !quantity->isShare()) return quantity->value;
+  badOption(option, text, "a positive length, as in 2cm, 20mm or 0.02 (metres)");
 }
 
 std::string toString(const Length& length) {
-  return length.relative ? shortest(length.value * 100, length, "%") : shortest(length.value, length, "m");
+  const std::string limit = isSet(length.limit) ? shortestLength(length.limit) : "";
+  const std::string share = isSet(length.share) ? shortest(length.share, "%").value_or(plain(100 * length.share) + "%") : "";
+  return limit + (limit.empty() || share.empty() ? "" : ",") + share;
 }
 
 std::optional<UriStyle> uriStyleNamed(const std::string& name) {
@@ -98,7 +166,7 @@ void check(const Options& options) {
   if (options.tree && options.method != Method::kCertified)
     throw Error(ErrorCode::kBadOption,
                 std::string("tree is not for method '") + name(options.method) + "': only certified has one; leave one of the two out");
-  if (options.tree && options.tree->relative == tolerance.relative && options.tree->value > tolerance.value)
+  if (options.tree && alwaysLarger(*options.tree, tolerance))
     badOption("tree", toString(*options.tree), "a length up to the tolerance, which is " + toString(tolerance));
   checkRange("max-hulls", options.max_hulls, 1, kMostHulls, "no cap");
   checkRange("max-vertices", options.max_vertices, kLeastVertices, kMostVertices, "no cap");

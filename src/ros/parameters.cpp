@@ -47,12 +47,13 @@ void readNamed(const ros::NodeHandle& node, const std::string& name, std::option
   if (!text.empty()) value = named(parse, "parameter " + node.resolveName(name), text, choices);
 }
 
-/// YAML reads "1%" as a text, 0.005 as a number and 1 as a whole one.
-Length readLength(const ros::NodeHandle& node, const std::string& name, const Length& fallback) {
+/// Nothing where the parameter is not set or empty. YAML reads "1%" as a text, 0.005 as a number and 1 as a whole one.
+std::optional<Length> readLength(const ros::NodeHandle& node, const std::string& name) {
   double metres = 0;
-  if (node.getParam(name, metres)) return {metres, false};
+  if (node.getParam(name, metres)) return lengthOf(metres);
   const std::string text = readText(node, name);
-  return text.empty() ? fallback : parseLength(text, "parameter " + node.resolveName(name));
+  if (text.empty()) return std::nullopt;
+  return parseLength(text, "parameter " + node.resolveName(name));
 }
 
 std::string escaped(const std::string& text) {
@@ -98,14 +99,12 @@ Options readOptions(const ros::NodeHandle& node) {
   Options options;
   const std::string profile = readText(node, "profile");
   if (!profile.empty()) applyProfile(profile, options);
-  options.tolerance = readLength(node, "tolerance", options.tolerance);
+  options.tolerance = readLength(node, "tolerance").value_or(options.tolerance);
   readNamed(node, "method", methodNamed, methodChoices(), options.method);
   readNamed(node, "effort", effortNamed, "quick, best", options.effort);
   readFlag(node, "fill", options.fill);
-  if (node.hasParam("tree")) {
-    const Length leaves = readLength(node, "tree", {});
-    if (leaves.value != 0) options.tree = leaves;
-  }
+  options.tree = readLength(node, "tree");
+  if (options.tree && options.tree->limit == 0) options.tree.reset();
   readNumber(node, "max_hulls", options.max_hulls);
   readNumber(node, "max_vertices", options.max_vertices);
   options.links = readText(node, "links");
@@ -124,11 +123,9 @@ Options readOptions(const ros::NodeHandle& node) {
 }
 
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot) {
-  if (request.tolerance != 0) {
-    options.tolerance = {request.tolerance, false};
-  } else if (request.relative_tolerance != 0) {
-    options.tolerance = {request.relative_tolerance, true};
-  }
+  const auto unsetIfZero = [](double part) { return part == 0 ? Length::kUnset : part; };
+  if (request.tolerance != 0 || request.relative_tolerance != 0)
+    options.tolerance = {unsetIfZero(request.tolerance), unsetIfZero(request.relative_tolerance)};
   if (request.max_hulls != 0) options.max_hulls = request.max_hulls;
   if (request.max_vertices != 0) options.max_vertices = request.max_vertices;
   if (!request.method.empty()) options.method = named(methodNamed, "method", request.method, methodChoices());

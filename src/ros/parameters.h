@@ -11,9 +11,9 @@
 
 namespace collision_hulls {
 
-/// Options as the parameters ~profile, ~tolerance ("1%", "5mm" or a number of metres), ~method, ~effort, ~fill, ~tree, ~max_hulls,
-/// ~max_vertices, ~links (regular expression), ~source, ~format, ~uri, ~jobs, ~validate, ~cache and ~seed say; those that are not set keep
-/// their defaults. Throws kBadOption for a value of the wrong type or range.
+/// Options as the parameters ~profile, ~tolerance ("1cm,5%", "1%", "5mm" or a number of metres), ~method, ~effort, ~fill, ~tree,
+/// ~max_hulls, ~max_vertices, ~links (regular expression), ~source, ~format, ~uri, ~jobs, ~validate, ~cache and ~seed say; those that are
+/// not set keep their defaults. Throws kBadOption for a value of the wrong type or range.
 Options readOptions(const ros::NodeHandle& node);
 
 /// A text parameter; `fallback` where it is not set. Throws kBadOption where it is not a text.

@@ -69,7 +69,8 @@ class DecomposeOptionAdder {
 
   void addAccuracy() {
     add("Accuracy", "-t,--tolerance", "LENGTH", toString(options_.tolerance),
-        "How far the hulls may protrude from the part: 5mm, 0.005 (metres), or 1% of each mesh's bounding-box diagonal",
+        "How far the hulls may protrude from the part: 5mm, 0.005 (metres), 1% of each mesh's bounding-box diagonal, or 1cm,5%: the "
+        "smaller of both",
         [&options = options_](const std::string&, const std::string& text) { options.tolerance = parseLength(text); });
     addChoice("Accuracy", "-m,--method", options_.method, methodNamed, methodChoices(), name(options_.method), "How meshes are decomposed");
     addChoice("Accuracy", "--effort", options_.effort, effortNamed, "quick, best", "quick",

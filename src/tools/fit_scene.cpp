@@ -64,23 +64,13 @@ void addOptions(CommandLine& app, SceneCommand& command) {
   addRobotOptions(app, "A ROS package, or a .urdf or .xacro file", command.robot);
 }
 
-double clearanceOf(const std::string& text) {
-  try {
-    const Length clearance = parseLength(text);
-    if (!clearance.relative) return clearance.value;
-  } catch (const Error&) {
-    // Said below, in this option's name.
-  }
-  throw Error(ErrorCode::kBadOption, "--clearance '" + text + "' is not understood: it takes a positive length, as in 2cm, 20mm or 0.02");
-}
-
 SceneRequest requestOf(const SceneCommand& command, const Input& input) {
   if (input.kind != Input::Kind::kRobot)
     throw Error(ErrorCode::kBadOption, "'" + input.path + "' is a mesh; only a robot, whose joints move, is fitted to a scene");
   if (command.samples <= 0)
     throw Error(ErrorCode::kBadOption, "--samples '" + std::to_string(command.samples) + "' is not understood: it takes a number above 0");
   const std::string srdf = command.srdf.empty() ? "" : readTextFile(command.srdf, ".srdf file");
-  const double clearance = clearanceOf(command.clearance);
+  const double clearance = parseMetres(command.clearance, "--clearance");
   SceneRequest request = readSceneRequest(input, {command.scene, srdf, command.srdf, command.configurations, command.max_step});
   request.clearance = clearance;
   request.samples = static_cast<std::size_t>(command.samples);

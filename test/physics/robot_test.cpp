@@ -28,7 +28,7 @@ std::unique_ptr<Rewritten> rewritten(Method method, const std::string& links) {
   const Input input = openInput(DEMO_ROBOT "/urdf/demo_arm.urdf");
   Options options;
   options.method = method;
-  options.tolerance = {0.02, true};
+  options.tolerance = shareOf(0.02);
   options.links = links;
   options.uri = UriStyle::kFile;
   options.validate = false;

@@ -123,7 +123,7 @@ TEST_F(CachedRun, EntriesAreWhatIsUsed) {
 TEST_F(CachedRun, OtherOptionsAreOtherEntries) {
   run();
   const std::vector<std::function<void(Options&)>> changes = {
-      [](Options& o) { o.tolerance = {0.03, true}; }, [](Options& o) { o.method = Method::kSingleHull; },
+      [](Options& o) { o.tolerance = shareOf(0.03); }, [](Options& o) { o.method = Method::kSingleHull; },
       [](Options& o) { o.effort = Effort::kBest; },   [](Options& o) { o.max_hulls = 1; },
       [](Options& o) { o.max_vertices = 8; },         [](Options& o) { o.seed = 2; }};
   for (std::size_t i = 0; i < changes.size(); ++i) {
@@ -140,7 +140,7 @@ TEST_F(CachedRun, OtherOptionsAreOtherEntries) {
 }
 
 TEST_F(CachedRun, AnotherToleranceIsCutFromTheSameTree) {
-  options_.tree = Length{0.005, true};
+  options_.tree = shareOf(0.005);
   const auto trees = [&] {
     std::set<std::string> names;
     for (const auto& [name, bytes] : entries())
@@ -150,7 +150,7 @@ TEST_F(CachedRun, AnotherToleranceIsCutFromTheSameTree) {
   run();
   const std::set<std::string> known = trees();
   EXPECT_EQ(known.size(), 2u) << "of the bracket and of the channel";
-  options_.tolerance = {0.02, true};
+  options_.tolerance = shareOf(0.02);
   const RobotResult second = run();
   EXPECT_EQ(cachedRows(second), kNone);
   EXPECT_EQ(trees(), known);
@@ -168,7 +168,7 @@ TEST_F(CachedRun, AnotherToleranceIsCutFromTheSameTree) {
 }
 
 TEST_F(CachedRun, ATreeIsCutToTheCaps) {
-  options_.tree = Length{0.005, true};
+  options_.tree = shareOf(0.005);
   options_.max_hulls = 1;
   for (const ElementReport& row : run().report.links) {
     if (row.status == Status::kFailed) continue;

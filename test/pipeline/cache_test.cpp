@@ -180,16 +180,16 @@ TEST(CacheKeys, EachInputOfAnElementCounts) {
       },
       [](ElementReport&, std::string& file, Options&) { file = "part.obj"; },
       [](ElementReport&, std::string&, Options& o) {
-        o.tolerance = {0.02, true};
+        o.tolerance = shareOf(0.02);
       },
       [](ElementReport&, std::string&, Options& o) {
-        o.tolerance = {0.01, false};
+        o.tolerance = lengthOf(0.01);
       },
       [](ElementReport&, std::string&, Options& o) { o.method = Method::kHacd; },
       [](ElementReport&, std::string&, Options& o) { o.effort = Effort::kBest; },
       [](ElementReport&, std::string&, Options& o) { o.fill = true; },
       [](ElementReport&, std::string&, Options& o) {
-        o.tree = {0.005, true};
+        o.tree = shareOf(0.005);
       },
       [](ElementReport&, std::string&, Options& o) { o.max_hulls = 3; },
       [](ElementReport&, std::string&, Options& o) { o.max_vertices = 32; },

@@ -265,7 +265,7 @@ TEST_F(DecomposeRobot, LinkNamesThatFileSystemsDoNotTake) {
 // The paper's method fills the channel: its ray concavity sees nothing there. The certificate does, and says so.
 TEST_F(DecomposeRobot, DegradedWithNumbersWhereTheToleranceIsNotKept) {
   options_.method = Method::kHacd;
-  options_.tolerance = {0.03, true};
+  options_.tolerance = shareOf(0.03);
   const RobotResult result = run(link("base", collision("channel.obj")));
   const ElementReport& row = result.report.links[0];
   ASSERT_EQ(row.status, Status::kDegraded);

@@ -53,7 +53,7 @@ TEST_F(FitRobotToScene, OtherMethodsMakeNoTree) {
 }
 
 TEST_F(FitRobotToScene, AnotherTreeIsRefused) {
-  options_.tree = Length{0.005, true};
+  options_.tree = shareOf(0.005);
   try {
     run(fixtures::link("base", bracket()));
     FAIL();

@@ -83,7 +83,7 @@ TEST(ReportJson, ValuesComeBack) {
   EXPECT_EQ(document["links"][1]["status"], "degraded");
   EXPECT_EQ(document["links"][2]["status"], "failed");
   EXPECT_EQ(document["links"][2]["error"], "FileNotFound");
-  EXPECT_EQ(document["options"]["tolerance"], "1%");
+  EXPECT_EQ(document["options"]["tolerance"], "1cm,5%");
   EXPECT_EQ(document["options"]["format"], "stl");
   const json totals = {{"links", 2},          {"meshes", 3},    {"triangles", 24}, {"hulls", 6},
                        {"hull_vertices", 48}, {"seconds", 1.5}, {"failed", 1},     {"degraded", 1}};

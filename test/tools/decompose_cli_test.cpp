@@ -33,7 +33,7 @@ class DecomposeProgram : public ProgramTest {
 TEST_F(DecomposeProgram, HelpNamesUnitsAndDefaults) {
   const Finished result = run("--help");
   EXPECT_EQ(result.status, 0);
-  for (const char* part : {"INPUT", "--tolerance", "5mm", "[1%]", "--max-vertices", "[64]", "Examples:", "Exit status:"})
+  for (const char* part : {"INPUT", "--tolerance", "5mm", "[1cm,5%]", "--max-vertices", "[64]", "Examples:", "Exit status:"})
     EXPECT_NE(result.out.find(part), std::string::npos) << part;
   EXPECT_EQ(result.err, "");
 }
@@ -117,7 +117,7 @@ TEST_F(DecomposeProgram, OptionsArriveInTheReport) {
           "--uri relative --no-validate --no-cache -o deep/out");
   EXPECT_EQ(result.status, 0) << result.err;
   const json report = json::parse(result.out);  // nothing but JSON
-  EXPECT_EQ(report["options"]["tolerance"], "0.002m");
+  EXPECT_EQ(report["options"]["tolerance"], "2mm");
   EXPECT_EQ(report["options"]["method"], "single_hull");
   EXPECT_EQ(report["options"]["max-hulls"], 3) << "a cap given by hand wins over the profile's";
   EXPECT_EQ(report["options"]["max-vertices"], 64);

@@ -1,7 +1,9 @@
-// The options of a run, as values; the command line, the service and the parameters all end here.
+// The options of a run, as values. The command line, the services and the node's parameters all become these.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -11,23 +13,36 @@
 
 namespace collision_hulls {
 
-/// A length, or a share of each mesh's bounding-box diagonal.
+/// A length, a share of each mesh's bounding-box diagonal, or the smaller of both. A part that is not set is infinite.
 struct Length {
-  double value = 0;  ///< metres, or a fraction (0.01 for 1 %)
-  bool relative = false;
-  double metres(double diagonal) const { return relative ? value * diagonal : value; }
+  static constexpr double kUnset = std::numeric_limits<double>::infinity();
+  double limit = kUnset;  ///< [m]
+  double share = kUnset;  ///< of the diagonal: 0.01 for 1 %
+  /// [m] for a mesh with this diagonal [m].
+  double metres(double diagonal) const { return share == kUnset ? limit : std::min(limit, share * diagonal); }
 };
+constexpr Length lengthOf(double metres) {
+  return {metres, Length::kUnset};
+}
+constexpr Length shareOf(double share) {
+  return {Length::kUnset, share};
+}
 
-/// "5mm", "0.5 cm", "0.005", "0.005m", "1%" ... Units: m, cm, mm, um, in, %. Throws kBadOption for anything else, for a value
-/// that is not positive or not finite, and for a percentage above 100; the message names the `option` and says what is understood.
+/// Reads "5mm", "0.5 cm", "0.005", "0.005m", "1%", or "1cm,5%" and "5%,1cm" for the smaller of both. Units: m, cm, mm, um, in, %.
+/// A number without a unit is in metres; in a pair the length needs its unit, so that "1,5%" is not read as 1 m and 5 %. Throws
+/// kBadOption for anything else, for a value that is not positive or not finite, and for a percentage above 100; the message names
+/// the `option` and says what it takes.
 Length parseLength(const std::string& text, const std::string& option = "tolerance");
-std::string toString(const Length& length);  ///< parseLength reads it back
+std::string toString(const Length& length);  ///< parseLength reads it back: "5mm", "1%", "1cm,5%"
+
+/// [m] Reads a length alone, without shares and pairs. Throws as parseLength.
+double parseMetres(const std::string& text, const std::string& option);
 
 enum class UriStyle { kPackage, kFile, kRelative };
 std::optional<UriStyle> uriStyleNamed(const std::string& name);
 
 struct Options {
-  Length tolerance{0.01, true};
+  Length tolerance{0.01, 0.05};
   Method method = Method::kCertified;
   Effort effort = Effort::kQuick;
   std::optional<Length> tree;  ///< cut the hulls from a tree whose leaves are this fine, kept in the cache (certified)

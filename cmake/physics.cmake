@@ -7,7 +7,7 @@ if(DART_FOUND)
   add_library(physics_room STATIC ${PHYSICS_SOURCES})
   target_include_directories(physics_room PUBLIC src)
   target_link_libraries(physics_room
-    PUBLIC ${PROJECT_NAME} dart dart-utils-urdf dart-collision-bullet assimp::assimp nlohmann_json::nlohmann_json)
+    PUBLIC ${PROJECT_NAME} dart dart-utils-urdf dart-collision-bullet found::assimp nlohmann_json::nlohmann_json)
   add_executable(physics src/tools/physics.cpp)
   target_link_libraries(physics physics_room command_line)
   set_target_properties(physics PROPERTIES INSTALL_RPATH "$ORIGIN/..")

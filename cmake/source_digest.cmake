@@ -25,7 +25,7 @@ string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
 set(build "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_SYSTEM_PROCESSOR} ${CMAKE_BUILD_TYPE}")
 string(APPEND build " ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}")
 string(APPEND build " assimp ${assimp_VERSION} eigen ${Eigen3_VERSION} fcl ${fcl_VERSION}")
-file(SHA256 "${QHULL_LIBRARY}" qhull)  # tells no version
+file(SHA256 "${qhull_r_LIBRARY}" qhull)
 string(APPEND build " qhull ${qhull}")
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS include/*.h src/*.h)
 add_custom_command(

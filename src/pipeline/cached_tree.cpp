@@ -6,13 +6,13 @@
 
 namespace collision_hulls {
 
-HullTree cachedTree(const std::string& file, const ElementReport& row, const RepairedMesh& mesh, const Options& options, double tolerance,
-                    Cache& cache, const RunControl& control) {
+CachedTree cachedTree(const std::string& file, const ElementReport& row, const RepairedMesh& mesh, const Options& options, double tolerance,
+                      Cache& cache, const RunControl& control) {
   const std::string key = treeKey(row, file, options, tolerance);
-  if (std::optional<HullTree> known = cache.findTree(key)) return std::move(*known);
+  if (std::optional<HullTree> known = cache.findTree(key)) return {std::move(*known), true};
   HullTree tree = hullTree(mesh, {options.method, tolerance, 0, options.max_vertices, options.seed, options.effort, options.fill}, control);
   cache.storeTree(key, tree);
-  return tree;
+  return {std::move(tree), false};
 }
 
 }  // namespace collision_hulls

@@ -9,8 +9,13 @@
 
 namespace collision_hulls {
 
+struct CachedTree {
+  HullTree tree;
+  bool found = false;  ///< in the cache
+};
+
 /// From the cache, or built and stored there. `file` and `row` as for treeKey(); leaves for `tolerance` [m].
-HullTree cachedTree(const std::string& file, const ElementReport& row, const RepairedMesh& mesh, const Options& options, double tolerance,
-                    Cache& cache, const RunControl& control);
+CachedTree cachedTree(const std::string& file, const ElementReport& row, const RepairedMesh& mesh, const Options& options, double tolerance,
+                      Cache& cache, const RunControl& control);
 
 }  // namespace collision_hulls

@@ -23,6 +23,7 @@
 namespace collision_hulls {
 namespace {
 
+constexpr double kMeshesShare = 0.9;     // of a run's time, about; the rest is the validation
 constexpr double kDecomposeShare = 0.7;  // of an element's time, about
 constexpr double kMuch = 0.1;            // of the protrusion, that blunt hulls are the cause of
 
@@ -73,7 +74,7 @@ void decomposeElement(const MeshTask& mesh, const Options& options, Cache& cache
   std::optional<HullTree> tree;
   if (options.tree) {
     const double leaves = std::min(options.tree->metres(row.diagonal), row.tolerance);
-    tree = cachedTree(mesh.file, row, read.repaired, options, leaves, cache, decomposing);
+    tree = cachedTree(mesh.file, row, read.repaired, options, leaves, cache, decomposing).tree;
     row.seconds.decompose = stage.lap();
   }
   MeshHulls made = meshHulls({element.original, read.repaired, *element.solid, read.margin}, method, row.seconds, decomposing, certifying,
@@ -109,17 +110,19 @@ void decomposeTask(const MeshTask& task, std::size_t index, const Options& optio
   ElementResult& first = elements[task.elements.front()];
   const std::string key = elementKey(first.report, task.file, options);
   try {
-    if (!takeFromCache(key, cache, first)) {
+    if (takeFromCache(key, cache, first)) {
+      progress.skip(index);
+    } else {
       decomposeElement(task, options, cache, progress, index, first);
       cache.storeElement(key, first);
     }
   } catch (...) {
     fail(first);
   }
-  progress.taskDone(index);
+  progress.finish(index);
   for (const std::size_t i : task.elements) {
     if (i != task.elements.front()) copyResult(first, elements[i]);
-    progress.finished(elements[i].report.link, elements[i].hulls.size());
+    progress.finishElement(elements[i].report.link, elements[i].hulls.size());
   }
 }
 
@@ -133,7 +136,8 @@ void validateOrRemember(RobotResult& result, const std::vector<MeshTask>& tasks,
   const std::string key = validationKey(result.elements, keys, options);
   const std::optional<Validation> known = cache.findValidation(key);
   RunControl validating;
-  progress.followValidation(validating);
+  progress.follow(validating, 0);
+  if (known) progress.skip(0);
   result.report.validation = known ? *known : validateElements(result.elements, options.seed, validating);
   result.report.validation_cached = known.has_value();
   if (!known) cache.storeValidation(key, result.report.validation);
@@ -147,18 +151,20 @@ void decomposeElements(RobotResult& result, const UriResolver& resolve, const Ru
   std::vector<ElementResult>& elements = result.elements;
   Cache cache(options.cache ? cacheFolder() : std::filesystem::path());
   withJobs(options.jobs, [&] {
+    Progress progress(control, step, elements.size());
     const std::vector<MeshTask> tasks = meshTasks(elements, resolve);
-    Progress progress(control, step, tasks.size(), elements.size());
+    progress.begin("decompose", options.validate ? kMeshesShare : 1, expectedCosts(tasks));
     for (const ElementResult& element : elements) {
-      if (element.report.status == Status::kFailed) progress.finished(element.report.link, 0);
+      if (element.report.status == Status::kFailed) progress.finishElement(element.report.link, 0);
     }
     // 1 to 4, each mesh once.
     forEachInTurn(tasks.size(), [&](std::size_t i) { decomposeTask(tasks[i], i, options, cache, progress, elements); });
     // 5. Validate: by queries, original against hulls.
     if (options.validate) {
+      progress.begin("validate", 1);
       validateOrRemember(result, tasks, cache, progress);
-      progress.validated();
     }
+    progress.end();
   });
   cache.trim();
   result.report.notes = cache.notes();

@@ -1,6 +1,7 @@
 #include "pipeline/elements.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -129,6 +130,12 @@ std::vector<MeshTask> meshTasks(std::vector<ElementResult>& elements, const std:
   }
   std::stable_sort(tasks.begin(), tasks.end(), [](const MeshTask& a, const MeshTask& b) { return a.bytes > b.bytes; });
   return tasks;
+}
+
+std::vector<double> expectedCosts(const std::vector<MeshTask>& tasks) {
+  std::vector<double> costs;
+  for (const MeshTask& task : tasks) costs.push_back(std::sqrt(static_cast<double>(task.bytes)));
+  return costs;
 }
 
 void expectUnchanged(const MeshTask& task) {

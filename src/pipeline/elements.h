@@ -41,6 +41,9 @@ struct MeshTask {
 /// Largest file first, so that no long task begins last.
 std::vector<MeshTask> meshTasks(std::vector<ElementResult>& elements, const std::function<std::string(const std::string& uri)>& resolve);
 
+/// In proportion to the time that the tasks take, roughly: the time spreads much less than the files' sizes.
+std::vector<double> expectedCosts(const std::vector<MeshTask>& tasks);
+
 /// Throws kFileNotFound where a task's file is no longer the one that its sha256 was taken of: its result would stand under a wrong name.
 void expectUnchanged(const MeshTask& task);
 

@@ -21,25 +21,21 @@
 namespace collision_hulls {
 namespace {
 
-// Shares of the whole time, about.
-constexpr double kTreesShare = 0.4, kFitShare = 0.4, kCertifyShare = 0.1;
+// Shares of the whole time at which stages end, about.
+constexpr double kTreesEnd = 0.4, kFitEnd = 0.8, kCertifyEnd = 0.9;
 constexpr double kFittedGap = 0.01;  // of the tolerance or, where that is more, of the protrusion that the tree tells
 
-/// A part of the whole run that goes from one share of its progress to another.
-struct Stretch : RunControl {
-  Stretch(const RunControl& run, double from, double to) {
-    whole = &run;
-    progress = [&run, from, to](double share) { run.report(from + (to - from) * share); };
-  }
-};
-
 /// 1 to 3 of a mesh: read, repair, and its hull tree. Fills the first of its elements.
-std::shared_ptr<const FitMesh> fitMesh(const MeshTask& task, const Options& options, Cache& cache, const RunControl& control,
+std::shared_ptr<const FitMesh> fitMesh(const MeshTask& task, std::size_t index, const Options& options, Cache& cache, Progress& progress,
                                        ElementResult& element) {
+  RunControl control;
+  progress.follow(control, index);
   const ReadMesh read = readElement(task, options, control, element);
   Stopwatch stage;
   const auto mesh = std::make_shared<FitMesh>();
-  mesh->tree = cachedTree(task.file, element.report, read.repaired, options, element.report.tolerance, cache, control);
+  CachedTree cached = cachedTree(task.file, element.report, read.repaired, options, element.report.tolerance, cache, control);
+  if (cached.found) progress.skip(index);
+  mesh->tree = std::move(cached.tree);
   mesh->original = element.original;
   mesh->solid = element.solid;
   mesh->margin = read.margin;
@@ -55,19 +51,17 @@ FitMeshes fitMeshes(const std::vector<MeshTask>& tasks, const Options& options, 
                     std::vector<ElementResult>& elements) {
   FitMeshes meshes(elements.size());
   forEachInTurn(tasks.size(), [&](std::size_t i) {
-    RunControl control;
-    progress.follow(control, i, 0, 1);
     const std::size_t first = tasks[i].elements.front();
     try {
-      meshes[first] = fitMesh(tasks[i], options, cache, control, elements[first]);
+      meshes[first] = fitMesh(tasks[i], i, options, cache, progress, elements[first]);
     } catch (...) {
       fail(elements[first]);
     }
-    progress.taskDone(i);
+    progress.finish(i);
     for (const std::size_t element : tasks[i].elements) {
       meshes[element] = meshes[first];
       if (element != first) copyResult(elements[first], elements[element]);
-      progress.finished(elements[element].report.link, meshes[element] ? (meshes[element]->tree.nodes.size() + 1) / 2 : 0);
+      progress.finishElement(elements[element].report.link, meshes[element] ? (meshes[element]->tree.nodes.size() + 1) / 2 : 0);
     }
   });
   return meshes;
@@ -185,27 +179,35 @@ std::vector<int> cutOf(const FittedElement& fitted) {
 using MeshCut = std::pair<const FitMesh*, std::vector<int>>;
 
 /// Elements with the same mesh and cut are certified once.
-void certifyAll(const FitMeshes& meshes, const SceneFit& fit, const std::vector<std::size_t>& indices, const RunControl& control,
+void certifyAll(const FitMeshes& meshes, const SceneFit& fit, const std::vector<std::size_t>& indices, Progress& progress,
                 std::vector<ElementResult>& elements) {
   std::map<MeshCut, std::vector<std::size_t>> same;
   for (std::size_t i = 0; i < indices.size(); ++i) same[{meshes[indices[i]].get(), cutOf(fit.elements[i])}].push_back(i);
   std::vector<std::vector<std::size_t>> groups;
   for (const auto& [what, members] : same) groups.push_back(members);
+  progress.begin("certify", kCertifyEnd, std::vector<double>(groups.size(), 1));
   forEachInTurn(groups.size(), [&](std::size_t g) {
+    RunControl control;
+    progress.follow(control, g);
     ElementResult& first = elements[indices[groups[g].front()]];
     try {
       certify(*meshes[indices[groups[g].front()]], fit.elements[groups[g].front()], control, first);
     } catch (...) {
       fail(first);
     }
+    progress.finish(g);
     for (const std::size_t i : groups[g])
       if (i != groups[g].front()) copyResult(first, elements[indices[i]]);
   });
 }
 
-void validateAll(RobotResult& result, const RunControl& control) {
+void validateAll(RobotResult& result, Progress& progress) {
   const Options& options = result.report.options;
-  if (options.validate) result.report.validation = validateElements(result.elements, options.seed, control);
+  if (!options.validate) return;
+  RunControl control;
+  progress.begin("validate", 1);
+  progress.follow(control, 0);
+  result.report.validation = validateElements(result.elements, options.seed, control);
 }
 
 std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options) {
@@ -278,27 +280,29 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   std::vector<std::string> notes = request.notes;
   for (const std::string& note : joints.notes()) notes.push_back(note);
   Cache cache(options.cache ? cacheFolder() : std::filesystem::path());
+  Progress progress(control, step, elements.size());
   withJobs(options.jobs, [&] {
     const std::vector<MeshTask> tasks =
         meshTasks(elements, [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); });
-    const Stretch trees(control, 0, kTreesShare), fitting(control, kTreesShare, kTreesShare + kFitShare);
-    const Stretch certifying(control, kTreesShare + kFitShare, kTreesShare + kFitShare + kCertifyShare);
-    const Stretch validating(control, kTreesShare + kFitShare + kCertifyShare, 1);
-    Progress progress(trees, step, tasks.size(), elements.size());
+    progress.begin("decompose", kTreesEnd, expectedCosts(tasks));
     for (const ElementResult& element : elements) {
-      if (element.report.status == Status::kFailed) progress.finished(element.report.link, 0);
+      if (element.report.status == Status::kFailed) progress.finishElement(element.report.link, 0);
     }
     FitMeshes meshes = fitMeshes(tasks, options, cache, progress, elements);
     failSiblings(meshes, elements);
     std::vector<std::size_t> indices;
     const FitProblem problem = problemOf(robot, request, options, elements, meshes, indices, notes);
     if (problem.elements.empty()) return;  // each mesh failed, or another one of its link
+    RunControl fitting;
+    progress.begin("fit", kFitEnd);
+    progress.follow(fitting, 0);
     const SceneFit fit = fitScene(problem, fit_options, fitting);
-    certifyAll(meshes, fit, indices, certifying, elements);
-    validateAll(result, validating);
+    certifyAll(meshes, fit, indices, progress, elements);
+    validateAll(result, progress);
     result.report.scene = fit.report;
     result.extra_files["config/" + fileName(robot.name) + "_disabled.srdf"] = srdfFragment(robot.name, fit.disabled);
   });
+  progress.end();
   cache.trim();
   result.report.notes = cache.notes();
   for (ElementResult& element : elements) element.solid = nullptr;

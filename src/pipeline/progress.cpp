@@ -2,61 +2,91 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace collision_hulls {
 namespace {
 
-constexpr double kValidationShare = 0.1;  // of a run's time, about
+// Before both the time left is a guess that would jump.
+constexpr double kLeastSeconds = 2, kLeastFraction = 0.05;
+
+double secondsSince(std::chrono::steady_clock::time_point time) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - time).count();
+}
 
 }  // namespace
 
-Progress::Progress(const RunControl& control, const StepCallback& step, std::size_t tasks, std::size_t elements)
-    : control_(control), step_(step), tasks_(tasks, 0.0) {
-  state_.stage = "decompose";
+Progress::Progress(const RunControl& control, const StepCallback& step, std::size_t elements, double period)
+    : control_(control), step_(step), period_(period) {
+  state_.stage = "read";
   state_.total = elements;
+  call();
 }
 
-void Progress::follow(RunControl& stage, std::size_t task, double from, double to) {
-  stage.whole = &control_;
-  stage.progress = [=](double fraction) { advance(task, from + (to - from) * fraction); };
-}
-
-void Progress::advance(std::size_t task, double fraction) {
+void Progress::begin(const std::string& stage, double until, std::vector<double> costs) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  tasks_[task] = std::max(tasks_[task], fraction);
-  report();
+  from_ = until_;
+  until_ = until;
+  costs_ = std::move(costs);
+  shares_.assign(costs_.size(), 0);
+  state_.stage = stage;
+  state_.item.clear();
+  update();
+  call();
 }
 
-void Progress::finished(const std::string& item, std::size_t hulls) {
+void Progress::follow(RunControl& part, std::size_t task, double from, double to) {
+  part.whole = &control_;
+  part.progress = [=](double share) { advance(task, from + (to - from) * share); };
+}
+
+void Progress::advance(std::size_t task, double share) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  shares_[task] = std::max(shares_[task], share);
+  update();
+  if (secondsSince(last_call_) >= period_) call();
+}
+
+void Progress::skip(std::size_t task) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const double before = state_.fraction;
+  shares_[task] = 1;
+  update();
+  free_ += state_.fraction - before;
+  if (secondsSince(last_call_) >= period_) call();
+}
+
+void Progress::finishElement(const std::string& item, std::size_t hulls) {
   const std::lock_guard<std::mutex> lock(mutex_);
   state_.item = item;
   ++state_.done;
   state_.hulls += hulls;
-  if (step_) step_(state_);
+  call();
 }
 
-void Progress::followValidation(RunControl& stage) {
-  stage.whole = &control_;
-  stage.progress = [this](double fraction) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    validation_ = std::max(validation_, fraction);
-    report();
-  };
-}
-
-void Progress::validated() {
+void Progress::end() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  validation_ = 1;
-  report();
-  state_.stage = "validate";
   state_.item.clear();
-  if (step_) step_(state_);
+  shares_.assign(shares_.size(), 1);
+  until_ = 1;
+  update();
+  call();
 }
 
-void Progress::report() {
-  const double done = std::accumulate(tasks_.begin(), tasks_.end(), 0.0);
-  const double share = tasks_.empty() ? 1.0 : done / static_cast<double>(tasks_.size());
-  control_.report((1 - kValidationShare) * share + kValidationShare * validation_);
+/// The fraction and the time left, from the tasks' shares.
+void Progress::update() {
+  const double whole = std::accumulate(costs_.begin(), costs_.end(), 0.0);
+  const double done = std::inner_product(costs_.begin(), costs_.end(), shares_.begin(), 0.0);
+  const double share = whole > 0 ? std::min(done / whole, 1.0) : 1;
+  state_.fraction = std::max(state_.fraction, share < 1 ? from_ + (until_ - from_) * share : until_);
+  const double seconds = secondsSince(start_), worked = state_.fraction - free_;
+  state_.seconds_left = seconds >= kLeastSeconds && worked >= kLeastFraction ? seconds * (1 - state_.fraction) / worked : -1;
+  control_.report(state_.fraction);
+}
+
+void Progress::call() {
+  last_call_ = Clock::now();
+  if (step_) step_(state_);
 }
 
 }  // namespace collision_hulls

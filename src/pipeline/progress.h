@@ -1,6 +1,10 @@
-// Gathers the progress of elements that are worked on at the same time, and tells the caller one call at a time.
+// Follows a run: gathers the progress of meshes that are worked on at the same time, and passes it on one call at a time.
+//
+// A run is a row of stages, each a given share of the whole; a stage is a set of tasks, weighted by what they are expected to cost. The
+// time left follows from the share done and the time that it took, less what came from the cache and took none.
 #pragma once
 
+#include <chrono>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -10,29 +14,44 @@
 
 namespace collision_hulls {
 
+/// Thread safe. Between the starts of stages and finished elements the callback is called at most once in `period` seconds; the control
+/// gets every fraction.
 class Progress {
  public:
-  /// `tasks` pieces of work of equal weight, which finish `elements` elements, then the validation.
-  Progress(const RunControl& control, const StepCallback& step, std::size_t tasks, std::size_t elements);
+  /// Begins the stage "read", which takes no share.
+  Progress(const RunControl& control, const StepCallback& step, std::size_t elements, double period = 0.2);
 
-  /// Follows a stage that spans the shares `from` to `to` of a task; stops when the whole run is cancelled. Thread safe.
-  void follow(RunControl& stage, std::size_t task, double from, double to);
+  /// Ends the stage before and begins the next one, which takes the run up to the share `until` of the whole.
+  void begin(const std::string& stage, double until, std::vector<double> costs = {1});
 
-  void finished(const std::string& item, std::size_t hulls);  ///< one element; thread safe
-  void taskDone(std::size_t task) { advance(task, 1); }
+  /// Makes `part` report the shares `from` to `to` of a task, and stop when the whole run is cancelled.
+  void follow(RunControl& part, std::size_t task, double from = 0, double to = 1);
 
-  void followValidation(RunControl& stage);
-  void validated();
+  void finish(std::size_t task) { advance(task, 1); }
+  void skip(std::size_t task);  ///< done at no cost: the cache had it
+
+  /// One element of the robot is done.
+  void finishElement(const std::string& item, std::size_t hulls);
+
+  /// The run is done: the fraction is 1.
+  void end();
 
  private:
-  void advance(std::size_t task, double fraction);
-  void report();
+  using Clock = std::chrono::steady_clock;
+
+  void advance(std::size_t task, double share);
+  void update();
+  void call();
 
   const RunControl& control_;
   const StepCallback& step_;
+  const double period_;
+  const Clock::time_point start_ = Clock::now();
+  Clock::time_point last_call_;
   std::mutex mutex_;
-  std::vector<double> tasks_;  // share done of each
-  double validation_ = 0;      // share done
+  double from_ = 0, until_ = 0;         // of the whole, what the stage begins and ends with
+  std::vector<double> costs_, shares_;  // of the stage's tasks: weight, and share done
+  double free_ = 0;                     // of the whole, what was done at no cost
   Step state_;
 };
 

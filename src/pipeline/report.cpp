@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pipeline/totals.h"
+#include "collision_hulls/pipeline/totals.h"
 
 namespace collision_hulls {
 

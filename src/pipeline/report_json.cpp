@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "collision_hulls/pipeline/report.h"
-#include "pipeline/totals.h"
+#include "collision_hulls/pipeline/totals.h"
 
 namespace collision_hulls {
 namespace {

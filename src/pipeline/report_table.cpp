@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "collision_hulls/pipeline/report.h"
-#include "pipeline/totals.h"
+#include "collision_hulls/pipeline/totals.h"
 
 namespace collision_hulls {
 namespace {

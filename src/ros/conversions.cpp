@@ -4,6 +4,9 @@
 #include <cmath>
 #include <map>
 
+#include "collision_hulls/pipeline/progress_text.h"
+#include "collision_hulls/pipeline/totals.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -108,7 +111,8 @@ void addWorst(const ElementResult& element, MarkerList& markers) {
 
 }  // namespace
 
-LinkReport toMessage(const ElementReport& report) {
+LinkReport toMessage(const ElementResult& element) {
+  const ElementReport& report = element.report;
   LinkReport message;
   message.link = report.link;
   message.element = report.element;
@@ -122,15 +126,38 @@ LinkReport toMessage(const ElementReport& report) {
   message.uncovered = report.uncovered;
   message.protrusion = report.protrusion;
   message.protrusion_found = report.protrusion_found;
+  if (report.status != Status::kFailed) {
+    message.worst = toPoint(element.source.origin * report.worst);
+    message.worst_nearest = toPoint(element.source.origin * report.worst_nearest);
+  }
   const StageSeconds& s = report.seconds;
   message.seconds = s.read + s.repair + s.decompose + s.certify + s.write;
   return message;
 }
 
-std::vector<LinkReport> toMessages(const Report& report) {
+std::vector<LinkReport> toMessages(const RobotResult& result) {
   std::vector<LinkReport> messages;
-  for (const ElementReport& element : report.links) messages.push_back(toMessage(element));
+  for (const ElementResult& element : result.elements) messages.push_back(toMessage(element));
   return messages;
+}
+
+RunTotals toTotals(const Report& report) {
+  const Totals sums = totals(report);
+  RunTotals message;
+  message.links = static_cast<std::uint32_t>(sums.links);
+  message.meshes = static_cast<std::uint32_t>(sums.meshes);
+  message.triangles = static_cast<std::uint32_t>(sums.triangles);
+  message.hulls = static_cast<std::uint32_t>(sums.hulls);
+  message.hull_vertices = static_cast<std::uint32_t>(sums.hull_vertices);
+  message.degraded = static_cast<std::uint32_t>(sums.degraded);
+  message.failed = static_cast<std::uint32_t>(sums.failed);
+  for (const ElementReport& row : report.links) {
+    if (row.protrusion <= message.protrusion) continue;
+    message.protrusion = row.protrusion;
+    message.worst_link = row.link;
+  }
+  message.seconds = report.seconds;
+  return message;
 }
 
 DecomposeFeedback toMessage(const Step& step) {
@@ -140,22 +167,20 @@ DecomposeFeedback toMessage(const Step& step) {
   feedback.done = static_cast<std::uint32_t>(step.done);
   feedback.total = static_cast<std::uint32_t>(step.total);
   feedback.hulls = static_cast<std::uint32_t>(step.hulls);
+  feedback.fraction = step.fraction;
+  feedback.seconds_left = step.seconds_left < 0 ? -1 : step.seconds_left;
+  feedback.text = stepText(step);
   return feedback;
 }
 
 std::string summary(const Report& report) {
-  std::size_t hulls = 0, failed = 0;
-  std::string failures;
-  for (const ElementReport& element : report.links) {
-    hulls += element.hulls;
-    if (element.status != Status::kFailed) continue;
-    ++failed;
-    failures += "\n" + element.link + " (element " + std::to_string(element.element) + "): " + element.reason;
-  }
-  std::string text = std::to_string(report.links.size()) + " meshes, " + std::to_string(hulls) + " hulls";
-  if (failed > 0) text += ", " + std::to_string(failed) + " meshes failed:" + failures;
-  for (const std::string& note : report.notes) text += "\nnote: " + note;
-  return text;
+  const auto count = [](std::size_t n, const char* one, const char* many) { return std::to_string(n) + " " + (n == 1 ? one : many); };
+  const Totals sums = totals(report);
+  std::string text;
+  for (const ElementReport& row : report.links)
+    if (row.status == Status::kFailed) text += row.link + ", " + row.uri + " failed: " + row.reason + "\n";
+  return text + count(sums.hulls, "hull", "hulls") + " for " + count(sums.meshes - sums.failed, "mesh", "meshes") +
+         (sums.failed > 0 ? ", " + std::to_string(sums.failed) + " failed" : "");
 }
 
 std_msgs::ColorRGBA hullColour(std::size_t index) {

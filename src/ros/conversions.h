@@ -3,6 +3,7 @@
 
 #include <collision_hulls/DecomposeFeedback.h>
 #include <collision_hulls/LinkReport.h>
+#include <collision_hulls/RunTotals.h>
 #include <std_msgs/ColorRGBA.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -13,11 +14,12 @@
 
 namespace collision_hulls {
 
-LinkReport toMessage(const ElementReport& report);
-std::vector<LinkReport> toMessages(const Report& report);
+LinkReport toMessage(const ElementResult& element);
+std::vector<LinkReport> toMessages(const RobotResult& result);
+RunTotals toTotals(const Report& report);
 DecomposeFeedback toMessage(const Step& step);
 
-/// What was made ("3 meshes, 7 hulls"), and a line for each mesh that failed.
+/// A line for each mesh that failed, then what was made: "7 hulls for 3 meshes".
 std::string summary(const Report& report);
 
 /// The colour of the n-th hull of a robot: hues spread by the golden ratio, so that neighbours in the list differ most and no two

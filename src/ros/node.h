@@ -1,55 +1,46 @@
-// The node: the service, the action and the topic over one worker.
+// The node: two kinds of job, each with a service and an action, over one worker.
 #pragma once
 
-#include <actionlib/server/action_server.h>
 #include <collision_hulls/Decompose.h>
 #include <collision_hulls/DecomposeAction.h>
 #include <collision_hulls/FitScene.h>
+#include <collision_hulls/FitSceneAction.h>
 #include <ros/ros.h>
 
-#include <functional>
 #include <string>
 
 #include "collision_hulls/pipeline/decompose_robot.h"
+#include "door.h"
 #include "worker.h"
 
 namespace collision_hulls {
 
-/// Serves ~decompose, ~decompose_action and ~fit_scene, publishes ~markers and sets ~robot_description. One request is worked on at a time,
-/// on a thread of its own; another one that arrives meanwhile is refused at once. A request that cannot be met gets the library's message;
-/// the node lives on. Needs a spinner with at least two threads: a service call keeps one until it is answered.
+/// Serves ~decompose, ~decompose_action, ~fit_scene and ~fit_scene_action, publishes ~markers and sets ~robot_description. It works on one
+/// request at a time, on a thread of its own, and refuses another that arrives meanwhile. A request that it cannot meet gets the library's
+/// message; the node lives on. Needs a spinner with at least two threads: a service call occupies one until it is answered.
 class Node {
  public:
   Node();
 
-  /// Cancels what is being worked on and refuses further requests; for the way out.
+  /// For the way out: cancels the running job and refuses further requests.
   void stop() { worker_.stop(); }
 
  private:
-  using ActionServer = actionlib::ActionServer<DecomposeAction>;
-  using GoalHandle = ActionServer::GoalHandle;
-
-  bool serve(DecomposeRequest& request, DecomposeResponse& response);
-  bool serveFit(FitSceneRequest& request, FitSceneResponse& response);
-  /// Waits for `work` on the worker's thread; the message says so where it is busy.
-  void serveOne(const std::function<void(const RunControl&)>& work, std::string& message);
-  void pursue(GoalHandle goal);
-  bool isToStartAtOnce() const;
+  bool startsAtOnce() const;
   void decomposeAtStart();
-  std::string busy() const;
 
-  /// The whole jobs. Throw what is wrong.
-  DecomposeResponse decompose(const DecomposeRequest& request, const RunControl& control, const StepCallback& step) const;
-  FitSceneResponse fit(const FitSceneRequest& request, const RunControl& control) const;
+  /// The jobs. Throw what is wrong.
+  DecomposeResponse decompose(const DecomposeRequest& request, const RunControl& control, const StepCallback& step);
+  FitSceneResponse fit(const FitSceneRequest& request, const RunControl& control, const StepCallback& step);
   std::string outputFor(const std::string& requested, const Input& input) const;
   RobotDescription readRobot(const std::string& text, const std::string& base) const;
   void show(const RobotResult& result) const;
 
   ros::NodeHandle node_, private_{"~"};
   ros::Publisher markers_;
-  ActionServer action_;
-  ros::ServiceServer service_, fit_service_;
-  Worker worker_;  // after what its jobs use, so that it ends before
+  Door<Decompose, DecomposeAction> decompose_door_;
+  Door<FitScene, FitSceneAction> fit_door_;
+  Worker worker_;  // last, so that its thread ends before what its jobs use
 };
 
 }  // namespace collision_hulls

@@ -47,4 +47,9 @@ std::string Worker::current() const {
   return current_;
 }
 
+std::string Worker::refusal() const {
+  const std::string job = current();
+  return "busy: working on " + (job.empty() ? "another request" : job) + "; try again when it is done, or cancel it";
+}
+
 }  // namespace collision_hulls

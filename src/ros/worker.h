@@ -35,6 +35,9 @@ class Worker {
   /// Name of the running job; empty when there is none.
   std::string current() const;
 
+  /// What to tell whoever's job was not started: "busy: ...".
+  std::string refusal() const;
+
  private:
   void run(const Job& job, const RunControl& control);
 

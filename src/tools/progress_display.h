@@ -1,12 +1,15 @@
-// Progress on standard error: a bar on a terminal, a line per step elsewhere.
+// Progress on standard error: a bar on a terminal; elsewhere a line at once, and another every few seconds.
 #pragma once
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
 #include "collision_hulls/pipeline/decompose_robot.h"
+#include "collision_hulls/pipeline/progress_text.h"
 
 namespace collision_hulls {
 
@@ -15,20 +18,17 @@ class ProgressDisplay {
   explicit ProgressDisplay(bool quiet) : quiet_(quiet), bar_(!quiet && isatty(STDERR_FILENO)) {}
   ~ProgressDisplay() { clear(); }
 
-  void fraction(double fraction) {
-    const int percent = static_cast<int>(100 * fraction);
-    if (!bar_ || percent == percent_) return;
-    percent_ = percent;
-    draw();
+  /// Says what goes on before the first step.
+  void say(const std::string& text) const {
+    if (quiet_) return;
+    std::fprintf(stderr, bar_ ? "\r\033[K%s" : "%s\n", text.c_str());
   }
 
   void step(const Step& step) {
-    if (quiet_) return;
-    step_ = step;
     if (bar_) {
-      draw();
-    } else {
-      std::fprintf(stderr, "%s\n", text().c_str());
+      draw(step);
+    } else if (!quiet_ && is_due_()) {
+      std::fprintf(stderr, "%s\n", progressLine(step).c_str());
     }
   }
 
@@ -38,22 +38,24 @@ class ProgressDisplay {
   }
 
  private:
-  std::string text() const {
-    if (step_.total == 0) return "";  // nothing is finished yet
-    return step_.stage + " " + std::to_string(step_.done) + "/" + std::to_string(step_.total) + ", " + std::to_string(step_.hulls) +
-           " hulls" + (step_.item.empty() ? "" : ": " + step_.item);
+  static std::size_t columns() {
+    winsize size{};
+    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
   }
 
-  void draw() const {
-    constexpr std::size_t kWidth = 30;
-    const std::size_t full = kWidth * static_cast<std::size_t>(percent_) / 100;
-    const std::string bar = std::string(full, '#') + std::string(kWidth - full, '.');
-    std::fprintf(stderr, "\r\033[K[%s] %3d%%  %.60s", bar.c_str(), percent_, text().c_str());
+  /// A line that wrapped could not be drawn over: it ends before the last column.
+  static void draw(const Step& step) {
+    constexpr std::size_t kWidth = 20;
+    const std::size_t full = kWidth * static_cast<std::size_t>(percent(step)) / 100;
+    char start[64];
+    std::snprintf(start, sizeof start, "[%s%s] %3d %%  ", std::string(full, '#').c_str(), std::string(kWidth - full, '.').c_str(),
+                  percent(step));
+    const std::string line = start + stepText(step);
+    std::fprintf(stderr, "\r\033[K%s", line.substr(0, columns() - 1).c_str());
   }
 
   bool quiet_, bar_;
-  int percent_ = 0;
-  Step step_;
+  Throttle is_due_;
 };
 
 }  // namespace collision_hulls

@@ -97,13 +97,13 @@ using RobotWork =
 inline int runRobotCommand(const RobotCommand& command, const RobotWork& work) {
   static RunControl control;  // a signal may come until the program ends
   ProgressDisplay display(command.quiet);
-  control.progress = [&](double fraction) { display.fraction(fraction); };
   cancelOnSignals(control);
 
   check(command.options);
   if (command.options.effort != Effort::kQuick && command.options.method != Method::kCertified)
     throw Error(ErrorCode::kBadOption, std::string("effort '") + name(command.options.effort) + "' is not for method '" +
                                            name(command.options.method) + "': only certified searches; leave one of the two out");
+  display.say("reading " + command.input);
   const Input input = openInput(command.input);
   if (input.kind != Input::Kind::kRobot && !command.options.links.empty())
     throw Error(ErrorCode::kBadOption,

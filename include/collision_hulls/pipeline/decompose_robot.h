@@ -38,12 +38,15 @@ struct RobotResult {
   std::map<std::string, std::string> extra_files;  ///< further files of the output package: path in it, content
 };
 
-/// What a run is doing, for bars and feedback. Calls come one at a time, from any thread.
+/// What a run is doing, for bars and feedback.
 struct Step {
-  std::string stage;  ///< "decompose", "validate"
-  std::string item;   ///< link (and element) just finished
-  std::size_t done = 0, total = 0, hulls = 0;
+  std::string stage;                           ///< "read", "decompose", "fit" and "certify" (to a scene), "validate"
+  std::string item;                            ///< link of the mesh finished last; empty where there is none in this stage
+  std::size_t done = 0, total = 0, hulls = 0;  ///< meshes finished, all meshes, hulls so far
+  double fraction = 0;                         ///< share of the whole run done, in [0, 1], never decreasing; 1 at the end alone
+  double seconds_left = -1;                    ///< a rough estimate; negative where there is none yet
 };
+/// Called at the start of each stage, for each finished mesh, and at most every 0.2 s in between; one call at a time, from any thread.
 using StepCallback = std::function<void(const Step&)>;
 
 /// The flow on one screen: for each mesh of each link read, repair, decompose, cover and round, certify; then validate.

@@ -71,8 +71,7 @@ std::string absolute(const std::string& path) {
 }  // namespace
 
 Node::Node()
-    : markers_(private_.advertise<visualization_msgs::MarkerArray>("markers", 1, true)),
-      decompose_door_(private_, "decompose", worker_,
+    : decompose_door_(private_, "decompose", worker_,
                       [this](const auto& request, const auto& control, const auto& step) { return decompose(request, control, step); }),
       fit_door_(private_, "fit_scene", worker_,
                 [this](const auto& request, const auto& control, const auto& step) { return fit(request, control, step); }) {
@@ -103,7 +102,8 @@ DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunCont
   const Input input{Input::Kind::kRobot, "", robot, packageFinder(robot.path)};
   const std::string output = outputFor(request.output, input);
 
-  RobotResult result = decomposeRobot(robot, input.find_package, options, output, control, logged(step));
+  const ViewedRun view(view_, robot, options.source, input.find_package);
+  RobotResult result = decomposeRobot(robot, input.find_package, options, output, control, view.shown(logged(step)));
   DecomposeResponse response = written<DecomposeResponse>(result, output, request.brief, control);
   if (!response.urdf_path.empty()) show(result);
   return response;
@@ -119,9 +119,10 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
   const std::string output = outputFor(request.output, input);
   const SceneRequest scene = requestedScene(request, input, control);
 
-  RobotResult result = fitRobotToScene(robot, input.find_package, scene, options, output, control, logged(step));
+  const ViewedRun view(view_, robot, options.source, input.find_package);
+  RobotResult result = fitRobotToScene(robot, input.find_package, scene, options, output, control, view.shown(logged(step)));
   FitSceneResponse response = written<FitSceneResponse>(result, output, request.brief, control);
-  if (!response.urdf_path.empty()) show(result);
+  if (!response.urdf_path.empty()) show(result, &scene.scene);
   if (!result.extra_files.empty()) response.srdf = result.extra_files.begin()->second;
   return response;
 }
@@ -144,8 +145,8 @@ RobotDescription Node::readRobot(const std::string& text, const std::string& bas
   return parseRobotDescription(parameter, path);
 }
 
-void Node::show(const RobotResult& result) const {
-  markers_.publish(toMarkers(result));
+void Node::show(const RobotResult& result, const Scene* scene) {
+  view_.show(result, scene);
   private_.setParam("robot_description", result.urdf);
 }
 

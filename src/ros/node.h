@@ -11,13 +11,14 @@
 
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "door.h"
+#include "view.h"
 #include "worker.h"
 
 namespace collision_hulls {
 
-/// Serves ~decompose, ~decompose_action, ~fit_scene and ~fit_scene_action, publishes ~markers and sets ~robot_description. It works on one
-/// request at a time, on a thread of its own, and refuses another that arrives meanwhile. A request that it cannot meet gets the library's
-/// message; the node lives on. Needs a spinner with at least two threads: a service call occupies one until it is answered.
+/// Serves ~decompose, ~decompose_action, ~fit_scene and ~fit_scene_action, publishes the topics of view.h and sets ~robot_description. It
+/// works on one request at a time, on a thread of its own, and refuses another that arrives meanwhile. A request that it cannot meet gets
+/// the library's message; the node lives on. Needs a spinner with at least two threads: a service call occupies one until it is answered.
 class Node {
  public:
   Node();
@@ -34,10 +35,10 @@ class Node {
   FitSceneResponse fit(const FitSceneRequest& request, const RunControl& control, const StepCallback& step);
   std::string outputFor(const std::string& requested, const Input& input) const;
   RobotDescription readRobot(const std::string& text, const std::string& base) const;
-  void show(const RobotResult& result) const;
+  void show(const RobotResult& result, const Scene* scene = nullptr);
 
   ros::NodeHandle node_, private_{"~"};
-  ros::Publisher markers_;
+  View view_{private_};
   Door<Decompose, DecomposeAction> decompose_door_;
   Door<FitScene, FitSceneAction> fit_door_;
   Worker worker_;  // last, so that its thread ends before what its jobs use

@@ -1,0 +1,169 @@
+// Keeps what is drawn, topic by topic, and publishes it: on a change, and again when rviz may have been too early to keep it.
+//
+// Publishing again is bounded, since the original of a large robot takes tens of megabytes: kRepeats after each event, to subscribers only.
+// An event is a subscriber that connects or a frame that appears, never a clock.
+#include "view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "parameters.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr double kRepeats[] = {0.5, 2, 8};  // [s] after an event and after each other: rviz hears of a frame at another time than we do
+constexpr double kOpacity = 0.6;
+
+visualization_msgs::Marker deleteAll() {
+  visualization_msgs::Marker marker;
+  marker.action = visualization_msgs::Marker::DELETEALL;
+  return marker;
+}
+
+/// tf2 frames have no leading slash; older publishers write one.
+std::string frameName(const std::string& name) {
+  return name.substr(std::min(name.find_first_not_of('/'), name.size()));
+}
+
+std::string rootOf(const RobotDescription& robot) {
+  for (const LinkDescription& link : robot.links)
+    if (link.parent.empty()) return link.name;
+  return "";
+}
+
+}  // namespace
+
+std::string progressText(const Step& step) {
+  std::string text = step.stage;
+  if (step.fraction > 0) text += ": " + std::to_string(std::lround(100 * std::min(step.fraction, 1.0))) + " %";
+  if (step.total > 0) text += ", " + std::to_string(step.done) + " of " + std::to_string(step.total) + " meshes";
+  if (step.hulls > 0) text += ", " + std::to_string(step.hulls) + " hulls";
+  return text;
+}
+
+StepCallback ViewedRun::shown(StepCallback step) const {
+  return [&view = view_, step = std::move(step)](const Step& now) {
+    view.progress(now);
+    if (step) step(now);
+  };
+}
+
+View::View(const ros::NodeHandle& node) : node_(node) {
+  opacity_ = std::clamp(node_.param("opacity", kOpacity), 0.0, 1.0);
+  const char* const names[kTopics] = {"hulls", "original", "protrusion", "labels", "unneeded", "scene", "progress", "markers"};
+  const auto connected = [this](const ros::SingleSubscriberPublisher&) { subscribed(); };
+  for (std::size_t i = 0; i < kTopics; ++i)
+    displays_[i].publisher = node_.advertise<visualization_msgs::MarkerArray>(names[i], 1, connected, {}, ros::VoidConstPtr(), true);
+  timer_ = node_.createWallTimer(
+      ros::WallDuration(kRepeats[0]), [this](const ros::WallTimerEvent&) { repeat(); }, true, false);
+  transforms_ = node_.subscribe("/tf", 100, &View::transformed, this);
+  static_transforms_ = node_.subscribe("/tf_static", 100, &View::transformed, this);
+}
+
+void View::begin(const RobotDescription& robot, Source source, const PackageFinder& find_package) {
+  const MeshFile file = [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); };
+  Drawing original = drawOriginal(robot, source, file);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    root_ = rootOf(robot);
+    if (!has_result_) put(std::move(original));
+  }
+  const RobotBounds bounds = robotBounds(robot, source, file);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  bounds_ = bounds;
+  announceBounds(robot.name);
+}
+
+void View::progress(const Step& step) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  putProgress(progressText(step));
+}
+
+void View::show(const RobotResult& result, const Scene* scene) {
+  Drawing drawing = drawResult(result, scene, opacity_);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  has_result_ = true;
+  put(std::move(drawing));
+}
+
+void View::end() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  putProgress("");
+}
+
+void View::put(Topic topic, MarkerList markers) {
+  Display& display = displays_[topic];
+  for (const visualization_msgs::Marker& marker : markers) drawn_.insert(marker.header.frame_id);
+  display.markers.markers = std::move(markers);
+  display.markers.markers.insert(display.markers.markers.begin(), deleteAll());
+  display.publisher.publish(display.markers);
+}
+
+void View::put(Drawing drawing) {
+  drawn_.clear();
+  MarkerList all;
+  for (const MarkerList* list :
+       {&drawing.hulls, &drawing.original, &drawing.protrusion, &drawing.labels, &drawing.unneeded, &drawing.scene})
+    all.insert(all.end(), list->begin(), list->end());
+  put(kAll, std::move(all));
+  put(kHulls, std::move(drawing.hulls));
+  put(kOriginal, std::move(drawing.original));
+  put(kProtrusion, std::move(drawing.protrusion));
+  put(kLabels, std::move(drawing.labels));
+  put(kUnneeded, std::move(drawing.unneeded));
+  put(kScene, std::move(drawing.scene));
+  repeatSoon();
+}
+
+void View::putProgress(const std::string& text) {
+  if (text == progress_text_) return;
+  progress_text_ = text;
+  put(kProgress, text.empty() ? MarkerList() : MarkerList{drawProgress(text, root_, bounds_)});
+}
+
+void View::announceBounds(const std::string& robot) {
+  XmlRpc::XmlRpcValue value;
+  value["robot"] = robot;
+  value["frame"] = root_;
+  for (int i = 0; i < 3; ++i) value["centre"][i] = bounds_.centre[i];
+  value["radius"] = bounds_.radius;
+  node_.setParam("view", value);
+}
+
+void View::subscribed() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  repeatSoon();
+}
+
+void View::transformed(const tf2_msgs::TFMessageConstPtr& message) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  bool is_news = false;
+  for (const geometry_msgs::TransformStamped& transform : message->transforms) {
+    for (const std::string& frame : {frameName(transform.child_frame_id), frameName(transform.header.frame_id)}) {
+      if (seen_.insert(frame).second && drawn_.count(frame)) is_news = true;
+    }
+  }
+  if (is_news) repeatSoon();
+}
+
+void View::repeatSoon() {
+  repeats_ = 0;
+  timer_.stop();
+  timer_.setPeriod(ros::WallDuration(kRepeats[0]));
+  timer_.start();
+}
+
+void View::repeat() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const Display& display : displays_) {
+    if (display.publisher.getNumSubscribers() > 0 && !display.markers.markers.empty()) display.publisher.publish(display.markers);
+  }
+  if (++repeats_ == std::size(kRepeats)) return;
+  timer_.stop();
+  timer_.setPeriod(ros::WallDuration(kRepeats[repeats_]));
+  timer_.start();
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,91 @@
+// The node's topics for rviz.
+#pragma once
+
+#include <ros/ros.h>
+#include <tf2_msgs/TFMessage.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <array>
+#include <mutex>
+#include <set>
+#include <string>
+
+#include "collision_hulls/pipeline/decompose_robot.h"
+#include "markers.h"
+
+namespace collision_hulls {
+
+/// Publishes what there is to see of a run, from its start to its result: latched MarkerArrays on ~hulls, ~original, ~protrusion, ~labels,
+/// ~unneeded, ~scene and ~progress, one display each, and on ~markers all but the progress. Every array first deletes the markers of the
+/// one before. Sets the parameter ~view to the robot's name, root link and bounds, for the camera.
+///
+/// rviz drops markers whose frame it does not know (yet), and latched ones never come again. So all is published again, a few times at
+/// growing intervals, after each new subscriber and after each link's first transform on /tf or /tf_static. Thread safe; needs a spinner.
+class View {
+ public:
+  /// `node`: the private name space.
+  explicit View(const ros::NodeHandle& node);
+
+  /// A run begins: shows the original at once, unless an earlier result is shown, which stays until the next.
+  void begin(const RobotDescription& robot, Source source, const PackageFinder& find_package);
+
+  /// How far it is; does nothing where that would change no character of the text.
+  void progress(const Step& step);
+
+  /// Its result, with the scene that the robot was fitted to (null: none).
+  void show(const RobotResult& result, const Scene* scene = nullptr);
+
+  /// It is over, whether with a result or not.
+  void end();
+
+ private:
+  enum Topic { kHulls, kOriginal, kProtrusion, kLabels, kUnneeded, kScene, kProgress, kAll, kTopics };
+  struct Display {
+    ros::Publisher publisher;
+    visualization_msgs::MarkerArray markers;
+  };
+
+  void put(Topic topic, MarkerList markers);  // these need the mutex to be held
+  void put(Drawing drawing);
+  void putProgress(const std::string& text);
+  void repeatSoon();
+
+  void announceBounds(const std::string& robot);
+  void subscribed();
+  void transformed(const tf2_msgs::TFMessageConstPtr& message);
+  void repeat();
+
+  std::mutex mutex_;
+  ros::NodeHandle node_;
+  double opacity_ = 1;
+  bool has_result_ = false;
+  std::string root_, progress_text_;
+  RobotBounds bounds_;
+  std::array<Display, kTopics> displays_;
+  std::set<std::string> drawn_, seen_;  // frames: of markers, and with a transform
+  std::size_t repeats_ = 0;             // since the last event
+  ros::WallTimer timer_;
+  ros::Subscriber transforms_, static_transforms_;  // last, so that no call comes to a half-built or half-gone view
+};
+
+/// A run, for as long as it is shown as one.
+class ViewedRun {
+ public:
+  ViewedRun(View& view, const RobotDescription& robot, Source source, const PackageFinder& find_package) : view_(view) {
+    view_.begin(robot, source, find_package);
+  }
+  ~ViewedRun() { view_.end(); }
+  ViewedRun(const ViewedRun&) = delete;
+  ViewedRun& operator=(const ViewedRun&) = delete;
+
+  /// `step`, which may be empty, with the progress shown as well.
+  StepCallback shown(StepCallback step) const;
+
+ private:
+  View& view_;
+};
+
+/// The text above the robot: "decompose: 43 %, 12 of 17 meshes, 210 hulls".
+std::string progressText(const Step& step);
+
+}  // namespace collision_hulls

@@ -1,4 +1,4 @@
-// Elbow: an L-bracket with a gusset. One leg turns about the elbow axis y beside the upper arm, the other one carries the
+// Elbow: an L-bracket with a gusset. One leg turns about the elbow axis y beside the upper arm; the other carries the
 // forearm, whose roll axis is parallel to x at z = 55.
 include <shapes.scad>
 

@@ -1,4 +1,4 @@
-// Gripper housing: a box that is open to the front, x, with ribs on its back wall and windows above and below.
+// Gripper housing: a box open to the front (x), with ribs on its back wall and windows above and below.
 include <shapes.scad>
 
 depth = 46;

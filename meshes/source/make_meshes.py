@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the parts of the demo robot with OpenSCAD and writes them in the formats, units and up-axes that the robot mixes.
+"""Renders the parts of the demo robot with OpenSCAD and writes them in the robot's mixture of formats, units and up-axes.
 
 usage: make_meshes.py [FOLDER]        default: the folder above this one
 """

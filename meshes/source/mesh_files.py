@@ -1,4 +1,4 @@
-"""Triangle meshes as OpenSCAD gives them, and writers of binary STL, OBJ and Collada. Standard library only.
+"""Triangle meshes from OpenSCAD, and writers for binary STL, OBJ and Collada. Standard library only.
 
 Every writer gives the same bytes for the same mesh: vertices and faces are sorted, numbers are rounded to 7 digits.
 """
@@ -12,7 +12,7 @@ Material = collections.namedtuple("Material", "name rgb")
 
 
 def read_off(text):
-    """A mesh from OpenSCAD's OFF: faces are fans of triangles, the order is made canonical."""
+    """Reads a mesh from OpenSCAD's OFF: faces become fans of triangles, in a canonical order."""
     rows = [line.split() for line in text.splitlines() if line.strip()]
     count, face_count = int(rows[0][1]), int(rows[0][2])
     points = [tuple(float(number) + 0.0 for number in row[:3]) for row in rows[1:1 + count]]
@@ -33,7 +33,7 @@ def scaled(mesh, factor):
 
 
 def y_up(mesh):
-    """The mesh in a frame whose y axis is up where it was z: (x, y, z) becomes (x, z, -y)."""
+    """The mesh in a frame with y up instead of z: (x, y, z) becomes (x, z, -y)."""
     return Mesh([(x, z, -y + 0.0) for x, y, z in mesh.vertices], mesh.faces)
 
 
@@ -43,7 +43,7 @@ def volume(mesh):
 
 
 def check_solid(name, mesh):
-    """Raises ValueError unless the mesh is a closed, consistently oriented 2-manifold that is turned outward."""
+    """Raises ValueError unless the mesh is a closed, consistently oriented 2-manifold that faces outward."""
     edges = collections.Counter((face[i - 1], face[i]) for face in mesh.faces for i in range(3))
     bad = [edge for edge, uses in edges.items() if uses != 1 or edges[edge[::-1]] != 1]
     if bad:
@@ -55,7 +55,7 @@ def check_solid(name, mesh):
 
 
 def write_stl(path, mesh):
-    """Binary STL."""
+    """Writes binary STL."""
     facets = []
     for face in mesh.faces:
         a, b, c = (mesh.vertices[i] for i in face)
@@ -64,7 +64,7 @@ def write_stl(path, mesh):
 
 
 def write_obj(path, mesh, material, library):
-    """OBJ with flat pairs of triangles joined to quads; the colour comes from the material library beside it."""
+    """Writes OBJ with flat pairs of triangles merged into quads; the colour comes from the material library beside it."""
     lines = [f"mtllib {library}", f"o {path.stem}"]
     lines += ["v " + " ".join(number(c) for c in v) for v in mesh.vertices]
     lines += [f"usemtl {material.name}", "s off"]
@@ -78,7 +78,7 @@ def write_mtl(path, materials):
 
 
 def write_dae(path, up_axis, unit, metres, nodes):
-    """Collada 1.4: a geometry for each mesh, a material for each colour, an instance for each node."""
+    """Writes Collada 1.4: one geometry per mesh, one material per colour, one instance per node."""
     meshes = unique((node.mesh[0], node.mesh[1]) for node in nodes)
     materials = unique(node.material for node in nodes)
     path.write_text(f"""<?xml version="1.0" encoding="utf-8"?>
@@ -127,7 +127,7 @@ def scene_node(node):
 
 
 def with_quads(mesh):
-    """The faces, each joined with the first neighbour with which it makes a flat, strictly convex quad."""
+    """The faces, each merged with the first neighbour with which it forms a flat, strictly convex quad."""
     owner = {(face[i - 1], face[i]): face for face in mesh.faces for i in range(3)}
     faces, used = [], set()
     for face in mesh.faces:

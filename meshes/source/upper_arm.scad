@@ -1,5 +1,5 @@
-// Upper arm: a beam with pockets on both sides and cross ribs in them. The lift axis is y, the elbow axis is parallel to it at
-// z = 320. With coarse = true: the same beam without bores and trusses, as a collision mesh drawn by hand would be.
+// Upper arm: a beam with pockets on both sides and cross ribs in them. The lift axis is y; the elbow axis is parallel to it at
+// z = 320. With coarse = true: the same beam without bores and trusses, like a collision mesh drawn by hand.
 coarse = false;  // set before shapes.scad, whose $fn it overrides
 include <shapes.scad>
 
@@ -7,7 +7,7 @@ $fn = coarse ? 16 : 48;
 
 length = 320;
 half_width = 32;
-web = 4;  // half its thickness
+web = 4;  // half the web's thickness
 lower = 38;
 upper = 34;
 

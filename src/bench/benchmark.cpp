@@ -1,3 +1,5 @@
+// Runs each contender as a process of its own and lets another process score its hulls, so that a crash or hang of either is a row of the
+// table. Medians are over the repeated runs; a result that differs between runs of the same seed is reported in the message.
 #include "bench/benchmark.h"
 
 #include <filesystem>
@@ -13,7 +15,7 @@ using nlohmann::json;
 
 namespace {
 
-/// The runs on one mesh after the other.
+/// Benchmarks one mesh after the other.
 class Bench {
  public:
   explicit Bench(const BenchmarkOptions& options) : options_(options), runner_(options.program, options.folder) {
@@ -82,7 +84,7 @@ class Bench {
       row.message = std::to_string(different.size()) + " different results in " + std::to_string(hulls.size()) + " runs";
   }
 
-  /// What a job that is not measured came to; null, and the row says why, where it came to nothing.
+  /// The result of a job that is not timed; null if it failed, and then the row says why.
   json result(json job, BenchmarkRow& row) const {
     job.update(mesh_);
     JobOutcome outcome;

@@ -1,3 +1,5 @@
+// A child runs in its own process group. When its time is up, or once it ends, the whole group is killed and reaped: the caller is a
+// subreaper (Linux), so grandchildren whose parent died are its children and their CPU time counts.
 #include "bench/child_process.h"
 
 #include <fcntl.h>
@@ -22,14 +24,14 @@
 namespace collision_hulls {
 namespace {
 
-constexpr int kNotStarted = 127;    // the shell's status for a command that is not found
+constexpr int kNotStarted = 127;    // the shell's exit status for a command not found
 constexpr long kMostOutput = 4000;  // characters
 
 [[noreturn]] void fail(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-/// Kills a process and all of its group when the time is up, unless it is called off before.
+/// Kills a process group when the time is up, unless called off before.
 class TimeLimit {
  public:
   TimeLimit(pid_t group, double limit) : thread_([this, group, limit] { watch(group, limit); }) {}
@@ -37,7 +39,7 @@ class TimeLimit {
   TimeLimit(const TimeLimit&) = delete;
   TimeLimit& operator=(const TimeLimit&) = delete;
 
-  /// True if it had to kill.
+  /// Stops the watch; returns true if it had to kill.
   bool callOff() {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -57,13 +59,13 @@ class TimeLimit {
   std::mutex mutex_;
   std::condition_variable change_;
   bool called_off_ = false, killed_ = false;
-  std::thread thread_;  // last: it uses the others
+  std::thread thread_;  // last, as it uses the other members
 };
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// In the new process, where nothing but system calls may be used: its own group, so that it can be killed with all that it starts. It
-/// goes when the thread that waits for it goes.
+/// Turns the forked process into the program; only async-signal-safe calls are allowed here. It gets its own group, so that it can be
+/// killed together with everything it starts, and it dies with the thread that waits for it.
 [[noreturn]] void become(const std::vector<char*>& argv, int output) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -71,7 +73,7 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
   execvp(argv[0], argv.data());
-  const char reason[] = "cannot be started: no such program, or no permission\n";
+  const char reason[] = "cannot start: no such program, or no permission\n";
   if (write(STDERR_FILENO, reason, sizeof reason - 1) < 0) _exit(kNotStarted);
   _exit(kNotStarted);
 }
@@ -93,14 +95,15 @@ void add(const rusage& used, ChildResult& result) {
   result.peak_mb = std::max(result.peak_mb, static_cast<double>(used.ru_maxrss) / 1024);
 }
 
-/// Kills what is left of the group. Those whose parent is gone have become children of this process.
+/// Kills what is left of the group and reaps it: orphans have become children of this process.
 void killRest(pid_t group, ChildResult& result) {
   kill(-group, SIGKILL);
   rusage used{};
   while (wait4(-group, nullptr, 0, &used) > 0) add(used, result);
 }
 
-/// Waits for the process, which keeps its number until it is reaped, so that no other can be killed in its place; true when it had to be.
+/// Waits for the process without reaping it, so that its number stays taken and no other process can be killed in its place. Returns true
+/// if it had to be killed.
 bool await(pid_t process, double limit) {
   TimeLimit time_limit(process, limit);
   siginfo_t ended{};
@@ -118,12 +121,12 @@ ChildResult runChild(const std::vector<std::string>& arguments, double limit) {
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
 
-  prctl(PR_SET_CHILD_SUBREAPER, 1);  // what a killed shell was running can then be waited for, and its time be known
+  prctl(PR_SET_CHILD_SUBREAPER, 1);  // so that what a killed shell was running can be waited for, and its time counted
   Stopwatch clock;
   const pid_t process = fork();
   if (process < 0) fail("a new process");
   if (process == 0) become(argv, fileno(output.get()));
-  setpgid(process, process);  // here too: whichever of the two processes comes first
+  setpgid(process, process);  // in the parent, too: either process may get here first
 
   ChildResult result;
   const bool killed = await(process, limit);

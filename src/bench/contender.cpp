@@ -1,3 +1,5 @@
+// A method runs as a job of the measuring program itself, a peer as a shell command; both are timed as whole processes and must leave a
+// file of hulls.
 #include "bench/contender.h"
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What is measured: methods, and other programs on the same terms.
+// The contenders of a benchmark: our methods, and other programs on the same terms.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace collision_hulls {
 
-/// Another program, as a command for /bin/sh: {in} (OBJ), {out} (OBJ, an object per hull) and {tolerance} [m] are filled in.
+/// Another program, as a command for /bin/sh with the placeholders {in} (OBJ), {out} (OBJ, one object per hull) and {tolerance} [m].
 struct Peer {
   std::string name, command;
 };
@@ -19,29 +19,29 @@ struct Peer {
 /// A method, or a peer.
 struct Contender {
   std::string name;
-  std::string effort;   ///< of a method that has one
-  std::string command;  ///< of a peer
+  std::string effort;   ///< of a method that has efforts
+  std::string command;  ///< of a peer; empty for a method
 };
 
-/// Every method, with each effort where it has one, then every peer.
+/// Every method, once per effort if it has efforts, then every peer.
 std::vector<Contender> contenders(const std::vector<Method>& methods, const std::vector<Effort>& efforts, const std::vector<Peer>& peers);
 
-/// What hulls are to be made of, and how. The runner's folder holds the mesh as a peer takes it: mesh.obj, in metres.
+/// What to make hulls of, and how. A peer reads the mesh from mesh.obj in the runner's folder, in metres.
 struct HullsTask {
-  nlohmann::json mesh;  ///< as a method takes it: "file" and "scale" of jobs.h
+  nlohmann::json mesh;  ///< as a method reads it: "file" and "scale" of jobs.h
   double tolerance;     ///< [m]
   std::uint64_t seed;
-  std::string hulls;                                   ///< the file that the hulls go to, OBJ; one that is there is removed first
+  std::string hulls;                                   ///< OBJ file to write the hulls to; removed first if it exists
   double limit;                                        ///< [s]
-  int max_vertices = DecomposeOptions{}.max_vertices;  ///< of a method's hulls; 0: no cap
+  int max_vertices = DecomposeOptions{}.max_vertices;  ///< per hull of a method; 0: no cap
 };
 
 struct HullsMade {
   ChildResult used;
-  JobOutcome outcome;  ///< not ok, too, where no hulls were written
+  JobOutcome outcome;  ///< also not ok if no hulls were written
 };
 
-/// Lets a contender make hulls, in a process of its own.
+/// Makes a contender's hulls in a process of its own.
 HullsMade makeHulls(const JobRunner& runner, const Contender& contender, const HullsTask& task);
 
 }  // namespace collision_hulls

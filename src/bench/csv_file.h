@@ -1,4 +1,4 @@
-// A table on disk, line by line, so that an interrupted run keeps what it measured.
+// A CSV file that is written line by line, so that an interrupted run keeps what it measured.
 #pragma once
 
 #include <cerrno>
@@ -12,10 +12,10 @@ namespace collision_hulls {
 
 class CsvFile {
  public:
-  /// Replaces a file that is there. Throws kUnwritableOutput, as add() does.
+  /// Replaces an existing file. Throws kUnwritableOutput, as add() does.
   CsvFile(const std::string& path, const std::string& header) : path_(path), stream_(path, std::ios::trunc) { add(header); }
 
-  /// A line, or lines, with their ends.
+  /// Appends one or more lines, each with its line break.
   void add(const std::string& line) {
     if (stream_) errno = 0;
     if (!(stream_ << line << std::flush)) throwUnwritable(path_, errno ? std::strerror(errno) : "writing failed");

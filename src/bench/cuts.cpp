@@ -1,3 +1,5 @@
+// Draws random cuts in three ways and measures each as it would be written. Certificates are remembered per hull, as most hulls are in many
+// cuts.
 #include "bench/cuts.h"
 
 #include <algorithm>
@@ -20,9 +22,10 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kKinds[] = {"tolerance", "hulls", "nodes"};
-// Corners of a hull that is moved outward by its faces go further than these do.
+// Moving a hull's faces outward by a margin moves its corners further than that; allow this many margins.
 constexpr double kMargins = 3;
 
+/// Opens each node with the same random probability, from the root down.
 std::vector<int> openedByChance(const HullTree& tree, Dice& dice) {
   const double chance = dice.unit();
   std::vector<int> cut, open{static_cast<int>(tree.nodes.size()) - 1};
@@ -45,7 +48,7 @@ std::vector<int> randomCut(const HullTree& tree, const std::string& kind, std::s
   return tree.cutAt(tree.tolerance * std::pow(span, dice.unit()));
 }
 
-/// Most hulls stand in many cuts.
+/// Certifies hulls, each only once.
 class Certificates {
  public:
   Certificates(const Solid& solid, double gap) : solid_(solid), gap_(gap) {}

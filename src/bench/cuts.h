@@ -1,4 +1,4 @@
-// Random cuts through the hull tree of a mesh: whether each covers it, and keeps the bound that the tree tells.
+// Random cuts through the hull tree of a mesh: does each cover the mesh, and keep the bound that the tree states?
 #pragma once
 
 #include <functional>
@@ -11,16 +11,17 @@
 
 namespace collision_hulls {
 
-/// The job `cuts`: "file", "scale", "tolerance" (of the leaves, as text: "1%"), "seed", "cuts" (how many) -> "leaves", and "cuts", one for
-/// each, of hulls as they are written, measured against the mesh as it was read:
-///   kind         tolerance (between the leaves' and the root's protrusion), hulls (a number of them), nodes (opened by chance)
+/// The job `cuts`: "file", "scale", "tolerance" (of the leaves, as text: "1%"), "seed", "cuts" (how many) -> "leaves", and one entry of
+/// "cuts" per cut, for its hulls as they are written, against the mesh as it was read:
+///   kind         how the cut was drawn: tolerance (between the leaves' and the root's protrusion), hulls (their number), nodes (opened at
+///                random)
 ///   hulls        how many
-///   bound        [m] of the furthest protruding node, as the tree tells, with what margin and rounding add once hulls are written
+///   bound        [m] the largest protrusion of its nodes, as the tree states it, plus what margin and rounding add when hulls are written
 ///   uncovered    [m]
 ///   protrusion   [m] certified
 nlohmann::json measureCuts(const nlohmann::json& job);
 
-/// A cut through the tree of a mesh, as above; one row without figures where there is no tree.
+/// A cut through the tree of a mesh, as above; a single row without figures if there is no tree.
 struct CutRow {
   std::string mesh;
   std::string status = "ok";  ///< ok, timeout, crash, error
@@ -33,8 +34,8 @@ struct CutRow {
 std::string cutHeader();
 std::string toCsv(const CutRow& row);
 
-/// So many cuts of each mesh, in a process of its own. `leaves` is the tolerance of the trees' leaves. Of the options the program, the
-/// folder and the seed count.
+/// Measures `cuts` cuts of each mesh, in a process per mesh. `leaves` is the tolerance of the trees' leaves. Of the options, only program,
+/// folder and seed are used.
 void runCuts(const std::vector<BenchmarkMesh>& meshes, const BenchmarkOptions& options, const Length& leaves, int cuts,
              const std::function<void(const CutRow&)>& row);
 

@@ -1,3 +1,5 @@
+// One function per kind of defect. Each takes a valid mesh and draws only from the given generator, so a seed gives the same mesh
+// everywhere.
 #include "bench/defects.h"
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kSliversAmong = 0.1, kFinsAmong = 0.05;  // shares of the triangles
+constexpr double kSliversAmong = 0.1, kFinsAmong = 0.05;  // shares of the triangles that get one
 constexpr double kSpeck = 0.01;                           // size of a small component, in D
 
 std::size_t at(int i) {
@@ -66,7 +68,7 @@ TriangleMesh flipped(TriangleMesh mesh, double share, Random& random) {
   return mesh;
 }
 
-/// By turns with a corner twice, and with one in the middle of the edge.
+/// Adds triangles without area: at random with a repeated corner, or with a corner in the middle of an edge.
 TriangleMesh withZeroArea(const TriangleMesh& mesh, double share, Random& random) {
   TriangleMesh result = mesh;
   for (const Triangle& t : mesh.triangles) {
@@ -78,7 +80,7 @@ TriangleMesh withZeroArea(const TriangleMesh& mesh, double share, Random& random
   return result;
 }
 
-/// A corner in the plane of a triangle, next to the middle of an edge, divides it into one sliver and two others.
+/// Splits triangles at a point in their plane next to the middle of an edge, into one sliver and two others.
 TriangleMesh withSlivers(const TriangleMesh& mesh, double height, Random& random) {
   TriangleMesh result{mesh.vertices, {}};
   for (const Triangle& t : mesh.triangles) {
@@ -96,7 +98,7 @@ TriangleMesh withSlivers(const TriangleMesh& mesh, double height, Random& random
   return result;
 }
 
-/// Without the triangles that are nearest to one of them; one at least is left.
+/// Removes the triangles nearest to a random one, but never all.
 TriangleMesh withHole(const TriangleMesh& mesh, double share, Random& random) {
   const std::size_t count = mesh.triangles.size();
   const Eigen::Vector3d place = centre(mesh, random.below(count));
@@ -147,7 +149,7 @@ TriangleMesh withSpecks(const TriangleMesh& mesh, int count, Random& random) {
   return result;
 }
 
-/// As it is where so few vertices hold no triangle.
+/// Simplified to a share of the vertices; unchanged if that would leave no triangle.
 TriangleMesh decimated(const TriangleMesh& mesh, double share) {
   const TriangleMesh coarse = simplified(mesh, static_cast<std::size_t>(std::max(1.0, share * static_cast<double>(mesh.vertices.size()))));
   return coarse.triangles.empty() ? mesh : coarse;

@@ -1,4 +1,4 @@
-// The part of troubled() that changes what the triangles are, not where they lie.
+// The part of troubled() that changes which triangles there are, not only where they lie.
 #pragma once
 
 #include "bench/trouble.h"

@@ -1,3 +1,5 @@
+// Each process writes a line per trial as it ends. If it dies or hangs, the trial after the last line is to blame, and a new process
+// continues with the one after that.
 #include "bench/fcl_stability.h"
 
 #include <algorithm>
@@ -30,7 +32,7 @@ struct Tally {
 };
 using Tallies = std::map<std::string, Tally>;
 
-/// Adds what a process wrote; how many trials that were.
+/// Adds the trials that a process wrote; returns how many there were.
 int addTrials(const std::string& file, Tallies& tallies) {
   std::ifstream in(file);
   int trials = 0;
@@ -39,7 +41,7 @@ int addTrials(const std::string& file, Tallies& tallies) {
   return trials;
 }
 
-/// All trials of one setting on one kind of pair; a new process goes on behind a trial that ended the last one.
+/// All trials of one setting on one kind of pair; after a trial that killed its process, a new process continues.
 Tallies trialsOf(std::size_t setting, std::size_t pair, const FclStabilityOptions& options) {
   const std::string job_file = fs::path(options.folder) / ".fcl_job.json", result_file = fs::path(options.folder) / ".fcl_trials";
   Tallies tallies;

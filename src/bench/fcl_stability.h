@@ -1,5 +1,5 @@
-// FCL's own stability: which way of asking gives the truth about which pairs of bodies. Trials run in processes of their own, since FCL
-// may abort or not end.
+// FCL's own stability: which kind of query gives the right answer for which kind of pair. Trials run in processes of their own, since FCL
+// may abort or never return.
 #pragma once
 
 #include <cstdint>
@@ -10,32 +10,32 @@
 
 namespace collision_hulls {
 
-/// How often one way of asking came to one outcome on one kind of pair.
+/// How often one kind of query had one outcome on one kind of pair.
 struct FclStabilityRow {
   FclSetting setting;
   PairKind pair = PairKind::kFar;
-  std::string outcome;  ///< of FclTrial, or abort, or hang
+  std::string outcome;  ///< of FclTrial, or abort or hang
   int count = 0;
   double worst_error = 0;  ///< in sizes of the larger body
 };
 
 struct FclStabilityOptions {
-  int trials = 100;  ///< of each way of asking on each kind of pair
+  int trials = 100;  ///< per kind of query and kind of pair
   std::uint64_t seed = 1;
-  double time_limit = 5;  ///< [s] without an answer that count as a hang; no further trials after three of them
-  std::string program;    ///< the executable that does trials: PROGRAM kFclTrialsCommand JOB_FILE RESULT_FILE
+  double time_limit = 5;  ///< [s] a process that runs longer counts as a hang; after three hangs, the trials of that setting and pair stop
+  std::string program;    ///< the executable that runs trials: PROGRAM kFclTrialsCommand JOB_FILE RESULT_FILE
   std::string folder;     ///< for temporary files
 };
 
 constexpr const char* kFclTrialsCommand = "--fcl-trials";
 
-/// Does the trials that a JSON file asks for ("setting", "pair": indices; "seed", "first", "last") and writes a line for each as it ends.
+/// Runs the trials that a JSON file describes ("setting", "pair": indices; "seed", "first", "last") and writes a line for each as it ends.
 void doFclTrials(const std::string& job_file, const std::string& result_file);
 
-/// Runs everything and hands over the rows, ordered by setting, pair and outcome.
+/// Runs everything and passes on the rows, ordered by setting, pair and outcome.
 void runFclStability(const FclStabilityOptions& options, const std::function<void(const FclStabilityRow&)>& row);
 
-/// Column names, and a row, each as a line of fcl.csv.
+/// The column names and a row, each as a line of fcl.csv.
 std::string fclStabilityHeader();
 std::string toCsv(const FclStabilityRow& row);
 

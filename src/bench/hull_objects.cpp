@@ -1,3 +1,4 @@
+// A small OBJ reader: what counts here is which points each object has, and a general mesh reader may merge vertices and objects.
 #include "bench/hull_objects.h"
 
 #include <cstdlib>
@@ -17,7 +18,7 @@ class Reader {
 
   std::vector<std::vector<Eigen::Vector3d>> read() {
     std::ifstream in(path_);
-    if (!in) throw Error(ErrorCode::kFileNotFound, "hulls '" + path_ + "' cannot be read; the program must write this file");
+    if (!in) throw Error(ErrorCode::kFileNotFound, "cannot read hulls '" + path_ + "'; the program must write this file");
     for (std::string line; std::getline(in, line);) {
       ++line_;
       take(line);
@@ -42,8 +43,8 @@ class Reader {
       std::string word;
       words >> word;
       char* end = nullptr;
-      v[k] = std::strtof(word.c_str(), &end);  // a stream would take "nan" for the end of the numbers
-      if (word.empty() || *end) fail("'" + word + "' is no coordinate");
+      v[k] = std::strtof(word.c_str(), &end);  // a stream would stop reading at "nan"
+      if (word.empty() || *end) fail("'" + word + "' is not a coordinate");
     }
     if (!v.allFinite()) fail("a coordinate is not finite");
     vertices_.push_back(v);
@@ -53,7 +54,7 @@ class Reader {
     for (std::string corner; words >> corner;) {
       const long index = std::strtol(corner.c_str(), nullptr, 10);
       const long count = static_cast<long>(vertices_.size()), vertex = index < 0 ? count + index : index - 1;
-      if (index == 0 || vertex < 0 || vertex >= count) fail("face corner '" + corner + "' names no vertex above it");
+      if (index == 0 || vertex < 0 || vertex >= count) fail("face corner '" + corner + "' refers to no vertex above it");
       used_.insert(static_cast<std::size_t>(vertex));
     }
     any_face_ = true;

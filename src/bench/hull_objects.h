@@ -1,4 +1,4 @@
-// Hulls as programs write them: an OBJ file with an object for each.
+// Hulls as programs write them: an OBJ file with one object per hull.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,13 +7,13 @@
 
 namespace collision_hulls {
 
-/// The points of each object (`o`) of an OBJ file, in its order: the vertices that the object's faces use or, in a file without any face,
-/// those that stand in it. Objects without points are left out; what stands before the first `o` is an object. Coordinates become the
-/// nearest single-precision numbers, as in the programs that load such files.
-/// Throws kFileNotFound, and kNotAMesh with the line for a number or index that is none.
+/// The points of each object (`o`) of an OBJ file, in file order: the vertices that the object's faces use or, in a file without any faces,
+/// the vertices listed in the object. Objects without points are skipped; anything before the first `o` is an object, too. Coordinates are
+/// rounded to single precision, as in the programs that load such files. Throws kFileNotFound; kNotAMesh, naming the line, for an invalid
+/// number or index.
 std::vector<std::vector<Eigen::Vector3d>> readHullObjects(const std::string& path);
 
-/// The SHA-256 of the objects' coordinates, one after the other.
+/// The SHA-256 hash of the objects' coordinates, in order.
 std::string hashOf(const std::vector<std::vector<Eigen::Vector3d>>& objects);
 
 }  // namespace collision_hulls

@@ -1,3 +1,5 @@
+// Collects meshes from files, folders and robots. A mesh that several links use is benchmarked once, at one scale; a mesh without a file
+// stays in the list, so that its rows say what is missing.
 #include "bench/inputs.h"
 
 #include <algorithm>
@@ -28,7 +30,7 @@ void addRobot(const Input& input, BenchmarkInputs& all) {
     all.meshes.push_back(
         {input.robot.name + "/" + fs::path(task.file).filename().string(), task.file, elements[task.elements.front()].report.scale});
   }
-  // A mesh without a file stays: the runs on it say what is missing.
+  // A mesh without a file stays in the list: its rows say what is missing.
   for (const ElementResult& element : elements) {
     const ElementReport& row = element.report;
     if (row.status == Status::kFailed) all.meshes.push_back({input.robot.name + "/" + row.link, row.uri, row.scale});
@@ -64,10 +66,10 @@ void addInput(const std::string& input, BenchmarkInputs& all) {
     if (opened.kind == Input::Kind::kMesh) addMesh(fs::path(input).filename().string(), input, all);
   }
   if (all.meshes.size() == before)
-    throw Error(ErrorCode::kFileNotFound, "input '" + input + "' holds no mesh; give mesh files, folders or robots");
+    throw Error(ErrorCode::kFileNotFound, "input '" + input + "' contains no mesh; give mesh files, folders of them, or robots");
 }
 
-/// Appends a number to a name that was there before.
+/// Appends a number to a name that is already taken.
 template <typename Items>
 void makeUnique(Items& items) {
   std::map<std::string, int> taken;

@@ -1,4 +1,4 @@
-// What a benchmark runs on: mesh files, folders of them, and robots.
+// The inputs of a benchmark: mesh files, folders of them, and robots.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -10,12 +10,12 @@
 namespace collision_hulls {
 
 struct BenchmarkMesh {
-  std::string name;  ///< no two alike: the file's name, or its path below the folder, with the robot's name before it
+  std::string name;  ///< unique: the file's name, or its path below the input folder; for a robot's mesh, prefixed with the robot's name
   std::string file;
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
 };
 
-/// What moves as one in a query: a robot, or a single mesh that flies freely.
+/// The subject of queries: a robot, or a single mesh that moves freely.
 struct QuerySubject {
   std::string name;
   RobotDescription robot;  ///< without links: a single mesh
@@ -23,7 +23,7 @@ struct QuerySubject {
     std::size_t link = 0, mesh = 0;                            ///< indices
     Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();  ///< of the mesh in the link's frame
   };
-  std::vector<Part> parts;  ///< the robot's meshes; its boxes, spheres and cylinders are left out
+  std::vector<Part> parts;  ///< the robot's meshes, without its boxes, spheres and cylinders
 };
 
 struct BenchmarkInputs {
@@ -31,12 +31,12 @@ struct BenchmarkInputs {
   std::vector<QuerySubject> subjects;
 };
 
-/// The meshes that `inputs` mean, in order. A folder gives those in it and below, sorted; a folder in it that is a ROS package with robot
-/// descriptions gives these. A robot gives each mesh of its links once (collision elements of a link that has any, else visual ones).
-/// Throws the readers' errors, and kFileNotFound for an input without meshes.
+/// The meshes of `inputs`, in order. A folder contributes the meshes in and below it, sorted; a folder that is a ROS package with robot
+/// descriptions contributes those robots instead. A robot contributes each mesh of its links once (of a link's collision elements or, if it
+/// has none, of its visual elements). Throws the readers' errors, and kFileNotFound for an input without meshes.
 BenchmarkInputs benchmarkInputs(const std::vector<std::string>& inputs);
 
-/// Their meshes alone.
+/// Only the meshes of the inputs.
 std::vector<BenchmarkMesh> benchmarkMeshes(const std::vector<std::string>& inputs);
 
 }  // namespace collision_hulls

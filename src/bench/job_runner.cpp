@@ -1,3 +1,5 @@
+// A job travels as a JSON file to a child process and its result comes back as one. Messages keep the last words of the child, without the
+// name of the temporary folder, so that rows of different runs can be compared.
 #include "bench/job_runner.h"
 
 #include <cstring>
@@ -12,7 +14,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double kOwnLimit = 300;  // [s] for what is not measured
+constexpr double kOwnLimit = 300;  // [s] for jobs that are not timed
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Jobs and other programs in processes of their own, and what became of them.
+// Runs jobs and other programs in processes of their own, and tells how they ended.
 #pragma once
 
 #include <filesystem>
@@ -9,17 +9,17 @@
 
 namespace collision_hulls {
 
-/// How a process ended, as it stands in a row.
+/// How a process ended, as reported in a row.
 struct JobOutcome {
   std::string status = "ok";  ///< ok, timeout, crash, error
   std::string message;        ///< why not ok
   bool ok() const { return status == "ok"; }
 };
 
-/// Runs jobs (see jobs.h) in a folder of temporary files, which goes with it.
+/// Runs jobs (see jobs.h) in a folder of temporary files, which it removes on destruction.
 class JobRunner {
  public:
-  /// `program` does jobs: PROGRAM kJobCommand JOB_FILE RESULT_FILE.
+  /// `program` runs jobs: PROGRAM kJobCommand JOB_FILE RESULT_FILE.
   JobRunner(std::string program, const std::string& folder);
   ~JobRunner();
   JobRunner(const JobRunner&) = delete;
@@ -27,9 +27,9 @@ class JobRunner {
 
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
   ChildResult run(const nlohmann::json& job, double limit) const;               ///< [s]
-  JobOutcome judge(const ChildResult& used, double limit) const;                ///< without the folder's name, which is another next time
-  nlohmann::json result(const nlohmann::json& job, JobOutcome& outcome) const;  ///< for jobs that are not measured; null unless ok
-  std::string lastWords(const std::string& what, std::string output) const;     ///< what happened, and what a process wrote last
+  JobOutcome judge(const ChildResult& used, double limit) const;                ///< the message omits the temporary folder's name
+  nlohmann::json result(const nlohmann::json& job, JobOutcome& outcome) const;  ///< for jobs that are not timed; null unless ok
+  std::string lastWords(const std::string& what, std::string output) const;     ///< what happened, and the end of a process's output
 
  private:
   const std::string program_;

@@ -1,3 +1,5 @@
+// What child processes do. Scoring is independent of the method that made the hulls: it reads them back from the file, like those of any
+// other program.
 #include "bench/jobs.h"
 
 #include <cstdio>
@@ -36,7 +38,7 @@ std::string toObj(const TriangleMesh& mesh) {
 
 namespace {
 
-constexpr double kRoughGap = 0.1;  // where a rough bound may do; see kCertificateGap
+constexpr double kRoughGap = 0.1;  // share of the tolerance, for a first, rough bound; see kCertificateGap
 
 json prepare(const json& job) {
   const Original original = readOriginal(job);
@@ -44,8 +46,8 @@ json prepare(const json& job) {
   return {{"triangles", original.mesh.triangles.size()}, {"diagonal", diagonal(original.mesh)}};
 }
 
-/// As `decompose` writes them. The certificate is part of the method `certified`, which tries again where it fails; for the others it is
-/// left to score().
+/// The hulls that `decompose` would write. The certificate is part of the method `certified`, which tries again if it fails; for other
+/// methods it is left to score().
 std::vector<ConvexHull> hullsOf(const Original& original, const DecomposeOptions& options) {
   if (options.method != Method::kCertified)
     return fitCover(decompose(original.repaired, options).hulls, original.mesh, original.margin, options.max_vertices).hulls;
@@ -68,11 +70,11 @@ json decomposeMesh(const json& job) {
 std::vector<ConvexHull> readHulls(const std::string& file) {
   std::vector<ConvexHull> hulls;
   for (const auto& points : readHullObjects(file)) hulls.push_back(convexHull(points));
-  if (hulls.empty()) throw Error(ErrorCode::kEmptyMesh, "the program wrote no hull; it must write an object for each");
+  if (hulls.empty()) throw Error(ErrorCode::kEmptyMesh, "the program wrote no hull; it must write one object per hull");
   return hulls;
 }
 
-/// With the margin in its bound. Most results are far from their tolerance, so that a rough bound decides.
+/// A certificate that includes the margin. Most results are far from their tolerance, so a rough bound usually decides.
 Protrusion decidingProtrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, double margin, double tolerance) {
   Protrusion rough = protrusion(hulls, solid, kRoughGap * tolerance);
   rough.bound += margin;

@@ -1,3 +1,4 @@
+// Reads the machine's description from uname, sysconf and /proc/cpuinfo (Linux); compiler and library versions are fixed at build time.
 #include "bench/machine.h"
 
 #include <sys/utsname.h>

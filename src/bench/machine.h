@@ -1,4 +1,4 @@
-// Where a measurement was taken: what has to be known to compare it with another.
+// Describes the machine on which a measurement was taken, which is needed to compare it with another.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// The margin adds the reader's rounding, in the mesh's scale, to the distance over which vertices were welded.
 #include "bench/original.h"
 
 #include "collision_hulls/mesh/mesh_io.h"

@@ -1,4 +1,4 @@
-// The mesh that a job is about.
+// The mesh of a job.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,11 +8,11 @@
 
 namespace collision_hulls {
 
-/// A mesh as read and scaled, and what repairing makes of it.
+/// A mesh as read and scaled, and its repaired form.
 struct Original {
   TriangleMesh mesh;
   RepairedMesh repaired;
-  double margin = 0;  ///< [m] how far the two may lie apart
+  double margin = 0;  ///< [m] how far apart the two may lie
 };
 
 /// The mesh of a job's "file" and "scale". Throws what readMesh() and scaled() throw.

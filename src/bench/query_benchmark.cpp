@@ -1,3 +1,5 @@
+// Groups the hulls that the benchmark kept into models, one per method and tolerance, and runs a job per model. The original comes first:
+// its answers are the truth that the others are compared with.
 #include "bench/query_benchmark.h"
 
 #include <algorithm>
@@ -56,7 +58,7 @@ void fill(const json& result, QueryRow& row) {
   row.distance_error_max = numberIn(result, "distance_error_max");
 }
 
-/// The queries of one subject.
+/// Runs the queries of one subject.
 class SubjectQueries {
  public:
   SubjectQueries(const BenchmarkInputs& inputs, const QuerySubject& subject, const QueryOptions& options, const JobRunner& runner)

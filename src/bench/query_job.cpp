@@ -1,3 +1,5 @@
+// States are seeded samples, so every model answers the same queries. Rates are states per second, over as many rounds as fit into
+// kLeastTime; errors are differences from the answers of the original meshes.
 #include "bench/query_job.h"
 
 #include <algorithm>
@@ -18,12 +20,12 @@ namespace collision_hulls {
 namespace {
 
 using nlohmann::json;
-using State = std::vector<Eigen::Isometry3d>;  // a pose for each link
+using State = std::vector<Eigen::Isometry3d>;  // a pose per link
 
-constexpr double kLeastTime = 0.2;          // [s] for a measurement: as many rounds over the states as it takes
+constexpr double kLeastTime = 0.2;          // [s] per measurement: as many rounds over the states as needed
 constexpr std::uint64_t kSampleStream = 3;  // of random numbers
 constexpr std::size_t kDistanceStates = 100;
-constexpr std::size_t kReachStates = 20;  // of which the reach is taken
+constexpr std::size_t kReachStates = 20;  // from which the reach is estimated
 
 struct Part {
   std::size_t link = 0;
@@ -41,7 +43,7 @@ TriangleMesh meshOf(const json& part) {
   return transformed(scaled(readMesh(part["file"]).mesh, scale), toPose(part["origin"]));
 }
 
-/// A body of the model that the job asks about, in its link's frame.
+/// A body of the model to query, in its link's frame.
 struct LinkBody {
   std::size_t link = 0;
   QueryBody body;
@@ -64,7 +66,7 @@ std::vector<LinkBody> bodiesOf(const json& job, const std::vector<Part>& parts) 
   return bodies;
 }
 
-/// How far the parts come in these states.
+/// How far the parts reach in these states.
 Reach reachOf(const std::vector<Part>& parts, const std::vector<State>& states) {
   Reach reach{0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const Part& part : parts) {
@@ -81,7 +83,7 @@ Reach reachOf(const std::vector<Part>& parts, const std::vector<State>& states) 
   return reach;
 }
 
-/// A part that flies freely has a scene of a few times its own size.
+/// A part that moves freely gets a scene a few times its own size.
 Reach roomFor(const std::vector<Part>& parts) {
   const double size = 1.5 * diagonal(parts.front().mesh);
   return {size, -size, size};
@@ -102,7 +104,7 @@ struct Answers {
   double collisions_per_second = 0, tree_collisions_per_second = 0, distances_per_second = 0;
 };
 
-/// States a second; the first round fills the answers.
+/// States per second; every round fills the answers.
 template <typename Model, typename Ask>
 double timed(Model& model, const std::vector<State>& states, const Ask& ask) {
   Stopwatch clock;
@@ -118,7 +120,7 @@ double timed(Model& model, const std::vector<State>& states, const Ask& ask) {
   return static_cast<double>(asked) / seconds;
 }
 
-/// Distances take longer: of the first states only. `against` is what a model's questions are asked about, nothing for itself.
+/// Distances take longer and use only the first states. `against` is the scene; without it, the model is checked against itself.
 template <typename... Against>
 void askAll(BoxedModel& model, const std::vector<State>& states, Answers& answers, Against&... against) {
   const std::vector<State> first(states.begin(), states.begin() + static_cast<std::ptrdiff_t>(std::min(states.size(), kDistanceStates)));
@@ -128,7 +130,7 @@ void askAll(BoxedModel& model, const std::vector<State>& states, Answers& answer
   answers.distances_per_second = timed(model, first, [&](std::size_t i) { answers.distance[i] = model.distance(against...); });
 }
 
-/// The same in FCL's dynamic trees.
+/// The same with FCL's dynamic trees.
 template <typename Against>
 void askTrees(const std::vector<LinkBody>& bodies, const std::vector<State>& states, const Against& against, Answers& answers) {
   QueryModel model;
@@ -151,7 +153,7 @@ void compare(const Answers& answers, const json& original, json& result) {
     ++free;
     phantom += answers.hit[i];
     if (i >= answers.distance.size()) continue;
-    const json& distance = original["distance"][i];  // null: nothing to be distant from
+    const json& distance = original["distance"][i];  // null: there is nothing to measure to
     if (distance.is_number()) errors.push_back(std::max(0.0, distance.get<double>() - answers.distance[i]));
   }
   result["phantom_rate"] = ratio(phantom, free);
@@ -161,7 +163,7 @@ void compare(const Answers& answers, const json& original, json& result) {
   result["distance_error_max"] = *std::max_element(errors.begin(), errors.end());
 }
 
-/// Pairs that the meshes themselves have in contact at rest, where users switch them off.
+/// Pairs of links whose meshes touch at rest; users disable these.
 json touchingAtRest(const std::vector<Part>& parts, const Kinematics& kinematics, const IgnoredPairs& adjacent) {
   QueryModel meshes;
   for (const Part& part : parts) meshes.add(part.link, part.mesh);

@@ -1,3 +1,4 @@
+// A table, a shelf of four boards with back and sides, and things on them, all scaled by the subject's reach.
 #include "bench/query_scene.h"
 
 #include <cmath>
@@ -28,7 +29,7 @@ ConvexHull cylinder(const Eigen::Vector3d& foot, double radius, double height) {
   return convexHull(rims);
 }
 
-/// Things that stand on a surface: every other one a cylinder.
+/// Puts things on a surface, boxes and cylinders in turn.
 void addThings(const Eigen::Vector2d& low, const Eigen::Vector2d& high, double z, double size, int count, Random& random,
                std::vector<ConvexHull>& scene) {
   for (int i = 0; i < count; ++i) {

@@ -1,3 +1,5 @@
+// Works in units, each one mesh with one trouble, which run in parallel and are reported in order: the undisturbed mesh comes first, and
+// the number of its hulls is what later rows are compared with.
 #include "bench/stability.h"
 
 #include <cmath>
@@ -20,8 +22,8 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double kChange = 0.1;          // share of the number of hulls that counts as a change, if it is more than one
-constexpr double kPeersRounding = 1e-6;  // in diagonals: what of the surface a program that writes decimal numbers may leave out
+constexpr double kChange = 0.1;          // share of the number of hulls; a larger difference counts as a change if it is also more than one
+constexpr double kPeersRounding = 1e-6;  // in diagonals: how far uncovered a peer may leave the surface, since it writes decimal numbers
 
 TriangleMesh meshOf(const json& job) {
   const Eigen::Vector3d scale(job["scale"][0], job["scale"][1], job["scale"][2]);
@@ -30,7 +32,8 @@ TriangleMesh meshOf(const json& job) {
 
 json putInTrouble(const json& job) {
   const TriangleMesh mesh = meshOf(job);
-  if (mesh.triangles.empty()) throw Error(ErrorCode::kEmptyMesh, "'" + job["file"].get<std::string>() + "': no triangle has an area");
+  if (mesh.triangles.empty())
+    throw Error(ErrorCode::kEmptyMesh, "'" + job["file"].get<std::string>() + "': no triangle has an area; give another mesh");
   const Trouble trouble{*troubleNamed(job["kind"]), job["amount"]};
   writeText(job["troubled"].get<std::string>(), toObj(troubled(mesh, trouble, job["seed"])));
   return {{"diagonal", diagonal(mesh)}};
@@ -41,7 +44,7 @@ void enter(const JobOutcome& outcome, StabilityRow& row) {
   row.message = outcome.message;
 }
 
-/// A mesh in one trouble; the runs on it do not depend on those on any other.
+/// A mesh with one trouble; its runs are independent of all others.
 struct Unit {
   const BenchmarkMesh& mesh;
   Trouble trouble;
@@ -57,7 +60,7 @@ std::vector<Unit> unitsOf(const std::vector<BenchmarkMesh>& meshes, const Stabil
   return units;
 }
 
-/// The runs on one mesh in trouble.
+/// The runs on one troubled mesh.
 class Runs {
  public:
   Runs(const StabilityOptions& options, const std::string& folder) : options_(options), runner_(options.program, folder) {}
@@ -105,7 +108,7 @@ class Runs {
 
   std::string hullsFile(std::size_t row) const { return runner_.file("hulls_" + std::to_string(row) + ".obj"); }
 
-  /// In one process, which reads the mesh once; where that does not end well, in one for each.
+  /// Scores all rows in one process, which reads the mesh once; if that fails, each row in its own.
   void score(std::vector<StabilityRow>& rows) const {
     std::vector<std::size_t> done;
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -114,7 +117,7 @@ class Runs {
     for (const std::size_t i : done) decide(rows, {i});
   }
 
-  /// False if the process did not end well; a row alone is told so.
+  /// Returns false if the process failed; if it was for a single row, that row records why.
   bool decide(std::vector<StabilityRow>& rows, const std::vector<std::size_t>& which) const {
     json files = json::array();
     for (const std::size_t i : which) files.push_back(hullsFile(i));
@@ -145,7 +148,7 @@ class Runs {
   double diagonal_ = 0;
 };
 
-/// Hands over the rows of units that end in any order in that of the units, each compared with the first of its mesh.
+/// Passes on the rows of units in the units' order, whatever order they end in, each compared with the first unit of its mesh.
 class InOrder {
  public:
   explicit InOrder(const std::function<void(const StabilityRow&)>& take) : take_(take) {}
@@ -189,7 +192,7 @@ std::string outcomeOf(const StabilityRow& row) {
 }
 
 void doStabilityJob(const std::string& job_file, const std::string& result_file) {
-  withJobs(1, [&] {  // others run beside it
+  withJobs(1, [&] {  // one thread, as other processes run in parallel
     const json job = json::parse(readText(job_file));
     if (job["job"] != "trouble") return doJob(job_file, result_file);
     writeText(result_file, putInTrouble(job).dump());

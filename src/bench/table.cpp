@@ -1,3 +1,4 @@
+// CSV as in RFC 4180. Column names and their order are read by the chart scripts and by users' own tools.
 #include "bench/table.h"
 
 #include <cstdio>

@@ -8,7 +8,7 @@
 
 namespace collision_hulls {
 
-/// One mesh by one method at one tolerance. What could not be measured is left empty. Lengths in metres.
+/// One mesh, decomposed by one method at one tolerance. Anything not measured is empty. Lengths in metres.
 struct BenchmarkRow {
   std::string mesh;
   std::optional<std::size_t> triangles;  ///< as read
@@ -17,25 +17,25 @@ struct BenchmarkRow {
   std::string status = "ok";  ///< ok, timeout, crash, error
   std::optional<std::size_t> hulls, hull_vertices;
   std::optional<double> uncovered, protrusion, protrusion_found;
-  std::optional<double> volume_ratio;  ///< of the hulls' union to the solid; empty where the mesh encloses nothing
+  std::optional<double> volume_ratio;  ///< of the hulls' union to the solid; empty if the mesh encloses nothing
   std::optional<double> cpu_seconds, wall_seconds, peak_mb;
   std::string hash;  ///< SHA-256 of the hulls' vertices
   std::optional<double> diagonal;
   std::uint64_t seed = 1;
-  std::string effort;      ///< of methods that have one
-  std::string requested;   ///< the tolerance as it was asked for: "1%"
+  std::string effort;      ///< of methods that have efforts
+  std::string requested;   ///< the tolerance as requested: "1%"
   std::string message;     ///< why there is no result, or what is odd about it
-  std::string hulls_file;  ///< where the hulls are kept, if they are; no column
+  std::string hulls_file;  ///< where the hulls are kept; empty if they are not; not a column
 };
 
-/// Column names, and a row, each as a line of benchmark.csv (RFC 4180).
+/// The column names and a row, each as a line of benchmark.csv (RFC 4180).
 std::string benchmarkHeader();
 std::string toCsv(const BenchmarkRow& row);
 
-/// A line of CSV: fields with a comma, a quote or a line break are quoted.
+/// A line of CSV; fields with a comma, quote or line break are quoted.
 std::string csvLine(const std::vector<std::string>& fields);
 
-/// A number with nine digits; empty for none.
+/// A number with nine significant digits; empty if there is none.
 std::string csvNumber(const std::optional<double>& value);
 
 }  // namespace collision_hulls

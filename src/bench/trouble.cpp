@@ -1,3 +1,4 @@
+// Perturbations, which move vertices but keep the shape, are here; defects are in defects.cpp. Each kind draws from its own random stream.
 #include "bench/trouble.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 
 using Kind = TroubleKind;
 
-/// Kinds in their order, by name.
+/// The kinds with their names, in order.
 const std::vector<std::pair<Kind, const char*>>& kinds() {
   static const std::vector<std::pair<Kind, const char*>> all{{Kind::kNone, "none"},
                                                              {Kind::kRotation, "rotation"},
@@ -59,7 +60,7 @@ TriangleMesh movedFar(TriangleMesh mesh, double distance, Random& random) {
   return mesh;
 }
 
-/// Four triangles for one; neighbours share the middles of their edges.
+/// Splits each triangle into four; neighbours share the midpoints of their edges.
 TriangleMesh retessellated(const TriangleMesh& mesh) {
   TriangleMesh result{mesh.vertices, {}};
   std::map<std::pair<int, int>, int> middles;

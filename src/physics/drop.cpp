@@ -1,3 +1,5 @@
+// Simulates one drop: two seconds to settle, then a push with the speed that friction alone stops after kSlide. Lengths are in diagonals
+// and energies in m g D, so that bodies of all sizes compare.
 #include "physics/drop.h"
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace {
 
 constexpr double kFriction = 0.5;
 constexpr double kLift = 0.02;                                       // [D] above the table
-constexpr double kMostTilt = 0.0873;                                 // [rad] 5 degrees
+constexpr double kMostTilt = 0.0873;                                 // [rad] 5 degrees, at the start
 constexpr double kSettle = 2, kDriftFrom = 1.5, kPushed = 0.4;       // [s]
 constexpr double kStill = 1e-6, kStillFor = 0.2;                     // [m g D] kinetic energy, [s]
 constexpr double kWorstSinking = 0.01, kWorstEnergy = 0.1;           // [D], [m g D]
@@ -23,7 +25,7 @@ double lowest(const ConvexHull& hull, const Eigen::Isometry3d& pose) {
   return z;
 }
 
-/// The body in its world, watched step by step.
+/// The body in its world, observed step by step.
 class Drop {
  public:
   Drop(const DropBody& body, Way way, const RestingPose& pose) : original_(body.original), down_(pose.rotation.row(2)), pose_(pose) {
@@ -62,7 +64,7 @@ class Drop {
     least_energy_ = std::numeric_limits<double>::infinity();
     Eigen::Vector6d velocity = Eigen::Vector6d::Zero();
     velocity[3] = std::sqrt(2 * kFriction * kEarth * kSlide * kBodySize);
-    // A free joint's velocity is the body's, in its own frame.
+    // DART gives a free joint's velocity in the body's frame.
     velocity.tail<3>() = body_->getWorldTransform().linear().transpose() * velocity.tail<3>();
     body_->getParentJoint()->setVelocities(velocity);
     wait(kPushed);

@@ -1,3 +1,4 @@
+// Thin wrappers around DART that choose its collision detector: Bullet's for convex bodies, FCL's for triangle meshes.
 #include "physics/engine.h"
 
 #include <dart/collision/bullet/BulletCollisionDetector.hpp>
@@ -38,7 +39,7 @@ dart::simulation::WorldPtr newWorld(Way way, const Eigen::Vector3d& gravity) {
   return world;
 }
 
-// Spheres without a radius are points.
+// DART has no shape for the hull of points, but one for the hull of spheres; spheres of radius 0 are points.
 dd::ShapePtr convexShape(const std::vector<Eigen::Vector3d>& points) {
   dd::MultiSphereConvexHullShape::Spheres spheres;
   for (const Eigen::Vector3d& p : points) spheres.emplace_back(0, p);
@@ -47,7 +48,9 @@ dd::ShapePtr convexShape(const std::vector<Eigen::Vector3d>& points) {
 
 dd::ShapePtr meshShape(const std::string& file) {
   const aiScene* scene = dd::MeshShape::loadMesh(file);
-  if (!scene) throw Error(ErrorCode::kNotAMesh, "'" + file + "' cannot be read by DART");
+  if (!scene)
+    throw Error(ErrorCode::kNotAMesh,
+                "'" + file + "': DART cannot read this mesh file; give a format that DART supports, such as STL or DAE");
   return std::make_shared<dd::MeshShape>(Eigen::Vector3d::Ones(), scene);
 }
 

@@ -1,4 +1,4 @@
-// Bodies and worlds of the physics engine DART. This room alone sees it.
+// Bodies and worlds in the physics engine DART. Only this room uses it.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,8 +13,8 @@
 
 namespace collision_hulls {
 
-/// How the engine is given hulls: as convex bodies, which Bullet's detector takes, or as triangle meshes, which is what DART's URDF loader
-/// makes of files, for FCL's.
+/// How the engine gets hulls: as convex bodies, for Bullet's collision detector, or as triangle meshes, as DART's URDF loader makes them
+/// from files, for FCL's.
 enum class Way { kConvex, kMesh };
 const char* name(Way way);  ///< "convex", "mesh"
 std::optional<Way> wayNamed(const std::string& name);
@@ -24,10 +24,10 @@ constexpr double kTimeStep = 1e-3;  // [s]
 
 dart::simulation::WorldPtr newWorld(Way way, const Eigen::Vector3d& gravity);
 
-/// The convex hull of points. Bullet's detector alone knows it.
+/// The convex hull of points. Only Bullet's detector supports it.
 dart::dynamics::ShapePtr convexShape(const std::vector<Eigen::Vector3d>& points);
 
-/// What a mesh file holds. Throws kNotAMesh where DART cannot read it.
+/// The mesh in a file. Throws kNotAMesh if DART cannot read it.
 dart::dynamics::ShapePtr meshShape(const std::string& file);
 
 void addShape(const dart::dynamics::ShapePtr& shape, double friction, dart::dynamics::BodyNode& body);
@@ -36,7 +36,8 @@ void addShape(const dart::dynamics::ShapePtr& shape, double friction, dart::dyna
 dart::dynamics::BodyNode* addBody(dart::simulation::World& world, const std::string& name, const MassProperties& mass, double kilograms,
                                   const Eigen::Isometry3d& pose);
 
-/// The table's top is z = 0. Convex bodies stand on a plane, meshes on a box of the given thickness, since FCL's meshes know no plane.
+/// The table's top is z = 0. Convex bodies stand on a plane; meshes stand on a box of the given width and thickness, since DART's FCL
+/// detector has no plane for meshes.
 void addTable(dart::simulation::World& world, Way way, double friction, double width, double thickness);
 
 }  // namespace collision_hulls

@@ -1,3 +1,5 @@
+// The fingers are rebuilt as free-standing skeletons on prismatic joints, driven by constant forces and coupled like a geared gripper. For
+// one second the gripper closes on a box that floats; then the box gets its weight, and its slip is measured for two.
 #include "physics/grip.h"
 
 #include <assimp/scene.h>
@@ -19,21 +21,21 @@ namespace {
 
 namespace dd = dart::dynamics;
 
-// Bullet rounds bodies by some hundredths of a unit, so the unit is the centimetre.
+// Bullet rounds bodies off by some hundredths of a unit, so the unit is the centimetre.
 constexpr double kUnit = 100;                                     // per metre
-const Eigen::Vector3d kBox(0.030, 0.040, 0.020);                  // [m] 40 mm between the fingers, where the arms behind the hooks are
+const Eigen::Vector3d kBox(0.030, 0.040, 0.020);                  // [m] 40 mm wide between the fingers, at the arms behind the hooks
 const Eigen::Vector3d kBoxPlace(0.082, 0, 0);                     // [m] in the gripper's frame
 constexpr double kBoxMass = 1.5, kFingerMass = 0.115;             // [kg]
-constexpr double kForce = 20, kFriction = 0.2;                    // [N] of each finger; friction holds 0.8 kg
+constexpr double kForce = 20, kFriction = 0.2;                    // [N] per finger; friction alone holds 0.8 kg
 constexpr double kClosing = 1, kHolding = 2;                      // [s]
 constexpr double kLost = 0.015;                                   // [m] half the box
-constexpr double kDamping = 20, kEven = 4e4, kEvenDamping = 400;  // [1/s], [1/s^2], [1/s]: fingers that move alike
-constexpr double kRecovery = 0.05;                                // [m/s] at which overlaps are undone
+constexpr double kDamping = 20, kEven = 4e4, kEvenDamping = 400;  // [1/s], [1/s^2], [1/s]; kEven couples the fingers
+constexpr double kRecovery = 0.05;                                // [m/s] at which overlaps are resolved
 
 std::vector<Eigen::Vector3d> pointsOf(const dd::ShapeNode& node, const Eigen::Isometry3d& pose) {
   std::vector<Eigen::Vector3d> points;
   const auto* const shape = dynamic_cast<const dd::MeshShape*>(node.getShape().get());
-  if (!shape) throw Error(ErrorCode::kNotARobot, "'" + node.getName() + "': the collision model of a finger must be of meshes");
+  if (!shape) throw Error(ErrorCode::kNotARobot, "'" + node.getName() + "': the collision model of a finger must consist of meshes");
   for (unsigned m = 0; m < shape->getMesh()->mNumMeshes; ++m) {
     const aiMesh& mesh = *shape->getMesh()->mMeshes[m];
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
@@ -44,7 +46,7 @@ std::vector<Eigen::Vector3d> pointsOf(const dd::ShapeNode& node, const Eigen::Is
   return points;
 }
 
-/// A finger in a skeleton of its own, as convex bodies, in the gripper's frame.
+/// Adds a finger as a skeleton of its own, of convex bodies in the gripper's frame.
 dd::DegreeOfFreedom* addFinger(const dd::SkeletonPtr& robot, const std::string& side, dart::simulation::World& world, std::size_t& hulls) {
   dd::BodyNode* const gripper = robot->getBodyNode("gripper_link");
   dd::BodyNode* const finger = robot->getBodyNode(side + "_finger_link");
@@ -79,7 +81,7 @@ dd::BodyNode* addBox(dart::simulation::World& world) {
   return box;
 }
 
-/// A gripper's gear makes both fingers move alike.
+/// Applies the closing forces; a stiff coupling stands in for the gear that moves both fingers alike.
 void press(dd::DegreeOfFreedom& left, dd::DegreeOfFreedom& right) {
   const double apart = kEven * (left.getPosition() - right.getPosition()) + kEvenDamping * (left.getVelocity() - right.getVelocity());
   left.setCommand(kUnit * kForce - kFingerMass * (apart + kDamping * left.getVelocity()));

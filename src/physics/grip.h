@@ -1,4 +1,4 @@
-// The demo robot's gripper closes on a box between its hooked fingers and lifts it.
+// The demo robot's gripper closes on a box between its hooked fingers and holds it against gravity.
 #pragma once
 
 #include <dart/dynamics/Skeleton.hpp>
@@ -9,14 +9,14 @@ namespace collision_hulls {
 struct GripResult {
   std::string outcome = "held";  ///< held; lost: the box slipped out
   std::size_t hulls = 0;         ///< of both fingers
-  double slip = 0;               ///< [m] way of the box once it has its weight; where it was lost, up to the end
-  double turn = 0;               ///< [rad] of the box
-  double opening = 0;            ///< [m] between where the fingertips are when the gripper has closed
-  double step_us = 0;            ///< [us] median of a step of the engine
+  double slip = 0;               ///< [m] how far the box moves once it has its weight; if it is lost, until the end
+  double turn = 0;               ///< [rad] how far the box turns
+  double opening = 0;            ///< [m] distance of the fingertips once the gripper has closed
+  double step_us = 0;            ///< [us] median time of an engine step
 };
 
-/// The gripper points down, with the fingers of `robot` as convex bodies, each pressed against the box by a constant force. The box is
-/// too heavy for friction alone: it stays only if the hooks reach under it. Throws kNotARobot where joints or links of the gripper lack.
+/// The gripper points down, with the fingers of `robot` as convex bodies, each pressed against the box by a constant force. The box is too
+/// heavy for friction alone: it stays only if the hooks reach under it. Throws kNotARobot if joints or links of the gripper are missing.
 GripResult grip(const dart::dynamics::SkeletonPtr& robot);
 
 }  // namespace collision_hulls

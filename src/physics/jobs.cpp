@@ -1,4 +1,4 @@
-// What the program physics does in a process of its own.
+// The jobs of the program `physics`, which it runs in processes of their own: finding poses, dropping a body, closing the gripper.
 #include "bench/jobs.h"
 
 #include <nlohmann/json.hpp>
@@ -40,14 +40,15 @@ json poses(const json& job) {
   return {{"diagonal", diagonal(subject.mesh)}, {"stabilities", stabilities}};
 }
 
-/// Points from the mesh's frame to the body's: the centre of mass is the origin, and D is kBodySize.
+/// Transforms points from the mesh's frame to the body's: the origin is the centre of mass, and D is kBodySize.
 std::vector<Eigen::Vector3d> inBody(const Subject& subject, std::vector<Eigen::Vector3d> points) {
   const double size = kBodySize / diagonal(subject.mesh);
   for (Eigen::Vector3d& p : points) p = size * (p - subject.mass.center);
   return points;
 }
 
-/// The mesh itself: convex it is a single hull, which is a method; as a mesh, a file.
+/// The body to drop. Without hulls it is the original mesh, as a file; as a convex body the original would be its single hull, which is a
+/// method.
 DropBody bodyOf(const Subject& subject, const json& job) {
   const std::string hulls = job["hulls"], work = job["work"];
   const bool as_mesh = job["way"] == name(Way::kMesh);
@@ -78,7 +79,7 @@ json dropJob(const json& job) {
           {"step_us", result.step_us}, {"contacts", result.contacts}};
 }
 
-/// The fingers alone get hulls; the other links' collision models play no part.
+/// Only the fingers get hulls; the collision models of other links do not matter here.
 json gripJob(const json& job) {
   const Input input = openInput(job["robot"]);
   Options options;

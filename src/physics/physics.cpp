@@ -1,3 +1,4 @@
+// Runs the steps listed in the header and turns each outcome into a row. A contender's hulls are made once and used for every way and pose.
 #include "physics/physics.h"
 
 #include <cmath>
@@ -17,14 +18,14 @@ constexpr double kDegree = kPi / 180;
 
 constexpr const char* kOriginal = "original";
 
-/// The mesh itself, and what makes hulls of it.
+/// The mesh itself, then the methods and peers that make hulls of it.
 std::vector<Contender> withOriginal(const PhysicsOptions& options) {
   std::vector<Contender> all = contenders(options.methods, {Effort::kQuick}, options.peers);
   all.insert(all.begin(), {kOriginal, "", ""});
   return all;
 }
 
-/// The drops of one mesh after the other.
+/// Drops one mesh after the other.
 class Drops {
  public:
   explicit Drops(const PhysicsOptions& options) : options_(options), runner_(options.program, options.folder) {}
@@ -35,7 +36,7 @@ class Drops {
     start.mesh = mesh.name;
     JobOutcome outcome;
     json found = result({{"job", "poses"}}, outcome);
-    if (outcome.ok() && found["stabilities"].empty()) outcome = {"error", "the mesh stands on no face"};
+    if (outcome.ok() && found["stabilities"].empty()) outcome = {"error", "the mesh cannot stand on any face"};
     if (outcome.ok()) {
       stabilities_ = found["stabilities"].get<std::vector<double>>();
       start.diagonal = found["diagonal"].get<double>();

@@ -1,3 +1,5 @@
+// A body rests on a face of its hull if its centre of mass projects into the face's polygon; it tips at the angle between the vertical and
+// the line from the nearest edge to the centre of mass.
 #include "physics/resting.h"
 
 #include <algorithm>
@@ -6,10 +8,10 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kOnFace = 1e-6;        // of the body's size: vertices that near a face's plane stand on the table with it
+constexpr double kOnFace = 1e-6;        // of the body's size: vertices this near to a face's plane touch the table with it
 constexpr double kSamePose = 0.939693;  // cosine of 20 degrees between faces
 
-/// The corners of a face in its plane, the foot of the centre of mass being the origin, counter-clockwise.
+/// The corners of a face in its plane, counter-clockwise; the origin is the projection of the centre of mass.
 std::vector<Eigen::Vector2d> footprint(const ConvexHull& hull, const HalfSpace& face, const Eigen::Matrix3d& down,
                                        const Eigen::Vector3d& center, double near) {
   std::vector<Eigen::Vector2d> corners;
@@ -25,7 +27,7 @@ std::vector<Eigen::Vector2d> footprint(const ConvexHull& hull, const HalfSpace& 
   return corners;
 }
 
-/// How far the origin lies within a convex polygon; negative outside.
+/// How deep the origin lies inside a convex polygon; negative outside.
 double depth(const std::vector<Eigen::Vector2d>& polygon) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -38,8 +40,8 @@ double depth(const std::vector<Eigen::Vector2d>& polygon) {
 
 }  // namespace
 
-// A sum over the tetrahedra between a vertex and the triangles: the second moment of one with corners 0, a, b, c is
-// V/20 (aa' + bb' + cc' + ss') with s = a + b + c.
+// Sums over the tetrahedra between a vertex and the triangles: the second moment of a tetrahedron with corners 0, a, b, c is
+// V/20 (aa' + bb' + cc' + ss'), where s = a + b + c.
 MassProperties massProperties(const ConvexHull& hull) {
   const Eigen::Vector3d origin = hull.vertices.front();
   double volume = 0;

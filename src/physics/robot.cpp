@@ -1,3 +1,4 @@
+// Loads a robot as a user of DART would, from the text of the description, with its packages resolved by our finder.
 #include "physics/robot.h"
 
 #include <dart/utils/urdf/DartLoader.hpp>
@@ -33,7 +34,7 @@ dart::dynamics::SkeletonPtr loadRobot(const std::string& urdf, const std::string
   dart::utils::DartLoader loader;
   addPackages(text, find_package, loader);
   dart::dynamics::SkeletonPtr robot = loader.parseSkeletonString(text, dart::common::Uri::createFromPath(path));
-  if (!robot) throw Error(ErrorCode::kNotARobot, "'" + path + "' cannot be loaded by DART; its messages say why");
+  if (!robot) throw Error(ErrorCode::kNotARobot, "'" + path + "': DART cannot load this robot; see DART's messages for the reason");
   return robot;
 }
 

@@ -1,4 +1,4 @@
-// Robots through DART's URDF loader.
+// Loads robots with DART's URDF loader.
 #pragma once
 
 #include <dart/dynamics/Skeleton.hpp>
@@ -8,8 +8,8 @@
 
 namespace collision_hulls {
 
-/// The robot of a description, with its collision models as triangle meshes. Its `<visual>` elements are left out: collisions need none,
-/// and DART ends the process for those whose scale mirrors. Throws kNotARobot where DART's loader fails.
+/// The robot of a description, with its collision models as triangle meshes. `<visual>` elements are dropped: collisions do not need them,
+/// and DART aborts the process for visuals with a mirroring scale. Throws kNotARobot if DART's loader fails.
 dart::dynamics::SkeletonPtr loadRobot(const std::string& urdf, const std::string& path, const PackageFinder& find_package);
 
 }  // namespace collision_hulls

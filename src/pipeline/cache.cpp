@@ -1,3 +1,5 @@
+// An entry is sealed bytes (kind, version, checksum) that start with the entry's own name. Each struct lists its fields once, for writing
+// and reading alike; a damaged entry is removed and counts as not found.
 #include "pipeline/cache.h"
 
 #include <utility>
@@ -10,7 +12,7 @@
 
 namespace collision_hulls {
 
-// Members are taken apart by name: one that is added does not compile until it is decided whether entries hold it.
+// Structured bindings name every member, so a new member does not compile until someone decides whether entries contain it.
 
 template <typename Archive>
 void fields(Archive& archive, RepairCounts& counts) {
@@ -53,7 +55,7 @@ std::string keyOf(const std::string& kind, const Values&... values) {
   return sha256(toBytes(kind, kKind.version, std::string(version()), std::string(sourceDigest()), values...));
 }
 
-/// The mesh itself. The extension counts, since it says how the content is read.
+/// Identifies the mesh. The file's extension is included, since it determines how the content is read.
 std::string meshBytes(const ElementReport& row, const std::string& file) {
   return toBytes(row.sha256, std::filesystem::path(file).extension().string(), row.scale);
 }
@@ -86,7 +88,7 @@ std::string validationKey(const std::vector<ElementResult>& elements, const std:
 
 Cache::Cache(std::filesystem::path folder, std::uintmax_t most_bytes) : folder_(std::move(folder), most_bytes) {}
 
-// An entry begins with its own name, so that one that was copied to another name is not taken.
+// An entry starts with its own name, so that a copy under another name is rejected.
 template <typename Value>
 std::optional<Value> Cache::find(const std::string& name) {
   const std::optional<std::string> bytes = folder_.find(name);
@@ -97,7 +99,7 @@ std::optional<Value> Cache::find(const std::string& name) {
     fromBytes(opened(kKind, *bytes), own_name, value);
     if (own_name == name) return value;
   } catch (const ByteFault&) {
-    // Damaged, as the one with the wrong name.
+    // Damaged; discarded below, as is one with the wrong name.
   }
   folder_.discard(name);
   return std::nullopt;

@@ -1,7 +1,7 @@
-// The cache: results of earlier runs, found again by the content of all that they depend on.
+// The cache: results of earlier runs, found again by the content of everything they depend on.
 //
-// A key is a SHA-256 over the mesh file's content and extension, scale and options, and over this library: its version, the digest of its
-// sources, and how it was compiled. Since the same input gives the same bytes, an entry is what the work would give.
+// A key is a SHA-256 over the mesh file's content and extension, the scale and the options, and over this library: its version, the digest
+// of its sources, and how it was compiled. Since the same input gives the same bytes, an entry equals what a new computation would give.
 #pragma once
 
 #include <cstdint>
@@ -16,19 +16,19 @@
 
 namespace collision_hulls {
 
-/// What the result of one mesh depends on: content (`row.sha256`) and extension of its file, scale, and options that change hulls.
+/// Key of one mesh's result: content (`row.sha256`) and extension of its file, scale, and the options that change hulls.
 std::string elementKey(const ElementReport& row, const std::string& file, const Options& options);
 
-/// What a validation depends on: each element that has hulls, by its name, key and pose, and the seed.
-/// `keys`: of the elements, in their order; anything for those without hulls.
+/// Key of a validation: name, key and pose of each element with hulls, and the seed. `keys`: one per element, in order; ignored for
+/// elements without hulls.
 std::string validationKey(const std::vector<ElementResult>& elements, const std::vector<std::string>& keys, const Options& options);
 
-/// What the hull tree of one mesh depends on, with leaves for `tolerance` [m]: as elementKey(), without the options that choose a cut
-/// (tolerance and number of hulls).
+/// Key of one mesh's hull tree with leaves for `tolerance` [m]: as elementKey(), without the options that only choose a cut (tolerance and
+/// number of hulls).
 std::string treeKey(const ElementReport& row, const std::string& file, const Options& options, double tolerance);
 
-/// Finds nothing where there is nothing or where the entry is damaged, which is counted, and the entry removed. Thread safe; other
-/// processes may use the same folder at the same time.
+/// Finds nothing if there is no entry or if it is damaged; a damaged entry is removed and counted. Thread safe; other processes may use the
+/// same folder at the same time.
 class Cache {
  public:
   static constexpr std::uintmax_t kMostBytes = 1'000'000'000;
@@ -36,12 +36,12 @@ class Cache {
   /// See CacheFolder.
   explicit Cache(std::filesystem::path folder, std::uintmax_t most_bytes = kMostBytes);
 
-  /// A mesh's result, without what says where in a robot it stands and how long it took.
+  /// A mesh's result, without its place in a robot and the times it took.
   std::optional<ElementResult> findElement(const std::string& key);
   void storeElement(const std::string& key, const ElementResult& element);
 
   std::optional<Validation> findValidation(const std::string& key);
-  /// But for one with timeouts, which another run may not have.
+  /// Skips a validation with timeouts, since another run may have none.
   void storeValidation(const std::string& key, const Validation& validation);
 
   std::optional<HullTree> findTree(const std::string& key);

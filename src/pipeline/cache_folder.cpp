@@ -1,3 +1,5 @@
+// Entries are written to a temporary file and renamed, so readers never see half of one, and no locks are needed between processes. An
+// entry's time of last use is its modification time; trim() removes the least recently used.
 #include "pipeline/cache_folder.h"
 
 #include <stdlib.h>
@@ -18,9 +20,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kDigits = 64;          // of an entry's name: a SHA-256
-constexpr std::uintmax_t kLeastEntries = 4;  // that the bound leaves room for: a larger entry would drive out all others
+constexpr std::uintmax_t kLeastEntries = 4;  // that must fit; a larger entry would evict all others
 constexpr const char* kUnfinished = ".unfinished-";
-constexpr std::chrono::hours kGivenUp{1};  // age at which an unfinished file is taken for a killed process's
+constexpr std::chrono::hours kGivenUp{1};  // age from which an unfinished file counts as left by a killed process
 
 struct Entry {
   fs::file_time_type time;
@@ -32,7 +34,7 @@ bool isHexDigit(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
 }
 
-/// A file's time and size; other processes may have removed it meanwhile.
+/// A file's time and size; nullopt if another process has removed it meanwhile.
 std::optional<Entry> entryOf(const fs::path& file) {
   std::error_code error;
   Entry entry;
@@ -92,10 +94,10 @@ void CacheFolder::store(const std::string& name, const std::string& content) {
   if (trouble_.empty()) trouble_ = trouble;
 }
 
-/// What went wrong; empty where nothing did.
+/// Writes an entry; returns what went wrong, or an empty string.
 std::string CacheFolder::write(const std::string& name, const std::string& content) const {
   const std::uintmax_t limit = most_bytes_ / kLeastEntries;
-  if (content.size() > limit) return "an entry takes " + megabytes(content.size()) + ", where " + megabytes(limit) + " is the limit";
+  if (content.size() > limit) return "an entry of " + megabytes(content.size()) + " exceeds the limit of " + megabytes(limit);
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) return error.message();
@@ -146,10 +148,10 @@ std::vector<std::string> CacheFolder::notes() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::vector<std::string> notes;
   const std::string place = "the cache '" + folder_.string() + "'";
-  if (damaged_ > 0) notes.push_back(place + " had " + std::to_string(damaged_) + " damaged entries, which were made anew");
+  if (damaged_ > 0) notes.push_back(place + " had " + std::to_string(damaged_) + " damaged entries, which were computed again");
   if (!trouble_.empty()) {
-    notes.push_back(place + " does not hold all of this run: " + trouble_ +
-                    "; name a folder that can be written in COLLISION_HULLS_CACHE, or use no cache");
+    notes.push_back(place + " could not store everything from this run: " + trouble_ +
+                    "; set COLLISION_HULLS_CACHE to a writable folder, or turn the cache off");
   }
   return notes;
 }

@@ -1,4 +1,4 @@
-// Small files by name that other processes write at the same time: the cache's place on the disk.
+// The cache's folder on disk: small named files that several processes may write at the same time.
 #pragma once
 
 #include <cstddef>
@@ -11,26 +11,26 @@
 
 namespace collision_hulls {
 
-/// $COLLISION_HULLS_CACHE, else collision_hulls in $ROS_HOME, else ~/.ros/collision_hulls; empty where not even HOME is set.
+/// $COLLISION_HULLS_CACHE, else collision_hulls in $ROS_HOME, else ~/.ros/collision_hulls; empty if not even HOME is set.
 std::filesystem::path cacheFolder();
 
-/// Entries of a folder. An entry appears whole or not at all (it is written beside its place and renamed), and may vanish at any time.
-/// Nothing here throws: what fails is an entry that is not there, and a note. Thread safe.
+/// The entries of a folder. An entry appears complete or not at all (it is written to a temporary file and renamed), and may vanish at any
+/// time. Nothing here throws: after a failure the entry is simply not there, and a note says why. Thread safe.
 class CacheFolder {
  public:
-  /// `folder` is made with the first entry; empty: keeps nothing. `most_bytes`: what trim() leaves.
+  /// `folder` is created with the first entry; empty: nothing is stored. `most_bytes`: the size to which trim() reduces the folder.
   CacheFolder(std::filesystem::path folder, std::uintmax_t most_bytes);
 
-  /// The content of an entry, which then counts as new again.
+  /// The content of an entry, which is thereby the most recently used.
   std::optional<std::string> find(const std::string& name);
   void store(const std::string& name, const std::string& content);
   /// Removes an entry whose content is damaged.
   void discard(const std::string& name);
 
-  /// Once something was stored: removes what killed processes left, and the oldest entries of all until the rest is small enough.
+  /// If anything was stored: removes files left by killed processes, and the least recently used entries until the rest is small enough.
   void trim();
 
-  /// What the user should know: entries that could not be written, entries that were damaged.
+  /// For the user: entries that could not be written, entries that were damaged.
   std::vector<std::string> notes() const;
 
   /// Whether a file of this name is an entry: 64 hexadecimal digits, a point, letters. No other file is ever removed.

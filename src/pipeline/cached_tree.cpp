@@ -1,3 +1,4 @@
+// The tree is built without a cap on hulls: caps choose a cut, so one tree serves them all.
 #include "pipeline/cached_tree.h"
 
 #include <utility>

@@ -1,4 +1,4 @@
-// The hull tree of a mesh, kept between runs.
+// The hull tree of a mesh, cached between runs.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct CachedTree {
   bool found = false;  ///< in the cache
 };
 
-/// From the cache, or built and stored there. `file` and `row` as for treeKey(); leaves for `tolerance` [m].
+/// Takes the tree from the cache, or builds and stores it. `file` and `row` as for treeKey(); leaves for `tolerance` [m].
 CachedTree cachedTree(const std::string& file, const ElementReport& row, const RepairedMesh& mesh, const Options& options, double tolerance,
                       Cache& cache, const RunControl& control);
 

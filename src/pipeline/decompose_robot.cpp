@@ -1,3 +1,5 @@
+// The flow on one screen, with numbered steps. Meshes run in parallel, the largest first, and equal meshes only once; a mesh that fails
+// becomes a row and stops nothing else.
 #include "collision_hulls/pipeline/decompose_robot.h"
 
 #include <algorithm>
@@ -23,32 +25,32 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kMeshesShare = 0.9;     // of a run's time, about; the rest is the validation
-constexpr double kDecomposeShare = 0.7;  // of an element's time, about
-constexpr double kMuch = 0.1;            // of the protrusion, that blunt hulls are the cause of
+constexpr double kMeshesShare = 0.9;     // of a run's time, approximately; the rest is the validation
+constexpr double kDecomposeShare = 0.7;  // of an element's time, approximately
+constexpr double kMuch = 0.1;            // of the protrusion: if blunting exceeds this share, it is named as the cause
 
-/// Why hulls reach further than the caller accepts, and what to do about it.
+/// Why hulls protrude further than the tolerance, and what to do about it.
 std::string excuse(const Options& options, const MeshHulls& made) {
   if (options.method == Method::kSingleHull || options.method == Method::kBoundingBox)
-    return std::string(name(options.method)) + " pays no heed to the tolerance; another method does";
+    return std::string(name(options.method)) + " ignores the tolerance; use another method";
   const std::string vertices = "max-vertices " + std::to_string(options.max_vertices);
   if (made.capped && (options.max_hulls > 0 || options.method == Method::kCertified))
     return "the caps (max-hulls " + std::to_string(options.max_hulls) + ", " + vertices + ") made the hulls coarser; raise them";
   if (options.method == Method::kHacd) {
-    return "hacd goes by a concavity measured along rays, which does not bound the protrusion; a smaller tolerance gives more hulls";
+    return "hacd measures concavity along rays, which does not bound the protrusion; give a smaller tolerance, which makes more hulls";
   }
   if (options.method == Method::kAcd) {
-    return "acd goes by a concavity measured at reflex edges, which does not bound the protrusion; a smaller tolerance gives more hulls";
+    return "acd measures concavity at reflex edges, which does not bound the protrusion; give a smaller tolerance, which makes more hulls";
   }
   if (made.blunted > kMuch * made.protrusion.bound)
-    return "thin hulls of so few vertices (" + vertices + ") reach up to " + millimetres(made.blunted) + " further; raise that cap";
-  return "the surface has details there that no plane divided; mend the mesh or accept it";
+    return "with so few vertices (" + vertices + ") thin hulls protrude up to " + millimetres(made.blunted) + " further; raise that cap";
+  return "the surface has details there that no plane divided; repair the mesh or accept it";
 }
 
 void grade(ElementReport& row, const Options& options, const MeshHulls& made) {
   if (row.uncovered > 0) {
     throw Error(ErrorCode::kInternal, "the hulls leave the surface uncovered by up to " + millimetres(row.uncovered) +
-                                          ", where 0 is the limit; please report the mesh '" + row.uri + "'");
+                                          "; the limit is 0. Please report the mesh '" + row.uri + "'");
   }
   if (row.protrusion <= row.tolerance) return;
   row.status = Status::kDegraded;
@@ -56,18 +58,18 @@ void grade(ElementReport& row, const Options& options, const MeshHulls& made) {
                ": " + excuse(options, made);
 }
 
-/// The stages for one mesh. Fills report, original and hulls of `element`, whose row says which scale it has.
+/// The stages for one mesh. Fills report, original and hulls of `element`, whose row holds the scale.
 void decomposeElement(const MeshTask& mesh, const Options& options, Cache& cache, Progress& progress, std::size_t task,
                       ElementResult& element) {
   ElementReport& row = element.report;
   RunControl decomposing, certifying;
   progress.follow(decomposing, task, 0, kDecomposeShare);
   progress.follow(certifying, task, kDecomposeShare, 1);
-  // 1. Read, and scale as the description says. 2. Repair: a mesh with topology, and the solid that it stands for.
+  // 1. Read, and scale as the description says. 2. Repair: a mesh with topology, and the solid that it encloses.
   const ReadMesh read = readElement(mesh, options, decomposing, element);
 
-  // 3. Decompose, then cover the mesh as it was read with the hulls as they are written.
-  // 4. Certify. The solid is known up to the margin, so the bound has it added.
+  // 3. Decompose, then make the hulls as written cover the mesh as read.
+  // 4. Certify. The solid is known only up to the margin, so the bound includes it.
   const DecomposeOptions method{options.method, row.tolerance,  options.max_hulls, options.max_vertices,
                                 options.seed,   options.effort, options.fill};
   Stopwatch stage;
@@ -94,7 +96,7 @@ void decomposeElement(const MeshTask& mesh, const Options& options, Cache& cache
   grade(row, options, made);
 }
 
-/// What an earlier run made of the mesh; false where there was none.
+/// Takes the mesh's result from an earlier run; false if there is none.
 bool takeFromCache(const std::string& key, Cache& cache, ElementResult& element) {
   Stopwatch stage;
   const std::optional<ElementResult> known = cache.findElement(key);
@@ -126,7 +128,7 @@ void decomposeTask(const MeshTask& task, std::size_t index, const Options& optio
   }
 }
 
-/// Fills the report's validation, from the cache if it can.
+/// Fills the report's validation, from the cache if possible.
 void validateOrRemember(RobotResult& result, const std::vector<MeshTask>& tasks, Cache& cache, Progress& progress) {
   const Options& options = result.report.options;
   std::vector<std::string> keys(result.elements.size());
@@ -157,9 +159,9 @@ void decomposeElements(RobotResult& result, const UriResolver& resolve, const Ru
     for (const ElementResult& element : elements) {
       if (element.report.status == Status::kFailed) progress.finishElement(element.report.link, 0);
     }
-    // 1 to 4, each mesh once.
+    // Steps 1 to 4, once per mesh.
     forEachInTurn(tasks.size(), [&](std::size_t i) { decomposeTask(tasks[i], i, options, cache, progress, elements); });
-    // 5. Validate: by queries, original against hulls.
+    // 5. Validate by queries: the original against the hulls.
     if (options.validate) {
       progress.begin("validate", 1);
       validateOrRemember(result, tasks, cache, progress);

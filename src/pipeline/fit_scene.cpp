@@ -1,3 +1,5 @@
+// The flow of decomposeRobot() with the whole robot fitted at once: read, repair and build a tree for each mesh; fit all trees to the
+// scene; certify the hulls of each cut; validate. Equal meshes are read once, and certified once per cut.
 #include "collision_hulls/pipeline/fit_scene.h"
 
 #include <algorithm>
@@ -21,9 +23,9 @@
 namespace collision_hulls {
 namespace {
 
-// Shares of the whole time at which stages end, about.
+// Shares of the whole time at which stages end, approximately.
 constexpr double kTreesEnd = 0.4, kFitEnd = 0.8, kCertifyEnd = 0.9;
-constexpr double kFittedGap = 0.01;  // of the tolerance or, where that is more, of the protrusion that the tree tells
+constexpr double kFittedGap = 0.01;  // of the tolerance, or of the protrusion that the tree states if that is larger
 
 /// 1 to 3 of a mesh: read, repair, and its hull tree. Fills the first of its elements.
 std::shared_ptr<const FitMesh> fitMesh(const MeshTask& task, std::size_t index, const Options& options, Cache& cache, Progress& progress,
@@ -45,7 +47,7 @@ std::shared_ptr<const FitMesh> fitMesh(const MeshTask& task, std::size_t index, 
   return mesh;
 }
 
-using FitMeshes = std::vector<std::shared_ptr<const FitMesh>>;  // of the elements; null: failed
+using FitMeshes = std::vector<std::shared_ptr<const FitMesh>>;  // one per element; null: failed
 
 FitMeshes fitMeshes(const std::vector<MeshTask>& tasks, const Options& options, Cache& cache, Progress& progress,
                     std::vector<ElementResult>& elements) {
@@ -67,7 +69,7 @@ FitMeshes fitMeshes(const std::vector<MeshTask>& tasks, const Options& options, 
   return meshes;
 }
 
-/// A link is fitted as a whole, so that one mesh that failed keeps the others of its link as they are.
+/// A link is fitted as a whole, so one failed mesh also fails the other meshes of its link.
 void failSiblings(FitMeshes& meshes, std::vector<ElementResult>& elements) {
   std::map<std::string, const ElementReport*> failed;  // by link: the first such mesh
   for (std::size_t i = 0; i < elements.size(); ++i)
@@ -77,11 +79,11 @@ void failSiblings(FitMeshes& meshes, std::vector<ElementResult>& elements) {
     if (!meshes[i] || sibling == failed.end()) continue;
     meshes[i] = nullptr;
     fail(elements[i], sibling->second->error,
-         "'" + sibling->second->uri + "' of the same link failed, and a link is fitted as a whole; mend that one");
+         "'" + sibling->second->uri + "' on the same link failed, and a link is fitted as a whole; fix that mesh");
   }
 }
 
-/// The primitives of the links that meshes are fitted on, or that have no mesh at all. Dummies without a size are none.
+/// The primitives of all selected links except absent ones. Primitives without a valid size, such as dummies, only give a note.
 std::vector<KeptBody> keptBodies(const RobotDescription& robot, const Options& options, const std::set<std::string>& absent,
                                  std::vector<std::string>& notes) {
   const LinkChoice chosen(options.links, robot);
@@ -93,14 +95,14 @@ std::vector<KeptBody> keptBodies(const RobotDescription& robot, const Options& o
       try {
         kept.push_back({link, hullAbout(element)});
       } catch (const Error& error) {
-        notes.push_back("link '" + robot.links[link].name + "': " + error.what() + "; left out");
+        notes.push_back("link '" + robot.links[link].name + "': " + error.what() + "; this primitive is ignored");
       }
     }
   }
   return kept;
 }
 
-/// The elements that are fitted: `indices` are theirs among all.
+/// The problem of fitting all elements of links without a failed mesh; `indices` tells which of all elements these are.
 FitProblem problemOf(const RobotDescription& robot, const SceneRequest& request, const Options& options,
                      const std::vector<ElementResult>& elements, const FitMeshes& meshes, std::vector<std::size_t>& indices,
                      std::vector<std::string>& notes) {
@@ -121,7 +123,7 @@ FitProblem problemOf(const RobotDescription& robot, const SceneRequest& request,
   return problem;
 }
 
-/// The leaves below a cut's nodes, without those that are in it.
+/// The leaves below a cut's nodes, without leaves that are in the cut.
 std::vector<ConvexHull> leavesBelow(const HullTree& tree, const std::vector<int>& cut) {
   std::vector<ConvexHull> leaves;
   std::vector<int> open = cut;
@@ -137,7 +139,8 @@ std::vector<ConvexHull> leavesBelow(const HullTree& tree, const std::vector<int>
   return leaves;
 }
 
-/// The hulls of primitives reach further out than these: of the largest protrusion found no more is told than what the primitive has.
+/// The polyhedron around a primitive protrudes further than the primitive itself: corrects the largest protrusion found to a point of the
+/// primitive.
 void tellOfPrimitive(const ElementResult& element, Protrusion& found) {
   const auto of_primitive = found.hull - static_cast<int>(element.hulls.size() - element.primitives.size());
   if (of_primitive < 0) return;
@@ -146,7 +149,7 @@ void tellOfPrimitive(const ElementResult& element, Protrusion& found) {
   found.nearest = found.found > 0 ? element.solid->surface().nearest(found.where).point : found.where;
 }
 
-/// 4. Certify the hulls as written.
+/// Step 4: certify the hulls as written.
 void certify(const FitMesh& mesh, const FittedElement& fitted, const RunControl& control, ElementResult& element) {
   Stopwatch stage;
   ElementReport& row = element.report;
@@ -157,8 +160,8 @@ void certify(const FitMesh& mesh, const FittedElement& fitted, const RunControl&
   element.unneeded = leavesBelow(mesh.tree, fitted.cut);
   row.uncovered = uncovered(element.original, element.hulls, control);
   if (row.uncovered > 0)
-    throw Error(ErrorCode::kInternal,
-                "the hulls leave the surface uncovered by up to " + millimetres(row.uncovered) + ", where 0 is the limit");
+    throw Error(ErrorCode::kInternal, "the hulls leave the surface uncovered by up to " + millimetres(row.uncovered) +
+                                          "; the limit is 0. Please report the mesh '" + row.uri + "'");
   Protrusion found = protrusion(element.hulls, *element.solid, kFittedGap * told, control);
   tellOfPrimitive(element, found);
   row.protrusion = found.bound + mesh.margin;
@@ -169,7 +172,7 @@ void certify(const FitMesh& mesh, const FittedElement& fitted, const RunControl&
   row.seconds.certify = stage.lap();
 }
 
-/// The cut, and below 0 the kinds of the primitives that stand for its last nodes.
+/// Identifies a fitted element: its cut, followed by negative numbers for the kinds of its primitives.
 std::vector<int> cutOf(const FittedElement& fitted) {
   std::vector<int> cut = fitted.cut;
   for (const GeometryElement& primitive : fitted.primitives) cut.push_back(-1 - static_cast<int>(primitive.kind));
@@ -178,7 +181,7 @@ std::vector<int> cutOf(const FittedElement& fitted) {
 
 using MeshCut = std::pair<const FitMesh*, std::vector<int>>;
 
-/// Elements with the same mesh and cut are certified once.
+/// Certifies elements with the same mesh and cut once.
 void certifyAll(const FitMeshes& meshes, const SceneFit& fit, const std::vector<std::size_t>& indices, Progress& progress,
                 std::vector<ElementResult>& elements) {
   std::map<MeshCut, std::vector<std::size_t>> same;
@@ -212,15 +215,15 @@ void validateAll(RobotResult& result, Progress& progress) {
 
 std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options) {
   std::vector<std::string> notes = fit.notes;
-  if (!options.links.empty()) notes.push_back("links that '" + options.links + "' does not match were not there in the scene");
-  if (!fit.scene_contact.empty()) notes.push_back("the original at rest touches the scene: " + fit.scene_contact);
+  if (!options.links.empty()) notes.push_back("links that '" + options.links + "' does not match were left out of the fit");
+  if (!fit.scene_contact.empty()) notes.push_back("the original touches the scene at rest: " + fit.scene_contact);
   if (fit.scene_hits > 0 && fit.given) {
     notes.push_back("the original touches the scene in " + std::to_string(fit.scene_hits) + " of " + std::to_string(fit.samples) +
                     " given configurations");
   }
   if (fit.leaf_contacts > 0) {
-    notes.push_back(std::to_string(fit.leaf_contacts) + " counterexamples remain with the finest hulls, such as " + fit.leaf_contact +
-                    "; a smaller tolerance tells them apart");
+    notes.push_back(std::to_string(fit.leaf_contacts) + " counterexamples remain even with the finest hulls, such as " + fit.leaf_contact +
+                    "; use a smaller tolerance");
   }
   return notes;
 }
@@ -228,10 +231,10 @@ std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options
 void refuseOtherWays(const Options& options) {
   if (options.tree)
     throw Error(ErrorCode::kBadOption, "tree '" + toString(*options.tree) +
-                                           "' is not for fit_scene, whose trees always have leaves of the tolerance; give that alone");
+                                           "' does not apply to fit_scene, whose trees always have leaves for the tolerance; omit it");
   if (options.method == Method::kCertified) return;
   throw Error(ErrorCode::kBadOption,
-              std::string("method '") + name(options.method) + "' makes no hull tree, which fitting to a scene goes by; use certified");
+              std::string("method '") + name(options.method) + "' builds no hull tree, which fitting to a scene needs; use certified");
 }
 
 }  // namespace
@@ -239,7 +242,7 @@ void refuseOtherWays(const Options& options) {
 SceneRequest readSceneRequest(const Input& input, const SceneSources& sources) {
   if (sources.max_step != 0 && sources.configurations.empty())
     throw Error(ErrorCode::kBadOption,
-                "max-step '" + std::to_string(sources.max_step) + "' is for given configurations, between which others are put; give some");
+                "max-step '" + std::to_string(sources.max_step) + "' interpolates between given configurations; give some, or omit it");
   SceneRequest request;
   if (!sources.scene.empty()) request.scene = readScene(sources.scene, input.find_package);
   if (!sources.srdf.empty() || !sources.srdf_file.empty()) {
@@ -292,7 +295,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
     failSiblings(meshes, elements);
     std::vector<std::size_t> indices;
     const FitProblem problem = problemOf(robot, request, options, elements, meshes, indices, notes);
-    if (problem.elements.empty()) return;  // each mesh failed, or another one of its link
+    if (problem.elements.empty()) return;  // every link has a failed mesh
     RunControl fitting;
     progress.begin("fit", kFitEnd);
     progress.follow(fitting, 0);

@@ -1,3 +1,5 @@
+// Decompose, complete the cover, certify; if the certificate of the method `certified` exceeds the tolerance, try again with a lower aim,
+// at most kAttempts times, and keep the best. The gap between the certificate's bounds is narrowed only where it decides.
 #include "pipeline/mesh_hulls.h"
 
 #include <algorithm>
@@ -11,18 +13,18 @@ namespace collision_hulls {
 
 namespace {
 
-// What the margin and rounding to it take: the aim is lower by so many margins, but not by more than half.
+// The aim is below the tolerance by this many margins, for the margin and rounding, but never below this share of the tolerance.
 constexpr double kMargins = 3, kLeastAim = 0.5;
-// Hulls as written may reach a little further than those that were searched for, and near openings of the surface, where the distance to
-// the solid jumps, much further. Then the aim is lowered by as much and a little more, but at most to this share.
+// Hulls as written may protrude a little further than those searched for, and much further near openings of the surface, where the distance
+// to the solid jumps. The next aim is lower by that excess and a little more, but not below kLowerAim of the last aim.
 constexpr int kAttempts = 3;
 constexpr double kLowerAim = 0.8, kALittleLower = 0.99;
-// Where the gap between bounds may be all that takes the upper one above the tolerance: its least share of the usual gap, and how hard to
-// try.
+// The gap between the bounds may be all that takes the upper one above the tolerance. Then it is narrowed: least share of the usual gap for
+// which that is tried, and the extra effort spent.
 constexpr double kLeastGap = 0.1;
 constexpr std::size_t kSpareVisits = 500'000;
 
-/// The coarsest cut whose hulls keep within the tolerance also with their vertices reduced, as leaves do anyway.
+/// The coarsest cut whose hulls keep the tolerance even after their vertices are reduced; leaves are accepted in any case.
 std::vector<int> fittingCut(const HullTree& tree, const DecomposeOptions& options) {
   std::vector<int> open = tree.cutAt(options.tolerance), cut;
   while (!open.empty()) {
@@ -50,7 +52,7 @@ Decomposition hullsFrom(const HullTree& tree, const DecomposeOptions& options) {
   return result;
 }
 
-/// Of the next attempt.
+/// The aim of the next attempt; `over` is the last bound over the tolerance.
 double lowerAim(double aim, int attempt, double over) {
   return aim * (attempt == 0 ? std::max(kLowerAim, kALittleLower / over) : kLowerAim);
 }

@@ -1,3 +1,4 @@
+// A plain implementation of FIPS 180-4 (section numbers below are its own), so that the core needs no cryptographic library.
 #include "pipeline/sha256.h"
 
 #include <algorithm>
@@ -13,8 +14,8 @@
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kBlock = 64;                        // bytes that one round of compression takes
-constexpr std::size_t kFileChunk = std::size_t{1} << 20;  // bytes that are read at once
+constexpr std::size_t kBlock = 64;                        // bytes per compression
+constexpr std::size_t kFileChunk = std::size_t{1} << 20;  // bytes per read
 
 // First 32 bits of the fractional parts of the cube roots of the first 64 primes (section 4.2.2).
 constexpr std::array<std::uint32_t, 64> kRound = {
@@ -102,7 +103,7 @@ std::string sha256OfFile(const std::string& path) {
   std::error_code ignored;
   std::ifstream in(path, std::ios::binary);
   if (!std::filesystem::is_regular_file(path, ignored) || !in) {
-    throw Error(ErrorCode::kFileNotFound, "'" + path + "' is not a file that can be read; check the path and its permissions");
+    throw Error(ErrorCode::kFileNotFound, "'" + path + "' is not a readable file; check the path and its permissions");
   }
   Sha256 hash;
   std::vector<char> chunk(kFileChunk);

@@ -1,4 +1,4 @@
-// Wall-clock seconds of the stages of a run.
+// Measures the wall-clock time of a run's stages.
 #pragma once
 
 #include <chrono>

@@ -1,3 +1,6 @@
+// Contacts are found by brute force over pairs of nodes, with cheap tests first: boxes of whole parts, boxes of nodes in the scene's frame,
+// oriented boxes (apart), and only then FCL (touch). There is no tree over the nodes, since cuts are small and change with every node
+// opened.
 #include "scene/assembly.h"
 
 #include <map>
@@ -6,7 +9,7 @@
 namespace collision_hulls {
 namespace {
 
-/// A node at its place.
+/// A node placed in the scene.
 struct PlacedNode {
   int piece, node;
   const QueryBody* body;
@@ -39,7 +42,7 @@ std::vector<PlacedPart> placedParts(const Assembly& assembly, const Cuts& cuts, 
   return parts;
 }
 
-/// Of all contacts between the parts of these pairs, until `visit` has enough.
+/// Visits all contacts between the parts of these pairs until `visit` returns false.
 template <typename Visit>
 void visitContacts(const Assembly& assembly, const Cuts& cuts, const std::vector<PartPair>& pairs, const Places& places,
                    const Visit& visit) {
@@ -67,7 +70,7 @@ Assembly::Assembly(const FitProblem& problem, std::uint64_t seed)
       even_(kinematics_, seed),
       independent_(kinematics_, seed, Sampling::kIndependent),
       of_part_(parts()) {
-  std::map<const FitMesh*, std::shared_ptr<const DetailTree>> trees;  // elements with the same mesh share its levels
+  std::map<const FitMesh*, std::shared_ptr<const DetailTree>> trees;  // elements with the same mesh share its tree
   for (const FitElement& element : problem.elements) {
     std::shared_ptr<const DetailTree>& tree = trees[element.mesh.get()];
     if (!tree) tree = std::make_shared<const DetailTree>(element.mesh);

@@ -1,4 +1,4 @@
-// The parts of a scene with a robot in it: links and bodies, the pieces that they consist of, and where they are in a sample.
+// A robot in its scene, as parts: links and scene bodies, the pieces they consist of, and their poses in a sample.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -21,13 +21,13 @@ struct Piece {
   std::shared_ptr<const DetailTree> tree;
 };
 
-/// For each piece the nodes of its tree that stand for it.
+/// For each piece, the nodes of its tree that represent it.
 using Cuts = std::vector<std::vector<int>>;
 
 /// A pose for each part, in the scene's frame.
 using Places = std::vector<Eigen::Isometry3d>;
 
-/// Parts are the robot's links, in their order, then the scene's bodies. The first pieces are the problem's elements. Immutable, thread
+/// Parts are the robot's links, in order, followed by the scene's bodies. The first pieces are the problem's elements. Immutable, thread
 /// safe; keeps a reference to the problem.
 class Assembly {
  public:
@@ -45,7 +45,8 @@ class Assembly {
   std::size_t hulls(const Cuts& cuts) const;  ///< of the elements
 
   const Kinematics& kinematics() const { return kinematics_; }
-  /// A given configuration, or one within the joints' limits: spread evenly, and from kIndependentFrom on independent of each other.
+  /// A given configuration, or a sample within the joint limits: from the low-discrepancy sequence, and from kIndependentFrom on
+  /// independent.
   Configuration sample(std::size_t index) const;
   static constexpr std::size_t kIndependentFrom = std::size_t{1} << 40;
   Places places(const Configuration& configuration) const;
@@ -59,7 +60,7 @@ class Assembly {
   std::vector<std::vector<int>> of_part_;
 };
 
-/// Two parts that are looked at, a < b, and the distance [m] beyond which the original counts as clear.
+/// Two parts to check against each other, a < b, and the distance [m] from which on the original counts as clear.
 struct PartPair {
   std::size_t a = 0, b = 0;
   double clearance = 0;
@@ -79,7 +80,7 @@ bool touches(const Assembly& assembly, const Contact& contact, int first, int se
 std::vector<Contact> contacts(const Assembly& assembly, const Cuts& cuts, const std::vector<PartPair>& pairs, const Places& places,
                               std::size_t sample);
 
-/// Whether there is any such contact.
+/// Whether there is at least one such contact.
 bool inContact(const Assembly& assembly, const Cuts& cuts, const std::vector<PartPair>& pairs, const Places& places);
 
 }  // namespace collision_hulls

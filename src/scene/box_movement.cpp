@@ -1,3 +1,5 @@
+// Works joint by joint from the body back to the root, with the points of the body carried along at the middle of the box: each joint's
+// bound needs the points in that joint's frame. Linear in points times joints.
 #include "scene/box_movement.h"
 
 #include <algorithm>
@@ -14,11 +16,11 @@ Eigen::RowVectorXd chordsOf(const BoxedJoint& at, const PointMatrix& points) {
   return chord * (points.colwise().squaredNorm() - (at.joint->axis.transpose() * points).cwiseAbs2()).cwiseMax(0).cwiseSqrt();
 }
 
-/// How far a joint alone moves points along a direction in its frame.
+/// How far one joint alone moves points along a direction given in its frame.
 Eigen::RowVectorXd alongOf(const BoxedJoint& at, const PointMatrix& points, const Eigen::Vector3d& direction) {
   const Eigen::Vector3d& axis = at.joint->axis;
   if (!at.joint->turns) return Eigen::RowVectorXd::Constant(points.cols(), at.way * std::abs(axis.dot(direction)));
-  // (axis x p) . n = (n x axis) . p, and the way of p to the axis along n is (n's share along the axis less n) . p.
+  // (axis x p) . n = (n x axis) . p; moving p straight to the axis moves it along n by (n's component along the axis - n) . p.
   const Eigen::Vector3d tangent = direction.cross(axis), inward = axis.dot(direction) * axis - direction;
   return std::sin(std::min(at.way, kPi / 2)) * (tangent.transpose() * points).cwiseAbs() +
          (1 - std::cos(std::min(at.way, kPi))) * (inward.transpose() * points).cwiseMax(0);
@@ -53,8 +55,8 @@ double BoxedBody::movement(std::vector<double>& of_variables) const {
 }
 
 double BoxedBody::movementAlong(const Eigen::Vector3d& direction, std::vector<double>& of_variables) const {
-  Eigen::Matrix3d before = Eigen::Matrix3d::Identity();  // of the joint's frame
-  double turned = 0;                                     // [rad] by the joints before, at most
+  Eigen::Matrix3d before = Eigen::Matrix3d::Identity();  // orientation of the joint's frame
+  double turned = 0;                                     // [rad] that the joints before it turn, at most
   return sum(of_variables, [&](const Step& step) -> Eigen::RowVectorXd {
     before = before * step.at.joint->origin.linear();
     const Eigen::RowVectorXd along = alongOf(step.at, step.points, before.transpose() * direction);

@@ -1,4 +1,4 @@
-// How far a body moves while the joints before it stay within a box of values.
+// How far a body moves while the joints that move it stay within a box of values.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,29 +13,30 @@ namespace collision_hulls {
 /// A joint within a box.
 struct BoxedJoint {
   const ChainJoint* joint = nullptr;
-  std::size_t variable = 0;  ///< that moves it, by any numbering
-  double middle = 0;         ///< [rad or m] the joint's value in the box's middle
-  double way = 0;            ///< [rad or m] how far it is from there at most
+  std::size_t variable = 0;  ///< that moves it, in any numbering
+  double middle = 0;         ///< [rad or m] the joint's value at the box's middle
+  double way = 0;            ///< [rad or m] largest deviation from there
 };
 
 /// A body at the middle of a box.
 ///
-/// To get from there to any other place in the box joint by joint, the last one first, moves a point about each joint's axis from where it
-/// was in the middle; joints before it move that way rigidly. So movements add up, and each is
+/// Move from the middle to any other configuration in the box one joint at a time, the last joint first. Each joint then carries a point
+/// about its axis starting from where the point is at the middle, and the joints before it carry that displacement along rigidly. So the
+/// displacements add up, and each is
 ///   - no longer than the chord of the joint's angle at the point's distance from the axis;
-///   - along a direction n: what the joint itself does along n, at most sin(angle) |tangent . n| + (1 - cos(angle)) (inward . n), and
-///     as the joints before it may turn n by an angle w, 2 sin(w / 2) of the chord more.
+///   - along a direction n, no more than what the joint itself does along n, sin(angle) |tangent . n| + (1 - cos(angle)) (inward . n),
+///     plus 2 sin(w / 2) of the chord, since the joints before it may turn n by an angle w.
 class BoxedBody {
  public:
-  /// `points` in the frame that the last joint moves; joints those nearest to the root first.
+  /// `points` in the frame that the last joint moves; joints in order from the root.
   BoxedBody(const PointMatrix& points, std::vector<BoxedJoint> joints);
 
-  const PointMatrix& points() const { return points_; }  ///< at the middle, in the frame that the first joint's origin is in
+  const PointMatrix& points() const { return points_; }  ///< at the middle, in the frame in which the first joint's origin is given
 
-  /// [m] The furthest that a point is from there. Adds to each variable's share of it.
+  /// [m] Largest distance of any point from there. Adds each variable's share of it to `of_variables`.
   double movement(std::vector<double>& of_variables) const;
 
-  /// [m] The furthest along a direction (of unit length, in the frame of points()); never more than movement().
+  /// [m] Largest movement along a direction (of unit length, in the frame of points()); never more than movement().
   double movementAlong(const Eigen::Vector3d& direction, std::vector<double>& of_variables) const;
 
  private:

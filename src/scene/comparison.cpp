@@ -1,3 +1,5 @@
+// Measures other models on the samples that verified the fitted one, against the same truth from the original meshes. The coarsest adequate
+// uniform cut is found by bisection of the tolerance on a logarithmic scale.
 #include "scene/comparison.h"
 
 #include <algorithm>
@@ -10,11 +12,11 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kShares[] = {8, 4, 2, 1};  // of the clearance, tolerances of uniform cuts
-constexpr double kProvedShare = 0.5;        // two bodies that protrude by no more than that stay apart where the originals are
-constexpr int kHalvings = 12;               // of the search for the coarsest uniform cut
+constexpr double kShares[] = {8, 4, 2, 1};  // tolerances of uniform cuts, in clearances
+constexpr double kProvedShare = 0.5;        // of the clearance: if both bodies protrude by at most this, clear originals stay apart
+constexpr int kHalvings = 12;               // in the search for the coarsest adequate uniform cut
 
-/// What the original says of each sample.
+/// What the original does in each sample.
 struct Truth {
   std::vector<char> hit, clear;
 };
@@ -57,7 +59,7 @@ class Comparing {
     return row;
   }
 
-  /// The largest tolerance whose uniform cut no sample refutes; 0: even the leaves are refuted.
+  /// The largest tolerance whose uniform cut no sample refutes; 0: samples refute even the leaves.
   double adequateTolerance() const {
     double low = 0, high = 0;
     for (const FitElement& element : model_.problem.elements) high = std::max(high, element.mesh->tree.nodes.back().protrusion);
@@ -84,7 +86,7 @@ class Comparing {
         control_);
   }
 
-  /// Neither these samples nor the counterexamples of the fitting refute it.
+  /// Neither the verification samples nor the fit's counterexamples refute it.
   bool adequate(double tolerance) const {
     const Cuts cuts = cutsAt(tolerance);
     std::set<std::size_t> samples;

@@ -1,3 +1,5 @@
+// Reads configurations from CSV and from what rostopic prints. YAML is parsed one document at a time, and joint messages are found wherever
+// they are nested, so that any message that contains them can be recorded.
 #include <algorithm>
 #include <string_view>
 
@@ -14,7 +16,7 @@ namespace {
 constexpr std::string_view kBlanks = " \t\r\n\f\v";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-constexpr std::string_view kDocument = "---";  // what a document of YAML begins with
+constexpr std::string_view kDocument = "---";  // starts a YAML document
 
 using Cells = std::vector<std::string>;
 
@@ -26,7 +28,7 @@ std::string place(const std::string& file, std::size_t line) {
   throw Error(ErrorCode::kBadConfigurations, where + ": " + reason);
 }
 
-/// Without blanks and quotes around it.
+/// Without surrounding blanks and quotes.
 std::string_view stripped(std::string_view text) {
   const auto strip = [&](std::string_view characters) {
     const std::size_t begin = std::min(text.find_first_not_of(characters), text.size());
@@ -55,10 +57,10 @@ Cells split(std::string_view line, char separator) {
   }
 }
 
-/// Which cells of a row are names and positions of joints.
+/// Which cells of a row hold joint names and positions.
 struct Columns {
   std::vector<std::size_t> positions;
-  std::vector<std::size_t> names;  ///< of `rostopic echo -p`, whose rows hold them
+  std::vector<std::size_t> names;  ///< only for `rostopic echo -p`, which repeats them in each row
   Cells header;
 };
 
@@ -76,19 +78,20 @@ Columns columnsOf(const Cells& header, const std::string& where) {
     }
   }
   if (of_rostopic && (columns.names.empty() || columns.names.size() != columns.positions.size())) {
-    fail(where, "these are not the columns of a sensor_msgs/JointState; for other messages give `rostopic echo` without -p, as .yaml");
+    fail(where, "these are not the columns of a sensor_msgs/JointState; record other messages as .yaml, by `rostopic echo` without -p");
   }
   double number = 0;
   for (const std::size_t i : columns.positions) {
     if (parseNumber(header[i], number))
-      fail(where, "'" + header[i] + "' stands where a joint's name should: the first line names the joints");
+      fail(where, "expected a joint name, found '" + header[i] + "'; the first line must hold the names of the joints");
   }
   return columns;
 }
 
 void addRow(const Columns& columns, const Cells& cells, const std::string& where, ConfigurationCollector& collector) {
   if (cells.size() != columns.header.size()) {
-    fail(where, std::to_string(cells.size()) + " cells where the first line has " + std::to_string(columns.header.size()));
+    fail(where, std::to_string(cells.size()) + " cells, but the first line has " + std::to_string(columns.header.size()) +
+                    "; give each column a value");
   }
   Cells names;
   std::vector<double> positions;
@@ -96,7 +99,7 @@ void addRow(const Columns& columns, const Cells& cells, const std::string& where
     const std::size_t column = columns.positions[i];
     names.push_back(columns.names.empty() ? columns.header[column] : cells[columns.names[i]]);
     if (!parseNumber(cells[column], positions.emplace_back())) {
-      fail(where, "'" + cells[column] + "' stands where the position of joint '" + names.back() + "' should, a finite number");
+      fail(where, "the position of joint '" + names.back() + "' is '" + cells[column] + "'; it must be a finite number");
     }
   }
   collector.add(names, positions, where);
@@ -120,16 +123,16 @@ void readCsv(const std::string& text, const std::string& file, ConfigurationColl
   }
 }
 
-/// Messages of joints wherever they stand in a document.
+/// Finds joint messages anywhere in a document.
 class Messages {
  public:
   explicit Messages(ConfigurationCollector& collector) : collector_(collector) {}
 
   void read(const YamlValue& value, int depth = 0) {
-    if (depth > kDeepest || ++looked_at_ > kMostValues) value.fail("the document is too large, or its aliases are");
+    if (depth > kDeepest || ++looked_at_ > kMostValues) value.fail("the document is too large once its aliases are expanded; split it");
     if (value.has("name") && value.has("position")) {
       const Cells names = textsOf(value["name"]);
-      if (!names.empty()) collector_.add(names, value["position"].numbers(), value.where());  // an empty message is none
+      if (!names.empty()) collector_.add(names, value["position"].numbers(), value.where());  // skips empty messages
     } else if (value.has("joint_names") && value.has("points")) {
       readTrajectory(value);
     } else if (value.isMap()) {
@@ -141,7 +144,7 @@ class Messages {
 
  private:
   static constexpr int kDeepest = 50;
-  static constexpr std::size_t kMostValues = 1'000'000;  // that are none of those messages, of one document
+  static constexpr std::size_t kMostValues = 1'000'000;  // per document, not counting joint messages
 
   static Cells textsOf(const YamlValue& list) {
     Cells texts;
@@ -153,7 +156,7 @@ class Messages {
     const Cells names = textsOf(trajectory["joint_names"]);
     collector_.endTrajectory();
     for (const YamlValue& point : trajectory["points"].items())
-      if (!point.has("transforms")) collector_.add(names, point["positions"].numbers(), point.where());  // of joints in space
+      if (!point.has("transforms")) collector_.add(names, point["positions"].numbers(), point.where());  // else it is of a multi-DOF joint
     collector_.endTrajectory();
   }
 
@@ -161,7 +164,7 @@ class Messages {
   std::size_t looked_at_ = 0;
 };
 
-/// Document by document, so that a long recording takes no more memory than its text.
+/// One document at a time, so that a long recording needs little more memory than its text.
 void readYaml(const std::string& text, const std::string& file, ConfigurationCollector& collector) {
   std::string_view rest = text;
   std::string document;
@@ -190,14 +193,15 @@ ConfigurationSet readConfigurations(const std::string& file, const Kinematics& k
   const bool yaml = extension == ".yaml" || extension == ".yml";
   if (!yaml && extension != ".csv") {
     throw Error(ErrorCode::kUnsupportedFormat,
-                "'" + file + "': configurations are read from .csv, and from .yaml as `rostopic echo` writes it");
+                "'" + file + "': unknown format; give a .csv file, or a .yaml file as `rostopic echo` writes it");
   }
   ConfigurationCollector collector(kinematics, options);
   const std::string text = readTextFile(file, extension + " file");
   yaml ? readYaml(text, file, collector) : readCsv(text, file, collector);
   ConfigurationSet set = collector.take();
   if (set.configurations.empty()) {
-    fail("'" + file + "'", yaml ? "no message in it has name and position, or joint_names and points" : "no line follows the one of names");
+    fail("'" + file + "'",
+         yaml ? "no message with name and position, or with joint_names and points" : "no line of positions after the line of joint names");
   }
   return set;
 }

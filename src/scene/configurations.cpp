@@ -1,3 +1,5 @@
+// Sampling within joint limits, and the collector that turns named positions into configurations: it carries unnamed joints over, checks
+// limits and mimic joints, and interpolates. Notes keep the first and the largest of each deviation rather than one line per message.
 #include "collision_hulls/scene/configurations.h"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kTurn = 2 * kPi;
-constexpr double kBeyondLimit = 1e-6;   // of the limits' size: what decimal text may have rounded away
+constexpr double kBeyondLimit = 1e-6;   // of the limits' size: allows for rounding in decimal text
 constexpr double kMimicDiffers = 1e-3;  // [rad or m]
 
 [[noreturn]] void fail(const std::string& where, const std::string& reason) {
@@ -38,8 +40,7 @@ Configuration ConfigurationSequence::operator()(std::uint64_t index) const {
 ConfigurationCollector::ConfigurationCollector(const Kinematics& kinematics, const ConfigurationOptions& options)
     : kinematics_(kinematics), options_(options), current_(kinematics.rest()), named_(kinematics.variables().size(), 0) {
   if (!(options.max_step >= 0 && std::isfinite(options.max_step))) {
-    throw Error(ErrorCode::kBadOption,
-                "a largest step of " + std::to_string(options.max_step) + " was given; it is 0 at least, and finite");
+    throw Error(ErrorCode::kBadOption, "the largest step is " + std::to_string(options.max_step) + "; it must be finite and at least 0");
   }
   for (const NamedJoint& joint : kinematics.joints()) joints_[joint.name] = joint;
 }
@@ -54,9 +55,9 @@ void ConfigurationCollector::add(const std::vector<std::string>& names, const st
     if (joint == joints_.end()) {
       std::string known;
       for (const auto& [name, unused] : joints_) known += (known.empty() ? "" : ", ") + name;
-      fail(where, "the robot has no joint '" + names[i] + "'; its joints are " + (known.empty() ? "none" : known));
+      fail(where, "the robot has no joint '" + names[i] + "'; " + (known.empty() ? "it has no joints" : "its joints are " + known));
     }
-    if (!seen.insert(names[i]).second) fail(where, "joint '" + names[i] + "' stands twice");
+    if (!seen.insert(names[i]).second) fail(where, "joint '" + names[i] + "' appears twice; remove one");
     if (!std::isfinite(positions[i])) fail(where, "joint '" + names[i] + "' has a position that is not finite");
     put(joint->second, positions[i], where);
   }
@@ -107,8 +108,8 @@ void ConfigurationCollector::append(const Configuration& next) {
     }
   }
   if (static_cast<double>(all.size()) + steps > static_cast<double>(options_.most)) {
-    throw Error(ErrorCode::kTooLarge, "more than " + std::to_string(options_.most) +
-                                          " configurations, those between included; give fewer, " + "or a larger step");
+    throw Error(ErrorCode::kTooLarge,
+                "more than " + std::to_string(options_.most) + " configurations after interpolation; give fewer, or a larger step");
   }
   const Configuration begin = follows_ ? all.back() : next;
   for (double k = 1; k < steps; ++k) {
@@ -122,18 +123,18 @@ void ConfigurationCollector::append(const Configuration& next) {
 
 ConfigurationSet ConfigurationCollector::take() {
   if (set_.beyond_limits > 0) {
-    set_.notes.push_back(std::to_string(set_.beyond_limits) + " values are beyond limits and used as they are, the first in " +
-                         first_beyond_);
+    set_.notes.push_back(std::to_string(set_.beyond_limits) +
+                         " values are beyond their limits and used unchanged; the first: " + first_beyond_);
   }
   for (const auto& [name, difference] : differences_) {
     set_.notes.push_back("mimic joint '" + name + "' is up to " + std::to_string(difference.largest) +
-                         " away from where the joint that it follows says, first in " + difference.where + "; it is put there");
+                         " away from where its master puts it, first in " + difference.where + "; the master's value is used");
   }
   std::string resting;
   for (std::size_t i = 0; i < named_.size(); ++i) {
     if (!named_[i]) resting += (resting.empty() ? "'" : ", '") + kinematics_.variables()[i].name + "'";
   }
-  if (set_.given > 0 && !resting.empty()) set_.notes.push_back("not named, and so at rest: " + resting);
+  if (set_.given > 0 && !resting.empty()) set_.notes.push_back("joints that are never named stay at rest: " + resting);
   ConfigurationSet result = std::move(set_);
   set_ = {};
   first_beyond_.clear();

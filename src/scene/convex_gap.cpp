@@ -1,8 +1,10 @@
-// Of the difference of the bodies, the point nearest to the origin:
+// Finds the point of the bodies' Minkowski difference that is nearest to the origin:
 //
 //   v = any point of the difference
-//   until the plane through its furthest point against v proves almost |v|:
-//     add that point to the simplex; v = the simplex's point nearest to the origin; keep the triangle that holds it
+//   until the support plane against v proves almost |v|:
+//     add its support point to the simplex; v = the simplex's point nearest to the origin; keep the triangle that contains v
+//
+// Usually a dozen steps, each linear in the number of points.
 #include "scene/convex_gap.h"
 
 #include <algorithm>
@@ -15,13 +17,13 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kGap = 1e-6;        // of the distance
-constexpr double kTouching = 1e-12;  // of the bodies' size: nearer than that they touch
-constexpr double kFlat = 1e-13;      // of the bodies' size cubed: a tetrahedron without inside
-constexpr int kMostSteps = 100;      // a dozen is usual
+constexpr double kTouching = 1e-12;  // of the bodies' size: bodies nearer than this touch
+constexpr double kFlat = 1e-13;      // of the bodies' size cubed: volume of a degenerate tetrahedron
+constexpr int kMostSteps = 100;
 
 using Triangle3 = std::array<Eigen::Vector3d, 3>;
 
-/// The point of a - b that is furthest against `direction`.
+/// The support point of a - b against `direction`.
 Eigen::Vector3d furthestAgainst(const Eigen::Ref<const PointMatrix>& a, const Eigen::Ref<const PointMatrix>& b,
                                 const Eigen::Vector3d& direction) {
   Eigen::Index i = 0, k = 0;
@@ -34,7 +36,7 @@ double volume(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::V
   return a.dot(b.cross(c));
 }
 
-/// Whether the tetrahedron of a triangle and a point holds the origin: with it in place of any corner the volume keeps its sign.
+/// Whether the tetrahedron of a triangle and a point contains the origin: putting it in place of any corner keeps the volume's sign.
 bool holdsOrigin(const Triangle3& t, const Eigen::Vector3d& w, double size) {
   const double whole = volume(t[0] - w, t[1] - w, t[2] - w);
   if (std::abs(whole) <= kFlat * size * size * size) return false;
@@ -42,7 +44,7 @@ bool holdsOrigin(const Triangle3& t, const Eigen::Vector3d& w, double size) {
   return std::all_of(parts.begin(), parts.end(), [&](double part) { return part / whole >= 0; });
 }
 
-/// The nearest point of the tetrahedron's surface; `triangle` becomes the face that holds it.
+/// The point of the tetrahedron's surface nearest to the origin; `triangle` becomes the face that contains it.
 Eigen::Vector3d nearestOnSurface(Triangle3& triangle, const Eigen::Vector3d& w) {
   const Triangle3 old = triangle;
   Eigen::Vector3d best = closestPoint(old[0], old[1], old[2], Eigen::Vector3d::Zero());

@@ -1,3 +1,6 @@
+// Greedy set cover over contacts. The cost of clearing a contact by opening one side is found by recursion down that side's tree, cut off
+// at kMostCost nodes; each contact votes for both of its nodes with the inverse costs. After a node is opened only the contacts of that
+// node are recomputed. An exact cover would be NP-hard, and closed() removes what the greedy choice opened in vain.
 #include "scene/curing.h"
 
 #include <algorithm>
@@ -9,8 +12,8 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kMostCost = 64;                    // nodes opened; a side that takes more is not thought through
-constexpr double kLeastVote = 1 / (2 * kMostCost);  // of contacts that one side alone does not cure
+constexpr double kMostCost = 64;                    // nodes opened; the search gives up on a side that takes more
+constexpr double kLeastVote = 1 / (2 * kMostCost);  // of contacts that neither side alone can cure
 constexpr double kImpossible = std::numeric_limits<double>::infinity();
 
 const DetailTree& treeOf(const Assembly& assembly, int piece) {
@@ -27,7 +30,7 @@ bool touches(const Assembly& assembly, const Contact& contact) {
   return collision_hulls::touches(assembly, contact, contact.node[0], contact.node[1]);
 }
 
-/// The side with the larger piece to open, among those that have children.
+/// The side whose node protrudes more, among those that have children.
 int coarserSide(const Assembly& assembly, const Contact& contact) {
   const DetailTree &first = treeOf(assembly, contact.piece[0]), &second = treeOf(assembly, contact.piece[1]);
   if (first.children(contact.node[0]).empty()) return 1;
@@ -53,7 +56,7 @@ std::vector<int> Curing::children(const Node& node) const {
   return tree.children(node.second);
 }
 
-/// Nodes to open on one side until nothing of it touches; infinite where that is more than `limit`, or leaves touch.
+/// How many nodes to open on one side until none of it touches; infinite if more than `limit`, or if leaves touch.
 double Curing::cost(const Contact& contact, int side, double limit) const {
   const std::vector<int> children = this->children({contact.piece[side], contact.node[side]});
   if (children.empty()) return kImpossible;
@@ -81,7 +84,7 @@ void Curing::add(const std::vector<Contact>& contacts) {
   forEach(contacts.size(), [&](std::size_t i) { cases_[first + i].votes = votes(contacts[i]); });
   for (std::size_t i = first; i < cases_.size(); ++i) {
     for (std::size_t side = 0; side < 2; ++side) {
-      // Also where it votes for the other side alone: the node may be opened for others.
+      // Even if it votes for the other side only: other contacts may open this node.
       Ballot& ballot = ballots_[{cases_[i].contact.piece[side], cases_[i].contact.node[side]}];
       ballot.votes += cases_[i].votes[side];
       ++ballot.open;
@@ -153,7 +156,7 @@ void Curing::run(const RunControl& control) {
 
 namespace {
 
-/// Whether a node in place of its part of the cut touches what the contacts of its piece are with.
+/// Whether a node, put in place of its descendants in the cut, touches any of the other pieces that these contacts involve.
 bool touchesAnything(const Assembly& assembly, const Cuts& cuts, int piece, int node, const std::vector<const Contact*>& contacts) {
   std::atomic<bool> found{false};
   forEach(contacts.size(), [&](std::size_t i) {
@@ -167,7 +170,7 @@ bool touchesAnything(const Assembly& assembly, const Cuts& cuts, int piece, int 
   return found;
 }
 
-/// The parent of which all children are in the cut, for the least node that has one above `after`; -1: none.
+/// The least parent above `after` whose children are all in the cut; -1: none.
 int closableAfter(const DetailTree& tree, const std::vector<int>& cut, int after) {
   const auto in_cut = [&](int node) { return std::find(cut.begin(), cut.end(), node) != cut.end(); };
   int least = -1;
@@ -189,7 +192,7 @@ Cuts closed(const Assembly& assembly, Cuts cuts, const std::vector<Contact>& con
   for (std::size_t i = 0; i < cuts.size(); ++i) {
     const DetailTree& tree = treeOf(assembly, static_cast<int>(i));
     std::vector<int>& cut = cuts[i];
-    // Parents stand behind their children: one pass sees also those that closing makes closable.
+    // Parents have larger indices than their children, so one pass also finds nodes that become closable on the way.
     for (int node = closableAfter(tree, cut, -1); node >= 0; node = closableAfter(tree, cut, node)) {
       control.check();
       if (touchesAnything(assembly, cuts, static_cast<int>(i), node, of_piece[i])) continue;

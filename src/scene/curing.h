@@ -1,4 +1,4 @@
-// Counterexamples cured: tree nodes opened until nothing touches any more that should not, as few as possible.
+// Cures counterexamples: opens as few tree nodes as possible until no contact is left that should not be there.
 #pragma once
 
 #include <array>
@@ -11,25 +11,25 @@
 
 namespace collision_hulls {
 
-/// Whether the finest hulls touch, too, where the contact's nodes do.
+/// Whether even the finest hulls below the contact's nodes touch.
 bool touchesAtLeaves(const Assembly& assembly, const Contact& contact);
 
-/// A cut for each piece, and contacts that it must not have.
+/// A cut per piece, and contacts that it must not have.
 ///
 ///   while contacts are left
-///     for each contact and each of its two nodes: what would clearing it by opening this side alone cost? It votes with 1 / cost.
-///     open the node with most votes; contacts that its children still have stay, the others are cured
+///     for each contact and each of its two nodes: find the cost of clearing it by opening this side alone; vote with 1 / cost
+///     open the node with the most votes; contacts of its children stay, the others are cured
 ///
-/// A greedy set cover. Deterministic; contacts are worked on in parallel.
+/// A greedy set cover. Deterministic; contacts are processed in parallel.
 class Curing {
  public:
-  enum class Opens { kHulls, kPrimitives };  ///< kPrimitives: those give way to others and to their hulls, which stay
+  enum class Opens { kHulls, kPrimitives };  ///< kPrimitives: a primitive gives way to the next one, the last to its hull; hulls stay
   Curing(const Assembly& assembly, Cuts cuts, Opens opens = Opens::kHulls) : assembly_(assembly), cuts_(std::move(cuts)), opens_(opens) {}
 
-  /// Contacts of nodes of the cuts.
+  /// Adds contacts between nodes of the cuts.
   void add(const std::vector<Contact>& contacts);
 
-  /// Until no contact is left that opening could cure.
+  /// Opens nodes until no contact is left that opening could cure.
   void run(const RunControl& control);
 
   const Cuts& cuts() const { return cuts_; }
@@ -64,7 +64,7 @@ class Curing {
   std::size_t stuck_ = 0;
 };
 
-/// Closes nodes whose children can give way to them without bringing about a contact of the roots in `contacts` again.
+/// Closes each node that can replace its children without bringing back any of `contacts`, which are contacts of the roots.
 Cuts closed(const Assembly& assembly, Cuts cuts, const std::vector<Contact>& contacts, const RunControl& control);
 
 }  // namespace collision_hulls

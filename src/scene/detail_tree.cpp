@@ -1,3 +1,5 @@
+// Node numbers: the hull tree's nodes come first, then the first primitive of each hull, then the second, and so on. Bodies and primitives
+// are made on first use, each behind a once_flag, since a fit need not visit all nodes of a tree.
 #include "scene/detail_tree.h"
 
 #include "collision_hulls/decompose/fit_cover.h"
@@ -8,7 +10,7 @@ namespace {
 
 using Kind = GeometryElement::Kind;
 
-// Of the hull's volume. What is much larger may be hit no more often, but distances to it are too short.
+// Of the hull's volume. A much larger primitive might not collide more often, but distances to it would be too short.
 constexpr double kMostVolume = 1.25;
 
 std::array<std::optional<GeometryElement>, 3> primitivesAbout(const ConvexHull& hull) {
@@ -40,7 +42,7 @@ const DetailTree::Primitives& DetailTree::primitives(int hull) const {
   return *at.value;
 }
 
-/// The first primitive of a hull from the `from`-th on that it has; the hull itself after the last.
+/// The hull's first primitive at or after index `from`; the hull itself if there is none.
 int DetailTree::firstOf(int hull, std::size_t from) const {
   const Primitives& all = primitives(hull);
   for (std::size_t k = from; k < kKinds; ++k)
@@ -69,7 +71,7 @@ int DetailTree::parent(int hull) const {
 }
 
 ConvexHull DetailTree::written(int hull) const {
-  // Of no mesh at all, so that the hull alone is grown and rounded.
+  // With an empty mesh to cover, fitCover() only grows the hull, rounds its vertices and caps their number.
   return fitCover({mesh_->tree.nodes[static_cast<std::size_t>(hull)].hull}, {}, mesh_->margin, mesh_->max_vertices).hulls.front();
 }
 

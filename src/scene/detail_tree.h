@@ -1,4 +1,4 @@
-// A body at every level of detail, each level as it is written and as FCL is asked about it.
+// A body at every level of detail, each level as it is written and as FCL checks it.
 #pragma once
 
 #include <array>
@@ -12,11 +12,10 @@
 
 namespace collision_hulls {
 
-/// Nodes are those of the hull tree, and for each of them the primitives that may stand for it. They are worked out when they are first
-/// asked for. Thread safe.
+/// Nodes are those of the hull tree and, for each of them, the primitives that may replace it. They are computed on first use. Thread safe.
 ///
-/// A hull's primitives, the cheapest to ask about first, are the sphere, the box, and the cylinder, where it is smaller than the box; of
-/// these, those hardly larger than the hull. One may stand for the hull where those before it may not.
+/// A hull's primitives, the cheapest to check first, are the sphere, the box, and the cylinder if it is smaller than the box; primitives
+/// much larger than the hull are dropped. A later primitive is tried where the earlier ones do not do.
 class DetailTree {
  public:
   explicit DetailTree(std::shared_ptr<const FitMesh> mesh);
@@ -24,7 +23,7 @@ class DetailTree {
 
   int root() const { return hulls_ - 1; }
   int cheapest(int hull) const;                       ///< the first of a hull's primitives; itself where there are none
-  int hull(int node) const { return node % hulls_; }  ///< that a node is, or stands for
+  int hull(int node) const { return node % hulls_; }  ///< the hull that a node is or replaces
   const GeometryElement* primitive(int node) const;   ///< null: the node is a hull
   std::vector<int> children(int node) const;          ///< none: a leaf
   int parent(int hull) const;                         ///< -1: the root
@@ -54,7 +53,7 @@ class DetailTree {
 /// The hulls of a cut as they are written: grown by the mesh's margin, with no more vertices than allowed; they cover the mesh.
 std::vector<ConvexHull> writtenHulls(const FitMesh& mesh, const std::vector<int>& cut, const RunControl& control);
 
-/// A primitive as FCL is asked about it.
+/// A primitive as FCL checks it.
 QueryBody queryBody(const GeometryElement& primitive);
 
 }  // namespace collision_hulls

@@ -1,3 +1,5 @@
+// The sphere is the smallest one, by Welzl's algorithm with move to front. The box is that of orientedBox(). For a given axis the smallest
+// cylinder is Welzl's circle in the plane across it; the axis is the best of a few candidates, refined by pattern search.
 #include "scene/enclosing.h"
 
 #include <Eigen/QR>
@@ -15,17 +17,17 @@ namespace {
 using Kind = GeometryElement::Kind;
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr double kRounding = 1e-7;                    // of a hull's size and distance from its origin: what primitives are larger
-constexpr double kOnBorder = 1e-12;                   // of a ball's squared radius: points that are no further out are on its border
-constexpr std::size_t kLongestEdges = 8;              // that a cylinder's axis is tried along
-constexpr double kFirstTurn = 0.1, kLastTurn = 1e-3;  // [rad] of a cylinder's axis
+constexpr double kRounding = 1e-7;                    // of a hull's size and distance from its origin: how much larger primitives are made
+constexpr double kOnBorder = 1e-12;                   // of a ball's squared radius: points no further out than this are on its border
+constexpr std::size_t kLongestEdges = 8;              // tried as a cylinder's axis
+constexpr double kFirstTurn = 0.1, kLastTurn = 1e-3;  // [rad] steps in the search for a cylinder's axis
 
 struct Ball {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double squared_radius = -1;  // nothing is in it
+  double squared_radius = -1;  // -1: empty
 };
 
-/// The smallest ball with all of up to four points on its border: its centre lies in their span.
+/// The smallest ball with up to four given points on its border; its centre lies in their affine span.
 Ball ballThrough(const Points& border) {
   if (border.empty()) return {};
   if (border.size() == 1) return {border.front(), 0};
@@ -38,8 +40,8 @@ Ball ballThrough(const Points& border) {
   return {border.front() + to_centre, to_centre.squaredNorm()};
 }
 
-/// The smallest ball about the first `count` points that has `border` on its border. Welzl 1991; points that had to be on the border move
-/// to the front.
+/// The smallest ball around the first `count` points that has `border` on its border. Welzl 1991; points found on the border move to the
+/// front.
 Ball smallestBall(Points& points, std::size_t count, Points& border) {
   Ball ball = ballThrough(border);
   if (border.size() == 4) return ball;
@@ -93,7 +95,7 @@ Points longestEdges(const ConvexHull& hull) {
   return edges;
 }
 
-/// Turns the axis as long as that makes the cylinder smaller, by less and less.
+/// Turns the axis in shrinking steps as long as that makes the cylinder smaller.
 Cylinder turned(const Points& points, Cylinder best) {
   for (double turn = kFirstTurn; turn > kLastTurn;) {
     const Eigen::Vector3d u = best.axis.unitOrthogonal(), v = best.axis.cross(u), axis = best.axis;
@@ -107,7 +109,7 @@ Cylinder turned(const Points& points, Cylinder best) {
   return best;
 }
 
-/// Right-handed axes along those of a box; where it is too thin to have six faces, the principal ones.
+/// The box's axes, right-handed; the principal axes if the box is too thin to have six faces.
 Eigen::Matrix3d axesOf(const ConvexHull& box) {
   Eigen::Matrix3d axes = principalAxes(box.vertices);
   if (box.faces.size() == 6) {
@@ -162,7 +164,7 @@ GeometryElement enclosingPrimitive(Kind kind, const ConvexHull& hull) {
   GeometryElement result = kind == Kind::kSphere ? sphereAbout(hull) : kind == Kind::kCylinder ? cylinderAbout(hull) : boxAbout(hull);
   result.size += Eigen::Vector3d::Constant(2 * more);
   for (const Eigen::Vector3d& v : hull.vertices)
-    if (nearestPoint(result, v) != v) throw Error(ErrorCode::kInternal, "a primitive does not hold the hull that it was built about");
+    if (nearestPoint(result, v) != v) throw Error(ErrorCode::kInternal, "a primitive does not enclose the hull that it was built for");
   return result;
 }
 
@@ -175,7 +177,7 @@ double volume(const GeometryElement& primitive) {
     case Kind::kMesh:
     case Kind::kNone: break;
   }
-  throw Error(ErrorCode::kInternal, "this is no primitive");
+  throw Error(ErrorCode::kInternal, "the volume of an element that is not a primitive");
 }
 
 Eigen::Vector3d nearestPoint(const GeometryElement& primitive, const Eigen::Vector3d& p) {
@@ -200,7 +202,7 @@ ConvexHull hullAbout(const GeometryElement& primitive) {
     case Kind::kSphere: about = sphereShape(size.x()); break;
     case Kind::kCylinder: about = cylinderShape(size.x(), size.y()); break;
     case Kind::kMesh:
-    case Kind::kNone: throw Error(ErrorCode::kInternal, "a mesh is no primitive");
+    case Kind::kNone: throw Error(ErrorCode::kInternal, "the hull of an element that is not a primitive");
   }
   for (Eigen::Vector3d& v : about.vertices) v = primitive.origin * v;
   return convexHull(about.vertices);

@@ -1,7 +1,7 @@
-// Boxes, spheres and cylinders about hulls, as a robot description can hold them.
+// Boxes, spheres and cylinders that enclose hulls, as a robot description can express them.
 //
-// There are no capsules: a description has to put one together of a cylinder and two spheres, which FCL asks one by one, and that takes
-// longer than the hull.
+// There are no capsules: URDF has to compose one from a cylinder and two spheres, which FCL checks one by one, and that takes longer than
+// checking the hull.
 #pragma once
 
 #include <vector>
@@ -11,20 +11,23 @@
 
 namespace collision_hulls {
 
-/// A primitive that holds all of a hull, in the hull's frame, a little larger than it must be so that rounding takes nothing away: also
-/// where a description is read that has its numbers, and its origin in roll, pitch and yaw. Deterministic.
+/// A primitive that encloses a hull, in the hull's frame. It is a little larger than necessary, so that it still encloses the hull after
+/// rounding, and after its numbers were written to a robot description, with the origin as roll, pitch and yaw, and read back.
+/// Deterministic.
 ///
-/// The sphere is the smallest of all; the box that of orientedBox(); the cylinder the smallest about axes along that box, the principal
-/// axes and the hull's longest edges, the best of them turned until no turn makes it smaller. Throws kInternal if a vertex is outside.
+/// The sphere is the smallest possible; the box is that of orientedBox(); the cylinder is the smallest one along the box's axes, the
+/// principal axes and the hull's longest edges, with the best axis then turned until no turn makes the cylinder smaller. Throws kInternal
+/// if a vertex is outside.
 GeometryElement enclosingPrimitive(GeometryElement::Kind kind, const ConvexHull& hull);
 
 /// [m^3]
 double volume(const GeometryElement& primitive);
 
-/// The point of a primitive that is nearest to p; p itself inside.
+/// The point of a primitive that is nearest to p; p itself if p is inside.
 Eigen::Vector3d nearestPoint(const GeometryElement& primitive, const Eigen::Vector3d& p);
 
-/// A polyhedron about a primitive, in the frame that its origin is given in: a box itself, round ones as scene.h has them.
+/// A polyhedron around a primitive, in the frame in which its origin is given: a box is its own; round ones are circumscribed as in
+/// scene.h.
 ConvexHull hullAbout(const GeometryElement& primitive);
 
 }  // namespace collision_hulls

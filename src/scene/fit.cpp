@@ -1,3 +1,5 @@
+// The steps of a fit in order: pair rules, refinement (see fitting.cpp), counting hits, and what becomes of each element. The report is
+// measured on the cuts' bodies, before hulls are completed to cover their meshes.
 #include "collision_hulls/scene/fit.h"
 
 #include <algorithm>
@@ -11,7 +13,7 @@
 namespace collision_hulls {
 namespace {
 
-/// Nodes become hulls as written, and primitives about them; those may have been completed together, so that a primitive is made anew.
+/// Turns nodes into hulls as written and primitives around them. Writing hulls together may complete them, so each primitive is built anew.
 FittedElement fittedElement(const FitMesh& mesh, const DetailTree& tree, std::vector<int> nodes, const RunControl& control) {
   std::sort(nodes.begin(), nodes.end(), [&](int a, int b) {
     return std::pair(tree.primitive(a) != nullptr, tree.hull(a)) < std::pair(tree.primitive(b) != nullptr, tree.hull(b));
@@ -41,12 +43,12 @@ std::vector<FittedElement> fittedElements(const FitProblem& problem, const Assem
 void check(const FitOptions& options) {
   if (!(options.clearance > 0 && std::isfinite(options.clearance)))
     throw Error(ErrorCode::kBadOption, "clearance is " + std::to_string(options.clearance) + " m; it must be a positive length");
-  if (options.samples == 0) throw Error(ErrorCode::kBadOption, "samples is 0; at least one is needed to know anything");
+  if (options.samples == 0) throw Error(ErrorCode::kBadOption, "samples is 0; give at least 1");
 }
 
 SceneFit fitScene(const FitProblem& problem, const FitOptions& options, const RunControl& control) {
   check(options);
-  if (problem.elements.empty()) throw Error(ErrorCode::kBadOption, "the robot has no mesh that hulls could be fitted to");
+  if (problem.elements.empty()) throw Error(ErrorCode::kBadOption, "the robot has no mesh to fit hulls to; select links that have one");
   const Assembly assembly(problem, options.seed);
   const Originals originals(problem, assembly);
   const PairRules rules = pairRules(problem, assembly, originals, options.clearance, control);

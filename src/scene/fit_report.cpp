@@ -1,3 +1,5 @@
+// Builds the report of a fit from the verification samples: hits per pair, phantoms and their rate bound, query times, and a reason for
+// each link's bodies. The rate bound is the exact Poisson upper limit, 3/N without a phantom, which needs independent samples.
 #include "scene/fit_report.h"
 
 #include <algorithm>
@@ -15,8 +17,8 @@
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kMostMeasured = 100;       // contacts of a link of which the nearest is named
-constexpr std::size_t kMostNamed = 3;            // parts that a link may touch
+constexpr std::size_t kMostMeasured = 100;       // contacts per link among which the nearest is sought
+constexpr std::size_t kMostNamed = 3;            // parts that a link may touch, in a message
 constexpr std::size_t kEnoughForNever = 10'000;  // samples without contact, as many as MoveIt's Setup Assistant takes
 
 std::size_t partOf(const FittedModel& model, int piece) {
@@ -28,7 +30,7 @@ double distanceIn(const FittedModel& model, const Contact& contact) {
                                        model.assembly.places(contact.sample));
 }
 
-/// The case that a link's hulls have to tell apart: what it is near, and how near.
+/// The hardest case for a link's hulls: what the link comes near without touching, and how near.
 struct Tightest {
   std::size_t other = 0;
   double distance = std::numeric_limits<double>::infinity();
@@ -48,7 +50,7 @@ std::map<std::size_t, Tightest> tightestOf(const FittedModel& model) {
   return tightest;
 }
 
-/// The least proved distance of a link to anything that is not left out; nullopt where a pair of it is looked at.
+/// The least proved distance of a link to anything that is not left out; nullopt if some pair with this link is checked.
 std::optional<double> provedDistance(const FittedModel& model, std::size_t link) {
   for (const PartPair& pair : model.rules.pairs)
     if (pair.a == link || pair.b == link) return std::nullopt;
@@ -58,7 +60,7 @@ std::optional<double> provedDistance(const FittedModel& model, std::size_t link)
   return least;
 }
 
-/// What a link may touch although no pair of the two is looked at: neighbours by a joint apart.
+/// What a link may touch because the pair is left out, other than its neighbours across a joint.
 std::string leftOut(const FittedModel& model, std::size_t link) {
   const std::string& name = model.assembly.name(link);
   std::string names;
@@ -74,12 +76,12 @@ std::string plural(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : noun.back() == 'x' ? "es" : "s");
 }
 
-/// What a link is made of.
+/// The bodies of a link, by kind.
 struct Bodies {
   std::size_t hulls = 0, all = 0;
   std::map<std::string, std::size_t> primitives;  // by kind
 
-  /// "3 hulls, 2 boxes, 1 sphere"; without hulls: the primitives alone.
+  /// "3 hulls, 2 boxes, 1 sphere"; or only the primitives.
   std::string text(bool with_hulls) const {
     std::string result = with_hulls && hulls > 0 ? plural(hulls, "hull") : "";
     for (const auto& [kind, count] : primitives) result += (result.empty() ? "" : ", ") + plural(count, kind);
@@ -108,12 +110,12 @@ Bodies bodiesOf(const FittedModel& model, std::size_t link) {
 std::string reasonOf(const FittedModel& model, const Bodies& bodies, std::size_t index, const std::map<std::size_t, Tightest>& tightest) {
   const std::string what = bodies.text(true) + ": ";
   if (const std::optional<double> proved = provedDistance(model, index)) {
-    if (std::isinf(*proved)) return what + "no pair of it is looked at";
+    if (std::isinf(*proved)) return what + "no pair with this link is checked";
     const std::string except = leftOut(model, index);
     return what + "never within " + leastLengthText(*proved) + " of anything" + (except.empty() ? "" : " but " + except) + ", proved";
   }
   const auto found = tightest.find(index);
-  if (found == tightest.end()) return what + "nothing that is clear was hit in " + plural(model.fitting.asked(), "sample");
+  if (found == tightest.end()) return what + "no phantom in " + plural(model.fitting.asked(), "sample");
   return what + "against " + model.assembly.name(found->second.other) + " at " + lengthText(found->second.distance);
 }
 
@@ -140,7 +142,7 @@ std::string described(const FittedModel& model, const Contact& contact) {
          " at " + lengthText(distanceIn(model, contact));
 }
 
-/// Where the original at rest is in contact with the scene.
+/// Where the original touches the scene at rest; empty: nowhere.
 std::string contactAtRest(const FittedModel& model) {
   const Assembly& assembly = model.assembly;
   const Places places = assembly.places(assembly.kinematics().rest());
@@ -150,7 +152,7 @@ std::string contactAtRest(const FittedModel& model) {
   return "";
 }
 
-/// Pairs of links whose hulls hit where the links do not, the worst first.
+/// Pairs of links whose hulls collide where the links do not, the worst first.
 std::vector<PairHits> selfPhantoms(const std::map<PartIndices, PairHits>& of_pairs) {
   std::vector<PairHits> hits;
   for (const auto& [parts, pair] : of_pairs)
@@ -175,7 +177,7 @@ std::size_t primitives(const FittedModel& model) {
   return count;
 }
 
-/// Where the model is hit in samples that are clear.
+/// How many samples are phantoms: the model collides though the original is clear.
 std::size_t phantoms(const FittedModel& model, const std::vector<char>& hit, const RunControl& control) {
   std::vector<char> phantom(hit.size());
   forEach(hit.size(), [&](std::size_t i) {
@@ -189,7 +191,7 @@ std::size_t phantoms(const FittedModel& model, const std::vector<char>& hit, con
 }  // namespace
 
 double upperBound(std::size_t found) {
-  // The Poisson distribution of this mean gives no more than `found` with a probability of 5 %.
+  // The mean at which a Poisson variable is at most `found` with a probability of 5 %.
   const auto probability = [&](double mean) {
     double term = std::exp(-mean), sum = term;
     for (std::size_t i = 1; i <= found; ++i) sum += term *= mean / static_cast<double>(i);
@@ -281,7 +283,7 @@ FitReport fitReport(const FittedModel& model, const Hits& counted, const RunCont
 }
 
 std::vector<DisabledPair> disabledPairs(const FittedModel& model, const Hits& hits) {
-  const bool all_over = model.problem.configurations.empty();  // what joints allow is looked at, not given configurations alone
+  const bool all_over = model.problem.configurations.empty();  // samples cover the joints' whole ranges, not only given configurations
   std::vector<DisabledPair> disabled;
   for (const LeftOutPair& pair : model.rules.left_out) {
     if (!pair.links || (pair.reason == "Always" && !all_over)) continue;

@@ -1,4 +1,4 @@
-// What is known about a fitted model, from the samples that verify it.
+// What is known about a fitted model from its verification samples.
 #pragma once
 
 #include <map>
@@ -8,9 +8,9 @@
 
 namespace collision_hulls {
 
-using PartIndices = std::pair<std::size_t, std::size_t>;  // the first one less
+using PartIndices = std::pair<std::size_t, std::size_t>;  // the smaller one first
 
-/// All that a report is made of.
+/// Everything that a report is made from.
 struct FittedModel {
   const FitProblem& problem;
   const FitOptions& options;
@@ -22,20 +22,21 @@ struct FittedModel {
   std::size_t samples() const { return problem.configurations.empty() ? options.samples : problem.configurations.size(); }
 };
 
-/// Hits of all pairs that are looked at or proved, over the samples that verify.
+/// Hits of all pairs that are checked or proved, over the verification samples.
 struct Hits {
   std::map<PartIndices, PairHits> pairs;
-  std::size_t scene = 0;  ///< samples in which the original hits the scene
+  std::size_t scene = 0;  ///< samples in which the original collides with the scene
 };
 Hits countHits(const FittedModel& model, const RunControl& control);
 
 FitReport fitReport(const FittedModel& model, const Hits& hits, const RunControl& control);
 
-/// The pairs that a robot's SRDF would leave out, with how that is known. What is known of given configurations or of few samples alone is
-/// not among them.
+/// The pairs that an SRDF should disable, and how that is known. Given configurations or a few samples alone are not enough for a pair to
+/// be among them.
 std::vector<DisabledPair> disabledPairs(const FittedModel& model, const Hits& hits);
 
-/// The number that, with 95 % confidence, a rate times `samples` does not exceed when `found` were seen: 3 for none.
+/// Upper bound, with 95 % confidence, on the expected count when `found` were seen: 3 for none. Divided by the number of samples it bounds
+/// the rate.
 double upperBound(std::size_t found);
 
 }  // namespace collision_hulls

@@ -1,3 +1,5 @@
+// The loop of fit.h, steps 3 to 6. Batches grow, as the first samples find most counterexamples at little cost. Samples for searching come
+// from a low-discrepancy sequence; those that verify are independent, since a rate is concluded from them.
 #include "scene/fitting.h"
 
 #include <algorithm>
@@ -9,7 +11,7 @@
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kFirstBatch = 256;  // samples; the next ones are twice as large each
+constexpr std::size_t kFirstBatch = 256;  // samples; each further batch is twice as large
 constexpr int kMostRounds = 12;           // over the same samples, and of verification
 
 struct Answer {
@@ -59,7 +61,7 @@ Answers Fitting::ask(const std::vector<std::size_t>& samples) const {
   return all;
 }
 
-/// Asks samples and cures what they show; the number of counterexamples.
+/// Evaluates samples and cures their counterexamples; returns the number of these.
 std::size_t Fitting::cure(const std::vector<std::size_t>& samples) {
   const Answers answers = ask(samples);
   const bool again = !problem_.configurations.empty() && !asked_.empty();
@@ -79,7 +81,7 @@ std::size_t Fitting::cure(const std::vector<std::size_t>& samples) {
   return answers.samples.size();
 }
 
-/// Hulls of a finer cut, those that were there before as primitives where they were.
+/// Takes over a finer cut; hulls that primitives replaced before stay replaced.
 void Fitting::takeHulls(const Cuts& cuts) {
   hull_cuts_ = cuts;
   for (std::size_t i = 0; i < cuts_.size(); ++i) {
@@ -90,8 +92,8 @@ void Fitting::takeHulls(const Cuts& cuts) {
   }
 }
 
-/// Asks samples, and takes back primitives that are hit where the hulls are not; the number of such samples. Pairs that are proved apart
-/// are asked, too: a primitive reaches further than what the proof is about.
+/// Evaluates samples and takes back primitives that collide where the hulls do not; returns the number of such samples. Pairs proved apart
+/// are checked, too: a primitive may protrude beyond the hull that the proof is about.
 std::size_t Fitting::refute(const std::vector<std::size_t>& samples) {
   const std::vector<PartPair> pairs = lookedAtAndProved(rules_, options_.clearance);
   std::vector<std::vector<Contact>> found(samples.size());
@@ -109,7 +111,7 @@ std::size_t Fitting::refute(const std::vector<std::size_t>& samples) {
   return static_cast<std::size_t>(std::count_if(found.begin(), found.end(), [](const auto& current) { return !current.empty(); }));
 }
 
-/// Asks the samples that come next, or all of those that were given, of hulls and primitives; the number of counterexamples.
+/// Evaluates the next samples, or all given configurations, with hulls and primitives; returns the number of counterexamples.
 std::size_t Fitting::cureBatch(std::size_t count) {
   const std::size_t given = problem_.configurations.size();
   std::vector<std::size_t> samples(given > 0 ? given : count);
@@ -122,7 +124,7 @@ std::size_t Fitting::cureBatch(std::size_t count) {
   return found;
 }
 
-/// The first ones find most, at little cost.
+/// Step 3. Small batches first: they find most counterexamples, at little cost.
 void Fitting::cureGrowingBatches() {
   if (!problem_.configurations.empty()) {
     cureBatch(problem_.configurations.size());
@@ -131,7 +133,7 @@ void Fitting::cureGrowingBatches() {
   for (std::size_t count = kFirstBatch; count < options_.samples; count *= 2) cureBatch(count);
 }
 
-/// 4. With all counterexamples known, from the beginning; whichever is less.
+/// Step 4. With all counterexamples known, starts over from the roots; keeps whichever result has fewer hulls.
 void Fitting::fitAll() {
   Curing curing(assembly_, assembly_.roots());
   curing.add(roots_);
@@ -140,8 +142,7 @@ void Fitting::fitAll() {
   hull_cuts_ = assembly_.hulls(again) <= assembly_.hulls(mended) ? again : mended;
 }
 
-/// 5. A primitive that takes another one's place may touch where that one did not, so the same samples are asked until they say nothing
-/// more.
+/// Step 5. A primitive that replaces another may touch where that one did not, so the same samples are evaluated until nothing changes.
 void Fitting::usePrimitives() {
   cuts_ = assembly_.cheapest(hull_cuts_);
   Cuts before;
@@ -151,8 +152,8 @@ void Fitting::usePrimitives() {
   }
 }
 
-/// 6. Until a batch has no counterexample, or none that opening could cure. Its samples are independent, since a rate is concluded from
-/// them; so nothing is learned from the last batch, whatever it shows.
+/// Step 6. Evaluates batches until one has no counterexample, or none that opening could cure. Its samples are independent, since a rate is
+/// concluded from them; for the same reason the model must not depend on the last batch, whatever it shows.
 void Fitting::verify() {
   next_ = std::max(next_, Assembly::kIndependentFrom);
   for (int round = 0; round < kMostRounds; ++round) {

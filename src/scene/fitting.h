@@ -1,4 +1,4 @@
-// Refinement by counterexample: which cuts a scene needs.
+// Refinement by counterexample: finds the cuts that a scene needs.
 #pragma once
 
 #include <functional>
@@ -11,12 +11,12 @@
 
 namespace collision_hulls {
 
-/// What samples said of a model.
+/// What samples reveal about a model.
 struct Answers {
-  std::vector<Contact> current;      ///< of the model, in counterexamples
-  std::vector<Contact> roots;        ///< of the trees' roots, in the same samples
-  std::vector<std::size_t> samples;  ///< these
-  std::vector<Contact> leaves;       ///< a contact for each counterexample that not even the finest hulls cure
+  std::vector<Contact> current;      ///< contacts of the model in counterexamples
+  std::vector<Contact> roots;        ///< contacts of the trees' roots in the same samples
+  std::vector<std::size_t> samples;  ///< these samples
+  std::vector<Contact> leaves;       ///< one contact per counterexample that not even the finest hulls cure
 };
 
 class Fitting {
@@ -34,12 +34,12 @@ class Fitting {
   void run();
 
   const Cuts& cuts() const { return options_.primitives ? cuts_ : hull_cuts_; }
-  const Cuts& hullCuts() const { return hull_cuts_; }          ///< with hulls in the primitives' places
-  std::size_t verifiedFrom() const { return verified_from_; }  ///< the first sample of the last batch, of which nothing was learned
+  const Cuts& hullCuts() const { return hull_cuts_; }          ///< with hulls in place of primitives
+  std::size_t verifiedFrom() const { return verified_from_; }  ///< first sample of the last batch, on which the model does not depend
   std::size_t asked() const { return asked_.size(); }
   std::size_t cured() const { return cured_; }
-  const std::vector<Contact>& leafContacts() const { return leaves_; }  ///< that stayed in the last batch
-  const std::vector<Contact>& seen() const { return seen_; }            ///< of roots and opened hulls, in all counterexamples
+  const std::vector<Contact>& leafContacts() const { return leaves_; }  ///< left over in the last batch
+  const std::vector<Contact>& seen() const { return seen_; }            ///< of roots and of opened hulls, in all counterexamples
 
  private:
   Answers ask(const std::vector<std::size_t>& samples) const;
@@ -65,7 +65,7 @@ class Fitting {
   double progress_ = 0;
 };
 
-/// Whether the original keeps its clearances; pairs that `suspects` are of are asked first.
+/// Whether the original keeps its clearances; the pairs of `suspects` are checked first.
 bool isClear(const Assembly& assembly, const Originals& originals, const std::vector<PartPair>& pairs, const Places& places,
              const std::vector<Contact>& suspects);
 

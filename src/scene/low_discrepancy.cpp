@@ -1,3 +1,4 @@
+// Primes by trial division: a robot has tens of joints.
 #include "scene/low_discrepancy.h"
 
 #include <algorithm>

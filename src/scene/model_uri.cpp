@@ -1,3 +1,5 @@
+// The search order is: the folders of environment variables, the folders above the file, ~/.gazebo/models, and last a ROS package of that
+// name. The first folder that contains the path wins.
 #include "scene/model_uri.h"
 
 #include <cstdlib>
@@ -41,7 +43,7 @@ std::string resolveModel(const std::string& path, const std::string& base, const
   const std::size_t name_end = std::min(path.find('/'), path.size());
   const std::optional<std::string> package = find_package(path.substr(0, name_end));
   if (package && fs::exists(*package + path.substr(name_end), error)) return *package + path.substr(name_end);
-  throw Error(ErrorCode::kPackageNotFound, "'" + (kScheme + path) + "' is found nowhere; add the folder that holds '" +
+  throw Error(ErrorCode::kPackageNotFound, "'" + (kScheme + path) + "' was not found; add the folder that contains '" +
                                                path.substr(0, name_end) + "' to GAZEBO_MODEL_PATH or SDF_PATH");
 }
 
@@ -50,7 +52,7 @@ std::string resolveModel(const std::string& path, const std::string& base, const
 std::string resolveModelUri(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
   if (uri.rfind(kScheme, 0) == 0) return resolveModel(uri.substr(sizeof kScheme - 1), base, find_package);
   if (uri.rfind("http://", 0) == 0 || uri.rfind("https://", 0) == 0) {
-    throw Error(ErrorCode::kUnsupportedFormat, "'" + uri + "' is on the web; download it and give its path");
+    throw Error(ErrorCode::kUnsupportedFormat, "'" + uri + "' is on the web; download the file and give its path");
   }
   return resolveUri(uri, base, find_package);
 }

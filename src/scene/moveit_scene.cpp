@@ -1,15 +1,15 @@
-// MoveIt's text:
+// MoveIt's text format:
 //
 //   name of the scene
-//   * name of an object                  then, since MoveIt 1.1, its pose
-//   number of shapes                     for each:
+//   * name of an object                  followed, since MoveIt 1.1, by its pose
+//   number of shapes                     for each shape:
 //     kind, and its numbers
-//     x y z, a line; qx qy qz qw, a line
+//     x y z on a line; qx qy qz qw on a line
 //     r g b a
 //   number of subframes                  since MoveIt 1.1; for each: name, pose
-//   .                                    the end
+//   .                                    end
 //
-// Which of the two formats it is, MoveIt tells by the line after the first object's name: with a blank within it begins a pose.
+// MoveIt tells the two versions apart by the line after the first object's name: if that contains a blank, it starts a pose.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -32,8 +32,8 @@ class Reader {
   Scene read() {
     Scene scene;
     scene.name = trimmed(line(), kBlanks);
-    for (std::string marker = word("an object, '*', or the end, '.'"); marker != "."; marker = word("the end, '.',")) {
-      if (marker != "*") fail("'" + marker + "' stands where an object ('*') begins or the scene ends ('.')");
+    for (std::string marker = word("an object, '*', or the end, '.'"); marker != "."; marker = word("an object, '*', or the end, '.'")) {
+      if (marker != "*") fail("expected an object ('*') or the end of the scene ('.'), found '" + marker + "'");
       object(scene);
     }
     return scene;
@@ -58,7 +58,7 @@ class Reader {
       rest_.remove_prefix(1);
     }
     const std::string result(rest_.substr(0, rest_.find_first_of(kBlanks)));
-    if (result.empty()) fail("the file ends where " + what + " should stand; save the scene again");
+    if (result.empty()) fail("the file ends early: expected " + what + "; save the scene again");
     rest_.remove_prefix(result.size());
     return result;
   }
@@ -66,14 +66,14 @@ class Reader {
   double number(const std::string& what) {
     const std::string text = word(what);
     double value = 0;
-    if (!parseNumber(text, value)) fail("'" + text + "' stands where " + what + " should, a finite number");
+    if (!parseNumber(text, value)) fail("expected " + what + ", a finite number, found '" + text + "'");
     return value;
   }
 
   std::size_t count(const std::string& what) {
     const double value = number("the number of " + what);
     if (!(value >= 0 && value <= kMostItems && value == static_cast<double>(static_cast<std::size_t>(value)))) {
-      fail(std::to_string(value) + " is no number of " + what + ", an integer from 0 to 20 million");
+      fail("the number of " + what + " is " + std::to_string(value) + "; it must be an integer from 0 to 20 million");
     }
     return static_cast<std::size_t>(value);
   }
@@ -119,12 +119,12 @@ class Reader {
   void subframes() {
     const std::size_t frames = count("subframes");
     for (std::size_t i = 0; i < frames; ++i) {
-      if (trimmed(line(), kBlanks).empty()) line();  // what is left of the line before; then the name, which may hold blanks
+      if (trimmed(line(), kBlanks).empty()) line();  // the rest of the last line; then the name, which may contain blanks
       pose();
     }
   }
 
-  /// Unnamed; with a pose where the shape is not about its origin.
+  /// A body without a name; its pose is not the identity if the shape is not centred at its origin.
   SceneBody shape() {
     const std::string kind = word("a shape");
     SceneBody body;
@@ -133,7 +133,7 @@ class Reader {
       return body;
     }
     std::vector<double> sizes(sizesOf(kind));
-    if (sizes.empty()) fail("'" + kind + "' is no shape that is read; those are box, sphere, cylinder, cone, plane and mesh");
+    if (sizes.empty()) fail("unknown shape '" + kind + "'; supported are box, sphere, cylinder, cone, plane and mesh");
     for (double& size : sizes) size = number("a size of a " + kind);
     inThisLine([&] { setShape(body, kind, sizes); });
     return body;
@@ -148,7 +148,7 @@ class Reader {
       for (int& corner : triangle) {
         const double index = number("a triangle");
         if (!(index >= 0 && index < static_cast<double>(vertices) && index == std::floor(index))) {
-          fail("a triangle with the corner " + std::to_string(index) + "; the mesh has " + std::to_string(vertices) + " vertices");
+          fail("a triangle refers to vertex " + std::to_string(index) + ", but the mesh has " + std::to_string(vertices) + " vertices");
         }
         corner = static_cast<int>(index);
       }

@@ -1,3 +1,5 @@
+// A mesh is a binary tree of axis-aligned boxes over its triangles, split at the median along the longest side. Distances are found best
+// first, and each box and triangle is bounded by convexGap(), so that the result stays a proof.
 #include "scene/obstacle.h"
 
 #include <algorithm>
@@ -9,12 +11,12 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kLeaf = 4;  // triangles
-constexpr double kClose = 1e-3;   // of the distance: what is nearer by less is not looked for
+constexpr double kClose = 1e-3;   // of the distance: smaller improvements are not searched for
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 const Gap kFar{kInfinity, kInfinity, Eigen::Vector3d::Zero()};
 
-/// Of the nearer of two bodies.
+/// The gap to the nearer of two bodies.
 Gap nearer(const Gap& a, const Gap& b) {
   return {std::min(a.at_least, b.at_least), std::min(a.at_most, b.at_most), Eigen::Vector3d::Zero()};
 }
@@ -88,7 +90,7 @@ Gap Obstacle::gapToTriangles(const Node& leaf, const Eigen::Ref<const PointMatri
   return least;
 }
 
-// Nodes by what is known of them, the nearest first, until none can be nearer than what was found.
+// Visits nodes by their lower bounds, the nearest first, until none can be nearer than the best found.
 Gap Obstacle::gapTo(const Eigen::Ref<const PointMatrix>& points, double enough) const {
   if (nodes_.empty()) return convexGap(points, corners_, enough);
   using Open = std::pair<double, std::size_t>;

@@ -1,4 +1,4 @@
-// A body of a scene, for distances to it.
+// A body of a scene, prepared for distance queries.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,10 +14,11 @@ class Obstacle {
  public:
   explicit Obstacle(const SceneBody& body);
 
-  /// To a convex body in the scene's frame; stops as convexGap() does, for a mesh when the bounds differ by less than 2e-3 of the distance.
+  /// The gap to a convex body in the scene's frame; stops as convexGap() does, for a mesh once the bounds differ by less than 2e-3 of the
+  /// distance.
   Gap gapTo(const Eigen::Ref<const PointMatrix>& points, double enough) const;
 
-  double size() const { return size_; }  ///< [m] largest absolute coordinate, for rounding
+  double size() const { return size_; }  ///< [m] largest absolute coordinate, from which rounding is estimated
 
  private:
   struct Node {

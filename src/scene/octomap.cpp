@@ -1,6 +1,6 @@
-// A node of a binary map is 16 bits, two for each child: 1 free, 2 occupied, 3 has children of its own, 0 unknown. A node of a full map is
-// its log-odds value, what else its kind of tree keeps, and a bit for each child. Children follow depth first; the bits 1, 2, 4 of a
-// child's number say that it lies further along x, y, z.
+// A node of a binary map is 16 bits, two per child: 0 unknown, 1 free, 2 occupied, 3 has children of its own. A node of a full map is its
+// log-odds value, further data that depends on the kind of tree, and one bit per child. Children follow depth first; the bits 1, 2, 4 of a
+// child's number mean that it lies further along x, y, z.
 #include "collision_hulls/scene/octomap.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ constexpr std::size_t kMostCells = 20'000'000;
   throw Error(ErrorCode::kBadScene, "the map " + reason);
 }
 
-/// A box of cells: of whole numbers of the smallest ones from the map's middle.
+/// A box of cells, in integer multiples of the smallest cell from the map's middle.
 struct Cells {
   std::array<int, 3> low, high;
 };
@@ -33,9 +33,9 @@ struct Cells {
 class Reader {
  public:
   explicit Reader(const Octomap& map) : data_(map.data) {
-    static const std::map<std::string, std::size_t> kBeyondValue{{"OcTree", 0}, {"ColorOcTree", 3}};  // bytes of a node
+    static const std::map<std::string, std::size_t> kBeyondValue{{"OcTree", 0}, {"ColorOcTree", 3}};  // bytes per node
     const auto found = kBeyondValue.find(map.id);
-    if (found == kBeyondValue.end()) fail("is a '" + map.id + "'; those that are read are OcTree and ColorOcTree");
+    if (found == kBeyondValue.end()) fail("is of the unknown kind '" + map.id + "'; supported are OcTree and ColorOcTree");
     beyond_value_ = found->second;
     if (data_.empty()) return;
     if (map.binary)
@@ -51,7 +51,7 @@ class Reader {
   using Corner = std::array<int, 3>;
 
   const char* bytes(std::size_t count) {
-    if (data_.size() - at_ < count) fail("ends within a node, after " + std::to_string(data_.size()) + " bytes; it is damaged");
+    if (data_.size() - at_ < count) fail("ends in the middle of a node, after " + std::to_string(data_.size()) + " bytes; it is damaged");
     at_ += count;
     return data_.data() + at_ - count;
   }
@@ -61,7 +61,7 @@ class Reader {
     return {corner[0] + (index & 1 ? half : 0), corner[1] + (index & 2 ? half : 0), corner[2] + (index & 4 ? half : 0)};
   }
 
-  /// A node that is 2^level cells wide.
+  /// Reads a node that is 2^level cells wide.
   void readBinary(const Corner& corner, int level) {
     const auto* both = reinterpret_cast<const unsigned char*>(bytes(2));
     const unsigned bits = both[0] | unsigned{both[1]} << 8;
@@ -86,7 +86,8 @@ class Reader {
 
   void add(const Corner& corner, int level) {
     constexpr int kMiddle = 1 << (kDepth - 1);
-    if (occupied_.size() == kMostCells) throw Error(ErrorCode::kTooLarge, "the map has more than 20 million cells; make a coarser one");
+    if (occupied_.size() == kMostCells)
+      throw Error(ErrorCode::kTooLarge, "the map has more than 20 million occupied cells; make a coarser one");
     Cells cells;
     for (std::size_t k = 0; k < 3; ++k) cells.low[k] = corner[k] - kMiddle, cells.high[k] = cells.low[k] + (1 << level);
     occupied_.push_back(cells);
@@ -97,7 +98,7 @@ class Reader {
   std::vector<Cells> occupied_;
 };
 
-/// Joins boxes that are the same but along an axis, where they meet.
+/// Merges boxes that differ only along this axis and meet there.
 void joinAlong(std::size_t axis, std::vector<Cells>& boxes) {
   const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
   const auto place = [&](const Cells& c) { return std::array<int, 5>{c.low[u], c.high[u], c.low[v], c.high[v], c.low[axis]}; };
@@ -122,7 +123,7 @@ std::vector<Cells> joined(std::vector<Cells> boxes) {
   return boxes;
 }
 
-/// The value of a line "key value" of a file's head.
+/// The value of a line "key value" in a file's header.
 std::string headValue(std::string_view head, const std::string& key) {
   const std::size_t at = head.find("\n" + key + " ");
   if (at == std::string_view::npos) fail("has no line '" + key + " ...' before its data");
@@ -134,11 +135,11 @@ std::string headValue(std::string_view head, const std::string& key) {
 
 std::vector<Eigen::AlignedBox3d> occupiedBoxes(const Octomap& map) {
   if (!(map.resolution > 0 && std::isfinite(map.resolution)))
-    fail("has a resolution of " + std::to_string(map.resolution) + " m; it is a positive length");
+    fail("has a resolution of " + std::to_string(map.resolution) + " m; it must be a positive length");
   const std::vector<Cells> all = joined(Reader(map).take());
   if (all.size() > kMostBoxes) {
     throw Error(ErrorCode::kTooLarge, "the map has " + std::to_string(all.size()) + " boxes of occupied cells, above the limit of " +
-                                          std::to_string(kMostBoxes) + "; make a coarser one, or cut out what the robot can reach");
+                                          std::to_string(kMostBoxes) + "; make a coarser one, or crop it to what the robot can reach");
   }
   std::vector<Eigen::AlignedBox3d> boxes;
   for (const Cells& c : all) {
@@ -166,10 +167,12 @@ Scene readOctomapScene(const std::string& file) {
     const std::size_t data = text.find(kData);
     const bool binary = text.compare(0, kBinary.size(), kBinary) == 0;
     if (data == std::string::npos || (!binary && text.compare(0, kFull.size(), kFull) != 0))
-      fail("does not begin as a file of OctoMap's does, with '" + std::string(kFull) + "' and a line 'data'");
+      fail("is not an OctoMap file: it must start with '" + std::string(kBinary) + "' or '" + std::string(kFull) +
+           "' and have a line 'data'");
     const std::string_view head(text.data(), data + 1);
     Octomap map{binary, headValue(head, "id"), 0, std::string_view(text).substr(data + kData.size())};
-    if (!parseNumber(headValue(head, "res"), map.resolution)) fail("has a resolution '" + headValue(head, "res") + "', which is no number");
+    if (!parseNumber(headValue(head, "res"), map.resolution))
+      fail("has the resolution '" + headValue(head, "res") + "', which is not a number");
     scene.name = "octomap";
     addOctomap(scene, scene.name, map);
   });

@@ -1,3 +1,5 @@
+// FCL sees only surfaces, so a body inside another would count as far away. Hence one point per component is also tested against the other
+// body's solid: if the surfaces do not touch, a component is inside either entirely or not at all.
 #include "scene/originals.h"
 
 #include <algorithm>
@@ -17,7 +19,7 @@ bool holds(const Body& body, const Eigen::Vector3d& p) {
   return body.solid && body.solid->contains(p);
 }
 
-/// Whether a component of `inner` lies inside of `outer`, given that they do not touch; `pose` is the inner one's in the outer one's frame.
+/// Whether a component of `inner` lies inside `outer`, given that they do not touch; `pose` is that of `inner` in the frame of `outer`.
 bool within(const Body& inner, const Body& outer, const Eigen::Isometry3d& pose) {
   return std::any_of(inner.points.begin(), inner.points.end(), [&](const Eigen::Vector3d& p) { return holds(outer, pose * p); });
 }

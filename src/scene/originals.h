@@ -1,4 +1,4 @@
-// The meshes themselves, as planners ask them: what a model is measured against.
+// The original meshes, checked as planners check them: the truth that a model is measured against.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,13 +14,13 @@ class Originals {
  public:
   Originals(const FitProblem& problem, const Assembly& assembly);
 
-  /// Surfaces alone, as FCL and MoveIt have it.
+  /// Whether surfaces touch; as in FCL and MoveIt, interiors do not count.
   bool touch(std::size_t a, std::size_t b, const Places& places) const;
 
-  /// [m] The distance between two parts, or `limit` where it is no less. 0 also where one lies within the other.
+  /// [m] The distance between two parts, or `limit` if it is no less. Also 0 if one lies inside the other.
   double distanceBelow(double limit, std::size_t a, std::size_t b, const Places& places) const;
 
-  /// Contact is asked for first, since it takes FCL a hundredth of a distance's time.
+  /// Whether a pair keeps its clearance. Contact comes first, since it takes FCL a hundredth of the time of a distance.
   bool clear(const PartPair& pair, const Places& places) const {
     return !touch(pair.a, pair.b, places) && distanceBelow(pair.clearance, pair.a, pair.b, places) >= pair.clearance;
   }
@@ -28,9 +28,9 @@ class Originals {
   struct Body {
     QueryBody body;
     Eigen::Isometry3d origin;             // in the part's frame
-    const Solid* solid = nullptr;         // what lies inside; null for a convex body or a surface
-    const ConvexHull* convex = nullptr;   // of a convex body
-    std::vector<Eigen::Vector3d> points;  // one of each component
+    const Solid* solid = nullptr;         // null for a convex body or a surface
+    const ConvexHull* convex = nullptr;   // null unless the body is convex
+    std::vector<Eigen::Vector3d> points;  // one per component
   };
   const std::vector<Body>& bodies(std::size_t part) const { return of_part_[part]; }
 

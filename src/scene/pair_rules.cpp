@@ -1,3 +1,5 @@
+// Decides about each pair in three passes, the cheap ones first: adjacency and the SRDF; a survey of the originals at rest and in some
+// samples; and branch and bound for pairs that the survey never saw near. Pairs that the survey saw near are not worth a proof attempt.
 #include "scene/pair_rules.h"
 
 #include <algorithm>
@@ -15,23 +17,23 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kSurveyed = 400;  // samples
-constexpr double kNearlyAll = 0.95;     // of them; MoveIt's Setup Assistant takes the same share
+constexpr double kNearlyAll = 0.95;     // of them; MoveIt's Setup Assistant uses the same share
 constexpr std::size_t kEvaluations = 300;
 
 /// What the survey saw of a pair.
 struct Sighting {
   std::size_t a = 0, b = 0;
   bool links = false, moves = true;
-  double at_rest = 0;                               // [m] distance, no more than the clearance
-  double usual = 0;                                 // [m] the median of distances that are not 0; 0 if there are none
-  std::size_t samples = 0, touching = 0, near = 0;  // all, those of distance 0, and those nearer than the clearance
+  double at_rest = 0;                               // [m] distance, capped at the clearance
+  double usual = 0;                                 // [m] median of the nonzero distances, capped likewise; 0 if there are none
+  std::size_t samples = 0, touching = 0, near = 0;  // all; at distance 0; nearer than the clearance
 };
 
 bool nearlyAll(std::size_t part, std::size_t whole) {
   return static_cast<double>(part) >= kNearlyAll * static_cast<double>(whole);
 }
 
-/// All pairs of parts that have pieces, but for two bodies of the scene.
+/// All pairs of parts with pieces, except two bodies of the scene.
 std::vector<Sighting> allPairs(const Assembly& assembly) {
   std::vector<Sighting> pairs;
   for (std::size_t a = 0; a < assembly.links(); ++a) {
@@ -44,7 +46,7 @@ std::vector<Sighting> allPairs(const Assembly& assembly) {
   return pairs;
 }
 
-/// Rest, then samples.
+/// Poses at rest, then in the samples.
 std::vector<Places> surveyed(const FitProblem& problem, const Assembly& assembly) {
   const std::size_t given = problem.configurations.size(), count = given ? std::min(given, kSurveyed) : kSurveyed;
   std::vector<Places> places{assembly.places(assembly.kinematics().rest())};
@@ -72,7 +74,7 @@ std::string share(std::size_t part, std::size_t whole) {
   return std::to_string(part) + " of " + std::to_string(whole) + " samples";
 }
 
-/// Why the original says that a pair is not to be looked at; an empty reason: it is.
+/// Why a pair is left out, judging by the original; an empty reason: it is not.
 LeftOutPair verdict(const Sighting& pair) {
   const auto said = [&](const char* reason, const std::string& known) { return LeftOutPair{"", "", reason, known, pair.links}; };
   if (!pair.moves && pair.at_rest <= 0) return said("Fixed", "always in contact");
@@ -82,13 +84,13 @@ LeftOutPair verdict(const Sighting& pair) {
   return {};
 }
 
-/// For parts that hardly ever get as far apart as the clearance half of what they usually are apart has to do.
+/// The pair's clearance; for parts that are hardly ever that far apart, half of their usual distance.
 double ownClearance(const Sighting& pair, double clearance) {
   if (pair.usual == 0 || !nearlyAll(pair.near, pair.samples)) return clearance;
   return std::min(clearance, pair.usual / 2);
 }
 
-/// A hull about all that a link may become.
+/// A hull around everything that a link may become.
 ConvexHull hullOfLink(const FitProblem& problem, const Assembly& assembly, std::size_t link, const std::vector<ConvexHull>& roots) {
   std::vector<Eigen::Vector3d> points;
   for (const int piece : assembly.piecesOf(link)) {
@@ -112,7 +114,7 @@ ReachProver proverFor(const FitProblem& problem, const Assembly& assembly, const
   return ReachProver(assembly.kinematics(), links, problem.scene);
 }
 
-/// Moves pairs that provably never come within the clearance from `pairs` to `proved`.
+/// Moves the pairs that provably never come within the clearance from `pairs` to `proved`.
 void prove(const FitProblem& problem, const Assembly& assembly, const std::vector<char>& may_be_proved, double clearance,
            const RunControl& control, PairRules& rules) {
   const ReachProver prover = proverFor(problem, assembly, control);
@@ -143,7 +145,7 @@ std::map<NamePair, const DisabledPair*> byName(const std::vector<DisabledPair>& 
   return result;
 }
 
-/// What the robot's description and the user say.
+/// Why a pair is left out, judging by the robot description and the user's SRDF; an empty reason: it is not.
 LeftOutPair saidBefore(const Assembly& assembly, const std::map<NamePair, const DisabledPair*>& disabled, const Sighting& pair) {
   if (!pair.links) return {};
   const auto found = disabled.find(std::minmax(assembly.name(pair.a), assembly.name(pair.b)));
@@ -195,13 +197,13 @@ PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const O
     if (!why.reason.empty()) {
       leaveOut(pair, why);
       if (!pair.links && why.reason == "Always")
-        rules.notes.push_back(assembly.name(pair.a) + " against " + assembly.name(pair.b) + ": " + why.known + ", and so left out");
+        rules.notes.push_back(assembly.name(pair.a) + " against " + assembly.name(pair.b) + ": " + why.known + ", so the pair is left out");
       continue;
     }
     const double own = ownClearance(pair, clearance);
     if (own < clearance) {
-      rules.notes.push_back(assembly.name(pair.a) + " and " + assembly.name(pair.b) + " hardly ever are " + lengthText(clearance) +
-                            " apart: for them " + lengthText(own) + " count as clear");
+      rules.notes.push_back(assembly.name(pair.a) + " and " + assembly.name(pair.b) + " are hardly ever " + lengthText(clearance) +
+                            " apart: this pair counts as clear from " + lengthText(own) + " on");
     }
     rules.pairs.push_back({pair.a, pair.b, own});
     const Kinematics& kinematics = assembly.kinematics();

@@ -1,3 +1,5 @@
+// Builds models for queries and times them. A time is the quickest of several rounds over the same samples, which other load on the machine
+// disturbs least.
 #include "scene/planner_model.h"
 
 #include <algorithm>
@@ -9,11 +11,11 @@
 namespace collision_hulls {
 namespace {
 
-// As many rounds over the samples as it takes, of which there are three where that does not take too long.
+// Rounds go on until kLeastTime is used, and there are at least kLeastRounds unless kMostTime is reached first.
 constexpr double kLeastTime = 0.1, kMostTime = 2;  // [s]
 constexpr int kLeastRounds = 3;
 constexpr std::size_t kMostTimed = 500;      // samples
-constexpr std::size_t kMostDistances = 100;  // which take longer
+constexpr std::size_t kMostDistances = 100;  // samples; distances take longer
 
 std::vector<Places> placesOf(const Assembly& assembly, const std::vector<std::size_t>& samples, std::size_t most) {
   std::vector<Places> places;
@@ -41,7 +43,7 @@ void addBodies(const Assembly& assembly, const Originals& originals, Model& robo
     for (const Originals::Body& body : originals.bodies(part)) (assembly.isLink(part) ? robot : scene).add(part, body.body, body.origin);
 }
 
-/// [us] Of one question: the quickest of several rounds, which other load on the machine disturbs least.
+/// [us] per query, in the quickest of several rounds.
 double microseconds(const std::vector<Places>& all, const RunControl& control, const std::function<void(const Places&)>& ask) {
   using Clock = std::chrono::steady_clock;
   if (all.empty()) return 0;

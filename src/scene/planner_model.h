@@ -1,4 +1,4 @@
-// A model of the robot asked as planners ask: the robot against the scene, then against itself, until the first contact.
+// A model of the robot, queried as planners do: the robot against the scene, then against itself, up to the first contact.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace collision_hulls {
 
-/// Behind boxes, see BoxedModel. Not thread safe.
+/// Uses BoxedModel. Not thread safe.
 class PlannerModel {
  public:
   PlannerModel(const Assembly& assembly, const PairRules& rules, const Cuts& cuts);
@@ -27,8 +27,8 @@ class PlannerModel {
   bool scene_placed_ = false;
 };
 
-/// The same in FCL's dynamic trees, in which MoveIt has its bodies. Not thread safe, and to be made while no other thread uses bodies of
-/// it: FCL writes to them then.
+/// The same with FCL's dynamic trees, as in MoveIt. Not thread safe; while one is constructed, no other thread may use its bodies, since
+/// FCL writes to them.
 class TreeModel {
  public:
   TreeModel(const Assembly& assembly, const PairRules& rules, const Cuts& cuts);
@@ -42,12 +42,12 @@ class TreeModel {
   bool scene_placed_ = false;
 };
 
-/// Which of the samples from `first` on hit a model; `make` gives one.
+/// In which samples, from `first` on, the model collides; `make` returns a model for one thread.
 std::vector<char> hits(const Assembly& assembly, const std::function<PlannerModel()>& make, std::size_t first, std::size_t count,
                        const RunControl& control);
 
-/// [us] that a question takes on one thread, whether a sample hits and how far it is from contact: means over the first of the samples, the
-/// quickest of several rounds. 0 where there is no sample.
+/// [us] per query on one thread, for collision or for distance to contact: the mean over the first samples, in the quickest of several
+/// rounds. 0 if there are no samples.
 double collisionTime(const Assembly& assembly, PlannerModel& model, const std::vector<std::size_t>& samples, const RunControl& control);
 double collisionTime(const Assembly& assembly, TreeModel& model, const std::vector<std::size_t>& samples, const RunControl& control);
 double distanceTime(const Assembly& assembly, PlannerModel& model, const std::vector<std::size_t>& samples, const RunControl& control);

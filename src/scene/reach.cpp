@@ -1,10 +1,10 @@
-// For each pair, best first:
+// Best-first search for each pair:
 //
-//   boxes = {all values of the joints; both bodies swept over all of their joints}
-//   until the box with the least bound has enough: take it, and
-//     where the swept bodies are too near at its middle, hand it on: one joint more of the one that is swept further
-//     else halve it along the variable that moves the bodies most
-//     and bound what comes of it
+//   boxes = {all joint values; both bodies swept over all their joints}
+//   until the box with the least bound is far enough apart, take that box:
+//     if the swept bodies are too near at its middle, unsweep one joint of the body that shrinks more by it
+//     otherwise halve the box along the variable that moves the bodies most
+//     bound the boxes that result
 #include "collision_hulls/scene/reach.h"
 
 #include <algorithm>
@@ -23,24 +23,24 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kRounding = 1e-9;         // of the coordinates' size, taken off each bound
-constexpr std::size_t kSamples = 200;      // configurations that are looked at first: nearly all pairs that touch do so in one of them
-constexpr std::size_t kSamplesOfFar = 20;  // the same of pairs that are proved at once
-constexpr double kCloser = 0.97;           // how much of its range a search about the best of them keeps after each failure
-constexpr std::uint64_t kMiddle = std::uint64_t{1} << 63;  // where they begin, of 2^64
-constexpr double kShareToTighten = 0.2;                    // of the evaluations, after the proof
-constexpr double kWorthHalving = 0.05;  // of the movement within a box: a gap by which swept bodies are apart enough to halve it
+constexpr double kRounding = 1e-9;                         // of the coordinates' size, subtracted from each bound
+constexpr std::size_t kSamples = 200;                      // configurations tried first: nearly all pairs that touch do so in one of them
+constexpr std::size_t kSamplesOfFar = 20;                  // the same, for pairs that are proved at once
+constexpr double kCloser = 0.97;                           // factor on the range of the search around the best sample, after each failure
+constexpr std::uint64_t kMiddle = std::uint64_t{1} << 63;  // start of the samples, as a fraction of 2^64
+constexpr double kShareToTighten = 0.2;                    // of the evaluations, for use after the proof
+constexpr double kWorthHalving = 0.05;  // of the movement within a box: a box is halved if its gap exceeds the target by more than this
 
 /// A link and the joints that move it.
 struct MovedLink {
   ConvexHull hull;
   Chain chain;
-  double size = 0;  // [m] largest distance of a point from the root's origin
+  double size = 0;  // [m] upper bound on the distance of its points from the root's origin
   mutable std::once_flag once;
-  mutable std::vector<PointMatrix> bodies;  // see sweeps(); made when first needed
+  mutable std::vector<PointMatrix> bodies;  // see sweeps(); made on first use
 };
 
-/// One of a pair: a link, whose joints after the first `common` move it against the other.
+/// One side of a pair: a link, which its joints after the first `common` ones move relative to the other side.
 struct Side {
   const MovedLink* link = nullptr;
   std::size_t common = 0;
@@ -50,14 +50,14 @@ struct Side {
   const PointMatrix& body(std::size_t level) const { return link->bodies[level]; }
 };
 
-/// A box of the values of variables, and how many joints of each side are not swept.
+/// A box of joint values, and how many joints of each side are not swept.
 struct Box {
-  std::vector<JointRange> variables;  // of the pair's
+  std::vector<JointRange> variables;  // of the pair
   std::array<std::size_t, 2> levels{};
-  double gap = 0;          // of the bodies at its middle, at least
-  double movement = 0;     // of their points within it, at most
-  double bound = 0;        // of the distance within it
-  std::size_t widest = 0;  // variable that moves the bodies most
+  double gap = 0;          // [m] lower bound on the gap between the bodies at the middle
+  double movement = 0;     // [m] upper bound on the movement of their points within the box
+  double bound = 0;        // [m] lower bound on the distance within the box
+  std::size_t widest = 0;  // the variable that moves the bodies most
   std::size_t number = 0;
 };
 struct Later {
@@ -118,7 +118,7 @@ class PairSearch {
     return box;
   }
 
-  /// Neither body is swept.
+  /// Whether neither body is swept.
   bool isFinal(const Box& box) const {
     for (std::size_t s = 0; s < sides_.size(); ++s) {
       if (box.levels[s] < sides_[s].joints()) return false;
@@ -126,7 +126,7 @@ class PairSearch {
     return true;
   }
 
-  /// Looks at configurations all over the joints' ranges, and then about the nearest of them, ever closer.
+  /// Tries configurations all over the joints' ranges, then around the nearest of them, ever closer.
   void sample(std::size_t most) {
     const Box whole = wholeBox();
     const std::vector<std::uint64_t> steps = richtmyerSteps(variables_.size());
@@ -148,7 +148,7 @@ class PairSearch {
     }
   }
 
-  /// Until the least bound is above the target, evaluations run out, or the pair touches.
+  /// Runs until the least bound is above the target, the evaluations run out, or the pair touches.
   void search(std::size_t evaluations) {
     while (open_.top().bound <= target_ && result_.evaluations < evaluations) {
       control_.check();
@@ -158,7 +158,7 @@ class PairSearch {
       }
       const Box box = open_.top();
       const bool final_box = isFinal(box);
-      if (final_box && box.movement <= 0) return;  // nothing is left that could make the bound better
+      if (final_box && box.movement <= 0) return;  // nothing can improve the bound
       open_.pop();
       if (final_box || (box.movement > 0 && box.gap - target_ > kWorthHalving * box.movement)) {
         halve(box);
@@ -177,7 +177,7 @@ class PairSearch {
     }
   }
 
-  /// One joint more of the side whose sweep shrinks most by it.
+  /// Takes one more joint out of the sweep, on the side whose body shrinks more by it.
   void handOn(Box box) {
     std::size_t best = 0;
     double most = -kInfinity;
@@ -198,7 +198,7 @@ class PairSearch {
     open_.push(std::move(box));
   }
 
-  /// Bounds the distance within a box from that at its middle.
+  /// Bounds the distance within a box from the distance at its middle.
   void bound(Box& box) {
     std::vector<BoxedBody> bodies;
     for (std::size_t s = 0; s < sides_.size(); ++s) bodies.push_back(boxed(s, box));
@@ -209,7 +209,7 @@ class PairSearch {
     const Gap gap = gapOf(bodies, enough);
     ++result_.evaluations;
     if (gap.at_least < enough && !gap.direction.isZero()) {
-      // Towards each other, which near a minimum of the distance is far less.
+      // Only movement towards each other counts, which near a minimum of the distance is far less.
       std::fill(shares.begin(), shares.end(), 0);
       box.movement = bodies.front().movementAlong(-gap.direction, shares);
       if (bodies.size() > 1) box.movement += bodies.back().movementAlong(gap.direction, shares);
@@ -255,7 +255,7 @@ class PairSearch {
   Reach result_;
 };
 
-/// How far a link's points can be from the root's origin.
+/// [m] Upper bound on how far a link's points get from the root's origin.
 double reachOf(const ConvexHull& hull, const Chain& chain, const std::vector<JointVariable>& variables) {
   double reach = chain.end.translation().norm(), radius = 0;
   for (const Eigen::Vector3d& v : hull.vertices) radius = std::max(radius, v.norm());
@@ -280,7 +280,7 @@ struct ReachProver::Impl {
     for (const SceneBody& body : scene.bodies) obstacles.emplace_back(body);
   }
 
-  /// Null for a link without geometry.
+  /// Null if the link has no geometry.
   const MovedLink* link(std::size_t index) const {
     const MovedLink& link = links.at(index);
     if (link.hull.vertices.empty()) return nullptr;
@@ -307,11 +307,12 @@ Reach neverNear() {
 /// Throws kBadOption.
 void check(double clearance, const ReachOptions& options) {
   if (!(clearance >= 0 && clearance < kInfinity)) {
-    throw Error(ErrorCode::kBadOption, "a clearance of " + std::to_string(clearance) + " m was given; it is 0 at least, and finite");
+    throw Error(ErrorCode::kBadOption, "the clearance is " + std::to_string(clearance) + " m; it must be finite and at least 0");
   }
   if (options.evaluations < 1 || !(options.tightness > 0 && options.tightness < 1)) {
-    throw Error(ErrorCode::kBadOption, "a proof needs one evaluation at least and a tightness between 0 and 1; given were " +
-                                           std::to_string(options.evaluations) + " and " + std::to_string(options.tightness));
+    throw Error(ErrorCode::kBadOption, "evaluations is " + std::to_string(options.evaluations) + " and tightness is " +
+                                           std::to_string(options.tightness) +
+                                           "; evaluations must be at least 1, and tightness between 0 and 1");
   }
 }
 
@@ -323,7 +324,7 @@ Reach ReachProver::betweenLinks(std::size_t link, std::size_t other, double clea
   const MovedLink *first = impl_->link(link), *second = impl_->link(other);
   if (!first || !second) return neverNear();
   const std::vector<ChainJoint>&a = first->chain.joints, &b = second->chain.joints;
-  std::size_t common = 0;  // joints that are alike move alike
+  std::size_t common = 0;  // joints shared by both chains do not move the pair
   while (common < std::min(a.size(), b.size()) && same(a[common], b[common])) ++common;
   return PairSearch(impl_->kinematics, {{first, common}, {second, common}}, nullptr, clearance, options, control).run();
 }

@@ -1,3 +1,4 @@
+// Numbers are parsed with the classic locale, since a process with a German locale would read "1.5" as 1.
 #include "scene/reading.h"
 
 #include <cmath>
@@ -29,10 +30,10 @@ Eigen::Quaterniond fromRollPitchYaw(const Eigen::Vector3d& rpy) {
 }
 
 Eigen::Quaterniond checkedQuaternion(double x, double y, double z, double w) {
-  constexpr double kRounded = 1e-2;  // of decimal text with few digits
+  constexpr double kRounded = 1e-2;  // allows for decimal text with few digits
   const Eigen::Quaterniond q(w, x, y, z);
   if (!(std::abs(q.norm() - 1) <= kRounded)) {
-    throw Error(ErrorCode::kBadScene, "a quaternion of length " + std::to_string(q.norm()) + "; a rotation's has length 1");
+    throw Error(ErrorCode::kBadScene, "a quaternion of length " + std::to_string(q.norm()) + "; a rotation needs length 1");
   }
   return q.normalized();
 }

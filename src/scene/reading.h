@@ -1,4 +1,4 @@
-// What the readers of scenes share.
+// Helpers shared by the readers of scenes.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,23 +11,23 @@
 
 namespace collision_hulls {
 
-/// The number that a word is, with a point whatever the locale; false where it is none, or not finite.
+/// Parses a number with a decimal point, whatever the locale; false if the word is not a finite number.
 bool parseNumber(std::string_view word, double& value);
 
-/// Throws the errors of `action` with "label: " before their text.
+/// Runs `action`; prefixes the text of any error it throws with "label: ".
 void inContext(const std::string& label, const std::function<void()>& action);
 
 /// A rotation by roll, pitch and yaw about fixed axes, as in URDF and SDF.
 Eigen::Quaterniond fromRollPitchYaw(const Eigen::Vector3d& rpy);
 
-/// Of unit length. Throws kBadScene for one that is not of about unit length, which no rotation is.
+/// The normalized quaternion. Throws kBadScene if its length is not about 1, so that it is no rotation.
 Eigen::Quaterniond checkedQuaternion(double x, double y, double z, double w);
 
 /// Meshes by URI, each file read once.
 class MeshLibrary {
  public:
   explicit MeshLibrary(const PackageFinder& find_package) : find_package_(find_package) {}
-  /// Relative URIs are relative to the folder of `base` (a file). Throws the errors of resolveUri(), readMesh() and scaled().
+  /// Relative URIs are resolved against the folder of `base` (a file). Throws the errors of resolveUri(), readMesh() and scaled().
   TriangleMesh read(const std::string& uri, const Eigen::Vector3d& scale, const std::string& base);
 
  private:
@@ -35,7 +35,7 @@ class MeshLibrary {
   std::map<std::string, TriangleMesh> by_path_;
 };
 
-// One reader for each kind of file; see readScene(). They leave an empty scene to the caller.
+// One reader per format; see readScene(). They may return an empty scene, which the caller judges.
 Scene readMoveItScene(const std::string& file);
 Scene readYamlScene(const std::string& file, const PackageFinder& find_package);
 Scene readSdfScene(const std::string& file, const PackageFinder& find_package);

@@ -1,3 +1,5 @@
+// Chooses a reader by file extension and validates every body in one place, so that readers need not. URDF and single meshes are read here;
+// the other formats have files of their own.
 #include "collision_hulls/scene/scene.h"
 
 #include <algorithm>
@@ -20,20 +22,22 @@ constexpr double kFurthest = 1e6;  // [m] from the origin
 }
 
 void checkPlace(const std::string& name, const Eigen::Isometry3d& pose) {
-  if (!pose.matrix().allFinite()) fail(name, "has a pose that is not finite; mend its numbers");
-  if (pose.translation().cwiseAbs().maxCoeff() > kFurthest) fail(name, "lies further out than 1e6 m; lengths are in metres");
+  if (!pose.matrix().allFinite()) fail(name, "has a pose that is not finite; correct its numbers");
+  if (pose.translation().cwiseAbs().maxCoeff() > kFurthest) fail(name, "is more than 1e6 m from the origin; lengths are in metres");
 }
 
 void checkMesh(const std::string& name, const TriangleMesh& mesh) {
-  if (mesh.triangles.empty()) fail(name, "is a mesh without triangles; remove it, or give it some");
+  if (mesh.triangles.empty()) fail(name, "is a mesh without triangles; remove it, or give it triangles");
   const auto count = static_cast<int>(mesh.vertices.size());
   for (const Triangle& t : mesh.triangles) {
     for (const int v : t) {
-      if (v < 0 || v >= count) fail(name, "has a triangle with vertex " + std::to_string(v) + " of " + std::to_string(count));
+      if (v < 0 || v >= count)
+        fail(name, "has a triangle with vertex " + std::to_string(v) + " of " + std::to_string(count) + "; indices start at 0");
     }
   }
   for (const Eigen::Vector3d& v : mesh.vertices) {
-    if (!(v.cwiseAbs().maxCoeff() <= kFurthest)) fail(name, "has a vertex that is not finite, or further out than 1e6 m");
+    if (!(v.cwiseAbs().maxCoeff() <= kFurthest))
+      fail(name, "has a vertex that is not finite, or more than 1e6 m from the origin; lengths are in metres");
   }
 }
 
@@ -46,7 +50,7 @@ void setPrimitive(SceneBody& body, const GeometryElement& element) {
   }
 }
 
-/// Each element of each link, where it is at rest.
+/// Each element of each link, at its rest pose.
 Scene readUrdfScene(const std::string& file, const PackageFinder& find_package) {
   const RobotDescription robot = readRobotDescription(file);
   MeshLibrary meshes(find_package);
@@ -96,7 +100,7 @@ std::optional<Scene> readByExtension(const std::string& file, const PackageFinde
 void addBody(Scene& scene, SceneBody body) {
   if (body.name.empty()) throw Error(ErrorCode::kBadScene, "a body has no name; give it one");
   const auto is_same = [&](const SceneBody& other) { return other.name == body.name; };
-  if (std::any_of(scene.bodies.begin(), scene.bodies.end(), is_same)) fail(body.name, "stands twice in the scene; rename one of them");
+  if (std::any_of(scene.bodies.begin(), scene.bodies.end(), is_same)) fail(body.name, "appears twice in the scene; rename one of them");
   checkPlace(body.name, body.pose);
   if (const auto* mesh = std::get_if<TriangleMesh>(&body.shape)) checkMesh(body.name, *mesh);
   scene.bodies.push_back(std::move(body));
@@ -106,13 +110,13 @@ Scene readScene(const std::string& file, const PackageFinder& find_package) {
   std::optional<Scene> scene = readByExtension(file, find_package);
   if (!scene) {
     throw Error(ErrorCode::kUnsupportedFormat,
-                "'" + file + "': a scene is read from .scene (MoveIt), .urdf, .xacro, .sdf, .world, .yaml, .bt, .ot " +
-                    "(OctoMap), or a mesh file (.stl .dae .obj .off .ply)");
+                "'" + file + "': unknown scene format; supported are .scene (MoveIt), .urdf, .xacro, .sdf, .world, .yaml, .bt and .ot " +
+                    "(OctoMap), and mesh files (.stl .dae .obj .off .ply)");
   }
   const std::string extension = lowerExtension(file);
   if (scene->bodies.empty() && extension != ".yaml" && extension != ".yml") {
-    throw Error(ErrorCode::kBadScene, "'" + file + "' is a scene without geometry; where an empty one is meant, give a .yaml file with " +
-                                          "the line 'bodies: []'");
+    throw Error(ErrorCode::kBadScene,
+                "'" + file + "' is a scene without geometry; if it should be empty, give a .yaml file with " + "the line 'bodies: []'");
   }
   return std::move(*scene);
 }

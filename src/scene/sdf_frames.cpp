@@ -1,3 +1,5 @@
+// Resolves <pose relative_to> by following frames recursively; a chain longer than the number of frames is a cycle. Frames inside nested
+// models are resolved on demand by building that model's SdfFrames.
 #include "scene/sdf_frames.h"
 
 #include <algorithm>
@@ -29,11 +31,11 @@ std::vector<double> sdfNumbers(const std::string& file, const XmlNode& element, 
   std::istringstream words(element.text);
   std::vector<double> numbers;
   for (std::string word; words >> word;) {
-    if (!parseNumber(word, numbers.emplace_back())) failSdf(file, element, "'" + word + "' in <" + element.name + "> is no finite number");
+    if (!parseNumber(word, numbers.emplace_back()))
+      failSdf(file, element, "'" + word + "' in <" + element.name + "> is not a finite number");
   }
   if (numbers.size() != count) {
-    failSdf(file, element,
-            "<" + element.name + "> has " + std::to_string(numbers.size()) + " numbers where " + std::to_string(count) + " should stand");
+    failSdf(file, element, "<" + element.name + "> has " + std::to_string(numbers.size()) + " numbers; it needs " + std::to_string(count));
   }
   return numbers;
 }
@@ -61,7 +63,7 @@ SdfFrames::SdfFrames(const XmlNode& scope, const std::string& file, const std::v
     if (element.name == "frame") add(element.attribute("name"), element, element.attribute("attached_to"));
   }
   for (const SdfModel& model : models) add(model.name, *model.posed, "");
-  // Before SDF 1.7 a joint might have the name of a link, which is meant then.
+  // Before SDF 1.7 a joint could share its name with a link; the name then means the link.
   for (const XmlNode* joint : scope.childrenNamed("joint"))
     if (frames_.count(joint->attribute("name")) == 0) add(joint->attribute("name"), *joint, textOfChild(*joint, "child"));
 }
@@ -69,7 +71,7 @@ SdfFrames::SdfFrames(const XmlNode& scope, const std::string& file, const std::v
 void SdfFrames::add(const std::string& name, const XmlNode& element, const std::string& relative_to) {
   if (name.empty()) failSdf(file_, element, "a <" + element.name + "> has no name; give it one");
   if (!frames_.emplace(name, Frame{&element, relative_to}).second) {
-    failSdf(file_, element, "'" + name + "' stands twice in its model or world; rename one of them");
+    failSdf(file_, element, "'" + name + "' appears twice in its model or world; rename one of them");
   }
 }
 
@@ -88,19 +90,19 @@ Eigen::Isometry3d SdfFrames::poseOf(const XmlNode& element, const std::string& f
 
 Eigen::Isometry3d SdfFrames::frameNamed(const std::string& name, const XmlNode& asked_by, std::size_t steps) const {
   if (name.empty() || name == "__model__" || name == "world") return Eigen::Isometry3d::Identity();
-  if (steps > frames_.size()) failSdf(file_, asked_by, "frame '" + name + "' is relative to itself, through others");
+  if (steps > frames_.size())
+    failSdf(file_, asked_by, "frame '" + name + "' is relative to itself, by way of other frames; break the cycle");
   const auto found = frames_.find(name);
   if (found != frames_.end()) return poseOf(*found->second.element, found->second.relative_to, steps + 1);
   const std::size_t end = name.find(kWithin);
   if (end != std::string::npos) return frameWithin(name.substr(0, end), name.substr(end + kWithin.size()), asked_by, steps);
-  failSdf(file_, asked_by, "there is no frame '" + name + "' in this model or world");
+  failSdf(file_, asked_by, "this model or world has no frame '" + name + "'");
 }
 
 Eigen::Isometry3d SdfFrames::frameWithin(const std::string& model, const std::string& name, const XmlNode& asked_by,
                                          std::size_t steps) const {
   const auto found = std::find_if(models_.begin(), models_.end(), [&](const SdfModel& m) { return m.name == model; });
-  if (found == models_.end())
-    failSdf(file_, asked_by, "there is no model '" + model + "' in this model or world that could hold '" + name + "'");
+  if (found == models_.end()) failSdf(file_, asked_by, "this model or world has no model '" + model + "', in which to find '" + name + "'");
   const std::vector<SdfModel> within = models_within_(*found);
   const SdfFrames frames(*found->element, found->file, within, models_within_);
   return frameNamed(model, asked_by, steps) * frames.frameNamed(name, asked_by, 0);

@@ -1,4 +1,4 @@
-// Frames of an SDF model or world, and what they hold.
+// The frames of an SDF model or world.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,35 +11,35 @@
 
 namespace collision_hulls {
 
-/// Throws kBadScene with file and line.
+/// Throws kBadScene, naming file and line.
 [[noreturn]] void failSdf(const std::string& file, const XmlNode& element, const std::string& reason);
 
-/// The numbers of an element's text, so many of them.
+/// The numbers in an element's text; throws unless there are `count` of them.
 std::vector<double> sdfNumbers(const std::string& file, const XmlNode& element, std::size_t count);
 
-/// A <pose> itself, whatever it is relative to.
+/// The value of a <pose>, whatever it is relative to.
 Eigen::Isometry3d sdfPose(const std::string& file, const XmlNode& pose);
 
-/// A model within a scope. An <include> may overrule its name and pose.
+/// A model within a scope. An <include> may override its name and pose.
 struct SdfModel {
   const XmlNode* element = nullptr;
-  std::string file;  ///< that it stands in
+  std::string file;  ///< in which it is defined
   std::string name;
   const XmlNode* posed = nullptr;  ///< the element whose <pose> counts
-  int depth = 0;                   ///< includes that led into it
+  int depth = 0;                   ///< number of nested includes that led to it
 };
 
-/// The models within a model.
+/// The models nested in a model.
 using ModelsWithin = std::function<std::vector<SdfModel>(const SdfModel&)>;
 
-/// The frames of one model or world, in its own frame: links, joints, frames, models within and their frames (`model::frame`), and
+/// The frames of one model or world, in its own frame: links, joints, frames, nested models and their frames (`model::frame`), and
 /// `__model__`. Keeps references.
 class SdfFrames {
  public:
   SdfFrames(const XmlNode& scope, const std::string& file, const std::vector<SdfModel>& models, const ModelsWithin& models_within);
 
-  /// The <pose> of an element, which is relative to `frame` unless it says otherwise; empty: the scope's own. Throws kBadScene for
-  /// frames that are not there or lead back to themselves, and a pose that is none.
+  /// The <pose> of an element, relative to `frame` unless it names another; empty: the scope's own frame. Throws kBadScene for missing
+  /// frames, cycles of frames, and an invalid pose.
   Eigen::Isometry3d poseOf(const XmlNode& element, const std::string& frame) const;
 
  private:

@@ -1,4 +1,5 @@
-// Static bodies of SDF, Gazebo's format: worlds hold models, models hold links and models, links hold collisions.
+// Reads static bodies from SDF, Gazebo's format: worlds contain models, models contain links and further models, links contain collisions.
+// Elements that would change poses or shapes and are not supported are errors, so that no body ends up in the wrong place.
 #include <algorithm>
 #include <filesystem>
 #include <initializer_list>
@@ -20,9 +21,9 @@ namespace {
 
 constexpr int kDeepestInclude = 20, kMostIncludes = 10'000;
 
-/// The hull of ellipsoids at some heights.
+/// The hull of equal ellipsoids at several heights.
 ConvexHull roundShape(const Eigen::Vector3d& radii, std::initializer_list<double> heights) {
-  boxShape(radii);  // which refuses what is no size
+  boxShape(radii);  // throws for invalid sizes
   const double largest = radii.maxCoeff();
   std::vector<Eigen::Vector3d> points;
   for (const Eigen::Vector3d& p : sphereShape(largest).vertices) {
@@ -60,13 +61,12 @@ void setConvexShape(const Shape& shape, SceneBody& body) {
   }
   if (kind == "capsule") {
     const double radius = shape.number("radius"), length = shape.number("length");
-    if (!(length >= 0)) failSdf(shape.file, shape.element, "a capsule of length " + std::to_string(length) + " m; it is 0 at least");
+    if (!(length >= 0)) failSdf(shape.file, shape.element, "a capsule of length " + std::to_string(length) + " m; it must be at least 0");
     body.shape = roundShape(Eigen::Vector3d::Constant(radius), {-length / 2, length / 2});
     return;
   }
   failSdf(shape.file, shape.element,
-          "<" + kind + "> is no geometry that is read; those are box, sphere, cylinder, cone, capsule, ellipsoid, plane and mesh. " +
-              "Export it as a mesh");
+          "<" + kind + "> is not supported; use box, sphere, cylinder, cone, capsule, ellipsoid, plane or mesh, or export it as a mesh");
 }
 
 class Reader {
@@ -76,7 +76,7 @@ class Reader {
   Scene read(const std::string& file) {
     const XmlNode& root = open(file);
     const std::vector<const XmlNode*> worlds = root.childrenNamed("world");
-    if (worlds.size() > 1) failSdf(file, *worlds[1], "a second <world>; one is read, remove the other");
+    if (worlds.size() > 1) failSdf(file, *worlds[1], "a second <world>; remove all but one");
     scene_.name = worlds.empty() ? fs::path(file).stem().string() : worlds.front()->attribute("name");
     const XmlNode& scope = worlds.empty() ? root : *worlds.front();
     readScope({&scope, file, "", nullptr, 0}, Eigen::Isometry3d::Identity(), "", stateOf(scope, file));
@@ -84,27 +84,27 @@ class Reader {
   }
 
  private:
-  /// The root of an SDF file. It lives as long as the reader does.
+  /// The root of an SDF file. It lives as long as the reader.
   const XmlNode& open(const std::string& file) {
     const auto known = documents_.find(file);
     if (known != documents_.end()) return known->second;
     const XmlNode& root = documents_.emplace(file, parseXml(readTextFile(file, ".sdf or .world file"), "'" + file + "'")).first->second;
-    if (root.name != "sdf") failSdf(file, root, "the root element is <" + root.name + ">; an SDF's is <sdf>");
+    if (root.name != "sdf") failSdf(file, root, "the root element is <" + root.name + ">; SDF needs <sdf>");
     return root;
   }
 
-  /// What a saved world says of where its models and links were; null: nothing.
+  /// A saved world's <state>, which tells where its models and links were; null: none.
   const XmlNode* stateOf(const XmlNode& world, const std::string& file) {
     const std::vector<const XmlNode*> states = world.childrenNamed("state");
     if (states.empty()) return nullptr;
-    if (states.size() > 1) failSdf(file, *states[1], "a second <state>; leave the one that counts");
+    if (states.size() > 1) failSdf(file, *states[1], "a second <state>; remove all but one");
     for (const char* change : {"insertions", "deletions"})
       if (const XmlNode* found = states.front()->child(change))
-        failSdf(file, *found, "<" + found->name + "> are not followed; save the world anew, with its models as they are");
+        failSdf(file, *found, "<" + found->name + "> is not supported; save the world again, with its models in place");
     return states.front();
   }
 
-  /// The place in the world that a state gives the model or link of this name; `state` is its element where it is not null.
+  /// The pose in the world that a state gives the model or link of this name; `state` becomes that element, or null.
   std::optional<Eigen::Isometry3d> placeIn(const XmlNode*& state, const char* kind, const std::string& name, const std::string& file) {
     if (!state) return std::nullopt;
     const std::vector<const XmlNode*> all = state->childrenNamed(kind);
@@ -113,17 +113,17 @@ class Reader {
     if (!state || !state->child("pose")) return std::nullopt;
     const XmlNode* scale = state->child("scale");
     if (scale && Eigen::Vector3d(sdfNumbers(file, *scale, 3).data()) != Eigen::Vector3d::Ones())
-      failSdf(file, *scale, "a <scale> other than 1 1 1 is not followed; scale the shapes of '" + name + "' themselves");
+      failSdf(file, *scale, "a <scale> other than 1 1 1 is not supported; scale the shapes of '" + name + "' themselves");
     return sdfPose(file, *state->child("pose"));
   }
 
-  /// A world, a model, or what stands outside of both, at `pose`.
+  /// Reads a world, a model, or the root element of a file without a world, at `pose`.
   void readScope(const SdfModel& scope, const Eigen::Isometry3d& pose, const std::string& prefix, const XmlNode* state) {
     if (const XmlNode* population = scope.element->child("population"))
-      failSdf(scope.file, *population, "a <population> is not followed; save the world from Gazebo, with its models one by one");
+      failSdf(scope.file, *population, "<population> is not supported; save the world from Gazebo, with its models one by one");
     const std::vector<SdfModel> models = modelsWithin(scope);
     includes_ += std::count_if(models.begin(), models.end(), [&](const SdfModel& model) { return model.depth > scope.depth; });
-    if (includes_ > kMostIncludes) failSdf(scope.file, *scope.element, "more than 10,000 includes");
+    if (includes_ > kMostIncludes) failSdf(scope.file, *scope.element, "more than 10,000 includes; split the world");
     const ModelsWithin within = [this](const SdfModel& model) { return modelsWithin(model); };
     const SdfFrames frames(*scope.element, scope.file, models, within);
     for (const XmlNode* link : scope.element->childrenNamed("link")) {
@@ -164,7 +164,7 @@ class Reader {
     return models;
   }
 
-  /// nullopt for a light or an actor, which have no collision.
+  /// nullopt for a light or an actor, which has no collision.
   std::optional<SdfModel> included(const XmlNode& include, const SdfModel& scope) {
     const std::string& file = scope.file;
     if (scope.depth >= kDeepestInclude) failSdf(file, include, "includes nest deeper than 20; does one include itself?");
@@ -176,12 +176,12 @@ class Reader {
     const XmlNode& root = open(path);
     const XmlNode* model = root.child("model");
     if (!model && (root.child("light") || root.child("actor"))) return std::nullopt;
-    if (!model) failSdf(path, root, "it is included, but has no <model>");
+    if (!model) failSdf(path, root, "this included file has no <model>");
     const XmlNode* name = include.child("name");
     return SdfModel{model, path, name ? name->text : model->attribute("name"), include.child("pose") ? &include : model, scope.depth + 1};
   }
 
-  /// A file's own URI, or a model's folder: the file that its model.config names for the newest version, or model.sdf.
+  /// Resolves the URI of a file, or of a model's folder: the file that its model.config names for the newest version, or model.sdf.
   std::string includedFile(const std::string& uri, const std::string& file) {
     const std::string extension = lowerExtension(uri);
     if (extension == ".sdf" || extension == ".world") return resolveModelUri(uri, file, find_package_);
@@ -199,14 +199,14 @@ class Reader {
       parseNumber(sdf->attribute("version"), version);
       if (version > newest_version) newest_version = version, newest = sdf->text;
     }
-    if (newest.empty()) failSdf(config, root, "it names no <sdf> file");
+    if (newest.empty()) failSdf(config, root, "this model.config names no <sdf> file");
     return (fs::path(config).parent_path() / newest).string();
   }
 
-  /// False for <empty/>.
+  /// Returns false for <empty/>.
   bool setShape(const XmlNode& collision, const std::string& file, SceneBody& body) {
     const XmlNode* geometry = collision.child("geometry");
-    if (!geometry || geometry->children.empty()) failSdf(file, collision, "it has no geometry; give it one, or <empty/>");
+    if (!geometry || geometry->children.empty()) failSdf(file, collision, "this collision has no geometry; give it one, or <empty/>");
     const Shape shape{file, geometry->children.front()};
     const std::string& kind = shape.element.name;
     if (kind == "empty") return false;

@@ -1,3 +1,5 @@
+// Convex hulls of the primitive shapes. Round shapes are polyhedra around the true shape, never inside it, so that a planner that checks
+// against them misses no collision.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,11 +22,11 @@ void expectSizes(const char* shape, std::initializer_list<double> sizes) {
   for (const double size : sizes) text += (text.empty() ? "" : " x ") + std::to_string(size);
   for (const double size : sizes) {
     if (size > 0 && size <= kLargest) continue;
-    throw Error(ErrorCode::kBadScene, std::string(shape) + " of " + text + " m; sizes are above 0 and up to 1e6 m");
+    throw Error(ErrorCode::kBadScene, std::string(shape) + " of " + text + " m; sizes must be above 0 and at most 1e6 m");
   }
 }
 
-/// As many that a polygon about a circle reaches no more than kRoundness of its radius further out.
+/// Enough sides that a polygon around a circle protrudes by at most kRoundness of the radius.
 int sidesOfCircle() {
   return static_cast<int>(std::ceil(kPi / std::acos(1 / (1 + SceneBody::kRoundness))));
 }
@@ -48,8 +50,7 @@ void subdivide(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::
   subdivide(ab, bc, ca, times - 1, points);
 }
 
-/// A polyhedron about the unit sphere: an icosahedron whose triangles are halved in each direction three times, which brings its faces
-/// within 0.4 % of its corners.
+/// A polyhedron around the unit sphere: an icosahedron subdivided three times, whose faces are then within 0.4 % of its corners.
 ConvexHull aboutUnitSphere() {
   const double golden = (1 + std::sqrt(5.0)) / 2;
   Points corners;
@@ -110,7 +111,7 @@ PlacedShape planeShape(const Eigen::Vector3d& normal, double d) {
   if (!(length > 0 && std::isfinite(length) && std::abs(d) <= kLargest * length)) {
     throw Error(ErrorCode::kBadScene, "a plane with the normal (" + std::to_string(normal.x()) + ", " + std::to_string(normal.y()) + ", " +
                                           std::to_string(normal.z()) + ") and d = " + std::to_string(d) +
-                                          "; the normal has a length, and the plane passes within 1e6 m of the origin");
+                                          "; the normal must not be zero, and the plane must pass within 1e6 m of the origin");
   }
   const Eigen::Vector3d up = normal / length;
   PlacedShape result{boxShape({kPlaneSide, kPlaneSide, kPlaneDepth})};
@@ -139,7 +140,7 @@ void setShape(SceneBody& body, const std::string& kind, const std::vector<double
     body.shape = slab.shape;
     body.pose = body.pose * slab.pose;
   } else {
-    throw Error(ErrorCode::kBadScene, "'" + kind + "' is no shape; those are box, sphere, cylinder, cone and plane");
+    throw Error(ErrorCode::kBadScene, "'" + kind + "' is not a shape; supported are box, sphere, cylinder, cone and plane");
   }
 }
 

@@ -1,3 +1,5 @@
+// Reads and writes the <disable_collisions> of an SRDF; its other elements are ignored. MoveIt evaluates the elements by kind rather than
+// in document order: links disabled by default, then pairs enabled again, then pairs disabled. So does this reader.
 #include "collision_hulls/scene/srdf.h"
 
 #include <algorithm>
@@ -17,8 +19,6 @@ LinkPair inOrder(const std::string& a, const std::string& b) {
   return std::minmax(a, b);
 }
 
-/// As MoveIt has it, wherever elements stand: links that are disabled by default, then the pairs of them that are enabled again, then the
-/// pairs that are disabled.
 class Reader {
  public:
   Reader(const RobotDescription& robot, std::string label) : label_(std::move(label)) {
@@ -27,13 +27,13 @@ class Reader {
   }
 
   DisabledPairs read(const XmlNode& root) {
-    if (root.name != "robot") fail(root, "the root element is <" + root.name + ">; an SRDF's is <robot>");
+    if (root.name != "robot") fail(root, "the root element is <" + root.name + ">; an SRDF needs <robot>");
     for (const XmlNode* element : root.childrenNamed("disable_default_collisions")) disableAllOf(*element);
     for (const XmlNode* element : root.childrenNamed("enable_collisions")) enable(pairOf(*element));
     for (const XmlNode* element : root.childrenNamed("disable_collisions")) disable(pairOf(*element), element->attribute("reason"));
     if (left_out_ > 0) {
-      result_.notes.push_back(label_ + ": " + std::to_string(left_out_) + " pairs name links that the robot does not have, the first '" +
-                              first_unknown_ + "'; they are left out");
+      result_.notes.push_back(label_ + ": " + std::to_string(left_out_) + " pairs name links that the robot does not have, first '" +
+                              first_unknown_ + "'; these pairs are ignored");
     }
     return std::move(result_);
   }
@@ -87,7 +87,7 @@ class Reader {
   DisabledPairs result_;
 };
 
-/// As a comment may not hold it.
+/// Without "--", which XML forbids in comments.
 std::string commentText(std::string text) {
   for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at)) text.replace(at, 2, "- ");
   return text;

@@ -1,3 +1,5 @@
+// Sweeps a hull joint by joint, from the link towards the root. An arc of a rotation is enclosed by the polygon of its tangents, so a sweep
+// only ever grows; vertices are capped after each joint, which also only grows the body.
 #include "scene/sweep.h"
 
 #include <algorithm>
@@ -9,9 +11,9 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kArc = kPi / 8;  // arcs are cut into pieces of this length at most; their corners lie 2 % of the radius further out
-constexpr std::size_t kMostVertices = 64;  // of a body that is swept further; more are replaced by fewer, further out
-constexpr std::size_t kMostOfLink = 256;   // the same of a link itself
+constexpr double kArc = kPi / 8;           // longest piece of an arc [rad]; the corners of such pieces lie 2 % of the radius further out
+constexpr std::size_t kMostVertices = 64;  // of a swept body; reduceVertices() replaces more by fewer that lie further out
+constexpr std::size_t kMostOfLink = 256;   // the same for a link itself
 
 std::vector<Eigen::Vector3d> hullPoints(const std::vector<Eigen::Vector3d>& points, std::size_t most) {
   const ConvexHull hull = convexHull(points);
@@ -24,7 +26,7 @@ PointMatrix toMatrix(const std::vector<Eigen::Vector3d>& points) {
   return matrix;
 }
 
-/// Turns about the joint's axis, in its frame, and stretches away from it.
+/// Turns about the joint's axis, in its frame, and stretches away from the axis.
 Eigen::Affine3d turnedOut(const ChainJoint& joint, double angle, double stretch) {
   const Eigen::Matrix3d along = joint.axis * joint.axis.transpose();
   Eigen::Affine3d result(motion(joint, angle));
@@ -32,8 +34,8 @@ Eigen::Affine3d turnedOut(const ChainJoint& joint, double angle, double stretch)
   return result;
 }
 
-/// The places that a joint takes points to, as transforms of them: the hull of all images holds every place between. An arc lies in the
-/// triangle of its ends and the corner where the tangents there meet; of pieces of equal length the inner ends lie between their corners.
+/// Transforms whose images of a point enclose, by their hull, every place to which the joint takes the point. An arc lies in the triangle
+/// of its ends and the corner at which the tangents of its ends meet; with pieces of equal length, inner ends lie between two corners.
 std::vector<Eigen::Affine3d> places(const ChainJoint& joint, const JointRange& range) {
   const double length = range.upper - range.lower;
   if (!joint.turns) return {Eigen::Affine3d(motion(joint, range.lower)), Eigen::Affine3d(motion(joint, range.upper))};

@@ -1,4 +1,4 @@
-// Lengths in sentences.
+// Lengths as text, for messages.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ inline std::string lengthText(double metres) {
   return text;
 }
 
-/// The same of a length that is proved to be exceeded: rounded down.
+/// The same for a proved lower bound: rounded down.
 inline std::string leastLengthText(double metres) {
   if (!(metres > 0)) return lengthText(0);
   const double unit = std::pow(10, std::floor(std::log10(metres)) - 2);

@@ -1,3 +1,5 @@
+// Wraps yaml-cpp so that every value knows its file and line. Brackets are counted before parsing, as old versions of yaml-cpp overflow the
+// stack on deep nesting.
 #include "scene/yaml_node.h"
 
 #include <yaml-cpp/yaml.h>
@@ -32,7 +34,7 @@ std::size_t lineOf(const YAML::Mark& mark, std::size_t first_line) {
   return first_line + static_cast<std::size_t>(std::max(0, mark.line));
 }
 
-/// yaml-cpp before 0.7, Ubuntu 20.04's, goes as deep as brackets do and overflows the stack.
+/// yaml-cpp before 0.7 (Ubuntu 20.04) recurses once per bracket and overflows the stack.
 bool nestsTooDeep(const std::string& text) {
   constexpr int kDeepest = 500;
   int depth = 0;
@@ -46,16 +48,17 @@ bool nestsTooDeep(const std::string& text) {
 }  // namespace
 
 YamlValue YamlValue::parse(const std::string& text, const std::string& file, ErrorCode code, std::size_t first_line) {
-  if (nestsTooDeep(text)) throw Error(code, place(file, first_line) + ": more than 500 brackets are open at once, or are never closed");
+  if (nestsTooDeep(text))
+    throw Error(code, place(file, first_line) + ": more than 500 brackets are open at once; close them, or nest less");
   const auto source = std::make_shared<const Node::Source>(Node::Source{file, code, first_line});
   try {
     const std::vector<YAML::Node> documents = YAML::LoadAll(text);
     for (std::size_t i = 1; i < documents.size(); ++i)
       if (!documents[i].IsNull())
-        throw Error(code, place(file, lineOf(documents[i].Mark(), first_line)) + ": a second document; one is read, put all into that");
+        throw Error(code, place(file, lineOf(documents[i].Mark(), first_line)) + ": a second document; put everything into one");
     return Node::wrap(documents.empty() ? YAML::Node() : documents.front(), source);
   } catch (const YAML::Exception& error) {
-    throw Error(code, place(file, lineOf(error.mark, first_line)) + ": the text is no YAML: " + error.msg);
+    throw Error(code, place(file, lineOf(error.mark, first_line)) + ": not valid YAML: " + error.msg);
   }
 }
 
@@ -68,18 +71,18 @@ bool YamlValue::isSequence() const {
 }
 
 std::string YamlValue::text() const {
-  if (!node_->value.IsScalar()) fail("a single value should stand here");
+  if (!node_->value.IsScalar()) fail("expected a single value");
   return node_->value.Scalar();
 }
 
 double YamlValue::number() const {
   double value = 0;
-  if (!parseNumber(text(), value)) fail("'" + text() + "' stands where a finite number should");
+  if (!parseNumber(text(), value)) fail("expected a finite number, found '" + text() + "'");
   return value;
 }
 
 std::vector<YamlValue> YamlValue::items() const {
-  if (!isSequence()) fail("a list should stand here");
+  if (!isSequence()) fail("expected a list");
   std::vector<YamlValue> result;
   for (const YAML::Node& item : node_->value) result.push_back(Node::wrap(item, node_->source));
   return result;
@@ -93,12 +96,12 @@ std::vector<double> YamlValue::numbers() const {
 
 std::vector<double> YamlValue::numbers(std::size_t count) const {
   std::vector<double> result = numbers();
-  if (result.size() != count) fail(std::to_string(result.size()) + " numbers stand where " + std::to_string(count) + " should");
+  if (result.size() != count) fail("expected " + std::to_string(count) + " numbers, found " + std::to_string(result.size()));
   return result;
 }
 
 std::vector<std::string> YamlValue::keys() const {
-  if (!isMap()) fail("a map (key: value) should stand here");
+  if (!isMap()) fail("expected a map (key: value)");
   std::vector<std::string> result;
   for (const auto& entry : node_->value) result.push_back(Node::wrap(entry.first, node_->source).text());
   return result;

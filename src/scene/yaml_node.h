@@ -1,4 +1,4 @@
-// YAML with the place of everything in messages. With yaml_node.cpp the only place of this project that sees yaml-cpp.
+// YAML values that name their file and line in messages. Only yaml_node.cpp includes yaml-cpp.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace collision_hulls {
 
-/// A value of a document: a view into it, which keeps it alive. Its functions throw `code` of the document, naming file and line.
+/// A value in a document: a view that keeps the document alive. Its functions throw the document's `code`, naming file and line.
 class YamlValue {
  public:
-  /// Parses a document. `first_line`: where the text stands in the file.
+  /// Parses a document. `first_line`: the line of the file at which the text starts.
   static YamlValue parse(const std::string& text, const std::string& file, ErrorCode code, std::size_t first_line = 1);
 
   bool isMap() const;
@@ -23,10 +23,10 @@ class YamlValue {
   double number() const;                                 ///< of a scalar; finite
   std::vector<YamlValue> items() const;                  ///< of a sequence
   std::vector<double> numbers() const;                   ///< of a sequence of numbers
-  std::vector<double> numbers(std::size_t count) const;  ///< so many of them
-  std::vector<std::string> keys() const;                 ///< of a map, in their order
-  bool has(const std::string& key) const;                ///< of a map; false for what is none
-  YamlValue operator[](const std::string& key) const;    ///< of a map that has it
+  std::vector<double> numbers(std::size_t count) const;  ///< of a sequence of `count` numbers
+  std::vector<std::string> keys() const;                 ///< of a map, in document order
+  bool has(const std::string& key) const;                ///< of a map; false if the value is not a map
+  YamlValue operator[](const std::string& key) const;    ///< of a map that has the key
 
   std::size_t line() const;
   std::string where() const;  ///< "'file', line 3"

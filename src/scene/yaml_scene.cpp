@@ -1,4 +1,4 @@
-// The YAML that readScene() describes.
+// Reads the YAML format that readScene() documents. Unknown and duplicate keys are errors, so that a typing error is never ignored.
 #include <algorithm>
 #include <set>
 
@@ -17,8 +17,8 @@ void expectKeys(const YamlValue& map, const std::set<std::string>& known) {
   for (const std::string& key : known) list += (list.empty() ? "" : ", ") + key;
   std::set<std::string> seen;
   for (const std::string& key : map.keys()) {
-    if (!known.count(key)) map.fail("'" + key + "' is not known here; known are " + list);
-    if (!seen.insert(key).second) map.fail("'" + key + "' stands twice");
+    if (!known.count(key)) map.fail("'" + key + "' is not known here; expected one of " + list);
+    if (!seen.insert(key).second) map.fail("'" + key + "' appears twice; remove one");
   }
 }
 
@@ -29,7 +29,7 @@ Eigen::Vector3d vector(const YamlValue& value) {
 
 Eigen::Isometry3d pose(const YamlValue& value) {
   expectKeys(value, {"xyz", "rpy", "quaternion"});
-  if (value.has("rpy") && value.has("quaternion")) value.fail("a pose has rpy or quaternion, not both");
+  if (value.has("rpy") && value.has("quaternion")) value.fail("a pose takes rpy or quaternion, not both");
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
   if (value.has("xyz")) result.translation() = vector(value["xyz"]);
   if (value.has("rpy")) result.linear() = fromRollPitchYaw(vector(value["rpy"])).toRotationMatrix();
@@ -46,7 +46,7 @@ std::string shapeOf(const YamlValue& body) {
     if (kShapes.count(key)) found.push_back(key);
   }
   if (found.size() != 1) {
-    body.fail("a body has one shape, this one " + std::to_string(found.size()) +
+    body.fail("a body needs one shape, this one has " + std::to_string(found.size()) +
               "; shapes are box, sphere, cylinder, cone, plane and mesh");
   }
   return found.front();
@@ -58,7 +58,7 @@ class Reader {
 
   Scene read() {
     const YamlValue root = YamlValue::parse(readTextFile(file_, ".yaml file"), file_, ErrorCode::kBadScene);
-    if (!root.isMap() || !root.has("bodies")) root.fail("a scene has a list 'bodies:'; for an empty scene it is 'bodies: []'");
+    if (!root.isMap() || !root.has("bodies")) root.fail("a scene needs a list 'bodies:'; an empty scene has 'bodies: []'");
     expectKeys(root, {"name", "bodies"});
     Scene scene;
     if (root.has("name")) scene.name = root["name"].text();

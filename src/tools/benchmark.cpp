@@ -1,4 +1,4 @@
-// benchmark INPUT...: build time against certified accuracy, for the methods and for other programs.
+// benchmark INPUT...: build time against certified accuracy, for our methods and other programs.
 #include "bench/benchmark.h"
 
 #include <algorithm>
@@ -28,11 +28,13 @@ struct Command {
   BenchmarkOptions options;
 };
 
-constexpr const char* kPurpose = "Measures methods of decomposition: time and memory against accuracy, which is proved for each result.";
+constexpr const char* kPurpose = "Measures decomposition methods: time and memory against accuracy, which is certified for each result.";
 
 constexpr const char* kFooter = R"(
-Writes benchmark.csv (a row per mesh, method and tolerance), queries.csv (with --queries), cuts.csv (with --cuts), machine.json, charts (SVG, PNG) and index.html.
-Exit status: 0 done, whatever the methods did: a run that hangs, dies or fails is a row; 2 wrong use.
+Writes benchmark.csv (a row per mesh, method and tolerance), queries.csv (with --queries), cuts.csv (with --cuts), machine.json,
+charts (SVG, PNG) and index.html.
+
+Exit status: 0 done, even if methods failed: a run that hangs, crashes or fails is a row; 2 wrong use.
 
 Examples:
   benchmark part.stl my_robot_description -t 5%,2%,1% -m certified,hacd -o out --repeat 5
@@ -41,36 +43,39 @@ Examples:
 void addOptions(CommandLine& app, Command& command) {
   BenchmarkOptions& options = command.options;
   app.add_option("INPUT", command.inputs, "Mesh files, folders of them, and robots (package, .urdf or .xacro)")->type_name("")->required();
-  app.add_option("-m,--methods", command.methods, "Methods: " + methodChoices() + "; all if not given")->type_name("LIST");
-  app.add_option("-t,--tolerances", command.tolerances, "Tolerances: lengths, or shares of each mesh's diagonal")
+  app.add_option("-m,--methods", command.methods, "Methods, comma-separated: " + methodChoices() + "; default: all")->type_name("LIST");
+  app.add_option("-t,--tolerances", command.tolerances, "Tolerances, comma-separated: lengths, or shares of each mesh's diagonal")
       ->type_name("LIST [5%,2%,1%]");
-  app.add_option("--effort", command.efforts, "Efforts of the method certified: quick, best")->type_name("LIST [quick]");
-  app.add_option("--max-vertices", options.max_vertices, "Most vertices per hull of the methods, at least 8; 0: no cap")
+  app.add_option("--effort", command.efforts, "Efforts of the method certified, comma-separated: quick, best")->type_name("LIST [quick]");
+  app.add_option("--max-vertices", options.max_vertices, "Cap on the vertices of a method's hull, at least 8; 0: no cap")
       ->type_name("N [64]");
   app.add_option("-o,--output", options.folder, "Output folder; files of an earlier run there are replaced")->type_name("DIR")->required();
-  app.add_option("--repeat", options.repeat, "Runs of each; times and memory are their medians")->type_name("N [1]")->check(range(1, 1000));
-  app.add_option("--time-limit", options.time_limit, "For each run, in seconds")->type_name("S [60]")->check(range(0.1, 1e6));
+  app.add_option("--repeat", options.repeat, "Runs per row; times and memory are their medians")
+      ->type_name("N [1]")
+      ->check(range(1, 1000));
+  app.add_option("--time-limit", options.time_limit, "Per run, in seconds")->type_name("S [60]")->check(range(0.1, 1e6));
   app.add_option("--peer", command.peers,
-                 "Another program, NAME='command {in} {out} {tolerance}': OBJ in, OBJ with an object per hull out, metres. "
-                 "NAME alone: the program peer_NAME of this package")
+                 "Also measure another program, NAME='command {in} {out} {tolerance}': reads OBJ, writes OBJ with one object per hull, in "
+                 "metres. NAME alone means this package's program peer_NAME")
       ->type_name("NAME[=COMMAND]");
-  app.add_option("--seed", options.seed, "Of whatever is random")->type_name("N [1]");
-  app.add_flag("--queries", command.queries,
-               "Also collision and distance queries a second against their errors, of the meshes, each method's hulls and single hulls");
+  app.add_option("--seed", options.seed, "Seed of everything random")->type_name("N [1]");
+  app.add_flag(
+      "--queries", command.queries,
+      "Also measure collision and distance queries per second and their errors, for the meshes, each method's hulls and single hulls");
   app.add_option("--cuts", command.cuts,
-                 "Also random cuts through the hull tree of each mesh (certified), whose leaves are for the first tolerance")
+                 "Also measure N random cuts through the hull tree of each mesh, with leaves for the first tolerance")
       ->type_name("N [0]")
       ->check(range(0, 1000000));
   app.add_flag_callback(
-      "--no-charts", [&command] { command.charts = false; }, "Leave out the charts and the page");
+      "--no-charts", [&command] { command.charts = false; }, "Do not draw charts or write index.html");
 }
 
-/// Options that are lists, or of which other code says what they may be.
+/// Parses the options that are lists of names or lengths.
 void interpret(Command& command) {
   BenchmarkOptions& options = command.options;
   options.program = fs::read_symlink("/proc/self/exe").string();
   DecomposeOptions caps;
-  caps.tolerance = 1;  // any: those of the runs are lengths or shares
+  caps.tolerance = 1;  // any valid value; only the caps are checked here
   caps.max_vertices = options.max_vertices;
   check(caps);
   if (!command.methods.empty()) {
@@ -98,7 +103,7 @@ std::string summary(const QueryRow& row) {
                      (row.requested.empty() ? "" : " " + row.requested) + ": " + row.status;
   if (row.collisions_per_second)
     text += ", " + csvNumber(row.collisions_per_second) + " collision and " + csvNumber(row.distances_per_second) +
-            " distance queries a second";
+            " distance queries per second";
   if (row.phantom_rate) text += ", phantom rate " + csvNumber(row.phantom_rate);
   return text + (row.message.empty() ? "" : " (" + row.message + ")");
 }

@@ -1,4 +1,4 @@
-// fit_scene INPUT --scene FILE --clearance LENGTH: a robot's collision model, no finer than a scene needs.
+// fit_scene INPUT --scene FILE --clearance LENGTH: makes a robot's collision model that is no finer than a scene needs.
 #include "collision_hulls/pipeline/fit_scene.h"
 
 #include "bench/table.h"
@@ -27,10 +27,11 @@ std::string comparisonCsv(const std::string& robot, const FitReport& fit) {
 }
 
 constexpr const char* kFooter = R"(
-The model is adequate where the original keeps the clearance from the scene and from itself: it is free there, too. It never misses
-a collision. The report says what each link needed, what is proved, and the bound on the rate of configurations that remain.
+Wherever the original robot keeps the clearance from the scene and from itself, the model should be free of collisions, too; and it
+never misses a collision. The report says what each link needed, what is proved, and gives an upper bound on the share of
+configurations in which the model still collides although the original keeps the clearance.
 
-Exit status: as decompose.
+Exit status: as for decompose.
 
 Examples:
   fit_scene arm.urdf --scene kitchen.scene --clearance 2cm
@@ -52,21 +53,22 @@ void addOptions(CommandLine& app, SceneCommand& command) {
     return add(name, file, "FILE", help)->check(notEmpty("a file"));
   };
   addFile("--scene", command.scene,
-          "What stands around the robot: .scene (MoveIt), .urdf, .xacro, .sdf, .world, .yaml, .bt or .ot (OctoMap), or a mesh")
+          "The robot's surroundings: .scene (MoveIt), .urdf, .xacro, .sdf, .world, .yaml, .bt or .ot (OctoMap), or a mesh")
       ->required();
-  add("--clearance", command.clearance, "LENGTH", "Where the robot keeps this distance the model has to be free: 2cm, 0.02")->required();
-  add("--samples", command.samples, "N [10000]", "Fresh configurations that verify the model");
-  addFile("--configurations", command.configurations, "Fit to these alone: .csv, or .yaml of joint states or a trajectory");
-  add("--max-step", command.max_step, "STEP", "Look between given configurations, too: no joint moves further in a step [rad or m]");
-  addFile("--srdf", command.srdf, "Pairs of links that are not looked at");
-  app.add_flag("--hulls-only", command.hulls_only, "No spheres, boxes or cylinders in place of hulls")->group("Scene");
-  addFile("--compare", command.compare, "Measure single hulls and uniform tolerances beside the fitted model, into this CSV");
+  add("--clearance", command.clearance, "LENGTH", "The model must be free wherever the robot keeps this distance: 2cm, 0.02")->required();
+  add("--samples", command.samples, "N [10000]", "Fresh configurations to verify the model with");
+  addFile("--configurations", command.configurations, "Fit to these configurations only: .csv, or .yaml of joint states or a trajectory");
+  add("--max-step", command.max_step, "STEP", "Interpolate between given configurations: no joint moves further in a step [rad or m]");
+  addFile("--srdf", command.srdf, "SRDF whose disabled pairs of links are not checked");
+  app.add_flag("--hulls-only", command.hulls_only, "Use no spheres, boxes or cylinders in place of hulls")->group("Scene");
+  addFile("--compare", command.compare, "Also measure single hulls and uniform tolerances, and write the comparison to this CSV");
   addRobotOptions(app, "A ROS package, or a .urdf or .xacro file", command.robot);
 }
 
 SceneRequest requestOf(const SceneCommand& command, const Input& input) {
   if (input.kind != Input::Kind::kRobot)
-    throw Error(ErrorCode::kBadOption, "'" + input.path + "' is a mesh; only a robot, whose joints move, is fitted to a scene");
+    throw Error(ErrorCode::kBadOption,
+                "'" + input.path + "' is a mesh; only a robot can be fitted to a scene, so give a URDF, xacro file or package");
   if (command.samples <= 0)
     throw Error(ErrorCode::kBadOption, "--samples '" + std::to_string(command.samples) + "' is not understood: it takes a number above 0");
   const std::string srdf = command.srdf.empty() ? "" : readTextFile(command.srdf, ".srdf file");
@@ -82,7 +84,7 @@ SceneRequest requestOf(const SceneCommand& command, const Input& input) {
 int main(int argc, char** argv) {
   SceneCommand command;
   command.robot.program = "fit_scene";
-  CommandLine app("Makes a collision model of a robot that is no finer than a scene needs.", command.robot.program);
+  CommandLine app("Makes a robot's collision model that is no finer than a scene needs.", command.robot.program);
   app.footer(kFooter);
   addOptions(app, command);
   std::string comparison;
@@ -95,7 +97,7 @@ int main(int argc, char** argv) {
   };
   return runRobotProgram(app, argc, argv, [&] {
     const int status = runRobotCommand(command.robot, work);
-    if (!comparison.empty()) writeNamedFile(command.compare, comparison);  // last: if that fails, the model is there
+    if (!comparison.empty()) writeNamedFile(command.compare, comparison);  // last, so that the model is written even if this fails
     return status;
   });
 }

@@ -1,4 +1,4 @@
-// Options of the measuring programs: lists, and other programs to measure.
+// Option values of the measuring programs: lists, and other programs to measure.
 #pragma once
 
 #include <unistd.h>
@@ -15,17 +15,19 @@
 
 namespace collision_hulls {
 
-/// What NAME=COMMAND means, or NAME alone: the program peer_NAME in the folder `programs`. Throws kBadOption where there is none.
+/// Parses NAME=COMMAND, or NAME alone, which means the program peer_NAME in the folder `programs`. Throws kBadOption if that does not
+/// exist.
 inline Peer peerOf(const std::string& text, const std::filesystem::path& programs) {
   const std::size_t equals = text.find('=');
   if (equals != std::string::npos) return {text.substr(0, equals), text.substr(equals + 1)};
   const std::string program = (programs / ("peer_" + text)).string();
   if (access(program.c_str(), X_OK) == 0) return {text, filledIn("{program}", {{"program", program}}) + " {in} {out} {tolerance}"};
-  throw Error(ErrorCode::kBadOption, "--peer '" + text + "': there is no program '" + program +
-                                         "'; install what it is built from, or give a command, NAME='program {in} {out} {tolerance}'");
+  throw Error(ErrorCode::kBadOption,
+              "--peer '" + text + "': there is no program '" + program +
+                  "'; install the library that it wraps and build again, or give a command, NAME='program {in} {out} {tolerance}'");
 }
 
-/// The items between commas.
+/// The items of a comma-separated list.
 template <typename T>
 std::vector<T> parsedList(const std::string& text, const std::function<T(const std::string&)>& parse) {
   std::vector<T> items;

@@ -1,4 +1,4 @@
-// What the programs that measure have in common: the command line read, jobs of their own done, charts drawn, errors told.
+// Shared by the measuring programs: reads the command line, runs jobs in child processes, draws charts, reports errors.
 #pragma once
 
 #include <filesystem>
@@ -16,12 +16,12 @@ using Job = void (*)(const std::string& job_file, const std::string& result_file
 template <typename Command>
 struct MeasuringProgram {
   const char *name, *purpose, *footer;
-  std::map<std::string, Job> jobs;  ///< what it does as a process of its own for itself: NAME COMMAND JOB_FILE RESULT_FILE
+  std::map<std::string, Job> jobs;  ///< what it does when it starts itself as a child process: NAME COMMAND JOB_FILE RESULT_FILE
   void (*add_options)(CommandLine&, Command&);
-  int (*run)(Command&);  ///< the exit status
+  int (*run)(Command&);  ///< returns the exit status
 };
 
-/// The exit status: run's, 0 for a job and --help, 2 for an error, which is written to stderr under the program's name.
+/// Returns the exit status: that of run(), 0 for a job and --help, 2 for an error, which goes to stderr with the program's name.
 template <typename Command>
 int runProgram(const MeasuringProgram<Command>& program, int argc, char** argv) {
   CommandLine app(program.purpose, program.name);
@@ -41,13 +41,13 @@ int runProgram(const MeasuringProgram<Command>& program, int argc, char** argv) 
   return 2;
 }
 
-/// Draws what the tables in `folder` hold, by the script NAME_charts beside the executable `program`.
+/// Draws charts of the tables in `folder`, with the script NAME_charts beside the executable `program`.
 inline void drawCharts(const std::string& name, const std::string& program, const std::string& folder) {
   constexpr double kLimit = 600;  // [s]
   const std::string script = (std::filesystem::path(program).parent_path() / (name + "_charts")).string();
   const ChildResult drawn = runChild({script, folder}, kLimit);
   std::cerr << drawn.output;
-  if (drawn.code != 0) std::cerr << name << ": no charts; `" << script << " " << folder << "` draws them from the CSV files\n";
+  if (drawn.code != 0) std::cerr << name << ": no charts were drawn; `" << script << " " << folder << "` draws them from the CSV files\n";
 }
 
 }  // namespace collision_hulls

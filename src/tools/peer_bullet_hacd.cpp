@@ -1,4 +1,4 @@
-// peer_bullet_hacd in.obj out.obj tolerance: Bullet's HACD, the reference implementation of Mamou and Ghorbel 2009, for comparison.
+// peer_bullet_hacd in.obj out.obj tolerance: runs Bullet's HACD, the reference implementation of Mamou and Ghorbel 2009, for comparison.
 #include <HACD/hacdHACD.h>
 
 #include "collision_hulls/geometry/triangle_mesh.h"
@@ -8,10 +8,10 @@ namespace collision_hulls {
 namespace {
 
 constexpr const char* kHelp =
-    "Decomposes a mesh by HACD of Bullet's extras. The tolerance, in metres, is its concavity, which it takes in a frame\n"
-    "where the bounding box's diagonal is 2000: concavity = tolerance * 2000 / diagonal. At most 64 vertices a hull; one hull is\n"
-    "enough; components are not connected. All else is as in Bullet's own demo: compacity weight 0.1, volume weight 0, no\n"
-    "extra distance points.\n";
+    "Decomposes a mesh with HACD from Bullet's extras. The tolerance, in metres, becomes HACD's concavity, which is measured\n"
+    "in a frame where the bounding box's diagonal is 2000: concavity = tolerance * 2000 / diagonal. At most 64 vertices per hull,\n"
+    "at least one hull, and components are not connected. All else is as in Bullet's own demo: compacity weight 0.1, volume\n"
+    "weight 0, no extra distance points.\n";
 
 constexpr double kScale = 1000;  // HACD's default; half of the diagonal in its frame
 

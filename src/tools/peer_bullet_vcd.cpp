@@ -1,6 +1,6 @@
-// peer_bullet_vcd in.obj out.obj tolerance: Bullet's ConvexDecomposition, for comparison. As of Bullet 3.24 the library divides meshes by a
-// plane that it never sets (valgrind: planeTriIntersection depends on an uninitialised value), so that its results vary with where memory
-// lies and heed no parameter much.
+// peer_bullet_vcd in.obj out.obj tolerance: runs Bullet's ConvexDecomposition, for comparison. As of Bullet 3.24 the library divides meshes
+// by a plane that it never sets (valgrind: planeTriIntersection depends on an uninitialised value), so its results vary with memory
+// addresses and hardly respond to any parameter.
 #include <ConvexDecomposition/ConvexBuilder.h>
 #include <sys/personality.h>
 #include <unistd.h>
@@ -12,12 +12,12 @@ namespace collision_hulls {
 namespace {
 
 constexpr const char* kHelp =
-    "Decomposes a mesh by ConvexDecomposition of Bullet's extras, which halves it while the volume between surface and hull\n"
-    "is above a share of the first hull's, and merges halves whose common hull has little more volume. Concavities below 0.05 of\n"
-    "its units count for nothing there: the mesh is scaled so that this is the tolerance (metres). Both shares are\n"
-    "tolerance / diagonal of the bounding box. At most 8 levels of halving, 64 vertices a hull.\n"
-    "As of Bullet 3.24 it halves by a plane that it never sets: results vary with where memory lies, so this program has the system\n"
-    "put it in the same place every time.\n";
+    "Decomposes a mesh with ConvexDecomposition from Bullet's extras, which halves it while the volume between surface and hull\n"
+    "exceeds a share of the first hull's, and merges halves whose common hull has little more volume. The library ignores\n"
+    "concavities below 0.05 of its units: the mesh is scaled so that this equals the tolerance (metres). Both shares are\n"
+    "tolerance / diagonal of the bounding box. At most 8 levels of halving and 64 vertices per hull.\n"
+    "As of Bullet 3.24 the library halves by a plane that it never sets, so results vary with memory addresses; this program\n"
+    "therefore disables address space randomization for itself.\n";
 
 constexpr double kConcavityThreshold = 0.05;  // the library's own
 constexpr unsigned kDepth = 8, kMostVertices = 64;
@@ -72,7 +72,7 @@ std::vector<TriangleMesh> decompose(const TriangleMesh& mesh, double tolerance) 
 
 constexpr unsigned long kAskAlone = 0xffffffff;
 
-/// Starts the program again with its memory in the same place every time, where the system lets it.
+/// Restarts the program without address space randomization, if the system allows it.
 void fixAddresses(char** argv) {
   const int now = personality(kAskAlone);
   if (now != -1 && !(now & ADDR_NO_RANDOMIZE) && personality(static_cast<unsigned long>(now) | ADDR_NO_RANDOMIZE) != -1)

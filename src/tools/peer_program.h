@@ -1,4 +1,4 @@
-// What small programs around another library's decomposition share: PROGRAM in.obj out.obj tolerance.
+// Shared by the small programs that wrap another library's decomposition: PROGRAM in.obj out.obj tolerance.
 #pragma once
 
 #include <string.h>
@@ -16,10 +16,10 @@
 
 namespace collision_hulls {
 
-/// Decomposes a mesh, welded, at a tolerance [m] into surfaces, one for each convex part.
+/// Decomposes a welded mesh at a tolerance [m] into surfaces, one per convex part.
 using PeerDecompose = std::function<std::vector<TriangleMesh>(const TriangleMesh& mesh, double tolerance)>;
 
-/// An object per part; one that has points alone gets a face of them all, so that it is not lost.
+/// OBJ with one object per part; a part without triangles gets one face of all its points, so that it is not lost.
 inline std::string toObj(const std::vector<TriangleMesh>& parts) {
   std::string text;
   char line[128];
@@ -46,7 +46,7 @@ inline std::string toObj(const std::vector<TriangleMesh>& parts) {
 
 /// The program's main. Exit status: 0 done, 1 no result, 2 wrong use or unreadable input.
 inline int peerMain(int argc, char** argv, const char* help, const PeerDecompose& decompose) try {
-  argv[0] = basename(argv[0]);  // messages stand in tables, which folders do not belong in
+  argv[0] = basename(argv[0]);  // messages end up in tables, where folders do not belong
   if (argc == 2 && std::string(argv[1]) == "--help") {
     std::printf("usage: %s in.obj out.obj tolerance\n\n%s", argv[0], help);
     return 0;
@@ -59,7 +59,7 @@ inline int peerMain(int argc, char** argv, const char* help, const PeerDecompose
   }
   const std::vector<TriangleMesh> parts = decompose(repair(readMesh(argv[1]).mesh).mesh, tolerance);
   if (parts.empty()) {
-    std::fprintf(stderr, "%s: the library gave no hull\n", argv[0]);
+    std::fprintf(stderr, "%s: the library returned no hull\n", argv[0]);
     return 1;
   }
   writeText(argv[2], toObj(parts));

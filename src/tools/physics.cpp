@@ -1,4 +1,4 @@
-// physics INPUT...: the collision models of meshes in a physics engine: dropped on a table, and pushed; a gripper that closes on a box.
+// physics INPUT...: tries collision models in a physics engine: meshes dropped on a table and pushed, and a gripper that closes on a box.
 #include "physics/physics.h"
 
 #include <filesystem>
@@ -21,12 +21,14 @@ struct Command {
   PhysicsOptions options;
 };
 
-constexpr const char* kPurpose = "Shows what a physics engine makes of collision models: bodies on a table, a gripper with a box.";
+constexpr const char* kPurpose = "Shows how collision models behave in a physics engine: bodies on a table, a gripper with a box.";
 
 constexpr const char* kFooter = R"(
-Each mesh, made 0.3 m large, is dropped on a table in the poses in which it can stand, and pushed; DART is the engine. --grip closes the
-gripper of the demo robot, loaded by DART from the rewritten description, on a box. Writes physics.csv, grip.csv, charts and index.html.
-Exit status: 0 done, whatever became of the bodies; 2 wrong use.
+Each mesh, scaled to a diagonal of 0.3 m, is dropped on a table in the poses in which it can stand, and pushed; the engine is DART.
+With --grip, the demo robot's gripper, loaded by DART from the rewritten description, closes on a box. Writes physics.csv, grip.csv,
+charts and index.html.
+
+Exit status: 0 done, whatever happened to the bodies; 2 wrong use.
 
 Example:
   physics urdf/demo_arm.urdf --grip urdf/demo_arm.urdf -m certified,single_hull -o out)";
@@ -34,19 +36,20 @@ Example:
 void addOptions(CommandLine& app, Command& command) {
   PhysicsOptions& options = command.options;
   app.add_option("INPUT", command.inputs, "Mesh files, folders of them, and robots (package, .urdf or .xacro)")->type_name("");
-  app.add_option("-m,--methods", command.methods, "Methods: " + methodChoices() + "; all if not given")->type_name("LIST");
+  app.add_option("-m,--methods", command.methods, "Methods, comma-separated: " + methodChoices() + "; default: all")->type_name("LIST");
   app.add_option("-t,--tolerance", command.tolerance, "A length, or a share of each mesh's diagonal")->type_name("LENGTH [2%]");
   app.add_option("-o,--output", options.folder, "Output folder; files of an earlier run there are replaced")->type_name("DIR")->required();
   app.add_option("--grip", command.robot, "A robot with the demo robot's gripper, which closes on a box")->type_name("ROBOT");
-  app.add_option("--poses", options.poses, "Poses of each mesh at most, the most stable ones")->type_name("N [2]")->check(range(1, 100));
-  app.add_option("--time-limit", options.time_limit, "For each run, in seconds")->type_name("S [120]")->check(range(0.1, 1e6));
-  app.add_option("--peer", command.peers, "Another program, as for benchmark")->type_name("NAME[=COMMAND]");
-  app.add_option("--seed", options.seed, "Of whatever is random in the methods")->type_name("N [1]");
+  app.add_option("--poses", options.poses, "Poses per mesh at most, the most stable first")->type_name("N [2]")->check(range(1, 100));
+  app.add_option("--time-limit", options.time_limit, "Per run, in seconds")->type_name("S [120]")->check(range(0.1, 1e6));
+  app.add_option("--peer", command.peers, "Also measure another program, as for benchmark")
+      ->type_name("NAME[=COMMAND]");
+  app.add_option("--seed", options.seed, "Seed of everything random in the methods")->type_name("N [1]");
   app.add_flag_callback(
-      "--no-charts", [&command] { command.charts = false; }, "Leave out the charts and the page");
+      "--no-charts", [&command] { command.charts = false; }, "Do not draw charts or write index.html");
 }
 
-/// Options that are lists, or of which other code says what they may be.
+/// Parses the options that are lists of names or lengths.
 void interpret(Command& command) {
   PhysicsOptions& options = command.options;
   options.program = fs::read_symlink("/proc/self/exe").string();
@@ -56,7 +59,7 @@ void interpret(Command& command) {
   }
   if (!command.tolerance.empty()) options.tolerance = parseLength(command.tolerance);
   for (const std::string& text : command.peers) options.peers.push_back(peerOf(text, fs::path(options.program).parent_path()));
-  if (command.inputs.empty() && command.robot.empty()) throw Error(ErrorCode::kBadOption, "there is nothing to do: give INPUT or --grip");
+  if (command.inputs.empty() && command.robot.empty()) throw Error(ErrorCode::kBadOption, "nothing to do; give INPUT or --grip");
 }
 
 void dropAll(const Command& command) {

@@ -1,4 +1,4 @@
-// stability INPUT...: where methods of decomposition hold and where they fail, and where FCL's queries do.
+// stability INPUT...: finds where decomposition methods hold and where they fail, and the same for FCL's queries.
 #include "bench/stability.h"
 
 #include <algorithm>
@@ -27,13 +27,14 @@ struct Command {
 };
 
 constexpr const char* kPurpose =
-    "Shows where methods of decomposition hold and where they fail, on meshes in trouble, and where FCL's queries do.";
+    "Shows where decomposition methods hold and where they fail on troubled meshes, and where FCL's queries do.";
 
 constexpr const char* kFooter = R"(
 Each mesh is perturbed (rotation, jitter, scale, ...) and broken (holes, flipped faces, slivers, NaN, ...); each method then runs on
-it in a process of its own, and its hulls are scored against the mesh in trouble. Without INPUT, FCL's queries alone are looked at.
+the troubled mesh in a process of its own, and its hulls are scored against that mesh. Without INPUT, only FCL's queries are tested.
 Writes stability.csv, fcl.csv, heat maps (SVG, PNG) and index.html.
-Exit status: 0 done, whatever the methods did: a run that hangs, dies or fails is a row; 2 wrong use.
+
+Exit status: 0 done, even if methods failed: a run that hangs, crashes or fails is a row; 2 wrong use.
 
 Examples:
   stability part.stl my_robot_description -m certified,hacd -o out
@@ -51,33 +52,33 @@ std::string troubleChoices() {
 void addOptions(CommandLine& app, Command& command) {
   StabilityOptions& options = command.options;
   app.add_option("INPUT", command.inputs, "Mesh files, folders of them, and robots (package, .urdf or .xacro)")->type_name("");
-  app.add_option("-m,--methods", command.methods, "Methods: " + methodChoices() + "; all if not given")->type_name("LIST");
+  app.add_option("-m,--methods", command.methods, "Methods, comma-separated: " + methodChoices() + "; default: all")->type_name("LIST");
   app.add_option("-t,--tolerance", command.tolerance, "A length, or a share of each mesh's diagonal")->type_name("LENGTH [2%]");
   app.add_option("-o,--output", options.folder, "Output folder; files of an earlier run there are replaced")->type_name("DIR")->required();
-  app.add_option("--time-limit", options.time_limit, "For each run, in seconds")->type_name("S [60]")->check(range(0.1, 1e6));
+  app.add_option("--time-limit", options.time_limit, "Per run, in seconds")->type_name("S [60]")->check(range(0.1, 1e6));
   app.add_option("--peer", command.peers,
-                 "Another program, NAME='command {in} {out} {tolerance}': OBJ in, OBJ with an object per hull out, metres. "
-                 "NAME alone: the program peer_NAME of this package")
+                 "Also test another program, NAME='command {in} {out} {tolerance}': reads OBJ, writes OBJ with one object per hull, in "
+                 "metres. NAME alone means this package's program peer_NAME")
       ->type_name("NAME[=COMMAND]");
-  app.add_option("--seed", options.seed, "Of the troubles, and of whatever else is random")->type_name("N [1]");
-  app.add_option("--draws", options.draws, "Of each random trouble, with the seed and those after it")
+  app.add_option("--seed", options.seed, "Seed of the troubles and of everything else random")->type_name("N [1]");
+  app.add_option("--draws", options.draws, "Draws per random trouble, with the seed and the ones after it")
       ->type_name("N [1]")
       ->check(range(1, 1000));
-  app.add_option("--jobs", options.jobs, "Meshes in trouble at a time; 0: as many as cores")->type_name("N [0]")->check(range(0, 10000));
-  app.add_option("--troubles", command.troubles, "Troubles: " + troubleChoices() + "; all if not given")->type_name("LIST");
-  app.add_flag("--few", command.few, "A third of the troubles");
-  app.add_option("--fcl-trials", command.fcl_trials, "Of FCL for each kind of query and pair; 0: leave FCL out")
+  app.add_option("--jobs", options.jobs, "Troubled meshes in parallel; 0: one per core")->type_name("N [0]")->check(range(0, 10000));
+  app.add_option("--troubles", command.troubles, "Troubles, comma-separated: " + troubleChoices() + "; default: all")->type_name("LIST");
+  app.add_flag("--few", command.few, "Only a third of the troubles");
+  app.add_option("--fcl-trials", command.fcl_trials, "FCL trials per kind of query and pair; 0: do not test FCL")
       ->type_name("N [100]")
       ->check(range(0, 100000));
   app.add_flag_callback(
-      "--no-charts", [&command] { command.charts = false; }, "Leave out the charts and the page");
+      "--no-charts", [&command] { command.charts = false; }, "Do not draw charts or write index.html");
 }
 
 TroubleKind troubleKind(const std::string& text) {
   return choice("--troubles", text, troubleNamed, troubleChoices());
 }
 
-/// Leaves those of the chosen kinds, and none at all first, which the others are compared with.
+/// Keeps the chosen kinds, and kNone, with which the others are compared.
 void choose(const std::vector<TroubleKind>& chosen, std::vector<Trouble>& troubles) {
   const auto left_out = [&](const Trouble& trouble) {
     return trouble.kind != TroubleKind::kNone && std::find(chosen.begin(), chosen.end(), trouble.kind) == chosen.end();
@@ -85,7 +86,7 @@ void choose(const std::vector<TroubleKind>& chosen, std::vector<Trouble>& troubl
   troubles.erase(std::remove_if(troubles.begin(), troubles.end(), left_out), troubles.end());
 }
 
-/// Options that are lists, or of which other code says what they may be.
+/// Parses the options that are lists of names or lengths.
 void interpret(Command& command) {
   StabilityOptions& options = command.options;
   options.program = fs::read_symlink("/proc/self/exe").string();

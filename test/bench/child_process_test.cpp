@@ -1,3 +1,4 @@
+// Child processes that exit, crash, hang or leave others behind.
 #include "bench/child_process.h"
 
 #include <gtest/gtest.h>
@@ -31,24 +32,24 @@ TEST(ChildProcess, KeepsTheEndOfLongOutput) {
   EXPECT_LE(result.output.size(), 4000u);
 }
 
-TEST(ChildProcess, ItsInputIsEmpty) {
+TEST(ChildProcess, InputIsEmpty) {
   EXPECT_EQ(shell("wc -c").output, "0\n");
 }
 
-TEST(ChildProcess, AProgramThatIsNotThere) {
+TEST(ChildProcess, MissingProgram) {
   const ChildResult result = runChild({"/no/such/program"}, 30);
   EXPECT_EQ(result.end, End::kExit);
   EXPECT_EQ(result.code, 127);
-  EXPECT_NE(result.output.find("cannot be started"), std::string::npos);
+  EXPECT_NE(result.output.find("cannot start"), std::string::npos);
 }
 
-TEST(ChildProcess, ASignalIsTold) {
+TEST(ChildProcess, ReportsASignal) {
   const ChildResult result = shell("kill -SEGV $$");
   EXPECT_EQ(result.end, End::kSignal);
   EXPECT_EQ(result.code, SIGSEGV);
 }
 
-TEST(ChildProcess, TheTimeLimitEndsAllThatItStarted) {
+TEST(ChildProcess, TimeLimitEndsEverythingItStarted) {
   const fixtures::TempFolder folder;
   const std::string late = folder / "late";
   const ChildResult result = shell("(sleep 1; touch '" + late + "') & sleep 100", 0.2);
@@ -59,7 +60,7 @@ TEST(ChildProcess, TheTimeLimitEndsAllThatItStarted) {
   EXPECT_FALSE(std::filesystem::exists(late));
 }
 
-TEST(ChildProcess, WhatAFinishedProgramLeavesBehindEndsToo) {
+TEST(ChildProcess, EndsProcessesThatAFinishedProgramLeavesBehind) {
   const fixtures::TempFolder folder;
   const std::string late = folder / "late";
   EXPECT_EQ(shell("(sleep 1; touch '" + late + "') & exit 0").code, 0);
@@ -67,7 +68,7 @@ TEST(ChildProcess, WhatAFinishedProgramLeavesBehindEndsToo) {
   EXPECT_FALSE(std::filesystem::exists(late));
 }
 
-TEST(ChildProcess, EndsWithTheProgramThatStartedIt) {
+TEST(ChildProcess, DiesWithItsParent) {
   const fixtures::TempFolder folder;
   const std::string early = folder / "early", late = folder / "late";
   const pid_t program = fork();
@@ -82,14 +83,14 @@ TEST(ChildProcess, EndsWithTheProgramThatStartedIt) {
   EXPECT_FALSE(std::filesystem::exists(late));
 }
 
-TEST(ChildProcess, CpuTimeAndMemoryOfWhatItRan) {
+TEST(ChildProcess, CountsCpuTimeAndMemoryOfItsChildren) {
   const ChildResult idle = shell("sleep 0.3");
   const ChildResult busy = shell("i=0; while [ $i -lt 300000 ]; do i=$((i+1)); done");
   EXPECT_GE(idle.wall_seconds, 0.3);
   EXPECT_LT(idle.cpu_seconds, 0.1);
   EXPECT_GT(busy.cpu_seconds, idle.cpu_seconds);
   const ChildResult killed = shell("sh -c 'while :; do :; done'; true", 0.5);
-  EXPECT_GT(killed.cpu_seconds, 10 * idle.cpu_seconds) << "what the shell was running counts";
+  EXPECT_GT(killed.cpu_seconds, 10 * idle.cpu_seconds) << "the shell's child must count";
   const ChildResult large = shell("head -c 100000000 /dev/zero | tail -c 80000000 | wc -c");
   EXPECT_GT(large.peak_mb, 70);
 }

@@ -1,4 +1,4 @@
-// Random cuts of trees whose extremes are known.
+// Random cuts through trees with known extremes.
 #include "bench/cuts.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ class Cuts : public ::testing::Test {
   fixtures::TempFolder folder_;
 };
 
-TEST_F(Cuts, ABoxHasOneAndItIsTight) {
+TEST_F(Cuts, BoxHasOneCutAndItIsTight) {
   const json found = of(box(1, 2, 3), 3);
   EXPECT_EQ(found["leaves"], 1);
   ASSERT_EQ(found["cuts"].size(), 3u);
@@ -36,7 +36,7 @@ TEST_F(Cuts, ABoxHasOneAndItIsTight) {
   }
 }
 
-TEST_F(Cuts, OfAUChannelHoldAndDiffer) {
+TEST_F(Cuts, UChannelHasDifferentValidCuts) {
   const json found = of(uChannel(), 60);
   std::set<std::size_t> sizes;
   std::set<std::string> kinds;
@@ -58,7 +58,7 @@ TEST_F(Cuts, OfAUChannelHoldAndDiffer) {
   EXPECT_NE(found["cuts"], of(uChannel(), 60, 2)["cuts"]) << "another seed";
 }
 
-TEST_F(Cuts, NoMeshIsAnError) {
+TEST_F(Cuts, MissingMeshIsAnError) {
   EXPECT_THROW(measureCuts({{"file", folder_ / "none.obj"}, {"scale", {1, 1, 1}}, {"tolerance", "1%"}, {"seed", 1}, {"cuts", 1}}), Error);
 }
 

@@ -26,7 +26,7 @@ class HullObjects : public ::testing::Test {
   fixtures::TempFolder folder_;
 };
 
-TEST_F(HullObjects, NothingAndRubbish) {
+TEST_F(HullObjects, MissingEmptyAndInvalidFiles) {
   EXPECT_TRUE(read("").empty());
   EXPECT_TRUE(read("# no object\no empty\n").empty());
   EXPECT_THROW(readHullObjects(folder_ / "missing.obj"), Error);
@@ -37,7 +37,7 @@ TEST_F(HullObjects, NothingAndRubbish) {
   expectError("v 1 2 3\nf 0 1 1\n", "'0'");
 }
 
-TEST_F(HullObjects, VerticesBeforeAllObjectsBelongToTheFacesThatUseThem) {
+TEST_F(HullObjects, SharedVerticesBelongToTheFacesThatUseThem) {
   const auto objects = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no a\nf 1 2 3\no b\nf 2//1 3//1 4/2/3\no none\n");
   ASSERT_EQ(objects.size(), 2u);
   EXPECT_EQ(objects[0], (Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
@@ -57,7 +57,7 @@ TEST_F(HullObjects, PointsWithoutFaces) {
   EXPECT_EQ(objects[1], (Points{{2, 0, 0}}));
 }
 
-TEST_F(HullObjects, WhatIsWrittenIsReadBack) {
+TEST_F(HullObjects, ReadsBackWhatIsWritten) {
   const std::vector<ConvexHull> hulls{test_shapes::boxHull({0, 0, 0}, {1, 2, 3}), test_shapes::hullOf(test_shapes::sphere(0.25f, 2))};
   const auto objects = read(encodeHullsObj(hulls, "part"));
   ASSERT_EQ(objects.size(), 2u);
@@ -67,7 +67,7 @@ TEST_F(HullObjects, WhatIsWrittenIsReadBack) {
   }
 }
 
-TEST_F(HullObjects, TheHashIsOfWhichPointsLieInWhichObject) {
+TEST_F(HullObjects, HashDependsOnWhichPointsAreInWhichObject) {
   const auto one = read("o a\nv 0 0 0\nv 1 0 0\n"), two = read("o a\nv 0 0 0\no b\nv 1 0 0\n");
   EXPECT_EQ(hashOf(one), hashOf(read("o other\nv 0 0 0.0\nv 1e0 0 0\n")));
   EXPECT_NE(hashOf(one), hashOf(two));

@@ -33,18 +33,18 @@ class Inputs : public ::testing::Test {
 
 using Names = std::vector<std::string>;
 
-TEST_F(Inputs, NoMeshIsAnError) {
+TEST_F(Inputs, InputWithoutMeshesIsAnError) {
   std::filesystem::create_directories(folder_ / "empty");
   EXPECT_THROW(benchmarkMeshes({folder_ / "empty"}), Error);
   EXPECT_THROW(benchmarkMeshes({folder_ / "missing.obj"}), Error);
   EXPECT_THROW(benchmarkMeshes({folder_ / "meshes/readme.txt"}), Error);
 }
 
-TEST_F(Inputs, AFolderInItsOrder) {
+TEST_F(Inputs, SortsAFolder) {
   EXPECT_EQ(names({folder_ / "meshes"}), (Names{"a.obj", "b.obj", "deep/c.OBJ"}));
 }
 
-TEST_F(Inputs, ARobotGivesEachMeshOnceAtEachScale) {
+TEST_F(Inputs, RobotContributesEachMeshOncePerScale) {
   const std::vector<BenchmarkMesh> meshes = benchmarkMeshes({folder_ / "arm/urdf/arm.urdf"});
   ASSERT_EQ(meshes.size(), 2u);
   EXPECT_EQ(meshes[0].name, "arm/d.obj");
@@ -53,13 +53,13 @@ TEST_F(Inputs, ARobotGivesEachMeshOnceAtEachScale) {
   EXPECT_EQ(meshes[1].scale, Eigen::Vector3d(2, 2, 2));
 }
 
-TEST_F(Inputs, WhatMovesAsOneInQueries) {
+TEST_F(Inputs, SubjectsOfQueries) {
   const BenchmarkInputs inputs = benchmarkInputs({folder_ / "meshes/a.obj", folder_ / "arm/urdf/arm.urdf"});
   ASSERT_EQ(inputs.subjects.size(), 2u);
   EXPECT_EQ(inputs.subjects[0].name, "a.obj");
   EXPECT_TRUE(inputs.subjects[0].robot.links.empty());
   const QuerySubject& arm = inputs.subjects[1];
-  ASSERT_EQ(arm.parts.size(), 3u) << "a mesh that two links share is two parts";
+  ASSERT_EQ(arm.parts.size(), 3u) << "a mesh shared by two links is two parts";
   EXPECT_EQ(arm.parts[0].mesh, 1u);
   EXPECT_EQ(arm.parts[1].link, 2u);
   EXPECT_EQ(arm.parts[1].mesh, 1u);
@@ -67,7 +67,7 @@ TEST_F(Inputs, WhatMovesAsOneInQueries) {
   EXPECT_EQ(arm.parts[2].mesh, 2u);
 }
 
-TEST_F(Inputs, AFolderOfPackagesGivesRobots) {
+TEST_F(Inputs, FolderOfPackagesContributesRobots) {
   EXPECT_EQ(names({folder_.path().string()}), (Names{"arm/d.obj", "arm/d.obj#2", "meshes/a.obj", "meshes/b.obj", "meshes/deep/c.OBJ"}));
 }
 
@@ -75,7 +75,7 @@ TEST_F(Inputs, NamesAreUnique) {
   EXPECT_EQ(names({folder_ / "meshes/a.obj", folder_ / "meshes/a.obj"}), (Names{"a.obj", "a.obj#2"}));
 }
 
-TEST_F(Inputs, AMeshThatIsMissingKeepsItsPlace) {
+TEST_F(Inputs, MissingMeshStaysInTheList) {
   fixtures::write(folder_ / "arm/urdf/arm.urdf",
                   fixtures::robot("arm", fixtures::link("base", "<collision>" + fixtures::meshTag("gone.stl") + "</collision>")));
   EXPECT_EQ(names({folder_ / "arm/urdf/arm.urdf"}), (Names{"arm/base"}));

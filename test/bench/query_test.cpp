@@ -1,4 +1,4 @@
-// Queries of a model against those of the meshes, where the answers are known.
+// Queries of a model compared with those of the meshes, with known answers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ class Query : public ::testing::Test {
             {"hulls", fixtures::write(folder_ / (name + "_hulls.obj"), encodeHullsObj(hulls, "hull"))}};
   }
 
-  /// The original's answers first, then those of the hulls.
+  /// Queries the original first, then the hulls.
   json ask(const std::string& workload, const json& parts, const std::string& urdf = "") {
     json job = {{"workload", workload}, {"urdf", urdf},    {"parts", parts}, {"answers", folder_ / "answers.json"}, {"seed", 1},
                 {"states", 60},         {"original", true}};
@@ -40,7 +40,7 @@ class Query : public ::testing::Test {
   int parts_ = 0;
 };
 
-TEST_F(Query, HullsThatAreTheMesh) {
+TEST_F(Query, HullsEqualToTheMesh) {
   const json result = ask("scene", json::array({part(0, box(1, 1, 1), {boxHull({0, 0, 0}, {1, 1, 1})})}));
   EXPECT_GT(original_["hit_rate"], 0.0);
   EXPECT_LT(original_["hit_rate"], 1.0);
@@ -54,7 +54,7 @@ TEST_F(Query, HullsThatAreTheMesh) {
   EXPECT_LT(result["distance_error_max"], 1e-5);
 }
 
-TEST_F(Query, HullsThatAreTooLarge) {  // by 0.2 all round: too near by 0.2 at a face, by sqrt(3) times that at a corner
+TEST_F(Query, HullsThatAreTooLarge) {  // by 0.2 all round: too near by 0.2 at a face, and by sqrt(3) times that at a corner
   const json result = ask("scene", json::array({part(0, box(1, 1, 1), {boxHull({-0.2, -0.2, -0.2}, {1.2, 1.2, 1.2})})}));
   EXPECT_GT(result["phantom_rate"], 0.0);
   EXPECT_EQ(result["missed"], 0);
@@ -68,7 +68,7 @@ TEST_F(Query, HullsThatAreTooSmall) {
   EXPECT_GT(result["missed"], 0);
 }
 
-TEST_F(Query, TheSameAgainButForTimes) {
+TEST_F(Query, IsRepeatableExceptForTimes) {
   const json parts = json::array({part(0, uChannel(), {hullOf(uChannel())})});
   json first = ask("scene", parts), second = ask("scene", parts);
   for (json* result : {&first, &second})
@@ -76,8 +76,8 @@ TEST_F(Query, TheSameAgainButForTimes) {
   EXPECT_EQ(first, second);
 }
 
-// Three cubes in a row on two sliders; the outer ones are 0.5 m apart at rest and come within 0.1 m.
-TEST_F(Query, ARobotAgainstItself) {
+// Three cubes in a row on two sliders; the outer two are 0.5 m apart at rest and come within 0.1 m of each other.
+TEST_F(Query, RobotAgainstItself) {
   const auto slider = [](const std::string& parent, const std::string& child) {
     return "<joint name=\"to_" + child + "\" type=\"prismatic\"><parent link=\"" + parent + "\"/><child link=\"" + child +
            "\"/><limit lower=\"-0.2\" upper=\"0\" effort=\"1\" velocity=\"1\"/></joint>";
@@ -100,7 +100,7 @@ TEST_F(Query, ARobotAgainstItself) {
   EXPECT_EQ(huge["phantom_rate"], 1.0);
 }
 
-TEST(QueryScene, ThingsStandWithinReachAndAreTheSameAgain) {
+TEST(QueryScene, IsWithinReachAndRepeatable) {
   const Reach reach{2, -1, 1};
   const std::vector<ConvexHull> scene = clutteredScene(reach, 1), again = clutteredScene(reach, 1), other = clutteredScene(reach, 2);
   ASSERT_EQ(scene.size(), again.size());

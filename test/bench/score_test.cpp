@@ -1,4 +1,4 @@
-// The evaluator on shapes whose cover, protrusion and volume are known.
+// The evaluator on shapes with known cover, protrusion and volume.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,11 +34,11 @@ class Score : public ::testing::Test {
   fixtures::TempFolder folder_;
 };
 
-TEST_F(Score, NoHullIsAnError) {
+TEST_F(Score, MissingHullsAreAnError) {
   EXPECT_THROW(of(box(1, 1, 1), {}), Error);
 }
 
-TEST_F(Score, AConvexShapeByItsHull) {
+TEST_F(Score, ConvexShapeByItsHull) {
   const json scored = of(box(1, 2, 3), {boxHull({0, 0, 0}, {1, 2, 3})});
   EXPECT_EQ(scored["hulls"], 1);
   EXPECT_EQ(scored["hull_vertices"], 8);
@@ -47,7 +47,7 @@ TEST_F(Score, AConvexShapeByItsHull) {
   expectProtrusion(scored, 0);
 }
 
-TEST_F(Score, AUChannelInOneHull) {  // width 1, depth 1, walls 0.1, height 2: the middle of the mouth is 0.4 from the walls
+TEST_F(Score, UChannelInOneHull) {  // width 1, depth 1, walls 0.1, height 2: the middle of the mouth is 0.4 from the walls
   const TriangleMesh channel = uChannel();
   const json scored = of(channel, {hullOf(channel)});
   EXPECT_EQ(scored["uncovered"], 0.0);
@@ -55,12 +55,12 @@ TEST_F(Score, AUChannelInOneHull) {  // width 1, depth 1, walls 0.1, height 2: t
   expectProtrusion(scored, 0.4);
 }
 
-TEST_F(Score, ATorusInOneHull) {  // furthest at the middle of the flat top: sqrt(R^2 + r^2) - r
+TEST_F(Score, TorusInOneHull) {  // furthest at the middle of the flat top: sqrt(R^2 + r^2) - r
   const TriangleMesh ring = torus(1, 0.3, 64, 32);
   expectProtrusion(of(ring, {hullOf(ring)}), std::sqrt(1 + 0.09) - 0.3, 4e-3);
 }
 
-TEST_F(Score, ASphereInABox) {  // the corner of the cube about the unit sphere: sqrt(3) - 1
+TEST_F(Score, SphereInABox) {  // the corner of the cube about the unit sphere: sqrt(3) - 1
   const json scored = of(sphere(1, 24), {boxHull({-1, -1, -1}, {1, 1, 1})});
   EXPECT_NEAR(scored["volume_ratio"].get<double>(), 6 / kPi, 0.05);
   expectProtrusion(scored, std::sqrt(3.0) - 1, 2e-3);
@@ -73,7 +73,7 @@ TEST_F(Score, TwoBoxesInOneHull) {  // half the gap between them
   expectProtrusion(scored, 0.25);
 }
 
-TEST_F(Score, ADecisionIsRightHoweverNearTheTolerance) {  // the middle of the mouth is 0.4 from the walls
+TEST_F(Score, DecidesCorrectlyHoweverNearTheTolerance) {  // the middle of the mouth is 0.4 from the walls
   const TriangleMesh channel = uChannel();
   const std::string mesh = fixtures::write(folder_ / "mesh.obj", fixtures::obj(channel));
   const std::string hull = fixtures::write(folder_ / "hulls.obj", encodeHullsObj({hullOf(channel)}, "hull"));
@@ -91,21 +91,21 @@ TEST_F(Score, ADecisionIsRightHoweverNearTheTolerance) {  // the middle of the m
   }
 }
 
-TEST_F(Score, WhatIsLeftUncovered) {  // of two boxes one has a hull; the far side of the other is 1.5 away
+TEST_F(Score, UncoveredSurface) {  // only one of two boxes has a hull; the far side of the other is 1.5 away
   const TriangleMesh pair = merged({box(1, 1, 1), moved(box(1, 1, 1), {1.5, 0, 0})});
   const json scored = of(pair, {boxHull({0, 0, 0}, {1, 1, 1})});
   EXPECT_NEAR(scored["uncovered"].get<double>(), 1.5, 0.02);
   expectProtrusion(scored, 0);
 }
 
-TEST_F(Score, ASheetHasNoVolume) {
+TEST_F(Score, SheetHasNoVolume) {
   const TriangleMesh plate = sheet();
   const json scored = of(plate, {hullOf(plate)});
   EXPECT_TRUE(scored["volume_ratio"].is_null());
   EXPECT_EQ(scored["uncovered"], 0.0);
 }
 
-TEST_F(Score, HullsOverlapOnce) {
+TEST_F(Score, OverlapOfHullsCountsOnce) {
   const json scored = of(box(1, 1, 1), {boxHull({0, 0, 0}, {1, 1, 0.75}), boxHull({0, 0, 0.25}, {1, 1, 1})});
   EXPECT_EQ(scored["hulls"], 2);
   EXPECT_NEAR(scored["volume_ratio"].get<double>(), 1, 0.01);

@@ -26,7 +26,7 @@ StabilityRow row(TroubleKind kind, std::size_t hulls, double ratio) {
   return result;
 }
 
-TEST(Outcome, TheWorstThatHolds) {
+TEST(Outcome, IsTheWorstThatApplies) {
   StabilityRow bad = row(TroubleKind::kRotation, 20, 2);
   EXPECT_EQ(outcomeOf(bad), "changed");
   bad.protrusion = 1.001;
@@ -45,10 +45,10 @@ TEST(Outcome, ChangeIsMoreThanOneAndMoreThanATenth) {
   EXPECT_EQ(outcomeOf(row(TroubleKind::kJitter, 85, 0.85)), "changed");  // of 100
 }
 
-TEST(Outcome, AnotherShapeMayHaveAnotherNumber) {
+TEST(Outcome, AnotherShapeMayHaveAnotherNumberOfHulls) {
   EXPECT_EQ(outcomeOf(row(TroubleKind::kHole, 20, 2)), "ok");
   StabilityRow first = row(TroubleKind::kRotation, 20, 2);
-  first.hulls_ratio.reset();  // the mesh without trouble was not done
+  first.hulls_ratio.reset();  // there is no result for the undisturbed mesh
   EXPECT_EQ(outcomeOf(first), "ok");
 }
 
@@ -58,7 +58,7 @@ TEST(StabilityCsv, HasAsManyFieldsAsColumns) {
   EXPECT_EQ(stabilityHeader().rfind("mesh,method,trouble,amount,outcome,hulls,hulls_ratio,protrusion,message", 0), 0u);
 }
 
-TEST(StabilityJob, WritesTheMeshInTrouble) {
+TEST(StabilityJob, WritesTheTroubledMesh) {
   const fixtures::TempFolder folder;
   const json job = {{"job", "trouble"},
                     {"file", fixtures::write(folder / "box.obj", fixtures::obj(test_shapes::box(1, 2, 2)))},

@@ -9,7 +9,7 @@
 namespace collision_hulls {
 namespace {
 
-TEST(Csv, FieldsThatNeedItAreQuoted) {
+TEST(Csv, QuotesFieldsThatNeedIt) {
   EXPECT_EQ(csvLine({}), "\n");
   EXPECT_EQ(csvLine({"a", "", "b c"}), "a,,b c\n");
   EXPECT_EQ(csvLine({"a,b", "say \"x\"", "two\nlines", "cr\r"}), "\"a,b\",\"say \"\"x\"\"\",\"two\nlines\",\"cr\r\"\n");
@@ -23,7 +23,7 @@ TEST(Csv, Numbers) {
   EXPECT_EQ(csvNumber(1e-12), "1e-12");
 }
 
-TEST(Csv, ARowHasAFieldForEachColumn) {
+TEST(Csv, RowHasAFieldForEachColumn) {
   const std::string header = benchmarkHeader(), empty = toCsv({});
   EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(empty.begin(), empty.end(), ','));
   EXPECT_EQ(empty, ",,,,ok,,,,,,,,,,,,1,,,\n");

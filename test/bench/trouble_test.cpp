@@ -31,7 +31,7 @@ RepairCounts counts(const TriangleMesh& mesh) {
   return repair(mesh).counts;
 }
 
-/// Corners of each triangle, in no order but their own: what the mesh is as a surface.
+/// The corners of each triangle, whatever the order of vertices and triangles: identifies the surface.
 std::multiset<std::vector<double>> surfaceOf(const TriangleMesh& mesh) {
   std::multiset<std::vector<double>> result;
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
@@ -50,7 +50,7 @@ TEST(Trouble, NamesAreReadBack) {
   EXPECT_FALSE(troubleNamed("Rotation"));
 }
 
-TEST(Trouble, UsualOnesHoldEveryKindAndBeginWithNone) {
+TEST(Trouble, UsualTroublesHaveEveryKindAndStartWithNone) {
   std::set<Kind> kinds;
   for (const Trouble& trouble : usualTroubles()) kinds.insert(trouble.kind);
   EXPECT_EQ(kinds.size(), static_cast<std::size_t>(Kind::kNan) + 1);
@@ -60,7 +60,7 @@ TEST(Trouble, UsualOnesHoldEveryKindAndBeginWithNone) {
 
 TEST(Trouble, SameSeedSameMesh) {
   for (const Trouble& trouble : usualTroubles()) {
-    if (trouble.kind == Kind::kNan) continue;  // unequal to itself
+    if (trouble.kind == Kind::kNan) continue;  // NaN is unequal to itself
     const TriangleMesh a = troubled(torus(), trouble, kSeed), b = troubled(torus(), trouble, kSeed);
     EXPECT_EQ(a.vertices, b.vertices) << name(trouble.kind);
     EXPECT_EQ(a.triangles, b.triangles) << name(trouble.kind);
@@ -68,16 +68,16 @@ TEST(Trouble, SameSeedSameMesh) {
   EXPECT_NE(with(Kind::kJitter, 1e-3).vertices, troubled(torus(), {Kind::kJitter, 1e-3}, kSeed + 1).vertices);
 }
 
-TEST(Trouble, AnotherSeedMattersWhereItIsRandom) {
+TEST(Trouble, SeedMattersForRandomKindsOnly) {
   for (const Trouble& trouble : usualTroubles()) {
     const bool differs = surfaceOf(troubled(torus(), trouble, 1)) != surfaceOf(troubled(torus(), trouble, 2));
-    // What is shuffled is the same surface, and so is one where another coordinate is NaN, which compares as unequal to itself.
+    // A shuffled mesh is the same surface; so is one with another NaN coordinate, as NaN is unequal to itself.
     if (trouble.kind == Kind::kShuffle || trouble.kind == Kind::kNan) continue;
     EXPECT_EQ(differs, isRandom(trouble.kind)) << name(trouble.kind);
   }
 }
 
-TEST(Trouble, EveryKindDoesSomethingAndLeavesAMesh) {
+TEST(Trouble, EveryKindChangesTheMeshAndKeepsItValid) {
   for (const Trouble& trouble : usualTroubles()) {
     const TriangleMesh mesh = troubled(torus(), trouble, kSeed);
     ASSERT_FALSE(mesh.triangles.empty()) << name(trouble.kind);
@@ -89,7 +89,7 @@ TEST(Trouble, EveryKindDoesSomethingAndLeavesAMesh) {
   }
 }
 
-TEST(Trouble, ATriangleAloneSurvivesEverything) {
+TEST(Trouble, SingleTriangleSurvivesEverything) {
   for (const Trouble& trouble : usualTroubles())
     EXPECT_FALSE(troubled(test_shapes::singleTriangle(), trouble, kSeed).triangles.empty()) << name(trouble.kind);
 }
@@ -99,7 +99,7 @@ TEST(Trouble, RotationKeepsDistances) {
   EXPECT_EQ(turned.triangles, torus().triangles);
   EXPECT_NEAR(area(turned), area(torus()), 1e-12);
   EXPECT_LT((boundingBox(turned).center() - boundingBox(torus()).center()).norm(), 0.3);
-  // Half of the trace of a rotation, less a half, is the cosine of its angle.
+  // The cosine of a rotation's angle is half of its trace minus one half.
   Eigen::Matrix3d before, after;
   const Eigen::Vector3d middle = boundingBox(torus()).center();
   for (int k = 0; k < 3; ++k) {
@@ -144,7 +144,7 @@ TEST(Trouble, ShuffleAndUnweldingKeepTheSurface) {
   EXPECT_EQ(unwelded.vertices.size(), 3 * torus().triangles.size());
 }
 
-TEST(Trouble, FacesTwiceFlippedAndWithoutArea) {
+TEST(Trouble, DuplicateFlippedAndZeroAreaFaces) {
   const auto share = [](std::size_t n) { return static_cast<double>(n) / static_cast<double>(torus().triangles.size()); };
   EXPECT_NEAR(share(counts(with(Kind::kDuplicate, 1.0 / 3)).duplicate), 1.0 / 3, 0.06);
   EXPECT_NEAR(share(counts(with(Kind::kFlipped, 1.0 / 3)).flipped), 1.0 / 3, 0.06);
@@ -171,7 +171,7 @@ TEST(Trouble, HoleIsOnePiece) {
   EXPECT_EQ(counts(mesh).components, 1u);
 }
 
-TEST(Trouble, FinsMakeEdgesOfThree) {
+TEST(Trouble, FinsMakeEdgesWithThreeTriangles) {
   EXPECT_GT(counts(with(Kind::kFin, 0.02)).nonmanifold_edges, 0u);
 }
 
@@ -183,7 +183,7 @@ TEST(Trouble, CopiesAndSpecksAreComponents) {
   EXPECT_EQ(counts(with(Kind::kManyComponents, 200)).components, 201u);
 }
 
-TEST(Trouble, LessOfTheMesh) {
+TEST(Trouble, DecimationAndSingleTriangle) {
   const TriangleMesh coarse = with(Kind::kDecimation, 0.5), one = with(Kind::kOneTriangle, 1);
   EXPECT_LE(coarse.vertices.size(), torus().vertices.size() / 2);
   EXPECT_GT(coarse.vertices.size(), torus().vertices.size() / 8);
@@ -191,12 +191,12 @@ TEST(Trouble, LessOfTheMesh) {
   EXPECT_NEAR(area(one), 2 * test_shapes::kPi * 1.3 / 24 * 2 * 0.3 * std::sin(test_shapes::kPi / 12) / 2, 0.02);
 }
 
-TEST(Trouble, NanIsOneCoordinateThatATriangleUses) {
+TEST(Trouble, NanIsOneCoordinateUsedByATriangle) {
   const TriangleMesh mesh = with(Kind::kNan, 1);
   int count = 0;
   for (const Triangle& t : mesh.triangles)
     for (const int corner : t) count += mesh.vertices[static_cast<std::size_t>(corner)].allFinite() ? 0 : 1;
-  EXPECT_EQ(count, 6);  // the triangles about a vertex of the torus
+  EXPECT_EQ(count, 6);  // the triangles around a vertex of the torus
   EXPECT_THROW(repair(mesh), Error);
 }
 

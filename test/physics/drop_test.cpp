@@ -1,4 +1,4 @@
-// Drops whose ends are known: the body stands where its collision model, not its original, lets it.
+// Drops with known outcomes: the body comes to rest on its collision model, not on its original.
 #include "physics/drop.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace collision_hulls {
 namespace {
 
-/// A plate of 0.3 m diagonal, larger by `more` on all sides.
+/// A plate with a diagonal of 0.3 m, enlarged by `more` on all sides.
 std::vector<Eigen::Vector3d> plate(double more) {
   const Eigen::Vector3d half = Eigen::Vector3d(0.10, 0.11, 0.02) + Eigen::Vector3d::Constant(more);
   std::vector<Eigen::Vector3d> points;
@@ -21,7 +21,7 @@ DropResult dropped(const std::vector<std::vector<Eigen::Vector3d>>& model) {
   return drop(body, Way::kConvex, restingPoses(body.original, Eigen::Vector3d::Zero(), 1).at(0));
 }
 
-TEST(Drop, AnExactModelStandsOnTheTable) {
+TEST(Drop, ExactModelStandsOnTheTable) {
   const DropResult result = dropped({plate(0)});
   EXPECT_EQ(result.outcome, "ok");
   EXPECT_NEAR(result.height, 0, 1e-3);
@@ -33,17 +33,17 @@ TEST(Drop, AnExactModelStandsOnTheTable) {
   EXPECT_GT(result.contacts, 2u);
 }
 
-TEST(Drop, AProtrudingModelFloatsByAsMuch) {
+TEST(Drop, ProtrudingModelFloatsByItsProtrusion) {
   const DropResult result = dropped({plate(0.006)});
   EXPECT_EQ(result.outcome, "ok");
   EXPECT_NEAR(result.height, 0.006 / kBodySize, 1e-3);
 }
 
-TEST(Drop, AModelThatLeavesTheSurfaceOutSinks) {
+TEST(Drop, ModelThatLeavesOutSurfaceSinks) {
   EXPECT_EQ(dropped({plate(-0.006)}).outcome, "sunk");
 }
 
-TEST(Drop, WithoutAModelItFalls) {
+TEST(Drop, FallsWithoutAModel) {
   EXPECT_EQ(dropped({}).outcome, "fell");
 }
 

@@ -21,7 +21,7 @@ TEST(MassProperties, OfABoxAwayFromTheOrigin) {
   EXPECT_TRUE(mass.inertia.isApprox(Eigen::Matrix3d(expected.asDiagonal()), 1e-9)) << mass.inertia;
 }
 
-TEST(RestingPoses, OfABoxAreItsFacesFlattestFirst) {
+TEST(RestingPoses, OfABoxAreItsFacesMostStableFirst) {
   const ConvexHull hull = box(1, 2, 3);
   const std::vector<RestingPose> poses = restingPoses(hull, massProperties(hull).center, 10);
   ASSERT_EQ(poses.size(), 6u);
@@ -31,8 +31,8 @@ TEST(RestingPoses, OfABoxAreItsFacesFlattestFirst) {
   EXPECT_EQ(restingPoses(hull, massProperties(hull).center, 2).size(), 2u);
 }
 
-TEST(RestingPoses, AFaceThatTheCentreIsNotAboveIsNone) {
-  // A prism that leans by more than its width: it falls over on its small faces.
+TEST(RestingPoses, ExcludesFacesThatTheCentreOfMassIsNotAbove) {
+  // A prism that leans by more than its width: it tips over from its small faces.
   std::vector<Eigen::Vector3d> points;
   for (const double z : {0.0, 1.0})
     for (const double x : {0.0, 0.1})

@@ -1,4 +1,4 @@
-// The demo robot's rewritten description in DART: it loads, and its gripper holds a box where the hulls follow the fingers.
+// The demo robot's rewritten description in DART: it loads, and its gripper holds a box if the hulls follow the fingers closely.
 #include "physics/robot.h"
 
 #include <gtest/gtest.h>
@@ -43,13 +43,13 @@ GripResult gripped(Method method) {
   return grip(rewritten(method, "(left|right)_finger_link")->robot);
 }
 
-TEST(RewrittenRobot, LoadsWithAShapeForEachHull) {
+TEST(RewrittenRobot, LoadsWithOneShapePerHull) {
   const auto made = rewritten(Method::kSingleHull, "");
   std::size_t shapes = 0, hulls = 0;
   for (const auto* const body : made->robot->getBodyNodes()) shapes += body->getNumShapeNodesWith<dart::dynamics::CollisionAspect>();
   for (const ElementResult& element : made->result.elements) hulls += element.hulls.size();
   EXPECT_EQ(hulls, 11u);
-  EXPECT_EQ(shapes, hulls + 3) << "and the wrist's two cylinders and the camera's box";
+  EXPECT_EQ(shapes, hulls + 3) << "plus the wrist's two cylinders and the camera's box";
   EXPECT_EQ(made->robot->getNumDofs(), 8u);
   const auto world = newWorld(Way::kMesh, {0, 0, -kEarth});
   world->addSkeleton(made->robot);
@@ -61,17 +61,17 @@ TEST(Grip, CertifiedHullsHoldTheBox) {
   const GripResult result = gripped(Method::kCertified);
   EXPECT_EQ(result.outcome, "held");
   EXPECT_LT(result.slip, 0.005) << "the hooks are 3 mm below the box";
-  EXPECT_LT(result.opening, 0.016) << "the arms reach the box, 40 mm wide, where it is";
+  EXPECT_LT(result.opening, 0.016) << "the arms must reach the box, which is 40 mm wide";
   EXPECT_GT(result.hulls, 4u);
 }
 
 TEST(Grip, SingleHullsLetItSlip) {
   const GripResult result = gripped(Method::kSingleHull);
   EXPECT_EQ(result.outcome, "lost");
-  EXPECT_GT(result.opening, 0.03) << "the hulls fill the room behind the hooks";
+  EXPECT_GT(result.opening, 0.03) << "the hulls fill the space behind the hooks";
 }
 
-TEST(Grip, AnotherRobotIsAnError) {
+TEST(Grip, RejectsARobotWithoutTheGripper) {
   const char* const urdf = "<robot name='r'><link name='a'/></robot>";
   try {
     grip(loadRobot(urdf, "/r.urdf", [](const std::string&) { return std::nullopt; }));
@@ -82,7 +82,7 @@ TEST(Grip, AnotherRobotIsAnError) {
   }
 }
 
-TEST(LoadRobot, WhatIsNoDescriptionIsAnError) {
+TEST(LoadRobot, RejectsTextThatIsNoDescription) {
   EXPECT_THROW(loadRobot("rubbish", "/r.urdf", [](const std::string&) { return std::nullopt; }), Error);
 }
 

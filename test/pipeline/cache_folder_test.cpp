@@ -32,7 +32,7 @@ Names namesIn(const fs::path& folder) {
   return names;
 }
 
-TEST(CacheFolder, WithoutAPlaceItKeepsNothing) {
+TEST(CacheFolder, WithoutAFolderItStoresNothing) {
   CacheFolder cache("", kPlenty);
   cache.store(entry('a'), "content");
   EXPECT_EQ(cache.find(entry('a')), std::nullopt);
@@ -40,7 +40,7 @@ TEST(CacheFolder, WithoutAPlaceItKeepsNothing) {
   EXPECT_EQ(cache.notes(), Names());
 }
 
-TEST(CacheFolder, MadeWithTheFirstEntry) {
+TEST(CacheFolder, IsCreatedWithTheFirstEntry) {
   const TempFolder folder;
   CacheFolder cache(folder / "a/b", kPlenty);
   EXPECT_EQ(cache.find(entry('a')), std::nullopt);
@@ -56,7 +56,7 @@ TEST(CacheFolder, MadeWithTheFirstEntry) {
   EXPECT_EQ(cache.notes(), Names());
 }
 
-TEST(CacheFolder, WhereNothingCanBeWrittenANoteSaysSo) {
+TEST(CacheFolder, NotesAFolderThatCannotBeWritten) {
   const TempFolder folder;
   const std::string file = fixtures::write(folder / "file", "");
   for (const std::string& place : {file, file + "/cache"}) {
@@ -90,7 +90,7 @@ TEST(CacheFolder, DamagedEntriesAreRemovedAndCounted) {
   EXPECT_NE(cache.notes()[0].find("2 damaged"), std::string::npos) << cache.notes()[0];
 }
 
-TEST(CacheFolder, AnEntryThatIsAFolder) {
+TEST(CacheFolder, FolderInPlaceOfAnEntry) {
   const TempFolder folder;
   fs::create_directories(folder / entry('a') + "/more");
   CacheFolder cache(folder.path(), kPlenty);
@@ -116,12 +116,12 @@ TEST(CacheFolder, TrimRemovesTheOldestEntriesAndNothingElse) {
   for (const char digit : {'a', 'b', 'c', 'd', 'e'}) cache.store(entry(digit), std::string(25, digit));
   int hours = 9;
   for (const char digit : {'b', 'a', 'c', 'e', 'd'}) age(folder / entry(digit), hours--);
-  EXPECT_TRUE(cache.find(entry('b'))) << "which makes it new";
+  EXPECT_TRUE(cache.find(entry('b'))) << "and is now the most recently used";
   cache.trim();
   EXPECT_EQ(namesIn(folder.path()), (Names{entry('b'), entry('c'), entry('d'), entry('e'), "thesis.tex"}));
 }
 
-TEST(CacheFolder, AnEntryThatWouldDriveOutTheOthers) {
+TEST(CacheFolder, RefusesAnEntryThatWouldEvictTheOthers) {
   const TempFolder folder;
   CacheFolder cache(folder.path(), 100);
   cache.store(entry('a'), std::string(26, 'a'));
@@ -129,28 +129,28 @@ TEST(CacheFolder, AnEntryThatWouldDriveOutTheOthers) {
   EXPECT_EQ(cache.notes().size(), 1u);
 }
 
-TEST(CacheFolder, TrimRemovesWhatKilledProcessesLeft) {
+TEST(CacheFolder, TrimRemovesFilesOfKilledProcesses) {
   const TempFolder folder;
   fixtures::write(folder / ".unfinished-old", "");
   age(folder / ".unfinished-old", 2);
   fixtures::write(folder / ".unfinished-new", "");
   CacheFolder cache(folder.path(), kPlenty);
   cache.trim();
-  EXPECT_EQ(namesIn(folder.path()).size(), 2u) << "a run that stores nothing has nothing to look after";
+  EXPECT_EQ(namesIn(folder.path()).size(), 2u) << "a run that stores nothing must not trim";
   cache.store(entry('a'), "content");
   cache.trim();
   EXPECT_EQ(namesIn(folder.path()), (Names{".unfinished-new", entry('a')}));
 }
 
-// Readers must see one of the contents that were stored, whole, whoever else writes or trims.
-TEST(CacheFolder, ManyAtTheSameTime) {
+// Readers must see one of the stored contents, complete, whoever else writes or trims.
+TEST(CacheFolder, ManyThreadsAtTheSameTime) {
   const TempFolder folder;
   const auto content = [](int writer) { return std::string(static_cast<std::size_t>(100'000 + writer), static_cast<char>('a' + writer)); };
   std::vector<std::thread> threads;
   std::vector<int> broken(4, 0), seen(4, 0);
   for (int writer = 0; writer < 4; ++writer) {
     threads.emplace_back([&, writer] {
-      CacheFolder cache(folder.path(), 400'012);  // less than the five entries that there are
+      CacheFolder cache(folder.path(), 400'012);  // less than all five entries need
       for (int round = 0; round < 50; ++round) {
         cache.store(entry(static_cast<char>('0' + (writer + round) % 5)), content(writer));
         cache.trim();
@@ -168,7 +168,7 @@ TEST(CacheFolder, ManyAtTheSameTime) {
   for (const std::string& name : namesIn(folder.path())) EXPECT_TRUE(CacheFolder::isEntry(name)) << name;
 }
 
-/// Sets variables of the environment, and sets them back.
+/// Sets environment variables and restores them.
 class Environment {
  public:
   ~Environment() {

@@ -1,4 +1,4 @@
-// Runs with a cache: what they find there is what the work would give.
+// Runs with a cache: what they find equals what a new computation would give.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -36,7 +36,7 @@ class CachedRun : public ::testing::Test {
         "arm", part("a", "bracket.obj") + part("b", "channel.obj", "a") + part("c", "rubbish.stl", "a") + part("d", "bracket.obj", "b"));
   }
 
-  /// A run, which leaves everything that it writes in `files_` but for its report.
+  /// A run; `files_` then has everything it wrote except its report.
   RobotResult run() {
     const RobotDescription robot = readRobotDescription(folder_ / "urdf/arm.urdf");
     RunControl control;
@@ -49,7 +49,7 @@ class CachedRun : public ::testing::Test {
     return result;
   }
 
-  /// What a report says, but for times and what came from the cache.
+  /// A report without times and without what came from the cache.
   static json timeless(const RobotResult& result) {
     json report = json::parse(toJson(result.report));
     for (json& row : report["links"]) {
@@ -73,14 +73,14 @@ class CachedRun : public ::testing::Test {
     return fs::exists(cache()) ? fixtures::contents(cache()) : std::map<std::string, std::string>();
   }
 
-  const std::vector<bool> kNone = {false, false, false, false}, kAll = {true, true, false, true};  // what fails is tried again
+  const std::vector<bool> kNone = {false, false, false, false}, kAll = {true, true, false, true};  // a failed mesh is tried again
   TempFolder folder_;
   Options options_;
   std::size_t calls_ = 0;
   std::map<std::string, std::string> files_;
 };
 
-TEST_F(CachedRun, SameBytesWithAndWithout) {
+TEST_F(CachedRun, SameBytesWithAndWithoutCache) {
   options_.cache = false;
   const json uncached = timeless(run());
   const auto files = files_;
@@ -95,8 +95,8 @@ TEST_F(CachedRun, SameBytesWithAndWithout) {
   }
 }
 
-// A decomposition tells of its progress again and again; where there is none, each task and the validation end, and that is all.
-TEST_F(CachedRun, ASecondRunDoesNothingAgain) {
+// A decomposition reports progress many times; without one there is a report per task and one for the validation.
+TEST_F(CachedRun, SecondRunRepeatsNoWork) {
   run();
   const std::size_t first = calls_;
   const RobotResult second = run();
@@ -109,8 +109,8 @@ TEST_F(CachedRun, ASecondRunDoesNothingAgain) {
   }
 }
 
-// What it finds is what it returns: an entry that was changed with care comes out.
-TEST_F(CachedRun, EntriesAreWhatIsUsed) {
+// A run must return what it finds: here a valid entry with changed content.
+TEST_F(CachedRun, UsesTheContentOfEntries) {
   const RobotResult first = run();
   const std::string key = elementKey(first.report.links[1], "channel.obj", options_);
   Cache cache(this->cache());
@@ -120,7 +120,7 @@ TEST_F(CachedRun, EntriesAreWhatIsUsed) {
   EXPECT_EQ(run().report.links[1].reason, "forged");
 }
 
-TEST_F(CachedRun, OtherOptionsAreOtherEntries) {
+TEST_F(CachedRun, OtherOptionsHaveOtherEntries) {
   run();
   const std::vector<std::function<void(Options&)>> changes = {
       [](Options& o) { o.tolerance = shareOf(0.03); }, [](Options& o) { o.method = Method::kSingleHull; },
@@ -164,10 +164,10 @@ TEST_F(CachedRun, AnotherToleranceIsCutFromTheSameTree) {
   const auto files = files_;
   options_.cache = false;
   EXPECT_EQ(timeless(run())["links"], timeless(second)["links"]);
-  EXPECT_EQ(files_, files) << "the tree is built anew";
+  EXPECT_EQ(files_, files) << "the tree must be built again";
 }
 
-TEST_F(CachedRun, ATreeIsCutToTheCaps) {
+TEST_F(CachedRun, CutsATreeToTheCaps) {
   options_.tree = shareOf(0.005);
   options_.max_hulls = 1;
   for (const ElementReport& row : run().report.links) {
@@ -178,7 +178,7 @@ TEST_F(CachedRun, ATreeIsCutToTheCaps) {
   }
 }
 
-TEST_F(CachedRun, AnotherMeshOfTheSameNameIsAnotherEntry) {
+TEST_F(CachedRun, AnotherMeshOfTheSameNameHasAnotherEntry) {
   run();
   fixtures::write(folder_ / "meshes/channel.obj", fixtures::obj(test_shapes::uChannel(0.2, 0.2, 0.03, 0.4)));
   const RobotResult result = run();
@@ -186,8 +186,8 @@ TEST_F(CachedRun, AnotherMeshOfTheSameNameIsAnotherEntry) {
   EXPECT_FALSE(result.report.validation_cached);
 }
 
-// Its digest was taken at the beginning: what is read later must not be remembered under it.
-TEST_F(CachedRun, AMeshThatChangesDuringTheRun) {
+// The digest is computed at the start; content read later must not be stored under it.
+TEST_F(CachedRun, MeshThatChangesDuringTheRun) {
   const std::string bracket = folder_ / "meshes/bracket.obj", channel = folder_ / "meshes/channel.obj";
   fixtures::write(bracket, fixtures::read(bracket) + "#" + std::string(1000, '-') + "\n");  // the largest is read first
   for (const std::string& mesh : {bracket, channel}) fs::last_write_time(mesh, fs::file_time_type::clock::now() - std::chrono::hours(1));
@@ -206,7 +206,7 @@ TEST_F(CachedRun, AMeshThatChangesDuringTheRun) {
   EXPECT_NE(again.report.links[1].status, Status::kFailed) << again.report.links[1].reason;
 }
 
-TEST_F(CachedRun, AnotherPlaceIsAnotherValidationOnly) {
+TEST_F(CachedRun, MovedMeshNeedsOnlyAnotherValidation) {
   run();
   std::string moved = description();
   moved.replace(moved.find("xyz=\"0 0 0.5\""), 13, "xyz=\"0 0 0.6\"");
@@ -216,7 +216,7 @@ TEST_F(CachedRun, AnotherPlaceIsAnotherValidationOnly) {
   EXPECT_FALSE(result.report.validation_cached);
 }
 
-TEST_F(CachedRun, DamagedEntriesAreMadeAnew) {
+TEST_F(CachedRun, ComputesDamagedEntriesAgain) {
   const json sound = timeless(run());
   const auto files = files_;
   const auto before = entries();
@@ -246,7 +246,7 @@ TEST_F(CachedRun, WithoutCacheNothingIsReadOrWritten) {
   for (const auto& [name, bytes] : entries()) EXPECT_EQ(bytes, "damaged") << name;
 }
 
-TEST_F(CachedRun, AnUnwritableFolderIsANote) {
+TEST_F(CachedRun, UnwritableFolderGivesANote) {
   options_.cache = false;
   run();
   const auto files = files_;

@@ -60,7 +60,7 @@ ElementResult element() {
   return element;
 }
 
-/// What an element has that does not depend on where it stands, as the report shows it.
+/// The part of an element's report that does not depend on its place in a robot.
 json shown(ElementResult element) {
   Report report;
   ElementReport& row = element.report;
@@ -84,7 +84,7 @@ TEST(Cache, Empty) {
   }
 }
 
-TEST(Cache, AnElementComesBackToTheLastBit) {
+TEST(Cache, RestoresAnElementToTheLastBit) {
   const TempFolder folder;
   Cache(folder.path()).storeElement(kKey, element());
   const auto found = Cache(folder.path()).findElement(kKey);
@@ -92,12 +92,12 @@ TEST(Cache, AnElementComesBackToTheLastBit) {
   EXPECT_EQ(shown(*found), shown(element()));
   EXPECT_EQ(toBytes(found->original), toBytes(element().original));
   EXPECT_EQ(toBytes(found->hulls), toBytes(element().hulls));
-  EXPECT_EQ(found->report.link, "") << "says nothing about where it stands";
+  EXPECT_EQ(found->report.link, "") << "an entry must not contain its place in a robot";
   EXPECT_EQ(found->report.seconds.decompose, 0);
   EXPECT_TRUE(found->report.files.empty());
 }
 
-TEST(Cache, AValidationComesBack) {
+TEST(Cache, RestoresAValidation) {
   const TempFolder folder;
   Cache cache(folder.path());
   Validation validation{1, 2, 3, 0.1 + 0.2, 4, 0, 6, 7, 8.5, 9.5, {"a remark", "another"}};
@@ -108,7 +108,7 @@ TEST(Cache, AValidationComesBack) {
   EXPECT_EQ(toJson(after), toJson(before));
 }
 
-TEST(Cache, AValidationWithTimeoutsIsNotRemembered) {
+TEST(Cache, DoesNotStoreAValidationWithTimeouts) {
   const TempFolder folder;
   Cache cache(folder.path());
   Validation validation;
@@ -122,7 +122,7 @@ HullTree tree() {
   return {{{hull, 0, 2, -1, -1}, {hull, 0.1, 2, -1, -1}, {hull, 0.2, -1, 0, 1}}, 0.1};
 }
 
-TEST(Cache, ATreeComesBack) {
+TEST(Cache, RestoresATree) {
   const TempFolder folder;
   Cache cache(folder.path());
   cache.storeTree(kKey, tree());
@@ -133,7 +133,7 @@ TEST(Cache, ATreeComesBack) {
   EXPECT_EQ(toBytes(found.nodes[1].hull), toBytes(tree().nodes[1].hull));
 }
 
-TEST(Cache, DamagedEntriesAreRefusedRemovedAndCounted) {
+TEST(Cache, RejectsRemovesAndCountsDamagedEntries) {
   const TempFolder folder;
   const auto spoil = [](const std::string& file, const std::function<void(std::string&)>& change) {
     std::string bytes = fixtures::read(file);
@@ -159,7 +159,7 @@ TEST(Cache, DamagedEntriesAreRefusedRemovedAndCounted) {
   }
 }
 
-TEST(Cache, AnEntryUnderAnotherNameIsNotTaken) {
+TEST(Cache, RejectsAnEntryUnderAnotherName) {
   const TempFolder folder;
   Cache cache(folder.path());
   cache.storeElement(kKey, element());
@@ -206,11 +206,11 @@ TEST(CacheKeys, EachInputOfAnElementCounts) {
   EXPECT_EQ(keys.size(), changes.size());
   EXPECT_EQ(tree_keys.size(), changes.size() - 4) << "tolerances and number of hulls choose a cut of the tree, not the tree";
   tree_keys.insert(treeKey(row, "part.stl", {}, 0.02));
-  EXPECT_EQ(tree_keys.size(), changes.size() - 3) << "the tolerance of its leaves does";
+  EXPECT_EQ(tree_keys.size(), changes.size() - 3) << "the tolerance of the leaves is part of the key";
   for (const std::string& key : keys) EXPECT_TRUE(CacheFolder::isEntry(key + ".element")) << key;
 }
 
-TEST(CacheKeys, WhatChangesNoHullDoesNotCount) {
+TEST(CacheKeys, OptionsThatChangeNoHullDoNotCount) {
   const ElementReport row = element().report;
   ElementReport elsewhere = row;
   elsewhere.link = "lower";
@@ -253,7 +253,7 @@ TEST(CacheKeys, EachInputOfAValidationCounts) {
   add(options);
   elements.resize(2);
   EXPECT_EQ(validationKey(elements, keys, options), *found.find(validationKey(elements, keys, options)))
-      << "one without hulls is not asked";
+      << "an element without hulls must not matter";
 }
 
 }  // namespace

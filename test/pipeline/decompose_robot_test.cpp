@@ -62,7 +62,7 @@ TEST_F(DecomposeRobot, NoMeshAtAll) {
   EXPECT_EQ(result.urdf, fixtures::read(folder_ / "urdf/arm.urdf"));
 }
 
-TEST_F(DecomposeRobot, AnElementThatCannotBeReadHasARowOfItsOwn) {
+TEST_F(DecomposeRobot, UnreadableElementHasItsOwnRow) {
   const std::string bad = "    <visual>\n      " + meshTag("../meshes/box.obj", " scale=\"0.001\"") + "\n    </visual>\n";
   const RobotResult result = run(link("base", visual("bracket.obj")) + link("tip", bad, "base"));
   ASSERT_EQ(result.report.links.size(), 2u);
@@ -73,7 +73,7 @@ TEST_F(DecomposeRobot, AnElementThatCannotBeReadHasARowOfItsOwn) {
     EXPECT_NE(result.report.links[1].reason.find(part), std::string::npos) << result.report.links[1].reason;
 }
 
-TEST_F(DecomposeRobot, AVisualOfAMaterialAloneBecomesNothing) {
+TEST_F(DecomposeRobot, VisualWithOnlyAMaterialIsIgnored) {
   const std::string paint = "    <visual><material name=\"red\"><color rgba=\"1 0 0 1\"/></material></visual>\n";
   const RobotResult result = run(link("base", visual("box.obj") + paint) + link("tip", paint, "base"));
   ASSERT_EQ(result.report.links.size(), 1u);
@@ -81,7 +81,7 @@ TEST_F(DecomposeRobot, AVisualOfAMaterialAloneBecomesNothing) {
   EXPECT_EQ(count(result.urdf, paint.substr(4, paint.size() - 5)), 2u);
 }
 
-TEST_F(DecomposeRobot, ANoteOnCollisionMeshesThatVisualPassesOver) {
+TEST_F(DecomposeRobot, NotesCollisionMeshesIgnoredBySourceVisual) {
   options_.source = Source::kVisual;
   const RobotResult result = run(link("base", visual("box.obj")) + link("tip", collision("bracket.obj"), "base"));
   ASSERT_EQ(result.report.links.size(), 1u);
@@ -120,7 +120,7 @@ TEST_F(DecomposeRobot, ARowForEveryMeshInDocumentOrder) {
   EXPECT_EQ(result.report.validation.phantom, 0u);
 }
 
-TEST_F(DecomposeRobot, RewritesCollisionsAlone) {
+TEST_F(DecomposeRobot, RewritesOnlyCollisions) {
   const std::string sphere = "    <collision name=\"knob\"><geometry><sphere radius=\"0.1\"/></geometry></collision>\n";
   const RobotResult result = run(link("base", visual("box.obj") + sphere + collision("bracket.obj", " name=\"body\"")));
   const std::string before = fixtures::read(folder_ / "urdf/arm.urdf");
@@ -133,7 +133,7 @@ TEST_F(DecomposeRobot, RewritesCollisionsAlone) {
   EXPECT_EQ(again.links[0].collisions[1].origin.translation(), Eigen::Vector3d(0, 0, 0.1));
 }
 
-TEST_F(DecomposeRobot, VisualPrimitivesBecomeCollisionsWhereThereAreNone) {
+TEST_F(DecomposeRobot, VisualPrimitivesBecomeCollisionsIfThereAreNone) {
   const std::string cylinder = "    <visual><geometry><cylinder radius=\"0.1\" length=\"1\"/></geometry></visual>\n";
   const RobotResult result = run(link("base", cylinder + visual("box.obj")));
   const RobotDescription again = parseRobotDescription(result.urdf);
@@ -153,7 +153,7 @@ TEST_F(DecomposeRobot, UriStyles) {
   EXPECT_EQ(uri(UriStyle::kRelative), "../meshes/base/0_0.stl");
 }
 
-TEST_F(DecomposeRobot, UrisOfOddFolders) {
+TEST_F(DecomposeRobot, EscapesFolderNamesInUris) {
   options_.uri = UriStyle::kFile;
   RobotResult result =
       decomposeRobot(description(link("base", collision("box.obj"))), defaultPackageFinder(), options_, folder_ / "a b#%20é");
@@ -163,12 +163,12 @@ TEST_F(DecomposeRobot, UrisOfOddFolders) {
   EXPECT_EQ(resolveUri(uri, "", defaultPackageFinder()), folder_ / "a b#%20é/meshes/base/0_0.stl");
 }
 
-TEST_F(DecomposeRobot, SaysWhichUrisMeanOtherPlacesNow) {
+TEST_F(DecomposeRobot, NotesUrisThatNowResolveElsewhere) {
   const auto notes = [&](const std::string& links) { return run(links).report.notes; };
   const std::string absolute = "    <visual>" + meshTag("file://" + (folder_ / "meshes/box.obj")) + "</visual>\n";
   for (const UriStyle style : {UriStyle::kPackage, UriStyle::kRelative}) {
     options_.uri = style;
-    EXPECT_TRUE(notes(link("base", absolute + collision("box.obj"))).empty()) << "what is replaced is of no concern";
+    EXPECT_TRUE(notes(link("base", absolute + collision("box.obj"))).empty()) << "a URI that is replaced needs no note";
     const auto kept = notes(link("base", visual("box.obj") + visual("box.obj", "2 2 2") + collision("box.obj")));
     ASSERT_EQ(kept.size(), 1u);
     EXPECT_EQ(kept[0].rfind("1 mesh URIs", 0), 0u) << kept[0];
@@ -179,20 +179,20 @@ TEST_F(DecomposeRobot, SaysWhichUrisMeanOtherPlacesNow) {
   EXPECT_EQ(notes(link("base", collision("bracket.obj")) + link("tip", collision("box.obj"), "base")).size(), 1u) << "collisions that stay";
 }
 
-TEST_F(DecomposeRobot, SaysWhereThereIsNoMeshAndWhichSourceHasSome) {
+TEST_F(DecomposeRobot, NamesTheSourceWithMeshesIfTheChosenOneHasNone) {
   const std::string sphere = "    <collision><geometry><sphere radius=\"1\"/></geometry></collision>\n";
   const std::string robot = link("base", visual("file:///box.obj") + sphere) + link("tip", sphere, "base");
   const auto notes = [&] { return run(robot).report.notes; };
   ASSERT_EQ(notes().size(), 1u);
   for (const std::string part : {"no mesh", "<visual>", "1 meshes", "--source visual"})
     EXPECT_NE(notes()[0].find(part), std::string::npos) << notes()[0];
-  EXPECT_EQ(notes()[0].find("--source collision"), std::string::npos) << "there is none either";
+  EXPECT_EQ(notes()[0].find("--source collision"), std::string::npos) << "there are no collision meshes either";
   options_.links = "tip";
   ASSERT_EQ(notes().size(), 1u);
   EXPECT_EQ(notes()[0].find("--source"), std::string::npos) << notes()[0];
 }
 
-TEST_F(DecomposeRobot, PassesOnWhatIsOddAboutTheDescription) {
+TEST_F(DecomposeRobot, PassesOnNotesAboutTheDescription) {
   const RobotResult result = run(link("base", collision("box.obj")) + "  <xacro:gripper/>\n");
   ASSERT_EQ(result.report.notes.size(), 1u);
   EXPECT_NE(result.report.notes[0].find("<xacro:gripper>"), std::string::npos) << result.report.notes[0];
@@ -221,14 +221,14 @@ TEST_F(DecomposeRobot, OneBadLinkLosesNoOther) {
   EXPECT_EQ(result.report.validation.missed, 0u);
 }
 
-TEST_F(DecomposeRobot, ChosenLinks) {
+TEST_F(DecomposeRobot, SelectsLinks) {
   const std::string links = link("left_arm", collision("box.obj")) + link("right_arm", collision("box.obj"), "left_arm");
   options_.links = "right.*";
   const RobotResult result = run(links);
   ASSERT_EQ(result.report.links.size(), 1u);
   EXPECT_EQ(result.report.links[0].link, "right_arm");
   EXPECT_NE(result.urdf.find(link("left_arm", collision("box.obj"))), std::string::npos);
-  options_.links = "arm";  // the whole name counts
+  options_.links = "arm";  // must match the whole name
   try {
     run(links);
     ADD_FAILURE();
@@ -238,7 +238,7 @@ TEST_F(DecomposeRobot, ChosenLinks) {
   }
 }
 
-TEST_F(DecomposeRobot, EqualMeshesAreWorkedOnOnce) {
+TEST_F(DecomposeRobot, DecomposesEqualMeshesOnce) {
   fixtures::write(folder_ / "meshes/copy.obj", fixtures::read(folder_ / "meshes/bracket.obj"));
   const RobotResult result =
       run(link("a", visual("bracket.obj")) + link("b", visual("copy.obj"), "a") + link("c", visual("bracket.obj", "2 2 2"), "a"));
@@ -254,7 +254,7 @@ TEST_F(DecomposeRobot, EqualMeshesAreWorkedOnOnce) {
   EXPECT_NEAR(rows[2].diagonal, 2 * rows[0].diagonal, 1e-12);
 }
 
-TEST_F(DecomposeRobot, LinkNamesThatFileSystemsDoNotTake) {
+TEST_F(DecomposeRobot, LinkNamesThatAreNoFileNames) {
   const RobotResult result =
       run(link("a/b", collision("box.obj")) + link("a b", collision("box.obj"), "a/b") + link("..", collision("box.obj"), "a/b"));
   EXPECT_EQ(result.report.links[0].files.front(), "meshes/a_b/0_0.stl");
@@ -262,8 +262,8 @@ TEST_F(DecomposeRobot, LinkNamesThatFileSystemsDoNotTake) {
   EXPECT_EQ(result.report.links[2].files.front(), "meshes/_../0_0.stl");
 }
 
-// The paper's method fills the channel: its ray concavity sees nothing there. The certificate does, and says so.
-TEST_F(DecomposeRobot, DegradedWithNumbersWhereTheToleranceIsNotKept) {
+// The paper's method fills the channel, since its concavity along rays sees nothing there. The certificate does, and the row says so.
+TEST_F(DecomposeRobot, DegradedWithNumbersIfTheToleranceIsNotKept) {
   options_.method = Method::kHacd;
   options_.tolerance = shareOf(0.03);
   const RobotResult result = run(link("base", collision("channel.obj")));
@@ -275,7 +275,7 @@ TEST_F(DecomposeRobot, DegradedWithNumbersWhereTheToleranceIsNotKept) {
   EXPECT_FALSE(anyFailed(result.report));
 }
 
-TEST_F(DecomposeRobot, OtherMethodsAndTheirReasons) {
+TEST_F(DecomposeRobot, OtherMethodsGiveTheirReasons) {
   options_.method = Method::kSingleHull;
   const RobotResult single = run(link("base", collision("channel.obj")));
   EXPECT_EQ(single.report.links[0].hulls, 1u);
@@ -287,7 +287,7 @@ TEST_F(DecomposeRobot, OtherMethodsAndTheirReasons) {
   EXPECT_EQ(box.report.links[0].status, Status::kOk) << box.report.links[0].reason;
 }
 
-TEST_F(DecomposeRobot, SameBytesWhateverTheThreads) {
+TEST_F(DecomposeRobot, SameBytesForAnyNumberOfThreads) {
   const std::string links =
       link("a", collision("bracket.obj")) + link("b", collision("channel.obj"), "a") + link("c", collision("box.obj"), "a");
   options_.validate = options_.cache = false;
@@ -304,7 +304,7 @@ TEST_F(DecomposeRobot, SameBytesWhateverTheThreads) {
   EXPECT_EQ(written(4), one);
 }
 
-TEST_F(DecomposeRobot, TellsWhatItDoes) {
+TEST_F(DecomposeRobot, ReportsItsSteps) {
   options_.jobs = 1;  // the larger file first
   RunControl control;
   std::vector<double> fractions;
@@ -333,7 +333,7 @@ TEST_F(DecomposeRobot, Cancelled) {
   }
 }
 
-TEST_F(DecomposeRobot, BadOptionsAreRefusedFirst) {
+TEST_F(DecomposeRobot, RejectsBadOptionsFirst) {
   options_.max_vertices = 5;
   EXPECT_THROW(run(link("a", collision("rubbish.stl"))), Error);
 }

@@ -15,7 +15,7 @@ namespace {
 using fixtures::TempFolder;
 using nlohmann::json;
 
-/// A bracket on a link that does not move, and a block in its notch: within its hull, and clear of it by 3 cm.
+/// A bracket on a link that does not move, and a block in its notch: inside its hull, and 3 cm clear of the bracket itself.
 class FitRobotToScene : public ::testing::Test {
  protected:
   FitRobotToScene() {
@@ -41,7 +41,7 @@ class FitRobotToScene : public ::testing::Test {
   Options options_;
 };
 
-TEST_F(FitRobotToScene, OtherMethodsMakeNoTree) {
+TEST_F(FitRobotToScene, RejectsMethodsWithoutATree) {
   options_.method = Method::kHacd;
   try {
     run(fixtures::link("base", bracket()));
@@ -52,7 +52,7 @@ TEST_F(FitRobotToScene, OtherMethodsMakeNoTree) {
   }
 }
 
-TEST_F(FitRobotToScene, AnotherTreeIsRefused) {
+TEST_F(FitRobotToScene, RejectsAnotherTolerancesTree) {
   options_.tree = shareOf(0.005);
   try {
     run(fixtures::link("base", bracket()));
@@ -63,7 +63,7 @@ TEST_F(FitRobotToScene, AnotherTreeIsRefused) {
   }
 }
 
-TEST_F(FitRobotToScene, BlockInTheNotchTakesTwoHulls) {
+TEST_F(FitRobotToScene, BlockInTheNotchNeedsTwoHulls) {
   options_.validate = true;
   request_.primitives = false;
   RobotResult result = run(fixtures::link("base", bracket()));
@@ -92,7 +92,7 @@ TEST_F(FitRobotToScene, BlockInTheNotchTakesTwoHulls) {
   EXPECT_EQ(scene["links"][0]["reason"], "2 hulls: against block at 30 mm");
 }
 
-TEST_F(FitRobotToScene, TwoBoxesStandForThem) {
+TEST_F(FitRobotToScene, TwoBoxesReplaceTheHulls) {
   options_.validate = true;
   RobotResult result = run(fixtures::link("base", bracket()));
   const ElementResult& element = result.elements[0];
@@ -106,7 +106,7 @@ TEST_F(FitRobotToScene, TwoBoxesStandForThem) {
   EXPECT_EQ(result.report.scene->missed + result.report.scene->phantom, 0u);
   EXPECT_EQ(result.report.validation.missed + result.report.validation.phantom, 0u);
 
-  // As the description has them, the two hold each of the bracket's corners.
+  // As written to the description, the two boxes contain all of the bracket's corners.
   const RobotDescription written = parseRobotDescription(result.urdf);
   const std::vector<GeometryElement>& boxes = written.links[0].collisions;
   ASSERT_EQ(boxes.size(), 2u);
@@ -120,7 +120,7 @@ TEST_F(FitRobotToScene, TwoBoxesStandForThem) {
 }
 
 TEST_F(FitRobotToScene, HullsWithFilesBesidePrimitives) {
-  // A hexagonal bar, which a post beside one of its flat sides tells from its box and its cylinder, and far from it a plate.
+  // A hexagonal bar with a post beside one of its flat sides, which rules out its box and its cylinder; and, far away, a plate.
   std::vector<Eigen::Vector3d> bar, plate;
   for (int i = 0; i < 12; ++i) {
     const double angle = EIGEN_PI / 3 * i;
@@ -151,7 +151,7 @@ TEST_F(FitRobotToScene, HullsWithFilesBesidePrimitives) {
   EXPECT_EQ(parseRobotDescription(result.urdf).links[0].collisions.size(), 2u);
 }
 
-TEST_F(FitRobotToScene, AHullThatFillsNoPrimitiveStays) {
+TEST_F(FitRobotToScene, KeepsAHullThatFillsNoPrimitive) {
   request_.scene.bodies.clear();
   const RobotResult result = run(fixtures::link("base", bracket()));
   EXPECT_TRUE(result.elements[0].primitives.empty());
@@ -162,7 +162,7 @@ TEST_F(FitRobotToScene, WithoutTheBlockABoxAndGreyHulls) {
   options_.validate = true;
   request_.scene.bodies.clear();
   fixtures::write(folder_ / "meshes/bracket.obj",
-                  fixtures::obj(test_shapes::lBracket(0.2, 0.15, 0.1)));  // its hull is a box but for a corner
+                  fixtures::obj(test_shapes::lBracket(0.2, 0.15, 0.1)));  // its hull is a box with a corner cut off
   RobotResult result = run(fixtures::link("base", bracket()));
   const ElementResult& element = result.elements[0];
   ASSERT_EQ(element.primitives.size(), 1u);
@@ -188,7 +188,7 @@ TEST_F(FitRobotToScene, WithoutTheBlockABoxAndGreyHulls) {
   }
 }
 
-TEST_F(FitRobotToScene, SceneInContactIsReported) {
+TEST_F(FitRobotToScene, ReportsContactWithTheScene) {
   request_.scene.bodies[0].pose = at(0.1, 0.01, 0.05);
   const RobotResult result = run(fixtures::link("base", bracket()));
   EXPECT_EQ(result.report.scene->scene_contact, "base against block");
@@ -199,7 +199,7 @@ TEST_F(FitRobotToScene, SceneInContactIsReported) {
   EXPECT_TRUE(noted);
 }
 
-TEST_F(FitRobotToScene, FailedMeshKeepsItsLinkOut) {
+TEST_F(FitRobotToScene, FailedMeshLeavesItsLinkOut) {
   const RobotResult result =
       run(fixtures::link("base", bracket()) + fixtures::link("hand", collision(fixtures::meshTag("../meshes/rubbish.stl")), "base"));
   ASSERT_EQ(result.report.links.size(), 2u);
@@ -209,7 +209,7 @@ TEST_F(FitRobotToScene, FailedMeshKeepsItsLinkOut) {
   EXPECT_NE(result.urdf.find("rubbish.stl"), std::string::npos);
 }
 
-TEST_F(FitRobotToScene, NamesEachMeshWhereAllFail) {
+TEST_F(FitRobotToScene, NamesEachMeshIfAllFail) {
   const RobotResult result = run(fixtures::link("base", collision(fixtures::meshTag("../meshes/rubbish.stl"))));
   ASSERT_EQ(result.report.links.size(), 1u);
   EXPECT_EQ(result.report.links[0].status, Status::kFailed);
@@ -217,7 +217,7 @@ TEST_F(FitRobotToScene, NamesEachMeshWhereAllFail) {
   EXPECT_FALSE(result.report.scene);
 }
 
-TEST_F(FitRobotToScene, ALinkIsFittedAsAWholeOrNotAtAll) {
+TEST_F(FitRobotToScene, FitsALinkAsAWholeOrNotAtAll) {
   const std::string both = bracket() + collision(fixtures::meshTag("../meshes/rubbish.stl"));
   const RobotResult result = run(fixtures::link("base", both) + fixtures::link("tip", bracket(), "base"));
   ASSERT_EQ(result.report.links.size(), 3u);
@@ -231,7 +231,7 @@ TEST_F(FitRobotToScene, ALinkIsFittedAsAWholeOrNotAtAll) {
   EXPECT_NE(result.urdf.find("rubbish.stl"), std::string::npos);
 }
 
-TEST_F(FitRobotToScene, PrimitivesWithoutASizeAreLeftOut) {
+TEST_F(FitRobotToScene, IgnoresPrimitivesWithoutASize) {
   const std::string dummy = "    <collision><geometry><box size=\"0 0 0\"/></geometry></collision>\n";
   const RobotResult result = run(fixtures::link("base", bracket()) + fixtures::link("tip", dummy, "base"));
   EXPECT_TRUE(result.report.scene->left_out.empty());
@@ -239,7 +239,7 @@ TEST_F(FitRobotToScene, PrimitivesWithoutASizeAreLeftOut) {
   EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const auto& note) { return note.find("link 'tip'") != std::string::npos; }));
 }
 
-TEST_F(FitRobotToScene, WrongUseIsFoundBeforeTheWork) {
+TEST_F(FitRobotToScene, FindsWrongUseBeforeTheWork) {
   const std::string part = fixtures::link("base", bracket()) + fixtures::link("tip", "", "base");
   const auto code = [&](const std::string& links) {
     RunControl control;
@@ -262,7 +262,7 @@ TEST_F(FitRobotToScene, WrongUseIsFoundBeforeTheWork) {
 }
 
 TEST_F(FitRobotToScene, PrimitivesOfTheRobotCount) {
-  // A ball on a link of its own, in the notch: the fixed joint makes the two one body, so nothing is asked for.
+  // A ball on a link of its own, in the notch: the fixed joint makes the two one body, so the pair is not checked.
   request_.scene.bodies.clear();
   const std::string ball = "    <collision><geometry><sphere radius=\"0.02\"/></geometry></collision>\n";
   const RobotResult result = run(fixtures::link("base", bracket()) + fixtures::link("ball", ball, "base"));
@@ -271,12 +271,12 @@ TEST_F(FitRobotToScene, PrimitivesOfTheRobotCount) {
   EXPECT_EQ(result.report.scene->left_out[0].second, "ball");
 }
 
-TEST_F(FitRobotToScene, PassesOnWhatIsOddAboutTheDescription) {
+TEST_F(FitRobotToScene, PassesOnNotesAboutTheDescription) {
   const std::vector<std::string> notes = run(fixtures::link("base", bracket()) + "  <xacro:gripper/>\n").report.notes;
   EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const auto& note) { return note.find("<xacro:gripper>") != std::string::npos; }));
 }
 
-TEST_F(FitRobotToScene, SaysWhereThereIsNoMeshAndWhichSourceHasSome) {
+TEST_F(FitRobotToScene, NamesTheSourceWithMeshesIfTheChosenOneHasNone) {
   const std::string ball = collision("<geometry><sphere radius=\"0.02\"/></geometry>");
   const std::string visual = "    <visual>\n      " + fixtures::meshTag("../meshes/bracket.obj") + "\n    </visual>\n";
   try {
@@ -289,7 +289,7 @@ TEST_F(FitRobotToScene, SaysWhereThereIsNoMeshAndWhichSourceHasSome) {
   }
 }
 
-TEST_F(FitRobotToScene, SameBytesFromTheCacheAndWithoutIt) {
+TEST_F(FitRobotToScene, SameBytesWithAndWithoutCache) {
   const std::string links = fixtures::link("base", bracket());
   const RobotResult first = run(links), second = run(links);
   options_.cache = false;
@@ -303,7 +303,7 @@ TEST_F(FitRobotToScene, SameBytesFromTheCacheAndWithoutIt) {
   }
 }
 
-TEST_F(FitRobotToScene, RequestIsReadFromFiles) {
+TEST_F(FitRobotToScene, ReadsARequestFromFiles) {
   Input input;
   input.robot = parseRobotDescription(
       "<robot name='r'><link name='a'/><link name='b'/><joint name='j' type='revolute'><parent link='a'/><child link='b'/>"
@@ -325,7 +325,7 @@ TEST_F(FitRobotToScene, RequestIsReadFromFiles) {
     EXPECT_THROW(readSceneRequest(input, sources), Error) << text;
   }
   sources.configurations.clear();
-  EXPECT_THROW(readSceneRequest(input, sources), Error);  // a step between nothing
+  EXPECT_THROW(readSceneRequest(input, sources), Error);  // a step without configurations
   sources.max_step = 0;
   sources.srdf.clear();
   sources.srdf_file = "empty.srdf";

@@ -1,4 +1,4 @@
-// Folders, meshes and robots of the tests' own.
+// Folders, meshes and robots made for tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace fixtures {
 
 namespace fs = std::filesystem;
 
-/// A new folder, removed with everything in it.
+/// A new temporary folder, removed with everything in it.
 class TempFolder {
  public:
   TempFolder() {
@@ -40,7 +40,7 @@ class TempFolder {
   fs::path path_;
 };
 
-/// A cache for each test, empty when it begins: neither tests nor the programs that they run find or leave anything in the user's.
+/// An empty cache for each test, so that neither tests nor the programs they run touch the user's cache.
 class OwnCache : public ::testing::EmptyTestEventListener {
  public:
   OwnCache() { setenv("COLLISION_HULLS_CACHE", path().c_str(), 1); }
@@ -68,7 +68,7 @@ inline std::string write(const fs::path& file, const std::string& text) {
   return file.string();
 }
 
-/// Every file below a folder, hidden ones too: relative path to content.
+/// Every file below a folder, hidden ones included: relative path to content.
 inline std::map<std::string, std::string> contents(const fs::path& folder) {
   std::map<std::string, std::string> result;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -89,7 +89,7 @@ inline std::string meshTag(const std::string& uri, const std::string& more = "")
   return "<geometry><mesh filename=\"" + uri + "\"" + more + "/></geometry>";
 }
 
-/// A link with what is given between its tags, hung to `parent` (none for the root).
+/// A link with the given content, attached to `parent` (none for the root).
 inline std::string link(const std::string& name, const std::string& content, const std::string& parent = "") {
   std::string text = "  <link name=\"" + name + "\">\n" + content + "  </link>\n";
   if (!parent.empty()) {

@@ -45,13 +45,13 @@ TEST_F(OpenInput, NothingThere) {
   expectError(folder_.path().string(), ErrorCode::kFileNotFound, {"no package's folder"});
 }
 
-TEST_F(OpenInput, NotWhatIsUnderstood) {
+TEST_F(OpenInput, RejectsUnknownAndInvalidInputs) {
   expectError(fixtures::write(folder_ / "part.step", "ISO-10303-21;"), ErrorCode::kUnsupportedFormat, {"'.step'", ".urdf", ".stl"});
   expectError(fixtures::write(folder_ / "broken.urdf", "no xml"), ErrorCode::kNotXml, {"broken.urdf"});
   expectError(fixtures::write(folder_ / "empty.urdf", fixtures::robot("empty", "")), ErrorCode::kNoLinks, {"empty"});
 }
 
-TEST_F(OpenInput, AMeshIsNotReadYet) {
+TEST_F(OpenInput, DoesNotReadTheMeshYet) {
   const Input input = openInput(fixtures::write(folder_ / "Part.STL", "anything"));
   EXPECT_EQ(input.kind, Input::Kind::kMesh);
   EXPECT_EQ(input.path, folder_ / "Part.STL");

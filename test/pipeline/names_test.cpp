@@ -14,19 +14,19 @@ TEST(FileName, KeepsWhatIsSafe) {
   EXPECT_LE(fileName(std::string(5000, 'x')).size(), 200u);
 }
 
-TEST(PackageName, IsALegalOne) {
+TEST(PackageName, IsLegal) {
   EXPECT_EQ(packageName("pr2"), "pr2");
   EXPECT_EQ(packageName("UR5 Robot-e"), "ur5_robot_e");
   EXPECT_EQ(packageName("3f_gripper"), "robot_3f_gripper");
   EXPECT_EQ(packageName(""), "robot_");
 }
 
-TEST(UniqueNames, AddsANumberToWhatIsTaken) {
+TEST(UniqueNames, AddsANumberToTakenNames) {
   UniqueNames names;
   EXPECT_EQ(names.take("arm"), "arm");
   EXPECT_EQ(names.take("arm"), "arm_2");
   EXPECT_EQ(names.take("arm_2"), "arm_2_2");
-  EXPECT_EQ(names.take("ARM"), "ARM_3");  // the same file on some systems
+  EXPECT_EQ(names.take("ARM"), "ARM_3");  // the same file on case-insensitive systems
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ void expectError(const std::string& output, ErrorCode code) {
   }
 }
 
-TEST(WriteOutput, RefusesWhatItDidNotWrite) {
+TEST(WriteOutput, RefusesFoldersItDidNotWrite) {
   const TempFolder folder;
   fixtures::write(folder / "foreign/notes.txt", "mine");
   fixtures::write(folder / "other_report/report.json", "{\"report\": 1}");
@@ -75,7 +75,7 @@ TEST(WriteOutput, UnwritablePlaces) {
   }
 }
 
-TEST(WriteOutput, NotUnderWhoeverWorksThere) {
+TEST(WriteOutput, RefusesToReplaceTheWorkingFolder) {
   const TempFolder folder;
   const fs::path before = fs::current_path(), out = folder / "out", within = out / "a/b";
   fs::create_directories(within);
@@ -124,7 +124,7 @@ TEST(WriteOutput, ReplacesAnEarlierOutputAsAWhole) {
   EXPECT_TRUE(fs::exists(folder / "out/meshes/a/0_1.stl"));
 }
 
-TEST(WriteOutput, RefusesWhatSomeoneAddedToAnEarlierOne) {
+TEST(WriteOutput, RefusesAnEarlierOutputWithAddedFiles) {
   const TempFolder folder;
   RobotResult result = sample();
   result.extra_files["config/My_Arm_disabled.srdf"] = "<robot/>";
@@ -140,7 +140,7 @@ TEST(WriteOutput, RefusesWhatSomeoneAddedToAnEarlierOne) {
   writeOutput(result, folder / "out");
 }
 
-TEST(WriteOutput, RefusesALinkToAFolderInAnEarlierOne) {
+TEST(WriteOutput, RefusesAnEarlierOutputWithALinkToAFolder) {
   const TempFolder folder;
   RobotResult result = sample();
   writeOutput(result, folder / "out");
@@ -148,7 +148,7 @@ TEST(WriteOutput, RefusesALinkToAFolderInAnEarlierOne) {
   expectError(folder / "out", ErrorCode::kNotOurOutput);
 }
 
-TEST(WriteOutput, RefusesAReportThatIsNone) {
+TEST(WriteOutput, RefusesAnInvalidReport) {
   const TempFolder folder;
   for (const char* report : {R"({"collision_hulls": "1"})", R"({"collision_hulls": "1", "files": [], "links": [5]})", "[1]", "5", "{"}) {
     fixtures::write(folder / "out/report.json", report);
@@ -166,7 +166,7 @@ std::map<std::string, ino_t> places(const fs::path& folder) {
   return result;
 }
 
-TEST(WriteOutput, WhatIsTheSameIsTakenOver) {
+TEST(WriteOutput, ReusesIdenticalFiles) {
   const TempFolder folder;
   RobotResult result = sample();
   writeOutput(result, folder / "out");
@@ -188,7 +188,7 @@ TEST(WriteOutput, WhatIsTheSameIsTakenOver) {
   EXPECT_FALSE(fs::is_symlink(folder / "out/meshes/a/0_1.stl"));
 }
 
-TEST(WriteOutput, CancelLeavesTheOldOne) {
+TEST(WriteOutput, CancelLeavesTheOldOutput) {
   const TempFolder folder;
   RobotResult result = sample();
   writeOutput(result, folder / "out");
@@ -210,7 +210,7 @@ TEST(WriteReport, InOneRename) {
   EXPECT_EQ(fixtures::contents(folder.path()).size(), 1u) << "a half-written file is left";
 }
 
-TEST(WriteReport, BehindALink) {
+TEST(WriteReport, FollowsALink) {
   const TempFolder folder;
   const Report report = sample().report;
   fixtures::write(folder / "old.json", "old");

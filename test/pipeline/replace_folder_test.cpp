@@ -20,7 +20,7 @@ using fixtures::TempFolder;
 
 constexpr int kFiles = 20;
 
-/// A folder whose files all hold `text`: a mixture of two would show.
+/// A folder whose files all contain `text`, so that a mixture of two folders would show.
 void replaceWith(const std::string& target, const std::string& text) {
   FolderReplacement replacement(target);
   for (int i = 0; i < kFiles; ++i) writeText(replacement.folder() / "sub" / std::to_string(i), text);
@@ -50,7 +50,7 @@ TEST(FolderReplacement, CreatesAndReplaces) {
   EXPECT_EQ(entries(folder / "a/b"), 1u) << "something is left";
 }
 
-TEST(FolderReplacement, TakesAnEmptyFolder) {
+TEST(FolderReplacement, AcceptsAnEmptyFolder) {
   const TempFolder folder;
   fs::create_directory(folder / "out");
   replaceWith(folder / "out", "new");
@@ -102,7 +102,7 @@ TEST(FolderReplacement, LeavesFoldersOfLiveProcessesAlone) {
 }
 
 // Forked children replace one text by the next over and over, and are killed in the middle.
-TEST(FolderReplacement, AKillLeavesTheOldOrTheNew) {
+TEST(FolderReplacement, KillLeavesTheOldOrTheNewFolder) {
   const TempFolder folder;
   const std::string target = folder / "out";
   replaceWith(target, "x");
@@ -123,7 +123,7 @@ TEST(FolderReplacement, AKillLeavesTheOldOrTheNew) {
   EXPECT_EQ(entries(folder.path()), 1u) << "what killed processes left was not removed";
 }
 
-TEST(ReplaceByTwoRenames, ReplacesAndCanBeTakenUpAgain) {
+TEST(ReplaceByTwoRenames, ReplacesAndCanBeResumed) {
   const TempFolder folder;
   const fs::path target = folder / "out";
   fixtures::write(folder / "new/file", "new");

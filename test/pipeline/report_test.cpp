@@ -71,7 +71,7 @@ TEST(ReportJson, HasTheFieldsOfTheContract) {
     EXPECT_TRUE(document["options"].contains(field)) << field;
 }
 
-TEST(ReportJson, ValuesComeBack) {
+TEST(ReportJson, ValuesAreReadBack) {
   const json document = json::parse(toJson(sample()));
   const json& row = document["links"][0];
   EXPECT_EQ(row["link"], "upper");
@@ -97,7 +97,7 @@ TEST(ReportJson, NoRows) {
   EXPECT_EQ(document["totals"]["meshes"], 0);
 }
 
-TEST(ReportJson, StaysStrict) {
+TEST(ReportJson, IsStrictJsonForAnyValue) {
   Report report = sample();
   report.links[0].protrusion = std::numeric_limits<double>::quiet_NaN();
   report.links[0].volume = std::numeric_limits<double>::infinity();
@@ -110,7 +110,7 @@ TEST(ReportJson, StaysStrict) {
   EXPECT_TRUE(document["validation"].is_null());
 }
 
-TEST(ReportTable, ARowForEveryMesh) {
+TEST(ReportTable, HasARowForEveryMesh) {
   std::istringstream table(toTable(sample()));
   std::vector<std::string> lines;
   for (std::string line; std::getline(table, line);) lines.push_back(line);

@@ -8,7 +8,7 @@
 namespace collision_hulls {
 namespace {
 
-// Vectors of FIPS 180-4 and of NIST's test sets.
+// Test vectors from FIPS 180-4 and NIST.
 TEST(Sha256, KnownVectors) {
   EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
@@ -17,7 +17,7 @@ TEST(Sha256, KnownVectors) {
   EXPECT_EQ(sha256(std::string(1000000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-// The padding takes a block more from 56 bytes on.
+// From 56 bytes on, the padding needs another block.
 TEST(Sha256, LengthsAroundTheBlock) {
   EXPECT_EQ(sha256(std::string(55, 'a')), "9f4390f8d30c2dd92ec9f095b65e2b9ae9b0a925a5258e241c9f1e910f734318");
   EXPECT_EQ(sha256(std::string(56, 'a')), "b35439a4ac6f0948b6d6f9e3c6af0f5f590ce20f1bde7090ef7970686ec6738a");
@@ -26,7 +26,7 @@ TEST(Sha256, LengthsAroundTheBlock) {
 
 TEST(Sha256, FileHasTheHashOfItsBytes) {
   const fixtures::TempFolder folder;
-  const std::string bytes(3'000'001, '\x80');  // more than is read at once
+  const std::string bytes(3'000'001, '\x80');  // more than one read
   EXPECT_EQ(sha256OfFile(fixtures::write(folder / "bytes", bytes)), sha256(bytes));
   EXPECT_EQ(sha256OfFile(fixtures::write(folder / "empty", "")), sha256(""));
 }

@@ -1,3 +1,4 @@
+// Reading, sampling and interpolating configurations of a small arm with one joint of each kind.
 #include "collision_hulls/scene/configurations.h"
 
 #include <array>
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// Joints a (revolute, -1 to 2), b (continuous), c (prismatic, 0 to 0.5), m (mimics a, twice and 0.1), f (fixed).
+/// Joints a (revolute, -1 to 2), b (continuous), c (prismatic, 0 to 0.5), m (mimics a: 2 a + 0.1), f (fixed).
 Kinematics arm() {
   const std::string limits = "<limit lower='-1' upper='2' effort='1' velocity='1'/>";
   const auto joint = [](const std::string& name, const std::string& type, int i, const std::string& more) {
@@ -35,12 +36,12 @@ void expectBad(ErrorCode code, const std::vector<std::string>& parts, const std:
   expectError(code, parts, [&] { setOf(name, text, options); });
 }
 
-TEST(ConfigurationSequence, RobotThatDoesNotMove) {
+TEST(ConfigurationSequence, IsEmptyForARobotWithoutJoints) {
   const ConfigurationSequence sequence(Kinematics(parseRobotDescription("<robot name='r'><link name='a'/></robot>")));
   EXPECT_TRUE(sequence(0).empty());
 }
 
-TEST(ConfigurationSequence, WithinLimitsAndTheSameAgain) {
+TEST(ConfigurationSequence, IsWithinLimitsAndRepeatable) {
   const Kinematics kinematics = arm();
   for (const Sampling sampling : {Sampling::kEven, Sampling::kIndependent}) {
     const ConfigurationSequence sequence(kinematics, 7, sampling), again(kinematics, 7, sampling), other(kinematics, 8, sampling);
@@ -57,7 +58,7 @@ TEST(ConfigurationSequence, WithinLimitsAndTheSameAgain) {
   }
 }
 
-/// How many of the first samples lie in each of 4 x 4 x 4 cells: the fewest and the most.
+/// Counts the first samples in each of 4 x 4 x 4 cells; returns the smallest and the largest count.
 std::array<int, 2> fewestAndMost(Sampling sampling, int samples) {
   const Kinematics kinematics = arm();
   const ConfigurationSequence sequence(kinematics, 1, sampling);
@@ -80,10 +81,10 @@ TEST(ConfigurationSequence, FillsTheJointRanges) {
   EXPECT_GE(even[0], 85);
   EXPECT_LE(even[1], 115);
   EXPECT_GE(independent[0], 60);
-  EXPECT_GT(independent[1] - independent[0], 35) << "as chance does";
+  EXPECT_GT(independent[1] - independent[0], 35) << "independent samples must vary as chance does";
 }
 
-TEST(Configurations, FilesThatAreNone) {
+TEST(Configurations, RejectsUnusableFiles) {
   expectBad(ErrorCode::kUnsupportedFormat, {"a.bag", ".csv"}, "a.bag", "");
   expectBad(ErrorCode::kBadConfigurations, {"a.csv", "no line"}, "a.csv", "");
   expectBad(ErrorCode::kBadConfigurations, {"a.csv", "no line"}, "a.csv", "a,b\n");
@@ -117,12 +118,12 @@ TEST(Configurations, CsvOfRostopic) {
   EXPECT_EQ(set.beyond_limits, 0u) << "continuous joints have no limits";
 }
 
-TEST(Configurations, CsvSaysWhatIsWrongAndWhere) {
+TEST(Configurations, CsvErrorsNameTheFaultAndTheLine) {
   const auto expectBadCsv = [](const std::vector<std::string>& parts, const std::string& text) {
     expectBad(ErrorCode::kBadConfigurations, parts, "a.csv", text);
   };
   expectBadCsv({"line 2", "no joint 'elbow'", "a, b, c, f, m"}, "elbow\n1\n");
-  expectBadCsv({"line 2", "'a' stands twice"}, "a,a\n1,1\n");
+  expectBadCsv({"line 2", "'a' appears twice"}, "a,a\n1,1\n");
   expectBadCsv({"line 1", "'0.5'", "names"}, "0.5,1\n");
   expectBadCsv({"line 3", "2 cells", "1"}, "a\n1\n1,2\n");
   expectBadCsv({"line 2", "'x'", "joint 'a'"}, "a\nx\n");
@@ -166,7 +167,7 @@ position:
 )");
   ASSERT_EQ(set.configurations.size(), 2u);
   EXPECT_EQ(set.configurations[0], (Configuration{1, 2, 0}));
-  EXPECT_EQ(set.configurations[1], (Configuration{1, 2, 0.5})) << "joints that a message does not name stay";
+  EXPECT_EQ(set.configurations[1], (Configuration{1, 2, 0.5})) << "joints not named in a message keep their positions";
   EXPECT_TRUE(set.notes.empty());
 }
 
@@ -186,25 +187,25 @@ points:
   EXPECT_EQ(setOf("a.yml", within).configurations[1], (Configuration{1, 0, 0.5}));
 }
 
-TEST(Configurations, WhatStandsBehindTheDashesIsRead) {
+TEST(Configurations, ReadsContentOnTheLineOfTheDashes) {
   EXPECT_EQ(setOf("a.yaml", "--- {name: [a], position: [1]}\n--- {name: [a], position: [2]}\n").configurations.size(), 2u);
 }
 
-TEST(Configurations, PlansOfMoveIt) {
+TEST(Configurations, MoveItPlans) {
   const std::string plan =
       "trajectory_start:\n  joint_state: {name: [], position: []}\ntrajectory:\n- joint_trajectory:\n    joint_names: [a]\n"
       "    points:\n    - positions: [1]\n  multi_dof_joint_trajectory:\n    joint_names: [base]\n"
       "    points: [{transforms: [], velocities: []}]\n";
   const ConfigurationSet set = setOf("a.yaml", plan);
-  ASSERT_EQ(set.configurations.size(), 1u) << "an empty message is none";
+  ASSERT_EQ(set.configurations.size(), 1u) << "an empty message must be skipped";
   EXPECT_EQ(set.configurations[0], (Configuration{1, 0, 0}));
 }
 
-TEST(Configurations, YamlSaysWhatIsWrongAndWhere) {
+TEST(Configurations, YamlErrorsNameTheFaultAndTheLine) {
   const auto expectBadYaml = [](const std::vector<std::string>& parts, const std::string& text) {
     expectBad(ErrorCode::kBadConfigurations, parts, "a.yaml", text);
   };
-  expectBadYaml({"line 5", "no YAML"}, "name: [a]\nposition: [1]\n---\nx: [\n");
+  expectBadYaml({"line 5", "not valid YAML"}, "name: [a]\nposition: [1]\n---\nx: [\n");
   expectBadYaml({"line 1", "1 positions for 2 joints"}, "name: [a, b]\nposition: [1]\n");
   expectBadYaml({"no joint 'elbow'"}, "name: [elbow]\nposition: [1]\n");
   expectBadYaml({"'.nan'"}, "name: [a]\nposition: [.nan]\n");
@@ -217,7 +218,7 @@ TEST(Configurations, YamlSaysWhatIsWrongAndWhere) {
   expectBadYaml({"too large"}, bomb);
 }
 
-TEST(Configurations, StepsBetween) {
+TEST(Configurations, InterpolatesWithinTheLargestStep) {
   ConfigurationOptions options;
   options.max_step = 0.5;
   const ConfigurationSet set = setOf("a.csv", "a,b,c\n0,0,0\n2,0,0.5\n", options);
@@ -227,7 +228,7 @@ TEST(Configurations, StepsBetween) {
   EXPECT_EQ(set.configurations[4], (Configuration{2, 0, 0.5}));
 }
 
-TEST(Configurations, ContinuousJointsGoTheShorterWay) {
+TEST(Configurations, ContinuousJointsTakeTheShorterWay) {
   ConfigurationOptions options;
   options.max_step = 0.1;
   const ConfigurationSet set = setOf("a.csv", "b\n3\n-3\n", options);
@@ -237,7 +238,7 @@ TEST(Configurations, ContinuousJointsGoTheShorterWay) {
   EXPECT_EQ(set.configurations.back()[1], -3);
 }
 
-TEST(Configurations, NoStepsBetweenTrajectories) {
+TEST(Configurations, DoesNotInterpolateBetweenTrajectories) {
   ConfigurationOptions options;
   options.max_step = 0.5;
   const std::string one = "joint_names: [a]\npoints: [{positions: [0]}, {positions: [1]}]\n";
@@ -251,7 +252,7 @@ TEST(Configurations, TooManySteps) {
   expectBad(ErrorCode::kTooLarge, {"larger step"}, "a.csv", "a\n0\n1\n", options);
 }
 
-TEST(ConfigurationCollector, CanBeUsedAgain) {
+TEST(ConfigurationCollector, IsReusableAfterTake) {
   const Kinematics kinematics = arm();
   ConfigurationCollector collector(kinematics);
   collector.add({"a"}, {3}, "first");

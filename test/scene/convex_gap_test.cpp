@@ -1,3 +1,4 @@
+// Bounds on the distance of convex bodies, against closed-form answers and against FCL's pairs of all kinds.
 #include "scene/convex_gap.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +44,7 @@ TEST(ConvexGap, FlatBodiesBesideEachOtherDoNotTouch) {
   }
 }
 
-TEST(ConvexGap, StopsWhenItIsEnough) {
+TEST(ConvexGap, StopsOnceTheBoundIsEnough) {
   Random random(2, 0, 0);
   for (int i = 0; i < 100; ++i) {
     const BodyPair pair = bodyPair(PairKind::kFar, 3, static_cast<std::uint64_t>(i));
@@ -53,7 +54,7 @@ TEST(ConvexGap, StopsWhenItIsEnough) {
   }
 }
 
-TEST(ConvexGap, BoundsHoldAndAreClose) {
+TEST(ConvexGap, BoundsHoldAndAreTight) {
   for (const PairKind kind : allPairKinds()) {
     for (std::uint64_t i = 0; i < 100; ++i) {
       const BodyPair pair = bodyPair(kind, 5, i);

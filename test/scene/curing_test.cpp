@@ -9,8 +9,8 @@ namespace {
 
 using namespace fit_fixtures;
 
-/// Two channels and a post as pieces 0, 1 and 2. `interlocked` is the second channel in the first one's frame: turned half round, a wall of
-/// each in the other's gap, nothing in contact.
+/// Two channels and a post are pieces 0, 1 and 2. `interlocked` is the pose of the second channel in the first one's frame: turned by half
+/// a turn, with a wall of each in the other's gap and nothing in contact.
 class TwoChannels : public ::testing::Test {
  protected:
   TwoChannels() {
@@ -58,7 +58,7 @@ TEST_F(TwoChannels, OnlyTheSideThatCuresIsOpened) {
   EXPECT_EQ(cuts[1].size(), 1u);
 }
 
-TEST_F(TwoChannels, BothSidesWhereOneAloneWillNotDo) {
+TEST_F(TwoChannels, OpensBothSidesIfOneAloneDoesNotCure) {
   const Contact both = contact(0, 1, interlocked_);
   ASSERT_TRUE(touches(*assembly_, both, root(0), root(1)));
   ASSERT_FALSE(touchesAtLeaves(*assembly_, both));
@@ -68,13 +68,13 @@ TEST_F(TwoChannels, BothSidesWhereOneAloneWillNotDo) {
   EXPECT_TRUE(isCut(cuts, 0) && isCut(cuts, 1));
 }
 
-TEST_F(TwoChannels, ContactsFollowNodesThatOthersOpen) {
-  // The posts open the second channel first, which the contact of the two has no vote for as yet.
+TEST_F(TwoChannels, ContactsFollowNodesOpenedForOthers) {
+  // The posts open the second channel first, for which the contact between the channels has no vote yet.
   const Cuts cuts = cured({contact(0, 1, interlocked_), withPost(1), withPost(1), withPost(1)});
   EXPECT_TRUE(isCut(cuts, 0) && isCut(cuts, 1));
 }
 
-TEST_F(TwoChannels, ContactOfLeavesStays) {
+TEST_F(TwoChannels, KeepsAContactBetweenLeaves) {
   const Contact in_wall = contact(0, 2, Eigen::Isometry3d::Identity());
   EXPECT_TRUE(touchesAtLeaves(*assembly_, in_wall));
   Curing curing(*assembly_, assembly_->roots());
@@ -83,7 +83,7 @@ TEST_F(TwoChannels, ContactOfLeavesStays) {
   EXPECT_GT(curing.stuck(), 0u);
 }
 
-TEST_F(TwoChannels, ClosesWhatNoContactNeeds) {
+TEST_F(TwoChannels, ClosesNodesThatNoContactNeedsOpen) {
   Cuts finest = assembly_->roots();
   for (std::size_t i = 0; i < 2; ++i) finest[i] = channelMesh()->tree.cutAt(0);
   EXPECT_EQ(closed(*assembly_, finest, {}, {}), assembly_->roots());

@@ -14,7 +14,7 @@ using Points = std::vector<Eigen::Vector3d>;
 using test_shapes::RandomPoints;
 
 constexpr Kind kKinds[] = {Kind::kBox, Kind::kSphere, Kind::kCylinder};
-constexpr double kLarger = 1e-6;  // of the size: what rounding and the margin against it may take
+constexpr double kLarger = 1e-6;  // of the size: allows for rounding and the margin against it
 
 const Eigen::Isometry3d kAnyPlace =
     Eigen::Translation3d(0.3, -0.7, 1.1) * Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -1).normalized()) * Eigen::Isometry3d::Identity();
@@ -28,7 +28,7 @@ void expectHolds(const GeometryElement& primitive, const Points& points) {
   for (const Eigen::Vector3d& p : points) EXPECT_EQ(nearestPoint(primitive, p), p) << static_cast<int>(primitive.kind);
 }
 
-/// What a reader makes of the description that a primitive is written into.
+/// The primitive after it was written to a robot description and read back.
 GeometryElement readBack(const GeometryElement& primitive) {
   RobotDescription robot = parseRobotDescription("<robot name='r'><link name='a'/></robot>");
   LinkCollisions link;
@@ -72,7 +72,7 @@ TEST(EnclosingPrimitive, FlatPoints) {
   EXPECT_LT(volume(enclosingPrimitive(Kind::kCylinder, hull)), 1e-3);
 }
 
-TEST(EnclosingPrimitive, PointsOfASphere) {
+TEST(EnclosingPrimitive, PointsOnASphere) {
   RandomPoints random(1);
   Points points;
   for (int i = 0; i < 200; ++i) points.push_back(0.25 * random.onSphere());
@@ -84,7 +84,7 @@ TEST(EnclosingPrimitive, PointsOfASphere) {
 TEST(EnclosingPrimitive, SphereAboutATetrahedronAndAnObtuseTriangle) {
   const Points corners{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
   EXPECT_NEAR(enclosingPrimitive(Kind::kSphere, convexHull(corners)).size.x(), std::sqrt(3.0), kLarger * 10);
-  // Its longest side is the diameter.
+  // The longest side of the triangle is the diameter.
   EXPECT_NEAR(enclosingPrimitive(Kind::kSphere, convexHull({{0, 0, 0}, {2, 0, 0}, {0.7, 0.1, 0}})).size.x(), 1, 1e-5);
 }
 
@@ -107,8 +107,8 @@ TEST(EnclosingPrimitive, PointsOfACylinder) {
   }
 }
 
-TEST(EnclosingPrimitive, AxisOfACapsule) {
-  // No edge of it, and none of its principal axes exactly, are along its axis.
+TEST(EnclosingPrimitive, FindsTheAxisOfACapsule) {
+  // None of its edges and none of its principal axes runs exactly along its axis.
   RandomPoints random(2);
   Points points;
   for (int i = 0; i < 400; ++i) {
@@ -120,7 +120,7 @@ TEST(EnclosingPrimitive, AxisOfACapsule) {
   EXPECT_GT(std::abs(cylinder.origin.linear().col(2).dot(kAnyPlace.linear().col(2))), 0.999);
 }
 
-TEST(EnclosingPrimitive, HoldsRandomPointsAsADescriptionHasIt) {
+TEST(EnclosingPrimitive, EnclosesRandomPointsAfterWritingAndReading) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RandomPoints random(seed);
@@ -134,7 +134,7 @@ TEST(EnclosingPrimitive, HoldsRandomPointsAsADescriptionHasIt) {
       expectHolds(primitive, hull.vertices);
       expectHolds(readBack(primitive), hull.vertices);
       EXPECT_GE(volume(primitive), volume(hull));
-      // The polyhedron about it holds it, and not much more.
+      // The polyhedron around it is hardly larger.
       const ConvexHull about = hullAbout(primitive);
       EXPECT_GE(volume(about), volume(primitive) * (1 - 1e-9));
       EXPECT_LE(volume(about), volume(primitive) * 1.02);
@@ -144,7 +144,7 @@ TEST(EnclosingPrimitive, HoldsRandomPointsAsADescriptionHasIt) {
 }
 
 TEST(EnclosingPrimitive, SphereIsTheSmallest) {
-  // Any smaller one would miss one of the points on its border, which surround its centre.
+  // The points on the border surround the centre, so a smaller sphere would miss one of them.
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Points points = RandomPoints(seed).cloud(30);
     const GeometryElement sphere = enclosingPrimitive(Kind::kSphere, convexHull(points));
@@ -154,7 +154,7 @@ TEST(EnclosingPrimitive, SphereIsTheSmallest) {
       if (out.norm() > sphere.size.x() * (1 - 1e-5)) border.push_back(out.normalized());
     }
     ASSERT_GE(border.size(), 2u) << seed;
-    // The centre lies in the hull of the border's points: no direction has all of them on one side.
+    // The centre lies in the hull of the border's points: they are not all on one side of it.
     EXPECT_LE(distance(convexHull(border), Eigen::Vector3d::Zero()), 1e-4) << seed;
   }
 }

@@ -1,4 +1,4 @@
-// A carriage with a gap that drives along x over a post, and what is fitted to it: the answers are known.
+// A carriage with a gap that travels along z over a post, and scenes to fit it to, with known answers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace collision_hulls {
 namespace fit_fixtures {
 
-/// A channel 0.4 m wide and 0.3 m deep, 1 m long in z, with walls of 6 cm, at the origin of its own frame: three convex parts.
+/// A channel 0.4 m wide, 0.3 m deep and 1 m long in z, with walls 6 cm thick, at the origin of its own frame: three convex parts.
 inline TriangleMesh channel() {
   return test_shapes::uChannel(0.4, 0.3, 0.06, 1);
 }
@@ -32,7 +32,7 @@ inline std::shared_ptr<FitMesh> fitMesh(const TriangleMesh& mesh, double toleran
   return result;
 }
 
-/// A base without geometry, and links c0, c1, ... that each drive along z from it, by `travel` [m] either way.
+/// A base without geometry, and links c0, c1, ... that each slide along z from it, by `travel` [m] either way.
 inline RobotDescription carriages(int count, double travel = 2) {
   std::string text = "<robot name='rail'><link name='base'/>";
   for (int i = 0; i < count; ++i) {
@@ -54,13 +54,13 @@ inline Eigen::Vector3d gap() {
   return box.center();
 }
 
-/// The channel with its tree, made once.
+/// The channel with its tree, built once.
 inline std::shared_ptr<const FitMesh> channelMesh() {
   static const std::shared_ptr<const FitMesh> mesh = fitMesh(channel());
   return mesh;
 }
 
-/// One carriage with the channel, and a post in the gap, 10 cm thick, that the channel never touches but drives over.
+/// One carriage with the channel, and a post 10 cm thick in its gap, over which the channel slides without ever touching it.
 inline FitProblem overPost() {
   FitProblem problem;
   problem.robot = carriages(1);

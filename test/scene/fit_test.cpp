@@ -1,3 +1,4 @@
+// Fits of a sliding channel to simple scenes, where the number and kind of bodies that a scene needs are known.
 #include "collision_hulls/scene/fit.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ ErrorCode errorOf(const FitProblem& problem, const FitOptions& options, const Ru
   return ErrorCode::kInternal;
 }
 
-TEST(FitScene, RefusesWhatMeansNothing) {
+TEST(FitScene, RejectsInvalidOptionsAndProblems) {
   FitProblem problem = overPost();
   EXPECT_EQ(errorOf(problem, fitOptions(0)), ErrorCode::kBadOption);
   EXPECT_EQ(errorOf(problem, fitOptions(-0.01)), ErrorCode::kBadOption);
@@ -64,7 +65,7 @@ TEST(FitScene, PostInTheGapOpensTheHull) {
   EXPECT_EQ(fit.report.links[0].reason.substr(0, 22), "3 boxes: against post ") << fit.report.links[0].reason;
 }
 
-TEST(FitScene, BoxWhereItIsEnough) {
+TEST(FitScene, UsesABoxWhereItSuffices) {
   FitProblem problem = overPost();
   problem.scene.bodies[0].pose.translation().x() += 0.5;  // beside the channel, beyond the clearance
   const SceneFit fit = fitScene(problem, fitOptions());
@@ -104,7 +105,7 @@ TEST(FitScene, SphereForABall) {
   EXPECT_EQ(fit.report.missed + fit.report.phantom, 0u);
 }
 
-/// A round carriage among posts all about it, 2 cm away, which a box about it touches, whichever way it is turned.
+/// A round carriage among posts all around it, 2 cm away: a box around it touches them whichever way it is turned.
 FitProblem roundAmongPosts() {
   const double radius = 0.2, out = radius + 0.02 + 0.05;
   FitProblem problem = carriageBeside(surface(cylinderShape(radius, 1)), {out, 0, 0});
@@ -117,7 +118,7 @@ FitProblem roundAmongPosts() {
   return problem;
 }
 
-TEST(FitScene, CylinderWhereTheBoxTouches) {
+TEST(FitScene, UsesACylinderWhereTheBoxTouches) {
   const SceneFit fit = fitScene(roundAmongPosts(), fitOptions());
   ASSERT_EQ(fit.elements[0].primitives.size(), 1u);
   EXPECT_EQ(fit.elements[0].primitives[0].kind, GeometryElement::Kind::kCylinder);
@@ -126,14 +127,14 @@ TEST(FitScene, CylinderWhereTheBoxTouches) {
   EXPECT_EQ(fit.report.links[0].reason.substr(0, 25), "1 cylinder: never within ") << fit.report.links[0].reason;
 }
 
-TEST(FitScene, NoBoxThatTouchesNearerThanTheClearanceEither) {
+TEST(FitScene, TakesBackABoxEvenIfTheOriginalIsNearerThanTheClearance) {
   const SceneFit fit = fitScene(roundAmongPosts(), fitOptions(0.04));
   ASSERT_EQ(fit.elements[0].primitives.size(), 1u);
   EXPECT_EQ(fit.elements[0].primitives[0].kind, GeometryElement::Kind::kCylinder);
   EXPECT_EQ(fit.report.model_hits, 0u);
 }
 
-TEST(FitScene, PrimitivesTakeTheirHullsPlacesOneByOne) {
+TEST(FitScene, EachPrimitiveReplacesOneHull) {
   FitOptions options = fitOptions(0.01, 200);
   options.compare = true;
   for (const FitProblem& problem : {overPost(), roundAmongPosts()}) {
@@ -150,7 +151,7 @@ TEST(FitScene, PrimitivesTakeTheirHullsPlacesOneByOne) {
   }
 }
 
-TEST(FitScene, FarPostIsProvedAway) {
+TEST(FitScene, ProvesAFarPostAway) {
   FitProblem problem = overPost();
   problem.scene.bodies[0].pose.translation().x() += 3;
   const SceneFit fit = fitScene(problem, fitOptions());
@@ -160,7 +161,7 @@ TEST(FitScene, FarPostIsProvedAway) {
   EXPECT_NE(fit.report.links[0].reason.find("never within"), std::string::npos) << fit.report.links[0].reason;
 }
 
-TEST(FitScene, PostThatIsHitAnywayNeedsNoMoreThanOneHull) {
+TEST(FitScene, WallThatTheOriginalHitsAnywayNeedsOneHullOnly) {
   FitProblem problem = overPost();
   const Eigen::AlignedBox3d box = boundingBox(channel());
   problem.scene.bodies[0] = boxBody("wall", {1, 1, 0.1}, {0, 0, box.max().z() + 1});
@@ -171,16 +172,16 @@ TEST(FitScene, PostThatIsHitAnywayNeedsNoMoreThanOneHull) {
 }
 
 TEST(FitScene, GapNarrowerThanTheClearanceStillCounts) {
-  // The post is never as far from the channel as the clearance: half of what it usually is has to do.
+  // The post is never as far from the channel as the clearance, so half of their usual distance counts.
   FitProblem problem = overPost();
   problem.robot = carriages(1, 0.2);
   const SceneFit fit = fitScene(problem, fitOptions(5));
   EXPECT_EQ(fit.elements[0].hulls.size(), 3u);
   ASSERT_FALSE(fit.report.notes.empty());
-  EXPECT_NE(fit.report.notes[0].find("c0 and post hardly ever are 5 m apart"), std::string::npos) << fit.report.notes[0];
+  EXPECT_NE(fit.report.notes[0].find("c0 and post are hardly ever 5 m apart"), std::string::npos) << fit.report.notes[0];
 }
 
-TEST(FitScene, BodyNearerThanTheClearanceThatNeverMovesIsLookedAt) {
+TEST(FitScene, ChecksAFixedBodyNearerThanTheClearance) {
   FitProblem problem = overPost();
   problem.elements[0].link = 0;  // the base itself is the channel: the post is 9 cm from its walls, whatever the joint does
   const SceneFit fit = fitScene(problem, fitOptions(0.1));
@@ -193,7 +194,7 @@ TEST(FitScene, BodyNearerThanTheClearanceThatNeverMovesIsLookedAt) {
   EXPECT_FALSE(within.report.links[0].proved);
 }
 
-TEST(FitScene, LinksWithPairsLeftOutAreNotProvedToBeAwayFromAll) {
+TEST(FitScene, LinkWithAPairLeftOutIsNotProvedAwayFromEverything) {
   FitProblem problem = overPost();
   problem.scene.bodies[0].pose.translation().x() += 3;
   problem.scene.bodies.push_back(boxBody("track", {2, 0.5, 6}, boundingBox(channel()).min()));  // always in contact
@@ -215,7 +216,7 @@ TEST(FitScene, CapOnHullsHolds) {
   EXPECT_GT(fit.report.phantom_rate_bound, 0.1);
 }
 
-TEST(FitScene, CoarseTreeSaysThatItIsTooCoarse) {
+TEST(FitScene, ReportsATreeThatIsTooCoarse) {
   FitProblem problem = overPost();
   problem.elements[0].mesh = fitMesh(channel(), 1);
   const SceneFit fit = fitScene(problem, fitOptions());
@@ -225,9 +226,9 @@ TEST(FitScene, CoarseTreeSaysThatItIsTooCoarse) {
   EXPECT_EQ(fit.report.leaf_contact.substr(0, 16), "c0 against post ") << fit.report.leaf_contact;
 }
 
-TEST(FitScene, GivenConfigurationsAlone) {
+TEST(FitScene, FitsToGivenConfigurationsOnly) {
   FitProblem problem = overPost();
-  problem.configurations = {{1.9}, {1.95}, {2.0}};  // the channel, half a metre long either way, is beyond the post
+  problem.configurations = {{1.9}, {1.95}, {2.0}};  // the channel, which extends half a metre either way, is beyond the post
   const SceneFit away = fitScene(problem, fitOptions());
   EXPECT_EQ(away.elements[0].hulls.size(), 1u);
   EXPECT_TRUE(away.report.given);
@@ -259,8 +260,8 @@ TEST(FitScene, AdjacentDisabledAndTouchingLinksAreLeftOut) {
   EXPECT_NE(fit.disabled[2].known.find("proved"), std::string::npos);
 }
 
-TEST(FitScene, SrdfSaysNothingThatGivenOrFewSamplesAloneShow) {
-  // Two blocks that drive past each other, and hit each other where both are in the middle.
+TEST(FitScene, GivenOrFewSamplesAloneDisableNoPair) {
+  // Two blocks that slide past each other, and collide where both are in the middle.
   FitProblem problem;
   problem.robot = carriages(2);
   const auto mesh = fitMesh(test_shapes::box(0.1, 0.1, 0.1));
@@ -274,7 +275,7 @@ TEST(FitScene, SrdfSaysNothingThatGivenOrFewSamplesAloneShow) {
   EXPECT_TRUE(fitScene(problem, fitOptions(0.01, 1)).disabled.empty());
 }
 
-TEST(FitScene, NothingIsProvedAcrossAFloatingJoint) {
+TEST(FitScene, ProvesNothingAcrossAFloatingJoint) {
   FitProblem problem;
   const std::string joint = "<joint name='f' type='floating'><parent link='a'/><child link='b'/><origin xyz='3 0 0'/></joint>";
   const std::string fixed = "<joint name='g' type='fixed'><parent link='b'/><child link='c'/><origin xyz='3 0 0'/></joint>";
@@ -290,7 +291,7 @@ TEST(FitScene, NothingIsProvedAcrossAFloatingJoint) {
   EXPECT_TRUE(fit.disabled.empty());
 }
 
-TEST(FitScene, WhatLiesWithinALinkCountsInAnyOrder) {
+TEST(FitScene, AComponentInsideALinkCountsInAnyOrder) {
   const auto mesh = fitMesh(test_shapes::box(1, 1, 1));
   const TriangleMesh within = test_shapes::moved(test_shapes::box(0.1, 0.1, 0.1), {0.4, 0.4, 0.4});
   const TriangleMesh beside = test_shapes::moved(test_shapes::box(0.1, 0.1, 0.1), {1.5, 0.4, 0.4});
@@ -308,7 +309,7 @@ TEST(FitScene, WhatLiesWithinALinkCountsInAnyOrder) {
 }
 
 TEST(FitScene, SelfCollisionTableCountsBeforeAndAfter) {
-  // A block that drives through the channel's gap: its single hull is hit wherever the two are beside each other.
+  // A block that slides through the channel's gap: it collides with the single hull wherever the two are side by side.
   FitProblem problem = overPost();
   problem.scene.bodies.clear();
   problem.robot = carriages(2);
@@ -320,11 +321,11 @@ TEST(FitScene, SelfCollisionTableCountsBeforeAndAfter) {
   ASSERT_EQ(fit.report.self.size(), 1u);
   EXPECT_EQ(fit.report.self[0].original, 0u);
   EXPECT_EQ(fit.report.self[0].after, 0u);
-  // The two triangular distributions of places overlap by about a quarter: 1.1 of 4 m either way, less its half.
+  // Both slide by 2 m either way; the block, 0.1 m long, and the channel, 1 m long, overlap with probability 1.1 / 4 - 1.1^2 / 64.
   EXPECT_NEAR(static_cast<double>(fit.report.self[0].before) / 1000, 1.1 / 4 - 1.1 * 1.1 / 64, 0.05);
 }
 
-TEST(FitScene, SameWhateverTheThreads) {
+TEST(FitScene, IsTheSameForAnyNumberOfThreads) {
   const FitProblem problem = overPost();
   SceneFit one, two;
   tbb::task_arena(1).execute([&] { one = fitScene(problem, fitOptions()); });
@@ -335,7 +336,7 @@ TEST(FitScene, SameWhateverTheThreads) {
   EXPECT_EQ(one.report.links[0].reason, two.report.links[0].reason);
 }
 
-TEST(FitScene, ComparisonHasTheFittedModelBetweenTheOthers) {
+TEST(FitScene, ComparesTheFittedModelWithOthers) {
   FitOptions options = fitOptions(0.01, 200);
   options.compare = true;
   const SceneFit fit = fitScene(overPost(), options);

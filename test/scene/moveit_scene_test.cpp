@@ -1,3 +1,4 @@
+// MoveIt's .scene files in both versions of the format.
 #include <cmath>
 
 #include "scene/scene_tests.h"
@@ -48,7 +49,7 @@ TEST(MoveItScene, MeshesAndPlanes) {
   expectBox(scene.bodies[1], {-side, -side, -0.5 - kPlaneDepth}, {side, side, -0.5});
 }
 
-TEST(MoveItScene, SaysWhatIsWrongAndWhere) {
+TEST(MoveItScene, ErrorsNameTheFaultAndTheLine) {
   const TemporaryFolder folder;
   const auto expectBad = [&](const std::vector<std::string>& parts, const std::string& text) {
     expectError(ErrorCode::kBadScene, parts, [&] { sceneOf(folder, "a.scene", text); });
@@ -66,7 +67,7 @@ TEST(MoveItScene, SaysWhatIsWrongAndWhere) {
   expectBad({"ends"}, begin + "box\n1 1 1\n0 0 0\n");
   expectBad({"ends"}, "s\n* a\n4000000\nbox 1 1 1");
   expectBad({"vertices", "4294967295"}, begin + "mesh\n4294967295 1\n");
-  expectBad({"line 9", "corner 3", "3 vertices"}, begin + "mesh\n3 1\n0 0 0\n1 0 0\n0 1 0\n0 1 3\n" + end);
+  expectBad({"line 9", "vertex 3", "3 vertices"}, begin + "mesh\n3 1\n0 0 0\n1 0 0\n0 1 0\n0 1 3\n" + end);
   expectBad({"'a'", "without triangles"}, begin + "mesh\n0 0\n" + end);
   expectBad({"'a'", "twice"}, begin + "box\n1 1 1\n" + end.substr(0, end.size() - 2) + "* a\n1\nbox\n1 1 1\n" + end);
 }

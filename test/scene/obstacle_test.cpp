@@ -22,12 +22,12 @@ TEST(Obstacle, ConvexBodyAtItsPose) {
   EXPECT_NEAR(gap.at_most, 2.5, 1e-5);
 }
 
-TEST(Obstacle, AMeshHasNoInside) {
+TEST(Obstacle, MeshHasNoInterior) {
   const Obstacle room(SceneBody{"room", surface(boxShape({4, 4, 4}))});
   EXPECT_NEAR(room.gapTo(pointsOf(boxShape({1, 1, 1}).vertices), kEndless).at_least, 1.5, 3e-3);
 }
 
-TEST(Obstacle, AsTheNearestTriangle) {
+TEST(Obstacle, GapIsThatOfTheNearestTriangle) {
   Random random(11, 0, 0);
   TriangleMesh mesh;
   for (int i = 0; i < 300; ++i) {

@@ -1,3 +1,4 @@
+// Maps built node by node, so that the expected boxes are known.
 #include "collision_hulls/scene/octomap.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ namespace {
 
 using Boxes = std::vector<Eigen::AlignedBox3d>;
 
-/// A binary node: for each child 0 unknown, 1 free, 2 occupied, 3 has children.
+/// A binary node; per child: 0 unknown, 1 free, 2 occupied, 3 has children.
 std::string node(std::initializer_list<unsigned> children) {
   unsigned bits = 0, shift = 0;
   for (const unsigned kind : children) bits |= kind << shift, shift += 2;
@@ -26,7 +27,7 @@ std::string node(float log_odds, unsigned children, std::size_t beyond_value = 0
   return bytes + std::string(beyond_value, 'x') + static_cast<char>(children);
 }
 
-/// Nodes from the root down to the eight smallest cells that begin at the map's middle, where `cells` stands.
+/// Nodes from the root down to the eight smallest cells that start at the map's middle, followed by `cells`.
 std::string downToTheMiddle(const std::string& cells) {
   std::string data = node({0, 0, 0, 0, 0, 0, 0, 3});
   for (int level = 14; level > 0; --level) data += node({3});
@@ -48,7 +49,7 @@ void expectBox(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& low, const
   EXPECT_TRUE(box.max().isApprox(high, 1e-12)) << box.max().transpose();
 }
 
-TEST(Octomap, WhatIsNoMap) {
+TEST(Octomap, RejectsDamagedMaps) {
   EXPECT_EQ(errorOf({true, "OcTree", 0, ""}), ErrorCode::kBadScene);
   EXPECT_EQ(errorOf({true, "OcTree", -0.1, ""}), ErrorCode::kBadScene);
   EXPECT_EQ(errorOf({true, "OcTree", std::numeric_limits<double>::quiet_NaN(), ""}), ErrorCode::kBadScene);
@@ -57,7 +58,7 @@ TEST(Octomap, WhatIsNoMap) {
   EXPECT_EQ(errorOf({false, "OcTree", 0.1, "1234"}), ErrorCode::kBadScene);
   const std::string good = node({2});
   EXPECT_EQ(errorOf({true, "OcTree", 0.1, good + "x"}), ErrorCode::kBadScene);
-  EXPECT_EQ(errorOf({true, "OcTree", 0.1, std::string(2000, '\xff')}), ErrorCode::kBadScene);  // children without end
+  EXPECT_EQ(errorOf({true, "OcTree", 0.1, std::string(2000, '\xff')}), ErrorCode::kBadScene);  // endless children
   EXPECT_EQ(errorOf({false, "OcTree", 0.1, std::string(2000, '\xff')}), ErrorCode::kBadScene);
 }
 
@@ -72,7 +73,7 @@ TEST(Octomap, OneCell) {
   expectBox(boxes[0], {0, 0, 0.1}, {0.1, 0.1, 0.2});
 }
 
-TEST(Octomap, CellsThatAreABoxAreJoined) {
+TEST(Octomap, MergesCellsThatFormABox) {
   const Boxes plate = occupiedBoxes({true, "OcTree", 0.5, downToTheMiddle(node({2, 2, 2, 2, 1}))});
   ASSERT_EQ(plate.size(), 1u);
   expectBox(plate[0], {0, 0, 0}, {1, 1, 0.5});
@@ -82,7 +83,7 @@ TEST(Octomap, CellsThatAreABoxAreJoined) {
 }
 
 TEST(Octomap, FullMapOfAHalfSpace) {
-  // Children 0 to 3 are below the middle. Log-odds of 0 are as likely occupied as not, which counts; inner nodes do not.
+  // Children 0 to 3 are below the middle. Log-odds of 0 mean a probability of 0.5, which counts as occupied; inner nodes do not count.
   std::string data = node(3, 31);
   for (const float value : {0.0F, 1.0F, 0.5F, 3.5F, -0.5F}) data += node(value, 0);
   const Boxes boxes = occupiedBoxes({false, "OcTree", 1, data});
@@ -90,13 +91,13 @@ TEST(Octomap, FullMapOfAHalfSpace) {
   expectBox(boxes[0], {-32768, -32768, -32768}, {32768, 32768, 0});
 }
 
-TEST(Octomap, ColoursArePassedOver) {
+TEST(Octomap, IgnoresColours) {
   const std::string data = node(1, 129, 3) + node(1, 0, 3) + node(1, 0, 3);
   EXPECT_EQ(occupiedBoxes({false, "ColorOcTree", 1, data}).size(), 2u);
   EXPECT_EQ(errorOf({false, "OcTree", 1, data}), ErrorCode::kBadScene);
 }
 
-TEST(Octomap, BodiesWhereThePosePutsThem) {
+TEST(Octomap, PlacesBodiesAtThePose) {
   Scene scene;
   const Eigen::Isometry3d pose = Eigen::Translation3d(1, 0, 0) * Eigen::AngleAxisd(EIGEN_PI / 2, Eigen::Vector3d::UnitZ());
   addOctomap(scene, "map", {true, "OcTree", 0.1, downToTheMiddle(node({2, 0, 0, 0, 0, 0, 0, 2}))}, pose);

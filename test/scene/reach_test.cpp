@@ -1,3 +1,4 @@
+// Proofs against closed-form distances of small arms, and against samples of a whole robot.
 #include "collision_hulls/scene/reach.h"
 
 #include <cmath>
@@ -14,7 +15,7 @@ using Outcome = Reach::Outcome;
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A chain of links l0, l1, ...; each joint stands `length` along x from the one before.
+/// A chain of links l0, l1, ...; each joint is `length` further along x than the one before.
 class Arm {
  public:
   Arm& add(const std::string& type, const std::string& axis, double lower, double upper, double length = 1, const std::string& more = "") {
@@ -31,7 +32,7 @@ class Arm {
   int joints_ = 0;
 };
 
-/// A cube of 1 cm, which is next to a point.
+/// Side of a cube that is almost a point: 1 cm.
 constexpr double kCube = 0.01;
 
 ConvexHull cubeAt(const Eigen::Vector3d& place) {
@@ -55,7 +56,7 @@ Reach reachOf(const Kinematics& kinematics, const ConvexHull& link, const Scene&
   return ReachProver(kinematics, links, scene).betweenLinkAndBody(last, 0, clearance, options);
 }
 
-/// Expects that nothing comes nearer than `distance`, which is known, and that something does.
+/// Expects a proof for a clearance just below `distance`, which is the true minimum, and a witness just above it.
 void expectReach(double distance, const Kinematics& kinematics, const ConvexHull& link, const Scene& scene) {
   const Reach apart = reachOf(kinematics, link, scene, 0.98 * distance);
   EXPECT_EQ(apart.outcome, Outcome::kProved);
@@ -77,7 +78,7 @@ TEST(Reach, LinksWithoutGeometryAreFarFromEverything) {
   EXPECT_EQ(reach.evaluations, 0u);
 }
 
-TEST(Reach, LinksThatNeverMoveAgainstEachOther) {
+TEST(Reach, LinksFixedToEachOther) {
   const Kinematics kinematics = Arm().add("revolute", "0 0 1", -1, 1).add("fixed", "0 0 1", 0, 0).kinematics();
   const ReachProver prover(kinematics, {ConvexHull(), cubeAt({0, 0, 0}), cubeAt({0, 0, 0})}, {});
   const double apart = 1 - kCube;
@@ -87,11 +88,11 @@ TEST(Reach, LinksThatNeverMoveAgainstEachOther) {
   EXPECT_EQ(prover.betweenLinks(1, 1, 0).outcome, Outcome::kTouched) << "a link and itself";
 }
 
-TEST(Reach, OneJointThatTurns) {
+TEST(Reach, OneRevoluteJoint) {
   const Kinematics kinematics = Arm().add("revolute", "0 0 1", -0.5, 0.5).kinematics();
   const double furthest = std::hypot(1 + kCube / 2, kCube / 2);
   expectReach(2 - kCube / 2 - furthest, kinematics, cubeAt({1, 0, 0}), sceneWith(cubeAt({0, 0, 0}), {2, 0, 0}));
-  // Beyond the upper limit, 1 m from the axis: the cubes' nearest corners are on circles about it.
+  // A body beyond the upper limit, 1 m from the axis: the cubes' corners move on circles about it.
   const double angle = 1.5, place = 1;
   const Eigen::Rotation2Dd turn(0.5);
   double least = kInfinity;
@@ -105,7 +106,7 @@ TEST(Reach, OneJointThatTurns) {
   expectReach(least, kinematics, cubeAt({1, 0, 0}), sceneWith(cubeAt({0, 0, 0}), {std::cos(angle), std::sin(angle), 0}));
 }
 
-TEST(Reach, OneJointThatSlides) {
+TEST(Reach, OnePrismaticJoint) {
   const Kinematics kinematics = Arm().add("prismatic", "0 0 1", 0, 2).kinematics();
   expectReach(0.3 - kCube, kinematics, cubeAt({0, 0, 0}), sceneWith(cubeAt({0, 0, 0}), {0, 0, 2.3}));
   expectReach(0.3 - kCube, kinematics, cubeAt({0, 0, 0}), sceneWith(cubeAt({0, 0, 0}), {0.3, 0, 1.7}));
@@ -119,7 +120,7 @@ TEST(Reach, TwoJointsReachAsFarAsTheirLinks) {
 }
 
 TEST(Reach, FoldedArmStaysAwayFromItsBase) {
-  // The elbow leaves at least the third side of a triangle with sides of 1 m and 0.5 m and the angle of its limit, pi - 2.
+  // At the elbow's limit the distance is the third side of a triangle with sides of 1 m and 0.5 m and the angle pi - 2 between them.
   const Kinematics kinematics = Arm().add("continuous", "0 0 1", 0, 0).add("revolute", "0 0 1", -2, 2).kinematics();
   const double nearest = std::sqrt(1 + 0.25 - std::cos(kPi - 2)), round = kCube / std::sqrt(2);
   const Reach reach = reachOf(kinematics, cubeAt({0.5, 0, 0}), sceneWith(cubeAt({0, 0, 0}), {0, 0, 0}), nearest - 2 * round - 0.01);
@@ -129,7 +130,7 @@ TEST(Reach, FoldedArmStaysAwayFromItsBase) {
 }
 
 TEST(Reach, MimicJointsFollowTheirMasters) {
-  // Two fingers side by side, 0.1 m apart, that slide together: independent of each other they would meet.
+  // Two fingers side by side, 0.1 m apart, that slide together; if they were independent, they would meet.
   const auto finger = [](const std::string& n, const std::string& y, const std::string& mimic) {
     return "<link name='f" + n + "'/><joint name='j" + n + "' type='prismatic'><parent link='palm'/><child link='f" + n +
            "'/><origin xyz='0 " + y + " 0'/><axis xyz='0 1 0'/><limit lower='0' upper='1' effort='1' velocity='1'/>" + mimic + "</joint>";
@@ -146,7 +147,7 @@ TEST(Reach, MimicJointsFollowTheirMasters) {
   EXPECT_EQ(prove("<mimic joint='j1' multiplier='-1' offset='0.5'/>").outcome, Outcome::kTouched);
 }
 
-TEST(Reach, AMeshHasNoInside) {
+TEST(Reach, MeshHasNoInterior) {
   Scene room;
   addBody(room, {"room", surface(boxShape({6, 6, 6}))});
   const Kinematics kinematics = Arm().add("revolute", "0 1 0", -1, 1).add("continuous", "0 0 1", 0, 0).kinematics();
@@ -154,7 +155,7 @@ TEST(Reach, AMeshHasNoInside) {
   EXPECT_EQ(reachOf(kinematics, cubeAt({0.5, 0, 0}), room, 1.6).outcome, Outcome::kTouched);
 }
 
-TEST(Reach, SaysWhenItDoesNotKnow) {
+TEST(Reach, IsUnknownWhenEvaluationsRunOut) {
   const Kinematics kinematics = Arm().add("revolute", "0 0 1", -0.5, 0.5).kinematics();
   ReachOptions options;
   options.evaluations = 1;
@@ -165,7 +166,7 @@ TEST(Reach, SaysWhenItDoesNotKnow) {
   EXPECT_LE(reach.evaluations, 3u);
 }
 
-TEST(Reach, RefusesWhatIsNoQuestion) {
+TEST(Reach, RejectsInvalidArguments) {
   const Kinematics kinematics = Arm().add("revolute", "0 0 1", -1, 1).kinematics();
   const ReachProver prover(kinematics, {cubeAt({0, 0, 0}), cubeAt({0, 0, 0})}, {});
   expectError(ErrorCode::kBadOption, {"-1"}, [&] { prover.betweenLinks(0, 1, -1); });
@@ -189,7 +190,7 @@ PointMatrix placed(const ConvexHull& hull, const Eigen::Isometry3d& pose) {
   return points;
 }
 
-TEST(Reach, NoSampleOfARobotContradictsIt) {
+TEST(Reach, NoSampleOfARobotContradictsAProof) {
   const RobotDescription robot = readRobotDescription(DEMO_ROBOT "/urdf/demo_arm.urdf");
   const Kinematics kinematics(robot);
   std::vector<ConvexHull> links(robot.links.size(), boxShape({0.08, 0.1, 0.12}));
@@ -215,7 +216,7 @@ TEST(Reach, NoSampleOfARobotContradictsIt) {
   EXPECT_GT(proved, 10);
 }
 
-TEST(Reach, TheSameAgain) {
+TEST(Reach, IsRepeatable) {
   const Kinematics kinematics =
       Arm().add("revolute", "0 1 0", -2, 2).add("revolute", "0 0 1", -2, 2).add("revolute", "1 0 1", -2, 2).kinematics();
   const Scene scene = sceneWith(boxShape({0.3, 0.3, 0.3}), {1.5, 1.5, 0.4});

@@ -5,7 +5,7 @@
 namespace collision_hulls {
 namespace {
 
-TEST(ReadScene, FilesThatAreNone) {
+TEST(ReadScene, RejectsUnknownAndMissingFiles) {
   const TemporaryFolder folder;
   expectError(ErrorCode::kUnsupportedFormat, {"a.txt", ".scene", ".yaml"}, [&] { sceneOf(folder, "a.txt", "x"); });
   expectError(ErrorCode::kUnsupportedFormat, {".yaml"}, [&] { readScene("", noPackages()); });
@@ -14,7 +14,7 @@ TEST(ReadScene, FilesThatAreNone) {
   }
 }
 
-TEST(ReadScene, EmptyOnesHaveToBeMeant) {
+TEST(ReadScene, EmptyScenesMustBeExplicit) {
   const TemporaryFolder folder;
   EXPECT_TRUE(sceneOf(folder, "a.yaml", "bodies: []").bodies.empty());
   const auto expectNone = [&](const char* name, const char* text) {
@@ -25,7 +25,7 @@ TEST(ReadScene, EmptyOnesHaveToBeMeant) {
   expectNone("a.sdf", "<sdf version='1.6'><model name='m'><link name='l'/></model></sdf>");
 }
 
-TEST(ReadScene, OneMeshWhereItIs) {
+TEST(ReadScene, OneMeshInPlace) {
   const TemporaryFolder folder;
   const Scene scene = sceneOf(folder, "table top.OBJ", kTriangleObj);
   ASSERT_EQ(scene.bodies.size(), 1u);

@@ -1,4 +1,4 @@
-// What the tests of scenes share.
+// Helpers shared by the tests of scenes.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ inline Scene sceneOf(const TemporaryFolder& folder, const std::string& name, con
   return readScene(folder.write(name, text), noPackages());
 }
 
-/// The box that a body fills in the scene's frame.
+/// A body's bounding box in the scene's frame.
 inline Eigen::AlignedBox3d boxOf(const SceneBody& body) {
   const TriangleMesh mesh =
       std::holds_alternative<ConvexHull>(body.shape) ? surface(std::get<ConvexHull>(body.shape)) : std::get<TriangleMesh>(body.shape);
@@ -30,7 +30,7 @@ inline void expectBox(const SceneBody& body, const Eigen::Vector3d& low, const E
   EXPECT_LT((box.max() - high).norm(), within) << body.name << " to " << box.max().transpose();
 }
 
-/// A triangle of one metre in the plane z = 0.
+/// A triangle with legs of one metre in the plane z = 0.
 constexpr char kTriangleObj[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 }  // namespace collision_hulls

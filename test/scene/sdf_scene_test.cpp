@@ -1,3 +1,4 @@
+// SDF worlds and models: shapes, poses relative to any frame, includes, saved states, and everything that is refused.
 #include "scene/scene_tests.h"
 
 namespace collision_hulls {
@@ -93,7 +94,7 @@ TEST(SdfScene, Includes) {
   expectBox(scene.bodies[2], {-1, -1, 0}, {1, 1, 2});
 }
 
-TEST(SdfScene, IncludedLightsAndActorsAreNoBodies) {
+TEST(SdfScene, IncludedLightsAndActorsAddNoBodies) {
   const TemporaryFolder folder;
   folder.write("sun/model.sdf", "<sdf version='1.6'><light type='directional' name='sun'/></sdf>");
   folder.write("man/model.sdf", "<sdf version='1.6'><actor name='man'/></sdf>");
@@ -106,7 +107,7 @@ TEST(SdfScene, IncludedLightsAndActorsAreNoBodies) {
   expectError(ErrorCode::kBadScene, {"has no <model>"}, [&] { sceneOf(folder, "a.sdf", world("empty")); });
 }
 
-TEST(SdfScene, AJointMayHaveTheNameOfALinkWhichIsMeantThen) {
+TEST(SdfScene, LinkWinsOverAJointOfTheSameName) {
   const TemporaryFolder folder;
   const std::string joint = "<joint name='a' type='fixed'><parent>world</parent><child>b</child><pose>0 0 9 0 0 0</pose></joint>";
   EXPECT_TRUE(placeOfFirst(folder, model(joint + "<link name='a'><pose>1 0 0 0 0 0</pose></link><link name='b'>" +
@@ -114,7 +115,7 @@ TEST(SdfScene, AJointMayHaveTheNameOfALinkWhichIsMeantThen) {
                   .isApprox(Eigen::Vector3d(1, 1, 0)));
 }
 
-TEST(SdfScene, FramesOfModelsWithin) {
+TEST(SdfScene, FramesOfNestedModels) {
   const TemporaryFolder folder;
   folder.write("near/model.sdf", model("<frame name='top'><pose>0 0 3 0 0 0</pose></frame><model name='k'><pose>0 1 0 0 0 0</pose>"
                                        "<link name='tip'><pose>0 0 0.5 0 0 0</pose></link></model>"));
@@ -156,7 +157,7 @@ TEST(SdfScene, StateOfASavedWorld) {
   expectBad("second <state>", "</state><state>");
 }
 
-TEST(SdfScene, SaysWhatIsWrongAndWhere) {
+TEST(SdfScene, ErrorsNameTheFaultAndTheLine) {
   const TemporaryFolder folder;
   const ScopedVariable home("HOME", folder.path());
   const auto expectBad = [&](ErrorCode code, const std::vector<std::string>& parts, const std::string& text) {
@@ -181,7 +182,7 @@ TEST(SdfScene, SaysWhatIsWrongAndWhere) {
   expectBad(kBad, {"relative to itself"},
             model("<frame name='f' attached_to='g'/><frame name='g' attached_to='f'/><link name='l'>" +
                   collision(kBox, "<pose relative_to='f'/>") + "</link>"));
-  expectBad(kBad, {"'l' stands twice"}, model("<link name='l'/><link name='l'/>"));
+  expectBad(kBad, {"'l' appears twice"}, model("<link name='l'/><link name='l'/>"));
   expectBad(kBad, {"m::l::c", "twice"}, model("<link name='l'>" + collision(kBox) + collision(kBox) + "</link>"));
   expectBad(kBad, {"placement_frame"}, "<sdf><model name='m' placement_frame='l'/></sdf>");
   expectBad(kBad, {"no <uri>"}, "<sdf><world name='w'><include/></world></sdf>");

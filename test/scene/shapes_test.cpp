@@ -6,7 +6,7 @@
 namespace collision_hulls {
 namespace {
 
-TEST(Shapes, SizesThatAreNone) {
+TEST(Shapes, RejectsInvalidSizes) {
   expectError(ErrorCode::kBadScene, {"a box", "-1.0", "above 0"}, [] { boxShape({1, -1, 1}); });
   expectError(ErrorCode::kBadScene, {"a sphere", "0.0"}, [] { sphereShape(0); });
   expectError(ErrorCode::kBadScene, {"a cylinder", "nan"}, [] { cylinderShape(1, std::nan("")); });
@@ -22,7 +22,7 @@ TEST(Shapes, Box) {
   EXPECT_TRUE(boundingBox(box).max().isApprox(Eigen::Vector3d(0.5, 1, 2)));
 }
 
-TEST(Shapes, RoundOnesCircumscribeWithinTheirRoundness) {
+TEST(Shapes, RoundShapesCircumscribeWithinTheirRoundness) {
   const double radius = 0.3, most = radius * (1 + SceneBody::kRoundness);
   const ConvexHull sphere = sphereShape(radius);
   for (const HalfSpace& face : sphere.faces) EXPECT_GE(face.offset, radius * (1 - 1e-12));
@@ -35,12 +35,12 @@ TEST(Shapes, RoundOnesCircumscribeWithinTheirRoundness) {
   }
 }
 
-TEST(Shapes, ConeHasItsTipUp) {
+TEST(Shapes, ConePointsUp) {
   const ConvexHull cone = coneShape(0.5, 2);
   EXPECT_LE(planeDistance(cone, {0, 0, 1}), 1e-12);
   EXPECT_GT(planeDistance(cone, {0.1, 0, 1}), 0);
   EXPECT_LE(planeDistance(cone, {0, 0.5, -1}), 1e-12);
-  EXPECT_LE(planeDistance(cone, {0.25 / std::sqrt(2), 0.25 / std::sqrt(2), 0}), 1e-12) << "half way up";
+  EXPECT_LE(planeDistance(cone, {0.25 / std::sqrt(2), 0.25 / std::sqrt(2), 0}), 1e-12) << "halfway up";
   EXPECT_GT(planeDistance(cone, {0.26, 0, 0}), 0);
 }
 
@@ -56,7 +56,7 @@ TEST(Shapes, PlanesBecomeSlabsBeneathThem) {
   }
 }
 
-TEST(AddBody, RefusesWhatIsNone) {
+TEST(AddBody, RejectsInvalidBodies) {
   Scene scene;
   addBody(scene, {"a", boxShape({1, 1, 1})});
   const TriangleMesh triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};

@@ -22,7 +22,7 @@ TEST(Srdf, WithoutPairs) {
   EXPECT_TRUE(parse("<group name='arm'><chain base_link='a' tip_link='b'/></group>").pairs.empty());
 }
 
-TEST(Srdf, PairsInTheirOrderOnce) {
+TEST(Srdf, KeepsTheOrderAndDropsDuplicates) {
   const DisabledPairs read = parse(
       "<disable_collisions link1='b' link2='a' reason='Adjacent'/><disable_collisions link1='c' link2='d' reason='Never'/>"
       "<disable_collisions link1='a' link2='b' reason='Default'/><disable_collisions link1='a' link2='c'/>");
@@ -34,22 +34,22 @@ TEST(Srdf, PairsInTheirOrderOnce) {
   EXPECT_TRUE(read.notes.empty());
 }
 
-TEST(Srdf, AllPairsOfALinkButSome) {
+TEST(Srdf, DisablesAllPairsOfALinkExceptEnabledOnes) {
   const DisabledPairs read = parse("<disable_default_collisions link='a'/><enable_collisions link1='c' link2='a'/>");
   ASSERT_EQ(read.pairs.size(), 2u);
   EXPECT_EQ(read.pairs[0].link2, "b");
   EXPECT_EQ(read.pairs[1].link2, "d");
 }
 
-TEST(Srdf, OrderDecidesNothing) {
+TEST(Srdf, OrderOfElementsDoesNotMatter) {
   const std::string off = "<disable_default_collisions link='a'/>", on = "<enable_collisions link1='c' link2='a'/>";
   const std::string pair = "<disable_collisions link1='a' link2='c'/>";
   EXPECT_EQ(parse(on + off).pairs.size(), 2u);
-  EXPECT_EQ(parse(pair + on).pairs.size(), 1u) << "what is enabled is an exception from defaults alone";
+  EXPECT_EQ(parse(pair + on).pairs.size(), 1u) << "<enable_collisions> is an exception from defaults only";
   EXPECT_EQ(parse(pair + off + on).pairs.size(), 3u);
 }
 
-TEST(Srdf, LinksOfOtherRobotsAreLeftOut) {
+TEST(Srdf, IgnoresLinksOfOtherRobots) {
   const DisabledPairs read = parse(
       "<disable_collisions link1='a' link2='gripper'/><disable_collisions link1='a' link2='b'/><disable_collisions link1='tool' "
       "link2='x'/>");
@@ -59,7 +59,7 @@ TEST(Srdf, LinksOfOtherRobotsAreLeftOut) {
   EXPECT_NE(read.notes[0].find("'gripper'"), std::string::npos);
 }
 
-TEST(Srdf, SaysWhatIsWrongAndWhere) {
+TEST(Srdf, ErrorsNameTheFaultAndTheLine) {
   const auto expectBad = [](ErrorCode code, const std::vector<std::string>& parts, const std::string& text) {
     expectError(code, parts, [&] { parseDisabledPairs(text, robot(), "a.srdf"); });
   };
@@ -70,7 +70,7 @@ TEST(Srdf, SaysWhatIsWrongAndWhere) {
   expectError(ErrorCode::kFileNotFound, {"no.srdf"}, [] { readDisabledPairs("/nowhere/no.srdf", robot()); });
 }
 
-TEST(Srdf, WhatIsWrittenIsReadBack) {
+TEST(Srdf, ReadsBackWhatItWrites) {
   const std::vector<DisabledPair> pairs{{"a", "b", "Adjacent", ""}, {"c", "a", "Never", "never within 0.31 m -- proved"}};
   const TemporaryFolder folder;
   const std::string text = srdfFragment("r & \"s\"", pairs);

@@ -16,7 +16,7 @@ ConvexHull hullOf(const PointMatrix& points) {
   return convexHull(list);
 }
 
-TEST(Sweep, NothingMovesNowhere) {
+TEST(Sweep, NoLinkAndNoJoints) {
   EXPECT_EQ(sweeps({}, {}, {}).at(0).cols(), 0);
   Chain chain;
   chain.end.translation() = Eigen::Vector3d(1, 2, 3);
@@ -25,7 +25,7 @@ TEST(Sweep, NothingMovesNowhere) {
   EXPECT_TRUE(boundingBox(hullOf(still[0])).center().isApprox(Eigen::Vector3d(1, 2, 3)));
 }
 
-TEST(Sweep, FewerPointsHoldARoundLink) {
+TEST(Sweep, EnclosesARoundLinkWithFewerPoints) {
   const ConvexHull sphere = sphereShape(0.2);
   const PointMatrix points = sweeps(sphere, {}, {}).at(0);
   EXPECT_LT(static_cast<std::size_t>(points.cols()), sphere.vertices.size());
@@ -59,7 +59,7 @@ TEST(Sweep, TurningPointsStayWithinTwoPerCentOfTheirArc) {
   }
 }
 
-TEST(Sweep, HoldsTheLinkWhereverItIs) {
+TEST(Sweep, EnclosesTheLinkInAllConfigurations) {
   const RobotDescription robot = readRobotDescription(DEMO_ROBOT "/urdf/demo_arm.urdf");
   const Kinematics kinematics(robot);
   const ConvexHull link = boxShape({0.1, 0.2, 0.3});
@@ -70,7 +70,7 @@ TEST(Sweep, HoldsTheLinkWhereverItIs) {
     ASSERT_EQ(bodies.size(), chain.joints.size() + 1);
     for (int i = 0; i < 20; ++i) {
       const Configuration configuration = kinematics.sample([&] { return random.uniform(0, 1); });
-      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // of the frame that the k-th joint moves
+      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // of the frame that joint k moves
       for (std::size_t k = 0; k < bodies.size(); ++k) {
         const ConvexHull body = hullOf(bodies[k]);
         for (const Eigen::Vector3d& v : link.vertices) {

@@ -28,7 +28,7 @@ bodies:
   expectBox(scene.bodies[5], {0, 0, 0}, {2, 1, 0});
 }
 
-TEST(YamlScene, MeshesOfPackages) {
+TEST(YamlScene, MeshesInPackages) {
   const TemporaryFolder folder;
   folder.write("cell/meshes/t.obj", kTriangleObj);
   const PackageFinder finder = [&](const std::string& name) { return name == "cell" ? std::optional(folder.path("cell")) : std::nullopt; };
@@ -37,7 +37,7 @@ TEST(YamlScene, MeshesOfPackages) {
   expectError(ErrorCode::kPackageNotFound, {"line 2", "'a'", "cell"}, [&] { readScene(file, noPackages()); });
 }
 
-TEST(YamlScene, SaysWhatIsWrongAndWhere) {
+TEST(YamlScene, ErrorsNameTheFaultAndTheLine) {
   const TemporaryFolder folder;
   const auto expectBad = [&](const std::vector<std::string>& parts, const std::string& text) {
     expectError(ErrorCode::kBadScene, parts, [&] { sceneOf(folder, "a.yaml", text); });
@@ -45,7 +45,7 @@ TEST(YamlScene, SaysWhatIsWrongAndWhere) {
   const auto body = [](const std::string& text) { return "bodies:\n- {" + text + "}\n"; };
   expectBad({"a.yaml", "bodies: []"}, "");
   expectBad({"bodies: []"}, "- a");
-  expectBad({"line 2", "no YAML"}, "bodies: [\n}");
+  expectBad({"line 2", "not valid YAML"}, "bodies: [\n}");
   expectBad({"line 3", "second document"}, "bodies: []\n---\nbodies: []\n");
   EXPECT_EQ("a", sceneOf(folder, "a.yaml", "---\nname: a\nbodies: []\n---\n").name);
   expectBad({"'boddies'", "bodies, name"}, "bodies: []\nboddies: []");
@@ -55,8 +55,8 @@ TEST(YamlScene, SaysWhatIsWrongAndWhere) {
   expectBad({"line 2", "one shape", "0"}, body("name: a"));
   expectBad({"line 2", "one shape", "2"}, body("name: a, sphere: 1, box: [1, 1, 1]"));
   expectBad({"line 2", "'size' is not known"}, body("name: a, size: 1"));
-  expectBad({"'sphere' stands twice"}, body("name: a, sphere: 1, sphere: 2"));
-  expectBad({"2 numbers stand where 3"}, body("name: a, box: [1, 1]"));
+  expectBad({"'sphere' appears twice"}, body("name: a, sphere: 1, sphere: 2"));
+  expectBad({"expected 3 numbers, found 2"}, body("name: a, box: [1, 1]"));
   expectBad({"'one'"}, body("name: a, box: [1, 1, one]"));
   expectBad({"'.nan'"}, body("name: a, sphere: .nan"));
   expectBad({"line 2", "'a'", "a sphere of 0"}, body("name: a, sphere: 0"));
@@ -70,7 +70,7 @@ TEST(YamlScene, SaysWhatIsWrongAndWhere) {
   });
 }
 
-TEST(YamlScene, AliasesDoNotGrow) {
+TEST(YamlScene, AliasesAndBracketsDoNotBlowUp) {
   const TemporaryFolder folder;
   std::string text = "x0: &x0 [1, 1]\n";
   for (int i = 1; i < 40; ++i) {

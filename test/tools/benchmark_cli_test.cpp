@@ -1,4 +1,4 @@
-// The program benchmark: rows whatever happens, the same rows again.
+// The program benchmark: a row whatever happens, and the same rows in every run.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -76,7 +76,7 @@ TEST_F(BenchmarkProgram, WrongUse) {
   }
 }
 
-TEST_F(BenchmarkProgram, ARowForEachMeshMethodAndTolerance) {
+TEST_F(BenchmarkProgram, WritesARowForEachMeshMethodAndTolerance) {
   ASSERT_EQ(run("bracket.obj -o out -m hacd,single_hull -t 5%,2mm"), 0) << log();
   const std::vector<Row> all = rows("out/benchmark.csv");
   ASSERT_EQ(all.size(), 4u);
@@ -98,7 +98,7 @@ TEST_F(BenchmarkProgram, ARowForEachMeshMethodAndTolerance) {
   EXPECT_FALSE(fs::exists(folder_ / "out/.benchmark"));
 }
 
-TEST_F(BenchmarkProgram, HullsHaveNoMoreVerticesThanTheCap) {
+TEST_F(BenchmarkProgram, HullsKeepTheCapOnVertices) {
   fixtures::write(folder_ / "ball.obj", fixtures::obj(test_shapes::sphere(0.1, 6)));
   for (const int most : {0, 8, 20}) {
     ASSERT_EQ(run("ball.obj -o out -m certified,single_hull -t 100% --max-vertices " + std::to_string(most)), 0) << log();
@@ -111,7 +111,7 @@ TEST_F(BenchmarkProgram, HullsHaveNoMoreVerticesThanTheCap) {
   }
 }
 
-TEST_F(BenchmarkProgram, WhatHangsDiesOrFailsIsARow) {
+TEST_F(BenchmarkProgram, HangsCrashesAndFailuresAreRows) {
   fixtures::write(folder_ / "rubbish.stl", "no mesh");
   ASSERT_EQ(run("bracket.obj rubbish.stl -o out -m single_hull -t 1% --time-limit 1 --peer hangs='sleep 100' --peer dies='kill -9 $$' "
                 "--peer child_dies='sh -c \"kill -11 \\$\\$\"; exit $?' --peer fails='echo no licence; exit 3' --peer nothing=true "
@@ -142,7 +142,7 @@ TEST_F(BenchmarkProgram, WhatHangsDiesOrFailsIsARow) {
   EXPECT_NEAR(std::stod(by_method["copies"]["protrusion"]), std::stod(by_method["single_hull"]["protrusion"]), 1e-6) << "scored alike";
 }
 
-TEST_F(BenchmarkProgram, TwoRunsDifferInTimesOnly) {
+TEST_F(BenchmarkProgram, TwoRunsDifferOnlyInTimes) {
   for (const char* out : {"a", "b"}) ASSERT_EQ(run("bracket.obj -t 5%,1% --repeat 2 -o " + std::string(out)), 0) << log();
   std::vector<Row> a = rows("a/benchmark.csv"), b = rows("b/benchmark.csv");
   for (auto* all : {&a, &b}) {
@@ -153,14 +153,14 @@ TEST_F(BenchmarkProgram, TwoRunsDifferInTimesOnly) {
   EXPECT_EQ(a, b);
 }
 
-TEST_F(BenchmarkProgram, QueriesOfTheMeshAndOfEachModel) {
+TEST_F(BenchmarkProgram, QueriesTheMeshAndEachModel) {
   ASSERT_EQ(run("bracket.obj -m hacd -t 5%,2% --queries -o out --peer fails=false"), 0) << log();
   const std::vector<Row> all = rows("out/queries.csv");
   ASSERT_EQ(all.size(), 6u) << log();
   EXPECT_EQ(all[0].at("method"), "original");
   EXPECT_EQ(all[1].at("method") + all[1].at("requested"), "hacd5%");
   EXPECT_EQ(all[2].at("method") + all[2].at("requested"), "hacd2%");
-  EXPECT_EQ(all[3].at("method") + all[3].at("requested"), "single_hull") << "always asked, once";
+  EXPECT_EQ(all[3].at("method") + all[3].at("requested"), "single_hull") << "always queried, once";
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(all[i].at("status"), "ok") << all[i].at("message");
     EXPECT_GT(std::stod(all[i].at("collisions_per_second")), 0);
@@ -173,7 +173,7 @@ TEST_F(BenchmarkProgram, QueriesOfTheMeshAndOfEachModel) {
   EXPECT_FALSE(fs::exists(folder_ / "out/.benchmark"));
 }
 
-TEST_F(BenchmarkProgram, AProgramWhoseResultVariesIsToldOf) {
+TEST_F(BenchmarkProgram, ReportsAProgramWhoseResultVaries) {
   ASSERT_EQ(run("bracket.obj -m single_hull -t 1% --repeat 3 -o out --peer 'varies=echo o >>count; "
                 "(cat {in}; echo v 0 0 $(wc -l <count); echo f 1 2 -1) >{out}'"),
             0);

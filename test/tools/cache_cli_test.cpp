@@ -1,4 +1,4 @@
-// The program's runs and the cache that they share.
+// Runs of the program that share a cache.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -28,7 +28,7 @@ class CachedProgram : public ::testing::Test {
     fixtures::write(folder_ / "arm.urdf", fixtures::robot("arm", part("bracket") + part("channel", "bracket")));
   }
 
-  /// Starts a run whose result lies in the folder `out`.
+  /// Starts a run that writes to the folder `out`.
   pid_t start(const std::string& out, const char* option = "--quiet") {
     const pid_t child = fork();
     if (child > 0) return child;
@@ -37,7 +37,7 @@ class CachedProgram : public ::testing::Test {
     _exit(99);
   }
 
-  /// What a run left, when it is done; its report apart.
+  /// Waits for a run; returns the files it wrote, with its report separate.
   std::pair<Files, json> finished(pid_t child, const std::string& out) {
     int status = 0;
     waitpid(child, &status, 0);
@@ -59,7 +59,7 @@ class CachedProgram : public ::testing::Test {
   TempFolder folder_;
 };
 
-TEST_F(CachedProgram, TheSecondRunFindsWhatTheFirstLeft) {
+TEST_F(CachedProgram, SecondRunUsesEntriesOfTheFirst) {
   const auto [first, first_report] = finished(start("out"), "out");
   EXPECT_EQ(cached(first_report), std::set<bool>{false});
   EXPECT_EQ(entries().size(), 3u) << "two meshes and the validation";
@@ -71,7 +71,7 @@ TEST_F(CachedProgram, TheSecondRunFindsWhatTheFirstLeft) {
   EXPECT_EQ(third, first);
 }
 
-TEST_F(CachedProgram, NoCacheLeavesNone) {
+TEST_F(CachedProgram, NoCacheWritesNoEntry) {
   finished(start("out", "--no-cache"), "out");
   EXPECT_FALSE(fs::exists(fixtures::OwnCache::listener()->path()));
 }

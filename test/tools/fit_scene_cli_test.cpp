@@ -53,7 +53,7 @@ TEST_F(FitSceneProgram, WrongUse) {
   expectWrongUse("bracket.obj --scene notch.yaml --clearance 1cm", {"bracket.obj", "mesh"});
 }
 
-TEST_F(FitSceneProgram, ComparesNothingWhereNothingCouldBeFitted) {
+TEST_F(FitSceneProgram, WritesNoComparisonIfNothingCouldBeFitted) {
   fixtures::write(folder_ / "torn.urdf",
                   fixtures::robot("torn", fixtures::link("base", "    <visual>" + fixtures::meshTag("nowhere.obj") + "</visual>\n")));
   const Finished result = run("torn.urdf --scene notch.yaml --clearance 1cm --compare c.csv");
@@ -62,7 +62,7 @@ TEST_F(FitSceneProgram, ComparesNothingWhereNothingCouldBeFitted) {
   EXPECT_FALSE(fs::exists(folder_ / "c.csv"));
 }
 
-TEST_F(FitSceneProgram, FitsAndTells) {
+TEST_F(FitSceneProgram, FitsAndReports) {
   const Finished result = run("arm.urdf --scene notch.yaml --clearance 1cm --samples 50 --json r.json --compare c.csv --no-validate");
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.out.find("base: 2 boxes: against block at 30 mm"), std::string::npos) << result.out;

@@ -1,4 +1,4 @@
-// The programs around Bullet's decompositions, where they were built.
+// The programs that wrap Bullet's decompositions, if they were built.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -26,14 +26,14 @@ class Peer : public ::testing::TestWithParam<const char*> {
   fixtures::TempFolder folder_;
 };
 
-TEST_P(Peer, GivesABoxBack) {
+TEST_P(Peer, ReturnsABoxUnchanged) {
   ASSERT_EQ(run("box.obj out.obj 0.05"), 0) << fixtures::read(folder_ / "said");
   const auto objects = readHullObjects((folder_ / "out.obj"));
   ASSERT_EQ(objects.size(), 1u);
   EXPECT_EQ(objects[0].size(), 8u);
 }
 
-TEST_P(Peer, HelpSaysHowTheToleranceIsMapped) {
+TEST_P(Peer, HelpExplainsHowTheToleranceIsMapped) {
   EXPECT_EQ(run("--help"), 0);
   EXPECT_NE(fixtures::read(folder_ / "said").find("tolerance"), std::string::npos);
 }

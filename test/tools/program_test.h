@@ -1,4 +1,4 @@
-// A program of the package run in a folder of its own.
+// Runs a program of the package in a folder of its own.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ class ProgramTest : public ::testing::Test {
  protected:
   explicit ProgramTest(const std::string& name) : name_(name) {}
 
-  /// Runs in the folder, through a shell: quote what has spaces.
+  /// Runs in the folder, through a shell: quote arguments with spaces.
   Finished run(const std::string& arguments) {
     const std::string folder = folder_.path().string();
     const std::string command = "cd '" + folder + "' && ROS_PACKAGE_PATH='" + folder + "' '" PROGRAMS "/" + name_ + "' " + arguments +

@@ -1,4 +1,4 @@
-// The main job: a robot description, or one mesh, to validated convex collision models.
+// The main flow: from a robot description, or one mesh, to validated convex collision models.
 #pragma once
 
 #include <functional>
@@ -17,16 +17,16 @@ namespace collision_hulls {
 
 class Solid;
 
-/// One mesh of one link, done. Coordinates after `scale`, in the element's own frame (before its `<origin>`).
+/// The result for one mesh of one link. Coordinates after `scale`, in the element's own frame (before its `<origin>`).
 struct ElementResult {
   ElementReport report;
   GeometryElement source;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< of the element's frame in the robot's zero configuration
   TriangleMesh original;                                   ///< as read and scaled
-  std::vector<ConvexHull> hulls;                           ///< as written; empty where the status is failed
-  std::vector<GeometryElement> primitives;                 ///< in its frame, in place of files of the last hulls, which are about them
+  std::vector<ConvexHull> hulls;                           ///< as written; empty if the status is failed
+  std::vector<GeometryElement> primitives;                 ///< in its frame; replace the files of the last hulls, which enclose them
   std::vector<ConvexHull> unneeded;                        ///< finer hulls that a scene did not need; empty without a scene
-  std::shared_ptr<const Solid> solid;                      ///< of `original`, while the run lasts; null where the hulls come from the cache
+  std::shared_ptr<const Solid> solid;                      ///< of `original`, during the run only; null if the hulls are from the cache
 };
 
 struct RobotResult {
@@ -59,7 +59,7 @@ RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& f
 /// The same for one mesh file; the report has one row, whose link is the file's stem.
 RobotResult decomposeMesh(const std::string& path, const Options& options, const RunControl& control = {}, const StepCallback& step = {});
 
-/// What INPUT of the command line means.
+/// What the command line's INPUT refers to.
 struct Input {
   enum class Kind { kRobot, kMesh } kind = Kind::kRobot;
   std::string path;  ///< mesh file
@@ -70,7 +70,7 @@ struct Input {
 /// descriptions the message lists them.
 Input openInput(const std::string& input);
 
-/// Decomposes what `input` holds.
+/// Decomposes the robot or mesh of `input`.
 RobotResult decompose(const Input& input, const Options& options, const std::string& output, const RunControl& control = {},
                       const StepCallback& step = {});
 

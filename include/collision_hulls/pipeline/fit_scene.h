@@ -1,4 +1,5 @@
-// A robot's collision model for a scene: its meshes read, their hull trees made or remembered, the cut that the scene needs, certified.
+// Fits a robot's collision model to a scene: reads its meshes, builds their hull trees or takes them from the cache, finds the cut that the
+// scene needs, and certifies it.
 #pragma once
 
 #include <string>
@@ -10,39 +11,39 @@
 
 namespace collision_hulls {
 
-/// What a robot is fitted to.
+/// What to fit a robot to.
 struct SceneRequest {
   Scene scene;
   double clearance = 0.01;                    ///< [m]
-  std::size_t samples = 10000;                ///< that verify
+  std::size_t samples = 10000;                ///< per verification batch
   bool compare = false, primitives = true;    ///< see FitOptions
-  std::vector<DisabledPair> disabled;         ///< pairs of links that are not looked at
-  std::vector<std::string> notes;             ///< on what was read, for the report
-  std::vector<Configuration> configurations;  ///< instead of samples of all that the joints allow
+  std::vector<DisabledPair> disabled;         ///< pairs of links that are not checked
+  std::vector<std::string> notes;             ///< about what was read, for the report
+  std::vector<Configuration> configurations;  ///< instead of samples from the joints' whole ranges
 };
 
-/// What a request is read from; empty: not.
+/// Where a request is read from; empty: not given.
 struct SceneSources {
   std::string scene;           ///< file
   std::string srdf;            ///< text
-  std::string srdf_file;       ///< that it comes from, for messages
+  std::string srdf_file;       ///< the file that the text is from, for messages
   std::string configurations;  ///< file
   double max_step = 0;         ///< [rad or m] between configurations, see ConfigurationOptions
 };
 
-/// Reads what is asked for. Throws the readers' errors, and kBadOption for a step where no configurations are given.
+/// Reads a request from its sources. Throws the readers' errors, and kBadOption for a step without configurations.
 SceneRequest readSceneRequest(const Input& input, const SceneSources& sources);
 
-/// How configurations are to be read that are given to a request: beyond the joints' limits nothing is proved, so that they are refused.
+/// How to read configurations for a request: values beyond the joint limits are refused, since nothing is proved there.
 ConfigurationOptions givenConfigurations(double max_step);
 
-/// Gives them to a request, with the notes on them.
+/// Adds configurations to a request, with the notes about them.
 void giveConfigurations(ConfigurationSet given, SceneRequest& request);
 
-/// As decomposeRobot(), with hulls as fine as the scene asks for, and no finer than the options' tolerance: report.scene says why. What
-/// the cache has of trees costs no decomposition, at the same tolerance. Links that `options.links` does not choose, and those with a mesh
-/// that failed, are not there in the scene. `method` has to be certified.
-/// extra_files has `config/<robot>_disabled.srdf`. Throws kBadOption, kCancelled.
+/// Like decomposeRobot(), with hulls as fine as the scene needs but no finer than the options' tolerance; report.scene says why. A tree
+/// that the cache holds for the same tolerance needs no decomposition. Links that `options.links` does not select, and links with a mesh
+/// that failed, are absent from the fit. `method` must be certified. extra_files holds `config/<robot>_disabled.srdf`. Throws kBadOption,
+/// kCancelled.
 RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& find_package, const SceneRequest& request,
                             const Options& options, const std::string& output, const RunControl& control = {},
                             const StepCallback& step = {});

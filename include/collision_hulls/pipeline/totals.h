@@ -1,4 +1,4 @@
-// The sums over a report's rows, as JSON and table show them.
+// Sums over a report's rows, for the JSON and the table.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Configurations in which a robot is looked at: samples of all that its joints allow, or those of a file.
+// Robot configurations: samples from the joints' whole ranges, or configurations read from a file.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace collision_hulls {
 
-/// How samples follow each other.
+/// How samples are distributed.
 enum class Sampling {
-  kEven,        ///< Richtmyer's low-discrepancy sequence: few samples miss little. For searching
-  kIndependent  ///< independent of each other: what statistics hold for, such as a rate below 3/N at 95 % after N without a hit
+  kEven,        ///< Richtmyer's low-discrepancy sequence, which leaves only small gaps; for searching
+  kIndependent  ///< statistically independent; for statistics, such as a rate below 3/N at 95 % confidence after N samples without a hit
 };
 
-/// A sequence of configurations within the variables' limits. The i-th is the same however many are asked for, so that more of them extend
-/// a set. Another seed gives another sequence. Immutable, thread safe.
+/// A sequence of configurations within the joint limits. The i-th configuration does not depend on how many are drawn, so a longer run
+/// extends a shorter one. Each seed gives another sequence. Immutable, thread safe.
 class ConfigurationSequence {
  public:
   explicit ConfigurationSequence(const Kinematics& kinematics, std::uint64_t seed = 1, Sampling sampling = Sampling::kEven);
@@ -30,39 +30,39 @@ class ConfigurationSequence {
 };
 
 struct ConfigurationOptions {
-  /// [rad or m] > 0: between a configuration and the one that follows it others are put, evenly, so that no variable moves further in a
-  /// step; continuous joints go the shorter way. The rows of a CSV follow each other, and the messages of a file. 0: none are put.
+  /// [rad or m] If > 0, interpolates evenly between consecutive configurations so that no variable moves further in one step; continuous
+  /// joints take the shorter way. The rows of a CSV are consecutive, and so are the messages of a file. 0: no interpolation.
   double max_step = 0;
-  bool refuse_beyond_limits = false;  ///< kBadConfigurations for a value beyond its limits; else it is used, and counted
-  std::size_t most = 10'000'000;      ///< more configurations than that are kTooLarge
+  bool refuse_beyond_limits = false;  ///< a value beyond its limits throws kBadConfigurations; otherwise it is used and counted
+  std::size_t most = 10'000'000;      ///< more configurations throw kTooLarge
 };
 
-/// Configurations that were given. Nothing is clamped. What is proved for all that the limits allow (see reach.h) says nothing about values
-/// beyond them.
+/// Configurations given by the user. None is clamped. Proofs for all values within the limits (see reach.h) say nothing about values beyond
+/// them.
 struct ConfigurationSet {
   std::vector<Configuration> configurations;
-  std::size_t given = 0;           ///< before others were put between them
-  std::size_t beyond_limits = 0;   ///< values further beyond their limits than 1e-6 of them; continuous joints have none
-  std::vector<std::string> notes;  ///< what the user should know, a line each: the first value beyond limits, mimic joints that are not
-                                   ///< where their master says, joints that no name ever named
+  std::size_t given = 0;           ///< before interpolation
+  std::size_t beyond_limits = 0;   ///< values beyond their limits by more than 1e-6 of the limits' size; continuous joints have none
+  std::vector<std::string> notes;  ///< for the user, one line each: the first value beyond its limits, mimic joints that deviate from
+                                   ///< their masters, joints never named
 };
 
-/// Collects configurations that come as names and positions, from a file, a bag or a topic. Keeps a reference to the kinematics.
+/// Collects configurations that arrive as names and positions: from a file, a bag or a topic. Keeps a reference to the kinematics.
 class ConfigurationCollector {
  public:
   /// Throws kBadOption for a step that is negative or not finite.
   explicit ConfigurationCollector(const Kinematics& kinematics, const ConfigurationOptions& options = {});
 
-  /// Joints that are not named stay where they were, at rest in the beginning: several publishers may share a topic. Positions [rad or m]
-  /// of mimic joints are compared with what their master says, those of joints that do not move are not looked at. `where` stands in
-  /// messages: "'a.csv', line 3". Throws kBadConfigurations for a name that the robot does not have (the message lists its joints) or that
-  /// stands twice, another number of positions than of names, and values that are not finite.
+  /// Joints that are not named keep their last position, which is the rest position at first: several publishers may share a topic.
+  /// Positions [rad or m] of mimic joints are compared with those that their masters imply; positions of fixed joints are ignored. `where`
+  /// appears in messages: "'a.csv', line 3". Throws kBadConfigurations for a name that the robot does not have (the message lists its
+  /// joints) or that appears twice, for a number of positions that differs from the number of names, and for values that are not finite.
   void add(const std::vector<std::string>& names, const std::vector<double>& positions, const std::string& where);
 
-  /// The next configuration does not follow the last one.
+  /// Ends a trajectory: nothing is interpolated between its last configuration and the next one added.
   void endTrajectory() { follows_ = false; }
 
-  /// What was collected; the collector is empty then.
+  /// Returns what was collected and empties the collector.
   ConfigurationSet take();
 
  private:
@@ -78,7 +78,7 @@ class ConfigurationCollector {
   const ConfigurationOptions options_;
   std::map<std::string, NamedJoint> joints_;
   Configuration current_;
-  std::vector<char> named_;  // of a variable: whether a name ever named it
+  std::vector<char> named_;  // per variable: whether it was ever named
   std::string first_beyond_;
   std::map<std::string, Difference> differences_;  // of mimic joints
   ConfigurationSet set_;
@@ -87,14 +87,15 @@ class ConfigurationCollector {
 
 /// Reads configurations from a file:
 ///
-///   .csv          the first line names joints, in any order, the others hold their positions; a column `time` or `stamp` is passed over.
-///                 Or `rostopic echo -p` of sensor_msgs/JointState. Parted by commas, semicolons or tabs; lines that begin with # are
-///                 comments
-///   .yaml .yml    `rostopic echo`, documents parted by `---`: sensor_msgs/JointState (name, position), trajectory_msgs/JointTrajectory
-///                 (joint_names, points with positions), and messages that hold such, as MoveIt's RobotTrajectory and DisplayTrajectory
+///   .csv          the first line names the joints, in any order, and each further line holds their positions; a column `time` or `stamp`
+///                 is ignored. Or the output of `rostopic echo -p` for sensor_msgs/JointState. Separated by commas, semicolons or tabs;
+///                 lines that start with # are comments
+///   .yaml .yml    the output of `rostopic echo`, documents separated by `---`: sensor_msgs/JointState (name, position),
+///                 trajectory_msgs/JointTrajectory (joint_names, points with positions), and messages that contain these, such as
+///                 MoveIt's RobotTrajectory and DisplayTrajectory
 ///
-/// Throws kFileNotFound, kUnsupportedFormat, kTooLarge, and kBadConfigurations, naming the line, for what cannot be read, for a
-/// file without a configuration, and as ConfigurationCollector does.
+/// Throws kFileNotFound, kUnsupportedFormat and kTooLarge; kBadConfigurations, naming the line, for text that cannot be read, for a file
+/// without a configuration, and wherever ConfigurationCollector throws it.
 ConfigurationSet readConfigurations(const std::string& file, const Kinematics& kinematics, const ConfigurationOptions& options = {});
 
 }  // namespace collision_hulls

@@ -1,4 +1,4 @@
-// Which pairs of bodies can never come near each other, whatever the joints do: proof by branch and bound.
+// Proves, by branch and bound, which pairs of bodies can never come near each other, whatever the joints do.
 #pragma once
 
 #include <cstddef>
@@ -13,45 +13,50 @@
 namespace collision_hulls {
 
 struct ReachOptions {
-  std::size_t evaluations = 2000;  ///< most distances that are computed for a pair
-  /// In (0, 1): once proved, the bound is raised until it is this share of the smallest distance found, or evaluations run out.
+  std::size_t evaluations = 2000;  ///< distance computations per pair, at most
+  /// In (0, 1): after the proof, the bound is raised until it reaches this share of the smallest distance found, or the evaluations run
+  /// out.
   double tightness = 0.8;
 };
 
-/// What is known of a pair. Distances [m] between the hulls, which hold what they stand for: a proof holds for that too, a witness may not.
+/// What is known about a pair. Distances [m] are between hulls that enclose the links' geometry: a proof holds for the geometry, too; a
+/// witness may not.
 struct Reach {
   enum class Outcome {
-    kProved,   ///< never within the clearance, for any values of the joints within their limits
-    kTouched,  ///< `witness` brings them within it
-    kUnknown   ///< the evaluations were used up
+    kProved,   ///< never within the clearance, for any joint values within the limits
+    kTouched,  ///< `witness` brings the pair within the clearance
+    kUnknown   ///< the evaluations ran out
   };
   Outcome outcome = Outcome::kUnknown;
-  double bound = 0;       ///< never nearer than that, proved: above the clearance for kProved; infinite where one has no geometry
-  double found = 0;       ///< smallest distance found, at `witness`; infinite where one has no geometry
+  double bound = 0;       ///< proved lower bound on the distance: above the clearance for kProved; infinite if either has no geometry
+  double found = 0;       ///< smallest distance found, at `witness`; infinite if either has no geometry
   Configuration witness;  ///< variables that do not move the pair are at rest
   std::size_t evaluations = 0;
 };
 
-/// Looks at pairs of a robot's links, and of links and a scene's bodies. Joints move within their limits, mimic joints as their masters
-/// do, continuous joints all the way round.
+/// Bounds the distance between pairs of links, and between links and bodies of a scene. Joints move within their limits, mimic joints
+/// follow their masters, continuous joints turn all the way round.
 ///
-/// A box of joint values whose middle keeps the pair a distance d apart keeps it d - m apart, where m is how far points of the pair move
-/// towards each other within the box: for a revolute joint at most the chord of its angle at their distance from its axis, for a
-/// prismatic one its way; joints add up. Towards each other is along the normal of a plane that parts the pair, where both are convex:
-/// where the distance is least it changes with the square of the angle only. Boxes are halved along the variable that moves most.
-/// Links at the end of a chain are first replaced by the hull of all places that their last joints take them to, which leaves fewer
-/// joints to halve: a box is handed on to the next joint only where that hull is too near. Distances are proved by the separating plane,
-/// whatever rounding does to the search for it.
+/// If a pair is a distance d apart at the middle of a box of joint values, it is at least d - m apart everywhere in the box, where m bounds
+/// how far points of the pair move towards each other: for a revolute joint at most the chord of its angle at their distance from the axis,
+/// for a prismatic joint its travel; joints add up. If both bodies are convex, only movement along the normal of a separating plane counts:
+/// near the smallest distance that movement grows only with the square of the angle. Boxes are halved along the variable that moves the
+/// pair most.
+///
+/// The last links of a chain are first replaced by swept bodies, the hull of everywhere their last joints can take them, which leaves fewer
+/// joints to halve. Only where a swept body is too near does the next joint become part of the box. A separating plane proves each
+/// distance, whatever rounding does to the search for the plane.
 ///
 /// Immutable after construction, thread safe. Deterministic.
 class ReachProver {
  public:
-  /// `links`: for each link a hull that holds all of it, in the link's frame; without vertices: a link without geometry.
+  /// `links`: per link a hull that encloses all of it, in the link's frame; without vertices if the link has no geometry.
   ReachProver(const Kinematics& kinematics, const std::vector<ConvexHull>& links, const Scene& scene);
   ~ReachProver();
   ReachProver(ReachProver&&) noexcept;
 
-  /// Two links (indices), `clearance` [m] >= 0. Links that never move against each other are proved or touched by one distance.
+  /// Two links (indices); `clearance` [m] >= 0. For links that never move relative to each other, a single distance decides. Throws
+  /// kBadOption.
   Reach betweenLinks(std::size_t link, std::size_t other, double clearance, const ReachOptions& options = {},
                      const RunControl& control = {}) const;
 

@@ -1,4 +1,4 @@
-// Pairs of links that self-collision checks leave out, as SRDF keeps them and MoveIt's Setup Assistant writes them.
+// Pairs of links that self-collision checking skips, as SRDF stores them and MoveIt's Setup Assistant writes them.
 #pragma once
 
 #include <string>
@@ -12,24 +12,24 @@ namespace collision_hulls {
 struct DisabledPair {
   std::string link1, link2;
   std::string reason;  ///< "Adjacent", "Never", "Always", "Default", or what a user wrote ("User")
-  std::string known;   ///< how it is known: "never within 0.31 m, proved"; written as a comment. Empty where it was read
+  std::string known;   ///< how this is known: "never within 0.31 m, proved"; written as a comment. Empty if the pair was read
 };
 
 struct DisabledPairs {
-  std::vector<DisabledPair> pairs;  ///< those by default first, else in document order; none twice (in either order)
-  std::vector<std::string> notes;   ///< what was left out: links that the robot does not have, as in SRDF files of variants of a robot
+  std::vector<DisabledPair> pairs;  ///< pairs disabled by default first, the others in document order; no pair twice, in either order
+  std::vector<std::string> notes;   ///< what was ignored: links that the robot does not have, as in an SRDF for several variants of a robot
 };
 
-/// The disabled pairs of an SRDF, as MoveIt has them whatever their order: `<disable_default_collisions>` disables all pairs of a link,
-/// `<enable_collisions>` takes one of these back, and `<disable_collisions>` disables a pair.
-/// `path` (may be empty) stands in messages. Throws kNotXml, kNotAnSrdf; links without a name are kNotAnSrdf.
+/// The disabled pairs of an SRDF. As in MoveIt, the order of elements does not matter: `<disable_default_collisions>` disables all pairs of
+/// a link, `<enable_collisions>` enables one of these again, and `<disable_collisions>` disables a pair. `path` (may be empty) appears in
+/// messages. Throws kNotXml; kNotAnSrdf, also for a link without a name.
 DisabledPairs parseDisabledPairs(const std::string& srdf_text, const RobotDescription& robot, const std::string& path = "");
 
-/// The same of a file. Also throws kFileNotFound, kTooLarge.
+/// The same for a file. Also throws kFileNotFound, kTooLarge.
 DisabledPairs readDisabledPairs(const std::string& srdf_file, const RobotDescription& robot);
 
-/// A document `<robot name="...">` with a `<disable_collisions>` for each pair, in the given order; to be merged into a robot's SRDF, or
-/// used as one. What parseDisabledPairs() reads back is the same.
+/// A document `<robot name="...">` with one `<disable_collisions>` per pair, in the given order, to merge into a robot's SRDF or to use as
+/// one. parseDisabledPairs() reads the same pairs back.
 std::string srdfFragment(const std::string& robot_name, const std::vector<DisabledPair>& pairs);
 
 }  // namespace collision_hulls

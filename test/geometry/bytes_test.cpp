@@ -72,7 +72,7 @@ TEST(SealedBytes, EveryFlippedBitIsDetected) {
 TEST(SealedBytes, FaultsAreNamed) {
   const std::string whole = sealed(kKind, "the payload");
   EXPECT_NE(faultOf({kKind.magic, 8}, whole).find("version 7"), std::string::npos);
-  EXPECT_NE(faultOf({{'O', 'T', 'H', 'E', 'R', '.', '.', '.'}, 7}, whole).find("begin"), std::string::npos);
+  EXPECT_NE(faultOf({{'O', 'T', 'H', 'E', 'R', '.', '.', '.'}, 7}, whole).find("first bytes"), std::string::npos);
   EXPECT_NE(faultOf(kKind, whole.substr(0, 30)).find("30 bytes"), std::string::npos);
   EXPECT_NE(faultOf(kKind, whole.substr(0, 30) + "X" + whole.substr(31)).find("checksum"), std::string::npos);
 }

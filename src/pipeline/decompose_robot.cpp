@@ -172,6 +172,7 @@ void decomposeElements(RobotResult& result, const UriResolver& resolve, const Ru
   result.report.notes = cache.notes();
   for (ElementResult& element : elements) element.solid = nullptr;
   reportElements(result);
+  noteSmallMeshes(result.report);
 }
 
 }  // namespace
@@ -179,6 +180,7 @@ void decomposeElements(RobotResult& result, const UriResolver& resolve, const Ru
 RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& find_package, const Options& options,
                            const std::string& output, const RunControl& control, const StepCallback& step) {
   check(options);
+  checkForRobot(options);
   Stopwatch run;
   RobotResult result = robotResult(robot, options);
   decomposeElements(
@@ -200,6 +202,7 @@ RobotResult decomposeMesh(const std::string& path, const Options& options, const
   element.source.uri = path;
   element.report.link = result.robot_name;
   element.report.uri = path;
+  element.report.scale.setConstant(options.scale);
   element.report.method = options.method;
   result.elements.push_back(element);
   decomposeElements(

@@ -1,5 +1,9 @@
+// Reading and repairing a mesh, describing its hulls, validating all.
+//
+// Sizes are checked as soon as a mesh is read, since a mesh in the wrong unit makes the later stages take minutes for a useless result.
 #include "pipeline/element_stages.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "collision_hulls/check/measures.h"
@@ -19,7 +23,33 @@ double toleranceFor(const TriangleMesh& mesh, const Options& options) {
                                          "alone, as in 1mm, or mend the mesh");
 }
 
+// The longest links of robots are the booms of large manipulators and gantries, about 10 m. Meshes in millimetres that are read as
+// metres are longer than 20 m for all links above 20 mm.
+constexpr double kLargestLink = 20;  // [m]
+
+/// A share of the diagonal fits a mesh of any unit: the work is as short, so that it is the way to have a link that is really so large.
+void checkSize(const ElementReport& row, const Length& tolerance) {
+  if (row.diagonal <= kLargestLink || tolerance.limit == Length::kUnset) return;
+  char size[64];
+  std::snprintf(size, sizeof size, "%.3g m", row.diagonal);
+  throw Error(ErrorCode::kTooLarge,
+              "'" + row.uri + "' is " + size +
+                  " across, larger than a robot's link: if its numbers are millimetres, scale it by 0.001 (--scale "
+                  "0.001 for a mesh file, scale=\"0.001 0.001 0.001\" in a description's <mesh>); if it really is that "
+                  "large, give the tolerance as a share alone, as in 1%");
+}
+
 }  // namespace
+
+void checkForRobot(const Options& options) {
+  if (options.scale == 1) return;
+  char scale[64];
+  std::snprintf(scale, sizeof scale, "%g", options.scale);
+  const std::string s = scale;
+  throw Error(ErrorCode::kBadOption, "scale '" + s +
+                                         "' is for a single mesh; a robot's description scales its meshes itself: write scale=\"" + s +
+                                         " " + s + " " + s + "\" in its <mesh> elements");
+}
 
 ReadMesh readElement(const MeshTask& mesh, const Options& options, const RunControl& control, ElementResult& element) {
   ElementReport& row = element.report;
@@ -33,6 +63,7 @@ ReadMesh readElement(const MeshTask& mesh, const Options& options, const RunCont
   element.original = scaled(loaded.mesh, row.scale);
   loaded.mesh = {};
   row.diagonal = diagonal(element.original);
+  checkSize(row, options.tolerance);
   row.tolerance = toleranceFor(element.original, options);
   row.seconds.read = stage.lap();
 
@@ -86,6 +117,17 @@ Validation validateElements(const std::vector<ElementResult>& elements, std::uin
   ValidationOptions options;
   options.seed = seed;
   return validate(pairs, options, control);
+}
+
+void noteSmallMeshes(Report& report) {
+  const auto is_small = [](const ElementReport& row) { return row.status != Status::kFailed && row.tolerance > row.diagonal; };
+  const auto first = std::find_if(report.links.begin(), report.links.end(), is_small);
+  if (first == report.links.end()) return;
+  const auto others = std::count_if(first, report.links.end(), is_small) - 1;
+  report.notes.push_back("the tolerance of " + millimetres(first->tolerance) + " is larger than '" + first->uri + "', which is " +
+                         millimetres(first->diagonal) + " across" +
+                         (others > 0 ? ", and than " + std::to_string(others) + " other meshes" : "") +
+                         ": one hull covers each; for more detail give a smaller tolerance, or one with a share, as in 1cm,5%");
 }
 
 std::string millimetres(double metres) {

@@ -3,6 +3,7 @@
 #include "collision_hulls/pipeline/fit_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -228,6 +229,29 @@ std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options
   return notes;
 }
 
+/// [m] At least how far the joints can take a link from the root, whatever way they bend.
+double reachOf(const RobotDescription& robot) {
+  std::map<std::string, double> reach;  // by link
+  double largest = 0;
+  for (const JointDescription& joint : robot.joints) {  // parents before children
+    const bool slides = joint.kind == JointDescription::Kind::kPrismatic;
+    const double way = slides ? std::max(std::abs(joint.lower), std::abs(joint.upper)) : 0;
+    reach[joint.child] = reach[joint.parent] + joint.origin.translation().norm() + way;
+    largest = std::max(largest, reach[joint.child]);
+  }
+  return largest;
+}
+
+/// A robot is never clear by more than its own size, at least not from itself: the model would have to be free nowhere.
+void checkClearance(double clearance, const RobotDescription& robot) {
+  constexpr double kAlwaysAllowed = 1;  // [m] for robots without joints, too
+  const double reach = reachOf(robot);
+  if (clearance <= std::max(kAlwaysAllowed, reach)) return;
+  throw Error(ErrorCode::kBadOption, "clearance '" + toString(lengthOf(clearance)) + "' is more than robot '" + robot.name + "' reaches (" +
+                                         millimetres(reach) + "): a number without a unit is in metres, did you mean " +
+                                         toString(lengthOf(clearance / 1000)) + "?");
+}
+
 void refuseOtherWays(const Options& options) {
   if (options.tree)
     throw Error(ErrorCode::kBadOption, "tree '" + toString(*options.tree) +
@@ -272,9 +296,11 @@ void giveConfigurations(ConfigurationSet given, SceneRequest& request) {
 RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& find_package, const SceneRequest& request,
                             const Options& options, const std::string& output, const RunControl& control, const StepCallback& step) {
   check(options);
+  checkForRobot(options);
   refuseOtherWays(options);
   const FitOptions fit_options{request.clearance, request.samples, options.seed, request.compare, request.primitives};
   check(fit_options);
+  checkClearance(request.clearance, robot);
   const Kinematics joints(robot);
   Stopwatch run;
   RobotResult result = robotResult(robot, options);
@@ -310,6 +336,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   result.report.notes = cache.notes();
   for (ElementResult& element : elements) element.solid = nullptr;
   reportElements(result);
+  noteSmallMeshes(result.report);
   if (result.report.scene)
     for (const std::string& note : notesOnFit(*result.report.scene, options)) notes.push_back(note);
   rewriteDescription(robot, output, notes, result);

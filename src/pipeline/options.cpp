@@ -1,8 +1,12 @@
+// Lengths as text, the options' ranges, and the consumers' profiles.
+//
+// A value that is out of range, or cannot be meant, is refused here, before any work, so that every door gives the same message.
 #include "collision_hulls/pipeline/options.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <locale>
 #include <regex>
 #include <sstream>
@@ -23,9 +27,10 @@ constexpr std::array<Unit, 7> kLengthUnits = {
 constexpr int kMostHulls = 1'000'000;     // of a mesh
 constexpr int kMostVertices = 1'000'000;  // of a hull
 constexpr int kMostJobs = 1024;
+constexpr double kLargestTolerance = 1;  // [m]: hulls that protrude further tell a robot's links from nothing around it
 
 [[noreturn]] void badOption(const std::string& option, const std::string& value, const std::string& allowed) {
-  throw Error(ErrorCode::kBadOption, option + " '" + value + "' is not understood: it takes " + allowed);
+  throw Error(ErrorCode::kBadOption, option + " '" + value + "' is invalid: use " + allowed);
 }
 
 void checkRange(const std::string& option, int value, int low, int high, const std::string& meaning) {
@@ -101,11 +106,20 @@ std::string plain(double number) {
   return out.str();
 }
 
+/// 5 for 5 mm is the usual mistake.
+void checkUnit(const std::string& option, const Length& length) {
+  if (!isSet(length.limit) || length.limit <= kLargestTolerance) return;
+  throw Error(ErrorCode::kBadOption, option + " '" + toString(length) + "' is more than " + toString(lengthOf(kLargestTolerance)) +
+                                         ", which leaves nothing of a robot's shape: a number without a unit is in metres, did you mean " +
+                                         toString(lengthOf(length.limit / 1000)) + "? For a larger machine give a share, as in 5%");
+}
+
 void checkLength(const std::string& option, const Length& length) {
   const char* const allowed = "a length above 0, a share above 0% and up to 100%, or both";
   if (!isSet(length.limit) && !isSet(length.share)) badOption(option, "inf", allowed);
   if (isSet(length.limit) && !(std::isfinite(length.limit) && length.limit > 0)) badOption(option, plain(length.limit) + "m", allowed);
   if (isSet(length.share) && !(length.share > 0 && length.share <= 1)) badOption(option, plain(100 * length.share) + "%", allowed);
+  checkUnit(option, length);
 }
 
 /// Whether `tree` is the larger length for every mesh, whatever its size. Where only some meshes make it larger, these take the
@@ -161,16 +175,18 @@ void check(const Options& options) {
   checkLength("tolerance", tolerance);
   if (options.tree) checkLength("tree", *options.tree);
   if (options.fill && options.method != Method::kCertified)
-    throw Error(ErrorCode::kBadOption,
-                std::string("fill is not for method '") + name(options.method) + "': only certified fills; leave one of the two out");
+    throw Error(ErrorCode::kBadOption, std::string("fill does not work with method '") + name(options.method) +
+                                           "': only certified fills; leave one of the two out");
   if (options.tree && options.method != Method::kCertified)
-    throw Error(ErrorCode::kBadOption,
-                std::string("tree is not for method '") + name(options.method) + "': only certified has one; leave one of the two out");
+    throw Error(ErrorCode::kBadOption, std::string("tree does not work with method '") + name(options.method) +
+                                           "': only certified builds one; leave one of the two out");
   if (options.tree && alwaysLarger(*options.tree, tolerance))
     badOption("tree", toString(*options.tree), "a length up to the tolerance, which is " + toString(tolerance));
   checkRange("max-hulls", options.max_hulls, 1, kMostHulls, "no cap");
   checkRange("max-vertices", options.max_vertices, kLeastVertices, kMostVertices, "no cap");
   checkRange("jobs", options.jobs, 1, kMostJobs, "as many threads as cores");
+  if (!(std::isfinite(options.scale) && options.scale > 0))
+    badOption("scale", plain(options.scale), "a number above 0, as in 0.001 for a mesh in millimetres");
   try {
     const std::regex compiled(options.links);
   } catch (const std::regex_error& e) {
@@ -178,16 +194,29 @@ void check(const Options& options) {
   }
 }
 
+// Where the values come from:
+//   fcl      32 vertices: up to there fcl::Convex finds a support point by looking at every vertex, beyond it by walking along edges
+//            (kMinVertCountForEdgeWalking, pull request 488 of flexible-collision-library/fcl; before 0.6.1 it always looks at all)
+//   bullet   42 vertices: btShapeHull, which Bullet offers "to simplify a complex convex object", keeps the support points of 42
+//            directions; btConvexHullShape looks at every vertex for each support point
+//   moveit   as bullet: its Bullet plugin makes a btConvexHullShape of every mesh (moveit_core, bullet_utils.cpp), its FCL plugin a
+//            tree of the mesh's triangles, which a hull of fewer vertices has fewer of
+//   physx    32 vertices: on the GPU it collides hulls of at most 64 vertices, 64 polygons and 32 faces at a vertex (PxConvexMeshDesc,
+//            PhysX 5.5); 32 vertices have at most 2 * 32 - 4 = 60 triangles, and 31 at one vertex
+//   gazebo   16 hulls a mesh: what its own convex decomposition makes at most (SDFormat 1.11, <max_convex_hulls>, default 16)
 void applyProfile(const std::string& profile, Options& options) {
-  // FCL and MoveIt name no limit: 64 vertices keep FCL's support search on its short path. Bullet walks every vertex for every
-  // support point. PhysX takes at most 255 polygons a hull (2 * 64 - 4 triangles stay below) and collides on the GPU only hulls
-  // of at most 64 vertices, and tools around it 64 hulls a shape. Gazebo's engines are the same ones.
-  const bool hull_cap = profile == "physx" || profile == "gazebo";
-  if (!hull_cap && profile != "fcl" && profile != "moveit" && profile != "bullet") {
-    badOption("profile", profile, "fcl, moveit, bullet, physx or gazebo");
-  }
-  options.max_vertices = 64;
-  options.max_hulls = hull_cap ? 64 : 0;
+  struct Caps {
+    const char* profile;
+    int max_hulls, max_vertices;
+  };
+  constexpr int kNoCap = 0, kDefault = DecomposeOptions{}.max_vertices;
+  constexpr Caps kProfiles[] = {
+      {"fcl", kNoCap, 32}, {"moveit", kNoCap, 42}, {"bullet", kNoCap, 42}, {"physx", kNoCap, 32}, {"gazebo", 16, kDefault}};
+  const auto* const found =
+      std::find_if(std::begin(kProfiles), std::end(kProfiles), [&](const Caps& caps) { return profile == caps.profile; });
+  if (found == std::end(kProfiles)) badOption("profile", profile, "fcl, moveit, bullet, physx or gazebo");
+  options.max_hulls = found->max_hulls;
+  options.max_vertices = found->max_vertices;
 }
 
 }  // namespace collision_hulls

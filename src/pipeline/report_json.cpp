@@ -41,6 +41,7 @@ json toJson(const Options& options) {
           {"max-vertices", options.max_vertices},
           {"links", options.links},
           {"source", toText(options.source)},
+          {"scale", options.scale},
           {"format", extension(options.format) + 1},
           {"uri", toText(options.uri)},
           {"jobs", options.jobs},

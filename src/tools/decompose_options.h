@@ -1,7 +1,9 @@
-// The options of a decomposition on a command line, which several programs have in common.
+// The options of a decomposition on a command line, shared by the programs that take them.
 #pragma once
 
+#include <cmath>
 #include <limits>
+#include <locale>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -18,19 +20,27 @@ inline std::uint64_t wholeNumber(const std::string& option, const std::string& t
   std::uint64_t value = 0;
   const bool digits_only = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
   if (digits_only && in >> value && value <= limit) return value;
-  throw Error(ErrorCode::kBadOption,
-              option + " '" + text + "' is not understood: it takes a whole number from 0 to " + std::to_string(limit));
+  throw Error(ErrorCode::kBadOption, option + " '" + text + "' is invalid: use a whole number from 0 to " + std::to_string(limit));
+}
+
+/// A positive number without a unit.
+inline double positiveNumber(const std::string& option, const std::string& text) {
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  double value = 0;
+  if (in >> value && in.peek() == std::istringstream::traits_type::eof() && value > 0 && std::isfinite(value)) return value;
+  throw Error(ErrorCode::kBadOption, option + " '" + text + "' is invalid: use a number above 0 without a unit, as in 0.001");
 }
 
 /// The enumerator that a text names.
 template <typename T>
 T choice(const std::string& option, const std::string& text, std::optional<T> (*parse)(const std::string&), const std::string& choices) {
   if (const std::optional<T> value = parse(text)) return *value;
-  throw Error(ErrorCode::kBadOption, option + " '" + text + "' is unknown: it takes one of " + choices);
+  throw Error(ErrorCode::kBadOption, option + " '" + text + "' is unknown: use one of " + choices);
 }
 
-/// Adds options whose callbacks fill `options`, which has to outlive the parsing; this object need not. A wrong value throws
-/// kBadOption from parse().
+/// Adds options whose callbacks fill `options`, which has to outlive the parsing; this object need not. An invalid value makes parse()
+/// throw kBadOption.
 class DecomposeOptionAdder {
  public:
   DecomposeOptionAdder(CommandLine& app, Options& options) : app_(app), options_(options) {}
@@ -72,50 +82,51 @@ class DecomposeOptionAdder {
         "How far the hulls may protrude from the part: 5mm, 0.005 (metres), 1% of each mesh's bounding-box diagonal, or 1cm,5%: the "
         "smaller of both",
         [&options = options_](const std::string&, const std::string& text) { options.tolerance = parseLength(text); });
-    addChoice("Accuracy", "-m,--method", options_.method, methodNamed, methodChoices(), name(options_.method), "How meshes are decomposed");
+    addChoice("Accuracy", "-m,--method", options_.method, methodNamed, methodChoices(), name(options_.method), "How to decompose meshes");
     addChoice("Accuracy", "--effort", options_.effort, effortNamed, "quick, best", "quick",
               "best searches longer for fewer hulls (method certified)");
     app_.add_flag_callback(
             "--fill", [&options = options_] { options.fill = true; }, "Cover the inside of closed meshes as well, not their surface alone")
         ->group("Accuracy");
     add("Accuracy", "--tree", "LENGTH", "",
-        "Cut the hulls from a tree of this finer tolerance, which the cache keeps: other tolerances above it then cost no decomposition",
+        "Cut the hulls from a tree of this finer tolerance, which the cache keeps: any tolerance above it then needs no decomposition",
         [&options = options_](const std::string&, const std::string& text) { options.tree = parseLength(text, "--tree"); });
   }
 
   void addCaps() {
-    // Before the caps themselves: callbacks run in this order, so that a cap given by hand wins.
-    add("Caps", "--profile", "NAME", "", "Caps that suit a consumer: fcl, moveit, bullet, physx, gazebo",
+    // Before the caps themselves: callbacks run in this order, so that an explicit cap wins.
+    add("Caps", "--profile", "NAME", "", "Caps that a consumer documents: fcl, moveit, bullet, physx, gazebo",
         [&options = options_](const std::string&, const std::string& text) { applyProfile(text, options); });
     addNumber("Caps", "--max-hulls", options_.max_hulls, "Most hulls per mesh; 0: no cap");
     addNumber("Caps", "--max-vertices", options_.max_vertices, "Most vertices per hull, at least 8; 0: no cap");
   }
 
   void addInput() {
-    add("Input", "--links", "REGEX", "", "Links to work on: a regular expression that the whole name matches; all if not given",
+    add("Input", "--links", "REGEX", "", "Links to decompose: a regular expression that matches the whole name; default: all",
         [&options = options_](const std::string&, const std::string& text) { options.links = text; });
     addChoice("Input", "--source", options_.source, sourceNamed, "auto, visual, collision", "auto",
-              "Which meshes of a link are taken; auto: its collision elements if it has any, else its visual ones");
+              "Meshes to use; auto: a link's collision elements if it has any, else its visual ones");
+    add("Input", "--scale", "S", "1", "Factor for a single mesh, such as 0.001 for one in millimetres; a robot's description has its own",
+        [&options = options_](const std::string& option, const std::string& text) { options.scale = positiveNumber(option, text); });
   }
 
   void addOutput() {
     addChoice("Output", "--format", options_.format, meshFormatNamed, "stl, obj, dae", "stl", "Mesh files of the hulls");
-    addChoice("Output", "--uri", options_.uri, uriStyleNamed, "package, file, relative", "package", "How the description names them");
+    addChoice("Output", "--uri", options_.uri, uriStyleNamed, "package, file, relative", "package", "How the description refers to them");
   }
 
   void addRun() {
     addNumber("Run", "--jobs", options_.jobs, "Threads; 0: as many as cores. The result is the same for any number");
-    add("Run", "--seed", "N", std::to_string(options_.seed), "Seed of the validation's probes and of whatever else is random",
+    add("Run", "--seed", "N", std::to_string(options_.seed), "Seed of the validation's probes and of everything else that is random",
         [&options = options_](const std::string& option, const std::string& text) {
           options.seed = wholeNumber(option, text, std::numeric_limits<std::uint64_t>::max());
         });
     app_.add_flag_callback(
             "--no-validate", [&options = options_] { options.validate = false; },
-            "Leave out the collision queries that compare the hulls with the meshes")
+            "Skip the collision queries that compare the hulls with the meshes")
         ->group("Run");
     app_.add_flag_callback(
-            "--no-cache", [&options = options_] { options.cache = false; },
-            "Work everything out anew: neither read the cache nor add to it")
+            "--no-cache", [&options = options_] { options.cache = false; }, "Compute everything anew: neither read the cache nor add to it")
         ->group("Run");
   }
 

@@ -124,8 +124,8 @@ TEST_F(CachedRun, OtherOptionsHaveOtherEntries) {
   run();
   const std::vector<std::function<void(Options&)>> changes = {
       [](Options& o) { o.tolerance = shareOf(0.03); }, [](Options& o) { o.method = Method::kSingleHull; },
-      [](Options& o) { o.effort = Effort::kBest; },   [](Options& o) { o.max_hulls = 1; },
-      [](Options& o) { o.max_vertices = 8; },         [](Options& o) { o.seed = 2; }};
+      [](Options& o) { o.effort = Effort::kBest; },    [](Options& o) { o.max_hulls = 1; },
+      [](Options& o) { o.max_vertices = 8; },          [](Options& o) { o.seed = 2; }};
   for (std::size_t i = 0; i < changes.size(); ++i) {
     options_ = Options();
     changes[i](options_);

@@ -179,18 +179,12 @@ TEST(CacheKeys, EachInputOfAnElementCounts) {
         r.scale = {-2, 1, 0.5};
       },
       [](ElementReport&, std::string& file, Options&) { file = "part.obj"; },
-      [](ElementReport&, std::string&, Options& o) {
-        o.tolerance = shareOf(0.02);
-      },
-      [](ElementReport&, std::string&, Options& o) {
-        o.tolerance = lengthOf(0.01);
-      },
+      [](ElementReport&, std::string&, Options& o) { o.tolerance = shareOf(0.02); },
+      [](ElementReport&, std::string&, Options& o) { o.tolerance = lengthOf(0.01); },
       [](ElementReport&, std::string&, Options& o) { o.method = Method::kHacd; },
       [](ElementReport&, std::string&, Options& o) { o.effort = Effort::kBest; },
       [](ElementReport&, std::string&, Options& o) { o.fill = true; },
-      [](ElementReport&, std::string&, Options& o) {
-        o.tree = shareOf(0.005);
-      },
+      [](ElementReport&, std::string&, Options& o) { o.tree = shareOf(0.005); },
       [](ElementReport&, std::string&, Options& o) { o.max_hulls = 3; },
       [](ElementReport&, std::string&, Options& o) { o.max_vertices = 32; },
       [](ElementReport&, std::string&, Options& o) { o.seed = 2; }};

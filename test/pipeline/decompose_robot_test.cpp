@@ -287,6 +287,64 @@ TEST_F(DecomposeRobot, OtherMethodsGiveTheirReasons) {
   EXPECT_EQ(box.report.links[0].status, Status::kOk) << box.report.links[0].reason;
 }
 
+std::size_t notesWith(const Report& report, const std::string& part) {
+  return static_cast<std::size_t>(std::count_if(report.notes.begin(), report.notes.end(),
+                                                [&](const std::string& note) { return note.find(part) != std::string::npos; }));
+}
+
+// 200 m long: a box in millimetres that is read as metres.
+TEST_F(DecomposeRobot, AMeshInMillimetresFailsBeforeTheWorkAndLeavesTheOthers) {
+  const std::string huge = "    <visual>\n      " + meshTag("../meshes/bracket.obj", " scale=\"1000 1000 1000\"") + "\n    </visual>\n";
+  const RobotResult result = run(link("base", visual("box.obj")) + link("tip", huge, "base"));
+  EXPECT_EQ(result.report.links[0].status, Status::kOk);
+  const ElementReport& row = result.report.links[1];
+  EXPECT_EQ(row.status, Status::kFailed);
+  EXPECT_EQ(row.error, "TooLarge");
+  EXPECT_EQ(row.repair.components, 0u) << "it was not even repaired";
+  for (const char* part : {"'../meshes/bracket.obj' is 300 m across", "--scale 0.001", "scale=\"0.001 0.001 0.001\"", "1%"})
+    EXPECT_NE(row.reason.find(part), std::string::npos) << row.reason;
+}
+
+TEST_F(DecomposeRobot, AShareAloneTakesALinkOfAnySize) {
+  const std::string huge = "    <visual>\n      " + meshTag("../meshes/bracket.obj", " scale=\"1000 1000 1000\"") + "\n    </visual>\n";
+  options_.tolerance = shareOf(0.05);
+  const RobotResult result = run(link("base", huge));
+  EXPECT_EQ(result.report.links[0].status, Status::kOk) << result.report.links[0].reason;
+  EXPECT_EQ(notesWith(result.report, "millimetres"), 1u);
+}
+
+TEST_F(DecomposeRobot, TheToleranceIsLargerThanTheMesh) {
+  const std::string links = link("base", visual("box.obj") + visual("bracket.obj")) + link("tip", visual("box.obj"), "base");
+  options_.tolerance = lengthOf(0.5);
+  const RobotResult coarse = run(links);
+  for (const ElementReport& row : coarse.report.links) EXPECT_EQ(row.hulls, 1u);
+  EXPECT_EQ(notesWith(coarse.report, "the tolerance of 500 mm is larger than '../meshes/box.obj'"), 1u);
+  EXPECT_EQ(notesWith(coarse.report, "2 other meshes"), 1u);
+  options_.tolerance = Options{}.tolerance;
+  EXPECT_EQ(notesWith(run(links).report, "is larger than"), 0u);
+}
+
+TEST_F(DecomposeRobot, ScaleIsForASingleMesh) {
+  options_.scale = 0.001;
+  try {
+    run(link("base", visual("box.obj")));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadOption);
+    for (const char* part : {"scale '0.001'", "scale=\"0.001 0.001 0.001\""})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(DecomposeRobot, AScaledMesh) {
+  const RobotResult plain = decomposeMesh(folder_ / "meshes/bracket.obj", options_);
+  options_.scale = 2;
+  const RobotResult twice = decomposeMesh(folder_ / "meshes/bracket.obj", options_);
+  EXPECT_EQ(twice.report.links[0].scale, Eigen::Vector3d::Constant(2));
+  EXPECT_NEAR(twice.report.links[0].diagonal, 2 * plain.report.links[0].diagonal, 1e-12);
+  EXPECT_NEAR(twice.elements[0].hulls[0].vertices[0].norm(), 2 * plain.elements[0].hulls[0].vertices[0].norm(), 1e-6);
+}
+
 TEST_F(DecomposeRobot, SameBytesForAnyNumberOfThreads) {
   const std::string links =
       link("a", collision("bracket.obj")) + link("b", collision("channel.obj"), "a") + link("c", collision("box.obj"), "a");

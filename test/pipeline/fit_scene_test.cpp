@@ -63,6 +63,21 @@ TEST_F(FitRobotToScene, RejectsAnotherTolerancesTree) {
   }
 }
 
+TEST_F(FitRobotToScene, AClearanceBeyondTheRobotsReachIsRefused) {
+  const std::string links = fixtures::link("base", bracket()) + fixtures::link("tip", bracket(), "base");  // 0.5 m above it
+  request_.clearance = 20;
+  try {
+    run(links);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadOption);
+    for (const char* part : {"clearance '20m'", "500 mm", "did you mean 2cm?"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+  request_.clearance = 1;
+  EXPECT_NO_THROW(run(links));
+}
+
 TEST_F(FitRobotToScene, BlockInTheNotchNeedsTwoHulls) {
   options_.validate = true;
   request_.primitives = false;

@@ -122,6 +122,8 @@ TEST(CheckOptions, NamesOptionValueAndRange) {
   EXPECT_TRUE(has(message([](Options& o) { o.max_vertices = 7; }), "from 8"));
   EXPECT_TRUE(has(message([](Options& o) { o.jobs = 100000; }), "jobs '100000'"));
   EXPECT_TRUE(has(message([](Options& o) { o.links = "(arm"; }), "links '(arm'"));
+  EXPECT_TRUE(has(message([](Options& o) { o.scale = 0; }), "scale '0'"));
+  EXPECT_TRUE(has(message([](Options& o) { o.scale = std::numeric_limits<double>::infinity(); }), "scale 'inf'"));
 }
 
 TEST(CheckOptions, TreeIsFinerForSomeMesh) {
@@ -147,17 +149,43 @@ TEST(CheckOptions, TreeIsFinerForSomeMesh) {
   refused("1cm", "2cm");
 }
 
-TEST(Profiles, SetCaps) {
+TEST(CheckOptions, MetresThatWereMeantAsMillimetres) {
   Options options;
-  options.max_vertices = 0;
-  options.max_hulls = 7;
-  applyProfile("moveit", options);
-  EXPECT_EQ(options.max_vertices, 64);
-  EXPECT_EQ(options.max_hulls, 0);
-  applyProfile("physx", options);
-  EXPECT_EQ(options.max_vertices, 64);
-  EXPECT_EQ(options.max_hulls, 64);
-  EXPECT_NE(badOption([&] { applyProfile("havok", options); }).find("'havok'"), std::string::npos);
+  options.tolerance = parseLength("1m");
+  EXPECT_NO_THROW(check(options));
+  options.tolerance = parseLength("5");
+  EXPECT_NE(badOption([&] { check(options); }).find("tolerance '5m' is more than 1m"), std::string::npos);
+  EXPECT_NE(badOption([&] { check(options); }).find("did you mean 5mm?"), std::string::npos);
+  options.tolerance = parseLength("20m,5%");
+  EXPECT_NE(badOption([&] { check(options); }).find("did you mean 2cm?"), std::string::npos);
+  options.tolerance = parseLength("100%");
+  options.tree = parseLength("2");
+  EXPECT_NE(badOption([&] { check(options); }).find("tree '2m'"), std::string::npos);
+}
+
+TEST(Profiles, SetBothCaps) {
+  struct {
+    const char* profile;
+    int max_hulls, max_vertices;
+  } const expected[] = {{"fcl", 0, 32}, {"moveit", 0, 42}, {"bullet", 0, 42}, {"physx", 0, 32}, {"gazebo", 16, 64}};
+  for (const auto& caps : expected) {
+    Options options;
+    options.max_vertices = 100;
+    options.max_hulls = 7;
+    applyProfile(caps.profile, options);
+    EXPECT_EQ(options.max_hulls, caps.max_hulls) << caps.profile;
+    EXPECT_EQ(options.max_vertices, caps.max_vertices) << caps.profile;
+    EXPECT_NO_THROW(check(options)) << caps.profile;
+    const bool as_default = options.max_hulls == Options{}.max_hulls && options.max_vertices == Options{}.max_vertices;
+    EXPECT_FALSE(as_default) << caps.profile << " changes nothing";
+  }
+}
+
+TEST(Profiles, UnknownOneIsNamed) {
+  Options options;
+  const std::string message = badOption([&] { applyProfile("havok", options); });
+  for (const char* part : {"'havok'", "fcl", "moveit", "bullet", "physx", "gazebo"})
+    EXPECT_NE(message.find(part), std::string::npos) << message;
 }
 
 TEST(UriStyles, Names) {

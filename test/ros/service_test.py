@@ -127,9 +127,12 @@ class ServiceTest(unittest.TestCase):
         self.assertEqual(0.004, self.decompose_well(tolerance=0.004).links[0].tolerance)
         diagonal = (0.1**2 + 0.05**2 + 0.03**2) ** 0.5
         self.assertAlmostEqual(0.02 * diagonal, self.decompose_well(relative_tolerance=0.02).links[1].tolerance, places=8)
+        for metres in (0.001, 0.004):
+            both = self.decompose_well(tolerance=metres, relative_tolerance=0.02)
+            self.assertAlmostEqual(min(metres, 0.02 * diagonal), both.links[1].tolerance, places=8)
 
     def test_tolerance_parameter(self):
-        for value, expected in (("3mm", 0.003), (0.002, 0.002), (1, 1.0)):
+        for value, expected in (("3mm", 0.003), (0.002, 0.002), (1, 1.0), ("3mm,50%", 0.003)):
             self.set_parameter(NODE + "/tolerance", value)
             self.assertEqual(expected, self.decompose_well().links[0].tolerance)
         self.assertEqual(0.004, self.decompose_well(tolerance=0.004).links[0].tolerance)

@@ -70,6 +70,11 @@ TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {
   expectWrongUse("arm/urdf/arm.urdf --uri http", {"--uri", "'http'", "relative"});
   expectWrongUse("arm/urdf/arm.urdf --profile havok", {"profile", "'havok'", "physx"});
   expectWrongUse("arm/urdf/arm.urdf --links '('", {"links", "'('"});
+  expectWrongUse("arm/urdf/arm.urdf -t 5", {"tolerance '5m'", "5mm"});
+  expectWrongUse("arm/urdf/arm.urdf -t 1cm,2cm", {"tolerance '1cm,2cm'", "1cm,5%"});
+  for (const char* scale : {"0", "-1", "0.001mm", "1,1,1", "nan", "inf", "''"})
+    expectWrongUse("arm/meshes/bracket.obj --scale " + std::string(scale), {"--scale", "0.001"});
+  expectWrongUse("arm/urdf/arm.urdf --scale 0.001", {"scale '0.001'", "scale=\"0.001 0.001 0.001\""});
   expectWrongUse("arm/urdf/arm.urdf --links elbow", {"links", "'elbow'", "base"});
 }
 
@@ -120,7 +125,7 @@ TEST_F(DecomposeProgram, OptionsArriveInTheReport) {
   EXPECT_EQ(report["options"]["tolerance"], "2mm");
   EXPECT_EQ(report["options"]["method"], "single_hull");
   EXPECT_EQ(report["options"]["max-hulls"], 3) << "a cap given by hand wins over the profile's";
-  EXPECT_EQ(report["options"]["max-vertices"], 64);
+  EXPECT_EQ(report["options"]["max-vertices"], 32);
   EXPECT_EQ(report["options"]["format"], "obj");
   EXPECT_EQ(report["seed"], 7);
   EXPECT_TRUE(report["validation"].is_null());
@@ -146,6 +151,17 @@ TEST_F(DecomposeProgram, AMesh) {
   EXPECT_EQ(result.err, "");
   for (const char* file : {"hull_0.stl", "bracket_hulls.obj", "report.json"})
     EXPECT_TRUE(fs::exists(folder_.path() / "bracket_collision" / file)) << file;
+}
+
+TEST_F(DecomposeProgram, AMeshInMillimetres) {
+  fixtures::write(folder_ / "bracket.obj", fixtures::obj(test_shapes::lBracket(200, 30, 100)));
+  expectWrongUse("bracket.obj --quiet", {"'bracket.obj' is 300 m across", "--scale 0.001"});
+  EXPECT_EQ(run("bracket.obj --quiet --scale 0.001").status, 0);
+  const json report = json::parse(fixtures::read(folder_ / "bracket_collision/report.json"));
+  EXPECT_EQ(report["options"]["scale"], 0.001);
+  EXPECT_EQ(report["links"][0]["scale"], json({0.001, 0.001, 0.001}));
+  EXPECT_EQ(report["links"][0]["tolerance"], 0.01);
+  EXPECT_NEAR(report["links"][0]["diagonal"].get<double>(), 0.3, 1e-9);
 }
 
 TEST_F(DecomposeProgram, OneBadLinkAmongGoodOnes) {

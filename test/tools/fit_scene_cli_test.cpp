@@ -37,6 +37,10 @@ TEST_F(FitSceneProgram, WrongUse) {
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 0", {"--clearance '0'", "2cm"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 2%", {"--clearance '2%'"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --samples 0", {"--samples '0'"});
+  expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm,5%", {"--clearance '1cm,5%'"});
+  expectWrongUse("arm.urdf --scene notch.yaml --clearance 20", {"clearance '20m'", "2cm"});
+  expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm -t 5", {"tolerance '5m'", "5mm"});
+  expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --scale 0.1", {"scale '0.1'"});
   expectWrongUse("arm.urdf --scene nowhere.yaml --clearance 1cm", {"nowhere.yaml"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --srdf none.srdf", {"none.srdf"});
   fixtures::write(folder_ / "rubbish.srdf", "disabled: none");

@@ -51,6 +51,7 @@ struct Options {
   int max_vertices = 64;       ///< per hull; 0: no cap
   std::string links;           ///< regular expression (ECMAScript) that a link's whole name must match; empty: all
   Source source = Source::kAuto;
+  double scale = 1;  ///< of a single mesh, > 0: 0.001 for one in millimetres; a robot's description has its own scales
   MeshFormat format = MeshFormat::kStl;
   UriStyle uri = UriStyle::kPackage;
   int jobs = 0;  ///< threads; 0: as many as cores
@@ -61,11 +62,11 @@ struct Options {
 
 std::string methodChoices();  ///< the names of all methods, for messages
 
-/// Throws kBadOption naming the option, its value and its range.
+/// Throws kBadOption naming the option, its value and its range. A tolerance above 1 m is a mistake in its unit.
 void check(const Options& options);
 
-/// Sets the caps that suit a consumer of the hulls: 64 vertices a hull for each; for physx and gazebo also 64 hulls a mesh, for
-/// fcl, moveit and bullet as many as it takes. Throws kBadOption for another name.
+/// Sets both caps to what a consumer of the hulls documents: "fcl", "moveit", "bullet", "physx" or "gazebo"; the source has each
+/// value and where it comes from. Throws kBadOption for another name.
 void applyProfile(const std::string& profile, Options& options);
 
 }  // namespace collision_hulls

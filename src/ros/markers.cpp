@@ -70,7 +70,7 @@ std_msgs::ColorRGBA fromHsv(double hue, double saturation, double value, double 
 }
 
 std_msgs::ColorRGBA originalColour() {
-  return colour(0.9, 0.9, 0.91, 1);
+  return colour(0.85, 0.85, 0.86, 1);
 }
 
 /// The text of a length: "4.8 mm", three digits at most.
@@ -397,7 +397,7 @@ MarkerList drawScene(const Scene& scene, const std::string& root) {
   marker.pose = toPose(Eigen::Isometry3d::Identity());
   marker.scale = toScale(Eigen::Vector3d::Ones());
   marker.frame_locked = true;
-  marker.color = colour(0.72, 0.66, 0.56, kSceneOpacity);
+  marker.color = colour(0.85, 0.8, 0.7, kSceneOpacity);
   for (const SceneBody& body : scene.bodies) {
     const auto add = [&](const auto& shape) {
       const auto placed = transformed(shape, body.pose);

@@ -141,7 +141,7 @@ void nameHullFiles(RobotResult& result) {
 /// Meshes in millimetres are taken to be in metres where nothing says otherwise.
 void noteHugeMeshes(Report& report) {
   constexpr double kHuge = 20;  // [m]
-  const auto is_huge = [](const ElementReport& row) { return row.diagonal > kHuge; };
+  const auto is_huge = [](const ElementReport& row) { return row.status != Status::kFailed && row.diagonal > kHuge; };
   const auto first = std::find_if(report.links.begin(), report.links.end(), is_huge);
   if (first == report.links.end()) return;
   const auto others = std::count_if(first, report.links.end(), is_huge) - 1;

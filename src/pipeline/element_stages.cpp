@@ -1,6 +1,6 @@
-// Reading and repairing a mesh, describing its hulls, validating all.
+// Reads and repairs a mesh, describes its hulls, validates all elements.
 //
-// Sizes are checked as soon as a mesh is read, since a mesh in the wrong unit makes the later stages take minutes for a useless result.
+// A mesh's size is checked as soon as it is read: in the wrong unit it would keep the later stages busy for minutes, for nothing.
 #include "pipeline/element_stages.h"
 
 #include <algorithm>
@@ -23,18 +23,18 @@ double toleranceFor(const TriangleMesh& mesh, const Options& options) {
                                          "alone, as in 1mm, or mend the mesh");
 }
 
-// The longest links of robots are the booms of large manipulators and gantries, about 10 m. Meshes in millimetres that are read as
-// metres are longer than 20 m for all links above 20 mm.
+// The longest links of robots, booms of large manipulators and gantries, are about 10 m. In millimetres read as metres, every link above
+// 20 mm is larger than this limit.
 constexpr double kLargestLink = 20;  // [m]
 
-/// A share of the diagonal fits a mesh of any unit: the work is as short, so that it is the way to have a link that is really so large.
+/// A share of the diagonal takes the same work in every unit, so it stays allowed: for the link that really is that large.
 void checkSize(const ElementReport& row, const Length& tolerance) {
   if (row.diagonal <= kLargestLink || tolerance.limit == Length::kUnset) return;
   char size[64];
   std::snprintf(size, sizeof size, "%.3g m", row.diagonal);
   throw Error(ErrorCode::kTooLarge,
               "'" + row.uri + "' is " + size +
-                  " across, larger than a robot's link: if its numbers are millimetres, scale it by 0.001 (--scale "
+                  " across, larger than any robot link: if its numbers are millimetres, scale it by 0.001 (--scale "
                   "0.001 for a mesh file, scale=\"0.001 0.001 0.001\" in a description's <mesh>); if it really is that "
                   "large, give the tolerance as a share alone, as in 1%");
 }

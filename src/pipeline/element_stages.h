@@ -19,8 +19,7 @@ struct ReadMesh {
 void checkForRobot(const Options& options);
 
 /// Stages 1 and 2. `element`'s row has the scale; fills its original and solid, and what the row says about them. Throws kTooLarge for a
-/// mesh that is too large for a robot's link where the tolerance is a length: its numbers are probably millimetres, and the work would
-/// take minutes.
+/// mesh above 20 m where the tolerance has a length: its numbers are probably millimetres, and the work would take minutes.
 ReadMesh readElement(const MeshTask& mesh, const Options& options, const RunControl& control, ElementResult& element);
 
 /// Fills the number of hulls, as files hold them, and the volumes in the element's row.

@@ -229,7 +229,7 @@ std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options
   return notes;
 }
 
-/// [m] At least how far the joints can take a link from the root, whatever way they bend.
+/// [m] How far from the root the joints can take a link's frame, all stretched out.
 double reachOf(const RobotDescription& robot) {
   std::map<std::string, double> reach;  // by link
   double largest = 0;
@@ -242,7 +242,7 @@ double reachOf(const RobotDescription& robot) {
   return largest;
 }
 
-/// A robot is never clear by more than its own size, at least not from itself: the model would have to be free nowhere.
+/// A robot never keeps such a distance from itself: the model would not have to be free anywhere.
 void checkClearance(double clearance, const RobotDescription& robot) {
   constexpr double kAlwaysAllowed = 1;  // [m] for robots without joints, too
   const double reach = reachOf(robot);

@@ -1,6 +1,7 @@
 // Lengths as text, the options' ranges, and the consumers' profiles.
 //
-// A value that is out of range, or cannot be meant, is refused here, before any work, so that every door gives the same message.
+// Values that are out of range, or are plainly a mistake in the unit, are refused here, before any work: command line, services and
+// parameters all give the same message.
 #include "collision_hulls/pipeline/options.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ constexpr std::array<Unit, 7> kLengthUnits = {
 constexpr int kMostHulls = 1'000'000;     // of a mesh
 constexpr int kMostVertices = 1'000'000;  // of a hull
 constexpr int kMostJobs = 1024;
-constexpr double kLargestTolerance = 1;  // [m]: hulls that protrude further tell a robot's links from nothing around it
+constexpr double kLargestTolerance = 1;  // [m] hulls that protrude further no longer resemble a robot
 
 [[noreturn]] void badOption(const std::string& option, const std::string& value, const std::string& allowed) {
   throw Error(ErrorCode::kBadOption, option + " '" + value + "' is invalid: use " + allowed);
@@ -99,9 +100,10 @@ std::string shortestLength(double metres) {
   return best;
 }
 
-std::string plain(double number) {
+std::string plain(double number, int digits = 6) {
   std::ostringstream out;
   out.imbue(std::locale::classic());
+  out.precision(digits);
   out << number;
   return out.str();
 }
@@ -110,7 +112,7 @@ std::string plain(double number) {
 void checkUnit(const std::string& option, const Length& length) {
   if (!isSet(length.limit) || length.limit <= kLargestTolerance) return;
   throw Error(ErrorCode::kBadOption, option + " '" + toString(length) + "' is more than " + toString(lengthOf(kLargestTolerance)) +
-                                         ", which leaves nothing of a robot's shape: a number without a unit is in metres, did you mean " +
+                                         ", too coarse for a robot: a number without a unit is in metres, did you mean " +
                                          toString(lengthOf(length.limit / 1000)) + "? For a larger machine give a share, as in 5%");
 }
 
@@ -153,7 +155,7 @@ double parseMetres(const std::string& text, const std::string& option) {
 
 std::string toString(const Length& length) {
   const std::string limit = isSet(length.limit) ? shortestLength(length.limit) : "";
-  const std::string share = isSet(length.share) ? shortest(length.share, "%").value_or(plain(100 * length.share) + "%") : "";
+  const std::string share = isSet(length.share) ? shortest(length.share, "%").value_or(plain(100 * length.share, 17) + "%") : "";
   return limit + (limit.empty() || share.empty() ? "" : ",") + share;
 }
 

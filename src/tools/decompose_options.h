@@ -105,7 +105,7 @@ class DecomposeOptionAdder {
     add("Input", "--links", "REGEX", "", "Links to decompose: a regular expression that matches the whole name; default: all",
         [&options = options_](const std::string&, const std::string& text) { options.links = text; });
     addChoice("Input", "--source", options_.source, sourceNamed, "auto, visual, collision", "auto",
-              "Meshes to use; auto: a link's collision elements if it has any, else its visual ones");
+              "Meshes to use (auto: a link's collision elements if it has any, else its visual ones)");
     add("Input", "--scale", "S", "1", "Factor for a single mesh, such as 0.001 for one in millimetres; a robot's description has its own",
         [&options = options_](const std::string& option, const std::string& text) { options.scale = positiveNumber(option, text); });
   }

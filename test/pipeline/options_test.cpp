@@ -55,7 +55,7 @@ TEST(ParseLength, SmallerOfALengthAndAShare) {
     const Length length = parseLength(text);
     EXPECT_EQ(length.limit, 0.01) << text;
     EXPECT_EQ(length.share, 0.05) << text;
-    EXPECT_EQ(length.metres(0.1), 0.005) << text;
+    EXPECT_DOUBLE_EQ(length.metres(0.1), 0.005) << text;
     EXPECT_EQ(length.metres(0.2), 0.01) << text;
     EXPECT_EQ(length.metres(3), 0.01) << text;
     EXPECT_EQ(length.metres(0), 0) << text;
@@ -88,7 +88,7 @@ TEST(ParseLength, TextIsReadBack) {
     EXPECT_EQ(parseLength(toString(lengthOf(value))).limit, value) << "seed 7, draw " << i;
     const double share = std::min(value, 1.0);
     EXPECT_EQ(parseLength(toString({value, share})).limit, value) << "seed 7, draw " << i;
-    EXPECT_EQ(parseLength(toString({value, share})).share, share) << "seed 7, draw " << i;
+    EXPECT_DOUBLE_EQ(parseLength(toString({value, share})).share, share) << "seed 7, draw " << i;
   }
   for (const char* text : {"0.1%", "0.3%", "0.7%", "1.1%", "2.9%", "33.3%", "57%", "1cm,5%", "5mm", "2.5mm,0.3%", "20m"})
     EXPECT_EQ(toString(parseLength(text)), text);

@@ -63,8 +63,8 @@ std::string meshBytes(const ElementReport& row, const std::string& file) {
 }  // namespace
 
 std::string elementKey(const ElementReport& row, const std::string& file, const Options& options) {
-  const auto& [tolerance, method, effort, tree, fill, max_hulls, max_vertices, links, source, scale, format, uri, jobs, validate, cache,
-               seed] = options;
+  const auto& [tolerance, method, effort, tree, fill, max_hulls, max_vertices, links, source, scale, format, uri, package_name, jobs,
+               validate, cache, seed] = options;
   return keyOf("element", meshBytes(row, file), tolerance, method, effort, tree.has_value(), tree.value_or(Length{}), fill, max_hulls,
                max_vertices, seed);
 }

@@ -1,3 +1,5 @@
+// Turns hulls into a robot's collision model. The description's text is rewritten in its <collision> elements alone (src/robot does that);
+// here is decided which links change, what their new elements are called, and where their files go.
 #include "pipeline/collision_model.h"
 
 #include <algorithm>
@@ -6,6 +8,8 @@
 #include <map>
 #include <set>
 
+#include "counted.h"
+#include "pipeline/earlier_output.h"
 #include "pipeline/elements.h"
 #include "pipeline/names.h"
 
@@ -15,9 +19,9 @@ namespace {
 /// The elements of a link by their index among its source elements.
 using LinkElements = std::map<int, const ElementResult*>;
 
-std::string uriPrefix(const std::string& robot_name, UriStyle style, const std::string& output) {
-  switch (style) {
-    case UriStyle::kPackage: return "package://" + outputPackage(robot_name) + "/";
+std::string uriPrefix(const Options& options, const std::string& output) {
+  switch (options.uri) {
+    case UriStyle::kPackage: return "package://" + outputPackage(options, output) + "/";
     case UriStyle::kFile: return fileUri(std::filesystem::absolute(output).lexically_normal().string()) + "/";
     case UriStyle::kRelative: return "../";  // the description lies in urdf/
   }
@@ -60,8 +64,8 @@ LinkCollisions linkCollisions(const std::string& link, const SourceElements& sou
   return result;
 }
 
-/// A link with a failed mesh keeps what it has.
-std::string rewrittenDescription(const RobotDescription& robot, const RobotResult& result, const std::string& output) {
+/// The links that get new <collision> elements: not those with a failed mesh, which keep what they have.
+std::map<std::string, LinkCollisions> newCollisions(const RobotDescription& robot, const RobotResult& result, const std::string& prefix) {
   const Options& options = result.report.options;
   std::map<std::string, LinkElements> meshes;
   std::set<std::string> failed;
@@ -69,8 +73,6 @@ std::string rewrittenDescription(const RobotDescription& robot, const RobotResul
     meshes[element.report.link][element.report.element] = &element;
     if (element.report.status == Status::kFailed) failed.insert(element.report.link);
   }
-
-  const std::string prefix = uriPrefix(robot.name, options.uri, output);
   const LinkChoice chosen(options.links, robot);
   UniqueNames names;
   std::map<std::string, LinkCollisions> links;
@@ -80,10 +82,31 @@ std::string rewrittenDescription(const RobotDescription& robot, const RobotResul
     if (!has_new_ones || !chosen(link.name) || failed.count(link.name)) continue;
     links[link.name] = linkCollisions(link.name, source, meshes[link.name], prefix, names);
   }
-  return rewriteCollisions(robot, links);
+  return links;
 }
 
-/// On links whose hulls are written though the description does not name them.
+/// The hulls of earlier outputs that stay in use come along; their URIs lead to their new place.
+std::map<std::string, std::string> carryHulls(const RobotDescription& robot, const std::map<std::string, LinkCollisions>& links,
+                                              const PackageFinder& find_package, const std::string& output, const std::string& prefix,
+                                              RobotResult& result) {
+  std::set<std::string> replaced;
+  for (const auto& [link, by] : links) replaced.insert(link);
+  std::vector<std::string> taken;
+  for (const ElementResult& element : result.elements) taken.insert(taken.end(), element.report.files.begin(), element.report.files.end());
+  KeptHulls kept = keptHulls(robot, replaced, taken, output, find_package);
+  result.kept_files = std::move(kept.contents);
+  std::map<std::string, std::string> moved;
+  for (const auto& [uri, place] : kept.places) moved[uri] = prefix + place;
+  return moved;
+}
+
+std::vector<std::string> notesOnCarried(const RobotResult& result) {
+  if (result.kept_files.empty()) return {};
+  return {counted(result.kept_files.size(), "hull") + " of an earlier run that the description keeps " +
+          (result.kept_files.size() == 1 ? "was" : "were") + " copied into the output, such as '" + result.kept_files.begin()->first + "'"};
+}
+
+/// On hulls that are written though no element of the description names them.
 std::vector<std::string> notesOnKept(const RobotResult& result) {
   std::set<std::string> failed, kept;
   for (const ElementResult& element : result.elements)
@@ -92,14 +115,16 @@ std::vector<std::string> notesOnKept(const RobotResult& result) {
     if (!element.hulls.empty() && failed.count(element.report.link)) kept.insert(element.report.link);
   std::vector<std::string> notes;
   for (const std::string& link : kept)
-    notes.push_back("link '" + link + "' keeps its collision elements, as a mesh of it failed; the hulls of its other meshes are written");
+    notes.push_back("link '" + link +
+                    "' keeps its collision elements because one of its meshes failed; the hulls of the others are written");
   return notes;
 }
 
-/// On meshes that the new description still names relative to the old one's place.
+/// On meshes that the new description still names relative to the old one's folder.
 std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::string& output) {
-  const std::string prefix = uriPrefix(result.robot_name, result.report.options.uri, output);
+  const std::string prefix = uriPrefix(result.report.options, output);
   std::set<std::string> hulls, kept;
+  for (const auto& [file, content] : result.kept_files) hulls.insert(prefix + file);
   for (const ElementResult& element : result.elements) {
     for (const std::string& file : element.report.files) hulls.insert(prefix + file);
   }
@@ -113,10 +138,9 @@ std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::
     }
   }
   if (kept.empty()) return {};
-  return {std::to_string(kept.size()) + " mesh URIs are relative to the folder of the description that was read, such as '" +
-          *kept.begin() + "'; they stay as written and mean other places from '" +
-          (std::filesystem::path(output) / urdfFile(result.robot_name)).string() +
-          "'. Use package:// URIs in the description, or copy the new one beside the old one (its hulls by --uri package or file)"};
+  return {counted(kept.size(), "mesh URI") + (kept.size() == 1 ? " is" : " are") + " relative to the folder of the input, such as '" +
+          *kept.begin() + "', and will not be found from '" + (std::filesystem::path(output) / urdfFile(result.robot_name)).string() +
+          "': use package:// URIs in the input, or copy the new description beside the input (with --uri package or file)"};
 }
 
 void nameHullFiles(RobotResult& result) {
@@ -138,7 +162,7 @@ void nameHullFiles(RobotResult& result) {
   }
 }
 
-/// Meshes in millimetres are taken to be in metres where nothing says otherwise.
+/// URDF and most mesh formats mean metres; a mesh that is larger than any robot link was probably drawn in millimetres.
 void noteHugeMeshes(Report& report) {
   constexpr double kHuge = 20;  // [m]
   const auto is_huge = [](const ElementReport& row) { return row.status != Status::kFailed && row.diagonal > kHuge; };
@@ -158,20 +182,25 @@ void reportElements(RobotResult& result) {
   noteHugeMeshes(result.report);
 }
 
-std::string outputPackage(const std::string& robot_name) {
-  return packageName(robot_name) + "_collision";
+std::string outputPackage(const Options& options, const std::string& output) {
+  if (!options.package_name.empty()) return options.package_name;
+  std::filesystem::path folder = std::filesystem::absolute(output).lexically_normal();
+  if (!folder.has_filename()) folder = folder.parent_path();
+  return packageName(folder.filename().string());
 }
 
 std::string urdfFile(const std::string& robot_name) {
   return "urdf/" + fileName(robot_name) + ".urdf";
 }
 
-void rewriteDescription(const RobotDescription& robot, const std::string& output, const std::vector<std::string>& notes,
-                        RobotResult& result) {
-  result.urdf = rewrittenDescription(robot, result, output);
+void rewriteDescription(const RobotDescription& robot, const PackageFinder& find_package, const std::string& output,
+                        const std::vector<std::string>& notes, RobotResult& result) {
+  const std::string prefix = uriPrefix(result.report.options, output);
+  const std::map<std::string, LinkCollisions> links = newCollisions(robot, result, prefix);
+  result.urdf = rewriteCollisions(robot, links, carryHulls(robot, links, find_package, output, prefix, result));
   std::vector<std::string>& all = result.report.notes;
-  for (const auto& more : {robot.notes, notesOnElements(robot, result.elements, result.report.options), notes, notesOnKept(result),
-                           notesOnRewritten(result, output)})
+  for (const auto& more : {robot.notes, find_package.notes(), notesOnElements(robot, result.elements, result.report.options), notes,
+                           notesOnKept(result), notesOnCarried(result), notesOnRewritten(result, output)})
     all.insert(all.end(), more.begin(), more.end());
 }
 

@@ -8,20 +8,20 @@
 
 namespace collision_hulls {
 
-/// Puts the elements' rows into the report, with a file for each hull, relative to the output folder. A robot's lie in meshes/<link>/, a
-/// single mesh's in the folder itself, its OBJ of all hulls first.
+/// Puts the elements' rows into the report, with a file for each hull, relative to the output folder: meshes/<link>/ for a robot; for a
+/// single mesh the folder itself, where an OBJ of all hulls comes first.
 void reportElements(RobotResult& result);
 
-/// The name of the ROS package that a robot's output is.
-std::string outputPackage(const std::string& robot_name);
+/// The name of the ROS package that a robot's output becomes: the one that the options give, or else that of its folder, made legal.
+std::string outputPackage(const Options& options, const std::string& output);
 
 /// Where the rewritten description lies in the output folder.
 std::string urdfFile(const std::string& robot_name);
 
-/// Writes the description anew, with a <collision> for every hull; a link with a failed mesh keeps what it has. Adds notes to the report:
-/// what was amiss in what was read, `notes`, and what the user of the new description should know, such as meshes that it still names
-/// relative to the old one's place.
-void rewriteDescription(const RobotDescription& robot, const std::string& output, const std::vector<std::string>& notes,
-                        RobotResult& result);
+/// Rewrites the description with a <collision> for every hull; a link with a failed mesh keeps what it has. Hulls of earlier outputs
+/// that it keeps go along into the new one (result.kept_files). Adds to the report's notes: the oddities of the description and of the
+/// search for its files, `notes`, and what the user of the new description should know, such as URIs relative to the old one's place.
+void rewriteDescription(const RobotDescription& robot, const PackageFinder& find_package, const std::string& output,
+                        const std::vector<std::string>& notes, RobotResult& result);
 
 }  // namespace collision_hulls

@@ -16,6 +16,7 @@
 #include "pipeline/cache.h"
 #include "pipeline/cached_tree.h"
 #include "pipeline/collision_model.h"
+#include "pipeline/earlier_output.h"
 #include "pipeline/element_stages.h"
 #include "pipeline/elements.h"
 #include "pipeline/mesh_hulls.h"
@@ -182,10 +183,11 @@ RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& f
   check(options);
   checkForRobot(options);
   Stopwatch run;
+  refuseLosingVisuals(robot, output, find_package);
   RobotResult result = robotResult(robot, options);
   decomposeElements(
       result, [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); }, control, step);
-  rewriteDescription(robot, output, {}, result);
+  rewriteDescription(robot, find_package, output, {}, result);
   result.report.seconds = run.lap();
   return result;
 }
@@ -214,8 +216,9 @@ RobotResult decomposeMesh(const std::string& path, const Options& options, const
 
 RobotResult decompose(const Input& input, const Options& options, const std::string& output, const RunControl& control,
                       const StepCallback& step) {
-  return input.kind == Input::Kind::kMesh ? decomposeMesh(input.path, options, control, step)
-                                          : decomposeRobot(input.robot, input.find_package, options, output, control, step);
+  if (input.kind == Input::Kind::kRobot) return decomposeRobot(input.robot, input.find_package, options, output, control, step);
+  refuseLosingInput(input.path, output);
+  return decomposeMesh(input.path, options, control, step);
 }
 
 }  // namespace collision_hulls

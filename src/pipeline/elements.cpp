@@ -1,3 +1,4 @@
+// Lists the meshes of a robot and joins equal ones, so that a mesh that many links share is worked on once.
 #include "pipeline/elements.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <tuple>
 
 #include "collision_hulls/error.h"
+#include "nearest_name.h"
 #include "pipeline/sha256.h"
 
 namespace collision_hulls {
@@ -40,7 +42,7 @@ bool isMesh(const GeometryElement& element) {
   return element.kind == GeometryElement::Kind::kMesh;
 }
 
-/// On collision meshes that --source visual passes over, in links that have nothing visual.
+/// On collision meshes that --source visual skips in links without a visual element.
 std::vector<std::string> notesOnLeftOut(const RobotDescription& robot, const LinkChoice& chosen, const Options& options) {
   if (options.source != Source::kVisual) return {};
   std::string links;
@@ -48,10 +50,10 @@ std::vector<std::string> notesOnLeftOut(const RobotDescription& robot, const Lin
     if (chosen(link.name) && link.visuals.empty() && std::any_of(link.collisions.begin(), link.collisions.end(), isMesh))
       links += (links.empty() ? "" : ", ") + link.name;
   if (links.empty()) return {};
-  return {"links without a visual element keep their collision meshes as they are: " + links + "; --source auto takes these"};
+  return {"links without a visual element keep their collision meshes as they are: " + links + "; --source auto decomposes them"};
 }
 
-/// What makes two elements the same work. The extension counts, since it says how the content is read.
+/// Elements with equal values are the same work. The extension counts because it says how to read the content.
 using Sameness = std::tuple<std::string, std::string, double, double, double>;
 
 Sameness sameness(const ElementReport& row, const std::string& file) {
@@ -68,8 +70,10 @@ LinkChoice::LinkChoice(const std::string& expression, const RobotDescription& ro
   matches_ = [regex = std::regex(expression)](const std::string& link) { return std::regex_match(link, regex); };
   const auto chosen = [this](const LinkDescription& link) { return matches_(link.name); };
   if (std::any_of(robot.links.begin(), robot.links.end(), chosen)) return;
-  throw Error(ErrorCode::kBadOption, "links '" + expression + "' matches no whole name of a link of robot '" + robot.name +
-                                         "', whose links are: " + linkNames(robot));
+  std::vector<std::string> names;
+  for (const LinkDescription& link : robot.links) names.push_back(link.name);
+  throw Error(ErrorCode::kBadOption, "links '" + expression + "' matches the whole name of no link of robot '" + robot.name +
+                                         "', whose links are " + linkNames(robot) + didYouMean(expression, names));
 }
 
 RobotResult robotResult(const RobotDescription& robot, const Options& options) {
@@ -100,7 +104,8 @@ std::vector<std::string> notesOnElements(const RobotDescription& robot, const st
     collisions += std::count_if(link.collisions.begin(), link.collisions.end(), isMesh);
   }
   const auto others = [](std::ptrdiff_t count, const std::string& kind) {
-    return count == 0 ? "" : "; the <" + kind + "> elements have " + std::to_string(count) + " meshes, which --source " + kind + " takes";
+    return count == 0 ? ""
+                      : "; the <" + kind + "> elements have " + std::to_string(count) + " meshes, which --source " + kind + " decomposes";
   };
   return {"there was no mesh to decompose: primitives stay primitives" + others(visuals, "visual") + others(collisions, "collision")};
 }
@@ -141,7 +146,8 @@ std::vector<double> expectedCosts(const std::vector<MeshTask>& tasks) {
 void expectUnchanged(const MeshTask& task) {
   std::error_code error;
   if (std::filesystem::last_write_time(task.file, error) == task.changed && !error) return;
-  throw Error(ErrorCode::kFileNotFound, "'" + task.file + "' was changed or removed while it was read; run again when it is finished");
+  throw Error(ErrorCode::kFileNotFound,
+              "'" + task.file + "' changed or disappeared while it was being read; run again when it is complete");
 }
 
 void fail(ElementResult& element, const std::string& error, const std::string& reason) {

@@ -22,14 +22,13 @@ class LinkChoice {
   std::function<bool(const std::string&)> matches_;
 };
 
-/// What a run on a robot begins with: an element for every mesh of every chosen link, in document order: who and where it is, nothing
-/// computed yet.
+/// The result with which a run on a robot begins: an element for every mesh of every chosen link, in document order, nothing computed.
 RobotResult robotResult(const RobotDescription& robot, const Options& options);
 
-/// Says so where there is no mesh among the elements that Options::source takes, and which others have some.
+/// Notes on meshes that Options::source leaves out, and on a robot in which it finds none.
 std::vector<std::string> notesOnElements(const RobotDescription& robot, const std::vector<ElementResult>& elements, const Options& options);
 
-/// A mesh to work on, and the elements (indices) that it is worked on for: same content, kind of file and scale.
+/// A mesh to work on, for all elements (indices) with the same content, kind of file and scale.
 struct MeshTask {
   std::string file;
   std::uintmax_t bytes = 0;
@@ -44,13 +43,13 @@ std::vector<MeshTask> meshTasks(std::vector<ElementResult>& elements, const std:
 /// In proportion to the time that the tasks take, roughly: the time spreads much less than the files' sizes.
 std::vector<double> expectedCosts(const std::vector<MeshTask>& tasks);
 
-/// Throws kFileNotFound where a task's file is no longer the one that its sha256 was taken of: its result would stand under a wrong name.
+/// Throws kFileNotFound if a task's file changed since its sha256 was computed: the cache would keep the result under a wrong key.
 void expectUnchanged(const MeshTask& task);
 
-/// Marks an element as failed, by an error's name; hulls that it has are none of the result.
+/// Marks an element as failed and drops its hulls. `error` is the name of an ErrorCode.
 void fail(ElementResult& element, const std::string& error, const std::string& reason);
 
-/// The same for the exception that is being handled; throws it again where it is kCancelled.
+/// The same for the exception being handled; rethrows kCancelled.
 void fail(ElementResult& element);
 
 }  // namespace collision_hulls

@@ -1,5 +1,7 @@
+// Files written so that a reader never sees half of one, and read back, because a full disk does not always report an error.
 #include "pipeline/files.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -43,7 +45,7 @@ void writeText(const fs::path& file, const std::string& text) {
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
   if (error) throwUnwritable(file.parent_path(), error.message());
   write(file, text);
-  if (readText(file) != text) throwUnwritable(file, "what is read back is not what was written");
+  if (readText(file) != text) throwUnwritable(file, "it reads back differently from what was written");
 }
 
 void checkFolderOf(const fs::path& path) {
@@ -51,14 +53,19 @@ void checkFolderOf(const fs::path& path) {
   std::error_code error;
   while (!fs::exists(above, error) && above.has_relative_path()) above = above.parent_path();
   if (!fs::is_directory(above, error)) throwUnwritable(path, "'" + above.string() + "' is not a folder");
-  if (access(above.c_str(), W_OK | X_OK) != 0) throwUnwritable(path, "no permission to write in '" + above.string() + "'");
+  // Only a trial tells: permissions say nothing to root, nor about read-only and special file systems.
+  const fs::path trial = above / (".collision_hulls-trial-" + std::to_string(getpid()));
+  if (mkdir(trial.c_str(), 0700) != 0 && errno != EEXIST)
+    throwUnwritable(path, "nothing can be created in '" + above.string() + "' (" + std::strerror(errno) + ")");
+  rmdir(trial.c_str());
 }
 
 void checkNamedFile(const fs::path& file) {
   std::error_code error;
   if (fs::is_directory(file, error)) throwUnwritable(file, "it is a folder");
-  if (fs::exists(file, error)) return;  // then it is replaced, or written to
-  checkFolderOf(fs::absolute(behindLinks(file)));
+  const bool replaced = !fs::exists(file, error) || fs::is_regular_file(file, error);
+  if (replaced) return checkFolderOf(fs::absolute(behindLinks(file)));
+  if (access(file.c_str(), W_OK) != 0) throwUnwritable(file, std::strerror(errno));
 }
 
 void writeNamedFile(const fs::path& file, const std::string& text) {

@@ -6,23 +6,23 @@
 
 namespace collision_hulls {
 
-/// The content of a file; empty where it cannot be read.
+/// The content of a file; empty if it cannot be read.
 std::string readText(const std::filesystem::path& file);
 
 /// Writes a file (and the folders above it), reads it back and compares. Throws kUnwritableOutput with the system's reason.
 void writeText(const std::filesystem::path& file, const std::string& text);
 
-/// Writes a file that a user names: in one rename where it is a plain file or none is there yet, also behind links; into it where it is a
-/// pipe or a device. Throws kUnwritableOutput.
+/// Writes a file that a user names: in one rename if it is a plain file or does not exist yet, also behind symbolic links; straight into
+/// it if it is a pipe or a device. Throws kUnwritableOutput.
 void writeNamedFile(const std::filesystem::path& file, const std::string& text);
 
-/// Throws kUnwritableOutput where that would certainly fail.
+/// Throws kUnwritableOutput if that would fail. Leaves nothing behind.
 void checkNamedFile(const std::filesystem::path& file);
 
-/// Throws kUnwritableOutput where the nearest folder above an absolute path that is there is none to write in.
+/// Throws kUnwritableOutput unless something can be created in the nearest existing folder above an absolute path, and tries that.
 void checkFolderOf(const std::filesystem::path& path);
 
-/// kUnwritableOutput for a path, with what went wrong and what to do.
+/// Throws kUnwritableOutput for a path, with the reason and the remedy.
 [[noreturn]] void throwUnwritable(const std::filesystem::path& path, const std::string& why);
 
 }  // namespace collision_hulls

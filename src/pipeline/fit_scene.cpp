@@ -14,6 +14,7 @@
 #include "pipeline/cache.h"
 #include "pipeline/cached_tree.h"
 #include "pipeline/collision_model.h"
+#include "pipeline/earlier_output.h"
 #include "pipeline/element_stages.h"
 #include "pipeline/elements.h"
 #include "pipeline/names.h"
@@ -303,6 +304,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   checkClearance(request.clearance, robot);
   const Kinematics joints(robot);
   Stopwatch run;
+  refuseLosingVisuals(robot, output, find_package);
   RobotResult result = robotResult(robot, options);
   if (result.elements.empty()) throw Error(ErrorCode::kBadOption, notesOnElements(robot, {}, options).front());
   std::vector<ElementResult>& elements = result.elements;
@@ -339,7 +341,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   noteSmallMeshes(result.report);
   if (result.report.scene)
     for (const std::string& note : notesOnFit(*result.report.scene, options)) notes.push_back(note);
-  rewriteDescription(robot, output, notes, result);
+  rewriteDescription(robot, find_package, output, notes, result);
   result.report.seconds = run.lap();
   if (result.report.scene) result.report.scene->seconds = result.report.seconds;
   return result;

@@ -1,11 +1,14 @@
+// What INPUT means: a package, a robot description or a mesh.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
-#include "pipeline/collision_model.h"
+#include "counted.h"
+#include "pipeline/elements.h"
 #include "pipeline/names.h"
 #include "string_parts.h"
 
@@ -26,19 +29,21 @@ bool isRobotFile(const std::string& path) {
   return extension == ".urdf" || extension == ".xacro";
 }
 
-Input robotInput(const std::string& path) {
+using PackagePath = std::vector<std::string>;
+
+Input robotInput(const std::string& path, const PackagePath& package_path) {
   Input input;
+  input.find_package = defaultPackageFinder(path, package_path);
   input.robot = readRobotDescription(path);
-  input.find_package = defaultPackageFinder(path);
   return input;
 }
 
-Input fileInput(const std::string& path) {
-  if (isRobotFile(path)) return robotInput(path);
+Input fileInput(const std::string& path, const PackagePath& package_path) {
+  if (isRobotFile(path)) return robotInput(path, package_path);
   if (!isMeshFile(path)) {
     throw Error(ErrorCode::kUnsupportedFormat, "'" + path + "' has the extension '" + lowerExtension(path) +
-                                                   "'; understood are .urdf and .xacro for a robot, and for a mesh " +
-                                                   joined(meshExtensions(), " "));
+                                                   "', which is not supported; give a .urdf or .xacro file for a robot, or a mesh (" +
+                                                   joined(meshExtensions(), " ") + ")");
   }
   Input input;
   input.kind = Input::Kind::kMesh;
@@ -46,43 +51,52 @@ Input fileInput(const std::string& path) {
   return input;
 }
 
-Input packageInput(const std::string& name, const std::string& folder) {
+Input packageInput(const std::string& name, const std::string& folder, const PackagePath& package_path, const std::string& program) {
   const std::vector<std::string> found = robotDescriptionsIn(folder);
-  if (found.size() == 1) return robotInput(found.front());
+  if (found.size() == 1) return robotInput(found.front(), package_path);
   if (found.empty()) {
     throw Error(ErrorCode::kFileNotFound,
-                "package '" + name + "' (" + folder + ") has no .urdf or .xacro in its folders urdf and robots; give the file itself");
+                "package '" + name + "' (" + folder + ") has no .urdf or .xacro file in its folders urdf and robots; give the file itself");
   }
-  throw Error(ErrorCode::kNotARobot, "package '" + name + "' has " + std::to_string(found.size()) +
-                                         " robot descriptions; give one of them instead of the package:\n  " + joined(found, "\n  "));
+  throw Error(ErrorCode::kNotARobot, "package '" + name + "' has " + std::to_string(found.size()) + " robot descriptions; run one of\n  " +
+                                         program + " " + joined(found, "\n  " + program + " "));
 }
 
 [[noreturn]] void throwNotFound(const std::string& input, bool package_tried) {
-  std::string text = "INPUT '" + input + "' is no file and no package's folder (looked at '" +
-                     (fs::current_path() / input).lexically_normal().string() + "')";
+  const std::string text = "INPUT '" + input + "' is neither a file nor the folder of a package ('" +
+                           (fs::current_path() / input).lexically_normal().string() + "')";
   if (!package_tried) throw Error(ErrorCode::kFileNotFound, text + "; check the path");
   const char* const packages = std::getenv("ROS_PACKAGE_PATH");
-  throw Error(ErrorCode::kPackageNotFound, text + " and no known package (looked in ROS_PACKAGE_PATH, which is " +
-                                               (packages && *packages ? "'" + std::string(packages) + "'" : "not set") +
-                                               ", and in CMAKE_PREFIX_PATH); check the name, or source the workspace that holds it");
+  throw Error(ErrorCode::kPackageNotFound,
+              text + ", and no package of that name was found in ROS_PACKAGE_PATH (" +
+                  (packages && *packages ? "'" + std::string(packages) + "'" : "not set") +
+                  ") or CMAKE_PREFIX_PATH; check the name, source its workspace, or say where it is with --package-path DIR");
 }
 
 }  // namespace
 
-Input openInput(const std::string& input) {
+Input openInput(const std::string& input, const PackagePath& package_path, const std::string& program) {
   std::error_code error;
-  if (!input.empty() && fs::exists(fs::path(input) / "package.xml", error)) return packageInput(input, input);
-  if (fs::exists(input, error) && !fs::is_directory(input, error)) return fileInput(input);
+  if (!input.empty() && fs::exists(fs::path(input) / "package.xml", error)) return packageInput(input, input, package_path, program);
+  if (fs::exists(input, error) && !fs::is_directory(input, error)) return fileInput(input, package_path);
   const bool file_meant = input.empty() || input.find('/') != std::string::npos || isRobotFile(input) || isMeshFile(input);
   if (file_meant) throwNotFound(input, false);
-  const std::optional<std::string> folder = defaultPackageFinder()(input);
+  const std::optional<std::string> folder = defaultPackageFinder("", package_path)(input);
   if (!folder) throwNotFound(input, true);
-  return packageInput(input, *folder);
+  return packageInput(input, *folder, package_path, program);
+}
+
+std::string workOn(const Input& input, const Options& options) {
+  if (input.kind == Input::Kind::kMesh) return "'" + input.path + "'";
+  const RobotResult work = robotResult(input.robot, options);
+  std::set<std::string> links;
+  for (const ElementResult& element : work.elements) links.insert(element.report.link);
+  return counted(work.elements.size(), "mesh", "meshes") + " of " + counted(links.size(), "link");
 }
 
 std::string defaultOutput(const Input& input) {
   if (input.kind == Input::Kind::kMesh) return "./" + fileName(fs::path(input.path).stem().string()) + "_collision";
-  return "./" + outputPackage(input.robot.name);
+  return "./" + packageName(input.robot.name) + "_collision";
 }
 
 }  // namespace collision_hulls

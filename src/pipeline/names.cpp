@@ -1,3 +1,4 @@
+// Robots name links as they like; files, packages and elements may not be named so.
 #include "pipeline/names.h"
 
 namespace collision_hulls {

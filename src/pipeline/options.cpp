@@ -14,6 +14,7 @@
 
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "collision_hulls/error.h"
+#include "pipeline/names.h"
 
 namespace collision_hulls {
 namespace {
@@ -189,6 +190,9 @@ void check(const Options& options) {
   checkRange("jobs", options.jobs, 1, kMostJobs, "as many threads as cores");
   if (!(std::isfinite(options.scale) && options.scale > 0))
     badOption("scale", plain(options.scale), "a number above 0, as in 0.001 for a mesh in millimetres");
+  if (!options.package_name.empty() && packageName(options.package_name) != options.package_name)
+    badOption("package-name", options.package_name,
+              "a lower-case letter, then lower-case letters, digits and '_', such as '" + packageName(options.package_name) + "'");
   try {
     const std::regex compiled(options.links);
   } catch (const std::regex_error& e) {

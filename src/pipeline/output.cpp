@@ -1,9 +1,9 @@
+// Writes an output folder beside the old one and exchanges the two, and never replaces files that it did not write.
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
@@ -11,6 +11,7 @@
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "pipeline/collision_model.h"
+#include "pipeline/earlier_output.h"
 #include "pipeline/files.h"
 #include "pipeline/names.h"
 #include "pipeline/replace_folder.h"
@@ -21,23 +22,6 @@ namespace collision_hulls {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr const char* kReport = "report.json";
-
-/// The files that an earlier output consists of, as its report names them; nullopt: it is none.
-std::optional<std::set<fs::path>> filesOfEarlierOutput(const fs::path& folder) {
-  try {
-    const nlohmann::json report = nlohmann::json::parse(readText(folder / kReport));
-    if (report.count("collision_hulls") == 0) return std::nullopt;
-    std::set<fs::path> files{kReport};
-    for (const nlohmann::json& file : report.at("files")) files.insert(file.get<std::string>());
-    for (const nlohmann::json& link : report.at("links"))
-      for (const nlohmann::json& file : link.at("files")) files.insert(file.get<std::string>());
-    return files;
-  } catch (const nlohmann::json::exception&) {
-    return std::nullopt;
-  }
-}
 
 void refuseForeign(const fs::path& folder) {
   std::error_code error;
@@ -50,21 +34,21 @@ void refuseForeign(const fs::path& folder) {
   if (!known) {
     throw Error(ErrorCode::kNotOurOutput,
                 "'" + folder.string() +
-                    "' holds something else than an earlier output (it has no report.json of this collision_hulls) and "
-                    "is left alone; choose another output, or remove it yourself");
+                    "' is not an earlier output (it has no report.json of collision_hulls) and is left alone; choose another output, or "
+                    "remove it yourself");
   }
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error)) {
     const fs::path file = entry.path().lexically_relative(folder);
     if (entry.symlink_status(error).type() == fs::file_type::directory || known->count(file) > 0) continue;
     throw Error(ErrorCode::kNotOurOutput,
                 "'" + folder.string() + "' holds '" + file.string() +
-                    "', which is no part of the earlier output there, and is left alone; choose another output, or "
+                    "', which is not part of the earlier output there, and is left alone; choose another output, or "
                     "move that file away");
   }
 }
 
-std::string packageXml(const std::string& robot_name) {
-  return "<?xml version=\"1.0\"?>\n<package format=\"2\">\n  <name>" + outputPackage(robot_name) +
+std::string packageXml(const std::string& package) {
+  return "<?xml version=\"1.0\"?>\n<package format=\"2\">\n  <name>" + package +
          "</name>\n  <version>0.0.0</version>\n"
          "  <description>Convex collision model of a robot, made by collision_hulls " +
          version() +
@@ -75,13 +59,13 @@ std::string packageXml(const std::string& robot_name) {
          "  <export>\n    <architecture_independent/>\n  </export>\n</package>\n";
 }
 
-/// So that the package can lie in the source folder of a workspace.
-std::string cmakeLists(const RobotResult& result) {
+/// Lets the package lie in the source folder of a workspace.
+std::string cmakeLists(const std::string& package, const RobotResult& result) {
   std::set<std::string> folders{"meshes", "urdf"};
   for (const auto& [file, text] : result.extra_files) folders.insert(fs::path(file).begin()->string());
   std::string names;
   for (const std::string& folder : folders) names += folder + " ";
-  return "cmake_minimum_required(VERSION 3.0.2)\nproject(" + outputPackage(result.robot_name) +
+  return "cmake_minimum_required(VERSION 3.0.2)\nproject(" + package +
          ")\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
          "install(DIRECTORY " +
          names +
@@ -89,11 +73,22 @@ std::string cmakeLists(const RobotResult& result) {
          "install(FILES report.json DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n";
 }
 
-/// The folder that an output is written to, and the earlier output, if there is one, whose place it takes.
+/// Everything but the hulls and the report.
+std::map<std::string, std::string> otherFiles(const RobotResult& result, const std::string& package) {
+  std::map<std::string, std::string> files = result.extra_files;
+  files.insert(result.kept_files.begin(), result.kept_files.end());
+  if (result.single_mesh) return files;
+  files[urdfFile(result.robot_name)] = result.urdf;
+  files["package.xml"] = packageXml(package);
+  files["CMakeLists.txt"] = cmakeLists(package, result);
+  return files;
+}
+
+/// The folder that an output is written to, and the one whose place it takes, which may not exist.
 struct Folders {
   fs::path next, earlier;
 
-  /// A file that the earlier output has, byte for byte, is taken over as a link: nothing to write, to bring to the disk, or to remove.
+  /// A file that the earlier output has, byte for byte, becomes a hard link to it: nothing to write or to flush.
   void write(const fs::path& name, const std::string& text) const {
     const fs::path file = next / name, same = earlier / name;
     std::error_code error;
@@ -117,7 +112,7 @@ void writeHulls(const ElementResult& element, MeshFormat format, const Folders& 
   }
 }
 
-/// A folder is replaced by another one: not where that cannot be, nor under whoever works in it.
+/// The output replaces the whole folder, which neither a mount point nor the current folder allows.
 void refuseInUse(const fs::path& folder) {
   std::error_code none;
   const fs::path place = fs::canonical(folder, none), here = fs::current_path(none);
@@ -125,12 +120,11 @@ void refuseInUse(const fs::path& folder) {
   const std::string advice = "; choose another output, such as a folder within it";
   if (std::mismatch(place.begin(), place.end(), here.begin(), here.end()).first == place.end())
     throw Error(ErrorCode::kUnwritableOutput,
-                "output '" + folder.string() + "' would be replaced, and the current folder is there: '" + here.string() + "'" + advice);
+                "output '" + folder.string() + "' would be replaced, but the current folder '" + here.string() + "' lies in it" + advice);
   struct stat of_folder {
   }, of_parent{};
   if (stat(place.c_str(), &of_folder) == 0 && stat(place.parent_path().c_str(), &of_parent) == 0 && of_folder.st_dev != of_parent.st_dev)
-    throw Error(ErrorCode::kUnwritableOutput,
-                "output '" + folder.string() + "' is where something is mounted and cannot be replaced" + advice);
+    throw Error(ErrorCode::kUnwritableOutput, "output '" + folder.string() + "' is a mount point and cannot be replaced" + advice);
 }
 
 }  // namespace
@@ -155,19 +149,14 @@ bool writeOutput(RobotResult& result, const std::string& output, const RunContro
     writeHulls(result.elements[i], result.report.options.format, folders);
     result.elements[i].report.seconds.write = result.report.links[i].seconds.write = stage.lap();
   }
-  std::map<std::string, std::string> others = result.extra_files;
-  if (!result.single_mesh) {
-    others[urdfFile(result.robot_name)] = result.urdf;
-    others["package.xml"] = packageXml(result.robot_name);
-    others["CMakeLists.txt"] = cmakeLists(result);
-  }
+  const std::map<std::string, std::string> others = otherFiles(result, outputPackage(result.report.options, output));
   result.report.files.clear();
   for (const auto& [file, text] : others) {
     folders.write(file, text);
     result.report.files.push_back(file);
   }
   result.report.seconds += run.lap();
-  folders.write(kReport, toJson(result.report));
+  folders.write(kReportFile, toJson(result.report));
   refuseForeign(replacedFolder(output));
   control.check();
   replacement.commit();

@@ -1,3 +1,4 @@
+// Replaces a folder atomically: renameat2 exchanges the old and the new one, two renames do where the file system cannot.
 #include "pipeline/replace_folder.h"
 
 #include <fcntl.h>
@@ -21,7 +22,7 @@ namespace {
 
 constexpr std::size_t kDigits = 16;  // of the hash that stands for the target: its name with an addition might be too long
 
-/// What the hidden folders that belong to a target begin with.
+/// The beginning of the names of a target's hidden folders.
 std::string prefixOf(const fs::path& target) {
   return ".collision_hulls-" + sha256(target.filename().string()).substr(0, kDigits) + "-";
 }
@@ -30,9 +31,9 @@ fs::path asideOf(const fs::path& target) {
   return target.parent_path() / (prefixOf(target) + "old");
 }
 
-enum class Locked { kWait, kRefuse };  ///< what to do where another process holds the lock
+enum class Locked { kWait, kRefuse };  ///< what to do if another process holds the lock
 
-/// Opens and locks a folder; -1 where that cannot be.
+/// Opens and locks a folder; -1 on failure.
 int lockFolder(const fs::path& folder, Locked by_another) {
   const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor >= 0 && flock(descriptor, LOCK_EX | (by_another == Locked::kRefuse ? LOCK_NB : 0)) != 0) {
@@ -42,7 +43,7 @@ int lockFolder(const fs::path& folder, Locked by_another) {
   return descriptor;
 }
 
-/// Removes what killed processes left.
+/// Removes the folders that killed processes left.
 void removeLeftovers(const fs::path& target) {
   std::error_code ignored;
   const std::string prefix = prefixOf(target);
@@ -57,7 +58,7 @@ void removeLeftovers(const fs::path& target) {
   }
 }
 
-/// 0, or what went wrong. Some file systems cannot do this; that is no error.
+/// 0 or errno. File systems that cannot do this are no error.
 int syncFolder(const fs::path& folder, int (*sync)(int)) {
   const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   const int error = descriptor >= 0 && sync(descriptor) == 0 ? 0 : errno;
@@ -77,7 +78,7 @@ fs::path replacedFolder(const std::string& target) {
   if (error) throwUnwritable(target, error.message());
   if (!folder.has_filename()) folder = folder.parent_path();  // "out/" of a folder that is not there yet
   if (!folder.has_filename()) throwUnwritable(target, "it is the root of the file system");
-  if (fs::is_symlink(folder, error)) throwUnwritable(target, "it is a link to what is not there");
+  if (fs::is_symlink(folder, error)) throwUnwritable(target, "it is a symbolic link to nothing");
   return folder;
 }
 
@@ -106,7 +107,7 @@ FolderReplacement::FolderReplacement(const std::string& target) : target_(replac
   while (!makeLocked(stem + std::to_string(number))) ++number;
 }
 
-/// False where the name is taken, or where another process saw the folder before it was locked and removed it.
+/// False if the name is taken, or if another process saw the folder before it was locked and removed it.
 bool FolderReplacement::makeLocked(const fs::path& folder) {
   if (mkdir(folder.c_str(), 0777) != 0) {
     if (errno == EEXIST) return false;
@@ -130,13 +131,13 @@ FolderReplacement::~FolderReplacement() {
 void FolderReplacement::commit() {
   // One call for thousands of small files; fsync of each would take as many turns of the disk.
   if (const int error = syncFolder(folder_, syncfs)) throwUnwritable(folder_, std::strerror(error));
-  // Where nothing, or an empty folder, stands at the target a rename is enough. After an exchange the old folder has our name.
+  // A rename is enough if the target is missing or empty. After an exchange the old folder has our name.
   const bool renamed = std::rename(folder_.c_str(), target_.c_str()) == 0;
   if (!renamed && errno != ENOTEMPTY && errno != EEXIST) throwUnwritable(target_, std::strerror(errno));
   const bool exchanged = !renamed && renameat2(AT_FDCWD, folder_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0;
   if (!renamed && !exchanged) replaceByTwoRenames(folder_, target_);
   if (!exchanged) folder_.clear();
-  syncFolder(target_.parent_path(), fsync);  // where it fails the new output stands there all the same
+  syncFolder(target_.parent_path(), fsync);  // even if it fails, the new output is in place
 }
 
 }  // namespace collision_hulls

@@ -1,3 +1,4 @@
+// Sums and verdicts over the rows of a report.
 #include "collision_hulls/pipeline/report.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// report.json. Field names are a contract with other tools: add fields, but never rename or remove one.
 #include <nlohmann/json.hpp>
 
 #include "collision_hulls/pipeline/report.h"
@@ -44,6 +45,7 @@ json toJson(const Options& options) {
           {"scale", options.scale},
           {"format", extension(options.format) + 1},
           {"uri", toText(options.uri)},
+          {"package-name", options.package_name},
           {"jobs", options.jobs},
           {"no-validate", !options.validate},
           {"no-cache", !options.cache}};

@@ -1,48 +1,89 @@
+// The report as text for a person: one table, then what holds for all of it. decompose and fit_scene print it, and the node hands it on,
+// so that every door shows the same. Measures have three significant digits; whoever needs more reads report.json.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "collision_hulls/error.h"
 #include "collision_hulls/pipeline/report.h"
 #include "collision_hulls/pipeline/totals.h"
+#include "counted.h"
 
 namespace collision_hulls {
 namespace {
 
 using Cells = std::vector<std::string>;
-constexpr std::size_t kTextColumns = 2;  // link and mesh stand left, numbers right
+constexpr std::size_t kTextColumns = 2;  // link and mesh are aligned left, numbers right
 
-std::string number(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
+/// Three significant digits, never an exponent: 0.00123, 1.23, 123, 12345.
+std::string figure(double value) {
+  constexpr int kMostDecimals = 6;
+  const double magnitude = std::abs(value) > 0 ? std::floor(std::log10(std::abs(value))) : 2;
+  const int decimals = std::isfinite(magnitude) ? std::clamp(2 - static_cast<int>(magnitude), 0, kMostDecimals) : 0;
+  char text[400];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
   return text;
 }
 
 std::string millimetres(double metres) {
-  return number("%.4g", 1000 * metres);
+  return figure(1000 * metres);
 }
 
 std::string lastPart(const std::string& uri) {
   return uri.substr(uri.find_last_of('/') + 1);
 }
 
-/// Bytes that start a character: what a terminal gives a column to, near enough.
+/// Columns on a terminal, near enough: bytes that start a UTF-8 character.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
 Cells cells(const ElementReport& row) {
   const StageSeconds& s = row.seconds;
-  Cells result = {row.link, lastPart(row.uri)};
-  if (row.status == Status::kFailed) {
-    result.insert(result.end(), {row.triangles ? std::to_string(row.triangles) : "-", "-", "-", "-", "-", "-"});
-  } else {
-    result.insert(result.end(), {std::to_string(row.triangles), std::to_string(row.hulls), std::to_string(row.hull_vertices),
-                                 millimetres(row.uncovered), millimetres(row.protrusion), millimetres(row.tolerance)});
-  }
-  result.push_back(number("%.2f", s.read + s.repair + s.decompose + s.certify + s.write));
-  result.push_back(name(row.status));
-  return result;
+  const std::string seconds = figure(s.read + s.repair + s.decompose + s.certify + s.write);
+  if (row.status == Status::kFailed)
+    return {row.link, lastPart(row.uri), row.triangles ? std::to_string(row.triangles) : "-", "-", "-", "-", "-",
+            seconds,  name(row.status)};
+  return {row.link,
+          lastPart(row.uri),
+          std::to_string(row.triangles),
+          std::to_string(row.hulls),
+          std::to_string(row.hull_vertices),
+          millimetres(row.protrusion),
+          millimetres(row.tolerance),
+          seconds,
+          name(row.status)};
+}
+
+/// "9 ok, 1 degraded, 1 failed"
+std::string statusCounts(const Totals& sum) {
+  std::string text;
+  const auto add = [&](std::size_t n, Status status) {
+    if (n > 0) text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + name(status);
+  };
+  add(sum.meshes - sum.degraded - sum.failed, Status::kOk);
+  add(sum.degraded, Status::kDegraded);
+  add(sum.failed, Status::kFailed);
+  return text;
+}
+
+Cells totalCells(const Report& report) {
+  const Totals sum = totals(report);
+  double protrusion = 0;
+  for (const ElementReport& row : report.links) protrusion = std::max(protrusion, row.protrusion);
+  return {"total",
+          counted(sum.meshes, "mesh", "meshes") + " of " + counted(sum.links, "link"),
+          std::to_string(sum.triangles),
+          std::to_string(sum.hulls),
+          std::to_string(sum.hull_vertices),
+          millimetres(protrusion),
+          "",
+          figure(report.seconds),
+          statusCounts(sum)};
 }
 
 std::string aligned(const std::vector<Cells>& rows) {
@@ -62,51 +103,75 @@ std::string aligned(const std::vector<Cells>& rows) {
   return text;
 }
 
+std::string meshTable(const Report& report) {
+  if (report.links.empty()) return "";
+  std::vector<Cells> rows = {{"link", "mesh", "triangles", "hulls", "vertices", "protrusion [mm]", "tolerance [mm]", "time [s]", "status"}};
+  for (const ElementReport& row : report.links) rows.push_back(cells(row));
+  rows.push_back(totalCells(report));
+  return aligned(rows);
+}
+
+/// What the columns mean. A row whose hulls left surface uncovered would have failed.
+std::string legend(const Report& report) {
+  if (report.links.empty() || allFailed(report)) return "";
+  const auto cached = std::count_if(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.cached; });
+  return "The hulls cover the whole surface of their mesh; no point of them is further from it than the protrusion. The total's time is "
+         "the "
+         "run's" +
+         std::string(cached > 0 ? "; " + counted(static_cast<std::size_t>(cached), "mesh", "meshes") + " came from the cache" : "") + ".\n";
+}
+
 /// The reason of the first degraded row: the others are of its kind, and in the report.
 std::string degradedLine(const Report& report) {
   const auto degraded = [](const ElementReport& row) { return row.status == Status::kDegraded; };
   const auto row = std::find_if(report.links.begin(), report.links.end(), degraded);
   if (row == report.links.end()) return "";
-  return "degraded: " + row->link + ", " + lastPart(row->uri) + ": " + row->reason + "\n";
+  const auto others = static_cast<std::size_t>(std::count_if(row + 1, report.links.end(), degraded));
+  return "degraded: " + row->link + ", " + lastPart(row->uri) + ": " + row->reason +
+         (others > 0 ? " (" + counted(others, "more mesh", "more meshes") + ": see report.json)" : "") + "\n";
 }
 
-std::string sums(const Report& report) {
-  const Totals sum = totals(report);
-  return std::to_string(sum.meshes) + " meshes of " + std::to_string(sum.links) + " links, " + std::to_string(sum.triangles) +
-         " triangles -> " + std::to_string(sum.hulls) + " hulls with " + std::to_string(sum.hull_vertices) + " vertices; " +
-         std::to_string(sum.degraded) + " degraded, " + std::to_string(sum.failed) + " failed; " + number("%.1f", report.seconds) + " s\n";
+/// "no collision missed", "2 collisions missed"
+std::string number(std::size_t n, const std::string& noun) {
+  return n == 0 ? "no " + noun : counted(n, noun);
 }
 
-std::string validationLine(const Report& report) {
-  if (!report.options.validate) return "validation: not done\n";
+/// FCL's own faults are rare and never ours: a line only if there are some.
+std::string troubleLine(const Validation& v) {
+  if (v.exceptions + v.disagreements + v.timeouts + v.nan == 0) return "";
+  return "  FCL failed in " + counted(v.exceptions, "query", "queries") + ", disagreed with our own computation in " +
+         std::to_string(v.disagreements) + ", took over a second in " + std::to_string(v.timeouts) + ", and returned NaN in " +
+         std::to_string(v.nan) + "\n";
+}
+
+std::string validationLines(const Report& report) {
+  if (!report.options.validate) return "check: left out (--no-validate)\n";
   const Validation& v = report.validation;
-  if (v.queries == 0) return "validation: nothing to ask\n";
-  std::string text = "validation: " + std::to_string(v.queries) + " queries, " + std::to_string(v.missed) + " missed, " +
-                     std::to_string(v.phantom) + " phantom, distance underestimated by at most " + millimetres(v.max_underestimate) +
-                     " mm; FCL: " + std::to_string(v.exceptions) + " exceptions, " + std::to_string(v.disagreements) + " disagreements; " +
-                     number("%.1f", v.mesh_query_us) + " us a query to the meshes, " + number("%.1f", v.hull_query_us) +
-                     " us to the hulls\n";
+  if (v.queries == 0) return report.links.empty() ? "" : "check: nothing to compare\n";
+  std::string text = "check: " + counted(v.queries, "query", "queries") + " compared hulls and meshes: " + number(v.missed, "collision") +
+                     " missed, " + number(v.phantom, "false collision") + " beyond the protrusion; distances at most " +
+                     millimetres(v.max_underestimate) + " mm too short\n" + troubleLine(v);
   for (const std::string& remark : v.remarks) text += "  " + remark + "\n";
-  return text;
+  return text + "speed: a distance query takes " + figure(v.hull_query_us) + " us with the hulls, " + figure(v.mesh_query_us) +
+         " us with the meshes\n";
 }
 
 std::string share(std::size_t part, std::size_t whole) {
   return std::to_string(part) + " of " + std::to_string(whole);
 }
 
-/// How often the hulls of two links hit where the links do not.
+/// How often the hulls of two links hit each other where the links do not.
 std::string selfTable(const FitReport& fit) {
   if (fit.self.empty()) return "";
-  std::vector<Cells> rows = {{"link", "link", "hit", "single hulls alone", "fitted hulls alone"}};
+  std::vector<Cells> rows = {{"link", "link", "real hits", "false hits, single hulls", "false hits, fitted hulls"}};
   for (const PairHits& pair : fit.self)
     rows.push_back({pair.first, pair.second, std::to_string(pair.original), std::to_string(pair.before), std::to_string(pair.after)});
-  return "self-collisions in " + std::to_string(fit.samples) + " samples:\n" + aligned(rows);
+  return "self-collisions in " + std::to_string(fit.samples) + " configurations:\n" + aligned(rows);
 }
 
 /// "19 of 549 hulls", "14 hulls and 5 primitives in place of 549 hulls", "2 primitives in place of 3 hulls".
 std::string bodies(const FitReport& fit) {
   if (fit.primitives == 0) return share(fit.hulls, fit.full_hulls) + " hulls";
-  const auto counted = [](std::size_t n, const std::string& noun) { return std::to_string(n) + " " + noun + (n == 1 ? "" : "s"); };
   const std::size_t hulls = fit.hulls - fit.primitives;
   return (hulls > 0 ? counted(hulls, "hull") + " and " : "") + counted(fit.primitives, "primitive") + " in place of " +
          counted(fit.full_hulls, "hull");
@@ -118,14 +183,13 @@ std::string sceneLines(const Report& report) {
   std::string text;
   for (const FittedLink& link : fit.links) text += "  " + link.link + ": " + link.reason + "\n";
   text += selfTable(fit);
-  text += "scene '" + fit.scene + "': " + bodies(fit) + " for a clearance of " + millimetres(fit.clearance) + " mm; " +
-          std::to_string(fit.samples) + (fit.given ? " given configurations: " : " fresh samples: ") + std::to_string(fit.missed) +
-          " missed, " + std::to_string(fit.phantom) + " phantom";
-  if (!fit.given)
-    text += " (of all configurations no more than " + number("%.2g", 100 * fit.phantom_rate_bound) + " %, at 95 % confidence)";
-  text += "; " + share(fit.proved_pairs, fit.pairs) + " pairs proved apart\n";
-  return text + "FCL: " + number("%.3g", fit.query_us) + " us a collision query (meshes " + number("%.3g", fit.original_query_us) + "), " +
-         number("%.3g", fit.distance_us) + " us a distance (meshes " + number("%.0f", fit.original_distance_us) + ")\n";
+  text += "scene '" + fit.scene + "': " + bodies(fit) + " for a clearance of " + millimetres(fit.clearance) + " mm\n";
+  text += "check: " + counted(fit.samples, fit.given ? "given configuration" : "random configuration") + ": " +
+          number(fit.missed, "collision") + " missed, " + number(fit.phantom, "false collision");
+  if (!fit.given) text += " (at 95 % confidence in at most " + figure(100 * fit.phantom_rate_bound) + " % of all configurations)";
+  text += "; " + share(fit.proved_pairs, fit.pairs) + " pairs proved to stay clear of each other\n";
+  return text + "speed: a collision query takes " + figure(fit.query_us) + " us with the model, " + figure(fit.original_query_us) +
+         " us with the meshes; a distance " + figure(fit.distance_us) + " us and " + figure(fit.original_distance_us) + " us\n";
 }
 
 std::string noteLines(const Report& report) {
@@ -134,13 +198,41 @@ std::string noteLines(const Report& report) {
   return text;
 }
 
+/// The links and meshes that miss a package.
+struct Missing {
+  std::size_t meshes = 0;
+  std::set<std::string> links;
+};
+
+std::string line(const std::string& package, const Missing& missing) {
+  return "package '" + package + "' was not found (" + counted(missing.meshes, "mesh", "meshes") + " of " +
+         counted(missing.links.size(), "link") + "): install it and source its workspace, or say where it is with --package-path " +
+         package + "=DIR (parameter ~package_path of the node)";
+}
+
 }  // namespace
 
 std::string toTable(const Report& report) {
-  std::vector<Cells> rows = {
-      {"link", "mesh", "triangles", "hulls", "vertices", "uncovered/mm", "protrusion/mm", "tolerance/mm", "seconds", "status"}};
-  for (const ElementReport& row : report.links) rows.push_back(cells(row));
-  return aligned(rows) + degradedLine(report) + sums(report) + validationLine(report) + sceneLines(report) + noteLines(report);
+  return meshTable(report) + legend(report) + degradedLine(report) + validationLines(report) + sceneLines(report) + noteLines(report);
+}
+
+std::vector<std::string> failures(const Report& report) {
+  std::map<std::string, Missing> packages;
+  std::vector<std::string> lines;
+  for (const ElementReport& row : report.links) {
+    if (row.status != Status::kFailed) continue;
+    const std::optional<std::string> package = row.error == name(ErrorCode::kPackageNotFound) ? packageOf(row.uri) : std::nullopt;
+    if (package) {
+      ++packages[*package].meshes;
+      packages[*package].links.insert(row.link);
+    } else {
+      lines.push_back(row.link + ", " + row.uri + " failed: " + row.reason);
+    }
+  }
+  std::vector<std::string> all;
+  for (const auto& [package, missing] : packages) all.push_back(line(package, missing));
+  all.insert(all.end(), lines.begin(), lines.end());
+  return all;
 }
 
 }  // namespace collision_hulls

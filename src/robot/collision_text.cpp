@@ -1,3 +1,5 @@
+// Writes <collision> elements in the style of the description around them: its line ends, its indentation, and its own <origin> tags
+// byte for byte where the transform is the same.
 #include "robot/collision_text.h"
 
 #include "robot/number_text.h"

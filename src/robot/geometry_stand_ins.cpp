@@ -1,3 +1,5 @@
+// urdfdom drops a whole link, or the whole robot, over one bad <visual> or <collision>. Such elements are taken out before urdfdom sees
+// them, and a stand-in with the fault takes their place afterwards, so that one bad element costs only itself.
 #include "robot/geometry_stand_ins.h"
 
 #include <tinyxml2.h>
@@ -27,7 +29,7 @@ std::string attributeOf(const XMLElement& element, const char* name) {
   return value ? value : "";
 }
 
-/// Why urdfdom cannot read an element in a link of its own; empty where it can.
+/// Why urdfdom cannot read an element in a link of its own; empty if it can.
 std::string complaintAbout(const XMLElement& element, const std::string& link) {
   tinyxml2::XMLDocument alone;
   XMLElement* robot = alone.NewElement("robot");
@@ -85,7 +87,7 @@ void GeometryStandIns::takeOutOtherThings() {
     if (shapeOf(element)) return std::nullopt;
     notes_.push_back(subject_.label + ", line " + std::to_string(subject_.lineFromRoot(element.GetLineNum())) + ": this <" +
                      element.Name() + "> of link '" + link +
-                     "' has no geometry; it is passed over, but urdfdom drops what follows it in its link");
+                     "' has no geometry and is ignored here; urdfdom also drops the elements that follow it in its link");
     GeometryElement none;
     none.kind = GeometryElement::Kind::kNone;
     return none;
@@ -101,7 +103,7 @@ void GeometryStandIns::takeOutUnreadable() {
     unreadable.uri = attributeOf(shape, "filename");
     if (unreadable.uri.empty()) unreadable.uri = std::string("<") + shape.Name() + ">";
     unreadable.fault = subject_.label + ", line " + std::to_string(subject_.lineFromRoot(element.GetLineNum())) +
-                       ": urdfdom cannot read this <" + element.Name() + "> of link '" + link + "' (" + complaint + "); mend it";
+                       ": urdfdom cannot read this <" + element.Name() + "> of link '" + link + "' (" + complaint + "); correct it";
     return unreadable;
   });
 }

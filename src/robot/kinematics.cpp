@@ -1,3 +1,4 @@
+// Forward kinematics from the root to the leaves. A mimic joint is reduced to the one variable that moves it when the tree is read.
 #include "collision_hulls/robot/kinematics.h"
 
 #include <algorithm>
@@ -33,9 +34,10 @@ Drive driveOf(const JointDescription& joint, const std::map<std::string, const J
   for (std::size_t steps = 0; !drive.master->mimic.empty(); ++steps) {
     const auto found = by_name.find(drive.master->mimic);
     const std::string who = "joint '" + joint.name + "' mimics '" + drive.master->mimic + "', ";
-    if (found == by_name.end()) throw Error(ErrorCode::kNotARobot, who + "which the robot does not have; mend its <mimic>");
-    if (!canMove(*found->second)) throw Error(ErrorCode::kNotARobot, who + "which does not move; mend its <mimic>");
-    if (steps > by_name.size()) throw Error(ErrorCode::kNotARobot, who + "which leads back to itself; mend the <mimic> of one of them");
+    if (found == by_name.end()) throw Error(ErrorCode::kNotARobot, who + "which the robot does not have; correct its <mimic>");
+    if (!canMove(*found->second)) throw Error(ErrorCode::kNotARobot, who + "which does not move; correct its <mimic>");
+    if (steps > by_name.size())
+      throw Error(ErrorCode::kNotARobot, who + "which leads back to itself; correct one of their <mimic> elements");
     drive.offset += drive.multiplier * drive.master->mimic_offset;
     drive.multiplier *= drive.master->mimic_multiplier;
     drive.master = found->second;
@@ -120,7 +122,7 @@ Configuration Kinematics::configuration(const std::map<std::string, double>& val
     const auto found = std::find_if(variables_.begin(), variables_.end(), named);
     if (found == variables_.end()) {
       throw Error(ErrorCode::kBadOption,
-                  "joint '" + name + "' is none that can be set: the robot has no such joint, or it is fixed or a mimic");
+                  "joint '" + name + "' cannot be set: the robot has no such joint, or it is fixed or mimics another");
     }
     const double slack = kBeyondLimit * std::max(std::abs(found->lower), std::abs(found->upper));
     if (!(value >= found->lower - slack && value <= found->upper + slack)) {
@@ -204,9 +206,9 @@ void Kinematics::check(const JointDescription& joint) const {
   const auto isNear = [](double metres) { return std::abs(metres) <= kFurthest; };
   const std::string who = "joint '" + joint.name + "' ";
   if (!(joint.origin.translation().array().abs() <= kFurthest).all())
-    throw Error(ErrorCode::kNotARobot, who + "has an origin further than 1000 km away; mend its <origin>");
+    throw Error(ErrorCode::kNotARobot, who + "has an origin more than 1000 km away; correct its <origin>");
   if (joint.kind == Kind::kPrismatic && joint.mimic.empty() && !(isNear(joint.lower) && isNear(joint.upper)))
-    throw Error(ErrorCode::kNotARobot, who + "slides further than 1000 km; give it limits");
+    throw Error(ErrorCode::kNotARobot, who + "slides more than 1000 km; give it limits");
 }
 
 }  // namespace collision_hulls

@@ -1,3 +1,4 @@
+// Numbers as the shortest text that reads back as the same double.
 #include "robot/number_text.h"
 
 #include <algorithm>

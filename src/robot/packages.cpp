@@ -1,44 +1,25 @@
-// ROS packages found without ROS.
-#include <tinyxml2.h>
-
+// Packages, and files of packages that nobody has installed.
+//
+// A description is often passed on without the rest of its workspace: its meshes lie nearby, but the package that its URIs name does
+// not exist. The search therefore goes from what is certain (--package-path NAME=DIR, ROS) to what is likely (a folder of that name, then
+// the rest of the URI, in the folders above the description), nearest folder first. It never matches a file by its bare name alone, as
+// robots have many files called base.stl, and it notes every folder that it used in place of a package.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <iterator>
+#include <map>
 #include <memory>
 #include <mutex>
-#include <set>
 #include <sstream>
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
-#include "robot/text_file.h"
-#include "robot/xml_spans.h"
-#include "robot/xml_tree.h"
-#include "string_parts.h"
+#include "robot/package_crawl.h"
 
 namespace fs = std::filesystem;
 
 namespace collision_hulls {
 namespace {
-
-bool isFile(const fs::path& path) {
-  std::error_code error;
-  return fs::is_regular_file(path, error);
-}
-
-bool isFolder(const fs::path& path) {
-  std::error_code error;
-  return fs::is_directory(path, error);
-}
-
-std::vector<fs::path> entriesOf(const fs::path& folder) {
-  std::vector<fs::path> entries;
-  std::error_code error;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) entries.push_back(at->path());
-  std::sort(entries.begin(), entries.end());
-  return entries;
-}
 
 std::vector<fs::path> foldersInVariable(const char* name) {
   const char* value = std::getenv(name);
@@ -50,140 +31,190 @@ std::vector<fs::path> foldersInVariable(const char* name) {
   return folders;
 }
 
-// The name that the folder has as a package, by rospack's rules; nullopt where it is none.
-std::optional<std::string> packageName(const fs::path& folder) {
-  const bool old_style = isFile(folder / "manifest.xml");
-  if (!old_style && !isFile(folder / "package.xml")) return std::nullopt;
-  const std::string folder_name = folder.filename().string();
-  tinyxml2::XMLDocument manifest;
-  if (old_style || manifest.LoadFile((folder / "package.xml").c_str()) != tinyxml2::XML_SUCCESS) return folder_name;
-  const tinyxml2::XMLElement* root = manifest.RootElement();
-  const tinyxml2::XMLElement* name = root ? root->FirstChildElement("name") : nullptr;
-  return name && name->GetText() ? trimmed(name->GetText(), kXmlSpace) : folder_name;
+// Innermost first, without the root of the file system. `path` is a file or a folder.
+std::vector<fs::path> foldersAbove(const std::string& path) {
+  std::vector<fs::path> folders;
+  if (path.empty()) return folders;
+  const fs::path start = fs::absolute(path).lexically_normal();
+  for (fs::path folder = isFolder(start) ? start : start.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
+    if (!folder.filename().empty()) folders.push_back(folder);
+  }
+  return folders;
 }
 
-// The packages below the folders of ROS_PACKAGE_PATH; the first of a name counts.
-class Crawl {
- public:
-  explicit Crawl(const std::vector<fs::path>& roots) {
-    for (const fs::path& root : roots) visit(root);
-  }
+bool isPackageName(const std::string& text) {
+  return !text.empty() && text.front() != '.' && text.find('/') == std::string::npos;
+}
 
-  std::optional<std::string> find(const std::string& package) const {
-    const auto found = packages_.find(package);
-    return found == packages_.end() ? std::nullopt : std::optional(found->second);
-  }
-
- private:
-  void visit(const fs::path& folder) {
-    std::error_code error;
-    const fs::path real = fs::canonical(folder, error);
-    if (error || !isFolder(real) || !visited_.insert(real).second) return;  // links may form loops
-    if (isFile(folder / "CATKIN_IGNORE")) return;
-    if (const auto name = packageName(folder)) {
-      packages_.emplace(*name, folder.string());
-      return;
-    }
-    if (isFile(folder / "rospack_nosubdirs")) return;
-    for (const fs::path& entry : entriesOf(folder)) {
-      if (entry.filename().string().front() != '.' && isFolder(entry)) visit(entry);
-    }
-  }
-
-  std::map<std::string, std::string> packages_;
-  std::set<fs::path> visited_;
+// An item of --package-path.
+struct Place {
+  std::string package;  // empty: of any package
+  fs::path folder;
 };
 
-// Where packages are looked for; the environment as it was when the finder was made, crawled once and when first needed.
-class PackageSearch {
+Place placeOf(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const bool named = equals != std::string::npos && isPackageName(text.substr(0, equals)) && !isFolder(text);
+  const std::string folder = named ? text.substr(equals + 1) : text;
+  if (folder.empty() || !isFolder(folder)) {
+    throw Error(ErrorCode::kBadOption,
+                "package path '" + text + "': there is no folder '" + folder + "'; give an existing folder, as DIR or NAME=DIR");
+  }
+  return {named ? text.substr(0, equals) : "", fs::absolute(folder + "/").lexically_normal().parent_path()};
+}
+
+// A path as a sequence of names below a folder; empty for one that leads out of it.
+fs::path within(const std::string& rest) {
+  const fs::path normal = fs::path(rest).lexically_normal().relative_path();
+  return normal.empty() || *normal.begin() == ".." || *normal.begin() == "." ? fs::path() : normal;
+}
+
+}  // namespace
+
+// What the copies of a finder share. The environment counts as it was when the finder was made; the crawls wait for their first use.
+class PackageFinder::Search {
  public:
-  explicit PackageSearch(const std::string& near)
-      : roots_(foldersInVariable("ROS_PACKAGE_PATH")), prefixes_(foldersInVariable("CMAKE_PREFIX_PATH")) {
-    if (near.empty()) return;
-    const fs::path start = fs::absolute(near).lexically_normal();
-    for (fs::path folder = isFolder(start) ? start : start.parent_path();; folder = folder.parent_path()) {
-      if (!folder.filename().empty()) enclosing_.push_back(folder);
-      if (folder == folder.root_path()) break;
+  Search(const std::string& near, const std::vector<std::string>& package_path, bool with_environment) : above_(foldersAbove(near)) {
+    for (const std::string& text : package_path) {
+      Place place = placeOf(text);
+      (place.package.empty() ? given_ : named_).push_back(std::move(place));
     }
+    if (!with_environment) return;
+    enclosing_ = above_;
+    ros_ = foldersInVariable("ROS_PACKAGE_PATH");
+    prefixes_ = foldersInVariable("CMAKE_PREFIX_PATH");
   }
 
-  std::optional<std::string> find(const std::string& package) {
-    if (package.empty() || package.front() == '.' || package.find('/') != std::string::npos) return std::nullopt;
-    for (const fs::path& folder : enclosing_) {
-      if (packageName(folder) == package) return folder.string();
-    }
-    if (const auto crawled = crawl().find(package)) return crawled;
-    for (const fs::path& prefix : prefixes_) {
-      if (isFolder(prefix / "share" / package)) return (prefix / "share" / package).string();
-    }
-    return findByFolderName(package);
-  }
-
- private:
-  const Crawl& crawl() {
-    std::call_once(crawled_, [this] { crawl_ = std::make_unique<Crawl>(roots_); });
-    return *crawl_;
-  }
-
-  // Descriptions are often passed on without the rest of a workspace, even without package.xml.
-  std::optional<std::string> findByFolderName(const std::string& package) const {
-    for (const fs::path& folder : enclosing_) {
-      if (folder.filename() == package) return folder.string();
-      if (isFolder(folder / package)) return (folder / package).string();
+  std::optional<std::string> named(const std::string& package) const {
+    for (const Place& place : named_) {
+      if (place.package == package) return place.folder.string();
     }
     return std::nullopt;
   }
 
-  std::vector<fs::path> roots_, prefixes_;
-  std::vector<fs::path> enclosing_;  // innermost first
-  std::once_flag crawled_;
-  std::unique_ptr<const Crawl> crawl_;
-};
-
-}  // namespace
-
-PackageFinder defaultPackageFinder(const std::string& near) {
-  const auto search = std::make_shared<PackageSearch>(near);
-  return [search](const std::string& package) { return search->find(package); };
-}
-
-namespace {
-
-constexpr const char* kXacro = "xacro:";
-
-/// Whether an element of a xacro file makes a part of a robot: it is a link, or a call of a macro.
-bool makesParts(const XmlNode& element) {
-  static const std::set<std::string> others{"xacro:include", "xacro:macro", "xacro:property", "xacro:arg", "xacro:insert_block"};
-  if (element.name == "xacro:if" || element.name == "xacro:unless")
-    return std::any_of(element.children.begin(), element.children.end(), makesParts);
-  return element.name == "link" || (element.name.rfind(kXacro, 0) == 0 && others.count(element.name) == 0);
-}
-
-/// False for a xacro file of macros and properties that others include. What cannot be read is for the reader to complain about.
-bool isDescription(const std::string& file) {
-  if (fs::path(file).extension() != ".xacro") return true;
-  try {
-    const XmlNode root = parseXml(readTextFile(file, ".xacro file"), "'" + file + "'");
-    return std::any_of(root.children.begin(), root.children.end(), makesParts);
-  } catch (const Error&) {
-    return true;
+  // A package as its manifest says, or as it is installed.
+  std::optional<std::string> known(const std::string& package) {
+    for (const fs::path& folder : enclosing_) {
+      const auto enclosing = packageAt(folder);
+      if (enclosing && enclosing->name == package) return folder.string();
+    }
+    std::call_once(crawled_, [this] { crawl(); });
+    if (const auto found = ros_crawl_->find(package)) return found;
+    for (const fs::path& prefix : prefixes_) {
+      if (isFolder(prefix / "share" / package)) return (prefix / "share" / package).string();
+    }
+    return given_crawl_->find(package);
   }
-}
 
-}  // namespace
+  std::optional<std::string> byFolderName(const std::string& package) {
+    std::vector<fs::path> candidates;
+    for (const Place& place : given_) candidates.insert(candidates.end(), {place.folder / package, place.folder});
+    for (const fs::path& folder : above_) candidates.insert(candidates.end(), {folder, folder / package});
+    for (const fs::path& folder : candidates) {
+      if (folder.filename() == package && isFolder(folder)) return remember(package, false, folder);
+    }
+    return std::nullopt;
+  }
 
-std::vector<std::string> robotDescriptionsIn(const std::string& package_folder) {
-  std::vector<std::string> found;
-  for (const char* extension : {".urdf", ".xacro"}) {
-    for (const char* folder : {"robots", "urdf"}) {
-      for (const fs::path& entry : entriesOf(fs::path(package_folder) / folder)) {
-        if (entry.extension() == extension && isFile(entry)) found.push_back(entry.string());
-      }
+  // `rest` of package `package`, wherever a folder near `base` or of --package-path could stand in for that package.
+  std::optional<std::string> file(const std::string& package, bool known_package, const std::string& rest, const std::string& base) {
+    const fs::path path = within(rest), name = within(package);
+    if (path.empty() || name.empty()) return std::nullopt;
+    for (const fs::path& folder : standIns(name, path, base)) {
+      if (isFile(folder / path)) return remember(package, known_package, folder), (folder / path).string();
+    }
+    return std::nullopt;
+  }
+
+  std::vector<std::string> notes() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return notes_;
+  }
+
+ private:
+  void crawl() {
+    std::vector<fs::path> folders;
+    for (const Place& place : given_) folders.push_back(place.folder);
+    ros_crawl_ = std::make_unique<PackageCrawl>(ros_);
+    given_crawl_ = std::make_unique<PackageCrawl>(folders);
+    for (const PackageCrawl* each : {ros_crawl_.get(), given_crawl_.get()}) {
+      for (const std::string& manifest : each->brokenManifests())
+        note("'" + manifest + "' is empty or broken; its folder counts as a package of the folder's name");
     }
   }
-  std::vector<std::string> descriptions;
-  std::copy_if(found.begin(), found.end(), std::back_inserter(descriptions), isDescription);
-  return descriptions.empty() ? found : descriptions;
+
+  // The best first: folders of the package's name, then folders that may be the package under another name.
+  std::vector<fs::path> standIns(const fs::path& name, const fs::path& path, const std::string& base) const {
+    constexpr const char* kMeshes = "meshes";  // the usual subfolder, which URIs of flattened packages leave out
+    constexpr std::size_t kNear = 2;           // folders in which even a bare file name is no accident
+    std::vector<fs::path> above = foldersAbove(base);
+    const std::size_t near = std::min(kNear, above.size());
+    for (const fs::path& folder : above_) {
+      if (std::find(above.begin(), above.end(), folder) == above.end()) above.push_back(folder);
+    }
+    std::vector<fs::path> folders;
+    for (const Place& place : given_) folders.insert(folders.end(), {place.folder / name, place.folder / kMeshes / name});
+    for (const fs::path& folder : above) folders.insert(folders.end(), {folder / name, folder / kMeshes / name});
+    for (const Place& place : given_) folders.insert(folders.end(), {place.folder, place.folder / kMeshes});
+    const bool bare = !path.has_parent_path();
+    for (std::size_t i = 0; i < (bare ? near : above.size()); ++i) {
+      folders.push_back(above[i]);
+      if (!bare) folders.push_back(above[i] / kMeshes);
+    }
+    return folders;
+  }
+
+  std::string remember(const std::string& package, bool known_package, const fs::path& folder) {
+    note("package '" + package + (known_package ? "' lacks some of its files: " : "' was not found: ") + "the folder '" + folder.string() +
+         "' was used in its place");
+    return folder.string();
+  }
+
+  void note(const std::string& text) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (std::find(notes_.begin(), notes_.end(), text) == notes_.end()) notes_.push_back(text);
+  }
+
+  std::vector<fs::path> above_, enclosing_, ros_, prefixes_;
+  std::vector<Place> named_, given_;
+  std::once_flag crawled_;
+  std::unique_ptr<const PackageCrawl> ros_crawl_, given_crawl_;
+  mutable std::mutex mutex_;  // guards notes_
+  std::vector<std::string> notes_;
+};
+
+PackageFinder::PackageFinder() : PackageFinder(std::make_shared<Search>("", std::vector<std::string>(), false)) {}
+
+PackageFinder::PackageFinder(std::shared_ptr<Search> search) : search_(std::move(search)) {}
+
+PackageFinder PackageFinder::askingFirst(Lookup lookup) const {
+  PackageFinder finder = *this;
+  finder.first_ = std::move(lookup);
+  return finder;
+}
+
+std::optional<std::string> PackageFinder::operator()(const std::string& package) const {
+  if (const auto known = knownPackage(package)) return known;
+  return isPackageName(package) ? search_->byFolderName(package) : std::nullopt;
+}
+
+std::optional<std::string> PackageFinder::knownPackage(const std::string& package) const {
+  if (const auto named = search_->named(package)) return named;
+  if (const auto folder = first_ ? first_(package) : std::nullopt) return folder;
+  return isPackageName(package) ? search_->known(package) : std::nullopt;
+}
+
+std::optional<std::string> PackageFinder::fileNearby(const std::string& package, const std::string& rest, const std::string& base) const {
+  if (search_->named(package)) return std::nullopt;
+  return search_->file(package, knownPackage(package).has_value(), rest, base);
+}
+
+std::vector<std::string> PackageFinder::notes() const {
+  return search_->notes();
+}
+
+PackageFinder defaultPackageFinder(const std::string& near, const std::vector<std::string>& package_path) {
+  return PackageFinder(std::make_shared<PackageFinder::Search>(near, package_path, true));
 }
 
 }  // namespace collision_hulls

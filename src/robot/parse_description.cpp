@@ -14,7 +14,7 @@
 namespace collision_hulls {
 namespace {
 
-// "<xacro:include> in line 7": the first of xacro's elements; empty where there is none.
+// "<xacro:include> in line 7": the first of xacro's elements; empty if there is none.
 std::string xacroElement(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   for (const auto* child = root.FirstChildElement(); child; child = child->NextSiblingElement()) {
     const std::string name = child->Name();
@@ -25,16 +25,16 @@ std::string xacroElement(const XmlSource& subject, const tinyxml2::XMLElement& r
 
 std::string xacroHint(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   const std::string found = xacroElement(subject, root);
-  return found.empty() ? "" : "; " + found + " shows that this is a xacro file: give it the extension .xacro, or expand it first";
+  return found.empty() ? "" : "; " + found + " shows that this is a xacro file: rename it to .xacro, or expand it first";
 }
 
-// Descriptions that are expanded already often have some left, and urdfdom passes over them.
+// Expanded descriptions often have some left, and urdfdom ignores them.
 std::vector<std::string> notesOn(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   const std::string found = xacroElement(subject, root);
   if (found.empty()) return {};
   return {subject.label + ": " + found +
-          " is left to xacro, and what that would make of it is missing here; if it is needed, give the file " +
-          "the extension .xacro, or expand it first"};
+          " is a xacro element, which a plain URDF cannot expand; if the robot needs it, rename the file to .xacro, " +
+          "or expand it first"};
 }
 
 void checkIsRobot(const XmlSource& subject, const tinyxml2::XMLElement& root) {
@@ -46,7 +46,7 @@ void checkIsRobot(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   }
 }
 
-// urdfdom lets them pass.
+// urdfdom accepts links without a name.
 void checkLinksHaveNames(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   for (const auto* link = root.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
     const char* name = link->Attribute("name");
@@ -67,7 +67,7 @@ std::size_t countChildren(const tinyxml2::XMLElement& link, const char* name) {
   return count;
 }
 
-// Whether urdfdom took all elements of all links.
+// Whether urdfdom kept all elements of all links.
 bool isWhole(const tinyxml2::XMLElement& root, const UrdfModel& model) {
   std::size_t there = 0, taken = 0;
   for (const auto* link = root.FirstChildElement("link"); link; link = link->NextSiblingElement("link"))
@@ -76,7 +76,7 @@ bool isWhole(const tinyxml2::XMLElement& root, const UrdfModel& model) {
   return taken == there;
 }
 
-// Without the elements that it cannot read, if there are any.
+// Leaves out the elements that urdfdom cannot read.
 UrdfModel readWhatCanBeRead(const tinyxml2::XMLElement& root, GeometryStandIns& stand_ins) {
   try {
     UrdfModel model = readModel(root);
@@ -102,7 +102,7 @@ void checkNothingLost(const XmlSource& subject, const tinyxml2::XMLElement& elem
                       const std::string& complaints) {
   if (link.visuals.size() == countChildren(element, "visual") && link.collisions.size() == countChildren(element, "collision")) return;
   subject.failAt(ErrorCode::kNotARobot, subject.lineFromRoot(element.GetLineNum()),
-                 "urdfdom drops geometry of link '" + link.name + "' (" + complaints + "); mend the element that it names");
+                 "urdfdom drops geometry of link '" + link.name + "' (" + complaints + "); correct the element that it names");
 }
 
 // urdfdom's links, which come by name, in the order of the document.

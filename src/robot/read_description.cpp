@@ -14,16 +14,16 @@ namespace fs = std::filesystem;
 namespace collision_hulls {
 namespace {
 
-// How much of xacro's own messages stands in ours: the end, where its reason is.
+// How much of xacro's own messages is quoted: the end, which has the reason.
 constexpr std::size_t kMostQuoted = 2000;
 
 std::string expandXacro(const std::string& path) {
   // Absolute, so that no file's name looks like an option.
   const std::optional<ProgramResult> xacro = runProgram({"xacro", fs::absolute(path).string()});
   if (!xacro) {
-    throw Error(ErrorCode::kXacroMissing, "'" + path + "' is a xacro file and no program 'xacro' is on PATH: install it " +
+    throw Error(ErrorCode::kXacroMissing, "'" + path + "' is a xacro file, but there is no program 'xacro' on PATH: install it " +
                                               "(ROS package xacro; or 'pip install xacro') and source your workspace's setup.bash, " +
-                                              "or expand the file where xacro is, 'xacro FILE.xacro > FILE.urdf', and give the .urdf");
+                                              "or run 'xacro FILE.xacro > FILE.urdf' on a machine that has it, and give the .urdf");
   }
   if (xacro->status == 0) return xacro->out;
   const std::size_t skipped = xacro->errors.size() - std::min(xacro->errors.size(), kMostQuoted);
@@ -42,7 +42,7 @@ std::string expanded(const std::string& path) {
 }  // namespace
 
 RobotDescription readRobotDescription(const std::string& path) {
-  // Read in any case: what cannot be read is no xacro either.
+  // Read in any case: the message about an unreadable file is better than xacro's.
   const std::string text = readTextFile(path, ".urdf or .xacro file");
   return parseRobotDescription(lowerExtension(path) == ".xacro" ? expanded(path) : text, path);
 }

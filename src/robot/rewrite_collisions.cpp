@@ -1,7 +1,8 @@
 // <collision> elements replaced in the text of a description, everything else byte for byte.
 //
 // The text is never parsed and printed again: the spans of the <collision> elements are cut out, each with the white space
-// before it, and the new elements are put in with white space like their neighbours'.
+// before it, and the new elements are inserted with white space like their neighbours'. In elements that stay, the file name of a
+// mesh that moved is exchanged in place.
 #include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
@@ -10,6 +11,7 @@
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/collision_text.h"
 #include "robot/xml_spans.h"
+#include "robot/xml_tree.h"
 
 namespace collision_hulls {
 namespace {
@@ -142,6 +144,23 @@ std::vector<Edit> editsOf(const LinkText& at, Names& names) {
   return edits;
 }
 
+// The new file names of meshes that moved, in a link whose elements stay.
+std::vector<Edit> movedMeshes(const std::string& text, const std::vector<XmlElement>& elements, std::size_t span,
+                              const LinkDescription& link, const std::map<std::string, std::string>& moved) {
+  std::vector<Edit> edits;
+  const std::vector<std::size_t> collisions = childrenNamed(elements, span, "collision");
+  for (std::size_t i = 0; i < collisions.size(); ++i) {
+    const GeometryElement& meaning = link.collisions.at(i);
+    const auto uri = meaning.kind == GeometryElement::Kind::kMesh && meaning.fault.empty() ? moved.find(meaning.uri) : moved.end();
+    if (uri == moved.end()) continue;
+    const std::size_t geometry = childrenNamed(elements, collisions[i], "geometry").at(0);
+    const std::size_t mesh = childrenNamed(elements, geometry, "mesh").at(0);
+    if (const auto value = attributeValue(text, elements[mesh], "filename"))
+      edits.push_back({value->begin, value->end, xmlEscaped(uri->second)});
+  }
+  return edits;
+}
+
 std::string applied(const std::string& text, const std::vector<Edit>& edits) {
   std::string result;
   std::size_t done = 0;
@@ -157,14 +176,16 @@ std::string applied(const std::string& text, const std::vector<Edit>& edits) {
   throw Error(ErrorCode::kInternal, "rewriting <collision> elements: " + reason);
 }
 
-// What was written is read back: the same links, and in each the elements that were asked for.
-void checkWritten(const RobotDescription& before, const std::map<std::string, LinkCollisions>& links, const RobotDescription& after) {
+// Reads back what was written: the same links, each with the expected elements.
+void checkWritten(const RobotDescription& before, const std::map<std::string, LinkCollisions>& links,
+                  const std::map<std::string, std::string>& moved, const RobotDescription& after) {
   for (std::size_t i = 0; i < before.links.size(); ++i) {
     const LinkDescription& old_link = before.links[i];
     const auto by = links.find(old_link.name);
     std::vector<std::string> expected, found;
     for (const GeometryElement& collision : old_link.collisions) {
-      if (by == links.end() || !replaced(collision, by->second)) expected.push_back(collision.uri);
+      const auto now = by == links.end() ? moved.find(collision.uri) : moved.end();
+      if (by == links.end() || !replaced(collision, by->second)) expected.push_back(now == moved.end() ? collision.uri : now->second);
     }
     if (by != links.end()) {
       for (const CollisionElement& element : by->second.elements) expected.push_back(element.geometry.uri);
@@ -186,7 +207,8 @@ void checkLinksExist(const RobotDescription& robot, const std::map<std::string, 
 
 }  // namespace
 
-std::string rewriteCollisions(const RobotDescription& robot, const std::map<std::string, LinkCollisions>& links) {
+std::string rewriteCollisions(const RobotDescription& robot, const std::map<std::string, LinkCollisions>& links,
+                              const std::map<std::string, std::string>& moved) {
   checkLinksExist(robot, links);
   const std::vector<XmlElement> elements = scanXml(robot.text).elements;
   const std::vector<std::size_t> spans = childrenNamed(elements, 0, "link");
@@ -195,12 +217,12 @@ std::string rewriteCollisions(const RobotDescription& robot, const std::map<std:
   std::vector<Edit> edits;
   for (std::size_t i = 0; i < spans.size(); ++i) {
     const auto by = links.find(robot.links[i].name);
-    if (by == links.end()) continue;
-    const std::vector<Edit> of_link = editsOf({robot.text, elements, spans[i], robot.links[i], by->second}, names);
+    const std::vector<Edit> of_link = by == links.end() ? movedMeshes(robot.text, elements, spans[i], robot.links[i], moved)
+                                                        : editsOf({robot.text, elements, spans[i], robot.links[i], by->second}, names);
     edits.insert(edits.end(), of_link.begin(), of_link.end());
   }
   const std::string written = applied(robot.text, edits);
-  checkWritten(robot, links, parseRobotDescription(written, robot.path));
+  checkWritten(robot, links, moved, parseRobotDescription(written, robot.path));
   return written;
 }
 

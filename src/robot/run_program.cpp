@@ -1,3 +1,4 @@
+// Runs a program without a shell, so that no file name can turn into a command.
 #include "robot/run_program.h"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// The only file that sees urdfdom: turns its model into plain values and collects its complaints.
 #include "robot/urdf_model.h"
 
 #include <console_bridge/console.h>

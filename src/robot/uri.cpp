@@ -1,8 +1,10 @@
-// The files that the URIs of a description mean.
+// The file that a URI of a description means. A '%' is ambiguous: many tools write paths into URIs unescaped, so the literal name is
+// tried before the decoded one.
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 #include "collision_hulls/error.h"
@@ -23,7 +25,7 @@ std::string withoutLeadingSlashes(const std::string& text) {
   return text.substr(std::min(text.find_first_not_of('/'), text.size()));
 }
 
-// "%20" and its like as the bytes that they stand for; a '%' without two digits stays.
+// "%20" and its like become the bytes that they stand for; a '%' without two digits stays.
 std::string percentDecoded(const std::string& text) {
   std::string decoded;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -35,40 +37,72 @@ std::string percentDecoded(const std::string& text) {
   return decoded;
 }
 
-fs::path packagePath(const std::string& uri, const PackageFinder& find_package) {
-  const std::string rest = withoutLeadingSlashes(uri.substr(kPackageScheme.size()));
-  const std::size_t slash = std::min(rest.find('/'), rest.size());
-  const std::string package = percentDecoded(rest.substr(0, slash));
-  const std::optional<std::string> folder = find_package ? find_package(package) : std::nullopt;
-  if (!folder) {
-    throw Error(ErrorCode::kPackageNotFound, "package '" + package + "' of '" + uri +
-                                                 "' is not found: add the folder that holds it to ROS_PACKAGE_PATH, or source the "
-                                                 "setup.bash of its workspace");
-  }
-  return fs::path(*folder) / withoutLeadingSlashes(rest.substr(slash));
+struct PackageUri {
+  std::string package, rest;
+};
+
+std::optional<PackageUri> packageUri(const std::string& uri) {
+  if (!startsWith(uri, kPackageScheme)) return std::nullopt;
+  const std::string path = withoutLeadingSlashes(uri.substr(kPackageScheme.size()));
+  const std::size_t slash = std::min(path.find('/'), path.size());
+  return PackageUri{percentDecoded(path.substr(0, slash)), withoutLeadingSlashes(path.substr(slash))};
 }
 
-// The path of file://, with or without the name of this machine. One without a leading slash is taken as relative, as it is meant.
+// The path of a file:// URI, with or without "localhost". Without a leading slash it is relative: that is what its author meant.
 std::string filePath(const std::string& uri) {
   const std::string rest = uri.substr(kFileScheme.size());
   return startsWith(rest, "localhost/") ? rest.substr(rest.find('/')) : rest;
 }
 
-fs::path pathOf(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
-  if (startsWith(uri, kPackageScheme)) return packagePath(uri, find_package);
+// nullopt for an unknown package.
+std::optional<fs::path> pathOf(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
+  if (const auto in_package = packageUri(uri)) {
+    const std::optional<std::string> folder = find_package.knownPackage(in_package->package);
+    return folder ? std::optional(fs::path(*folder) / in_package->rest) : std::nullopt;
+  }
   const bool is_file = startsWith(uri, kFileScheme);
   if (!is_file && uri.find("://") != std::string::npos) {
-    throw Error(ErrorCode::kFileNotFound, "'" + uri + "': this scheme is not read; use package://, file:// or a path");
+    throw Error(ErrorCode::kFileNotFound, "'" + uri + "' has a scheme that is not supported; use package://, file:// or a path");
   }
   return fs::path(base).parent_path() / (is_file ? filePath(uri) : uri);  // an absolute path replaces what stands before it
 }
 
-bool isFile(const fs::path& path) {
-  std::error_code error;
-  return fs::exists(path, error) && !fs::is_directory(path, error);
+// Without ".." if that is the same file; behind a symbolic link it may not be.
+std::optional<std::string> existingFile(const fs::path& path) {
+  for (const fs::path& name : {path.lexically_normal(), path}) {
+    std::error_code error;
+    if (fs::exists(name, error) && !fs::is_directory(name, error)) return name.string();
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> nearbyFile(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
+  const auto in_package = packageUri(uri);
+  return in_package ? find_package.fileNearby(in_package->package, in_package->rest, base) : std::nullopt;
+}
+
+[[noreturn]] void throwMissing(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
+  const std::optional<fs::path> path = pathOf(uri, base, find_package);
+  if (!path) {
+    const std::string package = packageUri(uri)->package;
+    throw Error(ErrorCode::kPackageNotFound, "package '" + package + "' of '" + uri +
+                                                 "' was not found: install it and source its workspace, or say where it is with " +
+                                                 "--package-path " + package + "=DIR (parameter ~package_path of the node)");
+  }
+  const bool has_no_place = base.empty() && isRelativeUri(uri);
+  throw Error(ErrorCode::kFileNotFound,
+              "'" + uri + "' means '" + fs::absolute(*path).lexically_normal().string() + "', which does not exist" +
+                  (has_no_place ? "; it is relative, and the description came without a file name that it could be relative to "
+                                  "(parameter ~base of the node)"
+                                : "; check the URI, or the mesh's place"));
 }
 
 }  // namespace
+
+std::optional<std::string> packageOf(const std::string& uri) {
+  const auto in_package = packageUri(uri);
+  return in_package ? std::optional(in_package->package) : std::nullopt;
+}
 
 bool isRelativeUri(const std::string& uri) {
   if (startsWith(uri, kFileScheme)) return fs::path(filePath(uri)).is_relative();
@@ -89,16 +123,15 @@ std::string fileUri(const std::string& path) {
 
 std::string resolveUri(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
   if (uri.empty()) throw Error(ErrorCode::kFileNotFound, "a mesh has an empty file name");
-  const fs::path path = pathOf(uri, base, find_package);
-  // Without ".." where that is the same file; behind a link it may not be.
-  for (const fs::path& file : {path, pathOf(percentDecoded(uri), base, find_package)})
-    for (const fs::path& name : {file.lexically_normal(), file})
-      if (isFile(name)) return name.string();
-  const bool has_no_place = base.empty() && isRelativeUri(uri);
-  throw Error(
-      ErrorCode::kFileNotFound,
-      "'" + uri + "' means '" + path.lexically_normal().string() + "', and there is no such file" +
-          (has_no_place ? "; it is relative, and the description came without a file that it is relative to (the node's is ~base)" : ""));
+  const std::string decoded = percentDecoded(uri);
+  for (const std::string& text : {uri, decoded}) {
+    const std::optional<fs::path> path = pathOf(text, base, find_package);
+    if (const auto file = path ? existingFile(*path) : std::nullopt) return *file;
+  }
+  for (const std::string& text : {uri, decoded}) {
+    if (const auto file = nearbyFile(text, base, find_package)) return *file;
+  }
+  throwMissing(uri, base, find_package);
 }
 
 }  // namespace collision_hulls

@@ -1,3 +1,4 @@
+// Loads a description with tinyxml2, and refuses first what tinyxml2 accepts or misreads.
 #include "robot/xml_source.h"
 
 #include <tinyxml2.h>

@@ -1,6 +1,9 @@
+// A scanner for the positions of elements. XML libraries print a document anew; rewriting in place needs the bytes of the original.
 #include "robot/xml_spans.h"
 
 #include <algorithm>
+
+#include "string_parts.h"
 
 namespace collision_hulls {
 namespace {
@@ -158,6 +161,18 @@ std::vector<std::size_t> childrenNamed(const std::vector<XmlElement>& elements, 
     if (elements[i].name == name) children.push_back(i);
   }
   return children;
+}
+
+std::optional<XmlSpan> attributeValue(std::string_view text, const XmlElement& element, std::string_view name) {
+  std::size_t at = element.begin + 1 + element.name.size();
+  while (true) {
+    at = std::min(text.find_first_not_of(kXmlSpace, at), element.tag_end);
+    const std::size_t equals = text.find('=', at), quote = text.find_first_of("\"'", at);
+    if (equals >= element.tag_end || quote >= element.tag_end) return std::nullopt;
+    const std::size_t close = text.find(text[quote], quote + 1);
+    if (trimmed(text.substr(at, equals - at), kXmlSpace) == name) return XmlSpan{quote + 1, close};
+    at = close + 1;
+  }
 }
 
 std::size_t lineOf(std::string_view text, std::size_t offset) {

@@ -48,6 +48,9 @@ XmlOutline scanXml(std::string_view text);
 /// Indices of the children of element `parent` that are called `name`.
 std::vector<std::size_t> childrenNamed(const std::vector<XmlElement>& elements, std::size_t parent, std::string_view name);
 
+/// Where the value of an attribute of `element` stands, without its quotes; nullopt if the element does not have the attribute.
+std::optional<XmlSpan> attributeValue(std::string_view text, const XmlElement& element, std::string_view name);
+
 /// Number of the line (from 1) that holds the byte at `offset`.
 std::size_t lineOf(std::string_view text, std::size_t offset);
 

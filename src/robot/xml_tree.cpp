@@ -1,3 +1,4 @@
+// XML as a tree of plain values, for formats that need no more than that.
 #include "robot/xml_tree.h"
 
 #include <tinyxml2.h>

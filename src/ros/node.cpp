@@ -13,12 +13,19 @@
 namespace collision_hulls {
 namespace {
 
-/// Asks ROS, then the places that are known without it.
-PackageFinder packageFinder(const std::string& near) {
-  return [fallback = defaultPackageFinder(near)](const std::string& package) -> std::optional<std::string> {
+/// The folder of a package as ROS knows it.
+std::optional<std::string> rosPackage(const std::string& package) {
+  try {
     const std::string folder = ros::package::getPath(package);
-    return folder.empty() ? fallback(package) : folder;
-  };
+    return folder.empty() ? std::nullopt : std::optional(folder);
+  } catch (const std::exception&) {
+    return std::nullopt;  // rospack gives up at the first broken package.xml, whatever was asked; our own search notes it
+  }
+}
+
+/// Asks ROS, then the places that are known without it.
+PackageFinder packageFinder(const ros::NodeHandle& node, const std::string& near) {
+  return defaultPackageFinder(near, readPackagePath(node)).askingFirst(rosPackage);
 }
 
 /// The fields that both requests have.
@@ -99,7 +106,7 @@ DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunCont
   const std::string base = readText(private_, "base");
   const RobotDescription robot = readRobot(request.robot_description, base);
   const Options options = requestedOptions(readOptions(private_), request, robot);
-  const Input input{Input::Kind::kRobot, "", robot, packageFinder(robot.path)};
+  const Input input{Input::Kind::kRobot, "", robot, packageFinder(private_, robot.path)};
   const std::string output = outputFor(request.output, input);
 
   const ViewedRun view(view_, robot, options.source, input.find_package);
@@ -115,7 +122,7 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
   own.method = Method::kCertified;  // ~method is for the other job
   own.tree.reset();
   const Options options = requestedOptions(own, toRequest(request), robot);
-  const Input input{Input::Kind::kRobot, "", robot, packageFinder(robot.path)};
+  const Input input{Input::Kind::kRobot, "", robot, packageFinder(private_, robot.path)};
   const std::string output = outputFor(request.output, input);
   const SceneRequest scene = requestedScene(request, input, control);
 
@@ -135,7 +142,7 @@ std::string Node::outputFor(const std::string& requested, const Input& input) co
 }
 
 RobotDescription Node::readRobot(const std::string& text, const std::string& base) const {
-  const std::string path = base.empty() ? "" : resolveUri(base, "", packageFinder(""));
+  const std::string path = base.empty() ? "" : resolveUri(base, "", packageFinder(private_, ""));
   if (!text.empty()) return parseRobotDescription(text, path);
   std::string key, parameter;
   if (!node_.searchParam("robot_description", key) || !node_.getParam(key, parameter)) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <sstream>
 
 #include "collision_hulls/error.h"
 #include "joint_states.h"
@@ -111,6 +112,7 @@ Options readOptions(const ros::NodeHandle& node) {
   readNamed(node, "source", sourceNamed, "auto, visual, collision", options.source);
   readNamed(node, "format", meshFormatNamed, "stl, obj, dae", options.format);
   readNamed(node, "uri", uriStyleNamed, "package, file, relative", options.uri);
+  options.package_name = readText(node, "package_name");
   readNumber(node, "jobs", options.jobs);
   readFlag(node, "validate", options.validate);
   readFlag(node, "cache", options.cache);
@@ -120,6 +122,16 @@ Options readOptions(const ros::NodeHandle& node) {
   options.seed = static_cast<std::uint64_t>(seed);
   check(options);
   return options;
+}
+
+std::vector<std::string> readPackagePath(const ros::NodeHandle& node) {
+  std::vector<std::string> places;
+  if (node.getParam("package_path", places)) return places;
+  std::istringstream list(readText(node, "package_path"));
+  for (std::string place; std::getline(list, place, ':');) {
+    if (!place.empty()) places.push_back(place);
+  }
+  return places;
 }
 
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot) {

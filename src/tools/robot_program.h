@@ -5,21 +5,25 @@
 #include <functional>
 #include <iostream>
 #include <string>
+#include <vector>
 
+#include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "command_line.h"
 #include "decompose_options.h"
 #include "pipeline/files.h"
 #include "progress_display.h"
 #include "scene/reading.h"
+#include "string_parts.h"
 
 namespace collision_hulls {
 
 enum ExitStatus { kDone = 0, kSomeFailed = 1, kWrongUse = 2, kInterrupted = 130 };
 
-/// What such a program is asked for.
+/// The command line of such a program.
 struct RobotCommand {
   std::string program, input, output, json;
+  std::vector<std::string> package_path;
   bool quiet = false;
   Options options;
 };
@@ -31,7 +35,16 @@ inline void addRobotOptions(CommandLine& app, const std::string& input, RobotCom
       ->type_name("DIR")
       ->check(notEmpty("a folder"))
       ->group("Output");
-  app.add_option("--json", command.json, "Write the report to this file as well; - is standard output, without the table")
+  app.add_option("--package-name", command.options.package_name, "Name of the output package; default: as its folder is called")
+      ->type_name("NAME")
+      ->check(notEmpty("a name"))
+      ->group("Output");
+  app.add_option("--package-path", command.package_path,
+                 "Where packages lie that ROS does not find, or one of them by its name; may be repeated")
+      ->type_name("DIR or NAME=DIR")
+      ->check(notEmpty("a folder"))
+      ->group("Input");
+  app.add_option("--json", command.json, "Write the report to this file as well; - writes it to standard output, instead of the table")
       ->type_name("FILE")
       ->check(notEmpty("a file, or - for standard output"))
       ->group("Output");
@@ -50,72 +63,95 @@ inline void cancelOnSignals(const RunControl& control) {
   for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
 }
 
-inline void printReport(const Report& report, const RobotCommand& command) {
+/// The table and what to do next on standard output, failures on standard error.
+inline void printReport(const RobotResult& result, const RobotCommand& command, const std::string& how_to_use) {
   if (command.json == "-") {
-    std::cout << toJson(report);
+    std::cout << toJson(result.report);
   } else if (!command.quiet) {
-    std::cout << toTable(report);
+    std::cout << toTable(result.report) << how_to_use;
   }
-  if (!std::cout.flush()) throw Error(ErrorCode::kUnwritableOutput, "cannot write to standard output; the report is lost");
-  for (const ElementReport& row : report.links) {
-    if (row.status == Status::kFailed)
-      std::cerr << command.program << ": " << row.link << ", " << row.uri << " failed: " << row.reason << "\n";
-  }
+  if (!std::cout.flush()) throw Error(ErrorCode::kUnwritableOutput, "cannot write the report to standard output; --json FILE keeps it");
+  for (const std::string& failure : failures(result.report)) std::cerr << command.program << ": " << failure << "\n";
 }
 
 inline bool isFile(const std::string& json) {
   return !json.empty() && json != "-";
 }
 
-/// An output folder holds nothing but the output.
+/// Refuses a file within the output folder, which holds the output alone, and one that cannot be written.
 inline void checkBeside(const std::string& file, const std::string& output) {
   const auto real = [](const std::string& path) { return std::filesystem::weakly_canonical(std::filesystem::absolute(path)); };
   const std::filesystem::path within = real(file).lexically_relative(real(output));
   if (!within.empty() && *within.begin() != "..")
     throw Error(ErrorCode::kBadOption,
-                "'" + file + "' lies in the output folder, which holds nothing else; give another place, or leave it out");
+                "'" + file + "' lies in the output folder, which is replaced as a whole; choose a place outside of it");
   checkNamedFile(file);
 }
 
-/// The file that --json names is written also where the output could not be.
-inline void writeEverything(RobotResult& result, const RobotCommand& command, const std::string& output, const RunControl& control) {
+/// Writes the output, and the file of --json even if the output fails. False if there was nothing to write.
+inline bool writeEverything(RobotResult& result, const RobotCommand& command, const std::string& output, const RunControl& control) {
   const bool to_file = isFile(command.json);
+  bool written = false;
   try {
-    if (!writeOutput(result, output, control))
-      std::cerr << command.program << ": no mesh could be decomposed; nothing is written to '" << output << "'\n";
+    written = writeOutput(result, output, control);
   } catch (const Error& e) {
     if (to_file && e.code() != ErrorCode::kCancelled) writeReport(result.report, command.json);
     throw;
   }
+  if (!written) std::cerr << command.program << ": no mesh could be decomposed; nothing is written to '" << output << "'\n";
   if (to_file) writeReport(result.report, command.json);
+  return written;
+}
+
+/// Refuses options that do not go together, before anything is read.
+inline void checkCommand(const RobotCommand& command) {
+  const Options& options = command.options;
+  check(options);
+  if (options.effort != Effort::kQuick && options.method != Method::kCertified)
+    throw Error(ErrorCode::kBadOption, std::string("effort '") + name(options.effort) + "' is not for method '" + name(options.method) +
+                                           "': only certified searches; leave one of the two out");
+}
+
+/// Refuses options of robots for a mesh.
+inline void checkSuits(const Input& input, const Options& options) {
+  if (input.kind == Input::Kind::kRobot) return;
+  const auto refuse = [&](const std::string& option, const std::string& value, const std::string& why) {
+    if (!value.empty())
+      throw Error(ErrorCode::kBadOption, option + " '" + value + "': '" + input.path + "' is a mesh, " + why + "; leave the option out");
+  };
+  refuse("links", options.links, "which has no links");
+  refuse("package-name", options.package_name, "and its output is no package");
+}
+
+/// A first sign of life: xacro alone may take seconds.
+inline Input opened(const RobotCommand& command) {
+  const bool is_quick = lowerExtension(command.input) == ".urdf" || isMeshFile(command.input);
+  if (!command.quiet && !is_quick) std::cerr << "opening '" << command.input << "'\n";
+  Input input = openInput(command.input, command.package_path, command.program);
+  checkSuits(input, command.options);
+  if (!command.quiet) std::cerr << "reading " << workOn(input, command.options) << "\n";
+  return input;
 }
 
 using RobotWork =
     std::function<RobotResult(const Input& input, const std::string& output, const RunControl& control, const StepCallback& step)>;
 
-/// Reads the input, works, writes, and prints the report. The exit status.
+/// Reads the input, works, writes, and prints the report. Returns the exit status.
 inline int runRobotCommand(const RobotCommand& command, const RobotWork& work) {
   static RunControl control;  // a signal may come until the program ends
   ProgressDisplay display(command.quiet);
   cancelOnSignals(control);
 
-  check(command.options);
-  if (command.options.effort != Effort::kQuick && command.options.method != Method::kCertified)
-    throw Error(ErrorCode::kBadOption, std::string("effort '") + name(command.options.effort) + "' is not for method '" +
-                                           name(command.options.method) + "': only certified searches; leave one of the two out");
-  display.say("reading " + command.input);
-  const Input input = openInput(command.input);
-  if (input.kind != Input::Kind::kRobot && !command.options.links.empty())
-    throw Error(ErrorCode::kBadOption,
-                "links '" + command.options.links + "': '" + input.path + "' is a mesh, which has none; leave it out");
+  checkCommand(command);
+  const Input input = opened(command);
   const std::string output = command.output.empty() ? defaultOutput(input) : command.output;
   checkOutput(output);
   if (isFile(command.json)) inContext("--json", [&] { checkBeside(command.json, output); });
   RobotResult result = work(input, output, control, [&](const Step& step) { display.step(step); });
   display.clear();
-  writeEverything(result, command, output, control);
+  const bool written = writeEverything(result, command, output, control);
 
-  printReport(result.report, command);
+  printReport(result, command, written ? howToUse(result, output) : "");
   if (!anyFailed(result.report)) return kDone;
   return result.single_mesh ? kWrongUse : kSomeFailed;
 }
@@ -125,8 +161,9 @@ inline int runRobotProgram(CommandLine& app, int argc, char** argv, const std::f
   try {
     return app.parse(argc, argv) ? run() : kDone;
   } catch (const Error& e) {
-    std::cerr << app.get_name() << ": " << e.what() << "\n";
-    if (e.code() == ErrorCode::kCancelled) return kInterrupted;
+    const bool interrupted = e.code() == ErrorCode::kCancelled;
+    std::cerr << app.get_name() << ": " << (interrupted ? "interrupted; the output is as it was" : e.what()) << "\n";
+    if (interrupted) return kInterrupted;
   } catch (const std::exception& e) {
     std::cerr << app.get_name() << ": unexpected: " << e.what() << "\n";
   }

@@ -128,7 +128,7 @@ TEST_F(DecomposeRobot, RewritesOnlyCollisions) {
   EXPECT_EQ(count(result.urdf, "<collision"), 1 + result.report.links[0].hulls);
   EXPECT_NE(result.urdf.find(sphere), std::string::npos);
   EXPECT_NE(result.urdf.find("name=\"body_0\""), std::string::npos);
-  EXPECT_NE(result.urdf.find("package://arm_collision/meshes/base/1_0.stl"), std::string::npos);
+  EXPECT_NE(result.urdf.find("package://out/meshes/base/1_0.stl"), std::string::npos);
   const RobotDescription again = parseRobotDescription(result.urdf);
   EXPECT_EQ(again.links[0].collisions[1].origin.translation(), Eigen::Vector3d(0, 0, 0.1));
 }
@@ -148,7 +148,7 @@ TEST_F(DecomposeRobot, UriStyles) {
     const RobotResult result = run(link("base", collision("box.obj")));
     return parseRobotDescription(result.urdf).links[0].collisions[0].uri;
   };
-  EXPECT_EQ(uri(UriStyle::kPackage), "package://arm_collision/meshes/base/0_0.stl");
+  EXPECT_EQ(uri(UriStyle::kPackage), "package://out/meshes/base/0_0.stl");
   EXPECT_EQ(uri(UriStyle::kFile), "file://" + (folder_ / "out/meshes/base/0_0.stl"));
   EXPECT_EQ(uri(UriStyle::kRelative), "../meshes/base/0_0.stl");
 }

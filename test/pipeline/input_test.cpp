@@ -39,10 +39,10 @@ class OpenInput : public ::testing::Test {
 
 TEST_F(OpenInput, NothingThere) {
   expectError("", ErrorCode::kFileNotFound, {"INPUT ''"});
-  expectError("no/such.stl", ErrorCode::kFileNotFound, {"'no/such.stl'", "looked at '/"});
+  expectError("no/such.stl", ErrorCode::kFileNotFound, {"'no/such.stl'", "('/", "/no/such.stl')"});
   expectError("missing.urdf", ErrorCode::kFileNotFound, {"'missing.urdf'"});
   expectError("no_such_package", ErrorCode::kPackageNotFound, {"no_such_package", "ROS_PACKAGE_PATH", folder_.path().string()});
-  expectError(folder_.path().string(), ErrorCode::kFileNotFound, {"no package's folder"});
+  expectError(folder_.path().string(), ErrorCode::kFileNotFound, {"neither a file nor the folder of a package"});
 }
 
 TEST_F(OpenInput, RejectsUnknownAndInvalidInputs) {
@@ -70,12 +70,32 @@ TEST_F(OpenInput, ARobotByFilePackageOrFolder) {
   }
 }
 
+TEST_F(OpenInput, APackageOfThePackagePath) {
+  addRobot("elsewhere/deep/urdf/arm.urdf");
+  fixtures::write(folder_ / "elsewhere/CATKIN_IGNORE", "");
+  const Input input = openInput("lost_description", {"lost_description=" + (folder_ / "elsewhere/deep")});
+  EXPECT_EQ(input.robot.name, "arm");
+  EXPECT_EQ(input.find_package("lost_description"), folder_ / "elsewhere/deep");
+}
+
+TEST_F(OpenInput, SaysWhatWorkThereIs) {
+  const std::string mesh = "<visual>" + fixtures::meshTag("a.stl") + "</visual>";
+  fixtures::write(folder_ / "arm.urdf", fixtures::robot("arm", fixtures::link("base", mesh + mesh) + fixtures::link("tip", mesh, "base")));
+  const Input robot = openInput(folder_ / "arm.urdf");
+  Options options;
+  EXPECT_EQ(workOn(robot, options), "3 meshes of 2 links");
+  options.links = "tip";
+  EXPECT_EQ(workOn(robot, options), "1 mesh of 1 link");
+  EXPECT_EQ(workOn(openInput(fixtures::write(folder_ / "a.stl", "")), options), "'" + (folder_ / "a.stl") + "'");
+}
+
 TEST_F(OpenInput, APackageWithNoneOrSeveralRobots) {
   addPackage("two_description");
   expectError("two_description", ErrorCode::kFileNotFound, {"two_description", ".urdf", "give the file"});
   addRobot("two_description/urdf/left.urdf");
   addRobot("two_description/urdf/right.urdf");
-  expectError("two_description", ErrorCode::kNotARobot, {"2 robot descriptions", "urdf/left.urdf", "urdf/right.urdf", "give one of them"});
+  expectError("two_description", ErrorCode::kNotARobot,
+              {"2 robot descriptions; run one of", "\n  decompose ", "urdf/left.urdf", "urdf/right.urdf"});
 }
 
 }  // namespace

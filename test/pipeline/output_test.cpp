@@ -107,9 +107,50 @@ TEST(WriteOutput, APackage) {
   EXPECT_EQ(names, (std::vector<std::string>{"out/CMakeLists.txt", "out/meshes/a/0_0.stl", "out/meshes/a/0_1.stl", "out/meshes/b/0_0.stl",
                                              "out/meshes/b/0_1.stl", "out/package.xml", "out/report.json", "out/urdf/My_Arm.urdf"}));
   EXPECT_EQ(files.at("out/urdf/My_Arm.urdf"), result.urdf);
-  EXPECT_NE(files.at("out/package.xml").find("<name>my_arm_collision</name>"), std::string::npos);
+  EXPECT_NE(files.at("out/package.xml").find("<name>out</name>"), std::string::npos) << "as its folder";
+  EXPECT_NE(files.at("out/CMakeLists.txt").find("project(out)"), std::string::npos);
   const auto report = nlohmann::json::parse(files.at("out/report.json"));
   EXPECT_GT(report["links"][1]["seconds"]["write"].get<double>(), 0);
+}
+
+TEST(WriteOutput, ThePackagesName) {
+  const TempFolder folder;
+  RobotResult result = sample();
+  const auto name = [&](const std::string& output) {
+    writeOutput(result, folder / output);
+    const std::string text = fixtures::read(fs::path(folder / output) / "package.xml");
+    return text.substr(text.find("<name>") + 6, text.find("</name>") - text.find("<name>") - 6);
+  };
+  EXPECT_EQ(name("my_robot_collision"), "my_robot_collision");
+  EXPECT_EQ(name("deep/cell/"), "cell");
+  EXPECT_EQ(name("cell/../My Robot"), "my_robot") << "made legal";
+  result.report.options.package_name = "another";
+  EXPECT_EQ(name("my_robot_collision"), "another");
+}
+
+TEST(HowToUse, AsTheUrisWantIt) {
+  const TempFolder folder;
+  RobotResult result = sample();
+  const std::string out = folder / "arm_collision", urdf = out + "/urdf/My_Arm.urdf";
+  const auto expect = [&](const std::vector<std::string>& parts, const std::vector<std::string>& absent) {
+    const std::string text = howToUse(result, out);
+    for (const std::string& part : parts) EXPECT_NE(text.find(part), std::string::npos) << text;
+    for (const std::string& part : absent) EXPECT_EQ(text.find(part), std::string::npos) << text;
+  };
+  const std::string in_package = "textfile=\"$(find arm_collision)/urdf/My_Arm.urdf\"/>";
+  const std::string export_line = "export ROS_PACKAGE_PATH=" + folder.path().string() + ":$ROS_PACKAGE_PATH";
+  writeOutput(result, out);
+  expect({"Written to " + out + "\n", in_package, export_line}, {});
+  setenv("ROS_PACKAGE_PATH", folder.path().c_str(), 1);
+  expect({in_package}, {export_line});
+  unsetenv("ROS_PACKAGE_PATH");
+  result.report.options.uri = UriStyle::kFile;
+  expect({"textfile=\"" + urdf + "\"/>"}, {"ROS_PACKAGE_PATH"});
+  result.report.options.uri = UriStyle::kRelative;
+  expect({urdf, "--uri package"}, {"ROS_PACKAGE_PATH", "textfile"});
+  result.single_mesh = true;
+  result.report.links.front().files = {"part_hulls.obj", "hull_0.stl", "hull_1.stl"};
+  expect({out + "/part_hulls.obj", "<mesh filename=\"file://" + out + "/hull_0.stl\"/> to hull_1.stl"}, {"package"});
 }
 
 TEST(WriteOutput, ReplacesAnEarlierOutputAsAWhole) {

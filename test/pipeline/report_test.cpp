@@ -110,22 +110,65 @@ TEST(ReportJson, IsStrictJsonForAnyValue) {
   EXPECT_TRUE(document["validation"].is_null());
 }
 
-TEST(ReportTable, HasARowForEveryMesh) {
-  std::istringstream table(toTable(sample()));
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(table, line);) lines.push_back(line);
-  ASSERT_EQ(lines.size(), 9u);
-  EXPECT_EQ(lines[0].rfind("link   mesh       triangles", 0), 0u) << lines[0];
-  EXPECT_EQ(lines[1].rfind("upper  upper.stl         12      3        24", 0), 0u) << lines[1];
-  EXPECT_NE(lines[1].find("333.3"), std::string::npos) << "protrusion in mm";
-  EXPECT_EQ(lines[1].find("status"), std::string::npos);
-  EXPECT_EQ(lines[0].find("status"), lines[1].find("ok"));
-  EXPECT_NE(lines[3].find("failed"), std::string::npos);
-  EXPECT_EQ(lines[4], "degraded: upper, upper.stl: too far");
-  EXPECT_EQ(lines[5], "3 meshes of 2 links, 24 triangles -> 6 hulls with 48 vertices; 1 degraded, 1 failed; 1.5 s");
-  EXPECT_EQ(lines[6].rfind("validation: 400 queries, 0 missed, 0 phantom", 0), 0u);
-  EXPECT_EQ(lines[7], "  a remark");
-  EXPECT_EQ(lines[8], "note: a note");
+std::vector<std::string> lines(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> result;
+  for (std::string line; std::getline(in, line);) result.push_back(line);
+  return result;
+}
+
+TEST(ReportTable, ARowForEveryMeshAndTheirTotal) {
+  Report report = sample();
+  report.validation.missed = 1;
+  report.validation.max_underestimate = 0.0123456;
+  report.validation.hull_query_us = 2.345;
+  report.validation.mesh_query_us = 123.456;
+  const std::vector<std::string> table = lines(toTable(report));
+  ASSERT_EQ(table.size(), 11u);
+  EXPECT_EQ(table[0], "link   mesh                triangles  hulls  vertices  protrusion [mm]  tolerance [mm]  time [s]  status");
+  EXPECT_EQ(table[1], "upper  upper.stl                  12      3        24              333             300         0  ok");
+  EXPECT_EQ(table[2], "upper  upper.stl                  12      3        24              333             300         0  degraded");
+  EXPECT_EQ(table[3], "lower                              -      -         -                -               -         0  failed");
+  EXPECT_EQ(
+      table[4],
+      "total  3 meshes of 2 links         24      6        48              333                      1.50  1 ok, 1 degraded, 1 failed");
+  EXPECT_EQ(table[5].rfind("The hulls cover the whole surface", 0), 0u);
+  EXPECT_EQ(table[6], "degraded: upper, upper.stl: too far");
+  EXPECT_EQ(table[7],
+            "check: 400 queries compared hulls and meshes: 1 collision missed, no false collision beyond the protrusion; "
+            "distances at most 12.3 mm too short");
+  EXPECT_EQ(table[8], "  a remark");
+  EXPECT_EQ(table[9], "speed: a distance query takes 2.35 us with the hulls, 123 us with the meshes");
+  EXPECT_EQ(table[10], "note: a note");
+}
+
+TEST(ReportTable, FaultsOfFclAndTheCache) {
+  Report report = sample();
+  for (ElementReport& row : report.links) row.cached = true;
+  report.links.push_back(report.links[1]);
+  report.validation.exceptions = 2;
+  const std::string table = toTable(report);
+  for (const char* part : {"4 meshes came from the cache.", "(1 more mesh: see report.json)", "FCL failed in 2 queries"})
+    EXPECT_NE(table.find(part), std::string::npos) << table;
+  EXPECT_EQ(toTable(Report{}), "");
+}
+
+TEST(Report, OneLineForAMissingPackage) {
+  Report report = sample();
+  ElementReport row;
+  row.status = Status::kFailed;
+  row.error = "PackageNotFound";
+  row.reason = "package 'foo' of ...";
+  for (const char* link : {"a", "b", "b"}) {
+    row.link = link;
+    row.uri = std::string("package://foo/") + link;
+    report.links.push_back(row);
+  }
+  const std::vector<std::string> all = failures(report);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].rfind("package 'foo' was not found (3 meshes of 2 links): ", 0), 0u) << all[0];
+  EXPECT_NE(all[0].find("--package-path foo=DIR"), std::string::npos) << all[0];
+  EXPECT_EQ(all[1], "lower,  failed: no file");
 }
 
 TEST(Report, AnyFailed) {

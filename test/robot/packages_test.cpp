@@ -92,6 +92,16 @@ TEST_F(Packages, InstalledOnesComeAfterTheCrawl) {
   EXPECT_EQ(find("arm"), folder_.path("src/arm"));
 }
 
+TEST_F(Packages, ABrokenManifestCostsANote) {
+  folder_.write("src/empty/package.xml");
+  folder_.write("src/z/package.xml", manifest("arm"));
+  const ScopedVariable path("ROS_PACKAGE_PATH", ros_path_);
+  const PackageFinder finder = defaultPackageFinder();
+  EXPECT_EQ(finder("arm"), folder_.path("src/z"));
+  ASSERT_EQ(finder.notes().size(), 1u);
+  EXPECT_NE(finder.notes()[0].find("'" + folder_.path("src/empty/package.xml") + "' is empty or broken"), std::string::npos);
+}
+
 TEST_F(Packages, AFolderOfTheNameIsTheLastResort) {
   const std::string urdf = folder_.write("robots/arm_description/urdf/arm.urdf");
   folder_.write("robots/gripper_description/meshes/finger.stl");
@@ -99,6 +109,35 @@ TEST_F(Packages, AFolderOfTheNameIsTheLastResort) {
   EXPECT_EQ(find("gripper_description", urdf), folder_.path("robots/gripper_description"));
   folder_.write("src/x/package.xml", manifest("arm_description"));
   EXPECT_EQ(find("arm_description", urdf), folder_.path("src/x"));
+}
+
+TEST_F(Packages, PackagePath) {
+  folder_.write("src/arm/package.xml", manifest("arm"));
+  folder_.write("more/deep/x/package.xml", manifest("hand"));
+  folder_.write("more/tool/tool.stl");
+  folder_.write("more/arm/package.xml", manifest("arm"));
+  const ScopedVariable path("ROS_PACKAGE_PATH", ros_path_);
+  const PackageFinder finder = defaultPackageFinder("", {folder_.path("more"), "leg=" + folder_.path("more/deep")});
+  EXPECT_EQ(finder("hand"), folder_.path("more/deep/x")) << "by its manifest";
+  EXPECT_EQ(finder("leg"), folder_.path("more/deep")) << "as named";
+  EXPECT_EQ(finder("arm"), folder_.path("src/arm")) << "ROS comes first";
+  EXPECT_TRUE(finder.notes().empty());
+  EXPECT_EQ(finder("tool"), folder_.path("more/tool")) << "by the folder's name";
+  EXPECT_EQ(finder.notes().size(), 1u);
+  EXPECT_EQ(defaultPackageFinder("", {"arm=" + folder_.path("more")})("arm"), folder_.path("more")) << "a name wins over ROS";
+  for (const char* bad : {"", "arm=", "nowhere", "arm=nowhere"})
+    expectError(ErrorCode::kBadOption, {"'" + std::string(bad) + "'", "NAME=DIR"}, [&] { defaultPackageFinder("", {bad}); });
+}
+
+TEST_F(Packages, AnotherLookupComesFirst) {
+  folder_.write("src/arm/package.xml", manifest("arm"));
+  const ScopedVariable path("ROS_PACKAGE_PATH", ros_path_);
+  const PackageFinder finder = defaultPackageFinder("", {"leg=" + folder_.path("src")}).askingFirst([](const std::string& package) {
+    return package == "hand" ? std::nullopt : std::optional<std::string>("/ros/" + package);
+  });
+  EXPECT_EQ(finder("arm"), "/ros/arm");
+  EXPECT_EQ(finder("hand"), std::nullopt);
+  EXPECT_EQ(finder("leg"), folder_.path("src"));
 }
 
 TEST_F(Packages, CopiesShareOneCrawl) {

@@ -16,7 +16,7 @@ void writeProgram(const TemporaryFolder& folder, const std::string& name, const 
 
 TEST(ReadDescription, MissingFileAndFolder) {
   const TemporaryFolder folder;
-  expectError(ErrorCode::kFileNotFound, {folder.path("no.urdf"), "no such file"}, [&] { readRobotDescription(folder.path("no.urdf")); });
+  expectError(ErrorCode::kFileNotFound, {folder.path("no.urdf"), "does not exist"}, [&] { readRobotDescription(folder.path("no.urdf")); });
   expectError(ErrorCode::kFileNotFound, {"is a folder"}, [&] { readRobotDescription(folder.path()); });
 }
 

@@ -38,6 +38,19 @@ TEST(RewriteCollisions, NothingAskedNothingChanged) {
   expectRewritten(text, {}, text);
 }
 
+TEST(RewriteCollisions, MovedMeshesOfLinksThatStay) {
+  const std::string link =
+      "<link name='a'><visual><geometry><mesh filename='x.stl'/></geometry></visual><collision name='c'><!-- mesh -->"
+      "<origin xyz='0 0 1'/><geometry><sphere radius='1'/></geometry></collision>";
+  const std::string before =
+      "<robot name='r'>" + link + "<collision><geometry><mesh scale='2 2 2' filename = 'x.stl' /></geometry></collision></link></robot>";
+  const std::string after = "<robot name='r'>" + link +
+                            "<collision><geometry><mesh scale='2 2 2' filename = 'a&amp;b.stl' /></geometry></collision></link></robot>";
+  EXPECT_EQ(rewriteCollisions(parseRobotDescription(before), {}, {{"x.stl", "a&b.stl"}, {"y.stl", "z.stl"}}), after);
+  const std::string other = rewriteCollisions(parseRobotDescription(before), {{"a", {{mesh("", "x.stl")}, true}}}, {{"x.stl", "y.stl"}});
+  EXPECT_EQ(other.find("y.stl"), std::string::npos) << "new elements are as given";
+}
+
 TEST(RewriteCollisions, UnknownLink) {
   expectError(ErrorCode::kInternal, {"no link 'b'"}, [] { rewritten("<robot name='r'><link name='a'/></robot>", {{"b", {}}}); });
 }

@@ -25,7 +25,8 @@ TEST_F(ResolveUri, Empty) {
 }
 
 TEST_F(ResolveUri, UnknownPackage) {
-  expectError(ErrorCode::kPackageNotFound, {"'leg'", "package://leg/x.stl", "ROS_PACKAGE_PATH"}, [&] { resolve("package://leg/x.stl"); });
+  expectError(ErrorCode::kPackageNotFound, {"'leg'", "package://leg/x.stl", "--package-path leg=DIR"},
+              [&] { resolve("package://leg/x.stl"); });
   expectError(ErrorCode::kPackageNotFound, {"''"}, [&] { resolve("package://"); });
   expectError(ErrorCode::kPackageNotFound, {"'arm'"}, [&] { resolveUri("package://arm/meshes/a b.stl", base_, nullptr); });
 }
@@ -33,6 +34,12 @@ TEST_F(ResolveUri, UnknownPackage) {
 TEST_F(ResolveUri, MissingFile) {
   expectError(ErrorCode::kFileNotFound, {"package://arm/no.stl", folder_.path("arm/no.stl")}, [&] { resolve("package://arm/no.stl"); });
   expectError(ErrorCode::kFileNotFound, {folder_.path("arm/meshes")}, [&] { resolve("package://arm/meshes"); });
+}
+
+TEST_F(ResolveUri, TheMessageHasAnAbsolutePath) {
+  const std::string here = std::filesystem::current_path().string();
+  expectError(ErrorCode::kFileNotFound, {"'meshes/a.stl' means '" + here + "/robots/meshes/a.stl'"},
+              [&] { resolveUri("meshes/a.stl", "robots/arm.urdf", finder_); });
 }
 
 TEST_F(ResolveUri, UnknownScheme) {
@@ -74,6 +81,85 @@ TEST_F(ResolveUri, ALiteralPercentSignComesFirst) {
   EXPECT_EQ(resolve("package://arm/meshes/a%20b.stl"), literal);
   EXPECT_EQ(resolve("package://arm/meshes/a%2520b.stl"), literal);
   expectError(ErrorCode::kFileNotFound, {"100%"}, [&] { resolve("package://arm/100%"); });
+}
+
+/// A description without its packages; what is nearby?
+class Nearby : public testing::Test {
+ protected:
+  std::string resolve(const std::string& uri) const { return resolveUri(uri, base_, finder_); }
+  void expectMissing(const std::string& uri) const {
+    expectError(ErrorCode::kPackageNotFound, {uri}, [&] { resolve(uri); });
+  }
+
+  TemporaryFolder folder_;
+  std::string base_ = folder_.write("lab/robots/arm/urdf/arm.urdf");
+  PackageFinder finder_;
+};
+
+TEST_F(Nearby, AFolderOfThePackagesName) {
+  const std::string far = folder_.write("lab/arm_meshes/visual/base.stl");
+  EXPECT_EQ(resolve("package://arm_meshes/visual/base.stl"), far);
+  EXPECT_EQ(finder_.notes(), (std::vector<std::string>{"package 'arm_meshes' was not found: the folder '" + folder_.path("lab/arm_meshes") +
+                                                       "' was used in its place"}));
+  const std::string near = folder_.write("lab/robots/arm_meshes/visual/base.stl");
+  EXPECT_EQ(resolve("package://arm_meshes/visual/base.stl"), near) << "the nearest folder first";
+  EXPECT_EQ(finder_.notes().size(), 2u);
+}
+
+TEST_F(Nearby, TheRestOfTheUri) {
+  const std::string mesh = folder_.write("lab/robots/arm/meshes/base.stl");
+  EXPECT_EQ(resolve("package://other_description/meshes/base.stl"), mesh);
+  EXPECT_EQ(resolve("package://other_description/meshes/../meshes/./base.stl"), mesh);
+  EXPECT_EQ(finder_.notes(), (std::vector<std::string>{"package 'other_description' was not found: the folder '" +
+                                                       folder_.path("lab/robots/arm") + "' was used in its place"}));
+  const std::string named = folder_.write("other_description/meshes/base.stl");
+  EXPECT_EQ(resolve("package://other_description/meshes/base.stl"), named) << "a folder of the name is likelier, even if farther";
+}
+
+TEST_F(Nearby, APackagesNameBelowMeshes) {
+  const std::string mesh = folder_.write("lab/robots/arm/meshes/visual/base%20link.dae");
+  EXPECT_EQ(resolve("package://visual/base%20link.dae"), mesh);
+  EXPECT_EQ(resolve("package://visual/base%2520link.dae"), mesh);
+}
+
+TEST_F(Nearby, ABareFileNameCountsOnlyNextToTheDescription) {
+  const std::string mesh = folder_.write("lab/robots/base.stl");
+  folder_.write("lab/robots/arm/meshes/base.stl");
+  expectMissing("package://arm_description/base.stl");
+  EXPECT_EQ(finder_.notes().size(), 0u);
+  const std::string beside = folder_.write("lab/robots/arm/base.stl");
+  EXPECT_EQ(resolve("package://arm_description/base.stl"), beside);
+}
+
+TEST_F(Nearby, NothingOutOfThePackage) {
+  folder_.write("lab/secret/base.stl");
+  folder_.write("lab/robots/secret/base.stl");
+  for (const char* uri : {"package://arm/../../secret/base.stl", "package://../secret/base.stl", "package://arm/", "package:///"})
+    EXPECT_THROW(resolve(uri), Error) << uri;
+}
+
+TEST_F(Nearby, PackagePathComesFirst) {
+  folder_.write("lab/robots/visual/base.stl");
+  const std::string given = folder_.write("given/meshes/visual/base.stl"), bare = folder_.write("given/tool.stl");
+  finder_ = defaultPackageFinder("", {folder_.path("given")});
+  EXPECT_EQ(resolve("package://visual/base.stl"), given);
+  EXPECT_EQ(resolve("package://tool_description/tool.stl"), bare);
+}
+
+TEST_F(Nearby, APackageThatLacksTheFile) {
+  const std::string mesh = folder_.write("lab/robots/arm/meshes/new.stl");
+  finder_ = PackageFinder([this](const std::string&) { return std::optional(folder_.path("installed")); });
+  EXPECT_EQ(resolve("package://arm/meshes/new.stl"), mesh);
+  EXPECT_NE(finder_.notes().at(0).find("package 'arm' lacks some of its files"), std::string::npos) << finder_.notes()[0];
+  std::filesystem::create_directories(folder_.path("installed"));
+  finder_ = defaultPackageFinder("", {"arm=" + folder_.path("installed")});
+  expectError(ErrorCode::kFileNotFound, {folder_.path("installed/meshes/new.stl")}, [&] { resolve("package://arm/meshes/new.stl"); });
+}
+
+TEST(PackageOf, Uris) {
+  EXPECT_EQ(packageOf("package://arm/meshes/a.stl"), "arm");
+  EXPECT_EQ(packageOf("package:///arm"), "arm");
+  EXPECT_EQ(packageOf("file:///arm/a.stl"), std::nullopt);
 }
 
 }  // namespace

@@ -96,6 +96,19 @@ INSTANTIATE_TEST_SUITE_P(
                     Malformed{"<!-->", 0, "a comment"}, Malformed{"<a><![CDATA[ ]]", 3, "CDATA"}, Malformed{"<?xml ", 0, "instruction"},
                     Malformed{"<!DOCTYPE a [ > ", 0, "document type"}, Malformed{"<a></a", 3, "</a> is never closed"}));
 
+TEST(XmlSpans, AttributeValues) {
+  const std::string text = "<mesh  scale = '1 = 2'\n file=\"a\" filename=\"it's.stl\" empty=''/>";
+  const XmlElement mesh = scanXml(text).elements.at(0);
+  const auto value = [&](const char* name) -> std::optional<std::string> {
+    const auto span = attributeValue(text, mesh, name);
+    return span ? std::optional(text.substr(span->begin, span->end - span->begin)) : std::nullopt;
+  };
+  EXPECT_EQ(value("filename"), "it's.stl");
+  EXPECT_EQ(value("scale"), "1 = 2");
+  EXPECT_EQ(value("empty"), "");
+  EXPECT_EQ(value("name"), std::nullopt);
+}
+
 TEST(XmlSpans, LinesCountFromOne) {
   EXPECT_EQ(lineOf("a\nb\r\nc", 0), 1u);
   EXPECT_EQ(lineOf("a\nb\r\nc", 2), 2u);

@@ -76,6 +76,10 @@ TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {
     expectWrongUse("arm/meshes/bracket.obj --scale " + std::string(scale), {"--scale", "0.001"});
   expectWrongUse("arm/urdf/arm.urdf --scale 0.001", {"scale '0.001'", "scale=\"0.001 0.001 0.001\""});
   expectWrongUse("arm/urdf/arm.urdf --links elbow", {"links", "'elbow'", "base"});
+  expectWrongUse("arm/urdf/arm.urdf --links bass", {"did you mean 'base'?"});
+  expectWrongUse("arm/urdf/arm.urdf --package-name 'My Arm'", {"package-name 'My Arm'", "such as 'my_arm'"});
+  expectWrongUse("arm/meshes/bracket.obj --package-name arm", {"package-name 'arm'", "mesh"});
+  expectWrongUse("arm/urdf/arm.urdf --package-path nowhere", {"package path 'nowhere'", "NAME=DIR"});
 }
 
 TEST_F(DecomposeProgram, UnreadableInput) {
@@ -84,7 +88,7 @@ TEST_F(DecomposeProgram, UnreadableInput) {
   fixtures::write(folder_ / "no_robot.urdf", "<html/>\n");
   fixtures::write(folder_ / "empty.stl", "");
   fixtures::write(folder_ / "no_triangle.obj", "v 0 0 0\n");
-  expectWrongUse("missing.urdf", {"'missing.urdf'", "looked at"});
+  expectWrongUse("missing.urdf", {"'missing.urdf'", folder_ / "missing.urdf"});
   expectWrongUse("missing_package", {"'missing_package'", "ROS_PACKAGE_PATH"});
   expectWrongUse("no_xml.urdf", {"no_xml.urdf"});
   expectWrongUse("no_links.urdf", {"no_links.urdf"});
@@ -103,17 +107,58 @@ TEST_F(DecomposeProgram, OutputThatCannotBe) {
   fs::create_symlink("nowhere", folder_ / "dangling");
   expectWrongUse("arm/urdf/arm.urdf -o dangling", {"dangling", "link"});
   expectWrongUse("arm/urdf/arm.urdf --json mine", {"--json", "'mine'", "folder"});
+  // Nothing can be created there, not even by root; said before anything is read.
+  expectWrongUse("arm/urdf/arm.urdf --quiet -o /proc/out", {"/proc", "choose another output"});
+  expectWrongUse("arm/urdf/arm.urdf --quiet --json /proc/report.json", {"--json", "/proc", "choose another output"});
 }
 
 TEST_F(DecomposeProgram, ARobotByItsPackageName) {
   const Finished result = run("arm_description --json here.json");
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.out.find("base"), std::string::npos);
+  EXPECT_EQ(result.err.rfind("opening 'arm_description'\nreading 1 mesh of 1 link\n", 0), 0u) << result.err;
   EXPECT_NE(result.err.find("decompose 1/1"), std::string::npos) << "lines of progress where there is no terminal";
+  EXPECT_NE(result.out.find("textfile=\"$(find arm_collision)/urdf/arm.urdf\"/>"), std::string::npos) << result.out;
   EXPECT_EQ(fixtures::read(folder_ / "here.json"), fixtures::read(folder_ / "arm_collision/report.json"));
   const json report = json::parse(fixtures::read(folder_ / "here.json"));
   EXPECT_EQ(report["links"][0]["uncovered"], 0.0);
   for (const std::string file : report["links"][0]["files"]) EXPECT_TRUE(fs::exists(folder_ / ("arm_collision/" + file))) << file;
+}
+
+TEST_F(DecomposeProgram, ThePackageIsCalledAsItsFolder) {
+  EXPECT_EQ(run("arm_description --quiet -o cell/my_robot").status, 0);
+  EXPECT_NE(fixtures::read(folder_ / "cell/my_robot/package.xml").find("<name>my_robot</name>"), std::string::npos);
+  EXPECT_NE(fixtures::read(folder_ / "cell/my_robot/urdf/arm.urdf").find("package://my_robot/meshes/base/"), std::string::npos);
+  const Finished named = run("arm_description -o cell/my_robot --package-name arm_hulls");
+  EXPECT_NE(fixtures::read(folder_ / "cell/my_robot/package.xml").find("<name>arm_hulls</name>"), std::string::npos);
+  EXPECT_NE(fixtures::read(folder_ / "cell/my_robot/urdf/arm.urdf").find("package://arm_hulls/meshes/base/"), std::string::npos);
+  EXPECT_NE(named.out.find("$(find arm_hulls)"), std::string::npos) << named.out;
+}
+
+TEST_F(DecomposeProgram, PackagesThatNobodyInstalled) {
+  const auto robot = [](const std::string& package) {
+    const std::string mesh = "    <collision>" + fixtures::meshTag("package://" + package + "/meshes/bracket.obj") + "</collision>\n";
+    return fixtures::robot("arm", fixtures::link("base", mesh + mesh) + fixtures::link("tip", mesh, "base"));
+  };
+  fixtures::write(folder_ / "lost/robot.urdf", robot("lost_description"));
+  const Finished lost = run("lost/robot.urdf -o out");
+  EXPECT_EQ(lost.status, 1);
+  EXPECT_NE(lost.err.find("package 'lost_description' was not found (3 meshes of 2 links)"), std::string::npos) << lost.err;
+  EXPECT_EQ(lost.err.find("failed: "), std::string::npos) << lost.err;
+  const Finished given = run("lost/robot.urdf -o out --package-path nothing=arm/urdf --package-path lost_description=arm");
+  EXPECT_EQ(given.status, 0) << given.err;
+  EXPECT_EQ(given.out.find("note:"), std::string::npos) << given.out;
+  fixtures::write(folder_ / "arm/urdf/other.urdf", robot("other_description"));
+  const Finished nearby = run("arm/urdf/other.urdf -o out");
+  EXPECT_EQ(nearby.status, 0) << nearby.err;
+  EXPECT_NE(nearby.out.find("note: package 'other_description' was not found: the folder '" + (folder_ / "arm") + "' was used"),
+            std::string::npos)
+      << nearby.out;
+}
+
+TEST_F(DecomposeProgram, AnInputIsNotReplacedByItsResult) {
+  EXPECT_EQ(run("arm_description --quiet -o out").status, 0);
+  expectWrongUse("out/meshes/base/0_0.stl --quiet -o out", {"'out'", "the input", "choose another output"});
 }
 
 TEST_F(DecomposeProgram, OptionsArriveInTheReport) {
@@ -149,6 +194,9 @@ TEST_F(DecomposeProgram, AMesh) {
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.out, "");
   EXPECT_EQ(result.err, "");
+  const Finished loud = run("arm/meshes/bracket.obj");
+  EXPECT_EQ(loud.err.rfind("reading 'arm/meshes/bracket.obj'\n", 0), 0u) << loud.err;
+  EXPECT_NE(loud.out.find("Written to " + (folder_ / "bracket_collision") + "\n"), std::string::npos) << loud.out;
   for (const char* file : {"hull_0.stl", "bracket_hulls.obj", "report.json"})
     EXPECT_TRUE(fs::exists(folder_.path() / "bracket_collision" / file)) << file;
 }
@@ -195,6 +243,7 @@ TEST_F(DecomposeProgram, InterruptLeavesTheOutputAsItWas) {
     const std::string out = folder_ / "out";
     const pid_t child = fork();
     if (child == 0) {
+      if (!freopen((folder_ / "err").c_str(), "w", stderr)) _exit(98);
       execl(PROGRAMS "/decompose", "decompose", mesh.c_str(), "-o", out.c_str(), "--quiet", static_cast<char*>(nullptr));
       _exit(99);
     }
@@ -204,6 +253,7 @@ TEST_F(DecomposeProgram, InterruptLeavesTheOutputAsItWas) {
     waitpid(child, &status, 0);
     EXPECT_TRUE(WIFEXITED(status));
     EXPECT_EQ(WEXITSTATUS(status), 130);
+    EXPECT_EQ(fixtures::read(folder_ / "err"), "decompose: interrupted; the output is as it was\n");
     EXPECT_EQ(fixtures::contents(folder_ / "out"), before);
   }
 }

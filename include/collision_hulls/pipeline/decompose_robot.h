@@ -36,6 +36,7 @@ struct RobotResult {
   std::string urdf;                     ///< rewritten description, URIs as the output package will hold them; empty for a single mesh
   bool single_mesh = false;
   std::map<std::string, std::string> extra_files;  ///< further files of the output package: path in it, content
+  std::map<std::string, std::string> kept_files;   ///< hulls of earlier outputs that the description keeps: path in the package, content
 };
 
 /// What a run is doing, for bars and feedback.
@@ -66,9 +67,12 @@ struct Input {
   RobotDescription robot;
   PackageFinder find_package;
 };
-/// INPUT: a package name, a .urdf or .xacro file, or a mesh file. Throws the readers' errors; for a package with several
-/// descriptions the message lists them.
-Input openInput(const std::string& input);
+/// INPUT: a package name, a .urdf or .xacro file, or a mesh file. `package_path`: see defaultPackageFinder(). Throws the readers' errors;
+/// for a package with several descriptions the message lists a command of `program` for each.
+Input openInput(const std::string& input, const std::vector<std::string>& package_path = {}, const std::string& program = "decompose");
+
+/// "42 meshes of 17 links": what decompose() will read.
+std::string workOn(const Input& input, const Options& options);
 
 /// Decomposes the robot or mesh of `input`.
 RobotResult decompose(const Input& input, const Options& options, const std::string& output, const RunControl& control = {},
@@ -84,8 +88,11 @@ std::string defaultOutput(const Input& input);
 /// Throws kUnwritableOutput, and kCancelled, which leaves everything as it was.
 bool writeOutput(RobotResult& result, const std::string& output, const RunControl& control = {});
 
-/// Throws what writeOutput would throw for such a folder, before the long work. Writes nothing.
+/// Throws what writeOutput would throw for such a folder, before the long work. Leaves nothing behind.
 void checkOutput(const std::string& output);
+
+/// How to use a written output, in lines for a terminal: where it is, how ROS finds it, and what loads it.
+std::string howToUse(const RobotResult& result, const std::string& output);
 
 /// Writes the report alone, as JSON, in one rename. Throws kUnwritableOutput.
 void writeReport(const Report& report, const std::string& file);

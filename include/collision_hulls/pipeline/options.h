@@ -54,7 +54,8 @@ struct Options {
   double scale = 1;  ///< of a single mesh, > 0: 0.001 for one in millimetres; a robot's description has its own scales
   MeshFormat format = MeshFormat::kStl;
   UriStyle uri = UriStyle::kPackage;
-  int jobs = 0;  ///< threads; 0: as many as cores
+  std::string package_name;  ///< of the output; empty: as its folder is called
+  int jobs = 0;              ///< threads; 0: as many as cores
   bool validate = true;
   bool cache = true;
   std::uint64_t seed = 1;

@@ -66,8 +66,12 @@ struct Report {
 /// report.json's text, with the fields and totals of the contract.
 std::string toJson(const Report& report);
 
-/// The table of the command line: a row per mesh, then totals and validation. Reasons of failed rows are left to the caller.
+/// What the programs print: a table with a row for each mesh and their total, then the check, the scene and the notes, in plain words.
+/// The reasons of failed rows are in failures().
 std::string toTable(const Report& report);
+
+/// A line for each failed row; a single one for all rows that miss the same package.
+std::vector<std::string> failures(const Report& report);
 
 bool anyFailed(const Report& report);
 bool allFailed(const Report& report);  ///< and there were some

@@ -4,8 +4,11 @@
 #include <Eigen/Geometry>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace collision_hulls {
@@ -59,20 +62,61 @@ RobotDescription parseRobotDescription(const std::string& urdf_text, const std::
 /// Reads a .urdf, or a .xacro through the user's xacro program (kXacroMissing where there is none). Also throws kFileNotFound.
 RobotDescription readRobotDescription(const std::string& path);
 
-/// Finds the folder of a package; nullopt when it is unknown. ROS code injects its own.
-using PackageFinder = std::function<std::optional<std::string>(const std::string& package)>;
+/// Finds packages, and files of packages that are not where their URIs say. Copies share one search and its notes. Thread safe if the
+/// lookup is.
+class PackageFinder {
+ public:
+  /// The folder of a package; nullopt for an unknown one.
+  using Lookup = std::function<std::optional<std::string>(const std::string& package)>;
 
-/// Looks in ROS_PACKAGE_PATH (crawling as rospack does: a folder with package.xml is a package; CATKIN_IGNORE stops) and,
-/// before it, in the packages that enclose `near` (a file or folder; may be empty). CMAKE_PREFIX_PATH's `share/<package>` last.
-PackageFinder defaultPackageFinder(const std::string& near = "");
+  PackageFinder();  ///< knows no package
+  template <typename F, typename = std::enable_if_t<!std::is_base_of_v<PackageFinder, F>>>
+  PackageFinder(F lookup) : PackageFinder(PackageFinder().askingFirst(std::move(lookup))) {}
 
-/// The file that a URI means: package://, file://, an absolute path, or one relative to the folder of `base` (a file).
+  /// The same search after `lookup`, such as that of ROS.
+  PackageFinder askingFirst(Lookup lookup) const;
+
+  /// The folder of a package, or else one of the same name nearby, which leaves a note; nullopt if there is neither.
+  std::optional<std::string> operator()(const std::string& package) const;
+
+  /// The folder of a package; nullopt for an unknown one.
+  std::optional<std::string> knownPackage(const std::string& package) const;
+
+  /// The file that package://`package`/`rest` most likely means if the package is unknown or lacks it: NAME/rest, then rest, in the
+  /// folders of the package path, then in those above `base` (a file) and above the description, from the nearest to the farthest, and
+  /// in their folders meshes/. A bare file name counts only in the package path and in the two nearest folders. nullopt for a package
+  /// that the package path names by NAME=DIR, and for a `rest` that leads out of its package. Leaves a note.
+  std::optional<std::string> fileNearby(const std::string& package, const std::string& rest, const std::string& base) const;
+
+  /// Which folders were used in place of packages, and which manifests could not be read; so far.
+  std::vector<std::string> notes() const;
+
+ private:
+  friend PackageFinder defaultPackageFinder(const std::string& near, const std::vector<std::string>& package_path);
+  class Search;
+  explicit PackageFinder(std::shared_ptr<Search> search);
+
+  Lookup first_;
+  std::shared_ptr<Search> search_;
+};
+
+/// Looks among the packages that enclose `near` (a file or folder; may be empty), then in ROS_PACKAGE_PATH (crawling as rospack does: a
+/// folder with package.xml is a package; CATKIN_IGNORE stops), then for `share/<package>` in CMAKE_PREFIX_PATH, then among the packages
+/// in `package_path`, and last for a folder of the package's name in `package_path` and above `near`. An item of `package_path` is DIR or
+/// NAME=DIR; the latter wins over all of these. Throws kBadOption for an item whose folder does not exist.
+PackageFinder defaultPackageFinder(const std::string& near = "", const std::vector<std::string>& package_path = {});
+
+/// The file that a URI means: package://, file://, an absolute path, or one relative to the folder of `base` (a file). A file of a package
+/// that is not where its URI says may be one nearby: see PackageFinder::fileNearby(), which leaves a note.
 /// Throws kPackageNotFound (names the package and how to make it known) and kFileNotFound.
 std::string resolveUri(const std::string& uri, const std::string& base, const PackageFinder& find_package);
 
 /// The file:// URI of an absolute path: what may not stand in one by itself (RFC 3986) as "%20" and its like, bytes beyond ASCII as they
 /// are.
 std::string fileUri(const std::string& path);
+
+/// The NAME of package://NAME/...; nullopt for other URIs.
+std::optional<std::string> packageOf(const std::string& uri);
 
 /// Whether resolveUri's answer depends on `base`.
 bool isRelativeUri(const std::string& uri);
@@ -106,7 +150,9 @@ struct LinkCollisions {
 /// The description with the `<collision>` elements of the given links replaced; links that are not given keep theirs.
 /// Everything else stays byte for byte: comments, unknown tags, order, line ends. New elements are indented like their
 /// neighbours and stand where the first replaced one stood (after the last `<visual>`, else first in the link, where there was none).
-/// A name that is taken elsewhere in the description gets a number added.
-std::string rewriteCollisions(const RobotDescription& robot, const std::map<std::string, LinkCollisions>& links);
+/// A name that is taken elsewhere in the description gets a number added. Mesh URIs in the `<collision>` elements that stay become
+/// what `moved` says of them, if it does.
+std::string rewriteCollisions(const RobotDescription& robot, const std::map<std::string, LinkCollisions>& links,
+                              const std::map<std::string, std::string>& moved = {});
 
 }  // namespace collision_hulls

@@ -1,0 +1,18 @@
+// The name that a user probably meant.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace collision_hulls {
+
+/// How many letters to insert, delete or replace to turn one text into the other (Levenshtein distance).
+std::size_t editDistance(const std::string& a, const std::string& b);
+
+/// The name that `text` begins, or else the nearest one by edit distance; empty if they all differ by more than a third of `text`.
+std::string nearestName(const std::string& text, const std::vector<std::string>& names);
+
+/// "; did you mean 'certified'?", or nothing if no name is near.
+std::string didYouMean(const std::string& text, const std::vector<std::string>& names);
+
+}  // namespace collision_hulls

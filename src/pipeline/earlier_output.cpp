@@ -1,0 +1,155 @@
+// A second run on the result of a first one, for other links, keeps some <collision> elements whose hulls lie in the first output. The
+// new output must hold these hulls itself: it may replace the first, and nobody wants a package that needs its predecessor.
+#include "pipeline/earlier_output.h"
+
+#include <nlohmann/json.hpp>
+
+#include "collision_hulls/error.h"
+#include "pipeline/files.h"
+#include "pipeline/names.h"
+#include "pipeline/replace_folder.h"
+#include "robot/package_crawl.h"
+
+namespace collision_hulls {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool isUsableMesh(const GeometryElement& element) {
+  return element.kind == GeometryElement::Kind::kMesh && element.fault.empty();
+}
+
+/// The files that a description means.
+class MeshFiles {
+ public:
+  MeshFiles(const RobotDescription& robot, const std::string& output, const PackageFinder& find_package)
+      : base_(robot.path), finders_{find_package} {
+    // The folder to be replaced may hold a package that nobody else knows, such as one that was made a minute ago.
+    const fs::path folder = replacedFolder(output);
+    if (const auto package = packageAt(folder)) {
+      finders_.emplace_back([name = package->name, folder = folder.string()](const std::string& wanted) {
+        return wanted == name ? std::optional(folder) : std::nullopt;
+      });
+    }
+  }
+
+  /// The real path of the file that a URI means; nullopt if there is none.
+  std::optional<fs::path> find(const std::string& uri) const {
+    for (const PackageFinder& find_package : finders_) {
+      try {
+        return fs::canonical(resolveUri(uri, base_, find_package));
+      } catch (const Error&) {  // then it is nothing of ours
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::string base_;
+  std::vector<PackageFinder> finders_;
+};
+
+/// Finds the earlier output that holds a file. Remembers the folders that it has looked into.
+class EarlierOutputs {
+ public:
+  /// The file's path within that output; nullopt if no earlier output holds it.
+  std::optional<fs::path> pathWithin(const fs::path& file) {
+    for (fs::path folder = file.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
+      const auto [known, is_new] = outputs_.try_emplace(folder);
+      if (is_new) known->second = filesOfEarlierOutput(folder);
+      const fs::path within = file.lexically_relative(folder);
+      if (known->second && known->second->count(within)) return within;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::map<fs::path, std::optional<std::set<fs::path>>> outputs_;
+};
+
+/// Gives every kept file a path in the new output: the one that it had, if that is free.
+class Places {
+ public:
+  explicit Places(const std::vector<std::string>& taken) {
+    for (const std::string& file : taken) names_.take(fs::path(file).replace_extension().string());
+  }
+
+  std::string of(const fs::path& file, const fs::path& within) {
+    std::string& place = places_[file];
+    if (!place.empty()) return place;
+    const fs::path wanted = *within.begin() == "meshes" ? within : "meshes" / within;
+    return place = names_.take(fs::path(wanted).replace_extension().string()) + wanted.extension().string();
+  }
+
+ private:
+  UniqueNames names_;
+  std::map<fs::path, std::string> places_;
+};
+
+bool liesIn(const fs::path& file, const fs::path& folder) {
+  return *file.lexically_relative(folder).begin() != "..";
+}
+
+[[noreturn]] void refuseLosing(const std::string& file, const std::string& use, const std::string& output) {
+  throw Error(ErrorCode::kUnwritableOutput,
+              "output '" + output + "' would be replaced, and with it '" + file + "', " + use + "; choose another output");
+}
+
+}  // namespace
+
+std::optional<std::set<fs::path>> filesOfEarlierOutput(const fs::path& folder) {
+  try {
+    const nlohmann::json report = nlohmann::json::parse(readText(folder / kReportFile));
+    if (report.count("collision_hulls") == 0) return std::nullopt;
+    std::set<fs::path> files{kReportFile};
+    for (const nlohmann::json& file : report.at("files")) files.insert(file.get<std::string>());
+    for (const nlohmann::json& link : report.at("links"))
+      for (const nlohmann::json& file : link.at("files")) files.insert(file.get<std::string>());
+    return files;
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
+}
+
+KeptHulls keptHulls(const RobotDescription& robot, const std::set<std::string>& replaced, const std::vector<std::string>& taken,
+                    const std::string& output, const PackageFinder& find_package) {
+  KeptHulls kept;
+  const MeshFiles files(robot, output, find_package);
+  EarlierOutputs outputs;
+  Places places(taken);
+  for (const LinkDescription& link : robot.links) {
+    if (replaced.count(link.name)) continue;
+    for (const GeometryElement& collision : link.collisions) {
+      if (!isUsableMesh(collision) || kept.places.count(collision.uri)) continue;
+      const auto file = files.find(collision.uri);
+      const auto within = file ? outputs.pathWithin(*file) : std::nullopt;
+      if (!within) continue;
+      const std::string place = places.of(*file, *within);
+      kept.places[collision.uri] = place;
+      kept.contents[place] = readText(*file);
+    }
+  }
+  return kept;
+}
+
+void refuseLosingVisuals(const RobotDescription& robot, const std::string& output, const PackageFinder& find_package) {
+  const fs::path folder = replacedFolder(output);
+  std::error_code error;
+  if (!fs::exists(folder, error)) return;
+  const MeshFiles files(robot, output, find_package);
+  for (const LinkDescription& link : robot.links) {
+    for (const GeometryElement& visual : link.visuals) {
+      const auto file = isUsableMesh(visual) ? files.find(visual.uri) : std::nullopt;
+      if (file && liesIn(*file, folder)) refuseLosing(visual.uri, "which a <visual> of link '" + link.name + "' uses", output);
+    }
+  }
+}
+
+void refuseLosingInput(const std::string& mesh, const std::string& output) {
+  std::error_code error;
+  const fs::path file = fs::weakly_canonical(fs::absolute(mesh), error);
+  if (!error && liesIn(file, replacedFolder(output))) refuseLosing(mesh, "which is the input", output);
+}
+
+}  // namespace collision_hulls

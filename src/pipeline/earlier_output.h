@@ -1,0 +1,38 @@
+// Outputs of earlier runs: what they consist of, and the hulls in them that a new one must not lose.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/robot/robot_description.h"
+
+namespace collision_hulls {
+
+constexpr const char* kReportFile = "report.json";
+
+/// The files of an earlier output, relative to its folder, as its report lists them; nullopt if the folder is none.
+std::optional<std::set<std::filesystem::path>> filesOfEarlierOutput(const std::filesystem::path& folder);
+
+/// Hulls of earlier outputs that a description keeps, for the output that takes their place.
+struct KeptHulls {
+  std::map<std::string, std::string> places;    ///< by URI: the file's path in the new output
+  std::map<std::string, std::string> contents;  ///< by that path
+};
+
+/// The meshes in earlier outputs that the <collision> elements of all links but `replaced` name; `output` is the folder of the new
+/// output, where an earlier one may be. Their paths in the new output differ from those in `taken`.
+KeptHulls keptHulls(const RobotDescription& robot, const std::set<std::string>& replaced, const std::vector<std::string>& taken,
+                    const std::string& output, const PackageFinder& find_package);
+
+/// Throws kUnwritableOutput if a <visual> element names a mesh in the folder that `output` replaces: visuals stay as they are, so
+/// the mesh would be lost.
+void refuseLosingVisuals(const RobotDescription& robot, const std::string& output, const PackageFinder& find_package);
+
+/// The same for a mesh that is the input itself.
+void refuseLosingInput(const std::string& mesh, const std::string& output);
+
+}  // namespace collision_hulls

@@ -1,0 +1,63 @@
+// What a user does next with an output: the last lines that the programs print.
+#include <filesystem>
+
+#include "collision_hulls/pipeline/decompose_robot.h"
+#include "counted.h"
+#include "pipeline/collision_model.h"
+
+namespace collision_hulls {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path placeOf(const std::string& output) {
+  const fs::path place = fs::absolute(output).lexically_normal();
+  return place.has_filename() ? place : place.parent_path();
+}
+
+/// Whether ROS, as it is set up here, finds this package in this folder.
+bool isOnRosPath(const std::string& package, const fs::path& place) {
+  const std::optional<std::string> known = defaultPackageFinder().knownPackage(package);
+  std::error_code error;
+  return known && fs::equivalent(*known, place, error);
+}
+
+std::string loadedBy(const std::string& file) {
+  return "in your launch file:  <param name=\"robot_description\" textfile=\"" + file + "\"/>\n";
+}
+
+std::string asPackage(const std::string& package, const fs::path& place, const std::string& urdf) {
+  const std::string path = isOnRosPath(package, place) ? ""
+                                                       : "export ROS_PACKAGE_PATH=" + place.parent_path().string() +
+                                                             ":$ROS_PACKAGE_PATH   # or move the folder into the src of your workspace\n";
+  return "To use package '" + package + "':\n  " + (path.empty() ? "" : path + "  ") + loadedBy("$(find " + package + ")/" + urdf);
+}
+
+std::string hullsOf(const Report& report, const fs::path& place) {
+  if (report.links.empty() || report.links.front().files.size() < 2) return "";
+  const std::vector<std::string>& files = report.links.front().files;  // the OBJ of all hulls, then a file for each
+  return "To use the hulls:\n  all in one file:  " + (place / files.front()).string() +
+         "\n  in a URDF, a <collision> for each:  <mesh filename=\"" + fileUri((place / files[1]).string()) + "\"/>" +
+         (files.size() > 2 ? " to " + fs::path(files.back()).filename().string() : "") + "\n";
+}
+
+}  // namespace
+
+std::string howToUse(const RobotResult& result, const std::string& output) {
+  const fs::path place = placeOf(output);
+  const std::string written = "\nWritten to " + place.string() + "\n";
+  if (result.single_mesh) return written + hullsOf(result.report, place);
+  const Options& options = result.report.options;
+  const std::string urdf = urdfFile(result.robot_name), file = (place / urdf).string();
+  switch (options.uri) {
+    case UriStyle::kPackage: return written + asPackage(outputPackage(options, output), place, urdf);
+    case UriStyle::kFile: return written + "To use it, and leave the folder where it is:\n  " + loadedBy(file);
+    case UriStyle::kRelative:
+      return written + "To use it, load the file itself:\n  " + file +
+             "\n  A robot_description parameter forgets the file's place, and with it the meshes: for ROS use --uri package or file.\n";
+  }
+  return written;
+}
+
+}  // namespace collision_hulls

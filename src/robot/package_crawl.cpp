@@ -1,0 +1,69 @@
+// Finds packages without ROS: rospack itself gives up on the whole search at the first package.xml that it cannot read.
+#include "robot/package_crawl.h"
+
+#include <tinyxml2.h>
+
+#include <algorithm>
+
+#include "robot/xml_spans.h"
+#include "string_parts.h"
+
+namespace fs = std::filesystem;
+
+namespace collision_hulls {
+
+bool isFile(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+bool isFolder(const fs::path& path) {
+  std::error_code error;
+  return fs::is_directory(path, error);
+}
+
+std::vector<fs::path> sortedEntries(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) entries.push_back(at->path());
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+std::optional<PackageFolder> packageAt(const fs::path& folder) {
+  const std::string folder_name = folder.filename().string();
+  if (isFile(folder / "manifest.xml")) return PackageFolder{folder_name};
+  if (!isFile(folder / "package.xml")) return std::nullopt;
+  tinyxml2::XMLDocument manifest;
+  if (manifest.LoadFile((folder / "package.xml").c_str()) != tinyxml2::XML_SUCCESS) return PackageFolder{folder_name, true};
+  const tinyxml2::XMLElement* root = manifest.RootElement();
+  const tinyxml2::XMLElement* name = root ? root->FirstChildElement("name") : nullptr;
+  return PackageFolder{name && name->GetText() ? trimmed(name->GetText(), kXmlSpace) : folder_name};
+}
+
+PackageCrawl::PackageCrawl(const std::vector<fs::path>& roots) {
+  for (const fs::path& root : roots) visit(root);
+}
+
+std::optional<std::string> PackageCrawl::find(const std::string& package) const {
+  const auto found = packages_.find(package);
+  return found == packages_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void PackageCrawl::visit(const fs::path& folder) {
+  std::error_code error;
+  const fs::path real = fs::canonical(folder, error);
+  if (error || !isFolder(real) || !visited_.insert(real).second) return;  // symbolic links may form loops
+  if (isFile(folder / "CATKIN_IGNORE")) return;
+  if (const auto package = packageAt(folder)) {
+    packages_.emplace(package->name, folder.string());
+    if (package->broken) broken_manifests_.push_back((folder / "package.xml").string());
+    return;
+  }
+  if (isFile(folder / "rospack_nosubdirs")) return;
+  for (const fs::path& entry : sortedEntries(folder)) {
+    if (entry.filename().string().front() != '.' && isFolder(entry)) visit(entry);
+  }
+}
+
+}  // namespace collision_hulls

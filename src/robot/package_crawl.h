@@ -1,0 +1,41 @@
+// The packages below given folders.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace collision_hulls {
+
+bool isFile(const std::filesystem::path& path);
+bool isFolder(const std::filesystem::path& path);
+std::vector<std::filesystem::path> sortedEntries(const std::filesystem::path& folder);  ///< empty if the folder cannot be read
+
+/// A folder that is a package, by rospack's rules.
+struct PackageFolder {
+  std::string name;     ///< the manifest's, or the folder's if the manifest is of the old kind, broken or nameless
+  bool broken = false;  ///< its package.xml is empty or not well-formed
+};
+std::optional<PackageFolder> packageAt(const std::filesystem::path& folder);
+
+/// Descends as rospack does: not into packages, hidden folders, or below CATKIN_IGNORE and rospack_nosubdirs. The first package of a
+/// name counts.
+class PackageCrawl {
+ public:
+  explicit PackageCrawl(const std::vector<std::filesystem::path>& roots);
+
+  std::optional<std::string> find(const std::string& package) const;
+  const std::vector<std::string>& brokenManifests() const { return broken_manifests_; }
+
+ private:
+  void visit(const std::filesystem::path& folder);
+
+  std::map<std::string, std::string> packages_;
+  std::set<std::filesystem::path> visited_;
+  std::vector<std::string> broken_manifests_;
+};
+
+}  // namespace collision_hulls

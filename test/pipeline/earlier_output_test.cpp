@@ -1,0 +1,150 @@
+// Two runs, the second on the result of the first: nothing that is still in use may be lost.
+#include "pipeline/earlier_output.h"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "collision_hulls/error.h"
+#include "collision_hulls/pipeline/decompose_robot.h"
+#include "pipeline/fixtures.h"
+#include "shapes.h"
+
+namespace collision_hulls {
+namespace {
+
+namespace fs = std::filesystem;
+using fixtures::link;
+using fixtures::meshTag;
+
+std::string withoutCollisions(const std::string& urdf) {
+  return std::regex_replace(urdf, std::regex("\\s*<collision[^]*?</collision>"), "");
+}
+
+class TwoRuns : public ::testing::TestWithParam<UriStyle> {
+ protected:
+  TwoRuns() {
+    fixtures::write(folder_ / "meshes/box.obj", fixtures::obj(test_shapes::box(0.1, 0.2, 0.3)));
+    fixtures::write(folder_ / "meshes/bracket.obj", fixtures::obj(test_shapes::lBracket(0.2, 0.03, 0.1)));
+    options_.uri = GetParam();
+    options_.validate = false;
+  }
+
+  std::string element(const std::string& kind, const std::string& mesh) {
+    return "    <" + kind + "><origin xyz=\"0 0 1\"/>" + meshTag(folder_ / ("meshes/" + mesh)) + "</" + kind + ">\n";
+  }
+
+  RobotResult run(const std::string& urdf, const std::string& output) {
+    RobotResult result = decomposeRobot(readRobotDescription(urdf), defaultPackageFinder(urdf), options_, folder_ / output);
+    writeOutput(result, folder_ / output);
+    return result;
+  }
+
+  /// All links, into `first`.
+  void runFirst() {
+    run(fixtures::write(folder_ / "urdf/arm.urdf",
+                        fixtures::robot("arm", link("base", element("collision", "bracket.obj")) +
+                                                   link("tip", element("visual", "box.obj") + element("collision", "box.obj"), "base"))),
+        "first");
+  }
+
+  /// The meshes of an output's <collision> elements, which all lie in it.
+  std::vector<std::string> meshes(const std::string& output) {
+    const std::string urdf = folder_ / (output + "/urdf/arm.urdf");
+    std::vector<std::string> contents;
+    for (const LinkDescription& link : readRobotDescription(urdf).links) {
+      for (const GeometryElement& collision : link.collisions) {
+        const std::string file = resolveUri(collision.uri, urdf, defaultPackageFinder(urdf));
+        EXPECT_EQ(file.rfind(folder_ / output, 0), 0u) << file;
+        contents.push_back(link.name + fixtures::read(file));
+      }
+    }
+    return contents;
+  }
+
+  fixtures::TempFolder folder_;
+  Options options_;
+};
+
+INSTANTIATE_TEST_SUITE_P(UriStyles, TwoRuns, ::testing::Values(UriStyle::kPackage, UriStyle::kFile, UriStyle::kRelative));
+
+TEST_P(TwoRuns, HullsThatStayComeAlong) {
+  for (const std::string output : {"second", "first"}) {
+    runFirst();
+    const std::vector<std::string> before = meshes("first");
+    const std::string text = fixtures::read(folder_ / "first/urdf/arm.urdf");
+    options_.links = "base";
+    const RobotResult result = run(folder_ / "first/urdf/arm.urdf", output);
+    options_.links.clear();
+    if (output != "first") fs::remove_all(folder_ / "first");
+    const std::vector<std::string> after = meshes(output);
+    ASSERT_EQ(after.size(), before.size());
+    EXPECT_EQ(after.back(), before.back()) << "the hull of tip";
+    EXPECT_EQ(withoutCollisions(result.urdf), withoutCollisions(text));
+    EXPECT_NE(result.urdf.find("name=\"tip_0_0\""), std::string::npos);
+    ASSERT_EQ(result.kept_files.count("meshes/tip/0_0.stl"), 1u);
+    EXPECT_EQ(std::count(result.report.files.begin(), result.report.files.end(), "meshes/tip/0_0.stl"), 1);
+    EXPECT_NE(toTable(result.report).find("1 hull of an earlier run"), std::string::npos);
+    // A third run finds them again.
+    options_.links = "base";
+    run(folder_ / (output + "/urdf/arm.urdf"), "third");
+    EXPECT_EQ(meshes("third"), after);
+    options_.links.clear();
+  }
+}
+
+TEST_P(TwoRuns, AKeptHullWhosePlaceIsTaken) {
+  runFirst();
+  fixtures::write(folder_ / "first/meshes/tip/0_0.stl", "no mesh");
+  std::string urdf = fixtures::read(folder_ / "first/urdf/arm.urdf");
+  const std::size_t end = urdf.rfind("</collision>") + 12;
+  urdf.insert(end, element("collision", "box.obj"));
+  fixtures::write(folder_ / "first/urdf/arm.urdf", urdf);
+  const RobotResult result = run(folder_ / "first/urdf/arm.urdf", "second");
+  EXPECT_EQ(result.report.links[1].status, Status::kFailed);
+  EXPECT_EQ(result.report.links[2].files, (std::vector<std::string>{"meshes/tip/1_0.stl"}));
+  EXPECT_EQ(result.kept_files, (std::map<std::string, std::string>{{"meshes/tip/0_0.stl", "no mesh"}}));
+  const auto places = keptHulls(readRobotDescription(folder_ / "first/urdf/arm.urdf"), {"base"}, {"meshes/Tip/0_0.obj"}, folder_ / "second",
+                                defaultPackageFinder(folder_ / "first/urdf/arm.urdf"));
+  ASSERT_EQ(places.contents.size(), 1u);
+  EXPECT_EQ(places.contents.begin()->first, "meshes/tip/0_0_2.stl");
+}
+
+TEST_P(TwoRuns, ADescriptionThatWasMovedAway) {
+  if (GetParam() == UriStyle::kRelative) return;  // it means nothing elsewhere
+  runFirst();
+  fs::create_directories(folder_ / "elsewhere");
+  fs::copy(folder_ / "first/urdf/arm.urdf", folder_ / "elsewhere/arm.urdf");
+  options_.links = "base";
+  const RobotDescription robot = readRobotDescription(folder_ / "elsewhere/arm.urdf");
+  const RobotResult result = decomposeRobot(robot, PackageFinder(), options_, folder_ / "first");
+  EXPECT_EQ(result.kept_files.count("meshes/tip/0_0.stl"), 1u);
+}
+
+TEST_P(TwoRuns, RefusesToLoseAVisual) {
+  runFirst();
+  const std::string hull = folder_ / "first/meshes/tip/0_0.stl";
+  const std::string urdf =
+      fixtures::write(folder_ / "urdf/two.urdf", fixtures::robot("arm", link("base", "    <visual>" + meshTag(hull) + "</visual>\n")));
+  try {
+    run(urdf, "first");
+    ADD_FAILURE() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kUnwritableOutput);
+    for (const std::string& part : {hull, std::string("'base'"), std::string("choose another output")})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+  EXPECT_TRUE(fs::exists(hull));
+  EXPECT_NO_THROW(run(urdf, "second"));
+}
+
+TEST(RefuseLosingInput, AMeshInTheOutput) {
+  const fixtures::TempFolder folder;
+  const std::string mesh = fixtures::write(folder / "out/hull_0.stl", "");
+  EXPECT_THROW(refuseLosingInput(mesh, folder / "out"), Error);
+  EXPECT_NO_THROW(refuseLosingInput(mesh, folder / "other"));
+  EXPECT_NO_THROW(refuseLosingInput(mesh, folder / "out/other"));
+}
+
+}  // namespace
+}  // namespace collision_hulls

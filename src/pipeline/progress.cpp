@@ -1,23 +1,27 @@
+// See progress.h. The fraction is the largest one reported so far, so that it never decreases.
 #include "pipeline/progress.h"
 
 #include <algorithm>
+#include <chrono>
 #include <numeric>
 #include <utility>
 
 namespace collision_hulls {
 namespace {
 
-// Before both the time left is a guess that would jump.
+// Before both have passed the time left would be a guess that jumps.
 constexpr double kLeastSeconds = 2, kLeastFraction = 0.05;
 
-double secondsSince(std::chrono::steady_clock::time_point time) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - time).count();
-}
+constexpr double kPeriod = 0.2;  // [s] between calls
 
 }  // namespace
 
-Progress::Progress(const RunControl& control, const StepCallback& step, std::size_t elements, double period)
-    : control_(control), step_(step), period_(period) {
+double Progress::steadySeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Progress::Progress(const RunControl& control, const StepCallback& step, std::size_t elements, Clock clock)
+    : control_(control), step_(step), clock_(std::move(clock)), start_(clock_()) {
   state_.stage = "read";
   state_.total = elements;
   call();
@@ -44,7 +48,7 @@ void Progress::advance(std::size_t task, double share) {
   const std::lock_guard<std::mutex> lock(mutex_);
   shares_[task] = std::max(shares_[task], share);
   update();
-  if (secondsSince(last_call_) >= period_) call();
+  if (clock_() - last_call_ >= kPeriod) call();
 }
 
 void Progress::skip(std::size_t task) {
@@ -53,7 +57,7 @@ void Progress::skip(std::size_t task) {
   shares_[task] = 1;
   update();
   free_ += state_.fraction - before;
-  if (secondsSince(last_call_) >= period_) call();
+  if (clock_() - last_call_ >= kPeriod) call();
 }
 
 void Progress::finishElement(const std::string& item, std::size_t hulls) {
@@ -79,13 +83,13 @@ void Progress::update() {
   const double done = std::inner_product(costs_.begin(), costs_.end(), shares_.begin(), 0.0);
   const double share = whole > 0 ? std::min(done / whole, 1.0) : 1;
   state_.fraction = std::max(state_.fraction, share < 1 ? from_ + (until_ - from_) * share : until_);
-  const double seconds = secondsSince(start_), worked = state_.fraction - free_;
+  const double seconds = clock_() - start_, worked = state_.fraction - free_;
   state_.seconds_left = seconds >= kLeastSeconds && worked >= kLeastFraction ? seconds * (1 - state_.fraction) / worked : -1;
   control_.report(state_.fraction);
 }
 
 void Progress::call() {
-  last_call_ = Clock::now();
+  last_call_ = clock_();
   if (step_) step_(state_);
 }
 

@@ -4,7 +4,7 @@
 // time left follows from the share done and the time that it took, less what came from the cache and took none.
 #pragma once
 
-#include <chrono>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -14,12 +14,14 @@
 
 namespace collision_hulls {
 
-/// Thread safe. Between the starts of stages and finished elements the callback is called at most once in `period` seconds; the control
-/// gets every fraction.
+/// Thread safe. Between the starts of stages and finished elements the callback is called at most every 0.2 s; the control gets every
+/// fraction.
 class Progress {
  public:
+  using Clock = std::function<double()>;  ///< [s]
+
   /// Begins the stage "read", which takes no share.
-  Progress(const RunControl& control, const StepCallback& step, std::size_t elements, double period = 0.2);
+  Progress(const RunControl& control, const StepCallback& step, std::size_t elements, Clock clock = steadySeconds);
 
   /// Ends the stage before and begins the next one, which takes the run up to the share `until` of the whole.
   void begin(const std::string& stage, double until, std::vector<double> costs = {1});
@@ -37,7 +39,7 @@ class Progress {
   void end();
 
  private:
-  using Clock = std::chrono::steady_clock;
+  static double steadySeconds();
 
   void advance(std::size_t task, double share);
   void update();
@@ -45,9 +47,9 @@ class Progress {
 
   const RunControl& control_;
   const StepCallback& step_;
-  const double period_;
-  const Clock::time_point start_ = Clock::now();
-  Clock::time_point last_call_;
+  const Clock clock_;
+  const double start_;    // [s]
+  double last_call_ = 0;  // [s]
   std::mutex mutex_;
   double from_ = 0, until_ = 0;         // of the whole, what the stage begins and ends with
   std::vector<double> costs_, shares_;  // of the stage's tasks: weight, and share done

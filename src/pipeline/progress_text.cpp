@@ -1,3 +1,4 @@
+// Percent and time are rounded down and up to what such an estimate is worth, so that the text stays calm.
 #include "collision_hulls/pipeline/progress_text.h"
 
 #include <cmath>

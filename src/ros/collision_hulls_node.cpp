@@ -12,11 +12,11 @@ int main(int argc, char** argv) {
   {
     collision_hulls::Node node;
     spinner.start();
-    // Not waitForShutdown(): the shutdown itself waits for a service call that is being answered, which stop() cuts short.
+    // Not ros::waitForShutdown(): a shutdown waits for the service call in progress, which only stop() cuts short.
     while (!ros::isShuttingDown()) ros::WallDuration(0.02).sleep();
     node.stop();
     spinner.stop();
-    ros::shutdown();  // waits for the one that is under way
+    ros::shutdown();  // waits for the call in progress
   }
   return 0;
 }

@@ -1,3 +1,4 @@
+// Joint states to configurations: listens to a topic for some seconds, or reads a bag, and collects what the messages say of the joints.
 #include "joint_states.h"
 
 #include <ros/callback_queue.h>
@@ -26,7 +27,7 @@ constexpr std::uint32_t kQueue = 10'000;  // messages
 
 using JointStates = std::vector<sensor_msgs::JointStateConstPtr>;
 
-/// The source up to its last word, where there are two, and that word.
+/// A source split before its last word; the second part is empty if there is one word.
 std::pair<std::string, std::string> parts(const std::string& source) {
   const std::size_t space = source.rfind(' ');
   if (space == std::string::npos) return {source, ""};
@@ -37,7 +38,7 @@ bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// The file of a bag and the topic in it, where one is named; the file is empty for what is no bag.
+/// A bag's file and the topic in it, if one is named; the file is empty if the source is no bag.
 std::pair<std::string, std::string> bagAndTopic(const std::string& source) {
   if (endsWith(source, kBag)) return {source, ""};
   const auto [file, topic] = parts(source);
@@ -47,7 +48,7 @@ std::pair<std::string, std::string> bagAndTopic(const std::string& source) {
 ConfigurationSet collected(const JointStates& states, const std::string& source, const std::string& or_else, const Kinematics& kinematics,
                            const ConfigurationOptions& options) {
   if (states.empty())
-    throw Error(ErrorCode::kBadConfigurations, "'" + source + "' has no message of " + kType + "; give one that has" + or_else);
+    throw Error(ErrorCode::kBadConfigurations, "'" + source + "' has no message of " + kType + "; give a source that has some" + or_else);
   ConfigurationCollector collector(kinematics, options);
   for (std::size_t i = 0; i < states.size(); ++i)
     collector.add(states[i]->name, states[i]->position, "'" + source + "', message " + std::to_string(i + 1));
@@ -66,7 +67,7 @@ JointStates fromBag(const std::string& file, const std::string& topic) {
       states.push_back(message.instantiate<sensor_msgs::JointState>());
       if (!states.back()) throw std::runtime_error("topic " + message.getTopic() + " has another version of " + kType);
     }
-  } catch (const std::exception& error) {  // rosbag's own errors, and those of damaged lengths
+  } catch (const std::exception& error) {  // rosbag's own, and std::bad_alloc from a damaged length
     throw Error(ErrorCode::kBadConfigurations, "'" + file + "' cannot be read: " + error.what() + "; 'rosbag reindex' may mend it");
   }
   return states;
@@ -78,8 +79,8 @@ double secondsOf(const std::string& word, const std::string& source) {
   double seconds = 0;
   if (in >> seconds && in.eof() && seconds > 0 && seconds <= kMostSeconds) return seconds;
   throw Error(ErrorCode::kBadOption, "configurations '" + source +
-                                         "' are not understood: after the topic stand the seconds for which it is "
-                                         "listened to, up to 3600");
+                                         "' is not understood: give 'topic:NAME SECONDS', with up to 3600 seconds to "
+                                         "listen");
 }
 
 void expectJointStates(const std::string& topic) {
@@ -87,9 +88,10 @@ void expectJointStates(const std::string& topic) {
   ros::master::getTopics(topics);
   const auto found = std::find_if(topics.begin(), topics.end(), [&](const auto& info) { return info.name == topic; });
   if (found == topics.end())
-    throw Error(ErrorCode::kBadOption, "configurations '" + topic + "' are published by nobody; start its node, or give the name in full");
+    throw Error(ErrorCode::kBadOption,
+                "configurations '" + topic + "' is published by nobody; start its node, or give the full name (see 'rostopic list')");
   if (found->datatype != kType)
-    throw Error(ErrorCode::kBadOption, "configurations '" + topic + "' are a " + found->datatype + "; they have to be a " + kType);
+    throw Error(ErrorCode::kBadOption, "configurations '" + topic + "' is a " + found->datatype + "; give a topic of " + kType);
 }
 
 JointStates fromTopic(const std::string& topic, double seconds, const RunControl& control) {

@@ -1,4 +1,4 @@
-// Configurations from joint states that are published, or were recorded.
+// Configurations from joint states, live or recorded.
 #pragma once
 
 #include <functional>
@@ -9,13 +9,13 @@
 
 namespace collision_hulls {
 
-/// Whether configurations are asked for by a topic, "topic:NAME" or "topic:NAME SECONDS", or by a bag, "FILE.bag" or "FILE.bag NAME".
+/// Whether a source names a topic ("topic:NAME" or "topic:NAME SECONDS") or a bag ("FILE.bag" or "FILE.bag TOPIC").
 bool areJointStates(const std::string& source);
 
-/// The sensor_msgs/JointState messages of such a source: those that come within SECONDS (10 where it is not said), or those of a bag, on
-/// the topic NAME or on all. `path` tells where FILE.bag is. Throws kBadOption for a source that is not understood, a topic that nobody
-/// publishes or that has other messages, kFileNotFound, kBadConfigurations for a bag that cannot be read, or where no message came, and as
-/// ConfigurationCollector does; kCancelled.
+/// The configurations in the sensor_msgs/JointState messages of such a source: all that arrive within SECONDS (default 10), or all in the
+/// bag, on TOPIC or on every topic. `path` turns FILE.bag into a path. Throws kBadOption for a malformed source, and for a topic that
+/// nobody publishes or that has another type; kFileNotFound; kBadConfigurations for an unreadable bag or if there is no message; what
+/// ConfigurationCollector throws; kCancelled.
 ConfigurationSet readJointStates(const std::string& source, const std::function<std::string(const std::string&)>& path,
                                  const Kinematics& kinematics, const ConfigurationOptions& options, const RunControl& control = {});
 

@@ -1,3 +1,5 @@
+// Scenes from topics and services: the master tells the type of the messages, which selects the reader. The message packages are optional;
+// a source whose package was missing at build time gets an error that says so.
 #include "live_scene.h"
 
 #include <ros/callback_queue.h>
@@ -27,10 +29,10 @@ constexpr double kPatience = 10;  // [s]
 
 using Reader = std::function<Scene(const std::string& name, const std::string& root_link, const RunControl& control)>;
 
-/// Of messages that can be read, or could be if their package had been there: those have none.
+/// A type of message that holds a scene.
 struct Kind {
   std::string package;
-  Reader read;
+  Reader read;  ///< empty if the package was missing at build time
 };
 
 [[noreturn]] void fail(const std::string& what, const std::string& reason) {
@@ -49,7 +51,7 @@ Scene fromTopic(const std::string& name, const std::string& root_link, const Run
     queue.callAvailable();
     return message != nullptr;
   };
-  if (!waitFor(has_come, kPatience, control)) fail(kTopic + name, "sent no message within 10 s; let its node publish one, or latch it");
+  if (!waitFor(has_come, kPatience, control)) fail(kTopic + name, "sent no message within 10 s; make its node publish one, or latch it");
   return toScene(*message, root_link);
 }
 
@@ -65,7 +67,7 @@ std::map<std::string, Kind> topicKinds() {
 }
 
 [[noreturn]] void failWithout(const std::string& source, const std::string& package) {
-  fail(source, "needs the messages of " + package + ", which were not there when collision_hulls was built; install " + package +
+  fail(source, "needs the messages of " + package + ", which was missing when collision_hulls was built; install " + package +
                    ", or put its source into the workspace, and build again. Scenes in files need no other package");
 }
 
@@ -73,11 +75,10 @@ Scene readTopic(const std::string& name, const std::string& root_link, const Run
   ros::master::V_TopicInfo topics;
   ros::master::getTopics(topics);
   const auto topic = std::find_if(topics.begin(), topics.end(), [&](const auto& info) { return info.name == name; });
-  if (topic == topics.end()) fail(kTopic + name, "is published by nobody; start its node, or give the name in full ('rostopic list')");
+  if (topic == topics.end()) fail(kTopic + name, "is published by nobody; start its node, or give the full name (see 'rostopic list')");
   const std::map<std::string, Kind> kinds = topicKinds();
   const auto kind = kinds.find(topic->datatype);
-  if (kind == kinds.end())
-    fail(kTopic + name, "is a " + topic->datatype + "; those that are read are moveit_msgs/PlanningScene and octomap_msgs/Octomap");
+  if (kind == kinds.end()) fail(kTopic + name, "is a " + topic->datatype + "; give a moveit_msgs/PlanningScene or an octomap_msgs/Octomap");
   if (!kind->second.read) failWithout(kTopic + name, kind->second.package);
   return kind->second.read(name, root_link, control);
 }
@@ -89,8 +90,9 @@ Scene readService(const std::string& name, const std::string& root_link, const R
   call.request.components.components = Components::SCENE_SETTINGS | Components::ROBOT_STATE | Components::WORLD_OBJECT_NAMES |
                                        Components::WORLD_OBJECT_GEOMETRY | Components::OCTOMAP | Components::TRANSFORMS;
   const auto is_there = [&] { return ros::service::exists(name, false); };
-  if (!waitFor(is_there, kPatience, control)) fail(kService + name, "is not there; start move_group, or give the name in full");
-  if (!ros::service::call(name, call)) fail(kService + name, "did not answer; it has to be a moveit_msgs/GetPlanningScene");
+  if (!waitFor(is_there, kPatience, control))
+    fail(kService + name, "does not exist; start move_group, or give the full name (see 'rosservice list')");
+  if (!ros::service::call(name, call)) fail(kService + name, "gave no answer; it must be a moveit_msgs/GetPlanningScene");
   return toScene(call.response.scene, root_link);
 }
 #else

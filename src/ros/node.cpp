@@ -1,3 +1,4 @@
+// Reads a request and the parameters, runs the library, writes and shows the result. The doors (door.h) bring requests in and answers out.
 #include "node.h"
 
 #include <ros/package.h>
@@ -23,7 +24,7 @@ std::optional<std::string> rosPackage(const std::string& package) {
   }
 }
 
-/// Asks ROS, then the places that are known without it.
+/// Asks ROS first, then looks in the places that need no ROS.
 PackageFinder packageFinder(const ros::NodeHandle& node, const std::string& near) {
   return defaultPackageFinder(near, readPackagePath(node)).askingFirst(rosPackage);
 }

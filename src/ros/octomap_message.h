@@ -1,4 +1,4 @@
-// OctoMap's message to a scene; where octomap_msgs is installed.
+// From OctoMap's message to a scene. Built if octomap_msgs is installed.
 #pragma once
 
 #include <octomap_msgs/Octomap.h>
@@ -9,10 +9,10 @@
 
 namespace collision_hulls {
 
-/// The map that a message holds; its data stays the message's.
+/// The map in a message. It refers to the message's data.
 Octomap toOctomap(const octomap_msgs::Octomap& message);
 
-/// Boxes "octomap/1", ...: see octomap.h. Throws kBadScene for a message that is not in the root link's frame.
+/// Boxes named "octomap/1", ...; see octomap.h. Throws kBadScene if the message is not in the root link's frame.
 Scene toScene(const octomap_msgs::Octomap& message, const std::string& root_link);
 
 }  // namespace collision_hulls

@@ -1,3 +1,4 @@
+// Reads the node's parameters, with the types that YAML gave them, and puts a request's fields in their place.
 #include "parameters.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 namespace collision_hulls {
 namespace {
 
-/// A parameter's value, or nothing where it is not set. getParam alone would take a value of the wrong type for an unset one.
+/// A parameter's value, or nothing if it is not set. getParam alone reports a value of the wrong type as not set.
 template <typename T>
 std::optional<T> read(const ros::NodeHandle& node, const std::string& name, const char* type) {
   if (!node.hasParam(name)) return std::nullopt;
@@ -23,7 +24,7 @@ std::optional<T> read(const ros::NodeHandle& node, const std::string& name, cons
   return value;
 }
 
-/// getParam would round.
+/// Read as double, because getParam would round to an int.
 void readNumber(const ros::NodeHandle& node, const std::string& name, int& value) {
   constexpr const char* kType = "a whole number";
   const std::optional<double> number = read<double>(node, name, kType);
@@ -66,7 +67,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// The regular expression that these names match, and no other name.
+/// The regular expression that matches these names alone.
 std::string linksExpression(const std::vector<std::string>& names, const RobotDescription& robot) {
   std::string expression;
   for (const std::string& name : names) {

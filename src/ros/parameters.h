@@ -1,4 +1,4 @@
-// From the node's private parameters and a request to the options of a run.
+// Options of a run from the node's private parameters and a request.
 #pragma once
 
 #include <collision_hulls/DecomposeRequest.h>
@@ -16,20 +16,21 @@ namespace collision_hulls {
 /// those that are not set keep their defaults. Throws kBadOption for a value of the wrong type or range.
 Options readOptions(const ros::NodeHandle& node);
 
-/// ~package_path, a list or a text with colons between its items: where packages lie that ROS does not find, see defaultPackageFinder().
+/// ~package_path, a list or a text with colons between its items: where to look for packages that ROS does not find, see
+/// defaultPackageFinder().
 std::vector<std::string> readPackagePath(const ros::NodeHandle& node);
 
-/// A text parameter; `fallback` where it is not set. Throws kBadOption where it is not a text.
+/// A text parameter; `fallback` if it is not set. Throws kBadOption if it is not a text.
 std::string readText(const ros::NodeHandle& node, const std::string& name, const std::string& fallback = "");
 
-/// The value of a parameter; as it is where that is not set. Throws kBadOption where it is neither true nor false.
+/// Sets `value` to a parameter; leaves it if that is not set. Throws kBadOption if it is neither true nor false.
 void readFlag(const ros::NodeHandle& node, const std::string& name, bool& value);
 
-/// `options` with what the request asks for. Throws kBadOption, also for the name of a link that the robot does not have.
+/// `options` with the request's own in their place. Throws kBadOption, also for a link that the robot does not have.
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot);
 
-/// What the request asks to be fitted to: its files read, or what is published now; see live_scene.h and joint_states.h. Throws kBadOption,
-/// kCancelled, and the readers' errors.
+/// The scene and the configurations that a request names, read from files or from what is published now (live_scene.h, joint_states.h).
+/// Throws kBadOption, kCancelled, and the readers' errors.
 SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, const RunControl& control);
 
 }  // namespace collision_hulls

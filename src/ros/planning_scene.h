@@ -1,4 +1,4 @@
-// MoveIt's planning scene to the library's; where moveit_msgs is installed.
+// From MoveIt's planning scene to the library's scene. Built if moveit_msgs is installed.
 #pragma once
 
 #include <moveit_msgs/PlanningScene.h>
@@ -9,9 +9,10 @@
 
 namespace collision_hulls {
 
-/// Collision objects, of several shapes as "object/1", "object/2", ..., and the octomap, in the frame of the robot's root link: that of the
-/// poses has to be it, one of fixed_frame_transforms, or the one that the robot state's only floating joint is in. What the robot holds,
-/// links' padding and the allowed collisions are not looked at. Throws kBadScene; a difference to another scene is none.
+/// The collision objects and the octomap, in the frame of the robot's root link. An object of several shapes becomes "object/1",
+/// "object/2", ... Poses must be in that frame, in one of fixed_frame_transforms, or in the parent frame of the robot state's only floating
+/// joint. Ignores attached objects, padding and allowed collisions. Throws kBadScene, also for a message that is a difference to another
+/// scene.
 Scene toScene(const moveit_msgs::PlanningScene& message, const std::string& root_link);
 
 }  // namespace collision_hulls

@@ -1,4 +1,4 @@
-// Waiting for ROS without its clock, which may stand still, and no longer than the caller wants.
+// Waits for ROS by the wall clock, as simulated time may stand still.
 #pragma once
 
 #include <ros/ros.h>
@@ -9,7 +9,7 @@
 
 namespace collision_hulls {
 
-/// Asks `done` again and again, for at most `seconds` of wall time; whether it was true, false also when ROS shuts down. Throws kCancelled.
+/// Polls `done` for at most `seconds`. Returns whether it became true; false also when ROS shuts down. Throws kCancelled.
 inline bool waitFor(const std::function<bool()>& done, double seconds, const RunControl& control) {
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
   while (ros::ok()) {

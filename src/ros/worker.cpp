@@ -1,3 +1,4 @@
+// One thread for each job, joined when the next one starts or at the end.
 #include "worker.h"
 
 #include <utility>
@@ -12,7 +13,7 @@ Worker::~Worker() {
 bool Worker::start(Job job) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (running_ || stopped_) return false;
-  if (thread_.joinable()) thread_.join();  // it has done its work and does not need the mutex any more
+  if (thread_.joinable()) thread_.join();  // its job is done and it no longer needs the mutex
   running_ = true;
   current_ = job.name;
   control_ = std::make_shared<RunControl>();
@@ -23,7 +24,7 @@ bool Worker::start(Job job) {
 void Worker::run(const Job& job, const RunControl& control) {
   job.work(control);
   {
-    // Free before the reply: whoever gets it may ask for the next job right away.
+    // Free before the reply, as its receiver may send the next job right away.
     const std::lock_guard<std::mutex> lock(mutex_);
     running_ = false;
     current_.clear();

@@ -1,4 +1,4 @@
-// One job at a time, on a thread of its own.
+// Runs one job at a time on a thread of its own.
 #pragma once
 
 #include <functional>
@@ -11,31 +11,31 @@
 
 namespace collision_hulls {
 
-/// Keeps the node's callbacks free while a robot is decomposed, and two requests from interleaving. Thread safe.
+/// Keeps the node's callbacks free while a job runs, and jobs from interleaving. Thread safe.
 class Worker {
  public:
   struct Job {
-    std::string name;                             ///< what is being worked on, for messages and for cancel()
+    std::string name;                             ///< for messages and for cancel()
     std::function<void(const RunControl&)> work;  ///< must not throw
-    std::function<void()> reply;                  ///< called when the next job may already be started; must not throw
+    std::function<void()> reply;                  ///< runs once the next job may start; must not throw
   };
 
   /// Cancels the job and waits for its end.
   ~Worker();
 
-  /// Starts the job, unless one is running or stop() was called: then it returns false at once and neither function is called.
+  /// Starts the job and returns true. Returns false and calls neither function if a job is running or after stop().
   bool start(Job job);
 
   /// Cancels the running job if it has this name.
   void cancel(const std::string& name);
 
-  /// Cancels the running job, whatever its name, and starts no other one.
+  /// Cancels the running job, whatever its name, and lets no other start.
   void stop();
 
-  /// Name of the running job; empty when there is none.
+  /// The running job's name; empty if there is none.
   std::string current() const;
 
-  /// What to tell whoever's job was not started: "busy: ...".
+  /// The message for a caller whose job was not started: "busy: ...".
   std::string refusal() const;
 
  private:

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <regex>
+#include <set>
 
 #include "collision_hulls/error.h"
 #include "pipeline/fixtures.h"
@@ -371,15 +373,36 @@ TEST_F(DecomposeRobot, ReportsItsSteps) {
   std::vector<Step> steps;
   run(link("a", collision("bracket.obj")) + link("b", collision("rubbish.stl"), "a"), control,
       [&](const Step& step) { steps.push_back(step); });
-  ASSERT_EQ(steps.size(), 3u);
-  EXPECT_EQ(steps[0].item, "a");
-  EXPECT_EQ(steps[1].item, "b");
-  EXPECT_EQ(steps[1].done, 2u);
-  EXPECT_EQ(steps[1].total, 2u);
-  EXPECT_GT(steps[1].hulls, 0u);
-  EXPECT_EQ(steps[2].stage, "validate");
+  std::vector<std::string> stages, items;
+  std::size_t done = 0;
+  double fraction = 0;
+  for (const Step& step : steps) {
+    if (stages.empty() || stages.back() != step.stage) stages.push_back(step.stage);
+    if (step.done > done) items.push_back(step.item);
+    EXPECT_GE(step.done, done);
+    EXPECT_GE(step.fraction, fraction);
+    EXPECT_EQ(step.total, 2u);
+    done = step.done;
+    fraction = step.fraction;
+  }
+  EXPECT_EQ(stages, (std::vector<std::string>{"read", "decompose", "validate"}));
+  EXPECT_EQ(items, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(steps.front().fraction, 0);
+  EXPECT_EQ(steps.back().fraction, 1);
+  EXPECT_GT(steps.back().hulls, 0u);
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_EQ(fractions.back(), 1);
+}
+
+TEST_F(DecomposeRobot, ProgressComesFromWithinAMesh) {
+  RunControl control;
+  std::set<double> within;
+  std::size_t finished = 0;
+  control.progress = [&](double fraction) {
+    if (finished == 0 && fraction > 0 && fraction < 1) within.insert(fraction);
+  };
+  run(link("a", collision("bracket.obj")), control, [&](const Step& step) { finished = step.done; });
+  EXPECT_GE(within.size(), 3u);
 }
 
 TEST_F(DecomposeRobot, Cancelled) {

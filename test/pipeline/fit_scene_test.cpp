@@ -31,9 +31,9 @@ class FitRobotToScene : public ::testing::Test {
   static std::string collision(const std::string& geometry) { return "    <collision>\n      " + geometry + "\n    </collision>\n"; }
   static std::string bracket() { return collision(fixtures::meshTag("../meshes/bracket.obj")); }
 
-  RobotResult run(const std::string& links) {
+  RobotResult run(const std::string& links, const StepCallback& step = {}) {
     const RobotDescription robot = readRobotDescription(fixtures::write(folder_ / "urdf/arm.urdf", fixtures::robot("arm", links)));
-    return fitRobotToScene(robot, defaultPackageFinder(), request_, options_, folder_ / "out");
+    return fitRobotToScene(robot, defaultPackageFinder(), request_, options_, folder_ / "out", {}, step);
   }
 
   TempFolder folder_;
@@ -105,6 +105,20 @@ TEST_F(FitRobotToScene, BlockInTheNotchNeedsTwoHulls) {
   EXPECT_EQ(scene["links"][0]["proved"], false);
   EXPECT_EQ(scene["links"][0]["primitive"], "");
   EXPECT_EQ(scene["links"][0]["reason"], "2 hulls: against block at 30 mm");
+}
+
+TEST_F(FitRobotToScene, TellsHowFarItIs) {
+  options_.validate = true;
+  std::vector<std::string> stages;
+  std::vector<double> fractions;
+  run(fixtures::link("base", bracket()), [&](const Step& step) {
+    if (stages.empty() || stages.back() != step.stage) stages.push_back(step.stage);
+    fractions.push_back(step.fraction);
+  });
+  EXPECT_EQ(stages, (std::vector<std::string>{"read", "decompose", "fit", "certify", "validate"}));
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_EQ(fractions.front(), 0);
+  EXPECT_EQ(fractions.back(), 1);
 }
 
 TEST_F(FitRobotToScene, TwoBoxesReplaceTheHulls) {

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The action: result, feedback, cancel in the middle, and other requests meanwhile."""
+"""The actions: result, feedback, cancel in the middle, and other requests meanwhile."""
 import os
 import unittest
 
@@ -8,7 +8,7 @@ import actionlib
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
-from collision_hulls.msg import DecomposeAction, DecomposeGoal
+from collision_hulls.msg import DecomposeAction, DecomposeGoal, FitSceneAction, FitSceneGoal
 from robots import NODE, decompose
 
 
@@ -17,8 +17,10 @@ class ActionTest(unittest.TestCase):
     def setUpClass(cls):
         # Not a SimpleActionClient: it drops what comes before its send_goal() has returned, as it may for a small robot.
         cls.client = actionlib.ActionClient(NODE + "/decompose_action", DecomposeAction)
-        if not cls.client.wait_for_server(rospy.Duration(30)):
-            raise RuntimeError("no action server")
+        cls.fit_client = actionlib.ActionClient(NODE + "/fit_scene_action", FitSceneAction)
+        for client in (cls.client, cls.fit_client):
+            if not client.wait_for_server(rospy.Duration(30)):
+                raise RuntimeError("no action server")
 
     def setUp(self):
         self.folder = robots.Folder()
@@ -30,9 +32,17 @@ class ActionTest(unittest.TestCase):
         goal = DecomposeGoal(robot_description=robot, output=self.folder.output, **fields)
         return self.client.send_goal(goal, feedback_cb=lambda _, feedback: self.feedback.append(feedback))
 
-    def send_slow(self):
+    def send_fit(self, robot, **fields):
+        """The same to the other action: a scene that the robot is clear of."""
+        with open(self.folder.file("empty.yaml"), "w", encoding="utf-8") as file:
+            file.write("name: nothing\nbodies: []\n")
+        goal = FitSceneGoal(robot_description=robot, output=self.folder.output, scene=self.folder.file("empty.yaml"), clearance=0.01,
+                            samples=200, **fields)
+        return self.fit_client.send_goal(goal, feedback_cb=lambda _, feedback: self.feedback.append(feedback))
+
+    def send_slow(self, send=None):
         """The handle of a goal that is still being worked on when this returns."""
-        handle = self.send(self.folder.slow_robot())
+        handle = (send or self.send)(self.folder.slow_robot())
         self.assertTrue(robots.wait_until(lambda: self.feedback), "no feedback")
         return handle
 
@@ -56,19 +66,57 @@ class ActionTest(unittest.TestCase):
         self.assertEqual([(row.link, row.hulls, row.protrusion) for row in response.links],
                          [(row.link, row.hulls, row.protrusion) for row in result.links])
 
+    def assert_feedback(self, stages):
+        """It goes from 0 to 1 through these stages."""
+        # Messages of two topics: the last feedback may come after the result.
+        self.assertTrue(robots.wait_until(lambda: self.feedback and self.feedback[-1].fraction == 1, 10), "no last feedback")
+        fractions = [step.fraction for step in self.feedback]
+        self.assertEqual(sorted(fractions), fractions)
+        self.assertEqual(0, fractions[0])
+        seen = [step.stage for step in self.feedback]
+        self.assertEqual(stages, [stage for i, stage in enumerate(seen) if i == 0 or seen[i - 1] != stage])
+        self.assertEqual({2}, {step.total for step in self.feedback})
+        self.assertEqual("reading 2 meshes", self.feedback[0].text)
+        self.assertEqual({"arm", "base"}, {step.link for step in self.feedback if step.link})
+
     def test_feedback(self):
         result = self.assert_ends(GoalStatus.SUCCEEDED, self.send(self.folder.small_robot()))
-        # Messages of two topics: the last feedback may come after the result.
-        self.assertTrue(robots.wait_until(lambda: [step.done for step in self.feedback if step.stage == "decompose"] == [1, 2], 10))
-        steps = [step for step in self.feedback if step.stage == "decompose"]
-        self.assertEqual([2, 2], [step.total for step in steps])
-        self.assertEqual(["arm", "base"], sorted(step.link.split()[0] for step in steps))
-        self.assertEqual(sum(row.hulls for row in result.links), steps[-1].hulls)
+        self.assert_feedback(["read", "decompose", "validate"])
+        self.assertEqual(sum(row.hulls for row in result.links), self.feedback[-1].hulls)
+
+    def test_feedback_from_within_a_mesh(self):
+        handle = self.send_slow()
+        self.assertTrue(robots.wait_until(lambda: any(step.done == 0 and step.fraction > 0 for step in self.feedback)), "no such feedback")
+        handle.cancel()
+        self.assert_ends(GoalStatus.PREEMPTED, handle)
+
+    def test_fits_to_a_scene(self):
+        result = self.assert_ends(GoalStatus.SUCCEEDED, self.send_fit(self.folder.small_robot()))
+        self.assertIn('"scene"', result.report)
+        self.assertIn("Adjacent", result.srdf)
+        self.assertIn("'nothing'", result.table)
+        self.assert_feedback(["read", "decompose", "fit", "certify", "validate"])
+
+    def test_cancels_a_fit(self):
+        handle = self.send_slow(self.send_fit)
+        handle.cancel()
+        result = self.assert_ends(GoalStatus.PREEMPTED, handle)
+        self.assertFalse(result.success)
+        self.assertIn("cancelled", result.message)
+        self.assertEqual([], os.listdir(self.folder.results))
+
+    def test_a_fit_keeps_others_out(self):
+        handle = self.send_slow(self.send_fit)
+        self.assert_ends(GoalStatus.REJECTED, self.send(self.folder.small_robot()))
+        handle.cancel()
+        self.assert_ends(GoalStatus.PREEMPTED, handle)
 
     def test_cancel_in_the_middle(self):
         handle = self.send_slow()
         handle.cancel()
-        self.assertFalse(self.assert_ends(GoalStatus.PREEMPTED, handle).success)
+        result = self.assert_ends(GoalStatus.PREEMPTED, handle)
+        self.assertFalse(result.success)
+        self.assertEqual("cancelled; nothing was written", result.message)
         self.assertEqual([], os.listdir(self.folder.results))
         self.assertTrue(decompose(robot_description=self.folder.small_robot(), output=self.folder.output).success)
 

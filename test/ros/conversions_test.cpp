@@ -1,5 +1,6 @@
 #include "ros/conversions.h"
 
+#include <collision_hulls/DecomposeRequest.h>
 #include <gtest/gtest.h>
 
 namespace collision_hulls {
@@ -7,19 +8,19 @@ namespace {
 
 TEST(Summary, NamesEachFailure) {
   Report report;
-  EXPECT_EQ("0 meshes, 0 hulls", summary(report));
+  EXPECT_EQ("0 hulls for 0 meshes", summary(report));
   report.links.resize(2);
   report.links[0].hulls = 3;
   report.links[1].link = "hand";
+  report.links[1].uri = "hand.stl";
   report.links[1].status = Status::kFailed;
   report.links[1].reason = "no such file";
-  EXPECT_EQ("2 meshes, 3 hulls, 1 meshes failed:\nhand (element 0): no such file", summary(report));
-  report.notes = {"mind the gap"};
-  EXPECT_EQ("2 meshes, 3 hulls, 1 meshes failed:\nhand (element 0): no such file\nnote: mind the gap", summary(report));
+  EXPECT_EQ("hand, hand.stl failed: no such file\n3 hulls for 1 mesh, 1 failed", summary(report));
 }
 
 TEST(ToMessage, LinkReport) {
-  ElementReport report;
+  ElementResult element;
+  ElementReport& report = element.report;
   report.link = "arm";
   report.element = 2;
   report.status = Status::kDegraded;
@@ -27,14 +28,68 @@ TEST(ToMessage, LinkReport) {
   report.triangles = 12;
   report.protrusion = 0.002;
   report.seconds = {1, 2, 3, 4, 5};
-  const LinkReport message = toMessage(report);
+  report.worst = {1, 0, 0};
+  report.worst_nearest = {2, 0, 0};
+  element.source.origin = Eigen::Translation3d(0, 0, 3) * Eigen::AngleAxisd(EIGEN_PI / 2, Eigen::Vector3d::UnitZ());
+  const LinkReport message = toMessage(element);
   EXPECT_EQ("arm", message.link);
   EXPECT_EQ(2, message.element);
-  EXPECT_EQ("degraded", message.status);
+  EXPECT_EQ(LinkReport::DEGRADED, message.status);
   EXPECT_EQ("capped", message.reason);
   EXPECT_EQ(12u, message.triangles);
   EXPECT_EQ(0.002, message.protrusion);
   EXPECT_EQ(15, message.seconds);
+  // In the link's frame, beyond the element's origin.
+  EXPECT_NEAR(0, message.worst.x, 1e-15);
+  EXPECT_NEAR(1, message.worst.y, 1e-15);
+  EXPECT_NEAR(3, message.worst.z, 1e-15);
+  EXPECT_NEAR(2, message.worst_nearest.y, 1e-15);
+}
+
+TEST(ToMessage, StatusConstants) {
+  EXPECT_EQ(name(Status::kOk), LinkReport::OK);
+  EXPECT_EQ(name(Status::kDegraded), LinkReport::DEGRADED);
+  EXPECT_EQ(name(Status::kFailed), LinkReport::FAILED);
+}
+
+TEST(ToMessage, MethodConstants) {
+  const std::vector<std::string> constants = {DecomposeRequest::CERTIFIED, DecomposeRequest::HACD, DecomposeRequest::ACD,
+                                              DecomposeRequest::SINGLE_HULL, DecomposeRequest::BOUNDING_BOX};
+  std::vector<std::string> names;
+  for (const Method method : allMethods()) names.emplace_back(name(method));
+  EXPECT_TRUE(std::is_permutation(names.begin(), names.end(), constants.begin(), constants.end()));
+}
+
+TEST(ToMessage, Totals) {
+  Report report;
+  report.seconds = 4;
+  report.links.resize(3);
+  const double protrusions[] = {0.001, 0.003, 0.002};
+  for (std::size_t i = 0; i < 3; ++i) {
+    report.links[i].link = "link" + std::to_string(i);
+    report.links[i].hulls = i;
+    report.links[i].hull_vertices = 10 * i;
+    report.links[i].protrusion = protrusions[i];
+  }
+  report.links[1].status = Status::kDegraded;
+  const RunTotals sums = toTotals(report);
+  EXPECT_EQ(3u, sums.meshes);
+  EXPECT_EQ(3u, sums.hulls);
+  EXPECT_EQ(30u, sums.hull_vertices);
+  EXPECT_EQ(1u, sums.degraded);
+  EXPECT_EQ(0u, sums.failed);
+  EXPECT_EQ(0.003, sums.protrusion);
+  EXPECT_EQ("link1", sums.worst_link);
+  EXPECT_EQ(4, sums.seconds);
+}
+
+TEST(ToMessage, Feedback) {
+  const DecomposeFeedback feedback = toMessage(Step{"decompose", "arm", 1, 4, 7, 0.25, 12});
+  EXPECT_EQ("arm", feedback.link);
+  EXPECT_EQ(0.25, feedback.fraction);
+  EXPECT_EQ(12, feedback.seconds_left);
+  EXPECT_EQ("1 of 4 meshes, 7 hulls, about 15 s left", feedback.text);
+  EXPECT_EQ(-1, toMessage(Step{"read", "", 0, 4, 0, 0, -0.5}).seconds_left);
 }
 
 }  // namespace

@@ -19,10 +19,10 @@ class LifetimeTest(unittest.TestCase):
         self.folder = robots.Folder()
         self.addCleanup(self.folder.remove)
 
-    def start_node(self, robot):
+    def start_node(self, robot, **options):
         rospy.set_param("/robot_description", robot)
         program = roslib.packages.find_node("collision_hulls", "collision_hulls_node")[0]
-        node = subprocess.Popen([program, "_auto:=true", "_cache:=false", "_method:=hacd", "_output:=" + self.folder.output])
+        node = subprocess.Popen([program, "_auto:=true", "_cache:=false", "_method:=hacd", "_output:=" + self.folder.output], **options)
         self.addCleanup(self.end, node)
         rospy.wait_for_service(NODE + "/decompose", timeout=30)
         return node
@@ -63,6 +63,27 @@ class LifetimeTest(unittest.TestCase):
             node.send_signal(interrupt)
             self.assertEqual(0, node.wait(10))
             self.assertEqual([], os.listdir(self.folder.results))
+
+    def test_cancelled_run_is_no_error(self):
+        with open(self.folder.file("log"), "w+", encoding="utf-8") as log:
+            node = self.start_node(self.folder.slow_robot(), stdout=log, stderr=log)
+            node.send_signal(signal.SIGINT)
+            node.wait(10)
+            log.seek(0)
+            lines = log.read()
+        self.assertIn("reading 15 meshes", lines)
+        self.assertIn("cancelled; nothing was written", lines)
+        self.assertNotIn("ERROR", lines)
+
+    def test_one_error_for_one_fault(self):
+        with open(self.folder.file("log"), "w+", encoding="utf-8") as log:
+            node = self.start_node("rubbish", stdout=log, stderr=log)
+            node.send_signal(signal.SIGINT)
+            node.wait(10)
+            log.seek(0)
+            lines = log.read()
+        self.assertEqual(1, lines.count("XML"), lines)
+        self.assertEqual(1, lines.count("ERROR"), lines)
 
     def test_interrupt_during_a_service_call(self):
         node = self.start_node("rubbish")

@@ -8,6 +8,8 @@ import unittest
 import robots
 import rospy
 import rostest
+from collision_hulls.msg import LinkReport
+from collision_hulls.srv import DecomposeRequest
 from robots import NODE, decompose
 
 
@@ -101,6 +103,30 @@ class ServiceTest(unittest.TestCase):
         with open(os.path.join(self.folder.output, "report.json"), encoding="utf-8") as file:
             self.assertEqual(json.load(file)["links"], json.loads(response.report)["links"])
 
+    def test_totals_and_table(self):
+        response = self.decompose_well()
+        totals = response.totals
+        self.assertEqual((2, 2, 32, 0, 0), (totals.links, totals.meshes, totals.triangles, totals.degraded, totals.failed))
+        self.assertEqual(sum(row.hulls for row in response.links), totals.hulls)
+        self.assertEqual(sum(row.hull_vertices for row in response.links), totals.hull_vertices)
+        worst = max(response.links, key=lambda row: row.protrusion)
+        self.assertEqual((worst.link, worst.protrusion), (totals.worst_link, totals.protrusion))
+        self.assertIn("bracket.obj", response.table)
+        self.assertIn("written to " + self.folder.output, response.message)
+
+    def test_worst_point(self):
+        row = self.decompose_well(method="single_hull", links=["base"]).links[0]
+        self.assertEqual(LinkReport.DEGRADED, row.status)
+        apart = sum((getattr(row.worst, axis) - getattr(row.worst_nearest, axis))**2 for axis in "xyz")**0.5
+        self.assertGreater(apart, 0.01)
+        self.assertAlmostEqual(row.protrusion_found, apart, places=6)
+
+    def test_brief(self):
+        response = self.decompose_well(brief=True)
+        self.assertEqual(("", ""), (response.robot_description, response.report))
+        self.assertEqual(2, len(response.links))
+        self.assertTrue(os.path.isfile(response.urdf_path))
+
     def test_description_from_the_parameter(self):
         self.set_parameter("/robot_description", self.robot)
         self.assertEqual(2, len(self.decompose_well(robot_description="").links))
@@ -121,7 +147,7 @@ class ServiceTest(unittest.TestCase):
         self.assertEqual(["arm"], [row.link for row in self.decompose_well(links=["arm", "tip"]).links])
 
     def test_method(self):
-        self.assertEqual([1, 1], [row.hulls for row in self.decompose_well(method="single_hull").links])
+        self.assertEqual([1, 1], [row.hulls for row in self.decompose_well(method=DecomposeRequest.SINGLE_HULL).links])
 
     def test_tolerance(self):
         self.assertEqual(0.004, self.decompose_well(tolerance=0.004).links[0].tolerance)

@@ -117,7 +117,7 @@ TEST_F(DecomposeProgram, ARobotByItsPackageName) {
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.out.find("base"), std::string::npos);
   EXPECT_EQ(result.err.rfind("opening 'arm_description'\nreading 1 mesh of 1 link\n", 0), 0u) << result.err;
-  EXPECT_NE(result.err.find("decompose 1/1"), std::string::npos) << "lines of progress where there is no terminal";
+  EXPECT_EQ(result.err.find('\r'), std::string::npos) << "a bar is for terminals";
   EXPECT_NE(result.out.find("textfile=\"$(find arm_collision)/urdf/arm.urdf\"/>"), std::string::npos) << result.out;
   EXPECT_EQ(fixtures::read(folder_ / "here.json"), fixtures::read(folder_ / "arm_collision/report.json"));
   const json report = json::parse(fixtures::read(folder_ / "here.json"));
@@ -231,6 +231,20 @@ TEST_F(DecomposeProgram, NothingDoneLeavesTheOutputAsItWas) {
   EXPECT_NE(result.err.find("nothing is written"), std::string::npos) << result.err;
   EXPECT_EQ(fixtures::contents(folder_ / "out"), before);
   EXPECT_TRUE(fs::exists(folder_ / "report.json"));
+}
+
+TEST_F(DecomposeProgram, ABarOnATerminal) {
+  const std::string command =
+      "cd '" + folder_.path().string() + "' && script -qec \"" PROGRAMS "/decompose arm/urdf/arm.urdf\" /dev/null > .terminal < /dev/null";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const std::string seen = fixtures::read(folder_ / ".terminal");
+  const std::size_t reading = seen.find("reading arm/urdf/arm.urdf"), bar = seen.find("[....................]   0 %  reading 1 mesh"),
+                    end = seen.find("] 100 %  validating"), table = seen.find("protrusion");
+  EXPECT_LT(reading, bar);
+  EXPECT_LT(bar, end);
+  EXPECT_LT(end, table);
+  EXPECT_NE(table, std::string::npos);
+  EXPECT_EQ(seen.rfind("\r\033[K") + 4, seen.rfind("link ", table)) << "the bar is gone before the table";
 }
 
 // A torus of many triangles: long enough to be interrupted in the middle.

@@ -1,0 +1,121 @@
+#!/usr/bin/python3
+"""decompose_client as a user calls it: table, progress, Ctrl-C, and wrong use."""
+import os
+import pty
+import signal
+import subprocess
+import unittest
+
+import robots
+import roslib.packages
+import rospy
+import rostest
+from actionlib_msgs.msg import GoalStatus, GoalStatusArray
+from robots import NODE, decompose
+
+CLIENT = roslib.packages.find_node("collision_hulls", "decompose_client")[0]
+
+
+class ClientTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = robots.Folder()
+        self.addCleanup(self.folder.remove)
+        rospy.wait_for_service(NODE + "/decompose", timeout=30)
+
+    def urdf(self, text):
+        with open(self.folder.file("robot.urdf"), "w", encoding="utf-8") as file:
+            file.write(text)
+        return self.folder.file("robot.urdf")
+
+    def run_client(self, *arguments):
+        """Its exit status, standard output and standard error."""
+        done = subprocess.run([CLIENT, *arguments], capture_output=True, text=True, check=False)
+        return done.returncode, done.stdout, done.stderr
+
+    def start_slow(self, **options):
+        """A client whose goal is being worked on."""
+        client = subprocess.Popen([CLIENT, self.urdf(self.folder.slow_robot()), "-o", self.folder.output], text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
+        self.addCleanup(self.interrupt, client)
+        self.assertEqual("reading 15 meshes\n", client.stderr.readline())
+        return client
+
+    @staticmethod
+    def interrupt(client):
+        """The node is free afterwards."""
+        if client.poll() is None:
+            client.send_signal(signal.SIGINT)
+            client.communicate()
+
+    def test_table_and_place(self):
+        urdf = self.urdf(self.folder.small_robot())
+        status, out, err = self.run_client(urdf, "-o", self.folder.output, "-t", "1cm,5%")
+        self.assertEqual(0, status, err)
+        response = decompose(robot_description=self.folder.small_robot(), output=self.folder.output, tolerance=0.01, relative_tolerance=0.05)
+        self.assertEqual(response.table.splitlines()[0], out.splitlines()[0])  # others hold times
+        self.assertIn("written to " + self.folder.output, out)
+        self.assertTrue(os.path.isfile(os.path.join(self.folder.output, "report.json")))
+        self.assertEqual("reading 2 meshes", err.splitlines()[0])
+        self.assertNotIn("\r", out + err)
+
+    def test_bar_on_a_terminal(self):
+        master, slave = pty.openpty()
+        self.addCleanup(os.close, master)
+        subprocess.run([CLIENT, self.urdf(self.folder.small_robot()), "-o", self.folder.output], stdout=subprocess.DEVNULL, stderr=slave,
+                       check=True)
+        os.close(slave)
+        seen = os.read(master, 100000).decode()
+        self.assertIn("[....................]   0 %  reading 2 meshes", seen)
+        self.assertTrue(seen.endswith("\r\033[K"), repr(seen[-100:]))
+
+    def test_fits_to_a_scene(self):
+        with open(self.folder.file("empty.yaml"), "w", encoding="utf-8") as file:
+            file.write("name: nothing\nbodies: []\n")
+        urdf = self.urdf(self.folder.small_robot())
+        status, out, err = self.run_client(urdf, "-o", self.folder.output, "--scene", self.folder.file("empty.yaml"), "--clearance", "2cm")
+        self.assertEqual(0, status, err)
+        self.assertIn("'nothing'", out)
+
+    def test_interrupts_cancel(self):
+        for interrupt in (signal.SIGINT, signal.SIGTERM):
+            client = self.start_slow()
+            states = []
+            watch = rospy.Subscriber(NODE + "/decompose_action/status", GoalStatusArray, lambda array: states.append(array.status_list))
+            client.send_signal(interrupt)
+            _, err = client.communicate(timeout=60)
+            self.assertEqual(130, client.returncode)
+            self.assertIn("interrupted; nothing was written", err)
+            # The goal's end is the client's: the node works for nobody now.
+            self.assertNotIn("busy: ", decompose(robot_description="rubbish").message)
+            self.assertTrue(robots.wait_until(lambda: states and states[-1][-1].status == GoalStatus.PREEMPTED), "not preempted")
+            watch.unregister()
+            self.assertEqual([], os.listdir(self.folder.results))
+
+    def test_busy_node(self):
+        self.start_slow()
+        status, out, err = self.run_client(self.urdf(self.folder.small_robot()), "-o", self.folder.output)
+        self.assertEqual((2, ""), (status, out))
+        self.assertIn("busy: ", err)
+
+    def test_failed_mesh(self):
+        urdf = self.urdf(self.folder.small_robot())
+        os.remove(self.folder.file("box.stl"))
+        status, out, _ = self.run_client(urdf, "-o", self.folder.output)
+        self.assertEqual(1, status)
+        self.assertIn("box.stl", out)
+
+    def test_wrong_use(self):
+        urdf = self.urdf(self.folder.small_robot())
+        for arguments, word in (([urdf, "-t", "5x"], "'5x'"), ([urdf, "-t", "1%,2%"], "'1%,2%'"), ([urdf, "-t", "0"], "'0'"),
+                                ([urdf, "-t", "-1mm"], "-t"), ([urdf, "-t", ""], "''"), ([urdf, "--scene", "x.yaml"], "--clearance"),
+                                ([urdf, "--scene", "x.yaml", "--clearance", "5%"], "'5%'"), ([urdf, "-m", "magic"], "'magic'"),
+                                (["nowhere.urdf"], "'nowhere.urdf'"), ([urdf, "--links", "leg"], "'leg'")):
+            status, out, err = self.run_client(*arguments)
+            self.assertEqual((2, ""), (status, out), arguments)
+            self.assertIn(word, err)
+            self.assertNotIn("Traceback", err)
+
+
+if __name__ == "__main__":
+    rospy.init_node("client_test")
+    rostest.rosrun("collision_hulls", "client", ClientTest)

@@ -309,6 +309,19 @@ void drawWorst(const Link& link, double radius, const std::vector<ConvexHull>& h
   addText(millimetres(report.protrusion_found), kTextHeight * radius, "worst", link.name, end, pen, list).color = red;
 }
 
+/// Made smaller by as much as the meshes are.
+void drawOriginalPrimitives(const LinkDescription& link, Source source, Pen& pen, MarkerList& list) {
+  for (const GeometryElement& element : sourceElements(link, source).elements) {
+    if (!isPrimitive(element)) continue;
+    Marker& marker = addPrimitive(element, "original", link.name, pen, list);
+    const double inset = 2 * kInset * localBox(element).diagonal().norm();
+    marker.scale.x -= inset;
+    marker.scale.y -= inset;
+    marker.scale.z -= inset;
+    marker.color = originalColour();
+  }
+}
+
 std::string labelText(const Link& link) {
   double protrusion = 0;
   for (const ElementResult* element : link.elements) protrusion = std::max(protrusion, element->report.protrusion);
@@ -459,7 +472,7 @@ Drawing drawOriginal(const RobotDescription& robot, Source source, const MeshFil
   return drawing;
 }
 
-Drawing drawResult(const RobotResult& result, const Scene* scene, double opacity) {
+Drawing drawResult(const RobotResult& result, const RobotDescription& original, const Scene* scene, double opacity) {
   Drawing drawing;
   if (result.elements.empty() && result.urdf.empty()) return drawing;
   const RobotDescription robot = parseRobotDescription(result.urdf);
@@ -479,6 +492,7 @@ Drawing drawResult(const RobotResult& result, const Scene* scene, double opacity
     drawWorst(link, size.radius, hulls, pen, drawing.protrusion);
     labels.push_back(labelOf(link, description));
   }
+  for (const LinkDescription& link : original.links) drawOriginalPrimitives(link, result.report.options.source, pen, drawing.original);
   drawLabels(labels, size, pen, drawing.labels);
   if (scene) drawing.scene = drawScene(*scene, rootLink(robot));
   return drawing;

@@ -21,7 +21,7 @@ using MarkerList = std::vector<visualization_msgs::Marker>;
 /// are in the root link's frame. The namespace is `<kind>/<link>`; ids count from 0 within a namespace.
 struct Drawing {
   MarkerList hulls;       ///< hulls/: a TRIANGLE_LIST per hull; primitives/: boxes, spheres and cylinders
-  MarkerList original;    ///< original/: a mesh as it was read, grey
+  MarkerList original;    ///< original/: a mesh as it was read, or a primitive; grey
   MarkerList protrusion;  ///< worst/: sphere and arrow at the place of largest protrusion, and its size as text
   MarkerList labels;      ///< labels/: "forearm: 5 hulls, 4.8 mm", with a line to the link
   MarkerList unneeded;    ///< unneeded/: grey, finer hulls that a scene did not need
@@ -44,8 +44,9 @@ RobotBounds robotBounds(const RobotDescription& robot, Source source, const Mesh
 /// The original alone, before anything is computed: each mesh as a MESH_RESOURCE, which rviz reads itself, and the primitives.
 Drawing drawOriginal(const RobotDescription& robot, Source source, const MeshFile& file);
 
-/// A result, with the scene that it was fitted to (null: none). `opacity` is that of the hulls, in [0, 1].
-Drawing drawResult(const RobotResult& result, const Scene* scene, double opacity);
+/// A result, the description that it was made from (for the primitives among the originals), and the scene that it was fitted to (null:
+/// none). `opacity` is that of the hulls, in [0, 1].
+Drawing drawResult(const RobotResult& result, const RobotDescription& original, const Scene* scene, double opacity);
 
 /// A colour for each link: hues spread by the golden ratio, so that neighbours in the list differ most.
 double linkHue(std::size_t link);

@@ -67,6 +67,7 @@ void View::begin(const RobotDescription& robot, Source source, const PackageFind
   Drawing original = drawOriginal(robot, source, file);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    robot_ = robot;
     root_ = rootOf(robot);
     if (!has_result_) put(std::move(original));
   }
@@ -82,8 +83,8 @@ void View::progress(const Step& step) {
 }
 
 void View::show(const RobotResult& result, const Scene* scene) {
-  Drawing drawing = drawResult(result, scene, opacity_);
   const std::lock_guard<std::mutex> lock(mutex_);
+  Drawing drawing = drawResult(result, robot_, scene, opacity_);
   has_result_ = true;
   put(std::move(drawing));
 }

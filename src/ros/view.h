@@ -59,6 +59,7 @@ class View {
   ros::NodeHandle node_;
   double opacity_ = 1;
   bool has_result_ = false;
+  RobotDescription robot_;  // of the run
   std::string root_, progress_text_;
   RobotBounds bounds_;
   std::array<Display, kTopics> displays_;

@@ -57,7 +57,7 @@ std::vector<std::string> names(const MarkerList& markers) {
 using Names = std::vector<std::string>;
 
 TEST(DrawResult, IdsCountWithinANamespace) {
-  const Drawing drawing = drawResult(robot({element("arm", 2), element("arm", 1), element("hand", 1)}), nullptr, 1);
+  const Drawing drawing = drawResult(robot({element("arm", 2), element("arm", 1), element("hand", 1)}), {}, nullptr, 1);
   EXPECT_EQ((Names{"hulls/arm:0", "hulls/arm:1", "hulls/arm:2", "hulls/hand:0", "primitives/hand:0", "primitives/hand:1"}),
             names(drawing.hulls));
   EXPECT_EQ((Names{"original/arm:0", "original/arm:1", "original/hand:0"}), names(drawing.original));
@@ -68,14 +68,14 @@ TEST(DrawResult, IdsCountWithinANamespace) {
 }
 
 TEST(DrawResult, NothingOfNothing) {
-  const Drawing drawing = drawResult({}, nullptr, 1);
+  const Drawing drawing = drawResult({}, {}, nullptr, 1);
   EXPECT_TRUE(drawing.hulls.empty() && drawing.original.empty() && drawing.protrusion.empty() && drawing.labels.empty());
 }
 
 TEST(DrawResult, AFailedMeshHasItsOriginalAlone) {
   RobotResult result = robot({element("arm", 0)});
   result.elements[0].report.protrusion_found = result.elements[0].report.protrusion = 0;
-  const Drawing drawing = drawResult(result, nullptr, 1);
+  const Drawing drawing = drawResult(result, {}, nullptr, 1);
   EXPECT_EQ((Names{"primitives/hand:0", "primitives/hand:1"}), names(drawing.hulls));
   EXPECT_EQ((Names{"original/arm:0"}), names(drawing.original));
   EXPECT_TRUE(drawing.protrusion.empty());
@@ -83,7 +83,7 @@ TEST(DrawResult, AFailedMeshHasItsOriginalAlone) {
 }
 
 TEST(DrawResult, PrimitivesAreDrawnAsTheDescriptionHasThem) {
-  const MarkerList hulls = drawResult(robot({element("arm", 1)}), nullptr, 1).hulls;
+  const MarkerList hulls = drawResult(robot({element("arm", 1)}), {}, nullptr, 1).hulls;
   const Marker &cylinder = hulls[1], &box = hulls[2];
   EXPECT_EQ(Marker::CYLINDER, cylinder.type);
   EXPECT_EQ("hand", cylinder.header.frame_id);
@@ -94,17 +94,25 @@ TEST(DrawResult, PrimitivesAreDrawnAsTheDescriptionHasThem) {
   EXPECT_DOUBLE_EQ(0.2, box.scale.y);
 }
 
+TEST(DrawResult, OriginalPrimitivesAreInsideThoseOfTheModel) {
+  const MarkerList original = drawResult(robot({element("arm", 1)}), parseRobotDescription(kUrdf), nullptr, 1).original;
+  ASSERT_EQ((Names{"original/arm:0", "original/hand:0", "original/hand:1"}), names(original));
+  EXPECT_LT(original[2].scale.x, 0.1);
+  EXPECT_GT(original[2].scale.x, 0.0995);
+}
+
 TEST(DrawResult, AHullThatAPrimitiveStandsInForIsNotDrawn) {
   RobotResult result = robot({element("arm", 3)});
   result.elements[0].primitives.resize(1);
-  EXPECT_EQ((Names{"hulls/arm:0", "hulls/arm:1", "primitives/hand:0", "primitives/hand:1"}), names(drawResult(result, nullptr, 1).hulls));
+  EXPECT_EQ((Names{"hulls/arm:0", "hulls/arm:1", "primitives/hand:0", "primitives/hand:1"}),
+            names(drawResult(result, {}, nullptr, 1).hulls));
 }
 
 TEST(DrawResult, UnneededHullsAreGrey) {
   RobotResult result = robot({element("arm", 1)});
   result.elements[0].unneeded.assign(2, result.elements[0].hulls.front());
   int found = 0;
-  for (const Marker& marker : drawResult(result, nullptr, 1).unneeded) {
+  for (const Marker& marker : drawResult(result, {}, nullptr, 1).unneeded) {
     EXPECT_EQ("unneeded/arm", marker.ns);
     ++found;
     EXPECT_EQ(marker.color.r, marker.color.g);
@@ -115,7 +123,7 @@ TEST(DrawResult, UnneededHullsAreGrey) {
 }
 
 TEST(DrawResult, MarkersAreLockedToTheirLink) {
-  const Drawing drawing = drawResult(robot({element("arm", 1)}), nullptr, 0.5);
+  const Drawing drawing = drawResult(robot({element("arm", 1)}), {}, nullptr, 0.5);
   const Marker& hull = drawing.hulls[0];
   EXPECT_EQ("arm", hull.header.frame_id);
   EXPECT_TRUE(hull.frame_locked);
@@ -127,7 +135,7 @@ TEST(DrawResult, MarkersAreLockedToTheirLink) {
 }
 
 TEST(DrawResult, TheOriginalIsInsideItsSurfaceByLessThanOneSees) {
-  const Drawing drawing = drawResult(robot({element("arm", 1)}), nullptr, 1);
+  const Drawing drawing = drawResult(robot({element("arm", 1)}), {}, nullptr, 1);
   const Marker &hull = drawing.hulls[0], &original = drawing.original[0];
   ASSERT_EQ(hull.points.size(), original.points.size());
   double lowest = 1;
@@ -140,7 +148,7 @@ TEST(DrawResult, TheOriginalIsInsideItsSurfaceByLessThanOneSees) {
 }
 
 TEST(DrawResult, TheArrowEndsAtTheWorstPlaceAndHasItsNumber) {
-  const MarkerList protrusion = drawResult(robot({element("arm", 1)}), nullptr, 1).protrusion;
+  const MarkerList protrusion = drawResult(robot({element("arm", 1)}), {}, nullptr, 1).protrusion;
   ASSERT_EQ(3u, protrusion.size());
   const Marker &sphere = protrusion[0], &arrow = protrusion[1], &text = protrusion[2];
   EXPECT_NEAR(0, sphere.pose.position.x, 1e-12);
@@ -157,7 +165,7 @@ TEST(DrawResult, TheArrowAvoidsOtherHulls) {
   RobotResult result = robot({element("arm", 1), element("hand", 1)});
   for (Eigen::Vector3d& vertex : result.elements[1].original.vertices) vertex = 2 * vertex + Eigen::Vector3d(0.101, -0.1, -0.1);
   result.elements[1].hulls = {convexHull(result.elements[1].original.vertices)};
-  const Marker arrow = drawResult(result, nullptr, 1).protrusion[1];
+  const Marker arrow = drawResult(result, {}, nullptr, 1).protrusion[1];
   const Eigen::Vector3d tail(arrow.points[0].x, arrow.points[0].y, arrow.points[0].z);
   EXPECT_GT(planeDistance(result.elements[1].hulls[0], 0.5 * (tail + Eigen::Vector3d(0.1, 0, 0))), 0);
 }
@@ -165,13 +173,13 @@ TEST(DrawResult, TheArrowAvoidsOtherHulls) {
 TEST(DrawResult, OneArrowForALink) {
   RobotResult result = robot({element("arm", 1), element("arm", 1)});
   result.elements[1].report.protrusion_found = 0.0234;
-  const MarkerList protrusion = drawResult(result, nullptr, 1).protrusion;
+  const MarkerList protrusion = drawResult(result, {}, nullptr, 1).protrusion;
   ASSERT_EQ(3u, protrusion.size());
   EXPECT_EQ("23.4 mm", protrusion[2].text);
 }
 
 TEST(DrawResult, LabelsSayWhatALinkHas) {
-  const MarkerList labels = drawResult(robot({element("arm", 5), element("hand", 1)}), nullptr, 1).labels;
+  const MarkerList labels = drawResult(robot({element("arm", 5), element("hand", 1)}), {}, nullptr, 1).labels;
   ASSERT_EQ(4u, labels.size());
   EXPECT_EQ("arm: 5 hulls, 12.4 mm", labels[0].text);
   EXPECT_EQ("hand: 1 hull, 2 primitives, 12.4 mm", labels[2].text);
@@ -189,7 +197,7 @@ TEST(DrawResult, LabelsNeverOverlap) {
   result.urdf += "</robot>";
   std::map<double, std::vector<double>> columns;  // heights by y
   double height = 0;
-  for (const Marker& marker : drawResult(result, nullptr, 1).labels) {
+  for (const Marker& marker : drawResult(result, {}, nullptr, 1).labels) {
     if (marker.type != Marker::TEXT_VIEW_FACING) continue;
     columns[marker.pose.position.y].push_back(marker.pose.position.z);
     height = marker.scale.z;
@@ -210,7 +218,7 @@ TEST(DrawResult, TheSceneIsOneMarkerInTheRootsFrame) {
     body.pose.translation() = Eigen::Vector3d(5, 0, 0);
     addBody(scene, body);
   }
-  const MarkerList markers = drawResult(robot({element("arm", 1)}), &scene, 1).scene;
+  const MarkerList markers = drawResult(robot({element("arm", 1)}), {}, &scene, 1).scene;
   ASSERT_EQ(1u, markers.size());
   EXPECT_EQ("scene", markers[0].ns);
   EXPECT_EQ("arm", markers[0].header.frame_id);

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What rviz draws of the demo robot: hulls in colours of their own."""
+"""What rviz draws of the demo robot: the original, its links in colours of their own, and a model fitted to a scene."""
 import collections
 import colorsys
 import os
@@ -12,7 +12,7 @@ import rospkg
 import rostest
 
 PROGRAMS = ("Xvfb", "rviz", "import", "convert")
-LEAST_PIXELS = 500  # of a hue, to count as a hull that is seen
+LEAST_PIXELS = 300  # of a hue, to count as a link that is seen
 
 
 class PictureTest(unittest.TestCase):
@@ -25,7 +25,7 @@ class PictureTest(unittest.TestCase):
 
     def take_picture(self, *arguments):
         script = os.path.join(rospkg.RosPack().get_path("collision_hulls"), "scripts", "rviz_picture")
-        return subprocess.run([script, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=150, check=False,
+        return subprocess.run([script, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=330, check=False,
                               universal_newlines=True)
 
     def hues(self, picture):
@@ -39,15 +39,28 @@ class PictureTest(unittest.TestCase):
                 counts[int(12 * hue)] += count
         return counts
 
-    def test_hulls_are_seen_in_colours(self):
+    def test_three_panels(self):
+        """The script itself checks that every link is seen; here, that what it saved has colours, and where."""
         picture = os.path.join(self.folder, "rviz.png")
-        run = self.take_picture("-m", "hacd", "-o", picture)
+        run = self.take_picture("-t", "5%", "-o", picture)
         self.assertEqual(0, run.returncode, run.stdout)
-        counts = self.hues(picture)
-        seen = [hue for hue, count in counts.items() if count >= LEAST_PIXELS]
-        self.assertGreaterEqual(len(seen), 3, counts)
+        hues = []
+        for panel in range(3):
+            part = os.path.join(self.folder, f"{panel}.ppm")
+            subprocess.run(["convert", picture, "-crop", f"440x516+{440 * panel}+0", "+repage", part], check=True)
+            hues.append([hue for hue, count in self.hues(part).items() if count >= LEAST_PIXELS])
+        self.assertEqual([], hues[0])
+        self.assertGreaterEqual(len(hues[1]), 4, hues)
+        self.assertGreaterEqual(len(hues[2]), 4, hues)
 
-    def test_failure_is_told(self):
+    def test_nothing_is_saved_in_too_short_a_time(self):
+        picture = os.path.join(self.folder, "rviz.png")
+        run = self.take_picture("-t", "5%", "-o", picture, "--wait", "0")
+        self.assertEqual(2, run.returncode, run.stdout)
+        self.assertIn("--wait", run.stdout)
+        self.assertFalse(os.path.exists(picture))
+
+    def test_missing_file_is_named(self):
         run = self.take_picture("/nowhere.urdf", "-o", os.path.join(self.folder, "none.png"))
         self.assertEqual(2, run.returncode, run.stdout)
         self.assertIn("/nowhere.urdf", run.stdout)

@@ -292,7 +292,8 @@ void drawWorst(const Link& link, double radius, const std::vector<ConvexHull>& h
   if (worst == link.elements.end() || !((*worst)->report.protrusion_found > 0)) return;
   const ElementReport& report = (*worst)->report;
   const Eigen::Isometry3d& origin = (*worst)->source.origin;
-  const double length = kArrowLength * radius;
+  const double most = kArrowLength * radius;
+  const double length = std::clamp(0.5 * report.diagonal, 0.4 * most, most);
   const auto red = colour(0.85, 0, 0.1, 1);
 
   Marker& sphere = pen.add(list, "worst", link.name, Marker::SPHERE, origin * Eigen::Translation3d(report.worst));
@@ -306,7 +307,7 @@ void drawWorst(const Link& link, double radius, const std::vector<ConvexHull>& h
   arrow.points = {toPoint(report.worst + length * away), toPoint(report.worst)};
   arrow.color = red;
   const Eigen::Isometry3d end(origin * Eigen::Translation3d(report.worst + 1.25 * length * away));
-  addText(millimetres(report.protrusion_found), kTextHeight * radius, "worst", link.name, end, pen, list).color = red;
+  addText(millimetres(report.protrusion_found), kTextHeight * radius * std::max(length / most, 0.7), "worst", link.name, end, pen, list).color = red;
 }
 
 /// Made smaller by as much as the meshes are.

@@ -1,7 +1,10 @@
 #!/usr/bin/python3
 """What rviz draws of the demo robot: the original, its links in colours of their own, and a model fitted to a scene."""
+import argparse
 import collections
 import colorsys
+import importlib.machinery
+import importlib.util
 import os
 import shutil
 import subprocess
@@ -15,6 +18,37 @@ PROGRAMS = ("Xvfb", "rviz", "import", "convert")
 LEAST_PIXELS = 300  # of a hue, to count as a link that is seen
 
 
+SCRIPT = os.path.join(rospkg.RosPack().get_path("collision_hulls"), "scripts", "rviz_picture")
+
+
+class MissingLinksTest(unittest.TestCase):
+    """A red cube before the camera, and pictures of it and of other things."""
+
+    def missing(self, colour):
+        loader = importlib.machinery.SourceFileLoader("rviz_picture", SCRIPT)
+        script = importlib.util.module_from_spec(importlib.util.spec_from_loader("rviz_picture", loader))
+        loader.exec_module(script)
+        cube = script.Marker(ns="primitives/arm", type=script.Marker.CUBE)
+        cube.pose.orientation.w = cube.scale.x = cube.scale.y = cube.scale.z = cube.color.r = 1
+        view = argparse.Namespace(width=100, height=100, distance=3, yaw=0.4, pitch=0.3)
+        camera = script.Camera(view, {"centre": [0, 0, 0], "radius": 1})
+        with tempfile.NamedTemporaryFile(suffix=".ppm") as picture:
+            subprocess.run(["convert", "-size", f"{camera.width}x{camera.height}", "xc:" + colour, picture.name], check=True)
+            return script.missing_links(picture.name, [cube], lambda frame: script.numpy.eye(4), camera)
+
+    def test_red_is_the_cube(self):
+        self.assertEqual([], self.missing("rgb(200,20,20)"))
+
+    def test_the_background_is_not(self):
+        self.assertEqual(["arm"], self.missing("rgb(243,244,246)"))
+
+    def test_another_link_is_not(self):
+        self.assertEqual(["arm"], self.missing("rgb(20,20,200)"))
+
+    def test_an_empty_window_is_not(self):
+        self.assertEqual(["arm"], self.missing("white"))
+
+
 class PictureTest(unittest.TestCase):
     def setUp(self):
         missing = [program for program in PROGRAMS if shutil.which(program) is None]
@@ -24,8 +58,7 @@ class PictureTest(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder)
 
     def take_picture(self, *arguments):
-        script = os.path.join(rospkg.RosPack().get_path("collision_hulls"), "scripts", "rviz_picture")
-        return subprocess.run([script, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=330, check=False,
+        return subprocess.run([SCRIPT, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=330, check=False,
                               universal_newlines=True)
 
     def hues(self, picture):
@@ -68,4 +101,4 @@ class PictureTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    rostest.rosrun("collision_hulls", "picture_test", PictureTest)
+    rostest.rosrun("collision_hulls", "picture_test", "picture_test")  # all of this module

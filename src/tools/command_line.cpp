@@ -5,32 +5,17 @@
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <iostream>
-#include <numeric>
 #include <sstream>
 #include <utility>
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/pipeline/report.h"
+#include "nearest_name.h"
 
 namespace collision_hulls {
 namespace {
 
 namespace po = boost::program_options;
-
-/// The number of letters to insert, leave out or replace, to make one text of the other (Levenshtein's).
-std::size_t editDistance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
 
 std::string shortest(double number) {
   std::ostringstream out;
@@ -180,20 +165,10 @@ void CommandLine::refuse(const std::string& problem) const {
 }
 
 std::string CommandLine::nearest(const std::string& unknown) const {
-  const std::string name = unknown.substr(std::min(unknown.find_first_not_of('-'), unknown.size()));
-  const std::size_t most = std::max<std::size_t>(2, name.size() / 3);  // further away it is another word
-  const Option* best = nullptr;
-  std::size_t least = most + 1;
-  for (const auto& option : options_) {
-    if (option->positional_ || name.size() < 2) continue;
-    const bool begins = option->name_.compare(0, name.size(), name) == 0;
-    const std::size_t distance = begins ? 0 : editDistance(name, option->name_);
-    if (distance < least) {
-      least = distance;
-      best = option.get();
-    }
-  }
-  return best ? "; did you mean --" + best->name_ + "?" : "";
+  std::vector<std::string> names;
+  for (const auto& option : options_)
+    if (!option->positional_) names.push_back("--" + option->name_);
+  return didYouMean("--" + unknown.substr(std::min(unknown.find_first_not_of('-'), unknown.size())), names);
 }
 
 void CommandLine::apply(const Option& option, const Texts& texts) const {

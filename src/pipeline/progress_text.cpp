@@ -3,12 +3,10 @@
 
 #include <cmath>
 
+#include "counted.h"
+
 namespace collision_hulls {
 namespace {
-
-std::string count(std::size_t n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
 
 std::string rounded(double value, double to) {
   return std::to_string(static_cast<long long>(to * std::ceil(value / to)));
@@ -26,11 +24,11 @@ std::string timeLeft(double seconds) {
 }
 
 std::string activity(const Step& step) {
-  if (step.stage == "read") return "reading " + count(step.total, "mesh", "meshes");
+  if (step.stage == "read") return "reading " + counted(step.total, "mesh", "meshes");
   if (step.stage == "fit") return "fitting to the scene";
   if (step.stage == "certify") return "certifying the fitted hulls";
   if (step.stage == "validate") return "validating";
-  return std::to_string(step.done) + " of " + count(step.total, "mesh", "meshes") + ", " + count(step.hulls, "hull", "hulls");
+  return std::to_string(step.done) + " of " + counted(step.total, "mesh", "meshes") + ", " + counted(step.hulls, "hull");
 }
 
 }  // namespace

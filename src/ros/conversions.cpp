@@ -72,8 +72,7 @@ std::string summary(const Report& report) {
   const auto count = [](std::size_t n, const char* one, const char* many) { return std::to_string(n) + " " + (n == 1 ? one : many); };
   const Totals sums = totals(report);
   std::string text;
-  for (const ElementReport& row : report.links)
-    if (row.status == Status::kFailed) text += row.link + ", " + row.uri + " failed: " + row.reason + "\n";
+  for (const std::string& failure : failures(report)) text += failure + "\n";
   return text + count(sums.hulls, "hull", "hulls") + " for " + count(sums.meshes - sums.failed, "mesh", "meshes") +
          (sums.failed > 0 ? ", " + std::to_string(sums.failed) + " failed" : "");
 }

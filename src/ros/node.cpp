@@ -46,8 +46,9 @@ Response written(RobotResult& result, const std::string& output, bool brief, con
   Response response;
   response.success = !anyFailed(result.report);
   response.message = summary(result.report);
+  std::string how_to_use;
   if (writeOutput(result, output, control)) {
-    response.message += ", written to " + output;
+    how_to_use = "\n" + howToUse(result, output);
     response.urdf_path = std::filesystem::directory_iterator(output + "/urdf")->path().string();  // the only file there
   } else {
     response.message += "; nothing was written";
@@ -61,6 +62,7 @@ Response written(RobotResult& result, const std::string& output, bool brief, con
   response.links = toMessages(result);
   ROS_LOG(response.success ? ros::console::levels::Info : ros::console::levels::Warn, ROSCONSOLE_DEFAULT_NAME, "%s",
           response.message.c_str());
+  response.message += how_to_use;
   return response;
 }
 

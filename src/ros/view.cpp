@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "collision_hulls/pipeline/progress_text.h"
 #include "parameters.h"
 
 namespace collision_hulls {
@@ -34,14 +35,6 @@ std::string rootOf(const RobotDescription& robot) {
 }
 
 }  // namespace
-
-std::string progressText(const Step& step) {
-  std::string text = step.stage;
-  if (step.fraction > 0) text += ": " + std::to_string(std::lround(100 * std::min(step.fraction, 1.0))) + " %";
-  if (step.total > 0) text += ", " + std::to_string(step.done) + " of " + std::to_string(step.total) + " meshes";
-  if (step.hulls > 0) text += ", " + std::to_string(step.hulls) + " hulls";
-  return text;
-}
 
 StepCallback ViewedRun::shown(StepCallback step) const {
   return [&view = view_, step = std::move(step)](const Step& now) {
@@ -79,7 +72,7 @@ void View::begin(const RobotDescription& robot, Source source, const PackageFind
 
 void View::progress(const Step& step) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  putProgress(progressText(step));
+  putProgress(progressLine(step));
 }
 
 void View::show(const RobotResult& result, const Scene* scene) {

@@ -86,7 +86,4 @@ class ViewedRun {
   View& view_;
 };
 
-/// The text above the robot: "decompose: 43 %, 12 of 17 meshes, 210 hulls".
-std::string progressText(const Step& step);
-
 }  // namespace collision_hulls

@@ -147,7 +147,9 @@ inline int runRobotCommand(const RobotCommand& command, const RobotWork& work) {
   const std::string output = command.output.empty() ? defaultOutput(input) : command.output;
   checkOutput(output);
   if (isFile(command.json)) inContext("--json", [&] { checkBeside(command.json, output); });
-  RobotResult result = work(input, output, control, [&](const Step& step) { display.step(step); });
+  RobotResult result = work(input, output, control, [&](const Step& step) {
+    if (step.stage != "read") display.step(step);  // opened() has said so
+  });
   display.clear();
   const bool written = writeEverything(result, command, output, control);
 

@@ -53,7 +53,7 @@ class ClientTest(unittest.TestCase):
         self.assertEqual(0, status, err)
         response = decompose(robot_description=self.folder.small_robot(), output=self.folder.output, tolerance=0.01, relative_tolerance=0.05)
         self.assertEqual(response.table.splitlines()[0], out.splitlines()[0])  # others hold times
-        self.assertIn("written to " + self.folder.output, out)
+        self.assertIn("Written to " + self.folder.output, out)
         self.assertTrue(os.path.isfile(os.path.join(self.folder.output, "report.json")))
         self.assertEqual("reading 2 meshes", err.splitlines()[0])
         self.assertNotIn("\r", out + err)

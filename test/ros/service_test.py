@@ -112,7 +112,7 @@ class ServiceTest(unittest.TestCase):
         worst = max(response.links, key=lambda row: row.protrusion)
         self.assertEqual((worst.link, worst.protrusion), (totals.worst_link, totals.protrusion))
         self.assertIn("bracket.obj", response.table)
-        self.assertIn("written to " + self.folder.output, response.message)
+        self.assertIn("Written to " + self.folder.output, response.message)
 
     def test_worst_point(self):
         row = self.decompose_well(method="single_hull", links=["base"]).links[0]

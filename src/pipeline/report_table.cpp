@@ -19,10 +19,12 @@ namespace {
 using Cells = std::vector<std::string>;
 constexpr std::size_t kTextColumns = 2;  // link and mesh are aligned left, numbers right
 
-/// Three significant digits, never an exponent: 0.00123, 1.23, 123, 12345.
+/// Three significant digits, fewer below 0.01, and never an exponent: 0.0012, 1.23, 123, 12345.
 std::string figure(double value) {
-  constexpr int kMostDecimals = 6;
-  const double magnitude = std::abs(value) > 0 ? std::floor(std::log10(std::abs(value))) : 2;
+  constexpr int kMostDecimals = 4;
+  constexpr double kLeast = 0.00005;  // what they can show
+  if (std::abs(value) < kLeast) return "0";
+  const double magnitude = std::floor(std::log10(std::abs(value)));
   const int decimals = std::isfinite(magnitude) ? std::clamp(2 - static_cast<int>(magnitude), 0, kMostDecimals) : 0;
   char text[400];
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
@@ -115,10 +117,11 @@ std::string meshTable(const Report& report) {
 std::string legend(const Report& report) {
   if (report.links.empty() || allFailed(report)) return "";
   const auto cached = std::count_if(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.cached; });
-  return "The hulls cover the whole surface of their mesh; no point of them is further from it than the protrusion. The total's time is "
-         "the "
-         "run's" +
-         std::string(cached > 0 ? "; " + counted(static_cast<std::size_t>(cached), "mesh", "meshes") + " came from the cache" : "") + ".\n";
+  const std::string from_cache =
+      cached > 0 ? "; " + counted(static_cast<std::size_t>(cached), "mesh", "meshes") + " came from the cache" : "";
+  return "The hulls cover the whole surface of their mesh, and no point of them is further from it than the protrusion.\n"
+         "Meshes are worked on in parallel: the total time is that of the run" +
+         from_cache + ".\n";
 }
 
 /// The reason of the first degraded row: the others are of its kind, and in the report.

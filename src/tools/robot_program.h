@@ -129,7 +129,6 @@ inline Input opened(const RobotCommand& command) {
   if (!command.quiet && !is_quick) std::cerr << "opening '" << command.input << "'\n";
   Input input = openInput(command.input, command.package_path, command.program);
   checkSuits(input, command.options);
-  if (!command.quiet) std::cerr << "reading " << workOn(input, command.options) << "\n";
   return input;
 }
 
@@ -147,8 +146,10 @@ inline int runRobotCommand(const RobotCommand& command, const RobotWork& work) {
   const std::string output = command.output.empty() ? defaultOutput(input) : command.output;
   checkOutput(output);
   if (isFile(command.json)) inContext("--json", [&] { checkBeside(command.json, output); });
+  const std::string work_ahead = workOn(input, command.options);
+  if (!command.quiet) std::cerr << "reading " << work_ahead << "\n";
   RobotResult result = work(input, output, control, [&](const Step& step) {
-    if (step.stage != "read") display.step(step);  // opened() has said so
+    if (step.stage != "read") display.step(step);  // said already
   });
   display.clear();
   const bool written = writeEverything(result, command, output, control);

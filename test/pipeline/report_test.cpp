@@ -124,7 +124,7 @@ TEST(ReportTable, ARowForEveryMeshAndTheirTotal) {
   report.validation.hull_query_us = 2.345;
   report.validation.mesh_query_us = 123.456;
   const std::vector<std::string> table = lines(toTable(report));
-  ASSERT_EQ(table.size(), 11u);
+  ASSERT_EQ(table.size(), 12u);
   EXPECT_EQ(table[0], "link   mesh                triangles  hulls  vertices  protrusion [mm]  tolerance [mm]  time [s]  status");
   EXPECT_EQ(table[1], "upper  upper.stl                  12      3        24              333             300         0  ok");
   EXPECT_EQ(table[2], "upper  upper.stl                  12      3        24              333             300         0  degraded");
@@ -133,13 +133,13 @@ TEST(ReportTable, ARowForEveryMeshAndTheirTotal) {
       table[4],
       "total  3 meshes of 2 links         24      6        48              333                      1.50  1 ok, 1 degraded, 1 failed");
   EXPECT_EQ(table[5].rfind("The hulls cover the whole surface", 0), 0u);
-  EXPECT_EQ(table[6], "degraded: upper, upper.stl: too far");
-  EXPECT_EQ(table[7],
+  EXPECT_EQ(table[7], "degraded: upper, upper.stl: too far");
+  EXPECT_EQ(table[8],
             "check: 400 queries compared hulls and meshes: 1 collision missed, no false collision beyond the protrusion; "
             "distances at most 12.3 mm too short");
-  EXPECT_EQ(table[8], "  a remark");
-  EXPECT_EQ(table[9], "speed: a distance query takes 2.35 us with the hulls, 123 us with the meshes");
-  EXPECT_EQ(table[10], "note: a note");
+  EXPECT_EQ(table[9], "  a remark");
+  EXPECT_EQ(table[10], "speed: a distance query takes 2.35 us with the hulls, 123 us with the meshes");
+  EXPECT_EQ(table[11], "note: a note");
 }
 
 TEST(ReportTable, FaultsOfFclAndTheCache) {

@@ -28,7 +28,7 @@ TEST_F(ResolveUri, UnknownPackage) {
   expectError(ErrorCode::kPackageNotFound, {"'leg'", "package://leg/x.stl", "--package-path leg=DIR"},
               [&] { resolve("package://leg/x.stl"); });
   expectError(ErrorCode::kPackageNotFound, {"''"}, [&] { resolve("package://"); });
-  expectError(ErrorCode::kPackageNotFound, {"'arm'"}, [&] { resolveUri("package://arm/meshes/a b.stl", base_, nullptr); });
+  expectError(ErrorCode::kPackageNotFound, {"'arm'"}, [&] { resolveUri("package://arm/meshes/a b.stl", "", nullptr); });
 }
 
 TEST_F(ResolveUri, MissingFile) {

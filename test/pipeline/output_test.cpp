@@ -123,7 +123,7 @@ TEST(WriteOutput, ThePackagesName) {
   };
   EXPECT_EQ(name("my_robot_collision"), "my_robot_collision");
   EXPECT_EQ(name("deep/cell/"), "cell");
-  EXPECT_EQ(name("cell/../My Robot"), "my_robot") << "made legal";
+  EXPECT_EQ(name("deep/../My Robot"), "my_robot") << "made legal";
   result.report.options.package_name = "another";
   EXPECT_EQ(name("my_robot_collision"), "another");
 }

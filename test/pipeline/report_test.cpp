@@ -125,10 +125,10 @@ TEST(ReportTable, ARowForEveryMeshAndTheirTotal) {
   report.validation.mesh_query_us = 123.456;
   const std::vector<std::string> table = lines(toTable(report));
   ASSERT_EQ(table.size(), 12u);
-  EXPECT_EQ(table[0], "link   mesh                triangles  hulls  vertices  protrusion [mm]  tolerance [mm]  time [s]  status");
-  EXPECT_EQ(table[1], "upper  upper.stl                  12      3        24              333             300         0  ok");
-  EXPECT_EQ(table[2], "upper  upper.stl                  12      3        24              333             300         0  degraded");
-  EXPECT_EQ(table[3], "lower                              -      -         -                -               -         0  failed");
+  EXPECT_EQ(table[0], "link   mesh                 triangles  hulls  vertices  protrusion [mm]  tolerance [mm]  time [s]  status");
+  EXPECT_EQ(table[1], "upper  upper.stl                   12      3        24              333             300         0  ok");
+  EXPECT_EQ(table[2], "upper  upper.stl                   12      3        24              333             300         0  degraded");
+  EXPECT_EQ(table[3], "lower                               -      -         -                -               -         0  failed");
   EXPECT_EQ(
       table[4],
       "total  3 meshes of 2 links         24      6        48              333                      1.50  1 ok, 1 degraded, 1 failed");

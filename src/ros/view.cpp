@@ -8,8 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "annotations.h"
 #include "collision_hulls/pipeline/progress_text.h"
-#include "parameters.h"
 
 namespace collision_hulls {
 namespace {
@@ -78,6 +78,8 @@ void View::progress(const Step& step) {
 void View::show(const RobotResult& result, const Scene* scene) {
   const std::lock_guard<std::mutex> lock(mutex_);
   Drawing drawing = drawResult(result, robot_, scene, opacity_);
+  if (scene && !scene->bodies.empty() && drawing.scene.empty())
+    ROS_WARN("the scene '%s' is not shown: it has more than %zu triangles", scene->name.c_str(), kMostSceneTriangles);
   has_result_ = true;
   put(std::move(drawing));
 }

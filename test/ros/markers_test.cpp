@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "collision_hulls/error.h"
+#include "ros/annotations.h"
 
 namespace collision_hulls {
 namespace {

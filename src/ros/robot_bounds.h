@@ -1,0 +1,40 @@
+// How large a robot is, for its camera and its texts.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <string>
+
+#include "collision_hulls/pipeline/decompose_robot.h"
+
+namespace collision_hulls {
+
+/// A sphere around the robot with all joints at zero, in the root link's frame.
+struct RobotBounds {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double radius = 0;  ///< [m]
+  double top = 0;     ///< [m] largest z
+};
+
+/// The file that the URI of a mesh means; throws Error where it means none.
+using MeshFile = std::function<std::string(const std::string& uri)>;
+
+/// The bounds of the elements that `source` selects. Reads their meshes; a mesh that cannot be read counts as the point of its origin.
+RobotBounds robotBounds(const RobotDescription& robot, Source source, const MeshFile& file);
+
+/// The bounds of a result's original meshes.
+RobotBounds robotBounds(const RobotResult& result);
+
+/// Whether an element is a box, a sphere or a cylinder.
+bool isPrimitive(const GeometryElement& element);
+
+/// The box about a primitive, in its own frame.
+Eigen::AlignedBox3d localBox(const GeometryElement& element);
+
+/// The box about a box that is moved.
+Eigen::AlignedBox3d moved(const Eigen::AlignedBox3d& box, const Eigen::Isometry3d& pose);
+
+/// The box of an element's original in the root link's frame.
+Eigen::AlignedBox3d rootBox(const ElementResult& element);
+
+}  // namespace collision_hulls

@@ -40,7 +40,7 @@ class MissingLinksTest(unittest.TestCase):
         self.assertEqual([], self.missing("rgb(200,20,20)"))
 
     def test_the_background_is_not(self):
-        self.assertEqual(["arm"], self.missing("rgb(243,244,246)"))
+        self.assertEqual(["arm"], self.missing("rgb(244,244,244)"))
 
     def test_another_link_is_not(self):
         self.assertEqual(["arm"], self.missing("rgb(20,20,200)"))

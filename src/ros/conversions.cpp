@@ -3,6 +3,7 @@
 
 #include "collision_hulls/pipeline/progress_text.h"
 #include "collision_hulls/pipeline/totals.h"
+#include "pen.h"
 
 namespace collision_hulls {
 

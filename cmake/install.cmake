@@ -10,7 +10,7 @@ install(TARGETS ${PROJECT_NAME}
   RUNTIME DESTINATION ${CATKIN_GLOBAL_BIN_DESTINATION})
 install(TARGETS ${PROGRAMS} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(DIRECTORY include/${PROJECT_NAME}/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
-install(FILES completion.bash DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+install(FILES scripts/completion.bash DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 install(DIRECTORY launch meshes rviz urdf DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION} PATTERN source EXCLUDE)
 catkin_install_python(PROGRAMS scripts/benchmark_charts scripts/decompose_client scripts/physics_charts scripts/rviz_at_root scripts/rviz_picture scripts/scene_charts
   scripts/stability_charts

@@ -57,7 +57,7 @@ done
 unset _collision_hulls_program
 
 # What completes rosrun so far, which is rosbash's if that was sourced before.
-_collision_hulls_found=$(complete -p rosrun 2> /dev/null | sed -n 's/.* -F \([^ ]*\) rosrun$/\1/p')
+_collision_hulls_found=$(complete -p rosrun 2> /dev/null | sed -n 's/.* -F \([^ ]*\) rosrun$/\1/p' || true) # safe under set -e -o pipefail
 [[ $_collision_hulls_found == _collision_hulls_rosrun ]] || _collision_hulls_rosrun_before=$_collision_hulls_found
 unset _collision_hulls_found
 complete -F _collision_hulls_rosrun rosrun

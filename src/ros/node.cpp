@@ -49,7 +49,7 @@ Response written(RobotResult& result, const std::string& output, bool brief, con
   std::string how_to_use;
   if (writeOutput(result, output, control)) {
     how_to_use = "\n" + howToUse(result, output);
-    how_to_use.pop_back();  // its last line's end
+    how_to_use.pop_back();                                                                        // its last line's end
     response.urdf_path = std::filesystem::directory_iterator(output + "/urdf")->path().string();  // the only file there
   } else {
     response.message += "; nothing was written";

@@ -50,9 +50,7 @@ void addOptions(CommandLine& app, Command& command) {
   app.add_option("--max-vertices", options.max_vertices, "Cap on the vertices of a method's hull, at least 8; 0: no cap")
       ->type_name("N [64]");
   app.add_option("-o,--output", options.folder, "Output folder; files of an earlier run there are replaced")->type_name("DIR")->required();
-  app.add_option("--repeat", options.repeat, "Runs per row; times and memory are their medians")
-      ->type_name("N [1]")
-      ->check(range(1, 1000));
+  app.add_option("--repeat", options.repeat, "Runs per row; times and memory are their medians")->type_name("N [1]")->check(range(1, 1000));
   app.add_option("--time-limit", options.time_limit, "Per run, in seconds")->type_name("S [60]")->check(range(0.1, 1e6));
   app.add_option("--peer", command.peers,
                  "Also measure another program, NAME='command {in} {out} {tolerance}': reads OBJ, writes OBJ with one object per hull, in "

@@ -42,8 +42,7 @@ void addOptions(CommandLine& app, Command& command) {
   app.add_option("--grip", command.robot, "A robot with the demo robot's gripper, which closes on a box")->type_name("ROBOT");
   app.add_option("--poses", options.poses, "Poses per mesh at most, the most stable first")->type_name("N [2]")->check(range(1, 100));
   app.add_option("--time-limit", options.time_limit, "Per run, in seconds")->type_name("S [120]")->check(range(0.1, 1e6));
-  app.add_option("--peer", command.peers, "Also measure another program, as for benchmark")
-      ->type_name("NAME[=COMMAND]");
+  app.add_option("--peer", command.peers, "Also measure another program, as for benchmark")->type_name("NAME[=COMMAND]");
   app.add_option("--seed", options.seed, "Seed of everything random in the methods")->type_name("N [1]");
   app.add_flag_callback(
       "--no-charts", [&command] { command.charts = false; }, "Do not draw charts or write index.html");

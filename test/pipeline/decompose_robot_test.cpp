@@ -173,7 +173,7 @@ TEST_F(DecomposeRobot, NotesUrisThatNowResolveElsewhere) {
     EXPECT_TRUE(notes(link("base", absolute + collision("box.obj"))).empty()) << "a URI that is replaced needs no note";
     const auto kept = notes(link("base", visual("box.obj") + visual("box.obj", "2 2 2") + collision("box.obj")));
     ASSERT_EQ(kept.size(), 1u);
-    EXPECT_EQ(kept[0].rfind("1 mesh URIs", 0), 0u) << kept[0];
+    EXPECT_EQ(kept[0].rfind("1 mesh URI is", 0), 0u) << kept[0];
     for (const std::string part : {"'../meshes/box.obj'", "out/urdf/arm.urdf'", "package://"})
       EXPECT_NE(kept[0].find(part), std::string::npos) << kept[0];
   }

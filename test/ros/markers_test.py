@@ -105,7 +105,7 @@ class MarkersTest(unittest.TestCase):
         text = self.folder.small_robot().replace("bracket.obj", "no.obj").replace("box.stl", "no.stl")
         failed = decompose(robot_description=text, output=self.folder.output)
         self.assertFalse(failed.success)
-        self.assertIn("nothing is written", failed.message)
+        self.assertIn("nothing was written", failed.message)
         self.assertEqual(len(markers), len(latched_markers()) - 1)
         self.assertEqual(response.robot_description, rospy.get_param(NODE + "/robot_description"))
 

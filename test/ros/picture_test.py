@@ -58,8 +58,10 @@ class PictureTest(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder)
 
     def take_picture(self, *arguments):
+        # As in a shell that has sourced setup.bash: tests have the source folder on the path instead.
+        environment = dict(os.environ, ROS_PACKAGE_PATH=os.environ["CMAKE_PREFIX_PATH"].split(os.pathsep)[0] + "/share")
         return subprocess.run([SCRIPT, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=330, check=False,
-                              universal_newlines=True)
+                              universal_newlines=True, env=environment)
 
     def hues(self, picture):
         """How many pixels are of each of twelve hues; pale and dark ones left out."""

@@ -34,7 +34,9 @@ TEST(YamlScene, MeshesInPackages) {
   const PackageFinder finder = [&](const std::string& name) { return name == "cell" ? std::optional(folder.path("cell")) : std::nullopt; };
   const std::string file = folder.write("a.yml", "bodies:\n- {name: a, mesh: 'package://cell/meshes/t.obj'}");
   EXPECT_EQ(readScene(file, finder).bodies.size(), 1u);
-  expectError(ErrorCode::kPackageNotFound, {"line 2", "'a'", "cell"}, [&] { readScene(file, noPackages()); });
+  const TemporaryFolder elsewhere;  // packages beside the scene are found without a finder's help
+  const std::string alone = elsewhere.write("a.yml", "bodies:\n- {name: a, mesh: 'package://cell/meshes/t.obj'}");
+  expectError(ErrorCode::kPackageNotFound, {"line 2", "'a'", "cell"}, [&] { readScene(alone, noPackages()); });
 }
 
 TEST(YamlScene, ErrorsNameTheFaultAndTheLine) {

@@ -32,8 +32,8 @@ class CachedProgram : public ::testing::Test {
   pid_t start(const std::string& out, const char* option = "--quiet") {
     const pid_t child = fork();
     if (child > 0) return child;
-    execl(PROGRAMS "/decompose", "decompose", (folder_ / "arm.urdf").c_str(), "--quiet", option, "-o", (folder_ / out).c_str(),
-          static_cast<char*>(nullptr));
+    execl(PROGRAMS "/decompose", "decompose", (folder_ / "arm.urdf").c_str(), "--quiet", option, "--package-name=arm_hulls", "-o",
+          (folder_ / out).c_str(), static_cast<char*>(nullptr));
     _exit(99);
   }
 

@@ -69,9 +69,9 @@ TEST_F(CommandLineTest, ValuesMayBeginWithADash) {
 }
 
 TEST_F(CommandLineTest, AnUnknownOptionSuggestsTheNearest) {
-  expectRefused({"in", "--ouptut", "out"}, "there is no option --ouptut; did you mean --output?");
-  expectRefused({"in", "--out", "out"}, "there is no option --out; did you mean --output?");
-  expectRefused({"in", "--counts=3"}, "there is no option --counts; did you mean --count?");
+  expectRefused({"in", "--ouptut", "out"}, "there is no option --ouptut; did you mean '--output'?");
+  expectRefused({"in", "--out", "out"}, "there is no option --out; did you mean '--output'?");
+  expectRefused({"in", "--counts=3"}, "there is no option --counts; did you mean '--count'?");
   expectRefused({"in", "--velocity", "3"}, "there is no option --velocity");
   expectRefused({"in", "-x"}, "there is no option -x");
 }

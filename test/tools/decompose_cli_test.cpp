@@ -238,7 +238,7 @@ TEST_F(DecomposeProgram, ABarOnATerminal) {
       "cd '" + folder_.path().string() + "' && script -qec \"" PROGRAMS "/decompose arm/urdf/arm.urdf\" /dev/null > .terminal < /dev/null";
   ASSERT_EQ(std::system(command.c_str()), 0);
   const std::string seen = fixtures::read(folder_ / ".terminal");
-  const std::size_t reading = seen.find("reading arm/urdf/arm.urdf"), bar = seen.find("[....................]   0 %  reading 1 mesh"),
+  const std::size_t reading = seen.find("reading 1 mesh of 1 link"), bar = seen.find("[....................]   0 %  0 of 1 mesh"),
                     end = seen.find("] 100 %  validating"), table = seen.find("protrusion");
   EXPECT_LT(reading, bar);
   EXPECT_LT(bar, end);

@@ -70,7 +70,7 @@ TEST_F(FitSceneProgram, FitsAndReports) {
   const Finished result = run("arm.urdf --scene notch.yaml --clearance 1cm --samples 50 --json r.json --compare c.csv --no-validate");
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.out.find("base: 2 boxes: against block at 30 mm"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("scene 'notch': 2 primitives in place of 2 hulls for a clearance of 10 mm"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("scene 'notch': 2 primitives in place of 2 hulls for a clearance of 10.0 mm"), std::string::npos) << result.out;
   EXPECT_EQ(json::parse(fixtures::read(folder_ / "r.json"))["scene"]["missed"], 0);
   const std::string csv = fixtures::read(folder_ / "c.csv");
   EXPECT_EQ(csv.rfind("robot,scene,clearance,model,", 0), 0u);

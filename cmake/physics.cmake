@@ -18,6 +18,7 @@ if(CATKIN_ENABLE_TESTING)
   if(DART_FOUND)
     file(GLOB physics_tests CONFIGURE_DEPENDS test/physics/*_test.cpp)
     catkin_add_gtest(physics_test ${physics_tests})
+    set_target_properties(physics_test PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")  # not among the programs
     target_include_directories(physics_test PRIVATE test)
     target_link_libraries(physics_test physics_room gtest_main)
     target_compile_definitions(physics_test PRIVATE DEMO_ROBOT="${CMAKE_CURRENT_SOURCE_DIR}")

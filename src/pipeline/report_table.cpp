@@ -117,11 +117,10 @@ std::string meshTable(const Report& report) {
 std::string legend(const Report& report) {
   if (report.links.empty() || allFailed(report)) return "";
   const auto cached = std::count_if(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.cached; });
-  const std::string from_cache =
-      cached > 0 ? "; " + counted(static_cast<std::size_t>(cached), "mesh", "meshes") + " came from the cache" : "";
-  return "The hulls cover the whole surface of their mesh, and no point of them is further from it than the protrusion.\n"
-         "Meshes are worked on in parallel: the total time is that of the run" +
-         from_cache + ".\n";
+  std::string text = "The hulls cover the whole surface of their mesh, and no point of them is further from it than the protrusion.\n";
+  if (report.links.size() > 1) text += "Meshes are worked on in parallel: the total time is that of the run.\n";
+  if (cached > 0) text += counted(static_cast<std::size_t>(cached), "mesh", "meshes") + " came from the cache.\n";
+  return text;
 }
 
 /// The reason of the first degraded row: the others are of its kind, and in the report.

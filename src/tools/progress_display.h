@@ -18,14 +18,9 @@ class ProgressDisplay {
   explicit ProgressDisplay(bool quiet) : quiet_(quiet), bar_(!quiet && isatty(STDERR_FILENO)) {}
   ~ProgressDisplay() { clear(); }
 
-  /// Says what goes on before the first step.
-  void say(const std::string& text) const {
-    if (quiet_) return;
-    std::fprintf(stderr, bar_ ? "\r\033[K%s" : "%s\n", text.c_str());
-  }
-
   void step(const Step& step) {
     if (bar_) {
+      drawn_ = true;
       draw(step);
     } else if (!quiet_ && is_due_()) {
       std::fprintf(stderr, "%s\n", progressLine(step).c_str());
@@ -33,8 +28,9 @@ class ProgressDisplay {
   }
 
   /// Takes the bar away, so that other text can be written.
-  void clear() const {
-    if (bar_) std::fputs("\r\033[K", stderr);
+  void clear() {
+    if (drawn_) std::fputs("\r\033[K", stderr);
+    drawn_ = false;
   }
 
  private:
@@ -54,7 +50,7 @@ class ProgressDisplay {
     std::fprintf(stderr, "\r\033[K%s", line.substr(0, columns() - 1).c_str());
   }
 
-  bool quiet_, bar_;
+  bool quiet_, bar_, drawn_ = false;
   Throttle is_due_;
 };
 

@@ -1,4 +1,4 @@
-// Boxes of meshes and primitives, put together where the links are with all joints at zero.
+// Boxes of meshes and primitives, put together where the links are when the robot is first shown.
 #include "robot_bounds.h"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
+#include "collision_hulls/robot/kinematics.h"
 
 namespace collision_hulls {
 namespace {
@@ -27,6 +28,21 @@ Eigen::AlignedBox3d readBox(const GeometryElement& element, const MeshFile& file
     return boundingBox(scaled(readMesh(file(element.uri)).mesh, element.scale));
   } catch (const Error&) {
     return point;  // the run itself reports what is wrong with the mesh
+  }
+}
+
+/// Where joint_state_publisher puts the links at first: joints at zero, or in the middle of their limits if these exclude zero.
+std::vector<Eigen::Isometry3d> firstPoses(const RobotDescription& robot) {
+  try {
+    const Kinematics joints(robot);
+    Configuration first;
+    for (const JointVariable& joint : joints.variables())
+      first.push_back(joint.lower <= 0 && joint.upper >= 0 ? 0 : 0.5 * (joint.lower + joint.upper));
+    return joints.poses(first);
+  } catch (const Error&) {  // joints that mimic nothing that moves: with all of them at zero, as they were read
+    std::vector<Eigen::Isometry3d> poses;
+    for (const LinkDescription& link : robot.links) poses.push_back(link.pose);
+    return poses;
   }
 }
 
@@ -59,14 +75,16 @@ Eigen::AlignedBox3d rootBox(const ElementResult& element) {
 RobotBounds robotBounds(const RobotDescription& robot, Source source, const MeshFile& file) {
   std::map<std::pair<std::string, std::vector<double>>, Eigen::AlignedBox3d> known;  // by mesh and scale
   Eigen::AlignedBox3d box;
-  for (const LinkDescription& link : robot.links) {
+  const std::vector<Eigen::Isometry3d> poses = firstPoses(robot);
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const LinkDescription& link = robot.links[i];
     for (const GeometryElement& element : sourceElements(link, source).elements) {
       std::vector<double> numbers(element.scale.data(), element.scale.data() + 3);
       numbers.insert(numbers.end(), element.size.data(), element.size.data() + 3);
       numbers.push_back(static_cast<double>(element.kind));
       const auto [entry, is_new] = known.try_emplace({element.uri, numbers});
       if (is_new) entry->second = readBox(element, file);
-      box.extend(moved(entry->second, link.pose * element.origin));
+      box.extend(moved(entry->second, poses[i] * element.origin));
     }
   }
   return toBounds(box);

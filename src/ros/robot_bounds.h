@@ -9,7 +9,7 @@
 
 namespace collision_hulls {
 
-/// A sphere around the robot with all joints at zero, in the root link's frame.
+/// A sphere around the robot, in the root link's frame.
 struct RobotBounds {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double radius = 0;  ///< [m]
@@ -19,10 +19,11 @@ struct RobotBounds {
 /// The file that the URI of a mesh means; throws Error where it means none.
 using MeshFile = std::function<std::string(const std::string& uri)>;
 
-/// The bounds of the elements that `source` selects. Reads their meshes; a mesh that cannot be read counts as the point of its origin.
+/// The bounds of the elements that `source` selects, with joints where joint_state_publisher first puts them: at zero, or in the middle of
+/// limits that exclude it. Reads their meshes; a mesh that cannot be read counts as the point of its origin.
 RobotBounds robotBounds(const RobotDescription& robot, Source source, const MeshFile& file);
 
-/// The bounds of a result's original meshes.
+/// The bounds of a result's original meshes, with all joints at zero.
 RobotBounds robotBounds(const RobotResult& result);
 
 /// Whether an element is a box, a sphere or a cylinder.

@@ -250,6 +250,18 @@ TEST(Bounds, OfPrimitivesWhereNoMeshCanBeRead) {
   EXPECT_NEAR(0.5 * std::hypot(0.1, 0.2, 2.35), bounds.radius, 1e-9);
 }
 
+TEST(Bounds, AJointWhoseLimitsExcludeZeroIsInTheirMiddle) {
+  const auto bounds = [](const std::string& lower) {
+    const std::string urdf =
+        "<robot name='r'><link name='a'/><link name='b'><collision><geometry><box size='2 2 2'/></geometry></collision></link>"
+        "<joint name='j' type='prismatic'><parent link='a'/><child link='b'/><axis xyz='1 0 0'/><limit lower='" +
+        lower + "' upper='6' effort='1' velocity='1'/></joint></robot>";
+    return robotBounds(parseRobotDescription(urdf), Source::kAuto, [](const std::string& uri) { return uri; });
+  };
+  EXPECT_NEAR(0, bounds("-2").centre.x(), 1e-9);
+  EXPECT_NEAR(4, bounds("2").centre.x(), 1e-9);
+}
+
 TEST(Bounds, NeverEmpty) {
   const auto file = [](const std::string& uri) { return uri; };
   EXPECT_GT(robotBounds(parseRobotDescription("<robot name='r'><link name='a'/></robot>"), Source::kAuto, file).radius, 0);

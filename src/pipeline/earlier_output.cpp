@@ -20,33 +20,58 @@ bool isUsableMesh(const GeometryElement& element) {
   return element.kind == GeometryElement::Kind::kMesh && element.fault.empty();
 }
 
+/// The file in its real folder. A file may itself be a link, as in an output that git-annex holds: it keeps its name.
+fs::path inRealFolder(const fs::path& file) {
+  return fs::canonical(fs::absolute(file).parent_path()) / file.filename();
+}
+
+/// The content of a hull that has to go with the new output.
+std::string readHull(const fs::path& file) {
+  const std::string content = readText(file);
+  std::error_code error;
+  if (!content.empty() || fs::file_size(file, error) == 0) return content;
+  throw Error(ErrorCode::kFileNotFound, "cannot read '" + file.string() + "', a hull that the description keeps; check its permissions");
+}
+
 /// The files that a description means.
 class MeshFiles {
  public:
   MeshFiles(const RobotDescription& robot, const std::string& output, const PackageFinder& find_package)
-      : base_(robot.path), finders_{find_package} {
+      : base_(robot.path), folder_(replacedFolder(output)), own_(filesOfEarlierOutput(folder_)), finders_{find_package} {
     // The folder to be replaced may hold a package that nobody else knows, such as one that was made a minute ago.
-    const fs::path folder = replacedFolder(output);
-    if (const auto package = packageAt(folder)) {
-      finders_.emplace_back([name = package->name, folder = folder.string()](const std::string& wanted) {
+    if (const auto package = packageAt(folder_)) {
+      finders_.emplace_back([name = package->name, folder = folder_.string()](const std::string& wanted) {
         return wanted == name ? std::optional(folder) : std::nullopt;
       });
     }
   }
 
-  /// The real path of the file that a URI means; nullopt if there is none.
+  /// The file that a URI means, in its real folder; nullopt if there is none.
   std::optional<fs::path> find(const std::string& uri) const {
     for (const PackageFinder& find_package : finders_) {
       try {
-        return fs::canonical(resolveUri(uri, base_, find_package));
+        return inRealFolder(resolveUri(uri, base_, find_package));
       } catch (const Error&) {  // then it is nothing of ours
       }
+    }
+    return findOwn(uri);
+  }
+
+ private:
+  /// A file of the folder to be replaced, by the end of its path: the folder, or the description, may have moved since.
+  std::optional<fs::path> findOwn(const std::string& uri) const {
+    if (!own_ || uri.rfind("package://", 0) == 0) return std::nullopt;
+    for (const fs::path& file : *own_) {
+      const std::string end = "/" + file.string();
+      if (file.has_parent_path() && uri.size() > end.size() && uri.compare(uri.size() - end.size(), end.size(), end) == 0)
+        return folder_ / file;
     }
     return std::nullopt;
   }
 
- private:
   std::string base_;
+  fs::path folder_;                        // that is replaced
+  std::optional<std::set<fs::path>> own_;  // the files of the earlier output there
   std::vector<PackageFinder> finders_;
 };
 
@@ -127,7 +152,7 @@ KeptHulls keptHulls(const RobotDescription& robot, const std::set<std::string>& 
       if (!within) continue;
       const std::string place = places.of(*file, *within);
       kept.places[collision.uri] = place;
-      kept.contents[place] = readText(*file);
+      kept.contents[place] = readHull(*file);
     }
   }
   return kept;
@@ -148,7 +173,7 @@ void refuseLosingVisuals(const RobotDescription& robot, const std::string& outpu
 
 void refuseLosingInput(const std::string& mesh, const std::string& output) {
   std::error_code error;
-  const fs::path file = fs::weakly_canonical(fs::absolute(mesh), error);
+  const fs::path folder = fs::canonical(fs::absolute(mesh).parent_path(), error), file = folder / fs::path(mesh).filename();
   if (!error && liesIn(file, replacedFolder(output))) refuseLosing(mesh, "which is the input", output);
 }
 

@@ -14,6 +14,7 @@
 namespace collision_hulls {
 namespace {
 
+constexpr double kTick = 0.25;              // [s] between looks at whether something is due
 constexpr double kRepeats[] = {0.5, 2, 8};  // [s] after an event and after each other: rviz hears of a frame at another time than we do
 constexpr double kOpacity = 0.6;
 
@@ -49,8 +50,7 @@ View::View(const ros::NodeHandle& node) : node_(node) {
   const auto connected = [this](const ros::SingleSubscriberPublisher&) { subscribed(); };
   for (std::size_t i = 0; i < kTopics; ++i)
     displays_[i].publisher = node_.advertise<visualization_msgs::MarkerArray>(names[i], 1, connected, {}, ros::VoidConstPtr(), true);
-  timer_ = node_.createWallTimer(
-      ros::WallDuration(kRepeats[0]), [this](const ros::WallTimerEvent&) { repeat(); }, true, false);
+  timer_ = node_.createWallTimer(ros::WallDuration(kTick), [this](const ros::WallTimerEvent&) { repeat(); });
   transforms_ = node_.subscribe("/tf", 100, &View::transformed, this);
   static_transforms_ = node_.subscribe("/tf_static", 100, &View::transformed, this);
 }
@@ -146,20 +146,16 @@ void View::transformed(const tf2_msgs::TFMessageConstPtr& message) {
 
 void View::repeatSoon() {
   repeats_ = 0;
-  timer_.stop();
-  timer_.setPeriod(ros::WallDuration(kRepeats[0]));
-  timer_.start();
+  due_ = ros::WallTime::now() + ros::WallDuration(kRepeats[0]);
 }
 
 void View::repeat() {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (due_.isZero() || ros::WallTime::now() < due_) return;
   for (const Display& display : displays_) {
     if (display.publisher.getNumSubscribers() > 0 && !display.markers.markers.empty()) display.publisher.publish(display.markers);
   }
-  if (++repeats_ == std::size(kRepeats)) return;
-  timer_.stop();
-  timer_.setPeriod(ros::WallDuration(kRepeats[repeats_]));
-  timer_.start();
+  due_ = ++repeats_ == std::size(kRepeats) ? ros::WallTime() : ros::WallTime::now() + ros::WallDuration(kRepeats[repeats_]);
 }
 
 }  // namespace collision_hulls

@@ -132,6 +132,13 @@ bool CommandLine::parse(int argc, const char* const* argv) {
   return true;
 }
 
+/// Whether a word is one of the long options. Boost would take it for the value of the option before.
+bool CommandLine::isOption(const std::string& word) const {
+  const std::string name = word.substr(0, word.find('='));
+  return std::any_of(options_.begin(), options_.end(),
+                     [&](const auto& option) { return !option->positional_ && name == "--" + option->name_; });
+}
+
 std::map<std::string, CommandLine::Texts> CommandLine::split(int argc, const char* const* argv) const {
   po::options_description known;
   po::positional_options_description positional;
@@ -148,6 +155,8 @@ std::map<std::string, CommandLine::Texts> CommandLine::split(int argc, const cha
   try {
     const auto style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
     for (const po::option& option : po::command_line_parser(argc, argv).options(known).positional(positional).style(style).run().options) {
+      if (option.position_key < 0 && option.original_tokens.size() == 2 && isOption(option.original_tokens[1]))
+        refuse("--" + option.string_key + " lacks its value: '" + option.original_tokens[1] + "' is another option");
       Texts& texts = given[option.string_key];
       texts.insert(texts.end(), option.value.begin(), option.value.end());
     }

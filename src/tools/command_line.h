@@ -75,6 +75,7 @@ class CommandLine {
   std::map<std::string, Texts> split(int argc, const char* const* argv) const;
   [[noreturn]] void refuse(const std::string& problem) const;
   std::string nearest(const std::string& unknown) const;
+  bool isOption(const std::string& word) const;
   void apply(const Option& option, const Texts& texts) const;
   std::vector<std::string> groups() const;
 

@@ -112,7 +112,6 @@ TEST_P(TwoRuns, AKeptHullWhosePlaceIsTaken) {
 }
 
 TEST_P(TwoRuns, ADescriptionThatWasMovedAway) {
-  if (GetParam() == UriStyle::kRelative) return;  // it means nothing elsewhere
   runFirst();
   fs::create_directories(folder_ / "elsewhere");
   fs::copy(folder_ / "first/urdf/arm.urdf", folder_ / "elsewhere/arm.urdf");
@@ -120,6 +119,30 @@ TEST_P(TwoRuns, ADescriptionThatWasMovedAway) {
   const RobotDescription robot = readRobotDescription(folder_ / "elsewhere/arm.urdf");
   const RobotResult result = decomposeRobot(robot, PackageFinder(), options_, folder_ / "first");
   EXPECT_EQ(result.kept_files.count("meshes/tip/0_0.stl"), 1u);
+}
+
+// The file:// URIs in it name a folder that is not there any more.
+TEST_P(TwoRuns, AnOutputThatWasMoved) {
+  runFirst();
+  const std::vector<std::string> before = meshes("first");
+  fs::rename(folder_ / "first", folder_ / "moved");
+  options_.links = "base";
+  options_.source = Source::kVisual;
+  std::string urdf = fixtures::read(folder_ / "moved/urdf/arm.urdf");
+  urdf.insert(urdf.find("<collision"), element("visual", "bracket.obj"));
+  fixtures::write(folder_ / "moved/urdf/arm.urdf", urdf);
+  run(folder_ / "moved/urdf/arm.urdf", "moved");
+  EXPECT_TRUE(meshes("moved").back() == before.back());
+}
+
+TEST_P(TwoRuns, AHullThatIsALink) {
+  runFirst();
+  const std::string hull = folder_ / "first/meshes/tip/0_0.stl", content = fixtures::read(hull);
+  fs::rename(hull, folder_ / "kept.stl");
+  fs::create_symlink(folder_ / "kept.stl", hull);
+  options_.links = "base";
+  run(folder_ / "first/urdf/arm.urdf", "first");
+  EXPECT_TRUE(fixtures::read(hull) == content);
 }
 
 TEST_P(TwoRuns, RefusesToLoseAVisual) {

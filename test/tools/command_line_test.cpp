@@ -84,6 +84,12 @@ TEST_F(CommandLineTest, WrongValuesAreNamed) {
   expectRefused({"in", "-o", ""}, "--output '' is not understood: it takes a folder");
 }
 
+TEST_F(CommandLineTest, AnOptionIsNotAValue) {
+  expectRefused({"in", "--output", "--factor", "2"}, "--output lacks its value: '--factor' is another option");
+  EXPECT_TRUE(parse({"in", "--output=--factor"}));
+  EXPECT_EQ(output_, "--factor");
+}
+
 TEST_F(CommandLineTest, WhatIsMissingOrTooMuchIsNamed) {
   expectRefused({}, "INPUT is required");
   expectRefused({"in", "another"}, "unexpected argument 'another'");

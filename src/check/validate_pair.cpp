@@ -216,7 +216,7 @@ void PairCheck::judge(const Probe& probe, double original, double hulls) {
   result.counts.max_underestimate = std::max(result.counts.max_underestimate, model_.frame.metres(solid - hulls));
   if (solid - hulls > model_.allowed) {
     if (hulls == 0) ++result.counts.phantom;
-    text << (hulls == 0 ? "phantom: the hulls are hit" : "underestimate: the hulls are ")
+    text << (hulls == 0 ? "false collision: the hulls are hit" : "underestimate: the hulls are ")
          << (hulls == 0 ? "" : std::to_string(model_.frame.metres(hulls)) + " m away") << ", the original is " << model_.frame.metres(solid)
          << " m away, but the protrusion is at most " << model_.frame.metres(model_.allowed) << " m";
   }

@@ -20,9 +20,9 @@ void check(const DecomposeOptions& options) {
   const bool needs_tolerance = options.method != Method::kSingleHull && options.method != Method::kBoundingBox;
   if (needs_tolerance && !(options.tolerance > 0 && std::isfinite(options.tolerance)))
     refuse("tolerance is " + std::to_string(options.tolerance) + " m; it must be a positive length");
-  if (options.max_hulls < 0) refuse("max_hulls is " + std::to_string(options.max_hulls) + "; it must be at least 1, or 0 for no cap");
+  if (options.max_hulls < 0) refuse("max_hulls is " + std::to_string(options.max_hulls) + "; it must be at least 1, or 0 for no limit");
   if (options.max_vertices != 0 && options.max_vertices < kLeastVertices)
-    refuse("max_vertices is " + std::to_string(options.max_vertices) + "; it must be at least 8, or 0 for no cap");
+    refuse("max_vertices is " + std::to_string(options.max_vertices) + "; it must be at least 8, or 0 for no limit");
   if (options.fill && options.method != Method::kCertified)
     refuse(std::string("fill is set but the method is ") + name(options.method) + "; only certified can fill: drop one of the two");
 }

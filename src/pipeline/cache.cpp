@@ -23,7 +23,7 @@ void fields(Archive& archive, RepairCounts& counts) {
 template <typename Archive>
 void fields(Archive& archive, ElementReport& row) {
   auto& [link, element, visual, uri, sha256, scale, triangles, skipped_primitives, status, reason, error, repair, method, tolerance, hulls,
-         hull_vertices, uncovered, protrusion, protrusion_found, worst, worst_nearest, interior, volume, hull_volume, diagonal,
+         hull_vertices, primitives, uncovered, protrusion, protrusion_found, worst, worst_nearest, interior, volume, hull_volume, diagonal,
          covered_share, nudge, thickness, seconds, files, cached] = row;
   archive(sha256, scale, triangles, skipped_primitives, status, reason, error, repair, method, tolerance, hulls, hull_vertices, uncovered,
           protrusion, protrusion_found, worst, worst_nearest, interior, volume, hull_volume, diagonal, covered_share, nudge, thickness);

@@ -36,7 +36,7 @@ std::string excuse(const Options& options, const MeshHulls& made) {
     return std::string(name(options.method)) + " ignores the tolerance; use another method";
   const std::string vertices = "max-vertices " + std::to_string(options.max_vertices);
   if (made.capped && (options.max_hulls > 0 || options.method == Method::kCertified))
-    return "the caps (max-hulls " + std::to_string(options.max_hulls) + ", " + vertices + ") made the hulls coarser; raise them";
+    return "the limits (max-hulls " + std::to_string(options.max_hulls) + ", " + vertices + ") made the hulls coarser; raise them";
   if (options.method == Method::kHacd) {
     return "hacd measures concavity along rays, which does not bound the protrusion; give a smaller tolerance, which makes more hulls";
   }
@@ -44,7 +44,7 @@ std::string excuse(const Options& options, const MeshHulls& made) {
     return "acd measures concavity at reflex edges, which does not bound the protrusion; give a smaller tolerance, which makes more hulls";
   }
   if (made.blunted > kMuch * made.protrusion.bound)
-    return "with so few vertices (" + vertices + ") thin hulls protrude up to " + millimetres(made.blunted) + " further; raise that cap";
+    return "with so few vertices (" + vertices + ") thin hulls protrude up to " + millimetres(made.blunted) + " further; raise that limit";
   return "the surface has details there that no plane divided; repair the mesh or accept it";
 }
 

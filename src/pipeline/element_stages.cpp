@@ -19,15 +19,15 @@ double toleranceFor(const TriangleMesh& mesh, const Options& options) {
   const double tolerance = options.tolerance.metres(diagonal(mesh));
   if (tolerance > 0) return tolerance;
   throw Error(ErrorCode::kEmptyMesh, "all " + std::to_string(mesh.triangles.size()) +
-                                         " triangles lie in one point, so a share of the mesh's size is no tolerance for it; give a length "
-                                         "alone, as in 1mm, or mend the mesh");
+                                         " triangles lie in one point, so a percentage of the mesh's size is no tolerance for it; give "
+                                         "only a length, such as 1mm, or repair the mesh");
 }
 
 // The longest links of robots, booms of large manipulators and gantries, are about 10 m. In millimetres read as metres, every link above
 // 20 mm is larger than this limit.
 constexpr double kLargestLink = 20;  // [m]
 
-/// A share of the diagonal takes the same work in every unit, so it stays allowed: for the link that really is that large.
+/// A percentage of the diagonal takes the same work in every unit, so it stays allowed: for the link that really is that large.
 void checkSize(const ElementReport& row, const Length& tolerance) {
   if (row.diagonal <= kLargestLink || tolerance.limit == Length::kUnset) return;
   char size[64];
@@ -36,7 +36,7 @@ void checkSize(const ElementReport& row, const Length& tolerance) {
               "'" + row.uri + "' is " + size +
                   " across, larger than any robot link: if its numbers are millimetres, scale it by 0.001 (--scale "
                   "0.001 for a mesh file, scale=\"0.001 0.001 0.001\" in a description's <mesh>); if it really is that "
-                  "large, give the tolerance as a share alone, as in 1%");
+                  "large, give the tolerance only as a percentage, such as 1%");
 }
 
 }  // namespace
@@ -80,7 +80,8 @@ ReadMesh readElement(const MeshTask& mesh, const Options& options, const RunCont
 
 void describe(ElementResult& element) {
   ElementReport& row = element.report;
-  row.hulls = element.hulls.size() - element.primitives.size();
+  row.primitives = element.primitives.size();
+  row.hulls = element.hulls.size() - row.primitives;
   row.hull_volume = unionVolume(element.hulls);
   row.covered_share = coveredShare(element.hulls, *element.solid);
   for (std::size_t i = 0; i < row.hulls; ++i) row.hull_vertices += element.hulls[i].vertices.size();

@@ -72,8 +72,9 @@ LinkChoice::LinkChoice(const std::string& expression, const RobotDescription& ro
   if (std::any_of(robot.links.begin(), robot.links.end(), chosen)) return;
   std::vector<std::string> names;
   for (const LinkDescription& link : robot.links) names.push_back(link.name);
-  throw Error(ErrorCode::kBadOption, "links '" + expression + "' matches the whole name of no link of robot '" + robot.name +
-                                         "', whose links are " + linkNames(robot) + didYouMean(expression, names));
+  throw Error(ErrorCode::kBadOption, "links '" + expression + "' matches no link of robot '" + robot.name +
+                                         "' (the expression has to match the whole name). Its links are " + linkNames(robot) +
+                                         didYouMean(expression, names));
 }
 
 RobotResult robotResult(const RobotDescription& robot, const Options& options) {
@@ -107,7 +108,11 @@ std::vector<std::string> notesOnElements(const RobotDescription& robot, const st
     return count == 0 ? ""
                       : "; the <" + kind + "> elements have " + std::to_string(count) + " meshes, which --source " + kind + " decomposes";
   };
-  return {"there was no mesh to decompose: primitives stay primitives" + others(visuals, "visual") + others(collisions, "collision")};
+  const char* const none = visuals + collisions > 0 ? "there is no mesh to decompose"
+                           : options.links.empty()  ? "the robot has no meshes"
+                                                    : "the chosen links have no meshes";
+  return {none + std::string("; boxes, spheres and cylinders stay as they are") + others(visuals, "visual") +
+          others(collisions, "collision")};
 }
 
 std::vector<MeshTask> meshTasks(std::vector<ElementResult>& elements, const std::function<std::string(const std::string& uri)>& resolve) {
@@ -158,7 +163,7 @@ void fail(ElementResult& element, const std::string& error, const std::string& r
   row.status = Status::kFailed;
   row.error = error;
   row.reason = reason;
-  row.hulls = row.hull_vertices = 0;  // nothing is written
+  row.hulls = row.hull_vertices = row.primitives = 0;  // nothing is written
 }
 
 void fail(ElementResult& element) {

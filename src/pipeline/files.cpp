@@ -55,8 +55,9 @@ void checkFolderOf(const fs::path& path) {
   if (!fs::is_directory(above, error)) throwUnwritable(path, "'" + above.string() + "' is not a folder");
   // Only a trial tells: permissions say nothing to root, nor about read-only and special file systems.
   const fs::path trial = above / (".collision_hulls-trial-" + std::to_string(getpid()));
-  if (mkdir(trial.c_str(), 0700) != 0 && errno != EEXIST)
-    throwUnwritable(path, "nothing can be created in '" + above.string() + "' (" + std::strerror(errno) + ")");
+  if (mkdir(trial.c_str(), 0700) != 0 && errno != EEXIST)  // ENOENT: a special file system such as /proc
+    throwUnwritable(path,
+                    "'" + above.string() + "' is not writable" + (errno == ENOENT ? "" : std::string(" (") + std::strerror(errno) + ")"));
   rmdir(trial.c_str());
 }
 

@@ -38,7 +38,7 @@ std::string hullsOf(const Report& report, const fs::path& place) {
   if (report.links.empty() || report.links.front().files.size() < 2) return "";
   const std::vector<std::string>& files = report.links.front().files;  // the OBJ of all hulls, then a file for each
   return "To use the hulls:\n  all in one file:  " + (place / files.front()).string() +
-         "\n  in a URDF, a <collision> for each:  <mesh filename=\"" + fileUri((place / files[1]).string()) + "\"/>" +
+         "\n  in a URDF, one <collision> per hull:  <mesh filename=\"" + fileUri((place / files[1]).string()) + "\"/>" +
          (files.size() > 2 ? " to " + fs::path(files.back()).filename().string() : "") + "\n";
 }
 

@@ -63,8 +63,15 @@ Input packageInput(const std::string& name, const std::string& folder, const Pac
 }
 
 [[noreturn]] void throwNotFound(const std::string& input, bool package_tried) {
-  const std::string text = "INPUT '" + input + "' is neither a file nor the folder of a package ('" +
-                           (fs::current_path() / input).lexically_normal().string() + "')";
+  std::error_code error;
+  const std::string place = (fs::current_path() / input).lexically_normal().string();
+  if (!input.empty() && fs::is_directory(input, error))
+    throw Error(ErrorCode::kFileNotFound, "folder '" + input + "' is not a package: '" + place + "' has no package.xml; give a package, " +
+                                              "a .urdf or .xacro file, or a mesh");
+  if (isRobotFile(input) || isMeshFile(input))
+    throw Error(ErrorCode::kFileNotFound,
+                "'" + input + "' does not exist" + (place == input ? "" : " (looked for '" + place + "')") + "; check the path");
+  const std::string text = "INPUT '" + input + "' is neither a file nor the folder of a package ('" + place + "')";
   if (!package_tried) throw Error(ErrorCode::kFileNotFound, text + "; check the path");
   const char* const packages = std::getenv("ROS_PACKAGE_PATH");
   throw Error(ErrorCode::kPackageNotFound,

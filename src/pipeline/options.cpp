@@ -112,13 +112,13 @@ std::string plain(double number, int digits = 6) {
 /// 5 for 5 mm is the usual mistake.
 void checkUnit(const std::string& option, const Length& length) {
   if (!isSet(length.limit) || length.limit <= kLargestTolerance) return;
-  throw Error(ErrorCode::kBadOption, option + " '" + toString(length) + "' is more than " + toString(lengthOf(kLargestTolerance)) +
-                                         ", too coarse for a robot: a number without a unit is in metres, did you mean " +
-                                         toString(lengthOf(length.limit / 1000)) + "? For a larger machine give a share, as in 5%");
+  throw Error(ErrorCode::kBadOption, option + " '" + toString(length) + "' is more than " + plain(kLargestTolerance) +
+                                         " m, the most that a robot's links take: a number without a unit is in metres; did you mean " +
+                                         toString(lengthOf(length.limit / 1000)) + "? For a larger machine give a percentage, such as 5%");
 }
 
 void checkLength(const std::string& option, const Length& length) {
-  const char* const allowed = "a length above 0, a share above 0% and up to 100%, or both";
+  const char* const allowed = "a length above 0, a percentage above 0% and up to 100%, or both";
   if (!isSet(length.limit) && !isSet(length.share)) badOption(option, "inf", allowed);
   if (isSet(length.limit) && !(std::isfinite(length.limit) && length.limit > 0)) badOption(option, plain(length.limit) + "m", allowed);
   if (isSet(length.share) && !(length.share > 0 && length.share <= 1)) badOption(option, plain(100 * length.share) + "%", allowed);
@@ -143,9 +143,10 @@ Length parseLength(const std::string& text, const std::string& option) {
     length = toLength(*quantity);
   }
   if (length) return *length;
-  badOption(option, text,
-            "a positive length, as in 5mm, 0.5cm, 0.005 or 0.005m (metres), 200um, 0.2in; a share of each mesh's bounding-box diagonal "
-            "above 0% and up to 100%, as in 1%; or the smaller of both, each with its unit, as in 1cm,5%");
+  badOption(
+      option, text,
+      "a positive length, as in 5mm, 0.5cm, 0.005 or 0.005m (metres), 200um, 0.2in; a percentage of each mesh's bounding-box diagonal "
+      "above 0% and up to 100%, as in 1%; or the smaller of both, each with its unit, as in 1cm,5%");
 }
 
 double parseMetres(const std::string& text, const std::string& option) {
@@ -178,15 +179,15 @@ void check(const Options& options) {
   checkLength("tolerance", tolerance);
   if (options.tree) checkLength("tree", *options.tree);
   if (options.fill && options.method != Method::kCertified)
-    throw Error(ErrorCode::kBadOption, std::string("fill does not work with method '") + name(options.method) +
-                                           "': only certified fills; leave one of the two out");
+    throw Error(ErrorCode::kBadOption,
+                std::string("fill needs method 'certified'; leave it out with method '") + name(options.method) + "'");
   if (options.tree && options.method != Method::kCertified)
-    throw Error(ErrorCode::kBadOption, std::string("tree does not work with method '") + name(options.method) +
-                                           "': only certified builds one; leave one of the two out");
+    throw Error(ErrorCode::kBadOption,
+                std::string("tree needs method 'certified'; leave it out with method '") + name(options.method) + "'");
   if (options.tree && alwaysLarger(*options.tree, tolerance))
     badOption("tree", toString(*options.tree), "a length up to the tolerance, which is " + toString(tolerance));
-  checkRange("max-hulls", options.max_hulls, 1, kMostHulls, "no cap");
-  checkRange("max-vertices", options.max_vertices, kLeastVertices, kMostVertices, "no cap");
+  checkRange("max-hulls", options.max_hulls, 1, kMostHulls, "no limit");
+  checkRange("max-vertices", options.max_vertices, kLeastVertices, kMostVertices, "no limit");
   checkRange("jobs", options.jobs, 1, kMostJobs, "as many threads as cores");
   if (!(std::isfinite(options.scale) && options.scale > 0))
     badOption("scale", plain(options.scale), "a number above 0, as in 0.001 for a mesh in millimetres");

@@ -87,6 +87,7 @@ json toJson(const ElementReport& row) {
           {"tolerance", row.tolerance},
           {"hulls", row.hulls},
           {"hull_vertices", row.hull_vertices},
+          {"primitives", row.primitives},
           {"uncovered", row.uncovered},
           {"protrusion", row.protrusion},
           {"protrusion_found", row.protrusion_found},

@@ -1,5 +1,5 @@
 // The report as text for a person: one table, then what holds for all of it. decompose and fit_scene print it, and the node hands it on,
-// so that every door shows the same. Measures have three significant digits; whoever needs more reads report.json.
+// so that all three show the same. Measures have three significant digits; whoever needs more reads report.json.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -39,6 +39,13 @@ std::string lastPart(const std::string& uri) {
   return uri.substr(uri.find_last_of('/') + 1);
 }
 
+/// "3", "1 primitive", "3, 1 primitive"
+std::string bodies(const ElementReport& row) {
+  const std::string hulls = std::to_string(row.hulls);
+  if (row.primitives == 0) return hulls;
+  return (row.hulls > 0 ? hulls + ", " : "") + counted(row.primitives, "primitive");
+}
+
 /// Columns on a terminal, near enough: bytes that start a UTF-8 character.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
@@ -53,8 +60,8 @@ Cells cells(const ElementReport& row) {
   return {row.link,
           lastPart(row.uri),
           std::to_string(row.triangles),
-          std::to_string(row.hulls),
-          std::to_string(row.hull_vertices),
+          bodies(row),
+          row.hulls > 0 ? std::to_string(row.hull_vertices) : "-",
           millimetres(row.protrusion),
           millimetres(row.tolerance),
           seconds,
@@ -117,8 +124,8 @@ std::string meshTable(const Report& report) {
 std::string legend(const Report& report) {
   if (report.links.empty() || allFailed(report)) return "";
   const auto cached = std::count_if(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.cached; });
-  std::string text = "The hulls cover the whole surface of their mesh, and no point of them is further from it than the protrusion.\n";
-  if (report.links.size() > 1) text += "Meshes are worked on in parallel: the total time is that of the run.\n";
+  std::string text = "The hulls cover the whole surface of each mesh, and no hull point is further from its solid than the protrusion.\n";
+  if (report.links.size() > 1) text += "Meshes run in parallel; the total time is wall-clock time.\n";
   if (cached > 0) text += counted(static_cast<std::size_t>(cached), "mesh", "meshes") + " came from the cache.\n";
   return text;
 }
@@ -147,15 +154,17 @@ std::string troubleLine(const Validation& v) {
 }
 
 std::string validationLines(const Report& report) {
-  if (!report.options.validate) return "check: left out (--no-validate)\n";
+  if (report.links.empty() || allFailed(report)) return "";
+  const std::string of_what = report.scene ? " of single meshes: " : ": ";
+  if (!report.options.validate) return "check" + of_what + "skipped (--no-validate)\n";
   const Validation& v = report.validation;
-  if (v.queries == 0) return report.links.empty() ? "" : "check: nothing to compare\n";
-  std::string text = "check: " + counted(v.queries, "query", "queries") + " compared hulls and meshes: " + number(v.missed, "collision") +
-                     " missed, " + number(v.phantom, "false collision") + " beyond the protrusion; distances at most " +
-                     millimetres(v.max_underestimate) + " mm too short\n" + troubleLine(v);
+  if (v.queries == 0) return "check" + of_what + "nothing to compare\n";
+  std::string text = "check" + of_what + counted(v.queries, "query", "queries") +
+                     " compared hulls and meshes: " + number(v.missed, "collision") + " missed, " + number(v.phantom, "false collision") +
+                     " beyond the protrusion; distances at most " + millimetres(v.max_underestimate) + " mm too short\n" + troubleLine(v);
   for (const std::string& remark : v.remarks) text += "  " + remark + "\n";
-  return text + "speed: a distance query takes " + figure(v.hull_query_us) + " us with the hulls, " + figure(v.mesh_query_us) +
-         " us with the meshes\n";
+  return text + "speed" + of_what + "a distance query between one mesh and a probe takes " + figure(v.hull_query_us) +
+         " us with its hulls, " + figure(v.mesh_query_us) + " us with the mesh\n";
 }
 
 std::string share(std::size_t part, std::size_t whole) {
@@ -165,7 +174,7 @@ std::string share(std::size_t part, std::size_t whole) {
 /// How often the hulls of two links hit each other where the links do not.
 std::string selfTable(const FitReport& fit) {
   if (fit.self.empty()) return "";
-  std::vector<Cells> rows = {{"link", "link", "real hits", "false hits, single hulls", "false hits, fitted hulls"}};
+  std::vector<Cells> rows = {{"link", "link", "collisions", "false, single hulls", "false, fitted hulls"}};
   for (const PairHits& pair : fit.self)
     rows.push_back({pair.first, pair.second, std::to_string(pair.original), std::to_string(pair.before), std::to_string(pair.after)});
   return "self-collisions in " + std::to_string(fit.samples) + " configurations:\n" + aligned(rows);
@@ -186,18 +195,26 @@ std::string sceneLines(const Report& report) {
   for (const FittedLink& link : fit.links) text += "  " + link.link + ": " + link.reason + "\n";
   text += selfTable(fit);
   text += "scene '" + fit.scene + "': " + bodies(fit) + " for a clearance of " + millimetres(fit.clearance) + " mm\n";
-  text += "check: " + counted(fit.samples, fit.given ? "given configuration" : "random configuration") + ": " +
+  text += "check in the scene: " + counted(fit.samples, fit.given ? "given configuration" : "random configuration") + ": " +
           number(fit.missed, "collision") + " missed, " + number(fit.phantom, "false collision");
   if (!fit.given) text += " (at 95 % confidence in at most " + figure(100 * fit.phantom_rate_bound) + " % of all configurations)";
   text += "; " + share(fit.proved_pairs, fit.pairs) + " pairs proved to stay clear of each other\n";
-  return text + "speed: a collision query takes " + figure(fit.query_us) + " us with the model, " + figure(fit.original_query_us) +
-         " us with the meshes; a distance " + figure(fit.distance_us) + " us and " + figure(fit.original_distance_us) + " us\n";
+  return text + "speed in the scene: a collision query takes " + figure(fit.query_us) + " us with the model, " +
+         figure(fit.original_query_us) + " us with the meshes; a distance query takes " + figure(fit.distance_us) + " us with the model, " +
+         figure(fit.original_distance_us) + " us with the meshes\n";
 }
 
 std::string noteLines(const Report& report) {
   std::string text;
   for (const std::string& note : report.notes) text += "note: " + note + "\n";
   return text;
+}
+
+/// Names the link, unless the input is a single mesh, and the mesh, unless the reason does.
+std::string failure(const Report& report, const ElementReport& row) {
+  const bool single_mesh = row.uri == report.input_path;
+  const bool named = row.reason.find(lastPart(row.uri)) != std::string::npos;
+  return (single_mesh ? "" : "link " + row.link + ": ") + (named ? "" : row.uri + ": ") + row.reason;
 }
 
 /// The links and meshes that miss a package.
@@ -228,7 +245,7 @@ std::vector<std::string> failures(const Report& report) {
       ++packages[*package].meshes;
       packages[*package].links.insert(row.link);
     } else {
-      lines.push_back(row.link + ", " + row.uri + " failed: " + row.reason);
+      lines.push_back(failure(report, row));
     }
   }
   std::vector<std::string> all;

@@ -90,11 +90,13 @@ std::optional<std::string> nearbyFile(const std::string& uri, const std::string&
                                                  "--package-path " + package + "=DIR (parameter ~package_path of the node)");
   }
   const bool has_no_place = base.empty() && isRelativeUri(uri);
+  const std::string file = fs::absolute(*path).lexically_normal().string();
+  if (file == uri) throw Error(ErrorCode::kFileNotFound, "'" + uri + "' does not exist; check the path");
   throw Error(ErrorCode::kFileNotFound,
-              "'" + uri + "' means '" + fs::absolute(*path).lexically_normal().string() + "', which does not exist" +
+              "'" + uri + "' resolves to '" + file + "', which does not exist" +
                   (has_no_place ? "; it is relative, and the description came without a file name that it could be relative to "
                                   "(parameter ~base of the node)"
-                                : "; check the URI, or the mesh's place"));
+                                : "; check the URI or the location of the file"));
 }
 
 }  // namespace

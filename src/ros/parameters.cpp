@@ -157,7 +157,11 @@ SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, 
   const auto file = [&](const std::string& uri) { return uri.empty() ? "" : resolveUri(uri, input.robot.path, input.find_package); };
   const bool live = isLive(request.scene), joint_states = areJointStates(request.configurations);
   SceneSources sources;
-  if (!live) sources.scene = file(request.scene);
+  try {
+    if (!live) sources.scene = file(request.scene);
+  } catch (const Error& e) {
+    throw Error(e.code(), std::string("scene: ") + e.what());
+  }
   sources.srdf = request.srdf;
   if (!joint_states) sources.configurations = file(request.configurations), sources.max_step = request.max_step;
   SceneRequest scene = readSceneRequest(input, sources);

@@ -115,7 +115,7 @@ std::string reasonOf(const FittedModel& model, const Bodies& bodies, std::size_t
     return what + "never within " + leastLengthText(*proved) + " of anything" + (except.empty() ? "" : " but " + except) + ", proved";
   }
   const auto found = tightest.find(index);
-  if (found == tightest.end()) return what + "no phantom in " + plural(model.fitting.asked(), "sample");
+  if (found == tightest.end()) return what + "no false collision in " + plural(model.fitting.asked(), "sample");
   return what + "against " + model.assembly.name(found->second.other) + " at " + lengthText(found->second.distance);
 }
 

@@ -44,10 +44,10 @@ void addOptions(CommandLine& app, Command& command) {
   BenchmarkOptions& options = command.options;
   app.add_option("INPUT", command.inputs, "Mesh files, folders of them, and robots (package, .urdf or .xacro)")->type_name("")->required();
   app.add_option("-m,--methods", command.methods, "Methods, comma-separated: " + methodChoices() + "; default: all")->type_name("LIST");
-  app.add_option("-t,--tolerances", command.tolerances, "Tolerances, comma-separated: lengths, or shares of each mesh's diagonal")
+  app.add_option("-t,--tolerances", command.tolerances, "Tolerances, comma-separated: lengths, or percentages of each mesh's diagonal")
       ->type_name("LIST [5%,2%,1%]");
   app.add_option("--effort", command.efforts, "Efforts of the method certified, comma-separated: quick, best")->type_name("LIST [quick]");
-  app.add_option("--max-vertices", options.max_vertices, "Cap on the vertices of a method's hull, at least 8; 0: no cap")
+  app.add_option("--max-vertices", options.max_vertices, "Most vertices per hull of a method, at least 8; 0: no limit")
       ->type_name("N [64]");
   app.add_option("-o,--output", options.folder, "Output folder; files of an earlier run there are replaced")->type_name("DIR")->required();
   app.add_option("--repeat", options.repeat, "Runs per row; times and memory are their medians")->type_name("N [1]")->check(range(1, 1000));
@@ -102,7 +102,7 @@ std::string summary(const QueryRow& row) {
   if (row.collisions_per_second)
     text += ", " + csvNumber(row.collisions_per_second) + " collision and " + csvNumber(row.distances_per_second) +
             " distance queries per second";
-  if (row.phantom_rate) text += ", phantom rate " + csvNumber(row.phantom_rate);
+  if (row.phantom_rate) text += ", rate of false collisions " + csvNumber(row.phantom_rate);
   return text + (row.message.empty() ? "" : " (" + row.message + ")");
 }
 

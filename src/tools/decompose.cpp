@@ -5,9 +5,9 @@ namespace collision_hulls {
 namespace {
 
 constexpr const char* kFooter = R"(
-Exit status: 0 all links done; 1 some link failed (the others are written, each failure is named);
-2 wrong use, unreadable input or unwritable output; 130 interrupted, with the output left as it was.
-A link is degraded, which is no failure, where its hulls protrude further than the tolerance.
+Exit status: 0 all meshes done; 1 some failed (each is named, and all others are written);
+2 wrong use, unreadable input or unwritable output; 130 interrupted: nothing was written.
+"degraded" is no failure: the hulls cover the mesh, but protrude further than the tolerance.
 
 Examples:
   decompose pr2_description -t 5mm -o pr2_collision

@@ -47,7 +47,7 @@ class DecomposeOptionAdder {
 
   void addAll() {
     addAccuracy();
-    addCaps();
+    addLimits();
     addInput();
     addOutput();
     addRun();
@@ -79,7 +79,7 @@ class DecomposeOptionAdder {
 
   void addAccuracy() {
     add("Accuracy", "-t,--tolerance", "LENGTH", toString(options_.tolerance),
-        "How far the hulls may protrude from the part: 5mm, 0.005 (metres), 1% of each mesh's bounding-box diagonal, or 1cm,5%: the "
+        "How far the hulls may protrude from the solid: 5mm, 0.005 (metres), 1% of each mesh's bounding-box diagonal, or 1cm,5%: the "
         "smaller of both",
         [&options = options_](const std::string&, const std::string& text) { options.tolerance = parseLength(text); });
     addChoice("Accuracy", "-m,--method", options_.method, methodNamed, methodChoices(), name(options_.method), "How to decompose meshes");
@@ -89,16 +89,16 @@ class DecomposeOptionAdder {
             "--fill", [&options = options_] { options.fill = true; }, "Cover the inside of closed meshes as well, not their surface alone")
         ->group("Accuracy");
     add("Accuracy", "--tree", "LENGTH", "",
-        "Cut the hulls from a tree of this finer tolerance, which the cache keeps: any tolerance above it then needs no decomposition",
+        "Build and cache a hull tree at this finer tolerance; later runs at coarser tolerances reuse it",
         [&options = options_](const std::string&, const std::string& text) { options.tree = parseLength(text, "--tree"); });
   }
 
-  void addCaps() {
-    // Before the caps themselves: callbacks run in this order, so that an explicit cap wins.
-    add("Caps", "--profile", "NAME", "", "Caps that a consumer documents: fcl, moveit, bullet, physx, gazebo",
+  void addLimits() {
+    // Before the limits themselves: callbacks run in this order, so that an explicit limit wins.
+    add("Limits", "--profile", "NAME", "", "Limits that suit a collision checker or physics engine: fcl, moveit, bullet, physx, gazebo",
         [&options = options_](const std::string&, const std::string& text) { applyProfile(text, options); });
-    addNumber("Caps", "--max-hulls", options_.max_hulls, "Most hulls per mesh; 0: no cap");
-    addNumber("Caps", "--max-vertices", options_.max_vertices, "Most vertices per hull, at least 8; 0: no cap");
+    addNumber("Limits", "--max-hulls", options_.max_hulls, "Most hulls per mesh; 0: no limit");
+    addNumber("Limits", "--max-vertices", options_.max_vertices, "Most vertices per hull, at least 8; 0: no limit");
   }
 
   void addInput() {
@@ -106,7 +106,7 @@ class DecomposeOptionAdder {
         [&options = options_](const std::string&, const std::string& text) { options.links = text; });
     addChoice("Input", "--source", options_.source, sourceNamed, "auto, visual, collision", "auto",
               "Meshes to use (auto: a link's collision elements if it has any, else its visual ones)");
-    add("Input", "--scale", "S", "1", "Factor for a single mesh, such as 0.001 for one in millimetres; a robot's description has its own",
+    add("Input", "--scale", "S", "1", "Scale a single mesh, such as 0.001 for millimetres; a URDF sets its own scale",
         [&options = options_](const std::string& option, const std::string& text) { options.scale = positiveNumber(option, text); });
   }
 

@@ -31,7 +31,7 @@ Wherever the original robot keeps the clearance from the scene and from itself, 
 never misses a collision. The report says what each link needed, what is proved, and gives an upper bound on the share of
 configurations in which the model still collides although the original keeps the clearance.
 
-Exit status: as for decompose.
+Exit status: as for decompose; 130 interrupted: nothing was written.
 
 Examples:
   fit_scene arm.urdf --scene kitchen.scene --clearance 2cm
@@ -58,7 +58,8 @@ void addOptions(CommandLine& app, SceneCommand& command) {
   add("--clearance", command.clearance, "LENGTH", "The model must be free wherever the robot keeps this distance: 2cm, 0.02")->required();
   add("--samples", command.samples, "N [10000]", "Fresh configurations to verify the model with");
   addFile("--configurations", command.configurations, "Fit to these configurations only: .csv, or .yaml of joint states or a trajectory");
-  add("--max-step", command.max_step, "STEP", "Interpolate between given configurations: no joint moves further in a step [rad or m]");
+  add("--max-step", command.max_step, "STEP",
+      "Interpolate between the given configurations so that no joint moves more than STEP [rad or m]");
   addFile("--srdf", command.srdf, "SRDF whose disabled pairs of links are not checked");
   app.add_flag("--hulls-only", command.hulls_only, "Use no spheres, boxes or cylinders in place of hulls")->group("Scene");
   addFile("--compare", command.compare, "Also measure single hulls and uniform tolerances, and write the comparison to this CSV");

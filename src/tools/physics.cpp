@@ -37,7 +37,7 @@ void addOptions(CommandLine& app, Command& command) {
   PhysicsOptions& options = command.options;
   app.add_option("INPUT", command.inputs, "Mesh files, folders of them, and robots (package, .urdf or .xacro)")->type_name("");
   app.add_option("-m,--methods", command.methods, "Methods, comma-separated: " + methodChoices() + "; default: all")->type_name("LIST");
-  app.add_option("-t,--tolerance", command.tolerance, "A length, or a share of each mesh's diagonal")->type_name("LENGTH [2%]");
+  app.add_option("-t,--tolerance", command.tolerance, "A length, or a percentage of each mesh's diagonal")->type_name("LENGTH [2%]");
   app.add_option("-o,--output", options.folder, "Output folder; files of an earlier run there are replaced")->type_name("DIR")->required();
   app.add_option("--grip", command.robot, "A robot with the demo robot's gripper, which closes on a box")->type_name("ROBOT");
   app.add_option("--poses", options.poses, "Poses per mesh at most, the most stable first")->type_name("N [2]")->check(range(1, 100));

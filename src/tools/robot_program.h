@@ -35,12 +35,12 @@ inline void addRobotOptions(CommandLine& app, const std::string& input, RobotCom
       ->type_name("DIR")
       ->check(notEmpty("a folder"))
       ->group("Output");
-  app.add_option("--package-name", command.options.package_name, "Name of the output package; default: as its folder is called")
+  app.add_option("--package-name", command.options.package_name, "Name of the output package; default: the name of its folder")
       ->type_name("NAME")
       ->check(notEmpty("a name"))
       ->group("Output");
   app.add_option("--package-path", command.package_path,
-                 "Where packages lie that ROS does not find, or one of them by its name; may be repeated")
+                 "Extra folder to search for packages, or the folder of one package (NAME=DIR); repeatable")
       ->type_name("DIR or NAME=DIR")
       ->check(notEmpty("a folder"))
       ->group("Input");
@@ -98,7 +98,7 @@ inline bool writeEverything(RobotResult& result, const RobotCommand& command, co
     if (to_file && e.code() != ErrorCode::kCancelled) writeReport(result.report, command.json);
     throw;
   }
-  if (!written) std::cerr << command.program << ": no mesh could be decomposed; nothing is written to '" << output << "'\n";
+  if (!written) std::cerr << command.program << ": no mesh could be decomposed; nothing was written to '" << output << "'\n";
   if (to_file) writeReport(result.report, command.json);
   return written;
 }
@@ -108,8 +108,8 @@ inline void checkCommand(const RobotCommand& command) {
   const Options& options = command.options;
   check(options);
   if (options.effort != Effort::kQuick && options.method != Method::kCertified)
-    throw Error(ErrorCode::kBadOption, std::string("effort '") + name(options.effort) + "' is not for method '" + name(options.method) +
-                                           "': only certified searches; leave one of the two out");
+    throw Error(ErrorCode::kBadOption, std::string("effort '") + name(options.effort) +
+                                           "' needs method 'certified'; leave it out with method '" + name(options.method) + "'");
 }
 
 /// Refuses options of robots for a mesh.
@@ -165,7 +165,7 @@ inline int runRobotProgram(CommandLine& app, int argc, char** argv, const std::f
     return app.parse(argc, argv) ? run() : kDone;
   } catch (const Error& e) {
     const bool interrupted = e.code() == ErrorCode::kCancelled;
-    std::cerr << app.get_name() << ": " << (interrupted ? "interrupted; the output is as it was" : e.what()) << "\n";
+    std::cerr << app.get_name() << ": " << (interrupted ? "interrupted; nothing was written" : e.what()) << "\n";
     if (interrupted) return kInterrupted;
   } catch (const std::exception& e) {
     std::cerr << app.get_name() << ": unexpected: " << e.what() << "\n";

@@ -191,7 +191,9 @@ TEST_F(DecomposeRobot, NamesTheSourceWithMeshesIfTheChosenOneHasNone) {
   EXPECT_EQ(notes()[0].find("--source collision"), std::string::npos) << "there are no collision meshes either";
   options_.links = "tip";
   ASSERT_EQ(notes().size(), 1u);
-  EXPECT_EQ(notes()[0].find("--source"), std::string::npos) << notes()[0];
+  EXPECT_EQ(notes()[0], "the chosen links have no meshes; boxes, spheres and cylinders stay as they are");
+  options_.links = "";
+  EXPECT_EQ(run(link("tip", sphere)).report.notes[0], "the robot has no meshes; boxes, spheres and cylinders stay as they are");
 }
 
 TEST_F(DecomposeRobot, PassesOnNotesAboutTheDescription) {
@@ -236,7 +238,8 @@ TEST_F(DecomposeRobot, SelectsLinks) {
     ADD_FAILURE();
   } catch (const Error& e) {
     EXPECT_EQ(e.code(), ErrorCode::kBadOption);
-    EXPECT_NE(std::string(e.what()).find("left_arm, right_arm"), std::string::npos) << e.what();
+    EXPECT_EQ(std::string(e.what()).find("links 'arm' matches no link of robot"), 0u) << e.what();
+    EXPECT_NE(std::string(e.what()).find("Its links are left_arm, right_arm"), std::string::npos) << e.what();
   }
 }
 

@@ -39,10 +39,11 @@ class OpenInput : public ::testing::Test {
 
 TEST_F(OpenInput, NothingThere) {
   expectError("", ErrorCode::kFileNotFound, {"INPUT ''"});
-  expectError("no/such.stl", ErrorCode::kFileNotFound, {"'no/such.stl'", "('/", "/no/such.stl')"});
-  expectError("missing.urdf", ErrorCode::kFileNotFound, {"'missing.urdf'"});
+  expectError("no/such.stl", ErrorCode::kFileNotFound, {"'no/such.stl' does not exist (looked for '/", "/no/such.stl')"});
+  expectError("missing.urdf", ErrorCode::kFileNotFound, {"'missing.urdf' does not exist (looked for '/", "/missing.urdf')"});
+  expectError("no/such", ErrorCode::kFileNotFound, {"neither a file nor the folder of a package"});
   expectError("no_such_package", ErrorCode::kPackageNotFound, {"no_such_package", "ROS_PACKAGE_PATH", folder_.path().string()});
-  expectError(folder_.path().string(), ErrorCode::kFileNotFound, {"neither a file nor the folder of a package"});
+  expectError(folder_.path().string(), ErrorCode::kFileNotFound, {"folder '" + folder_.path().string() + "'", "no package.xml"});
 }
 
 TEST_F(OpenInput, RejectsUnknownAndInvalidInputs) {

@@ -154,7 +154,7 @@ TEST(CheckOptions, MetresThatWereMeantAsMillimetres) {
   options.tolerance = parseLength("1m");
   EXPECT_NO_THROW(check(options));
   options.tolerance = parseLength("5");
-  EXPECT_NE(badOption([&] { check(options); }).find("tolerance '5m' is more than 1m"), std::string::npos);
+  EXPECT_NE(badOption([&] { check(options); }).find("tolerance '5m' is more than 1 m"), std::string::npos);
   EXPECT_NE(badOption([&] { check(options); }).find("did you mean 5mm?"), std::string::npos);
   options.tolerance = parseLength("20m,5%");
   EXPECT_NE(badOption([&] { check(options); }).find("did you mean 2cm?"), std::string::npos);

@@ -54,9 +54,9 @@ TEST(ReportJson, HasTheFieldsOfTheContract) {
   EXPECT_EQ(document["seed"], 18446744073709551615u);
   for (const json& row : document["links"]) {
     for (const char* field :
-         {"link",   "element",     "source",    "uri",     "sha256",        "scale",        "triangles",  "status",           "reason",
-          "repair", "method",      "tolerance", "hulls",   "hull_vertices", "uncovered",    "protrusion", "protrusion_found", "interior",
-          "volume", "hull_volume", "diagonal",  "seconds", "files",         "covered_share"}) {
+         {"link",       "element", "source",      "uri",      "sha256",        "scale",     "triangles",    "status",           "reason",
+          "repair",     "method",  "tolerance",   "hulls",    "hull_vertices", "uncovered", "protrusion",   "protrusion_found", "interior",
+          "primitives", "volume",  "hull_volume", "diagonal", "seconds",       "files",     "covered_share"}) {
       EXPECT_TRUE(row.contains(field)) << field;
     }
     for (const char* field : {"welded", "degenerate", "duplicate", "flipped", "components", "open_edges", "nonmanifold_edges"})
@@ -138,8 +138,33 @@ TEST(ReportTable, ARowForEveryMeshAndTheirTotal) {
             "check: 400 queries compared hulls and meshes: 1 collision missed, no false collision beyond the protrusion; "
             "distances at most 12.3 mm too short");
   EXPECT_EQ(table[9], "  a remark");
-  EXPECT_EQ(table[10], "speed: a distance query takes 2.35 us with the hulls, 123 us with the meshes");
+  EXPECT_EQ(table[10], "speed: a distance query between one mesh and a probe takes 2.35 us with its hulls, 123 us with the mesh");
   EXPECT_EQ(table[11], "note: a note");
+}
+
+TEST(ReportTable, AModelForASceneHasItsOwnCheckAndPrimitives) {
+  Report report = sample();
+  report.scene = FitReport{};
+  report.scene->self = {{"upper", "lower", true, 7, 5, 2}};
+  report.links[0].primitives = 1;
+  report.links[1].primitives = 2;
+  report.links[1].hulls = report.links[1].hull_vertices = 0;
+  const std::string table = toTable(report);
+  for (const char* part :
+       {"  3, 1 primitive        24  ", "  2 primitives         -  ", "check of single meshes: 400 queries",
+        "speed of single meshes: ", "check in the scene: ", "speed in the scene: ", "collisions  false, single hulls  false, fitted hulls"})
+    EXPECT_NE(table.find(part), std::string::npos) << part << "\n" << table;
+}
+
+TEST(ReportTable, NoCheckWhereThereIsNothingToCheck) {
+  Report report = sample();
+  report.options.validate = false;
+  EXPECT_NE(toTable(report).find("check: skipped (--no-validate)"), std::string::npos);
+  report.links = {report.links.back()};
+  for (const bool validate : {false, true}) {
+    report.options.validate = validate;
+    EXPECT_EQ(toTable(report).find("check"), std::string::npos) << toTable(report);
+  }
 }
 
 TEST(ReportTable, FaultsOfFclAndTheCache) {
@@ -168,7 +193,19 @@ TEST(Report, OneLineForAMissingPackage) {
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].rfind("package 'foo' was not found (3 meshes of 2 links): ", 0), 0u) << all[0];
   EXPECT_NE(all[0].find("--package-path foo=DIR"), std::string::npos) << all[0];
-  EXPECT_EQ(all[1], "lower,  failed: no file");
+  EXPECT_EQ(all[1], "link lower: no file");
+}
+
+TEST(Report, AFailureNamesLinkAndMeshOnce) {
+  Report report = sample();
+  ElementReport& row = report.links.back();
+  row.uri = "package://arm/meshes/finger.stl";
+  EXPECT_EQ(failures(report).back(), "link lower: package://arm/meshes/finger.stl: no file");
+  row.reason = "'" + row.uri + "' has no triangles";
+  EXPECT_EQ(failures(report).back(), "link lower: 'package://arm/meshes/finger.stl' has no triangles");
+  report.input_path = row.uri = "finger.stl";  // a single mesh has no link
+  row.reason = "'finger.stl' has no triangles";
+  EXPECT_EQ(failures(report).back(), "'finger.stl' has no triangles");
 }
 
 TEST(Report, AnyFailed) {

@@ -38,8 +38,9 @@ TEST_F(ResolveUri, MissingFile) {
 
 TEST_F(ResolveUri, TheMessageHasAnAbsolutePath) {
   const std::string here = std::filesystem::current_path().string();
-  expectError(ErrorCode::kFileNotFound, {"'meshes/a.stl' means '" + here + "/robots/meshes/a.stl'"},
+  expectError(ErrorCode::kFileNotFound, {"'meshes/a.stl' resolves to '" + here + "/robots/meshes/a.stl', which does not exist"},
               [&] { resolveUri("meshes/a.stl", "robots/arm.urdf", finder_); });
+  expectError(ErrorCode::kFileNotFound, {"'/no/such/a.stl' does not exist; check the path"}, [&] { resolve("/no/such/a.stl"); });
 }
 
 TEST_F(ResolveUri, UnknownScheme) {

@@ -15,7 +15,7 @@ TEST(Summary, NamesEachFailure) {
   report.links[1].uri = "hand.stl";
   report.links[1].status = Status::kFailed;
   report.links[1].reason = "no such file";
-  EXPECT_EQ("hand, hand.stl failed: no such file\n3 hulls for 1 mesh, 1 failed", summary(report));
+  EXPECT_EQ("link hand: hand.stl: no such file\n3 hulls for 1 mesh, 1 failed", summary(report));
 }
 
 TEST(ToMessage, LinkReport) {

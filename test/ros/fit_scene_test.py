@@ -47,7 +47,8 @@ class FitSceneTest(unittest.TestCase):
         self.assert_refused("scene", scene="")
 
     def test_scene_that_is_not_there(self):
-        self.assert_refused("nowhere.yaml", scene=self.folder.file("nowhere.yaml"))
+        nowhere = self.folder.file("nowhere.yaml")
+        self.assert_refused(f"scene: '{nowhere}' does not exist; check the path", scene=nowhere)
 
     def test_no_clearance(self):
         self.assert_refused("clearance", clearance=0)

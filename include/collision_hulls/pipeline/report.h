@@ -39,6 +39,7 @@ struct ElementReport {
   Method method = Method::kCertified;
   double tolerance = 0;
   std::size_t hulls = 0, hull_vertices = 0;
+  std::size_t primitives = 0;  ///< spheres, boxes and cylinders in place of hulls, in a model that was fitted to a scene
   double uncovered = 0, protrusion = 0, protrusion_found = 0;
   Eigen::Vector3d worst = Eigen::Vector3d::Zero(), worst_nearest = Eigen::Vector3d::Zero();  ///< place of protrusion_found, and of S
   std::string interior;

@@ -41,7 +41,7 @@ ConvexHull randomBody(double smallest, double largest, unsigned seed) {
   std::uniform_real_distribution<double> exponent(std::log(smallest), std::log(largest));
   ConvexHull hull = tetrahedron({0, 0, 0}, 1);
   for (Eigen::Vector3d& v : hull.vertices)
-    for (double& x : v) x = static_cast<float>((random() % 2 ? 1 : -1) * std::exp(exponent(random)));
+    for (int i = 0; i < 3; ++i) v[i] = static_cast<float>((random() % 2 ? 1 : -1) * std::exp(exponent(random)));
   return hull;
 }
 
@@ -98,9 +98,9 @@ TEST(EncodeHull, ObjPreservesNumbersOfAnySize) {
     std::size_t v = 0;
     for (std::string word; text >> word;)
       if (word == "v") {
-        for (const double x : hull.vertices[v]) {
+        for (int i = 0; i < 3; ++i) {
           text >> word;
-          EXPECT_EQ(static_cast<float>(x), std::strtof(word.c_str(), nullptr)) << word << ", seed " << seed;
+          EXPECT_EQ(static_cast<float>(hull.vertices[v][i]), std::strtof(word.c_str(), nullptr)) << word << ", seed " << seed;
         }
         ++v;
       }

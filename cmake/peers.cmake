@@ -13,7 +13,6 @@ if(BULLET_EXTRAS_INCLUDE_DIR AND BULLET_HACD_LIBRARY AND BULLET_CONVEX_DECOMPOSI
   foreach(peer peer_bullet_hacd peer_bullet_vcd)
     target_include_directories(${peer} PRIVATE src)
     target_include_directories(${peer} SYSTEM PRIVATE ${BULLET_EXTRAS_INCLUDE_DIR})
-    set_target_properties(${peer} PROPERTIES INSTALL_RPATH "$ORIGIN/..")
-    install(TARGETS ${peer} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+    list(APPEND PROGRAMS ${peer})
   endforeach()
 endif()

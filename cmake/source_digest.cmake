@@ -2,9 +2,12 @@
 # nothing of another library. As a script (-P) it writes OUTPUT for the sources in ROOT and the text BUILD; the build runs it whenever a
 # source changes.
 if(CMAKE_SCRIPT_MODE_FILE)
-  file(GLOB_RECURSE sources RELATIVE "${ROOT}" "${ROOT}/include/*.h" "${ROOT}/src/*.h" "${ROOT}/src/*.cpp")
-  # Rooms that come after the hulls, and change none.
-  list(FILTER sources EXCLUDE REGEX "^(src|include/[a-z_]+)/(bench|physics|ros|scene|tools)/")
+  string(REPLACE "," ";" rooms "${ROOMS}")
+  file(GLOB sources RELATIVE "${ROOT}" "${ROOT}/include/collision_hulls/*.h")
+  foreach(room ${rooms})
+    file(GLOB_RECURSE room_sources RELATIVE "${ROOT}" "${ROOT}/include/collision_hulls/${room}/*.h" "${ROOT}/src/${room}/*.h" "${ROOT}/src/${room}/*.cpp")
+    list(APPEND sources ${room_sources})
+  endforeach()
   set(text "${BUILD}")
   foreach(source ${sources})
     file(SHA256 "${ROOT}/${source}" digest)
@@ -20,6 +23,11 @@ const char* ${NAMESPACE}::sourceDigest() {
   return()
 endif()
 
+# The rooms that make hulls, and the one that keeps them; those after them change none.
+set(digested_rooms ${CORE_ROOMS} pipeline)
+list(JOIN digested_rooms "," digested_rooms)
+room_sources(digested_sources ${CORE_ROOMS} pipeline)
+
 set(output "${CMAKE_CURRENT_BINARY_DIR}/source_digest.cpp")
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
 set(build "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_SYSTEM_PROCESSOR} ${CMAKE_BUILD_TYPE}")
@@ -30,8 +38,8 @@ string(APPEND build " qhull ${qhull}")
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS include/*.h src/*.h)
 add_custom_command(
   OUTPUT "${output}"
-  COMMAND "${CMAKE_COMMAND}" "-DROOT=${PROJECT_SOURCE_DIR}" "-DOUTPUT=${output}" "-DNAMESPACE=${PROJECT_NAME}" "-DBUILD=${build}"
+  COMMAND "${CMAKE_COMMAND}" "-DROOT=${PROJECT_SOURCE_DIR}" "-DOUTPUT=${output}" "-DNAMESPACE=${PROJECT_NAME}" "-DBUILD=${build}" "-DROOMS=${digested_rooms}"
           -P "${CMAKE_CURRENT_LIST_FILE}"
-  DEPENDS "${CMAKE_CURRENT_LIST_FILE}" ${CORE_SOURCES} ${headers}
+  DEPENDS "${CMAKE_CURRENT_LIST_FILE}" ${digested_sources} ${headers}
   VERBATIM)
 target_sources(${PROJECT_NAME} PRIVATE "${output}")

@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "collision_hulls/check/solid.h"
 #include "collision_hulls/geometry/convex_hull.h"
+#include "collision_hulls/measure/solid.h"
 #include "collision_hulls/mesh/repair.h"
 #include "random_points.h"
 #include "shapes.h"

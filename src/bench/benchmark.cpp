@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "median.h"
+#include "base/median.h"
 
 namespace collision_hulls {
 

@@ -15,7 +15,7 @@
 #include "bench/contender.h"
 #include "bench/inputs.h"
 #include "bench/table.h"
-#include "collision_hulls/pipeline/options.h"
+#include "collision_hulls/report/options.h"
 
 namespace collision_hulls {
 

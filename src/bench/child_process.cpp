@@ -19,7 +19,7 @@
 #include <system_error>
 #include <thread>
 
-#include "pipeline/stopwatch.h"
+#include "base/stopwatch.h"
 
 namespace collision_hulls {
 namespace {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "pipeline/files.h"
+#include "storage/files.h"
 
 namespace collision_hulls {
 

@@ -10,9 +10,9 @@
 #include "bench/job_runner.h"
 #include "bench/original.h"
 #include "bench/table.h"
-#include "collision_hulls/check/measures.h"
 #include "collision_hulls/decompose/certified.h"
 #include "collision_hulls/decompose/fit_cover.h"
+#include "collision_hulls/measure/measures.h"
 #include "decompose/dice.h"
 #include "pipeline/mesh_hulls.h"
 

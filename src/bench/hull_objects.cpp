@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "collision_hulls/error.h"
-#include "pipeline/sha256.h"
+#include "storage/sha256.h"
 
 namespace collision_hulls {
 namespace {

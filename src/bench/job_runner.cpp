@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "bench/table.h"
-#include "pipeline/files.h"
+#include "storage/files.h"
 
 namespace collision_hulls {
 

@@ -9,14 +9,14 @@
 #include "bench/cuts.h"
 #include "bench/hull_objects.h"
 #include "bench/original.h"
-#include "bench/query_job.h"
-#include "collision_hulls/check/measures.h"
+#include "bench/queries/query_job.h"
 #include "collision_hulls/decompose/decompose.h"
 #include "collision_hulls/decompose/fit_cover.h"
 #include "collision_hulls/error.h"
+#include "collision_hulls/measure/measures.h"
 #include "collision_hulls/mesh/mesh_io.h"
-#include "pipeline/files.h"
 #include "pipeline/mesh_hulls.h"
+#include "storage/files.h"
 
 namespace collision_hulls {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "collision_hulls/pipeline/report.h"
+#include "collision_hulls/report/report.h"
 
 namespace collision_hulls {
 namespace {

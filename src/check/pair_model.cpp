@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
 #include "collision_hulls/mesh/repair.h"
-#include "parallel.h"
 
 namespace collision_hulls {
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "check/fcl_queries.h"
 #include "check/unit_frame.h"
 #include "check/validate_probes.h"
 #include "collision_hulls/check/validate.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
+#include "query/fcl_queries.h"
 
 namespace collision_hulls {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <mutex>
 
+#include "base/median.h"
+#include "base/parallel.h"
 #include "check/validate_pair.h"
-#include "median.h"
-#include "parallel.h"
 
 namespace collision_hulls {
 

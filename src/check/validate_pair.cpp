@@ -9,8 +9,8 @@
 #include <sstream>
 #include <utility>
 
+#include "base/parallel.h"
 #include "check/validate_exact.h"
-#include "parallel.h"
 
 namespace collision_hulls {
 

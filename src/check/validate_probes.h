@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "check/fcl_queries.h"
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
+#include "query/fcl_queries.h"
 
 namespace collision_hulls {
 

@@ -1,7 +1,7 @@
 // Rounds hulls outward to single precision. Every vertex moves by the shortest step that takes all its faces out by the distance needed (a
 // mitre); a vertex too sharp for that becomes a small octahedron, and a hull that then exceeds its vertex cap gives way to a blunter one,
-// at worst its oriented box. Each result is measured against the hull it came from. Then all original triangles are tested (check/cover.h),
-// and any that are uncovered are added, until none is left.
+// at worst its oriented box. Each result is measured against the hull it came from. Then all original triangles are tested
+// (measure/cover.h), and any that are uncovered are added, until none is left.
 #include "collision_hulls/decompose/fit_cover.h"
 
 #include <algorithm>
@@ -13,12 +13,12 @@
 #include <string>
 #include <utility>
 
-#include "check/cover.h"
+#include "base/parallel.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "collision_hulls/error.h"
 #include "decompose/bounding_box.h"
 #include "decompose/outline.h"
-#include "parallel.h"
+#include "measure/cover.h"
 
 namespace collision_hulls {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/parallel.h"
 #include "geometry/pi.h"
-#include "parallel.h"
 
 namespace collision_hulls {
 

@@ -20,11 +20,11 @@
 #include <sstream>
 #include <string_view>
 
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
-#include "mesh/source_checks.h"
+#include "mesh/formats/source_checks.h"
 #include "mesh/triangulate.h"
-#include "string_parts.h"
 
 namespace collision_hulls {
 namespace {

@@ -9,7 +9,7 @@
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "physics/physics.h"
 #include "physics/robot.h"
-#include "pipeline/files.h"
+#include "storage/files.h"
 
 namespace collision_hulls {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "bench/hull_objects.h"
 #include "geometry/pi.h"
-#include "pipeline/files.h"
+#include "storage/files.h"
 
 namespace collision_hulls {
 namespace {

@@ -7,8 +7,8 @@
 #include "collision_hulls/decompose/hull_tree_file.h"
 #include "collision_hulls/error.h"
 #include "geometry/bytes.h"
-#include "pipeline/sha256.h"
 #include "pipeline/source_digest.h"
+#include "storage/sha256.h"
 
 namespace collision_hulls {
 

@@ -12,7 +12,7 @@
 
 #include "collision_hulls/decompose/hull_tree.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
-#include "pipeline/cache_folder.h"
+#include "storage/cache_folder.h"
 
 namespace collision_hulls {
 

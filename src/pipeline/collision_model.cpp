@@ -8,10 +8,10 @@
 #include <map>
 #include <set>
 
-#include "counted.h"
+#include "base/counted.h"
 #include "pipeline/earlier_output.h"
 #include "pipeline/elements.h"
-#include "pipeline/names.h"
+#include "storage/names.h"
 
 namespace collision_hulls {
 namespace {

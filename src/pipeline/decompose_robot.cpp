@@ -7,12 +7,13 @@
 #include <filesystem>
 #include <optional>
 
-#include "collision_hulls/check/measures.h"
-#include "collision_hulls/check/solid.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
 #include "collision_hulls/check/validate.h"
 #include "collision_hulls/decompose/decompose.h"
 #include "collision_hulls/error.h"
-#include "parallel.h"
+#include "collision_hulls/measure/measures.h"
+#include "collision_hulls/measure/solid.h"
 #include "pipeline/cache.h"
 #include "pipeline/cached_tree.h"
 #include "pipeline/collision_model.h"
@@ -21,7 +22,6 @@
 #include "pipeline/elements.h"
 #include "pipeline/mesh_hulls.h"
 #include "pipeline/progress.h"
-#include "pipeline/stopwatch.h"
 
 namespace collision_hulls {
 namespace {

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "collision_hulls/error.h"
-#include "pipeline/files.h"
-#include "pipeline/names.h"
-#include "pipeline/replace_folder.h"
 #include "robot/package_crawl.h"
+#include "storage/files.h"
+#include "storage/names.h"
+#include "storage/replace_folder.h"
 
 namespace collision_hulls {
 

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "collision_hulls/check/measures.h"
-#include "collision_hulls/check/solid.h"
+#include "base/stopwatch.h"
 #include "collision_hulls/error.h"
+#include "collision_hulls/measure/measures.h"
+#include "collision_hulls/measure/solid.h"
 #include "collision_hulls/mesh/mesh_io.h"
-#include "pipeline/stopwatch.h"
 
 namespace collision_hulls {
 namespace {

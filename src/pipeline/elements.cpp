@@ -8,9 +8,9 @@
 #include <regex>
 #include <tuple>
 
+#include "base/nearest_name.h"
 #include "collision_hulls/error.h"
-#include "nearest_name.h"
-#include "pipeline/sha256.h"
+#include "storage/sha256.h"
 
 namespace collision_hulls {
 namespace {

@@ -8,19 +8,19 @@
 #include <set>
 #include <utility>
 
-#include "collision_hulls/check/measures.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
 #include "collision_hulls/error.h"
-#include "parallel.h"
+#include "collision_hulls/measure/measures.h"
+#include "fit/enclosing.h"
 #include "pipeline/cache.h"
 #include "pipeline/cached_tree.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/earlier_output.h"
 #include "pipeline/element_stages.h"
 #include "pipeline/elements.h"
-#include "pipeline/names.h"
 #include "pipeline/progress.h"
-#include "pipeline/stopwatch.h"
-#include "scene/enclosing.h"
+#include "storage/names.h"
 
 namespace collision_hulls {
 namespace {

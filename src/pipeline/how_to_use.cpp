@@ -1,8 +1,8 @@
 // What a user does next with an output: the last lines that the programs print.
 #include <filesystem>
 
+#include "base/counted.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
-#include "counted.h"
 #include "pipeline/collision_model.h"
 
 namespace collision_hulls {

@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <set>
 
+#include "base/counted.h"
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
-#include "counted.h"
 #include "pipeline/elements.h"
-#include "pipeline/names.h"
-#include "string_parts.h"
+#include "storage/names.h"
 
 namespace collision_hulls {
 

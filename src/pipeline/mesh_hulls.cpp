@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "check/protrusion.h"
+#include "base/stopwatch.h"
 #include "collision_hulls/decompose/fit_cover.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
-#include "pipeline/stopwatch.h"
+#include "measure/protrusion.h"
 
 namespace collision_hulls {
 

@@ -1,11 +1,11 @@
 // From a repaired mesh to its hulls as written, and how far they protrude: steps 3 and 4 of the flow.
 #pragma once
 
-#include "collision_hulls/check/measures.h"
-#include "collision_hulls/check/solid.h"
 #include "collision_hulls/decompose/decompose.h"
 #include "collision_hulls/decompose/hull_tree.h"
-#include "collision_hulls/pipeline/report.h"
+#include "collision_hulls/measure/measures.h"
+#include "collision_hulls/measure/solid.h"
+#include "collision_hulls/report/report.h"
 
 namespace collision_hulls {
 

@@ -7,15 +7,15 @@
 #include <optional>
 #include <set>
 
+#include "base/stopwatch.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/earlier_output.h"
-#include "pipeline/files.h"
-#include "pipeline/names.h"
-#include "pipeline/replace_folder.h"
-#include "pipeline/stopwatch.h"
+#include "storage/files.h"
+#include "storage/names.h"
+#include "storage/replace_folder.h"
 
 namespace collision_hulls {
 

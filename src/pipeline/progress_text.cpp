@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "counted.h"
+#include "base/counted.h"
 
 namespace collision_hulls {
 namespace {

@@ -3,7 +3,7 @@
 #include "robot/collision_text.h"
 
 #include "robot/number_text.h"
-#include "robot/xml_tree.h"
+#include "xml/xml_tree.h"
 
 namespace collision_hulls {
 namespace {

@@ -6,8 +6,8 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/package_crawl.h"
-#include "robot/text_file.h"
-#include "robot/xml_tree.h"
+#include "storage/text_file.h"
+#include "xml/xml_tree.h"
 
 namespace fs = std::filesystem;
 

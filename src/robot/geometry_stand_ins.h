@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "collision_hulls/robot/robot_description.h"
-#include "robot/xml_source.h"
+#include "xml/xml_source.h"
 
 namespace tinyxml2 {
 class XMLElement;

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "robot/xml_spans.h"
-#include "string_parts.h"
+#include "base/string_parts.h"
+#include "xml/xml_spans.h"
 
 namespace fs = std::filesystem;
 

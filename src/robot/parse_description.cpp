@@ -9,7 +9,7 @@
 #include "robot/geometry_stand_ins.h"
 #include "robot/joint_graph.h"
 #include "robot/urdf_model.h"
-#include "robot/xml_source.h"
+#include "xml/xml_source.h"
 
 namespace collision_hulls {
 namespace {

@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/run_program.h"
-#include "robot/text_file.h"
-#include "string_parts.h"
+#include "storage/text_file.h"
 
 namespace fs = std::filesystem;
 

@@ -10,8 +10,8 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/collision_text.h"
-#include "robot/xml_spans.h"
-#include "robot/xml_tree.h"
+#include "xml/xml_spans.h"
+#include "xml/xml_tree.h"
 
 namespace collision_hulls {
 namespace {

@@ -2,7 +2,7 @@
 #include "conversions.h"
 
 #include "collision_hulls/pipeline/progress_text.h"
-#include "collision_hulls/pipeline/totals.h"
+#include "collision_hulls/report/totals.h"
 #include "pen.h"
 
 namespace collision_hulls {

@@ -6,7 +6,7 @@
 #include <ros/node_handle.h>
 
 #include "collision_hulls/pipeline/fit_scene.h"
-#include "collision_hulls/pipeline/options.h"
+#include "collision_hulls/report/options.h"
 #include "collision_hulls/robot/robot_description.h"
 
 namespace collision_hulls {

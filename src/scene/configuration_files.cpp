@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/scene/configurations.h"
-#include "robot/text_file.h"
 #include "scene/reading.h"
 #include "scene/yaml_node.h"
-#include "string_parts.h"
+#include "storage/text_file.h"
 
 namespace collision_hulls {
 namespace {

@@ -14,10 +14,10 @@
 #include <cmath>
 #include <optional>
 
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
-#include "robot/text_file.h"
 #include "scene/reading.h"
-#include "string_parts.h"
+#include "storage/text_file.h"
 
 namespace collision_hulls {
 namespace {

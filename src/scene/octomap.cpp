@@ -11,8 +11,8 @@
 #include <map>
 
 #include "collision_hulls/error.h"
-#include "robot/text_file.h"
 #include "scene/reading.h"
+#include "storage/text_file.h"
 
 namespace collision_hulls {
 namespace {

@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <optional>
 
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "scene/reading.h"
-#include "string_parts.h"
 
 namespace collision_hulls {
 namespace {

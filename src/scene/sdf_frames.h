@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/xml_tree.h"
+#include "xml/xml_tree.h"
 
 namespace collision_hulls {
 

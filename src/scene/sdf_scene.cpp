@@ -6,13 +6,13 @@
 #include <map>
 #include <optional>
 
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
-#include "robot/text_file.h"
-#include "robot/xml_tree.h"
 #include "scene/model_uri.h"
 #include "scene/reading.h"
 #include "scene/sdf_frames.h"
-#include "string_parts.h"
+#include "storage/text_file.h"
+#include "xml/xml_tree.h"
 
 namespace fs = std::filesystem;
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "collision_hulls/error.h"
-#include "robot/text_file.h"
-#include "robot/xml_tree.h"
+#include "storage/text_file.h"
+#include "xml/xml_tree.h"
 
 namespace collision_hulls {
 namespace {

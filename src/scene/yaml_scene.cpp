@@ -3,9 +3,9 @@
 #include <set>
 
 #include "collision_hulls/error.h"
-#include "robot/text_file.h"
 #include "scene/reading.h"
 #include "scene/yaml_node.h"
+#include "storage/text_file.h"
 
 namespace collision_hulls {
 namespace {

@@ -9,11 +9,11 @@
 #include "bench/cuts.h"
 #include "bench/jobs.h"
 #include "bench/machine.h"
-#include "bench/query_benchmark.h"
+#include "bench/queries/query_benchmark.h"
 #include "decompose_options.h"
 #include "list_options.h"
 #include "measuring_program.h"
-#include "pipeline/files.h"
+#include "storage/files.h"
 
 namespace collision_hulls {
 namespace {

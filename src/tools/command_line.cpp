@@ -8,9 +8,9 @@
 #include <sstream>
 #include <utility>
 
+#include "base/nearest_name.h"
 #include "collision_hulls/error.h"
-#include "collision_hulls/pipeline/report.h"
-#include "nearest_name.h"
+#include "collision_hulls/report/report.h"
 
 namespace collision_hulls {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "collision_hulls/error.h"
-#include "collision_hulls/pipeline/options.h"
+#include "collision_hulls/report/options.h"
 #include "command_line.h"
 
 namespace collision_hulls {

@@ -2,10 +2,10 @@
 #include "collision_hulls/pipeline/fit_scene.h"
 
 #include "bench/table.h"
-#include "pipeline/files.h"
-#include "robot/text_file.h"
 #include "robot_program.h"
 #include "scene/reading.h"
+#include "storage/files.h"
+#include "storage/text_file.h"
 
 namespace collision_hulls {
 namespace {

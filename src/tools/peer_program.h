@@ -12,7 +12,7 @@
 
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/mesh/repair.h"
-#include "pipeline/files.h"
+#include "storage/files.h"
 
 namespace collision_hulls {
 

@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "base/string_parts.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "command_line.h"
 #include "decompose_options.h"
-#include "pipeline/files.h"
 #include "progress_display.h"
 #include "scene/reading.h"
-#include "string_parts.h"
+#include "storage/files.h"
 
 namespace collision_hulls {
 

@@ -1,17 +1,17 @@
 // stability INPUT...: finds where decomposition methods hold and where they fail, and the same for FCL's queries.
-#include "bench/stability.h"
+#include "bench/stability/stability.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 
 #include "bench/csv_file.h"
-#include "bench/fcl_stability.h"
 #include "bench/job_runner.h"
+#include "bench/stability/fcl_stability.h"
 #include "decompose_options.h"
 #include "list_options.h"
 #include "measuring_program.h"
-#include "pipeline/files.h"
+#include "storage/files.h"
 
 namespace collision_hulls {
 namespace {

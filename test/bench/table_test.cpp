@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "median.h"
+#include "base/median.h"
 
 namespace collision_hulls {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "collision_hulls/check/measures.h"
+#include "collision_hulls/measure/measures.h"
 #include "shapes.h"
 
 namespace collision_hulls {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision_hulls/check/measures.h"
 #include "collision_hulls/error.h"
+#include "collision_hulls/measure/measures.h"
 #include "solids.h"
 
 namespace collision_hulls {

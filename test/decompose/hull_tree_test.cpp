@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "decompose/certified_cases.h"
+#include "decompose/certified/certified_cases.h"
 
 namespace collision_hulls {
 namespace {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "collision_hulls/check/solid.h"
 #include "collision_hulls/control.h"
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
+#include "collision_hulls/measure/solid.h"
 
 namespace collision_hulls {
 

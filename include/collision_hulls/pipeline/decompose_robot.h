@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "collision_hulls/control.h"
-#include "collision_hulls/pipeline/options.h"
-#include "collision_hulls/pipeline/report.h"
+#include "collision_hulls/report/options.h"
+#include "collision_hulls/report/report.h"
 #include "collision_hulls/robot/robot_description.h"
 
 namespace collision_hulls {

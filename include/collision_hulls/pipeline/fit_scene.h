@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/fit/fit.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "collision_hulls/scene/configurations.h"
-#include "collision_hulls/scene/fit.h"
 
 namespace collision_hulls {
 

@@ -1,0 +1,26 @@
+# The frame without ROS and catkin: libraries, programs and their tests, laid out as catkin lays them out, and a CMake package for
+# find_package(collision_hulls), which gives the targets collision_hulls::collision_hulls and collision_hulls::collision_hulls_core.
+
+set(BUILD_SHARED_LIBS ON)
+set(LIBRARY_DESTINATION lib)
+set(PROGRAM_DESTINATION lib/${PROJECT_NAME})
+set(INCLUDE_DESTINATION include/${PROJECT_NAME})
+set(SHARE_DESTINATION share/${PROJECT_NAME})
+set(PROGRAMS_DIR "${PROJECT_BINARY_DIR}/${PROGRAM_DESTINATION}")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${LIBRARY_DESTINATION}")
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROGRAMS_DIR}")
+
+find_package(GTest QUIET)
+set(COLLISION_HULLS_TESTS ${GTEST_FOUND})
+if(COLLISION_HULLS_TESTS)
+  enable_testing()
+  add_custom_target(tests)
+endif()
+
+function(install_cmake_package)
+  set(config "${PROJECT_BINARY_DIR}/${PROJECT_NAME}Config.cmake")
+  file(WRITE "${config}"
+    "include(CMakeFindDependencyMacro)\nfind_dependency(Eigen3)\ninclude(\"\${CMAKE_CURRENT_LIST_DIR}/${PROJECT_NAME}Targets.cmake\")\n")
+  install(EXPORT ${PROJECT_NAME}Targets NAMESPACE ${PROJECT_NAME}:: DESTINATION ${SHARE_DESTINATION}/cmake)
+  install(FILES "${config}" DESTINATION ${SHARE_DESTINATION}/cmake)
+endfunction()

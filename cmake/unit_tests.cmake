@@ -1,0 +1,43 @@
+# Unit tests: one program per room, from test/<room>. They are built by the target `tests`.
+
+set(TESTED_ROOMS ${CORE_ROOMS} ${ROBOT_ROOMS} bench tools demo)
+
+# add_unit_tests(NAME SOURCE...): by catkin if this is its build, so that its results lie where `catkin_make run_tests` looks for them.
+function(add_unit_tests name)
+  if(COLLISION_HULLS_ROS)
+    catkin_add_gtest(${name} ${ARGN})
+    target_link_libraries(${name} gtest_main)
+  else()
+    add_executable(${name} EXCLUDE_FROM_ALL ${ARGN})
+    target_link_libraries(${name} GTest::Main)
+    add_test(NAME ${name} COMMAND ${name})
+    add_dependencies(tests ${name})
+  endif()
+endfunction()
+
+function(add_room_tests room)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS test/${room}/*_test.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")  # not among the programs, where rosrun would find them
+  add_unit_tests(${room}_test ${sources})
+  target_include_directories(${room}_test PRIVATE test src)
+  target_link_libraries(${room}_test ${PROJECT_NAME}_bench command_line found::fcl found::tbb nlohmann_json::nlohmann_json)
+  target_compile_definitions(${room}_test PRIVATE
+    TEST_DATA="${PROJECT_SOURCE_DIR}/test/data" SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared"
+    DEMO_ROBOT="${PROJECT_SOURCE_DIR}" PROGRAMS="${PROGRAMS_DIR}")
+endfunction()
+
+foreach(room ${TESTED_ROOMS})
+  add_room_tests(${room})
+endforeach()
+add_dependencies(tools_test ${PROGRAMS})
+
+if(TARGET physics_room)
+  add_room_tests(physics)
+  target_link_libraries(physics_test physics_room)
+else()
+  add_test(NAME physics_test COMMAND ${CMAKE_COMMAND} -E echo "skipped: DART is not installed")
+  set_tests_properties(physics_test PROPERTIES SKIP_REGULAR_EXPRESSION "^skipped")
+endif()

@@ -1,0 +1,80 @@
+// The report of a run: report.json as a value. Field names are a contract that other tools read.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/check/validate.h"
+#include "collision_hulls/fit/fit.h"
+#include "collision_hulls/mesh/repair.h"
+#include "collision_hulls/report/options.h"
+
+namespace collision_hulls {
+
+/// The version of this library, as in package.xml.
+const char* version();
+
+enum class Status { kOk, kDegraded, kFailed };
+const char* name(Status status);  ///< "ok", "degraded", "failed"
+
+struct StageSeconds {
+  double read = 0, repair = 0, decompose = 0, certify = 0, write = 0;
+};
+
+/// One mesh of one link. Lengths in metres, in the link's frame after `scale`.
+struct ElementReport {
+  std::string link;
+  int element = 0;      ///< among the link's source elements, primitives counted
+  bool visual = false;  ///< "source"
+  std::string uri, sha256;
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();
+  std::size_t triangles = 0, skipped_primitives = 0;
+  Status status = Status::kOk;
+  std::string reason;  ///< why degraded or failed; names item, value, limit and remedy
+  std::string error;   ///< of a failed row: the name of its ErrorCode
+  RepairCounts repair;
+  Method method = Method::kCertified;
+  double tolerance = 0;
+  std::size_t hulls = 0, hull_vertices = 0;
+  std::size_t primitives = 0;  ///< spheres, boxes and cylinders in place of hulls, in a model that was fitted to a scene
+  double uncovered = 0, protrusion = 0, protrusion_found = 0;
+  Eigen::Vector3d worst = Eigen::Vector3d::Zero(), worst_nearest = Eigen::Vector3d::Zero();  ///< place of protrusion_found, and of S
+  std::string interior;
+  double volume = 0, hull_volume = 0, diagonal = 0;
+  double covered_share = 1;        ///< of the solid's inside that lies in the hulls, to 1 % or so; see coveredShare()
+  double nudge = 0;                ///< [m] how far hulls were moved outward for rounding (reader, weld, writer)
+  double thickness = 0;            ///< [m] thickness given to flat hulls
+  StageSeconds seconds;            ///< a mesh that several links use is worked on once: the first row has the time, the others have 0
+  std::vector<std::string> files;  ///< relative to the output folder
+  bool cached = false;             ///< remembered from an earlier run; seconds.read is what finding it took
+};
+
+struct Report {
+  std::string input_path, input_sha256;
+  Options options;
+  std::vector<ElementReport> links;  ///< a row for every mesh of every link, in document order
+  std::vector<std::string> files;    ///< of the output beside those of the links and report.json
+  Validation validation;             ///< meaningful where options.validate; null in JSON otherwise
+  std::optional<FitReport> scene;    ///< of a model that was fitted to a scene
+  bool validation_cached = false;    ///< remembered from an earlier run, times too
+  std::vector<std::string> notes;    ///< what to know about the result as a whole
+  double seconds = 0;                ///< wall clock of the whole run
+};
+
+/// report.json's text, with the fields and totals of the contract.
+std::string toJson(const Report& report);
+
+/// What the programs print: a table with a row for each mesh and their total, then the check, the scene and the notes, in plain words.
+/// The reasons of failed rows are in failures().
+std::string toTable(const Report& report);
+
+/// A line for each failed row; a single one for all rows that miss the same package.
+std::vector<std::string> failures(const Report& report);
+
+bool anyFailed(const Report& report);
+bool allFailed(const Report& report);  ///< and there were some
+
+}  // namespace collision_hulls

@@ -1,0 +1,45 @@
+// Spelling suggestions for messages about unknown names.
+#include "base/nearest_name.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace collision_hulls {
+
+std::size_t editDistance(const std::string& a, const std::string& b) {
+  // One row of the usual table: row[j] is the distance between a's first i letters and b's first j.
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string nearestName(const std::string& text, const std::vector<std::string>& names) {
+  constexpr std::size_t kShortest = 2;  // letters; less begins too many names
+  if (text.size() < kShortest) return "";
+  std::size_t least = std::max(kShortest, text.size() / 3) + 1;
+  std::string nearest;
+  for (const std::string& name : names) {
+    const bool begins = name.compare(0, text.size(), text) == 0;
+    const std::size_t distance = begins ? 0 : editDistance(text, name);
+    if (distance >= least || distance >= name.size()) continue;
+    least = distance;
+    nearest = name;
+  }
+  return nearest;
+}
+
+std::string didYouMean(const std::string& text, const std::vector<std::string>& names) {
+  const std::string nearest = nearestName(text, names);
+  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+}
+
+}  // namespace collision_hulls

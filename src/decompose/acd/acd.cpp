@@ -1,0 +1,159 @@
+// Lien & Amato's divide and conquer with a priority queue on concavity: the most concave part is cut next, at its deepest notch. A part
+// whose plane divides nothing is cut in the middle instead, and if that fails too, kept.
+#include "collision_hulls/decompose/acd.h"
+
+#include <algorithm>
+#include <queue>
+#include <utility>
+
+#include "decompose/acd/notches.h"
+#include "decompose/cluster_hulls.h"
+#include "decompose/surface_piece.h"
+#include "mesh/loose_segments.h"
+
+namespace collision_hulls {
+
+namespace {
+
+constexpr std::size_t kMostParts = 2000;
+constexpr double kOnPlane = 1e-9;  // in extents of the whole mesh
+
+struct Part {
+  SurfacePiece piece;
+  ConvexHull hull;
+  Notch notch;
+  bool two_sided = false;
+};
+
+/// Parts in the order to cut them: highest concavity first, then oldest first.
+struct Waiting {
+  double concavity;
+  std::size_t part;
+  bool operator<(const Waiting& o) const { return concavity != o.concavity ? concavity < o.concavity : part > o.part; }
+};
+
+/// The triangles of the sheets, or all the others.
+SurfacePiece trianglesOf(const RepairedMesh& mesh, bool sheets) {
+  SurfacePiece piece;
+  piece.vertices = mesh.mesh.vertices;
+  for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t)
+    if ((mesh.sheet[t] != 0) == sheets) piece.triangles.push_back(mesh.mesh.triangles[t]);
+  return piece;
+}
+
+void append(const SurfacePiece& piece, SurfacePiece& to) {
+  const int first = static_cast<int>(to.vertices.size());
+  to.vertices.insert(to.vertices.end(), piece.vertices.begin(), piece.vertices.end());
+  for (const Triangle& t : piece.triangles) to.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
+bool within(const ConvexHull& hull, const SurfacePiece& piece) {
+  return std::all_of(piece.vertices.begin(), piece.vertices.end(), [&](const Eigen::Vector3d& v) { return planeDistance(hull, v) <= 0; });
+}
+
+/// What a cut leaves on one side: its components, with each component inside another's hull joined to that one. Why: if a wall is cut at
+/// all of its edges its two skins become separate components, and the outer skin alone is convex, whatever it encloses.
+std::vector<SurfacePiece> separated(const SurfacePiece& side) {
+  std::vector<SurfacePiece> parts;
+  std::vector<ConvexHull> hulls;
+  for (SurfacePiece& piece : components(side)) {
+    ConvexHull hull = convexHull(piece.vertices);
+    for (std::size_t i = 0; i < parts.size();) {
+      if (!within(hulls[i], piece) && !within(hull, parts[i])) {
+        ++i;
+        continue;
+      }
+      append(parts[i], piece);
+      hull = convexHull(piece.vertices);
+      parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(i));
+      hulls.erase(hulls.begin() + static_cast<std::ptrdiff_t>(i));
+      i = 0;  // the hull has grown: start again
+    }
+    parts.push_back(std::move(piece));
+    hulls.push_back(std::move(hull));
+  }
+  return parts;
+}
+
+class Resolving {
+ public:
+  Resolving(const RepairedMesh& mesh, double epsilon, const RunControl& control)
+      : epsilon_(epsilon), on_plane_(kOnPlane * boundingBox(mesh.mesh).sizes().maxCoeff()), control_(control), undone_(area(mesh.mesh)) {
+    whole_ = undone_;
+    for (bool sheets : {false, true})
+      for (SurfacePiece& piece : components(trianglesOf(mesh, sheets))) add(std::move(piece), sheets);
+  }
+
+  std::vector<ConvexHull> run() {
+    while (!waiting_.empty() && parts_.size() - resolved_ < kMostParts) {
+      const std::size_t next = waiting_.top().part;
+      waiting_.pop();
+      resolve(next);
+    }
+    std::vector<ConvexHull> hulls;
+    for (Part& part : parts_)
+      if (!part.hull.vertices.empty()) hulls.push_back(std::move(part.hull));
+    return hulls;
+  }
+
+ private:
+  void add(SurfacePiece piece, bool two_sided) {
+    control_.check();
+    Part part;
+    part.hull = convexHull(piece.vertices);
+    part.notch = deepestNotch(piece, part.hull, two_sided, control_);
+    part.two_sided = two_sided;
+    if (part.notch.concavity > epsilon_) {
+      waiting_.push({part.notch.concavity, parts_.size()});
+      part.piece = std::move(piece);
+    } else {
+      done(piece);
+    }
+    parts_.push_back(std::move(part));
+  }
+
+  /// Replaces a part by the pieces on either side of the plane through its deepest notch; keeps it if no plane divides it.
+  void resolve(std::size_t index) {
+    const Part part = std::exchange(parts_[index], {});
+    for (const HalfSpace& plane : {planeThrough(part.notch), middlePlane(part.piece)}) {
+      const auto [beneath, above] = cut(part.piece, plane, on_plane_);
+      if (beneath.triangles.empty() || above.triangles.empty()) continue;
+      ++resolved_;
+      for (const SurfacePiece* side : {&beneath, &above})
+        for (SurfacePiece& piece : separated(*side)) add(std::move(piece), part.two_sided);
+      return;
+    }
+    done(part.piece);
+    parts_[index].hull = part.hull;
+  }
+
+  static HalfSpace planeThrough(const Notch& notch) { return {notch.bisector, notch.bisector.dot(notch.point)}; }
+
+  void done(const SurfacePiece& piece) {
+    undone_ = std::max(0.0, undone_ - area(piece));
+    if (whole_ > 0) control_.report(1 - undone_ / whole_);
+  }
+
+  double epsilon_, on_plane_;
+  const RunControl& control_;
+  double undone_, whole_ = 0;
+  std::vector<Part> parts_;  // parts that were replaced are empty
+  std::size_t resolved_ = 0;
+  std::priority_queue<Waiting> waiting_;
+};
+
+}  // namespace
+
+double straightLineConcavity(const TriangleMesh& mesh, bool two_sided) {
+  if (mesh.triangles.empty()) return 0;
+  return deepestNotch(mesh, convexHull(mesh.vertices), two_sided, {}).concavity;
+}
+
+std::vector<ConvexHull> acdHulls(const RepairedMesh& mesh, double epsilon, const RunControl& control) {
+  if (mesh.mesh.triangles.empty()) return {convexHull(withLoose(mesh).vertices)};
+  std::vector<ConvexHull> hulls = Resolving(mesh, epsilon, control).run();
+  addLoose(hulls, mesh.loose, control);
+  return hulls;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,127 @@
+// Collects candidate planes for one cut: at reflex edges (similar planes joined, heaviest kept), and through intruders from each quarter of
+// the list sorted by depth. Scoring (plane_score.h) is what costs time, hence the limits.
+#include "decompose/certified/cut_planes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+namespace collision_hulls {
+
+namespace {
+
+constexpr double kFlat = 0.995;          // an edge is not reflex if the cosine between its faces is above this
+constexpr double kLevel = 1e-3;          // how far a face must rise above its neighbour's plane, in tolerances
+constexpr double kLike = 0.9995;         // planes count as one if the cosine between their normals is larger than this ...
+constexpr double kNear = 0.1;            // ... and their offsets differ by less than this, in tolerances
+constexpr std::size_t kMostKinds = 300;  // reflex planes that are distinguished
+constexpr std::size_t kMostReflex = 60;  // ... and those of them that are tried
+
+struct Weighted {
+  HalfSpace plane;
+  double weight = 0;
+};
+
+HalfSpace through(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) {
+  return {normal, normal.dot(p)};
+}
+
+Eigen::Vector3d normalOf(const SurfacePiece& piece, int t) {
+  const Eigen::Vector3d n = (piece.corner(t, 1) - piece.corner(t, 0)).cross(piece.corner(t, 2) - piece.corner(t, 0));
+  return n.norm() > 0 ? Eigen::Vector3d(n.normalized()) : Eigen::Vector3d::Zero();
+}
+
+/// Adds three planes at the edge a-b between two faces if it is reflex. Their weight is the edge's length times the angle.
+void addReflexPlanes(const SurfacePiece& piece, int first, int second, int a, int b, double tolerance, std::vector<Weighted>& planes) {
+  const Eigen::Vector3d n1 = normalOf(piece, first), n2 = normalOf(piece, second);
+  const double cosine = n1.dot(n2);
+  if (cosine > kFlat || n1.isZero(0) || n2.isZero(0)) return;
+  const Eigen::Vector3d &pa = piece.vertices[static_cast<std::size_t>(a)], &pb = piece.vertices[static_cast<std::size_t>(b)];
+  double rise = 0;
+  for (int k = 0; k < 3; ++k) rise = std::max(rise, n1.dot(piece.corner(second, k) - pa));
+  if (rise <= kLevel * tolerance) return;
+  const double weight = (pb - pa).norm() * std::acos(std::clamp(cosine, -1.0, 1.0));
+  planes.push_back({through(pa, n1), weight});
+  planes.push_back({through(pa, n2), weight});
+  const Eigen::Vector3d bisector = (pb - pa).cross(n1 + n2);
+  if (bisector.norm() > 0) planes.push_back({through(pa, bisector.normalized()), weight});
+}
+
+std::vector<Weighted> reflexPlanes(const SurfacePiece& piece, double tolerance) {
+  struct HalfEdge {
+    int low, high, triangle;
+    bool operator<(const HalfEdge& o) const { return low != o.low ? low < o.low : high != o.high ? high < o.high : triangle < o.triangle; }
+  };
+  std::vector<HalfEdge> edges;
+  for (int t = 0; t < static_cast<int>(piece.triangles.size()); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Triangle& c = piece.triangles[static_cast<std::size_t>(t)];
+      const auto [low, high] = std::minmax(c[k], c[(k + 1) % 3]);
+      edges.push_back({low, high, t});
+    }
+  std::sort(edges.begin(), edges.end());
+  std::vector<Weighted> planes;
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    const HalfEdge &e = edges[i], &f = edges[i + 1];
+    if (e.low == f.low && e.high == f.high) addReflexPlanes(piece, e.triangle, f.triangle, e.low, e.high, tolerance, planes);
+  }
+  return planes;
+}
+
+/// Joins similar planes and adds up their weights; heaviest first.
+std::vector<Weighted> joined(std::vector<Weighted> planes, double tolerance) {
+  const auto heavier = [](const Weighted& a, const Weighted& b) { return a.weight > b.weight; };
+  std::stable_sort(planes.begin(), planes.end(), heavier);
+  std::vector<Weighted> kinds;
+  for (const Weighted& p : planes) {
+    const auto like = std::find_if(kinds.begin(), kinds.end(), [&](const Weighted& k) {
+      const double cosine = k.plane.normal.dot(p.plane.normal), sign = cosine > 0 ? 1 : -1;
+      return std::abs(cosine) > kLike && std::abs(k.plane.offset - sign * p.plane.offset) < kNear * tolerance;
+    });
+    if (like != kinds.end())
+      like->weight += p.weight;
+    else if (kinds.size() < kMostKinds)
+      kinds.push_back(p);
+  }
+  std::stable_sort(kinds.begin(), kinds.end(), heavier);
+  return kinds;
+}
+
+void addAxisPlanes(const Eigen::Vector3d& p, bool diagonals, std::vector<HalfSpace>& planes) {
+  for (int axis = 0; axis < 3; ++axis) planes.push_back(through(p, Eigen::Vector3d::Unit(axis)));
+  if (!diagonals) return;
+  for (int axis = 0; axis < 3; ++axis)
+    for (double sign : {1.0, -1.0})
+      planes.push_back(through(p, (Eigen::Vector3d::Unit((axis + 1) % 3) + sign * Eigen::Vector3d::Unit((axis + 2) % 3)).normalized()));
+}
+
+/// Planes across and along the shortest line from the solid to an intruder.
+void addNearestPlanes(const Eigen::Vector3d& p, const Solid& solid, std::vector<HalfSpace>& planes) {
+  const Eigen::Vector3d nearest = solid.surface().nearest(p).point, way = p - nearest;
+  if (!(way.norm() > 0)) return;
+  const Eigen::Vector3d across = way.normalized(), along = across.unitOrthogonal();
+  planes.push_back(through(p, across));
+  planes.push_back(through(nearest, across));
+  planes.push_back(through(p, along));
+  planes.push_back(through(p, across.cross(along)));
+}
+
+}  // namespace
+
+std::vector<HalfSpace> cutPlanes(const SurfacePiece& piece, const std::vector<OutsideDistance::Intruder>& intruders, const Solid& solid,
+                                 double tolerance) {
+  std::vector<HalfSpace> planes;
+  const std::vector<Weighted> reflex = joined(reflexPlanes(piece, tolerance), tolerance);
+  for (std::size_t i = 0; i < std::min(kMostReflex, reflex.size()); ++i) planes.push_back(reflex[i].plane);
+  std::vector<OutsideDistance::Intruder> deepest = intruders;
+  std::stable_sort(deepest.begin(), deepest.end(), [](const auto& a, const auto& b) { return a.distance > b.distance; });
+  for (std::size_t quarter = 0; quarter < 4 && quarter < deepest.size(); ++quarter) {
+    const Eigen::Vector3d& p = deepest[quarter * deepest.size() / 4].p;
+    addAxisPlanes(p, quarter == 0, planes);
+    addNearestPlanes(p, solid, planes);
+  }
+  return planes;
+}
+
+}  // namespace collision_hulls

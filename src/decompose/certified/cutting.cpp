@@ -1,0 +1,207 @@
+// cut(piece):
+//   H = hull of the piece; if H stays within the tolerance: a leaf
+//   (a hull over the vertex cap must do so after it is capped as well; if it does not, the piece is halved)
+//   if the piece falls into components: cut(each)
+//   else choose the candidate plane with the best score and cut(both sides)
+//   (or first, on request, the one that finishes the largest possible side)
+//
+// A plane's score counts the intruders (points of H outside the solid by more than the tolerance) that remain in either side's hull. Volume
+// that neither side's hull contains improves the score, and so does a finished side. Scores are computed on simplified pieces: a rough one
+// for all planes, a finer one for the best of them. The cut is made on the piece itself.
+#include "decompose/certified/cutting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <mutex>
+
+#include "base/parallel.h"
+#include "collision_hulls/decompose/reduce_vertices.h"
+#include "decompose/certified/cut_planes.h"
+#include "decompose/certified/largest_side.h"
+#include "mesh/loose_segments.h"
+
+namespace collision_hulls {
+
+namespace {
+
+constexpr std::size_t kVertices = 200, kRoughVertices = 50;  // of the simplified pieces
+constexpr std::size_t kIntruders = 100, kRoughThinning = 3;  // for scoring; the rough piece uses only every third
+constexpr std::size_t kFinalists = 8;                        // planes scored on the finer piece
+constexpr std::size_t kEdgesOfPiece = 4000;                  // larger pieces show the reflex edges of their simplified form
+constexpr std::size_t kSome = 3000;                          // points of a piece whose hull is tried before that of all points
+constexpr std::size_t kThin = 300;                           // vertices of a hull that is searched for intruders
+constexpr double kSlim = 0.01, kSmall = 0.01;   // in tolerances and as a share of the area: a side this slim and small is not worth a cut
+constexpr double kOnPlane = 1e-9;               // in extents of the whole mesh
+constexpr int kHalveFrom = 40, kDeepest = 200;  // depth of recursion from which pieces are simply halved, and where it ends
+constexpr double kMostLeaves = 10'000;          // per mesh; parts get shares in proportion to their areas
+constexpr std::size_t kApart = 1000, kShares = 16;  // triangles, and shares of them all, that make a part worth a thread
+
+using Intruders = std::vector<OutsideDistance::Intruder>;
+
+/// At most kSome of the points, evenly spread over their order.
+std::vector<Eigen::Vector3d> some(const std::vector<Eigen::Vector3d>& points) {
+  if (points.size() <= kSome) return points;
+  std::vector<Eigen::Vector3d> result;
+  for (std::size_t i = 0; i < kSome; ++i) result.push_back(points[i * points.size() / kSome]);
+  return result;
+}
+
+std::size_t trianglesOf(const std::vector<Block>& blocks) {
+  std::size_t sum = 0;
+  for (const Block& block : blocks) sum += block.surface.triangles.size();
+  return sum;
+}
+
+double areaOf(const std::vector<Block>& blocks) {
+  double sum = 0;
+  for (const Block& block : blocks) sum += area(block.surface);
+  return sum;
+}
+
+Eigen::AlignedBox3d boxOf(const std::vector<Block>& blocks) {
+  Eigen::AlignedBox3d box;
+  for (const Block& block : blocks) box.extend(boundingBox(block.surface));
+  return box;
+}
+
+/// The share of the area that is finished. Thread safe.
+class Done {
+ public:
+  Done(double whole, const std::function<void(double)>& progress) : whole_(whole), progress_(progress) {}
+  void add(double area) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    done_ += area;
+    if (whole_ > 0) progress_(std::min(1.0, done_ / whole_));
+  }
+
+ private:
+  std::mutex mutex_;
+  const double whole_;
+  double done_ = 0;
+  const std::function<void(double)>& progress_;
+};
+
+class Cutting {
+ public:
+  Cutting(ProtrusionOracle& oracle, const CutOptions& options, double on_plane, std::size_t apart, double budget, Done& done)
+      : oracle_(oracle), options_(options), on_plane_(on_plane), apart_(apart), budget_(budget), done_(done) {}
+
+  /// Cuts large blocks in parallel, half of them with an oracle of their own. The halves do not depend on the number of threads, and so
+  /// neither does the result.
+  void run(std::vector<Block> blocks, int depth) {
+    if (blocks.size() == 1) return run(std::move(blocks[0]), depth);
+    std::vector<Block> others(std::make_move_iterator(blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 2)),
+                              std::make_move_iterator(blocks.end()));
+    blocks.resize(blocks.size() / 2);
+    if (std::min(trianglesOf(blocks), trianglesOf(others)) < apart_) {
+      run(std::move(blocks), depth);
+      return run(std::move(others), depth);
+    }
+    ProtrusionOracle oracle = oracle_.forPart(boxOf(others));
+    const double mine = areaOf(blocks), theirs = areaOf(others), left = budget_ - static_cast<double>(leaves.size());
+    const double share = mine + theirs > 0 ? left * theirs / (mine + theirs) : left / 2;
+    Cutting beside(oracle, options_, on_plane_, apart_, share, done_);
+    budget_ -= share;
+    atOnce([&] { run(std::move(blocks), depth); }, [&] { beside.run(std::move(others), depth); });
+    oracle_.learn(oracle);
+    budget_ += share;
+    leaves.insert(leaves.end(), std::make_move_iterator(beside.leaves.begin()), std::make_move_iterator(beside.leaves.end()));
+  }
+
+  std::vector<Leaf> leaves;
+
+ private:
+  void run(Block block, int depth) {
+    const std::vector<Eigen::Vector3d>& points = block.surface.vertices;
+    ConvexHull hull = roughHull(some(points));  // a part of the piece's hull: whatever refutes it refutes the whole
+    const ConvexHull thin = thinned(hull, kThin);
+    const double reach = oracle_.reach(thin);
+    const bool clear = !std::isinf(reach), is_last = depth >= kDeepest || isFull();
+    const auto complete = [&] {
+      if (points.size() > kSome) hull = roughHull(points);
+    };
+    if (clear || is_last) complete();
+    const bool over_cap = clear && overCap(hull);
+    const auto reduced = over_cap ? std::make_shared<const ConvexHull>(reduceVertices(hull, options_.max_vertices)) : nullptr;
+    const bool is_asked = !reduced && points.size() <= kSome && thin.vertices.size() == hull.vertices.size();
+    const bool fits = clear && (is_asked ? oracle_.fitsWithin(hull, reach) : oracle_.fits(reduced ? *reduced : hull));
+    if (fits || is_last) return leaf({std::move(block), std::move(hull), fits ? reduced : nullptr});
+    std::vector<Block> parts = components(block);
+    if (parts.size() == 1) parts = over_cap || depth >= kHalveFrom ? halves(block, on_plane_) : bestCut(block, clear ? hull : thin);
+    if (parts.size() == 1) {
+      complete();
+      return leaf({std::move(block), std::move(hull)});
+    }
+    block = {};
+    run(std::move(parts), depth + 1);
+  }
+
+  bool isFull() const { return leaves.size() >= options_.most_leaves || static_cast<double>(leaves.size()) >= budget_; }
+
+  void leaf(Leaf leaf) {
+    done_.add(area(leaf.block.surface));
+    leaves.push_back(std::move(leaf));
+  }
+
+  bool overCap(const ConvexHull& hull) const {
+    return options_.max_vertices > 0 && hull.vertices.size() > static_cast<std::size_t>(options_.max_vertices);
+  }
+
+  /// Both sides of the best plane that divides the piece; the piece alone if no plane does.
+  std::vector<Block> bestCut(const Block& block, const ConvexHull& hull) {
+    const SurfacePiece& piece = block.surface;
+    if (options_.largest_side_first)
+      if (const std::optional<HalfSpace> plane = largestSide(piece, oracle_)) {
+        std::vector<Block> parts = parted(block, *plane, on_plane_);
+        if (parts.size() > 1) return parts;
+      }
+    const Intruders intruders = oracle_.intruders(hull, kIntruders);
+    Intruders few;
+    for (std::size_t i = 0; i < intruders.size(); i += kRoughThinning) few.push_back(intruders[i]);
+    const PlaneScore fine(piece, kVertices, intruders, volume(hull), options_.weights);
+    const PlaneScore rough(fine.piece(), kRoughVertices, few, volume(hull), options_.weights);
+    const bool own_edges = piece.triangles.size() <= kEdgesOfPiece;
+    std::vector<HalfSpace> planes = cutPlanes(own_edges ? piece : fine.piece(), intruders, oracle_.solid(), oracle_.tolerance());
+    if (planes.size() > kFinalists) planes = rough.best(planes, kFinalists);
+    for (const HalfSpace& plane : fine.best(planes, kFinalists)) {
+      std::vector<Block> parts = parted(block, plane, on_plane_);
+      if (parts.size() > 1 && !isPared(parts, plane)) return parts;  // a plane that divides the simplified piece may miss the real one
+    }
+    return halves(block, on_plane_);
+  }
+
+  /// Whether one side is so slim and small that nothing is gained: such cuts, repeated, only multiply triangles.
+  bool isPared(const std::vector<Block>& sides, const HalfSpace& plane) const {
+    const auto slim = [&](const SurfacePiece& side) {
+      return std::all_of(side.vertices.begin(), side.vertices.end(),
+                         [&](const Eigen::Vector3d& v) { return std::abs(plane.distance(v)) < kSlim * oracle_.tolerance(); });
+    };
+    const double first = area(sides[0].surface), second = area(sides[1].surface);
+    return std::min(first, second) < kSmall * (first + second) && slim(sides[first < second ? 0 : 1].surface);
+  }
+
+  ProtrusionOracle& oracle_;
+  const CutOptions options_;
+  const double on_plane_;
+  const std::size_t apart_;  // [triangles]
+  double budget_;            // [leaves]
+  Done& done_;
+};
+
+}  // namespace
+
+std::vector<Leaf> cutIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& oracle, const CutOptions& options,
+                                const std::function<void(double)>& progress) {
+  SurfacePiece whole = withLoose(mesh);
+  Done done(area(whole), progress);
+  Cutting cutting(oracle, options, kOnPlane * boundingBox(whole).sizes().maxCoeff(), std::max(kApart, whole.triangles.size() / kShares),
+                  kMostLeaves, done);
+  const Region region = options.fill ? Region(boundingBox(whole), oracle.solid()) : Region();
+  std::vector<Block> blocks;
+  blocks.push_back({std::move(whole), region});
+  cutting.run(std::move(blocks), 0);
+  return std::move(cutting.leaves);
+}
+
+}  // namespace collision_hulls

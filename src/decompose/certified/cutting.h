@@ -1,0 +1,36 @@
+// Top down: cuts a mesh's surface by planes until every piece's hull stays within the tolerance.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "collision_hulls/mesh/repair.h"
+#include "decompose/certified/block.h"
+#include "decompose/certified/plane_score.h"
+#include "decompose/certified/protrusion_oracle.h"
+
+namespace collision_hulls {
+
+struct CutOptions {
+  ScoreWeights weights;
+  int max_vertices = 0;             ///< cap for a leaf's hull, which must stay within the tolerance when capped as well; 0: no cap
+  bool fill = false;                ///< cover the solid, not only its surface
+  bool largest_side_first = false;  ///< cut by largestSide() if it finds a plane, regardless of scores
+  std::size_t most_leaves = 5000;   ///< per part that is cut on its own; once reached, the rest is left uncut
+};
+
+/// A block and the hull of its points.
+struct Leaf {
+  Block block;
+  ConvexHull hull;
+  std::shared_ptr<const ConvexHull> reduced = nullptr;  ///< the hull with its vertices capped, if that is what fits
+};
+
+/// Cuts a mesh into leaves whose blocks make up the whole surface (including loose segments). By the oracle's account each hull stays
+/// within the tolerance, unless its piece could not be cut further. The order is fixed. Calls `progress` with the finished share of the
+/// area.
+std::vector<Leaf> cutIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& oracle, const CutOptions& options,
+                                const std::function<void(double)>& progress);
+
+}  // namespace collision_hulls

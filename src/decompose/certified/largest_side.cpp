@@ -1,0 +1,123 @@
+// For each direction: raise a plane to where the area below it just exceeds the best so far. If the hull of what is below stays within the
+// tolerance, raise the plane further, by bisection, as long as it does.
+#include "decompose/certified/largest_side.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+namespace collision_hulls {
+
+namespace {
+
+// Largest piece to try: larger ones take long, and simplifying them would blur where the hull stops fitting.
+constexpr std::size_t kVertices = 4000;
+constexpr double kLeast = 0.15, kMost = 0.95;  // shares of the area that make a cut worthwhile
+constexpr int kAreaHalvings = 20;              // bisections to reach a given share of the area,
+constexpr int kHalvings = 8;                   // and from there on
+
+/// A piece, divided by planes normal to one direction.
+class Beneath {
+ public:
+  explicit Beneath(const SurfacePiece& piece) : piece_(piece), edges_(edgesOf(piece_)), height_(piece_.vertices.size()) {
+    for (const Triangle& t : piece_.triangles) {
+      const auto at = [&](std::size_t k) { return piece_.vertices[static_cast<std::size_t>(t[k])]; };
+      areas_.push_back((at(1) - at(0)).cross(at(2) - at(0)).norm() / 2);
+      area_ += areas_.back();
+    }
+  }
+
+  double area() const { return area_; }
+
+  void setDirection(const Eigen::Vector3d& up) {
+    for (std::size_t i = 0; i < height_.size(); ++i) height_[i] = up.dot(piece_.vertices[i]);
+  }
+
+  /// The share of the area below the plane at some height.
+  double share(double plane) const {
+    double sum = 0;
+    for (std::size_t t = 0; t < piece_.triangles.size(); ++t) {
+      std::array<double, 3> h{};
+      for (std::size_t k = 0; k < 3; ++k) h[k] = height_[static_cast<std::size_t>(piece_.triangles[t][k])] - plane;
+      std::sort(h.begin(), h.end());
+      if (h[2] <= 0)
+        sum += areas_[t];
+      else if (h[1] <= 0 && h[0] < 0)
+        sum += areas_[t] * (1 - h[2] * h[2] / ((h[2] - h[0]) * (h[2] - h[1])));
+      else if (h[0] < 0)
+        sum += areas_[t] * h[0] * h[0] / ((h[1] - h[0]) * (h[2] - h[0]));
+    }
+    return sum / area_;
+  }
+
+  /// The greatest height of a plane below which the piece's hull fits the tolerance and more than `least` of the area lies.
+  std::optional<double> highest(double least, ProtrusionOracle& oracle) const {
+    double low = *std::min_element(height_.begin(), height_.end()), top = *std::max_element(height_.begin(), height_.end()), high = top;
+    halve(low, high, kAreaHalvings, [&](double plane) { return share(plane) <= least; });
+    const auto fits = [&](double plane) { return oracle.mayWellFit(hull(plane)); };
+    if (!(high < top) || !fits(high)) return std::nullopt;
+    halve(high, top, kHalvings, fits);
+    return high;
+  }
+
+ private:
+  /// Bisects towards the point where `lower` becomes false.
+  template <class F>
+  static void halve(double& low, double& high, int times, F lower) {
+    for (int i = 0; i < times; ++i) {
+      const double middle = (low + high) / 2;
+      (lower(middle) ? low : high) = middle;
+    }
+  }
+
+  ConvexHull hull(double plane) const {
+    std::vector<Eigen::Vector3d> points;
+    for (std::size_t i = 0; i < height_.size(); ++i)
+      if (height_[i] <= plane) points.push_back(piece_.vertices[i]);
+    for (const auto& [a, b] : edges_) {
+      const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+      const double ha = height_[i] - plane, hb = height_[j] - plane;
+      if (ha * hb < 0) points.push_back(piece_.vertices[i] + (ha / (ha - hb)) * (piece_.vertices[j] - piece_.vertices[i]));
+    }
+    return roughHull(points);
+  }
+
+  const SurfacePiece& piece_;
+  const std::vector<std::pair<int, int>> edges_;
+  std::vector<double> areas_, height_;
+  double area_ = 0;
+};
+
+/// The axes and the face diagonals of a cube, each in both directions; axes first.
+std::vector<Eigen::Vector3d> directions() {
+  std::vector<Eigen::Vector3d> axes, diagonals;
+  for (int x = -1; x <= 1; ++x)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z) {
+        const int count = std::abs(x) + std::abs(y) + std::abs(z);
+        if (count == 1) axes.emplace_back(x, y, z);
+        if (count == 2) diagonals.push_back(Eigen::Vector3d(x, y, z).normalized());
+      }
+  axes.insert(axes.end(), diagonals.begin(), diagonals.end());
+  return axes;
+}
+
+}  // namespace
+
+std::optional<HalfSpace> largestSide(const SurfacePiece& piece, ProtrusionOracle& oracle) {
+  if (piece.vertices.size() > kVertices) return std::nullopt;
+  Beneath beneath(piece);
+  if (!(beneath.area() > 0)) return std::nullopt;
+  std::optional<HalfSpace> best;
+  double most = kLeast;
+  for (const Eigen::Vector3d& up : directions()) {
+    beneath.setDirection(up);
+    const std::optional<double> plane = beneath.highest(most, oracle);
+    if (!plane || beneath.share(*plane) > kMost) continue;
+    best = HalfSpace{up, *plane};
+    most = beneath.share(*plane);
+  }
+  return best;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,18 @@
+// Fewer hulls by local search: dissolves neighbouring groups and merges them again, and keeps what is no worse.
+#pragma once
+
+#include <cstdint>
+
+#include "decompose/certified/surface_groups.h"
+
+namespace collision_hulls {
+
+struct SearchOptions {
+  long evaluations = 0;  ///< hulls that may be built and evaluated: counted, not timed, so that the result does not depend on the machine
+  std::uint64_t seed = 1;
+};
+
+/// A cover with no more groups than `cover`, proven if `cover` is. Deterministic. Calls `progress` with the share of evaluations used.
+Cover improved(Cover cover, SurfaceGroups& groups, const SearchOptions& options, const std::function<void(double)>& progress);
+
+}  // namespace collision_hulls

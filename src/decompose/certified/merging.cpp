@@ -1,0 +1,177 @@
+// The paper's decimation, between any groups, with the true protrusion in place of ray concavity:
+//
+//   queue every pair of near groups under its cost
+//   while the queue holds a pair: take the cheapest
+//     if one of its groups has merged meanwhile: drop it
+//     if their common hull protrudes too far: they are apart
+//     else merge them: pair the union with the others; it is apart from whatever either part is apart from
+//   then the same with pairs of distant groups, unless there are very many groups: solid may lie between them
+//
+// A hull that protrudes too far still does after it grows: what is apart stays apart. Merges may also be accepted provisionally and settled
+// afterwards: unions that are refuted fall back into their parts, and merging continues with the proven ones.
+#include "decompose/certified/merging.h"
+
+#include <algorithm>
+#include <optional>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include "decompose/dice.h"
+
+namespace collision_hulls {
+
+namespace {
+
+constexpr std::size_t kMany = 1000;   // groups; with more, distant pairs are not tried, as time grows with their number squared
+constexpr std::size_t kSeveral = 40;  // groups; beyond this, the result of provisional merging says little about what can be proven
+constexpr double kTieBreak = 1e-3;    // as a share of the union's square, for squares that cancel out
+
+struct Pair {
+  double cost;
+  int a, b;
+
+  bool operator<(const Pair& o) const { return std::tie(cost, a, b) > std::tie(o.cost, o.a, o.b); }  // cheapest on top
+};
+
+double costOf(const Group& a, const Group& b, const MergeCost& cost) {
+  const double u = a.widths.merged(b.widths).mean(), wa = a.widths.mean(), wb = b.widths.mean();
+  double value = u;
+  if (cost.kind == MergeCost::kGrowth) value = u - std::max(wa, wb);
+  if (cost.kind == MergeCost::kMeanGrowth) value = u - (wa + wb) / 2;
+  if (cost.kind == MergeCost::kSquares) value = u * u - wa * wa - wb * wb + kTieBreak * u * u;
+  if (cost.noise > 0) value += u * cost.noise * (unitInterval(mixed(a.key ^ b.key ^ cost.seed)) - 0.5);
+  return value;
+}
+
+/// [b][a] for a < b: whether a and b are known to be apart, i.e. cannot share a hull.
+using ApartPairs = std::vector<std::vector<char>>;
+
+class Merging {
+ public:
+  /// `apart`: what is already known about the groups in the cover.
+  Merging(Cover cover, SurfaceGroups& groups, const MergeCost& cost, ApartPairs apart = {})
+      : groups_(groups), cost_(cost), given_(cover.size()), all_(std::move(cover)), parts_(given_, {-1, -1}), apart_(std::move(apart)) {
+    for (int i = 0; i < static_cast<int>(given_); ++i) live_.push_back(i);
+  }
+
+  void run(Proof proof) {
+    all_pairs_ = false;
+    const std::vector<int> given = std::move(live_);
+    live_.clear();
+    for (const int b : given) pairWithEarlier(b, -1, -1);
+    mergeQueued(proof);
+    if (live_.size() > kMany) return;
+    all_pairs_ = true;
+    for (const int b : live_)
+      for (const int a : live_)
+        if (a < b && !apart(a, b) && isFar(a, b)) queue(a, b);
+    mergeQueued(proof);
+  }
+
+  /// Proves the merged groups; refuted ones fall back into their parts, if need be down to the given ones. Returns whether nothing was
+  /// refuted; if something was, there may be more to merge.
+  bool settle() {
+    for (bool all = true;; all = false) {
+      std::vector<const Group*> open;
+      for (const int i : live_)
+        if (isMerged(i)) open.push_back(&group(i));
+      groups_.prove(open);
+      const auto holds = [&](int i) { return !isMerged(i) || groups_.proven(group(i)); };
+      const auto refuted = std::stable_partition(live_.begin(), live_.end(), holds);
+      if (refuted == live_.end()) return all;
+      const std::vector<int> fallen(refuted, live_.end());
+      live_.erase(refuted, live_.end());
+      for (const int i : fallen) {
+        const auto [a, b] = parts_[at(i)];
+        setApart(a, b);
+        live_.insert(live_.end(), {a, b});
+      }
+      std::sort(live_.begin(), live_.end());
+    }
+  }
+
+  std::size_t count() const { return live_.size(); }
+
+  Cover cover() const {
+    Cover result;
+    for (const int i : live_) result.push_back(all_[at(i)]);
+    return result;
+  }
+
+  /// What is now known about the given groups.
+  ApartPairs known() const { return {apart_.begin(), apart_.begin() + static_cast<std::ptrdiff_t>(given_)}; }
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  Group& group(int i) { return all_[at(i)]; }
+  bool apart(int a, int b) const { return apart_[at(std::max(a, b))][at(std::min(a, b))] != 0; }
+  void setApart(int a, int b) { apart_[at(std::max(a, b))][at(std::min(a, b))] = 1; }
+  bool isMerged(int i) const { return at(i) >= given_; }
+  bool isLive(int i) const { return std::binary_search(live_.begin(), live_.end(), i); }
+
+  bool isFar(int a, int b) { return farApart(group(a), group(b), groups_.tolerance()); }
+  void queue(int a, int b) { queue_.push({costOf(group(a), group(b), cost_), a, b}); }
+
+  void mergeQueued(Proof proof) {
+    while (!queue_.empty()) {
+      const Pair pair = queue_.top();
+      queue_.pop();
+      if (isLive(pair.a) && isLive(pair.b)) tryMerge(pair.a, pair.b, proof);
+    }
+  }
+
+  /// Pairs group b with the earlier ones. If b is a union, `left` and `right` are its parts.
+  void pairWithEarlier(int b, int left, int right) {
+    groups_.control().check();
+    if (apart_.size() == at(b)) apart_.emplace_back(at(b), 0);
+    for (const int a : live_) {
+      if (left >= 0 && (apart(a, left) || apart(a, right))) setApart(a, b);
+      if (!apart(a, b) && (all_pairs_ || !isFar(a, b))) queue(a, b);
+    }
+    live_.push_back(b);
+  }
+
+  void tryMerge(int a, int b, Proof proof) {
+    Group both = groups_.merged(group(a), group(b));
+    if (!both.hull || (proof == Proof::kAtOnce && !groups_.proven(both))) return setApart(a, b);
+    live_.erase(std::remove_if(live_.begin(), live_.end(), [&](int i) { return i == a || i == b; }), live_.end());
+    all_.push_back(std::move(both));
+    parts_.push_back({a, b});
+    pairWithEarlier(static_cast<int>(all_.size()) - 1, a, b);
+  }
+
+  SurfaceGroups& groups_;
+  const MergeCost cost_;
+  const std::size_t given_;
+  Cover all_;                               // all groups ever, given and merged
+  std::vector<std::pair<int, int>> parts_;  // the two parts of each merged group; -1: the group was given
+  ApartPairs apart_;
+  std::vector<int> live_;  // the groups of the current cover, in ascending order
+  bool all_pairs_ = false;
+  std::priority_queue<Pair> queue_;
+};
+
+}  // namespace
+
+Cover merged(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof proof) {
+  Merging merging(std::move(cover), groups, cost);
+  merging.run(proof);
+  return merging.cover();
+}
+
+Cover mergedBest(const Cover& cover, SurfaceGroups& groups) {
+  if (cover.size() > kSeveral) return merged(cover, groups, {MergeCost::kSquares, 0, 0}, Proof::kAtOnce);
+  ApartPairs apart;
+  std::optional<Merging> best;
+  for (const auto kind : {MergeCost::kSize, MergeCost::kGrowth, MergeCost::kMeanGrowth, MergeCost::kSquares}) {
+    Merging merging(cover, groups, {kind, 0, 0}, apart);
+    merging.run(Proof::kLater);
+    apart = merging.known();
+    if (!best || merging.count() < best->count()) best.emplace(std::move(merging));
+  }
+  while (!best->settle()) best->run(Proof::kLater);
+  return best->cover();
+}
+
+}  // namespace collision_hulls

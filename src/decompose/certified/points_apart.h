@@ -1,0 +1,14 @@
+// A lower bound on the number of hulls, valid for any way of cutting the surface.
+#pragma once
+
+#include "collision_hulls/measure/solid.h"
+#include "decompose/certified/surface_groups.h"
+
+namespace collision_hulls {
+
+/// Whether some points of the mesh, one per group, were found of which no two can be in one hull because the segment between them leaves
+/// the solid by more than the tolerance [m]. If so, no cover has fewer hulls. Tries few points, and only covers with few groups; false says
+/// nothing.
+bool isLeast(const Cover& cover, const TriangleMesh& mesh, const Solid& solid, double tolerance);
+
+}  // namespace collision_hulls

@@ -1,0 +1,253 @@
+// Tests of increasing cost. To refute a hull: intruders remembered from earlier hulls, then a shared octree of outside distances. To prove
+// that it fits: the octree's bound if it is tight enough; else a branch and bound over the hull's surface (measure/surface_search.h) and a
+// search for pockets inside it. Intruders that prove useful move to the front.
+#include "decompose/certified/protrusion_oracle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "base/parallel.h"
+#include "decompose/dice.h"
+#include "geometry/hull_support.h"
+#include "measure/surface_search.h"
+
+namespace collision_hulls {
+
+namespace {
+
+// The following are shares of the tolerance.
+constexpr double kReserve = 0.004;       // reserved for the certificate, whose bounds refer to the hulls as written
+constexpr double kProofGap = 0.002;      // between the bounds of a proof
+constexpr double kQuickCell = 1;         // radius of the smallest octree cells: for a quick answer,
+constexpr double kFineCell = 0.42;       // before a proof (for leaves, whose share of the tolerance is smaller, this is a proof),
+constexpr double kIntruderCell = 0.125;  // and for intruders
+constexpr double kPocketCell = 0.01;     // where the search for pockets ends
+constexpr double kLooseGap = 0.005;      // between the bounds of large protrusions
+
+constexpr double kLooseShare = 0.01;  // the same as a share of the protrusion itself
+constexpr double kInward = 1e-9;      // how far, on the way to a vertex, intruders on a hull's surface are moved into it
+constexpr double kGrowth = 1e-5;      // growth of a hull to allow for rounding when it is written
+constexpr double kJoggle = 1e-6;      // most that points of a rough hull are moved, as a share of their distance from the middle
+constexpr std::size_t kJoggles = 3;   // attempts,
+constexpr std::size_t kMany = 3000;   // with more points than this, coplanar points hinder quickhull so often that all are moved right away
+constexpr std::size_t kMostKnown = 400;  // intruders remembered
+
+ConvexHull grown(ConvexHull hull) {
+  const Eigen::Vector3d middle = boundingBox(hull).center();
+  for (Eigen::Vector3d& v : hull.vertices) v += kGrowth * (v - middle);
+  for (HalfSpace& face : hull.faces) face.offset -= kGrowth * face.distance(middle);
+  return hull;
+}
+
+/// Moves the points away from the origin, which lies in their hull: the new hull contains the old one, and points that were coplanar hardly
+/// ever still are. Each trial moves them differently.
+std::vector<Eigen::Vector3d> joggled(std::vector<Eigen::Vector3d> points, std::size_t trial) {
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] *= 1 + kJoggle * unitInterval(mixed(i + trial * points.size()));
+  return points;
+}
+
+}  // namespace
+
+ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points, Corners corners) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : points) middle += p / static_cast<double>(points.size());
+  std::vector<Eigen::Vector3d> centred;
+  centred.reserve(points.size());
+  for (const Eigen::Vector3d& p : points) centred.push_back(p - middle);
+  std::optional<ConvexHull> hull;
+  if (points.size() <= kMany) hull = quickhull(centred, {}, corners);
+  for (std::size_t trial = 0; !hull && trial < kJoggles; ++trial) hull = quickhull(joggled(centred, trial), {}, corners);
+  if (!hull) return convexHull(points);
+  for (Eigen::Vector3d& v : hull->vertices) v += middle;
+  for (HalfSpace& face : hull->faces) face.offset += face.normal.dot(middle);
+  return *std::move(hull);
+}
+
+ConvexHull thinned(const ConvexHull& hull, std::size_t most) {
+  if (hull.vertices.size() <= 2 * most || hull.thickness > 0) return hull;
+  constexpr double kGoldenAngle = 2.39996322972865332;
+  const HullSupport support(hull);
+  std::vector<int> chosen;
+  int at = 0;
+  for (std::size_t i = 0; i < most; ++i) {  // directions on a spiral from pole to pole
+    const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(most), turn = kGoldenAngle * static_cast<double>(i);
+    const double r = std::sqrt(1 - z * z);
+    at = support.furthest({r * std::cos(turn), r * std::sin(turn), z}, at);
+    chosen.push_back(at);
+  }
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  std::vector<Eigen::Vector3d> points;
+  for (int v : chosen) points.push_back(hull.vertices[static_cast<std::size_t>(v)]);
+  return roughHull(points);
+}
+
+ProtrusionOracle::ProtrusionOracle(const Solid& solid, const Eigen::AlignedBox3d& box, double tolerance, const RunControl& control)
+    : solid_(solid), control_(control), box_(box), tolerance_(tolerance), outside_(solid, box) {}
+
+ProtrusionOracle ProtrusionOracle::forPart(const Eigen::AlignedBox3d& part) const {
+  ProtrusionOracle result(solid_, box_, tolerance_, control_);
+  result.share_ = share_;
+  result.outside_.learn(outside_, part);
+  std::copy_if(known_.begin(), known_.end(), std::back_inserter(result.known_), [&](const Eigen::Vector3d& p) { return part.contains(p); });
+  return result;
+}
+
+/// Merges the remembered intruders; the most useful of both stay in front.
+void ProtrusionOracle::learn(const ProtrusionOracle& part) {
+  outside_.learn(part.outside_, box_);
+  const std::vector<Eigen::Vector3d> mine = std::move(known_);
+  known_.clear();
+  for (std::size_t i = 0; i < std::max(mine.size(), part.known_.size()); ++i)
+    for (const auto* some : {&mine, &part.known_})
+      if (i < some->size() && known_.size() < kMostKnown && std::find(known_.begin(), known_.end(), (*some)[i]) == known_.end())
+        known_.push_back((*some)[i]);
+}
+
+void ProtrusionOracle::setTolerance(double tolerance) {
+  tolerance_ = tolerance;
+  known_.clear();
+}
+
+void ProtrusionOracle::setShare(double share) {
+  share_ = share;
+  known_.clear();
+}
+
+double ProtrusionOracle::intrusion() const {
+  return share_ * (1 - kReserve) * tolerance_;
+}
+
+bool ProtrusionOracle::mayFit(const ConvexHull& hull) {
+  control_.check();
+  return !holdsKnownIntruder(hull) && !std::isinf(reachByOctree(hull, kQuickCell));
+}
+
+double ProtrusionOracle::reach(const ConvexHull& hull) {
+  control_.check();
+  return holdsKnownIntruder(hull) ? std::numeric_limits<double>::infinity() : reachByOctree(hull, kFineCell);
+}
+
+bool ProtrusionOracle::fitsWithin(const ConvexHull& hull, double reach) {
+  const std::optional<bool> answer = fitsByOctree(hull, reach);
+  return answer ? *answer : concluded(hull, onSurface(hull));
+}
+
+std::vector<char> ProtrusionOracle::fit(const std::vector<const ConvexHull*>& hulls) {
+  std::vector<std::optional<bool>> answers;
+  for (const ConvexHull* hull : hulls) answers.push_back(fitsByOctree(*hull, reach(*hull)));
+  std::vector<Protrusion> on_surface(hulls.size());
+  forEach(hulls.size(), [&](std::size_t i) {
+    if (!answers[i]) on_surface[i] = onSurface(*hulls[i]);
+  });
+  std::vector<char> result;
+  for (std::size_t i = 0; i < hulls.size(); ++i) result.push_back(answers[i] ? *answers[i] : concluded(*hulls[i], on_surface[i]));
+  return result;
+}
+
+/// nullopt: undecided.
+std::optional<bool> ProtrusionOracle::fitsByOctree(const ConvexHull& hull, double reach) const {
+  if (std::isinf(reach)) return false;
+  // A hull of few vertices may reach far beyond the mesh.
+  if (!solid_.hasOpenings() && reach <= (1 - kReserve) * tolerance_ && outside_.reaches(hull)) return true;
+  return std::nullopt;
+}
+
+Protrusion ProtrusionOracle::onSurface(const ConvexHull& hull) const {
+  SurfaceQuery on;
+  on.floor = on.ceiling = (1 - kReserve) * tolerance_;
+  on.gap = kProofGap * tolerance_;
+  on.known = &outside_;
+  return largestOnSurface(written(hull), solid_, on, control_);
+}
+
+/// The largest hull that may be written for this one. Where the surface has openings the distance function jumps, and a slightly larger
+/// hull must not reach across.
+ConvexHull ProtrusionOracle::written(const ConvexHull& hull) const {
+  return solid_.hasOpenings() ? grown(hull) : hull;
+}
+
+bool ProtrusionOracle::concluded(const ConvexHull& hull, const Protrusion& on_surface) {
+  if (on_surface.found <= (1 - kReserve) * tolerance_) return !mayHoldPocket(hull, on_surface.bound);
+  remember(on_surface.where + kInward * (hull.vertices[0] - on_surface.where));
+  return false;
+}
+
+/// Whether the middle of a pocket between surfaces may be further from the solid than the hull's whole surface, and than the tolerance.
+bool ProtrusionOracle::mayHoldPocket(const ConvexHull& hull, double surface_bound) {
+  // Independent of the octree: nothing in a small hull is far from the surface if one of its vertices is near it.
+  if (solid_.distanceToSurface(hull.vertices[0]) + boundingBox(hull).diagonal().norm() <= tolerance_) return false;
+  OutsideDistance::Query query;
+  query.floor = query.ceiling = tolerance_;
+  query.resolution = kPocketCell * tolerance_;
+  query.summits_only = true;
+  query.surface_bound = surface_bound;
+  query.depth = leastWidth(hull) / 2;
+  const OutsideDistance::Largest summit = outside_.largest(hull, query, control_);
+  if (summit.found > tolerance_) remember(summit.where);
+  return summit.bound > tolerance_;
+}
+
+double ProtrusionOracle::bound(const ConvexHull& exact) {
+  const ConvexHull hull = written(exact);
+  OutsideDistance::Query query;
+  query.ceiling = std::numeric_limits<double>::infinity();
+  query.resolution = kFineCell * tolerance_;
+  const OutsideDistance::Largest seen = outside_.largest(hull, query, control_);
+  SurfaceQuery on;
+  on.floor = seen.found;
+  on.gap = std::max(kLooseGap * tolerance_, kLooseShare * seen.found);
+  on.known = &outside_;
+  const double on_surface = largestOnSurface(hull, solid_, on, control_).bound;
+  query.floor = std::max(seen.found, on_surface) + on.gap;
+  query.resolution = on.gap;
+  query.summits_only = true;
+  query.surface_bound = on_surface;
+  query.depth = leastWidth(hull) / 2;
+  return outside_.largest(hull, query, control_).bound;
+}
+
+double ProtrusionOracle::reachByOctree(const ConvexHull& hull, double resolution) {
+  OutsideDistance::Query query;
+  query.floor = query.ceiling = intrusion();
+  query.resolution = resolution * share_ * tolerance_;
+  const OutsideDistance::Largest within = outside_.largest(hull, query, control_);
+  if (within.found > intrusion()) remember(within.where);
+  return within.bound;
+}
+
+/// A useful intruder moves forward.
+bool ProtrusionOracle::holdsKnownIntruder(const ConvexHull& hull) {
+  const Eigen::AlignedBox3d box = boundingBox(hull);
+  for (std::size_t i = 0; i < known_.size(); ++i) {
+    if (!box.contains(known_[i]) || !holds(hull, known_[i])) continue;
+    std::swap(known_[i], known_[i / 2]);
+    return true;
+  }
+  return false;
+}
+
+void ProtrusionOracle::remember(const Eigen::Vector3d& intruder) {
+  if (known_.size() == kMostKnown) known_.pop_back();
+  known_.push_back(intruder);
+  std::swap(known_.back(), known_[known_.size() / 2]);
+}
+
+std::vector<OutsideDistance::Intruder> ProtrusionOracle::intruders(const ConvexHull& hull, std::size_t wanted) {
+  control_.check();
+  const std::vector<OutsideDistance::Intruder> all = outside_.intruders(hull, intrusion(), wanted, kIntruderCell * share_ * tolerance_);
+  if (all.empty()) {  // the hull is thinner than the cells
+    SurfaceQuery on;
+    on.gap = kIntruderCell * tolerance_;
+    const Protrusion most = largestOnSurface(hull, solid_, on, control_);
+    return {{most.where, most.found, 1}};
+  }
+  if (all.size() <= 2 * wanted) return all;
+  std::vector<OutsideDistance::Intruder> some;
+  for (std::size_t i = 0; i < 2 * wanted; ++i) some.push_back(all[i * all.size() / (2 * wanted)]);
+  return some;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,92 @@
+// The question that a decomposition asks over and over: does this hull protrude further than the tolerance? A hull that does not is said to
+// fit.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "collision_hulls/control.h"
+#include "collision_hulls/measure/measures.h"
+#include "collision_hulls/measure/solid.h"
+#include "geometry/quickhull.h"
+#include "measure/outside_distance.h"
+
+namespace collision_hulls {
+
+/// A hull of points near the origin with one face per triangle, usually as quickhull leaves it: for hulls that are evaluated once and
+/// mostly thrown away. If points are coplanar it may be larger than the exact hull, by up to a millionth of its size.
+ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points, Corners corners = Corners::kNeeded);
+
+/// The hull of about `most` of a hull's vertices, the support points in as many directions: close to the original where that is round.
+/// Returns the hull itself if it does not have many more vertices.
+ConvexHull thinned(const ConvexHull& hull, std::size_t most);
+
+/// Answers by tests in order of cost: intruders (points outside the solid by more than the tolerance) that refuted earlier hulls; an octree
+/// of distances shared by all hulls; and, where its bound leaves the answer open, searches over the hull's surface and for pockets inside
+/// it. Not thread safe.
+class ProtrusionOracle {
+ public:
+  /// `box` should contain the solid and most of the hulls; proofs take longer for hulls that reach outside it.
+  ProtrusionOracle(const Solid& solid, const Eigen::AlignedBox3d& box, double tolerance, const RunControl& control);
+
+  /// An oracle for hulls within `part` of the box, which starts with what this one knows there; for use in parallel to this one.
+  ProtrusionOracle forPart(const Eigen::AlignedBox3d& part) const;
+
+  /// Takes over what an oracle for a part has learned.
+  void learn(const ProtrusionOracle& part);
+
+  /// False: the hull does not fit. True: it most likely does.
+  bool mayFit(const ConvexHull& hull);
+
+  /// The same, more thoroughly.
+  bool mayWellFit(const ConvexHull& hull) { return !std::isinf(reach(hull)); }
+
+  /// [m] upper bound on the distance of the hull's points from the solid, down to the octree's finest cells; infinite: the hull does not
+  /// fit.
+  double reach(const ConvexHull& hull);
+
+  /// True: no point of the hull is further from the solid than the tolerance and no point of its surface further than 99.8 % of it,
+  /// provably.
+  bool fits(const ConvexHull& hull) { return fitsWithin(hull, reach(hull)); }
+
+  /// The same for a hull whose reach() is known.
+  bool fitsWithin(const ConvexHull& hull, double reach);
+
+  /// The same for several hulls, searched in parallel.
+  std::vector<char> fit(const std::vector<const ConvexHull*>& hulls);
+
+  /// An upper bound on any hull's protrusion, within a few per cent of it or of the tolerance.
+  double bound(const ConvexHull& hull);
+
+  /// Points of the hull outside the solid by more than the tolerance, evenly spread: at least one, at most twice `wanted`.
+  std::vector<OutsideDistance::Intruder> intruders(const ConvexHull& hull, std::size_t wanted);
+
+  const Solid& solid() const { return solid_; }
+  const RunControl& control() const { return control_; }
+  double tolerance() const { return tolerance_; }
+  void setTolerance(double tolerance);  ///< [m] keeps what was learned about the solid
+
+  /// Points count as intruders from this share of the tolerance on; proofs always refer to the whole tolerance.
+  void setShare(double share);
+
+ private:
+  bool holdsKnownIntruder(const ConvexHull& hull);
+  std::optional<bool> fitsByOctree(const ConvexHull& hull, double reach) const;
+  Protrusion onSurface(const ConvexHull& hull) const;
+  ConvexHull written(const ConvexHull& hull) const;
+  bool concluded(const ConvexHull& hull, const Protrusion& on_surface);
+  bool mayHoldPocket(const ConvexHull& hull, double surface_bound);
+  double reachByOctree(const ConvexHull& hull, double resolution);  // upper bound on the distance; infinite: the hull contains an intruder
+  void remember(const Eigen::Vector3d& intruder);
+  double intrusion() const;
+
+  const Solid& solid_;
+  const RunControl& control_;
+  const Eigen::AlignedBox3d box_;
+  double tolerance_, share_ = 1;
+  OutsideDistance outside_;
+  std::vector<Eigen::Vector3d> known_;  // intruders, the most useful ones first
+};
+
+}  // namespace collision_hulls

@@ -1,0 +1,13 @@
+// From a cover to the tree of hulls above it.
+#pragma once
+
+#include "collision_hulls/decompose/hull_tree.h"
+#include "decompose/certified/surface_groups.h"
+
+namespace collision_hulls {
+
+/// The groups as leaves, merged up to a single root. At any tolerance, the coarsest cut of the tree is about as good as a new merge would
+/// be. Deterministic. Calls `progress` with the share of merges made.
+HullTree treeAbove(const Cover& cover, ProtrusionOracle& oracle, const std::function<void(double)>& progress);
+
+}  // namespace collision_hulls

@@ -1,0 +1,86 @@
+// A robot in its scene, as parts: links and scene bodies, the pieces they consist of, and their poses in a sample.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/fit/fit.h"
+#include "collision_hulls/scene/configurations.h"
+#include "fit/detail_tree.h"
+
+namespace collision_hulls {
+
+/// A body of a part at every level of detail.
+struct Piece {
+  std::size_t part = 0;
+  Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();  ///< in the part's frame
+  std::shared_ptr<const DetailTree> tree;
+};
+
+/// For each piece, the nodes of its tree that represent it.
+using Cuts = std::vector<std::vector<int>>;
+
+/// A pose for each part, in the scene's frame.
+using Places = std::vector<Eigen::Isometry3d>;
+
+/// Parts are the robot's links, in order, followed by the scene's bodies. The first pieces are the problem's elements. Immutable, thread
+/// safe; keeps a reference to the problem.
+class Assembly {
+ public:
+  Assembly(const FitProblem& problem, std::uint64_t seed);
+
+  std::size_t links() const { return problem_.robot.links.size(); }
+  std::size_t parts() const { return links() + problem_.scene.bodies.size(); }
+  bool isLink(std::size_t part) const { return part < links(); }
+  const std::string& name(std::size_t part) const;
+
+  const std::vector<Piece>& pieces() const { return pieces_; }
+  const std::vector<int>& piecesOf(std::size_t part) const { return of_part_[part]; }
+  Cuts roots() const;
+  Cuts cheapest(const Cuts& cuts) const;      ///< with primitives in place of the elements' hulls
+  std::size_t hulls(const Cuts& cuts) const;  ///< of the elements
+
+  const Kinematics& kinematics() const { return kinematics_; }
+  /// A given configuration, or a sample within the joint limits: from the low-discrepancy sequence, and from kIndependentFrom on
+  /// independent.
+  Configuration sample(std::size_t index) const;
+  static constexpr std::size_t kIndependentFrom = std::size_t{1} << 40;
+  Places places(const Configuration& configuration) const;
+  Places places(std::size_t sample) const { return places(this->sample(sample)); }
+
+ private:
+  const FitProblem& problem_;
+  Kinematics kinematics_;
+  ConfigurationSequence even_, independent_;
+  std::vector<Piece> pieces_;
+  std::vector<std::vector<int>> of_part_;
+};
+
+/// Two parts to check against each other, a < b, and the distance [m] from which on the original counts as clear.
+struct PartPair {
+  std::size_t a = 0, b = 0;
+  double clearance = 0;
+};
+
+/// Two nodes that touch in a sample.
+struct Contact {
+  std::size_t sample = 0;
+  int piece[2] = {0, 0}, node[2] = {0, 0};
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< of the second piece in the first one's frame
+};
+
+/// Whether the contact's pieces touch with other nodes in place of its own.
+bool touches(const Assembly& assembly, const Contact& contact, int first, int second);
+
+/// All contacts of a model between the parts of these pairs.
+std::vector<Contact> contacts(const Assembly& assembly, const Cuts& cuts, const std::vector<PartPair>& pairs, const Places& places,
+                              std::size_t sample);
+
+/// Whether there is at least one such contact.
+bool inContact(const Assembly& assembly, const Cuts& cuts, const std::vector<PartPair>& pairs, const Places& places);
+
+}  // namespace collision_hulls

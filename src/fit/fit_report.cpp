@@ -1,0 +1,307 @@
+// Builds the report of a fit from the verification samples: hits per pair, phantoms and their rate bound, query times, and a reason for
+// each link's bodies. The rate bound is the exact Poisson upper limit, 3/N without a phantom, which needs independent samples.
+#include "fit/fit_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+
+#include "base/parallel.h"
+#include "fit/planner_model.h"
+#include "scene/text.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr std::size_t kMostMeasured = 100;       // contacts per link among which the nearest is sought
+constexpr std::size_t kMostNamed = 3;            // parts that a link may touch, in a message
+constexpr std::size_t kEnoughForNever = 10'000;  // samples without contact, as many as MoveIt's Setup Assistant takes
+
+std::size_t partOf(const FittedModel& model, int piece) {
+  return model.assembly.pieces()[static_cast<std::size_t>(piece)].part;
+}
+
+double distanceIn(const FittedModel& model, const Contact& contact) {
+  return model.originals.distanceBelow(std::numeric_limits<double>::max(), partOf(model, contact.piece[0]), partOf(model, contact.piece[1]),
+                                       model.assembly.places(contact.sample));
+}
+
+/// The hardest case for a link's hulls: what the link comes near without touching, and how near.
+struct Tightest {
+  std::size_t other = 0;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+std::map<std::size_t, Tightest> tightestOf(const FittedModel& model) {
+  std::map<std::size_t, Tightest> tightest;
+  std::map<std::size_t, std::size_t> measured;
+  for (const Contact& contact : model.fitting.seen()) {
+    const std::size_t a = partOf(model, contact.piece[0]), b = partOf(model, contact.piece[1]);
+    const std::size_t of_a = ++measured[a], of_b = ++measured[b];
+    if (of_a > kMostMeasured && of_b > kMostMeasured) continue;
+    const double distance = distanceIn(model, contact);
+    for (const auto& [link, other] : {PartIndices{a, b}, PartIndices{b, a}})
+      if (distance < tightest[link].distance) tightest[link] = {other, distance};
+  }
+  return tightest;
+}
+
+/// The least proved distance of a link to anything that is not left out; nullopt if some pair with this link is checked.
+std::optional<double> provedDistance(const FittedModel& model, std::size_t link) {
+  for (const PartPair& pair : model.rules.pairs)
+    if (pair.a == link || pair.b == link) return std::nullopt;
+  double least = std::numeric_limits<double>::infinity();
+  for (const ProvedPair& pair : model.rules.proved)
+    if (pair.a == link || pair.b == link) least = std::min(least, pair.bound);
+  return least;
+}
+
+/// What a link may touch because the pair is left out, other than its neighbours across a joint.
+std::string leftOut(const FittedModel& model, std::size_t link) {
+  const std::string& name = model.assembly.name(link);
+  std::string names;
+  std::size_t count = 0;
+  for (const LeftOutPair& pair : model.rules.left_out) {
+    if (pair.reason == "Adjacent" || (pair.first != name && !(pair.links && pair.second == name))) continue;
+    if (++count <= kMostNamed) names += (names.empty() ? "" : ", ") + (pair.first == name ? pair.second : pair.first);
+  }
+  return count <= kMostNamed ? names : names + " and " + std::to_string(count - kMostNamed) + " more";
+}
+
+std::string plural(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : noun.back() == 'x' ? "es" : "s");
+}
+
+/// The bodies of a link, by kind.
+struct Bodies {
+  std::size_t hulls = 0, all = 0;
+  std::map<std::string, std::size_t> primitives;  // by kind
+
+  /// "3 hulls, 2 boxes, 1 sphere"; or only the primitives.
+  std::string text(bool with_hulls) const {
+    std::string result = with_hulls && hulls > 0 ? plural(hulls, "hull") : "";
+    for (const auto& [kind, count] : primitives) result += (result.empty() ? "" : ", ") + plural(count, kind);
+    return result;
+  }
+};
+
+std::string nameOf(GeometryElement::Kind kind) {
+  return kind == GeometryElement::Kind::kBox ? "box" : kind == GeometryElement::Kind::kSphere ? "sphere" : "cylinder";
+}
+
+Bodies bodiesOf(const FittedModel& model, std::size_t link) {
+  Bodies bodies;
+  for (const int piece : model.assembly.piecesOf(link)) {
+    const auto i = static_cast<std::size_t>(piece);
+    if (i >= model.problem.elements.size()) continue;
+    for (const int node : model.fitting.cuts()[i]) {
+      const GeometryElement* primitive = model.assembly.pieces()[i].tree->primitive(node);
+      ++bodies.all;
+      ++(primitive ? bodies.primitives[nameOf(primitive->kind)] : bodies.hulls);
+    }
+  }
+  return bodies;
+}
+
+std::string reasonOf(const FittedModel& model, const Bodies& bodies, std::size_t index, const std::map<std::size_t, Tightest>& tightest) {
+  const std::string what = bodies.text(true) + ": ";
+  if (const std::optional<double> proved = provedDistance(model, index)) {
+    if (std::isinf(*proved)) return what + "no pair with this link is checked";
+    const std::string except = leftOut(model, index);
+    return what + "never within " + leastLengthText(*proved) + " of anything" + (except.empty() ? "" : " but " + except) + ", proved";
+  }
+  const auto found = tightest.find(index);
+  if (found == tightest.end()) return what + "no false collision in " + plural(model.fitting.asked(), "sample");
+  return what + "against " + model.assembly.name(found->second.other) + " at " + lengthText(found->second.distance);
+}
+
+std::vector<FittedLink> fittedLinks(const FittedModel& model) {
+  const std::map<std::size_t, Tightest> tightest = tightestOf(model);
+  std::vector<FittedLink> links;
+  for (std::size_t link = 0; link < model.assembly.links(); ++link) {
+    const Bodies bodies = bodiesOf(model, link);
+    if (bodies.all == 0) continue;
+    FittedLink fitted;
+    fitted.link = model.assembly.name(link);
+    fitted.hulls = bodies.hulls;
+    fitted.primitive = bodies.all == 1 && bodies.hulls == 0 ? bodies.primitives.begin()->first : bodies.text(false);
+    const std::optional<double> proved = provedDistance(model, link);
+    fitted.proved = proved && leftOut(model, link).empty();
+    fitted.reason = reasonOf(model, bodies, link, tightest);
+    links.push_back(fitted);
+  }
+  return links;
+}
+
+std::string described(const FittedModel& model, const Contact& contact) {
+  return model.assembly.name(partOf(model, contact.piece[0])) + " against " + model.assembly.name(partOf(model, contact.piece[1])) +
+         " at " + lengthText(distanceIn(model, contact));
+}
+
+/// Where the original touches the scene at rest; empty: nowhere.
+std::string contactAtRest(const FittedModel& model) {
+  const Assembly& assembly = model.assembly;
+  const Places places = assembly.places(assembly.kinematics().rest());
+  for (std::size_t link = 0; link < assembly.links(); ++link)
+    for (std::size_t body = assembly.links(); body < assembly.parts(); ++body)
+      if (model.originals.touch(link, body, places)) return assembly.name(link) + " against " + assembly.name(body);
+  return "";
+}
+
+/// Pairs of links whose hulls collide where the links do not, the worst first.
+std::vector<PairHits> selfPhantoms(const std::map<PartIndices, PairHits>& of_pairs) {
+  std::vector<PairHits> hits;
+  for (const auto& [parts, pair] : of_pairs)
+    if (pair.links && pair.before + pair.after > 0) hits.push_back(pair);
+  std::stable_sort(hits.begin(), hits.end(), [](const PairHits& a, const PairHits& b) { return a.before > b.before; });
+  return hits;
+}
+
+/// The pairs of parts in contact.
+std::set<PartIndices> pairsOf(const FittedModel& model, const std::vector<Contact>& contacts) {
+  std::set<PartIndices> pairs;
+  for (const Contact& contact : contacts) pairs.emplace(partOf(model, contact.piece[0]), partOf(model, contact.piece[1]));
+  return pairs;
+}
+
+std::size_t primitives(const FittedModel& model) {
+  std::size_t count = 0;
+  for (std::size_t link = 0; link < model.assembly.links(); ++link) {
+    const Bodies bodies = bodiesOf(model, link);
+    count += bodies.all - bodies.hulls;
+  }
+  return count;
+}
+
+/// How many samples are phantoms: the model collides though the original is clear.
+std::size_t phantoms(const FittedModel& model, const std::vector<char>& hit, const RunControl& control) {
+  std::vector<char> phantom(hit.size());
+  forEach(hit.size(), [&](std::size_t i) {
+    control.check();
+    if (hit[i])
+      phantom[i] = isClear(model.assembly, model.originals, model.rules.pairs, model.assembly.places(model.fitting.verifiedFrom() + i), {});
+  });
+  return static_cast<std::size_t>(std::count(phantom.begin(), phantom.end(), 1));
+}
+
+}  // namespace
+
+double upperBound(std::size_t found) {
+  // The mean at which a Poisson variable is at most `found` with a probability of 5 %.
+  const auto probability = [&](double mean) {
+    double term = std::exp(-mean), sum = term;
+    for (std::size_t i = 1; i <= found; ++i) sum += term *= mean / static_cast<double>(i);
+    return sum;
+  };
+  constexpr double kRisk = 0.05;
+  double low = 0, high = 10 + 3 * static_cast<double>(found);
+  for (int i = 0; i < 60; ++i) (probability((low + high) / 2) > kRisk ? low : high) = (low + high) / 2;
+  return high;
+}
+
+Hits countHits(const FittedModel& model, const RunControl& control) {
+  const std::vector<PartPair> pairs = lookedAtAndProved(model.rules, model.options.clearance);
+  const Cuts roots = model.assembly.roots();
+  struct Sample {
+    std::set<PartIndices> original, before, after;
+  };
+  std::vector<Sample> samples(model.samples());
+  forEach(samples.size(), [&](std::size_t i) {
+    control.check();
+    const std::size_t index = model.fitting.verifiedFrom() + i;
+    const Places places = model.assembly.places(index);
+    Sample& sample = samples[i];
+    for (const PartIndices& pair : pairsOf(model, contacts(model.assembly, roots, pairs, places, index)))
+      (model.originals.touch(pair.first, pair.second, places) ? sample.original : sample.before).insert(pair);
+    for (const PartIndices& pair : pairsOf(model, contacts(model.assembly, model.fitting.cuts(), pairs, places, index)))
+      if (!sample.original.count(pair)) sample.after.insert(pair);
+  });
+  Hits result;
+  std::map<PartIndices, PairHits>& hits = result.pairs;
+  for (const PartPair& pair : pairs)
+    hits[{pair.a, pair.b}] = {model.assembly.name(pair.a), model.assembly.name(pair.b), model.assembly.isLink(pair.b)};
+  for (const Sample& sample : samples) {
+    for (const PartIndices& pair : sample.original) ++hits.at(pair).original;
+    for (const PartIndices& pair : sample.before) ++hits.at(pair).before;
+    for (const PartIndices& pair : sample.after) ++hits.at(pair).after;
+  }
+  result.scene = static_cast<std::size_t>(std::count_if(samples.begin(), samples.end(), [&](const Sample& sample) {
+    return std::any_of(sample.original.begin(), sample.original.end(),
+                       [&](const PartIndices& pair) { return !model.assembly.isLink(pair.second); });
+  }));
+  return result;
+}
+
+FitReport fitReport(const FittedModel& model, const Hits& counted, const RunControl& control) {
+  const Assembly& assembly = model.assembly;
+  const Cuts& cuts = model.fitting.cuts();
+  const std::size_t first = model.fitting.verifiedFrom(), count = model.samples();
+  const auto fitted = [&] { return PlannerModel(assembly, model.rules, cuts); };
+  const auto original = [&] { return PlannerModel(assembly, model.rules, model.originals); };
+
+  FitReport report;
+  report.scene = model.problem.scene.name;
+  report.clearance = model.options.clearance;
+  report.samples = count;
+  report.given = !model.problem.configurations.empty();
+  report.asked = model.fitting.asked();
+  report.counterexamples = model.fitting.cured();
+  const std::vector<char> hit = hits(assembly, fitted, first, count, control), true_hit = hits(assembly, original, first, count, control);
+  for (std::size_t i = 0; i < count; ++i) {
+    report.model_hits += hit[i] != 0;
+    report.original_hits += true_hit[i] != 0;
+    report.missed += true_hit[i] && !hit[i];
+  }
+  report.phantom = phantoms(model, hit, control);
+  report.phantom_rate_bound = report.given ? 0 : upperBound(report.phantom) / static_cast<double>(count);
+  report.pairs = model.rules.pairs.size() + model.rules.proved.size();
+  report.proved_pairs = model.rules.proved.size();
+  const PairRules asked = withSrdf(model.rules, assembly);
+  std::vector<std::size_t> samples(count);
+  std::iota(samples.begin(), samples.end(), first);
+  PlannerModel timed(assembly, asked, cuts), timed_original(assembly, asked, model.originals);
+  report.query_us = collisionTime(assembly, timed, samples, control);
+  report.original_query_us = collisionTime(assembly, timed_original, samples, control);
+  report.distance_us = distanceTime(assembly, timed, samples, control);
+  report.original_distance_us = distanceTime(assembly, timed_original, samples, control);
+  report.hulls = assembly.hulls(cuts);
+  report.primitives = primitives(model);
+  for (std::size_t i = 0; i < model.problem.elements.size(); ++i) report.full_hulls += assembly.pieces()[i].tree->leaves();
+  report.links = fittedLinks(model);
+  report.leaf_contacts = model.fitting.leafContacts().size();
+  if (report.leaf_contacts > 0) report.leaf_contact = described(model, model.fitting.leafContacts().front());
+  report.scene_hits = counted.scene;
+  report.scene_contact = contactAtRest(model);
+  report.self = selfPhantoms(counted.pairs);
+  report.left_out = model.rules.left_out;
+  report.notes = model.rules.notes;
+  return report;
+}
+
+std::vector<DisabledPair> disabledPairs(const FittedModel& model, const Hits& hits) {
+  const bool all_over = model.problem.configurations.empty();  // samples cover the joints' whole ranges, not only given configurations
+  std::vector<DisabledPair> disabled;
+  for (const LeftOutPair& pair : model.rules.left_out) {
+    if (!pair.links || (pair.reason == "Always" && !all_over)) continue;
+    disabled.push_back({pair.first, pair.second, pair.reason == "Disabled" ? "User" : pair.reason, pair.known});
+  }
+  std::map<PartIndices, double> proved;
+  for (const ProvedPair& pair : model.rules.proved) proved[{pair.a, pair.b}] = pair.bound;
+  const bool enough = all_over && model.samples() >= kEnoughForNever;
+  for (const auto& [parts, pair] : hits.pairs) {
+    if (pair.original > 0 || !pair.links) continue;
+    const auto bound = proved.find(parts);
+    const bool is_proved = bound != proved.end();
+    if (!is_proved && !(enough && model.assembly.kinematics().settled(parts.first, parts.second))) continue;
+    disabled.push_back({pair.first, pair.second, "Never",
+                        is_proved ? "never within " + leastLengthText(bound->second) + ", proved"
+                                  : "in none of " + std::to_string(model.samples()) + " samples"});
+  }
+  return disabled;
+}
+
+}  // namespace collision_hulls

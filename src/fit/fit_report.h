@@ -1,0 +1,42 @@
+// What is known about a fitted model from its verification samples.
+#pragma once
+
+#include <map>
+#include <utility>
+
+#include "fit/fitting.h"
+
+namespace collision_hulls {
+
+using PartIndices = std::pair<std::size_t, std::size_t>;  // the smaller one first
+
+/// Everything that a report is made from.
+struct FittedModel {
+  const FitProblem& problem;
+  const FitOptions& options;
+  const Assembly& assembly;
+  const Originals& originals;
+  const PairRules& rules;
+  const Fitting& fitting;
+
+  std::size_t samples() const { return problem.configurations.empty() ? options.samples : problem.configurations.size(); }
+};
+
+/// Hits of all pairs that are checked or proved, over the verification samples.
+struct Hits {
+  std::map<PartIndices, PairHits> pairs;
+  std::size_t scene = 0;  ///< samples in which the original collides with the scene
+};
+Hits countHits(const FittedModel& model, const RunControl& control);
+
+FitReport fitReport(const FittedModel& model, const Hits& hits, const RunControl& control);
+
+/// The pairs that an SRDF should disable, and how that is known. Given configurations or a few samples alone are not enough for a pair to
+/// be among them.
+std::vector<DisabledPair> disabledPairs(const FittedModel& model, const Hits& hits);
+
+/// Upper bound, with 95 % confidence, on the expected count when `found` were seen: 3 for none. Divided by the number of samples it bounds
+/// the rate.
+double upperBound(std::size_t found);
+
+}  // namespace collision_hulls

@@ -1,0 +1,217 @@
+// Decides about each pair in three passes, the cheap ones first: adjacency and the SRDF; a survey of the originals at rest and in some
+// samples; and branch and bound for pairs that the survey never saw near. Pairs that the survey saw near are not worth a proof attempt.
+#include "fit/pair_rules.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "base/median.h"
+#include "base/parallel.h"
+#include "collision_hulls/reach/reach.h"
+#include "scene/text.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr std::size_t kSurveyed = 400;  // samples
+constexpr double kNearlyAll = 0.95;     // of them; MoveIt's Setup Assistant uses the same share
+constexpr std::size_t kEvaluations = 300;
+
+/// What the survey saw of a pair.
+struct Sighting {
+  std::size_t a = 0, b = 0;
+  bool links = false, moves = true;
+  double at_rest = 0;                               // [m] distance, capped at the clearance
+  double usual = 0;                                 // [m] median of the nonzero distances, capped likewise; 0 if there are none
+  std::size_t samples = 0, touching = 0, near = 0;  // all; at distance 0; nearer than the clearance
+};
+
+bool nearlyAll(std::size_t part, std::size_t whole) {
+  return static_cast<double>(part) >= kNearlyAll * static_cast<double>(whole);
+}
+
+/// All pairs of parts with pieces, except two bodies of the scene.
+std::vector<Sighting> allPairs(const Assembly& assembly) {
+  std::vector<Sighting> pairs;
+  for (std::size_t a = 0; a < assembly.links(); ++a) {
+    const bool moves = !assembly.kinematics().chain(a).joints.empty();
+    for (std::size_t b = a + 1; b < assembly.parts(); ++b) {
+      const bool links = assembly.isLink(b);
+      if (!assembly.piecesOf(a).empty() && !assembly.piecesOf(b).empty()) pairs.push_back({a, b, links, links || moves});
+    }
+  }
+  return pairs;
+}
+
+/// Poses at rest, then in the samples.
+std::vector<Places> surveyed(const FitProblem& problem, const Assembly& assembly) {
+  const std::size_t given = problem.configurations.size(), count = given ? std::min(given, kSurveyed) : kSurveyed;
+  std::vector<Places> places{assembly.places(assembly.kinematics().rest())};
+  for (std::size_t i = 0; i < count; ++i) places.push_back(assembly.places(given ? i * given / count : i));
+  return places;
+}
+
+void survey(const std::vector<Places>& places, const Originals& originals, double clearance, Sighting& pair) {
+  std::vector<double> apart;
+  for (const Places& at : places) {
+    const double distance = originals.distanceBelow(clearance, pair.a, pair.b, at);
+    if (distance > 0) apart.push_back(distance);
+    if (&at == &places.front()) {
+      pair.at_rest = distance;
+      continue;
+    }
+    ++pair.samples;
+    pair.touching += distance == 0;
+    pair.near += distance < clearance;
+  }
+  pair.usual = median(std::move(apart));
+}
+
+std::string share(std::size_t part, std::size_t whole) {
+  return std::to_string(part) + " of " + std::to_string(whole) + " samples";
+}
+
+/// Why a pair is left out, judging by the original; an empty reason: it is not.
+LeftOutPair verdict(const Sighting& pair) {
+  const auto said = [&](const char* reason, const std::string& known) { return LeftOutPair{"", "", reason, known, pair.links}; };
+  if (!pair.moves && pair.at_rest <= 0) return said("Fixed", "always in contact");
+  if (pair.touching > 0 && nearlyAll(pair.touching, pair.samples))
+    return said("Always", "in contact in " + share(pair.touching, pair.samples));
+  if (pair.links && pair.at_rest <= 0) return said("Default", "in contact at rest");
+  return {};
+}
+
+/// The pair's clearance; for parts that are hardly ever that far apart, half of their usual distance.
+double ownClearance(const Sighting& pair, double clearance) {
+  if (pair.usual == 0 || !nearlyAll(pair.near, pair.samples)) return clearance;
+  return std::min(clearance, pair.usual / 2);
+}
+
+/// A hull around everything that a link may become.
+ConvexHull hullOfLink(const FitProblem& problem, const Assembly& assembly, std::size_t link, const std::vector<ConvexHull>& roots) {
+  std::vector<Eigen::Vector3d> points;
+  for (const int piece : assembly.piecesOf(link)) {
+    const auto i = static_cast<std::size_t>(piece);
+    const ConvexHull& hull = i < roots.size() ? roots[i] : problem.kept[i - roots.size()].hull;
+    for (const Eigen::Vector3d& v : hull.vertices) points.push_back(assembly.pieces()[i].origin * v);
+  }
+  return points.empty() ? ConvexHull() : convexHull(points);
+}
+
+ReachProver proverFor(const FitProblem& problem, const Assembly& assembly, const RunControl& control) {
+  std::map<const FitMesh*, ConvexHull> of_mesh;
+  std::vector<ConvexHull> roots;
+  for (const FitElement& element : problem.elements) {
+    const FitMesh& mesh = *element.mesh;
+    if (!of_mesh.count(&mesh)) of_mesh[&mesh] = writtenHulls(mesh, {static_cast<int>(mesh.tree.nodes.size()) - 1}, control).front();
+    roots.push_back(of_mesh[&mesh]);
+  }
+  std::vector<ConvexHull> links;
+  for (std::size_t link = 0; link < assembly.links(); ++link) links.push_back(hullOfLink(problem, assembly, link, roots));
+  return ReachProver(assembly.kinematics(), links, problem.scene);
+}
+
+/// Moves the pairs that provably never come within the clearance from `pairs` to `proved`.
+void prove(const FitProblem& problem, const Assembly& assembly, const std::vector<char>& may_be_proved, double clearance,
+           const RunControl& control, PairRules& rules) {
+  const ReachProver prover = proverFor(problem, assembly, control);
+  ReachOptions options;
+  options.evaluations = kEvaluations;
+  std::vector<Reach> reach(rules.pairs.size());
+  forEach(rules.pairs.size(), [&](std::size_t i) {
+    const PartPair& pair = rules.pairs[i];
+    if (!may_be_proved[i]) return;
+    reach[i] = assembly.isLink(pair.b) ? prover.betweenLinks(pair.a, pair.b, clearance, options, control)
+                                       : prover.betweenLinkAndBody(pair.a, pair.b - assembly.links(), clearance, options, control);
+  });
+  std::vector<PartPair> open;
+  for (std::size_t i = 0; i < rules.pairs.size(); ++i) {
+    if (reach[i].outcome == Reach::Outcome::kProved)
+      rules.proved.push_back({rules.pairs[i].a, rules.pairs[i].b, reach[i].bound});
+    else
+      open.push_back(rules.pairs[i]);
+  }
+  rules.pairs = open;
+}
+
+using NamePair = std::pair<std::string, std::string>;
+
+std::map<NamePair, const DisabledPair*> byName(const std::vector<DisabledPair>& disabled) {
+  std::map<NamePair, const DisabledPair*> result;
+  for (const DisabledPair& pair : disabled) result[std::minmax(pair.link1, pair.link2)] = &pair;
+  return result;
+}
+
+/// Why a pair is left out, judging by the robot description and the user's SRDF; an empty reason: it is not.
+LeftOutPair saidBefore(const Assembly& assembly, const std::map<NamePair, const DisabledPair*>& disabled, const Sighting& pair) {
+  if (!pair.links) return {};
+  const auto found = disabled.find(std::minmax(assembly.name(pair.a), assembly.name(pair.b)));
+  if (assembly.kinematics().adjacent(pair.a, pair.b)) return {"", "", "Adjacent", "joined, or fixed to each other", true};
+  if (found != disabled.end()) return {"", "", "Disabled", "by the SRDF: " + found->second->reason, true};
+  return {};
+}
+
+}  // namespace
+
+std::vector<PartPair> lookedAtAndProved(const PairRules& rules, double clearance) {
+  std::vector<PartPair> pairs = rules.pairs;
+  for (const ProvedPair& pair : rules.proved) pairs.push_back({pair.a, pair.b, clearance});
+  return pairs;
+}
+
+PairRules withSrdf(PairRules rules, const Assembly& assembly) {
+  for (const ProvedPair& pair : rules.proved)
+    if (assembly.isLink(pair.b)) rules.ignored.emplace_back(pair.a, pair.b);
+  return rules;
+}
+
+PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const Originals& originals, double clearance,
+                    const RunControl& control) {
+  PairRules rules;
+  const auto leaveOut = [&](const Sighting& pair, LeftOutPair why) {
+    why.first = assembly.name(pair.a);
+    why.second = assembly.name(pair.b);
+    rules.left_out.push_back(why);
+    rules.ignored.emplace_back(pair.a, pair.b);
+  };
+  const std::map<NamePair, const DisabledPair*> disabled = byName(problem.disabled);
+  std::vector<Sighting> pairs;
+  for (const Sighting& pair : allPairs(assembly)) {
+    const LeftOutPair why = saidBefore(assembly, disabled, pair);
+    if (why.reason.empty())
+      pairs.push_back(pair);
+    else
+      leaveOut(pair, why);
+  }
+  const std::vector<Places> places = surveyed(problem, assembly);
+  forEach(pairs.size(), [&](std::size_t i) {
+    control.check();
+    survey(places, originals, clearance, pairs[i]);
+  });
+  std::vector<char> may_be_proved;
+  for (const Sighting& pair : pairs) {
+    const LeftOutPair why = verdict(pair);
+    if (!why.reason.empty()) {
+      leaveOut(pair, why);
+      if (!pair.links && why.reason == "Always")
+        rules.notes.push_back(assembly.name(pair.a) + " against " + assembly.name(pair.b) + ": " + why.known + ", so the pair is left out");
+      continue;
+    }
+    const double own = ownClearance(pair, clearance);
+    if (own < clearance) {
+      rules.notes.push_back(assembly.name(pair.a) + " and " + assembly.name(pair.b) + " are hardly ever " + lengthText(clearance) +
+                            " apart: this pair counts as clear from " + lengthText(own) + " on");
+    }
+    rules.pairs.push_back({pair.a, pair.b, own});
+    const Kinematics& kinematics = assembly.kinematics();
+    const bool settled = pair.links ? kinematics.settled(pair.a, pair.b) : kinematics.settled(pair.a);
+    may_be_proved.push_back(settled && pair.near == 0 && pair.at_rest >= clearance);
+  }
+  prove(problem, assembly, may_be_proved, clearance, control, rules);
+  return rules;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,36 @@
+// Which pairs of parts are checked, which are not, and why.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collision_hulls/control.h"
+#include "fit/originals.h"
+
+namespace collision_hulls {
+
+/// A proved pair: its parts never come nearer to each other than `bound` [m], whatever the joints do.
+struct ProvedPair {
+  std::size_t a = 0, b = 0;
+  double bound = 0;
+};
+
+struct PairRules {
+  std::vector<PartPair> pairs;  ///< to check
+  std::vector<LeftOutPair> left_out;
+  std::vector<std::pair<std::size_t, std::size_t>> ignored;  ///< the pairs left out, as parts
+  std::vector<ProvedPair> proved;                            ///< never within the clearance, not even their roots' hulls
+  std::vector<std::string> notes;
+};
+
+/// The pairs to check and the pairs proved: primitives may touch where hulls never do.
+std::vector<PartPair> lookedAtAndProved(const PairRules& rules, double clearance);
+
+/// The rules of a planner that uses the written SRDF: it also ignores pairs of links proved apart.
+PairRules withSrdf(PairRules rules, const Assembly& assembly);
+
+/// Decides about all pairs, from a survey of the first samples and of the robot at rest.
+PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const Originals& originals, double clearance,
+                    const RunControl& control);
+
+}  // namespace collision_hulls

@@ -1,0 +1,336 @@
+// A triangle whose corners lie in one hull is covered, since hulls are convex. Any other is clipped by each hull in turn: what lies beyond
+// a face is kept as a polygon; what remains inside all faces is covered and dropped. Branch and bound then finds the largest distance from
+// the polygons left over. Volumes are sampled by a low-discrepancy sequence.
+#include "measure/cover.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+#include "base/parallel.h"
+#include "collision_hulls/measure/measures.h"
+
+namespace collision_hulls {
+
+namespace {
+
+// Rounding error of the distance between a plane and a point, as a share of the coordinates' size.
+constexpr double kRounding = 1e-12;
+
+// This many triangles share a selection of the hulls and faces to compare them with.
+constexpr int kTrianglesAtOnce = 256;
+
+using Polygon = std::vector<Eigen::Vector3d>;
+
+struct Hulls {
+  const std::vector<ConvexHull>& hulls;
+  std::vector<Eigen::AlignedBox3d> boxes;
+  double tolerance = 0;
+
+  Hulls(const TriangleMesh& mesh, const std::vector<ConvexHull>& set) : hulls(set) {
+    const Eigen::AlignedBox3d box = boundingBox(mesh);
+    if (!box.isEmpty()) tolerance = kRounding * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+    for (const ConvexHull& hull : hulls) {
+      const Eigen::AlignedBox3d box = boundingBox(hull);
+      boxes.emplace_back(box.min().array() - tolerance, box.max().array() + tolerance);
+    }
+  }
+
+  bool holds(std::size_t hull, const Eigen::Vector3d& p) const {
+    if (!boxes[hull].contains(p)) return false;
+    for (const HalfSpace& face : hulls[hull].faces)
+      if (face.distance(p) > tolerance) return false;
+    return true;
+  }
+
+  double distanceTo(const Eigen::Vector3d& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t h = 0; h < hulls.size(); ++h)
+      if (boxes[h].exteriorDistance(p) < least) least = std::min(least, holds(h, p) ? 0.0 : distance(hulls[h], p));
+    return least <= tolerance ? 0 : least;
+  }
+
+  /// The `most` hulls nearest to p, or all of them if there are fewer.
+  std::vector<std::size_t> nearest(const Eigen::Vector3d& p, std::size_t most) const {
+    std::vector<std::pair<double, std::size_t>> near;
+    for (std::size_t h = 0; h < hulls.size(); ++h) {
+      if (near.size() == most && boxes[h].exteriorDistance(p) >= near.back().first) continue;
+      near.emplace_back(distance(hulls[h], p), h);
+      std::sort(near.begin(), near.end());
+      if (near.size() > most) near.pop_back();
+    }
+    std::vector<std::size_t> result;
+    for (const auto& [d, h] : near) result.push_back(h);
+    return result;
+  }
+};
+
+/// The hulls near some triangles, each with only those faces that the triangles may reach beyond. These are few because consecutive
+/// triangles tend to lie close together.
+class NearHulls {
+ public:
+  NearHulls(const Hulls& set, const TriangleMesh& mesh, int begin, int end) : tolerance_(set.tolerance) {
+    Eigen::AlignedBox3d box;
+    for (int t = begin; t < end; ++t) box.extend(mesh.corner(t, 0)).extend(mesh.corner(t, 1)).extend(mesh.corner(t, 2));
+    const Eigen::Vector3d centre = box.center(), half = box.max() - centre;
+    for (std::size_t h = 0; h < set.hulls.size(); ++h) {
+      if (!set.boxes[h].intersects(box)) continue;
+      near_.push_back({set.boxes[h], {}});
+      for (const HalfSpace& face : set.hulls[h].faces)
+        if (face.distance(centre) + face.normal.cwiseAbs().dot(half) > 0) near_.back().faces.push_back(face);
+    }
+  }
+
+  std::size_t size() const { return near_.size(); }
+
+  bool holds(std::size_t hull, const TriangleMesh& mesh, int triangle) const {
+    return holds(near_[hull], mesh.corner(triangle, 0)) && holds(near_[hull], mesh.corner(triangle, 1)) &&
+           holds(near_[hull], mesh.corner(triangle, 2));
+  }
+
+ private:
+  struct Near {
+    Eigen::AlignedBox3d box;
+    std::vector<HalfSpace> faces;
+  };
+  bool holds(const Near& hull, const Eigen::Vector3d& p) const {
+    if (!hull.box.contains(p)) return false;
+    for (const HalfSpace& face : hull.faces)
+      if (face.distance(p) > tolerance_) return false;
+    return true;
+  }
+
+  std::vector<Near> near_;
+  double tolerance_;
+};
+
+/// Divides a polygon by a face: what lies beyond it goes to `outside`; the rest is returned.
+Polygon split(const Polygon& polygon, const HalfSpace& face, double tolerance, Polygon& outside) {
+  Polygon inside;
+  outside.clear();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector3d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double da = face.distance(a) - tolerance, db = face.distance(b) - tolerance;
+    (da > 0 ? outside : inside).push_back(a);
+    if ((da > 0) != (db > 0)) {
+      const Eigen::Vector3d cut = a + (b - a) * (da / (da - db));
+      inside.push_back(cut);
+      outside.push_back(cut);
+    }
+  }
+  return inside;
+}
+
+/// Adds the polygon minus the hull, as convex polygons, to `rest`.
+void subtract(const Polygon& polygon, const ConvexHull& hull, double tolerance, std::vector<Polygon>& rest) {
+  const std::size_t before = rest.size();
+  Polygon inside = polygon, outside;
+  for (const HalfSpace& face : hull.faces) {
+    inside = split(inside, face, tolerance, outside);
+    if (outside.size() >= 3) rest.push_back(outside);
+    if (inside.size() < 3) {  // nothing in common: keep the polygon whole
+      rest.resize(before);
+      rest.push_back(polygon);
+      return;
+    }
+  }
+}
+
+/// The largest distance from the hulls over polygons outside all of them, by branch and bound. The corners of what is left of a triangle
+/// would not suffice: they lie on the faces that cut it.
+///
+/// The distance to one hull is convex, so its maximum over a piece is at a corner. The mean of the distances to two hulls bounds the
+/// smaller one, and tightly so midway between them.
+class Furthest {
+ public:
+  explicit Furthest(const Hulls& set) : set_(set) {}
+
+  void add(const Polygon& polygon) {
+    for (const Eigen::Vector3d& p : polygon) visit(p);
+    for (std::size_t i = 2; i < polygon.size(); ++i) push({{polygon[0], polygon[i - 1], polygon[i]}, 0});
+  }
+
+  /// Never too small; too large by at most kGap unless that takes too many pieces.
+  double bound() {
+    for (int pieces = 0; pieces < kMostPieces && !queue_.empty() && queue_.top().bound > found_ * (1 + kGap); ++pieces) halve();
+    const double most = queue_.empty() ? found_ : std::max(found_, queue_.top().bound);
+    return most <= set_.tolerance ? 0 : most;
+  }
+
+ private:
+  static constexpr double kGap = 0.01;
+  static constexpr int kMostPieces = 300;
+  static constexpr std::size_t kNearHulls = 4;
+
+  struct Piece {
+    std::array<Eigen::Vector3d, 3> corner;
+    double bound;
+    bool operator<(const Piece& other) const { return bound < other.bound; }
+  };
+
+  void visit(const Eigen::Vector3d& p) { found_ = std::max(found_, set_.distanceTo(p)); }
+
+  void push(Piece piece) {
+    const Eigen::Vector3d centre = (piece.corner[0] + piece.corner[1] + piece.corner[2]) / 3;
+    visit(centre);
+    const std::vector<std::size_t> near = set_.nearest(centre, kNearHulls);
+    std::array<Eigen::Array3d, kNearHulls> distances;
+    piece.bound = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      for (int k = 0; k < 3; ++k) distances[i][k] = distance(set_.hulls[near[i]], piece.corner[static_cast<std::size_t>(k)]);
+      for (std::size_t j = 0; j <= i; ++j) piece.bound = std::min(piece.bound, (distances[i] + distances[j]).maxCoeff() / 2);
+    }
+    if (piece.bound > found_) queue_.push(piece);
+  }
+
+  void halve() {
+    Piece piece = queue_.top();
+    queue_.pop();
+    std::size_t a = 0;
+    const auto length = [&](std::size_t i) { return (piece.corner[i] - piece.corner[(i + 1) % 3]).squaredNorm(); };
+    for (std::size_t i = 1; i < 3; ++i)
+      if (length(i) > length(a)) a = i;
+    const std::size_t b = (a + 1) % 3;
+    const Eigen::Vector3d middle = (piece.corner[a] + piece.corner[b]) / 2;
+    visit(middle);
+    Piece other = piece;
+    piece.corner[b] = other.corner[a] = middle;
+    push(piece);
+    push(other);
+  }
+
+  const Hulls& set_;
+  double found_ = 0;
+  std::priority_queue<Piece> queue_;
+};
+
+/// The largest distance from the hulls over what they leave of a triangle; 0 if they leave nothing.
+double uncoveredDistance(const Polygon& triangle, const Hulls& set) {
+  const auto boxOf = [](const Polygon& polygon) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& p : polygon) box.extend(p);
+    return box;
+  };
+  const Eigen::AlignedBox3d box = boxOf(triangle);
+  std::vector<Polygon> left{triangle}, next;
+  for (std::size_t h = 0; h < set.hulls.size() && !left.empty(); ++h) {
+    if (!set.boxes[h].intersects(box)) continue;
+    next.clear();
+    for (Polygon& polygon : left) {
+      if (set.boxes[h].intersects(boxOf(polygon)))
+        subtract(polygon, set.hulls[h], set.tolerance, next);
+      else
+        next.push_back(std::move(polygon));
+    }
+    std::swap(left, next);
+  }
+  Furthest furthest(set);
+  for (const Polygon& polygon : left) furthest.add(polygon);
+  return furthest.bound();
+}
+
+}  // namespace
+
+std::vector<UncoveredTriangle> uncoveredTriangles(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
+                                                  const RunControl& control) {
+  const Hulls set(mesh, hulls);
+  std::vector<double> distance(mesh.triangles.size(), 0.0);
+  const int triangles = static_cast<int>(mesh.triangles.size()), blocks = (triangles + kTrianglesAtOnce - 1) / kTrianglesAtOnce;
+  forEach(static_cast<std::size_t>(blocks), [&](std::size_t block) {
+    control.check();
+    const int begin = static_cast<int>(block) * kTrianglesAtOnce, end = std::min(begin + kTrianglesAtOnce, triangles);
+    const NearHulls near(set, mesh, begin, end);
+    std::size_t last = 0;  // neighbouring triangles tend to lie in the same hull
+    for (int t = begin; t < end; ++t) {
+      bool covered = last < near.size() && near.holds(last, mesh, t);
+      for (std::size_t h = 0; h < near.size() && !covered; ++h)
+        if (near.holds(h, mesh, t)) covered = true, last = h;
+      if (!covered)
+        distance[static_cast<std::size_t>(t)] = uncoveredDistance({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, set);
+    }
+  });
+  std::vector<UncoveredTriangle> result;
+  for (std::size_t t = 0; t < distance.size(); ++t)
+    if (distance[t] > 0) result.push_back({static_cast<int>(t), distance[t]});
+  return result;
+}
+
+double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls, const RunControl& control) {
+  double most = 0;
+  for (const UncoveredTriangle& u : uncoveredTriangles(mesh, hulls, control)) most = std::max(most, u.distance);
+  return most;
+}
+
+namespace {
+
+std::vector<Eigen::AlignedBox3d> boxesOf(const std::vector<ConvexHull>& hulls) {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const ConvexHull& hull : hulls) boxes.push_back(boundingBox(hull));
+  return boxes;
+}
+
+constexpr double kSamples = 20000;
+constexpr std::size_t kLeastSamples = 50;     // per hull,
+constexpr std::size_t kTriesPerSample = 200;  // points of its box that may miss the hull, per sample
+
+/// A point of the R3 sequence (fractional parts of multiples of the plastic number's powers), which fills the unit cube more evenly than
+/// random points.
+Eigen::Vector3d spread(std::size_t i) {
+  const Eigen::Vector3d u = (static_cast<double>(i) + 0.5) * Eigen::Vector3d(0.8191725133961645, 0.6710436067037893, 0.5497004779019703);
+  return u - u.array().floor().matrix();
+}
+
+}  // namespace
+
+double unionVolume(const std::vector<ConvexHull>& hulls) {
+  if (hulls.size() == 1) return volume(hulls[0]);
+  const std::vector<Eigen::AlignedBox3d> boxes = boxesOf(hulls);
+  double all = 0;
+  for (const ConvexHull& hull : hulls) all += volume(hull);
+  // A part shared by several hulls counts for each of them with an equal share.
+  std::vector<double> own(hulls.size(), 0);
+  forEach(hulls.size(), [&](std::size_t h) {
+    const double mine = volume(hulls[h]);
+    std::vector<std::size_t> others;
+    for (std::size_t o = 0; o < hulls.size(); ++o)
+      if (o != h && boxes[o].intersects(boxes[h])) others.push_back(o);
+    const std::size_t wanted = std::max(kLeastSamples, static_cast<std::size_t>(all > 0 ? kSamples * mine / all : 0));
+    const std::size_t most = kTriesPerSample * wanted;
+    std::size_t inside = 0;
+    double parts = 0;
+    for (std::size_t i = 0; inside < wanted && i < most; ++i) {
+      const Eigen::Vector3d p = boxes[h].min() + boxes[h].sizes().cwiseProduct(spread(i));
+      if (!holds(hulls[h], p)) continue;
+      ++inside;
+      std::size_t holders = 1;
+      for (const std::size_t o : others) holders += boxes[o].contains(p) && holds(hulls[o], p);
+      parts += 1 / static_cast<double>(holders);
+    }
+    own[h] = inside > 0 ? mine * parts / static_cast<double>(inside) : mine;
+  });
+  return std::accumulate(own.begin(), own.end(), 0.0);
+}
+
+double coveredShare(const std::vector<ConvexHull>& hulls, const Solid& solid) {
+  const std::vector<Eigen::AlignedBox3d> boxes = boxesOf(hulls);
+  Eigen::AlignedBox3d all;
+  for (const Eigen::AlignedBox3d& box : boxes) all.extend(box);
+  if (all.isEmpty()) return 1;
+  std::atomic<int> inside{0}, held{0};
+  forEach(static_cast<std::size_t>(kSamples), [&](std::size_t i) {
+    const Eigen::Vector3d p = all.min() + all.sizes().cwiseProduct(spread(i));
+    if (!solid.contains(p)) return;
+    ++inside;
+    bool is_held = false;
+    for (std::size_t h = 0; h < hulls.size() && !is_held; ++h) is_held = boxes[h].contains(p) && holds(hulls[h], p);
+    held += is_held;
+  });
+  return inside == 0 ? 1 : static_cast<double>(held) / inside;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,105 @@
+// The distance to a solid throughout space, sampled on demand: an octree that grows with the queries.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "collision_hulls/control.h"
+#include "collision_hulls/geometry/convex_hull.h"
+#include "collision_hulls/measure/solid.h"
+
+namespace collision_hulls {
+
+/// Cells are cubes along the solid's axes(); few of them then meet both a flat wall and the space beside it. A cell stores the signed
+/// distance at its centre (positive outside), which bounds the distance over the cell to within the cell's radius. Queries descend where
+/// that bound leaves something open, and later queries reuse what earlier ones computed. Values depend only on the solid and the box, so
+/// answers do not depend on the order of queries until the octree is full (eight million cells). Not thread safe.
+class OutsideDistance {
+ public:
+  /// `box` should contain most of the hulls to be queried; `solid` must outlive this object.
+  OutsideDistance(const Solid& solid, const Eigen::AlignedBox3d& box);
+
+  /// Whether the hull lies in that box, up to a small margin. For other hulls, what is found is still valid, and so is the bound on summits
+  /// if the box contains the solid: outside the box the distance grows outward.
+  bool reaches(const ConvexHull& hull) const;
+
+  /// Takes over what another octree, for the same solid and box, knows about the cells that meet `part`.
+  void learn(const OutsideDistance& other, const Eigen::AlignedBox3d& part) { learn(0, other, 0, turned(part, solid_.axes())); }
+
+  struct Query {
+    double floor = 0;                                                ///< [m] distances up to this do not matter
+    double ceiling = 0;                                              ///< [m] the search ends once it finds a larger distance
+    double resolution = 0;                                           ///< [m] cells with a smaller radius are not divided
+    double surface_bound = std::numeric_limits<double>::infinity();  ///< [m] upper bound on the distance of the hull's surface
+    double depth = std::numeric_limits<double>::infinity();  ///< [m] upper bound on the depth of the hull's points below its surface
+    std::size_t most_visits = 60000;                         ///< to cells; beyond this, the largest remaining bound is returned
+    bool summits_only = false;  ///< skip cells without a local maximum: for hulls whose surface was searched separately
+  };
+  struct Largest {
+    double found = 0;  ///< [m] largest distance found at a point of the hull
+    double bound = 0;  ///< [m] upper bound for all points of the hull, or for its summits; infinite if the ceiling ended the search
+    Eigen::Vector3d where = Eigen::Vector3d::Zero();
+    std::size_t visits = 0;  ///< visits to cells
+  };
+  Largest largest(const ConvexHull& hull, const Query& query, const RunControl& control = {});  ///< throws kCancelled
+
+  /// Whether, as far as cells are known, no point of the triangle is further than `distance` [m]; false if it leaves the box. Measures
+  /// nothing.
+  bool isWithin(const std::array<Eigen::Vector3d, 3>& triangle, double distance) const;
+
+  struct Intruder {
+    Eigen::Vector3d p;
+    double distance = 0;  ///< [m]
+    double weight = 0;    ///< [m^3] of the cell
+  };
+  /// Points of the hull at a distance above `tolerance`, one per cell, from cells of one size: the largest cells that give `wanted` points,
+  /// or the smallest of radius >= resolution.
+  std::vector<Intruder> intruders(const ConvexHull& hull, double tolerance, std::size_t wanted, double resolution);
+
+ private:
+  struct Cell {
+    Eigen::Vector3d centre;   // in the frame of the solid's axes
+    double half = 0;          // side / 2
+    double to_surface = 0;    // [m] from the centre
+    double distance = 0;      // [m] the same, signed: see Solid::signedDistance()
+    int triangle = -1;        // the nearest one; -1: not measured yet
+    int children = -1;        // first of eight
+    signed char summit = -1;  // whether it may contain a local maximum; -1: not determined yet
+  };
+  /// Four faces of a hull. Missing ones are placed far above.
+  struct Four {
+    Eigen::Array4f distance(const Eigen::Vector3f& p) const { return normal[0] * p.x() + normal[1] * p.y() + normal[2] * p.z() + offset; }
+    std::array<Eigen::Array4f, 3> normal{Eigen::Array4f::Zero(), Eigen::Array4f::Zero(), Eigen::Array4f::Zero()};  // by axis
+    Eigen::Array4f offset = Eigen::Array4f::Constant(std::numeric_limits<float>::lowest());
+    Eigen::Array4f width = Eigen::Array4f::Zero();  // how far a cube of half side 1 about the origin extends along the normal
+  };
+  struct Memory {
+    std::vector<Four> fours;
+    std::vector<int> lists;
+  };
+  struct Faces;  // of a hull
+  struct View;   // of a cell by a hull
+
+  /// The box along `axes` around a box along the world's axes.
+  static Eigen::AlignedBox3d turned(const Eigen::AlignedBox3d& box, const Eigen::Matrix3d& axes);
+  double radius(const Cell& cell) const;
+  Eigen::Vector3d inWorld(const Eigen::Vector3d& p) const { return solid_.axes().transpose() * p; }
+  void measure(Cell& cell, const Cell* parent) const;
+  double knownBound(int cell) const;
+  std::optional<Eigen::Vector3d> outsidePoint(const Cell& cell, const Faces& hull, const View& view) const;
+  bool canDivide(int cell) const;  // bounds the memory
+  int children(int cell);
+  const Cell& measuredChild(int cell, int parent);
+  bool mayHoldSummit(int cell);
+  bool isLevelWithin(double distance, int cell);
+  void learn(int cell, const OutsideDistance& other, int known, const Eigen::AlignedBox3d& part);
+
+  const Solid& solid_;
+  std::vector<Cell> cells_;
+  Memory memory_;  // for the current query
+};
+
+}  // namespace collision_hulls

@@ -1,0 +1,111 @@
+// The largest distance over a hull is either on its surface or at a summit, a local maximum of the distance in the hull's interior. The
+// surface is searched patch by patch (surface_search.h). Summits depend only on the solid: they lie in pockets between walls that face each
+// other, and an octree shared by all hulls excludes the rest of space (outside_distance.h). The search runs in passes with a shrinking gap,
+// so most hulls are dismissed by a floor that another hull sets.
+#include "measure/protrusion.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/parallel.h"
+#include "geometry/hull_support.h"
+#include "measure/outside_distance.h"
+#include "measure/surface_search.h"
+
+namespace collision_hulls {
+
+namespace {
+
+constexpr double kLooseGap = 16;  // gap of the first passes, in gaps of the last
+constexpr int kGlance = 20;       // halvings
+// If the search does not converge on a surface, as in the plane of an opening, it keeps the bound after this many halvings.
+constexpr int kMostHalvings = 2'000'000;
+// A bound of only a few gaps is not worth more halvings than this.
+constexpr int kPatience = 100'000;
+constexpr double kFewGaps = 12;
+
+/// Keeps the further of two places and the larger of two bounds.
+void add(Protrusion& worst, const Protrusion& other) {
+  const double bound = std::max({worst.bound, other.bound, other.found});
+  if (other.found > worst.found) worst = other;
+  worst.bound = bound;
+}
+
+/// `on_surface`: per hull, the result of searching its surface.
+void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const std::vector<Protrusion>& on_surface, const Solid& solid,
+                double gap, std::size_t spare, const RunControl& control) {
+  Eigen::AlignedBox3d box;
+  for (const ConvexHull& hull : hulls) box.extend(boundingBox(hull));
+  if (box.isEmpty()) return;
+  OutsideDistance outside(solid, box);
+  OutsideDistance::Query query;
+  query.floor = worst.bound + gap;
+  query.ceiling = std::numeric_limits<double>::infinity();
+  query.resolution = gap / 4;
+  query.summits_only = true;
+  const std::size_t usual = query.most_visits;
+  for (std::size_t i = 0; i < hulls.size(); ++i) {
+    query.most_visits = usual + spare;
+    query.floor = std::max(query.floor, worst.found);
+    query.surface_bound = on_surface[i].bound;
+    query.depth = leastWidth(hulls[i]) / 2;
+    const OutsideDistance::Largest largest = outside.largest(hulls[i], query, control);
+    spare -= std::max(largest.visits, usual) - usual;
+    Protrusion summit;
+    summit.bound = largest.bound;
+    if (largest.found > worst.found) {
+      const TriangleBvh::Nearest n = solid.surface().nearest(largest.where);
+      summit.found = n.distance;  // largest.found is only a bound on it, from the middle of a cell
+      summit.where = largest.where;
+      summit.nearest = n.point;
+      summit.hull = static_cast<int>(i);
+    }
+    add(worst, summit);
+  }
+}
+
+}  // namespace
+
+Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, double gap, const RunControl& control) {
+  return protrusion(hulls, solid, {gap, 0}, control);
+}
+
+Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, const ProtrusionSearch& search, const RunControl& control) {
+  const double gap = search.gap;
+  // Vertices first: the distance they reach is a floor that spares the other hulls most of the search.
+  double floor = 0;
+  for (const ConvexHull& hull : hulls)
+    for (const Eigen::Vector3d& v : hull.vertices)
+      if (solid.distanceToSurface(v) > floor) floor = std::max(floor, solid.distance(v));
+  // Then all hulls at a glance, and more and more closely those that may reach further than what was found.
+  struct Pass {
+    double gap;
+    int halvings;
+  };
+  std::vector<Protrusion> each(hulls.size());
+  for (const Pass pass : {Pass{kLooseGap, kGlance}, Pass{kLooseGap, kMostHalvings}, Pass{1, kMostHalvings}}) {
+    forEach(hulls.size(), [&](std::size_t i) {
+      SurfaceQuery query;
+      query.floor = floor * (1 - 1e-9);
+      query.gap = pass.gap * gap / 2;
+      query.halvings = pass.halvings;
+      query.patience = kPatience;
+      query.low = kFewGaps * gap;
+      if (each[i].hull >= 0 && each[i].bound <= floor + query.gap) return;
+      Protrusion found = largestOnSurface(hulls[i], solid, query, control);
+      found.hull = static_cast<int>(i);
+      if (found.found < each[i].found) {  // the place has fallen below the floor
+        each[i].bound = std::max(found.bound, each[i].found);
+        return;
+      }
+      each[i] = found;
+    });
+    for (const Protrusion& p : each) floor = std::max(floor, p.found);
+  }
+  Protrusion worst;
+  for (const Protrusion& p : each) add(worst, p);
+  addSummits(worst, hulls, each, solid, gap / 2, search.spare_visits, control);
+  return worst;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,18 @@
+// Settings of the search for protrusion().
+#pragma once
+
+#include <cstddef>
+
+#include "collision_hulls/measure/measures.h"
+
+namespace collision_hulls {
+
+struct ProtrusionSearch {
+  double gap = 0;  ///< [m] as in measures.h
+  /// Cells that the search for summits may visit beyond its usual number, for all hulls together. It may need them along a narrow gap of
+  /// constant width, as between a shaft and its bore, where nearly every point is a summit.
+  std::size_t spare_visits = 0;
+};
+Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, const ProtrusionSearch& search, const RunControl& control);
+
+}  // namespace collision_hulls

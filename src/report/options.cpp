@@ -1,0 +1,229 @@
+// Lengths as text, the options' ranges, and the consumers' profiles.
+//
+// Values that are out of range, or are plainly a mistake in the unit, are refused here, before any work: command line, services and
+// parameters all give the same message.
+#include "collision_hulls/report/options.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <locale>
+#include <regex>
+#include <sstream>
+
+#include "collision_hulls/decompose/reduce_vertices.h"
+#include "collision_hulls/error.h"
+#include "storage/names.h"
+
+namespace collision_hulls {
+namespace {
+
+struct Unit {
+  const char* name;
+  double numerator, denominator;  // two numbers, so that 5 mm is the double nearest to 0.005
+};
+constexpr std::array<Unit, 7> kLengthUnits = {
+    {{"", 1, 1}, {"m", 1, 1}, {"cm", 1, 100}, {"mm", 1, 1000}, {"um", 1, 1'000'000}, {"in", 254, 10'000}, {"%", 1, 100}}};
+
+constexpr int kMostHulls = 1'000'000;     // of a mesh
+constexpr int kMostVertices = 1'000'000;  // of a hull
+constexpr int kMostJobs = 1024;
+constexpr double kLargestTolerance = 1;  // [m] hulls that protrude further no longer resemble a robot
+
+[[noreturn]] void badOption(const std::string& option, const std::string& value, const std::string& allowed) {
+  throw Error(ErrorCode::kBadOption, option + " '" + value + "' is invalid: use " + allowed);
+}
+
+void checkRange(const std::string& option, int value, int low, int high, const std::string& meaning) {
+  if (value == 0 || (value >= low && value <= high)) return;
+  badOption(option, std::to_string(value),
+            "a number from " + std::to_string(low) + " to " + std::to_string(high) + ", or 0 for " + meaning);
+}
+
+bool isSet(double part) {
+  return part != Length::kUnset;
+}
+
+/// A number and its unit.
+struct Quantity {
+  double value = 0;  // metres, or a fraction
+  std::string unit;
+  bool isShare() const { return unit == "%"; }
+};
+
+std::optional<Quantity> parseQuantity(const std::string& text) {
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  double number = 0;
+  std::string unit, rest;
+  if (!(in >> number) || !std::isfinite(number)) return std::nullopt;
+  in >> unit >> rest;
+  const auto found = std::find_if(kLengthUnits.begin(), kLengthUnits.end(), [&](const Unit& u) { return unit == u.name; });
+  if (found == kLengthUnits.end() || !rest.empty()) return std::nullopt;
+  const Quantity quantity{number * found->numerator / found->denominator, unit};
+  const bool in_range = quantity.value > 0 && !(quantity.isShare() && quantity.value > 1);
+  return in_range ? std::optional(quantity) : std::nullopt;
+}
+
+Length toLength(const Quantity& quantity) {
+  return quantity.isShare() ? shareOf(quantity.value) : lengthOf(quantity.value);
+}
+
+/// One length and one share, each with its unit.
+std::optional<Length> pairOf(const std::optional<Quantity>& first, const std::optional<Quantity>& second) {
+  if (!first || !second || first->unit.empty() || second->unit.empty() || first->isShare() == second->isShare()) return std::nullopt;
+  return first->isShare() ? Length{second->value, first->value} : Length{first->value, second->value};
+}
+
+/// The fewest digits that are read back as the same value; nothing where 17 do not suffice in this unit.
+std::optional<std::string> shortest(double value, const char* unit) {
+  const auto known = std::find_if(kLengthUnits.begin(), kLengthUnits.end(), [&](const Unit& u) { return std::string(unit) == u.name; });
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  for (int digits = 3; digits <= 17; ++digits) {
+    out.str("");
+    out.precision(digits);
+    out << value * known->denominator / known->numerator << unit;
+    const std::optional<Quantity> back = parseQuantity(out.str());
+    if (back && back->value == value) return out.str();
+  }
+  return std::nullopt;
+}
+
+/// In the unit that makes the shortest text; metres, which every value can be written in, if there is none.
+std::string shortestLength(double metres) {
+  std::string best;
+  for (const char* const unit : {"m", "cm", "mm"}) {
+    const std::optional<std::string> text = shortest(metres, unit);
+    if (text && (best.empty() || text->size() < best.size())) best = *text;
+  }
+  return best;
+}
+
+std::string plain(double number, int digits = 6) {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out.precision(digits);
+  out << number;
+  return out.str();
+}
+
+/// 5 for 5 mm is the usual mistake.
+void checkUnit(const std::string& option, const Length& length) {
+  if (!isSet(length.limit) || length.limit <= kLargestTolerance) return;
+  throw Error(ErrorCode::kBadOption, option + " '" + toString(length) + "' is more than " + plain(kLargestTolerance) +
+                                         " m, the most that a robot's links take: a number without a unit is in metres; did you mean " +
+                                         toString(lengthOf(length.limit / 1000)) + "? For a larger machine give a percentage, such as 5%");
+}
+
+void checkLength(const std::string& option, const Length& length) {
+  const char* const allowed = "a length above 0, a percentage above 0% and up to 100%, or both";
+  if (!isSet(length.limit) && !isSet(length.share)) badOption(option, "inf", allowed);
+  if (isSet(length.limit) && !(std::isfinite(length.limit) && length.limit > 0)) badOption(option, plain(length.limit) + "m", allowed);
+  if (isSet(length.share) && !(length.share > 0 && length.share <= 1)) badOption(option, plain(100 * length.share) + "%", allowed);
+  checkUnit(option, length);
+}
+
+/// Whether `tree` is the larger length for every mesh, whatever its size. Where only some meshes make it larger, these take the
+/// tolerance instead.
+bool alwaysLarger(const Length& tree, const Length& tolerance) {
+  const auto larger = [](double a, double b) { return a > b || (!isSet(a) && !isSet(b)); };
+  return larger(tree.limit, tolerance.limit) && larger(tree.share, tolerance.share);
+}
+
+}  // namespace
+
+Length parseLength(const std::string& text, const std::string& option) {
+  const std::size_t comma = text.find(',');
+  std::optional<Length> length;
+  if (comma != std::string::npos) {
+    length = pairOf(parseQuantity(text.substr(0, comma)), parseQuantity(text.substr(comma + 1)));
+  } else if (const std::optional<Quantity> quantity = parseQuantity(text)) {
+    length = toLength(*quantity);
+  }
+  if (length) return *length;
+  badOption(
+      option, text,
+      "a positive length, as in 5mm, 0.5cm, 0.005 or 0.005m (metres), 200um, 0.2in; a percentage of each mesh's bounding-box diagonal "
+      "above 0% and up to 100%, as in 1%; or the smaller of both, each with its unit, as in 1cm,5%");
+}
+
+double parseMetres(const std::string& text, const std::string& option) {
+  const std::optional<Quantity> quantity = parseQuantity(text);
+  if (quantity && !quantity->isShare()) return quantity->value;
+  badOption(option, text, "a positive length, as in 2cm, 20mm or 0.02 (metres)");
+}
+
+std::string toString(const Length& length) {
+  const std::string limit = isSet(length.limit) ? shortestLength(length.limit) : "";
+  const std::string share = isSet(length.share) ? shortest(length.share, "%").value_or(plain(100 * length.share, 17) + "%") : "";
+  return limit + (limit.empty() || share.empty() ? "" : ",") + share;
+}
+
+std::optional<UriStyle> uriStyleNamed(const std::string& name) {
+  if (name == "package") return UriStyle::kPackage;
+  if (name == "file") return UriStyle::kFile;
+  if (name == "relative") return UriStyle::kRelative;
+  return std::nullopt;
+}
+
+std::string methodChoices() {
+  std::string choices;
+  for (const Method method : allMethods()) choices += (choices.empty() ? "" : ", ") + std::string(name(method));
+  return choices;
+}
+
+void check(const Options& options) {
+  const Length& tolerance = options.tolerance;
+  checkLength("tolerance", tolerance);
+  if (options.tree) checkLength("tree", *options.tree);
+  if (options.fill && options.method != Method::kCertified)
+    throw Error(ErrorCode::kBadOption,
+                std::string("fill needs method 'certified'; leave it out with method '") + name(options.method) + "'");
+  if (options.tree && options.method != Method::kCertified)
+    throw Error(ErrorCode::kBadOption,
+                std::string("tree needs method 'certified'; leave it out with method '") + name(options.method) + "'");
+  if (options.tree && alwaysLarger(*options.tree, tolerance))
+    badOption("tree", toString(*options.tree), "a length up to the tolerance, which is " + toString(tolerance));
+  checkRange("max-hulls", options.max_hulls, 1, kMostHulls, "no limit");
+  checkRange("max-vertices", options.max_vertices, kLeastVertices, kMostVertices, "no limit");
+  checkRange("jobs", options.jobs, 1, kMostJobs, "as many threads as cores");
+  if (!(std::isfinite(options.scale) && options.scale > 0))
+    badOption("scale", plain(options.scale), "a number above 0, as in 0.001 for a mesh in millimetres");
+  if (!options.package_name.empty() && packageName(options.package_name) != options.package_name)
+    badOption("package-name", options.package_name,
+              "a lower-case letter, then lower-case letters, digits and '_', such as '" + packageName(options.package_name) + "'");
+  try {
+    const std::regex compiled(options.links);
+  } catch (const std::regex_error& e) {
+    badOption("links", options.links, std::string("a regular expression (ECMAScript): ") + e.what());
+  }
+}
+
+// Where the values come from:
+//   fcl      32 vertices: up to there fcl::Convex finds a support point by looking at every vertex, beyond it by walking along edges
+//            (kMinVertCountForEdgeWalking, pull request 488 of flexible-collision-library/fcl; before 0.6.1 it always looks at all)
+//   bullet   42 vertices: btShapeHull, which Bullet offers "to simplify a complex convex object", keeps the support points of 42
+//            directions; btConvexHullShape looks at every vertex for each support point
+//   moveit   as bullet: its Bullet plugin makes a btConvexHullShape of every mesh (moveit_core, bullet_utils.cpp), its FCL plugin a
+//            tree of the mesh's triangles, which a hull of fewer vertices has fewer of
+//   physx    32 vertices: on the GPU it collides hulls of at most 64 vertices, 64 polygons and 32 faces at a vertex (PxConvexMeshDesc,
+//            PhysX 5.5); 32 vertices have at most 2 * 32 - 4 = 60 triangles, and 31 at one vertex
+//   gazebo   16 hulls a mesh: what its own convex decomposition makes at most (SDFormat 1.11, <max_convex_hulls>, default 16)
+void applyProfile(const std::string& profile, Options& options) {
+  struct Caps {
+    const char* profile;
+    int max_hulls, max_vertices;
+  };
+  constexpr int kNoCap = 0, kDefault = DecomposeOptions{}.max_vertices;
+  constexpr Caps kProfiles[] = {
+      {"fcl", kNoCap, 32}, {"moveit", kNoCap, 42}, {"bullet", kNoCap, 42}, {"physx", kNoCap, 32}, {"gazebo", 16, kDefault}};
+  const auto* const found =
+      std::find_if(std::begin(kProfiles), std::end(kProfiles), [&](const Caps& caps) { return profile == caps.profile; });
+  if (found == std::end(kProfiles)) badOption("profile", profile, "fcl, moveit, bullet, physx or gazebo");
+  options.max_hulls = found->max_hulls;
+  options.max_vertices = found->max_vertices;
+}
+
+}  // namespace collision_hulls

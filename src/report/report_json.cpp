@@ -1,0 +1,202 @@
+// report.json. Field names are a contract with other tools: add fields, but never rename or remove one.
+#include <nlohmann/json.hpp>
+
+#include "collision_hulls/report/report.h"
+#include "collision_hulls/report/totals.h"
+
+namespace collision_hulls {
+namespace {
+
+using nlohmann::json;
+
+const char* toText(Source source) {
+  switch (source) {
+    case Source::kAuto: return "auto";
+    case Source::kVisual: return "visual";
+    case Source::kCollision: return "collision";
+  }
+  return "unknown";
+}
+
+const char* toText(UriStyle style) {
+  switch (style) {
+    case UriStyle::kPackage: return "package";
+    case UriStyle::kFile: return "file";
+    case UriStyle::kRelative: return "relative";
+  }
+  return "unknown";
+}
+
+json toJson(const Eigen::Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+/// The names and values of the command line.
+json toJson(const Options& options) {
+  return {{"tolerance", toString(options.tolerance)},
+          {"method", name(options.method)},
+          {"effort", name(options.effort)},
+          {"fill", options.fill},
+          {"tree", options.tree ? toString(*options.tree) : ""},
+          {"max-hulls", options.max_hulls},
+          {"max-vertices", options.max_vertices},
+          {"links", options.links},
+          {"source", toText(options.source)},
+          {"scale", options.scale},
+          {"format", extension(options.format) + 1},
+          {"uri", toText(options.uri)},
+          {"package-name", options.package_name},
+          {"jobs", options.jobs},
+          {"no-validate", !options.validate},
+          {"no-cache", !options.cache}};
+}
+
+json toJson(const RepairCounts& counts) {
+  return {{"welded", counts.welded},
+          {"degenerate", counts.degenerate},
+          {"duplicate", counts.duplicate},
+          {"flipped", counts.flipped},
+          {"components", counts.components},
+          {"open_edges", counts.open_edges},
+          {"nonmanifold_edges", counts.nonmanifold_edges},
+          {"weld_distance", counts.weld_distance}};
+}
+
+json toJson(const StageSeconds& seconds) {
+  return {{"read", seconds.read},
+          {"repair", seconds.repair},
+          {"decompose", seconds.decompose},
+          {"certify", seconds.certify},
+          {"write", seconds.write}};
+}
+
+json toJson(const ElementReport& row) {
+  return {{"link", row.link},
+          {"element", row.element},
+          {"source", row.visual ? "visual" : "collision"},
+          {"uri", row.uri},
+          {"sha256", row.sha256},
+          {"scale", toJson(row.scale)},
+          {"triangles", row.triangles},
+          {"skipped_primitives", row.skipped_primitives},
+          {"status", name(row.status)},
+          {"reason", row.reason},
+          {"error", row.error},
+          {"repair", toJson(row.repair)},
+          {"method", name(row.method)},
+          {"tolerance", row.tolerance},
+          {"hulls", row.hulls},
+          {"hull_vertices", row.hull_vertices},
+          {"primitives", row.primitives},
+          {"uncovered", row.uncovered},
+          {"protrusion", row.protrusion},
+          {"protrusion_found", row.protrusion_found},
+          {"worst", {{"point", toJson(row.worst)}, {"nearest", toJson(row.worst_nearest)}}},
+          {"interior", row.interior},
+          {"volume", row.volume},
+          {"hull_volume", row.hull_volume},
+          {"covered_share", row.covered_share},
+          {"diagonal", row.diagonal},
+          {"nudge", row.nudge},
+          {"thickness", row.thickness},
+          {"cached", row.cached},
+          {"seconds", toJson(row.seconds)},
+          {"files", row.files}};
+}
+
+json toJson(const Validation& v, bool cached) {
+  return {{"cached", cached},
+          {"queries", v.queries},
+          {"missed", v.missed},
+          {"phantom", v.phantom},
+          {"max_underestimate", v.max_underestimate},
+          {"exceptions", v.exceptions},
+          {"timeouts", v.timeouts},
+          {"nan", v.nan},
+          {"disagreements", v.disagreements},
+          {"mesh_query_us", v.mesh_query_us},
+          {"hull_query_us", v.hull_query_us},
+          {"remarks", v.remarks}};
+}
+
+json toJson(const FittedLink& link) {
+  return {{"link", link.link}, {"hulls", link.hulls}, {"primitive", link.primitive}, {"reason", link.reason}, {"proved", link.proved}};
+}
+
+json toJson(const LeftOutPair& pair) {
+  return {{"first", pair.first}, {"second", pair.second}, {"reason", pair.reason}, {"known", pair.known}};
+}
+
+json toJson(const PairHits& pair) {
+  return {{"first", pair.first}, {"second", pair.second}, {"original", pair.original}, {"before", pair.before}, {"after", pair.after}};
+}
+
+template <typename Value>
+json toJson(const std::vector<Value>& values) {
+  json result = json::array();
+  for (const Value& value : values) result.push_back(toJson(value));
+  return result;
+}
+
+json toJson(const FitReport& fit) {
+  return {{"name", fit.scene},
+          {"clearance", fit.clearance},
+          {"samples", fit.samples},
+          {"given", fit.given},
+          {"asked", fit.asked},
+          {"counterexamples", fit.counterexamples},
+          {"original_hits", fit.original_hits},
+          {"model_hits", fit.model_hits},
+          {"missed", fit.missed},
+          {"phantom", fit.phantom},
+          {"phantom_rate_bound", fit.phantom_rate_bound},
+          {"leaf_contacts", fit.leaf_contacts},
+          {"pairs", fit.pairs},
+          {"proved_pairs", fit.proved_pairs},
+          {"query_us", fit.query_us},
+          {"original_query_us", fit.original_query_us},
+          {"distance_us", fit.distance_us},
+          {"original_distance_us", fit.original_distance_us},
+          {"hulls", fit.hulls},
+          {"full_hulls", fit.full_hulls},
+          {"primitives", fit.primitives},
+          {"scene_hits", fit.scene_hits},
+          {"scene_contact", fit.scene_contact},
+          {"seconds", fit.seconds},
+          {"links", toJson(fit.links)},
+          {"left_out", toJson(fit.left_out)},
+          {"self_phantoms", toJson(fit.self)}};
+}
+
+json totalsToJson(const Report& report) {
+  const Totals sum = totals(report);
+  return {{"links", sum.links},
+          {"meshes", sum.meshes},
+          {"triangles", sum.triangles},
+          {"hulls", sum.hulls},
+          {"hull_vertices", sum.hull_vertices},
+          {"seconds", report.seconds},
+          {"failed", sum.failed},
+          {"degraded", sum.degraded}};
+}
+
+}  // namespace
+
+std::string toJson(const Report& report) {
+  json rows = json::array();
+  for (const ElementReport& row : report.links) rows.push_back(toJson(row));
+  json document = {{"collision_hulls", version()},
+                   {"input", {{"path", report.input_path}, {"sha256", report.input_sha256}}},
+                   {"options", toJson(report.options)},
+                   {"seed", report.options.seed},
+                   {"links", rows},
+                   {"files", report.files},
+                   {"validation", report.options.validate ? toJson(report.validation, report.validation_cached) : json()},
+                   {"notes", report.notes},
+                   {"totals", totalsToJson(report)}};
+  if (report.scene) document["scene"] = toJson(*report.scene);
+  // Names in a description may be no UTF-8, which JSON cannot hold: such bytes are shown as U+FFFD. Non-finite numbers become null.
+  return document.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,257 @@
+// The report as text for a person: one table, then what holds for all of it. decompose and fit_scene print it, and the node hands it on,
+// so that all three show the same. Measures have three significant digits; whoever needs more reads report.json.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/counted.h"
+#include "collision_hulls/error.h"
+#include "collision_hulls/report/report.h"
+#include "collision_hulls/report/totals.h"
+
+namespace collision_hulls {
+namespace {
+
+using Cells = std::vector<std::string>;
+constexpr std::size_t kTextColumns = 2;  // link and mesh are aligned left, numbers right
+
+/// Three significant digits, fewer below 0.01, and never an exponent: 0.0012, 1.23, 123, 12345.
+std::string figure(double value) {
+  constexpr int kMostDecimals = 4;
+  constexpr double kLeast = 0.00005;  // what they can show
+  if (std::abs(value) < kLeast) return "0";
+  const double magnitude = std::floor(std::log10(std::abs(value)));
+  const int decimals = std::isfinite(magnitude) ? std::clamp(2 - static_cast<int>(magnitude), 0, kMostDecimals) : 0;
+  char text[400];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+std::string millimetres(double metres) {
+  return figure(1000 * metres);
+}
+
+std::string lastPart(const std::string& uri) {
+  return uri.substr(uri.find_last_of('/') + 1);
+}
+
+/// "3", "1 primitive", "3, 1 primitive"
+std::string bodies(const ElementReport& row) {
+  const std::string hulls = std::to_string(row.hulls);
+  if (row.primitives == 0) return hulls;
+  return (row.hulls > 0 ? hulls + ", " : "") + counted(row.primitives, "primitive");
+}
+
+/// Columns on a terminal, near enough: bytes that start a UTF-8 character.
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+Cells cells(const ElementReport& row) {
+  const StageSeconds& s = row.seconds;
+  const std::string seconds = figure(s.read + s.repair + s.decompose + s.certify + s.write);
+  if (row.status == Status::kFailed)
+    return {row.link, lastPart(row.uri), row.triangles ? std::to_string(row.triangles) : "-", "-", "-", "-", "-",
+            seconds,  name(row.status)};
+  return {row.link,
+          lastPart(row.uri),
+          std::to_string(row.triangles),
+          bodies(row),
+          row.hulls > 0 ? std::to_string(row.hull_vertices) : "-",
+          millimetres(row.protrusion),
+          millimetres(row.tolerance),
+          seconds,
+          name(row.status)};
+}
+
+/// "9 ok, 1 degraded, 1 failed"
+std::string statusCounts(const Totals& sum) {
+  std::string text;
+  const auto add = [&](std::size_t n, Status status) {
+    if (n > 0) text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + name(status);
+  };
+  add(sum.meshes - sum.degraded - sum.failed, Status::kOk);
+  add(sum.degraded, Status::kDegraded);
+  add(sum.failed, Status::kFailed);
+  return text;
+}
+
+Cells totalCells(const Report& report) {
+  const Totals sum = totals(report);
+  double protrusion = 0;
+  for (const ElementReport& row : report.links) protrusion = std::max(protrusion, row.protrusion);
+  return {"total",
+          counted(sum.meshes, "mesh", "meshes") + " of " + counted(sum.links, "link"),
+          std::to_string(sum.triangles),
+          std::to_string(sum.hulls),
+          std::to_string(sum.hull_vertices),
+          millimetres(protrusion),
+          "",
+          figure(report.seconds),
+          statusCounts(sum)};
+}
+
+std::string aligned(const std::vector<Cells>& rows) {
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const Cells& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+  }
+  std::string text;
+  for (const Cells& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string padding(widths[i] - width(row[i]), ' ');
+      const bool last = i + 1 == row.size();
+      text += i < kTextColumns ? row[i] + padding : last ? row[i] : padding + row[i];
+      text += last ? "\n" : "  ";
+    }
+  }
+  return text;
+}
+
+std::string meshTable(const Report& report) {
+  if (report.links.empty()) return "";
+  std::vector<Cells> rows = {{"link", "mesh", "triangles", "hulls", "vertices", "protrusion [mm]", "tolerance [mm]", "time [s]", "status"}};
+  for (const ElementReport& row : report.links) rows.push_back(cells(row));
+  rows.push_back(totalCells(report));
+  return aligned(rows);
+}
+
+/// What the columns mean. A row whose hulls left surface uncovered would have failed.
+std::string legend(const Report& report) {
+  if (report.links.empty() || allFailed(report)) return "";
+  const auto cached = std::count_if(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.cached; });
+  std::string text = "The hulls cover the whole surface of each mesh, and no hull point is further from its solid than the protrusion.\n";
+  if (report.links.size() > 1) text += "Meshes run in parallel; the total time is wall-clock time.\n";
+  if (cached > 0) text += counted(static_cast<std::size_t>(cached), "mesh", "meshes") + " came from the cache.\n";
+  return text;
+}
+
+/// The reason of the first degraded row: the others are of its kind, and in the report.
+std::string degradedLine(const Report& report) {
+  const auto degraded = [](const ElementReport& row) { return row.status == Status::kDegraded; };
+  const auto row = std::find_if(report.links.begin(), report.links.end(), degraded);
+  if (row == report.links.end()) return "";
+  const auto others = static_cast<std::size_t>(std::count_if(row + 1, report.links.end(), degraded));
+  return "degraded: " + row->link + ", " + lastPart(row->uri) + ": " + row->reason +
+         (others > 0 ? " (" + counted(others, "more mesh", "more meshes") + ": see report.json)" : "") + "\n";
+}
+
+/// "no collision missed", "2 collisions missed"
+std::string number(std::size_t n, const std::string& noun) {
+  return n == 0 ? "no " + noun : counted(n, noun);
+}
+
+/// FCL's own faults are rare and never ours: a line only if there are some.
+std::string troubleLine(const Validation& v) {
+  if (v.exceptions + v.disagreements + v.timeouts + v.nan == 0) return "";
+  return "  FCL failed in " + counted(v.exceptions, "query", "queries") + ", disagreed with our own computation in " +
+         std::to_string(v.disagreements) + ", took over a second in " + std::to_string(v.timeouts) + ", and returned NaN in " +
+         std::to_string(v.nan) + "\n";
+}
+
+std::string validationLines(const Report& report) {
+  if (report.links.empty() || allFailed(report)) return "";
+  const std::string of_what = report.scene ? " of single meshes: " : ": ";
+  if (!report.options.validate) return "check" + of_what + "skipped (--no-validate)\n";
+  const Validation& v = report.validation;
+  if (v.queries == 0) return "check" + of_what + "nothing to compare\n";
+  std::string text = "check" + of_what + counted(v.queries, "query", "queries") +
+                     " compared hulls and meshes: " + number(v.missed, "collision") + " missed, " + number(v.phantom, "false collision") +
+                     " beyond the protrusion; distances at most " + millimetres(v.max_underestimate) + " mm too short\n" + troubleLine(v);
+  for (const std::string& remark : v.remarks) text += "  " + remark + "\n";
+  return text + "speed" + of_what + "a distance query between one mesh and a probe takes " + figure(v.hull_query_us) +
+         " us with its hulls, " + figure(v.mesh_query_us) + " us with the mesh\n";
+}
+
+std::string share(std::size_t part, std::size_t whole) {
+  return std::to_string(part) + " of " + std::to_string(whole);
+}
+
+/// How often the hulls of two links hit each other where the links do not.
+std::string selfTable(const FitReport& fit) {
+  if (fit.self.empty()) return "";
+  std::vector<Cells> rows = {{"link", "link", "collisions", "false, single hulls", "false, fitted hulls"}};
+  for (const PairHits& pair : fit.self)
+    rows.push_back({pair.first, pair.second, std::to_string(pair.original), std::to_string(pair.before), std::to_string(pair.after)});
+  return "self-collisions in " + std::to_string(fit.samples) + " configurations:\n" + aligned(rows);
+}
+
+/// "19 of 549 hulls", "14 hulls and 5 primitives in place of 549 hulls", "2 primitives in place of 3 hulls".
+std::string bodies(const FitReport& fit) {
+  if (fit.primitives == 0) return share(fit.hulls, fit.full_hulls) + " hulls";
+  const std::size_t hulls = fit.hulls - fit.primitives;
+  return (hulls > 0 ? counted(hulls, "hull") + " and " : "") + counted(fit.primitives, "primitive") + " in place of " +
+         counted(fit.full_hulls, "hull");
+}
+
+std::string sceneLines(const Report& report) {
+  if (!report.scene) return "";
+  const FitReport& fit = *report.scene;
+  std::string text;
+  for (const FittedLink& link : fit.links) text += "  " + link.link + ": " + link.reason + "\n";
+  text += selfTable(fit);
+  text += "scene '" + fit.scene + "': " + bodies(fit) + " for a clearance of " + millimetres(fit.clearance) + " mm\n";
+  text += "check in the scene: " + counted(fit.samples, fit.given ? "given configuration" : "random configuration") + ": " +
+          number(fit.missed, "collision") + " missed, " + number(fit.phantom, "false collision");
+  if (!fit.given) text += " (at 95 % confidence in at most " + figure(100 * fit.phantom_rate_bound) + " % of all configurations)";
+  text += "; " + share(fit.proved_pairs, fit.pairs) + " pairs proved to stay clear of each other\n";
+  return text + "speed in the scene: a collision query takes " + figure(fit.query_us) + " us with the model, " +
+         figure(fit.original_query_us) + " us with the meshes; a distance query takes " + figure(fit.distance_us) + " us with the model, " +
+         figure(fit.original_distance_us) + " us with the meshes\n";
+}
+
+std::string noteLines(const Report& report) {
+  std::string text;
+  for (const std::string& note : report.notes) text += "note: " + note + "\n";
+  return text;
+}
+
+/// Names the link, unless the input is a single mesh, and the mesh, unless the reason does.
+std::string failure(const Report& report, const ElementReport& row) {
+  const bool single_mesh = row.uri == report.input_path;
+  const bool named = row.reason.find(lastPart(row.uri)) != std::string::npos;
+  return (single_mesh ? "" : "link " + row.link + ": ") + (named ? "" : row.uri + ": ") + row.reason;
+}
+
+/// The links and meshes that miss a package.
+struct Missing {
+  std::size_t meshes = 0;
+  std::set<std::string> links;
+};
+
+std::string line(const std::string& package, const Missing& missing) {
+  return "package '" + package + "' was not found (" + counted(missing.meshes, "mesh", "meshes") + " of " +
+         counted(missing.links.size(), "link") + "): install it and source its workspace, or say where it is with --package-path " +
+         package + "=DIR (parameter ~package_path of the node)";
+}
+
+}  // namespace
+
+std::string toTable(const Report& report) {
+  return meshTable(report) + legend(report) + degradedLine(report) + validationLines(report) + sceneLines(report) + noteLines(report);
+}
+
+std::vector<std::string> failures(const Report& report) {
+  std::map<std::string, Missing> packages;
+  std::vector<std::string> lines;
+  for (const ElementReport& row : report.links) {
+    if (row.status != Status::kFailed) continue;
+    const std::optional<std::string> package = row.error == name(ErrorCode::kPackageNotFound) ? packageOf(row.uri) : std::nullopt;
+    if (package) {
+      ++packages[*package].meshes;
+      packages[*package].links.insert(row.link);
+    } else {
+      lines.push_back(failure(report, row));
+    }
+  }
+  std::vector<std::string> all;
+  for (const auto& [package, missing] : packages) all.push_back(line(package, missing));
+  all.insert(all.end(), lines.begin(), lines.end());
+  return all;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,53 @@
+// Robots name links as they like; files, packages and elements may not be named so.
+#include "storage/names.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr std::size_t kLongestName = 200;  // bytes; file systems take 255, and numbers and extensions are added
+
+// ASCII by hand: the C functions depend on the locale.
+bool isUpper(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+bool isLower(char c) {
+  return c >= 'a' && c <= 'z';
+}
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+std::string lowerCase(std::string text) {
+  for (char& c : text) {
+    if (isUpper(c)) c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string fileName(const std::string& text) {
+  std::string result = text.substr(0, kLongestName);
+  for (char& c : result) {
+    if (!isUpper(c) && !isLower(c) && !isDigit(c) && c != '-' && c != '.') c = '_';
+  }
+  if (result.empty() || result.front() == '.') result.insert(0, "_");
+  return result;
+}
+
+std::string packageName(const std::string& text) {
+  std::string result = lowerCase(text.substr(0, kLongestName));
+  for (char& c : result) {
+    if (!isLower(c) && !isDigit(c)) c = '_';
+  }
+  if (result.empty() || !isLower(result.front())) result.insert(0, "robot_");
+  return result;
+}
+
+std::string UniqueNames::take(const std::string& wanted) {
+  std::string name = wanted;
+  for (int number = 2; !taken_.insert(lowerCase(name)).second; ++number) name = wanted + "_" + std::to_string(number);
+  return name;
+}
+
+}  // namespace collision_hulls

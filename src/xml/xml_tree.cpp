@@ -1,0 +1,72 @@
+// XML as a tree of plain values, for formats that need no more than that.
+#include "xml/xml_tree.h"
+
+#include <tinyxml2.h>
+
+#include "base/string_parts.h"
+#include "xml/xml_source.h"
+#include "xml/xml_spans.h"
+
+namespace collision_hulls {
+namespace {
+
+// tinyxml2 bounds the depth.
+XmlNode toNode(const XmlSource& source, const tinyxml2::XMLElement& element) {
+  XmlNode node;
+  node.name = element.Name();
+  for (const auto* a = element.FirstAttribute(); a; a = a->Next()) node.attributes[a->Name()] = a->Value();
+  if (const char* text = element.GetText()) node.text = trimmed(text, kXmlSpace);
+  node.line = source.lineFromRoot(element.GetLineNum());
+  for (const auto* child = element.FirstChildElement(); child; child = child->NextSiblingElement()) {
+    node.children.push_back(toNode(source, *child));
+  }
+  return node;
+}
+
+}  // namespace
+
+std::string XmlNode::attribute(const std::string& key) const {
+  const auto found = attributes.find(key);
+  return found == attributes.end() ? "" : found->second;
+}
+
+const XmlNode* XmlNode::child(const std::string& child_name) const {
+  for (const XmlNode& node : children) {
+    if (node.name == child_name) return &node;
+  }
+  return nullptr;
+}
+
+std::vector<const XmlNode*> XmlNode::childrenNamed(const std::string& child_name) const {
+  std::vector<const XmlNode*> result;
+  for (const XmlNode& node : children) {
+    if (node.name == child_name) result.push_back(&node);
+  }
+  return result;
+}
+
+XmlNode parseXml(const std::string& text, const std::string& label) {
+  XmlSource source{text, label};
+  tinyxml2::XMLDocument document;
+  loadRoot(source, document);
+  return toNode(source, *document.RootElement());
+}
+
+std::string xmlEscaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&': result += "&amp;"; break;
+      case '<': result += "&lt;"; break;
+      case '>': result += "&gt;"; break;
+      case '"': result += "&quot;"; break;
+      case '\t': result += "&#9;"; break;  // as they stand, readers of attributes take these three for blanks
+      case '\n': result += "&#10;"; break;
+      case '\r': result += "&#13;"; break;
+      default: result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace collision_hulls

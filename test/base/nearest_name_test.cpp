@@ -1,0 +1,34 @@
+#include "base/nearest_name.h"
+
+#include <gtest/gtest.h>
+
+namespace collision_hulls {
+namespace {
+
+TEST(EditDistance, KnownOnes) {
+  EXPECT_EQ(editDistance("", ""), 0u);
+  EXPECT_EQ(editDistance("", "abc"), 3u);
+  EXPECT_EQ(editDistance("abc", ""), 3u);
+  EXPECT_EQ(editDistance("kitten", "sitting"), 3u);
+  EXPECT_EQ(editDistance("ab", "ba"), 2u);
+}
+
+TEST(NearestName, TheOneThatWasMeant) {
+  const std::vector<std::string> names{"tolerance", "tree", "links", "source"};
+  EXPECT_EQ(nearestName("tolerence", names), "tolerance");
+  EXPECT_EQ(nearestName("tol", names), "tolerance") << "its beginning";
+  EXPECT_EQ(nearestName("link", names), "links");
+  EXPECT_EQ(nearestName("fine", names), "");
+  EXPECT_EQ(nearestName("", names), "");
+  EXPECT_EQ(nearestName("t", names), "");
+  EXPECT_EQ(nearestName("ab", {"cd"}), "") << "nothing in common";
+  EXPECT_EQ(nearestName("tolerance", {}), "");
+}
+
+TEST(DidYouMean, AQuestionOrNothing) {
+  EXPECT_EQ(didYouMean("certifed", {"certified", "hacd"}), "; did you mean 'certified'?");
+  EXPECT_EQ(didYouMean("vhacdplusplus", {"certified", "hacd"}), "");
+}
+
+}  // namespace
+}  // namespace collision_hulls

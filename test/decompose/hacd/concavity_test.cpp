@@ -1,0 +1,160 @@
+#include "decompose/hacd/concavity.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "collision_hulls/decompose/hacd.h"
+#include "shapes.h"
+
+namespace collision_hulls {
+namespace {
+
+using Corners = std::array<Eigen::Vector3d, 3>;
+const double kInfinity = std::numeric_limits<double>::infinity();
+
+ConvexHull hullOf(const TriangleMesh& mesh) {
+  return convexHull(mesh.vertices);
+}
+
+std::vector<int> all(const TriangleMesh& mesh) {
+  std::vector<int> triangles(mesh.triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) triangles[t] = static_cast<int>(t);
+  return triangles;
+}
+
+TEST(TriangleConcavity, ZeroOnTheHullsOwnFace) {
+  const ConvexHull cube = hullOf(test_shapes::box(1, 1, 1));
+  EXPECT_NEAR(concavityOfTriangle(cube, Corners{{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}}, {0, 0, 1}), 0, 1e-9);
+}
+
+TEST(TriangleConcavity, DistanceToTheOppositeFace) {
+  const ConvexHull cube = hullOf(test_shapes::box(1, 1, 1));
+  EXPECT_NEAR(concavityOfTriangle(cube, Corners{{{0, 0, 0.25}, {1, 0, 0.25}, {0, 1, 0.25}}}, {0, 0, 1}), 0.75, 1e-9);
+}
+
+TEST(TriangleConcavity, LargestInsideTheTriangle) {
+  const ConvexHull pyramid = convexHull({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0.1, 0, 1}});
+  EXPECT_NEAR(concavityOfTriangle(pyramid, Corners{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}}, {0, 0, 1}), 1, 1e-9);
+}
+
+TEST(TriangleConcavity, LargestOnASideOfTheTriangle) {
+  const ConvexHull pyramid = convexHull({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 1}});
+  // Of the part of the triangle beyond y = 1/2, the middle of its lower side is nearest to the axis.
+  EXPECT_NEAR(concavityOfTriangle(pyramid, Corners{{{-0.5, 0.5, 0}, {0.5, 0.5, 0}, {0, 0.9, 0}}}, {0, 0, 1}), 0.5, 1e-9);
+}
+
+TEST(TriangleConcavity, StopsOnceItIsKnownToBeSmaller) {
+  const ConvexHull cube = hullOf(test_shapes::box(1, 1, 1));
+  EXPECT_LE(concavityOfTriangle(cube, Corners{{{0, 0, 0.25}, {1, 0, 0.25}, {0, 1, 0.25}}}, {0, 0, 1}, 2.0), 2.0);
+}
+
+TEST(TriangleConcavity, AgreesWithDenseSampling) {
+  const unsigned seed = 5;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto point = [&] { return Eigen::Vector3d(uniform(random), uniform(random), uniform(random)); };
+  for (int repeat = 0; repeat < 200; ++repeat) {
+    std::vector<Eigen::Vector3d> points;
+    for (int i = 0; i < 20; ++i) points.push_back(point());
+    const Corners corners{points[0], points[1], points[2]};
+    const ConvexHull hull = convexHull(points);
+    const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+    double sampled = 0;
+    constexpr int kSteps = 40;
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int j = 0; i + j <= kSteps; ++j) {
+        const Eigen::Vector3d m = corners[0] + (corners[1] - corners[0]) * i / kSteps + (corners[2] - corners[0]) * j / kSteps;
+        double exit = kInfinity;
+        for (const HalfSpace& face : hull.faces)
+          if (face.normal.dot(normal) > 1e-9) exit = std::min(exit, -face.distance(m) / face.normal.dot(normal));
+        sampled = std::max(sampled, exit);
+      }
+    }
+    const double exact = concavityOfTriangle(hull, corners, normal);
+    EXPECT_GE(exact, sampled - 1e-9) << "repeat " << repeat;
+    EXPECT_LE(exact, sampled + 0.2) << "repeat " << repeat;
+  }
+}
+
+TEST(Concavity, NoneForAtMostOneTriangle) {
+  EXPECT_EQ(concavity(test_shapes::singleTriangle(), {}), 0);
+  EXPECT_EQ(concavity(test_shapes::singleTriangle(), {0}), 0);
+}
+
+TEST(Concavity, NoneForConvexSurfaces) {
+  for (const TriangleMesh& mesh : {test_shapes::box(1, 2, 3, 3), test_shapes::sphere(2, 4), test_shapes::sheet(1, 1, 4)})
+    EXPECT_EQ(concavity(mesh, all(mesh)), 0);
+}
+
+/// Two slopes of 45 degrees that meet in the y axis, seen from above.
+TriangleMesh valley() {
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {0, 1, 0}, {1, 0, 1}, {-1, 0, 1}, {1, 1, 1}, {-1, 1, 1}};
+  mesh.triangles = {{0, 2, 4}, {0, 4, 1}, {0, 1, 5}, {0, 5, 3}};
+  return mesh;
+}
+
+TEST(Concavity, FollowsFromTheAngleOfAValley) {
+  // The hull's lid is at z = 1. A ray from the bottom leaves the hull at the end of the other slope, after sqrt(2).
+  TriangleMesh mesh = valley();
+  EXPECT_NEAR(concavity(mesh, all(mesh)), std::sqrt(2.0), 1e-6);
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);  // seen from below it is a ridge
+  EXPECT_EQ(concavity(mesh, all(mesh)), 0);
+}
+
+TEST(Concavity, NoneForAFlatNonConvexBand) {
+  const TriangleMesh channel = test_shapes::uChannel();
+  std::vector<int> top;
+  for (std::size_t t = 0; t < channel.triangles.size(); ++t) {
+    const int triangle = static_cast<int>(t);
+    if (channel.corner(triangle, 0).z() == 2 && channel.corner(triangle, 1).z() == 2 && channel.corner(triangle, 2).z() == 2)
+      top.push_back(triangle);
+  }
+  ASSERT_EQ(top.size(), 6u);
+  EXPECT_EQ(concavity(channel, top), 0);
+}
+
+TEST(Concavity, NeverDecreasesAsASurfaceGrows) {
+  const unsigned seed = 11;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  for (const TriangleMesh& mesh : {test_shapes::torus(1, 0.3, 12, 8), test_shapes::openBox(1, 1, 1, 0.1, 2), test_shapes::flange(4)}) {
+    std::vector<int> order = all(mesh);
+    std::shuffle(order.begin(), order.end(), random);
+    const ConcavityMeasure measure(mesh);
+    Patch grown = measure.patch(order[0]);
+    for (std::size_t i = 1; i < 60; ++i) {
+      const double before = grown.concavity;
+      const Patch next = measure.patch(order[i]);
+      grown = measure.unite(std::move(grown), next, measure.ofUnion(grown, next, 0, kInfinity));
+      EXPECT_GE(grown.concavity, before);
+      // From scratch, without what is known about the parts.
+      const ConvexHull hull = convexHull(measure.positions(grown.points));
+      double fresh = 0;
+      for (int t : grown.triangles) {
+        const Corners corners{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
+        const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+        fresh = std::max(fresh, concavityOfTriangle(hull, corners, normal));
+      }
+      EXPECT_NEAR(grown.concavity, fresh, 2 * ConcavityMeasure::kNegligible * diagonal(mesh));
+    }
+  }
+}
+
+TEST(Concavity, BeyondTheLimitIsALowerBoundAboveIt) {
+  const ConcavityMeasure measure(valley());
+  const double whole = measure.ofUnion(measure.patch(1), measure.patch(2), 0, kInfinity).value;
+  ASSERT_GT(whole, 0.5);
+  const ConcavityMeasure::Union stopped = measure.ofUnion(measure.patch(1), measure.patch(2), 0, whole / 2);
+  EXPECT_GT(stopped.value, whole / 2);
+  EXPECT_LE(stopped.value, whole);
+  EXPECT_TRUE(stopped.points.empty());
+}
+
+}  // namespace
+}  // namespace collision_hulls

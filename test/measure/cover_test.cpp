@@ -1,0 +1,182 @@
+#include "measure/cover.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "collision_hulls/measure/measures.h"
+#include "solids.h"
+
+namespace collision_hulls {
+namespace {
+
+using Eigen::Vector3d;
+using test_shapes::boxHull;
+using test_shapes::RandomPoints;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double distanceToUnion(const std::vector<ConvexHull>& hulls, const Vector3d& p) {
+  double least = kInfinity;
+  for (const ConvexHull& hull : hulls) least = std::min(least, distance(hull, p));
+  return least;
+}
+
+// Degenerate input.
+
+TEST(Uncovered, WithoutHullsNothingIsCovered) {
+  EXPECT_EQ(uncovered(test_shapes::box(1, 1, 1), {}), kInfinity);
+  EXPECT_EQ(uncovered({}, {}), 0);
+  EXPECT_EQ(uncovered({}, {boxHull({0, 0, 0}, {1, 1, 1})}), 0);
+}
+
+TEST(Uncovered, TrianglesWithoutArea) {
+  const std::vector<ConvexHull> hulls{boxHull({0, 0, 0}, {1, 1, 1})};
+  const std::vector<Vector3d> points{{0.5, 0.5, 0.5}, {0.7, 0.5, 0.5}, {0.5, 0.5, 3}};
+  EXPECT_EQ(uncovered({points, {{0, 0, 0}}}, hulls), 0);
+  EXPECT_EQ(uncovered({points, {{0, 1, 0}}}, hulls), 0);
+  EXPECT_NEAR(uncovered({points, {{2, 2, 2}}}, hulls), 2, 1e-12);
+  EXPECT_NEAR(uncovered({points, {{0, 2, 0}}}, hulls), 2, 1e-12);
+}
+
+TEST(Uncovered, ASegmentAcrossAGap) {
+  const std::vector<ConvexHull> hulls{boxHull({0, 0, 0}, {1, 1, 1}), boxHull({2, 0, 0}, {3, 1, 1})};
+  EXPECT_NEAR(uncovered({{{0.5, 0.5, 0.5}, {2.5, 0.5, 0.5}}, {{0, 1, 1}}}, hulls), 0.5, 1e-9);
+}
+
+// Closed-form answers.
+
+TEST(Uncovered, AMeshIsCoveredByItsHull) {
+  for (const TriangleMesh& mesh : {test_shapes::torus(), test_shapes::sheet(), test_shapes::flask()}) {
+    EXPECT_EQ(uncovered(mesh, {test_shapes::hullOf(mesh)}), 0);
+    const TriangleMesh far = test_shapes::moved(mesh, {1e5, -1e5, 1e5});
+    EXPECT_EQ(uncovered(far, {test_shapes::hullOf(far)}), 0);
+  }
+}
+
+TEST(Uncovered, APartOutsideOneHull) {
+  const TriangleMesh mesh = test_shapes::box(1, 1, 1, 3);
+  EXPECT_NEAR(uncovered(mesh, {boxHull({0, 0, 0}, {0.75, 1, 1})}), 0.25, 1e-12);
+  EXPECT_NEAR(uncovered(mesh, {boxHull({0, 0, 0}, {0.5, 0.5, 0.5})}), std::sqrt(0.75), 1e-12);
+}
+
+TEST(Uncovered, ATriangleThatOnlyTheUnionCovers) {
+  const TriangleMesh mesh{{{0.1, 0.1, 0.5}, {1.9, 0.1, 0.5}, {1, 0.9, 0.5}}, {{0, 1, 2}}};
+  EXPECT_EQ(uncovered(mesh, {boxHull({0, 0, 0}, {1, 1, 1}), boxHull({1, 0, 0}, {2, 1, 1})}), 0);
+  EXPECT_EQ(uncovered(mesh, {boxHull({0, 0, 0}, {1.2, 1, 1}), boxHull({0.8, 0, 0}, {2, 1, 1})}), 0);
+  // In a face shared by both hulls, and divided in four.
+  EXPECT_EQ(uncovered(test_shapes::moved(mesh, {0, 0, 0.5}), {boxHull({0, 0, 0}, {1, 1, 1}), boxHull({1, 0, 0}, {2, 1, 1})}), 0);
+  EXPECT_EQ(uncovered(mesh, {boxHull({0, 0, 0}, {1, 0.3, 1}), boxHull({1, 0, 0}, {2, 0.3, 1}), boxHull({0, 0.3, 0}, {1, 1, 1}),
+                             boxHull({1, 0.3, 0}, {2, 1, 1})}),
+            0);
+}
+
+TEST(Uncovered, ASlitBetweenTwoHulls) {
+  const TriangleMesh mesh{{{0.1, 0.1, 0.5}, {1.9, 0.1, 0.5}, {1, 0.9, 0.5}}, {{0, 1, 2}}};
+  for (double width : {0.5, 0.1, 1e-3, 1e-6, 1e-9, 1e-11}) {
+    const std::vector<ConvexHull> hulls{boxHull({0, 0, 0}, {1 - width / 2, 1, 1}), boxHull({1 + width / 2, 0, 0}, {2, 1, 1})};
+    EXPECT_NEAR(uncovered(mesh, hulls), width / 2, 0.005 * width + 5e-12) << width;
+    EXPECT_GT(uncovered(mesh, hulls), 0) << width;
+    ASSERT_EQ(uncoveredTriangles(mesh, hulls).size(), 1u);
+  }
+}
+
+TEST(Uncovered, AHoleBetweenFourHulls) {
+  // Boxes around a square hole of 0.2 and a triangle over all of them: the hole's middle is 0.1 away.
+  const TriangleMesh mesh{{{-3, -3, 0.5}, {3, -3, 0.5}, {0, 4, 0.5}}, {{0, 1, 2}}};
+  const std::vector<ConvexHull> hulls{boxHull({-9, -9, 0}, {9, -0.1, 1}), boxHull({-9, 0.1, 0}, {9, 9, 1}),
+                                      boxHull({-9, -1, 0}, {-0.1, 1, 1}), boxHull({0.1, -1, 0}, {9, 1, 1})};
+  EXPECT_NEAR(uncovered(mesh, hulls), 0.1, 1e-3);
+}
+
+TEST(Uncovered, NamesTheTrianglesInOrder) {
+  const TriangleMesh mesh = test_shapes::box(1, 1, 1, 4);
+  const std::vector<UncoveredTriangle> missing = uncoveredTriangles(mesh, {boxHull({0, 0, 0}, {1, 1, 0.6})});
+  ASSERT_FALSE(missing.empty());
+  std::size_t expected = 0;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+    expected += std::max({mesh.corner(t, 0).z(), mesh.corner(t, 1).z(), mesh.corner(t, 2).z()}) > 0.6;
+  EXPECT_EQ(missing.size(), expected);
+  for (std::size_t i = 1; i < missing.size(); ++i) EXPECT_LT(missing[i - 1].triangle, missing[i].triangle);
+}
+
+TEST(Uncovered, ASlitFarFromTheOriginIsStillFound) {
+  const Vector3d far(1e5, 1e5, 1e5);
+  const TriangleMesh mesh = test_shapes::moved({{{0.1, 0.1, 0.5}, {1.9, 0.1, 0.5}, {1, 0.9, 0.5}}, {{0, 1, 2}}}, far);
+  EXPECT_EQ(uncovered(mesh, {boxHull(far, far + Vector3d(1, 1, 1)), boxHull(far + Vector3d(1, 0, 0), far + Vector3d(2, 1, 1))}), 0);
+  EXPECT_NEAR(uncovered(mesh, {boxHull(far, far + Vector3d(1, 1, 1)), boxHull(far + Vector3d(1.001, 0, 0), far + Vector3d(2, 1, 1))}),
+              0.0005, 1e-6);
+}
+
+// Random input.
+
+TEST(Uncovered, AgreesWithSamplesOfTheSurface) {
+  int covered = 0, open = 0;
+  for (std::uint32_t seed = 0; seed < 150; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomPoints random(seed);
+    const TriangleMesh mesh = random.soup(2, 0.5);
+    std::vector<ConvexHull> hulls;
+    for (std::uint32_t h = 0; h < 2 + seed % 12; ++h) {
+      std::vector<Vector3d> points = random.cloud(8, 0.5 + 0.3 * (seed % 8));
+      const Vector3d middle = random.inCube(0.8);
+      for (Vector3d& p : points) p += middle;
+      hulls.push_back(convexHull(points));
+    }
+    const double most = uncovered(mesh, hulls);
+    double sampled = 0;
+    for (int i = 0; i < 4000; ++i) sampled = std::max(sampled, distanceToUnion(hulls, random.on(mesh)));
+    EXPECT_LE(sampled, most + 1e-12);
+    EXPECT_LE(most, sampled * 1.1 + 0.03) << "none of the samples is nearly as far";
+    ++(most == 0 ? covered : open);
+  }
+  EXPECT_GT(covered, 5);
+  EXPECT_GT(open, 5);
+}
+
+TEST(Uncovered, MoreHullsNeverUncover) {
+  RandomPoints random(1);
+  const TriangleMesh mesh = random.soup(5, 1);
+  std::vector<ConvexHull> hulls;
+  double last = kInfinity;
+  for (int h = 0; h < 25; ++h) {
+    std::vector<Vector3d> points = random.cloud(8, 0.7);
+    const Vector3d middle = random.inCube(1.5);
+    for (Vector3d& p : points) p += middle;
+    hulls.push_back(convexHull(points));
+    const double most = uncovered(mesh, hulls);
+    EXPECT_LE(most, last * 1.01);
+    last = most;
+  }
+}
+
+TEST(UnionVolume, OverlappingHulls) {
+  EXPECT_EQ(unionVolume({}), 0);
+  EXPECT_NEAR(unionVolume({boxHull({0, 0, 0}, {1, 2, 3})}), 6, 0.06);
+  EXPECT_NEAR(unionVolume({boxHull({0, 0, 0}, {1, 1, 1}), boxHull({0.5, 0, 0}, {1.5, 1, 1})}), 1.5, 0.015);
+  EXPECT_NEAR(unionVolume({boxHull({0, 0, 0}, {1, 1, 1}), boxHull({1, 1, 1}, {2, 2, 2})}), 2, 1e-9);
+}
+
+TEST(UnionVolume, ThinHullsFarApart) {
+  const ConvexHull rod = boxHull({0, 0, 0}, {1, 1e-3, 1e-3}), other = boxHull({0, 5, 5}, {1, 5 + 1e-3, 5 + 1e-3});
+  EXPECT_NEAR(unionVolume({rod, other}), 2e-6, 1e-12);
+  EXPECT_NEAR(unionVolume({rod, rod, other, other}), 2e-6, 1e-12);
+}
+
+TEST(CoveredShare, ABlock) {
+  const Solid block(repair(test_shapes::box(2, 1, 1)));
+  const auto share = [&](double from, double to) {
+    return coveredShare({boxHull({from, -3, -3}, {to, 3, 3}), boxHull({-0.001, -0.001, -0.001}, {2.001, 0.001, 1.001})}, block);
+  };
+  EXPECT_NEAR(share(-1, 3), 1, 0);
+  EXPECT_NEAR(share(-1, 0.5), 0.25, 0.03);
+}
+
+TEST(CoveredShare, WithoutAnInside) {
+  EXPECT_EQ(coveredShare({boxHull({0, 0, 0}, {1, 1, 1})}, Solid(repair(test_shapes::sheet()))), 1);
+  EXPECT_EQ(coveredShare({}, Solid(repair(test_shapes::box(1, 1, 1)))), 1);
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -1,0 +1,223 @@
+#include "measure/outside_distance.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "solids.h"
+
+namespace collision_hulls {
+namespace {
+
+using Eigen::Vector3d;
+using test_shapes::boxHull;
+using test_shapes::hullOf;
+using test_shapes::inHull;
+using test_shapes::RandomPoints;
+using test_shapes::solidOf;
+
+OutsideDistance::Query query(double floor, double resolution) {
+  OutsideDistance::Query q;
+  q.floor = floor;
+  q.resolution = resolution;
+  q.ceiling = std::numeric_limits<double>::infinity();
+  return q;
+}
+
+// Degenerate input.
+
+TEST(OutsideDistance, ABoxWithoutExtent) {
+  const Solid solid = solidOf(test_shapes::box(1, 1, 1));
+  const ConvexHull point = convexHull({{3, 0.5, 0.5}});
+  OutsideDistance outside(solid, boundingBox(point));
+  const OutsideDistance::Largest largest = outside.largest(point, query(0, 0.01));
+  EXPECT_NEAR(largest.found, 2, 0.02);
+  EXPECT_GE(largest.bound, 2 - 1e-9);
+}
+
+// Closed-form answers.
+
+TEST(OutsideDistance, AFilledChannel) {
+  const TriangleMesh mesh = test_shapes::uChannel(1, 1, 0.1, 2, 2);
+  const Solid solid = solidOf(mesh);
+  const ConvexHull hull = hullOf(mesh);
+  OutsideDistance outside(solid, boundingBox(hull));
+  const OutsideDistance::Largest largest = outside.largest(hull, query(0, 0.02));
+  EXPECT_GE(largest.bound, 0.4 - 1e-9);
+  EXPECT_LE(largest.found, 0.4 + 1e-9);
+  EXPECT_GE(largest.found, 0.36);
+  EXPECT_LE(largest.bound, 0.44);
+}
+
+// Its cells rotate with the mesh.
+TEST(OutsideDistance, ARotatedMesh) {
+  Eigen::Isometry3d turn(Eigen::Quaterniond(0.8, 0.3, -0.4, 0.2).normalized());
+  OutsideDistance::Largest largest[2];
+  std::vector<OutsideDistance::Intruder> intruders[2];
+  for (std::size_t turned = 0; turned < 2; ++turned) {
+    const TriangleMesh mesh = turned ? transformed(test_shapes::uChannel(), turn) : test_shapes::uChannel();
+    const Solid solid = solidOf(mesh);
+    OutsideDistance outside(solid, boundingBox(mesh));
+    largest[turned] = outside.largest(hullOf(mesh), query(0, 0.01));
+    intruders[turned] = outside.intruders(hullOf(mesh), 0.1, 100, 0.01);
+    for (const OutsideDistance::Intruder& i : intruders[turned]) EXPECT_GE(solid.distance(i.p), i.distance - 1e-9);
+    EXPECT_GE(solid.distance(largest[turned].where), largest[turned].found - 1e-9);
+    const Vector3d &a = mesh.vertices[0], &b = mesh.vertices[2];
+    EXPECT_TRUE(outside.isWithin({a, a, b}, 0.5));
+  }
+  EXPECT_NEAR(largest[0].bound, 0.4, 0.02);
+  EXPECT_NEAR(largest[1].bound, 0.4, 0.02);
+  EXPECT_GT(intruders[1].size(), 90U);
+}
+
+TEST(OutsideDistance, KnowsNothingBeyondItsBox) {
+  const TriangleMesh mesh = test_shapes::box(1, 1, 1);
+  const Solid solid = solidOf(mesh);
+  const OutsideDistance outside(solid, boundingBox(mesh));
+  EXPECT_TRUE(outside.isWithin({Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0)}, 2));
+  EXPECT_FALSE(outside.isWithin({Vector3d(0, 0, 5), Vector3d(1, 0, 5), Vector3d(0, 1, 5)}, 2));
+  EXPECT_FALSE(outside.isWithin({Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 5)}, 2));
+  EXPECT_TRUE(outside.reaches(hullOf(mesh)));
+  EXPECT_FALSE(outside.reaches(boxHull({0, 0, 0}, {1, 1, 5})));
+}
+
+TEST(OutsideDistance, FindsNothingAboveTheFloorQuickly) {
+  const TriangleMesh mesh = test_shapes::uChannel(1, 1, 0.1, 2, 2);
+  const Solid solid = solidOf(mesh);
+  OutsideDistance outside(solid, boundingBox(mesh));
+  EXPECT_EQ(outside.largest(hullOf(mesh), query(0.5, 0.01)).bound, 0.5);
+}
+
+TEST(OutsideDistance, EndsAtTheCeiling) {
+  const TriangleMesh mesh = test_shapes::uChannel(1, 1, 0.1, 2, 2);
+  const Solid solid = solidOf(mesh);
+  OutsideDistance outside(solid, boundingBox(mesh));
+  OutsideDistance::Query q = query(0, 0.01);
+  q.ceiling = 0.2;
+  const OutsideDistance::Largest largest = outside.largest(hullOf(mesh), q);
+  EXPECT_GT(largest.found, 0.2);
+  EXPECT_EQ(largest.bound, std::numeric_limits<double>::infinity());
+}
+
+TEST(OutsideDistance, SummitsOnly) {
+  const TriangleMesh mesh = test_shapes::flask(0.2, 2);
+  const Solid solid = solidOf(mesh);
+  OutsideDistance outside(solid, boundingBox(mesh));
+  OutsideDistance::Query q = query(0.3, 0.01);
+  q.summits_only = true;
+  const OutsideDistance::Largest summit = outside.largest(hullOf(mesh), q);
+  EXPECT_NEAR(summit.found, 1, 0.02);
+  EXPECT_GE(summit.bound, 1 - 1e-9);
+  // A hull beside the hollow's middle has no summit above the floor.
+  EXPECT_EQ(outside.largest(boxHull({-1.4, -1.4, 0.1}, {-0.8, 1.4, 2.9}), q).bound, 0.3);
+}
+
+// Random input.
+
+// The middle of the gap is as far from the plate as from the opening below, and only the plate's flat side is as near.
+TEST(OutsideDistance, SummitsBetweenAWallAndAnOpening) {
+  const double gap = 0.1;
+  const Solid solid =
+      solidOf(test_shapes::merged({test_shapes::boxWithWindow(0.3), test_shapes::moved(test_shapes::box(1, 1, 0.5), {0, 0, 1 + gap})}));
+  ASSERT_TRUE(solid.hasOpenings());
+  const ConvexHull hull = boxHull({0.49, 0.49, 1.01}, {0.51, 0.51, 1.12});
+  OutsideDistance outside(solid, boundingBox(hull));
+  OutsideDistance::Query q = query(0.04, 1e-3);
+  q.summits_only = true;
+  EXPECT_GE(outside.largest(hull, q).bound, gap / 2 - 1e-9);
+}
+
+TEST(OutsideDistance, FoundAndBoundEncloseTheSamples) {
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomPoints random(seed);
+    const TriangleMesh mesh = seed % 3 == 0   ? test_shapes::torus(1, 0.3, 16, 8)
+                              : seed % 3 == 1 ? test_shapes::openBox(1, 1, 1, 0.05, 2)
+                                              : random.soup(20, 0.4);
+    const Solid solid = solidOf(mesh);
+    Eigen::AlignedBox3d box = boundingBox(mesh);
+    OutsideDistance outside(solid, box);
+    for (int h = 0; h < 5; ++h) {
+      std::vector<Vector3d> points;
+      for (int i = 0; i < 6; ++i) points.push_back(random.inBox(box));
+      const ConvexHull hull = convexHull(points);
+      const OutsideDistance::Largest largest = outside.largest(hull, query(0.05, 0.05));
+      EXPECT_LE(largest.found, largest.bound);
+      if (largest.found > 0) {
+        EXPECT_LE(planeDistance(hull, largest.where), 1e-9);
+        EXPECT_GE(solid.distance(largest.where), largest.found - 1e-9);
+      }
+      for (int i = 0; i < 500; ++i) EXPECT_LE(solid.distance(inHull(hull, random)), largest.bound + 1e-12);
+    }
+  }
+}
+
+TEST(OutsideDistance, AnswersDoNotDependOnTheOrderOfQueries) {
+  RandomPoints random(5);
+  const TriangleMesh mesh = test_shapes::torus(1, 0.3, 16, 8);
+  const Solid solid = solidOf(mesh);
+  std::vector<ConvexHull> hulls;
+  for (int h = 0; h < 6; ++h) {
+    std::vector<Vector3d> points;
+    for (int i = 0; i < 6; ++i) points.push_back(random.inBox(boundingBox(mesh)));
+    hulls.push_back(convexHull(points));
+  }
+  OutsideDistance forward(solid, boundingBox(mesh)), backward(solid, boundingBox(mesh));
+  std::vector<OutsideDistance::Largest> first, second(hulls.size());
+  for (const ConvexHull& hull : hulls) first.push_back(forward.largest(hull, query(0.1, 0.02)));
+  for (std::size_t i = hulls.size(); i-- > 0;) second[i] = backward.largest(hulls[i], query(0.1, 0.02));
+  for (std::size_t i = 0; i < hulls.size(); ++i) {
+    EXPECT_EQ(first[i].found, second[i].found);
+    EXPECT_EQ(first[i].bound, second[i].bound);
+    EXPECT_EQ(first[i].where, second[i].where);
+  }
+}
+
+TEST(OutsideDistance, LearnsFromAnotherAboutAPart) {
+  const TriangleMesh mesh = test_shapes::uChannel(1, 1, 0.1, 2, 2);
+  const Solid solid = solidOf(mesh);
+  OutsideDistance teacher(solid, boundingBox(mesh)), whole(solid, boundingBox(mesh)), part(solid, boundingBox(mesh));
+  const OutsideDistance::Largest largest = teacher.largest(hullOf(mesh), query(0, 0.02));
+  whole.learn(teacher, boundingBox(mesh));
+  part.learn(teacher, {Vector3d(0, 0, 0), Vector3d(1, 1, 0.2)});
+  const std::array<Vector3d, 3> low{Vector3d(0.4, 0.6, 0.1), {0.6, 0.6, 0.1}, {0.5, 0.8, 0.1}};
+  std::array<Vector3d, 3> high = low;
+  for (Vector3d& p : high) p.z() += 1.8;
+  const double enough = largest.bound + 0.02;
+  for (const auto& triangle : {low, high}) {
+    EXPECT_TRUE(teacher.isWithin(triangle, enough));
+    EXPECT_TRUE(whole.isWithin(triangle, enough));
+  }
+  EXPECT_TRUE(part.isWithin(low, enough));
+  EXPECT_FALSE(part.isWithin(high, enough));
+  for (OutsideDistance* learned : {&whole, &part}) {
+    EXPECT_EQ(learned->largest(hullOf(mesh), query(0, 0.02)).bound, largest.bound);
+    EXPECT_EQ(learned->largest(hullOf(mesh), query(0, 0.02)).where, largest.where);
+  }
+}
+
+TEST(OutsideDistance, IntrudersAreInTheHullAndFarFromTheSolid) {
+  const TriangleMesh mesh = test_shapes::openBox(1, 1, 1, 0.05, 3);
+  const Solid solid = solidOf(mesh);
+  const ConvexHull hull = hullOf(mesh);
+  OutsideDistance outside(solid, boundingBox(mesh));
+  const auto intruders = outside.intruders(hull, 0.1, 50, 0.01);
+  EXPECT_GE(intruders.size(), 50u);
+  double volume = 0;
+  for (const OutsideDistance::Intruder& i : intruders) {
+    EXPECT_LE(planeDistance(hull, i.p), 1e-9);
+    EXPECT_GT(i.distance, 0.1);
+    EXPECT_GE(solid.distance(i.p), i.distance - 1e-9);
+    EXPECT_EQ(i.weight, intruders[0].weight);
+    volume += i.weight;
+  }
+  EXPECT_NEAR(volume, 0.7 * 0.7 * 0.85, 0.25);
+  EXPECT_TRUE(outside.intruders(hull, 0.5, 50, 0.01).empty());
+  EXPECT_TRUE(outside.intruders(boxHull({0, 0, 0}, {1, 1, 0.05}), 0.01, 50, 0.01).empty());
+}
+
+}  // namespace
+}  // namespace collision_hulls

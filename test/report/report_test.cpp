@@ -1,0 +1,219 @@
+#include "collision_hulls/report/report.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace collision_hulls {
+namespace {
+
+using nlohmann::json;
+
+Report sample() {
+  Report report;
+  report.input_path = "robots/\"arm\".urdf";
+  report.input_sha256 = "abc";
+  report.options.seed = 18446744073709551615u;
+  report.validation.queries = 400;
+  report.validation.remarks = {"a remark"};
+  report.notes = {"a note"};
+  report.seconds = 1.5;
+  ElementReport row;
+  row.link = "upper";
+  row.element = 2;
+  row.visual = true;
+  row.uri = "package://arm/meshes/upper.stl";
+  row.scale = {1, -1, 0.001};
+  row.triangles = 12;
+  row.hulls = 3;
+  row.hull_vertices = 24;
+  row.tolerance = 0.1 + 0.2;  // takes all 17 digits
+  row.protrusion = 1.0 / 3;
+  row.interior = "closed";
+  row.files = {"meshes/upper/2_0.stl"};
+  report.links.push_back(row);
+  row.element = 3;
+  row.status = Status::kDegraded;
+  row.reason = "too far";
+  report.links.push_back(row);
+  row = {};
+  row.link = "lower";
+  row.status = Status::kFailed;
+  row.error = "FileNotFound";
+  row.reason = "no file";
+  report.links.push_back(row);
+  return report;
+}
+
+TEST(ReportJson, HasTheFieldsOfTheContract) {
+  const json document = json::parse(toJson(sample()));
+  EXPECT_EQ(document["collision_hulls"], version());
+  EXPECT_EQ(document["input"]["path"], "robots/\"arm\".urdf");
+  EXPECT_EQ(document["seed"], 18446744073709551615u);
+  for (const json& row : document["links"]) {
+    for (const char* field :
+         {"link",       "element", "source",      "uri",      "sha256",        "scale",     "triangles",    "status",           "reason",
+          "repair",     "method",  "tolerance",   "hulls",    "hull_vertices", "uncovered", "protrusion",   "protrusion_found", "interior",
+          "primitives", "volume",  "hull_volume", "diagonal", "seconds",       "files",     "covered_share"}) {
+      EXPECT_TRUE(row.contains(field)) << field;
+    }
+    for (const char* field : {"welded", "degenerate", "duplicate", "flipped", "components", "open_edges", "nonmanifold_edges"})
+      EXPECT_TRUE(row["repair"].contains(field)) << field;
+    for (const char* field : {"read", "repair", "decompose", "certify", "write"}) EXPECT_TRUE(row["seconds"].contains(field)) << field;
+  }
+  for (const char* field : {"queries", "missed", "phantom", "max_underestimate", "exceptions", "timeouts", "nan", "disagreements",
+                            "mesh_query_us", "hull_query_us"})
+    EXPECT_TRUE(document["validation"].contains(field)) << field;
+  for (const char* field :
+       {"tolerance", "method", "effort", "fill", "tree", "max-hulls", "max-vertices", "links", "source", "scale", "format", "uri", "jobs"})
+    EXPECT_TRUE(document["options"].contains(field)) << field;
+}
+
+TEST(ReportJson, ValuesAreReadBack) {
+  const json document = json::parse(toJson(sample()));
+  const json& row = document["links"][0];
+  EXPECT_EQ(row["link"], "upper");
+  EXPECT_EQ(row["element"], 2);
+  EXPECT_EQ(row["source"], "visual");
+  EXPECT_EQ(row["scale"], json({1.0, -1.0, 0.001}));
+  EXPECT_EQ(row["tolerance"].get<double>(), 0.1 + 0.2);
+  EXPECT_EQ(row["protrusion"].get<double>(), 1.0 / 3);
+  EXPECT_EQ(document["links"][1]["status"], "degraded");
+  EXPECT_EQ(document["links"][2]["status"], "failed");
+  EXPECT_EQ(document["links"][2]["error"], "FileNotFound");
+  EXPECT_EQ(document["options"]["tolerance"], "1cm,5%");
+  EXPECT_EQ(document["options"]["format"], "stl");
+  const json totals = {{"links", 2},          {"meshes", 3},    {"triangles", 24}, {"hulls", 6},
+                       {"hull_vertices", 48}, {"seconds", 1.5}, {"failed", 1},     {"degraded", 1}};
+  EXPECT_EQ(document["totals"], totals);
+  EXPECT_EQ(document["notes"], json({"a note"}));
+}
+
+TEST(ReportJson, NoRows) {
+  const json document = json::parse(toJson(Report{}));
+  EXPECT_EQ(document["links"], json::array());
+  EXPECT_EQ(document["totals"]["meshes"], 0);
+}
+
+TEST(ReportJson, IsStrictJsonForAnyValue) {
+  Report report = sample();
+  report.links[0].protrusion = std::numeric_limits<double>::quiet_NaN();
+  report.links[0].volume = std::numeric_limits<double>::infinity();
+  report.links[0].link = "caf\xe9";  // Latin-1
+  report.options.validate = false;
+  const json document = json::parse(toJson(report));
+  EXPECT_TRUE(document["links"][0]["protrusion"].is_null());
+  EXPECT_TRUE(document["links"][0]["volume"].is_null());
+  EXPECT_EQ(document["links"][0]["link"], "caf\xef\xbf\xbd");
+  EXPECT_TRUE(document["validation"].is_null());
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> result;
+  for (std::string line; std::getline(in, line);) result.push_back(line);
+  return result;
+}
+
+TEST(ReportTable, ARowForEveryMeshAndTheirTotal) {
+  Report report = sample();
+  report.validation.missed = 1;
+  report.validation.max_underestimate = 0.0123456;
+  report.validation.hull_query_us = 2.345;
+  report.validation.mesh_query_us = 123.456;
+  const std::vector<std::string> table = lines(toTable(report));
+  ASSERT_EQ(table.size(), 12u);
+  EXPECT_EQ(table[0], "link   mesh                 triangles  hulls  vertices  protrusion [mm]  tolerance [mm]  time [s]  status");
+  EXPECT_EQ(table[1], "upper  upper.stl                   12      3        24              333             300         0  ok");
+  EXPECT_EQ(table[2], "upper  upper.stl                   12      3        24              333             300         0  degraded");
+  EXPECT_EQ(table[3], "lower                               -      -         -                -               -         0  failed");
+  EXPECT_EQ(
+      table[4],
+      "total  3 meshes of 2 links         24      6        48              333                      1.50  1 ok, 1 degraded, 1 failed");
+  EXPECT_EQ(table[5].rfind("The hulls cover the whole surface", 0), 0u);
+  EXPECT_EQ(table[7], "degraded: upper, upper.stl: too far");
+  EXPECT_EQ(table[8],
+            "check: 400 queries compared hulls and meshes: 1 collision missed, no false collision beyond the protrusion; "
+            "distances at most 12.3 mm too short");
+  EXPECT_EQ(table[9], "  a remark");
+  EXPECT_EQ(table[10], "speed: a distance query between one mesh and a probe takes 2.35 us with its hulls, 123 us with the mesh");
+  EXPECT_EQ(table[11], "note: a note");
+}
+
+TEST(ReportTable, AModelForASceneHasItsOwnCheckAndPrimitives) {
+  Report report = sample();
+  report.scene = FitReport{};
+  report.scene->self = {{"upper", "lower", true, 7, 5, 2}};
+  report.links[0].primitives = 1;
+  report.links[1].primitives = 2;
+  report.links[1].hulls = report.links[1].hull_vertices = 0;
+  const std::string table = toTable(report);
+  for (const char* part :
+       {"  3, 1 primitive        24  ", "  2 primitives         -  ", "check of single meshes: 400 queries",
+        "speed of single meshes: ", "check in the scene: ", "speed in the scene: ", "collisions  false, single hulls  false, fitted hulls"})
+    EXPECT_NE(table.find(part), std::string::npos) << part << "\n" << table;
+}
+
+TEST(ReportTable, NoCheckWhereThereIsNothingToCheck) {
+  Report report = sample();
+  report.options.validate = false;
+  EXPECT_NE(toTable(report).find("check: skipped (--no-validate)"), std::string::npos);
+  report.links = {report.links.back()};
+  for (const bool validate : {false, true}) {
+    report.options.validate = validate;
+    EXPECT_EQ(toTable(report).find("check"), std::string::npos) << toTable(report);
+  }
+}
+
+TEST(ReportTable, FaultsOfFclAndTheCache) {
+  Report report = sample();
+  for (ElementReport& row : report.links) row.cached = true;
+  report.links.push_back(report.links[1]);
+  report.validation.exceptions = 2;
+  const std::string table = toTable(report);
+  for (const char* part : {"4 meshes came from the cache.", "(1 more mesh: see report.json)", "FCL failed in 2 queries"})
+    EXPECT_NE(table.find(part), std::string::npos) << table;
+  EXPECT_EQ(toTable(Report{}), "");
+}
+
+TEST(Report, OneLineForAMissingPackage) {
+  Report report = sample();
+  ElementReport row;
+  row.status = Status::kFailed;
+  row.error = "PackageNotFound";
+  row.reason = "package 'foo' of ...";
+  for (const char* link : {"a", "b", "b"}) {
+    row.link = link;
+    row.uri = std::string("package://foo/") + link;
+    report.links.push_back(row);
+  }
+  const std::vector<std::string> all = failures(report);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].rfind("package 'foo' was not found (3 meshes of 2 links): ", 0), 0u) << all[0];
+  EXPECT_NE(all[0].find("--package-path foo=DIR"), std::string::npos) << all[0];
+  EXPECT_EQ(all[1], "link lower: no file");
+}
+
+TEST(Report, AFailureNamesLinkAndMeshOnce) {
+  Report report = sample();
+  ElementReport& row = report.links.back();
+  row.uri = "package://arm/meshes/finger.stl";
+  EXPECT_EQ(failures(report).back(), "link lower: package://arm/meshes/finger.stl: no file");
+  row.reason = "'" + row.uri + "' has no triangles";
+  EXPECT_EQ(failures(report).back(), "link lower: 'package://arm/meshes/finger.stl' has no triangles");
+  report.input_path = row.uri = "finger.stl";  // a single mesh has no link
+  row.reason = "'finger.stl' has no triangles";
+  EXPECT_EQ(failures(report).back(), "'finger.stl' has no triangles");
+}
+
+TEST(Report, AnyFailed) {
+  Report report = sample();
+  EXPECT_TRUE(anyFailed(report));
+  report.links.pop_back();
+  EXPECT_FALSE(anyFailed(report));
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -1,0 +1,144 @@
+#include "storage/replace_folder.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <random>
+#include <set>
+
+#include "collision_hulls/error.h"
+#include "pipeline/fixtures.h"
+#include "storage/files.h"
+
+namespace collision_hulls {
+namespace {
+
+namespace fs = std::filesystem;
+using fixtures::TempFolder;
+
+constexpr int kFiles = 20;
+
+/// A folder whose files all contain `text`, so that a mixture of two folders would show.
+void replaceWith(const std::string& target, const std::string& text) {
+  FolderReplacement replacement(target);
+  for (int i = 0; i < kFiles; ++i) writeText(replacement.folder() / "sub" / std::to_string(i), text);
+  replacement.commit();
+}
+
+std::set<std::string> texts(const fs::path& folder) {
+  std::set<std::string> result;
+  const auto files = fixtures::contents(folder);
+  EXPECT_EQ(files.size(), static_cast<std::size_t>(kFiles)) << folder;
+  for (const auto& [name, text] : files) result.insert(text);
+  return result;
+}
+
+std::size_t entries(const fs::path& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(FolderReplacement, CreatesAndReplaces) {
+  const TempFolder folder;
+  const std::string target = folder / "a/b/out/";  // a slash, and folders that are not there yet
+  replaceWith(target, "old");
+  EXPECT_EQ(texts(target), std::set<std::string>{"old"});
+  fixtures::write(folder / "a/b/out/of_the_old_one", "");
+  replaceWith(target, "new");
+  EXPECT_EQ(texts(target), std::set<std::string>{"new"});
+  EXPECT_EQ(entries(folder / "a/b"), 1u) << "something is left";
+}
+
+TEST(FolderReplacement, AcceptsAnEmptyFolder) {
+  const TempFolder folder;
+  fs::create_directory(folder / "out");
+  replaceWith(folder / "out", "new");
+  EXPECT_EQ(texts(folder / "out"), std::set<std::string>{"new"});
+}
+
+TEST(FolderReplacement, FollowsALink) {
+  const TempFolder folder;
+  replaceWith(folder / "real", "old");
+  fs::create_directory_symlink(folder / "real", folder / "link");
+  replaceWith(folder / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(texts(folder / "real"), std::set<std::string>{"new"});
+}
+
+TEST(FolderReplacement, WithoutCommitNothingChanges) {
+  const TempFolder folder;
+  replaceWith(folder / "out", "old");
+  {
+    FolderReplacement replacement(folder / "out");
+    writeText(replacement.folder() / "half", "done");
+    EXPECT_EQ(texts(folder / "out"), std::set<std::string>{"old"});
+  }
+  EXPECT_EQ(texts(folder / "out"), std::set<std::string>{"old"});
+  EXPECT_EQ(entries(folder.path()), 1u);
+}
+
+TEST(FolderReplacement, UnwritablePlaces) {
+  const TempFolder folder;
+  fixtures::write(folder / "file", "");
+  for (const std::string& target : {folder / "file/out", std::string("/proc/nowhere/out"), std::string("/")}) {
+    try {
+      FolderReplacement replacement(target);
+      ADD_FAILURE() << target;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), ErrorCode::kUnwritableOutput) << e.what();
+    }
+  }
+}
+
+TEST(FolderReplacement, LeavesFoldersOfLiveProcessesAlone) {
+  const TempFolder folder;
+  FolderReplacement first(folder / "out");
+  writeText(first.folder() / "file", "first");
+  replaceWith(folder / "out", "second");
+  EXPECT_TRUE(fs::exists(first.folder() / "file"));
+  first.commit();
+  EXPECT_EQ(fixtures::read(folder / "out/file"), "first");
+}
+
+// Forked children replace one text by the next over and over, and are killed in the middle.
+TEST(FolderReplacement, KillLeavesTheOldOrTheNewFolder) {
+  const TempFolder folder;
+  const std::string target = folder / "out";
+  replaceWith(target, "x");
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> microseconds(0, 8000);
+  for (int round = 0; round < 40; ++round) {
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      for (int n = 0;; ++n) replaceWith(target, std::to_string(round) + "." + std::to_string(n));
+    }
+    usleep(static_cast<useconds_t>(microseconds(random)));
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    EXPECT_EQ(texts(target).size(), 1u) << "seed 3, round " << round;
+  }
+  replaceWith(target, "last");
+  EXPECT_EQ(entries(folder.path()), 1u) << "what killed processes left was not removed";
+}
+
+TEST(ReplaceByTwoRenames, ReplacesAndCanBeResumed) {
+  const TempFolder folder;
+  const fs::path target = folder / "out";
+  fixtures::write(folder / "new/file", "new");
+  fixtures::write(target / "file", "old");
+  replaceByTwoRenames(folder / "new", target);
+  EXPECT_EQ(fixtures::read(target / "file"), "new");
+  EXPECT_EQ(entries(folder.path()), 1u);
+
+  // The second rename fails, as if the process had been killed before it.
+  EXPECT_THROW(replaceByTwoRenames(folder / "missing", target), Error);
+  EXPECT_FALSE(fs::exists(target));
+  restoreAside(target);
+  EXPECT_EQ(fixtures::read(target / "file"), "new");
+  EXPECT_EQ(entries(folder.path()), 1u);
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -1,0 +1,48 @@
+#include "storage/sha256.h"
+
+#include <gtest/gtest.h>
+
+#include "collision_hulls/error.h"
+#include "pipeline/fixtures.h"
+
+namespace collision_hulls {
+namespace {
+
+// Test vectors from FIPS 180-4 and NIST.
+TEST(Sha256, KnownVectors) {
+  EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  EXPECT_EQ(sha256(std::string(1000000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+// From 56 bytes on, the padding needs another block.
+TEST(Sha256, LengthsAroundTheBlock) {
+  EXPECT_EQ(sha256(std::string(55, 'a')), "9f4390f8d30c2dd92ec9f095b65e2b9ae9b0a925a5258e241c9f1e910f734318");
+  EXPECT_EQ(sha256(std::string(56, 'a')), "b35439a4ac6f0948b6d6f9e3c6af0f5f590ce20f1bde7090ef7970686ec6738a");
+  EXPECT_EQ(sha256(std::string(64, 'a')), "ffe054fe7ae0cb6dc65c3af9b61d5209f439851db43d0ba5997337df154668eb");
+}
+
+TEST(Sha256, FileHasTheHashOfItsBytes) {
+  const fixtures::TempFolder folder;
+  const std::string bytes(3'000'001, '\x80');  // more than one read
+  EXPECT_EQ(sha256OfFile(fixtures::write(folder / "bytes", bytes)), sha256(bytes));
+  EXPECT_EQ(sha256OfFile(fixtures::write(folder / "empty", "")), sha256(""));
+}
+
+TEST(Sha256, NoFile) {
+  const fixtures::TempFolder folder;
+  for (const std::string& path : {folder / "missing", folder.path().string()}) {
+    try {
+      sha256OfFile(path);
+      ADD_FAILURE() << path;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), ErrorCode::kFileNotFound);
+      EXPECT_NE(std::string(e.what()).find(path), std::string::npos);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -67,13 +67,17 @@ std::optional<fs::path> pathOf(const std::string& uri, const std::string& base, 
   return fs::path(base).parent_path() / (is_file ? filePath(uri) : uri);  // an absolute path replaces what stands before it
 }
 
-// Without ".." if that is the same file; behind a symbolic link it may not be.
+bool isFile(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(path, error) && !fs::is_directory(path, error);
+}
+
+// Without ".." where that names the same file: behind a symbolic link it may name another. Folders before a ".." need not exist.
 std::optional<std::string> existingFile(const fs::path& path) {
-  for (const fs::path& name : {path.lexically_normal(), path}) {
-    std::error_code error;
-    if (fs::exists(name, error) && !fs::is_directory(name, error)) return name.string();
-  }
-  return std::nullopt;
+  const fs::path normal = path.lexically_normal();
+  std::error_code error;
+  if (isFile(path) && !fs::equivalent(path, normal, error)) return path.string();
+  return isFile(normal) ? std::optional(normal.string()) : std::nullopt;
 }
 
 std::optional<std::string> nearbyFile(const std::string& uri, const std::string& base, const PackageFinder& find_package) {

@@ -69,6 +69,8 @@ TEST_F(ResolveUri, AboveAFolderBehindALink) {
   std::filesystem::create_directory_symlink(folder_.path("arm/urdf"), folder_.path("elsewhere/urdf"));
   std::filesystem::create_directories(folder_.path("arm/urdf"));
   EXPECT_TRUE(std::filesystem::equivalent(resolveUri("../meshes/a b.stl", folder_.path("elsewhere/urdf/arm.urdf"), finder_), mesh_));
+  folder_.write("elsewhere/meshes/a b.stl");  // what the name without ".." would be
+  EXPECT_TRUE(std::filesystem::equivalent(resolveUri("../meshes/a b.stl", folder_.path("elsewhere/urdf/arm.urdf"), finder_), mesh_));
 }
 
 TEST(IsRelativeUri, EachKind) {

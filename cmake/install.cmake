@@ -1,14 +1,12 @@
 # Everything that a user of the installed package needs: headers, libraries, programs, launch files, demo robot.
 
-foreach(program ${PROGRAMS})
-  set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/..")
-endforeach()
-
-install(TARGETS ${LIBRARIES} EXPORT ${PROJECT_NAME}Targets
+install(TARGETS ${PROJECT_NAME} ${PROJECT_NAME}_core
   ARCHIVE DESTINATION ${LIBRARY_DESTINATION}
   LIBRARY DESTINATION ${LIBRARY_DESTINATION}
   RUNTIME DESTINATION ${PROGRAM_DESTINATION})
-install(TARGETS ${PROGRAMS} RUNTIME DESTINATION ${PROGRAM_DESTINATION})
+foreach(program ${PROGRAMS})
+  install(TARGETS ${program} RUNTIME DESTINATION ${PROGRAM_DESTINATION})
+endforeach()
 install(DIRECTORY include/${PROJECT_NAME}/ DESTINATION ${INCLUDE_DESTINATION})
 if(NOT COLLISION_HULLS_ROS)
   install_cmake_package()

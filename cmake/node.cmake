@@ -9,6 +9,7 @@ target_include_directories(${PROJECT_NAME}_node PRIVATE src)
 target_include_directories(${PROJECT_NAME}_node SYSTEM PRIVATE ${catkin_INCLUDE_DIRS} ${SCENE_MESSAGE_INCLUDE_DIRS})
 target_compile_definitions(${PROJECT_NAME}_node PRIVATE ${SCENE_MESSAGE_DEFINITIONS})
 target_link_libraries(${PROJECT_NAME}_node ${PROJECT_NAME} ${catkin_LIBRARIES})
+set_target_properties(${PROJECT_NAME}_node PROPERTIES INSTALL_RPATH "$ORIGIN/..")
 list(APPEND PROGRAMS ${PROJECT_NAME}_node)
 
 function(add_node_tests)

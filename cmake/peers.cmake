@@ -11,7 +11,7 @@ if(BULLET_EXTRAS_INCLUDE_DIR AND BULLET_HACD_LIBRARY AND BULLET_CONVEX_DECOMPOSI
   add_executable(peer_bullet_vcd src/tools/peer_bullet_vcd.cpp)
   target_link_libraries(peer_bullet_vcd ${PROJECT_NAME} ${BULLET_CONVEX_DECOMPOSITION_LIBRARY} ${BULLET_LINEAR_MATH_LIBRARY})
   foreach(peer peer_bullet_hacd peer_bullet_vcd)
-    target_include_directories(${peer} PRIVATE src)
+    set_up_program(${peer})
     target_include_directories(${peer} SYSTEM PRIVATE ${BULLET_EXTRAS_INCLUDE_DIR})
     list(APPEND PROGRAMS ${peer})
   endforeach()

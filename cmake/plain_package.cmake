@@ -21,6 +21,7 @@ function(install_cmake_package)
   set(config "${PROJECT_BINARY_DIR}/${PROJECT_NAME}Config.cmake")
   file(WRITE "${config}"
     "include(CMakeFindDependencyMacro)\nfind_dependency(Eigen3)\ninclude(\"\${CMAKE_CURRENT_LIST_DIR}/${PROJECT_NAME}Targets.cmake\")\n")
+  install(TARGETS ${PROJECT_NAME} ${PROJECT_NAME}_core EXPORT ${PROJECT_NAME}Targets LIBRARY DESTINATION ${LIBRARY_DESTINATION})
   install(EXPORT ${PROJECT_NAME}Targets NAMESPACE ${PROJECT_NAME}:: DESTINATION ${SHARE_DESTINATION}/cmake)
   install(FILES "${config}" DESTINATION ${SHARE_DESTINATION}/cmake)
 endfunction()

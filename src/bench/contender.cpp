@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "bench/table.h"
+#include "storage/csv.h"
 
 namespace collision_hulls {
 

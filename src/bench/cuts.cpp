@@ -15,6 +15,7 @@
 #include "collision_hulls/measure/measures.h"
 #include "decompose/dice.h"
 #include "pipeline/mesh_hulls.h"
+#include "storage/csv.h"
 
 namespace collision_hulls {
 namespace {

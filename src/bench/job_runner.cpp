@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "bench/table.h"
+#include "storage/csv.h"
 #include "storage/files.h"
 
 namespace collision_hulls {

@@ -1,36 +1,9 @@
-// CSV as in RFC 4180. Column names and their order are read by the chart scripts and by users' own tools.
+// The columns of benchmark.csv. Their names and order are read by the chart scripts and by users' own tools.
 #include "bench/table.h"
 
-#include <cstdio>
+#include "storage/csv.h"
 
 namespace collision_hulls {
-namespace {
-
-std::string csvCount(const std::optional<std::size_t>& value) {
-  return value ? std::to_string(*value) : "";
-}
-
-std::string csvField(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-}  // namespace
-
-std::string csvLine(const std::vector<std::string>& fields) {
-  std::string line;
-  for (std::size_t i = 0; i < fields.size(); ++i) line += (i ? "," : "") + csvField(fields[i]);
-  return line + "\n";
-}
-
-std::string csvNumber(const std::optional<double>& value) {
-  if (!value) return "";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.9g", *value);
-  return text;
-}
 
 std::string benchmarkHeader() {
   return "mesh,triangles,method,tolerance,status,hulls,hull_vertices,uncovered,protrusion,protrusion_found,volume_ratio,"

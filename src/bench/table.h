@@ -1,10 +1,9 @@
-// The rows of a benchmark, and its CSV files.
+// The rows of a benchmark.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace collision_hulls {
 
@@ -31,11 +30,5 @@ struct BenchmarkRow {
 /// The column names and a row, each as a line of benchmark.csv (RFC 4180).
 std::string benchmarkHeader();
 std::string toCsv(const BenchmarkRow& row);
-
-/// A line of CSV; fields with a comma, quote or line break are quoted.
-std::string csvLine(const std::vector<std::string>& fields);
-
-/// A number with nine significant digits; empty if there is none.
-std::string csvNumber(const std::optional<double>& value);
 
 }  // namespace collision_hulls

@@ -6,6 +6,7 @@
 
 #include "bench/hull_objects.h"
 #include "geometry/pi.h"
+#include "storage/csv.h"
 #include "storage/files.h"
 
 namespace collision_hulls {

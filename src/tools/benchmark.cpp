@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <iostream>
 
-#include "bench/csv_file.h"
 #include "bench/cuts.h"
 #include "bench/jobs.h"
 #include "bench/machine.h"
@@ -13,6 +12,7 @@
 #include "decompose_options.h"
 #include "list_options.h"
 #include "measuring_program.h"
+#include "storage/csv.h"
 #include "storage/files.h"
 
 namespace collision_hulls {

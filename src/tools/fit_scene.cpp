@@ -1,9 +1,9 @@
 // fit_scene INPUT --scene FILE --clearance LENGTH: makes a robot's collision model that is no finer than a scene needs.
 #include "collision_hulls/pipeline/fit_scene.h"
 
-#include "bench/table.h"
 #include "robot_program.h"
 #include "scene/reading.h"
+#include "storage/csv.h"
 #include "storage/files.h"
 #include "storage/text_file.h"
 

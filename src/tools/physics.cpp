@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <iostream>
 
-#include "bench/csv_file.h"
 #include "decompose_options.h"
 #include "list_options.h"
 #include "measuring_program.h"
+#include "storage/csv.h"
 
 namespace collision_hulls {
 namespace {

@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <iostream>
 
-#include "bench/csv_file.h"
 #include "bench/job_runner.h"
 #include "bench/stability/fcl_stability.h"
 #include "decompose_options.h"
 #include "list_options.h"
 #include "measuring_program.h"
+#include "storage/csv.h"
 #include "storage/files.h"
 
 namespace collision_hulls {

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "bench/job_runner.h"
+#include "storage/csv.h"
 #include "storage/files.h"
 
 namespace collision_hulls {
@@ -133,10 +134,6 @@ double sizeOf(const BenchmarkInputs& inputs, const QuerySubject& subject, const 
   double size = 0;
   for (const QuerySubject::Part& part : subject.parts) size = std::max(size, diagonals[inputs.meshes[part.mesh].name]);
   return size;
-}
-
-std::string csvCount(const std::optional<std::size_t>& value) {
-  return value ? std::to_string(*value) : "";
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "bench/child_process.h"
 #include "bench/table.h"
+#include "storage/csv.h"
 #include "storage/files.h"
 
 namespace collision_hulls {

@@ -13,6 +13,7 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/mesh/repair.h"
+#include "storage/csv.h"
 #include "storage/files.h"
 
 namespace collision_hulls {

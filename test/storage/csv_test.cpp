@@ -1,0 +1,23 @@
+#include "storage/csv.h"
+
+#include <gtest/gtest.h>
+
+namespace collision_hulls {
+namespace {
+
+TEST(Csv, QuotesFieldsThatNeedIt) {
+  EXPECT_EQ(csvLine({}), "\n");
+  EXPECT_EQ(csvLine({"a", "", "b c"}), "a,,b c\n");
+  EXPECT_EQ(csvLine({"a,b", "say \"x\"", "two\nlines", "cr\r"}), "\"a,b\",\"say \"\"x\"\"\",\"two\nlines\",\"cr\r\"\n");
+}
+
+TEST(Csv, Numbers) {
+  EXPECT_EQ(csvNumber({}), "");
+  EXPECT_EQ(csvNumber(0), "0");
+  EXPECT_EQ(csvNumber(0.1), "0.1");
+  EXPECT_EQ(csvNumber(1.0 / 3), "0.333333333");
+  EXPECT_EQ(csvNumber(1e-12), "1e-12");
+}
+
+}  // namespace
+}  // namespace collision_hulls

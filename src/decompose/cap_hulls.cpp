@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 #include <tuple>
+
+#include "decompose/pair_queue.h"
 
 namespace collision_hulls {
 
@@ -21,13 +22,6 @@ struct Body {
   Eigen::AlignedBox3d box;
   int first = 0;  // least index of the hulls in it
   bool merged = false;
-};
-
-struct Pair {
-  double cost;
-  int a, b;    // a < b
-  bool exact;  // otherwise `cost` is a lower bound
-  bool operator<(const Pair& o) const { return std::tie(cost, a, b) > std::tie(o.cost, o.a, o.b); }
 };
 
 ConvexHull hullOfBoth(const ConvexHull& a, const ConvexHull& b) {
@@ -46,7 +40,7 @@ class Merging {
 
   void mergeDownTo(std::size_t count) {
     for (std::size_t left = bodies_.size(); left > count; --left) {
-      const Pair pair = cheapest();
+      const MergePair pair = cheapest();
       Body &a = bodies_[pair.a], &b = bodies_[pair.b];
       a.merged = b.merged = true;
       add(hullOfBoth(a.hull, b.hull), std::min(a.first, b.first));
@@ -81,23 +75,21 @@ class Merging {
   }
 
   /// The cheapest pair of unmerged bodies, with its exact cost.
-  Pair cheapest() {
+  MergePair cheapest() {
     for (;;) {
       control_.check();
-      Pair pair = queue_.top();
-      queue_.pop();
+      MergePair pair = *queue_.takeCheapest([&](int i) { return !bodies_[i].merged; });
+      if (pair.is_exact) return pair;
       const Body &a = bodies_[pair.a], &b = bodies_[pair.b];
-      if (a.merged || b.merged) continue;
-      if (pair.exact) return pair;
       pair.cost += std::cbrt(std::max(0.0, volume(hullOfBoth(a.hull, b.hull)) - a.volume - b.volume));
-      pair.exact = true;
+      pair.is_exact = true;
       queue_.push(pair);
     }
   }
 
   const RunControl& control_;
   std::vector<Body> bodies_;
-  std::priority_queue<Pair> queue_;
+  PairQueue queue_;
 };
 
 }  // namespace

@@ -42,7 +42,7 @@ bool capVertices(std::vector<ConvexHull>& hulls, int max_vertices, const RunCont
   bool capped = false;
   for (ConvexHull& hull : hulls) {
     control.check();
-    if (max_vertices == 0 || hull.vertices.size() <= static_cast<std::size_t>(max_vertices)) continue;
+    if (!exceedsCap(hull, max_vertices)) continue;
     hull = reduceVertices(hull, max_vertices);
     capped = true;
   }

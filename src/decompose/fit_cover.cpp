@@ -127,15 +127,6 @@ bool holdsAll(const ConvexHull& hull, const Points& points, double margin) {
   return std::all_of(points.begin(), points.end(), [&](const auto& p) { return planeDistance(hull, p) <= -margin; });
 }
 
-bool overCap(const ConvexHull& hull, int max_vertices) {
-  return max_vertices > 0 && hull.vertices.size() > static_cast<std::size_t>(max_vertices);
-}
-
-/// Caps the vertices, outward; max_vertices 0: no cap.
-ConvexHull capped(const ConvexHull& hull, int max_vertices) {
-  return overCap(hull, max_vertices) ? reduceVertices(hull, max_vertices) : hull;
-}
-
 /// Twice the furthest that rounding to single precision may move a vertex.
 double roundingOf(const ConvexHull& hull) {
   double size = 0;
@@ -154,7 +145,7 @@ std::optional<Rounded> roundOutward(const ConvexHull& hull, const Points& held, 
   for (int i = 0; i < kDoublings; ++i, growth.distance *= 2) {
     Rounded result{convexHull(roundedToSingle(grown(hull, growth))), growth.distance};
     result.hull.vertices = roundedToSingle(std::move(result.hull.vertices));  // convexHull() may change a last bit
-    if (overCap(result.hull, max_vertices)) break;
+    if (exceedsCap(result.hull, max_vertices)) break;
     if (result.hull.thickness == 0 && holdsAll(result.hull, held, margin)) return result;
   }
   return std::nullopt;

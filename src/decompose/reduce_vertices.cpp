@@ -294,6 +294,14 @@ ConvexHull reduceVertices(const ConvexHull& hull, int max_vertices) {
   return result;
 }
 
+bool exceedsCap(const ConvexHull& hull, int max_vertices) {
+  return max_vertices > 0 && hull.vertices.size() > static_cast<std::size_t>(max_vertices);
+}
+
+ConvexHull capped(const ConvexHull& hull, int max_vertices) {
+  return exceedsCap(hull, max_vertices) ? reduceVertices(hull, max_vertices) : hull;
+}
+
 double addedDistance(const ConvexHull& outer, const ConvexHull& hull) {
   const TriangleBvh skin(surface(hull));
   double most = 0;

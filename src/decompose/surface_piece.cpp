@@ -10,13 +10,11 @@
 #include <optional>
 #include <unordered_map>
 
+#include "base/at.h"
+
 namespace collision_hulls {
 
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::uint64_t key(int a, int b) {
   const auto [low, high] = std::minmax(a, b);

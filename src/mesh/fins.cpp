@@ -7,14 +7,11 @@
 #include <array>
 #include <map>
 
+#include "base/at.h"
 #include "mesh/boundary.h"
 
 namespace collision_hulls {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 class Fins {
  public:

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/at.h"
 #include "mesh/boundary.h"
 
 namespace collision_hulls {
@@ -20,10 +21,6 @@ struct Patch {
   bool closed = false;     // or nearly so, on its own
   bool turn = false;
 };
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 class Orientation {
  public:

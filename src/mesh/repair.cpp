@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "base/at.h"
 #include "collision_hulls/error.h"
 #include "mesh/boundary.h"
 #include "mesh/edges.h"
@@ -24,10 +25,6 @@ namespace {
 constexpr double kFlatHeight = 1e-14;
 
 constexpr double kLargestWeldTolerance = 0.1;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 void check(const TriangleMesh& mesh, const RepairOptions& options) {
   if (!(options.weld_tolerance >= 0 && options.weld_tolerance <= kLargestWeldTolerance))

@@ -111,6 +111,18 @@ TEST(ReduceVertices, ContainsHullsOfAnyShapeAndSizeAnywhere) {
   }
 }
 
+TEST(ReduceVertices, ACapOfZeroIsNoCap) {
+  std::mt19937 random(4);
+  const ConvexHull hull = convexHull(ellipsoid(100, {1, 1, 1}, random));
+  const int vertices = static_cast<int>(hull.vertices.size());
+  EXPECT_FALSE(exceedsCap(hull, 0));
+  EXPECT_FALSE(exceedsCap(hull, vertices));
+  EXPECT_TRUE(exceedsCap(hull, vertices - 1));
+  EXPECT_EQ(capped(hull, 0).vertices, hull.vertices);
+  EXPECT_EQ(capped(hull, vertices).vertices, hull.vertices);
+  EXPECT_LE(capped(hull, 16).vertices.size(), 16U);
+}
+
 TEST(ReduceVertices, SameInputGivesSameResult) {
   std::mt19937 random(9);
   const ConvexHull hull = convexHull(ellipsoid(300, {3, 2, 1}, random));

@@ -15,6 +15,12 @@ constexpr int kLeastVertices = 8;
 /// is too small.
 ConvexHull reduceVertices(const ConvexHull& hull, int max_vertices);
 
+/// Whether a hull has more vertices than a cap allows; 0 is no cap.
+bool exceedsCap(const ConvexHull& hull, int max_vertices);
+
+/// reduceVertices() where the cap is exceeded, otherwise the hull; 0 is no cap.
+ConvexHull capped(const ConvexHull& hull, int max_vertices);
+
 /// The largest distance [m] from `hull` of a point of `outer`, which contains it.
 double addedDistance(const ConvexHull& outer, const ConvexHull& hull);
 

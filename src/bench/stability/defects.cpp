@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "base/at.h"
 #include "decompose/surface_piece.h"
 
 namespace collision_hulls {
@@ -15,10 +16,6 @@ namespace {
 
 constexpr double kSliversAmong = 0.1, kFinsAmong = 0.05;  // shares of the triangles that get one
 constexpr double kSpeck = 0.01;                           // size of a small component, in D
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 bool chosen(double share, Random& random) {
   return random.uniform(0, 1) < share;

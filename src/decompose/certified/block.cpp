@@ -1,5 +1,12 @@
-// Cuts surfaces together with the region of space around them. When filling, a plane's section of the region adds its corners inside the
-// solid to both sides; the hulls of the sides then cover the solid up to the plane.
+// Cuts surfaces together with the region of space around them, for hulls that are to fill the solid (DecomposeOptions::fill).
+//
+// A surface alone needs no such thing: where a plane cuts a closed part, its section of the solid lies in the hull of the rim that it
+// leaves. But that is so for each plane by itself. After several cuts a piece of the inside may have no surface near it at all. So each
+// block keeps its region, a convex polytope that starts as the mesh's box. A plane's section of the region is a convex polygon; its corners
+// inside the solid are added to both sides as points of their surface. The extreme points of solid in a region are points of the surface or
+// such corners, hence the sides' hulls hold all of the solid on their side.
+//
+// Linear in the region's faces, of which there is one per cut. Corners on the surface itself are decided a little inward (kInward).
 #include "decompose/certified/block.h"
 
 #include <algorithm>

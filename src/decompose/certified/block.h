@@ -1,4 +1,4 @@
-// A block is what planes cut a mesh into: a piece of surface and, if the solid is to be filled, the region behind it.
+// A *block* is what planes cut a mesh into: a piece of surface and, if the solid is to be filled, the convex *region* of space behind it.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,26 @@
-// Runs the steps of certified.h. Different plane scores and leaf sizes win on different meshes, so there are several ways to cut; later
-// ways run only while the best cover is small, when every hull counts. Stops early if the cover is provably minimal (points_apart.h). Works
-// about the origin and along the mesh's own axes, which makes results finer and steadier.
+// The flow of the method `certified`; doc/certified.md explains it whole, with proofs, pictures and every constant.
+//
+// Idea. How far a hull protrudes from the solid can be bounded with certainty (protrusion_oracle.h), and it only grows when the hull grows.
+// So pieces are cut until every hull fits (top down), hulls are merged while their union still fits (bottom up), and a search dissolves and
+// merges again. Cutting alone leaves slivers that merging picks up; merging alone would need leaves that somebody has cut well.
+//
+//   for each way to cut (a score for planes, and how much of the tolerance leaves may use):
+//     leaves = cutIntoLeaves()               cutting.h
+//     cover  = mergedBest(leaves)            merging.h; with Effort::kBest, improved() a little
+//     keep the cover if it has fewer hulls than the best so far; if it is provably minimal, stop     points_apart.h
+//   cover = improved(best cover)             local_search.h
+//   if a cap on hulls asks for fewer: treeAbove(cover) and a cut of that tree                        tree_building.h
+//
+// All of this is done about the origin and along the mesh's own axes, where coordinates are finest and results steadier under rotation.
+//
+// Cost. With T triangles and K leaves, cutting builds hulls of pieces that halve about log K times, O(T log T log K); it asks O(K) hulls of
+// the oracle and scores some hundreds of planes per cut on pieces of at most 200 vertices, whatever T is. Merging looks at O(K^2) pairs and
+// builds a hull only for those that come out on top. The search is limited by a count of hulls, never by time: the result is the same
+// everywhere.
+//
+// Tried and given up: clusters of the surface as leaves (as good on smooth shapes, far worse on mechanical parts); one score for all meshes
+// (none wins everywhere); ray concavity or volume as the limit (neither bounds protrusion); leaves that use the whole tolerance (merging
+// then finds no room, hence the ways differ in their share); repairing hulls that the final check refuses (the oracle proves them before).
 #include "collision_hulls/decompose/certified.h"
 
 #include <cmath>
@@ -23,8 +43,18 @@ namespace {
 
 // Share of the tolerance used for cutting leaves: a small one leaves merging some room, a large one makes leaves as large as possible.
 constexpr double kLeafShare = 0.7, kLargeLeafShare = 0.93;
-constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
-constexpr std::size_t kManyLeaves = 8, kManyLeavesPerHull = 8;  // more leaves than this are not worth merging
+// A way that gives more leaves than this is not worth merging, once there is a cover to beat.
+constexpr std::size_t kManyLeaves = 8, kManyLeavesPerHull = 8;
+// Kinds of score: in favour of one large finished side, of any finished side, and with little weight on volume.
+constexpr ScoreWeights kLargeSides{0.5, 0.3, 0}, kAnySide{0.5, 0, 0.1}, kLittleVolume{0.1, 0, 0};
+// Quick: the second and the third way are tried only if the best cover so far has no more hulls than this, when every hull counts.
+constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max(), kFew = 24, kVeryFew = 10;
+// Evaluations of the search, and for Effort::kBest the elements that leaves are halved into and the evaluations after each way of cutting.
+constexpr long kQuickEvaluations = 400, kBestEvaluations = 10'000, kFirstEvaluations = 200;
+constexpr std::size_t kBestElements = 150;
+// Progress: cutting and merging take up to the first share of the whole, the search up to the second, the tree the rest. Of each way,
+// cutting takes kCutting.
+constexpr double kCovered = 0.7, kSearched = 0.9, kCutting = 0.8;
 
 /// One way to cut.
 struct Way {
@@ -43,14 +73,12 @@ struct Plan {
 };
 
 Plan planFor(Effort effort) {
-  const ScoreWeights large_sides{0.5, 0.3, 0}, any_side{0.5, 0, 0.1}, little_volume{0.1, 0, 0};
-  constexpr std::size_t kFew = 24, kVeryFew = 10;
   if (effort == Effort::kQuick)
-    return {{{large_sides}, {any_side, kLeafShare, kFew}, {large_sides, kLargeLeafShare, kVeryFew, true}}, 0, 0, 400};
-  Plan plan{{}, 150, 200, 10'000};
+    return {{{kLargeSides}, {kAnySide, kLeafShare, kFew}, {kLargeSides, kLargeLeafShare, kVeryFew, true}}, 0, 0, kQuickEvaluations};
+  Plan plan{{}, kBestElements, kFirstEvaluations, kBestEvaluations};
   for (const double share : {kLeafShare, kLargeLeafShare})
-    for (const ScoreWeights& weights : {large_sides, any_side, little_volume}) plan.ways.push_back({weights, share});
-  plan.ways.push_back({large_sides, kLargeLeafShare, kAnyNumber, true});
+    for (const ScoreWeights& weights : {kLargeSides, kAnySide, kLittleVolume}) plan.ways.push_back({weights, share});
+  plan.ways.push_back({kLargeSides, kLargeLeafShare, kAnyNumber, true});
   return plan;
 }
 
@@ -78,9 +106,16 @@ class Place {
   const Eigen::Vector3d middle_;
 };
 
-/// Maps the progress of one stage to its stretch of the whole.
-std::function<void(double)> stretch(const RunControl& control, double from, double to) {
-  return [&control, from, to](double share) { control.report(from + (to - from) * share); };
+/// A stretch of the whole run's progress, for one stage of it.
+struct Stretch {
+  double from = 0, to = 1;
+
+  Stretch part(double first, double last) const { return {at(first), at(last)}; }
+  double at(double share) const { return from + (to - from) * share; }
+};
+
+std::function<void(double)> reporting(const RunControl& control, const Stretch& stretch) {
+  return [&control, stretch](double share) { control.report(stretch.at(share)); };
 }
 
 /// One decomposition in progress.
@@ -94,26 +129,18 @@ class Job {
         solid_(mesh, control),
         oracle_(solid_, boundingBox(mesh), options.tolerance, control) {}
 
+  /// The steps at the top of this file, without the tree. The cover's hulls, capped, are proven to fit, but for leaves that could not be
+  /// cut. groups_ is then what the cover's groups belong to.
   Cover cover() {
-    const std::uint64_t seed = options_.seed;
     Cover best;
-    const double step = 0.7 / static_cast<double>(plan_.ways.size());
-    for (std::size_t i = 0; i < plan_.ways.size(); ++i) {
-      if (best.size() > plan_.ways[i].few || (plan_.ways[i].largest_side_first && !hasLargeSide())) continue;
-      const double from = step * static_cast<double>(i);
-      const std::size_t most = groups_ ? kManyLeaves + kManyLeavesPerHull * best.size() : CutOptions{}.most_leaves;
-      const std::vector<Leaf> parts = leaves(plan_.ways[i], most, stretch(control_, from, from + 0.8 * step));
-      if (groups_ && parts.size() >= most) continue;
-      auto mine = std::make_unique<SurfaceGroups>(parts, plan_.elements, oracle_, options_.max_vertices);
-      Cover cover = mergedBest(mine->leaves(), *mine);
-      if (plan_.first_evaluations > 0)
-        cover = improved(std::move(cover), *mine, {plan_.first_evaluations, seed}, stretch(control_, from + 0.8 * step, from + step));
-      if (groups_ && cover.size() >= best.size()) continue;
-      best = std::move(cover);
-      groups_ = std::move(mine);
-      if (isLeast(best, mesh_.mesh, solid_, options_.tolerance)) return best;
+    const double step = kCovered / static_cast<double>(plan_.ways.size());
+    Stretch stretch{0, step};
+    for (const Way& way : plan_.ways) {
+      const bool is_better = isWorthTrying(way, best) && tryWay(way, stretch, best);
+      if (is_better && isLeast(best, mesh_.mesh, solid_, options_.tolerance)) return best;
+      stretch = {stretch.to, stretch.to + step};
     }
-    return improved(std::move(best), *groups_, {plan_.evaluations, seed}, stretch(control_, 0.7, 0.9));
+    return improved(std::move(best), *groups_, {plan_.evaluations, options_.seed}, reporting(control_, {kCovered, kSearched}));
   }
 
   std::vector<ConvexHull> hullsOf(const Cover& cover) const {
@@ -124,10 +151,29 @@ class Job {
 
   HullTree treeOver(Cover cover) {
     forEach(cover.size(), [&](std::size_t i) { cover[i].hull = std::make_shared<ConvexHull>(groups_->exactHull(cover[i])); });
-    return treeAbove(cover, oracle_, stretch(control_, 0.9, 1));
+    return treeAbove(cover, oracle_, reporting(control_, {kSearched, 1}));
   }
 
  private:
+  bool isWorthTrying(const Way& way, const Cover& best) { return best.size() <= way.few && (!way.largest_side_first || hasLargeSide()); }
+
+  /// Whether cutting this way gives a cover of fewer hulls than `best`, or the first cover, which then replaces it.
+  bool tryWay(const Way& way, const Stretch& stretch, Cover& best) {
+    const std::size_t most = groups_ ? kManyLeaves + kManyLeavesPerHull * best.size() : CutOptions{}.most_leaves;
+    const std::vector<Leaf> parts = leaves(way, most, reporting(control_, stretch.part(0, kCutting)));
+    if (groups_ && parts.size() >= most) return false;
+    auto groups = std::make_unique<SurfaceGroups>(parts, plan_.elements, oracle_, options_.max_vertices);
+    Cover cover = mergedBest(groups->leaves(), *groups);
+    if (plan_.first_evaluations > 0) {
+      const SearchOptions search{plan_.first_evaluations, options_.seed};
+      cover = improved(std::move(cover), *groups, search, reporting(control_, stretch.part(kCutting, 1)));
+    }
+    if (groups_ && cover.size() >= best.size()) return false;
+    best = std::move(cover);
+    groups_ = std::move(groups);
+    return true;
+  }
+
   bool hasLargeSide() {
     oracle_.setShare(kLargeLeafShare);
     const bool result = largestSide(withLoose(mesh_), oracle_).has_value();
@@ -164,8 +210,7 @@ Decomposition certified(const RepairedMesh& original, const DecomposeOptions& op
   if (result.capped) {
     const HullTree tree = job.treeOver(std::move(cover));
     result.hulls = tree.hullsOf(tree.cutTo(options.max_hulls));
-    if (options.max_vertices > 0)
-      for (ConvexHull& hull : result.hulls) hull = reduceVertices(hull, options.max_vertices);
+    for (ConvexHull& hull : result.hulls) hull = capped(hull, options.max_vertices);
   } else {
     result.hulls = job.hullsOf(cover);
   }

@@ -1,4 +1,5 @@
-// Candidate planes for cutting a piece that protrudes too far.
+// Candidate planes for cutting a piece that protrudes too far. A *reflex edge* is one where the surface bends inward, so that the
+// inside takes more than half a turn about it; an *intruder* is a point of the piece's hull outside the solid by more than the tolerance.
 #pragma once
 
 #include <vector>

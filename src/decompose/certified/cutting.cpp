@@ -7,7 +7,15 @@
 //
 // A plane's score counts the intruders (points of H outside the solid by more than the tolerance) that remain in either side's hull. Volume
 // that neither side's hull contains improves the score, and so does a finished side. Scores are computed on simplified pieces: a rough one
-// for all planes, a finer one for the best of them. The cut is made on the piece itself.
+// for all planes, a finer one for the best of them. The cut is made on the piece itself; it divides triangles, so the border between two
+// pieces runs where the plane is, not where the mesher put edges. No cap is needed: for a closed part the plane's section lies in the hull
+// of its rim.
+//
+// Leaves use only a share of the tolerance (ProtrusionOracle::setShare), which leaves merging some room. Large parts are cut in parallel by
+// oracles of their own; the division depends on the mesh alone, and so does the result. A piece that no plane divides, or that is cut too
+// deep or into too many leaves, becomes a leaf as it is: the certificate then says that it protrudes.
+//
+// Each level of recursion builds hulls of all points, O(n log n), and scores a few hundred planes on at most kRoughVertices vertices.
 #include "decompose/certified/cutting.h"
 
 #include <algorithm>
@@ -112,9 +120,11 @@ class Cutting {
   std::vector<Leaf> leaves;
 
  private:
+  /// One block. The hull that refutes a piece need not be the piece's: that of some points lies in it, and that of few vertices (`thin`) in
+  /// that. So the whole hull is built only where the smaller ones are clear of intruders, and proven only then.
   void run(Block block, int depth) {
     const std::vector<Eigen::Vector3d>& points = block.surface.vertices;
-    ConvexHull hull = roughHull(some(points));  // a part of the piece's hull: whatever refutes it refutes the whole
+    ConvexHull hull = roughHull(some(points));
     const ConvexHull thin = thinned(hull, kThin);
     const double reach = oracle_.reach(thin);
     const bool clear = !std::isinf(reach), is_last = depth >= kDeepest || isFull();
@@ -122,8 +132,9 @@ class Cutting {
       if (points.size() > kSome) hull = roughHull(points);
     };
     if (clear || is_last) complete();
-    const bool over_cap = clear && overCap(hull);
+    const bool over_cap = clear && exceedsCap(hull, options_.max_vertices);
     const auto reduced = over_cap ? std::make_shared<const ConvexHull>(reduceVertices(hull, options_.max_vertices)) : nullptr;
+    // If `thin` is the whole hull, its reach is known already.
     const bool is_asked = !reduced && points.size() <= kSome && thin.vertices.size() == hull.vertices.size();
     const bool fits = clear && (is_asked ? oracle_.fitsWithin(hull, reach) : oracle_.fits(reduced ? *reduced : hull));
     if (fits || is_last) return leaf({std::move(block), std::move(hull), fits ? reduced : nullptr});
@@ -142,10 +153,6 @@ class Cutting {
   void leaf(Leaf leaf) {
     done_.add(area(leaf.block.surface));
     leaves.push_back(std::move(leaf));
-  }
-
-  bool overCap(const ConvexHull& hull) const {
-    return options_.max_vertices > 0 && hull.vertices.size() > static_cast<std::size_t>(options_.max_vertices);
   }
 
   /// Both sides of the best plane that divides the piece; the piece alone if no plane does.

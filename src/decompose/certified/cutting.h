@@ -1,4 +1,5 @@
-// Top down: cuts a mesh's surface by planes until every piece's hull stays within the tolerance.
+// Top down: cuts a mesh's surface by planes until every piece's hull fits, i.e. protrudes no further than the tolerance. The pieces are the
+// leaves of the hierarchy that merging.h builds.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,9 @@
-// For each direction: raise a plane to where the area below it just exceeds the best so far. If the hull of what is below stays within the
-// tolerance, raise the plane further, by bisection, as long as it does.
+// For each of 18 directions: raise a plane to where the area below it just exceeds the best so far (bisection on the area, no hull needed).
+// If the hull of what is below very likely fits, raise the plane further, by bisection on the hull, as long as it does.
+//
+// Why: a score sees one cut, and its best cut may spoil the large convex body that one hull could have taken. This finds such bodies by
+// brute force. It pays only where few hulls are left to argue about, so it is one way to cut among several, not the rule.
+// O(n) for each area and O(n log n) for each hull of n vertices; at most 20 areas and 9 hulls per direction.
 #include "decompose/certified/largest_side.h"
 
 #include <algorithm>

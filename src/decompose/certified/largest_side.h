@@ -1,4 +1,5 @@
-// A cut that finishes one side: as much of a piece as one hull can take, from the outside inward.
+// A cut that finishes one side: as much of a piece as one hull can take, from the outside inward. *Below* a plane is where its normal does
+// not point.
 #pragma once
 
 #include <optional>

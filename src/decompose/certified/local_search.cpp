@@ -1,8 +1,17 @@
-// One move dissolves a group (preferably a small one) and up to three of its neighbours. Elements that another group's hull covers anyway
-// go to that group. The rest fall into random halves, single elements or the parts of each leaf, at random, and merge again with nearby
-// groups, by a random kind of cost and with noise. The move is accepted if there are fewer groups, or as many and the sum of their squared
-// areas does not fall: large groups then grow, and small ones starve until they can be dispensed with. Proofs are expensive: only a cover
-// with fewer groups is proven, and if the proof fails the search goes back to the last proven cover.
+// Simulated starvation: fewer hulls by dissolving some and merging again.
+//
+//   while evaluations are left and the last gain is not too long ago:
+//     dissolve a group (preferably a small one) and up to three of its neighbours
+//     hand elements that another group's hull covers anyway to that group
+//     let the rest fall into random halves, single elements or the parts of each leaf, at random
+//     merge again with nearby groups, by a random kind of cost and with noise       (on trust: nothing is proven yet)
+//     accept if there are fewer groups, or as many and the sum of their squared areas does not fall
+//
+// That sum is why it works: among covers of equal number, large groups grow at the expense of small ones until one can be dispensed with.
+// Proofs are expensive: only a cover with fewer groups is proven, and if the proof fails, the search goes back to the last proven cover.
+//
+// Evaluations are counted, not seconds: the result is the same on every machine. A move costs a few dozen evaluations, most of which are
+// remembered from earlier moves (surface_groups.h). Covers grown from seeds instead were as good and slower.
 #include "decompose/certified/local_search.h"
 
 #include <algorithm>
@@ -162,19 +171,17 @@ Cover improved(Cover cover, SurfaceGroups& groups, const SearchOptions& options,
     progress(static_cast<double>(made) / static_cast<double>(options.evaluations));
     ++idle;
     Cover next = search.moved(current);
-    const bool fewer = next.size() < cover.size();
-    if (!fewer && (next.size() > cover.size() || squaredAreas(next) < squaredAreas(current) * (1 - kRounding))) continue;
-    if (fewer && !groups.proven(next)) {
+    if (next.size() >= cover.size()) {
+      if (next.size() == cover.size() && squaredAreas(next) >= squaredAreas(current) * (1 - kRounding)) current = std::move(next);
+    } else if (groups.proven(next)) {
+      cover = current = std::move(next);
+      idle = 0;
+      const long before = groups.evaluations();
+      if (leastPossible(cover, groups)) break;
+      first += groups.evaluations() - before;
+    } else {
       current = cover;  // some of its merges were refuted
-      continue;
     }
-    current = std::move(next);
-    if (!fewer) continue;
-    cover = current;
-    idle = 0;
-    const long before = groups.evaluations();
-    if (leastPossible(cover, groups)) break;
-    first += groups.evaluations() - before;
   }
   return cover;
 }

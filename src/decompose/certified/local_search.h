@@ -1,4 +1,5 @@
-// Fewer hulls by local search: dissolves neighbouring groups and merges them again, and keeps what is no worse.
+// Fewer hulls by local search: dissolves neighbouring groups and merges them again, and keeps what is no worse. One *evaluation* is one
+// hull built and put to the oracle; answers that are remembered cost none.
 #pragma once
 
 #include <cstdint>

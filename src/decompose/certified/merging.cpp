@@ -1,4 +1,4 @@
-// The paper's decimation, between any groups, with the true protrusion in place of ray concavity:
+// The paper's decimation (Mamou & Ghorbel 2009), between any groups, with the true protrusion in place of ray concavity:
 //
 //   queue every pair of near groups under its cost
 //   while the queue holds a pair: take the cheapest
@@ -7,17 +7,24 @@
 //     else merge them: pair the union with the others; it is apart from whatever either part is apart from
 //   then the same with pairs of distant groups, unless there are very many groups: solid may lie between them
 //
-// A hull that protrudes too far still does after it grows: what is apart stays apart. Merges may also be accepted provisionally and settled
-// afterwards: unions that are refuted fall back into their parts, and merging continues with the proven ones.
+// What is apart stays apart: the hull of a larger union contains the hull that protrudes too far. So each pair is refused at most once, and
+// its refusal is inherited. The cost is made of mean widths, which cost nothing; protrusion as the cost takes a hull and a proof for every
+// pair in the queue and was far slower, and volume alone gave more hulls.
+//
+// Merges may also be accepted on trust (Proof::kLater) and settled afterwards: unions that are refuted fall back into their parts, and
+// merging goes on with the proven ones. Few groups are merged on trust by each kind of cost, and the best outcome is settled. With many
+// groups too much of it would be refuted, so each merge is proven before it is made, by one kind of cost.
+//
+// For K groups: O(K^2) pairs, O(K^2 log K) time for the queue, and as many hulls as pairs come out on top.
 #include "decompose/certified/merging.h"
 
 #include <algorithm>
 #include <optional>
-#include <queue>
-#include <tuple>
 #include <utility>
 
+#include "base/at.h"
 #include "decompose/dice.h"
+#include "decompose/pair_queue.h"
 
 namespace collision_hulls {
 
@@ -26,13 +33,6 @@ namespace {
 constexpr std::size_t kMany = 1000;   // groups; with more, distant pairs are not tried, as time grows with their number squared
 constexpr std::size_t kSeveral = 40;  // groups; beyond this, the result of provisional merging says little about what can be proven
 constexpr double kTieBreak = 1e-3;    // as a share of the union's square, for squares that cancel out
-
-struct Pair {
-  double cost;
-  int a, b;
-
-  bool operator<(const Pair& o) const { return std::tie(cost, a, b) > std::tie(o.cost, o.a, o.b); }  // cheapest on top
-};
 
 double costOf(const Group& a, const Group& b, const MergeCost& cost) {
   const double u = a.widths.merged(b.widths).mean(), wa = a.widths.mean(), wb = b.widths.mean();
@@ -103,7 +103,6 @@ class Merging {
   ApartPairs known() const { return {apart_.begin(), apart_.begin() + static_cast<std::ptrdiff_t>(given_)}; }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   Group& group(int i) { return all_[at(i)]; }
   bool apart(int a, int b) const { return apart_[at(std::max(a, b))][at(std::min(a, b))] != 0; }
   void setApart(int a, int b) { apart_[at(std::max(a, b))][at(std::min(a, b))] = 1; }
@@ -114,11 +113,7 @@ class Merging {
   void queue(int a, int b) { queue_.push({costOf(group(a), group(b), cost_), a, b}); }
 
   void mergeQueued(Proof proof) {
-    while (!queue_.empty()) {
-      const Pair pair = queue_.top();
-      queue_.pop();
-      if (isLive(pair.a) && isLive(pair.b)) tryMerge(pair.a, pair.b, proof);
-    }
+    while (const auto pair = queue_.takeCheapest([&](int i) { return isLive(i); })) tryMerge(pair->a, pair->b, proof);
   }
 
   /// Pairs group b with the earlier ones. If b is a union, `left` and `right` are its parts.
@@ -149,7 +144,7 @@ class Merging {
   ApartPairs apart_;
   std::vector<int> live_;  // the groups of the current cover, in ascending order
   bool all_pairs_ = false;
-  std::priority_queue<Pair> queue_;
+  PairQueue queue_;
 };
 
 }  // namespace

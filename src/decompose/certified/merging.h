@@ -1,4 +1,5 @@
-// Bottom up: merges groups, cheapest first, while their common hull stays within the tolerance.
+// Bottom up: merges groups (surface_groups.h), cheapest first, while their common hull fits, i.e. protrudes no further than the tolerance.
+// Two groups are *apart* if their common hull is known not to fit.
 #pragma once
 
 #include <cstdint>

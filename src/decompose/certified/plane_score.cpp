@@ -1,5 +1,9 @@
-// A score builds the hulls of both sides of a plane and tests each intruder against the hull on its side. Hundreds of planes are scored in
-// parallel for every cut.
+// The score of a plane: the share of intruders (weighted by the volume that each stands for) that stay in the hull of their side, less a
+// reward for volume that neither hull contains and for a side without intruders. Lower is better.
+//
+// Intruders, not protrusion: the largest protrusion after a cut is often the same for every plane, as many dents remain; how many of the
+// intruders are got rid of tells planes apart. Each score builds two hulls of at most some hundred points and tests each intruder
+// against one of them; hundreds of planes are scored in parallel for each cut.
 #include "decompose/certified/plane_score.h"
 
 #include <algorithm>

@@ -1,4 +1,7 @@
 // How good a cut is: estimated on a simplified piece, because hundreds of planes are tried for each cut.
+//
+// Terms: the *sides* of a plane are the parts of a piece below and above it. An *intruder* is a point of the piece's hull outside the solid
+// by more than the tolerance; a cut should leave few of them in its sides' hulls. A side is *finished* if its hull holds none.
 #pragma once
 
 #include <utility>

@@ -1,4 +1,5 @@
-// A lower bound on the number of hulls, valid for any way of cutting the surface.
+// A lower bound on the number of hulls, valid for any way of cutting the surface. Two points are *apart* if no hull that fits can hold
+// both.
 #pragma once
 
 #include "collision_hulls/measure/solid.h"

@@ -1,6 +1,15 @@
-// Tests of increasing cost. To refute a hull: intruders remembered from earlier hulls, then a shared octree of outside distances. To prove
-// that it fits: the octree's bound if it is tight enough; else a branch and bound over the hull's surface (measure/surface_search.h) and a
-// search for pockets inside it. Intruders that prove useful move to the front.
+// Does this hull protrude further than the tolerance? Tests in order of cost; each may end the matter:
+//
+//   1. intruders remembered from earlier hulls: a hull that contains one does not fit. Useful ones move to the front;
+//   2. the octree of outside distances, shared by all hulls (measure/outside_distance.h): refutes by a point, or bounds the protrusion;
+//   3. if that bound is too coarse to prove that the hull fits: branch and bound over its surface (measure/surface_search.h);
+//   4. and a search for pockets, summits of the distance inside the hull that lie further out than anything on its surface.
+//
+// Why 2 alone will not do: the octree's cells would have to be a few hundredths of the tolerance wide, and a dense grid of distances was
+// the bottleneck of the first prototypes. Why not 3 alone: most hulls are refuted, and for that one point is enough.
+//
+// The answer that a hull fits is a proof up to the assumptions in doc/certified.md. It is not the certificate: that is computed once more,
+// from scratch, for the hulls as they are written.
 #include "decompose/certified/protrusion_oracle.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // The question that a decomposition asks over and over: does this hull protrude further than the tolerance? A hull that does not is said to
-// fit.
+// *fit*. An *intruder* is a point of a hull whose distance from the solid exceeds the tolerance: it refutes every hull that contains it.
+// The *share* is the part of the tolerance from which on points count as intruders while leaves are cut. A hull's *reach* is the octree's
+// upper bound on its protrusion; a *pocket* is a place inside a hull that is further from the solid than the hull's whole surface.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,9 @@
-// Groups are identified by a hash of their set of elements (an XOR of random keys), and everything learned about a set's hull is remembered
-// under that key: 70 to 90 % of a search's questions are repetitions. Quick answers use few, likely extreme points per element; proofs use
-// all points, and the hull with its vertices capped.
+// Groups are identified by a hash of their set of elements (an XOR of random keys, so that the key of a union is the XOR of the parts'),
+// and everything learned about a set's hull is remembered under that key: most of a search's questions are repetitions.
+//
+// Two grades of answer. Quick: the hull of few, likely extreme points per element, against remembered intruders and the octree. Proof: the
+// hull of all points, with its vertices capped as it will be written. A quick "no" is final, since the hull of some of the points lies in
+// the hull of all; a quick "yes" is on trust until proven. What was proven is kept to the last bit, so that it is what gets written.
 #include "decompose/certified/surface_groups.h"
 
 #include <algorithm>
@@ -8,6 +11,7 @@
 #include <queue>
 #include <tuple>
 
+#include "base/at.h"
 #include "base/parallel.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "decompose/dice.h"
@@ -19,10 +23,6 @@ namespace {
 constexpr double kOnPlane = 1e-9;      // as a share of the largest extent
 constexpr double kSmallest = 1e-6;     // the same: smaller pieces are not halved
 constexpr std::ptrdiff_t kAtOnce = 2;  // groups proven in parallel: if the first is refuted, work on the other is wasted
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 Eigen::Vector3d meanOf(const std::vector<Eigen::Vector3d>& points) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -171,7 +171,7 @@ ConvexHull SurfaceGroups::hullOf(const Group& group) const {
 
 ConvexHull SurfaceGroups::exactHull(const Group& group) const {
   ConvexHull hull = hullOf(group);
-  return overCap(hull) ? hull : convexHull(pointsOf(group.elements));
+  return exceedsCap(hull, max_vertices_) ? hull : convexHull(pointsOf(group.elements));
 }
 
 std::shared_ptr<const ConvexHull> SurfaceGroups::reducedHull(const Group& group) const {
@@ -182,8 +182,7 @@ std::shared_ptr<const ConvexHull> SurfaceGroups::reducedHull(const Group& group)
 
 ConvexHull SurfaceGroups::cappedHull(const Group& group) const {
   if (const auto reduced = reducedHull(group)) return *reduced;
-  ConvexHull hull = exactHull(group);
-  return overCap(hull) ? reduceVertices(hull, max_vertices_) : hull;
+  return capped(exactHull(group), max_vertices_);
 }
 
 void SurfaceGroups::ask(const std::vector<Eigen::Vector3d>& points, Known& known) {
@@ -222,10 +221,6 @@ Group SurfaceGroups::merged(const Group& a, const Group& b) {
   return both;
 }
 
-bool SurfaceGroups::overCap(const ConvexHull& hull) const {
-  return max_vertices_ > 0 && hull.vertices.size() > static_cast<std::size_t>(max_vertices_);
-}
-
 bool SurfaceGroups::needsProof(const Group& group) const {
   if (isWholeLeaf(group)) return false;
   const auto known = known_.find(group.key);
@@ -255,7 +250,7 @@ void SurfaceGroups::prove(std::vector<const Group*> groups) {
   std::vector<Candidate> candidates(groups.size());
   forEach(groups.size(), [&](std::size_t i) { candidates[i] = {hullOf(*groups[i]), false}; });
   // A capped hull contains the uncapped one: whatever refutes the latter refutes the former.
-  for (Candidate& c : candidates) c.is_reduced = overCap(c.hull) && oracle_.mayWellFit(c.hull);
+  for (Candidate& c : candidates) c.is_reduced = exceedsCap(c.hull, max_vertices_) && oracle_.mayWellFit(c.hull);
   forEach(groups.size(), [&](std::size_t i) {
     if (candidates[i].is_reduced) candidates[i].hull = reduceVertices(candidates[i].hull, max_vertices_);
   });
@@ -267,7 +262,7 @@ void SurfaceGroups::prove(std::vector<const Group*> groups) {
     known.asked = true;
     known.proven = known.may_fit = fits[i] != 0;
     if (known.may_fit && !known.hull) known.hull = groups[i]->hull;
-    known.proven = known.proven && (candidates[i].is_reduced || !overCap(candidates[i].hull));
+    known.proven = known.proven && (candidates[i].is_reduced || !exceedsCap(candidates[i].hull, max_vertices_));
     if (known.proven && candidates[i].is_reduced) known.reduced = std::make_shared<ConvexHull>(std::move(candidates[i].hull));
   }
 }

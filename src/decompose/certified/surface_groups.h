@@ -1,5 +1,6 @@
-// Who covers what: elements of the surface, groups of elements that share a hull, and a memory of which groups may share one. As in
-// protrusion_oracle.h, a hull fits if it protrudes no further than the tolerance.
+// Who covers what. An *element* is a piece of surface that is not divided further; a *group* is a set of elements covered by one hull; a
+// *cover* is a list of groups with every element in one of them. Also a memory of which groups may share a hull. As in
+// protrusion_oracle.h, a hull *fits* if it protrudes no further than the tolerance.
 #pragma once
 
 #include <cstdint>
@@ -102,7 +103,6 @@ class SurfaceGroups {
   bool isWholeLeaf(const Group& group) const;
   bool hasSolidBetween(const Group& a, const Group& b) const;
   void ask(const std::vector<Eigen::Vector3d>& points, Known& known);
-  bool overCap(const ConvexHull& hull) const;
 
   struct WholeLeaf {
     ConvexHull hull;

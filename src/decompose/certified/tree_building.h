@@ -1,4 +1,5 @@
-// From a cover to the tree of hulls above it.
+// From a cover to the tree of hulls above it: every level of detail at once. A *cut* through the tree is a set of nodes with exactly one on
+// each path from the root to a leaf (collision_hulls/decompose/hull_tree.h).
 #pragma once
 
 #include "collision_hulls/decompose/hull_tree.h"

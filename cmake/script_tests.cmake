@@ -14,6 +14,7 @@ add_script_test(without_ros test/scripts/without_ros "${CMAKE_CXX_COMPILER_LAUNC
 add_script_test(documented_options test/scripts/documented_options ${PROGRAMS_DIR}/decompose ${PROGRAMS_DIR}/fit_scene)
 add_script_test(documented_ros test/scripts/documented_ros)
 add_script_test(documents test/scripts/documents)
+add_script_test(constants test/scripts/constants)
 add_script_test(readme_commands test/scripts/readme_commands ${PROJECT_BINARY_DIR})
 add_script_test(figures test/scripts/figures_test ${PROGRAMS_DIR})
 add_script_test(benchmark test/scripts/benchmark_test ${PROGRAMS_DIR})

@@ -1,6 +1,6 @@
 // Distances are a best-first search: pairs of boxes wait in a heap by a lower bound of their distance, and the search ends once that
 // exceeds the least distance found. Links of a scene are sorted into about sqrt(n) groups of neighbours, each with a box of its own. For
-// FCL's settings, and why, see fcl_queries.cpp.
+// FCL's settings, and why, see fcl_bodies.cpp.
 #include "collision_hulls/query/boxed_model.h"
 
 #include <algorithm>

@@ -1,17 +1,68 @@
-// FCL's types behind QueryBody; for this room's files only.
+// How this room puts bodies and questions to FCL: what fcl_queries, query_body and query_model have in common. For them and for benchmarks.
 #pragma once
 
-#include <fcl/geometry/collision_geometry.h>
+#include <fcl/config.h>
+// FCL 0.6 and 0.7 agree in everything used here; 0.5 has a different Convex (plane arrays instead of a face array) and no scalar type.
+#if FCL_MAJOR_VERSION == 0 && FCL_MINOR_VERSION < 6
+#error "collision_hulls needs FCL 0.6 or newer; on Ubuntu 20.04 that is the package ros-noetic-fcl or a build from source"
+#endif
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/convex.h>
+#include <fcl/narrowphase/collision_request.h>
+#include <fcl/narrowphase/distance_request.h>
 
+#include <Eigen/Geometry>
+#include <exception>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "collision_hulls/error.h"
+#include "collision_hulls/geometry/convex_hull.h"
+#include "collision_hulls/geometry/triangle_mesh.h"
 #include "collision_hulls/query/query_body.h"
 
 namespace collision_hulls {
 
-// FCL's thresholds are absolute, so bodies are enlarged; by a power of two, so that nothing is rounded.
-constexpr double kQueryEnlarged = 1024;
-constexpr double kQueryDistanceTolerance = 1e-9;
+/// Lengths are multiplied by this for FCL, whose thresholds are absolute; a power of two, so that nothing is rounded.
+constexpr double kFclEnlarged = 1024;
+
+/// Of enlarged distances. libccd's default, 1e-6, is off by up to 5e-4 near contact.
+constexpr double kFclDistanceTolerance = 1e-9;
+
+std::vector<Eigen::Vector3d> enlarged(std::vector<Eigen::Vector3d> points, double factor = kFclEnlarged);
+Eigen::Isometry3d enlarged(Eigen::Isometry3d pose);
+
+/// A hull as FCL's Convex.
+std::shared_ptr<fcl::Convexd> fclConvex(const ConvexHull& hull, double factor = kFclEnlarged);
+
+std::vector<fcl::Triangle> fclTriangles(const std::vector<Triangle>& triangles);
+
+/// Builds FCL's tree over triangles. Throws kInternal if FCL refuses them.
+template <typename Box>
+void build(fcl::BVHModel<Box>& model, const std::vector<Eigen::Vector3d>& vertices, std::vector<fcl::Triangle> triangles,
+           double factor = kFclEnlarged) {
+  const std::size_t count = triangles.size();
+  model.beginModel(static_cast<int>(count), static_cast<int>(vertices.size()));
+  model.addSubModel(enlarged(vertices, factor), triangles);
+  triangles = {};  // FCL has its own copy, and the tree is large
+  if (model.endModel() != fcl::BVH_OK) throw Error(ErrorCode::kInternal, "FCL rejected a mesh of " + std::to_string(count) + " triangles");
+}
+
+fcl::DistanceRequestd distanceRequest(bool nearest_points);
+fcl::CollisionRequestd contactRequest();
+
+/// Returns what `query` does; turns what FCL throws into an Error.
+template <typename Query>
+auto answered(const Query& query) -> decltype(query()) {
+  try {
+    return query();
+  } catch (const std::exception& error) {
+    throw Error(ErrorCode::kInternal, std::string("FCL could not compare two bodies (") + error.what() +
+                                          "); move one of them a little, or count them as touching");
+  }
+}
 
 struct QueryBody::Impl {
   std::shared_ptr<fcl::CollisionGeometryd> geometry;

@@ -1,21 +1,9 @@
-// Which of FCL's queries are used, and which are not:
-// - Unsigned distance by libccd's GJK with a distance tolerance of 1e-9. Signed distance and penetration depth run EPA, whose asserts end
-//   the process; the other solver, GST_INDEP, is wrong for some pairs, and for most at millimetre scale. Even so, if faces of two hulls
-//   line up one answer in a hundred is wrong: it counts only if its nearest points prove it, see proved().
+// Distances with FCL's faults turned into values. For FCL's settings, and why bodies are enlarged, see fcl_bodies.cpp; beyond them:
 // - A sphere is queried as its centre, and its radius subtracted: GJK stops up to 1e-5 early on a curved body, and for a sphere that
 //   overlaps a BVH's triangle the distance is left uninitialised.
-// - Bodies are enlarged: FCL's thresholds are absolute, and libccd's GJK reports 6 % of the overlaps of millimetre cubes (in metres) as
-//   separated.
 // - Polyhedra are queried against a mesh as meshes: BVH against BVH is exact up to rounding, BVH against Convex only to 2e-5.
 #include "query/fcl_queries.h"
 
-#include <fcl/config.h>
-// FCL 0.6 and 0.7 agree in everything used here; 0.5 has a different Convex (plane arrays instead of a face array) and no scalar type.
-#if FCL_MAJOR_VERSION == 0 && FCL_MINOR_VERSION < 6
-#error "collision_hulls needs FCL 0.6 or newer; on Ubuntu 20.04 that is the package ros-noetic-fcl or a build from source"
-#endif
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/geometry/shape/convex.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/math/bv/RSS.h>
 #include <fcl/narrowphase/distance.h>
@@ -25,28 +13,20 @@
 #include <cmath>
 #include <vector>
 
-#include "collision_hulls/error.h"
+#include "query/fcl_bodies.h"
 
 namespace collision_hulls {
 
 namespace {
 
-constexpr double kDistanceTolerance = 1e-9;  // libccd's default, 1e-6, is off by up to 5e-4 near contact
-constexpr double kEnlarged = 1024;           // a power of two, so that nothing is rounded
-
-std::vector<Eigen::Vector3d> enlarged(std::vector<Eigen::Vector3d> vertices) {
-  for (Eigen::Vector3d& v : vertices) v *= kEnlarged;
-  return vertices;
-}
-
-FclAnswer ask(const fcl::CollisionGeometryd& first, const fcl::CollisionGeometryd& second, Eigen::Isometry3d pose, bool nearest_points) {
-  pose.translation() *= kEnlarged;
+FclAnswer ask(const fcl::CollisionGeometryd& first, const fcl::CollisionGeometryd& second, const Eigen::Isometry3d& pose,
+              bool nearest_points) {
   FclAnswer answer;
-  const fcl::DistanceRequestd request(nearest_points, false, 0, 0, kDistanceTolerance, fcl::GST_LIBCCD);
+  const fcl::DistanceRequestd request = distanceRequest(nearest_points);
   fcl::DistanceResultd result;
   const auto start = std::chrono::steady_clock::now();
   try {
-    fcl::distance(&first, fcl::Transform3d::Identity(), &second, pose, request, result);
+    fcl::distance(&first, fcl::Transform3d::Identity(), &second, enlarged(pose), request, result);
   } catch (const std::exception& error) {
     answer.status = FclAnswer::Status::kException;
     answer.error = error.what();
@@ -54,10 +34,10 @@ FclAnswer ask(const fcl::CollisionGeometryd& first, const fcl::CollisionGeometry
   answer.microseconds = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
   if (answer.status == FclAnswer::Status::kException) return answer;
   if (std::isnan(result.min_distance)) answer.status = FclAnswer::Status::kNan;
-  answer.distance = std::max(0.0, result.min_distance) / kEnlarged;
+  answer.distance = std::max(0.0, result.min_distance) / kFclEnlarged;
   if (nearest_points) {
-    answer.on_first = result.nearest_points[0] / kEnlarged;
-    answer.on_second = result.nearest_points[1] / kEnlarged;
+    answer.on_first = result.nearest_points[0] / kFclEnlarged;
+    answer.on_second = result.nearest_points[1] / kFclEnlarged;
   }
   return answer;
 }
@@ -76,7 +56,7 @@ class BoxFitter : public fcl::detail::BVFitterBase<fcl::RSSd> {
     boxes_.reserve(mesh.triangles.size());
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
       const Eigen::Vector3d &a = mesh.corner(t, 0), &b = mesh.corner(t, 1), &c = mesh.corner(t, 2);
-      boxes_.emplace_back(kEnlarged * a.cwiseMin(b).cwiseMin(c), kEnlarged * a.cwiseMax(b).cwiseMax(c));
+      boxes_.emplace_back(kFclEnlarged * a.cwiseMin(b).cwiseMin(c), kFclEnlarged * a.cwiseMax(b).cwiseMax(c));
     }
   }
   void set(Eigen::Vector3d*, fcl::Triangle*, fcl::BVHModelType) override {}
@@ -114,15 +94,7 @@ struct FclMesh::Impl {
 FclMesh::FclMesh(const TriangleMesh& mesh) : impl_(std::make_unique<Impl>()) {
   if (mesh.triangles.empty()) return;
   impl_->model.bv_fitter = std::make_shared<BoxFitter>(mesh);
-  impl_->model.beginModel(static_cast<int>(mesh.triangles.size()), static_cast<int>(mesh.vertices.size()));
-  {
-    std::vector<fcl::Triangle> triangles;
-    for (const Triangle& t : mesh.triangles)
-      triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2]));
-    impl_->model.addSubModel(enlarged(mesh.vertices), triangles);
-  }
-  if (impl_->model.endModel() != fcl::BVH_OK)
-    throw Error(ErrorCode::kInternal, "FCL rejected a mesh of " + std::to_string(mesh.triangles.size()) + " triangles");
+  build(impl_->model, mesh.vertices, fclTriangles(mesh.triangles));
 }
 
 FclMesh::~FclMesh() = default;
@@ -133,16 +105,10 @@ bool FclMesh::empty() const {
 }
 
 struct FclHull::Impl {
-  std::unique_ptr<fcl::Convexd> convex;
+  std::shared_ptr<const fcl::Convexd> convex;
 };
 
-FclHull::FclHull(const ConvexHull& hull) : impl_(std::make_unique<Impl>()) {
-  // FCL's face array: for each face its number of vertices, followed by their indices counter-clockwise.
-  const auto faces = std::make_shared<std::vector<int>>();
-  for (const Triangle& t : hull.triangles) faces->insert(faces->end(), {3, t[0], t[1], t[2]});
-  const auto vertices = std::make_shared<std::vector<Eigen::Vector3d>>(enlarged(hull.vertices));
-  impl_->convex = std::make_unique<fcl::Convexd>(vertices, static_cast<int>(hull.triangles.size()), faces);
-}
+FclHull::FclHull(const ConvexHull& hull) : impl_(std::make_unique<Impl>(Impl{fclConvex(hull)})) {}
 
 FclHull::~FclHull() = default;
 FclHull::FclHull(FclHull&&) noexcept = default;
@@ -153,7 +119,7 @@ FclAnswer fclDistance(const FclMesh& mesh, const Eigen::Vector3d& point) {
 
 FclAnswer fclDistance(const FclHull& hull, const Eigen::Vector3d& point) {
   const std::vector<Eigen::Vector3d>& vertices = hull.impl().convex->getVertices();
-  const bool is_vertex = std::find(vertices.begin(), vertices.end(), kEnlarged * point) != vertices.end();
+  const bool is_vertex = std::find(vertices.begin(), vertices.end(), kFclEnlarged * point) != vertices.end();
   if (is_vertex) return {};  // otherwise one of FCL's asserts would end the process
   return askPoint(*hull.impl().convex, point);
 }

@@ -1,10 +1,8 @@
-// Wraps FCL's narrow phase. For the settings, and why bodies are enlarged, see fcl_queries.cpp. apart() is the separating-axis test for
+// Wraps FCL's narrow phase. For its settings, and why bodies are enlarged, see fcl_bodies.cpp. apart() is the separating-axis test for
 // oriented boxes (Gottschalk et al. 1996).
 #include "collision_hulls/query/query_body.h"
 
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/box.h>
-#include <fcl/geometry/shape/convex.h>
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/math/bv/OBBRSS.h>
@@ -20,23 +18,11 @@
 namespace collision_hulls {
 namespace {
 
-std::vector<Eigen::Vector3d> enlarged(std::vector<Eigen::Vector3d> vertices) {
-  for (Eigen::Vector3d& v : vertices) v *= kQueryEnlarged;
-  return vertices;
-}
-
-Eigen::Isometry3d enlarged(Eigen::Isometry3d pose) {
-  pose.translation() *= kQueryEnlarged;
-  return pose;
-}
-
-std::vector<fcl::Triangle> trianglesWithArea(const TriangleMesh& mesh) {
-  std::vector<fcl::Triangle> triangles;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const Triangle& t = mesh.triangles[i];
-    const Eigen::Vector3d &a = mesh.corner(static_cast<int>(i), 0), u = mesh.corner(static_cast<int>(i), 1) - a;
-    if (u.cross(mesh.corner(static_cast<int>(i), 2) - a).isZero(0)) continue;
-    triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2]));
+std::vector<Triangle> withArea(const TriangleMesh& mesh) {
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i) {
+    const Eigen::Vector3d &a = mesh.corner(i, 0), u = mesh.corner(i, 1) - a;
+    if (!u.cross(mesh.corner(i, 2) - a).isZero(0)) triangles.push_back(mesh.triangles[static_cast<std::size_t>(i)]);
   }
   return triangles;
 }
@@ -46,7 +32,7 @@ const fcl::CollisionGeometryd* geometry(const QueryBody& body) {
 }
 
 std::shared_ptr<fcl::CollisionGeometryd> geometryOf(const QueryShape& shape) {
-  const Eigen::Vector3d size = kQueryEnlarged * shape.size;
+  const Eigen::Vector3d size = kFclEnlarged * shape.size;
   if (shape.kind == QueryShape::Kind::kSphere) return std::make_shared<fcl::Sphered>(size.x());
   if (shape.kind == QueryShape::Kind::kCylinder) return std::make_shared<fcl::Cylinderd>(size.x(), size.y());
   return std::make_shared<fcl::Boxd>(size);
@@ -62,42 +48,38 @@ Eigen::Vector3d halfSides(const QueryShape& shape) {
 
 }  // namespace
 
-QueryBody::QueryBody(const ConvexHull& hull) : box_(boundingBox(hull)), corners_(hull.vertices.size()) {
-  const auto faces = std::make_shared<std::vector<int>>();
-  for (const Triangle& t : hull.triangles) faces->insert(faces->end(), {3, t[0], t[1], t[2]});
-  const auto vertices = std::make_shared<std::vector<Eigen::Vector3d>>(enlarged(hull.vertices));
-  impl_ = std::make_shared<const Impl>(Impl{std::make_shared<fcl::Convexd>(vertices, static_cast<int>(hull.triangles.size()), faces)});
-}
+QueryBody::QueryBody(const ConvexHull& hull)
+    : impl_(std::make_shared<const Impl>(Impl{fclConvex(hull)})), box_(boundingBox(hull)), corners_(hull.vertices.size()) {}
 
 QueryBody::QueryBody(const QueryShape& shape, const Eigen::Isometry3d& origin)
     : impl_(std::make_shared<const Impl>(Impl{geometryOf(shape), origin})), box_(placed({-halfSides(shape), halfSides(shape)}, origin)) {}
 
 QueryBody::QueryBody(const TriangleMesh& mesh) : box_(boundingBox(mesh)) {
-  const std::vector<fcl::Triangle> triangles = trianglesWithArea(mesh);
+  const std::vector<Triangle> triangles = withArea(mesh);
   if (triangles.empty()) return;
   const auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
-  model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(mesh.vertices.size()));
-  model->addSubModel(enlarged(mesh.vertices), triangles);
-  model->endModel();
+  build(*model, mesh.vertices, fclTriangles(triangles));
   impl_ = std::make_shared<const Impl>(Impl{model});
 }
 
 bool touch(const QueryBody& first, const QueryBody& second, const Eigen::Isometry3d& pose) {
   if (first.empty() || second.empty()) return false;
-  fcl::CollisionRequestd request(1, false);
-  request.gjk_solver_type = fcl::GST_LIBCCD;
   fcl::CollisionResultd result;
-  return fcl::collide(geometry(first), enlarged(first.impl()->origin), geometry(second), enlarged(pose * second.impl()->origin), request,
-                      result) > 0;
+  return answered([&] {
+    return fcl::collide(geometry(first), enlarged(first.impl()->origin), geometry(second), enlarged(pose * second.impl()->origin),
+                        contactRequest(), result) > 0;
+  });
 }
 
 double distanceBelow(double limit, const QueryBody& first, const QueryBody& second, const Eigen::Isometry3d& pose) {
   if (first.empty() || second.empty()) return limit;
-  const fcl::DistanceRequestd request(false, false, 0, 0, kQueryDistanceTolerance, fcl::GST_LIBCCD);
   fcl::DistanceResultd result;
-  result.min_distance = kQueryEnlarged * limit;  // FCL skips branches that are further away
-  fcl::distance(geometry(first), enlarged(first.impl()->origin), geometry(second), enlarged(pose * second.impl()->origin), request, result);
-  return std::clamp(result.min_distance / kQueryEnlarged, 0.0, limit);
+  result.min_distance = kFclEnlarged * limit;  // FCL skips branches that are further away
+  answered([&] {
+    fcl::distance(geometry(first), enlarged(first.impl()->origin), geometry(second), enlarged(pose * second.impl()->origin),
+                  distanceRequest(false), result);
+  });
+  return std::clamp(result.min_distance / kFclEnlarged, 0.0, limit);
 }
 
 Eigen::AlignedBox3d placed(const Eigen::AlignedBox3d& box, const Eigen::Isometry3d& pose) {

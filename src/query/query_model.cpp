@@ -1,4 +1,4 @@
-// Uses FCL's broad phase as MoveIt does. For the settings, and why bodies are enlarged, see fcl_queries.cpp.
+// Uses FCL's broad phase as MoveIt does. For the settings, and why bodies are enlarged, see fcl_bodies.cpp.
 #include "query/query_model.h"
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
@@ -43,10 +43,8 @@ bool isIgnored(const Search& search, const Object* a, const Object* b) {
 bool collidePair(Object* a, Object* b, void* data) {
   Search& search = *static_cast<Search*>(data);
   if (isIgnored(search, a, b)) return false;
-  fcl::CollisionRequestd request(1, false);
-  request.gjk_solver_type = fcl::GST_LIBCCD;
   fcl::CollisionResultd result;
-  if (fcl::collide(a, b, request, result) > 0) search.pairs.insert(std::minmax(linkOf(a), linkOf(b)));
+  if (answered([&] { return fcl::collide(a, b, contactRequest(), result); }) > 0) search.pairs.insert(std::minmax(linkOf(a), linkOf(b)));
   return !search.all && !search.pairs.empty();
 }
 
@@ -75,9 +73,7 @@ void QueryModel::add(std::size_t link, const QueryBody& body, const Eigen::Isome
 void QueryModel::place(const std::vector<Eigen::Isometry3d>& links) {
   for (const std::unique_ptr<Object>& object : impl_->objects) {
     const Seat& seat = seatOf(object.get());
-    Eigen::Isometry3d pose = links[seat.link] * seat.origin;
-    pose.translation() *= kQueryEnlarged;
-    object->setTransform(pose);
+    object->setTransform(enlarged(links[seat.link] * seat.origin));
     object->computeAABB();
   }
   if (impl_->tree.empty()) {

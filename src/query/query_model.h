@@ -12,8 +12,8 @@
 
 namespace collision_hulls {
 
-/// Bodies carried by links, see query_body.h. FCL is queried in the settings of fcl_queries.h. Queries on two models compare all bodies of
-/// one with all bodies of the other. Not thread safe.
+/// Bodies carried by links, see query_body.h. FCL is queried in the settings of fcl_bodies.cpp. Queries on two models compare all bodies of
+/// one with all bodies of the other. Not thread safe. Queries throw kInternal where FCL throws.
 class QueryModel {
  public:
   QueryModel();

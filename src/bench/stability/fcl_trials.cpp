@@ -1,8 +1,6 @@
 // Runs one of FCL's queries as a user would write it, or as the validator does, and compares the answer with the true signed distance.
 #include "bench/stability/fcl_trials.h"
 
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/geometry/shape/convex.h>
 #include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
@@ -11,6 +9,7 @@
 #include <cmath>
 #include <memory>
 
+#include "query/fcl_bodies.h"
 #include "query/fcl_queries.h"
 
 namespace collision_hulls {
@@ -20,23 +19,15 @@ namespace {
 using Query = FclSetting::Query;
 using Bodies = FclSetting::Bodies;
 using Solver = FclSetting::Solver;
-using Geometry = std::unique_ptr<fcl::CollisionGeometryd>;
+using Geometry = std::shared_ptr<const fcl::CollisionGeometryd>;
 
 Geometry convexOf(const ConvexHull& hull) {
-  const auto faces = std::make_shared<std::vector<int>>();
-  for (const Triangle& t : hull.triangles) faces->insert(faces->end(), {3, t[0], t[1], t[2]});
-  return std::make_unique<fcl::Convexd>(std::make_shared<std::vector<Eigen::Vector3d>>(hull.vertices),
-                                        static_cast<int>(hull.triangles.size()), faces);
+  return fclConvex(hull, 1);
 }
 
 Geometry bvhOf(const ConvexHull& hull) {
-  auto model = std::make_unique<fcl::BVHModel<fcl::OBBRSSd>>();
-  std::vector<fcl::Triangle> triangles;
-  for (const Triangle& t : hull.triangles)
-    triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2]));
-  model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(hull.vertices.size()));
-  model->addSubModel(hull.vertices, triangles);
-  model->endModel();
+  const auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
+  build(*model, hull.vertices, fclTriangles(hull.triangles), 1);
   return model;
 }
 

@@ -15,6 +15,7 @@ add_script_test(documented_options test/scripts/documented_options ${PROGRAMS_DI
 add_script_test(documented_ros test/scripts/documented_ros)
 add_script_test(documents test/scripts/documents)
 add_script_test(constants test/scripts/constants)
+add_script_test(doc test/scripts/doc ${PROJECT_BINARY_DIR})
 add_script_test(readme_commands test/scripts/readme_commands ${PROJECT_BINARY_DIR})
 add_script_test(figures test/scripts/figures_test ${PROGRAMS_DIR})
 add_script_test(benchmark test/scripts/benchmark_test ${PROGRAMS_DIR})

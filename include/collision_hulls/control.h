@@ -1,4 +1,11 @@
 // How a caller follows and cancels a long computation.
+//
+// For example:
+//
+//     RunControl control;
+//     control.progress = [](double done) { std::cerr << 100 * done << " %\r"; };
+//     std::thread stop([&] { std::cin.get(), control.cancel(); });
+//     const ConvexHull hull = convexHull(points, control);  // throws kCancelled
 #pragma once
 
 #include <atomic>

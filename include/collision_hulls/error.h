@@ -1,4 +1,13 @@
 // The library's errors: a code for programs to act on and a text for people.
+//
+// For example:
+//
+//     try {
+//       readMesh(file);
+//     } catch (const Error& error) {
+//       if (error.code() == ErrorCode::kFileNotFound) return;
+//       std::cerr << error.what() << '\n';
+//     }
 #pragma once
 
 #include <stdexcept>

@@ -1,4 +1,9 @@
-// Evidence by queries: compares the original with its hulls through FCL's collision and distance queries. No other room sees FCL.
+// Evidence by queries: compares the original with its hulls through FCL's collision and distance queries.
+//
+// For example:
+//
+//     const Validation seen = validate({{"cup", mesh, hulls, bound}}, {});
+//     if (seen.missed + seen.phantom > 0) std::cerr << seen.remarks.front() << '\n';
 #pragma once
 
 #include <Eigen/Geometry>

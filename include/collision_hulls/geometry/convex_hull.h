@@ -2,6 +2,12 @@
 //
 // The guarantee: every hull is measured against the points it was built from, and its planes are moved outward until each point lies
 // within all of them. A hull is closed, faces outward, is convex up to `slack`, and is no thicker than a body has to be.
+//
+// For example:
+//
+//     const ConvexHull hull = convexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+//     const double sixth = volume(hull);            // [m^3]
+//     const double gap = distance(hull, {1, 1, 1});  // [m] 2 / sqrt(3)
 #pragma once
 
 #include <Eigen/Geometry>

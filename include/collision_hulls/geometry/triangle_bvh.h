@@ -1,4 +1,10 @@
 // Distance queries and inside-outside tests on a bounding-volume hierarchy of triangles.
+//
+// For example:
+//
+//     const TriangleBvh tree(mesh);
+//     const double away = tree.nearest(p).distance;  // [m]
+//     const bool inside = tree.windingNumber(p) > 0.5;
 #pragma once
 
 #include <Eigen/Geometry>

@@ -1,4 +1,10 @@
 // Reading and writing mesh files. No other room sees Assimp.
+//
+// For example:
+//
+//     const LoadedMesh part = readMesh("part.dae");  // [m], as rviz shows it
+//     const ConvexHull hull = convexHull(part.mesh.vertices);
+//     std::ofstream("part.stl", std::ios::binary) << encodeHull(hull, MeshFormat::kStl, "part");
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,9 @@
 // From a mesh as read to a mesh with topology: weld, drop degenerate and duplicate triangles, orient, count.
+//
+// For example:
+//
+//     const RepairedMesh part = repair(mesh);
+//     if (part.counts.open_edges > 0) std::cout << "not closed: " << name(interiorOf(part)) << '\n';
 #pragma once
 
 #include <array>
@@ -30,7 +35,7 @@ struct RepairCounts {
 /// How to tell the inside of a component.
 enum class Interior {
   kClosed,   ///< no open edge except on fins: the inside is what the surface encloses
-  kWinding,  ///< small openings: the inside is where the generalized winding number clearly exceeds 1/2 (see check/solid.h)
+  kWinding,  ///< small openings: the inside is where the generalized winding number clearly exceeds 1/2 (see measure/solid.h)
   kSurface   ///< a sheet: it has no inside, and the solid is the surface alone
 };
 const char* name(Interior interior);  ///< "closed", "winding", "surface"

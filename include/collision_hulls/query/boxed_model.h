@@ -1,4 +1,14 @@
 // A robot or a scene as a planner may hold it: compares boxes around links first, then boxes around their bodies, and queries FCL last.
+//
+// For example:
+//
+//     BoxedModel robot, scene;
+//     for (const ConvexHull& hull : hulls) robot.add(0, QueryBody(hull));
+//     scene.add(1, QueryBody(mesh));
+//     robot.place({pose, Eigen::Isometry3d::Identity()});  // of links 0 and 1
+//     scene.place({pose, Eigen::Isometry3d::Identity()});
+//     const bool free = !robot.collides(scene);
+//     const double gap = robot.distance(scene, 0.1);  // [m], 0.1 if further apart
 #pragma once
 
 #include <Eigen/Geometry>
@@ -50,7 +60,7 @@ class BoxedModel {
   /// link has no pose, kNonFiniteCoordinate.
   void place(const std::vector<Eigen::Isometry3d>& links);
 
-  // Queries throw kInternal if bodies were added but not placed.
+  // Queries throw kInternal if bodies were added but not placed, and where FCL throws.
 
   bool collides();  ///< between two of its own links
   /// [m] Between two of its own links; 0 in contact, and `limit` if they are no closer than that. The smaller the limit, the faster.

@@ -1,4 +1,10 @@
 // Proves, by branch and bound, which pairs of bodies can never come near each other, whatever the joints do.
+//
+// For example:
+//
+//     const ReachProver prover(kinematics, hull_of_each_link, scene);
+//     const Reach reach = prover.betweenLinkAndBody(3, 0, 0.01);  // within 1 cm?
+//     const bool never = reach.outcome == Reach::Outcome::kProved;
 #pragma once
 
 #include <cstddef>

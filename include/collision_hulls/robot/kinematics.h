@@ -1,4 +1,10 @@
 // Forward kinematics: where the links of a robot are when its joints have given values.
+//
+// For example:
+//
+//     const Kinematics kinematics(robot);
+//     const Configuration bent = kinematics.configuration({{"elbow", 0.5}});  // [rad]
+//     const Eigen::Isometry3d hand = kinematics.poses(bent).back();           // of the last link
 #pragma once
 
 #include <Eigen/Geometry>

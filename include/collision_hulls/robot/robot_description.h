@@ -1,4 +1,12 @@
 // Robot descriptions in and out. The only room that sees urdfdom and tinyxml2.
+//
+// For example:
+//
+//     const RobotDescription robot = readRobotDescription("arm.urdf");
+//     const PackageFinder find_package = defaultPackageFinder(robot.path);
+//     for (const GeometryElement& element : robot.links.front().visuals)
+//       if (element.kind == GeometryElement::Kind::kMesh)
+//         std::cout << resolveUri(element.uri, robot.path, find_package) << '\n';
 #pragma once
 
 #include <Eigen/Geometry>

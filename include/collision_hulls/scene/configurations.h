@@ -1,4 +1,10 @@
 // Robot configurations: samples from the joints' whole ranges, or configurations read from a file.
+//
+// For example:
+//
+//     const ConfigurationSequence sample(kinematics);
+//     for (std::uint64_t i = 0; i < 1000; ++i) kinematics.poses(sample(i));
+//     const ConfigurationSet path = readConfigurations("path.csv", kinematics);
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,11 @@
 // A robot's surroundings: static bodies, read from the usual scene formats.
+//
+// For example:
+//
+//     Scene scene = readScene("cell.yaml", defaultPackageFinder());
+//     SceneBody crate{"crate", boxShape({0.4, 0.3, 0.2})};  // [m]
+//     crate.pose.translation() = Eigen::Vector3d(0.6, 0, 0.1);
+//     addBody(scene, crate);
 #pragma once
 
 #include <Eigen/Geometry>

@@ -1,4 +1,9 @@
 // Pairs of links that self-collision checking skips, as SRDF stores them and MoveIt's Setup Assistant writes them.
+//
+// For example:
+//
+//     const DisabledPairs disabled = readDisabledPairs("arm.srdf", robot);
+//     for (const DisabledPair& pair : disabled.pairs) std::cout << pair.link1 << ' ' << pair.link2 << '\n';
 #pragma once
 
 #include <string>

@@ -15,8 +15,8 @@
 
 namespace collision_hulls {
 
-/// Passed down by reference through every long-running stage. Thread safe: cancel() and the stages may run on different threads. Any of
-/// those threads may call `progress`, but only one at a time.
+/// Passed down by reference through every long-running stage. Thread safe: cancel() and the stages
+/// may run on different threads. Any of those threads may call `progress`, but only one at a time.
 struct RunControl {
   /// Called with the share of the work done so far, in [0, 1]; never decreases. May be empty.
   std::function<void(double fraction)> progress;
@@ -24,7 +24,9 @@ struct RunControl {
   const RunControl* whole = nullptr;
 
   void cancel() const { cancelled_.store(true); }
-  bool cancelled() const { return cancelled_.load(std::memory_order_relaxed) || (whole && whole->cancelled()); }
+  bool cancelled() const {
+    return cancelled_.load(std::memory_order_relaxed) || (whole && whole->cancelled());
+  }
   /// Throws Error(kCancelled) after cancel(). Stages call this at least every 0.1 s.
   void check() const {
     if (cancelled()) throw Error(ErrorCode::kCancelled, "cancelled by the caller");

@@ -1,16 +1,22 @@
-// Fits a collision model to a scene: the coarsest cut through each mesh's hull tree that changes no answer.
+// Fits a collision model to a scene: the coarsest cut through each mesh's hull tree that changes no
+// answer.
 //
-// A model is adequate for a clearance c if it is free in every configuration in which the original robot keeps at least c from the scene
-// and from itself. Every cut covers its mesh, so no model misses a collision; a coarse one has phantoms.
+// A model is adequate for a clearance c if it is free in every configuration in which the original
+// robot keeps at least c from the scene and from itself. Every cut covers its mesh, so no model
+// misses a collision; a coarse one has phantoms.
 //
-//   1. prove which pairs of bodies can never come within c of each other; leave out the pairs that self-collision checking skips
+//   1. prove which pairs of bodies can never come within c of each other; leave out the pairs that
+//      self-collision checking skips
 //   2. start with one hull per mesh: the root of its tree
-//   3. sample configurations: where the model collides though the original is clear, open tree nodes (replace them by their children),
-//      the cheapest cure first, until the model is free
-//   4. cure all counterexamples again from the roots, close every node (the reverse) that can stay closed, and keep the smaller result
-//   5. replace each hull by the cheapest primitive that encloses it, a sphere, box or cylinder; take back each primitive that collides in
-//      a sample in which the hulls do not, whatever the original's distance there, so that primitives add neither bodies nor false hits
-//   6. before step 5 and again after it: draw fresh samples, and open or take back, until a whole batch shows nothing that can be cured
+//   3. sample configurations: where the model collides though the original is clear, open tree
+//      nodes (replace them by their children), the cheapest cure first, until the model is free
+//   4. cure all counterexamples again from the roots, close every node (the reverse) that can stay
+//      closed, and keep the smaller result
+//   5. replace each hull by the cheapest primitive that encloses it, a sphere, box or cylinder;
+//      take back each primitive that collides in a sample in which the hulls do not, whatever the
+//      original's distance there, so that primitives add neither bodies nor false hits
+//   6. before step 5 and again after it: draw fresh samples, and open or take back, until a whole
+//      batch shows nothing that can be cured
 #pragma once
 
 #include <Eigen/Geometry>
@@ -59,8 +65,9 @@ struct FitProblem {
   std::vector<FitElement> elements;
   std::vector<KeptBody> kept;
   Scene scene;
-  std::vector<DisabledPair> disabled;         ///< pairs of links that are not checked
-  std::vector<Configuration> configurations;  ///< to fit to; empty: samples from the joints' whole ranges
+  std::vector<DisabledPair> disabled;  ///< pairs of links that are not checked
+  /// to fit to; empty: samples from the joints' whole ranges
+  std::vector<Configuration> configurations;
 };
 
 struct FitOptions {
@@ -76,10 +83,13 @@ void check(const FitOptions& options);
 
 /// The fitted model of an element.
 struct FittedElement {
-  std::vector<int> cut;                     ///< nodes of its tree, ascending; nodes that a primitive replaces come last
-  std::vector<ConvexHull> hulls;            ///< one per node of the cut, as written; together they cover the mesh. Where a primitive
-                                            ///< replaces the node: a polyhedron around it
-  std::vector<GeometryElement> primitives;  ///< for the last nodes of the cut, in the mesh's frame, exactly as they will be written
+  /// nodes of its tree, ascending; nodes that a primitive replaces come last
+  std::vector<int> cut;
+  /// one per node of the cut, as written; together they cover the mesh. Where a primitive replaces
+  /// the node: a polyhedron around it
+  std::vector<ConvexHull> hulls;
+  /// for the last nodes of the cut, in the mesh's frame, exactly as they will be written
+  std::vector<GeometryElement> primitives;
 };
 
 struct FittedLink {
@@ -112,38 +122,51 @@ struct ModelRow {
   std::string model;
   double tolerance = 0;  ///< [m] of a uniform cut
   std::size_t hulls = 0, vertices = 0;
-  std::size_t clear = 0, phantom = 0;        ///< samples in which the original keeps its clearance; of these, the model collides
-  std::size_t free = 0, false_hits = 0;      ///< samples in which the original does not collide; of these, the model does
-  std::size_t missed = 0;                    ///< samples in which the original collides and the model does not
+  /// samples in which the original keeps its clearance; of these, the model collides
+  std::size_t clear = 0, phantom = 0;
+  /// samples in which the original does not collide; of these, the model does
+  std::size_t free = 0, false_hits = 0;
+  /// samples in which the original collides and the model does not
+  std::size_t missed = 0;
   double collision_us = 0, distance_us = 0;  ///< [us] per query, with a BoxedModel on one thread
   double tree_us = 0;                        ///< collision_us with FCL's dynamic trees
-  double close_us = 0;                       ///< collision_us where the original is free but nearer than the clearance; 0: nowhere
+  /// collision_us where the original is free but nearer than the clearance; 0: nowhere
+  double close_us = 0;
 };
 
-/// What is known about a fitted model. Rates are shares of configurations, over the pairs that are checked.
+/// What is known about a fitted model. Rates are shares of configurations, over the pairs that are
+/// checked.
 struct FitReport {
   std::string scene;
-  double clearance = 0;             ///< [m]
-  std::size_t samples = 0;          ///< for verification; not used for fitting, unless the configurations were given
+  double clearance = 0;  ///< [m]
+  /// for verification; not used for fitting, unless the configurations were given
+  std::size_t samples = 0;
   bool given = false;               ///< the configurations were given
   std::size_t asked = 0;            ///< samples evaluated while fitting
   std::size_t counterexamples = 0;  ///< found and cured
   std::size_t original_hits = 0;    ///< samples in which the original collides
   std::size_t model_hits = 0;       ///< samples in which the model collides
-  std::size_t missed = 0;           ///< samples in which the original collides and the model does not: must be 0
-  std::size_t phantom = 0;          ///< samples in which the model collides though the original keeps its clearance
-  double phantom_rate_bound = 0;    ///< upper bound over all configurations, at 95 % confidence; 0 if the configurations were given
-  std::size_t leaf_contacts = 0;    ///< counterexamples that even the finest hulls of the trees do not cure
-  std::string leaf_contact;         ///< the first of them
+  /// samples in which the original collides and the model does not: must be 0
+  std::size_t missed = 0;
+  /// samples in which the model collides though the original keeps its clearance
+  std::size_t phantom = 0;
+  /// upper bound over all configurations, at 95 % confidence; 0 if the configurations were given
+  double phantom_rate_bound = 0;
+  /// counterexamples that even the finest hulls of the trees do not cure
+  std::size_t leaf_contacts = 0;
+  std::string leaf_contact;  ///< the first of them
   std::size_t pairs = 0, proved_pairs = 0;
-  double query_us = 0, original_query_us = 0;        ///< [us] to decide whether a configuration is free, with a BoxedModel on one
-                                                     ///< thread; skips the pairs of links that are proved apart, as the written
-                                                     ///< SRDF does
+  /// [us] to decide whether a configuration is free, with a BoxedModel on one thread; skips the
+  /// pairs of links that are proved apart, as the written SRDF does
+  double query_us = 0, original_query_us = 0;
   double distance_us = 0, original_distance_us = 0;  ///< [us] to compute the distance to contact
-  std::size_t hulls = 0, full_hulls = 0;             ///< of the model, primitives included; leaves of all trees
-  std::size_t primitives = 0;                        ///< of the model
-  std::string scene_contact;                         ///< where the original at rest collides with the scene; empty: nowhere
-  std::size_t scene_hits = 0;                        ///< samples in which the original collides with the scene
+  /// of the model, primitives included; leaves of all trees
+  std::size_t hulls = 0, full_hulls = 0;
+  std::size_t primitives = 0;  ///< of the model
+  /// where the original at rest collides with the scene; empty: nowhere
+  std::string scene_contact;
+  /// samples in which the original collides with the scene
+  std::size_t scene_hits = 0;
   std::vector<FittedLink> links;
   std::vector<LeftOutPair> left_out;
   std::vector<PairHits> self;  ///< pairs of links that have a phantom before or after
@@ -158,7 +181,9 @@ struct SceneFit {
   FitReport report;
 };
 
-/// Deterministic except for the times, whatever the number of threads. Throws kBadOption, kCancelled.
-SceneFit fitScene(const FitProblem& problem, const FitOptions& options, const RunControl& control = {});
+/// Deterministic except for the times, whatever the number of threads. Throws kBadOption,
+/// kCancelled.
+SceneFit fitScene(const FitProblem& problem, const FitOptions& options,
+                  const RunControl& control = {});
 
 }  // namespace collision_hulls

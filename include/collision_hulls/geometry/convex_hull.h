@@ -1,7 +1,8 @@
 // Convex hulls of point sets: quickhull for points in general position, Qhull for the rest.
 //
-// The guarantee: every hull is measured against the points it was built from, and its planes are moved outward until each point lies
-// within all of them. A hull is closed, faces outward, is convex up to `slack`, and is no thicker than a body has to be.
+// The guarantee: every hull is measured against the points it was built from, and its planes are
+// moved outward until each point lies within all of them. A hull is closed, faces outward, is
+// convex up to `slack`, and is no thicker than a body has to be.
 //
 // For example:
 //
@@ -22,22 +23,27 @@ namespace collision_hulls {
 struct HalfSpace {
   Eigen::Vector3d normal;
   double offset = 0;
-  double distance(const Eigen::Vector3d& p) const { return normal.dot(p) - offset; }  ///< > 0 outside
+  /// > 0 outside
+  double distance(const Eigen::Vector3d& p) const { return normal.dot(p) - offset; }
 };
 
 /// A convex polyhedron: vertices, outward triangles, and the half-spaces of its (merged) faces.
 struct ConvexHull {
   std::vector<Eigen::Vector3d> vertices;  ///< extreme points [m], each used by some triangle
   std::vector<Triangle> triangles;        ///< closed, outward; 2 * vertices - 4 of them
-  std::vector<HalfSpace> faces;           ///< one per face, shared by coplanar triangles; the hull is their intersection
-  double thickness = 0;                   ///< [m] how much a degenerate input (point, line, plane) was thickened; 0 if it was not
-  double slack = 0;                       ///< [m] largest distance of a vertex below or above a face it belongs to
+  /// one per face, shared by coplanar triangles; the hull is their intersection
+  std::vector<HalfSpace> faces;
+  /// [m] how much a degenerate input (point, line, plane) was thickened; 0 if it was not
+  double thickness = 0;
+  /// [m] largest distance of a vertex below or above a face it belongs to
+  double slack = 0;
 };
 
-/// The convex hull of `points` (metres, any frame). Degenerate sets are thickened outward: a point becomes a small tetrahedron-like body, a
-/// line a thin rod, a plane a thin plate. The thickness is the least that keeps the faces distinguishable in double precision (1e-6 of the
-/// set's extent); it is reported as `thickness`. Deterministic. Thread safe. Throws kEmptyMesh if there are no points, kNonFiniteCoordinate
-/// for a NaN or an infinity, kCancelled.
+/// The convex hull of `points` (metres, any frame). Degenerate sets are thickened outward: a point
+/// becomes a small tetrahedron-like body, a line a thin rod, a plane a thin plate. The thickness is
+/// the least that keeps the faces distinguishable in double precision (1e-6 of the set's extent);
+/// it is reported as `thickness`. Deterministic. Thread safe. Throws kEmptyMesh if there are no
+/// points, kNonFiniteCoordinate for a NaN or an infinity, kCancelled.
 ConvexHull convexHull(const std::vector<Eigen::Vector3d>& points, const RunControl& control = {});
 
 /// The volume [m^3] and the bounding box of a hull.
@@ -50,7 +56,8 @@ bool holds(const ConvexHull& hull, const Eigen::Vector3d& p);
 /// The hull moved by a rigid transform.
 ConvexHull transformed(const ConvexHull& hull, const Eigen::Isometry3d& pose);
 
-/// The largest signed distance of p from a face's plane [m]; <= 0 inside. Outside, it is a lower bound on the distance to the hull.
+/// The largest signed distance of p from a face's plane [m]; <= 0 inside. Outside, it is a lower
+/// bound on the distance to the hull.
 double planeDistance(const ConvexHull& hull, const Eigen::Vector3d& p);
 
 /// Euclidean distance from p to the hull [m], 0 inside. Exact.

@@ -9,14 +9,16 @@ namespace collision_hulls {
 
 using Triangle = std::array<int, 3>;
 
-/// Indexed triangles; coordinates in metres, in the caller's frame (a link's, unless noted otherwise). Corners run counter-clockwise seen
-/// from outside, where the mesh has an outside. No invariant: a mesh read from a file may hold anything.
+/// Indexed triangles; coordinates in metres, in the caller's frame (a link's, unless noted
+/// otherwise). Corners run counter-clockwise seen from outside, where the mesh has an outside. No
+/// invariant: a mesh read from a file may hold anything.
 struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<Triangle> triangles;
 
   const Eigen::Vector3d& corner(int triangle, int k) const {
-    return vertices[static_cast<std::size_t>(triangles[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(k)])];
+    return vertices[static_cast<std::size_t>(
+        triangles[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(k)])];
   }
 };
 
@@ -29,12 +31,15 @@ double diagonal(const TriangleMesh& mesh);
 /// The sum of the triangles' areas [m^2].
 double area(const TriangleMesh& mesh);
 
-/// The sum of the signed tetrahedra to the origin [m^3]: the enclosed volume of a closed, outward mesh; negative for an inward one.
+/// The sum of the signed tetrahedra to the origin [m^3]: the enclosed volume of a closed, outward
+/// mesh; negative for an inward one.
 double signedVolume(const TriangleMesh& mesh);
-double signedVolume(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles);
+double signedVolume(const std::vector<Eigen::Vector3d>& vertices,
+                    const std::vector<Triangle>& triangles);
 
-/// The mesh with every vertex scaled per axis. For a mirroring scale (negative product) the triangles are flipped, which keeps the outside
-/// outside. Throws kBadScale for a zero or non-finite factor.
+/// The mesh with every vertex scaled per axis. For a mirroring scale (negative product) the
+/// triangles are flipped, which keeps the outside outside. Throws kBadScale for a zero or
+/// non-finite factor.
 TriangleMesh scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale);
 
 /// The mesh moved by a rigid transform.

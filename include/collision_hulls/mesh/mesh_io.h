@@ -26,25 +26,33 @@ struct MeshLimits {
 
 /// The contents of a mesh file.
 struct LoadedMesh {
-  TriangleMesh mesh;                   ///< metres; node transforms and Collada's unit are applied as in rviz, Collada's up-axis is ignored
-  int submeshes = 0;                   ///< sub-meshes that contributed triangles (each instance in the node tree counts)
+  /// metres; node transforms and Collada's unit are applied as in rviz, Collada's up-axis is
+  /// ignored
+  TriangleMesh mesh;
+  /// sub-meshes that contributed triangles (each instance in the node tree counts)
+  int submeshes = 0;
   std::size_t skipped_primitives = 0;  ///< lines and points, left out because they have no surface
-  double resolution = 0;  ///< [m] half a unit in the last place of the largest number that the single-precision reader rounded; decimal
-                          ///< text errs by up to 1.25 times this
+  /// [m] half a unit in the last place of the largest number that the single-precision reader
+  /// rounded; decimal text errs by up to 1.25 times this
+  double resolution = 0;
 };
 
-/// The extensions that readMesh supports, in lower case with the dot: .stl .dae .obj .off .ply (file names may use any case).
+/// The extensions that readMesh supports, in lower case with the dot: .stl .dae .obj .off .ply
+/// (file names may use any case).
 const std::vector<std::string>& meshExtensions();
 
 /// Whether a file's name has one of the extensions that readMesh supports.
 bool isMeshFile(const std::string& path);
 
-/// Reads a mesh file. As in rviz, Collada's `<unit>` scales, its `<up_axis>` is ignored, and node transforms apply. Units: Collada's are
-/// converted to metres; numbers in other formats are metres. Polygons are triangulated without loss; materials and textures are ignored;
-/// vertices that no triangle uses are dropped. A truncated or inconsistent file is an error, never half a mesh. Throws kFileNotFound,
-/// kUnsupportedFormat, kNotAMesh, kEmptyMesh, kTooLarge, kNonFiniteCoordinate, kIndexOutOfRange, kTooFarFromOrigin (single precision cannot
-/// resolve a thousandth of the mesh's diagonal), kCancelled. Thread safe.
-LoadedMesh readMesh(const std::string& path, const MeshLimits& limits = {}, const RunControl& control = {});
+/// Reads a mesh file. As in rviz, Collada's `<unit>` scales, its `<up_axis>` is ignored, and node
+/// transforms apply. Units: Collada's are converted to metres; numbers in other formats are metres.
+/// Polygons are triangulated without loss; materials and textures are ignored; vertices that no
+/// triangle uses are dropped. A truncated or inconsistent file is an error, never half a mesh.
+/// Throws kFileNotFound, kUnsupportedFormat, kNotAMesh, kEmptyMesh, kTooLarge,
+/// kNonFiniteCoordinate, kIndexOutOfRange, kTooFarFromOrigin (single precision cannot resolve a
+/// thousandth of the mesh's diagonal), kCancelled. Thread safe.
+LoadedMesh readMesh(const std::string& path, const MeshLimits& limits = {},
+                    const RunControl& control = {});
 
 enum class MeshFormat { kStl, kObj, kDae };
 
@@ -52,9 +60,11 @@ enum class MeshFormat { kStl, kObj, kDae };
 const char* extension(MeshFormat format);
 std::optional<MeshFormat> meshFormatNamed(const std::string& name);  ///< "stl", "obj", "dae"
 
-/// The contents of a mesh file with one hull: binary STL, OBJ, or Collada. Coordinates are written as single-precision numbers, exactly: a
-/// hull with single-precision vertices is read back unchanged (but Assimp reads text numbers below 1e-6 m with an error of a few units in
-/// the last place). The same hull gives the same bytes. In names, blanks and characters that XML reserves become '_'.
+/// The contents of a mesh file with one hull: binary STL, OBJ, or Collada. Coordinates are written
+/// as single-precision numbers, exactly: a hull with single-precision vertices is read back
+/// unchanged (but Assimp reads text numbers below 1e-6 m with an error of a few units in the last
+/// place). The same hull gives the same bytes. In names, blanks and characters that XML reserves
+/// become '_'.
 std::string encodeHull(const ConvexHull& hull, MeshFormat format, const std::string& object_name);
 
 /// One OBJ file with an object (`o <name>_<m>`) per hull; coordinates as in encodeHull.

@@ -1,9 +1,11 @@
-// From a mesh as read to a mesh with topology: weld, drop degenerate and duplicate triangles, orient, count.
+// From a mesh as read to a mesh with topology: weld, drop degenerate and duplicate triangles,
+// orient, count.
 //
 // For example:
 //
 //     const RepairedMesh part = repair(mesh);
-//     if (part.counts.open_edges > 0) std::cout << "not closed: " << name(interiorOf(part)) << '\n';
+//     if (part.counts.open_edges > 0)
+//       std::cout << "not closed: " << name(interiorOf(part)) << '\n';
 #pragma once
 
 #include <array>
@@ -16,15 +18,18 @@
 namespace collision_hulls {
 
 struct RepairOptions {
-  /// Vertices closer than this share of the mesh's extent (longest side of the bounding box) are welded.
+  /// Vertices closer than this share of the mesh's extent (longest side of the bounding box) are
+  /// welded.
   double weld_tolerance = 1e-5;
 };
 
 /// What was found and done.
 struct RepairCounts {
-  std::size_t welded = 0;             ///< vertices welded to another one
-  std::size_t degenerate = 0;         ///< triangles without area, dropped (`loose` holds what remains of them)
-  std::size_t duplicate = 0;          ///< triangles with the same corners as an earlier one, in either order, dropped
+  std::size_t welded = 0;  ///< vertices welded to another one
+  /// triangles without area, dropped (`loose` holds what remains of them)
+  std::size_t degenerate = 0;
+  /// triangles with the same corners as an earlier one, in either order, dropped
+  std::size_t duplicate = 0;
   std::size_t flipped = 0;            ///< triangles whose orientation was reversed
   std::size_t components = 0;         ///< edge-connected components
   std::size_t open_edges = 0;         ///< edges with one triangle
@@ -34,9 +39,11 @@ struct RepairCounts {
 
 /// How to tell the inside of a component.
 enum class Interior {
-  kClosed,   ///< no open edge except on fins: the inside is what the surface encloses
-  kWinding,  ///< small openings: the inside is where the generalized winding number clearly exceeds 1/2 (see measure/solid.h)
-  kSurface   ///< a sheet: it has no inside, and the solid is the surface alone
+  kClosed,  ///< no open edge except on fins: the inside is what the surface encloses
+  /// small openings: the inside is where the generalized winding number clearly exceeds 1/2 (see
+  /// measure/solid.h)
+  kWinding,
+  kSurface  ///< a sheet: it has no inside, and the solid is the surface alone
 };
 const char* name(Interior interior);  ///< "closed", "winding", "surface"
 
@@ -44,36 +51,49 @@ const char* name(Interior interior);  ///< "closed", "winding", "surface"
 using Segment = std::array<Eigen::Vector3d, 2>;
 
 struct RepairedMesh {
-  TriangleMesh mesh;               ///< welded, without degenerate or duplicate triangles, each component consistently oriented
-  std::vector<int> component;      ///< per triangle: its component, 0 .. counts.components - 1, in order of first triangle
+  /// welded, without degenerate or duplicate triangles, each component consistently oriented
+  TriangleMesh mesh;
+  /// per triangle: its component, 0 .. counts.components - 1, in order of first triangle
+  std::vector<int> component;
   std::vector<Interior> interior;  ///< per component
-  std::vector<char> sheet;         ///< per triangle: 1 if it encloses nothing because it is in a kSurface component or in a fin
-  std::vector<Segment> loose;      ///< remains of dropped degenerate triangles that are not on a side of a kept one; part of the surface
+  /// per triangle: 1 if it encloses nothing because it is in a kSurface component or in a fin
+  std::vector<char> sheet;
+  /// remains of dropped degenerate triangles that are not on a side of a kept one; part of the
+  /// surface
+  std::vector<Segment> loose;
   RepairCounts counts;
 };
 
-/// Repairs a mesh. Welding joins each vertex to the nearest earlier representative within the tolerance; no vertex moves further than that,
-/// however long a chain of close vertices is. A triangle is degenerate if two of its corners were welded together or if its height over its
+/// Repairs a mesh. Welding joins each vertex to the nearest earlier representative within the
+/// tolerance; no vertex moves further than that, however long a chain of close vertices is. A
+/// triangle is degenerate if two of its corners were welded together or if its height over its
 /// longest edge is zero in double precision.
 ///
-/// Orientation is made consistent across manifold edges. A component may consist of several patches that meet only at non-manifold edges.
-/// (1) Each patch is made consistent by flipping the part of it with the smaller area. (2) A component is flipped as a whole if its
-/// patches, closed by a fan over each boundary loop, together enclose a negative volume. (3) A patch that is closed on its own (its fans
-/// are below a tenth of its area) and encloses a negative volume is flipped: solids that share an edge, and the wall of a cavity, each end
-/// up facing outward. A volume that is negligible for its area decides nothing, so a flat sheet stays as it was.
+/// Orientation is made consistent across manifold edges. A component may consist of several patches
+/// that meet only at non-manifold edges. (1) Each patch is made consistent by flipping the part of
+/// it with the smaller area. (2) A component is flipped as a whole if its patches, closed by a fan
+/// over each boundary loop, together enclose a negative volume. (3) A patch that is closed on its
+/// own (its fans are below a tenth of its area) and encloses a negative volume is flipped: solids
+/// that share an edge, and the wall of a cavity, each end up facing outward. A volume that is
+/// negligible for its area decides nothing, so a flat sheet stays as it was.
 ///
-/// A fin is a patch that is a sheet by itself (it has open edges, and its fans are a tenth of its area or more) and hangs, at non-manifold
-/// edges, on triangles that are balanced without it, i.e. use each of those edges equally often in both directions. A fin is part of the
-/// surface but plays no part in telling inside from outside. The same goes for a wall shared by two solids: a patch whose triangles occur
-/// equally often facing either way, if the triangles it hangs on are balanced without any such wall. An open component without its fins is
-/// kWinding if the fans that close its boundary loops (each about the loop's centre) are below a tenth of its area, else kSurface. A mesh
-/// with only degenerate triangles gives an empty mesh and `loose` segments.
+/// A fin is a patch that is a sheet by itself (it has open edges, and its fans are a tenth of its
+/// area or more) and hangs, at non-manifold edges, on triangles that are balanced without it, i.e.
+/// use each of those edges equally often in both directions. A fin is part of the surface but plays
+/// no part in telling inside from outside. The same goes for a wall shared by two solids: a patch
+/// whose triangles occur equally often facing either way, if the triangles it hangs on are balanced
+/// without any such wall. An open component without its fins is kWinding if the fans that close its
+/// boundary loops (each about the loop's centre) are below a tenth of its area, else kSurface. A
+/// mesh with only degenerate triangles gives an empty mesh and `loose` segments.
 ///
-/// Time is near-linear; memory is about 90 bytes per triangle on top of the input. Deterministic. Thread safe. Throws kIndexOutOfRange,
-/// kNonFiniteCoordinate, kCancelled, and kBadOption for a weld tolerance outside [0, 0.1].
-RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options = {}, const RunControl& control = {});
+/// Time is near-linear; memory is about 90 bytes per triangle on top of the input. Deterministic.
+/// Thread safe. Throws kIndexOutOfRange, kNonFiniteCoordinate, kCancelled, and kBadOption for a
+/// weld tolerance outside [0, 0.1].
+RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options = {},
+                    const RunControl& control = {});
 
-/// The rule for the whole mesh, as used in reports: kClosed or kSurface if all components agree on it, else kWinding.
+/// The rule for the whole mesh, as used in reports: kClosed or kSurface if all components agree on
+/// it, else kWinding.
 Interior interiorOf(const RepairedMesh& mesh);
 
 }  // namespace collision_hulls

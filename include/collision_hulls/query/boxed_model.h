@@ -1,4 +1,5 @@
-// A robot or a scene as a planner may hold it: compares boxes around links first, then boxes around their bodies, and queries FCL last.
+// A robot or a scene as a planner may hold it: compares boxes around links first, then boxes around
+// their bodies, and queries FCL last.
 //
 // For example:
 //
@@ -32,43 +33,53 @@ class IgnoredPairs {
   /// Throws kIndexOutOfRange.
   void ignore(std::size_t a, std::size_t b) {
     if (a >= links_ || b >= links_)
-      throw Error(ErrorCode::kIndexOutOfRange, "cannot ignore the pair of links " + std::to_string(a) + " and " + std::to_string(b) +
-                                                   ": there is room for " + std::to_string(links_) + " links only; make room for more");
+      throw Error(ErrorCode::kIndexOutOfRange, "cannot ignore the pair of links " +
+                                                   std::to_string(a) + " and " + std::to_string(b) +
+                                                   ": there is room for " + std::to_string(links_) +
+                                                   " links only; make room for more");
     ignored_[a * links_ + b] = ignored_[b * links_ + a] = true;
   }
-  bool operator()(std::size_t a, std::size_t b) const { return a < links_ && b < links_ && ignored_[a * links_ + b]; }
+  bool operator()(std::size_t a, std::size_t b) const {
+    return a < links_ && b < links_ && ignored_[a * links_ + b];
+  }
 
  private:
   std::size_t links_;
   std::vector<bool> ignored_;
 };
 
-/// Bodies (hulls or meshes) carried by links. FCL's dynamic trees are made for thousands of moving bodies; for a robot's few links they
-/// take most of a query's time. Here the boxes of all links are compared instead; where two of them meet, their bodies are compared, box
-/// against box in the frame of one of the links. In metres. Not thread safe: copies of bodies are cheap, so give each thread its own model.
-/// Distances to bodies made of a QueryShape are FCL's, with the errors described in query_body.h; add hulls where distances matter.
+/// Bodies (hulls or meshes) carried by links. FCL's dynamic trees are made for thousands of moving
+/// bodies; for a robot's few links they take most of a query's time. Here the boxes of all links
+/// are compared instead; where two of them meet, their bodies are compared, box against box in the
+/// frame of one of the links. In metres. Not thread safe: copies of bodies are cheap, so give each
+/// thread its own model. Distances to bodies made of a QueryShape are FCL's, with the errors
+/// described in query_body.h; add hulls where distances matter.
 class BoxedModel {
  public:
   explicit BoxedModel(IgnoredPairs ignored = IgnoredPairs());  ///< pairs that queries leave out
   ~BoxedModel();
   BoxedModel(BoxedModel&&) noexcept;
 
-  /// `origin`: the body's pose in the link's frame. Empty bodies are left out. Throws kNonFiniteCoordinate.
-  void add(std::size_t link, const QueryBody& body, const Eigen::Isometry3d& origin = Eigen::Isometry3d::Identity());
+  /// `origin`: the body's pose in the link's frame. Empty bodies are left out. Throws
+  /// kNonFiniteCoordinate.
+  void add(std::size_t link, const QueryBody& body,
+           const Eigen::Isometry3d& origin = Eigen::Isometry3d::Identity());
 
-  /// Call this once all bodies are added, and before querying another state: a pose for each link, by index. Throws kIndexOutOfRange if a
-  /// link has no pose, kNonFiniteCoordinate.
+  /// Call this once all bodies are added, and before querying another state: a pose for each link,
+  /// by index. Throws kIndexOutOfRange if a link has no pose, kNonFiniteCoordinate.
   void place(const std::vector<Eigen::Isometry3d>& links);
 
   // Queries throw kInternal if bodies were added but not placed, and where FCL throws.
 
   bool collides();  ///< between two of its own links
-  /// [m] Between two of its own links; 0 in contact, and `limit` if they are no closer than that. The smaller the limit, the faster.
+  /// [m] Between two of its own links; 0 in contact, and `limit` if they are no closer than that.
+  /// The smaller the limit, the faster.
   double distance(double limit = std::numeric_limits<double>::infinity());
 
-  /// The same between a link of this model and a link of the other, which may have thousands of links: these are grouped at the first query
-  /// after place(). This model's ignored pairs are left out, so the two models must number their links consecutively, e.g. the robot's
-  /// first and then the scene's.
+  /// The same between a link of this model and a link of the other, which may have thousands of
+  /// links: these are grouped at the first query after place(). This model's ignored pairs are left
+  /// out, so the two models must number their links consecutively, e.g. the robot's first and then
+  /// the scene's.
   bool collides(BoxedModel& scene);
   double distance(BoxedModel& scene, double limit = std::numeric_limits<double>::infinity());
 

@@ -1,4 +1,5 @@
-// One body as FCL holds it, and queries on two of them: the narrow phase alone, for callers that know which pairs matter.
+// One body as FCL holds it, and queries on two of them: the narrow phase alone, for callers that
+// know which pairs matter.
 //
 // For example:
 //
@@ -16,23 +17,29 @@
 
 namespace collision_hulls {
 
-/// A shape about the middle of its frame, of a kind that FCL has built in; a cylinder's axis is z. Contact queries are exact. FCL 0.7's
-/// distances are not: for boxes they are off by up to a half if faces or middles line up, for spheres in contact with a mesh they are above
-/// 0. Use a hull for distances.
+/// A shape about the middle of its frame, of a kind that FCL has built in; a cylinder's axis is z.
+/// Contact queries are exact. FCL 0.7's distances are not: for boxes they are off by up to a half
+/// if faces or middles line up, for spheres in contact with a mesh they are above 0. Use a hull for
+/// distances.
 struct QueryShape {
   enum class Kind { kBox, kSphere, kCylinder } kind = Kind::kBox;
-  Eigen::Vector3d size = Eigen::Vector3d::Zero();  ///< [m] > 0; box: sides; sphere: radius, -, -; cylinder: radius, length, -
+  /// [m] > 0; box: sides; sphere: radius, -, -; cylinder: radius, length, -
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
 };
 
-/// Meshes are FCL's BVH of OBBRSS, a surface without an inside, as in MoveIt; hulls are FCL's Convex. All are enlarged 1,024 times for FCL,
-/// whose thresholds are absolute. Immutable; copies share the body; thread safe.
+/// Meshes are FCL's BVH of OBBRSS, a surface without an inside, as in MoveIt; hulls are FCL's
+/// Convex. All are enlarged 1,024 times for FCL, whose thresholds are absolute. Immutable; copies
+/// share the body; thread safe.
 class QueryBody {
  public:
   explicit QueryBody(const ConvexHull& hull);
-  QueryBody(const QueryShape& shape, const Eigen::Isometry3d& origin);  ///< `origin`: the shape's frame in the body's
-  explicit QueryBody(const TriangleMesh& mesh);                         ///< leaves out triangles without area
+  /// `origin`: the shape's frame in the body's
+  QueryBody(const QueryShape& shape, const Eigen::Isometry3d& origin);
+  /// leaves out triangles without area
+  explicit QueryBody(const TriangleMesh& mesh);
 
-  bool empty() const { return !impl_; }  ///< true for a mesh without any area; such a body touches nothing
+  /// true for a mesh without any area; such a body touches nothing
+  bool empty() const { return !impl_; }
   const Eigen::AlignedBox3d& box() const { return box_; }
   std::size_t corners() const { return corners_; }  ///< vertices of a hull; 0 for other bodies
 
@@ -52,13 +59,15 @@ class QueryBody {
 bool touch(const QueryBody& first, const QueryBody& second, const Eigen::Isometry3d& pose);
 
 /// [m] The distance between two bodies, or `limit` if they are no closer than that.
-double distanceBelow(double limit, const QueryBody& first, const QueryBody& second, const Eigen::Isometry3d& pose);
+double distanceBelow(double limit, const QueryBody& first, const QueryBody& second,
+                     const Eigen::Isometry3d& pose);
 
 /// The axis-aligned box around a box at a pose.
 Eigen::AlignedBox3d placed(const Eigen::AlignedBox3d& box, const Eigen::Isometry3d& pose);
 
-/// Whether two boxes are disjoint; `pose` is the second one's in the first one's frame. If only a pair of edges separates them, by less
-/// than a millionth of their size, they count as meeting.
-bool apart(const Eigen::AlignedBox3d& first, const Eigen::AlignedBox3d& second, const Eigen::Isometry3d& pose);
+/// Whether two boxes are disjoint; `pose` is the second one's in the first one's frame. If only a
+/// pair of edges separates them, by less than a millionth of their size, they count as meeting.
+bool apart(const Eigen::AlignedBox3d& first, const Eigen::AlignedBox3d& second,
+           const Eigen::Isometry3d& pose);
 
 }  // namespace collision_hulls

@@ -27,8 +27,9 @@ struct JointVariable {
 /// A joint of the robot by its name, and what moves it.
 struct NamedJoint {
   std::string name;
-  int variable = -1;                  ///< index in Kinematics::variables(); -1: none moves it
-  double multiplier = 1, offset = 0;  ///< it stands at multiplier * variable + offset [rad or m]; 1 and 0 for the variable's own
+  int variable = -1;  ///< index in Kinematics::variables(); -1: none moves it
+  /// it stands at multiplier * variable + offset [rad or m]; 1 and 0 for the variable's own
+  double multiplier = 1, offset = 0;
 };
 
 /// A value [rad or m] for each variable, in the order of Kinematics::variables().
@@ -36,26 +37,33 @@ using Configuration = std::vector<double>;
 
 /// A joint that moves, on the way from the root to a link.
 struct ChainJoint {
-  bool turns = true;                                         ///< about its axis; else slides along it
-  Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();  ///< of its frame in that which the joint before it moves, or the root link's
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();           ///< of unit length, in its frame
-  std::size_t variable = 0;                                  ///< that moves it, index in Kinematics::variables()
-  double multiplier = 1, offset = 0;                         ///< it stands at multiplier * variable + offset [rad or m]
+  /// about its axis; else slides along it
+  bool turns = true;
+  /// of its frame in that which the joint before it moves, or the root link's
+  Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< of unit length, in its frame
+  /// that moves it, index in Kinematics::variables()
+  std::size_t variable = 0;
+  /// it stands at multiplier * variable + offset [rad or m]
+  double multiplier = 1, offset = 0;
 };
 
 /// The joints that move a link, those nearest to the root first.
 struct Chain {
   std::vector<ChainJoint> joints;
-  Eigen::Isometry3d end = Eigen::Isometry3d::Identity();  ///< of the link in the frame that the last joint moves, or the root link's
+  /// of the link in the frame that the last joint moves, or the root link's
+  Eigen::Isometry3d end = Eigen::Isometry3d::Identity();
 };
 
-/// The tree of a robot's joints. Revolute, continuous and prismatic joints that mimic no other are variables; a mimic joint follows
-/// multiplier * value + offset of its master, through any number of masters and without regard to its own limits, as in
-/// robot_state_publisher. Floating and planar joints, which place a robot in the world, stay at their origin. Immutable, thread safe.
+/// The tree of a robot's joints. Revolute, continuous and prismatic joints that mimic no other are
+/// variables; a mimic joint follows multiplier * value + offset of its master, through any number
+/// of masters and without regard to its own limits, as in robot_state_publisher. Floating and
+/// planar joints, which place a robot in the world, stay at their origin. Immutable, thread safe.
 class Kinematics {
  public:
-  /// Throws kNotARobot for a mimic joint whose master is not there or cannot move, for such that follow each other in a circle, and for
-  /// an origin or a limit of a sliding joint that is further than 1e6 m away.
+  /// Throws kNotARobot for a mimic joint whose master is not there or cannot move, for such that
+  /// follow each other in a circle, and for an origin or a limit of a sliding joint that is further
+  /// than 1e6 m away.
   explicit Kinematics(const RobotDescription& robot);
 
   const std::vector<JointVariable>& variables() const { return variables_; }
@@ -66,32 +74,37 @@ class Kinematics {
   /// All variables at zero, or at the limit that is nearest to it.
   Configuration rest() const;
 
-  /// rest() with the values of the named variables. Throws kBadOption for a name that is no variable, a value that is not finite, and
-  /// one that is beyond its limits by more than 1e-6 of them.
+  /// rest() with the values of the named variables. Throws kBadOption for a name that is no
+  /// variable, a value that is not finite, and one that is beyond its limits by more than 1e-6 of
+  /// them.
   Configuration configuration(const std::map<std::string, double>& values) const;
 
   /// Each variable between its limits, from numbers in [0, 1).
   Configuration sample(const std::function<double()>& uniform) const;
 
-  /// The links' poses in the root link's frame, in the order of RobotDescription::links. Throws kBadOption for a configuration of another
-  /// size.
+  /// The links' poses in the root link's frame, in the order of RobotDescription::links. Throws
+  /// kBadOption for a configuration of another size.
   std::vector<Eigen::Isometry3d> poses(const Configuration& configuration) const;
 
   /// How the joints move a link (index).
   Chain chain(std::size_t link) const;
 
-  /// Whether two links (indices) are one, touch by design, or never move against each other: fixed joints make links one, and those that a
-  /// joint joins touch. Collision checks leave such pairs out.
+  /// Whether two links (indices) are one, touch by design, or never move against each other: fixed
+  /// joints make links one, and those that a joint joins touch. Collision checks leave such pairs
+  /// out.
   bool adjacent(std::size_t link, std::size_t other) const;
 
-  /// Whether the variables within their limits tell all places that two links (indices) can have against each other. They do not across a
-  /// floating or planar joint, nor across one that mimics a continuous joint at another pace, whose place depends on the turns before.
+  /// Whether the variables within their limits tell all places that two links (indices) can have
+  /// against each other. They do not across a floating or planar joint, nor across one that mimics
+  /// a continuous joint at another pace, whose place depends on the turns before.
   bool settled(std::size_t link, std::size_t other) const;
 
-  /// The same against the world in which the root link stands: floating and planar joints are taken to stay at their origin.
+  /// The same against the world in which the root link stands: floating and planar joints are taken
+  /// to stay at their origin.
   bool settled(std::size_t link) const;
 
-  /// A sentence for each joint that does not move as one might expect: without room between its limits, or not settled.
+  /// A sentence for each joint that does not move as one might expect: without room between its
+  /// limits, or not settled.
   std::vector<std::string> notes() const;
 
  private:
@@ -106,12 +119,16 @@ class Kinematics {
   std::vector<Joint> joints_;  // parents before children
   std::vector<JointVariable> variables_;
   std::size_t links_ = 0;
-  std::vector<std::size_t> body_;                    // per link: the first of those that fixed joints join to it
-  std::vector<std::size_t> parent_body_;             // per body (a link's index): that which its joint hangs on; itself for the root
-  std::vector<std::vector<std::size_t>> unsettled_;  // per link: the joints on the way from the root that are floating, planar or paced
+  // per link: the first of those that fixed joints join to it
+  std::vector<std::size_t> body_;
+  // per body (a link's index): that which its joint hangs on; itself for the root
+  std::vector<std::size_t> parent_body_;
+  // per link: the joints on the way from the root that are floating, planar or paced
+  std::vector<std::vector<std::size_t>> unsettled_;
 };
 
-/// The motion of a joint's child against the joint's origin at a value [rad or m]; none for joints that are no variables.
+/// The motion of a joint's child against the joint's origin at a value [rad or m]; none for joints
+/// that are no variables.
 Eigen::Isometry3d motion(const JointDescription& joint, double value);
 Eigen::Isometry3d motion(const ChainJoint& joint, double value);
 

@@ -23,21 +23,28 @@ namespace collision_hulls {
 
 /// A geometry of a link: one `<visual>` or `<collision>` of the description.
 struct GeometryElement {
-  enum class Kind { kMesh, kBox, kSphere, kCylinder, kNone };  ///< kNone: it has no geometry, as one of a material alone
+  /// kNone: it has no geometry, as one of a material alone
+  enum class Kind { kMesh, kBox, kSphere, kCylinder, kNone };
   Kind kind = Kind::kMesh;
-  std::string uri;                                           ///< of a mesh, as written in the description
-  Eigen::Vector3d scale = Eigen::Vector3d::Ones();           ///< of a mesh
-  Eigen::Vector3d size = Eigen::Vector3d::Zero();            ///< [m] box: sides; sphere: radius, -, -; cylinder: radius, length, -
+  /// of a mesh, as written in the description
+  std::string uri;
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();  ///< of a mesh
+  /// [m] box: sides; sphere: radius, -, -; cylinder: radius, length, -
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
   Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();  ///< element in the link's frame
-  std::string name;                                          ///< the element's name attribute, often empty
-  std::string fault;  ///< why the element cannot be used, with its line; kind is kMesh then and the rest may be missing. Empty: it can
+  /// the element's name attribute, often empty
+  std::string name;
+  /// why the element cannot be used, with its line; kind is kMesh then and the rest may be missing.
+  /// Empty: it can
+  std::string fault;
 };
 
 struct LinkDescription {
   std::string name;
-  std::vector<GeometryElement> visuals, collisions;        ///< in document order
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< in the root link's frame, all joints at zero (or their nearest limit)
-  std::string parent;                                      ///< link; empty for the root
+  std::vector<GeometryElement> visuals, collisions;  ///< in document order
+  /// in the root link's frame, all joints at zero (or their nearest limit)
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  std::string parent;  ///< link; empty for the root
 };
 
 /// A joint of the description. Values in rad or m.
@@ -45,33 +52,39 @@ struct JointDescription {
   enum class Kind { kFixed, kRevolute, kContinuous, kPrismatic, kFloating, kPlanar };
   std::string name;
   Kind kind = Kind::kFixed;
-  std::string parent, child;                                 ///< links
-  Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();  ///< of the joint, in the parent's frame
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();           ///< of unit length, in the joint's frame
-  double lower = 0, upper = 0;  ///< -pi and pi where it is continuous; both 0 where the limits are missing or crossed
-  std::string mimic;            ///< the joint that this one follows; empty: none
+  std::string parent, child;  ///< links
+  /// of the joint, in the parent's frame
+  Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
+  /// of unit length, in the joint's frame
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
+  /// -pi and pi where it is continuous; both 0 where the limits are missing or crossed
+  double lower = 0, upper = 0;
+  std::string mimic;  ///< the joint that this one follows; empty: none
   double mimic_multiplier = 1, mimic_offset = 0;
 };
 
 struct RobotDescription {
   std::string name;
-  std::string text;                           ///< the URDF, byte for byte as given
-  std::string path;                           ///< file it came from; empty for a parameter or a service call
-  std::vector<LinkDescription> links;         ///< in document order
-  std::vector<JointDescription> joints = {};  ///< a link's own joint to its parent; parents before children
-  std::vector<std::string> notes = {};        ///< what is odd about it, though it can be read
+  std::string text;  ///< the URDF, byte for byte as given
+  /// file it came from; empty for a parameter or a service call
+  std::string path;
+  std::vector<LinkDescription> links;  ///< in document order
+  /// a link's own joint to its parent; parents before children
+  std::vector<JointDescription> joints = {};
+  std::vector<std::string> notes = {};  ///< what is odd about it, though it can be read
 };
 
-/// Parses a URDF. `path` (may be empty) stands in messages and is what relative URIs are relative to.
-/// An element that cannot be read has a fault; the others do not suffer from it.
-/// Throws kNotXml, kNotARobot, kNoLinks; the message gives line and reason where the parser does.
+/// Parses a URDF. `path` (may be empty) stands in messages and is what relative URIs are relative
+/// to. An element that cannot be read has a fault; the others do not suffer from it. Throws
+/// kNotXml, kNotARobot, kNoLinks; the message gives line and reason where the parser does.
 RobotDescription parseRobotDescription(const std::string& urdf_text, const std::string& path = "");
 
-/// Reads a .urdf, or a .xacro through the user's xacro program (kXacroMissing where there is none). Also throws kFileNotFound.
+/// Reads a .urdf, or a .xacro through the user's xacro program (kXacroMissing where there is none).
+/// Also throws kFileNotFound.
 RobotDescription readRobotDescription(const std::string& path);
 
-/// Finds packages, and files of packages that are not where their URIs say. Copies share one search and its notes. Thread safe if the
-/// lookup is.
+/// Finds packages, and files of packages that are not where their URIs say. Copies share one search
+/// and its notes. Thread safe if the lookup is.
 class PackageFinder {
  public:
   /// The folder of a package; nullopt for an unknown one.
@@ -84,23 +97,28 @@ class PackageFinder {
   /// The same search after `lookup`, such as that of ROS.
   PackageFinder askingFirst(Lookup lookup) const;
 
-  /// The folder of a package, or else one of the same name nearby, which leaves a note; nullopt if there is neither.
+  /// The folder of a package, or else one of the same name nearby, which leaves a note; nullopt if
+  /// there is neither.
   std::optional<std::string> operator()(const std::string& package) const;
 
   /// The folder of a package; nullopt for an unknown one.
   std::optional<std::string> knownPackage(const std::string& package) const;
 
-  /// The file that package://`package`/`rest` most likely means if the package is unknown or lacks it: NAME/rest, then rest, in the
-  /// folders of the package path, then in those above `base` (a file) and above the description, from the nearest to the farthest, and
-  /// in their folders meshes/. A bare file name counts only in the package path and in the two nearest folders. nullopt for a package
-  /// that the package path names by NAME=DIR, and for a `rest` that leads out of its package. Leaves a note.
-  std::optional<std::string> fileNearby(const std::string& package, const std::string& rest, const std::string& base) const;
+  /// The file that package://`package`/`rest` most likely means if the package is unknown or lacks
+  /// it: NAME/rest, then rest, in the folders of the package path, then in those above `base` (a
+  /// file) and above the description, from the nearest to the farthest, and in their folders
+  /// meshes/. A bare file name counts only in the package path and in the two nearest folders.
+  /// nullopt for a package that the package path names by NAME=DIR, and for a `rest` that leads out
+  /// of its package. Leaves a note.
+  std::optional<std::string> fileNearby(const std::string& package, const std::string& rest,
+                                        const std::string& base) const;
 
   /// Which folders were used in place of packages, and which manifests could not be read; so far.
   std::vector<std::string> notes() const;
 
  private:
-  friend PackageFinder defaultPackageFinder(const std::string& near, const std::vector<std::string>& package_path);
+  friend PackageFinder defaultPackageFinder(const std::string& near,
+                                            const std::vector<std::string>& package_path);
   class Search;
   explicit PackageFinder(std::shared_ptr<Search> search);
 
@@ -108,19 +126,24 @@ class PackageFinder {
   std::shared_ptr<Search> search_;
 };
 
-/// Looks among the packages that enclose `near` (a file or folder; may be empty), then in ROS_PACKAGE_PATH (crawling as rospack does: a
-/// folder with package.xml is a package; CATKIN_IGNORE stops), then for `share/<package>` in CMAKE_PREFIX_PATH, then among the packages
-/// in `package_path`, and last for a folder of the package's name in `package_path` and above `near`. An item of `package_path` is DIR or
-/// NAME=DIR; the latter wins over all of these. Throws kBadOption for an item whose folder does not exist.
-PackageFinder defaultPackageFinder(const std::string& near = "", const std::vector<std::string>& package_path = {});
+/// Looks among the packages that enclose `near` (a file or folder; may be empty), then in
+/// ROS_PACKAGE_PATH (crawling as rospack does: a folder with package.xml is a package;
+/// CATKIN_IGNORE stops), then for `share/<package>` in CMAKE_PREFIX_PATH, then among the packages
+/// in `package_path`, and last for a folder of the package's name in `package_path` and above
+/// `near`. An item of `package_path` is DIR or NAME=DIR; the latter wins over all of these. Throws
+/// kBadOption for an item whose folder does not exist.
+PackageFinder defaultPackageFinder(const std::string& near = "",
+                                   const std::vector<std::string>& package_path = {});
 
-/// The file that a URI means: package://, file://, an absolute path, or one relative to the folder of `base` (a file). A file of a package
-/// that is not where its URI says may be one nearby: see PackageFinder::fileNearby(), which leaves a note.
-/// Throws kPackageNotFound (names the package and how to make it known) and kFileNotFound.
-std::string resolveUri(const std::string& uri, const std::string& base, const PackageFinder& find_package);
+/// The file that a URI means: package://, file://, an absolute path, or one relative to the folder
+/// of `base` (a file). A file of a package that is not where its URI says may be one nearby: see
+/// PackageFinder::fileNearby(), which leaves a note. Throws kPackageNotFound (names the package and
+/// how to make it known) and kFileNotFound.
+std::string resolveUri(const std::string& uri, const std::string& base,
+                       const PackageFinder& find_package);
 
-/// The file:// URI of an absolute path: what may not stand in one by itself (RFC 3986) as "%20" and its like, bytes beyond ASCII as they
-/// are.
+/// The file:// URI of an absolute path: what may not stand in one by itself (RFC 3986) as "%20" and
+/// its like, bytes beyond ASCII as they are.
 std::string fileUri(const std::string& path);
 
 /// The NAME of package://NAME/...; nullopt for other URIs.
@@ -129,11 +152,13 @@ std::optional<std::string> packageOf(const std::string& uri);
 /// Whether resolveUri's answer depends on `base`.
 bool isRelativeUri(const std::string& uri);
 
-/// The robot descriptions in a package's urdf/ and robots/ folders (.urdf before .xacro, sorted), without .xacro files that hold nothing
-/// but what others include, macros and properties, unless there is nothing else; for INPUT given as a package.
+/// The robot descriptions in a package's urdf/ and robots/ folders (.urdf before .xacro, sorted),
+/// without .xacro files that hold nothing but what others include, macros and properties, unless
+/// there is nothing else; for INPUT given as a package.
 std::vector<std::string> robotDescriptionsIn(const std::string& package_folder);
 
-enum class Source { kAuto, kVisual, kCollision };  ///< auto: a link's collision elements if it has any, else its visual ones
+/// auto: a link's collision elements if it has any, else its visual ones
+enum class Source { kAuto, kVisual, kCollision };
 std::optional<Source> sourceNamed(const std::string& name);
 
 /// Which elements of a link are decomposed, and whether they are visual or collision ones.
@@ -152,15 +177,18 @@ struct CollisionElement {
 /// What a link's collision model becomes.
 struct LinkCollisions {
   std::vector<CollisionElement> elements;  ///< written as new `<collision>` elements, in this order
-  bool keep_primitives = false;            ///< the link's `<collision>` elements without a mesh stay, byte for byte; else they go too
+  /// the link's `<collision>` elements without a mesh stay, byte for byte; else they go too
+  bool keep_primitives = false;
 };
 
-/// The description with the `<collision>` elements of the given links replaced; links that are not given keep theirs.
-/// Everything else stays byte for byte: comments, unknown tags, order, line ends. New elements are indented like their
-/// neighbours and stand where the first replaced one stood (after the last `<visual>`, else first in the link, where there was none).
-/// A name that is taken elsewhere in the description gets a number added. Mesh URIs in the `<collision>` elements that stay become
-/// what `moved` says of them, if it does.
-std::string rewriteCollisions(const RobotDescription& robot, const std::map<std::string, LinkCollisions>& links,
+/// The description with the `<collision>` elements of the given links replaced; links that are not
+/// given keep theirs. Everything else stays byte for byte: comments, unknown tags, order, line
+/// ends. New elements are indented like their neighbours and stand where the first replaced one
+/// stood (after the last `<visual>`, else first in the link, where there was none). A name that is
+/// taken elsewhere in the description gets a number added. Mesh URIs in the `<collision>` elements
+/// that stay become what `moved` says of them, if it does.
+std::string rewriteCollisions(const RobotDescription& robot,
+                              const std::map<std::string, LinkCollisions>& links,
                               const std::map<std::string, std::string>& moved = {});
 
 }  // namespace collision_hulls

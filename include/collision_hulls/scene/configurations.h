@@ -18,15 +18,20 @@ namespace collision_hulls {
 
 /// How samples are distributed.
 enum class Sampling {
-  kEven,        ///< Richtmyer's low-discrepancy sequence, which leaves only small gaps; for searching
-  kIndependent  ///< statistically independent; for statistics, such as a rate below 3/N at 95 % confidence after N samples without a hit
+  /// Richtmyer's low-discrepancy sequence, which leaves only small gaps; for searching
+  kEven,
+  /// statistically independent; for statistics, such as a rate below 3/N at 95 % confidence after N
+  /// samples without a hit
+  kIndependent
 };
 
-/// A sequence of configurations within the joint limits. The i-th configuration does not depend on how many are drawn, so a longer run
-/// extends a shorter one. Each seed gives another sequence. Immutable, thread safe.
+/// A sequence of configurations within the joint limits. The i-th configuration does not depend on
+/// how many are drawn, so a longer run extends a shorter one. Each seed gives another sequence.
+/// Immutable, thread safe.
 class ConfigurationSequence {
  public:
-  explicit ConfigurationSequence(const Kinematics& kinematics, std::uint64_t seed = 1, Sampling sampling = Sampling::kEven);
+  explicit ConfigurationSequence(const Kinematics& kinematics, std::uint64_t seed = 1,
+                                 Sampling sampling = Sampling::kEven);
   Configuration operator()(std::uint64_t index) const;
 
  private:
@@ -36,36 +41,46 @@ class ConfigurationSequence {
 };
 
 struct ConfigurationOptions {
-  /// [rad or m] If > 0, interpolates evenly between consecutive configurations so that no variable moves further in one step; continuous
-  /// joints take the shorter way. The rows of a CSV are consecutive, and so are the messages of a file. 0: no interpolation.
+  /// [rad or m] If > 0, interpolates evenly between consecutive configurations so that no variable
+  /// moves further in one step; continuous joints take the shorter way. The rows of a CSV are
+  /// consecutive, and so are the messages of a file. 0: no interpolation.
   double max_step = 0;
-  bool refuse_beyond_limits = false;  ///< a value beyond its limits throws kBadConfigurations; otherwise it is used and counted
-  std::size_t most = 10'000'000;      ///< more configurations throw kTooLarge
+  /// a value beyond its limits throws kBadConfigurations; otherwise it is used and counted
+  bool refuse_beyond_limits = false;
+  std::size_t most = 10'000'000;  ///< more configurations throw kTooLarge
 };
 
-/// Configurations given by the user. None is clamped. Proofs for all values within the limits (see reach.h) say nothing about values beyond
-/// them.
+/// Configurations given by the user. None is clamped. Proofs for all values within the limits (see
+/// reach.h) say nothing about values beyond them.
 struct ConfigurationSet {
   std::vector<Configuration> configurations;
-  std::size_t given = 0;           ///< before interpolation
-  std::size_t beyond_limits = 0;   ///< values beyond their limits by more than 1e-6 of the limits' size; continuous joints have none
-  std::vector<std::string> notes;  ///< for the user, one line each: the first value beyond its limits, mimic joints that deviate from
-                                   ///< their masters, joints never named
+  std::size_t given = 0;  ///< before interpolation
+  /// values beyond their limits by more than 1e-6 of the limits' size; continuous joints have none
+  std::size_t beyond_limits = 0;
+  /// for the user, one line each: the first value beyond its limits, mimic joints that deviate from
+  /// their masters, joints never named
+  std::vector<std::string> notes;
 };
 
-/// Collects configurations that arrive as names and positions: from a file, a bag or a topic. Keeps a reference to the kinematics.
+/// Collects configurations that arrive as names and positions: from a file, a bag or a topic. Keeps
+/// a reference to the kinematics.
 class ConfigurationCollector {
  public:
   /// Throws kBadOption for a step that is negative or not finite.
-  explicit ConfigurationCollector(const Kinematics& kinematics, const ConfigurationOptions& options = {});
+  explicit ConfigurationCollector(const Kinematics& kinematics,
+                                  const ConfigurationOptions& options = {});
 
-  /// Joints that are not named keep their last position, which is the rest position at first: several publishers may share a topic.
-  /// Positions [rad or m] of mimic joints are compared with those that their masters imply; positions of fixed joints are ignored. `where`
-  /// appears in messages: "'a.csv', line 3". Throws kBadConfigurations for a name that the robot does not have (the message lists its
-  /// joints) or that appears twice, for a number of positions that differs from the number of names, and for values that are not finite.
-  void add(const std::vector<std::string>& names, const std::vector<double>& positions, const std::string& where);
+  /// Joints that are not named keep their last position, which is the rest position at first:
+  /// several publishers may share a topic. Positions [rad or m] of mimic joints are compared with
+  /// those that their masters imply; positions of fixed joints are ignored. `where` appears in
+  /// messages: "'a.csv', line 3". Throws kBadConfigurations for a name that the robot does not have
+  /// (the message lists its joints) or that appears twice, for a number of positions that differs
+  /// from the number of names, and for values that are not finite.
+  void add(const std::vector<std::string>& names, const std::vector<double>& positions,
+           const std::string& where);
 
-  /// Ends a trajectory: nothing is interpolated between its last configuration and the next one added.
+  /// Ends a trajectory: nothing is interpolated between its last configuration and the next one
+  /// added.
   void endTrajectory() { follows_ = false; }
 
   /// Returns what was collected and empties the collector.
@@ -77,7 +92,8 @@ class ConfigurationCollector {
     std::string where;
   };
   void put(const NamedJoint& joint, double position, const std::string& where);
-  void compareMimics(const std::vector<std::string>& names, const std::vector<double>& positions, const std::string& where);
+  void compareMimics(const std::vector<std::string>& names, const std::vector<double>& positions,
+                     const std::string& where);
   void append(const Configuration& next);
 
   const Kinematics& kinematics_;
@@ -93,15 +109,19 @@ class ConfigurationCollector {
 
 /// Reads configurations from a file:
 ///
-///   .csv          the first line names the joints, in any order, and each further line holds their positions; a column `time` or `stamp`
-///                 is ignored. Or the output of `rostopic echo -p` for sensor_msgs/JointState. Separated by commas, semicolons or tabs;
+///   .csv          the first line names the joints, in any order, and each further line holds their
+///                 positions; a column `time` or `stamp` is ignored. Or the output of `rostopic
+///                 echo -p` for sensor_msgs/JointState. Separated by commas, semicolons or tabs;
 ///                 lines that start with # are comments
-///   .yaml .yml    the output of `rostopic echo`, documents separated by `---`: sensor_msgs/JointState (name, position),
-///                 trajectory_msgs/JointTrajectory (joint_names, points with positions), and messages that contain these, such as
+///   .yaml .yml    the output of `rostopic echo`, documents separated by `---`:
+///                 sensor_msgs/JointState (name, position), trajectory_msgs/JointTrajectory
+///                 (joint_names, points with positions), and messages that contain these, such as
 ///                 MoveIt's RobotTrajectory and DisplayTrajectory
 ///
-/// Throws kFileNotFound, kUnsupportedFormat and kTooLarge; kBadConfigurations, naming the line, for text that cannot be read, for a file
-/// without a configuration, and wherever ConfigurationCollector throws it.
-ConfigurationSet readConfigurations(const std::string& file, const Kinematics& kinematics, const ConfigurationOptions& options = {});
+/// Throws kFileNotFound, kUnsupportedFormat and kTooLarge; kBadConfigurations, naming the line, for
+/// text that cannot be read, for a file without a configuration, and wherever
+/// ConfigurationCollector throws it.
+ConfigurationSet readConfigurations(const std::string& file, const Kinematics& kinematics,
+                                    const ConfigurationOptions& options = {});
 
 }  // namespace collision_hulls

@@ -10,22 +10,26 @@
 
 namespace collision_hulls {
 
-/// A map as in octomap_msgs/Octomap (Hornung et al. 2013). OctoMap's library is not needed to read the format.
+/// A map as in octomap_msgs/Octomap (Hornung et al. 2013). OctoMap's library is not needed to read
+/// the format.
 struct Octomap {
-  bool binary = true;          ///< two bits per child of a node; otherwise one log-odds value per node
+  /// two bits per child of a node; otherwise one log-odds value per node
+  bool binary = true;
   std::string id = "OcTree";   ///< kind of tree: OcTree, or ColorOcTree, whose colours are ignored
   double resolution = 0;       ///< [m] side of the smallest cells
   std::string_view data = {};  ///< the nodes, depth first
 };
 
-/// The map's occupied cells (probability 0.5 or more) as boxes in its frame [m]. The boxes do not overlap; boxes that together form a
-/// larger box are merged, along x, y and z in turn, until none are left to merge. Throws kBadScene for an unknown kind of tree, a
-/// resolution that is not a positive length, nodes below the 16th level, and data that ends early or continues past the last node;
-/// kTooLarge for more than 20 million cells or 10,000 boxes.
+/// The map's occupied cells (probability 0.5 or more) as boxes in its frame [m]. The boxes do not
+/// overlap; boxes that together form a larger box are merged, along x, y and z in turn, until none
+/// are left to merge. Throws kBadScene for an unknown kind of tree, a resolution that is not a
+/// positive length, nodes below the 16th level, and data that ends early or continues past the last
+/// node; kTooLarge for more than 20 million cells or 10,000 boxes.
 std::vector<Eigen::AlignedBox3d> occupiedBoxes(const Octomap& map);
 
-/// Appends these boxes as bodies "name/1", "name/2", ...; `pose` places the map's frame in the scene. Throws as occupiedBoxes() and
-/// addBody() do.
-void addOctomap(Scene& scene, const std::string& name, const Octomap& map, const Eigen::Isometry3d& pose = Eigen::Isometry3d::Identity());
+/// Appends these boxes as bodies "name/1", "name/2", ...; `pose` places the map's frame in the
+/// scene. Throws as occupiedBoxes() and addBody() do.
+void addOctomap(Scene& scene, const std::string& name, const Octomap& map,
+                const Eigen::Isometry3d& pose = Eigen::Isometry3d::Identity());
 
 }  // namespace collision_hulls

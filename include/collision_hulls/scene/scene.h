@@ -20,8 +20,9 @@
 
 namespace collision_hulls {
 
-/// A static body. Boxes, spheres, cylinders and cones are convex hulls; round ones become circumscribed polyhedra that protrude by at most
-/// kRoundness of the radius. Meshes are surfaces without an interior, as planners treat them.
+/// A static body. Boxes, spheres, cylinders and cones are convex hulls; round ones become
+/// circumscribed polyhedra that protrude by at most kRoundness of the radius. Meshes are surfaces
+/// without an interior, as planners treat them.
 struct SceneBody {
   static constexpr double kRoundness = 5e-3;
 
@@ -36,8 +37,8 @@ struct Scene {
   std::vector<SceneBody> bodies;
 };
 
-// Shapes centred at their frame's origin, as URDF, SDF and MoveIt place them; sizes in metres. They throw kBadScene for a size that is not
-// positive and finite, or is above 1e6.
+// Shapes centred at their frame's origin, as URDF, SDF and MoveIt place them; sizes in metres. They
+// throw kBadScene for a size that is not positive and finite, or is above 1e6.
 ConvexHull boxShape(const Eigen::Vector3d& sides);
 ConvexHull sphereShape(double radius);
 ConvexHull cylinderShape(double radius, double length);  ///< along z
@@ -49,51 +50,63 @@ struct PlacedShape {
 };
 constexpr double kPlaneSide = 20, kPlaneDepth = 0.1;  // [m]
 
-/// A slab that stands in for the unbounded plane a x + b y + c z + d = 0: kPlaneSide square and kPlaneDepth thick. Its upper face lies in
-/// the plane, centred at the plane's point nearest to the origin; the normal (a, b, c) points out of the slab. Throws kBadScene for a
-/// normal of zero length, or a plane more than 1e6 m from the origin.
+/// A slab that stands in for the unbounded plane a x + b y + c z + d = 0: kPlaneSide square and
+/// kPlaneDepth thick. Its upper face lies in the plane, centred at the plane's point nearest to the
+/// origin; the normal (a, b, c) points out of the slab. Throws kBadScene for a normal of zero
+/// length, or a plane more than 1e6 m from the origin.
 PlacedShape planeShape(const Eigen::Vector3d& normal, double d);
 
-/// How many numbers setShape() takes for "box" (3), "sphere" (1), "cylinder" and "cone" (2), and "plane" (4); 0 for any other kind.
+/// How many numbers setShape() takes for "box" (3), "sphere" (1), "cylinder" and "cone" (2), and
+/// "plane" (4); 0 for any other kind.
 std::size_t sizesOf(const std::string& kind);
 
-/// Gives a body a shape of that kind. For a plane, also moves the body's pose to the slab. Throws as the functions above.
+/// Gives a body a shape of that kind. For a plane, also moves the body's pose to the slab. Throws
+/// as the functions above.
 void setShape(SceneBody& body, const std::string& kind, const std::vector<double>& sizes);
 
-/// Appends a body. Throws kBadScene for a name that is empty or taken, a pose that is not finite or more than 1e6 m out, or a mesh that has
-/// no triangles, an index out of range, or a vertex that is not finite or more than 1e6 m out.
+/// Appends a body. Throws kBadScene for a name that is empty or taken, a pose that is not finite or
+/// more than 1e6 m out, or a mesh that has no triangles, an index out of range, or a vertex that is
+/// not finite or more than 1e6 m out.
 void addBody(Scene& scene, SceneBody body);
 
 /// Reads a scene; the extension of `file` selects the format:
 ///
-///   .scene            MoveIt's text format, with object poses (since MoveIt 1.1) or without. An object of several shapes becomes the
-///   bodies
-///                     "object/1", "object/2", ...; colours and subframes are ignored
-///   .urdf .xacro      collision elements, or the visual elements of links without any; joints are at zero, or at the limit nearest to it.
-///                     Bodies are named after their links: "link", or "link/1", "link/2", ...
-///   .sdf .world       the collisions of all models, nested or not, static or not, where their poses put them, or where a saved world's
-///                     `<state>` does; relative_to may name links, joints, frames and models of the same scope, and those inside such a
-///                     model ("a::b"). Bodies are named "model::link::collision". `<include>` accepts model:// (searched for in
-///                     GAZEBO_MODEL_PATH, GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, SDF_PATH, the folders above the file,
-///                     ~/.gazebo/models, and as a package name), package://, or a path; each to a file or a model's folder
+///   .scene            MoveIt's text format, with object poses (since MoveIt 1.1) or without. An
+///                     object of several shapes becomes the bodies "object/1", "object/2", ...;
+///                     colours and subframes are ignored
+///   .urdf .xacro      collision elements, or the visual elements of links without any; joints are
+///                     at zero, or at the limit nearest to it. Bodies are named after their links:
+///                     "link", or "link/1", "link/2", ...
+///   .sdf .world       the collisions of all models, nested or not, static or not, where their
+///                     poses put them, or where a saved world's `<state>` does; relative_to may
+///                     name links, joints, frames and models of the same scope, and those inside
+///                     such a model ("a::b"). Bodies are named "model::link::collision".
+///                     `<include>` accepts model:// (searched for in GAZEBO_MODEL_PATH,
+///                     GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, SDF_PATH, the folders above
+///                     the file, ~/.gazebo/models, and as a package name), package://, or a path;
+///                     each to a file or a model's folder
 ///   .stl .dae .obj .off .ply    one mesh, in the scene's frame
 ///   .bt .ot           OctoMap maps; see octomap.h
 ///   .yaml .yml        our own format:
 ///
-///     name: cell                                   # optional
-///     bodies:
-///     - {name: table, box: [1.2, 0.8, 0.04], pose: {xyz: [0.6, 0, -0.02], rpy: [0, 0, 0]}}    # m, rad; no pose: at the origin
-///     - {name: ball, sphere: 0.1}                                                            # radius
-///     - {name: can, cylinder: [0.03, 0.12]}                                                  # radius, length along z
-///     - {name: tip, cone: [0.05, 0.1]}                                                       # the same, tip up
-///     - {name: floor, plane: [0, 0, 1, 0]}                                                   # a, b, c, d: see planeShape()
-///     - {name: part, mesh: package://cell/meshes/part.stl, scale: [1, 1, 1]}                 # or a path relative to this file's folder
+///     name: cell                                # optional
+///     bodies:                                   # m and rad; without a pose: at the origin
+///     - {name: table, box: [1.2, 0.8, 0.04], pose: {xyz: [0.6, 0, -0.02], rpy: [0, 0, 0]}}
+///     - {name: ball, sphere: 0.1}               # radius
+///     - {name: can, cylinder: [0.03, 0.12]}     # radius, length along z
+///     - {name: tip, cone: [0.05, 0.1]}          # the same, tip up
+///     - {name: floor, plane: [0, 0, 1, 0]}      # a, b, c, d: see planeShape()
+///     - {name: part, mesh: package://cell/meshes/part.stl, scale: [1, 1, 1]}
+///     - {name: lid, mesh: lid.stl}              # a path relative to this file's folder
 ///
-/// A pose may have `quaternion: [x, y, z, w]` instead of rpy. In every format, planes become planeShape()'s slabs.
+/// A pose may have `quaternion: [x, y, z, w]` instead of rpy. In every format, planes become
+/// planeShape()'s slabs.
 ///
-/// An empty scene must be explicit: YAML with `bodies: []`. Any other file without a body is an error. Throws kFileNotFound,
-/// kUnsupportedFormat, kPackageNotFound and kTooLarge; kBadScene for text that violates the format, invalid sizes and poses, duplicate
-/// names, and a scene without bodies; the errors of reading a mesh, naming the body; for URDF, those of readRobotDescription().
+/// An empty scene must be explicit: YAML with `bodies: []`. Any other file without a body is an
+/// error. Throws kFileNotFound, kUnsupportedFormat, kPackageNotFound and kTooLarge; kBadScene for
+/// text that violates the format, invalid sizes and poses, duplicate names, and a scene without
+/// bodies; the errors of reading a mesh, naming the body; for URDF, those of
+/// readRobotDescription().
 Scene readScene(const std::string& file, const PackageFinder& find_package);
 
 }  // namespace collision_hulls

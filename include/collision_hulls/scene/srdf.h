@@ -1,9 +1,11 @@
-// Pairs of links that self-collision checking skips, as SRDF stores them and MoveIt's Setup Assistant writes them.
+// Pairs of links that self-collision checking skips, as SRDF stores them and MoveIt's Setup
+// Assistant writes them.
 //
 // For example:
 //
 //     const DisabledPairs disabled = readDisabledPairs("arm.srdf", robot);
-//     for (const DisabledPair& pair : disabled.pairs) std::cout << pair.link1 << ' ' << pair.link2 << '\n';
+//     for (const DisabledPair& pair : disabled.pairs)
+//       std::cout << pair.link1 << ' ' << pair.link2 << '\n';
 #pragma once
 
 #include <string>
@@ -17,24 +19,31 @@ namespace collision_hulls {
 struct DisabledPair {
   std::string link1, link2;
   std::string reason;  ///< "Adjacent", "Never", "Always", "Default", or what a user wrote ("User")
-  std::string known;   ///< how this is known: "never within 0.31 m, proved"; written as a comment. Empty if the pair was read
+  /// how this is known: "never within 0.31 m, proved"; written as a comment. Empty if the pair was
+  /// read
+  std::string known;
 };
 
 struct DisabledPairs {
-  std::vector<DisabledPair> pairs;  ///< pairs disabled by default first, the others in document order; no pair twice, in either order
-  std::vector<std::string> notes;   ///< what was ignored: links that the robot does not have, as in an SRDF for several variants of a robot
+  /// pairs disabled by default first, the others in document order; no pair twice, in either order
+  std::vector<DisabledPair> pairs;
+  /// what was ignored: links that the robot does not have, as in an SRDF for several variants of a
+  /// robot
+  std::vector<std::string> notes;
 };
 
-/// The disabled pairs of an SRDF. As in MoveIt, the order of elements does not matter: `<disable_default_collisions>` disables all pairs of
-/// a link, `<enable_collisions>` enables one of these again, and `<disable_collisions>` disables a pair. `path` (may be empty) appears in
+/// The disabled pairs of an SRDF. As in MoveIt, the order of elements does not matter:
+/// `<disable_default_collisions>` disables all pairs of a link, `<enable_collisions>` enables one
+/// of these again, and `<disable_collisions>` disables a pair. `path` (may be empty) appears in
 /// messages. Throws kNotXml; kNotAnSrdf, also for a link without a name.
-DisabledPairs parseDisabledPairs(const std::string& srdf_text, const RobotDescription& robot, const std::string& path = "");
+DisabledPairs parseDisabledPairs(const std::string& srdf_text, const RobotDescription& robot,
+                                 const std::string& path = "");
 
 /// The same for a file. Also throws kFileNotFound, kTooLarge.
 DisabledPairs readDisabledPairs(const std::string& srdf_file, const RobotDescription& robot);
 
-/// A document `<robot name="...">` with one `<disable_collisions>` per pair, in the given order, to merge into a robot's SRDF or to use as
-/// one. parseDisabledPairs() reads the same pairs back.
+/// A document `<robot name="...">` with one `<disable_collisions>` per pair, in the given order, to
+/// merge into a robot's SRDF or to use as one. parseDisabledPairs() reads the same pairs back.
 std::string srdfFragment(const std::string& robot_name, const std::vector<DisabledPair>& pairs);
 
 }  // namespace collision_hulls

@@ -1,16 +1,19 @@
-// J.-M. Lien and N. M. Amato, "Approximate convex decomposition of polyhedra", ACM Symposium on Solid and Physical Modeling 2007; in full
-// in "Approximate convex decomposition of polyhedra and its applications", Computer Aided Geometric Design 25 (2008); first for polygons,
-// SoCG 2004. Mamou and Ghorbel 2009, section 2, compare their method with this one; here it is a baseline:
+// J.-M. Lien and N. M. Amato, "Approximate convex decomposition of polyhedra", ACM Symposium on
+// Solid and Physical Modeling 2007; in full in "Approximate convex decomposition of polyhedra and
+// its applications", Computer Aided Geometric Design 25 (2008); first for polygons, SoCG 2004.
+// Mamou and Ghorbel 2009, section 2, compare their method with this one; here it is a baseline:
 //
 //   parts = the mesh's components
 //   while some part's concavity exceeds epsilon and there are not too many parts:
-//     x = the notch of highest concavity; cut its part by the plane through x that bisects the angle there
+//     x = the notch of highest concavity; cut its part by the plane through x that bisects the
+//         angle there
 //
-// This is a simple version. Its concavity is the paper's straight-line concavity: the distance from a notch (a reflex edge; the paper's
-// pockets have one at their bottom) to its bridge, the hull face over its pocket. The bridge is taken to be the nearest face that the notch
-// opens towards, where the paper projects hull edges onto the surface. Features are not grouped, and handles need no special care because
-// planes cut through them. The concavity does not bound the protrusion: space that no notch faces, such as the bore of a coarse ring seen
-// from its end, does not count.
+// This is a simple version. Its concavity is the paper's straight-line concavity: the distance from
+// a notch (a reflex edge; the paper's pockets have one at their bottom) to its bridge, the hull
+// face over its pocket. The bridge is taken to be the nearest face that the notch opens towards,
+// where the paper projects hull edges onto the surface. Features are not grouped, and handles need
+// no special care because planes cut through them. The concavity does not bound the protrusion:
+// space that no notch faces, such as the bore of a coarse ring seen from its end, does not count.
 #pragma once
 
 #include <vector>
@@ -21,13 +24,15 @@
 
 namespace collision_hulls {
 
-/// Straight-line concavity [m] of a surface: the maximum over its notches x of the distance from x to the nearest face of the convex hull
-/// that x opens towards; 0 if there are no notches. `two_sided`: the surface is a sheet, so every edge is a notch from one side or the
-/// other.
+/// Straight-line concavity [m] of a surface: the maximum over its notches x of the distance from x
+/// to the nearest face of the convex hull that x opens towards; 0 if there are no notches.
+/// `two_sided`: the surface is a sheet, so every edge is a notch from one side or the other.
 double straightLineConcavity(const TriangleMesh& mesh, bool two_sided = false);
 
-/// The hulls of the parts once no part's concavity exceeds `epsilon` [m], > 0. They cover the mesh and its loose segments. Cuts the most
-/// concave part first and stops at 2,000 parts, which guarantees termination. Deterministic. Throws kCancelled.
-std::vector<ConvexHull> acdHulls(const RepairedMesh& mesh, double epsilon, const RunControl& control = {});
+/// The hulls of the parts once no part's concavity exceeds `epsilon` [m], > 0. They cover the mesh
+/// and its loose segments. Cuts the most concave part first and stops at 2,000 parts, which
+/// guarantees termination. Deterministic. Throws kCancelled.
+std::vector<ConvexHull> acdHulls(const RepairedMesh& mesh, double epsilon,
+                                 const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -1,14 +1,17 @@
-// The method `certified`: few hulls that cover the surface and, provably, protrude no further than the tolerance.
+// The method `certified`: few hulls that cover the surface and, provably, protrude no further than
+// the tolerance.
 //
 //   1. cut the surface by planes until each piece's hull stays within the tolerance   (leaves);
 //      if this gives few hulls, cut in other ways as well and keep the best result
-//   2. merge hulls, cheapest first, while their common hull stays within it, also after its vertices are capped (outward)
+//   2. merge hulls, cheapest first, while their common hull stays within it, also after its
+//      vertices are capped (outward)
 //   3. search: dissolve some hulls and merge again
 //   4. on request, keep merging up to a single root                                   (hull tree)
 //
-// This is the paper's hierarchy (Mamou & Ghorbel 2009: merging clusters by a cost of concavity and compactness) with three changes: the
-// true protrusion, i.e. the one-sided Hausdorff distance to the solid, replaces ray concavity; cluster borders may cut triangles; and any
-// hulls that are near each other may merge, neighbours on the surface or not.
+// This is the paper's hierarchy (Mamou & Ghorbel 2009: merging clusters by a cost of concavity and
+// compactness) with three changes: the true protrusion, i.e. the one-sided Hausdorff distance to
+// the solid, replaces ray concavity; cluster borders may cut triangles; and any hulls that are near
+// each other may merge, neighbours on the surface or not.
 #pragma once
 
 #include "collision_hulls/decompose/decompose.h"
@@ -16,14 +19,18 @@
 
 namespace collision_hulls {
 
-/// The hulls of steps 1 to 3, or of a cut of the tree if their number is capped. A hull exceeds the tolerance only if its piece could not
-/// be cut or a cap forces it to. Runs on all threads of the caller's TBB arena; their number does not affect the result. See decompose().
-Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control = {});
+/// The hulls of steps 1 to 3, or of a cut of the tree if their number is capped. A hull exceeds the
+/// tolerance only if its piece could not be cut or a cap forces it to. Runs on all threads of the
+/// caller's TBB arena; their number does not affect the result. See decompose().
+Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& options,
+                        const RunControl& control = {});
 
-/// The hulls of certified() as leaves, merged up to a single root. A cut of the tree at a larger tolerance, or with any number of hulls,
-/// then takes microseconds. The tree's hulls are not capped, neither in vertices nor in number (but its leaves stay within the tolerance
-/// even after their vertices are capped); `method` is ignored. Bounds are within a few per cent of the truth. Deterministic. Throws
-/// kEmptyMesh, kBadOption, kCancelled.
-HullTree hullTree(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control = {});
+/// The hulls of certified() as leaves, merged up to a single root. A cut of the tree at a larger
+/// tolerance, or with any number of hulls, then takes microseconds. The tree's hulls are not
+/// capped, neither in vertices nor in number (but its leaves stay within the tolerance even after
+/// their vertices are capped); `method` is ignored. Bounds are within a few per cent of the truth.
+/// Deterministic. Throws kEmptyMesh, kBadOption, kCancelled.
+HullTree hullTree(const RepairedMesh& mesh, const DecomposeOptions& options,
+                  const RunControl& control = {});
 
 }  // namespace collision_hulls

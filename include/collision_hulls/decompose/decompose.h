@@ -13,7 +13,8 @@
 namespace collision_hulls {
 
 enum class Method {
-  kCertified,   ///< ours: few hulls whose protrusion provably stays within the tolerance, see certified.h
+  /// ours: few hulls whose protrusion provably stays within the tolerance, see certified.h
+  kCertified,
   kHacd,        ///< Mamou & Ghorbel 2009, see hacd.h
   kAcd,         ///< Lien & Amato 2007, see acd.h
   kSingleHull,  ///< the convex hull of the whole mesh
@@ -33,9 +34,11 @@ std::optional<Effort> effortNamed(const std::string& name);
 
 struct DecomposeOptions {
   Method method = Method::kCertified;
-  double tolerance = 0;    ///< [m] > 0: acceptable protrusion (hacd, acd: the papers' concavity epsilon)
-  int max_hulls = 0;       ///< most hulls per mesh; 0: no cap
-  int max_vertices = 64;   ///< most vertices per hull, at least 8; 0: no cap. Reduction is outward only
+  /// [m] > 0: acceptable protrusion (hacd, acd: the papers' concavity epsilon)
+  double tolerance = 0;
+  int max_hulls = 0;  ///< most hulls per mesh; 0: no cap
+  /// most vertices per hull, at least 8; 0: no cap. Reduction is outward only
+  int max_vertices = 64;
   std::uint64_t seed = 1;  ///< seeds everything random
   Effort effort = Effort::kQuick;
   bool fill = false;  ///< certified: also cover the inside of closed meshes, not only their surface
@@ -44,12 +47,15 @@ struct DecomposeOptions {
 void check(const DecomposeOptions& options);  ///< throws kBadOption
 
 struct Decomposition {
-  std::vector<ConvexHull> hulls;  ///< cover the mesh and its loose segments up to rounding; in a fixed order
-  bool capped = false;            ///< a cap (on hulls or vertices) made the result coarser than the tolerance alone would
+  /// cover the mesh and its loose segments up to rounding; in a fixed order
+  std::vector<ConvexHull> hulls;
+  /// a cap (on hulls or vertices) made the result coarser than the tolerance alone would
+  bool capped = false;
 };
 
-/// Decomposes a mesh. Deterministic: the same input and options give the same bytes, whatever else is running. Thread safe. Throws
-/// kBadOption, kEmptyMesh, kCancelled.
-Decomposition decompose(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control = {});
+/// Decomposes a mesh. Deterministic: the same input and options give the same bytes, whatever else
+/// is running. Thread safe. Throws kBadOption, kEmptyMesh, kCancelled.
+Decomposition decompose(const RepairedMesh& mesh, const DecomposeOptions& options,
+                        const RunControl& control = {});
 
 }  // namespace collision_hulls

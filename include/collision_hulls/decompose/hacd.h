@@ -1,8 +1,10 @@
-// K. Mamou and F. Ghorbel, "A simple and efficient approach for 3D mesh approximate convex decomposition", ICIP 2009.
+// K. Mamou and F. Ghorbel, "A simple and efficient approach for 3D mesh approximate convex
+// decomposition", ICIP 2009.
 //
-// The paper's method, unchanged: the reference for all other methods. Its concavity looks along the normals of a cluster's own triangles
-// and does not bound the protrusion: a flat, non-convex band (the end face of a U-channel) and the outer wall of a cup have none at all,
-// although their hulls fill the gap.
+// The paper's method, unchanged: the reference for all other methods. Its concavity looks along the
+// normals of a cluster's own triangles and does not bound the protrusion: a flat, non-convex band
+// (the end face of a U-channel) and the outer wall of a cup have none at all, although their hulls
+// fill the gap.
 #pragma once
 
 #include <vector>
@@ -12,24 +14,26 @@
 
 namespace collision_hulls {
 
-/// Equation (3): E_shape = rho^2 / (4 pi sigma) of a surface with perimeter rho [m] and area sigma [m^2]; 1 for a disk, infinite if the
-/// area is 0.
+/// Equation (3): E_shape = rho^2 / (4 pi sigma) of a surface with perimeter rho [m] and area sigma
+/// [m^2]; 1 for a disk, infinite if the area is 0.
 double aspectRatio(double perimeter, double area);
 
 /// Equation (4): E = C / D + alpha E_shape; concavity C and diagonal D in metres.
 double decimationCost(double concavity, double diagonal, double alpha, double shape);
 
-/// Equation (6): C(S) [m] of a set of triangles: max over the points M of S of ||M - P(M)||, where the half-ray from M along the normal of
-/// M's triangle leaves the convex hull of S at P(M). Exact, except that values below 1e-6 of the mesh's diagonal count as 0. 0 for an empty
-/// set.
+/// Equation (6): C(S) [m] of a set of triangles: max over the points M of S of ||M - P(M)||, where
+/// the half-ray from M along the normal of M's triangle leaves the convex hull of S at P(M). Exact,
+/// except that values below 1e-6 of the mesh's diagonal count as 0. 0 for an empty set.
 double concavity(const TriangleMesh& mesh, const std::vector<int>& triangles);
 
 /// Equation (7): alpha = epsilon / (10 D).
 double shapeWeight(double epsilon, double diagonal);
 
-/// Equation (5): the partition {p_k, A(p_k)} of the mesh's triangles that remains once no edge of the dual graph gives a cluster of
-/// concavity up to `epsilon` [m], > 0. Triangles ascend within a cluster; clusters are ordered by first triangle. Deterministic; ties are
-/// broken by index. Throws kCancelled.
-std::vector<std::vector<int>> hacdPartition(const TriangleMesh& mesh, double epsilon, const RunControl& control = {});
+/// Equation (5): the partition {p_k, A(p_k)} of the mesh's triangles that remains once no edge of
+/// the dual graph gives a cluster of concavity up to `epsilon` [m], > 0. Triangles ascend within a
+/// cluster; clusters are ordered by first triangle. Deterministic; ties are broken by index. Throws
+/// kCancelled.
+std::vector<std::vector<int>> hacdPartition(const TriangleMesh& mesh, double epsilon,
+                                            const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -7,24 +7,29 @@
 
 namespace collision_hulls {
 
-/// A node of the tree. A leaf is the hull of a piece of surface, an inner node the hull of its two children.
+/// A node of the tree. A leaf is the hull of a piece of surface, an inner node the hull of its two
+/// children.
 struct HullNode {
   ConvexHull hull;
-  double protrusion = 0;      ///< [m] upper bound on the distance of the hull's points from the solid; never less than a child's
+  /// [m] upper bound on the distance of the hull's points from the solid; never less than a child's
+  double protrusion = 0;
   int parent = -1;            ///< -1: the root
   int left = -1, right = -1;  ///< -1: a leaf
 };
 
-/// A binary tree. Children precede their parents; the last node is the root, which contains everything. A cut is a set of nodes with
-/// exactly one node on each path from the root to a leaf; its hulls cover the mesh. Immutable values may be shared between threads.
+/// A binary tree. Children precede their parents; the last node is the root, which contains
+/// everything. A cut is a set of nodes with exactly one node on each path from the root to a leaf;
+/// its hulls cover the mesh. Immutable values may be shared between threads.
 struct HullTree {
   std::vector<HullNode> nodes;
   double tolerance = 0;  ///< [m] the tolerance of the leaves
 
-  /// The coarsest cut whose nodes protrude no further than `tolerance` [m], but for leaves that do. Nodes in ascending order.
+  /// The coarsest cut whose nodes protrude no further than `tolerance` [m], but for leaves that do.
+  /// Nodes in ascending order.
   std::vector<int> cutAt(double tolerance) const;
 
-  /// A cut of at most `hulls` (>= 1) nodes: starts at the root and keeps replacing the furthest protruding node by its children.
+  /// A cut of at most `hulls` (>= 1) nodes: starts at the root and keeps replacing the furthest
+  /// protruding node by its children.
   std::vector<int> cutTo(int hulls) const;
 
   /// Whether these nodes form a cut.

@@ -8,11 +8,12 @@ namespace collision_hulls {
 /// The smallest cap on vertices: with it, a box is always possible.
 constexpr int kLeastVertices = 8;
 
-/// A hull of at most `max_vertices` (at least kLeastVertices) vertices that contains `hull` and protrudes little beyond it. It starts from
-/// an inner hull of well-chosen vertices and moves them outward; the containment is checked (all vertices of `hull` lie within all faces of
-/// the result). A sphere reduced to 64 vertices gains 7 % of its radius. If rounding spoils this, as for minute hulls, the result is the
-/// smallest oriented box found. A hull within the cap is returned unchanged. Deterministic. Thread safe. Throws kBadOption if max_vertices
-/// is too small.
+/// A hull of at most `max_vertices` (at least kLeastVertices) vertices that contains `hull` and
+/// protrudes little beyond it. It starts from an inner hull of well-chosen vertices and moves them
+/// outward; the containment is checked (all vertices of `hull` lie within all faces of the result).
+/// A sphere reduced to 64 vertices gains 7 % of its radius. If rounding spoils this, as for minute
+/// hulls, the result is the smallest oriented box found. A hull within the cap is returned
+/// unchanged. Deterministic. Thread safe. Throws kBadOption if max_vertices is too small.
 ConvexHull reduceVertices(const ConvexHull& hull, int max_vertices);
 
 /// Whether a hull has more vertices than a cap allows; 0 is no cap.

@@ -16,9 +16,10 @@
 
 namespace collision_hulls {
 
-/// The point of triangle abc nearest to p (Ericson, Real-Time Collision Detection, 5.1.5). Its distance from p is minimal up to rounding,
-/// even for slivers; degenerate triangles are allowed.
-Eigen::Vector3d closestPoint(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& p);
+/// The point of triangle abc nearest to p (Ericson, Real-Time Collision Detection, 5.1.5). Its
+/// distance from p is minimal up to rounding, even for slivers; degenerate triangles are allowed.
+Eigen::Vector3d closestPoint(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                             const Eigen::Vector3d& c, const Eigen::Vector3d& p);
 
 /// A bounding-volume tree over a mesh's triangles. Keeps copies of them. Immutable and thread safe.
 class TriangleBvh {
@@ -27,32 +28,41 @@ class TriangleBvh {
   explicit TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_sided = {});
 
   struct Nearest {
-    double distance = std::numeric_limits<double>::infinity();  ///< [m]; infinite if nothing lies within the limit
+    /// [m]; infinite if nothing lies within the limit
+    double distance = std::numeric_limits<double>::infinity();
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
     int triangle = -1;  ///< index in the mesh
   };
-  /// The nearest point of the surface that is closer than `limit` [m]. Exact. `hint` (a triangle's index, or -1) is tried first: passing on
-  /// a neighbouring query's answer is faster and gives the same result.
-  Nearest nearest(const Eigen::Vector3d& p, double limit = std::numeric_limits<double>::infinity(), int hint = -1) const;
+  /// The nearest point of the surface that is closer than `limit` [m]. Exact. `hint` (a triangle's
+  /// index, or -1) is tried first: passing on a neighbouring query's answer is faster and gives the
+  /// same result.
+  Nearest nearest(const Eigen::Vector3d& p, double limit = std::numeric_limits<double>::infinity(),
+                  int hint = -1) const;
 
-  /// The generalized winding number (Jacobson et al. 2013), with distant clusters replaced by dipoles (Barill et al. 2018): 1 inside a
-  /// closed outward surface, 0 outside, with an error of about 0.01.
+  /// The generalized winding number (Jacobson et al. 2013), with distant clusters replaced by
+  /// dipoles (Barill et al. 2018): 1 inside a closed outward surface, 0 outside, with an error of
+  /// about 0.01.
   double windingNumber(const Eigen::Vector3d& p) const;
 
-  /// The exact winding number of closed surfaces: the signed crossings of a ray from p along z. Much faster than windingNumber(). Closer to
-  /// the surface than 1e-9 of the tree's extent, the answer may be that of the other side.
+  /// The exact winding number of closed surfaces: the signed crossings of a ray from p along z.
+  /// Much faster than windingNumber(). Closer to the surface than 1e-9 of the tree's extent, the
+  /// answer may be that of the other side.
   int signedCrossings(const Eigen::Vector3d& p) const;
 
-  /// Whether the normals of all triangles within `radius` [m] of p lie in one open half-space and none of these triangles is two-sided or
-  /// degenerate. May answer no where the answer is yes (if there are many triangles), but never the reverse.
+  /// Whether the normals of all triangles within `radius` [m] of p lie in one open half-space and
+  /// none of these triangles is two-sided or degenerate. May answer no where the answer is yes (if
+  /// there are many triangles), but never the reverse.
   bool facesOneWay(const Eigen::Vector3d& p, double radius) const;
 
-  /// An upper bound on the distance to the solid that the triangles enclose, valid over the convex hull of `corners` [m]. The ball of
-  /// `radius` about p must contain, for each point of that hull outside the solid, its nearest surface point. Infinite if the triangles in
-  /// the ball do not all face one way. Why: for x outside with nearest surface point y, x - y lies in the cone of the normals n_i at y.
-  /// These all make an angle of cosine at least c with some direction, so |x - y| <= max_i n_i . (x - y) / c, and each term is linear in x.
-  /// `foremost`, if given, receives the triangle i that attains the maximum.
-  double frontBound(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& p, double radius, int* foremost = nullptr) const;
+  /// An upper bound on the distance to the solid that the triangles enclose, valid over the convex
+  /// hull of `corners` [m]. The ball of `radius` about p must contain, for each point of that hull
+  /// outside the solid, its nearest surface point. Infinite if the triangles in the ball do not all
+  /// face one way. Why: for x outside with nearest surface point y, x - y lies in the cone of the
+  /// normals n_i at y. These all make an angle of cosine at least c with some direction, so |x - y|
+  /// <= max_i n_i . (x - y) / c, and each term is linear in x. `foremost`, if given, receives the
+  /// triangle i that attains the maximum.
+  double frontBound(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& p,
+                    double radius, int* foremost = nullptr) const;
 
   /// The triangles whose boxes meet `box`, in ascending order.
   std::vector<int> trianglesNear(const Eigen::AlignedBox3d& box) const;
@@ -67,24 +77,30 @@ class TriangleBvh {
  private:
   struct Node {
     Eigen::AlignedBox3d box;
-    int first = 0, count = 0;  // leaf: triangles [first, first + count); inner node: children first, first + 1, and count 0
+    // leaf: triangles [first, first + count); inner node: children first, first + 1, and count 0
+    int first = 0, count = 0;
   };
   /// What a node's triangles look like from afar.
   struct Cluster {
     double area = 0;
-    Eigen::Vector3d dipole_centre = Eigen::Vector3d::Zero(), dipole = Eigen::Vector3d::Zero();  // centroid, area vector
-    Eigen::Vector3d cone_axis = Eigen::Vector3d::Zero();                                        // cone of the normals
+    // centroid, area vector
+    Eigen::Vector3d dipole_centre = Eigen::Vector3d::Zero(), dipole = Eigen::Vector3d::Zero();
+    // cone of the normals
+    Eigen::Vector3d cone_axis = Eigen::Vector3d::Zero();
     double cone_angle = 0;  // [rad] half opening angle; pi: any direction
     double radius = 0;      // radius of the triangles about dipole_centre
   };
   /// Four boxes, of nodes or of triangles, tested together: in single precision, slightly enlarged.
   struct FourBoxes {
     std::array<Eigen::Array4f, 3> low, high;  // by axis, about `centre_`, in units of `unit_`
-    std::array<int, 4> child{};               // what each box holds: a FourBoxes, or ~k for the triangle at k in leaf order
+    // what each box holds: a FourBoxes, or ~k for the triangle at k in leaf order
+    std::array<int, 4> child{};
     int count = 0;
   };
-  static constexpr int kDeepest = 96;           // stack size: one pending node on each of log2(2^31 / 4) levels, and plenty to spare
-  static constexpr int kDeepestFours = 3 * 24;  // stack size: three pending on each of log4(2^31 / 4) levels, and some to spare
+  // stack size: one pending node on each of log2(2^31 / 4) levels, and plenty to spare
+  static constexpr int kDeepest = 96;
+  // stack size: three pending on each of log4(2^31 / 4) levels, and some to spare
+  static constexpr int kDeepestFours = 3 * 24;
   struct Cone {
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
     double angle = 0;  // [rad] half opening angle
@@ -94,14 +110,18 @@ class TriangleBvh {
     int triangle;
   };
   Cone cone(int position) const;
-  void build(const TriangleMesh& mesh, std::vector<Centre>& centres, int node, int first, int count, int below);
+  void build(const TriangleMesh& mesh, std::vector<Centre>& centres, int node, int first, int count,
+             int below);
   void fillLeaf(const TriangleMesh& mesh, const std::vector<Centre>& centres, Node& leaf);
   void fit(int node);
   int gather(int node);
-  Eigen::Vector3f inUnits(const Eigen::Vector3d& p) const { return ((p - centre_) / unit_).cast<float>(); }
+  Eigen::Vector3f inUnits(const Eigen::Vector3d& p) const {
+    return ((p - centre_) / unit_).cast<float>();
+  }
   void fitCone(int node);
   template <class Visit, class Skip>
-  bool forEachNear(const Eigen::Vector3d& p, double radius, double narrow, Visit visit, Skip skip) const;
+  bool forEachNear(const Eigen::Vector3d& p, double radius, double narrow, Visit visit,
+                   Skip skip) const;
 
   std::vector<Node> nodes_;
   std::vector<FourBoxes> fours_;  // the same nodes, two levels merged into one

@@ -10,33 +10,41 @@
 
 namespace collision_hulls {
 
-/// The largest distance [m] of a point of the mesh's surface from the union of the hulls; 0 if and only if they cover it. A triangle whose
-/// corners lie in one hull is covered; any other is clipped by the hulls until nothing is left. The result is never too small, and too
-/// large by at most 1 % unless the gaps in a triangle take more than some hundred pieces. Distances below 1e-12 of the coordinates' size
-/// are rounding errors of this computation and count as 0.
-double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls, const RunControl& control = {});
+/// The largest distance [m] of a point of the mesh's surface from the union of the hulls; 0 if and
+/// only if they cover it. A triangle whose corners lie in one hull is covered; any other is clipped
+/// by the hulls until nothing is left. The result is never too small, and too large by at most 1 %
+/// unless the gaps in a triangle take more than some hundred pieces. Distances below 1e-12 of the
+/// coordinates' size are rounding errors of this computation and count as 0.
+double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
+                 const RunControl& control = {});
 
-/// The protrusion of a hull set: the one-sided Hausdorff distance from the hulls to S, i.e. the largest distance of a point of the hulls
-/// from S. If S has openings, `found` refers to the distance to the surface; S may be nearer than that.
+/// The protrusion of a hull set: the one-sided Hausdorff distance from the hulls to S, i.e. the
+/// largest distance of a point of the hulls from S. If S has openings, `found` refers to the
+/// distance to the surface; S may be nearer than that.
 struct Protrusion {
-  double bound = 0;                                   ///< [m] certified: no point of a hull is further from S
+  /// [m] certified: no point of a hull is further from S
+  double bound = 0;
   double found = 0;                                   ///< [m] largest distance found, at `where`
   Eigen::Vector3d where = Eigen::Vector3d::Zero();    ///< a point of a hull at the distance `found`
   Eigen::Vector3d nearest = Eigen::Vector3d::Zero();  ///< the point of S nearest to `where`
   int hull = -1;                                      ///< the hull that contains `where`
 };
 
-/// Branch and bound over each hull's faces and interior. On return bound - found <= gap (> 0, [m]), or more if the search does not converge
-/// in two million steps on a hull's surface (as in the plane of an opening) or in 60,000 in its interior (as along a narrow gap). A bound
-/// below twelve gaps is final after 100,000 steps.
-Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, double gap, const RunControl& control = {});
+/// Branch and bound over each hull's faces and interior. On return bound - found <= gap (> 0, [m]),
+/// or more if the search does not converge in two million steps on a hull's surface (as in the
+/// plane of an opening) or in 60,000 in its interior (as along a narrow gap). A bound below twelve
+/// gaps is final after 100,000 steps.
+Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, double gap,
+                      const RunControl& control = {});
 
-/// The volume of the union of the hulls [m^3]: exact for one hull and for disjoint hulls. What hulls share is estimated from a fixed
-/// sequence of samples in each of them, 20,000 in all (with an error of about 1 % of it).
+/// The volume of the union of the hulls [m^3]: exact for one hull and for disjoint hulls. What
+/// hulls share is estimated from a fixed sequence of samples in each of them, 20,000 in all (with
+/// an error of about 1 % of it).
 double unionVolume(const std::vector<ConvexHull>& hulls);
 
-/// The share of the inside of S that lies in the hulls, assuming they cover its surface; by the same sequence of samples. 1 for a solid
-/// without an inside. What is missing lies deep inside, where hulls of pieces of the surface do not reach.
+/// The share of the inside of S that lies in the hulls, assuming they cover its surface; by the
+/// same sequence of samples. 1 for a solid without an inside. What is missing lies deep inside,
+/// where hulls of pieces of the surface do not reach.
 double coveredShare(const std::vector<ConvexHull>& hulls, const Solid& solid);
 
 }  // namespace collision_hulls

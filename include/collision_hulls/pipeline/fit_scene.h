@@ -1,5 +1,5 @@
-// Fits a robot's collision model to a scene: reads its meshes, builds their hull trees or takes them from the cache, finds the cut that the
-// scene needs, and certifies it.
+// Fits a robot's collision model to a scene: reads its meshes, builds their hull trees or takes
+// them from the cache, finds the cut that the scene needs, and certifies it.
 #pragma once
 
 #include <string>
@@ -31,21 +31,25 @@ struct SceneSources {
   double max_step = 0;         ///< [rad or m] between configurations, see ConfigurationOptions
 };
 
-/// Reads a request from its sources. Throws the readers' errors, and kBadOption for a step without configurations.
+/// Reads a request from its sources. Throws the readers' errors, and kBadOption for a step without
+/// configurations.
 SceneRequest readSceneRequest(const Input& input, const SceneSources& sources);
 
-/// How to read configurations for a request: values beyond the joint limits are refused, since nothing is proved there.
+/// How to read configurations for a request: values beyond the joint limits are refused, since
+/// nothing is proved there.
 ConfigurationOptions givenConfigurations(double max_step);
 
 /// Adds configurations to a request, with the notes about them.
 void giveConfigurations(ConfigurationSet given, SceneRequest& request);
 
-/// Like decomposeRobot(), with hulls as fine as the scene needs but no finer than the options' tolerance; report.scene says why. A tree
-/// that the cache holds for the same tolerance needs no decomposition. Links that `options.links` does not select, and links with a mesh
-/// that failed, are absent from the fit. `method` must be certified. extra_files holds `config/<robot>_disabled.srdf`. Throws kBadOption,
-/// kCancelled.
-RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& find_package, const SceneRequest& request,
-                            const Options& options, const std::string& output, const RunControl& control = {},
+/// Like decomposeRobot(), with hulls as fine as the scene needs but no finer than the options'
+/// tolerance; report.scene says why. A tree that the cache holds for the same tolerance needs no
+/// decomposition. Links that `options.links` does not select, and links with a mesh that failed,
+/// are absent from the fit. `method` must be certified. extra_files holds
+/// `config/<robot>_disabled.srdf`. Throws kBadOption, kCancelled.
+RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& find_package,
+                            const SceneRequest& request, const Options& options,
+                            const std::string& output, const RunControl& control = {},
                             const StepCallback& step = {});
 
 }  // namespace collision_hulls

@@ -8,7 +8,8 @@
 
 namespace collision_hulls {
 
-/// "reading 42 meshes", then "7 of 42 meshes, 17 hulls, about 40 s left", at last "validating, about 2 s left".
+/// "reading 42 meshes", then "7 of 42 meshes, 17 hulls, about 40 s left", at last "validating,
+/// about 2 s left".
 std::string stepText(const Step& step);
 
 /// The same after the share done: "43 %, 7 of 42 meshes, ...".

@@ -1,4 +1,5 @@
-// The options of a run, as values. The command line, the services and the node's parameters all become these.
+// The options of a run, as values. The command line, the services and the node's parameters all
+// become these.
 #pragma once
 
 #include <algorithm>
@@ -13,13 +14,16 @@
 
 namespace collision_hulls {
 
-/// A length, a share of each mesh's bounding-box diagonal, or the smaller of both. A part that is not set is infinite.
+/// A length, a share of each mesh's bounding-box diagonal, or the smaller of both. A part that is
+/// not set is infinite.
 struct Length {
   static constexpr double kUnset = std::numeric_limits<double>::infinity();
   double limit = kUnset;  ///< [m]
   double share = kUnset;  ///< of the diagonal: 0.01 for 1 %
   /// [m] for a mesh with this diagonal [m].
-  double metres(double diagonal) const { return share == kUnset ? limit : std::min(limit, share * diagonal); }
+  double metres(double diagonal) const {
+    return share == kUnset ? limit : std::min(limit, share * diagonal);
+  }
 };
 constexpr Length lengthOf(double metres) {
   return {metres, Length::kUnset};
@@ -28,10 +32,11 @@ constexpr Length shareOf(double share) {
   return {Length::kUnset, share};
 }
 
-/// Reads "5mm", "0.5 cm", "0.005", "0.005m", "1%", or "1cm,5%" and "5%,1cm" for the smaller of both. Units: m, cm, mm, um, in, %.
-/// A number without a unit is in metres; in a pair the length needs its unit, so that "1,5%" is not read as 1 m and 5 %. Throws
-/// kBadOption for anything else, for a value that is not positive or not finite, and for a percentage above 100; the message names
-/// the `option` and says what it takes.
+/// Reads "5mm", "0.5 cm", "0.005", "0.005m", "1%", or "1cm,5%" and "5%,1cm" for the smaller of
+/// both. Units: m, cm, mm, um, in, %. A number without a unit is in metres; in a pair the length
+/// needs its unit, so that "1,5%" is not read as 1 m and 5 %. Throws kBadOption for anything else,
+/// for a value that is not positive or not finite, and for a percentage above 100; the message
+/// names the `option` and says what it takes.
 Length parseLength(const std::string& text, const std::string& option = "tolerance");
 std::string toString(const Length& length);  ///< parseLength reads it back: "5mm", "1%", "1cm,5%"
 
@@ -45,13 +50,16 @@ struct Options {
   Length tolerance{0.01, 0.05};
   Method method = Method::kCertified;
   Effort effort = Effort::kQuick;
-  std::optional<Length> tree;  ///< cut the hulls from a tree whose leaves are this fine, kept in the cache (certified)
-  bool fill = false;           ///< cover the inside of closed meshes as well (certified)
-  int max_hulls = 0;           ///< per mesh; 0: no cap
-  int max_vertices = 64;       ///< per hull; 0: no cap
-  std::string links;           ///< regular expression (ECMAScript) that a link's whole name must match; empty: all
+  /// cut the hulls from a tree whose leaves are this fine, kept in the cache (certified)
+  std::optional<Length> tree;
+  bool fill = false;      ///< cover the inside of closed meshes as well (certified)
+  int max_hulls = 0;      ///< per mesh; 0: no cap
+  int max_vertices = 64;  ///< per hull; 0: no cap
+  /// regular expression (ECMAScript) that a link's whole name must match; empty: all
+  std::string links;
   Source source = Source::kAuto;
-  double scale = 1;  ///< of a single mesh, > 0: 0.001 for one in millimetres; a robot's description has its own scales
+  /// of a single mesh, > 0: 0.001 for one in millimetres; a robot's description has its own scales
+  double scale = 1;
   MeshFormat format = MeshFormat::kStl;
   UriStyle uri = UriStyle::kPackage;
   std::string package_name;  ///< of the output; empty: as its folder is called
@@ -63,11 +71,12 @@ struct Options {
 
 std::string methodChoices();  ///< the names of all methods, for messages
 
-/// Throws kBadOption naming the option, its value and its range. A tolerance above 1 m is a mistake in its unit.
+/// Throws kBadOption naming the option, its value and its range. A tolerance above 1 m is a mistake
+/// in its unit.
 void check(const Options& options);
 
-/// Sets both caps to what a consumer of the hulls documents: "fcl", "moveit", "bullet", "physx" or "gazebo"; the source has each
-/// value and where it comes from. Throws kBadOption for another name.
+/// Sets both caps to what a consumer of the hulls documents: "fcl", "moveit", "bullet", "physx" or
+/// "gazebo"; the source has each value and where it comes from. Throws kBadOption for another name.
 void applyProfile(const std::string& profile, Options& options);
 
 }  // namespace collision_hulls

@@ -39,17 +39,23 @@ struct ElementReport {
   Method method = Method::kCertified;
   double tolerance = 0;
   std::size_t hulls = 0, hull_vertices = 0;
-  std::size_t primitives = 0;  ///< spheres, boxes and cylinders in place of hulls, in a model that was fitted to a scene
+  /// spheres, boxes and cylinders in place of hulls, in a model that was fitted to a scene
+  std::size_t primitives = 0;
   double uncovered = 0, protrusion = 0, protrusion_found = 0;
-  Eigen::Vector3d worst = Eigen::Vector3d::Zero(), worst_nearest = Eigen::Vector3d::Zero();  ///< place of protrusion_found, and of S
+  /// place of protrusion_found, and of S
+  Eigen::Vector3d worst = Eigen::Vector3d::Zero(), worst_nearest = Eigen::Vector3d::Zero();
   std::string interior;
   double volume = 0, hull_volume = 0, diagonal = 0;
-  double covered_share = 1;        ///< of the solid's inside that lies in the hulls, to 1 % or so; see coveredShare()
-  double nudge = 0;                ///< [m] how far hulls were moved outward for rounding (reader, weld, writer)
-  double thickness = 0;            ///< [m] thickness given to flat hulls
-  StageSeconds seconds;            ///< a mesh that several links use is worked on once: the first row has the time, the others have 0
+  /// of the solid's inside that lies in the hulls, to 1 % or so; see coveredShare()
+  double covered_share = 1;
+  /// [m] how far hulls were moved outward for rounding (reader, weld, writer)
+  double nudge = 0;
+  double thickness = 0;  ///< [m] thickness given to flat hulls
+  /// a mesh that several links use is worked on once: the first row has the time, the others have 0
+  StageSeconds seconds;
   std::vector<std::string> files;  ///< relative to the output folder
-  bool cached = false;             ///< remembered from an earlier run; seconds.read is what finding it took
+  /// remembered from an earlier run; seconds.read is what finding it took
+  bool cached = false;
 };
 
 struct Report {
@@ -67,8 +73,8 @@ struct Report {
 /// report.json's text, with the fields and totals of the contract.
 std::string toJson(const Report& report);
 
-/// What the programs print: a table with a row for each mesh and their total, then the check, the scene and the notes, in plain words.
-/// The reasons of failed rows are in failures().
+/// What the programs print: a table with a row for each mesh and their total, then the check, the
+/// scene and the notes, in plain words. The reasons of failed rows are in failures().
 std::string toTable(const Report& report);
 
 /// A line for each failed row; a single one for all rows that miss the same package.

@@ -7,67 +7,57 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <optional>
 
-#include "decompose/convex_polygon.h"
+#include "decompose/box_tree.h"
+#include "decompose/triangle_concavity.h"
 
 namespace collision_hulls {
 
 namespace {
 
-// A face whose normal has a smaller component than this along a ray counts as parallel to it; the ray then passes it by at most this share
-// of the hull's extent.
-constexpr double kParallel = 1e-6;
-// The bounds of a triangle's concavity have met once they differ by less than this share.
-constexpr double kBoundsMeet = 1e-9;
-// Most faces that a cutting-plane search examines: far more than it needs, a guard against cycling due to rounding.
-constexpr int kMostCuts = 100;
+// More than the rounding error of a dot product with a unit vector, as a share of the coordinates.
+constexpr double kRounding = 1e-14;
+const double kInfinity = std::numeric_limits<double>::infinity();
 
 const Eigen::Vector3d kUnaligned = Eigen::Vector3d(0.5477, 0.6245, 0.5568).normalized();
-
-/// The distance along the ray to a face's plane, as an affine function of the ray's origin.
-struct ExitFunction {
-  Eigen::Vector3d slope;
-  double constant;
-  double operator()(const Eigen::Vector3d& m) const { return slope.dot(m) + constant; }
-};
-
-std::vector<ExitFunction> exitFunctions(const ConvexHull& hull, const Eigen::Vector3d& origin, const Eigen::Vector3d& normal) {
-  std::vector<ExitFunction> exits;
-  for (const HalfSpace& face : hull.faces) {
-    const double along = face.normal.dot(normal);
-    if (along > kParallel) exits.push_back({-face.normal / along, -face.distance(origin) / along});
-  }
-  return exits;
-}
-
-std::size_t firstExit(const std::vector<ExitFunction>& exits, const Eigen::Vector3d& m) {
-  std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < exits.size(); ++i) {
-    const double t = exits[i](m);
-    if (t < least) least = t, best = i;
-  }
-  return best;
-}
-
-/// Coordinates of points, laid out for many dot products with one normal at a time.
-class SupportFunction {
- public:
-  SupportFunction(const std::vector<Eigen::Vector3d>& position, const std::vector<int>& points)
-      : coordinates_(static_cast<Eigen::Index>(points.size()), 3) {
-    for (std::size_t i = 0; i < points.size(); ++i) coordinates_.row(static_cast<Eigen::Index>(i)) = position[points[i]];
-  }
-  double operator()(const Eigen::Vector3d& n) const {
-    return (coordinates_.col(0).array() * n.x() + coordinates_.col(1).array() * n.y() + coordinates_.col(2).array() * n.z()).maxCoeff();
-  }
-
- private:
-  Eigen::Matrix<double, Eigen::Dynamic, 3> coordinates_;
-};
 
 double support(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& n) {
   return n.dot(box.center()) + n.cwiseAbs().dot(box.sizes()) / 2;
 }
+
+/// How far points reach in a direction.
+class SupportFunction {
+ public:
+  SupportFunction(const std::vector<Eigen::Vector3d>& position, const std::vector<int>& points) {
+    std::vector<Eigen::Vector3d> at;
+    at.reserve(points.size());
+    for (int p : points) at.push_back(position[p]);
+    tree_ = BoxTree<3, 64>(at);
+    coordinates_.resize(static_cast<Eigen::Index>(at.size()), 3);
+    for (std::size_t i = 0; i < at.size(); ++i)
+      coordinates_.row(static_cast<Eigen::Index>(i)) = at[static_cast<std::size_t>(tree_.order()[i])];
+    slack_ = kRounding * (tree_.box().min().cwiseAbs() + tree_.box().max().cwiseAbs()).maxCoeff();
+  }
+
+  /// The largest n . p, where it exceeds `least`; otherwise any value up to `least`. n: a unit vector.
+  double operator()(const Eigen::Vector3d& n, double least) const {
+    double most = -kInfinity;
+    const auto bound = [&](const Eigen::AlignedBox3d& box) { return -support(box, n) - slack_; };
+    const auto visit = [&](std::size_t first, std::size_t last) {
+      const auto block = coordinates_.middleRows(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(last - first)).array();
+      most = std::max(most, (block.col(0) * n.x() + block.col(1) * n.y() + block.col(2) * n.z()).maxCoeff());
+      return -std::max(most, least);
+    };
+    tree_.search(bound, visit, -least);
+    return most;
+  }
+
+ private:
+  BoxTree<3, 64> tree_;
+  Eigen::Matrix<double, Eigen::Dynamic, 3> coordinates_;  // in the tree's order, laid out for many dot products at a time
+  double slack_ = 0;                                      // [m] more than their rounding error
+};
 
 std::vector<int> unionOf(const std::vector<int>& a, const std::vector<int>& b) {
   std::vector<int> all;
@@ -77,32 +67,6 @@ std::vector<int> unionOf(const std::vector<int>& a, const std::vector<int>& b) {
 }
 
 }  // namespace
-
-double concavityOfTriangle(const ConvexHull& hull, const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& normal,
-                           double known) {
-  const Eigen::Vector3d& origin = corners[0];
-  const std::vector<ExitFunction> exits = exitFunctions(hull, origin, normal);
-  if (exits.empty()) return 0;
-  const ConvexPolygon whole{Eigen::Vector3d::Zero(), corners[1] - origin, corners[2] - origin};
-  ConvexPolygon polygon, scratch;
-  std::vector<std::size_t> cuts;
-  Eigen::Vector3d m = (whole[1] + whole[2]) / 3;
-  double lower = 0, upper = std::numeric_limits<double>::infinity();
-  for (int cut = 0; cut < kMostCuts; ++cut) {
-    const std::size_t f = firstExit(exits, m);
-    lower = std::max(lower, exits[f](m));
-    if (upper <= std::max(known, lower * (1 + kBoundsMeet))) break;
-    polygon = whole;
-    for (std::size_t g : cuts)
-      clip(
-          polygon, [&](const Eigen::Vector3d& p) { return exits[g](p) - exits[f](p); }, scratch);
-    if (polygon.empty()) break;  // f was below the others only by rounding
-    cuts.push_back(f);
-    m = largest(polygon, exits[f]);
-    upper = exits[f](m);
-  }
-  return lower;
-}
 
 ConcavityMeasure::ConcavityMeasure(const TriangleMesh& mesh) : diagonal_(diagonal(mesh)), negligible_(kNegligible * diagonal_) {
   std::vector<int> order(mesh.vertices.size()), rank(mesh.vertices.size());
@@ -144,11 +108,14 @@ std::vector<Eigen::Vector3d> ConcavityMeasure::positions(const std::vector<int>&
 /// Updates the heights of triangles after `other` joins their patch. If even other's box does not rise above `floor`, the box's height
 /// suffices as an upper bound.
 void ConcavityMeasure::raise(std::vector<double>& heights, const std::vector<int>& triangles, const Patch& other, double floor) const {
-  const SupportFunction exact(position_, other.points);
+  std::optional<SupportFunction> exact;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Facet& facet = facets_[triangles[i]];
     double rise = support(other.box, facet.normal) - facet.offset;
-    if (rise > floor && rise > heights[i]) rise = exact(facet.normal) - facet.offset;
+    if (rise > floor && rise > heights[i]) {
+      if (!exact) exact.emplace(position_, other.points);
+      rise = (*exact)(facet.normal, heights[i] + facet.offset) - facet.offset;
+    }
     heights[i] = std::max(heights[i], rise);
   }
 }
@@ -176,11 +143,12 @@ ConcavityMeasure::Union ConcavityMeasure::ofUnion(const Patch& a, const Patch& b
   std::vector<int> points = unionOf(a.points, b.points);
   if (!open.empty()) {
     const ConvexHull hull = convexHull(positions(points));
+    const ExitFaces faces(hull);
     for (const Candidate& candidate : open) {
       if (candidate.height <= std::max(result.value, negligible_)) break;
       const Facet& facet = facets_[candidate.triangle];
       const auto& p = facet.points;
-      const double c = concavityOfTriangle(hull, {position_[p[0]], position_[p[1]], position_[p[2]]}, facet.normal, result.value);
+      const double c = concavityOfTriangle(faces, {position_[p[0]], position_[p[1]], position_[p[2]]}, facet.normal, result.value);
       if (c > negligible_) result.value = std::max(result.value, c);
       if (result.value > limit) return result;
     }

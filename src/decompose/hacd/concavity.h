@@ -10,23 +10,6 @@
 
 namespace collision_hulls {
 
-/// The largest ||M - P(M)|| [m] over the points M of a triangle within `hull`, where the half-ray from M along `normal` (the triangle's
-/// unit normal) leaves the hull at P(M).
-///
-/// The exit distance is the minimum of one affine function of M per face that looks along the normal. It is concave and piecewise linear
-/// over the triangle; its maximum is generally not at a corner. Cutting planes find it exactly, up to rounding:
-///
-///   M <- centroid
-///   repeat
-///     f <- the face where the ray from M leaves                      its distance there is a lower bound
-///     M <- maximum of f's function over the part of the triangle     its value there is an upper bound
-///          where f is below the faces found before
-///   until the bounds meet, or the upper bound is at most `known`
-///
-/// Returns the lower bound, so any value up to `known` means "at most known". 0 if no face looks along the normal.
-double concavityOfTriangle(const ConvexHull& hull, const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& normal,
-                           double known = 0);
-
 /// A cluster of triangles, reduced to what its concavity depends on.
 struct Patch {
   std::vector<int> triangles;

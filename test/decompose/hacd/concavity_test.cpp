@@ -8,6 +8,7 @@
 #include <random>
 
 #include "collision_hulls/decompose/hacd.h"
+#include "decompose/triangle_concavity.h"
 #include "shapes.h"
 
 namespace collision_hulls {
@@ -16,69 +17,10 @@ namespace {
 using Corners = std::array<Eigen::Vector3d, 3>;
 const double kInfinity = std::numeric_limits<double>::infinity();
 
-ConvexHull hullOf(const TriangleMesh& mesh) {
-  return convexHull(mesh.vertices);
-}
-
 std::vector<int> all(const TriangleMesh& mesh) {
   std::vector<int> triangles(mesh.triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) triangles[t] = static_cast<int>(t);
   return triangles;
-}
-
-TEST(TriangleConcavity, ZeroOnTheHullsOwnFace) {
-  const ConvexHull cube = hullOf(test_shapes::box(1, 1, 1));
-  EXPECT_NEAR(concavityOfTriangle(cube, Corners{{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}}, {0, 0, 1}), 0, 1e-9);
-}
-
-TEST(TriangleConcavity, DistanceToTheOppositeFace) {
-  const ConvexHull cube = hullOf(test_shapes::box(1, 1, 1));
-  EXPECT_NEAR(concavityOfTriangle(cube, Corners{{{0, 0, 0.25}, {1, 0, 0.25}, {0, 1, 0.25}}}, {0, 0, 1}), 0.75, 1e-9);
-}
-
-TEST(TriangleConcavity, LargestInsideTheTriangle) {
-  const ConvexHull pyramid = convexHull({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0.1, 0, 1}});
-  EXPECT_NEAR(concavityOfTriangle(pyramid, Corners{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}}, {0, 0, 1}), 1, 1e-9);
-}
-
-TEST(TriangleConcavity, LargestOnASideOfTheTriangle) {
-  const ConvexHull pyramid = convexHull({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 1}});
-  // Of the part of the triangle beyond y = 1/2, the middle of its lower side is nearest to the axis.
-  EXPECT_NEAR(concavityOfTriangle(pyramid, Corners{{{-0.5, 0.5, 0}, {0.5, 0.5, 0}, {0, 0.9, 0}}}, {0, 0, 1}), 0.5, 1e-9);
-}
-
-TEST(TriangleConcavity, StopsOnceItIsKnownToBeSmaller) {
-  const ConvexHull cube = hullOf(test_shapes::box(1, 1, 1));
-  EXPECT_LE(concavityOfTriangle(cube, Corners{{{0, 0, 0.25}, {1, 0, 0.25}, {0, 1, 0.25}}}, {0, 0, 1}, 2.0), 2.0);
-}
-
-TEST(TriangleConcavity, AgreesWithDenseSampling) {
-  const unsigned seed = 5;
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  const auto point = [&] { return Eigen::Vector3d(uniform(random), uniform(random), uniform(random)); };
-  for (int repeat = 0; repeat < 200; ++repeat) {
-    std::vector<Eigen::Vector3d> points;
-    for (int i = 0; i < 20; ++i) points.push_back(point());
-    const Corners corners{points[0], points[1], points[2]};
-    const ConvexHull hull = convexHull(points);
-    const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-    double sampled = 0;
-    constexpr int kSteps = 40;
-    for (int i = 0; i <= kSteps; ++i) {
-      for (int j = 0; i + j <= kSteps; ++j) {
-        const Eigen::Vector3d m = corners[0] + (corners[1] - corners[0]) * i / kSteps + (corners[2] - corners[0]) * j / kSteps;
-        double exit = kInfinity;
-        for (const HalfSpace& face : hull.faces)
-          if (face.normal.dot(normal) > 1e-9) exit = std::min(exit, -face.distance(m) / face.normal.dot(normal));
-        sampled = std::max(sampled, exit);
-      }
-    }
-    const double exact = concavityOfTriangle(hull, corners, normal);
-    EXPECT_GE(exact, sampled - 1e-9) << "repeat " << repeat;
-    EXPECT_LE(exact, sampled + 0.2) << "repeat " << repeat;
-  }
 }
 
 TEST(Concavity, NoneForAtMostOneTriangle) {
@@ -135,11 +77,12 @@ TEST(Concavity, NeverDecreasesAsASurfaceGrows) {
       EXPECT_GE(grown.concavity, before);
       // From scratch, without what is known about the parts.
       const ConvexHull hull = convexHull(measure.positions(grown.points));
+      const ExitFaces faces(hull);
       double fresh = 0;
       for (int t : grown.triangles) {
         const Corners corners{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
         const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-        fresh = std::max(fresh, concavityOfTriangle(hull, corners, normal));
+        fresh = std::max(fresh, concavityOfTriangle(faces, corners, normal));
       }
       EXPECT_NEAR(grown.concavity, fresh, 2 * ConcavityMeasure::kNegligible * diagonal(mesh));
     }

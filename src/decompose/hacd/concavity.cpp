@@ -9,8 +9,8 @@
 #include <numeric>
 #include <optional>
 
-#include "decompose/box_tree.h"
-#include "decompose/triangle_concavity.h"
+#include "decompose/hacd/box_tree.h"
+#include "decompose/hacd/triangle_concavity.h"
 
 namespace collision_hulls {
 

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "collision_hulls/decompose/hacd.h"
-#include "decompose/triangle_concavity.h"
+#include "decompose/hacd/triangle_concavity.h"
 #include "shapes.h"
 
 namespace collision_hulls {

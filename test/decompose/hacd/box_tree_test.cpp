@@ -1,4 +1,4 @@
-#include "decompose/box_tree.h"
+#include "decompose/hacd/box_tree.h"
 
 #include <gtest/gtest.h>
 

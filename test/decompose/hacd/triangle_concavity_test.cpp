@@ -1,4 +1,4 @@
-#include "decompose/triangle_concavity.h"
+#include "decompose/hacd/triangle_concavity.h"
 
 #include <gtest/gtest.h>
 

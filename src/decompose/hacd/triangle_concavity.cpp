@@ -2,7 +2,7 @@
 // (normal, offset): of all planes in a box, the ray reaches none before the least possible distance to a plane over the largest possible
 // component of a normal along the ray. Planes that the ray reaches soon are neighbours on the hull, so few boxes are opened. Comparing all
 // planes instead made the decimation quadratic on round surfaces, whose hulls have a face for each triangle.
-#include "decompose/triangle_concavity.h"
+#include "decompose/hacd/triangle_concavity.h"
 
 #include <algorithm>
 #include <limits>

@@ -69,13 +69,31 @@ class Decimation {
     }
   }
 
+  /// Goes on beyond epsilon, with the same alpha, until no edge is left.
+  void runToTheEnd() {
+    epsilon_ = std::numeric_limits<double>::infinity();
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (edges_[e].gone) continue;
+      edges_[e].measured = false;  // only as far as it took to exceed epsilon
+      push(static_cast<int>(e));
+    }
+    run();
+  }
+
+  /// The concavities of all clusters that were merged so far, in ascending order.
+  std::vector<double> merges() const {
+    std::vector<double> merges = merges_;
+    std::sort(merges.begin(), merges.end());
+    return merges;
+  }
+
   /// Equation (5).
-  std::vector<std::vector<int>> partition() {
+  std::vector<std::vector<int>> partition() const {
     std::vector<std::vector<int>> clusters;
-    for (Cluster& cluster : clusters_) {
+    for (const Cluster& cluster : clusters_) {
       if (cluster.patch.triangles.empty()) continue;
-      std::sort(cluster.patch.triangles.begin(), cluster.patch.triangles.end());
-      clusters.push_back(std::move(cluster.patch.triangles));
+      clusters.push_back(cluster.patch.triangles);
+      std::sort(clusters.back().begin(), clusters.back().end());
     }
     std::sort(clusters.begin(), clusters.end());
     return clusters;
@@ -144,7 +162,8 @@ class Decimation {
     takeEdges(edge.v, edge.w);
     w = Cluster();
     for (int other : v.edges) renew(other, v.patch.concavity);
-    control_.report(static_cast<double>(++collapses_) / static_cast<double>(clusters_.size()));
+    merges_.push_back(edge.bound);
+    control_.report(static_cast<double>(merges_.size()) / static_cast<double>(clusters_.size()));
   }
 
   /// Connects w's edges to v; two edges to the same cluster become one.
@@ -188,7 +207,7 @@ class Decimation {
   std::vector<Edge> edges_;
   std::vector<int> edge_to_;  // scratch, per cluster: v's edge to it; -1 if none
   std::priority_queue<Entry> queue_;
-  std::size_t collapses_ = 0;
+  std::vector<double> merges_;  // [m] the concavity of each merged cluster
 };
 
 }  // namespace
@@ -225,6 +244,22 @@ std::vector<std::vector<int>> hacdPartition(const TriangleMesh& mesh, double eps
   Decimation decimation(mesh, epsilon, control);
   decimation.run();
   return decimation.partition();
+}
+
+Segmentation hacdSegmentation(const TriangleMesh& mesh, double epsilon, const RunControl& control) {
+  Decimation decimation(mesh, epsilon, control);
+  decimation.run();
+  Segmentation result{decimation.partition(), {}};
+  decimation.runToTheEnd();
+  result.merges = decimation.merges();
+  return result;
+}
+
+std::size_t clustersAt(const Segmentation& segmentation, double epsilon) {
+  std::size_t triangles = 0;
+  for (const std::vector<int>& cluster : segmentation.clusters) triangles += cluster.size();
+  const auto& merges = segmentation.merges;
+  return triangles - static_cast<std::size_t>(std::upper_bound(merges.begin(), merges.end(), epsilon) - merges.begin());
 }
 
 }  // namespace collision_hulls

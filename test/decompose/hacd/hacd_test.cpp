@@ -167,6 +167,38 @@ TEST(HacdPartition, LazyEvaluationChangesNothing) {
   }
 }
 
+TEST(HacdSegmentation, CutAtEpsilonIsThePartition) {
+  for (const TriangleMesh& mesh : {test_shapes::torus(1, 0.3, 20, 10), test_shapes::openBox(), test_shapes::fourSpheres()}) {
+    const double epsilon = kShare * diagonal(mesh);
+    const Segmentation segmentation = hacdSegmentation(mesh, epsilon);
+    EXPECT_EQ(segmentation.clusters, hacdPartition(mesh, epsilon));
+    EXPECT_EQ(clustersAt(segmentation, epsilon), segmentation.clusters.size());
+  }
+}
+
+TEST(HacdSegmentation, EndsWithAClusterForEachConnectedPiece) {
+  const auto atTheEnd = [](const TriangleMesh& mesh) {
+    return clustersAt(hacdSegmentation(mesh, kShare * diagonal(mesh)), std::numeric_limits<double>::infinity());
+  };
+  EXPECT_EQ(atTheEnd(test_shapes::torus(1, 0.3, 12, 8)), 1u);
+  EXPECT_EQ(atTheEnd(test_shapes::openBox()), 1u);
+  TriangleMesh two = test_shapes::box(1, 1, 1), other = test_shapes::box(1, 1, 1);
+  for (Eigen::Vector3d& v : other.vertices) v.x() += 5;
+  for (const Triangle& t : other.triangles) two.triangles.push_back({t[0] + 8, t[1] + 8, t[2] + 8});
+  two.vertices.insert(two.vertices.end(), other.vertices.begin(), other.vertices.end());
+  EXPECT_EQ(atTheEnd(two), 2u);
+}
+
+TEST(HacdSegmentation, MergesAreTheConcavitiesOfTheHierarchysClusters) {
+  const TriangleMesh mesh = test_shapes::torus(1, 0.3, 16, 8);
+  const Segmentation segmentation = hacdSegmentation(mesh, kShare * diagonal(mesh));
+  EXPECT_EQ(segmentation.merges.size() + 1, mesh.triangles.size());
+  EXPECT_TRUE(std::is_sorted(segmentation.merges.begin(), segmentation.merges.end()));
+  std::vector<int> all(mesh.triangles.size());
+  for (std::size_t t = 0; t < all.size(); ++t) all[t] = static_cast<int>(t);
+  EXPECT_NEAR(segmentation.merges.back(), concavity(mesh, all), 1e-6 * diagonal(mesh));
+}
+
 TEST(PapersWeakness, LBracketIsTwoHullsWithinEpsilon) {
   const TriangleMesh mesh = test_shapes::lBracket();
   EXPECT_EQ(hulls(mesh).size(), 2u);

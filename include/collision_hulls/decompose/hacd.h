@@ -38,17 +38,21 @@ std::vector<std::vector<int>> hacdPartition(const TriangleMesh& mesh, double eps
 
 /// A partition and the hierarchy that it is a cut through.
 ///
-/// Decimation goes on beyond epsilon, with the same alpha, until each connected piece of the mesh is one
-/// cluster. C never decreases when clusters grow, so for each e the clusters of concavity up to e that
-/// are in no larger such cluster are a partition: the hierarchy's cut at e. At epsilon the cut is
-/// hacdPartition(). At another e, hacdPartition() may differ from the cut, since alpha depends on epsilon.
+/// Decimation goes on beyond epsilon, with the same alpha, until each connected piece of the mesh
+/// is one cluster. C never decreases when clusters grow, so for each e the clusters of concavity up
+/// to e that are in no larger such cluster are a partition: the hierarchy's cut at e. At epsilon
+/// the cut is hacdPartition(). At another e, hacdPartition() may differ from the cut, since alpha
+/// depends on epsilon.
 struct Segmentation {
   std::vector<std::vector<int>> clusters;  ///< hacdPartition()
-  std::vector<double> merges;              ///< [m] ascending: C of each cluster that is not a triangle
+  /// [m] ascending: C of each cluster that is not a triangle
+  std::vector<double> merges;
 };
-Segmentation hacdSegmentation(const TriangleMesh& mesh, double epsilon, const RunControl& control = {});
+Segmentation hacdSegmentation(const TriangleMesh& mesh, double epsilon,
+                              const RunControl& control = {});
 
-/// K(e): the number of clusters of the hierarchy's cut at `epsilon` [m]; each merge up to it saves one.
+/// K(e): the number of clusters of the hierarchy's cut at `epsilon` [m]; each merge up to it saves
+/// one.
 std::size_t clustersAt(const Segmentation& segmentation, double epsilon);
 
 }  // namespace collision_hulls

@@ -1,4 +1,10 @@
 // The tree of hulls that merging produces: every level of detail of a collision model at once.
+//
+// For example:
+//
+//     const HullTree tree = hullTree(repair(mesh), options);
+//     const std::vector<ConvexHull> coarse = tree.hullsOf(tree.cutAt(0.05));  // within 5 cm
+//     const std::vector<ConvexHull> few = tree.hullsOf(tree.cutTo(8));        // at most 8
 #pragma once
 
 #include <vector>

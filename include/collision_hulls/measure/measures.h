@@ -1,4 +1,10 @@
 // How good a hull set is: cover, protrusion (with proof), volumes.
+//
+// For example:
+//
+//     const Solid solid(repair(mesh));
+//     const Protrusion proved = protrusion(hulls, solid, 1e-4);  // to 0.1 mm
+//     const bool good = uncovered(mesh, hulls) == 0 && proved.bound <= 0.01;  // [m]
 #pragma once
 
 #include <Eigen/Geometry>

@@ -1,5 +1,6 @@
-// The queue of greedy merging, wherever hulls are merged bottom up: the pair that costs least comes first, and pairs whose parts have
-// merged with others meanwhile are skipped when they come out (a lazy queue: nothing is ever searched for and removed).
+// The queue of greedy merging, wherever hulls are merged bottom up: the pair that costs least comes
+// first, and pairs whose parts have merged with others meanwhile are skipped when they come out (a
+// lazy queue: nothing is ever searched for and removed).
 #pragma once
 
 #include <optional>
@@ -14,7 +15,8 @@ struct MergePair {
   int a = -1, b = -1;
   bool is_exact = true;  ///< otherwise `cost` is a lower bound: whoever takes the pair computes it and queues the pair again
 
-  /// On a tie the lower indices come first, so that the order never depends on the queue's inner workings.
+  /// On a tie the lower indices come first, so that the order never depends on the queue's inner
+  /// workings.
   bool operator<(const MergePair& o) const { return std::tie(cost, a, b) > std::tie(o.cost, o.a, o.b); }
 };
 

@@ -1,4 +1,4 @@
-// Cutting triangle by triangle, components by union-find, and simplification by clustering vertices in a grid. All linear in the piece
+// Splitting triangle by triangle, components by union-find, and simplification by clustering vertices in a grid. All linear in the piece
 // (expected, where hashing is involved).
 #include "decompose/surface_piece.h"
 
@@ -146,12 +146,12 @@ std::optional<SurfacePiece> clustered(const SurfacePiece& piece, const Eigen::Al
 
 }  // namespace
 
-std::pair<SurfacePiece, SurfacePiece> cut(const SurfacePiece& piece, const HalfSpace& plane, double tolerance) {
+std::pair<SurfacePiece, SurfacePiece> split(const SurfacePiece& piece, const HalfSpace& plane, double tolerance) {
   return Cutter(piece, plane, tolerance).run();
 }
 
 std::vector<SurfacePiece> parted(const SurfacePiece& piece, const HalfSpace& plane, double tolerance) {
-  auto [beneath, above] = cut(piece, plane, tolerance);
+  auto [beneath, above] = split(piece, plane, tolerance);
   if (beneath.triangles.empty() || above.triangles.empty()) return {piece};
   return {std::move(beneath), std::move(above)};
 }

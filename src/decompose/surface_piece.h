@@ -1,4 +1,4 @@
-// A piece of a mesh's surface, and operations to cut it.
+// A piece of a mesh's surface, and operations to split it.
 #pragma once
 
 #include <utility>
@@ -14,9 +14,9 @@ using SurfacePiece = TriangleMesh;
 
 /// The parts of a piece below and above a plane. Triangles that cross the plane are divided; vertices within `tolerance` [m] of it count as
 /// on it, and triangles that lie in it go below. No cap is added: the plane's section of the solid lies in each part's hull anyway.
-std::pair<SurfacePiece, SurfacePiece> cut(const SurfacePiece& piece, const HalfSpace& plane, double tolerance);
+std::pair<SurfacePiece, SurfacePiece> split(const SurfacePiece& piece, const HalfSpace& plane, double tolerance);
 
-/// Both parts by cut(), or the piece alone if the plane does not divide it.
+/// Both parts by split(), or the piece alone if the plane does not divide it.
 std::vector<SurfacePiece> parted(const SurfacePiece& piece, const HalfSpace& plane, double tolerance);
 
 /// The plane across the middle of the longest side, which divides anything that has an extent.
@@ -25,7 +25,7 @@ HalfSpace middlePlane(const SurfacePiece& piece);
 /// The parts of a piece that share no vertex, in order of first triangle.
 std::vector<SurfacePiece> components(const SurfacePiece& piece);
 
-/// A stand-in with at most `vertices` vertices: those in one grid cell become one. For choosing cuts, not for hulls.
+/// A stand-in with at most `vertices` vertices: those in one grid cell become one. For choosing splits, not for hulls.
 SurfacePiece simplified(const SurfacePiece& piece, std::size_t vertices);
 
 /// The edges of a piece's triangles, each once, as ascending pairs of vertices.

@@ -1,8 +1,8 @@
 // The method `certified`: few hulls that cover the surface and, provably, protrude no further than
 // the tolerance.
 //
-//   1. cut the surface by planes until each piece's hull stays within the tolerance   (leaves);
-//      if this gives few hulls, cut in other ways as well and keep the best result
+//   1. split the surface by planes until each piece's hull stays within the tolerance   (leaves);
+//      if this gives few hulls, split in other ways as well and keep the best result
 //   2. merge hulls, cheapest first, while their common hull stays within it, also after its
 //      vertices are capped (outward)
 //   3. search: dissolve some hulls and merge again
@@ -10,8 +10,9 @@
 //
 // This is the paper's hierarchy (Mamou & Ghorbel 2009: merging clusters by a cost of concavity and
 // compactness) with three changes: the true protrusion, i.e. the one-sided Hausdorff distance to
-// the solid, replaces ray concavity; cluster borders may cut triangles; and any hulls that are near
-// each other may merge, neighbours on the surface or not.
+// the solid, replaces ray concavity; cluster borders may divide triangles; and any hulls that are
+// near each other may merge, neighbours on the surface or not. doc/certified.md has the proof, the
+// steps and the constants.
 #pragma once
 
 #include "collision_hulls/decompose/decompose.h"
@@ -20,7 +21,7 @@
 namespace collision_hulls {
 
 /// The hulls of steps 1 to 3, or of a cut of the tree if their number is capped. A hull exceeds the
-/// tolerance only if its piece could not be cut or a cap forces it to. Runs on all threads of the
+/// tolerance only if its piece could not be split or a cap forces it to. Runs on all threads of the
 /// caller's TBB arena; their number does not affect the result. See decompose().
 Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& options,
                         const RunControl& control = {});

@@ -116,7 +116,7 @@ class Resolving {
   void resolve(std::size_t index) {
     const Part part = std::exchange(parts_[index], {});
     for (const HalfSpace& plane : {planeThrough(part.notch), middlePlane(part.piece)}) {
-      const auto [beneath, above] = cut(part.piece, plane, on_plane_);
+      const auto [beneath, above] = split(part.piece, plane, on_plane_);
       if (beneath.triangles.empty() || above.triangles.empty()) continue;
       ++resolved_;
       for (const SurfacePiece* side : {&beneath, &above})

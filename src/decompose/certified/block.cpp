@@ -1,12 +1,12 @@
-// Cuts surfaces together with the region of space around them, for hulls that are to fill the solid (DecomposeOptions::fill).
+// Splits surfaces together with the region of space around them, for hulls that are to fill the solid (DecomposeOptions::fill).
 //
-// A surface alone needs no such thing: where a plane cuts a closed part, its section of the solid lies in the hull of the rim that it
-// leaves. But that is so for each plane by itself. After several cuts a piece of the inside may have no surface near it at all. So each
+// A surface alone needs no such thing: where a plane splits a closed part, its section of the solid lies in the hull of the rim that it
+// leaves. But that is so for each plane by itself. After several splits a piece of the inside may have no surface near it at all. So each
 // block keeps its region, a convex polytope that starts as the mesh's box. A plane's section of the region is a convex polygon; its corners
 // inside the solid are added to both sides as points of their surface. The extreme points of solid in a region are points of the surface or
 // such corners, hence the sides' hulls hold all of the solid on their side.
 //
-// Linear in the region's faces, of which there is one per cut. Corners on the surface itself are decided a little inward (kInward).
+// Linear in the region's faces, of which there is one per split. Corners on the surface itself are decided a little inward (kInward).
 #include "decompose/certified/block.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ ConvexPolygon ordered(const std::vector<Eigen::Vector3d>& corners, const Eigen::
 
 Block beneath(SurfacePiece surface, Region region, const HalfSpace& plane) {
   if (region.matters())
-    for (const Eigen::Vector3d& p : region.cut(plane)) addSegment(surface, {p, p});
+    for (const Eigen::Vector3d& p : region.keepBelow(plane)) addSegment(surface, {p, p});
   return {std::move(surface), std::move(region)};
 }
 
@@ -51,8 +51,8 @@ Region::Region(const Eigen::AlignedBox3d& box, const Solid& solid) : solid_(&sol
     faces_.push_back({corner(face[0]), corner(face[1]), corner(face[2]), corner(face[3])});
 }
 
-std::vector<Eigen::Vector3d> Region::cut(const HalfSpace& plane) {
-  is_cut_ = true;
+std::vector<Eigen::Vector3d> Region::keepBelow(const HalfSpace& plane) {
+  is_divided_ = true;
   std::vector<Eigen::Vector3d> corners;
   ConvexPolygon scratch;
   for (ConvexPolygon& face : faces_) {
@@ -92,7 +92,7 @@ std::vector<Block> halves(const Block& block, double tolerance) {
 }
 
 std::vector<Block> components(const Block& block) {
-  if (block.region.isCut()) return {block};
+  if (block.region.isDivided()) return {block};
   std::vector<Block> blocks;
   for (SurfacePiece& part : components(block.surface)) {
     const Region region = block.region.about(boundingBox(part));

@@ -1,11 +1,11 @@
 // The flow of the method `certified`; doc/certified.md explains it whole, with proofs, pictures and every constant.
 //
 // Idea. How far a hull protrudes from the solid can be bounded with certainty (protrusion_oracle.h), and it only grows when the hull grows.
-// So pieces are cut until every hull fits (top down), hulls are merged while their union still fits (bottom up), and a search dissolves and
-// merges again. Cutting alone leaves slivers that merging picks up; merging alone would need leaves that somebody has cut well.
+// So pieces are split until every hull fits (top down), hulls are merged while their union still fits (bottom up), and a search dissolves
+// and merges again. Splitting alone leaves slivers that merging picks up; merging alone would need leaves that somebody has split well.
 //
-//   for each way to cut (a score for planes, and how much of the tolerance leaves may use):
-//     leaves = cutIntoLeaves()               cutting.h
+//   for each way to split (a score for planes, and how much of the tolerance leaves may use):
+//     leaves = splitIntoLeaves()             splitting.h
 //     cover  = mergedBest(leaves)            merging.h; with Effort::kBest, improved() a little
 //     keep the cover if it has fewer hulls than the best so far; if it is provably minimal, stop     points_apart.h
 //   cover = improved(best cover)             local_search.h
@@ -13,10 +13,10 @@
 //
 // All of this is done about the origin and along the mesh's own axes, where coordinates are finest and results steadier under rotation.
 //
-// Cost. With T triangles and K leaves, cutting builds hulls of pieces that halve about log K times, O(T log T log K); it asks O(K) hulls of
-// the oracle and scores some hundreds of planes per cut on pieces of at most 200 vertices, whatever T is. Merging looks at O(K^2) pairs and
-// builds a hull only for those that come out on top. The search is limited by a count of hulls, never by time: the result is the same
-// everywhere.
+// Cost. With T triangles and K leaves, splitting builds hulls of pieces that halve about log K times, O(T log T log K); it asks O(K) hulls
+// of the oracle and scores some hundreds of planes per split on pieces of at most 200 vertices, whatever T is. Merging looks at O(K^2)
+// pairs and builds a hull only for those that come out on top. The search is limited by a count of hulls, never by time: the result is the
+// same everywhere.
 //
 // Tried and given up: clusters of the surface as leaves (as good on smooth shapes, far worse on mechanical parts); one score for all meshes
 // (none wins everywhere); ray concavity or volume as the limit (neither bounds protrusion); leaves that use the whole tolerance (merging
@@ -41,7 +41,7 @@ namespace collision_hulls {
 
 namespace {
 
-// Share of the tolerance used for cutting leaves: a small one leaves merging some room, a large one makes leaves as large as possible.
+// Share of the tolerance used for splitting leaves: a small one leaves merging some room, a large one makes leaves as large as possible.
 constexpr double kLeafShare = 0.7, kLargeLeafShare = 0.93;
 // A way that gives more leaves than this is not worth merging, once there is a cover to beat.
 constexpr std::size_t kManyLeaves = 8, kManyLeavesPerHull = 8;
@@ -49,14 +49,15 @@ constexpr std::size_t kManyLeaves = 8, kManyLeavesPerHull = 8;
 constexpr ScoreWeights kLargeSides{0.5, 0.3, 0}, kAnySide{0.5, 0, 0.1}, kLittleVolume{0.1, 0, 0};
 // Quick: the second and the third way are tried only if the best cover so far has no more hulls than this, when every hull counts.
 constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max(), kFew = 24, kVeryFew = 10;
-// Evaluations of the search, and for Effort::kBest the elements that leaves are halved into and the evaluations after each way of cutting.
+// Evaluations of the search, and for Effort::kBest the elements that leaves are halved into and the evaluations after each way of
+// splitting.
 constexpr long kQuickEvaluations = 400, kBestEvaluations = 10'000, kFirstEvaluations = 200;
 constexpr std::size_t kBestElements = 150;
-// Progress: cutting and merging take up to the first share of the whole, the search up to the second, the tree the rest. Of each way,
-// cutting takes kCutting.
-constexpr double kCovered = 0.7, kSearched = 0.9, kCutting = 0.8;
+// Progress: splitting and merging take up to the first share of the whole, the search up to the second, the tree the rest. Of each way,
+// splitting takes kSplitting.
+constexpr double kCovered = 0.7, kSearched = 0.9, kSplitting = 0.8;
 
-/// One way to cut.
+/// One way to split.
 struct Way {
   ScoreWeights weights;
   double leaf_share = kLeafShare;
@@ -68,7 +69,7 @@ struct Way {
 struct Plan {
   std::vector<Way> ways;
   std::size_t elements = 0;    // pieces that leaves are divided into for the search; 0: leaves are not divided
-  long first_evaluations = 0;  // evaluations for the search after each way of cutting,
+  long first_evaluations = 0;  // evaluations for the search after each way of splitting,
   long evaluations = 0;        // and for the final search on the best cover
 };
 
@@ -130,7 +131,7 @@ class Job {
         oracle_(solid_, boundingBox(mesh), options.tolerance, control) {}
 
   /// The steps at the top of this file, without the tree. The cover's hulls, capped, are proven to fit, but for leaves that could not be
-  /// cut. groups_ is then what the cover's groups belong to.
+  /// split. groups_ is then what the cover's groups belong to.
   Cover cover() {
     Cover best;
     const double step = kCovered / static_cast<double>(plan_.ways.size());
@@ -157,16 +158,16 @@ class Job {
  private:
   bool isWorthTrying(const Way& way, const Cover& best) { return best.size() <= way.few && (!way.largest_side_first || hasLargeSide()); }
 
-  /// Whether cutting this way gives a cover of fewer hulls than `best`, or the first cover, which then replaces it.
+  /// Whether splitting this way gives a cover of fewer hulls than `best`, or the first cover, which then replaces it.
   bool tryWay(const Way& way, const Stretch& stretch, Cover& best) {
-    const std::size_t most = groups_ ? kManyLeaves + kManyLeavesPerHull * best.size() : CutOptions{}.most_leaves;
-    const std::vector<Leaf> parts = leaves(way, most, reporting(control_, stretch.part(0, kCutting)));
+    const std::size_t most = groups_ ? kManyLeaves + kManyLeavesPerHull * best.size() : SplitOptions{}.most_leaves;
+    const std::vector<Leaf> parts = leaves(way, most, reporting(control_, stretch.part(0, kSplitting)));
     if (groups_ && parts.size() >= most) return false;
     auto groups = std::make_unique<SurfaceGroups>(parts, plan_.elements, oracle_, options_.max_vertices);
     Cover cover = mergedBest(groups->leaves(), *groups);
     if (plan_.first_evaluations > 0) {
       const SearchOptions search{plan_.first_evaluations, options_.seed};
-      cover = improved(std::move(cover), *groups, search, reporting(control_, stretch.part(kCutting, 1)));
+      cover = improved(std::move(cover), *groups, search, reporting(control_, stretch.part(kSplitting, 1)));
     }
     if (groups_ && cover.size() >= best.size()) return false;
     best = std::move(cover);
@@ -183,8 +184,8 @@ class Job {
 
   std::vector<Leaf> leaves(const Way& way, std::size_t most, const std::function<void(double)>& progress) {
     oracle_.setShare(way.leaf_share);
-    const CutOptions options{way.weights, options_.max_vertices, options_.fill, way.largest_side_first, most};
-    std::vector<Leaf> leaves = cutIntoLeaves(mesh_, oracle_, options, progress);
+    const SplitOptions options{way.weights, options_.max_vertices, options_.fill, way.largest_side_first, most};
+    std::vector<Leaf> leaves = splitIntoLeaves(mesh_, oracle_, options, progress);
     oracle_.setShare(1);
     return leaves;
   }

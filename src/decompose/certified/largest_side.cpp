@@ -1,8 +1,8 @@
 // For each of 18 directions: raise a plane to where the area below it just exceeds the best so far (bisection on the area, no hull needed).
 // If the hull of what is below very likely fits, raise the plane further, by bisection on the hull, as long as it does.
 //
-// Why: a score sees one cut, and its best cut may spoil the large convex body that one hull could have taken. This finds such bodies by
-// brute force. It pays only where few hulls are left to argue about, so it is one way to cut among several, not the rule.
+// Why: a score sees one split, and its best split may spoil the large convex body that one hull could have taken. This finds such bodies by
+// brute force. It pays only where few hulls are left to argue about, so it is one way to split among several, not the rule.
 // O(n) for each area and O(n log n) for each hull of n vertices; at most 20 areas and 9 hulls per direction.
 #include "decompose/certified/largest_side.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 // Largest piece to try: larger ones take long, and simplifying them would blur where the hull stops fitting.
 constexpr std::size_t kVertices = 4000;
-constexpr double kLeast = 0.15, kMost = 0.95;  // shares of the area that make a cut worthwhile
+constexpr double kLeast = 0.15, kMost = 0.95;  // shares of the area that make a split worthwhile
 constexpr int kAreaHalvings = 20;              // bisections to reach a given share of the area,
 constexpr int kHalvings = 8;                   // and from there on
 

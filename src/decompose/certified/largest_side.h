@@ -1,5 +1,5 @@
-// A cut that finishes one side: as much of a piece as one hull can take, from the outside inward. *Below* a plane is where its normal does
-// not point.
+// A split that finishes one side: as much of a piece as one hull can take, from the outside inward.
+// *Below* a plane is where its normal does not point.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,9 @@
 
 namespace collision_hulls {
 
-/// Of the planes normal to a few directions, the one below which the most area lies while its hull very likely stays within the tolerance;
-/// nullopt if that area is small or nearly all of the piece, and for large pieces.
+/// Of the planes normal to a few directions, the one below which the most area lies while its hull
+/// very likely stays within the tolerance; nullopt if that area is small or nearly all of the
+/// piece, and for large pieces.
 std::optional<HalfSpace> largestSide(const SurfacePiece& piece, ProtrusionOracle& oracle);
 
 }  // namespace collision_hulls

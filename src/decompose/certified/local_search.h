@@ -1,5 +1,6 @@
-// Fewer hulls by local search: dissolves neighbouring groups and merges them again, and keeps what is no worse. One *evaluation* is one
-// hull built and put to the oracle; answers that are remembered cost none.
+// Fewer hulls by local search: dissolves neighbouring groups and merges them again, and keeps what
+// is no worse. One *evaluation* is one hull built and put to the oracle; answers that are
+// remembered cost none.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,8 @@ struct SearchOptions {
   std::uint64_t seed = 1;
 };
 
-/// A cover with no more groups than `cover`, proven if `cover` is. Deterministic. Calls `progress` with the share of evaluations used.
+/// A cover with no more groups than `cover`, proven if `cover` is. Deterministic. Calls `progress`
+/// with the share of evaluations used.
 Cover improved(Cover cover, SurfaceGroups& groups, const SearchOptions& options, const std::function<void(double)>& progress);
 
 }  // namespace collision_hulls

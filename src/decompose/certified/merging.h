@@ -1,5 +1,6 @@
-// Bottom up: merges groups (surface_groups.h), cheapest first, while their common hull fits, i.e. protrudes no further than the tolerance.
-// Two groups are *apart* if their common hull is known not to fit.
+// Bottom up: merges groups (surface_groups.h), cheapest first, while their common hull fits, i.e.
+// protrudes no further than the tolerance. Two groups are *apart* if their common hull is known not
+// to fit.
 #pragma once
 
 #include <cstdint>
@@ -16,14 +17,15 @@ struct MergeCost {
   std::uint64_t seed = 0;
 };
 
-/// Whether merges are accepted provisionally, to be proven afterwards, or proven before they are made.
+/// Whether merges are accepted provisionally, to be proven afterwards, or proven before they are
+/// made.
 enum class Proof { kLater, kAtOnce };
 
 /// Merges greedily. Deterministic.
 Cover merged(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof proof);
 
-/// Merges greedily with everything proven. For few groups it takes the kind of cost that provisionally leaves fewest; for many, kSquares,
-/// which did best when the kinds were compared.
+/// Merges greedily with everything proven. For few groups it takes the kind of cost that
+/// provisionally leaves fewest; for many, kSquares, which did best when the kinds were compared.
 Cover mergedBest(const Cover& cover, SurfaceGroups& groups);
 
 }  // namespace collision_hulls

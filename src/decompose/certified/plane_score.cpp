@@ -1,9 +1,9 @@
 // The score of a plane: the share of intruders (weighted by the volume that each stands for) that stay in the hull of their side, less a
 // reward for volume that neither hull contains and for a side without intruders. Lower is better.
 //
-// Intruders, not protrusion: the largest protrusion after a cut is often the same for every plane, as many dents remain; how many of the
+// Intruders, not protrusion: the largest protrusion after a split is often the same for every plane, as many dents remain; how many of the
 // intruders are got rid of tells planes apart. Each score builds two hulls of at most some hundred points and tests each intruder
-// against one of them; hundreds of planes are scored in parallel for each cut.
+// against one of them; hundreds of planes are scored in parallel for each split.
 #include "decompose/certified/plane_score.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct Sides {
   Points beneath, above;
 };
 
-/// Divides like cut(): vertices in the plane belong to the side that their edges lead to, and below if all of these stay in the plane.
+/// Divides like split(): vertices in the plane belong to the side that their edges lead to, and below if all of these stay in the plane.
 Sides divided(const SurfacePiece& piece, const std::vector<std::pair<int, int>>& edges, const HalfSpace& plane, double on_plane) {
   std::vector<double> distance;
   distance.reserve(piece.vertices.size());

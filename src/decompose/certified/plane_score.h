@@ -1,7 +1,9 @@
-// How good a cut is: estimated on a simplified piece, because hundreds of planes are tried for each cut.
+// How good a split is: estimated on a simplified piece, because hundreds of planes are tried for
+// each split.
 //
-// Terms: the *sides* of a plane are the parts of a piece below and above it. An *intruder* is a point of the piece's hull outside the solid
-// by more than the tolerance; a cut should leave few of them in its sides' hulls. A side is *finished* if its hull holds none.
+// Terms: the *sides* of a plane are the parts of a piece below and above it. An *intruder* is a
+// point of the piece's hull outside the solid by more than the tolerance; a split should leave few
+// of them in its sides' hulls. A side is *finished* if its hull holds none.
 #pragma once
 
 #include <utility>
@@ -12,7 +14,8 @@
 
 namespace collision_hulls {
 
-/// What counts besides the intruders that a cut leaves in its sides' hulls; all intruders together weigh 1.
+/// What counts besides the intruders that a split leaves in its sides' hulls; all intruders
+/// together weigh 1.
 struct ScoreWeights {
   double volume_gain = 0.5;   ///< for the share of the hull's volume that neither side's hull contains
   double finished_share = 0;  ///< for the share of it in a side without intruders

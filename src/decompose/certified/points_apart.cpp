@@ -1,6 +1,6 @@
 // A lower bound on the number of hulls: two points of the surface whose connecting segment leaves the solid by more than the tolerance
 // cannot be in one hull that fits, since hulls are convex. If there are K points that are pairwise apart, every cover needs K hulls. This
-// holds for any cutting whatever, unlike leastPossible() in local_search.cpp, which speaks of the elements at hand.
+// holds for any splitting whatever, unlike leastPossible() in local_search.cpp, which speaks of the elements at hand.
 //
 // Backtracking over sample points, one per group of the cover; only points in no other group's hull are of use. Each pair's segment is
 // sampled at up to seven points, and the answer is remembered. The number of steps is limited: no answer means nothing was found.

@@ -1,7 +1,9 @@
-// The question that a decomposition asks over and over: does this hull protrude further than the tolerance? A hull that does not is said to
-// *fit*. An *intruder* is a point of a hull whose distance from the solid exceeds the tolerance: it refutes every hull that contains it.
-// The *share* is the part of the tolerance from which on points count as intruders while leaves are cut. A hull's *reach* is the octree's
-// upper bound on its protrusion; a *pocket* is a place inside a hull that is further from the solid than the hull's whole surface.
+// The question that a decomposition asks over and over: does this hull protrude further than the
+// tolerance? A hull that does not is said to *fit*. An *intruder* is a point of a hull whose
+// distance from the solid exceeds the tolerance: it refutes every hull that contains it. The
+// *share* is the part of the tolerance from which on points count as intruders while leaves are
+// split. A hull's *reach* is the octree's upper bound on its protrusion; a *pocket* is a place
+// inside a hull that is further from the solid than the hull's whole surface.
 #pragma once
 
 #include <cmath>
@@ -16,23 +18,28 @@
 
 namespace collision_hulls {
 
-/// A hull of points near the origin with one face per triangle, usually as quickhull leaves it: for hulls that are evaluated once and
-/// mostly thrown away. If points are coplanar it may be larger than the exact hull, by up to a millionth of its size.
+/// A hull of points near the origin with one face per triangle, usually as quickhull leaves it: for
+/// hulls that are evaluated once and mostly thrown away. If points are coplanar it may be larger
+/// than the exact hull, by up to a millionth of its size.
 ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points, Corners corners = Corners::kNeeded);
 
-/// The hull of about `most` of a hull's vertices, the support points in as many directions: close to the original where that is round.
-/// Returns the hull itself if it does not have many more vertices.
+/// The hull of about `most` of a hull's vertices, the support points in as many directions: close
+/// to the original where that is round. Returns the hull itself if it does not have many more
+/// vertices.
 ConvexHull thinned(const ConvexHull& hull, std::size_t most);
 
-/// Answers by tests in order of cost: intruders (points outside the solid by more than the tolerance) that refuted earlier hulls; an octree
-/// of distances shared by all hulls; and, where its bound leaves the answer open, searches over the hull's surface and for pockets inside
-/// it. Not thread safe.
+/// Answers by tests in order of cost: intruders (points outside the solid by more than the
+/// tolerance) that refuted earlier hulls; an octree of distances shared by all hulls; and, where
+/// its bound leaves the answer open, searches over the hull's surface and for pockets inside it.
+/// Not thread safe.
 class ProtrusionOracle {
  public:
-  /// `box` should contain the solid and most of the hulls; proofs take longer for hulls that reach outside it.
+  /// `box` should contain the solid and most of the hulls; proofs take longer for hulls that reach
+  /// outside it.
   ProtrusionOracle(const Solid& solid, const Eigen::AlignedBox3d& box, double tolerance, const RunControl& control);
 
-  /// An oracle for hulls within `part` of the box, which starts with what this one knows there; for use in parallel to this one.
+  /// An oracle for hulls within `part` of the box, which starts with what this one knows there; for
+  /// use in parallel to this one.
   ProtrusionOracle forPart(const Eigen::AlignedBox3d& part) const;
 
   /// Takes over what an oracle for a part has learned.
@@ -44,12 +51,12 @@ class ProtrusionOracle {
   /// The same, more thoroughly.
   bool mayWellFit(const ConvexHull& hull) { return !std::isinf(reach(hull)); }
 
-  /// [m] upper bound on the distance of the hull's points from the solid, down to the octree's finest cells; infinite: the hull does not
-  /// fit.
+  /// [m] upper bound on the distance of the hull's points from the solid, down to the octree's
+  /// finest cells; infinite: the hull does not fit.
   double reach(const ConvexHull& hull);
 
-  /// True: no point of the hull is further from the solid than the tolerance and no point of its surface further than 99.8 % of it,
-  /// provably.
+  /// True: no point of the hull is further from the solid than the tolerance and no point of its
+  /// surface further than 99.8 % of it, provably.
   bool fits(const ConvexHull& hull) { return fitsWithin(hull, reach(hull)); }
 
   /// The same for a hull whose reach() is known.
@@ -61,7 +68,8 @@ class ProtrusionOracle {
   /// An upper bound on any hull's protrusion, within a few per cent of it or of the tolerance.
   double bound(const ConvexHull& hull);
 
-  /// Points of the hull outside the solid by more than the tolerance, evenly spread: at least one, at most twice `wanted`.
+  /// Points of the hull outside the solid by more than the tolerance, evenly spread: at least one,
+  /// at most twice `wanted`.
   std::vector<OutsideDistance::Intruder> intruders(const ConvexHull& hull, std::size_t wanted);
 
   const Solid& solid() const { return solid_; }
@@ -69,7 +77,8 @@ class ProtrusionOracle {
   double tolerance() const { return tolerance_; }
   void setTolerance(double tolerance);  ///< [m] keeps what was learned about the solid
 
-  /// Points count as intruders from this share of the tolerance on; proofs always refer to the whole tolerance.
+  /// Points count as intruders from this share of the tolerance on; proofs always refer to the
+  /// whole tolerance.
   void setShare(double share);
 
  private:

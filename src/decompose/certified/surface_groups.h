@@ -1,6 +1,7 @@
-// Who covers what. An *element* is a piece of surface that is not divided further; a *group* is a set of elements covered by one hull; a
-// *cover* is a list of groups with every element in one of them. Also a memory of which groups may share a hull. As in
-// protrusion_oracle.h, a hull *fits* if it protrudes no further than the tolerance.
+// Who covers what. An *element* is a piece of surface that is not divided further; a *group* is a
+// set of elements covered by one hull; a *cover* is a list of groups with every element in one of
+// them. Also a memory of which groups may share a hull. As in protrusion_oracle.h, a hull *fits* if
+// it protrudes no further than the tolerance.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "decompose/certified/cutting.h"
 #include "decompose/certified/protrusion_oracle.h"
+#include "decompose/certified/splitting.h"
 #include "decompose/certified/widths.h"
 
 namespace collision_hulls {
@@ -19,11 +20,12 @@ struct Element {
   std::vector<Eigen::Vector3d> points;  ///< vertices of its hull
   std::vector<Eigen::Vector3d> likely;  ///< those of them that are likely to matter most; all if they are few
   double area = 0;                      ///< [m^2]
-  int leaf = 0;                         ///< the leaf it was cut from
+  int leaf = 0;                         ///< the leaf it was split from
 };
 
-/// The leaves as elements, or halved, largest first, until there are `count` elements (0: the leaves as they are). Ordered by leaf.
-/// `tolerance` [m] determines how many points are likely to matter.
+/// The leaves as elements, or halved, largest first, until there are `count` elements (0: the
+/// leaves as they are). Ordered by leaf. `tolerance` [m] determines how many points are likely to
+/// matter.
 std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t count, double tolerance);
 
 /// Elements covered by one hull.
@@ -44,8 +46,8 @@ using Cover = std::vector<Group>;
 /// Groups and what is known about their hulls. The same set of elements is never evaluated twice.
 class SurfaceGroups {
  public:
-  /// A hull of more than `max_vertices` (0: no cap) vertices must also fit after it is capped, as the leaves' hulls do. `element_count`:
-  /// see elementsOf().
+  /// A hull of more than `max_vertices` (0: no cap) vertices must also fit after it is capped, as
+  /// the leaves' hulls do. `element_count`: see elementsOf().
   SurfaceGroups(const std::vector<Leaf>& leaves, std::size_t element_count, ProtrusionOracle& oracle, int max_vertices);
 
   const Group& single(int element) const { return singles_[static_cast<std::size_t>(element)]; }
@@ -73,8 +75,8 @@ class SurfaceGroups {
   /// Takes over another group's element, which the hull must cover.
   void add(int element, Group& group) const;
 
-  /// The hull of all points of the group's elements. If it exceeds the vertex cap, it is, to the last bit, the hull that was proven after
-  /// capping.
+  /// The hull of all points of the group's elements. If it exceeds the vertex cap, it is, to the
+  /// last bit, the hull that was proven after capping.
   ConvexHull exactHull(const Group& group) const;
 
   /// The same, with its vertices capped.

@@ -1,5 +1,6 @@
-// From a cover to the tree of hulls above it: every level of detail at once. A *cut* through the tree is a set of nodes with exactly one on
-// each path from the root to a leaf (collision_hulls/decompose/hull_tree.h).
+// From a cover to the tree of hulls above it: every level of detail at once. A *cut* through the
+// tree is a set of nodes with exactly one on each path from the root to a leaf
+// (collision_hulls/decompose/hull_tree.h).
 #pragma once
 
 #include "collision_hulls/decompose/hull_tree.h"
@@ -7,8 +8,9 @@
 
 namespace collision_hulls {
 
-/// The groups as leaves, merged up to a single root. At any tolerance, the coarsest cut of the tree is about as good as a new merge would
-/// be. Deterministic. Calls `progress` with the share of merges made.
+/// The groups as leaves, merged up to a single root. At any tolerance, the coarsest cut of the tree
+/// is about as good as a new merge would be. Deterministic. Calls `progress` with the share of
+/// merges made.
 HullTree treeAbove(const Cover& cover, ProtrusionOracle& oracle, const std::function<void(double)>& progress);
 
 }  // namespace collision_hulls

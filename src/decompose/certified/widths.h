@@ -1,5 +1,6 @@
-// The extent of a point set along 13 directions. Tells how large a union is, and how near its parts are, without building its hull. The
-// *mean width* is the mean of the 13 extents, a stand-in for size that hardly depends on rotation.
+// The extent of a point set along 13 directions. Tells how large a union is, and how near its parts
+// are, without building its hull. The *mean width* is the mean of the 13 extents, a stand-in for
+// size that hardly depends on rotation.
 #pragma once
 
 #include <Eigen/Core>

@@ -31,9 +31,9 @@ TEST_F(Blocks, ContainTheSolidIfTheirRegionMatters) {
 
 TEST_F(Blocks, CornersOutsideTheSolidAreLeftOut) {
   Region region(Eigen::AlignedBox3d(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(2, 2, 2)), solid);
-  EXPECT_TRUE(region.cut(kX).empty());
-  EXPECT_TRUE(region.cut(kY).empty());
-  const std::vector<Eigen::Vector3d> corners = region.cut(kZ);
+  EXPECT_TRUE(region.keepBelow(kX).empty());
+  EXPECT_TRUE(region.keepBelow(kY).empty());
+  const std::vector<Eigen::Vector3d> corners = region.keepBelow(kZ);
   ASSERT_FALSE(corners.empty());
   for (const Eigen::Vector3d& p : corners) EXPECT_TRUE(p.isApprox(Eigen::Vector3d(0.5, 0.5, 0.5), 1e-12));
 }

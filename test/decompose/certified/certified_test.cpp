@@ -216,7 +216,7 @@ TEST(Certified, RotationChangesTheCountLittle) {
 
 TEST(Certified, SameBytesForAnyNumberOfThreads) {
   const RepairedMesh large = repair(bentTube(36, 36)), small = repair(bentTube(8, 8));
-  ASSERT_GT(large.mesh.triangles.size(), 5000u) << "small parts are not cut in parallel";
+  ASSERT_GT(large.mesh.triangles.size(), 5000u) << "small parts are not split in parallel";
   for (Effort effort : {Effort::kQuick, Effort::kBest}) {
     const RepairedMesh& mesh = effort == Effort::kQuick ? large : small;
     DecomposeOptions options = within(0.1, effort);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "collision_hulls/measure/measures.h"
-#include "decompose/certified/cutting.h"
 #include "decompose/certified/protrusion_oracle.h"
+#include "decompose/certified/splitting.h"
 #include "decompose/certified/surface_groups.h"
 #include "mesh/loose_segments.h"
 #include "solids.h"
@@ -20,8 +20,8 @@ struct Subject {
   Subject(const TriangleMesh& original, double tolerance)
       : mesh(repair(original)), solid(mesh), oracle(solid, boundingBox(mesh), tolerance, control) {}
 
-  std::vector<Leaf> leaves(const CutOptions& options = {}) {
-    return cutIntoLeaves(mesh, oracle, options, [](double) {});
+  std::vector<Leaf> leaves(const SplitOptions& options = {}) {
+    return splitIntoLeaves(mesh, oracle, options, [](double) {});
   }
   double protrusionOf(const std::vector<ConvexHull>& hulls) const { return protrusion(hulls, solid, 0.001 * oracle.tolerance()).bound; }
 

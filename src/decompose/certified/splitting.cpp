@@ -1,22 +1,22 @@
-// cut(piece):
+// split(piece):
 //   H = hull of the piece; if H stays within the tolerance: a leaf
 //   (a hull over the vertex cap must do so after it is capped as well; if it does not, the piece is halved)
-//   if the piece falls into components: cut(each)
-//   else choose the candidate plane with the best score and cut(both sides)
+//   if the piece falls into components: split(each)
+//   else choose the candidate plane with the best score and split(both sides)
 //   (or first, on request, the one that finishes the largest possible side)
 //
 // A plane's score counts the intruders (points of H outside the solid by more than the tolerance) that remain in either side's hull. Volume
 // that neither side's hull contains improves the score, and so does a finished side. Scores are computed on simplified pieces: a rough one
-// for all planes, a finer one for the best of them. The cut is made on the piece itself; it divides triangles, so the border between two
+// for all planes, a finer one for the best of them. The split is made on the piece itself; it divides triangles, so the border between two
 // pieces runs where the plane is, not where the mesher put edges. No cap is needed: for a closed part the plane's section lies in the hull
 // of its rim.
 //
-// Leaves use only a share of the tolerance (ProtrusionOracle::setShare), which leaves merging some room. Large parts are cut in parallel by
-// oracles of their own; the division depends on the mesh alone, and so does the result. A piece that no plane divides, or that is cut too
-// deep or into too many leaves, becomes a leaf as it is: the certificate then says that it protrudes.
+// Leaves use only a share of the tolerance (ProtrusionOracle::setShare), which leaves merging some room. Large parts are split in parallel
+// by oracles of their own; the division depends on the mesh alone, and so does the result. A piece that no plane divides, or that is split
+// too deep or into too many leaves, becomes a leaf as it is: the certificate then says that it protrudes.
 //
 // Each level of recursion builds hulls of all points, O(n log n), and scores a few hundred planes on at most kRoughVertices vertices.
-#include "decompose/certified/cutting.h"
+#include "decompose/certified/splitting.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +25,8 @@
 
 #include "base/parallel.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
-#include "decompose/certified/cut_planes.h"
 #include "decompose/certified/largest_side.h"
+#include "decompose/certified/split_planes.h"
 #include "mesh/loose_segments.h"
 
 namespace collision_hulls {
@@ -39,7 +39,7 @@ constexpr std::size_t kFinalists = 8;                        // planes scored on
 constexpr std::size_t kEdgesOfPiece = 4000;                  // larger pieces show the reflex edges of their simplified form
 constexpr std::size_t kSome = 3000;                          // points of a piece whose hull is tried before that of all points
 constexpr std::size_t kThin = 300;                           // vertices of a hull that is searched for intruders
-constexpr double kSlim = 0.01, kSmall = 0.01;   // in tolerances and as a share of the area: a side this slim and small is not worth a cut
+constexpr double kSlim = 0.01, kSmall = 0.01;   // in tolerances and as a share of the area: a side this slim and small is not worth a split
 constexpr double kOnPlane = 1e-9;               // in extents of the whole mesh
 constexpr int kHalveFrom = 40, kDeepest = 200;  // depth of recursion from which pieces are simply halved, and where it ends
 constexpr double kMostLeaves = 10'000;          // per mesh; parts get shares in proportion to their areas
@@ -90,12 +90,12 @@ class Done {
   const std::function<void(double)>& progress_;
 };
 
-class Cutting {
+class Splitting {
  public:
-  Cutting(ProtrusionOracle& oracle, const CutOptions& options, double on_plane, std::size_t apart, double budget, Done& done)
+  Splitting(ProtrusionOracle& oracle, const SplitOptions& options, double on_plane, std::size_t apart, double budget, Done& done)
       : oracle_(oracle), options_(options), on_plane_(on_plane), apart_(apart), budget_(budget), done_(done) {}
 
-  /// Cuts large blocks in parallel, half of them with an oracle of their own. The halves do not depend on the number of threads, and so
+  /// Splits large blocks in parallel, half of them with an oracle of their own. The halves do not depend on the number of threads, and so
   /// neither does the result.
   void run(std::vector<Block> blocks, int depth) {
     if (blocks.size() == 1) return run(std::move(blocks[0]), depth);
@@ -109,7 +109,7 @@ class Cutting {
     ProtrusionOracle oracle = oracle_.forPart(boxOf(others));
     const double mine = areaOf(blocks), theirs = areaOf(others), left = budget_ - static_cast<double>(leaves.size());
     const double share = mine + theirs > 0 ? left * theirs / (mine + theirs) : left / 2;
-    Cutting beside(oracle, options_, on_plane_, apart_, share, done_);
+    Splitting beside(oracle, options_, on_plane_, apart_, share, done_);
     budget_ -= share;
     atOnce([&] { run(std::move(blocks), depth); }, [&] { beside.run(std::move(others), depth); });
     oracle_.learn(oracle);
@@ -139,7 +139,7 @@ class Cutting {
     const bool fits = clear && (is_asked ? oracle_.fitsWithin(hull, reach) : oracle_.fits(reduced ? *reduced : hull));
     if (fits || is_last) return leaf({std::move(block), std::move(hull), fits ? reduced : nullptr});
     std::vector<Block> parts = components(block);
-    if (parts.size() == 1) parts = over_cap || depth >= kHalveFrom ? halves(block, on_plane_) : bestCut(block, clear ? hull : thin);
+    if (parts.size() == 1) parts = over_cap || depth >= kHalveFrom ? halves(block, on_plane_) : bestSplit(block, clear ? hull : thin);
     if (parts.size() == 1) {
       complete();
       return leaf({std::move(block), std::move(hull)});
@@ -156,7 +156,7 @@ class Cutting {
   }
 
   /// Both sides of the best plane that divides the piece; the piece alone if no plane does.
-  std::vector<Block> bestCut(const Block& block, const ConvexHull& hull) {
+  std::vector<Block> bestSplit(const Block& block, const ConvexHull& hull) {
     const SurfacePiece& piece = block.surface;
     if (options_.largest_side_first)
       if (const std::optional<HalfSpace> plane = largestSide(piece, oracle_)) {
@@ -169,7 +169,7 @@ class Cutting {
     const PlaneScore fine(piece, kVertices, intruders, volume(hull), options_.weights);
     const PlaneScore rough(fine.piece(), kRoughVertices, few, volume(hull), options_.weights);
     const bool own_edges = piece.triangles.size() <= kEdgesOfPiece;
-    std::vector<HalfSpace> planes = cutPlanes(own_edges ? piece : fine.piece(), intruders, oracle_.solid(), oracle_.tolerance());
+    std::vector<HalfSpace> planes = splitPlanes(own_edges ? piece : fine.piece(), intruders, oracle_.solid(), oracle_.tolerance());
     if (planes.size() > kFinalists) planes = rough.best(planes, kFinalists);
     for (const HalfSpace& plane : fine.best(planes, kFinalists)) {
       std::vector<Block> parts = parted(block, plane, on_plane_);
@@ -178,7 +178,7 @@ class Cutting {
     return halves(block, on_plane_);
   }
 
-  /// Whether one side is so slim and small that nothing is gained: such cuts, repeated, only multiply triangles.
+  /// Whether one side is so slim and small that nothing is gained: such splits, repeated, only multiply triangles.
   bool isPared(const std::vector<Block>& sides, const HalfSpace& plane) const {
     const auto slim = [&](const SurfacePiece& side) {
       return std::all_of(side.vertices.begin(), side.vertices.end(),
@@ -189,7 +189,7 @@ class Cutting {
   }
 
   ProtrusionOracle& oracle_;
-  const CutOptions options_;
+  const SplitOptions options_;
   const double on_plane_;
   const std::size_t apart_;  // [triangles]
   double budget_;            // [leaves]
@@ -198,17 +198,17 @@ class Cutting {
 
 }  // namespace
 
-std::vector<Leaf> cutIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& oracle, const CutOptions& options,
-                                const std::function<void(double)>& progress) {
+std::vector<Leaf> splitIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& oracle, const SplitOptions& options,
+                                  const std::function<void(double)>& progress) {
   SurfacePiece whole = withLoose(mesh);
   Done done(area(whole), progress);
-  Cutting cutting(oracle, options, kOnPlane * boundingBox(whole).sizes().maxCoeff(), std::max(kApart, whole.triangles.size() / kShares),
-                  kMostLeaves, done);
+  Splitting splitting(oracle, options, kOnPlane * boundingBox(whole).sizes().maxCoeff(), std::max(kApart, whole.triangles.size() / kShares),
+                      kMostLeaves, done);
   const Region region = options.fill ? Region(boundingBox(whole), oracle.solid()) : Region();
   std::vector<Block> blocks;
   blocks.push_back({std::move(whole), region});
-  cutting.run(std::move(blocks), 0);
-  return std::move(cutting.leaves);
+  splitting.run(std::move(blocks), 0);
+  return std::move(splitting.leaves);
 }
 
 }  // namespace collision_hulls

@@ -1,4 +1,4 @@
-#include "decompose/certified/cutting.h"
+#include "decompose/certified/splitting.h"
 
 #include <gtest/gtest.h>
 
@@ -22,10 +22,10 @@ std::vector<ConvexHull> hullsOf(const std::vector<Leaf>& leaves) {
 }
 
 /// The leaves make up the surface, cover it, and fit the tolerance.
-std::vector<Leaf> checkedLeaves(const TriangleMesh& mesh, double share, const CutOptions& options = {}) {
+std::vector<Leaf> checkedLeaves(const TriangleMesh& mesh, double share, const SplitOptions& options = {}) {
   Subject subject(mesh, share * diagonal(mesh));
   double done = 0;
-  const std::vector<Leaf> leaves = cutIntoLeaves(subject.mesh, subject.oracle, options, [&](double part) {
+  const std::vector<Leaf> leaves = splitIntoLeaves(subject.mesh, subject.oracle, options, [&](double part) {
     EXPECT_GE(part, done);
     done = part;
   });
@@ -38,26 +38,26 @@ std::vector<Leaf> checkedLeaves(const TriangleMesh& mesh, double share, const Cu
   return leaves;
 }
 
-TEST(Cutting, ConvexInputIsOneLeaf) {
+TEST(Splitting, ConvexInputIsOneLeaf) {
   EXPECT_EQ(checkedLeaves(box(1, 2, 3), 0.01).size(), 1u);
   EXPECT_EQ(checkedLeaves(singleTriangle(), 0.01).size(), 1u);
   EXPECT_EQ(checkedLeaves(sheet(), 0.01).size(), 1u);
 }
 
-TEST(Cutting, LoosePointsAreLeaves) {
+TEST(Splitting, LoosePointsAreLeaves) {
   RepairedMesh mesh;
   mesh.loose = test_shapes::loosePoints({{0, 0, 0}, {5, 0, 0}, {0, 7, 0}});
   const RunControl control;
   const Solid solid(mesh);
   ProtrusionOracle oracle(solid, boundingBox(mesh), 0.1, control);
-  const std::vector<Leaf> leaves = cutIntoLeaves(mesh, oracle, {}, [](double) {});
+  const std::vector<Leaf> leaves = splitIntoLeaves(mesh, oracle, {}, [](double) {});
   ASSERT_EQ(leaves.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(leaves[i].block.surface.vertices, std::vector<Eigen::Vector3d>{mesh.loose[i][0]});
 }
 
-TEST(Cutting, ASegmentIsDivided) {
+TEST(Splitting, ASegmentIsDivided) {
   const SurfacePiece segment{{{0, 0, 0}, {3, 0, 0}}, {{0, 1, 1}}};
-  const auto [beneath, above] = cut(segment, {Eigen::Vector3d::UnitX(), 1}, 1e-9);
+  const auto [beneath, above] = split(segment, {Eigen::Vector3d::UnitX(), 1}, 1e-9);
   ASSERT_EQ(beneath.triangles.size(), 1u);
   ASSERT_EQ(above.triangles.size(), 1u);
   EXPECT_NEAR(boundingBox(beneath).max().x(), 1, 1e-12);
@@ -65,35 +65,35 @@ TEST(Cutting, ASegmentIsDivided) {
   EXPECT_NEAR(boundingBox(above).max().x(), 3, 1e-12);
 }
 
-TEST(Cutting, WallsAreLeaves) {
+TEST(Splitting, WallsAreLeaves) {
   EXPECT_EQ(checkedLeaves(lBracket(), 0.02).size(), 2u);
   EXPECT_EQ(checkedLeaves(lBracket(1, 0.1, 1, 3), 0.02).size(), 2u);
   EXPECT_GE(checkedLeaves(uChannel(), 0.02).size(), 3u);
 }
 
-TEST(Cutting, DisconnectedPartsAreLeaves) {
+TEST(Splitting, DisconnectedPartsAreLeaves) {
   EXPECT_EQ(checkedLeaves(fourSpheres(), 0.02).size(), 4u);
 }
 
-TEST(Cutting, RoundShapesGiveFittingLeaves) {
+TEST(Splitting, RoundShapesGiveFittingLeaves) {
   for (const ScoreWeights& weights : {ScoreWeights{}, ScoreWeights{0.5, 0.3, 0}, ScoreWeights{0.1, 0, 0.1}}) {
-    CutOptions options;
+    SplitOptions options;
     options.weights = weights;
     EXPECT_GT(checkedLeaves(torus(1, 0.3, 16, 8), 0.03, options).size(), 4u);
   }
 }
 
-TEST(Cutting, LargestSideFirstGivesFittingLeavesToo) {
-  CutOptions options;
+TEST(Splitting, LargestSideFirstGivesFittingLeavesToo) {
+  SplitOptions options;
   options.largest_side_first = true;
   EXPECT_EQ(checkedLeaves(lBracket(), 0.02, options).size(), 2u);
   EXPECT_GE(checkedLeaves(uChannel(), 0.02, options).size(), 3u);
   EXPECT_GT(checkedLeaves(torus(1, 0.3, 16, 8), 0.03, options).size(), 4u);
 }
 
-TEST(Cutting, StopsAtTheLimitOnLeaves) {
+TEST(Splitting, StopsAtTheLimitOnLeaves) {
   Subject subject(torus(1, 0.3, 32, 16), 0.01);
-  CutOptions options;
+  SplitOptions options;
   const std::size_t all = subject.leaves().size();
   options.most_leaves = all / 4;
   const std::vector<Leaf> leaves = subject.leaves(options);
@@ -103,14 +103,14 @@ TEST(Cutting, StopsAtTheLimitOnLeaves) {
 }
 
 /// For large pieces the hull of a selection of points is tried first: this must also work if one of the others alone makes the piece unfit.
-TEST(Cutting, IgnoresNoPointOfALargePiece) {
+TEST(Splitting, IgnoresNoPointOfALargePiece) {
   const TriangleMesh ball = sphere(1, 20);
   ASSERT_GE(ball.vertices.size(), 4000u);
   for (const double spike : {1.0, 1.5}) {
     TriangleMesh mesh = ball;
     mesh.vertices[3] *= spike;  // not in the selection tried first
     Subject subject(mesh, 0.05 * diagonal(mesh));
-    const std::vector<Leaf> leaves = cutIntoLeaves(subject.mesh, subject.oracle, {}, [](double) {});
+    const std::vector<Leaf> leaves = splitIntoLeaves(subject.mesh, subject.oracle, {}, [](double) {});
     EXPECT_EQ(leaves.size() > 1, spike > 1);
     for (const Leaf& leaf : leaves) {
       EXPECT_TRUE(subject.oracle.fits(leaf.hull));
@@ -121,25 +121,25 @@ TEST(Cutting, IgnoresNoPointOfALargePiece) {
   }
 }
 
-TEST(Cutting, KeepsTheVertexCapWithinTheTolerance) {
+TEST(Splitting, KeepsTheVertexCapWithinTheTolerance) {
   const TriangleMesh ball = sphere(1, 4);
   EXPECT_EQ(checkedLeaves(ball, 0.01).size(), 1u);
-  CutOptions options;
+  SplitOptions options;
   options.max_vertices = 12;
   EXPECT_GT(checkedLeaves(ball, 0.01, options).size(), 1u);
 }
 
-TEST(Cutting, IsDeterministic) {
+TEST(Splitting, IsDeterministic) {
   const TriangleMesh mesh = torus(1, 0.3, 16, 8);
   const std::vector<Leaf> a = checkedLeaves(mesh, 0.05), b = checkedLeaves(mesh, 0.05);
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].hull.vertices, b[i].hull.vertices);
 }
 
-TEST(Cutting, CanBeCancelled) {
+TEST(Splitting, CanBeCancelled) {
   Subject subject(torus(1, 0.3, 16, 8), 0.1);
   const auto cancel = [&](double) { subject.control.cancel(); };
-  EXPECT_THROW(cutIntoLeaves(subject.mesh, subject.oracle, {}, cancel), Error);
+  EXPECT_THROW(splitIntoLeaves(subject.mesh, subject.oracle, {}, cancel), Error);
 }
 
 // An L has its inner corner at x = y = 0.1; the plane through it that bisects the angle separates the walls.

@@ -1,4 +1,4 @@
-// Candidate planes for one cut, in three families, because no single one serves all shapes:
+// Candidate planes for one split, in three families, because no single one serves all shapes:
 //
 //   at reflex edges, where the surface bends inward: the planes of both faces (they finish a flat side at once) and the bisector;
 //   through an intruder, normal to the axes and, for the deepest, to the diagonals: shapes without sharp edges, such as bowls;
@@ -7,7 +7,7 @@
 // Like planes are joined and their weights added, so a long straight edge of many triangles counts once and first. Scoring a plane
 // (plane_score.h) is what takes time, hence the limits. O(n log n) for the edges, O(n k) for joining n planes into at most k = kMostKinds.
 // Principal axes of the piece were tried as a fourth family: they made mechanical parts worse.
-#include "decompose/certified/cut_planes.h"
+#include "decompose/certified/split_planes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -116,8 +116,8 @@ void addNearestPlanes(const Eigen::Vector3d& p, const Solid& solid, std::vector<
 
 }  // namespace
 
-std::vector<HalfSpace> cutPlanes(const SurfacePiece& piece, const std::vector<OutsideDistance::Intruder>& intruders, const Solid& solid,
-                                 double tolerance) {
+std::vector<HalfSpace> splitPlanes(const SurfacePiece& piece, const std::vector<OutsideDistance::Intruder>& intruders, const Solid& solid,
+                                   double tolerance) {
   std::vector<HalfSpace> planes;
   const std::vector<Weighted> reflex = joined(reflexPlanes(piece, tolerance), tolerance);
   for (std::size_t i = 0; i < std::min(kMostReflex, reflex.size()); ++i) planes.push_back(reflex[i].plane);

@@ -1,0 +1,37 @@
+// Top down: splits a mesh's surface by planes until every piece's hull fits, i.e. protrudes no
+// further than the tolerance. The pieces are the leaves of the hierarchy that merging.h builds.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "collision_hulls/mesh/repair.h"
+#include "decompose/certified/block.h"
+#include "decompose/certified/plane_score.h"
+#include "decompose/certified/protrusion_oracle.h"
+
+namespace collision_hulls {
+
+struct SplitOptions {
+  ScoreWeights weights;
+  int max_vertices = 0;             ///< cap for a leaf's hull, which must stay within the tolerance when capped as well; 0: no cap
+  bool fill = false;                ///< cover the solid, not only its surface
+  bool largest_side_first = false;  ///< split by largestSide() if it finds a plane, regardless of scores
+  std::size_t most_leaves = 5000;   ///< per part that is split on its own; once reached, the rest is left whole
+};
+
+/// A block and the hull of its points.
+struct Leaf {
+  Block block;
+  ConvexHull hull;
+  std::shared_ptr<const ConvexHull> reduced = nullptr;  ///< the hull with its vertices capped, if that is what fits
+};
+
+/// Splits a mesh into leaves whose blocks make up the whole surface (including loose segments). By
+/// the oracle's account each hull stays within the tolerance, unless its piece could not be split
+/// further. The order is fixed. Calls `progress` with the finished share of the area.
+std::vector<Leaf> splitIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& oracle, const SplitOptions& options,
+                                  const std::function<void(double)>& progress);
+
+}  // namespace collision_hulls

@@ -1,4 +1,9 @@
 // Inside or outside: ray crossings for closed surfaces, solid angles for open ones.
+//
+// Why dipoles err by at most kWindingError: a surface element at r from the query contributes n . G(r) to the solid angle, G(r) = r /
+// |r|^3, and G's derivative has norm 2 / |r|^3. Moving all elements of a cluster (area A, within a radius R of its centre, which is at a
+// distance D) to its centre therefore changes the solid angle by at most 2 A R / (D - R)^3, the winding number by 1 / (4 pi) of that. A
+// cluster is replaced if that is at most its area's share of kWindingError, and the shares of disjoint clusters sum to no more than 1.
 #include <cmath>
 
 #include "collision_hulls/geometry/triangle_bvh.h"
@@ -8,8 +13,7 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kDipoleDistance = 4;  // in radii; nearer dipoles would err by more than 0.01
-constexpr double kAside = 1e-9;        // offset of the ray from its point, as a share of the extent
+constexpr double kAside = 1e-9;  // bound on the offset of the ray from its point, as a share of the extent
 
 /// The sum of many angles, each from -pi to pi. Multiplies complex numbers with these angles and counts full turns, so a single atan2 at
 /// the end suffices.
@@ -58,11 +62,21 @@ int crossing(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
 
 }  // namespace
 
+double TriangleBvh::extent() const {
+  return nodes_.empty() ? 0 : nodes_[0].box.sizes().maxCoeff();
+}
+
+double TriangleBvh::blur() const {
+  return kAside * extent();
+}
+
+Eigen::Vector3d TriangleBvh::aside(const Eigen::Vector3d& p) const {
+  return p + blur() * Eigen::Vector3d(0.7548776662, 0.5698402910, 0);  // CAD coordinates do not share such an offset
+}
+
 int TriangleBvh::signedCrossings(const Eigen::Vector3d& p) const {
   if (nodes_.empty()) return 0;
-  // Step aside by an amount that CAD coordinates do not share: a ray through an edge or a vertex would be ambiguous.
-  const double extent = nodes_[0].box.sizes().maxCoeff();
-  const Eigen::Vector3d q = p + extent * kAside * Eigen::Vector3d(0.7548776662, 0.5698402910, 0);
+  const Eigen::Vector3d q = aside(p);
   const Eigen::Vector3f u = inUnits(q);
   int sum = 0, top = 0;
   int stack[kDeepestFours];
@@ -91,13 +105,14 @@ double TriangleBvh::windingNumber(const Eigen::Vector3d& p) const {
   int stack[kDeepest];
   int top = 0;
   if (!nodes_.empty()) stack[top++] = 0;
+  const double allowed = nodes_.empty() || !(clusters_[0].area > 0) ? 0 : 2 * kPi * kWindingError / clusters_[0].area;
   while (top > 0) {
     const auto id = static_cast<std::size_t>(stack[--top]);
     const Node& node = nodes_[id];
     const Cluster& cluster = clusters_[id];
     const Eigen::Vector3d to = cluster.dipole_centre - p;
-    const double distance = to.norm();
-    if (distance > kDipoleDistance * cluster.radius) {
+    const double distance = to.norm(), gap = distance - cluster.radius;
+    if (gap > 0 && cluster.radius <= allowed * gap * gap * gap) {
       sum += cluster.dipole.dot(to) / (2 * distance * distance * distance);
     } else if (node.count > 0) {
       for (int k = node.first; k < node.first + node.count; ++k) {

@@ -143,16 +143,14 @@ double OutsideDistance::radius(const Cell& cell) const {
   return cell.half * kSqrt3;
 }
 
-/// If the parent's distance exceeds the distance between the centres, no closed surface lies between them and the sign is the same, unless
-/// there are openings.
+/// A child near its parent's centre is on the same side of the surface, which saves telling the side anew.
 void OutsideDistance::measure(Cell& cell, const Cell* parent) const {
   const TriangleBvh::Nearest n =
       solid_.surface().nearest(inWorld(cell.centre), std::numeric_limits<double>::infinity(), parent ? parent->triangle : -1);
   cell.triangle = n.triangle;
   cell.to_surface = n.distance;
-  const double slack = solid_.crackSlack();
-  if (parent && !solid_.hasOpenings() && parent->to_surface - slack > (parent->centre - cell.centre).norm())
-    cell.distance = std::signbit(parent->distance) ? -std::max(0.0, n.distance - slack) : n.distance;
+  if (parent && solid_.isOneSide(parent->to_surface, (parent->centre - cell.centre).norm()))
+    cell.distance = solid_.signedDistance(std::signbit(parent->distance), n.distance);
   else
     cell.distance = solid_.signedDistance(inWorld(cell.centre), n.distance);
 }
@@ -205,14 +203,9 @@ void OutsideDistance::learn(int id, const OutsideDistance& other, int known_id, 
   for (int k = 0; k < 8; ++k) learn(first + k, other, known.children + k, part);
 }
 
-/// A border of S that is not surface may face any way.
 bool OutsideDistance::mayHoldSummit(int id) {
   Cell& cell = cells_[static_cast<std::size_t>(id)];
-  if (cell.summit < 0) {
-    const Eigen::Vector3d p = inWorld(cell.centre);
-    const double reach = cell.to_surface + 2 * radius(cell);  // to whatever is nearest to a point of the cell
-    cell.summit = !solid_.surface().facesOneWay(p, reach) || solid_.wayToBorder(p) <= reach;
-  }
+  if (cell.summit < 0) cell.summit = solid_.mayHoldSummit(inWorld(cell.centre), cell.to_surface, radius(cell));
   return cell.summit != 0;
 }
 

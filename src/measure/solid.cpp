@@ -2,11 +2,14 @@
 // ones are cracks, closed by lids that count as surface; the others are openings, closed by cones. The closed surface's winding number is a
 // count of ray crossings; subtracting that of the cones gives the generalized winding number at little more cost. Near openings, the
 // number's gradient bounds how far the border of the solid can be (Biot-Savart).
+//
+// Points closer to the surface than the trees' blur (1e-9 of the extent) count as outside, which is never wrong by more than that: the
+// distance to the surface bounds the distance to the solid. Balls inside the solid are smaller by the blur. So neither the step aside of
+// signedCrossings() nor the rounding of distances makes a point seem nearer to the solid than it is.
 #include "collision_hulls/measure/solid.h"
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -19,6 +22,7 @@
 #include "geometry/own_axes.h"
 #include "geometry/pi.h"
 #include "measure/flat_sheets.h"
+#include "measure/inverted.h"
 #include "mesh/edges.h"
 #include "mesh/loose_segments.h"
 
@@ -181,19 +185,15 @@ double lengthOf(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
   return sum;
 }
 
-// Triangles whose outer side is probed for a negative winding number.
-constexpr std::size_t kMostProbes = 5000;
-constexpr double kProbeStep = 1e-3;  // off the triangle, roughly in lengths of its shortest altitude
-
-// With openings: points with a larger winding number are inside; error bound of our winding numbers.
-constexpr double kSurelyInside = 0.55, kWindingError = 0.02;
+// With openings: points with a larger computed winding number surely are inside, where the true one exceeds 1/2; and what balls inside S
+// leave in reserve.
+constexpr double kSurelyInside = 0.55, kReserve = 0.02;
+static_assert(TriangleBvh::kWindingError < kSurelyInside - 0.5, "a point outside might count as inside");
 
 /// What lies inside. The winding number is that of the closed surface, by counting crossings, minus that of the lids of openings, which are
 /// few.
 struct Walls {
   /// `surface`: a tree over all triangles, reused if all of them are walls and there is no rim.
-  Walls(const RepairedMesh& mesh, const Rim& rim_edges, const std::shared_ptr<const TriangleBvh>& surface)
-      : Walls(wallsOf(mesh), lidsOf(mesh.mesh, rim_edges), mesh, surface) {}
   Walls(const TriangleMesh& walls, const Lids& all_lids, const RepairedMesh& mesh, const std::shared_ptr<const TriangleBvh>& surface)
       : closed(all_lids.vertices.empty() && walls.triangles.size() == mesh.mesh.triangles.size()
                    ? surface
@@ -202,84 +202,95 @@ struct Walls {
         rim(edgeMesh(mesh.mesh.vertices, all_lids.rim_of_openings)),
         rim_length(lengthOf(mesh.mesh.vertices, all_lids.rim_of_openings)),
         crack_width(all_lids.crack_width),
-        volume(signedVolume(walls)),
-        inverted(hasInvertedRegion(walls)) {}
+        blur(std::max(closed->blur(), surface->blur())),
+        volume(signedVolume(walls)) {}
 
   /// Points with a larger winding number are inside. With openings, points that might be outside count as outside, so that no hull reaches
   /// there unnoticed.
   double inside() const { return lids.empty() ? 0.5 : kSurelyInside; }
 
-  double windingNumber(const Eigen::Vector3d& p) const { return closed->signedCrossings(p) - (lids.empty() ? 0 : lids.windingNumber(p)); }
+  /// [m] How far cracks can mislead. A crack's lids are nowhere further from the surface than twice its width; the same holds for what lies
+  /// behind them when they are crossed.
+  double crackSlack() const { return 4 * crack_width; }
+
+  double windingNumber(const Eigen::Vector3d& p) const {
+    return closed->signedCrossings(p) - (lids.empty() ? 0 : lids.windingNumber(closed->aside(p)));
+  }
 
   /// A lower bound on the length of any path from p, where the winding number is `winding`, to the other side of inside() that does not
   /// cross the surface. Away from the surface the winding number's gradient depends only on the rim, like the magnetic field of a current
   /// (Biot-Savart): at a distance d from the rim it is at most length / (4 pi d^2).
   double wayToBorder(const Eigen::Vector3d& p, double winding) const {
-    const double margin = std::abs(winding - inside()) - kWindingError;
+    const double margin = std::abs(winding - inside()) - kReserve;
     if (margin <= 0) return 0;
     if (lids.empty()) return std::numeric_limits<double>::infinity();
     const double d = rim.nearest(p).distance, k = rim_length / (4 * kPi * margin), b = 2 * d + k;
     return 2 * d * d / (b + std::sqrt(b * b - 4 * d * d));  // the r with k r = (d - r)^2
   }
 
-  /// Whether the surface encloses some region inside out; a triangle's back may then face the outside.
-  bool hasInvertedRegion(const TriangleMesh& walls) const {
-    const std::size_t n = walls.triangles.size(), stride = std::max<std::size_t>(1, n / kMostProbes);
-    std::atomic<bool> found{false};
-    forEach((n + stride - 1) / stride, [&](std::size_t probe_number) {
-      const int i = static_cast<int>(stride * probe_number);
-      const Eigen::Vector3d &a = walls.corner(i, 0), &b = walls.corner(i, 1), &c = walls.corner(i, 2);
-      const Eigen::Vector3d normal = (b - a).cross(c - a);
-      if (found || !(normal.norm() > 0)) return;
-      const Eigen::Vector3d probe = (a + b + c) / 3 + normal.normalized() * (kProbeStep * std::sqrt(normal.norm()));
-      if (windingNumber(probe) < -0.5) found = true;
-    });
-    return found;
-  }
-
   std::shared_ptr<const TriangleBvh> closed;
   TriangleBvh lids, rim;
   double rim_length;   // [m]
   double crack_width;  // [m]
+  double blur;         // [m] what rounding may hide; see the top
   double volume;
-  bool inverted;
 };
 
-/// Per triangle of withLoose(): whether either side may face the outside.
-std::vector<char> twoSided(const RepairedMesh& mesh, const Edges& edges) {
-  const std::vector<Triangle>& triangles = mesh.mesh.triangles;
-  std::vector<char> result(triangles.size() + mesh.loose.size(), 1);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const int h = static_cast<int>(3 * t);
-    const auto endsSheet = [&](int half_edge) {
-      return edges.twin[static_cast<std::size_t>(half_edge)] != Edges::kNonManifold && !isPaired(triangles, edges, half_edge);
-    };
-    result[t] = mesh.sheet[t] || endsSheet(h) || endsSheet(h + 1) || endsSheet(h + 2);
+/// The triangles on the rim: an opening or a crack begins there.
+std::vector<char> onRim(const RepairedMesh& mesh, const Rim& rim) {
+  std::vector<std::array<int, 2>> edges;
+  for (const auto& [from, to] : rim) edges.push_back({std::min(from, to), std::max(from, to)});
+  std::sort(edges.begin(), edges.end());
+  std::vector<char> result(mesh.mesh.triangles.size());
+  for (std::size_t h = 0; h < 3 * result.size() && !edges.empty(); ++h) {
+    const int from = startOf(mesh.mesh.triangles, static_cast<int>(h)), to = endOf(mesh.mesh.triangles, static_cast<int>(h));
+    if (std::binary_search(edges.begin(), edges.end(), std::array<int, 2>{std::min(from, to), std::max(from, to)})) result[h / 3] = 1;
   }
   return result;
 }
 
+/// Per triangle of withLoose(): whether a point outside S may be nearest to its back. Not so where the winding number is proved not to be
+/// negative in front of it; with openings, which blur the winding number, that is not attempted.
+std::vector<char> twoSided(const RepairedMesh& mesh, const TriangleMesh& walls, const Rim& rim, const Lids& lids) {
+  const std::size_t count = mesh.mesh.triangles.size();
+  std::vector<char> result(count + mesh.loose.size(), 1);
+  if (!lids.of_openings.empty()) return result;
+  const std::vector<char> inverted = mayFaceInverted(joined(walls, lids)), on_rim = onRim(mesh, rim);
+  for (std::size_t t = 0, wall = 0; t < count; ++t)
+    if (!mesh.sheet[t]) result[t] = inverted[wall++] || on_rim[t];
+  return result;
+}
+
+/// What the surface consists of.
+struct Anatomy {
+  explicit Anatomy(const RepairedMesh& mesh)
+      : edges(findEdges(mesh.mesh.triangles, mesh.mesh.vertices.size())),
+        walls(wallsOf(mesh)),
+        rim(rimOf(mesh, edges)),
+        lids(lidsOf(mesh.mesh, rim)),
+        two_sided(twoSided(mesh, walls, rim, lids)) {}
+  Edges edges;
+  TriangleMesh walls;
+  Rim rim;
+  Lids lids;
+  std::vector<char> two_sided;  // per triangle of withLoose()
+};
+
 }  // namespace
 
 struct Solid::Impl {
-  explicit Impl(const RepairedMesh& mesh) : Impl(mesh, findEdges(mesh.mesh.triangles, mesh.mesh.vertices.size())) {}
-  Impl(const RepairedMesh& mesh, const Edges& edges) : Impl(mesh, edges, twoSided(mesh, edges)) {}
-  Impl(const RepairedMesh& mesh, const Edges& edges, std::vector<char> two_sided)
-      : surface(std::make_shared<TriangleBvh>(withLoose(mesh), two_sided)),
-        walls(mesh, rimOf(mesh, edges), surface),
+  explicit Impl(const RepairedMesh& mesh) : Impl(mesh, Anatomy(mesh)) {}
+  Impl(const RepairedMesh& mesh, const Anatomy& anatomy)
+      : surface(std::make_shared<TriangleBvh>(withLoose(mesh), anatomy.two_sided)),
+        walls(anatomy.walls, anatomy.lids, mesh, surface),
+        sheets(mesh, anatomy.edges, anatomy.two_sided),
         interior(interiorOf(mesh)),
         axes(ownAxes(mesh.mesh)),
         weld_distance(mesh.counts.weld_distance),
-        component_points(pointsOfComponents(mesh)) {
-    if (walls.inverted) {
-      std::fill(two_sided.begin(), two_sided.end(), 1);
-      surface = std::make_shared<TriangleBvh>(withLoose(mesh), two_sided);
-    }
-    sheets = std::make_unique<FlatSheets>(mesh, edges, two_sided);
-  }
+        component_points(pointsOfComponents(mesh)) {}
   std::shared_ptr<const TriangleBvh> surface;
   Walls walls;
-  std::unique_ptr<const FlatSheets> sheets;
+  FlatSheets sheets;
   Interior interior;
   Eigen::Matrix3d axes;
   double weld_distance;
@@ -307,14 +318,16 @@ bool Solid::isWithin(double distance, const Eigen::Vector3d& p) const {
 }
 double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface) const {
   const Walls& walls = impl_->walls;
+  if (to_surface <= walls.blur) return to_surface;
   const double winding = walls.windingNumber(p);
   if (winding <= walls.inside()) return to_surface;
-  // A crack's lids are nowhere further from the surface than twice its width; the same holds for what lies behind them when they are
-  // crossed.
-  return -std::max(0.0, std::min(to_surface - crackSlack(), walls.wayToBorder(p, winding)));
+  return -std::max(0.0, std::min(to_surface - walls.crackSlack(), walls.wayToBorder(p, winding)) - walls.blur);
 }
-double Solid::crackSlack() const {
-  return 4 * impl_->walls.crack_width;
+double Solid::signedDistance(bool inside, double to_surface) const {
+  return inside ? -std::max(0.0, to_surface - impl_->walls.crackSlack() - impl_->walls.blur) : to_surface;
+}
+bool Solid::isOneSide(double to_surface, double radius) const {
+  return !hasOpenings() && to_surface - impl_->walls.crackSlack() - impl_->walls.blur > radius;
 }
 
 double Solid::distanceWithin(double radius, double signed_distance, double to_surface) const {
@@ -334,7 +347,14 @@ Interior Solid::interior() const {
   return impl_->interior;
 }
 double Solid::heightAboveSheet(const std::array<Eigen::Vector3d, 3>& patch, const TriangleBvh::Nearest& near, double slack) const {
-  return impl_->sheets->bound(patch, near, slack);
+  return impl_->sheets.bound(patch, near, slack);
+}
+bool Solid::mayHoldSummit(const Eigen::Vector3d& p, double to_surface, double radius) const {
+  return !surface().facesOneWay(p, to_surface + 2 * radius + impl_->walls.crackSlack());
+}
+double Solid::frontBound(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& p, double to_surface, double radius,
+                         int* foremost) const {
+  return surface().frontBound(corners, p, to_surface + 2 * radius + impl_->walls.crackSlack(), foremost);
 }
 const Eigen::Matrix3d& Solid::axes() const {
   return impl_->axes;

@@ -3,8 +3,7 @@
 // that edge instead.
 //
 // The distance f to the solid is 1-Lipschitz: within a radius r of the centre c it is at most f(c) + r. Where f is nearly constant this
-// converges slowly, and LevelBound takes over. TriangleBvh::frontBound settles patches inside the solid that end at its surface, unless an
-// opening is as near as that.
+// converges slowly, and LevelBound takes over. Solid::frontBound settles patches inside the solid that end at its surface.
 #include "measure/surface_search.h"
 
 #include <algorithm>
@@ -113,9 +112,8 @@ class Search {
       patch.bound = std::min({patch.bound, std::max(0.0, outside + radius), level.value()});
       if (patch.bound > threshold()) patch.bound = std::min(patch.bound, solid_.heightAboveSheet(corners, n, kSlack * query_.gap));
       if (patch.bound > threshold()) {
-        const double reach = n.distance + 2 * radius;  // to whatever is nearest to a point of the patch
-        const double front = solid_.surface().frontBound({corners.begin(), corners.end()}, c, reach, &patch.divider);
-        if (front < patch.bound && solid_.wayToBorder(c) > reach) patch.bound = front;
+        const std::vector<Eigen::Vector3d> all(corners.begin(), corners.end());
+        patch.bound = std::min(patch.bound, solid_.frontBound(all, c, n.distance, radius, &patch.divider));
       }
     }
     if (patch.bound > threshold())

@@ -178,10 +178,25 @@ TEST(TriangleBvh, WindingNumberWithinAHundredth) {
       const TriangleBvh bvh(mesh);
       for (int i = 0; i < 60; ++i) {
         const Vector3d p = random.inCube(1.5);
-        EXPECT_NEAR(bvh.windingNumber(p), winding(mesh, p), 0.012);
+        EXPECT_NEAR(bvh.windingNumber(p), winding(mesh, p), TriangleBvh::kWindingError);
       }
     }
   }
+}
+
+/// Two stacks of small triangles at x = 1 and x = -1 that face away from each other: their dipoles cancel, and what is left at a distance D
+/// on the x axis is nearly the bound, area / (2 pi (D - 1)^3).
+TEST(TriangleBvh, TheErrorOfDipolesIsBoundedTightly) {
+  TriangleMesh mesh;
+  mesh.vertices = {{1, 0.3, 0}, {1, -0.15, 0.26}, {1, -0.15, -0.26}, {-1, 0.3, 0}, {-1, -0.15, 0.26}, {-1, -0.15, -0.26}};
+  for (int i = 0; i < 8000; ++i) mesh.triangles.insert(mesh.triangles.end(), {{0, 1, 2}, {3, 5, 4}});
+  const TriangleBvh bvh(mesh);
+  double worst = 0;
+  for (double x = 5; x < 60; x += 0.1)
+    for (const Vector3d& p : {Vector3d(x, 0, 0), Vector3d(-x, 0, 0)})
+      worst = std::max(worst, std::abs(bvh.windingNumber(p) - winding(mesh, p)));
+  EXPECT_LE(worst, TriangleBvh::kWindingError);
+  EXPECT_GE(worst, 0.8 * TriangleBvh::kWindingError);
 }
 
 /// Compares at p unless the surface is so near that either answer would do.
@@ -331,6 +346,18 @@ TEST(TriangleBvh, FrontBoundIsNeverTooSmall) {
     }
   }
   EXPECT_GT(bounded, 100);
+}
+
+/// Over a floor the bound is the height; in front of the ridge of two slopes, the height over the worse slope's plane, divided by the
+/// cosine between the slopes and the direction between them.
+TEST(TriangleBvh, FrontBoundIsTightOverAFloorAndARidge) {
+  const TriangleMesh floor{{{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}}, {{0, 1, 2}}};
+  const std::vector<Vector3d> patch{{0, 0, 0.2}, {1, 0, 0.5}, {0, 1, -0.3}};
+  EXPECT_NEAR(TriangleBvh(floor).frontBound(patch, {0, 0, 0}, 2), 0.5, 1e-12);
+  const double slope = 0.5;
+  const TriangleMesh ridge{{{0, -9, 0}, {0, 9, 0}, {9, 0, -9 * slope}, {-9, 0, -9 * slope}}, {{1, 0, 2}, {0, 1, 3}}};
+  const double cosine = 1 / std::hypot(1, slope);
+  EXPECT_NEAR(TriangleBvh(ridge).frontBound({{0, 0, 0.4}}, {0, 0, 0}, 2), 0.4 * cosine / cosine, 1e-3);
 }
 
 TEST(TriangleBvh, TrianglesNearABoxAreThoseWhoseBoxesMeetIt) {

@@ -109,6 +109,16 @@ TEST(Uncovered, ASlitFarFromTheOriginIsStillFound) {
               0.0005, 1e-6);
 }
 
+// What counts as rounding is 1e-12 of the coordinates' size, no more.
+TEST(Uncovered, AGapJustAboveRoundingIsFound) {
+  const TriangleMesh mesh = test_shapes::box(1, 1, 1);
+  for (const double gap : {1e-6, 1e-9, 1e-11}) {
+    EXPECT_NEAR(uncovered(mesh, {boxHull({0, 0, 0}, {1, 1, 1 - gap})}), gap, 0.02 * gap + 1e-12);
+    EXPECT_NEAR(uncovered(mesh, {boxHull({0, 0, 0}, {0.5, 1, 1}), boxHull({0.5 + gap, 0, 0}, {1, 1, 1})}), gap / 2, 0.02 * gap + 1e-12);
+  }
+  EXPECT_EQ(uncovered(mesh, {boxHull({0, 0, 0}, {1, 1, 1 - 1e-13})}), 0);
+}
+
 // Random input.
 
 TEST(Uncovered, AgreesWithSamplesOfTheSurface) {

@@ -52,6 +52,34 @@ TEST(OutsideDistance, AFilledChannel) {
   EXPECT_LE(largest.bound, 0.44);
 }
 
+// The distance to a point grows by a cell's whole radius on the way from its centre to the corner that faces away.
+TEST(OutsideDistance, TheBoundOfACellHoldsAtItsCorner) {
+  TriangleMesh point;
+  point.vertices = {{0, 0, 0}};
+  point.triangles = {{0, 0, 0}};
+  const Solid solid = solidOf(point);
+  for (const double resolution : {10.0, 3.0, 1.0}) {
+    OutsideDistance outside(solid, {Vector3d(1, 1, 1), Vector3d(9, 9, 9)});
+    const ConvexHull corner = boxHull({8.99, 8.99, 8.99}, {9, 9, 9});
+    const OutsideDistance::Largest largest = outside.largest(corner, query(0, resolution));
+    EXPECT_GE(largest.bound, std::sqrt(243.0));
+    EXPECT_LE(largest.bound, std::sqrt(243.0) * 1.001);
+    EXPECT_LE(largest.found, std::sqrt(243.0));
+    const Vector3d low(8.9, 9, 9), end(9, 9, 9), side(9, 8.9, 9);
+    EXPECT_FALSE(outside.isWithin({low, end, side}, std::sqrt(243.0) - 1e-6));
+    EXPECT_TRUE(outside.isWithin({low, end, side}, std::sqrt(243.0) * 1.01));
+  }
+}
+
+// Inside, a cell reaches out of the solid by its radius less the depth of its centre.
+TEST(OutsideDistance, TheBoundOfACellThatReachesOutOfTheSolid) {
+  const Solid solid = solidOf(test_shapes::box(1, 1, 1));
+  OutsideDistance outside(solid, {Vector3d(0.4, 0.4, 0.4), Vector3d(1.4, 1.4, 1.4)});
+  const ConvexHull corner = boxHull({1.39, 1.39, 1.39}, {1.4, 1.4, 1.4});
+  EXPECT_GE(outside.largest(corner, query(0, 10)).bound, std::sqrt(0.48));
+  EXPECT_GE(outside.largest(corner, query(0, 0.3)).bound, std::sqrt(0.48));
+}
+
 // Its cells rotate with the mesh.
 TEST(OutsideDistance, ARotatedMesh) {
   Eigen::Isometry3d turn(Eigen::Quaterniond(0.8, 0.3, -0.4, 0.2).normalized());

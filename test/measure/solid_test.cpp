@@ -15,8 +15,10 @@ using Eigen::Vector3d;
 using test_shapes::RandomPoints;
 using test_shapes::solidOf;
 
+constexpr double kBlur = 1e-9;  // of the extent: how much smaller balls inside are than they might be
+
 bool withoutSummit(const Solid& solid, const Vector3d& p, double radius) {
-  return solid.surface().facesOneWay(p, solid.distanceToSurface(p) + 2 * radius);
+  return !solid.mayHoldSummit(p, solid.distanceToSurface(p), radius);
 }
 
 // Degenerate input.
@@ -164,8 +166,23 @@ TEST(Solid, TheSignedDistanceStaysInside) {
   }
   const Solid closed = solidOf(test_shapes::box(1, 1, 1));
   EXPECT_FALSE(closed.hasOpenings());
-  EXPECT_EQ(closed.signedDistance({0.5, 0.5, 0.5}, 0.5), -0.5);
+  EXPECT_NEAR(closed.signedDistance({0.5, 0.5, 0.5}, 0.5), -0.5, 2 * kBlur);
+  EXPECT_GT(closed.signedDistance({0.5, 0.5, 0.5}, 0.5), -0.5);
   EXPECT_EQ(closed.signedDistance({0.5, 0.5, 1.5}, 0.5), 0.5);
+}
+
+// A ray that counts crossings starts a little aside, possibly across a wall.
+TEST(Solid, WhatLiesWithinTheBlurOfTheSurfaceCountsAsOutside) {
+  const Solid solid = solidOf(test_shapes::box(1, 1, 1));
+  for (const Vector3d& normal : {Vector3d(1, 0, 0), Vector3d(-1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, 0, 1)})
+    for (const double height : {-0.9 * kBlur, -0.3 * kBlur, 0.0, 0.3 * kBlur}) {
+      const Vector3d p = Vector3d(0.5, 0.5, 0.5) + (0.5 + height) * normal;
+      const double to_surface = solid.distanceToSurface(p);
+      EXPECT_EQ(solid.signedDistance(p, to_surface), to_surface);
+    }
+  EXPECT_FALSE(solid.isOneSide(0.5 * kBlur, 0));
+  EXPECT_FALSE(solid.isOneSide(0.3, 0.3)) << "the other side begins just beyond the wall";
+  EXPECT_TRUE(solid.isOneSide(0.3, 0.2999));
 }
 
 /// A cube of side 1 whose top and sides meet at different vertices: each edge of the top is split at a point `off` beside the sides' edge.
@@ -204,12 +221,24 @@ TEST(Solid, CracksWithinTheWeldToleranceAreNotOpenings) {
         EXPECT_EQ(solid.contains(p), beyond < 0) << p.transpose();
       }
       const double to_surface = solid.distanceToSurface(p), d = solid.signedDistance(p, to_surface);
-      EXPECT_NEAR(d, solid.contains(p) ? -to_surface : to_surface, 6 * std::abs(off));
+      EXPECT_NEAR(d, solid.contains(p) && to_surface > kBlur ? -to_surface : to_surface, 6 * std::abs(off) + 2 * kBlur);
+      if (d < 0) {  // the ball lies in the cube, of which the lids of the cracks cut off corners no deeper than the cracks are wide
+        EXPECT_LE(-d, -beyond + std::abs(off));
+        EXPECT_LE(-d, to_surface - 2 * std::abs(off));
+        EXPECT_EQ(solid.isOneSide(to_surface, -d * 1.01), false);
+      }
       const double radius = 0.3;  // a point in reach may be outside, across a crack
       EXPECT_GE(solid.distanceWithin(radius, d, to_surface), solid.distance(p + radius * random.onSphere())) << p.transpose();
     }
   }
   EXPECT_TRUE(Solid(repair(cubeWithCracks(1e-4))).hasOpenings());
+}
+
+// A crack's lid faces some way, too.
+TEST(Solid, NoSummitIsRuledOutNextToACrack) {
+  const Solid solid(repair(cubeWithCracks(5e-6)));
+  EXPECT_FALSE(withoutSummit(solid, {0.5, -0.1, 1.1}, 0.01));
+  EXPECT_TRUE(withoutSummit(solid, {0.5, 0.5, -0.1}, 0.01));
 }
 
 TEST(Solid, FinsDoNotAffectTheInside) {
@@ -253,6 +282,35 @@ TEST(Solid, NoPathToABorderIsShorterThanTheBound) {
   EXPECT_TRUE(std::isinf(solidOf(test_shapes::box(1, 1, 1)).wayToBorder({0.5, 0.5, 0.5})));
 }
 
+// On the axis of a round opening of radius a, at a height h below it, the winding number is 1/2 + h / (2 sqrt(h^2 + a^2)), and the field of
+// the rim, which bounds how fast it changes, is strongest in the middle.
+TEST(Solid, TheWayOutOfARoundOpeningIsThatOfTheRimsField) {
+  const double a = 0.15;
+  TriangleMesh mesh = test_shapes::sphere(1, 40);
+  for (Vector3d& v : mesh.vertices)  // those about the pole move to the opening's rim
+    if (v.head<2>().norm() < a + 0.04 && v.z() > 0) v.head<2>() *= std::max(1.0, a / std::max(v.head<2>().norm(), 1e-9)), v.z() = 1;
+  std::vector<Triangle> kept;
+  const auto isInside = [&](int v) {
+    const Vector3d& p = mesh.vertices[static_cast<std::size_t>(v)];
+    return p.z() == 1 && p.head<2>().norm() <= a * 1.0001;
+  };
+  for (const Triangle& t : mesh.triangles)
+    if (!isInside(t[0]) || !isInside(t[1]) || !isInside(t[2])) kept.push_back(t);
+  mesh.triangles = kept;
+  const Solid solid = solidOf(mesh);
+  ASSERT_TRUE(solid.hasOpenings());
+  for (const double h : {0.05, 0.1, 0.2, 0.4, 0.8}) {
+    const Vector3d p(0, 0, 1 - h);
+    const double d = std::hypot(h, a), margin = h / (2 * d) - 0.05 - 0.02, k = 2 * test_shapes::kPi * a / (4 * test_shapes::kPi * margin);
+    const double way = solid.wayToBorder(p);
+    if (margin <= 0) {
+      EXPECT_EQ(way, 0);
+    } else {
+      EXPECT_NEAR(k * way, (d - way) * (d - way), 0.05 * k * way) << h;
+    }
+  }
+}
+
 TEST(Solid, OverlappingComponentsAreOneSolid) {
   const Solid solid =
       solidOf(test_shapes::merged({test_shapes::box(1, 1, 1), test_shapes::moved(test_shapes::box(1, 1, 1), {0.5, 0.25, 0.25})}));
@@ -271,6 +329,34 @@ TEST(Solid, FarFromTheOriginAndTiny) {
 
 // Random input.
 
+/// A prism whose outline crosses itself has a lobe, x > 0, that is inside out: its lower wall, in y = 0, faces up. Below it lies a block
+/// with a pit in its top. All surface near the pit's middle faces up, and yet the distance has a summit there, a quarter from all of it.
+TriangleMesh pitUnderInvertedLobe() {
+  const TriangleMesh lobes = test_shapes::prism({{-3, -1}, {2, 2.0 / 3}, {2, 0}, {-3, 0}}, {{0, 1, 2}, {0, 2, 3}}, 1);
+  const auto corner = [](std::size_t k, double y) { return Vector3d(k == 1 || k == 2 ? 1.8 : 0.6, y, k >= 2 ? 1.1 : -0.1); };
+  test_shapes::MeshBuilder block;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t l = (k + 1) % 4;
+    block.triangle(corner(l, -0.3), corner(k, -0.3), {1.2, -0.6, 0.5});
+    block.quad(corner(k, -0.3), corner(l, -0.3), corner(l, -0.9), corner(k, -0.9));
+  }
+  block.quad(corner(0, -0.9), corner(1, -0.9), corner(2, -0.9), corner(3, -0.9));
+  return test_shapes::merged({lobes, block.mesh()});
+}
+
+TEST(Solid, ASummitInFrontOfABackIsNotRuledOut) {
+  const Solid solid = solidOf(pitUnderInvertedLobe());
+  EXPECT_FALSE(solid.contains({1.2, -0.25, 0.5}));
+  EXPECT_FALSE(solid.contains({1.5, 0.1, 0.5})) << "the lobe is inside out";
+  EXPECT_TRUE(solid.contains({-2, -0.3, 0.5}));
+  double highest = 0;
+  Vector3d top = Vector3d::Zero();
+  for (double y = -0.55; y < 0; y += 0.001)
+    if (solid.distance({1.2, y, 0.5}) > highest) top = {1.2, y, 0.5}, highest = solid.distance(top);
+  for (int k = 0; k < 6; ++k) EXPECT_LT(solid.distance(top + 0.02 * (k % 2 ? 1 : -1) * Vector3d::Unit(k / 2)), highest) << "a summit";
+  EXPECT_FALSE(withoutSummit(solid, top, 0.02));
+}
+
 TEST(Solid, TheDistanceHasNoSummitWhereNoneIsPredicted) {
   // A maximum inside a ball that exceeds all values on the ball's border is a summit.
   int without = 0, with = 0;
@@ -278,7 +364,7 @@ TEST(Solid, TheDistanceHasNoSummitWhereNoneIsPredicted) {
     SCOPED_TRACE(seed);
     RandomPoints random(seed);
     const std::vector<TriangleMesh> meshes{test_shapes::openBox(1, 1, 1, 0.05, 3), test_shapes::torus(0.8, 0.2, 16, 8),
-                                           test_shapes::uChannel(1, 1, 0.1, 1, 2)};
+                                           test_shapes::uChannel(1, 1, 0.1, 1, 2), pitUnderInvertedLobe()};
     for (const TriangleMesh& mesh : meshes) {
       const Solid solid = solidOf(mesh);
       for (int i = 0; i < 60; ++i) {

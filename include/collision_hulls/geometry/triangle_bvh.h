@@ -40,14 +40,22 @@ class TriangleBvh {
                   int hint = -1) const;
 
   /// The generalized winding number (Jacobson et al. 2013), with distant clusters replaced by
-  /// dipoles (Barill et al. 2018): 1 inside a closed outward surface, 0 outside, with an error of
-  /// about 0.01.
+  /// dipoles (Barill et al. 2018): 1 inside a closed outward surface, 0 outside. Errs by at most
+  /// kWindingError, apart from rounding: a cluster is replaced only where that provably errs by no
+  /// more than its share.
   double windingNumber(const Eigen::Vector3d& p) const;
+  static constexpr double kWindingError = 0.01;
 
-  /// The exact winding number of closed surfaces: the signed crossings of a ray from p along z.
-  /// Much faster than windingNumber(). Closer to the surface than 1e-9 of the tree's extent, the
-  /// answer may be that of the other side.
+  /// The winding number of a closed surface at aside(p): the signed crossings of a ray along z.
+  /// Exact, and much faster than windingNumber(). It is that of p if p is further than blur() from
+  /// the surface.
   int signedCrossings(const Eigen::Vector3d& p) const;
+  /// A point near p whose ray hardly ever meets an edge, where crossings would be ambiguous.
+  Eigen::Vector3d aside(const Eigen::Vector3d& p) const;
+  /// [m] How much finer than this nothing is told apart near the surface, 1e-9 of the tree's
+  /// extent: an upper bound on the distance of aside(p) from p, and on the rounding of nearest().
+  double blur() const;
+  double extent() const;  ///< [m] longest side of the box around the triangles
 
   /// Whether the normals of all triangles within `radius` [m] of p lie in one open half-space and
   /// none of these triangles is two-sided or degenerate. May answer no where the answer is yes (if

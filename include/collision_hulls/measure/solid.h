@@ -13,10 +13,15 @@
 namespace collision_hulls {
 
 /// S consists of the surface and of the points inside the parts of it that are not sheets: those
-/// whose generalized winding number exceeds 1/2. If there are openings the limit is 0.55, because
-/// computed winding numbers err by some hundredths (here by at most 0.02). Components face outward,
-/// so a closed cavity in a housing counts as inside. Cracks no wider than the default weld
-/// tolerance (1e-5 of the extent) count as closed. Immutable, thread safe.
+/// whose generalized winding number exceeds 1/2. Components face outward, so a closed cavity in a
+/// housing counts as inside. Cracks no wider than the default weld tolerance (1e-5 of the extent)
+/// count as closed. If there are openings, a computed winding number may err (by 0.01 at most,
+/// proved; see TriangleBvh), so only points with 0.55 or more are treated as inside. Immutable,
+/// thread safe.
+///
+/// What distances and bounds assume of the mesh: finite coordinates, nothing else. It may be open,
+/// cross itself, or be inside out in places. Rounding is allowed for, too; what is left of it is
+/// below 1e-12 of the coordinates' size, which protrusion() adds to its bound.
 class Solid {
  public:
   explicit Solid(const RepairedMesh& mesh, const RunControl& control = {});
@@ -31,13 +36,14 @@ class Solid {
   /// whether distance(p) is smaller, or p is inside
   bool isWithin(double distance, const Eigen::Vector3d& p) const;
   /// [m] Outside, distance(p). Inside, minus the radius of a ball about p that lies within S: the
-  /// distance to the surface, less four times the width of the widest crack; less than that near
-  /// openings. `to_surface`: distanceToSurface(p).
+  /// distance to the surface, less what cracks and rounding may hide; less than that near openings.
+  /// `to_surface`: distanceToSurface(p).
   double signedDistance(const Eigen::Vector3d& p, double to_surface) const;
-  /// [m] How far cracks that count as closed can mislead: inside, the border of S may be nearer
-  /// than the surface by this much, and inside may meet outside this far off the surface. 0 if
-  /// there are no cracks.
-  double crackSlack() const;
+  /// [m] The same without openings, for a point of which the side is known.
+  double signedDistance(bool inside, double to_surface) const;
+  /// Whether all points within `radius` [m] of one at this distance from the surface are on its
+  /// side, inside or outside. May answer no where the answer is yes, but never the reverse.
+  bool isOneSide(double to_surface, double radius) const;
   /// [m] An upper bound on distance() within `radius` of a point with this signedDistance(). Near
   /// openings, a step out of the ball inside S may cross a border that is not surface; then only
   /// the nearest surface counts.
@@ -63,12 +69,19 @@ class Solid {
   /// a point of each component of the surface and of each loose segment
   const std::vector<Eigen::Vector3d>& componentPoints() const;
 
-  /// The triangles of the mesh, followed by one for each loose segment. If surface().facesOneWay(p,
-  /// distanceToSurface(p) + 2 * radius) and wayToBorder(p) is longer than that, then no point
-  /// within `radius` of p is a local maximum of the distance to S, S itself apart. Why: whatever
-  /// could be nearest to such a point is surface that faces one way, so the distance grows in a
-  /// common direction. This assumes that a region of negative winding, if there is one, is met by
-  /// one of 5,000 probes over the surface.
+  /// Whether some point within `radius` [m] of p may be a local maximum (summit) of the distance to
+  /// S, S itself apart. No only if that is proved: whatever could be nearest to such a point is
+  /// surface that faces one way, with nothing inside out in front of it, so the distance grows in a
+  /// common direction. Always yes if there are openings. `to_surface`: distanceToSurface(p).
+  bool mayHoldSummit(const Eigen::Vector3d& p, double to_surface, double radius) const;
+  /// [m] An upper bound on the distance to S over the convex hull of `corners`, which lies within
+  /// `radius` of p; infinite if mayHoldSummit(p, to_surface, radius). See
+  /// TriangleBvh::frontBound().
+  double frontBound(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& p,
+                    double to_surface, double radius, int* foremost = nullptr) const;
+  /// The triangles of the mesh, followed by one for each loose segment. Two-sided are those whose
+  /// back may be nearest to a point outside S: sheets, rims, and wherever the surface may be inside
+  /// out.
   const TriangleBvh& surface() const;
 
  private:

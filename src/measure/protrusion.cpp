@@ -23,12 +23,22 @@ constexpr int kMostHalvings = 2'000'000;
 // A bound of only a few gaps is not worth more halvings than this.
 constexpr int kPatience = 100'000;
 constexpr double kFewGaps = 12;
+// Rounding error of a distance, as a share of the coordinates and of the mesh's extent: a hundred times what sums of a few products err by.
+constexpr double kRounding = 1e-12;
 
 /// Keeps the further of two places and the larger of two bounds.
 void add(Protrusion& worst, const Protrusion& other) {
   const double bound = std::max({worst.bound, other.bound, other.found});
   if (other.found > worst.found) worst = other;
   worst.bound = bound;
+}
+
+/// [m] What rounding may hide. Points are rounded with the coordinates of the hulls, distances with the mesh's extent as well.
+double rounding(const std::vector<ConvexHull>& hulls, const Solid& solid) {
+  double size = solid.surface().extent();
+  for (const ConvexHull& hull : hulls)
+    for (const Eigen::Vector3d& v : hull.vertices) size = std::max(size, v.cwiseAbs().maxCoeff());
+  return hulls.empty() ? 0 : kRounding * size;
 }
 
 /// `on_surface`: per hull, the result of searching its surface.
@@ -105,6 +115,7 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
   Protrusion worst;
   for (const Protrusion& p : each) add(worst, p);
   addSummits(worst, hulls, each, solid, gap / 2, search.spare_visits, control);
+  worst.bound += rounding(hulls, solid);
   return worst;
 }
 

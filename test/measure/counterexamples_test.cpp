@@ -75,6 +75,13 @@ TEST(Counterexamples, APocketBeforeABack) {
   EXPECT_GE(p.bound, sampled);
 }
 
+TEST(Counterexamples, TheBoundAllowsForRounding) {
+  const Protrusion p =
+      protrusion({boxHull({-1000, 0, 0}, {1000, 1, 1})}, solidOf(test_shapes::moved(test_shapes::box(2000, 1, 1), {-1000, 0, 0})), 1);
+  EXPECT_GE(p.bound - p.found, 1e-9);
+  EXPECT_LE(protrusion({boxHull({0, 0, 0}, {1, 1, 1})}, solidOf(test_shapes::box(1, 1, 1)), 1e-9).bound, 5e-9);
+}
+
 // Random input.
 
 /// A lower bound on the distance to S and, near openings, to the part of it that surely is inside.

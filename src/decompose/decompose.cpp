@@ -74,11 +74,20 @@ std::optional<Method> methodNamed(const std::string& text) {
 }
 
 const char* name(Effort effort) {
-  return effort == Effort::kBest ? "best" : "quick";
+  switch (effort) {
+    case Effort::kQuick: return "quick";
+    case Effort::kBest: return "best";
+  }
+  return "unknown";
+}
+
+const std::vector<Effort>& allEfforts() {
+  static const std::vector<Effort> efforts{Effort::kQuick, Effort::kBest};
+  return efforts;
 }
 
 std::optional<Effort> effortNamed(const std::string& text) {
-  for (Effort effort : {Effort::kQuick, Effort::kBest})
+  for (Effort effort : allEfforts())
     if (text == name(effort)) return effort;
   return std::nullopt;
 }

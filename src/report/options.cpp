@@ -132,6 +132,13 @@ bool alwaysLarger(const Length& tree, const Length& tolerance) {
   return larger(tree.limit, tolerance.limit) && larger(tree.share, tolerance.share);
 }
 
+template <typename T>
+std::string choicesOf(const std::vector<T>& all) {
+  std::string choices;
+  for (const T& one : all) choices += (choices.empty() ? "" : ", ") + std::string(name(one));
+  return choices;
+}
+
 }  // namespace
 
 Length parseLength(const std::string& text, const std::string& option) {
@@ -169,9 +176,11 @@ std::optional<UriStyle> uriStyleNamed(const std::string& name) {
 }
 
 std::string methodChoices() {
-  std::string choices;
-  for (const Method method : allMethods()) choices += (choices.empty() ? "" : ", ") + std::string(name(method));
-  return choices;
+  return choicesOf(allMethods());
+}
+
+std::string effortChoices() {
+  return choicesOf(allEfforts());
 }
 
 void check(const Options& options) {

@@ -46,7 +46,8 @@ void addOptions(CommandLine& app, Command& command) {
   app.add_option("-m,--methods", command.methods, "Methods, comma-separated: " + methodChoices() + "; default: all")->type_name("LIST");
   app.add_option("-t,--tolerances", command.tolerances, "Tolerances, comma-separated: lengths, or percentages of each mesh's diagonal")
       ->type_name("LIST [5%,2%,1%]");
-  app.add_option("--effort", command.efforts, "Efforts of the method certified, comma-separated: quick, best")->type_name("LIST [quick]");
+  app.add_option("--effort", command.efforts, "Efforts of the method certified, comma-separated: " + effortChoices())
+      ->type_name("LIST [quick]");
   app.add_option("--max-vertices", options.max_vertices, "Most vertices per hull of a method, at least 8; 0: no limit")
       ->type_name("N [64]");
   app.add_option("-o,--output", options.folder, "Output folder; files of an earlier run there are replaced")->type_name("DIR")->required();
@@ -84,7 +85,7 @@ void interpret(Command& command) {
     options.tolerances = parsedList<Length>(command.tolerances, [](const std::string& text) { return parseLength(text); });
   if (!command.efforts.empty()) {
     options.efforts =
-        parsedList<Effort>(command.efforts, [](const std::string& text) { return choice("--effort", text, effortNamed, "quick, best"); });
+        parsedList<Effort>(command.efforts, [](const std::string& text) { return choice("--effort", text, effortNamed, effortChoices()); });
   }
   for (const std::string& text : command.peers) options.peers.push_back(peerOf(text, fs::path(options.program).parent_path()));
 }

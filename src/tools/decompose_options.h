@@ -83,7 +83,7 @@ class DecomposeOptionAdder {
         "smaller of both",
         [&options = options_](const std::string&, const std::string& text) { options.tolerance = parseLength(text); });
     addChoice("Accuracy", "-m,--method", options_.method, methodNamed, methodChoices(), name(options_.method), "How to decompose meshes");
-    addChoice("Accuracy", "--effort", options_.effort, effortNamed, "quick, best", "quick",
+    addChoice("Accuracy", "--effort", options_.effort, effortNamed, effortChoices(), name(options_.effort),
               "best searches longer for fewer hulls (method certified)");
     app_.add_flag_callback(
             "--fill", [&options = options_] { options.fill = true; }, "Cover the inside of closed meshes as well, not their surface alone")

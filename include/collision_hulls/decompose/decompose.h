@@ -31,6 +31,7 @@ enum class Effort {
 };
 const char* name(Effort effort);  ///< "quick", "best"
 std::optional<Effort> effortNamed(const std::string& name);
+const std::vector<Effort>& allEfforts();
 
 struct DecomposeOptions {
   Method method = Method::kCertified;

@@ -70,6 +70,7 @@ struct Options {
 };
 
 std::string methodChoices();  ///< the names of all methods, for messages
+std::string effortChoices();  ///< the same for efforts
 
 /// Throws kBadOption naming the option, its value and its range. A tolerance above 1 m is a mistake
 /// in its unit.

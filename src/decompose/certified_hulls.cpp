@@ -1,0 +1,176 @@
+// Decompose, complete the cover, certify.
+//
+// What a method aims at is not what is returned. Hulls as returned are rounded outward and cover the mesh as it was given, not the repaired
+// one, so they protrude a little further than those that the method looked at, and much further where the distance to the solid jumps, as
+// at openings. Hence the aim is a little below the tolerance from the start, and if the certificate still exceeds the tolerance, the method
+// `certified` tries again with an aim that is lower by as much: kAttempts times at most, and the best attempt counts. Other methods do not
+// aim at the protrusion, so another attempt would only cost time.
+//
+// The certificate is a search between two bounds (measure/protrusion.h). Closing the gap costs more the narrower it is, so it stays at
+// kCertificateGap of the tolerance, and is narrowed only where the gap alone decides that the tolerance is exceeded.
+#include "collision_hulls/decompose/certified_hulls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/millimetres.h"
+#include "base/stopwatch.h"
+#include "collision_hulls/decompose/fit_cover.h"
+#include "collision_hulls/error.h"
+#include "decompose/hulls_of_tree.h"
+#include "measure/protrusion.h"
+
+namespace collision_hulls {
+namespace {
+
+// The first aim is below the tolerance by this many margins, for the margin and rounding, but never below this share of the tolerance.
+constexpr double kMargins = 3, kLeastAim = 0.5;
+// Each further aim is lower by the excess and a little more, but not below kLowerAim of the last aim.
+constexpr int kAttempts = 3;
+constexpr double kLowerAim = 0.8, kALittleLower = 0.99;
+// Least share of the usual gap for which a narrower one is tried, and the extra effort spent on it.
+constexpr double kLeastGap = 0.1;
+constexpr std::size_t kSpareVisits = 500'000;
+
+constexpr double kDecomposeShare = 0.7;  // of the time, approximately; the rest is certifying
+constexpr double kMuch = 0.1;            // of the protrusion: if blunting exceeds this share, it is named as the cause
+
+/// Hulls that may be the result, and what may have kept them from being better.
+struct Attempt {
+  CertifiedHulls result;
+  bool capped = false;  // caps made the hulls coarser
+  double blunted = 0;   // [m] see FittedHulls
+};
+
+void checkTolerance(const DecomposeOptions& options) {
+  check(options);
+  if (options.tolerance > 0 && std::isfinite(options.tolerance)) return;
+  throw Error(ErrorCode::kBadOption,
+              "tolerance is " + std::to_string(options.tolerance) + " m; it must be a positive length, which hulls are certified against");
+}
+
+/// The aim of the next attempt; `over` is the last bound over the tolerance.
+double lowerAim(double aim, int attempt, double over) {
+  return aim * (attempt == 0 ? std::max(kLowerAim, kALittleLower / over) : kLowerAim);
+}
+
+Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, double tolerance, const RunControl& decomposing,
+                  const RunControl& certifying) {
+  Attempt attempt;
+  CertifiedHulls& result = attempt.result;
+  Stopwatch stage;
+  const Decomposition parts = mesh.tree ? hullsOfTree(*mesh.tree, aim) : decompose(mesh.repaired, aim, decomposing);
+  FittedHulls fitted = fitCover(parts.hulls, mesh.original, mesh.margin, aim.max_vertices, decomposing);
+  for (const ConvexHull& hull : parts.hulls) result.thickness = std::max(result.thickness, hull.thickness);
+  result.seconds.decompose = stage.lap();
+  const Protrusion proof = certificate(fitted.hulls, mesh.solid, mesh.margin, tolerance, certifying);
+  result.seconds.certify = stage.lap();
+  result.hulls = std::move(fitted.hulls);
+  result.bound = proof.bound;
+  result.found = proof.found;
+  result.where = proof.where;
+  result.nearest = proof.nearest;
+  result.nudge = fitted.nudge;
+  attempt.capped = parts.capped;
+  attempt.blunted = fitted.blunted;
+  return attempt;
+}
+
+/// The best attempt, with the time of all.
+Attempt bestAttempt(const PreparedMesh& mesh, const DecomposeOptions& options, const RunControl& decomposing,
+                    const RunControl& certifying) {
+  const bool aims = options.method == Method::kCertified;
+  DecomposeOptions aim = options;
+  if (aims) aim.tolerance = std::max(kLeastAim * options.tolerance, options.tolerance - kMargins * mesh.margin);
+  Attempt best;
+  CertifiedHulls::Seconds spent;
+  for (int i = 0; i < kAttempts; ++i) {
+    Attempt attempt = attemptAt(mesh, aim, options.tolerance, decomposing, certifying);
+    spent.decompose += attempt.result.seconds.decompose;
+    spent.certify += attempt.result.seconds.certify;
+    if (i > 0 && attempt.result.bound >= best.result.bound) break;
+    best = std::move(attempt);
+    if (!aims || best.capped || best.result.bound <= options.tolerance) break;
+    aim.tolerance = lowerAim(aim.tolerance, i, best.result.bound / options.tolerance);
+  }
+  best.result.seconds = spent;
+  return best;
+}
+
+/// Why hulls protrude further than the tolerance, and what to do about it.
+std::string excuse(const DecomposeOptions& options, const Attempt& made) {
+  if (options.method == Method::kSingleHull || options.method == Method::kBoundingBox)
+    return std::string(name(options.method)) + " ignores the tolerance; use another method";
+  const std::string vertices = "max-vertices " + std::to_string(options.max_vertices);
+  if (made.capped && (options.max_hulls > 0 || options.method == Method::kCertified))
+    return "the limits (max-hulls " + std::to_string(options.max_hulls) + ", " + vertices + ") made the hulls coarser; raise them";
+  if (options.method == Method::kHacd)
+    return "hacd measures concavity along rays, which does not bound the protrusion; give a smaller tolerance, which makes more hulls";
+  if (options.method == Method::kAcd)
+    return "acd measures concavity at reflex edges, which does not bound the protrusion; give a smaller tolerance, which makes more hulls";
+  if (made.blunted > kMuch * made.result.bound)
+    return "with so few vertices (" + vertices + ") thin hulls protrude up to " + millimetres(made.blunted) + " further; raise that limit";
+  return "the surface has details there that no plane divided; repair the mesh or accept it";
+}
+
+/// Passes a part of the work on as the shares `from` to `to` of the whole, which never decrease though attempts begin anew.
+void follow(RunControl& part, const RunControl& whole, double from, double to) {
+  part.whole = &whole;
+  part.progress = [&whole, from, to, done = 0.0](double share) mutable {
+    done = std::max(done, from + (to - from) * share);
+    whole.report(done);
+  };
+}
+
+}  // namespace
+
+Protrusion certificate(const std::vector<ConvexHull>& hulls, const Solid& solid, double margin, double tolerance,
+                       const RunControl& control) {
+  const double gap = kCertificateGap * tolerance;
+  Protrusion result = protrusion(hulls, solid, gap, control);
+  const double room = tolerance - margin - result.found;
+  if (result.bound + margin > tolerance && room > kLeastGap * gap)
+    result = protrusion(hulls, solid, {std::min(gap, room / 2), kSpareVisits}, control);
+  result.bound += margin;
+  return result;
+}
+
+void expectCovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls, const std::string& name, const RunControl& control) {
+  const double gap = uncovered(mesh, hulls, control);
+  if (gap > 0)
+    throw Error(ErrorCode::kInternal, "the hulls leave the surface uncovered by up to " + millimetres(gap) +
+                                          "; the limit is 0. Please report the mesh" + (name.empty() ? "" : " '" + name + "'"));
+}
+
+CertifiedHulls certifiedHulls(const PreparedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
+  checkTolerance(options);
+  RunControl decomposing, certifying;
+  follow(decomposing, control, 0, kDecomposeShare);
+  follow(certifying, control, kDecomposeShare, 1);
+  Attempt made = bestAttempt(mesh, options, decomposing, certifying);
+  CertifiedHulls& result = made.result;
+  Stopwatch stage;
+  expectCovered(mesh.original, result.hulls, mesh.name, certifying);
+  result.within_tolerance = result.bound <= options.tolerance;
+  if (!result.within_tolerance)
+    result.reason = "the hulls protrude by up to " + millimetres(result.bound) + ", more than the tolerance of " +
+                    millimetres(options.tolerance) + ": " + excuse(options, made);
+  result.seconds.certify += stage.lap();
+  control.report(1);
+  return std::move(result);
+}
+
+CertifiedHulls certifiedHulls(const TriangleMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
+  checkTolerance(options);
+  if (mesh.triangles.empty()) throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangles; hulls need at least one");
+  Stopwatch stage;
+  const RepairedMesh repaired = repair(mesh, {}, control);
+  const Solid solid(repaired, control);
+  const double seconds = stage.lap();
+  CertifiedHulls result = certifiedHulls({mesh, repaired, solid, repaired.counts.weld_distance, nullptr, ""}, options, control);
+  result.seconds.repair = seconds;
+  return result;
+}
+
+}  // namespace collision_hulls

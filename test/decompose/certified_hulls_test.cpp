@@ -1,0 +1,215 @@
+// The promise, checked from outside: cover, bound, status and reason of each method, on shapes whose protrusion is known.
+#include "collision_hulls/decompose/certified_hulls.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "collision_hulls/decompose/certified.h"
+#include "collision_hulls/error.h"
+#include "geometry/bytes.h"
+#include "solids.h"
+
+namespace collision_hulls {
+namespace {
+
+DecomposeOptions within(double tolerance, Method method = Method::kCertified) {
+  DecomposeOptions options;
+  options.method = method;
+  options.tolerance = tolerance;
+  return options;
+}
+
+/// A channel 0.2 wide and high and 0.4 long with walls of 0.02: its hull fills a gap 0.16 wide and 0.18 deep.
+TriangleMesh channel() {
+  return test_shapes::uChannel(0.2, 0.2, 0.02, 0.4);
+}
+constexpr double kHalfGap = 0.08;  // [m] the furthest that a point in the gap is from a wall
+
+void expectError(ErrorCode code, const std::string& part, const std::function<void()>& call) {
+  try {
+    call();
+    ADD_FAILURE() << "accepted, though " << part;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), code) << error.what();
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+/// Cover and bound, of the hulls as they are returned.
+void expectPromise(const TriangleMesh& mesh, const CertifiedHulls& result, double tolerance) {
+  EXPECT_EQ(uncovered(mesh, result.hulls), 0);
+  EXPECT_LE(result.found, result.bound);
+  EXPECT_EQ(result.within_tolerance, result.bound <= tolerance);
+  EXPECT_EQ(result.within_tolerance, result.reason.empty()) << result.reason;
+  const Solid solid = test_shapes::solidOf(mesh);
+  EXPECT_NEAR(solid.distance(result.where), result.found, 1e-12);
+  EXPECT_NEAR((result.where - result.nearest).norm(), result.found, 1e-12);
+  for (const ConvexHull& hull : result.hulls) {
+    for (const Eigen::Vector3d& v : hull.vertices) {
+      EXPECT_LE(solid.distance(v), result.bound);
+      EXPECT_EQ(v, v.cast<float>().cast<double>()) << "what is proved is not what a file would hold";
+    }
+  }
+}
+
+TEST(CertifiedHulls, RefusesWhatItCannotCertify) {
+  const TriangleMesh box = test_shapes::box(1, 2, 3);
+  expectError(ErrorCode::kEmptyMesh, "no triangles", [] { certifiedHulls(TriangleMesh(), within(0.1)); });
+  for (const Method method : allMethods())
+    for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("")})
+      expectError(ErrorCode::kBadOption, "tolerance", [&] { certifiedHulls(box, within(tolerance, method)); });
+  TriangleMesh wrong = box;
+  wrong.triangles[0][0] = 99;
+  expectError(ErrorCode::kIndexOutOfRange, "", [&] { certifiedHulls(wrong, within(0.1)); });
+  const RunControl control;
+  control.cancel();
+  expectError(ErrorCode::kCancelled, "", [&] { certifiedHulls(box, within(0.1), control); });
+}
+
+TEST(CertifiedHulls, OfOneTriangleAndOfOnePoint) {
+  for (const TriangleMesh& mesh :
+       {TriangleMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, TriangleMesh{{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, {{0, 1, 2}}}}) {
+    const CertifiedHulls result = certifiedHulls(mesh, within(0.01));
+    ASSERT_EQ(result.hulls.size(), 1u);
+    EXPECT_EQ(uncovered(mesh, result.hulls), 0);
+    EXPECT_GT(result.thickness, 0);
+    EXPECT_LT(result.bound, 1e-4);
+    EXPECT_TRUE(result.within_tolerance) << result.reason;
+  }
+}
+
+TEST(CertifiedHulls, KeepThePromiseForEveryMethod) {
+  const TriangleMesh mesh = channel();
+  for (const Method method : allMethods()) {
+    SCOPED_TRACE(name(method));
+    expectPromise(mesh, certifiedHulls(mesh, within(0.01, method)), 0.01);
+  }
+}
+
+TEST(CertifiedHulls, SayHowFarASingleHullProtrudes) {
+  const CertifiedHulls result = certifiedHulls(channel(), within(0.01, Method::kSingleHull));
+  EXPECT_NEAR(result.found, kHalfGap, 1e-4);
+  EXPECT_GE(result.bound, kHalfGap);
+  EXPECT_LE(result.bound, kHalfGap + 2e-4);
+  EXPECT_FALSE(result.within_tolerance);
+  EXPECT_EQ(result.reason,
+            "the hulls protrude by up to 80.01 mm, more than the tolerance of 10 mm: single_hull ignores the tolerance; "
+            "use another method");
+}
+
+TEST(CertifiedHulls, AreThreeForAChannel) {
+  const CertifiedHulls result = certifiedHulls(channel(), within(0.01));
+  EXPECT_EQ(result.hulls.size(), 3u);
+  EXPECT_TRUE(result.within_tolerance) << result.reason;
+  const CertifiedHulls coarse = certifiedHulls(channel(), within(kHalfGap + 0.001));
+  EXPECT_EQ(coarse.hulls.size(), 1u);
+  EXPECT_TRUE(coarse.within_tolerance) << coarse.reason;
+}
+
+// A tolerance that the bound exceeds only by the search's gap must not count as exceeded: the gap is narrowed there. A single hull
+// protrudes by half the gap exactly, and by rounding.
+TEST(CertifiedHulls, NarrowTheGapWhereItDecides) {
+  const double tolerance = kHalfGap * (1 + 0.3 * kCertificateGap);
+  const CertifiedHulls result = certifiedHulls(channel(), within(tolerance, Method::kSingleHull));
+  EXPECT_TRUE(result.within_tolerance) << result.reason;
+  EXPECT_LE(result.bound - result.found, 0.3 * kCertificateGap * tolerance);
+}
+
+TEST(CertifiedHulls, ReasonsNameTheCause) {
+  const TriangleMesh mesh = channel();
+  const auto reason = [&](Method method, int max_hulls) {
+    DecomposeOptions options = within(0.01, method);
+    options.max_hulls = max_hulls;
+    return certifiedHulls(mesh, options).reason;
+  };
+  EXPECT_NE(reason(Method::kBoundingBox, 0).find("bounding_box ignores the tolerance"), std::string::npos);
+  EXPECT_NE(reason(Method::kCertified, 1).find("the limits (max-hulls 1, max-vertices 64) made the hulls coarser; raise them"),
+            std::string::npos);
+  EXPECT_NE(reason(Method::kHacd, 0).find("hacd measures concavity along rays"), std::string::npos);
+  EXPECT_NE(reason(Method::kAcd, 1).find("the limits (max-hulls 1"), std::string::npos);
+}
+
+// Welding moves points: the hulls must cover them where they were, and the bound must include by how much the solid is uncertain.
+TEST(CertifiedHulls, CoverTheMeshAsGivenAndNotAsWelded) {
+  TriangleMesh mesh = test_shapes::box(1, 1, 1, 3);
+  TriangleMesh apart;  // a triangle soup whose corners are some micrometres off
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      if (k == 0) apart.triangles.push_back({static_cast<int>(3 * t), static_cast<int>(3 * t) + 1, static_cast<int>(3 * t) + 2});
+      const double off = 4e-6 * static_cast<double>((7 * t + static_cast<std::size_t>(k)) % 3 - 1.0);
+      apart.vertices.push_back(mesh.corner(static_cast<int>(t), k) + Eigen::Vector3d(off, -off, off));
+    }
+  const RepairedMesh repaired = repair(apart);
+  ASSERT_GT(repaired.counts.weld_distance, 1e-6);
+  const CertifiedHulls result = certifiedHulls(apart, within(0.05));  // its gap is wider than the dents are deep
+  EXPECT_EQ(uncovered(apart, result.hulls), 0);
+  EXPECT_GE(result.bound, result.found + repaired.counts.weld_distance);
+}
+
+TEST(CertifiedHulls, OfAPreparedMeshAreTheSame) {
+  const TriangleMesh mesh = channel();
+  const RepairedMesh repaired = repair(mesh);
+  const Solid solid(repaired);
+  const CertifiedHulls one = certifiedHulls(mesh, within(0.01));
+  const CertifiedHulls other = certifiedHulls({mesh, repaired, solid, repaired.counts.weld_distance, nullptr, ""}, within(0.01));
+  EXPECT_EQ(toBytes(one.hulls), toBytes(other.hulls));
+  EXPECT_EQ(one.bound, other.bound);
+  EXPECT_GT(one.seconds.repair, 0);
+  EXPECT_EQ(other.seconds.repair, 0);
+  EXPECT_GT(other.seconds.decompose * other.seconds.certify, 0);
+}
+
+TEST(CertifiedHulls, IncludeTheMarginInTheBoundAndInTheHulls) {
+  const TriangleMesh mesh = channel();
+  const RepairedMesh repaired = repair(mesh);
+  const Solid solid(repaired);
+  const double margin = 1e-3;
+  const CertifiedHulls result = certifiedHulls({mesh, repaired, solid, margin, nullptr, ""}, within(0.01));
+  EXPECT_TRUE(result.within_tolerance) << result.reason;
+  EXPECT_GE(result.bound, result.found + margin);
+  EXPECT_GE(result.nudge, margin);
+  for (const Eigen::Vector3d& v : mesh.vertices) {
+    const auto holdsWithMargin = [&](const ConvexHull& hull) { return planeDistance(hull, v) <= -0.999 * margin; };
+    EXPECT_TRUE(std::any_of(result.hulls.begin(), result.hulls.end(), holdsWithMargin)) << v.transpose();
+  }
+}
+
+TEST(CertifiedHulls, AreACutThroughATree) {
+  const TriangleMesh mesh = channel();
+  const RepairedMesh repaired = repair(mesh);
+  const Solid solid(repaired);
+  const HullTree tree = hullTree(repaired, within(0.001));
+  const auto cut = [&](double tolerance, int max_hulls) {
+    DecomposeOptions options = within(tolerance);
+    options.max_hulls = max_hulls;
+    const CertifiedHulls result = certifiedHulls({mesh, repaired, solid, 0, &tree, ""}, options);
+    expectPromise(mesh, result, tolerance);
+    return result;
+  };
+  EXPECT_EQ(cut(0.01, 0).hulls.size(), 3u);
+  EXPECT_EQ(cut(0.09, 0).hulls.size(), 1u);
+  EXPECT_NE(cut(0.01, 1).reason.find("max-hulls 1"), std::string::npos);
+}
+
+TEST(CertifiedHulls, ReportProgressThatNeverDecreasesAndEndsAtOne) {
+  RunControl control;
+  double last = 0;
+  control.progress = [&](double fraction) {
+    EXPECT_GE(fraction, last);
+    last = fraction;
+  };
+  certifiedHulls(channel(), within(0.001), control);
+  EXPECT_EQ(last, 1);
+}
+
+TEST(ExpectCovered, NamesTheMesh) {
+  const TriangleMesh box = test_shapes::box(1, 1, 1);
+  const std::vector<ConvexHull> half = {convexHull(test_shapes::box(1, 1, 0.5).vertices)};
+  expectError(ErrorCode::kInternal, "uncovered by up to 500 mm; the limit is 0. Please report the mesh 'box.stl'",
+              [&] { expectCovered(box, half, "box.stl"); });
+  EXPECT_NO_THROW(expectCovered(box, {convexHull(box.vertices)}, "box.stl"));
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -11,10 +11,10 @@
 #include "bench/original.h"
 #include "bench/table.h"
 #include "collision_hulls/decompose/certified.h"
+#include "collision_hulls/decompose/certified_hulls.h"
 #include "collision_hulls/decompose/fit_cover.h"
 #include "collision_hulls/measure/measures.h"
 #include "decompose/dice.h"
-#include "pipeline/mesh_hulls.h"
 #include "storage/csv.h"
 
 namespace collision_hulls {

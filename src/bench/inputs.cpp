@@ -8,7 +8,8 @@
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
-#include "pipeline/elements.h"
+#include "collision_hulls/pipeline/input.h"
+#include "pipeline/mesh_uses.h"
 
 namespace collision_hulls {
 
@@ -17,23 +18,21 @@ namespace fs = std::filesystem;
 namespace {
 
 void addRobot(const Input& input, BenchmarkInputs& all) {
-  std::vector<ElementResult> elements = robotResult(input.robot, {}).elements;
+  const std::vector<MeshUse> uses = meshUses(input.robot, {});
   const auto resolve = [&](const std::string& uri) { return resolveUri(uri, input.robot.path, input.find_package); };
-  std::vector<MeshTask> tasks = meshTasks(elements, resolve);
-  std::sort(tasks.begin(), tasks.end(), [](const MeshTask& a, const MeshTask& b) { return a.elements.front() < b.elements.front(); });
+  auto [tasks, failed] = meshTasks(uses, resolve);
+  std::sort(tasks.begin(), tasks.end(), [](const MeshTask& a, const MeshTask& b) { return a.uses.front() < b.uses.front(); });
   std::map<std::string, std::size_t> link_index;
   for (std::size_t i = 0; i < input.robot.links.size(); ++i) link_index[input.robot.links[i].name] = i;
   QuerySubject subject{input.robot.name, input.robot, {}};
   for (const MeshTask& task : tasks) {
-    for (const std::size_t i : task.elements)
-      subject.parts.push_back({link_index[elements[i].report.link], all.meshes.size(), elements[i].source.origin});
-    all.meshes.push_back(
-        {input.robot.name + "/" + fs::path(task.file).filename().string(), task.file, elements[task.elements.front()].report.scale});
+    for (const std::size_t i : task.uses) subject.parts.push_back({link_index[uses[i].link], all.meshes.size(), uses[i].source.origin});
+    all.meshes.push_back({input.robot.name + "/" + fs::path(task.file).filename().string(), task.file, task.scale});
   }
   // A mesh without a file stays in the list: its rows say what is missing.
-  for (const ElementResult& element : elements) {
-    const ElementReport& row = element.report;
-    if (row.status == Status::kFailed) all.meshes.push_back({input.robot.name + "/" + row.link, row.uri, row.scale});
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const GeometryElement& source = uses[i].source;
+    if (failed[i]) all.meshes.push_back({input.robot.name + "/" + uses[i].link, source.uri, source.scale});
   }
   if (!subject.parts.empty()) all.subjects.push_back(std::move(subject));
 }

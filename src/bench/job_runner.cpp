@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "bench/json_file.h"
 #include "storage/csv.h"
 #include "storage/files.h"
 
@@ -46,7 +47,7 @@ JobOutcome JobRunner::judge(const ChildResult& used, double limit) const {
 
 json JobRunner::result(const json& job, JobOutcome& outcome) const {
   outcome = judge(run(job, kOwnLimit), kOwnLimit);
-  return outcome.ok() ? json::parse(readText(file("result.json"))) : json();
+  return outcome.ok() ? readJson(file("result.json")) : json();
 }
 
 std::string JobRunner::lastWords(const std::string& what, std::string output) const {

@@ -8,14 +8,14 @@
 
 #include "bench/cuts.h"
 #include "bench/hull_objects.h"
+#include "bench/json_file.h"
 #include "bench/original.h"
 #include "bench/queries/query_job.h"
-#include "collision_hulls/decompose/decompose.h"
+#include "collision_hulls/decompose/certified_hulls.h"
 #include "collision_hulls/decompose/fit_cover.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/measure/measures.h"
 #include "collision_hulls/mesh/mesh_io.h"
-#include "pipeline/mesh_hulls.h"
 #include "storage/files.h"
 
 namespace collision_hulls {
@@ -51,8 +51,8 @@ json prepare(const json& job) {
 std::vector<ConvexHull> hullsOf(const Original& original, const DecomposeOptions& options) {
   if (options.method != Method::kCertified)
     return fitCover(decompose(original.repaired, options).hulls, original.mesh, original.margin, options.max_vertices).hulls;
-  StageSeconds seconds;
-  return meshHulls({original.mesh, original.repaired, Solid(original.repaired), original.margin}, options, seconds).hulls;
+  const Solid solid(original.repaired);
+  return certifiedHulls({original.mesh, original.repaired, solid, original.margin, nullptr, ""}, options).hulls;
 }
 
 json decomposeMesh(const json& job) {
@@ -122,7 +122,7 @@ nlohmann::json score(const json& job) {
 }
 
 void doJob(const std::string& job_file, const std::string& result_file) {
-  const json job = json::parse(readText(job_file));
+  const json job = readJson(job_file);
   const std::string kind = job["job"];
   const json result = kind == "prepare"     ? prepare(job)
                       : kind == "decompose" ? decomposeMesh(job)

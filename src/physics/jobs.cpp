@@ -4,9 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/hull_objects.h"
+#include "bench/json_file.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
+#include "collision_hulls/pipeline/output.h"
 #include "physics/physics.h"
 #include "physics/robot.h"
 #include "storage/files.h"
@@ -100,7 +102,7 @@ json gripJob(const json& job) {
 }  // namespace
 
 void doPhysicsJob(const std::string& job_file, const std::string& result_file) {
-  const json job = json::parse(readText(job_file));
+  const json job = readJson(job_file);
   const std::string kind = job["job"];
   if (kind != "poses" && kind != "drop" && kind != "grip") return doJob(job_file, result_file);
   const json result = kind == "poses" ? poses(job) : kind == "drop" ? dropJob(job) : gripJob(job);

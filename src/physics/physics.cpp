@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/hull_objects.h"
+#include "bench/json_file.h"
 #include "geometry/pi.h"
 #include "storage/csv.h"
-#include "storage/files.h"
 
 namespace collision_hulls {
 namespace {
@@ -92,7 +92,7 @@ class Drops {
     job.update(mesh_);
     const JobOutcome outcome = runner_.judge(runner_.run(job, options_.time_limit), options_.time_limit);
     if (!outcome.ok()) return failed(row, outcome);
-    const json found = json::parse(readText(runner_.file("result.json")));
+    const json found = readJson(runner_.file("result.json"));
     const auto number = [&](const char* key) { return found[key].is_number() ? found[key].get<double>() : std::nan(""); };
     row.drop = DropResult{found["outcome"], number("tilt"),   number("height"),         number("penetration"), number("drift"),
                           number("slide"),  number("energy"), number("settle_seconds"), number("step_us"),     found["contacts"]};
@@ -123,7 +123,7 @@ void runGrips(const std::string& robot, const PhysicsOptions& options, const std
                       {"seed", options.seed}, {"work", runner.file("")}};
     const JobOutcome outcome = runner.judge(runner.run(job, options.time_limit), options.time_limit);
     if (outcome.ok()) {
-      const json found = json::parse(readText(runner.file("result.json")));
+      const json found = readJson(runner.file("result.json"));
       row.grip = GripResult{found["outcome"], found["hulls"], found["slip"], found["turn"], found["opening"], found["step_us"]};
     }
     row.outcome = row.grip ? row.grip->outcome : outcome.status;

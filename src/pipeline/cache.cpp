@@ -21,17 +21,23 @@ void fields(Archive& archive, RepairCounts& counts) {
 }
 
 template <typename Archive>
-void fields(Archive& archive, ElementReport& row) {
-  auto& [link, element, visual, uri, sha256, scale, triangles, skipped_primitives, status, reason, error, repair, method, tolerance, hulls,
-         hull_vertices, primitives, uncovered, protrusion, protrusion_found, worst, worst_nearest, interior, volume, hull_volume, diagonal,
-         covered_share, nudge, thickness, seconds, files, cached] = row;
-  archive(sha256, scale, triangles, skipped_primitives, status, reason, error, repair, method, tolerance, hulls, hull_vertices, uncovered,
-          protrusion, protrusion_found, worst, worst_nearest, interior, volume, hull_volume, diagonal, covered_share, nudge, thickness);
+void fields(Archive& archive, MeshFacts& facts) {
+  auto& [sha256, triangles, skipped_primitives, repair, interior, volume, diagonal, tolerance] = facts;
+  archive(sha256, triangles, skipped_primitives, repair, interior, volume, diagonal, tolerance);
 }
 
 template <typename Archive>
-void fields(Archive& archive, ElementResult& element) {
-  archive(element.report, element.original, element.hulls);
+void fields(Archive& archive, HullFacts& facts) {
+  auto& [hulls, hull_vertices, primitives, uncovered, protrusion, protrusion_found, worst, worst_nearest, hull_volume, covered_share, nudge,
+         thickness] = facts;
+  archive(hulls, hull_vertices, primitives, uncovered, protrusion, protrusion_found, worst, worst_nearest, hull_volume, covered_share,
+          nudge, thickness);
+}
+
+template <typename Archive>
+void fields(Archive& archive, MeshResult& result) {
+  auto& [mesh, model, status, reason, error, seconds, cached, original, hulls, primitives, unneeded, solid] = result;
+  archive(mesh, model, status, reason, error, original, hulls);
 }
 
 template <typename Archive>
@@ -48,7 +54,7 @@ void fields(Archive& archive, Length& length) {
 
 namespace {
 
-constexpr FileKind kKind{{'C', 'H', 'U', 'L', 'C', 'A', 'C', 'H'}, 1};
+constexpr FileKind kKind{{'C', 'H', 'U', 'L', 'C', 'A', 'C', 'H'}, 2};
 
 template <typename... Values>
 std::string keyOf(const std::string& kind, const Values&... values) {
@@ -56,31 +62,31 @@ std::string keyOf(const std::string& kind, const Values&... values) {
 }
 
 /// Identifies the mesh. The file's extension is included, since it determines how the content is read.
-std::string meshBytes(const ElementReport& row, const std::string& file) {
-  return toBytes(row.sha256, std::filesystem::path(file).extension().string(), row.scale);
+std::string meshBytes(const MeshTask& task) {
+  return toBytes(task.sha256, std::filesystem::path(task.file).extension().string(), task.scale);
 }
 
 }  // namespace
 
-std::string elementKey(const ElementReport& row, const std::string& file, const Options& options) {
+std::string meshKey(const MeshTask& task, const Options& options) {
   const auto& [tolerance, method, effort, tree, fill, max_hulls, max_vertices, links, source, scale, format, uri, package_name, jobs,
                validate, cache, seed] = options;
-  return keyOf("element", meshBytes(row, file), tolerance, method, effort, tree.has_value(), tree.value_or(Length{}), fill, max_hulls,
-               max_vertices, seed);
+  return keyOf("mesh", meshBytes(task), tolerance, method, effort, tree.has_value(), tree.value_or(Length{}), fill, max_hulls, max_vertices,
+               seed);
 }
 
-std::string treeKey(const ElementReport& row, const std::string& file, const Options& options, double tolerance) {
-  return keyOf("tree", meshBytes(row, file), tolerance, options.method, options.effort, options.fill, options.max_vertices, options.seed);
+std::string treeKey(const MeshTask& task, const Options& options, double tolerance) {
+  return keyOf("tree", meshBytes(task), tolerance, options.method, options.effort, options.fill, options.max_vertices, options.seed);
 }
 
-std::string validationKey(const std::vector<ElementResult>& elements, const std::vector<std::string>& keys, const Options& options) {
+std::string validationKey(const std::vector<MeshUse>& uses, const MeshResults& results, const std::vector<std::string>& keys,
+                          const Options& options) {
   ByteWriter pairs;
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const ElementResult& element = elements[i];
-    if (element.hulls.empty()) continue;
-    pairs(element.report.link, element.report.element, keys[i]);
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    if (results[i]->hulls.empty()) continue;
+    pairs(uses[i].link, uses[i].element, keys[i]);
     for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 4; ++column) pairs(element.pose(row, column));
+      for (int column = 0; column < 4; ++column) pairs(uses[i].pose(row, column));
     }
   }
   return keyOf("validation", pairs.take(), options.seed);
@@ -110,12 +116,12 @@ void Cache::store(const std::string& name, const Value& value) {
   folder_.store(name, sealed(kKind, toBytes(name, value)));
 }
 
-std::optional<ElementResult> Cache::findElement(const std::string& key) {
-  return find<ElementResult>(key + ".element");
+std::optional<MeshResult> Cache::findMesh(const std::string& key) {
+  return find<MeshResult>(key + ".mesh");
 }
 
-void Cache::storeElement(const std::string& key, const ElementResult& element) {
-  store(key + ".element", element);
+void Cache::storeMesh(const std::string& key, const MeshResult& result) {
+  store(key + ".mesh", result);
 }
 
 std::optional<Validation> Cache::findValidation(const std::string& key) {

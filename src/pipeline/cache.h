@@ -11,21 +11,22 @@
 #include <vector>
 
 #include "collision_hulls/decompose/hull_tree.h"
-#include "collision_hulls/pipeline/decompose_robot.h"
+#include "pipeline/mesh_uses.h"
 #include "storage/cache_folder.h"
 
 namespace collision_hulls {
 
-/// Key of one mesh's result: content (`row.sha256`) and extension of its file, scale, and the options that change hulls.
-std::string elementKey(const ElementReport& row, const std::string& file, const Options& options);
+/// Key of one mesh's result: content and extension of its file, scale, and the options that change hulls.
+std::string meshKey(const MeshTask& task, const Options& options);
 
-/// Key of a validation: name, key and pose of each element with hulls, and the seed. `keys`: one per element, in order; ignored for
-/// elements without hulls.
-std::string validationKey(const std::vector<ElementResult>& elements, const std::vector<std::string>& keys, const Options& options);
-
-/// Key of one mesh's hull tree with leaves for `tolerance` [m]: as elementKey(), without the options that only choose a cut (tolerance and
+/// Key of one mesh's hull tree with leaves for `tolerance` [m]: as meshKey(), without the options that only choose a cut (tolerance and
 /// number of hulls).
-std::string treeKey(const ElementReport& row, const std::string& file, const Options& options, double tolerance);
+std::string treeKey(const MeshTask& task, const Options& options, double tolerance);
+
+/// Key of a validation: link, element, key and pose of each use with hulls, and the seed. `keys`: one per use, in order; ignored for uses
+/// without hulls.
+std::string validationKey(const std::vector<MeshUse>& uses, const MeshResults& results, const std::vector<std::string>& keys,
+                          const Options& options);
 
 /// Finds nothing if there is no entry or if it is damaged; a damaged entry is removed and counted. Thread safe; other processes may use the
 /// same folder at the same time.
@@ -36,9 +37,9 @@ class Cache {
   /// See CacheFolder.
   explicit Cache(std::filesystem::path folder, std::uintmax_t most_bytes = kMostBytes);
 
-  /// A mesh's result, without its place in a robot and the times it took.
-  std::optional<ElementResult> findElement(const std::string& key);
-  void storeElement(const std::string& key, const ElementResult& element);
+  /// A mesh's result, without the solid, the times it took, and what only a scene adds.
+  std::optional<MeshResult> findMesh(const std::string& key);
+  void storeMesh(const std::string& key, const MeshResult& result);
 
   std::optional<Validation> findValidation(const std::string& key);
   /// Skips a validation with timeouts, since another run may have none.

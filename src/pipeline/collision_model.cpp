@@ -2,22 +2,26 @@
 // here is decided which links change, what their new elements are called, and where their files go.
 #include "pipeline/collision_model.h"
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <set>
 
 #include "base/counted.h"
 #include "pipeline/earlier_output.h"
-#include "pipeline/elements.h"
+#include "pipeline/mesh_uses.h"
 #include "storage/names.h"
 
 namespace collision_hulls {
 namespace {
 
-/// The elements of a link by their index among its source elements.
-using LinkElements = std::map<int, const ElementResult*>;
+/// A mesh with new hulls: its files, and the primitives in place of others.
+struct Model {
+  const std::vector<std::string>& files;
+  const ElementResult& element;
+};
+
+/// The meshes of a link by their index among its source elements.
+using LinkModels = std::map<int, Model>;
 
 std::string uriPrefix(const Options& options, const std::string& output) {
   switch (options.uri) {
@@ -34,53 +38,60 @@ std::string baseName(const std::string& link, int index, const SourceElements& s
   return source.visual || given.empty() ? link + "_" + std::to_string(index) : given;
 }
 
-LinkCollisions linkCollisions(const std::string& link, const SourceElements& source, const LinkElements& meshes, const std::string& prefix,
+LinkCollisions linkCollisions(const std::string& link, const SourceElements& source, const LinkModels& models, const std::string& prefix,
                               UniqueNames& names) {
   LinkCollisions result;
   result.keep_primitives = !source.visual;
   for (std::size_t i = 0; i < source.elements.size(); ++i) {
     const int index = static_cast<int>(i);
     const std::string base = baseName(link, index, source);
-    const auto mesh = meshes.find(index);
-    if (mesh == meshes.end()) {
+    const auto model = models.find(index);
+    if (model == models.end()) {
       const bool is_primitive = source.elements[i].kind != GeometryElement::Kind::kNone;
       if (source.visual && is_primitive) result.elements.push_back({names.take(base), source.elements[i]});
       continue;
     }
-    const std::vector<std::string>& files = mesh->second->report.files;
+    const auto& [files, mesh] = model->second;
     for (std::size_t m = 0; m < files.size(); ++m) {
       GeometryElement hull;
       hull.uri = prefix + files[m];
       hull.origin = source.elements[i].origin;
       result.elements.push_back({names.take(base + "_" + std::to_string(m)), hull});
     }
-    for (std::size_t k = 0; k < mesh->second->primitives.size(); ++k) {
-      GeometryElement primitive = mesh->second->primitives[k];
+    for (std::size_t k = 0; k < mesh.primitives.size(); ++k) {
+      GeometryElement primitive = mesh.primitives[k];
       primitive.origin = source.elements[i].origin * primitive.origin;
-      const bool alone = mesh->second->hulls.size() == 1;
+      const bool alone = mesh.hulls.size() == 1;
       result.elements.push_back({names.take(alone ? base : base + "_" + std::to_string(files.size() + k)), primitive});
     }
   }
   return result;
 }
 
+std::set<std::string> failedLinks(const Report& report) {
+  std::set<std::string> failed;
+  for (const ElementReport& row : report.links)
+    if (row.status == Status::kFailed) failed.insert(row.link);
+  return failed;
+}
+
 /// The links that get new <collision> elements: not those with a failed mesh, which keep what they have.
 std::map<std::string, LinkCollisions> newCollisions(const RobotDescription& robot, const RobotResult& result, const std::string& prefix) {
   const Options& options = result.report.options;
-  std::map<std::string, LinkElements> meshes;
-  std::set<std::string> failed;
-  for (const ElementResult& element : result.elements) {
-    meshes[element.report.link][element.report.element] = &element;
-    if (element.report.status == Status::kFailed) failed.insert(element.report.link);
+  std::map<std::string, LinkModels> models;
+  for (std::size_t i = 0; i < result.elements.size(); ++i) {
+    const ElementReport& row = result.report.links[i];
+    models[row.link].emplace(row.element, Model{row.files, result.elements[i]});
   }
+  const std::set<std::string> failed = failedLinks(result.report);
   const LinkChoice chosen(options.links, robot);
   UniqueNames names;
   std::map<std::string, LinkCollisions> links;
   for (const LinkDescription& link : robot.links) {
     const SourceElements source = sourceElements(link, options.source);
-    const bool has_new_ones = meshes.count(link.name) || (source.visual && !source.elements.empty());
+    const bool has_new_ones = models.count(link.name) || (source.visual && !source.elements.empty());
     if (!has_new_ones || !chosen(link.name) || failed.count(link.name)) continue;
-    links[link.name] = linkCollisions(link.name, source, meshes[link.name], prefix, names);
+    links[link.name] = linkCollisions(link.name, source, models[link.name], prefix, names);
   }
   return links;
 }
@@ -92,7 +103,7 @@ std::map<std::string, std::string> carryHulls(const RobotDescription& robot, con
   std::set<std::string> replaced;
   for (const auto& [link, by] : links) replaced.insert(link);
   std::vector<std::string> taken;
-  for (const ElementResult& element : result.elements) taken.insert(taken.end(), element.report.files.begin(), element.report.files.end());
+  for (const ElementReport& row : result.report.links) taken.insert(taken.end(), row.files.begin(), row.files.end());
   KeptHulls kept = keptHulls(robot, replaced, taken, output, find_package);
   result.kept_files = std::move(kept.contents);
   std::map<std::string, std::string> moved;
@@ -108,11 +119,10 @@ std::vector<std::string> notesOnCarried(const RobotResult& result) {
 
 /// On hulls that are written though no element of the description names them.
 std::vector<std::string> notesOnKept(const RobotResult& result) {
-  std::set<std::string> failed, kept;
+  const std::set<std::string> failed = failedLinks(result.report);
+  std::set<std::string> kept;
   for (const ElementResult& element : result.elements)
-    if (element.report.status == Status::kFailed) failed.insert(element.report.link);
-  for (const ElementResult& element : result.elements)
-    if (!element.hulls.empty() && failed.count(element.report.link)) kept.insert(element.report.link);
+    if (!element.hulls.empty() && failed.count(element.link)) kept.insert(element.link);
   std::vector<std::string> notes;
   for (const std::string& link : kept)
     notes.push_back("link '" + link +
@@ -125,8 +135,8 @@ std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::
   const std::string prefix = uriPrefix(result.report.options, output);
   std::set<std::string> hulls, kept;
   for (const auto& [file, content] : result.kept_files) hulls.insert(prefix + file);
-  for (const ElementResult& element : result.elements) {
-    for (const std::string& file : element.report.files) hulls.insert(prefix + file);
+  for (const ElementReport& row : result.report.links) {
+    for (const std::string& file : row.files) hulls.insert(prefix + file);
   }
   for (const LinkDescription& link : parseRobotDescription(result.urdf).links) {
     for (const auto* elements : {&link.visuals, &link.collisions}) {
@@ -143,44 +153,7 @@ std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::
           "': use package:// URIs in the input, or copy the new description beside the input (with --uri package or file)"};
 }
 
-void nameHullFiles(RobotResult& result) {
-  const std::string suffix = extension(result.report.options.format);
-  UniqueNames names;
-  std::map<std::string, std::string> folders;
-  for (ElementResult& element : result.elements) {
-    ElementReport& row = element.report;
-    std::string stem = "hull_";
-    if (!result.single_mesh) {
-      std::string& folder = folders[row.link];
-      if (folder.empty()) folder = names.take(fileName(row.link));
-      stem = "meshes/" + folder + "/" + std::to_string(row.element) + "_";
-    } else if (!element.hulls.empty()) {
-      row.files.push_back(fileName(result.robot_name) + "_hulls.obj");
-    }
-    for (std::size_t m = 0; m + element.primitives.size() < element.hulls.size(); ++m)
-      row.files.push_back(stem + std::to_string(m) + suffix);
-  }
-}
-
-/// URDF and most mesh formats mean metres; a mesh that is larger than any robot link was probably drawn in millimetres.
-void noteHugeMeshes(Report& report) {
-  constexpr double kHuge = 20;  // [m]
-  const auto is_huge = [](const ElementReport& row) { return row.status != Status::kFailed && row.diagonal > kHuge; };
-  const auto first = std::find_if(report.links.begin(), report.links.end(), is_huge);
-  if (first == report.links.end()) return;
-  const auto others = std::count_if(first, report.links.end(), is_huge) - 1;
-  report.notes.push_back("'" + first->uri + "' is " + std::to_string(std::lround(first->diagonal)) + " m across" +
-                         (others > 0 ? ", and " + std::to_string(others) + " others are over 20 m" : "") +
-                         ": if its numbers are millimetres, scale it by 0.001 (scale=\"0.001 0.001 0.001\" in a description)");
-}
-
 }  // namespace
-
-void reportElements(RobotResult& result) {
-  nameHullFiles(result);
-  for (const ElementResult& element : result.elements) result.report.links.push_back(element.report);
-  noteHugeMeshes(result.report);
-}
 
 std::string outputPackage(const Options& options, const std::string& output) {
   if (!options.package_name.empty()) return options.package_name;
@@ -199,8 +172,9 @@ void rewriteDescription(const RobotDescription& robot, const PackageFinder& find
   const std::map<std::string, LinkCollisions> links = newCollisions(robot, result, prefix);
   result.urdf = rewriteCollisions(robot, links, carryHulls(robot, links, find_package, output, prefix, result));
   std::vector<std::string>& all = result.report.notes;
-  for (const auto& more : {robot.notes, find_package.notes(), notesOnElements(robot, result.elements, result.report.options), notes,
-                           notesOnKept(result), notesOnCarried(result), notesOnRewritten(result, output)})
+  for (const auto& more :
+       {robot.notes, find_package.notes(), notesOnUses(robot, meshUses(robot, result.report.options), result.report.options), notes,
+        notesOnKept(result), notesOnCarried(result), notesOnRewritten(result, output)})
     all.insert(all.end(), more.begin(), more.end());
 }
 

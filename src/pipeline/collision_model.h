@@ -4,13 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "collision_hulls/pipeline/decompose_robot.h"
+#include "collision_hulls/pipeline/result.h"
 
 namespace collision_hulls {
-
-/// Puts the elements' rows into the report, with a file for each hull, relative to the output folder: meshes/<link>/ for a robot; for a
-/// single mesh the folder itself, where an OBJ of all hulls comes first.
-void reportElements(RobotResult& result);
 
 /// The name of the ROS package that a robot's output becomes: the one that the options give, or else that of its folder, made legal.
 std::string outputPackage(const Options& options, const std::string& output);

@@ -3,177 +3,117 @@
 #include "collision_hulls/pipeline/decompose_robot.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "collision_hulls/check/validate.h"
-#include "collision_hulls/decompose/decompose.h"
-#include "collision_hulls/error.h"
-#include "collision_hulls/measure/measures.h"
-#include "collision_hulls/measure/solid.h"
-#include "pipeline/cache.h"
-#include "pipeline/cached_tree.h"
+#include "collision_hulls/decompose/certified_hulls.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/earlier_output.h"
-#include "pipeline/element_stages.h"
-#include "pipeline/elements.h"
-#include "pipeline/mesh_hulls.h"
-#include "pipeline/progress.h"
+#include "pipeline/run.h"
+#include "pipeline/stages.h"
 
 namespace collision_hulls {
 namespace {
 
-constexpr double kMeshesShare = 0.9;     // of a run's time, approximately; the rest is the validation
-constexpr double kDecomposeShare = 0.7;  // of an element's time, approximately
-constexpr double kMuch = 0.1;            // of the protrusion: if blunting exceeds this share, it is named as the cause
+constexpr double kMeshesShare = 0.9;  // of a run's time, approximately; the rest is the validation
+constexpr double kTreeShare = 0.7;    // of a mesh's time, approximately, if a tree is built first
 
-/// Why hulls protrude further than the tolerance, and what to do about it.
-std::string excuse(const Options& options, const MeshHulls& made) {
-  if (options.method == Method::kSingleHull || options.method == Method::kBoundingBox)
-    return std::string(name(options.method)) + " ignores the tolerance; use another method";
-  const std::string vertices = "max-vertices " + std::to_string(options.max_vertices);
-  if (made.capped && (options.max_hulls > 0 || options.method == Method::kCertified))
-    return "the limits (max-hulls " + std::to_string(options.max_hulls) + ", " + vertices + ") made the hulls coarser; raise them";
-  if (options.method == Method::kHacd) {
-    return "hacd measures concavity along rays, which does not bound the protrusion; give a smaller tolerance, which makes more hulls";
-  }
-  if (options.method == Method::kAcd) {
-    return "acd measures concavity at reflex edges, which does not bound the protrusion; give a smaller tolerance, which makes more hulls";
-  }
-  if (made.blunted > kMuch * made.protrusion.bound)
-    return "with so few vertices (" + vertices + ") thin hulls protrude up to " + millimetres(made.blunted) + " further; raise that limit";
-  return "the surface has details there that no plane divided; repair the mesh or accept it";
+/// Where steps 3 and 4 of a mesh take their hulls from, if not from a decomposition.
+std::optional<HullTree> treeFor(const MeshTask& task, std::size_t index, const ReadMesh& read, const MeshFacts& facts, Run& run) {
+  if (!run.options.tree) return std::nullopt;
+  RunControl building;
+  run.progress.follow(building, index, 0, kTreeShare);
+  const double leaves = std::min(run.options.tree->metres(facts.diagonal), facts.tolerance);
+  return cachedTree(task, read.repaired, run.options, leaves, run.cache, building).tree;
 }
 
-void grade(ElementReport& row, const Options& options, const MeshHulls& made) {
-  if (row.uncovered > 0) {
-    throw Error(ErrorCode::kInternal, "the hulls leave the surface uncovered by up to " + millimetres(row.uncovered) +
-                                          "; the limit is 0. Please report the mesh '" + row.uri + "'");
-  }
-  if (row.protrusion <= row.tolerance) return;
-  row.status = Status::kDegraded;
-  row.reason = "the hulls protrude by up to " + millimetres(row.protrusion) + ", more than the tolerance of " + millimetres(row.tolerance) +
-               ": " + excuse(options, made);
-}
-
-/// The stages for one mesh. Fills report, original and hulls of `element`, whose row holds the scale.
-void decomposeElement(const MeshTask& mesh, const Options& options, Cache& cache, Progress& progress, std::size_t task,
-                      ElementResult& element) {
-  ElementReport& row = element.report;
-  RunControl decomposing, certifying;
-  progress.follow(decomposing, task, 0, kDecomposeShare);
-  progress.follow(certifying, task, kDecomposeShare, 1);
-  // 1. Read, and scale as the description says. 2. Repair: a mesh with topology, and the solid that it encloses.
-  const ReadMesh read = readElement(mesh, options, decomposing, element);
-
-  // 3. Decompose, then make the hulls as written cover the mesh as read.
-  // 4. Certify. The solid is known only up to the margin, so the bound includes it.
-  const DecomposeOptions method{options.method, row.tolerance,  options.max_hulls, options.max_vertices,
-                                options.seed,   options.effort, options.fill};
+/// Steps 3 and 4: decompose, make the hulls as written cover the mesh as read, certify. The solid is known only up to the margin, so the
+/// bound includes it.
+void makeHulls(const MeshTask& task, std::size_t index, const ReadMesh& read, Run& run, MeshResult& result) {
   Stopwatch stage;
-  std::optional<HullTree> tree;
-  if (options.tree) {
-    const double leaves = std::min(options.tree->metres(row.diagonal), row.tolerance);
-    tree = cachedTree(mesh.file, row, read.repaired, options, leaves, cache, decomposing).tree;
-    row.seconds.decompose = stage.lap();
-  }
-  MeshHulls made = meshHulls({element.original, read.repaired, *element.solid, read.margin}, method, row.seconds, decomposing, certifying,
-                             tree ? &*tree : nullptr);
-  element.hulls = std::move(made.hulls);
-  row.nudge = made.nudge;
-  row.thickness = made.thickness;
-  row.protrusion = made.protrusion.bound;
-  row.protrusion_found = made.protrusion.found;
-  row.worst = made.protrusion.where;
-  row.worst_nearest = made.protrusion.nearest;
+  const std::optional<HullTree> tree = treeFor(task, index, read, result.mesh, run);
+  result.seconds.decompose = stage.lap();
+  RunControl control;
+  run.progress.follow(control, index);
+  const Options& options = run.options;
+  CertifiedHulls made = certifiedHulls(
+      {result.original, read.repaired, *result.solid, read.margin, tree ? &*tree : nullptr, task.uri},
+      {options.method, result.mesh.tolerance, options.max_hulls, options.max_vertices, options.seed, options.effort, options.fill},
+      control);
   stage.lap();
-  row.uncovered = uncovered(element.original, element.hulls, certifying);
-  describe(element);
-  row.seconds.certify += stage.lap();
-
-  grade(row, options, made);
+  result.hulls = std::move(made.hulls);
+  result.model = factsOf(result.hulls, 0, *result.solid, {made.bound, made.found, made.where, made.nearest});
+  result.model.nudge = made.nudge;
+  result.model.thickness = made.thickness;
+  result.status = made.within_tolerance ? Status::kOk : Status::kDegraded;
+  result.reason = made.reason;
+  result.seconds.decompose += made.seconds.decompose;
+  result.seconds.certify = made.seconds.certify + stage.lap();
 }
 
-/// Takes the mesh's result from an earlier run; false if there is none.
-bool takeFromCache(const std::string& key, Cache& cache, ElementResult& element) {
-  Stopwatch stage;
-  const std::optional<ElementResult> known = cache.findElement(key);
-  if (!known) return false;
-  copyResult(*known, element);
-  element.report.cached = true;
-  element.report.seconds.read = stage.lap();
-  return true;
-}
-
-void decomposeTask(const MeshTask& task, std::size_t index, const Options& options, Cache& cache, Progress& progress,
-                   std::vector<ElementResult>& elements) {
-  ElementResult& first = elements[task.elements.front()];
-  const std::string key = elementKey(first.report, task.file, options);
+/// Steps 1 to 4 for one mesh.
+MeshResult decomposed(const MeshTask& task, std::size_t index, const std::string& key, Run& run) {
+  MeshResult result;
   try {
-    if (takeFromCache(key, cache, first)) {
-      progress.skip(index);
-    } else {
-      decomposeElement(task, options, cache, progress, index, first);
-      cache.storeElement(key, first);
-    }
+    RunControl reading;
+    run.progress.follow(reading, index);
+    // 1. Read, and scale as the description says. 2. Repair: a mesh with topology, and the solid that it encloses.
+    const ReadMesh read = readAndRepair(task, run.options, reading, result);
+    makeHulls(task, index, read, run, result);
+    run.cache.storeMesh(key, result);
   } catch (...) {
-    fail(first);
+    fail(result);
   }
-  progress.finish(index);
-  for (const std::size_t i : task.elements) {
-    if (i != task.elements.front()) copyResult(first, elements[i]);
-    progress.finishElement(elements[i].report.link, elements[i].hulls.size());
-  }
+  return result;
 }
 
-/// Fills the report's validation, from the cache if possible.
-void validateOrRemember(RobotResult& result, const std::vector<MeshTask>& tasks, Cache& cache, Progress& progress) {
-  const Options& options = result.report.options;
-  std::vector<std::string> keys(result.elements.size());
-  for (const MeshTask& task : tasks) {
-    for (const std::size_t i : task.elements) keys[i] = elementKey(result.elements[i].report, task.file, options);
+/// The mesh's result from an earlier run, if there is one.
+std::optional<MeshResult> remembered(const std::string& key, Cache& cache) {
+  Stopwatch stage;
+  std::optional<MeshResult> known = cache.findMesh(key);
+  if (!known) return std::nullopt;
+  known->cached = true;
+  known->seconds.read = stage.lap();
+  return known;
+}
+
+void decomposeTask(std::size_t index, Run& run) {
+  const MeshTask& task = run.tasks[index];
+  const std::string key = meshKey(task, run.options);
+  std::optional<MeshResult> known = remembered(key, run.cache);
+  if (known) run.progress.skip(index);
+  const auto result = std::make_shared<const MeshResult>(known ? *std::move(known) : decomposed(task, index, key, run));
+  finishTask(index, result, result->hulls.size(), run);
+}
+
+/// 5. Validate by queries: the original against the hulls. From the cache if possible.
+void validateOrRemember(Run& run) {
+  std::vector<std::string> keys(run.uses.size());
+  for (const MeshTask& task : run.tasks) {
+    for (const std::size_t i : task.uses) keys[i] = meshKey(task, run.options);
   }
-  const std::string key = validationKey(result.elements, keys, options);
-  const std::optional<Validation> known = cache.findValidation(key);
+  run.progress.begin("validate", 1);
+  const std::string key = validationKey(run.uses, run.results, keys, run.options);
+  const std::optional<Validation> known = run.cache.findValidation(key);
   RunControl validating;
-  progress.follow(validating, 0);
-  if (known) progress.skip(0);
-  result.report.validation = known ? *known : validateElements(result.elements, options.seed, validating);
-  result.report.validation_cached = known.has_value();
-  if (!known) cache.storeValidation(key, result.report.validation);
+  run.progress.follow(validating, 0);
+  if (known) run.progress.skip(0);
+  run.report.validation = known ? *known : validateUses(run.uses, run.results, run.options.seed, validating);
+  run.report.validation_cached = known.has_value();
+  if (!known) run.cache.storeValidation(key, run.report.validation);
 }
 
-using UriResolver = std::function<std::string(const std::string& uri)>;
+/// Steps 1 to 4, once per mesh; then step 5.
+void decomposeAll(Run& run) {
+  forEachInTurn(run.tasks.size(), [&](std::size_t i) { decomposeTask(i, run); });
+  if (run.options.validate) validateOrRemember(run);
+}
 
-/// All elements of a result, then the validation.
-void decomposeElements(RobotResult& result, const UriResolver& resolve, const RunControl& control, const StepCallback& step) {
-  const Options& options = result.report.options;
-  std::vector<ElementResult>& elements = result.elements;
-  Cache cache(options.cache ? cacheFolder() : std::filesystem::path());
-  withJobs(options.jobs, [&] {
-    Progress progress(control, step, elements.size());
-    const std::vector<MeshTask> tasks = meshTasks(elements, resolve);
-    progress.begin("decompose", options.validate ? kMeshesShare : 1, expectedCosts(tasks));
-    for (const ElementResult& element : elements) {
-      if (element.report.status == Status::kFailed) progress.finishElement(element.report.link, 0);
-    }
-    // Steps 1 to 4, once per mesh.
-    forEachInTurn(tasks.size(), [&](std::size_t i) { decomposeTask(tasks[i], i, options, cache, progress, elements); });
-    // 5. Validate by queries: the original against the hulls.
-    if (options.validate) {
-      progress.begin("validate", 1);
-      validateOrRemember(result, tasks, cache, progress);
-    }
-    progress.end();
-  });
-  cache.trim();
-  result.report.notes = cache.notes();
-  for (ElementResult& element : elements) element.solid = nullptr;
-  reportElements(result);
-  noteSmallMeshes(result.report);
+double meshesEnd(const Options& options) {
+  return options.validate ? kMeshesShare : 1;
 }
 
 }  // namespace
@@ -184,9 +124,10 @@ RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& f
   checkForRobot(options);
   Stopwatch run;
   refuseLosingVisuals(robot, output, find_package);
-  RobotResult result = robotResult(robot, options);
-  decomposeElements(
-      result, [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); }, control, step);
+  RobotResult result = emptyResult(robot, options);
+  const std::vector<MeshUse> uses = meshUses(robot, options);
+  const auto resolve = [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); };
+  runStages({uses, resolve, meshesEnd(options), control, step}, result, decomposeAll);
   rewriteDescription(robot, find_package, output, {}, result);
   result.report.seconds = run.lap();
   return result;
@@ -200,16 +141,14 @@ RobotResult decomposeMesh(const std::string& path, const Options& options, const
   result.robot_name = std::filesystem::path(path).stem().string();
   result.report.input_path = path;
   result.report.options = options;
-  ElementResult element;
-  element.source.uri = path;
-  element.report.link = result.robot_name;
-  element.report.uri = path;
-  element.report.scale.setConstant(options.scale);
-  element.report.method = options.method;
-  result.elements.push_back(element);
-  decomposeElements(
-      result, [](const std::string& file) { return file; }, control, step);
-  result.report.input_sha256 = result.elements.front().report.sha256;
+  MeshUse use;
+  use.link = result.robot_name;
+  use.source.uri = path;
+  use.source.scale.setConstant(options.scale);
+  const std::vector<MeshUse> uses{use};
+  const auto resolve = [](const std::string& file) { return file; };
+  runStages({uses, resolve, meshesEnd(options), control, step}, result, decomposeAll);
+  result.report.input_sha256 = result.report.links.front().sha256;
   result.report.seconds = run.lap();
   return result;
 }

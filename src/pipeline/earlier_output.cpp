@@ -27,9 +27,8 @@ fs::path inRealFolder(const fs::path& file) {
 
 /// The content of a hull that has to go with the new output.
 std::string readHull(const fs::path& file) {
-  const std::string content = readText(file);
-  std::error_code error;
-  if (!content.empty() || fs::file_size(file, error) == 0) return content;
+  std::optional<std::string> content = contentOf(file);
+  if (content) return *std::move(content);
   throw Error(ErrorCode::kFileNotFound, "cannot read '" + file.string() + "', a hull that the description keeps; check its permissions");
 }
 
@@ -125,7 +124,7 @@ bool liesIn(const fs::path& file, const fs::path& folder) {
 
 std::optional<std::set<fs::path>> filesOfEarlierOutput(const fs::path& folder) {
   try {
-    const nlohmann::json report = nlohmann::json::parse(readText(folder / kReportFile));
+    const nlohmann::json report = nlohmann::json::parse(contentOf(folder / kReportFile).value_or(""));
     if (report.count("collision_hulls") == 0) return std::nullopt;
     std::set<fs::path> files{kReportFile};
     for (const nlohmann::json& file : report.at("files")) files.insert(file.get<std::string>());

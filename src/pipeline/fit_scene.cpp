@@ -8,18 +8,17 @@
 #include <set>
 #include <utility>
 
+#include "base/millimetres.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "collision_hulls/decompose/certified_hulls.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/measure/measures.h"
 #include "fit/enclosing.h"
-#include "pipeline/cache.h"
-#include "pipeline/cached_tree.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/earlier_output.h"
-#include "pipeline/element_stages.h"
-#include "pipeline/elements.h"
-#include "pipeline/progress.h"
+#include "pipeline/run.h"
+#include "pipeline/stages.h"
 #include "storage/names.h"
 
 namespace collision_hulls {
@@ -29,59 +28,65 @@ namespace {
 constexpr double kTreesEnd = 0.4, kFitEnd = 0.8, kCertifyEnd = 0.9;
 constexpr double kFittedGap = 0.01;  // of the tolerance, or of the protrusion that the tree states if that is larger
 
-/// 1 to 3 of a mesh: read, repair, and its hull tree. Fills the first of its elements.
-std::shared_ptr<const FitMesh> fitMesh(const MeshTask& task, std::size_t index, const Options& options, Cache& cache, Progress& progress,
-                                       ElementResult& element) {
+using FitMeshes = std::vector<std::shared_ptr<const FitMesh>>;  // one per use; null: failed
+
+/// 1 to 3 of a mesh: read, repair, and its hull tree.
+std::shared_ptr<const FitMesh> fitMesh(std::size_t index, Run& run, MeshResult& result) {
+  const MeshTask& task = run.tasks[index];
   RunControl control;
-  progress.follow(control, index);
-  const ReadMesh read = readElement(task, options, control, element);
+  run.progress.follow(control, index);
+  const ReadMesh read = readAndRepair(task, run.options, control, result);
   Stopwatch stage;
   const auto mesh = std::make_shared<FitMesh>();
-  CachedTree cached = cachedTree(task.file, element.report, read.repaired, options, element.report.tolerance, cache, control);
-  if (cached.found) progress.skip(index);
+  CachedTree cached = cachedTree(task, read.repaired, run.options, result.mesh.tolerance, run.cache, control);
+  if (cached.found) run.progress.skip(index);
   mesh->tree = std::move(cached.tree);
-  mesh->original = element.original;
-  mesh->solid = element.solid;
+  mesh->original = result.original;
+  mesh->solid = result.solid;
   mesh->margin = read.margin;
-  mesh->max_vertices = options.max_vertices;
-  mesh->max_hulls = options.max_hulls;
-  element.report.seconds.decompose = stage.lap();
+  mesh->max_vertices = run.options.max_vertices;
+  mesh->max_hulls = run.options.max_hulls;
+  result.seconds.decompose = stage.lap();
   return mesh;
 }
 
-using FitMeshes = std::vector<std::shared_ptr<const FitMesh>>;  // one per element; null: failed
-
-FitMeshes fitMeshes(const std::vector<MeshTask>& tasks, const Options& options, Cache& cache, Progress& progress,
-                    std::vector<ElementResult>& elements) {
-  FitMeshes meshes(elements.size());
-  forEachInTurn(tasks.size(), [&](std::size_t i) {
-    const std::size_t first = tasks[i].elements.front();
+FitMeshes fitMeshes(Run& run) {
+  FitMeshes meshes(run.uses.size());
+  forEachInTurn(run.tasks.size(), [&](std::size_t i) {
+    MeshResult result;
+    std::shared_ptr<const FitMesh> mesh;
     try {
-      meshes[first] = fitMesh(tasks[i], i, options, cache, progress, elements[first]);
+      mesh = fitMesh(i, run, result);
     } catch (...) {
-      fail(elements[first]);
+      fail(result);
     }
-    progress.finish(i);
-    for (const std::size_t element : tasks[i].elements) {
-      meshes[element] = meshes[first];
-      if (element != first) copyResult(elements[first], elements[element]);
-      progress.finishElement(elements[element].report.link, meshes[element] ? (meshes[element]->tree.nodes.size() + 1) / 2 : 0);
-    }
+    for (const std::size_t use : run.tasks[i].uses) meshes[use] = mesh;
+    finishTask(i, std::make_shared<const MeshResult>(std::move(result)), mesh ? (mesh->tree.nodes.size() + 1) / 2 : 0, run);
   });
   return meshes;
 }
 
+/// A copy of what is known of a use's mesh, to add to. The mesh's first use alone keeps the time.
+MeshResult copyFor(std::size_t use, const Run& run) {
+  MeshResult copy = *run.results[use];
+  const auto is_first_of = [&](const MeshTask& task) { return task.uses.front() == use; };
+  if (std::none_of(run.tasks.begin(), run.tasks.end(), is_first_of)) copy.seconds = {};
+  return copy;
+}
+
 /// A link is fitted as a whole, so one failed mesh also fails the other meshes of its link.
-void failSiblings(FitMeshes& meshes, std::vector<ElementResult>& elements) {
-  std::map<std::string, const ElementReport*> failed;  // by link: the first such mesh
-  for (std::size_t i = 0; i < elements.size(); ++i)
-    if (!meshes[i]) failed.emplace(elements[i].report.link, &elements[i].report);
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const auto sibling = failed.find(elements[i].report.link);
+void failSiblings(FitMeshes& meshes, Run& run) {
+  std::map<std::string, std::size_t> failed;  // by link: the first such mesh
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    if (!meshes[i]) failed.emplace(run.uses[i].link, i);
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const auto sibling = failed.find(run.uses[i].link);
     if (!meshes[i] || sibling == failed.end()) continue;
     meshes[i] = nullptr;
-    fail(elements[i], sibling->second->error,
-         "'" + sibling->second->uri + "' on the same link failed, and a link is fitted as a whole; fix that mesh");
+    MeshResult result = copyFor(i, run);
+    fail(result, run.results[sibling->second]->error,
+         "'" + run.uses[sibling->second].source.uri + "' on the same link failed, and a link is fitted as a whole; fix that mesh");
+    run.results[i] = std::make_shared<const MeshResult>(std::move(result));
   }
 }
 
@@ -104,25 +109,29 @@ std::vector<KeptBody> keptBodies(const RobotDescription& robot, const Options& o
   return kept;
 }
 
-/// The problem of fitting all elements of links without a failed mesh; `indices` tells which of all elements these are.
-FitProblem problemOf(const RobotDescription& robot, const SceneRequest& request, const Options& options,
-                     const std::vector<ElementResult>& elements, const FitMeshes& meshes, std::vector<std::size_t>& indices,
-                     std::vector<std::string>& notes) {
-  FitProblem problem{robot, {}, {}, request.scene, request.disabled, request.configurations};
+/// What is fitted.
+struct FittedUses {
+  FitProblem problem;
+  std::vector<std::size_t> uses;  // of the problem's elements
+  std::vector<std::string> notes;
+};
+
+/// The problem of fitting the meshes of all links without a failed mesh.
+FittedUses problemOf(const RobotDescription& robot, const SceneRequest& request, const FitMeshes& meshes, const Run& run) {
+  FittedUses fitted{{robot, {}, {}, request.scene, request.disabled, request.configurations}, {}, {}};
   std::map<std::string, std::size_t> link_index;
   for (std::size_t i = 0; i < robot.links.size(); ++i) link_index[robot.links[i].name] = i;
   std::set<std::string> failed;
-  for (std::size_t i = 0; i < elements.size(); ++i)
-    if (!meshes[i]) failed.insert(elements[i].report.link);
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const ElementResult& element = elements[i];
-    if (failed.count(element.report.link)) continue;
-    problem.elements.push_back({element.report.link + "/" + std::to_string(element.report.element), link_index[element.report.link],
-                                element.source.origin, meshes[i]});
-    indices.push_back(i);
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    if (!meshes[i]) failed.insert(run.uses[i].link);
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const MeshUse& use = run.uses[i];
+    if (failed.count(use.link)) continue;
+    fitted.problem.elements.push_back({use.link + "/" + std::to_string(use.element), link_index[use.link], use.source.origin, meshes[i]});
+    fitted.uses.push_back(i);
   }
-  problem.kept = keptBodies(robot, options, failed, notes);
-  return problem;
+  fitted.problem.kept = keptBodies(robot, run.options, failed, fitted.notes);
+  return fitted;
 }
 
 /// The leaves below a cut's nodes, without leaves that are in the cut.
@@ -143,35 +152,28 @@ std::vector<ConvexHull> leavesBelow(const HullTree& tree, const std::vector<int>
 
 /// The polyhedron around a primitive protrudes further than the primitive itself: corrects the largest protrusion found to a point of the
 /// primitive.
-void tellOfPrimitive(const ElementResult& element, Protrusion& found) {
-  const auto of_primitive = found.hull - static_cast<int>(element.hulls.size() - element.primitives.size());
+void tellOfPrimitive(const FittedElement& fitted, const Solid& solid, Protrusion& found) {
+  const auto of_primitive = found.hull - static_cast<int>(fitted.hulls.size() - fitted.primitives.size());
   if (of_primitive < 0) return;
-  found.where = nearestPoint(element.primitives[static_cast<std::size_t>(of_primitive)], found.where);
-  found.found = element.solid->distance(found.where);
-  found.nearest = found.found > 0 ? element.solid->surface().nearest(found.where).point : found.where;
+  found.where = nearestPoint(fitted.primitives[static_cast<std::size_t>(of_primitive)], found.where);
+  found.found = solid.distance(found.where);
+  found.nearest = found.found > 0 ? solid.surface().nearest(found.where).point : found.where;
 }
 
 /// Step 4: certify the hulls as written.
-void certify(const FitMesh& mesh, const FittedElement& fitted, const RunControl& control, ElementResult& element) {
+void certifyCut(const FitMesh& mesh, const FittedElement& fitted, const std::string& uri, const RunControl& control, MeshResult& result) {
   Stopwatch stage;
-  ElementReport& row = element.report;
-  double told = row.tolerance;
+  double told = result.mesh.tolerance;
   for (const int node : fitted.cut) told = std::max(told, mesh.tree.nodes[static_cast<std::size_t>(node)].protrusion);
-  element.hulls = fitted.hulls;
-  element.primitives = fitted.primitives;
-  element.unneeded = leavesBelow(mesh.tree, fitted.cut);
-  row.uncovered = uncovered(element.original, element.hulls, control);
-  if (row.uncovered > 0)
-    throw Error(ErrorCode::kInternal, "the hulls leave the surface uncovered by up to " + millimetres(row.uncovered) +
-                                          "; the limit is 0. Please report the mesh '" + row.uri + "'");
-  Protrusion found = protrusion(element.hulls, *element.solid, kFittedGap * told, control);
-  tellOfPrimitive(element, found);
-  row.protrusion = found.bound + mesh.margin;
-  row.protrusion_found = found.found;
-  row.worst = found.where;
-  row.worst_nearest = found.nearest;
-  describe(element);
-  row.seconds.certify = stage.lap();
+  result.hulls = fitted.hulls;
+  result.primitives = fitted.primitives;
+  result.unneeded = leavesBelow(mesh.tree, fitted.cut);
+  expectCovered(mesh.original, result.hulls, uri, control);
+  Protrusion proof = protrusion(result.hulls, *mesh.solid, kFittedGap * told, control);
+  tellOfPrimitive(fitted, *mesh.solid, proof);
+  proof.bound += mesh.margin;
+  result.model = factsOf(result.hulls, result.primitives.size(), *mesh.solid, proof);
+  result.seconds.certify = stage.lap();
 }
 
 /// Identifies a fitted element: its cut, followed by negative numbers for the kinds of its primitives.
@@ -181,38 +183,43 @@ std::vector<int> cutOf(const FittedElement& fitted) {
   return cut;
 }
 
-using MeshCut = std::pair<const FitMesh*, std::vector<int>>;
-
-/// Certifies elements with the same mesh and cut once.
-void certifyAll(const FitMeshes& meshes, const SceneFit& fit, const std::vector<std::size_t>& indices, Progress& progress,
-                std::vector<ElementResult>& elements) {
-  std::map<MeshCut, std::vector<std::size_t>> same;
-  for (std::size_t i = 0; i < indices.size(); ++i) same[{meshes[indices[i]].get(), cutOf(fit.elements[i])}].push_back(i);
+/// The fitted elements (indices) with the same mesh and cut.
+std::vector<std::vector<std::size_t>> equalElements(const FittedUses& fitted, const SceneFit& fit) {
+  std::map<std::pair<const FitMesh*, std::vector<int>>, std::vector<std::size_t>> same;
+  for (std::size_t i = 0; i < fitted.uses.size(); ++i) same[{fitted.problem.elements[i].mesh.get(), cutOf(fit.elements[i])}].push_back(i);
   std::vector<std::vector<std::size_t>> groups;
   for (const auto& [what, members] : same) groups.push_back(members);
-  progress.begin("certify", kCertifyEnd, std::vector<double>(groups.size(), 1));
-  forEachInTurn(groups.size(), [&](std::size_t g) {
-    RunControl control;
-    progress.follow(control, g);
-    ElementResult& first = elements[indices[groups[g].front()]];
-    try {
-      certify(*meshes[indices[groups[g].front()]], fit.elements[groups[g].front()], control, first);
-    } catch (...) {
-      fail(first);
-    }
-    progress.finish(g);
-    for (const std::size_t i : groups[g])
-      if (i != groups[g].front()) copyResult(first, elements[indices[i]]);
-  });
+  return groups;
 }
 
-void validateAll(RobotResult& result, Progress& progress) {
-  const Options& options = result.report.options;
-  if (!options.validate) return;
+/// Certifies elements with the same mesh and cut once.
+void certifyAll(const FittedUses& fitted, const SceneFit& fit, Run& run) {
+  const std::vector<std::vector<std::size_t>> groups = equalElements(fitted, fit);
+  run.progress.begin("certify", kCertifyEnd, std::vector<double>(groups.size(), 1));
+  MeshResults results(groups.size());
+  forEachInTurn(groups.size(), [&](std::size_t g) {
+    const std::size_t first = groups[g].front(), use = fitted.uses[first];
+    RunControl control;
+    run.progress.follow(control, g);
+    MeshResult result = copyFor(use, run);
+    try {
+      certifyCut(*fitted.problem.elements[first].mesh, fit.elements[first], run.uses[use].source.uri, control, result);
+    } catch (...) {
+      fail(result);
+    }
+    results[g] = std::make_shared<const MeshResult>(std::move(result));
+    run.progress.finish(g);
+  });
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (const std::size_t i : groups[g]) run.results[fitted.uses[i]] = results[g];
+}
+
+void validateAll(Run& run) {
+  if (!run.options.validate) return;
   RunControl control;
-  progress.begin("validate", 1);
-  progress.follow(control, 0);
-  result.report.validation = validateElements(result.elements, options.seed, control);
+  run.progress.begin("validate", 1);
+  run.progress.follow(control, 0);
+  run.report.validation = validateUses(run.uses, run.results, run.options.seed, control);
 }
 
 std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options) {
@@ -262,37 +269,25 @@ void refuseOtherWays(const Options& options) {
               std::string("method '") + name(options.method) + "' builds no hull tree, which fitting to a scene needs; use certified");
 }
 
+/// All stages. Fills the report's scene, unless every link has a failed mesh. Returns the pairs of links that the fit disables.
+std::vector<DisabledPair> fitAll(const RobotDescription& robot, const SceneRequest& request, const FitOptions& options,
+                                 std::vector<std::string>& notes, Run& run) {
+  FitMeshes meshes = fitMeshes(run);
+  failSiblings(meshes, run);
+  const FittedUses fitted = problemOf(robot, request, meshes, run);
+  notes.insert(notes.end(), fitted.notes.begin(), fitted.notes.end());
+  if (fitted.problem.elements.empty()) return {};
+  RunControl fitting;
+  run.progress.begin("fit", kFitEnd);
+  run.progress.follow(fitting, 0);
+  SceneFit fit = fitScene(fitted.problem, options, fitting);
+  certifyAll(fitted, fit, run);
+  validateAll(run);
+  run.report.scene = std::move(fit.report);
+  return fit.disabled;
+}
+
 }  // namespace
-
-SceneRequest readSceneRequest(const Input& input, const SceneSources& sources) {
-  if (sources.max_step != 0 && sources.configurations.empty())
-    throw Error(ErrorCode::kBadOption,
-                "max-step '" + std::to_string(sources.max_step) + "' interpolates between given configurations; give some, or omit it");
-  SceneRequest request;
-  if (!sources.scene.empty()) request.scene = readScene(sources.scene, input.find_package);
-  if (!sources.srdf.empty() || !sources.srdf_file.empty()) {
-    DisabledPairs disabled = parseDisabledPairs(sources.srdf, input.robot, sources.srdf_file);
-    request.disabled = std::move(disabled.pairs);
-    request.notes = std::move(disabled.notes);
-  }
-  if (!sources.configurations.empty()) {
-    const ConfigurationOptions options = givenConfigurations(sources.max_step);
-    giveConfigurations(readConfigurations(sources.configurations, Kinematics(input.robot), options), request);
-  }
-  return request;
-}
-
-ConfigurationOptions givenConfigurations(double max_step) {
-  ConfigurationOptions options;
-  options.max_step = max_step;
-  options.refuse_beyond_limits = true;
-  return options;
-}
-
-void giveConfigurations(ConfigurationSet given, SceneRequest& request) {
-  request.configurations = std::move(given.configurations);
-  request.notes.insert(request.notes.end(), given.notes.begin(), given.notes.end());
-}
 
 RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& find_package, const SceneRequest& request,
                             const Options& options, const std::string& output, const RunControl& control, const StepCallback& step) {
@@ -303,47 +298,25 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   check(fit_options);
   checkClearance(request.clearance, robot);
   const Kinematics joints(robot);
-  Stopwatch run;
+  Stopwatch clock;
   refuseLosingVisuals(robot, output, find_package);
-  RobotResult result = robotResult(robot, options);
-  if (result.elements.empty()) throw Error(ErrorCode::kBadOption, notesOnElements(robot, {}, options).front());
-  std::vector<ElementResult>& elements = result.elements;
+  RobotResult result = emptyResult(robot, options);
+  const std::vector<MeshUse> uses = meshUses(robot, options);
+  if (uses.empty()) throw Error(ErrorCode::kBadOption, notesOnUses(robot, uses, options).front());
   std::vector<std::string> notes = request.notes;
   for (const std::string& note : joints.notes()) notes.push_back(note);
-  Cache cache(options.cache ? cacheFolder() : std::filesystem::path());
-  Progress progress(control, step, elements.size());
-  withJobs(options.jobs, [&] {
-    const std::vector<MeshTask> tasks =
-        meshTasks(elements, [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); });
-    progress.begin("decompose", kTreesEnd, expectedCosts(tasks));
-    for (const ElementResult& element : elements) {
-      if (element.report.status == Status::kFailed) progress.finishElement(element.report.link, 0);
-    }
-    FitMeshes meshes = fitMeshes(tasks, options, cache, progress, elements);
-    failSiblings(meshes, elements);
-    std::vector<std::size_t> indices;
-    const FitProblem problem = problemOf(robot, request, options, elements, meshes, indices, notes);
-    if (problem.elements.empty()) return;  // every link has a failed mesh
-    RunControl fitting;
-    progress.begin("fit", kFitEnd);
-    progress.follow(fitting, 0);
-    const SceneFit fit = fitScene(problem, fit_options, fitting);
-    certifyAll(meshes, fit, indices, progress, elements);
-    validateAll(result, progress);
-    result.report.scene = fit.report;
-    result.extra_files["config/" + fileName(robot.name) + "_disabled.srdf"] = srdfFragment(robot.name, fit.disabled);
-  });
-  progress.end();
-  cache.trim();
-  result.report.notes = cache.notes();
-  for (ElementResult& element : elements) element.solid = nullptr;
-  reportElements(result);
-  noteSmallMeshes(result.report);
-  if (result.report.scene)
-    for (const std::string& note : notesOnFit(*result.report.scene, options)) notes.push_back(note);
+  const auto resolve = [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); };
+  std::vector<DisabledPair> disabled;
+  runStages({uses, resolve, kTreesEnd, control, step}, result,
+            [&](Run& run) { disabled = fitAll(robot, request, fit_options, notes, run); });
+  std::optional<FitReport>& scene = result.report.scene;
+  if (scene) {
+    result.extra_files["config/" + fileName(robot.name) + "_disabled.srdf"] = srdfFragment(robot.name, disabled);
+    for (const std::string& note : notesOnFit(*scene, options)) notes.push_back(note);
+  }
   rewriteDescription(robot, find_package, output, notes, result);
-  result.report.seconds = run.lap();
-  if (result.report.scene) result.report.scene->seconds = result.report.seconds;
+  result.report.seconds = clock.lap();
+  if (scene) scene->seconds = result.report.seconds;
   return result;
 }
 

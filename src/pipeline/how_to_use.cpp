@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "base/counted.h"
-#include "collision_hulls/pipeline/decompose_robot.h"
+#include "collision_hulls/pipeline/output.h"
 #include "pipeline/collision_model.h"
 
 namespace collision_hulls {

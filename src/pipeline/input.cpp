@@ -1,15 +1,16 @@
 // What INPUT means: a package, a robot description or a mesh.
-#include <algorithm>
+#include "collision_hulls/pipeline/input.h"
+
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include "base/counted.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
-#include "collision_hulls/pipeline/decompose_robot.h"
-#include "pipeline/elements.h"
+#include "pipeline/mesh_uses.h"
 #include "storage/names.h"
 
 namespace collision_hulls {
@@ -95,10 +96,10 @@ Input openInput(const std::string& input, const PackagePath& package_path, const
 
 std::string workOn(const Input& input, const Options& options) {
   if (input.kind == Input::Kind::kMesh) return "'" + input.path + "'";
-  const RobotResult work = robotResult(input.robot, options);
+  const std::vector<MeshUse> uses = meshUses(input.robot, options);
   std::set<std::string> links;
-  for (const ElementResult& element : work.elements) links.insert(element.report.link);
-  return counted(work.elements.size(), "mesh", "meshes") + " of " + counted(links.size(), "link");
+  for (const MeshUse& use : uses) links.insert(use.link);
+  return counted(uses.size(), "mesh", "meshes") + " of " + counted(links.size(), "link");
 }
 
 std::string defaultOutput(const Input& input) {

@@ -1,4 +1,6 @@
 // Writes an output folder beside the old one and exchanges the two, and never replaces files that it did not write.
+#include "collision_hulls/pipeline/output.h"
+
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@
 #include "base/stopwatch.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
-#include "collision_hulls/pipeline/decompose_robot.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/earlier_output.h"
 #include "storage/files.h"
@@ -92,7 +93,7 @@ struct Folders {
   void write(const fs::path& name, const std::string& text) const {
     const fs::path file = next / name, same = earlier / name;
     std::error_code error;
-    if (fs::is_regular_file(fs::symlink_status(same, error)) && readText(same) == text) {
+    if (fs::is_regular_file(fs::symlink_status(same, error)) && contentOf(same) == text) {
       fs::create_directories(file.parent_path(), error);
       fs::create_hard_link(same, file, error);
       if (!error) return;
@@ -101,11 +102,10 @@ struct Folders {
   }
 };
 
-void writeHulls(const ElementResult& element, MeshFormat format, const Folders& folders) {
-  const std::vector<std::string>& files = element.report.files;
+void writeHulls(const ElementResult& element, const std::vector<std::string>& files, MeshFormat format, const Folders& folders) {
   const std::size_t hulls = element.hulls.size() - element.primitives.size();
   const std::size_t first = files.size() - hulls;  // the OBJ of all hulls stands before a file for each
-  if (first > 0) folders.write(files.front(), encodeHullsObj(element.hulls, fileName(element.report.link)));
+  if (first > 0) folders.write(files.front(), encodeHullsObj(element.hulls, fileName(element.link)));
   for (std::size_t m = 0; m < hulls; ++m) {
     const fs::path file = files[first + m];
     folders.write(file, encodeHull(element.hulls[m], format, file.stem().string()));
@@ -146,8 +146,9 @@ bool writeOutput(RobotResult& result, const std::string& output, const RunContro
   for (std::size_t i = 0; i < result.elements.size(); ++i) {
     control.check();
     Stopwatch stage;
-    writeHulls(result.elements[i], result.report.options.format, folders);
-    result.elements[i].report.seconds.write = result.report.links[i].seconds.write = stage.lap();
+    ElementReport& row = result.report.links[i];
+    writeHulls(result.elements[i], row.files, result.report.options.format, folders);
+    row.seconds.write = stage.lap();
   }
   const std::map<std::string, std::string> others = otherFiles(result, outputPackage(result.report.options, output));
   result.report.files.clear();

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "collision_hulls/control.h"
-#include "collision_hulls/pipeline/decompose_robot.h"
+#include "collision_hulls/pipeline/result.h"
 
 namespace collision_hulls {
 

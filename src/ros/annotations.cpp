@@ -61,7 +61,7 @@ Eigen::Vector3d openDirection(const Eigen::Vector3d& tip, const Eigen::Vector3d&
 
 std::string labelText(const Link& link) {
   double protrusion = 0;
-  for (const ElementResult* element : link.elements) protrusion = std::max(protrusion, element->report.protrusion);
+  for (const LinkMesh& mesh : link.meshes) protrusion = std::max(protrusion, mesh.row.protrusion);
   std::string text = link.name + ": ";
   if (link.hulls > 0 || link.primitives == 0) text += count(link.hulls, "hull");
   if (link.primitives > 0) text += (link.hulls > 0 ? ", " : "") + count(link.primitives, "primitive");
@@ -98,33 +98,33 @@ void drawLabel(const Label& label, double spacing, Pen& pen, MarkerList& list) {
 
 /// The arrow comes from outside and ends at the place; it is as long as the robot's size says, since the protrusion itself is millimetres.
 void drawWorst(const Link& link, double radius, const std::vector<ConvexHull>& hulls, Pen& pen, MarkerList& list) {
-  const auto less = [](const auto* a, const auto* b) { return a->report.protrusion_found < b->report.protrusion_found; };
-  const auto worst = std::max_element(link.elements.begin(), link.elements.end(), less);
-  if (worst == link.elements.end() || !((*worst)->report.protrusion_found > 0)) return;
-  const ElementReport& report = (*worst)->report;
-  const Eigen::Isometry3d& origin = (*worst)->source.origin;
+  const auto less = [](const LinkMesh& a, const LinkMesh& b) { return a.row.protrusion_found < b.row.protrusion_found; };
+  const auto worst = std::max_element(link.meshes.begin(), link.meshes.end(), less);
+  if (worst == link.meshes.end() || !(worst->row.protrusion_found > 0)) return;
+  const ElementReport& row = worst->row;
+  const Eigen::Isometry3d& origin = worst->element.source.origin;
   const double most = kArrowLength * radius;
-  const double length = std::clamp(0.5 * report.diagonal, 0.4 * most, most);
+  const double length = std::clamp(0.5 * row.diagonal, 0.4 * most, most);
   const auto red = colour(0.85, 0, 0.1, 1);
 
-  Marker& sphere = pen.add(list, "worst", link.name, Marker::SPHERE, origin * Eigen::Translation3d(report.worst));
+  Marker& sphere = pen.add(list, "worst", link.name, Marker::SPHERE, origin * Eigen::Translation3d(row.worst));
   sphere.scale = toScale(Eigen::Vector3d::Constant(0.12 * length));
   sphere.color = red;
-  const Eigen::Isometry3d& pose = (*worst)->pose;
-  const Eigen::Vector3d outward = pose.linear() * (report.worst - report.worst_nearest).stableNormalized();
-  const Eigen::Vector3d away = pose.linear().transpose() * openDirection(pose * report.worst, outward, length, hulls);
+  const Eigen::Isometry3d& pose = worst->element.pose;
+  const Eigen::Vector3d outward = pose.linear() * (row.worst - row.worst_nearest).stableNormalized();
+  const Eigen::Vector3d away = pose.linear().transpose() * openDirection(pose * row.worst, outward, length, hulls);
   Marker& arrow = pen.add(list, "worst", link.name, Marker::ARROW, origin);
   arrow.scale = toScale({0.05 * length, 0.14 * length, 0.3 * length});
-  arrow.points = {toPoint(report.worst + length * away), toPoint(report.worst)};
+  arrow.points = {toPoint(row.worst + length * away), toPoint(row.worst)};
   arrow.color = red;
-  const Eigen::Isometry3d end(origin * Eigen::Translation3d(report.worst + 1.25 * length * away));
-  addText(millimetres(report.protrusion_found), kTextHeight * radius * std::max(length / most, 0.7), "worst", link.name, end, pen, list)
+  const Eigen::Isometry3d end(origin * Eigen::Translation3d(row.worst + 1.25 * length * away));
+  addText(millimetres(row.protrusion_found), kTextHeight * radius * std::max(length / most, 0.7), "worst", link.name, end, pen, list)
       .color = red;
 }
 
 Label labelOf(const Link& link, const LinkDescription& description) {
   Eigen::AlignedBox3d box;
-  for (const ElementResult* element : link.elements) box.extend(rootBox(*element));
+  for (const LinkMesh& mesh : link.meshes) box.extend(rootBox(mesh.element));
   for (const GeometryElement& element : description.collisions) {
     if (isPrimitive(element)) box.extend(moved(localBox(element), description.pose * element.origin));
   }

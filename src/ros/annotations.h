@@ -10,11 +10,17 @@
 
 namespace collision_hulls {
 
-/// What a link is drawn from. `elements` is in the order of the result.
+/// A mesh of a link, and how well its hulls fit.
+struct LinkMesh {
+  const ElementResult& element;
+  const ElementReport& row;
+};
+
+/// What a link is drawn from. `meshes` is in the order of the result.
 struct Link {
   std::string name;
   double hue = 0;
-  std::vector<const ElementResult*> elements;
+  std::vector<LinkMesh> meshes;
   std::size_t hulls = 0, primitives = 0;
 };
 

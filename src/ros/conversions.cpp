@@ -7,33 +7,33 @@
 
 namespace collision_hulls {
 
-LinkReport toMessage(const ElementResult& element) {
-  const ElementReport& report = element.report;
+LinkReport toMessage(const ElementReport& row, const Eigen::Isometry3d& origin) {
   LinkReport message;
-  message.link = report.link;
-  message.element = report.element;
-  message.uri = report.uri;
-  message.status = name(report.status);
-  message.reason = report.reason;
-  message.triangles = static_cast<std::uint32_t>(report.triangles);
-  message.hulls = static_cast<std::uint32_t>(report.hulls);
-  message.hull_vertices = static_cast<std::uint32_t>(report.hull_vertices);
-  message.tolerance = report.tolerance;
-  message.uncovered = report.uncovered;
-  message.protrusion = report.protrusion;
-  message.protrusion_found = report.protrusion_found;
-  if (report.status != Status::kFailed) {
-    message.worst = toPoint(element.source.origin * report.worst);
-    message.worst_nearest = toPoint(element.source.origin * report.worst_nearest);
+  message.link = row.link;
+  message.element = row.element;
+  message.uri = row.uri;
+  message.status = name(row.status);
+  message.reason = row.reason;
+  message.triangles = static_cast<std::uint32_t>(row.triangles);
+  message.hulls = static_cast<std::uint32_t>(row.hulls);
+  message.hull_vertices = static_cast<std::uint32_t>(row.hull_vertices);
+  message.tolerance = row.tolerance;
+  message.uncovered = row.uncovered;
+  message.protrusion = row.protrusion;
+  message.protrusion_found = row.protrusion_found;
+  if (row.status != Status::kFailed) {
+    message.worst = toPoint(origin * row.worst);
+    message.worst_nearest = toPoint(origin * row.worst_nearest);
   }
-  const StageSeconds& s = report.seconds;
+  const StageSeconds& s = row.seconds;
   message.seconds = s.read + s.repair + s.decompose + s.certify + s.write;
   return message;
 }
 
 std::vector<LinkReport> toMessages(const RobotResult& result) {
   std::vector<LinkReport> messages;
-  for (const ElementResult& element : result.elements) messages.push_back(toMessage(element));
+  for (std::size_t i = 0; i < result.elements.size(); ++i)
+    messages.push_back(toMessage(result.report.links[i], result.elements[i].source.origin));
   return messages;
 }
 

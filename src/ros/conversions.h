@@ -8,11 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "collision_hulls/pipeline/decompose_robot.h"
+#include "collision_hulls/pipeline/result.h"
 
 namespace collision_hulls {
 
-LinkReport toMessage(const ElementResult& element);
+/// A row of the report; `origin`: of the element in its link's frame, in which messages give places.
+LinkReport toMessage(const ElementReport& row, const Eigen::Isometry3d& origin);
 std::vector<LinkReport> toMessages(const RobotResult& result);
 RunTotals toTotals(const Report& report);
 DecomposeFeedback toMessage(const Step& step);

@@ -49,21 +49,21 @@ std::vector<Link> linksOf(const RobotResult& result, const RobotDescription& rew
   std::vector<Link> links;
   for (const LinkDescription& description : rewritten.links) {
     Link link{description.name, linkHue(links.size()), {}, 0, 0};
-    for (const ElementResult& element : result.elements) {
-      if (element.report.link == link.name) link.elements.push_back(&element);
+    for (std::size_t i = 0; i < result.elements.size(); ++i) {
+      if (result.elements[i].link == link.name) link.meshes.push_back({result.elements[i], result.report.links[i]});
     }
     const bool has_primitives = std::any_of(description.collisions.begin(), description.collisions.end(), isPrimitive);
-    if (!link.elements.empty() || has_primitives) links.push_back(std::move(link));
+    if (!link.meshes.empty() || has_primitives) links.push_back(std::move(link));
   }
   return links;
 }
 
 /// The hulls that a primitive does not stand in for.
 void drawHulls(Link& link, double opacity, Pen& pen, MarkerList& list) {
-  for (const ElementResult* element : link.elements) {
-    for (std::size_t i = 0; i + element->primitives.size() < element->hulls.size(); ++i) {
-      const ConvexHull& hull = element->hulls[i];
-      Marker& marker = pen.add(list, "hulls", link.name, Marker::TRIANGLE_LIST, element->source.origin);
+  for (const auto& [element, row] : link.meshes) {
+    for (std::size_t i = 0; i + element.primitives.size() < element.hulls.size(); ++i) {
+      const ConvexHull& hull = element.hulls[i];
+      Marker& marker = pen.add(list, "hulls", link.name, Marker::TRIANGLE_LIST, element.source.origin);
       addTriangles(hull.vertices, hull.triangles, marker);
       marker.color = shade(link.hue, link.hulls++, opacity);
     }
@@ -71,9 +71,9 @@ void drawHulls(Link& link, double opacity, Pen& pen, MarkerList& list) {
 }
 
 void drawUnneeded(const Link& link, Pen& pen, MarkerList& list) {
-  for (const ElementResult* element : link.elements) {
-    for (const ConvexHull& hull : element->unneeded) {
-      Marker& marker = pen.add(list, "unneeded", link.name, Marker::TRIANGLE_LIST, element->source.origin);
+  for (const auto& [element, row] : link.meshes) {
+    for (const ConvexHull& hull : element.unneeded) {
+      Marker& marker = pen.add(list, "unneeded", link.name, Marker::TRIANGLE_LIST, element.source.origin);
       addTriangles(hull.vertices, hull.triangles, marker);
       marker.color = colour(0.5, 0.5, 0.5, 0.35);
     }
@@ -88,10 +88,10 @@ void drawPrimitives(Link& link, const LinkDescription& description, double opaci
 }
 
 void drawOriginals(const Link& link, Pen& pen, MarkerList& list) {
-  for (const ElementResult* element : link.elements) {
-    if (element->original.triangles.empty()) continue;
-    Marker& marker = pen.add(list, "original", link.name, Marker::TRIANGLE_LIST, element->source.origin);
-    addInset(element->original, marker);
+  for (const auto& [element, row] : link.meshes) {
+    if (element.original.triangles.empty()) continue;
+    Marker& marker = pen.add(list, "original", link.name, Marker::TRIANGLE_LIST, element.source.origin);
+    addInset(element.original, marker);
     marker.color = originalColour();
   }
 }

@@ -1,7 +1,7 @@
 // What rviz draws, as plain markers: pure functions from results to messages. View publishes them.
 #pragma once
 
-#include "collision_hulls/pipeline/decompose_robot.h"
+#include "collision_hulls/pipeline/result.h"
 #include "collision_hulls/scene/scene.h"
 #include "pen.h"
 #include "robot_bounds.h"

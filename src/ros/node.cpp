@@ -107,7 +107,7 @@ void Node::decomposeAtStart() {
 }
 
 DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunControl& control, const StepCallback& step) {
-  const std::string base = readText(private_, "base");
+  const std::string base = textParameter(private_, "base");
   const RobotDescription robot = readRobot(request.robot_description, base);
   const Options options = requestedOptions(readOptions(private_), request, robot);
   const Input input{Input::Kind::kRobot, "", robot, packageFinder(private_, robot.path)};
@@ -121,7 +121,7 @@ DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunCont
 }
 
 FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& control, const StepCallback& step) {
-  const RobotDescription robot = readRobot(request.robot_description, readText(private_, "base"));
+  const RobotDescription robot = readRobot(request.robot_description, textParameter(private_, "base"));
   Options own = readOptions(private_);
   own.method = Method::kCertified;  // ~method is for the other job
   own.tree.reset();
@@ -139,7 +139,7 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
 }
 
 std::string Node::outputFor(const std::string& requested, const Input& input) const {
-  const std::string wanted = requested.empty() ? readText(private_, "output") : requested;
+  const std::string wanted = requested.empty() ? textParameter(private_, "output") : requested;
   const std::string output = absolute(wanted.empty() ? defaultOutput(input) : wanted);
   checkOutput(output);
   return output;

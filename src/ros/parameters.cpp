@@ -45,7 +45,7 @@ T named(std::optional<T> (*parse)(const std::string&), const std::string& option
 template <typename T>
 void readNamed(const ros::NodeHandle& node, const std::string& name, std::optional<T> (*parse)(const std::string&),
                const std::string& choices, T& value) {
-  const std::string text = readText(node, name);
+  const std::string text = textParameter(node, name);
   if (!text.empty()) value = named(parse, "parameter " + node.resolveName(name), text, choices);
 }
 
@@ -53,7 +53,7 @@ void readNamed(const ros::NodeHandle& node, const std::string& name, std::option
 std::optional<Length> readLength(const ros::NodeHandle& node, const std::string& name) {
   double metres = 0;
   if (node.getParam(name, metres)) return lengthOf(metres);
-  const std::string text = readText(node, name);
+  const std::string text = textParameter(node, name);
   if (text.empty()) return std::nullopt;
   return parseLength(text, "parameter " + node.resolveName(name));
 }
@@ -89,7 +89,7 @@ std::string rootLink(const RobotDescription& robot) {
 
 }  // namespace
 
-std::string readText(const ros::NodeHandle& node, const std::string& name, const std::string& fallback) {
+std::string textParameter(const ros::NodeHandle& node, const std::string& name, const std::string& fallback) {
   return read<std::string>(node, name, "a text").value_or(fallback);
 }
 
@@ -99,21 +99,21 @@ void readFlag(const ros::NodeHandle& node, const std::string& name, bool& value)
 
 Options readOptions(const ros::NodeHandle& node) {
   Options options;
-  const std::string profile = readText(node, "profile");
+  const std::string profile = textParameter(node, "profile");
   if (!profile.empty()) applyProfile(profile, options);
   options.tolerance = readLength(node, "tolerance").value_or(options.tolerance);
   readNamed(node, "method", methodNamed, methodChoices(), options.method);
-  readNamed(node, "effort", effortNamed, "quick, best", options.effort);
+  readNamed(node, "effort", effortNamed, effortChoices(), options.effort);
   readFlag(node, "fill", options.fill);
   options.tree = readLength(node, "tree");
   if (options.tree && options.tree->limit == 0) options.tree.reset();
   readNumber(node, "max_hulls", options.max_hulls);
   readNumber(node, "max_vertices", options.max_vertices);
-  options.links = readText(node, "links");
+  options.links = textParameter(node, "links");
   readNamed(node, "source", sourceNamed, "auto, visual, collision", options.source);
   readNamed(node, "format", meshFormatNamed, "stl, obj, dae", options.format);
   readNamed(node, "uri", uriStyleNamed, "package, file, relative", options.uri);
-  options.package_name = readText(node, "package_name");
+  options.package_name = textParameter(node, "package_name");
   readNumber(node, "jobs", options.jobs);
   readFlag(node, "validate", options.validate);
   readFlag(node, "cache", options.cache);
@@ -128,7 +128,7 @@ Options readOptions(const ros::NodeHandle& node) {
 std::vector<std::string> readPackagePath(const ros::NodeHandle& node) {
   std::vector<std::string> places;
   if (node.getParam("package_path", places)) return places;
-  std::istringstream list(readText(node, "package_path"));
+  std::istringstream list(textParameter(node, "package_path"));
   for (std::string place; std::getline(list, place, ':');) {
     if (!place.empty()) places.push_back(place);
   }

@@ -21,7 +21,7 @@ Options readOptions(const ros::NodeHandle& node);
 std::vector<std::string> readPackagePath(const ros::NodeHandle& node);
 
 /// A text parameter; `fallback` if it is not set. Throws kBadOption if it is not a text.
-std::string readText(const ros::NodeHandle& node, const std::string& name, const std::string& fallback = "");
+std::string textParameter(const ros::NodeHandle& node, const std::string& name, const std::string& fallback = "");
 
 /// Sets `value` to a parameter; leaves it if that is not set. Throws kBadOption if it is neither true nor false.
 void readFlag(const ros::NodeHandle& node, const std::string& name, bool& value);

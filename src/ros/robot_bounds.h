@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "collision_hulls/pipeline/decompose_robot.h"
+#include "collision_hulls/pipeline/result.h"
 
 namespace collision_hulls {
 

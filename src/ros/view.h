@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-#include "collision_hulls/pipeline/decompose_robot.h"
+#include "collision_hulls/pipeline/result.h"
 #include "markers.h"
 
 namespace collision_hulls {

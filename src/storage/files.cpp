@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 #include "collision_hulls/error.h"
 
@@ -35,9 +35,12 @@ fs::path behindLinks(fs::path file) {
 
 }  // namespace
 
-std::string readText(const fs::path& file) {
+std::optional<std::string> contentOf(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (!in) return std::nullopt;
+  std::ostringstream content;
+  content << in.rdbuf();  // turns the exception that reading a folder throws into badbit
+  return content.bad() ? std::nullopt : std::optional(content.str());
 }
 
 void writeText(const fs::path& file, const std::string& text) {
@@ -45,7 +48,7 @@ void writeText(const fs::path& file, const std::string& text) {
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
   if (error) throwUnwritable(file.parent_path(), error.message());
   write(file, text);
-  if (readText(file) != text) throwUnwritable(file, "it reads back differently from what was written");
+  if (contentOf(file) != text) throwUnwritable(file, "it reads back differently from what was written");
 }
 
 void checkFolderOf(const fs::path& path) {

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace collision_hulls {
 
-/// The content of a file; empty if it cannot be read.
-std::string readText(const std::filesystem::path& file);
+/// The content of a file; nullopt if it cannot be read. For files that a user names, which must be there: readTextFile().
+std::optional<std::string> contentOf(const std::filesystem::path& file);
 
 /// Writes a file (and the folders above it), reads it back and compares. Throws kUnwritableOutput with the system's reason.
 void writeText(const std::filesystem::path& file, const std::string& text);

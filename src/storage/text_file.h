@@ -1,4 +1,4 @@
-// Text files, whole.
+// Text files that a user names, whole.
 #pragma once
 
 #include <string>

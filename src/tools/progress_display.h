@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <string>
 
-#include "collision_hulls/pipeline/decompose_robot.h"
 #include "collision_hulls/pipeline/progress_text.h"
+#include "collision_hulls/pipeline/result.h"
 
 namespace collision_hulls {
 

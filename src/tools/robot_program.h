@@ -10,6 +10,7 @@
 #include "base/string_parts.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
+#include "collision_hulls/pipeline/output.h"
 #include "command_line.h"
 #include "decompose_options.h"
 #include "progress_display.h"

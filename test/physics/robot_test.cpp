@@ -8,6 +8,7 @@
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
+#include "collision_hulls/pipeline/output.h"
 #include "physics/engine.h"
 #include "physics/grip.h"
 #include "pipeline/fixtures.h"

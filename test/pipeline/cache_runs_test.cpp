@@ -5,6 +5,8 @@
 #include <set>
 #include <thread>
 
+#include "collision_hulls/pipeline/decompose_robot.h"
+#include "collision_hulls/pipeline/output.h"
 #include "geometry/bytes.h"
 #include "pipeline/cache.h"
 #include "pipeline/fixtures.h"
@@ -113,11 +115,14 @@ TEST_F(CachedRun, SecondRunRepeatsNoWork) {
 // A run must return what it finds: here a valid entry with changed content.
 TEST_F(CachedRun, UsesTheContentOfEntries) {
   const RobotResult first = run();
-  const std::string key = elementKey(first.report.links[1], "channel.obj", options_);
+  MeshTask channel;
+  channel.file = "channel.obj";
+  channel.sha256 = first.report.links[1].sha256;
+  const std::string key = meshKey(channel, options_);
   Cache cache(this->cache());
-  ElementResult forged = cache.findElement(key).value();
-  forged.report.reason = "forged";
-  cache.storeElement(key, forged);
+  MeshResult forged = cache.findMesh(key).value();
+  forged.reason = "forged";
+  cache.storeMesh(key, forged);
   EXPECT_EQ(run().report.links[1].reason, "forged");
 }
 

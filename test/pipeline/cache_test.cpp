@@ -10,6 +10,7 @@
 
 #include "geometry/bytes.h"
 #include "pipeline/fixtures.h"
+#include "pipeline/rows.h"
 #include "shapes.h"
 
 namespace collision_hulls {
@@ -22,79 +23,67 @@ using Notes = std::vector<std::string>;
 
 const std::string kKey(64, '0');
 
-ElementResult element() {
-  ElementResult element;
-  ElementReport& row = element.report;
-  row.link = "upper";
-  row.element = 3;
-  row.visual = true;
-  row.uri = "upper.stl";
-  row.sha256 = "abc";
-  row.scale = {1, -2, 0.5};
-  row.triangles = 12;
-  row.skipped_primitives = 2;
-  row.status = Status::kDegraded;
-  row.reason = "a reason";
-  row.error = "an error";
-  row.repair = {1, 2, 3, 4, 5, 6, 7, 0.125};
-  row.method = Method::kSingleHull;
-  row.tolerance = 0.1 + 0.2;
-  row.hulls = 4;
-  row.hull_vertices = 5;
-  row.uncovered = 0.01;
-  row.protrusion = 1.0 / 3;
-  row.protrusion_found = 0.3;
-  row.worst = {1, 2, 3};
-  row.worst_nearest = {4, 5, 6};
-  row.interior = "closed";
-  row.volume = 7;
-  row.hull_volume = 8;
-  row.covered_share = 0.5;
-  row.diagonal = 9;
-  row.nudge = 1e-7;
-  row.thickness = 1e-6;
-  row.seconds.decompose = 1;
-  row.files = {"a file"};
-  element.original = test_shapes::box(1, 2, 3);
-  element.hulls = {convexHull(test_shapes::box(1, 2, 3).vertices), convexHull(test_shapes::box(4, 5, 6).vertices)};
-  return element;
+MeshResult mesh() {
+  MeshResult result;
+  MeshFacts& facts = result.mesh;
+  facts.sha256 = "abc";
+  facts.triangles = 12;
+  facts.skipped_primitives = 2;
+  facts.repair = {1, 2, 3, 4, 5, 6, 7, 0.125};
+  facts.interior = "closed";
+  facts.volume = 7;
+  facts.diagonal = 9;
+  facts.tolerance = 0.1 + 0.2;
+  HullFacts& model = result.model;
+  model.hulls = 4;
+  model.hull_vertices = 5;
+  model.uncovered = 0.01;
+  model.protrusion = 1.0 / 3;
+  model.protrusion_found = 0.3;
+  model.worst = {1, 2, 3};
+  model.worst_nearest = {4, 5, 6};
+  model.hull_volume = 8;
+  model.covered_share = 0.5;
+  model.nudge = 1e-7;
+  model.thickness = 1e-6;
+  result.status = Status::kDegraded;
+  result.reason = "a reason";
+  result.error = "an error";
+  result.seconds.decompose = 1;
+  result.original = test_shapes::box(1, 2, 3);
+  result.hulls = {convexHull(test_shapes::box(1, 2, 3).vertices), convexHull(test_shapes::box(4, 5, 6).vertices)};
+  return result;
 }
 
-/// The part of an element's report that does not depend on its place in a robot.
-json shown(ElementResult element) {
-  Report report;
-  ElementReport& row = element.report;
-  row.link = row.uri = "";
-  row.element = 0;
-  row.visual = row.cached = false;
-  row.seconds = {};
-  row.files.clear();
-  report.links.push_back(row);
-  return json::parse(toJson(report))["links"][0];
+/// What a report shows of a mesh, whichever link uses it.
+json shown(const MeshResult& mesh) {
+  RobotResult result;
+  MeshResult timeless = mesh;
+  timeless.seconds = {};
+  putTogether({MeshUse()}, {std::make_shared<const MeshResult>(timeless)}, result);
+  return json::parse(toJson(result.report))["links"][0];
 }
 
 TEST(Cache, Empty) {
   const TempFolder folder;
   for (const fs::path& place : {fs::path(), folder.path()}) {
     Cache cache(place);
-    EXPECT_FALSE(cache.findElement(kKey));
+    EXPECT_FALSE(cache.findMesh(kKey));
     EXPECT_FALSE(cache.findValidation(kKey));
     EXPECT_FALSE(cache.findTree(kKey));
     EXPECT_EQ(cache.notes(), Notes());
   }
 }
 
-TEST(Cache, RestoresAnElementToTheLastBit) {
+TEST(Cache, RestoresAMeshToTheLastBit) {
   const TempFolder folder;
-  Cache(folder.path()).storeElement(kKey, element());
-  const auto found = Cache(folder.path()).findElement(kKey);
+  Cache(folder.path()).storeMesh(kKey, mesh());
+  const auto found = Cache(folder.path()).findMesh(kKey);
   ASSERT_TRUE(found);
-  EXPECT_EQ(shown(*found), shown(element()));
-  EXPECT_EQ(toBytes(found->original), toBytes(element().original));
-  EXPECT_EQ(toBytes(found->hulls), toBytes(element().hulls));
-  EXPECT_EQ(found->report.link, "") << "an entry must not contain its place in a robot";
-  EXPECT_EQ(found->report.seconds.decompose, 0);
-  EXPECT_TRUE(found->report.files.empty());
+  EXPECT_EQ(shown(*found), shown(mesh()));
+  EXPECT_EQ(toBytes(found->original), toBytes(mesh().original));
+  EXPECT_EQ(toBytes(found->hulls), toBytes(mesh().hulls));
+  EXPECT_EQ(found->seconds.decompose, 0);
 }
 
 TEST(Cache, RestoresAValidation) {
@@ -146,11 +135,11 @@ TEST(Cache, RejectsRemovesAndCountsDamagedEntries) {
       [](std::string& bytes) { bytes[8] = 99; }};  // the format's version
   for (std::size_t i = 0; i < changes.size(); ++i) {
     Cache cache(folder.path());
-    cache.storeElement(kKey, element());
+    cache.storeMesh(kKey, mesh());
     cache.storeTree(kKey, tree());
     cache.storeValidation(kKey, {});
-    for (const char* kind : {".element", ".tree", ".validation"}) spoil(folder / (kKey + kind), changes[i]);
-    EXPECT_FALSE(cache.findElement(kKey)) << i;
+    for (const char* kind : {".mesh", ".tree", ".validation"}) spoil(folder / (kKey + kind), changes[i]);
+    EXPECT_FALSE(cache.findMesh(kKey)) << i;
     EXPECT_FALSE(cache.findTree(kKey)) << i;
     EXPECT_FALSE(cache.findValidation(kKey)) << i;
     EXPECT_TRUE(fixtures::contents(folder.path()).empty()) << i;
@@ -162,54 +151,61 @@ TEST(Cache, RejectsRemovesAndCountsDamagedEntries) {
 TEST(Cache, RejectsAnEntryUnderAnotherName) {
   const TempFolder folder;
   Cache cache(folder.path());
-  cache.storeElement(kKey, element());
+  cache.storeMesh(kKey, mesh());
   const std::string other(64, '1');
-  fs::copy(folder / (kKey + ".element"), folder / (other + ".element"));
-  EXPECT_FALSE(cache.findElement(other));
-  EXPECT_TRUE(cache.findElement(kKey));
+  fs::copy(folder / (kKey + ".mesh"), folder / (other + ".mesh"));
+  EXPECT_FALSE(cache.findMesh(other));
+  EXPECT_TRUE(cache.findMesh(kKey));
 }
 
-TEST(CacheKeys, EachInputOfAnElementCounts) {
-  const ElementReport row = element().report;
-  const std::vector<std::function<void(ElementReport&, std::string&, Options&)>> changes = {
-      [](ElementReport&, std::string&, Options&) {},
-      [](ElementReport& r, std::string&, Options&) { r.sha256 = "abd"; },
-      [](ElementReport& r, std::string&, Options&) { r.scale.x() = std::nextafter(1.0, 2.0); },
-      [](ElementReport& r, std::string&, Options&) {
-        r.scale = {-2, 1, 0.5};
+MeshTask task() {
+  MeshTask task;
+  task.file = "part.stl";
+  task.uri = "package://arm/part.stl";
+  task.scale = {1, -2, 0.5};
+  task.sha256 = "abc";
+  return task;
+}
+
+TEST(CacheKeys, EachInputOfAMeshCounts) {
+  const std::vector<std::function<void(MeshTask&, Options&)>> changes = {
+      [](MeshTask&, Options&) {},
+      [](MeshTask& t, Options&) { t.sha256 = "abd"; },
+      [](MeshTask& t, Options&) { t.scale.x() = std::nextafter(1.0, 2.0); },
+      [](MeshTask& t, Options&) {
+        t.scale = {-2, 1, 0.5};
       },
-      [](ElementReport&, std::string& file, Options&) { file = "part.obj"; },
-      [](ElementReport&, std::string&, Options& o) { o.tolerance = shareOf(0.02); },
-      [](ElementReport&, std::string&, Options& o) { o.tolerance = lengthOf(0.01); },
-      [](ElementReport&, std::string&, Options& o) { o.method = Method::kHacd; },
-      [](ElementReport&, std::string&, Options& o) { o.effort = Effort::kBest; },
-      [](ElementReport&, std::string&, Options& o) { o.fill = true; },
-      [](ElementReport&, std::string&, Options& o) { o.tree = shareOf(0.005); },
-      [](ElementReport&, std::string&, Options& o) { o.max_hulls = 3; },
-      [](ElementReport&, std::string&, Options& o) { o.max_vertices = 32; },
-      [](ElementReport&, std::string&, Options& o) { o.seed = 2; }};
+      [](MeshTask& t, Options&) { t.file = "part.obj"; },
+      [](MeshTask&, Options& o) { o.tolerance = shareOf(0.02); },
+      [](MeshTask&, Options& o) { o.tolerance = lengthOf(0.01); },
+      [](MeshTask&, Options& o) { o.method = Method::kHacd; },
+      [](MeshTask&, Options& o) { o.effort = Effort::kBest; },
+      [](MeshTask&, Options& o) { o.fill = true; },
+      [](MeshTask&, Options& o) { o.tree = shareOf(0.005); },
+      [](MeshTask&, Options& o) { o.max_hulls = 3; },
+      [](MeshTask&, Options& o) { o.max_vertices = 32; },
+      [](MeshTask&, Options& o) { o.seed = 2; }};
   std::set<std::string> keys, tree_keys;
   for (const auto& change : changes) {
-    ElementReport changed = row;
-    std::string file = "part.stl";
+    MeshTask changed = task();
     Options options;
-    change(changed, file, options);
-    keys.insert(elementKey(changed, file, options));
-    tree_keys.insert(treeKey(changed, file, options, 0.01));
+    change(changed, options);
+    keys.insert(meshKey(changed, options));
+    tree_keys.insert(treeKey(changed, options, 0.01));
   }
   EXPECT_EQ(keys.size(), changes.size());
   EXPECT_EQ(tree_keys.size(), changes.size() - 4) << "tolerances and number of hulls choose a cut of the tree, not the tree";
-  tree_keys.insert(treeKey(row, "part.stl", {}, 0.02));
+  tree_keys.insert(treeKey(task(), {}, 0.02));
   EXPECT_EQ(tree_keys.size(), changes.size() - 3) << "the tolerance of the leaves is part of the key";
-  for (const std::string& key : keys) EXPECT_TRUE(CacheFolder::isEntry(key + ".element")) << key;
+  for (const std::string& key : keys) EXPECT_TRUE(CacheFolder::isEntry(key + ".mesh")) << key;
 }
 
-TEST(CacheKeys, OptionsThatChangeNoHullDoNotCount) {
-  const ElementReport row = element().report;
-  ElementReport elsewhere = row;
-  elsewhere.link = "lower";
+TEST(CacheKeys, WhatChangesNoHullDoesNotCount) {
+  MeshTask elsewhere = task();
+  elsewhere.file = "other/part.stl";
   elsewhere.uri = "package://other/part.stl";
-  elsewhere.visual = false;
+  elsewhere.bytes = 5;
+  elsewhere.uses = {3};
   Options options;
   options.links = "lower";
   options.source = Source::kVisual;
@@ -217,16 +213,21 @@ TEST(CacheKeys, OptionsThatChangeNoHullDoNotCount) {
   options.uri = UriStyle::kFile;
   options.jobs = 1;
   options.validate = options.cache = false;
-  EXPECT_EQ(elementKey(elsewhere, "other/part.stl", options), elementKey(row, "part.stl", {}));
+  EXPECT_EQ(meshKey(elsewhere, options), meshKey(task(), {}));
 }
 
 TEST(CacheKeys, EachInputOfAValidationCounts) {
-  std::vector<ElementResult> elements = {element(), element(), ElementResult()};
+  MeshUse upper;
+  upper.link = "upper";
+  upper.element = 3;
+  std::vector<MeshUse> uses = {upper, upper, upper};
+  const auto result = std::make_shared<const MeshResult>(mesh());
+  MeshResults results = {result, result, std::make_shared<const MeshResult>()};
   std::vector<std::string> keys = {"a", "b", "failed"};
   std::set<std::string> found;
   std::size_t expected = 0;
   const auto add = [&](const Options& options) {
-    found.insert(validationKey(elements, keys, options));
+    found.insert(validationKey(uses, results, keys, options));
     EXPECT_EQ(found.size(), ++expected);
   };
   Options options;
@@ -235,19 +236,20 @@ TEST(CacheKeys, EachInputOfAValidationCounts) {
   add(options);
   keys[0] = "c";
   add(options);
-  elements[1].report.link = "lower";
+  uses[1].link = "lower";
   add(options);
-  elements[1].report.element = 4;
+  uses[1].element = 4;
   add(options);
-  elements[0].pose.translation().x() = 1e-9;
+  uses[0].pose.translation().x() = 1e-9;
   add(options);
-  elements[0].pose.linear() = Eigen::AngleAxisd(1e-9, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  uses[0].pose.linear() = Eigen::AngleAxisd(1e-9, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   add(options);
   std::swap(keys[0], keys[1]);
   add(options);
-  elements.resize(2);
-  EXPECT_EQ(validationKey(elements, keys, options), *found.find(validationKey(elements, keys, options)))
-      << "an element without hulls must not matter";
+  const std::string before = validationKey(uses, results, keys, options);
+  uses.resize(2);
+  results.resize(2);
+  EXPECT_EQ(validationKey(uses, results, keys, options), before) << "a use without hulls must not matter";
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "collision_hulls/error.h"
+#include "collision_hulls/pipeline/output.h"
 #include "pipeline/fixtures.h"
 #include "shapes.h"
 

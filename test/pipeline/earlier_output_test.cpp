@@ -7,6 +7,7 @@
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
+#include "collision_hulls/pipeline/output.h"
 #include "pipeline/fixtures.h"
 #include "shapes.h"
 

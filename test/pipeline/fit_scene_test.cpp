@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "collision_hulls/error.h"
+#include "collision_hulls/pipeline/output.h"
 #include "pipeline/fixtures.h"
 #include "shapes.h"
 
@@ -125,11 +126,12 @@ TEST_F(FitRobotToScene, TwoBoxesReplaceTheHulls) {
   options_.validate = true;
   RobotResult result = run(fixtures::link("base", bracket()));
   const ElementResult& element = result.elements[0];
+  const ElementReport& row = result.report.links[0];
   ASSERT_EQ(element.primitives.size(), 2u);
   EXPECT_EQ(element.hulls.size(), 2u);
-  EXPECT_TRUE(element.report.files.empty());
-  EXPECT_EQ(element.report.uncovered, 0);
-  EXPECT_LT(element.report.protrusion, 1e-3);
+  EXPECT_TRUE(row.files.empty());
+  EXPECT_EQ(row.uncovered, 0);
+  EXPECT_LT(row.protrusion, 1e-3);
   EXPECT_EQ(result.report.scene->links[0].primitive, "2 boxes");
   EXPECT_EQ(result.report.scene->links[0].reason, "2 boxes: against block at 30 mm");
   EXPECT_EQ(result.report.scene->missed + result.report.scene->phantom, 0u);
@@ -167,9 +169,10 @@ TEST_F(FitRobotToScene, HullsWithFilesBesidePrimitives) {
   }
   RobotResult result = run(fixtures::link("base", bracket()));
   const ElementResult& element = result.elements[0];
-  ASSERT_EQ(element.report.files.size(), 1u);
+  const ElementReport& row = result.report.links[0];
+  ASSERT_EQ(row.files.size(), 1u);
   ASSERT_EQ(element.primitives.size(), 1u);
-  EXPECT_EQ(element.report.hulls, 1u);
+  EXPECT_EQ(row.hulls, 1u);
   EXPECT_EQ(result.report.scene->links[0].hulls, 1u);
   EXPECT_EQ(result.report.scene->links[0].primitive, "1 box");
   EXPECT_EQ(result.report.scene->links[0].reason.substr(0, 15), "1 hull, 1 box: ");
@@ -194,12 +197,13 @@ TEST_F(FitRobotToScene, WithoutTheBlockABoxAndGreyHulls) {
                   fixtures::obj(test_shapes::lBracket(0.2, 0.15, 0.1)));  // its hull is a box with a corner cut off
   RobotResult result = run(fixtures::link("base", bracket()));
   const ElementResult& element = result.elements[0];
+  const ElementReport& row = result.report.links[0];
   ASSERT_EQ(element.primitives.size(), 1u);
   EXPECT_NEAR(element.primitives[0].size.prod(), 0.2 * 0.2 * 0.1, 1e-5);
   ASSERT_EQ(element.hulls.size(), 1u);
   EXPECT_EQ(element.hulls[0].vertices.size(), 8u);
-  EXPECT_EQ(element.report.hulls, 0u);
-  EXPECT_TRUE(element.report.files.empty());
+  EXPECT_EQ(row.hulls, 0u);
+  EXPECT_TRUE(row.files.empty());
   EXPECT_EQ(element.unneeded.size(), 2u);
   EXPECT_EQ(result.report.validation.missed + result.report.validation.phantom, 0u);
   EXPECT_EQ(result.report.scene->links[0].primitive, "box");

@@ -1,8 +1,9 @@
+#include "collision_hulls/pipeline/input.h"
+
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
 #include "collision_hulls/error.h"
-#include "collision_hulls/pipeline/decompose_robot.h"
 #include "pipeline/fixtures.h"
 
 namespace collision_hulls {

@@ -1,3 +1,5 @@
+#include "collision_hulls/pipeline/output.h"
+
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -6,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "collision_hulls/error.h"
-#include "collision_hulls/pipeline/decompose_robot.h"
 #include "pipeline/fixtures.h"
 #include "shapes.h"
 
@@ -26,11 +27,13 @@ RobotResult sample() {
   result.robot_name = "My Arm";
   result.urdf = "<robot name=\"My Arm\"/>\n";
   for (const char* link : {"a", "b"}) {
+    ElementReport row;
+    row.link = link;
+    for (const char* m : {"0", "1"}) row.files.push_back("meshes/" + std::string(link) + "/0_" + m + ".stl");
+    result.report.links.push_back(row);
     ElementResult element;
-    element.report.link = link;
+    element.link = link;
     element.hulls = {box(), box()};
-    for (const char* m : {"0", "1"}) element.report.files.push_back("meshes/" + std::string(link) + "/0_" + m + ".stl");
-    result.report.links.push_back(element.report);
     result.elements.push_back(element);
   }
   return result;

@@ -19,8 +19,7 @@ TEST(Summary, NamesEachFailure) {
 }
 
 TEST(ToMessage, LinkReport) {
-  ElementResult element;
-  ElementReport& report = element.report;
+  ElementReport report;
   report.link = "arm";
   report.element = 2;
   report.status = Status::kDegraded;
@@ -30,8 +29,7 @@ TEST(ToMessage, LinkReport) {
   report.seconds = {1, 2, 3, 4, 5};
   report.worst = {1, 0, 0};
   report.worst_nearest = {2, 0, 0};
-  element.source.origin = Eigen::Translation3d(0, 0, 3) * Eigen::AngleAxisd(EIGEN_PI / 2, Eigen::Vector3d::UnitZ());
-  const LinkReport message = toMessage(element);
+  const LinkReport message = toMessage(report, Eigen::Translation3d(0, 0, 3) * Eigen::AngleAxisd(EIGEN_PI / 2, Eigen::Vector3d::UnitZ()));
   EXPECT_EQ("arm", message.link);
   EXPECT_EQ(2, message.element);
   EXPECT_EQ(LinkReport::DEGRADED, message.status);

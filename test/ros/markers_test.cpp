@@ -27,13 +27,7 @@ const char* const kUrdf = R"(<robot name="r">
 /// A link's mesh at (0, 0, 0.5), turned by a quarter about z, with `hulls` tetrahedra; it protrudes by 1 cm at (0.1, 0, 0).
 ElementResult element(const std::string& link, std::size_t hulls) {
   ElementResult result;
-  result.report.link = link;
-  result.report.hulls = hulls;
-  result.report.diagonal = 1;
-  result.report.protrusion = 0.0124;
-  result.report.protrusion_found = 0.01;
-  result.report.worst = {0.1, 0, 0};
-  result.report.worst_nearest = {0.09, 0, 0};
+  result.link = link;
   result.source.origin = Eigen::Translation3d(0, 0, 0.5) * Eigen::AngleAxisd(EIGEN_PI / 2, Eigen::Vector3d::UnitZ());
   result.pose = result.source.origin;
   result.original.vertices = {{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}};
@@ -42,8 +36,21 @@ ElementResult element(const std::string& link, std::size_t hulls) {
   return result;
 }
 
+ElementReport row(const ElementResult& element) {
+  ElementReport row;
+  row.link = element.link;
+  row.hulls = element.hulls.size();
+  row.diagonal = 1;
+  row.protrusion = 0.0124;
+  row.protrusion_found = 0.01;
+  row.worst = {0.1, 0, 0};
+  row.worst_nearest = {0.09, 0, 0};
+  return row;
+}
+
 RobotResult robot(std::vector<ElementResult> elements) {
   RobotResult result;
+  for (const ElementResult& element : elements) result.report.links.push_back(row(element));
   result.elements = std::move(elements);
   result.urdf = kUrdf;
   return result;
@@ -75,7 +82,7 @@ TEST(DrawResult, NothingOfNothing) {
 
 TEST(DrawResult, AFailedMeshHasItsOriginalAlone) {
   RobotResult result = robot({element("arm", 0)});
-  result.elements[0].report.protrusion_found = result.elements[0].report.protrusion = 0;
+  result.report.links[0].protrusion_found = result.report.links[0].protrusion = 0;
   const Drawing drawing = drawResult(result, {}, nullptr, 1);
   EXPECT_EQ((Names{"primitives/hand:0", "primitives/hand:1"}), names(drawing.hulls));
   EXPECT_EQ((Names{"original/arm:0"}), names(drawing.original));
@@ -173,7 +180,7 @@ TEST(DrawResult, TheArrowAvoidsOtherHulls) {
 
 TEST(DrawResult, OneArrowForALink) {
   RobotResult result = robot({element("arm", 1), element("arm", 1)});
-  result.elements[1].report.protrusion_found = 0.0234;
+  result.report.links[1].protrusion_found = 0.0234;
   const MarkerList protrusion = drawResult(result, {}, nullptr, 1).protrusion;
   ASSERT_EQ(3u, protrusion.size());
   EXPECT_EQ("23.4 mm", protrusion[2].text);
@@ -192,6 +199,7 @@ TEST(DrawResult, LabelsNeverOverlap) {
   for (int i = 0; i < 40; ++i) {
     const std::string link = "l" + std::to_string(i);
     result.elements.push_back(element(link, 1));
+    result.report.links.push_back(row(result.elements.back()));
     result.urdf +=
         "<link name='" + link + "'/><joint name='j" + link + "' type='fixed'><parent link='root'/><child link='" + link + "'/></joint>";
   }

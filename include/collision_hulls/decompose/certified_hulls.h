@@ -1,14 +1,16 @@
 // The promise in one call: hulls that cover a mesh, and a proved bound on how far they protrude.
+// For example:
 //
-//   DecomposeOptions options;
-//   options.tolerance = 0.005;  // [m]
-//   const CertifiedHulls result = certifiedHulls(mesh, options);
-//   std::cout << result.hulls.size() << " hulls protrude by at most " << result.bound << " m\n";
-//   if (!result.within_tolerance) std::cout << result.reason << '\n';
+//     DecomposeOptions options;
+//     options.tolerance = 0.005;  // [m]
+//     const CertifiedHulls result = certifiedHulls(mesh, options);
+//     std::cout << result.hulls.size() << " hulls protrude by at most " << result.bound << " m\n";
+//     if (!result.within_tolerance) std::cout << result.reason << '\n';
 //
 // What is promised, of the mesh as it is given and of the hulls as they are returned:
 //
-//   cover   Every point of every triangle lies in a hull, up to the rounding errors of deciding that
+//   cover   Every point of every triangle lies in a hull, up to the rounding errors of deciding
+//   that
 //           (1e-12 of the coordinates' size, see uncovered()).
 //   bound   No point of a hull is further than `bound` from S, the solid that the mesh represents:
 //           its surface, and what that encloses. See Solid, also for what is assumed of meshes
@@ -33,15 +35,19 @@ namespace collision_hulls {
 
 /// Hulls with their proof. Lengths in metres, in the mesh's frame.
 struct CertifiedHulls {
-  std::vector<ConvexHull> hulls;                      ///< cover the mesh; in a fixed order
-  double bound = 0;                                   ///< proved: no point of a hull is further from S
-  double found = 0;                                   ///< the largest distance found; bound - found is what is unknown
-  Eigen::Vector3d where = Eigen::Vector3d::Zero();    ///< a point of a hull at the distance `found`
-  Eigen::Vector3d nearest = Eigen::Vector3d::Zero();  ///< the point of S nearest to it
-  bool within_tolerance = true;                       ///< bound <= tolerance
-  std::string reason;                                 ///< why not, and what to do about it; empty if it is
-  double nudge = 0;                                   ///< by which every hull was grown to absorb rounding
-  double thickness = 0;                               ///< given to flat hulls
+  /// Cover the mesh; in a fixed order.
+  std::vector<ConvexHull> hulls;
+  /// Proved: no point of a hull is further from S.
+  double bound = 0;
+  /// The largest distance that the search met, at `where`, a point of a hull; `nearest` is the
+  /// point of S nearest to it. `found` and `bound` enclose the true protrusion.
+  double found = 0;
+  Eigen::Vector3d where = Eigen::Vector3d::Zero();
+  Eigen::Vector3d nearest = Eigen::Vector3d::Zero();
+  bool within_tolerance = true;  ///< bound <= tolerance
+  std::string reason;            ///< why not, and what to do about it; empty if it is
+  double nudge = 0;              ///< by which every hull was grown to absorb rounding
+  double thickness = 0;          ///< given to flat hulls
   /// Wall clock [s] of the stages.
   struct Seconds {
     double repair = 0, decompose = 0, certify = 0;
@@ -52,7 +58,8 @@ struct CertifiedHulls {
 /// give the same bytes, on any number of threads. Thread safe. Throws what repair() throws,
 /// kEmptyMesh for a mesh without triangles, kBadOption (a tolerance must be given, also for methods
 /// that ignore it), kCancelled, and kInternal if the result should fail its own check.
-CertifiedHulls certifiedHulls(const TriangleMesh& mesh, const DecomposeOptions& options, const RunControl& control = {});
+CertifiedHulls certifiedHulls(const TriangleMesh& mesh, const DecomposeOptions& options,
+                              const RunControl& control = {});
 
 /// A mesh with what its caller has derived from it already.
 struct PreparedMesh {
@@ -68,7 +75,8 @@ struct PreparedMesh {
 };
 
 /// The same for a mesh that is prepared.
-CertifiedHulls certifiedHulls(const PreparedMesh& mesh, const DecomposeOptions& options, const RunControl& control = {});
+CertifiedHulls certifiedHulls(const PreparedMesh& mesh, const DecomposeOptions& options,
+                              const RunControl& control = {});
 
 /// The gap that certificate() leaves between bound and found value, as a share of the tolerance.
 constexpr double kCertificateGap = 0.001;
@@ -77,10 +85,11 @@ constexpr double kCertificateGap = 0.001;
 /// bound. Apart from the margin, bound and found value differ by at most kCertificateGap of the
 /// tolerance [m], > 0, unless the search gives up (see protrusion()); by less where only this gap
 /// would take the bound above the tolerance.
-Protrusion certificate(const std::vector<ConvexHull>& hulls, const Solid& solid, double margin, double tolerance,
-                       const RunControl& control = {});
+Protrusion certificate(const std::vector<ConvexHull>& hulls, const Solid& solid, double margin,
+                       double tolerance, const RunControl& control = {});
 
 /// Throws kInternal unless the hulls cover the mesh. `name`: of the mesh, for the message.
-void expectCovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls, const std::string& name, const RunControl& control = {});
+void expectCovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
+                   const std::string& name, const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "collision_hulls/pipeline/decompose_robot.h"
+#include "collision_hulls/pipeline/result.h"
 
 namespace collision_hulls {
 

@@ -24,34 +24,44 @@ struct StageSeconds {
   double read = 0, repair = 0, decompose = 0, certify = 0, write = 0;
 };
 
-/// One mesh of one link. Lengths in metres, in the link's frame after `scale`.
-struct ElementReport {
+/// What is known of a mesh once it is read and repaired. Lengths in metres, after scaling.
+struct MeshFacts {
+  std::string sha256;  ///< of its file
+  std::size_t triangles = 0, skipped_primitives = 0;
+  RepairCounts repair;
+  std::string interior;  ///< see Interior
+  double volume = 0, diagonal = 0;
+  double tolerance = 0;  ///< what the options' tolerance is for this mesh
+};
+
+/// What is known of a mesh's hulls once they are certified. Lengths in metres, in the mesh's frame.
+struct HullFacts {
+  std::size_t hulls = 0, hull_vertices = 0;
+  /// Spheres, boxes and cylinders in place of hulls, in a model that was fitted to a scene.
+  std::size_t primitives = 0;
+  double uncovered = 0;  ///< always 0: hulls that leave surface uncovered are a failure
+  double protrusion = 0, protrusion_found = 0;      ///< proved bound; largest distance found
+  Eigen::Vector3d worst = Eigen::Vector3d::Zero();  ///< a point of a hull at the latter
+  Eigen::Vector3d worst_nearest = Eigen::Vector3d::Zero();  ///< the point of S nearest to it
+  double hull_volume = 0;
+  double covered_share = 1;  ///< of the solid's inside that lies in the hulls; see coveredShare()
+  double nudge = 0;      ///< how far hulls were moved outward for rounding (reader, weld, writer)
+  double thickness = 0;  ///< given to flat hulls
+};
+
+/// A row of the report: one mesh of one link.
+struct ElementReport : MeshFacts, HullFacts {
   std::string link;
   int element = 0;      ///< among the link's source elements, primitives counted
   bool visual = false;  ///< "source"
-  std::string uri, sha256;
+  std::string uri;
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
-  std::size_t triangles = 0, skipped_primitives = 0;
   Status status = Status::kOk;
   std::string reason;  ///< why degraded or failed; names item, value, limit and remedy
   std::string error;   ///< of a failed row: the name of its ErrorCode
-  RepairCounts repair;
   Method method = Method::kCertified;
-  double tolerance = 0;
-  std::size_t hulls = 0, hull_vertices = 0;
-  /// spheres, boxes and cylinders in place of hulls, in a model that was fitted to a scene
-  std::size_t primitives = 0;
-  double uncovered = 0, protrusion = 0, protrusion_found = 0;
-  /// place of protrusion_found, and of S
-  Eigen::Vector3d worst = Eigen::Vector3d::Zero(), worst_nearest = Eigen::Vector3d::Zero();
-  std::string interior;
-  double volume = 0, hull_volume = 0, diagonal = 0;
-  /// of the solid's inside that lies in the hulls, to 1 % or so; see coveredShare()
-  double covered_share = 1;
-  /// [m] how far hulls were moved outward for rounding (reader, weld, writer)
-  double nudge = 0;
-  double thickness = 0;  ///< [m] thickness given to flat hulls
-  /// a mesh that several links use is worked on once: the first row has the time, the others have 0
+  /// A mesh that several links use is worked on once: the first row has the time, the others have
+  /// 0.
   StageSeconds seconds;
   std::vector<std::string> files;  ///< relative to the output folder
   /// remembered from an earlier run; seconds.read is what finding it took

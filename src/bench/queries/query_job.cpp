@@ -8,6 +8,7 @@
 
 #include "base/stopwatch.h"
 #include "bench/hull_objects.h"
+#include "bench/json_file.h"
 #include "bench/queries/query_scene.h"
 #include "check/validate_probes.h"
 #include "collision_hulls/mesh/mesh_io.h"
@@ -226,7 +227,7 @@ json query(const json& job) {
   if (single)
     for (const Eigen::Isometry3d& pose : freePoses(roomFor(parts), job["states"], seed)) states.push_back({pose});
 
-  const json known = original ? json() : json::parse(readText(job["answers"].get<std::string>()));
+  const json known = original ? json() : readJson(job["answers"].get<std::string>());
   json pairs;
   const Answers answers = job["workload"] == "self" ? askItself(bodies, parts, robot, states, original ? json() : known["pairs"], pairs)
                                                     : askScene(bodies, single ? roomFor(parts) : reachOf(parts, states), states, seed);

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "bench/child_process.h"
+#include "bench/json_file.h"
 #include "bench/table.h"
 #include "storage/csv.h"
 #include "storage/files.h"
@@ -65,7 +66,7 @@ Tallies trialsOf(std::size_t setting, std::size_t pair, const FclStabilityOption
 }  // namespace
 
 void doFclTrials(const std::string& job_file, const std::string& result_file) {
-  const json job = json::parse(readText(job_file));
+  const json job = readJson(job_file);
   const FclSetting& setting = fclSettings().at(job["setting"]);
   const PairKind pair = allPairKinds().at(job["pair"]);
   std::ofstream out(result_file);

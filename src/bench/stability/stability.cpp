@@ -10,6 +10,7 @@
 
 #include "base/parallel.h"
 #include "bench/jobs.h"
+#include "bench/json_file.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/mesh/repair.h"
@@ -194,7 +195,7 @@ std::string outcomeOf(const StabilityRow& row) {
 
 void doStabilityJob(const std::string& job_file, const std::string& result_file) {
   withJobs(1, [&] {  // one thread, as other processes run in parallel
-    const json job = json::parse(readText(job_file));
+    const json job = readJson(job_file);
     if (job["job"] != "trouble") return doJob(job_file, result_file);
     writeText(result_file, putInTrouble(job).dump());
   });

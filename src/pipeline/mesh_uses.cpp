@@ -1,5 +1,5 @@
 // Lists the meshes of a robot and joins equal ones, so that a mesh that many links share is worked on once.
-#include "pipeline/elements.h"
+#include "pipeline/mesh_uses.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <map>
 #include <regex>
 #include <tuple>
+#include <utility>
 
 #include "base/nearest_name.h"
 #include "collision_hulls/error.h"
@@ -25,19 +26,6 @@ std::string linkNames(const RobotDescription& robot) {
   return text;
 }
 
-ElementResult meshElement(const LinkDescription& link, const SourceElements& source, std::size_t index, const Options& options) {
-  ElementResult result;
-  result.source = source.elements[index];
-  result.pose = link.pose * result.source.origin;
-  result.report.link = link.name;
-  result.report.element = static_cast<int>(index);
-  result.report.visual = source.visual;
-  result.report.uri = result.source.uri;
-  result.report.scale = result.source.scale;
-  result.report.method = options.method;
-  return result;
-}
-
 bool isMesh(const GeometryElement& element) {
   return element.kind == GeometryElement::Kind::kMesh;
 }
@@ -53,12 +41,45 @@ std::vector<std::string> notesOnLeftOut(const RobotDescription& robot, const Lin
   return {"links without a visual element keep their collision meshes as they are: " + links + "; --source auto decomposes them"};
 }
 
-/// Elements with equal values are the same work. The extension counts because it says how to read the content.
+/// Tasks with equal values are the same work. The extension counts because it says how to read the content.
 using Sameness = std::tuple<std::string, std::string, double, double, double>;
 
-Sameness sameness(const ElementReport& row, const std::string& file) {
-  return {row.sha256, std::filesystem::path(file).extension().string(), row.scale.x(), row.scale.y(), row.scale.z()};
+Sameness sameness(const MeshTask& task) {
+  return {task.sha256, std::filesystem::path(task.file).extension().string(), task.scale.x(), task.scale.y(), task.scale.z()};
 }
+
+/// The files that were looked at so far: each is read once for all its uses.
+class KnownFiles {
+ public:
+  /// The task of one use, without its index. Throws Error.
+  MeshTask taskFor(const GeometryElement& source, const UriResolver& resolve) {
+    if (!source.fault.empty()) throw Error(ErrorCode::kBadGeometry, source.fault);
+    MeshTask task;
+    task.file = resolve(source.uri);
+    task.uri = source.uri;
+    task.scale = source.scale;
+    const auto known = files_.find(task.file);
+    const File file = known != files_.end() ? known->second : files_[task.file] = look(task.file);
+    task.sha256 = file.sha256;
+    task.changed = file.changed;
+    task.bytes = std::filesystem::file_size(task.file);
+    return task;
+  }
+
+ private:
+  struct File {
+    std::string sha256;
+    std::filesystem::file_time_type changed;
+  };
+
+  static File look(const std::string& file) {
+    std::error_code unreadable;  // as the next line finds, too
+    const auto changed = std::filesystem::last_write_time(file, unreadable);
+    return {sha256OfFile(file), changed};
+  }
+
+  std::map<std::string, File> files_;
+};
 
 }  // namespace
 
@@ -77,27 +98,23 @@ LinkChoice::LinkChoice(const std::string& expression, const RobotDescription& ro
                                          didYouMean(expression, names));
 }
 
-RobotResult robotResult(const RobotDescription& robot, const Options& options) {
+std::vector<MeshUse> meshUses(const RobotDescription& robot, const Options& options) {
   const LinkChoice chosen(options.links, robot);
-  RobotResult result;
-  result.robot_name = robot.name;
-  result.report.input_path = robot.path;
-  result.report.input_sha256 = sha256(robot.text);
-  result.report.options = options;
+  std::vector<MeshUse> uses;
   for (const LinkDescription& link : robot.links) {
     if (!chosen(link.name)) continue;
     const SourceElements source = sourceElements(link, options.source);
     for (std::size_t i = 0; i < source.elements.size(); ++i) {
-      if (isMesh(source.elements[i])) result.elements.push_back(meshElement(link, source, i, options));
+      const GeometryElement& element = source.elements[i];
+      if (isMesh(element)) uses.push_back({link.name, static_cast<int>(i), source.visual, element, link.pose * element.origin});
     }
   }
-  return result;
+  return uses;
 }
 
-std::vector<std::string> notesOnElements(const RobotDescription& robot, const std::vector<ElementResult>& elements,
-                                         const Options& options) {
+std::vector<std::string> notesOnUses(const RobotDescription& robot, const std::vector<MeshUse>& uses, const Options& options) {
   const LinkChoice chosen(options.links, robot);
-  if (!elements.empty()) return notesOnLeftOut(robot, chosen, options);
+  if (!uses.empty()) return notesOnLeftOut(robot, chosen, options);
   std::ptrdiff_t visuals = 0, collisions = 0;
   for (const LinkDescription& link : robot.links) {
     if (!chosen(link.name)) continue;
@@ -115,31 +132,25 @@ std::vector<std::string> notesOnElements(const RobotDescription& robot, const st
           others(collisions, "collision")};
 }
 
-std::vector<MeshTask> meshTasks(std::vector<ElementResult>& elements, const std::function<std::string(const std::string& uri)>& resolve) {
-  std::vector<MeshTask> tasks;
-  std::map<std::string, std::string> hashes;  // by file
-  std::map<std::string, std::filesystem::file_time_type> times;
+MeshTasks meshTasks(const std::vector<MeshUse>& uses, const UriResolver& resolve) {
+  MeshTasks result;
+  result.failed.resize(uses.size());
+  KnownFiles files;
   std::map<Sameness, std::size_t> known;  // index of the task
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    ElementReport& row = elements[i].report;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
     try {
-      if (!elements[i].source.fault.empty()) throw Error(ErrorCode::kBadGeometry, elements[i].source.fault);
-      const std::string file = resolve(row.uri);
-      if (hashes.count(file) == 0) {
-        std::error_code unreadable;  // as the next line finds, too
-        times[file] = std::filesystem::last_write_time(file, unreadable);
-        hashes[file] = sha256OfFile(file);
-      }
-      row.sha256 = hashes[file];
-      const auto [place, is_new] = known.emplace(sameness(row, file), tasks.size());
-      if (is_new) tasks.push_back({file, std::filesystem::file_size(file), {}, times[file]});
-      tasks[place->second].elements.push_back(i);
+      MeshTask task = files.taskFor(uses[i].source, resolve);
+      const auto [place, is_new] = known.emplace(sameness(task), result.tasks.size());
+      if (is_new) result.tasks.push_back(std::move(task));
+      result.tasks[place->second].uses.push_back(i);
     } catch (...) {
-      fail(elements[i]);
+      MeshResult failed;
+      fail(failed);
+      result.failed[i] = std::make_shared<const MeshResult>(std::move(failed));
     }
   }
-  std::stable_sort(tasks.begin(), tasks.end(), [](const MeshTask& a, const MeshTask& b) { return a.bytes > b.bytes; });
-  return tasks;
+  std::stable_sort(result.tasks.begin(), result.tasks.end(), [](const MeshTask& a, const MeshTask& b) { return a.bytes > b.bytes; });
+  return result;
 }
 
 std::vector<double> expectedCosts(const std::vector<MeshTask>& tasks) {
@@ -153,32 +164,6 @@ void expectUnchanged(const MeshTask& task) {
   if (std::filesystem::last_write_time(task.file, error) == task.changed && !error) return;
   throw Error(ErrorCode::kFileNotFound,
               "'" + task.file + "' changed or disappeared while it was being read; run again when it is complete");
-}
-
-void fail(ElementResult& element, const std::string& error, const std::string& reason) {
-  element.hulls.clear();
-  element.primitives.clear();
-  element.unneeded.clear();
-  ElementReport& row = element.report;
-  row.status = Status::kFailed;
-  row.error = error;
-  row.reason = reason;
-  row.hulls = row.hull_vertices = row.primitives = 0;  // nothing is written
-}
-
-void fail(ElementResult& element) {
-  try {
-    throw;
-  } catch (const Error& e) {
-    if (e.code() == ErrorCode::kCancelled) throw;
-    fail(element, name(e.code()), e.what());
-  } catch (const std::bad_alloc&) {
-    fail(element, name(ErrorCode::kInternal),
-         "out of memory for a mesh of " + std::to_string(element.report.triangles) +
-             " triangles; use fewer jobs, a larger tolerance or a coarser mesh");
-  } catch (const std::exception& e) {
-    fail(element, name(ErrorCode::kInternal), e.what());
-  }
 }
 
 }  // namespace collision_hulls

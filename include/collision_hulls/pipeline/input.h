@@ -1,0 +1,31 @@
+// What the command line's INPUT refers to: a package, a robot description or a mesh.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collision_hulls/report/options.h"
+#include "collision_hulls/robot/robot_description.h"
+
+namespace collision_hulls {
+
+struct Input {
+  enum class Kind { kRobot, kMesh } kind = Kind::kRobot;
+  std::string path;  ///< mesh file
+  RobotDescription robot;
+  PackageFinder find_package;
+};
+
+/// INPUT: a package name, a .urdf or .xacro file, or a mesh file. `package_path`: see
+/// defaultPackageFinder(). Throws the readers' errors; for a package with several descriptions the
+/// message lists a command of `program` for each.
+Input openInput(const std::string& input, const std::vector<std::string>& package_path = {},
+                const std::string& program = "decompose");
+
+/// "42 meshes of 17 links": what decompose() will read.
+std::string workOn(const Input& input, const Options& options);
+
+/// Default output folder: `./<robot>_collision`
+std::string defaultOutput(const Input& input);
+
+}  // namespace collision_hulls

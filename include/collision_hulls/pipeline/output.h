@@ -1,0 +1,30 @@
+// Writes what a run gives: the output package, or a single mesh's folder.
+#pragma once
+
+#include <string>
+
+#include "collision_hulls/control.h"
+#include "collision_hulls/pipeline/result.h"
+
+namespace collision_hulls {
+
+/// Writes the output and its report.json: into a temporary folder beside `output`, read back and
+/// compared, then put in place with one rename (exchange) so that a kill at any moment leaves the
+/// old or the new. Replaces an earlier output, whose files are taken over where they have the same
+/// content; refuses (kNotOurOutput) a folder that is not one. Fills seconds.write in the report.
+/// Where all meshes failed nothing is written, as an earlier output may be of use: then false.
+/// Throws kUnwritableOutput, and kCancelled, which leaves everything as it was.
+bool writeOutput(RobotResult& result, const std::string& output, const RunControl& control = {});
+
+/// Throws what writeOutput would throw for such a folder, before the long work. Leaves nothing
+/// behind.
+void checkOutput(const std::string& output);
+
+/// How to use a written output, in lines for a terminal: where it is, how ROS finds it, and what
+/// loads it.
+std::string howToUse(const RobotResult& result, const std::string& output);
+
+/// Writes the report alone, as JSON, in one rename. Throws kUnwritableOutput.
+void writeReport(const Report& report, const std::string& file);
+
+}  // namespace collision_hulls

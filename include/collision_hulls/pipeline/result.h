@@ -1,0 +1,55 @@
+// What a run gives, and what it says on its way: the words that its entry points share.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/geometry/convex_hull.h"
+#include "collision_hulls/report/report.h"
+#include "collision_hulls/robot/robot_description.h"
+
+namespace collision_hulls {
+
+/// The geometry of one mesh of one link; its row in the report says how well the hulls fit.
+/// Coordinates after the row's scale, in the element's own frame (before its `<origin>`).
+struct ElementResult {
+  std::string link;
+  GeometryElement source;
+  /// Of the element's frame in the robot's zero configuration.
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  TriangleMesh original;          ///< as read and scaled
+  std::vector<ConvexHull> hulls;  ///< as written; empty if the row's status is failed
+  /// In its frame; replace the files of the last hulls, which enclose them.
+  std::vector<GeometryElement> primitives;
+  std::vector<ConvexHull> unneeded;  ///< finer hulls that a scene did not need
+};
+
+struct RobotResult {
+  Report report;
+  std::vector<ElementResult> elements;  ///< report.links[i] is the row of elements[i]
+  std::string robot_name;               ///< or the mesh's stem
+  /// Rewritten description, URIs as the output package will hold them; empty for a single mesh.
+  std::string urdf;
+  bool single_mesh = false;
+  /// Further files of the output package: path in it, content.
+  std::map<std::string, std::string> extra_files;
+  /// Hulls of earlier outputs that the description keeps: path in the package, content.
+  std::map<std::string, std::string> kept_files;
+};
+
+/// What a run is doing, for bars and feedback.
+struct Step {
+  std::string stage;  ///< "read", "decompose", "fit" and "certify" (to a scene), "validate"
+  std::string item;   ///< link of the mesh finished last; empty where the stage has none
+  std::size_t done = 0, total = 0, hulls = 0;  ///< meshes finished, all meshes, hulls so far
+  double fraction = 0;  ///< share of the whole run done, in [0, 1], never decreasing; 1 at the end
+  double seconds_left = -1;  ///< a rough estimate; negative where there is none yet
+};
+/// Called at the start of each stage, for each finished mesh, and at most every 0.2 s in between;
+/// one call at a time, from any thread.
+using StepCallback = std::function<void(const Step&)>;
+
+}  // namespace collision_hulls

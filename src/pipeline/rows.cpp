@@ -1,0 +1,102 @@
+// A row is what the description says of a mesh (its use), what the stages found out (its result), and the names of the files that its hulls
+// will have. Nothing else writes rows, but for the time that writing the files takes (output.cpp).
+#include "pipeline/rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "base/millimetres.h"
+#include "storage/names.h"
+
+namespace collision_hulls {
+namespace {
+
+/// Names the files of hulls.
+class HullFiles {
+ public:
+  explicit HullFiles(const RobotResult& result) : result_(result), suffix_(extension(result.report.options.format)) {}
+
+  std::vector<std::string> of(const MeshUse& use, const MeshResult& mesh) {
+    std::vector<std::string> files;
+    if (result_.single_mesh && !mesh.hulls.empty()) files.push_back(fileName(result_.robot_name) + "_hulls.obj");
+    const std::string stem = result_.single_mesh ? "hull_" : "meshes/" + folderOf(use.link) + "/" + std::to_string(use.element) + "_";
+    for (std::size_t m = 0; m + mesh.primitives.size() < mesh.hulls.size(); ++m) files.push_back(stem + std::to_string(m) + suffix_);
+    return files;
+  }
+
+ private:
+  const std::string& folderOf(const std::string& link) {
+    std::string& folder = folders_[link];
+    if (folder.empty()) folder = names_.take(fileName(link));
+    return folder;
+  }
+
+  const RobotResult& result_;
+  const std::string suffix_;
+  UniqueNames names_;
+  std::map<std::string, std::string> folders_;  // by link
+};
+
+ElementReport rowOf(const MeshUse& use, const MeshResult& mesh, Method method) {
+  ElementReport row;
+  static_cast<MeshFacts&>(row) = mesh.mesh;
+  static_cast<HullFacts&>(row) = mesh.model;
+  row.link = use.link;
+  row.element = use.element;
+  row.visual = use.visual;
+  row.uri = use.source.uri;
+  row.scale = use.source.scale;
+  row.method = method;
+  row.status = mesh.status;
+  row.reason = mesh.reason;
+  row.error = mesh.error;
+  row.seconds = mesh.seconds;
+  row.cached = mesh.cached;
+  return row;
+}
+
+/// URDF and most mesh formats mean metres; a mesh that is larger than any robot link was probably drawn in millimetres.
+void noteHugeMeshes(Report& report) {
+  constexpr double kHuge = 20;  // [m]
+  const auto is_huge = [](const ElementReport& row) { return row.status != Status::kFailed && row.diagonal > kHuge; };
+  const auto first = std::find_if(report.links.begin(), report.links.end(), is_huge);
+  if (first == report.links.end()) return;
+  const auto others = std::count_if(first, report.links.end(), is_huge) - 1;
+  report.notes.push_back("'" + first->uri + "' is " + std::to_string(std::lround(first->diagonal)) + " m across" +
+                         (others > 0 ? ", and " + std::to_string(others) + " others are over 20 m" : "") +
+                         ": if its numbers are millimetres, scale it by 0.001 (scale=\"0.001 0.001 0.001\" in a description)");
+}
+
+/// One hull is enough for a mesh that is smaller than the tolerance.
+void noteSmallMeshes(Report& report) {
+  const auto is_small = [](const ElementReport& row) { return row.status != Status::kFailed && row.tolerance > row.diagonal; };
+  const auto first = std::find_if(report.links.begin(), report.links.end(), is_small);
+  if (first == report.links.end()) return;
+  const auto others = std::count_if(first, report.links.end(), is_small) - 1;
+  report.notes.push_back("the tolerance of " + millimetres(first->tolerance) + " is larger than '" + first->uri + "', which is " +
+                         millimetres(first->diagonal) + " across" +
+                         (others > 0 ? ", and than " + std::to_string(others) + " other meshes" : "") +
+                         ": one hull covers each; for more detail give a smaller tolerance, or one with a share, as in 1cm,5%");
+}
+
+}  // namespace
+
+void putTogether(const std::vector<MeshUse>& uses, const MeshResults& results, RobotResult& result) {
+  HullFiles files(result);
+  std::set<const MeshResult*> timed;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const MeshUse& use = uses[i];
+    const MeshResult& mesh = *results[i];
+    ElementReport row = rowOf(use, mesh, result.report.options.method);
+    if (!timed.insert(&mesh).second) row.seconds = {};  // its time counts once
+    row.files = files.of(use, mesh);
+    result.report.links.push_back(std::move(row));
+    result.elements.push_back({use.link, use.source, use.pose, mesh.original, mesh.hulls, mesh.primitives, mesh.unneeded});
+  }
+  noteHugeMeshes(result.report);
+  noteSmallMeshes(result.report);
+}
+
+}  // namespace collision_hulls

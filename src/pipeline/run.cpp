@@ -1,0 +1,50 @@
+// What decomposing a robot and fitting it to a scene have in common, from the list of its meshes to the rows of the report.
+#include "pipeline/run.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "base/parallel.h"
+#include "pipeline/rows.h"
+#include "storage/sha256.h"
+
+namespace collision_hulls {
+
+RobotResult emptyResult(const RobotDescription& robot, const Options& options) {
+  RobotResult result;
+  result.robot_name = robot.name;
+  result.report.input_path = robot.path;
+  result.report.input_sha256 = sha256(robot.text);
+  result.report.options = options;
+  return result;
+}
+
+void runStages(const RunInput& input, RobotResult& result, const std::function<void(Run&)>& stages) {
+  const Options& options = result.report.options;
+  Cache cache(options.cache ? cacheFolder() : std::filesystem::path());
+  MeshResults results;
+  withJobs(options.jobs, [&] {
+    Progress progress(input.control, input.step, input.uses.size());
+    MeshTasks found = meshTasks(input.uses, input.resolve);
+    progress.begin("decompose", input.meshes_end, expectedCosts(found.tasks));
+    for (std::size_t i = 0; i < input.uses.size(); ++i)
+      if (found.failed[i]) progress.finishElement(input.uses[i].link, 0);
+    Run run{options, input.uses, found.tasks, cache, progress, std::move(found.failed), result.report};
+    stages(run);
+    progress.end();
+    results = std::move(run.results);
+  });
+  cache.trim();
+  result.report.notes = cache.notes();
+  putTogether(input.uses, results, result);
+}
+
+void finishTask(std::size_t task, std::shared_ptr<const MeshResult> mesh, std::size_t hulls, Run& run) {
+  run.progress.finish(task);
+  for (const std::size_t use : run.tasks[task].uses) {
+    run.results[use] = mesh;
+    run.progress.finishElement(run.uses[use].link, hulls);
+  }
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,46 @@
+// The frame that every run has: cache, tasks, progress, and the report at the end.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "collision_hulls/pipeline/result.h"
+#include "pipeline/cache.h"
+#include "pipeline/mesh_uses.h"
+#include "pipeline/progress.h"
+
+namespace collision_hulls {
+
+/// What the stages of a run work with, and what they leave behind. Stages that work on several tasks at once write to different results.
+struct Run {
+  const Options& options;
+  const std::vector<MeshUse>& uses;
+  const std::vector<MeshTask>& tasks;
+  Cache& cache;
+  Progress& progress;
+  MeshResults results;  ///< by use: at the end all of them
+  Report& report;       ///< for what is no row
+};
+
+/// What is known of a run on a robot before it begins.
+RobotResult emptyResult(const RobotDescription& robot, const Options& options);
+
+/// The meshes of a run, and who follows it.
+struct RunInput {
+  const std::vector<MeshUse>& uses;
+  UriResolver resolve;
+  double meshes_end = 1;  ///< share of the run's time, approximately, at which the first stage, "decompose", ends
+  const RunControl& control;
+  const StepCallback& step;
+};
+
+/// Lets `stages` work on the meshes that have a file, on as many threads as the options of the report allow, then fills the report's rows,
+/// the elements, and the notes of the cache.
+void runStages(const RunInput& input, RobotResult& result, const std::function<void(Run&)>& stages);
+
+/// A task of the first stage is done: hands its result to all of its uses. `hulls`: how many the progress shows for each.
+void finishTask(std::size_t task, std::shared_ptr<const MeshResult> mesh, std::size_t hulls, Run& run);
+
+}  // namespace collision_hulls

@@ -1,0 +1,39 @@
+// What a robot is fitted to, read from the files and texts that a user gives.
+#include <utility>
+
+#include "collision_hulls/error.h"
+#include "collision_hulls/pipeline/fit_scene.h"
+
+namespace collision_hulls {
+
+SceneRequest readSceneRequest(const Input& input, const SceneSources& sources) {
+  if (sources.max_step != 0 && sources.configurations.empty())
+    throw Error(ErrorCode::kBadOption,
+                "max-step '" + std::to_string(sources.max_step) + "' interpolates between given configurations; give some, or omit it");
+  SceneRequest request;
+  if (!sources.scene.empty()) request.scene = readScene(sources.scene, input.find_package);
+  if (!sources.srdf.empty() || !sources.srdf_file.empty()) {
+    DisabledPairs disabled = parseDisabledPairs(sources.srdf, input.robot, sources.srdf_file);
+    request.disabled = std::move(disabled.pairs);
+    request.notes = std::move(disabled.notes);
+  }
+  if (!sources.configurations.empty()) {
+    const ConfigurationOptions options = givenConfigurations(sources.max_step);
+    giveConfigurations(readConfigurations(sources.configurations, Kinematics(input.robot), options), request);
+  }
+  return request;
+}
+
+ConfigurationOptions givenConfigurations(double max_step) {
+  ConfigurationOptions options;
+  options.max_step = max_step;
+  options.refuse_beyond_limits = true;
+  return options;
+}
+
+void giveConfigurations(ConfigurationSet given, SceneRequest& request) {
+  request.configurations = std::move(given.configurations);
+  request.notes.insert(request.notes.end(), given.notes.begin(), given.notes.end());
+}
+
+}  // namespace collision_hulls

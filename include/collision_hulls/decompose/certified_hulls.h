@@ -9,9 +9,8 @@
 //
 // What is promised, of the mesh as it is given and of the hulls as they are returned:
 //
-//   cover   Every point of every triangle lies in a hull, up to the rounding errors of deciding
-//   that
-//           (1e-12 of the coordinates' size, see uncovered()).
+//   cover   Every point of every triangle lies in a hull, up to the rounding errors of the test:
+//           1e-12 of the coordinates' size, see uncovered().
 //   bound   No point of a hull is further than `bound` from S, the solid that the mesh represents:
 //           its surface, and what that encloses. See Solid, also for what is assumed of meshes
 //           with openings.
@@ -39,8 +38,9 @@ struct CertifiedHulls {
   std::vector<ConvexHull> hulls;
   /// Proved: no point of a hull is further from S.
   double bound = 0;
-  /// The largest distance that the search met, at `where`, a point of a hull; `nearest` is the
-  /// point of S nearest to it. `found` and `bound` enclose the true protrusion.
+  /// The largest distance found, at `where`, a point of a hull; `nearest` is the point of S nearest
+  /// to it. The true protrusion lies between `found` and `bound`. If S has openings, `found` refers
+  /// to the surface; S may be nearer.
   double found = 0;
   Eigen::Vector3d where = Eigen::Vector3d::Zero();
   Eigen::Vector3d nearest = Eigen::Vector3d::Zero();

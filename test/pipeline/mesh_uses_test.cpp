@@ -1,0 +1,97 @@
+#include "pipeline/mesh_uses.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "collision_hulls/error.h"
+#include "pipeline/fixtures.h"
+
+namespace collision_hulls {
+namespace {
+
+using fixtures::TempFolder;
+
+MeshUse use(const std::string& uri, const Eigen::Vector3d& scale = Eigen::Vector3d::Ones()) {
+  MeshUse use;
+  use.source.uri = uri;
+  use.source.scale = scale;
+  return use;
+}
+
+class MeshTaskTest : public ::testing::Test {
+ protected:
+  MeshTaskTest() {
+    fixtures::write(folder_ / "a.stl", "same content");
+    fixtures::write(folder_ / "b.stl", "same content");
+    fixtures::write(folder_ / "c.obj", "same content");
+    fixtures::write(folder_ / "large.stl", std::string(1000, ' '));
+  }
+
+  /// The uses of each task, in the tasks' order.
+  std::vector<std::vector<std::size_t>> groups(const std::vector<MeshUse>& uses) {
+    found_ = meshTasks(uses, [&](const std::string& uri) { return folder_ / uri; });
+    std::vector<std::vector<std::size_t>> groups;
+    for (const MeshTask& task : found_.tasks) groups.push_back(task.uses);
+    return groups;
+  }
+
+  using Groups = std::vector<std::vector<std::size_t>>;
+  TempFolder folder_;
+  MeshTasks found_;
+};
+
+TEST_F(MeshTaskTest, ContentKindOfFileAndScaleMakeATask) {
+  EXPECT_EQ(groups({}), Groups());
+  EXPECT_EQ(groups({use("a.stl"), use("c.obj"), use("b.stl"), use("a.stl", {1, 1, -1}), use("a.stl")}), (Groups{{0, 2, 4}, {1}, {3}}));
+  EXPECT_EQ(found_.tasks[0].uri, "a.stl");
+  EXPECT_EQ(found_.tasks[2].scale, Eigen::Vector3d(1, 1, -1));
+  EXPECT_EQ(found_.tasks[0].sha256, found_.tasks[1].sha256);
+  EXPECT_TRUE(std::none_of(found_.failed.begin(), found_.failed.end(), [](const auto& failed) { return failed; }));
+}
+
+TEST_F(MeshTaskTest, LargestFileFirst) {
+  EXPECT_EQ(groups({use("a.stl"), use("large.stl")}), (Groups{{1}, {0}}));
+}
+
+TEST_F(MeshTaskTest, AMeshWithoutAFileFailsAlone) {
+  MeshUse faulty = use("a.stl");
+  faulty.source.fault = "line 7: no";
+  EXPECT_EQ(groups({use("none.stl"), use("a.stl"), faulty}), Groups{{1}});
+  ASSERT_EQ(found_.failed.size(), 3u);
+  EXPECT_EQ(found_.failed[0]->error, "FileNotFound");
+  EXPECT_EQ(found_.failed[1], nullptr);
+  EXPECT_EQ(found_.failed[2]->error, "BadGeometry");
+  EXPECT_EQ(found_.failed[2]->reason, "line 7: no");
+}
+
+TEST(Fail, DropsWhatWasMadeAndKeepsWhatWasRead) {
+  MeshResult result;
+  result.mesh.triangles = 12;
+  result.model.hulls = 3;
+  result.hulls.resize(3);
+  result.unneeded.resize(1);
+  try {
+    throw std::bad_alloc();
+  } catch (...) {
+    fail(result);
+  }
+  EXPECT_EQ(result.status, Status::kFailed);
+  EXPECT_EQ(result.error, "Internal");
+  EXPECT_EQ(result.reason.substr(0, 43), "out of memory for a mesh of 12 triangles; u");
+  EXPECT_EQ(result.mesh.triangles, 12u);
+  EXPECT_EQ(result.model.hulls + result.hulls.size() + result.unneeded.size(), 0u);
+}
+
+TEST(Fail, ACancelledRunIsNoFailure) {
+  MeshResult result;
+  try {
+    throw Error(ErrorCode::kCancelled, "cancelled");
+  } catch (...) {
+    EXPECT_THROW(fail(result), Error);
+  }
+  EXPECT_EQ(result.status, Status::kOk);
+}
+
+}  // namespace
+}  // namespace collision_hulls

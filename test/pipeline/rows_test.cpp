@@ -1,0 +1,108 @@
+#include "pipeline/rows.h"
+
+#include <gtest/gtest.h>
+
+#include "shapes.h"
+
+namespace collision_hulls {
+namespace {
+
+using Files = std::vector<std::string>;
+
+MeshUse use(const std::string& link, int element = 0) {
+  MeshUse use;
+  use.link = link;
+  use.element = element;
+  use.source.uri = link + ".stl";
+  use.source.scale = {1, 2, 3};
+  return use;
+}
+
+MeshResult boxes(std::size_t count) {
+  MeshResult result;
+  result.mesh.sha256 = "abc";
+  result.mesh.diagonal = 1;
+  result.mesh.tolerance = 0.01;
+  result.model.protrusion = 0.005;
+  result.status = Status::kDegraded;
+  result.reason = "why";
+  result.seconds.decompose = 7;
+  result.hulls.assign(count, convexHull(test_shapes::box(1, 1, 1).vertices));
+  return result;
+}
+
+std::shared_ptr<const MeshResult> shared(MeshResult result) {
+  return std::make_shared<const MeshResult>(std::move(result));
+}
+
+TEST(PutTogether, OfNothing) {
+  RobotResult result;
+  putTogether({}, {}, result);
+  EXPECT_TRUE(result.report.links.empty() && result.elements.empty() && result.report.notes.empty());
+}
+
+TEST(PutTogether, ARowHasItsUseItsResultAndItsFiles) {
+  RobotResult result;
+  result.report.options.method = Method::kAcd;
+  putTogether({use("arm", 2)}, {shared(boxes(2))}, result);
+  const ElementReport& row = result.report.links.at(0);
+  EXPECT_EQ(row.link, "arm");
+  EXPECT_EQ(row.element, 2);
+  EXPECT_EQ(row.uri, "arm.stl");
+  EXPECT_EQ(row.scale, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(row.method, Method::kAcd);
+  EXPECT_EQ(row.sha256, "abc");
+  EXPECT_EQ(row.protrusion, 0.005);
+  EXPECT_EQ(row.status, Status::kDegraded);
+  EXPECT_EQ(row.reason, "why");
+  EXPECT_EQ(row.files, (Files{"meshes/arm/2_0.stl", "meshes/arm/2_1.stl"}));
+  EXPECT_EQ(result.elements.at(0).link, "arm");
+  EXPECT_EQ(result.elements.at(0).hulls.size(), 2u);
+}
+
+TEST(PutTogether, TheTimeOfASharedMeshCountsOnce) {
+  RobotResult result;
+  const auto mesh = shared(boxes(1));
+  putTogether({use("a"), use("b"), use("c")}, {mesh, shared(boxes(1)), mesh}, result);
+  const std::vector<ElementReport>& rows = result.report.links;
+  EXPECT_EQ(rows[0].seconds.decompose, 7);
+  EXPECT_EQ(rows[1].seconds.decompose, 7) << "an equal mesh, but worked on by itself";
+  EXPECT_EQ(rows[2].seconds.decompose, 0);
+}
+
+TEST(PutTogether, PrimitivesHaveNoFiles) {
+  RobotResult result;
+  MeshResult mesh = boxes(3);
+  mesh.primitives.resize(2);
+  putTogether({use("arm")}, {shared(std::move(mesh))}, result);
+  EXPECT_EQ(result.report.links[0].files, Files{"meshes/arm/0_0.stl"});
+}
+
+TEST(PutTogether, ASingleMeshHasAFileOfAllHullsFirst) {
+  RobotResult result;
+  result.single_mesh = true;
+  result.robot_name = "my part";
+  putTogether({use("my part")}, {shared(boxes(1))}, result);
+  EXPECT_EQ(result.report.links[0].files, (Files{"my_part_hulls.obj", "hull_0.stl"}));
+  RobotResult failed;
+  failed.single_mesh = true;
+  putTogether({use("part")}, {shared(boxes(0))}, failed);
+  EXPECT_TRUE(failed.report.links[0].files.empty());
+}
+
+TEST(PutTogether, NotesSuspiciousSizesOfMeshesThatDidNotFail) {
+  MeshResult huge = boxes(1), small = boxes(1), failed = boxes(0);
+  huge.mesh.diagonal = 21.4;
+  small.mesh.diagonal = 0.009;
+  failed.mesh.diagonal = 0;
+  failed.status = Status::kFailed;
+  RobotResult result;
+  putTogether({use("a"), use("b"), use("c")}, {shared(failed), shared(small), shared(huge)}, result);
+  ASSERT_EQ(result.report.notes.size(), 2u);
+  EXPECT_EQ(result.report.notes[0].substr(0, 18), "'c.stl' is 21 m ac") << result.report.notes[0];
+  EXPECT_EQ(result.report.notes[1].substr(0, 67), "the tolerance of 10 mm is larger than 'b.stl', which is 9 mm across")
+      << result.report.notes[1];
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -9,7 +9,7 @@ namespace {
 
 /// Whether a node's hull keeps the tolerance after its vertices are reduced.
 bool keepsTolerance(const HullNode& node, const DecomposeOptions& options) {
-  if (options.max_vertices == 0) return true;
+  if (!exceedsCap(node.hull, options.max_vertices)) return node.protrusion <= options.tolerance;
   const ConvexHull reduced = reduceVertices(node.hull, options.max_vertices);
   return node.protrusion + addedDistance(reduced, node.hull) <= options.tolerance;
 }
@@ -36,8 +36,7 @@ Decomposition hullsOfTree(const HullTree& tree, const DecomposeOptions& options)
   result.capped = options.max_hulls > 0 && cut.size() > static_cast<std::size_t>(options.max_hulls);
   if (result.capped) cut = tree.cutTo(options.max_hulls);
   result.hulls = tree.hullsOf(cut);
-  if (options.max_vertices > 0)
-    for (ConvexHull& hull : result.hulls) hull = reduceVertices(hull, options.max_vertices);
+  for (ConvexHull& hull : result.hulls) hull = capped(hull, options.max_vertices);
   return result;
 }
 

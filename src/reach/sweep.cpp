@@ -12,12 +12,11 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kArc = kPi / 8;           // longest piece of an arc [rad]; the corners of such pieces lie 2 % of the radius further out
-constexpr std::size_t kMostVertices = 64;  // of a swept body; reduceVertices() replaces more by fewer that lie further out
+constexpr std::size_t kMostVertices = 64;  // of a swept body; capped() replaces more by fewer that lie further out
 constexpr std::size_t kMostOfLink = 256;   // the same for a link itself
 
 std::vector<Eigen::Vector3d> hullPoints(const std::vector<Eigen::Vector3d>& points, std::size_t most) {
-  const ConvexHull hull = convexHull(points);
-  return hull.vertices.size() <= most ? hull.vertices : reduceVertices(hull, static_cast<int>(most)).vertices;
+  return capped(convexHull(points), static_cast<int>(most)).vertices;
 }
 
 PointMatrix toMatrix(const std::vector<Eigen::Vector3d>& points) {

@@ -36,7 +36,7 @@ void fields(Archive& archive, HullFacts& facts) {
 
 template <typename Archive>
 void fields(Archive& archive, MeshResult& result) {
-  auto& [mesh, model, status, reason, error, seconds, cached, original, hulls, primitives, unneeded, solid] = result;
+  auto& [mesh, model, status, reason, error, seconds, cached, original, hulls, primitives, unneeded, segments, solid] = result;
   archive(mesh, model, status, reason, error, original, hulls);
 }
 
@@ -69,8 +69,8 @@ std::string meshBytes(const MeshTask& task) {
 }  // namespace
 
 std::string meshKey(const MeshTask& task, const Options& options) {
-  const auto& [tolerance, method, effort, tree, fill, max_hulls, max_vertices, links, source, scale, format, uri, package_name, jobs,
-               validate, cache, seed] = options;
+  const auto& [tolerance, method, effort, tree, fill, segments, max_hulls, max_vertices, links, source, scale, format, uri, package_name,
+               jobs, validate, cache, seed] = options;
   return keyOf("mesh", meshBytes(task), tolerance, method, effort, tree.has_value(), tree.value_or(Length{}), fill, max_hulls, max_vertices,
                seed);
 }

@@ -80,13 +80,26 @@ std::optional<MeshResult> remembered(const std::string& key, Cache& cache) {
   return known;
 }
 
+/// The clusters, for hulls from the cache as well: it does not keep them.
+void addSegments(std::size_t index, Run& run, MeshResult& result) {
+  RunControl control;
+  run.progress.follow(control, index, 1, 1);
+  try {
+    result.segments = std::make_shared<const Segments>(segmentsOf(result.original, result.mesh.tolerance, control));
+  } catch (...) {
+    fail(result);
+  }
+}
+
 void decomposeTask(std::size_t index, Run& run) {
   const MeshTask& task = run.tasks[index];
   const std::string key = meshKey(task, run.options);
   std::optional<MeshResult> known = remembered(key, run.cache);
   if (known) run.progress.skip(index);
-  const auto result = std::make_shared<const MeshResult>(known ? *std::move(known) : decomposed(task, index, key, run));
-  finishTask(index, result, result->hulls.size(), run);
+  MeshResult result = known ? *std::move(known) : decomposed(task, index, key, run);
+  if (run.options.segments && result.status != Status::kFailed) addSegments(index, run, result);
+  const std::size_t hulls = result.hulls.size();
+  finishTask(index, std::make_shared<const MeshResult>(std::move(result)), hulls, run);
 }
 
 /// 5. Validate by queries: the original against the hulls. From the cache if possible.

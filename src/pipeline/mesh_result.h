@@ -7,6 +7,7 @@
 
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/measure/solid.h"
+#include "collision_hulls/pipeline/segments.h"
 #include "collision_hulls/report/report.h"
 #include "collision_hulls/robot/robot_description.h"
 
@@ -22,9 +23,10 @@ struct MeshResult {
   bool cached = false;
   TriangleMesh original;
   std::vector<ConvexHull> hulls;
-  std::vector<GeometryElement> primitives;  ///< see ElementResult
-  std::vector<ConvexHull> unneeded;         ///< see ElementResult
-  std::shared_ptr<const Solid> solid;       ///< of `original`; null if the hulls are from the cache
+  std::vector<GeometryElement> primitives;   ///< see ElementResult
+  std::vector<ConvexHull> unneeded;          ///< see ElementResult
+  std::shared_ptr<const Segments> segments;  ///< see ElementResult
+  std::shared_ptr<const Solid> solid;        ///< of `original`; null if the hulls are from the cache
 };
 
 /// One for each use of a mesh; uses of the same mesh, with the same hulls, share theirs.

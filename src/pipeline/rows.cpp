@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <set>
 
@@ -57,6 +58,20 @@ ElementReport rowOf(const MeshUse& use, const MeshResult& mesh, Method method) {
   return row;
 }
 
+/// segments/<link>/<n>.ply and .csv, with the folders that the hulls of a link have in meshes/; for a single mesh segments.ply and
+/// hierarchy.csv.
+void addSegmentFiles(RobotResult& result) {
+  for (std::size_t i = 0; i < result.elements.size(); ++i) {
+    const ElementReport& row = result.report.links[i];
+    if (!result.elements[i].segments || row.files.empty()) continue;
+    const Segments& segments = *result.elements[i].segments;
+    const std::string folder = std::filesystem::path(row.files.front()).parent_path().filename().string();
+    const std::string stem = "segments/" + folder + "/" + std::to_string(row.element);
+    result.extra_files[result.single_mesh ? "segments.ply" : stem + ".ply"] = segmentsPly(segments);
+    result.extra_files[result.single_mesh ? "hierarchy.csv" : stem + ".csv"] = hierarchyCsv(segments);
+  }
+}
+
 /// URDF and most mesh formats mean metres; a mesh that is larger than any robot link was probably drawn in millimetres.
 void noteHugeMeshes(Report& report) {
   constexpr double kHuge = 20;  // [m]
@@ -93,8 +108,9 @@ void putTogether(const std::vector<MeshUse>& uses, const MeshResults& results, R
     if (!timed.insert(&mesh).second) row.seconds = {};  // its time counts once
     row.files = files.of(use, mesh);
     result.report.links.push_back(std::move(row));
-    result.elements.push_back({use.link, use.source, use.pose, mesh.original, mesh.hulls, mesh.primitives, mesh.unneeded});
+    result.elements.push_back({use.link, use.source, use.pose, mesh.original, mesh.hulls, mesh.primitives, mesh.unneeded, mesh.segments});
   }
+  addSegmentFiles(result);
   noteHugeMeshes(result.report);
   noteSmallMeshes(result.report);
 }

@@ -193,6 +193,9 @@ void check(const Options& options) {
   if (options.tree && options.method != Method::kCertified)
     throw Error(ErrorCode::kBadOption,
                 std::string("tree needs method 'certified'; leave it out with method '") + name(options.method) + "'");
+  if (options.segments && options.method != Method::kHacd)
+    throw Error(ErrorCode::kBadOption, std::string("segments needs method 'hacd', whose clusters it shows; leave it out with method '") +
+                                           name(options.method) + "', or choose --method hacd");
   if (options.tree && alwaysLarger(*options.tree, tolerance))
     badOption("tree", toString(*options.tree), "a length up to the tolerance, which is " + toString(tolerance));
   checkRange("max-hulls", options.max_hulls, 1, kMostHulls, "no limit");

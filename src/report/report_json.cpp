@@ -38,6 +38,7 @@ json toJson(const Options& options) {
           {"effort", name(options.effort)},
           {"fill", options.fill},
           {"tree", options.tree ? toString(*options.tree) : ""},
+          {"segments", options.segments},
           {"max-hulls", options.max_hulls},
           {"max-vertices", options.max_vertices},
           {"links", options.links},

@@ -8,6 +8,7 @@
 
 #include "annotations.h"
 #include "collision_hulls/error.h"
+#include "collision_hulls/pipeline/segments.h"
 
 namespace collision_hulls {
 namespace {
@@ -77,6 +78,24 @@ void drawUnneeded(const Link& link, Pen& pen, MarkerList& list) {
       addTriangles(hull.vertices, hull.triangles, marker);
       marker.color = colour(0.5, 0.5, 0.5, 0.35);
     }
+  }
+}
+
+/// A mesh in the colours of its clusters.
+void drawSegments(const Link& link, Pen& pen, MarkerList& list) {
+  for (const ElementResult* element : link.elements) {
+    if (!element->segments) continue;
+    Marker& marker = pen.add(list, "segments", link.name, Marker::TRIANGLE_LIST, element->source.origin);
+    const TriangleMesh& mesh = element->segments->mesh;
+    const std::vector<std::vector<int>>& clusters = element->segments->segmentation.clusters;
+    for (std::size_t k = 0; k < clusters.size(); ++k) {
+      const Rgb rgb = clusterColour(k);
+      std::vector<Triangle> triangles;
+      for (const int t : clusters[k]) triangles.push_back(mesh.triangles[static_cast<std::size_t>(t)]);
+      addTriangles(mesh.vertices, triangles, marker);
+      marker.colors.resize(marker.points.size(), colour(rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0, 1));
+    }
+    marker.color = colour(1, 1, 1, 1);
   }
 }
 
@@ -191,6 +210,7 @@ Drawing drawResult(const RobotResult& result, const RobotDescription& original, 
     drawHulls(link, opacity, pen, drawing.hulls);
     drawPrimitives(link, description, opacity, pen, drawing.hulls);
     drawUnneeded(link, pen, drawing.unneeded);
+    drawSegments(link, pen, drawing.segments);
     drawOriginals(link, pen, drawing.original);
     drawWorst(link, size.radius, hulls, pen, drawing.protrusion);
     labels.push_back(labelOf(link, description));

@@ -18,6 +18,7 @@ struct Drawing {
   MarkerList protrusion;  ///< worst/: sphere and arrow at the place of largest protrusion, and its size as text
   MarkerList labels;      ///< labels/: "forearm: 5 hulls, 4.8 mm", with a line to the link
   MarkerList unneeded;    ///< unneeded/: grey, finer hulls that a scene did not need
+  MarkerList segments;    ///< segments/: a TRIANGLE_LIST per mesh, coloured by cluster
   MarkerList scene;       ///< scene: one TRIANGLE_LIST of all bodies
 };
 

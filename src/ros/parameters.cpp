@@ -105,6 +105,7 @@ Options readOptions(const ros::NodeHandle& node) {
   readNamed(node, "method", methodNamed, methodChoices(), options.method);
   readNamed(node, "effort", effortNamed, effortChoices(), options.effort);
   readFlag(node, "fill", options.fill);
+  readFlag(node, "segments", options.segments);
   options.tree = readLength(node, "tree");
   if (options.tree && options.tree->limit == 0) options.tree.reset();
   readNumber(node, "max_hulls", options.max_hulls);

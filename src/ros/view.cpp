@@ -46,7 +46,7 @@ StepCallback ViewedRun::shown(StepCallback step) const {
 
 View::View(const ros::NodeHandle& node) : node_(node) {
   opacity_ = std::clamp(node_.param("opacity", kOpacity), 0.0, 1.0);
-  const char* const names[kTopics] = {"hulls", "original", "protrusion", "labels", "unneeded", "scene", "progress", "markers"};
+  const char* const names[kTopics] = {"hulls", "original", "protrusion", "labels", "unneeded", "segments", "scene", "progress", "markers"};
   const auto connected = [this](const ros::SingleSubscriberPublisher&) { subscribed(); };
   for (std::size_t i = 0; i < kTopics; ++i)
     displays_[i].publisher = node_.advertise<visualization_msgs::MarkerArray>(names[i], 1, connected, {}, ros::VoidConstPtr(), true);
@@ -101,7 +101,7 @@ void View::put(Drawing drawing) {
   drawn_.clear();
   MarkerList all;
   for (const MarkerList* list :
-       {&drawing.hulls, &drawing.original, &drawing.protrusion, &drawing.labels, &drawing.unneeded, &drawing.scene})
+       {&drawing.hulls, &drawing.original, &drawing.protrusion, &drawing.labels, &drawing.unneeded, &drawing.segments, &drawing.scene})
     all.insert(all.end(), list->begin(), list->end());
   put(kAll, std::move(all));
   put(kHulls, std::move(drawing.hulls));
@@ -109,6 +109,7 @@ void View::put(Drawing drawing) {
   put(kProtrusion, std::move(drawing.protrusion));
   put(kLabels, std::move(drawing.labels));
   put(kUnneeded, std::move(drawing.unneeded));
+  put(kSegments, std::move(drawing.segments));
   put(kScene, std::move(drawing.scene));
   repeatSoon();
 }

@@ -16,8 +16,8 @@
 namespace collision_hulls {
 
 /// Publishes what there is to see of a run, from its start to its result: latched MarkerArrays on ~hulls, ~original, ~protrusion, ~labels,
-/// ~unneeded, ~scene and ~progress, one display each, and on ~markers all but the progress. Every array first deletes the markers of the
-/// one before. Sets the parameter ~view to the robot's name, root link and bounds, for the camera.
+/// ~unneeded, ~segments, ~scene and ~progress, one display each, and on ~markers all but the progress. Every array first deletes the
+/// markers of the one before. Sets the parameter ~view to the robot's name, root link and bounds, for the camera.
 ///
 /// rviz drops markers whose frame it does not know (yet), and latched ones never come again. So all is published again, a few times at
 /// growing intervals, after each new subscriber and after each link's first transform on /tf or /tf_static. Thread safe; needs a spinner.
@@ -39,7 +39,7 @@ class View {
   void end();
 
  private:
-  enum Topic { kHulls, kOriginal, kProtrusion, kLabels, kUnneeded, kScene, kProgress, kAll, kTopics };
+  enum Topic { kHulls, kOriginal, kProtrusion, kLabels, kUnneeded, kSegments, kScene, kProgress, kAll, kTopics };
   struct Display {
     ros::Publisher publisher;
     visualization_msgs::MarkerArray markers;

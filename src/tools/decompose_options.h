@@ -113,6 +113,11 @@ class DecomposeOptionAdder {
   void addOutput() {
     addChoice("Output", "--format", options_.format, meshFormatNamed, "stl, obj, dae", "stl", "Mesh files of the hulls");
     addChoice("Output", "--uri", options_.uri, uriStyleNamed, "package, file, relative", "package", "How the description refers to them");
+    app_.add_flag_callback(
+            "--segments", [&options = options_] { options.segments = true; },
+            "Also write the mesh with a colour for each cluster (segments.ply), and the number of clusters for every tolerance "
+            "(hierarchy.csv); method hacd")
+        ->group("Output");
   }
 
   void addRun() {

@@ -85,6 +85,26 @@ TEST(EncodeHull, DaeIsInMetresWithNamesValidInXml) {
   EXPECT_NE(std::string::npos, bytes.find("<p>0 2 1 0 1 3 0 3 2 1 2 3 </p>"));
 }
 
+TEST(EncodePly, PartsAreReadBackInTheirOrder) {
+  const ConvexHull body = tetrahedron({1, 2, 3}, 0.5);
+  const TriangleMesh mesh{body.vertices, body.triangles};
+  const std::string bytes = encodePly(mesh, {{1, 3}, {0}, {2}}, {Rgb{255, 0, 0}, Rgb{0, 255, 0}, Rgb{1, 2, 3}});
+  const LoadedMesh back = readBack("parts.ply", bytes);
+  const std::vector<Triangle> order{mesh.triangles[1], mesh.triangles[3], mesh.triangles[0], mesh.triangles[2]};
+  EXPECT_EQ(corners(back.mesh.vertices, back.mesh.triangles), corners(mesh.vertices, order));
+}
+
+TEST(EncodePly, SharedVerticesAreWrittenOncePerPartInItsColour) {
+  const ConvexHull body = tetrahedron({0, 0, 0}, 1);
+  const std::string bytes = encodePly({body.vertices, body.triangles}, {{0, 1}, {2, 3}}, {Rgb{7, 8, 9}, Rgb{17, 18, 19}});
+  EXPECT_NE(bytes.find("element vertex 8\n"), std::string::npos) << bytes.substr(0, 400);
+  const std::size_t start = bytes.find("end_header\n") + 11, vertex = 3 * 4 + 3, face = 1 + 4 * 4;
+  ASSERT_EQ(bytes.size(), start + 8 * vertex + 4 * face);
+  EXPECT_EQ(bytes.substr(start + 12, 3), "\x07\x08\x09");
+  EXPECT_EQ(bytes.substr(start + 4 * vertex + 12, 3), "\x11\x12\x13");
+  EXPECT_EQ(bytes.substr(bytes.size() - 4, 1), "\x01");  // the last face's part
+}
+
 TEST(MeshFormat, Names) {
   for (const MeshFormat format : {MeshFormat::kStl, MeshFormat::kObj, MeshFormat::kDae})
     EXPECT_EQ(format, meshFormatNamed(extension(format) + 1));

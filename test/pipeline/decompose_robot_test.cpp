@@ -438,6 +438,36 @@ TEST(DecomposeMesh, HasOneRow) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out/package.xml"));
 }
 
+TEST_F(DecomposeRobot, SegmentsOfEachElementWithTheCacheAndWithoutIt) {
+  options_.method = Method::kHacd;
+  const std::string links = link("a", collision("channel.obj") + collision("box.obj"));
+  EXPECT_TRUE(run(links).extra_files.empty());
+  EXPECT_FALSE(run(links).elements[0].segments);
+  options_.segments = true;
+  const RobotResult cached = run(links);
+  EXPECT_TRUE(cached.report.links[0].cached);
+  options_.cache = false;
+  const RobotResult result = run(links);
+  EXPECT_EQ(result.extra_files, cached.extra_files);
+  std::set<std::string> files;
+  for (const auto& [file, text] : result.extra_files) files.insert(file);
+  EXPECT_EQ(files, (std::set<std::string>{"segments/a/0.ply", "segments/a/0.csv", "segments/a/1.ply", "segments/a/1.csv"}));
+  EXPECT_EQ(result.elements[0].segments->segmentation.clusters.size(), result.report.links[0].hulls);
+}
+
+TEST(DecomposeMesh, SegmentsStandBesideTheHulls) {
+  const TempFolder folder;
+  const std::string path = fixtures::write(folder / "part.obj", fixtures::obj(test_shapes::lBracket()));
+  Options options;
+  options.method = Method::kHacd;
+  options.segments = true;
+  RobotResult result = decomposeMesh(path, options);
+  writeOutput(result, folder / "out");
+  EXPECT_EQ(fixtures::read(folder / "out/segments.ply").substr(0, 4), "ply\n");
+  EXPECT_EQ(fixtures::read(folder / "out/hierarchy.csv").substr(0, 23), "concavity,clusters\n0,2\n");
+  writeOutput(result, folder / "out");  // they are known as part of an earlier output
+}
+
 TEST(DecomposeMesh, Degenerate) {
   const TempFolder folder;
   const std::string point = fixtures::write(folder / "point.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");

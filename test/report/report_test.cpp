@@ -67,7 +67,7 @@ TEST(ReportJson, HasTheFieldsOfTheContract) {
                             "mesh_query_us", "hull_query_us"})
     EXPECT_TRUE(document["validation"].contains(field)) << field;
   for (const char* field :
-       {"tolerance", "method", "effort", "fill", "tree", "max-hulls", "max-vertices", "links", "source", "scale", "format", "uri", "jobs"})
+       {"tolerance", "method", "effort", "fill", "tree", "segments", "max-hulls", "max-vertices", "links", "source", "scale", "format", "uri", "jobs"})
     EXPECT_TRUE(document["options"].contains(field)) << field;
 }
 

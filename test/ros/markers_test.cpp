@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "collision_hulls/error.h"
+#include "collision_hulls/pipeline/segments.h"
 #include "ros/annotations.h"
 
 namespace collision_hulls {
@@ -114,6 +115,21 @@ TEST(DrawResult, AHullThatAPrimitiveStandsInForIsNotDrawn) {
   result.elements[0].primitives.resize(1);
   EXPECT_EQ((Names{"hulls/arm:0", "hulls/arm:1", "primitives/hand:0", "primitives/hand:1"}),
             names(drawResult(result, {}, nullptr, 1).hulls));
+}
+
+TEST(DrawResult, SegmentsHaveTheColoursOfTheirClusters) {
+  RobotResult result = robot({element("arm", 1)});
+  const TriangleMesh& mesh = result.elements[0].original;
+  result.elements[0].segments = std::make_shared<const Segments>(Segments{mesh, {{{0, 2, 3}, {1}}, {}}});
+  const MarkerList segments = drawResult(result, {}, nullptr, 1).segments;
+  ASSERT_EQ((Names{"segments/arm:0"}), names(segments));
+  ASSERT_EQ(segments[0].points.size(), 12u);
+  ASSERT_EQ(segments[0].colors.size(), 12u);
+  EXPECT_EQ(segments[0].colors[0].r, segments[0].colors[8].r);
+  EXPECT_NE(segments[0].colors[0].r, segments[0].colors[9].r);
+  EXPECT_FLOAT_EQ(segments[0].colors[9].g, static_cast<float>(clusterColour(1)[1]) / 255);
+  EXPECT_EQ(segments[0].points[9].x, mesh.corner(1, 0).x());
+  EXPECT_DOUBLE_EQ(segments[0].pose.position.z, 0.5);
 }
 
 TEST(DrawResult, UnneededHullsAreGrey) {

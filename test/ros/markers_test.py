@@ -45,7 +45,7 @@ class MarkersTest(unittest.TestCase):
     def test_every_display_has_a_topic(self):
         _, markers = self.run_small_robot(links=["base"], method="single_hull")
         parts = []
-        for topic in ("hulls", "original", "protrusion", "labels", "unneeded", "scene"):
+        for topic in ("hulls", "original", "protrusion", "labels", "unneeded", "segments", "scene"):
             part = latched_markers(topic)
             self.assertEqual(Marker.DELETEALL, part[0].action)
             parts += part[1:]

@@ -60,6 +60,7 @@ TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {
   expectWrongUse("arm/urdf/arm.urdf -o ''", {"--output", "folder"});
   expectWrongUse("arm/meshes/bracket.obj --links base", {"links", "'base'", "mesh"});
   expectWrongUse("arm/urdf/arm.urdf --fill -m hacd", {"fill", "'hacd'", "certified"});
+  expectWrongUse("arm/urdf/arm.urdf --segments", {"segments", "'hacd'", "'certified'", "--method hacd"});
   expectWrongUse("arm/urdf/arm.urdf --max-hulls few", {"--max-hulls", "'few'", "whole number"});
   expectWrongUse("arm/urdf/arm.urdf --max-vertices 7", {"max-vertices", "'7'", "from 8"});
   expectWrongUse("arm/urdf/arm.urdf --max-hulls=-1", {"--max-hulls", "'-1'"});

@@ -7,6 +7,7 @@
 //     std::ofstream("part.stl", std::ios::binary) << encodeHull(hull, MeshFormat::kStl, "part");
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -69,5 +70,13 @@ std::string encodeHull(const ConvexHull& hull, MeshFormat format, const std::str
 
 /// One OBJ file with an object (`o <name>_<m>`) per hull; coordinates as in encodeHull.
 std::string encodeHullsObj(const std::vector<ConvexHull>& hulls, const std::string& name);
+
+using Rgb = std::array<std::uint8_t, 3>;  ///< red, green and blue
+
+/// A mesh in coloured parts, sets of its triangles, as binary PLY. Vertices have their part's
+/// colour and are written once for each part; faces have its number, `int part`. Coordinates are
+/// single precision. The same mesh gives the same bytes.
+std::string encodePly(const TriangleMesh& mesh, const std::vector<std::vector<int>>& parts,
+                      const std::vector<Rgb>& colours);
 
 }  // namespace collision_hulls

@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "collision_hulls/geometry/convex_hull.h"
+#include "collision_hulls/pipeline/segments.h"
 #include "collision_hulls/report/report.h"
 #include "collision_hulls/robot/robot_description.h"
 
@@ -25,6 +27,9 @@ struct ElementResult {
   /// In its frame; replace the files of the last hulls, which enclose them.
   std::vector<GeometryElement> primitives;
   std::vector<ConvexHull> unneeded;  ///< finer hulls that a scene did not need
+  /// The clusters of `original` and their hierarchy, in its frame; null unless the options ask for
+  /// them.
+  std::shared_ptr<const Segments> segments;
 };
 
 struct RobotResult {

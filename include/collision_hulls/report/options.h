@@ -53,6 +53,7 @@ struct Options {
   /// cut the hulls from a tree whose leaves are this fine, kept in the cache (certified)
   std::optional<Length> tree;
   bool fill = false;      ///< cover the inside of closed meshes as well (certified)
+  bool segments = false;  ///< give the clusters of triangles as well (hacd)
   int max_hulls = 0;      ///< per mesh; 0: no cap
   int max_vertices = 64;  ///< per hull; 0: no cap
   /// regular expression (ECMAScript) that a link's whole name must match; empty: all

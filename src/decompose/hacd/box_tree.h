@@ -1,4 +1,5 @@
-// A balanced tree of boxes over points of any dimension, for branch and bound: minima over large sets that few boxes decide.
+// A balanced tree of boxes over points of any dimension, for branch and bound: minima over large
+// sets that few boxes decide.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,7 +10,8 @@
 
 namespace collision_hulls {
 
-/// Each node halves its items at the median of its box's longest side, down to leaves of up to kLeaf items.
+/// Each node halves its items at the median of its box's longest side, down to leaves of up to
+/// kLeaf items.
 template <int kDimension, std::size_t kLeaf>
 class BoxTree {
  public:
@@ -27,8 +29,9 @@ class BoxTree {
 
   const Box& box() const { return boxes_[0]; }  ///< of all items; there must be one
 
-  /// Calls visit(first, last) for leaves, order()[first, last), always in the same sequence. It returns the least value so far; what lies
-  /// in boxes whose bound(box) exceeds that value is left out.
+  /// Calls visit(first, last) for leaves, order()[first, last), always in the same sequence. It
+  /// returns the least value so far; what lies in boxes whose bound(box) exceeds that value is left
+  /// out.
   template <class Bound, class Visit>
   void search(const Bound& bound, const Visit& visit, double least) const {
     if (!order_.empty()) search(0, 0, order_.size(), bound(boxes_[0]), bound, visit, least);

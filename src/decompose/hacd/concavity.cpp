@@ -1,5 +1,7 @@
 // C(S), equation (6), for unions of patches. Most triangles are dismissed by an upper bound, the height of the patch's hull over the
-// triangle's plane; those left, highest first, go through the cutting planes of concavityOfTriangle() against an exact hull.
+// triangle's plane; those left, highest first, go through the cutting planes of concavityOfTriangle() against an exact hull. Heights are
+// raised when patches grow, by the other patch's box where that is enough, else by its furthest point, found in a tree. Only extreme points
+// of a patch are kept, so a union costs about O(n log n) in its triangles and extreme points.
 #include "decompose/hacd/concavity.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// The concavity C(S) of a surface, equation (6) of Mamou & Ghorbel 2009: how far the hull's surface lies from S along S's normals.
+// The concavity C(S) of a surface, equation (6) of Mamou & Ghorbel 2009: how far the hull's surface
+// lies from S along S's normals.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,16 +14,18 @@ namespace collision_hulls {
 /// A cluster of triangles, reduced to what its concavity depends on.
 struct Patch {
   std::vector<int> triangles;
-  std::vector<double> heights;  ///< per triangle, an upper bound [m] on how far the patch's hull rises above its plane
+  std::vector<double> heights;  ///< per triangle, an upper bound [m] on how far the patch's hull
+                                ///< rises above its plane
   std::vector<int> points;      ///< include every extreme point of the patch's hull; sorted; see ConcavityMeasure
   std::size_t reduced = 0;      ///< size of `points` when interior ones were last removed
   Eigen::AlignedBox3d box;
   double concavity = 0;  ///< C(S) [m]
 };
 
-/// Measures C of unions of patches. With exact hulls C is monotone: a union's hull contains its parts' hulls, so each ray leaves it later,
-/// and there are more rays. What a part's C, or an upper bound on a triangle's exit distance, already implies is therefore not computed
-/// again. Distances up to kNegligible of the mesh's diagonal count as zero: coordinates in mesh files are no finer.
+/// Measures C of unions of patches. With exact hulls C is monotone: a union's hull contains its
+/// parts' hulls, so each ray leaves it later, and there are more rays. What a part's C, or an upper
+/// bound on a triangle's exit distance, already implies is therefore not computed again. Distances
+/// up to kNegligible of the mesh's diagonal count as zero: coordinates in mesh files are no finer.
 class ConcavityMeasure {
  public:
   explicit ConcavityMeasure(const TriangleMesh& mesh);
@@ -34,8 +37,8 @@ class ConcavityMeasure {
     double value = 0;
     std::vector<int> points;
   };
-  /// `known`: a lower bound [m] on the union's C. The search stops as soon as the value exceeds `limit`, so such a value is only a lower
-  /// bound.
+  /// `known`: a lower bound [m] on the union's C. The search stops as soon as the value exceeds
+  /// `limit`, so such a value is only a lower bound.
   Union ofUnion(const Patch& a, const Patch& b, double known, double limit) const;
 
   /// The union of a and b; `measured` is the result of ofUnion(a, b).
@@ -60,7 +63,8 @@ class ConcavityMeasure {
   std::vector<Candidate> candidates(const Patch& a, const Patch& b, double floor) const;
   std::vector<int> extreme(const std::vector<int>& points, const ConvexHull& hull) const;
 
-  // Points are the mesh's vertices, sorted along a direction that no mesh is aligned with; bisection then finds a hull's vertex among them.
+  // Points are the mesh's vertices, sorted along a direction that no mesh is aligned with;
+  // bisection then finds a hull's vertex among them.
   std::vector<Eigen::Vector3d> position_;
   std::vector<double> key_;
   std::vector<Facet> facets_;

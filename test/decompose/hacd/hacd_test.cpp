@@ -215,6 +215,10 @@ TEST(PapersWeakness, UChannelsGapIsFilled) {
   EXPECT_GT(sampledProtrusion(mesh, outside), 3 * kShare * diagonal(mesh));
 }
 
+TEST(PapersWeakness, ASmallerEpsilonDoesNotHelp) {
+  for (const TriangleMesh& mesh : {test_shapes::uChannel(), test_shapes::openBox()}) EXPECT_EQ(partition(mesh, 0.001), partition(mesh));
+}
+
 TEST(PapersWeakness, OpenBoxIsFilled) {
   const TriangleMesh mesh = test_shapes::openBox();
   EXPECT_EQ(hulls(mesh).size(), 6u);

@@ -66,8 +66,8 @@ TEST(ReportJson, HasTheFieldsOfTheContract) {
   for (const char* field : {"queries", "missed", "phantom", "max_underestimate", "exceptions", "timeouts", "nan", "disagreements",
                             "mesh_query_us", "hull_query_us"})
     EXPECT_TRUE(document["validation"].contains(field)) << field;
-  for (const char* field :
-       {"tolerance", "method", "effort", "fill", "tree", "segments", "max-hulls", "max-vertices", "links", "source", "scale", "format", "uri", "jobs"})
+  for (const char* field : {"tolerance", "method", "effort", "fill", "tree", "segments", "max-hulls", "max-vertices", "links", "source",
+                            "scale", "format", "uri", "jobs"})
     EXPECT_TRUE(document["options"].contains(field)) << field;
 }
 

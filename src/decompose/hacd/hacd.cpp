@@ -9,8 +9,8 @@
 // An edge collapses only if its exact cost is no more than every other edge's lower bound, so the order is the paper's. Eager evaluation
 // would compute 7 to 9 hulls per triangle.
 //
-// The queue takes O(T log T) for T triangles; the rest is concavities of unions (see concavity.cpp), which on usual shapes grow little faster
-// than T. doc/hacd.md has the method in words, what the paper leaves open, what it costs and where it fails.
+// The queue takes O(T log T) for T triangles; the rest is concavities of unions (see concavity.cpp), which on usual shapes grow little
+// faster than T. doc/hacd.md has the method in words, what the paper leaves open, what it costs and where it fails.
 #include "collision_hulls/decompose/hacd.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // The evaluator on shapes with known cover, protrusion and volume.
+// Also tests src/bench/original.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>

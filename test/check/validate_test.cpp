@@ -1,3 +1,4 @@
+// Also tests src/check/pair_model.cpp and src/check/validate_pair.cpp.
 #include "collision_hulls/check/validate.h"
 
 #include <gtest/gtest.h>

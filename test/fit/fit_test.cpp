@@ -1,4 +1,5 @@
 // Fits of a sliding channel to simple scenes, where the number and kind of bodies that a scene needs are known.
+// Also tests src/fit/comparison.cpp, src/fit/fitting.cpp, src/fit/pair_rules.cpp and src/fit/planner_model.cpp.
 #include "collision_hulls/fit/fit.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Also tests src/geometry/closest_point.cpp and src/geometry/triangle_bvh_inside.cpp.
 #include "collision_hulls/geometry/triangle_bvh.h"
 
 #include <gtest/gtest.h>

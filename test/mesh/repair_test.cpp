@@ -1,3 +1,4 @@
+// Also tests src/mesh/fins.cpp.
 #include "collision_hulls/mesh/repair.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Also tests src/report/report_json.cpp and src/report/report_table.cpp.
 #include "collision_hulls/report/report.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Also tests src/robot/descriptions_in_package.cpp.
 #include <gtest/gtest.h>
 
 #include <filesystem>

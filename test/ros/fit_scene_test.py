@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# Also tests src/ros/live_scene.cpp.
 """The service that fits a robot to a scene: what it makes, what it shows, and rubbish."""
 import importlib.util
 import json

@@ -1,3 +1,4 @@
+// Also tests src/ros/pen.cpp and src/ros/robot_bounds.cpp.
 #include "ros/markers.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# Also tests src/ros/collision_hulls_node.cpp, src/ros/node.cpp and src/ros/parameters.cpp.
 """The service: what it makes, its options, rubbish, and two callers at once."""
 import json
 import os

@@ -1,4 +1,5 @@
 // Reading, sampling and interpolating configurations of a small arm with one joint of each kind.
+// Also tests src/scene/configuration_files.cpp.
 #include "collision_hulls/scene/configurations.h"
 
 #include <array>

@@ -1,4 +1,5 @@
 // SDF worlds and models: shapes, poses relative to any frame, includes, saved states, and everything that is refused.
+// Also tests src/scene/sdf_frames.cpp.
 #include "scene/scene_tests.h"
 
 namespace collision_hulls {

@@ -1,4 +1,6 @@
 // The program benchmark: a row whatever happens, and the same rows in every run.
+// Also tests src/bench/benchmark.cpp, src/bench/contender.cpp, src/bench/job_runner.cpp, src/bench/machine.cpp,
+// src/bench/queries/query_benchmark.cpp and src/tools/benchmark.cpp.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 

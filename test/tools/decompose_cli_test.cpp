@@ -1,4 +1,5 @@
 // The program itself: exit status, what stands on which stream, what is on the disk.
+// Also tests src/tools/decompose.cpp.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>

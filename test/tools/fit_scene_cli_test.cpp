@@ -1,4 +1,5 @@
 // The program fit_scene: exit status, streams, files.
+// Also tests src/tools/fit_scene.cpp.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,5 @@
 // The programs that wrap Bullet's decompositions, if they were built.
+// Also tests src/tools/peer_bullet_hacd.cpp and src/tools/peer_bullet_vcd.cpp.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>

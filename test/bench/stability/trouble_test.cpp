@@ -1,4 +1,5 @@
 // Each trouble does what its name says, and nothing else.
+// Also tests src/bench/stability/defects.cpp.
 #include "bench/stability/trouble.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Also tests src/decompose/acd/notches.cpp.
 #include "collision_hulls/decompose/acd.h"
 
 #include <gtest/gtest.h>

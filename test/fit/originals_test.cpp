@@ -1,0 +1,56 @@
+#include "fit/originals.h"
+
+#include <gtest/gtest.h>
+
+#include "fit/assembly.h"
+#include "fit/fit_fixtures.h"
+
+namespace collision_hulls {
+namespace {
+
+using namespace fit_fixtures;
+
+TEST(Originals, AMeshIsCheckedAsItsSurface) {
+  const FitProblem problem = overPost();
+  const Assembly assembly(problem, 1);
+  ASSERT_EQ(assembly.parts(), 3u) << "base, carriage, post";
+  EXPECT_EQ(assembly.name(1), "c0");
+  EXPECT_FALSE(assembly.isLink(2));
+  const Originals originals(problem, assembly);
+  const Places rest = assembly.places(assembly.kinematics().rest());
+  EXPECT_FALSE(originals.touch(1, 2, rest)) << "the post stands in the gap";
+  const double gap = originals.distanceBelow(1, 1, 2, rest);
+  EXPECT_GT(gap, 0.05);
+  EXPECT_LT(gap, 0.1);
+  EXPECT_EQ(originals.distanceBelow(0.02, 1, 2, rest), 0.02);
+  EXPECT_TRUE(originals.clear({1, 2, 0.9 * gap}, rest));
+  EXPECT_FALSE(originals.clear({1, 2, 1.1 * gap}, rest));
+}
+
+TEST(Originals, WhatLiesWithinASolidIsNotClear) {
+  FitProblem problem = overPost();
+  const Eigen::Vector3d wall(0.03, 0.15, 0.5);  // in the middle of the channel's first wall
+  problem.scene.bodies = {boxBody("pin", {0.01, 0.01, 0.01}, wall)};
+  const Assembly assembly(problem, 1);
+  const Originals originals(problem, assembly);
+  const Places rest = assembly.places(assembly.kinematics().rest());
+  EXPECT_FALSE(originals.touch(1, 2, rest)) << "surfaces are apart";
+  EXPECT_EQ(originals.distanceBelow(1, 1, 2, rest), 0);
+  EXPECT_FALSE(originals.clear({1, 2, 0.001}, rest));
+}
+
+TEST(Assembly, RootsTouchThePostAndLeavesDoNot) {
+  const FitProblem problem = overPost();
+  const Assembly assembly(problem, 1);
+  const Places rest = assembly.places(assembly.kinematics().rest());
+  const std::vector<PartPair> pairs{{1, 2, 0.01}};
+  EXPECT_TRUE(inContact(assembly, assembly.roots(), pairs, rest));
+  EXPECT_EQ(contacts(assembly, assembly.roots(), pairs, rest, 0).size(), 1u);
+  Cuts leaves = assembly.roots();
+  leaves[0] = problem.elements[0].mesh->tree.cutTo(3);
+  EXPECT_FALSE(inContact(assembly, leaves, pairs, rest));
+  EXPECT_EQ(assembly.hulls(leaves), 3u);
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -1,3 +1,4 @@
+// Also tests src/measure/surface_search.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>

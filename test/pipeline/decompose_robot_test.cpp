@@ -1,3 +1,4 @@
+// Also tests src/pipeline/mesh_result.cpp, src/pipeline/mesh_uses.cpp, src/pipeline/run.cpp and src/pipeline/stages.cpp.
 #include "collision_hulls/pipeline/decompose_robot.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Also tests src/pipeline/scene_request.cpp.
 #include "collision_hulls/pipeline/fit_scene.h"
 
 #include <gtest/gtest.h>

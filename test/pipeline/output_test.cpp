@@ -1,3 +1,4 @@
+// Also tests src/pipeline/collision_model.cpp and src/pipeline/how_to_use.cpp.
 #include "collision_hulls/pipeline/output.h"
 
 #include <gtest/gtest.h>

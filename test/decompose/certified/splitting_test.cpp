@@ -1,3 +1,4 @@
+// Also tests src/decompose/certified/plane_score.cpp and src/decompose/certified/split_planes.cpp.
 #include "decompose/certified/splitting.h"
 
 #include <gtest/gtest.h>

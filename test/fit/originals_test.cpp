@@ -20,8 +20,7 @@ TEST(Originals, AMeshIsCheckedAsItsSurface) {
   const Places rest = assembly.places(assembly.kinematics().rest());
   EXPECT_FALSE(originals.touch(1, 2, rest)) << "the post stands in the gap";
   const double gap = originals.distanceBelow(1, 1, 2, rest);
-  EXPECT_GT(gap, 0.05);
-  EXPECT_LT(gap, 0.1);
+  EXPECT_NEAR(gap, 0.04, 1e-6) << "0.15 m to the middle, less 0.05 m of the post and 0.06 m of the wall";
   EXPECT_EQ(originals.distanceBelow(0.02, 1, 2, rest), 0.02);
   EXPECT_TRUE(originals.clear({1, 2, 0.9 * gap}, rest));
   EXPECT_FALSE(originals.clear({1, 2, 1.1 * gap}, rest));

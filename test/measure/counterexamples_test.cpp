@@ -82,6 +82,14 @@ TEST(Counterexamples, TheBoundAllowsForRounding) {
   EXPECT_LE(protrusion({boxHull({0, 0, 0}, {1, 1, 1})}, solidOf(test_shapes::box(1, 1, 1)), 1e-9).bound, 5e-9);
 }
 
+TEST(Counterexamples, TheBoundAllowsForDentsOfAHull) {
+  ConvexHull hull = boxHull({0, 0, 0}, {1, 1, 1});
+  const Solid solid = solidOf(test_shapes::box(1, 1, 0.5));
+  const double before = protrusion({hull}, solid, 0.01).bound;
+  hull.slack += 1e-4;
+  EXPECT_NEAR(protrusion({hull}, solid, 0.01).bound, before + 1e-4, 1e-12);
+}
+
 // Random input.
 
 /// A lower bound on the distance to S and, near openings, to the part of it that surely is inside.

@@ -23,7 +23,11 @@ function(add_room_tests room)
   set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")  # not among the programs, where rosrun would find them
   add_unit_tests(${room}_test ${sources})
   target_include_directories(${room}_test PRIVATE test src)
-  target_link_libraries(${room}_test ${PROJECT_NAME}_bench command_line found::fcl found::tbb found::tinyxml2 nlohmann_json::nlohmann_json)
+  set(library ${PROJECT_NAME}_bench command_line)
+  if(room IN_LIST CORE_ROOMS)
+    set(library ${PROJECT_NAME}_core)  # what a room's tests link is what has to be built to run them
+  endif()
+  target_link_libraries(${room}_test ${library} found::fcl found::tbb found::tinyxml2 nlohmann_json::nlohmann_json)
   target_compile_definitions(${room}_test PRIVATE
     TEST_DATA="${PROJECT_SOURCE_DIR}/test/data" SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared"
     DEMO_ROBOT="${PROJECT_SOURCE_DIR}" PROGRAMS="${PROGRAMS_DIR}")

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/decompose/segments.h"
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/measure/solid.h"
-#include "collision_hulls/pipeline/segments.h"
 #include "collision_hulls/report/report.h"
 #include "collision_hulls/robot/robot_description.h"
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "annotations.h"
+#include "collision_hulls/decompose/segments.h"
 #include "collision_hulls/error.h"
-#include "collision_hulls/pipeline/segments.h"
 
 namespace collision_hulls {
 namespace {

@@ -8,8 +8,8 @@
 #include <set>
 #include <tuple>
 
+#include "collision_hulls/decompose/segments.h"
 #include "collision_hulls/error.h"
-#include "collision_hulls/pipeline/segments.h"
 #include "ros/annotations.h"
 
 namespace collision_hulls {

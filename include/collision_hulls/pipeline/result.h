@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/decompose/segments.h"
 #include "collision_hulls/geometry/convex_hull.h"
-#include "collision_hulls/pipeline/segments.h"
 #include "collision_hulls/report/report.h"
 #include "collision_hulls/robot/robot_description.h"
 

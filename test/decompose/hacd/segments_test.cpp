@@ -1,4 +1,4 @@
-#include "collision_hulls/pipeline/segments.h"
+#include "collision_hulls/decompose/segments.h"
 
 #include <gtest/gtest.h>
 

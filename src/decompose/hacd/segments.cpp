@@ -1,6 +1,6 @@
 // Clusters of triangles and their hierarchy, as files. They are computed apart from the hulls, since the cache may have those: hacd gives
 // the same clusters for the same mesh.
-#include "collision_hulls/pipeline/segments.h"
+#include "collision_hulls/decompose/segments.h"
 
 #include <algorithm>
 #include <cmath>

@@ -33,8 +33,8 @@ void add(Protrusion& worst, const Protrusion& other) {
   worst.bound = bound;
 }
 
-/// [m] What rounding may hide. Points are rounded with the coordinates of the hulls, distances with the mesh's extent as well; and hulls may
-/// stand out beyond their triangles, which are searched, by their slack.
+/// [m] What rounding may hide. Points are rounded with the coordinates of the hulls, distances with the mesh's extent as well; and hulls
+/// may stand out beyond their triangles, which are searched, by their slack.
 double rounding(const std::vector<ConvexHull>& hulls, const Solid& solid) {
   double size = solid.surface().extent(), slack = 0;
   for (const ConvexHull& hull : hulls) {

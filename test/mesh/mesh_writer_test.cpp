@@ -1,3 +1,4 @@
+// Also tests src/mesh/ply_writer.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -83,11 +83,11 @@ void drawUnneeded(const Link& link, Pen& pen, MarkerList& list) {
 
 /// A mesh in the colours of its clusters.
 void drawSegments(const Link& link, Pen& pen, MarkerList& list) {
-  for (const ElementResult* element : link.elements) {
-    if (!element->segments) continue;
-    Marker& marker = pen.add(list, "segments", link.name, Marker::TRIANGLE_LIST, element->source.origin);
-    const TriangleMesh& mesh = element->segments->mesh;
-    const std::vector<std::vector<int>>& clusters = element->segments->segmentation.clusters;
+  for (const auto& [element, row] : link.meshes) {
+    if (!element.segments) continue;
+    Marker& marker = pen.add(list, "segments", link.name, Marker::TRIANGLE_LIST, element.source.origin);
+    const TriangleMesh& mesh = element.segments->mesh;
+    const std::vector<std::vector<int>>& clusters = element.segments->segmentation.clusters;
     for (std::size_t k = 0; k < clusters.size(); ++k) {
       const Rgb rgb = clusterColour(k);
       std::vector<Triangle> triangles;

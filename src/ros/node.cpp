@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "collision_hulls/pipeline/fit_scene.h"
+#include "collision_hulls/pipeline/output.h"
 #include "collision_hulls/pipeline/progress_text.h"
 #include "conversions.h"
 #include "parameters.h"

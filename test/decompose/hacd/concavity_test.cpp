@@ -89,6 +89,60 @@ TEST(Concavity, NeverDecreasesAsASurfaceGrows) {
   }
 }
 
+Patch patchOf(const ConcavityMeasure& measure, int first, int last) {
+  Patch grown = measure.patch(first);
+  for (int t = first + 1; t < last; ++t) {
+    const Patch next = measure.patch(t);
+    ConcavityMeasure::Union both = measure.ofUnion(grown, next, 0, kInfinity);
+    grown = measure.unite(std::move(grown), next, std::move(both));
+  }
+  return grown;
+}
+
+TEST(Concavity, OfLargePatchesThatFaceEachOther) {
+  // Strips across a tube that turns by a quarter: rays of one leave through the hull of the other.
+  const TriangleMesh mesh = test_shapes::torus(1, 0.5, 24, 32);
+  const ConcavityMeasure measure(mesh);
+  for (const int size : {64, 128, 256}) {
+    const Patch a = patchOf(measure, 0, size), b = patchOf(measure, size, 2 * size);
+    ASSERT_GT(a.points.size(), 50u);
+    std::vector<int> all(static_cast<std::size_t>(2 * size));
+    for (std::size_t t = 0; t < all.size(); ++t) all[t] = static_cast<int>(t);
+    std::vector<Eigen::Vector3d> points;
+    for (const int t : all)
+      for (int k = 0; k < 3; ++k) points.push_back(mesh.corner(t, k));
+    const ConvexHull hull = convexHull(points);
+    const ExitFaces faces(hull);
+    double fresh = 0;
+    for (const int t : all) {
+      const Corners corners{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
+      const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+      fresh = std::max(fresh, concavityOfTriangle(faces, corners, normal));
+    }
+    ASSERT_GT(fresh, std::max(a.concavity, b.concavity) + 1e-3);
+    EXPECT_NEAR(measure.ofUnion(a, b, 0, kInfinity).value, fresh, 1e-8) << size;
+  }
+}
+
+TEST(Concavity, HeightsAreUpperBounds) {
+  const TriangleMesh mesh = test_shapes::torus(1, 0.5, 24, 48);
+  const ConcavityMeasure measure(mesh);
+  Patch a = patchOf(measure, 0, 500);
+  const Patch b = patchOf(measure, 500, 1000);
+  ASSERT_GT(b.points.size(), 150u);
+  ConcavityMeasure::Union both = measure.ofUnion(a, b, 0, kInfinity);
+  both.value = 0;  // so that no height is left to the boxes
+  const Patch s = measure.unite(std::move(a), b, std::move(both));
+  const std::vector<Eigen::Vector3d> points = measure.positions(s.points);
+  for (std::size_t i = 0; i < s.triangles.size(); ++i) {
+    const Eigen::Vector3d &p = mesh.corner(s.triangles[i], 0), &q = mesh.corner(s.triangles[i], 1), &r = mesh.corner(s.triangles[i], 2);
+    const Eigen::Vector3d normal = (q - p).cross(r - p).normalized();
+    double rise = 0;
+    for (const Eigen::Vector3d& x : points) rise = std::max(rise, normal.dot(x - p));
+    EXPECT_GE(s.heights[i], rise - 1e-12) << i;
+  }
+}
+
 TEST(Concavity, BeyondTheLimitIsALowerBoundAboveIt) {
   const ConcavityMeasure measure(valley());
   const double whole = measure.ofUnion(measure.patch(1), measure.patch(2), 0, kInfinity).value;

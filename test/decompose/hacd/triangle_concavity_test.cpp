@@ -46,7 +46,7 @@ void expectFirstExits(const ConvexHull& hull, RandomPoints& random) {
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const Eigen::Vector3d& origin = hull.vertices[i % hull.vertices.size()];
     const Eigen::Vector3d target = hull.vertices[(7 * i + 3) % hull.vertices.size()];
-    const double share = static_cast<double>(i % 4) / 4;  // 0: on the surface
+    const double share = static_cast<double>(i % 5) / 4 - 0.25;  // 0: on the surface; below 0: outside
     const Eigen::Vector3d m = share * (middle - origin);
     for (const Eigen::Vector3d& way :
          {directions[i], Eigen::Vector3d(target - origin - m), Eigen::Vector3d(Eigen::Vector3d::Unit(i % 3))}) {

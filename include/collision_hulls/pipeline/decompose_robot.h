@@ -1,4 +1,10 @@
 // The main flow: from a robot description, or one mesh, to validated convex collision models.
+//
+// For example:
+//
+//     const Input input = openInput("arm.urdf");
+//     RobotResult result = decompose(input, Options(), "arm_collision");
+//     writeOutput(result, "arm_collision");
 #pragma once
 
 #include <string>

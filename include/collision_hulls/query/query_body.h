@@ -40,7 +40,7 @@ class QueryBody {
 
   /// true for a mesh without any area; such a body touches nothing
   bool empty() const { return !impl_; }
-  const Eigen::AlignedBox3d& box() const { return box_; }
+  const Eigen::AlignedBox3d& box() const { return box_; }  ///< [m] in the body's frame
   std::size_t corners() const { return corners_; }  ///< vertices of a hull; 0 for other bodies
 
   struct Impl;

@@ -1,5 +1,12 @@
 // The options of a run, as values. The command line, the services and the node's parameters all
 // become these.
+//
+// For example:
+//
+//     Options options;
+//     options.tolerance = parseLength("1cm,5%");  // of each mesh the smaller one
+//     options.links = "arm_.*";
+//     check(options);
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,10 @@
 // Turns OctoMap's occupancy maps, from files and messages, into boxes of a scene.
+//
+// For example:
+//
+//     Scene scene;
+//     const Octomap map{true, "OcTree", 0.05, bytes};  // [m]; the data of octomap_msgs/Octomap
+//     addOctomap(scene, "office", map);
 #pragma once
 
 #include <Eigen/Geometry>

@@ -52,6 +52,18 @@ Vector3d carried(Vector3d p, const std::vector<BoxedJoint>& joints, const std::v
   return p;
 }
 
+TEST(BoxMovement, AJointTurnsTheMovementsOfThoseAfterIt) {
+  const ChainJoint first = joint(true, Vector3d::UnitZ());
+  const ChainJoint second = joint(true, Vector3d::UnitZ(), Eigen::Isometry3d(Eigen::Translation3d(1, 0, 0)));
+  const std::vector<BoxedJoint> joints{{&first, 0, 0, 0.2}, {&second, 1, 0, 0.01}};
+  const Vector3d p(-1, 0, 0);  // on the first joint's axis, so that this joint alone does not move it
+  const BoxedBody body(column(p), joints);
+  std::vector<double> shares(2);
+  const double bound = body.movementAlong(Vector3d::UnitX(), shares), moved = carried(p, joints, {0.2, 0.01}).x();
+  EXPECT_LE(moved, bound);
+  EXPECT_GE(moved, 0.99 * bound);
+}
+
 TEST(BoxMovement, NoConfigurationInTheBoxMovesAPointFurther) {
   RandomPoints random(3);
   double tightest = 0, tightest_along = 0;

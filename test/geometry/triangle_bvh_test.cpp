@@ -282,6 +282,28 @@ TEST(TriangleBvh, FacesOneWayClosedForm) {
   EXPECT_FALSE(channel.facesOneWay({0.5, 0.5, 1}, 0.45));
 }
 
+/// Two arcs of many triangles, 10 apart, whose normals make angles from `least` to `most` degrees with z, on either side of it.
+TriangleMesh arcs(double least, double most) {
+  constexpr int kPieces = 32;
+  test_shapes::MeshBuilder builder;
+  for (const double side : {-1.0, 1.0}) {
+    const auto at = [&](int i, double y) {
+      const double angle = (least + (most - least) * i / kPieces) * test_shapes::kPi / 180;
+      return Vector3d(side * (5 + std::sin(angle)), side * y, std::cos(angle));
+    };
+    for (int i = 0; i < kPieces; ++i) builder.quad(at(i, 0), at(i + 1, 0), at(i + 1, 0.1), at(i, 0.1));
+  }
+  return builder.mesh();
+}
+
+// Whole nodes of the tree stand for their triangles by a cone about their normals.
+TEST(TriangleBvh, ConesOfNormalsAreAsWideAsTheirNormals) {
+  EXPECT_TRUE(openHalfSpace(arcs(65, 85), {0, 0, 0}, 20));
+  EXPECT_TRUE(TriangleBvh(arcs(65, 85)).facesOneWay({0, 0, 0}, 20));
+  EXPECT_FALSE(openHalfSpace(arcs(75, 95), {0, 0, 0}, 20));
+  EXPECT_FALSE(TriangleBvh(arcs(75, 95)).facesOneWay({0, 0, 0}, 20));
+}
+
 TEST(TriangleBvh, TwoSidedTrianglesDoNotFaceOneWay) {
   const TriangleMesh sheet = test_shapes::sheet(1, 1, 4);
   EXPECT_TRUE(TriangleBvh(sheet).facesOneWay({0.5, 0.5, 0.1}, 0.2));

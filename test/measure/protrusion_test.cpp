@@ -1,4 +1,3 @@
-// Also tests src/measure/surface_search.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <sstream>
+#include <utility>
 
 #include "collision_hulls/error.h"
 
@@ -38,9 +38,10 @@ fs::path behindLinks(fs::path file) {
 std::optional<std::string> contentOf(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::nullopt;
-  std::ostringstream content;
-  content << in.rdbuf();  // turns the exception that reading a folder throws into badbit
-  return content.bad() ? std::nullopt : std::optional(content.str());
+  std::string content;
+  char buffer[65536];
+  while (in.read(buffer, sizeof buffer) || in.gcount() > 0) content.append(buffer, static_cast<std::size_t>(in.gcount()));
+  return in.bad() ? std::nullopt : std::optional(std::move(content));  // bad: a folder, which opens but cannot be read
 }
 
 void writeText(const fs::path& file, const std::string& text) {

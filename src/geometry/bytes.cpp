@@ -7,20 +7,19 @@ namespace {
 constexpr std::size_t kHeader = 8 + 4 + 8;  // magic, version, size of the payload
 constexpr std::size_t kChecksum = 8;
 
-/// FNV-1a (Fowler, Noll, Vo). Each step is a bijection of the state, so changing a single byte always changes the sum.
-std::uint64_t checksum(const char* bytes, std::size_t size) {
+}  // namespace
+
+std::uint64_t checksum(std::string_view bytes) {
   std::uint64_t sum = 0xcbf29ce484222325u;
-  for (std::size_t i = 0; i < size; ++i) sum = (sum ^ static_cast<unsigned char>(bytes[i])) * 0x100000001b3u;
+  for (const char byte : bytes) sum = (sum ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
   return sum;
 }
-
-}  // namespace
 
 std::string sealed(const FileKind& kind, const std::string& payload) {
   std::string bytes = toBytes(kind.magic, kind.version, std::uint64_t{payload.size()});
   bytes.reserve(bytes.size() + payload.size() + kChecksum);
   bytes += payload;
-  bytes += toBytes(checksum(bytes.data(), bytes.size()));
+  bytes += toBytes(checksum(bytes));
   return bytes;
 }
 
@@ -42,7 +41,8 @@ std::string opened(const FileKind& kind, const std::string& bytes) {
                     " bytes of content and the frame takes " + std::to_string(around));
   }
   fromBytes(bytes.substr(bytes.size() - kChecksum), sum);
-  if (sum != checksum(bytes.data(), bytes.size() - kChecksum)) throw ByteFault("its checksum does not match its content");
+  if (sum != checksum(std::string_view(bytes).substr(0, bytes.size() - kChecksum)))
+    throw ByteFault("its checksum does not match its content");
   return bytes.substr(kHeader, size);
 }
 

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -143,6 +144,9 @@ void fromBytes(const std::string& bytes, Values&... values) {
   in(values...);
   in.expectEnd();
 }
+
+/// FNV-1a (Fowler, Noll, Vo). Each step is a bijection of the state, so changing a single byte always changes the sum.
+std::uint64_t checksum(std::string_view bytes);
 
 /// A file's kind and format version, as stored at its start.
 struct FileKind {

@@ -83,10 +83,12 @@ TEST(Proved, OnlyByPointsOfTheBodiesAndSeparatingPlanes) {
   answer.on_second = Vector3d(1.5, 0.1, 0.2);
   EXPECT_TRUE(proved(answer, first, second, 1e-9));
 
-  FclAnswer too_far = answer;  // points of the bodies, but not the nearest ones
-  too_far.on_second = Vector3d(1.5, 0.2, 0.2);
-  too_far.distance = (too_far.on_second - too_far.on_first).norm();
-  EXPECT_FALSE(proved(too_far, first, second, 1e-9));
+  for (const double aside : {0.1, 0.02, 1e-4}) {
+    FclAnswer too_far = answer;  // points of the bodies, but not the nearest ones
+    too_far.on_second = Vector3d(1.5, 0.1 + aside, 0.2);
+    too_far.distance = (too_far.on_second - too_far.on_first).norm();
+    EXPECT_FALSE(proved(too_far, first, second, 1e-9)) << aside;
+  }
 
   FclAnswer too_near = answer;  // a point outside its body
   too_near.on_second = Vector3d(1.25, 0.1, 0.2);

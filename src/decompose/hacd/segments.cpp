@@ -14,6 +14,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kMostRows = 1000;  // of a hierarchy: nobody looks at the first merges of thousands of triangles
+constexpr double kSame = 1e-8;           // concavities that differ by less than this share differ by rounding
 constexpr double kGoldenRatio = 0.6180339887498949;
 
 /// Hue in turns, saturation and value in [0, 1].
@@ -54,7 +55,7 @@ std::string hierarchyCsv(const Segments& segments) {
   text.precision(9);
   text << "concavity,clusters\n";
   for (std::size_t i = 0; i < merges.size(); ++i) {
-    const bool is_last_at_its_height = i + 1 == merges.size() || merges[i + 1] > merges[i];
+    const bool is_last_at_its_height = i + 1 == merges.size() || merges[i + 1] > merges[i] * (1 + kSame);
     const std::size_t clusters = segments.mesh.triangles.size() - i - 1;
     if (is_last_at_its_height && clusters <= kMostRows) text << merges[i] << "," << clusters << "\n";
   }

@@ -1,3 +1,4 @@
+// Octomaps as OctoMap publishes them. Built only where octomap_msgs is installed, which Debian does not package.
 #include "octomap_message.h"
 
 #include "collision_hulls/error.h"

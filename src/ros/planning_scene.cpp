@@ -1,5 +1,6 @@
 // Scenes as MoveIt publishes them. Poses are led back to the root link through the frames that the message itself tells of; one that it
-// does not is an error, as a guess would put an obstacle in the wrong place. Built only where moveit_msgs is, which Debian does not package.
+// does not is an error, as a guess would put an obstacle in the wrong place. Built only where moveit_msgs is, which Debian does not
+// package.
 #include "planning_scene.h"
 
 #include "collision_hulls/error.h"

@@ -15,6 +15,7 @@
 namespace collision_hulls {
 namespace {
 
+using fixtures::count;
 using fixtures::link;
 using fixtures::meshTag;
 using fixtures::TempFolder;
@@ -22,12 +23,6 @@ using fixtures::TempFolder;
 /// The text without its <collision> elements.
 std::string withoutCollisions(const std::string& urdf) {
   return std::regex_replace(urdf, std::regex("\\s*<collision[^]*?</collision>"), "");
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
-  return n;
 }
 
 class DecomposeRobot : public ::testing::Test {
@@ -425,20 +420,6 @@ TEST_F(DecomposeRobot, RejectsBadOptionsFirst) {
   EXPECT_THROW(run(link("a", collision("rubbish.stl"))), Error);
 }
 
-TEST(DecomposeMesh, HasOneRow) {
-  const TempFolder folder;
-  const std::string path = fixtures::write(folder / "my part.obj", fixtures::obj(test_shapes::lBracket()));
-  RobotResult result = decomposeMesh(path, {});
-  ASSERT_EQ(result.report.links.size(), 1u);
-  EXPECT_EQ(result.report.links[0].link, "my part");
-  EXPECT_EQ(result.report.input_sha256, result.report.links[0].sha256);
-  EXPECT_TRUE(result.single_mesh);
-  writeOutput(result, folder / "out");
-  EXPECT_TRUE(std::filesystem::exists(folder / "out/hull_0.stl"));
-  EXPECT_EQ(count("\n" + fixtures::read(folder / "out/my_part_hulls.obj"), "\no "), result.report.links[0].hulls);
-  EXPECT_FALSE(std::filesystem::exists(folder / "out/package.xml"));
-}
-
 TEST_F(DecomposeRobot, SegmentsOfEachElementWithTheCacheAndWithoutIt) {
   options_.method = Method::kHacd;
   const std::string links = link("a", collision("channel.obj") + collision("box.obj"));
@@ -454,33 +435,6 @@ TEST_F(DecomposeRobot, SegmentsOfEachElementWithTheCacheAndWithoutIt) {
   for (const auto& [file, text] : result.extra_files) files.insert(file);
   EXPECT_EQ(files, (std::set<std::string>{"segments/a/0.ply", "segments/a/0.csv", "segments/a/1.ply", "segments/a/1.csv"}));
   EXPECT_EQ(result.elements[0].segments->segmentation.clusters.size(), result.report.links[0].hulls);
-}
-
-TEST(DecomposeMesh, SegmentsStandBesideTheHulls) {
-  const TempFolder folder;
-  const std::string path = fixtures::write(folder / "part.obj", fixtures::obj(test_shapes::lBracket()));
-  Options options;
-  options.method = Method::kHacd;
-  options.segments = true;
-  RobotResult result = decomposeMesh(path, options);
-  writeOutput(result, folder / "out");
-  EXPECT_EQ(fixtures::read(folder / "out/segments.ply").substr(0, 4), "ply\n");
-  EXPECT_EQ(fixtures::read(folder / "out/hierarchy.csv").substr(0, 23), "concavity,clusters\n0,2\n");
-  writeOutput(result, folder / "out");  // they are known as part of an earlier output
-}
-
-TEST(DecomposeMesh, Degenerate) {
-  const TempFolder folder;
-  const std::string point = fixtures::write(folder / "point.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");
-  EXPECT_EQ(decomposeMesh(point, {}).report.links[0].status, Status::kFailed);
-  const std::string triangle = fixtures::write(folder / "triangle.obj", fixtures::obj(test_shapes::singleTriangle()));
-  const ElementReport flat = decomposeMesh(triangle, {}).report.links[0];
-  EXPECT_EQ(flat.status, Status::kOk) << flat.reason;
-  EXPECT_EQ(flat.interior, "surface");
-  EXPECT_EQ(flat.uncovered, 0);
-  EXPECT_GT(flat.thickness, 0);
-  const std::string missing = folder / "missing.obj";
-  EXPECT_EQ(decomposeMesh(missing, {}).report.links[0].error, "FileNotFound");
 }
 
 }  // namespace

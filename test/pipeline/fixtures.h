@@ -103,5 +103,12 @@ inline std::string robot(const std::string& name, const std::string& links) {
   return "<?xml version=\"1.0\"?>\n<robot name=\"" + name + "\">\n" + links + "</robot>\n";
 }
 
+/// How often `part` occurs in the text.
+inline std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
 }  // namespace fixtures
 }  // namespace collision_hulls

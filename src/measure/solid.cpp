@@ -5,7 +5,8 @@
 //
 // Points closer to the surface than the trees' blur (1e-9 of the extent) count as outside, which is never wrong by more than that: the
 // distance to the surface bounds the distance to the solid. Balls inside the solid are smaller by the blur. So neither the step aside of
-// signedCrossings() nor the rounding of distances makes a point seem nearer to the solid than it is.
+// signedCrossings() nor the rounding of distances makes a point seem nearer to the solid than it is, but beside cracks and openings: there
+// a ball may have shrunk to nothing around a point that is outside by less than the blur. sideError() says so, and the bound includes it.
 #include "collision_hulls/measure/solid.h"
 
 #include <algorithm>
@@ -213,6 +214,10 @@ struct Walls {
   /// behind them when they are crossed.
   double crackSlack() const { return 4 * crack_width; }
 
+  /// How far from a point with this distance and radius the surface may be that is nearest to a point of the ball. Never so little that
+  /// rounding could leave out what is nearest to the middle.
+  double reach(double to_surface, double radius) const { return to_surface + 2 * radius + crackSlack() + blur; }
+
   double windingNumber(const Eigen::Vector3d& p) const {
     return closed->signedCrossings(p) - (lids.empty() ? 0 : lids.windingNumber(closed->aside(p)));
   }
@@ -326,6 +331,9 @@ double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface) const 
 double Solid::signedDistance(bool inside, double to_surface) const {
   return inside ? -std::max(0.0, to_surface - impl_->walls.crackSlack() - impl_->walls.blur) : to_surface;
 }
+double Solid::sideError() const {
+  return hasOpenings() || impl_->walls.crack_width > 0 ? impl_->walls.blur : 0;
+}
 bool Solid::isOneSide(double to_surface, double radius) const {
   return !hasOpenings() && to_surface - impl_->walls.crackSlack() - impl_->walls.blur > radius;
 }
@@ -350,11 +358,11 @@ double Solid::heightAboveSheet(const std::array<Eigen::Vector3d, 3>& patch, cons
   return impl_->sheets.bound(patch, near, slack);
 }
 bool Solid::mayHoldSummit(const Eigen::Vector3d& p, double to_surface, double radius) const {
-  return !surface().facesOneWay(p, to_surface + 2 * radius + impl_->walls.crackSlack());
+  return !surface().facesOneWay(p, impl_->walls.reach(to_surface, radius));
 }
 double Solid::frontBound(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& p, double to_surface, double radius,
                          int* foremost) const {
-  return surface().frontBound(corners, p, to_surface + 2 * radius + impl_->walls.crackSlack(), foremost);
+  return surface().frontBound(corners, p, impl_->walls.reach(to_surface, radius), foremost);
 }
 const Eigen::Matrix3d& Solid::axes() const {
   return impl_->axes;

@@ -13,6 +13,10 @@
 
 namespace collision_hulls {
 
+/// [m] The longest links of robots, booms of large manipulators and gantries, are about 10 m. In millimetres read as metres, every link
+/// above 20 mm is larger than this limit.
+constexpr double kLargestLink = 20;
+
 /// A result for one mesh. Where a stage failed, what the stages before it found out remains.
 struct MeshResult {
   MeshFacts mesh;

@@ -74,8 +74,7 @@ void addSegmentFiles(RobotResult& result) {
 
 /// URDF and most mesh formats mean metres; a mesh that is larger than any robot link was probably drawn in millimetres.
 void noteHugeMeshes(Report& report) {
-  constexpr double kHuge = 20;  // [m]
-  const auto is_huge = [](const ElementReport& row) { return row.status != Status::kFailed && row.diagonal > kHuge; };
+  const auto is_huge = [](const ElementReport& row) { return row.status != Status::kFailed && row.diagonal > kLargestLink; };
   const auto first = std::find_if(report.links.begin(), report.links.end(), is_huge);
   if (first == report.links.end()) return;
   const auto others = std::count_if(first, report.links.end(), is_huge) - 1;

@@ -25,10 +25,6 @@ double toleranceFor(const TriangleMesh& mesh, const Options& options) {
                                          "only a length, such as 1mm, or repair the mesh");
 }
 
-// The longest links of robots, booms of large manipulators and gantries, are about 10 m. In millimetres read as metres, every link above
-// 20 mm is larger than this limit.
-constexpr double kLargestLink = 20;  // [m]
-
 /// A percentage of the diagonal takes the same work in every unit, so it stays allowed: for the link that really is that large.
 void checkSize(const std::string& uri, double diagonal, const Length& tolerance) {
   if (diagonal <= kLargestLink || tolerance.limit == Length::kUnset) return;

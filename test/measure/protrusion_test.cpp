@@ -110,6 +110,13 @@ TEST(Protrusion, AHullApartFromTheSolid) {
   EXPECT_EQ(p.hull, 1);
 }
 
+TEST(Protrusion, TheBoundIncludesWhatAnOpeningMayHide) {
+  const Solid solid = solidOf(test_shapes::boxWithWindow(0.2));
+  const Protrusion p = checkedProtrusion({boxHull({0.3, 0.3, 0.1}, {0.7, 0.7, 0.2})}, solid, 0.001);
+  EXPECT_EQ(p.found, 0);
+  EXPECT_GE(p.bound, solid.sideError());
+}
+
 TEST(Protrusion, AHollowBehindANarrowNeckIsAnInnerSummit) {
   for (double neck : {0.05, 0.2, 0.4})
     for (int n : {1, 3})

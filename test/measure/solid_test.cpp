@@ -234,6 +234,45 @@ TEST(Solid, CracksWithinTheWeldToleranceAreNotOpenings) {
   EXPECT_TRUE(Solid(repair(cubeWithCracks(1e-4))).hasOpenings());
 }
 
+/// A box with a crack in its side at x = 0: the upper half ends at a point that is `off` above the lower half's edge.
+TriangleMesh boxWithCrackedSide(double off) {
+  return {{{0, 0, -1}, {0, 0, 0}, {0, 1, 0}, {0, 1, -1}, {0, 0, 1}, {0, 1, 1}, {1, 0, -1}, {1, 0, 1}, {1, 1, 1}, {1, 1, -1}, {0, 0.5, off}},
+          {{0, 1, 2},
+           {0, 2, 3},
+           {4, 5, 2},
+           {4, 2, 10},
+           {4, 10, 1},
+           {6, 7, 4},
+           {6, 4, 1},
+           {6, 1, 0},
+           {9, 3, 2},
+           {9, 2, 5},
+           {9, 5, 8},
+           {6, 9, 8},
+           {6, 8, 7},
+           {0, 3, 9},
+           {0, 9, 6},
+           {4, 7, 8},
+           {4, 8, 5}}};
+}
+
+// The side of a point is told aside of it. Just outside a crack's lid that is inside, while the crack leaves no ball around it.
+TEST(Solid, BesideACrackThePointsThatMayBeMisjudgedAreWithinTheSideError) {
+  const Solid solid(repair(boxWithCrackedSide(1e-6)));
+  ASSERT_FALSE(solid.hasOpenings());
+  EXPECT_NEAR(solid.sideError(), 2e-9, 1e-15);  // of an extent of 2
+  int misjudged = 0;
+  for (const double outside : {0.1, 0.25, 0.5, 0.7}) {  // in blurs, off the lid
+    const Vector3d p(-outside * 2e-9, 0.5, 4e-7);
+    const double d = solid.signedDistance(p, solid.distanceToSurface(p));
+    EXPECT_GE(d + solid.sideError(), outside * 2e-9);
+    misjudged += d < outside * 2e-9;
+  }
+  EXPECT_GT(misjudged, 0);
+  EXPECT_EQ(solidOf(test_shapes::box(1, 1, 2)).sideError(), 0);
+  EXPECT_GT(solidOf(test_shapes::boxWithWindow(0.2)).sideError(), 0);
+}
+
 // A crack's lid faces some way, too.
 TEST(Solid, NoSummitIsRuledOutNextToACrack) {
   const Solid solid(repair(cubeWithCracks(5e-6)));

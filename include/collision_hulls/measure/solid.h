@@ -59,6 +59,9 @@ class Solid {
   double wayToBorder(const Eigen::Vector3d& p) const;
   /// whether S has borders that are not surface; distance() jumps where they are crossed
   bool hasOpenings() const;
+  /// [m] How far outside S a point may be that signedDistance() takes for one of S: 1e-9 of the
+  /// extent if there are cracks or openings, else 0.
+  double sideError() const;
   double volume() const;  ///< [m^3] sum over the components that have an inside
   Interior interior() const;
   /// The rotation into a frame in which much of the surface is axis-aligned; see

@@ -20,7 +20,7 @@ namespace {
 void addRobot(const Input& input, BenchmarkInputs& all) {
   const std::vector<MeshUse> uses = meshUses(input.robot, {});
   const auto resolve = [&](const std::string& uri) { return resolveUri(uri, input.robot.path, input.find_package); };
-  auto [tasks, failed] = meshTasks(uses, resolve);
+  auto [tasks, failed] = meshTasks(uses, resolve, RunControl());
   std::sort(tasks.begin(), tasks.end(), [](const MeshTask& a, const MeshTask& b) { return a.uses.front() < b.uses.front(); });
   std::map<std::string, std::size_t> link_index;
   for (std::size_t i = 0; i < input.robot.links.size(); ++i) link_index[input.robot.links[i].name] = i;

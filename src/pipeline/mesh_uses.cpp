@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "base/nearest_name.h"
+#include "base/read_file.h"
 #include "collision_hulls/error.h"
+#include "collision_hulls/mesh/mesh_io.h"
 #include "storage/sha256.h"
 
 namespace collision_hulls {
@@ -51,6 +53,8 @@ Sameness sameness(const MeshTask& task) {
 /// The files that were looked at so far: each is read once for all its uses.
 class KnownFiles {
  public:
+  explicit KnownFiles(const RunControl& control) : control_(control) {}
+
   /// The task of one use, without its index. Throws Error.
   MeshTask taskFor(const GeometryElement& source, const UriResolver& resolve) {
     if (!source.fault.empty()) throw Error(ErrorCode::kBadGeometry, source.fault);
@@ -59,25 +63,24 @@ class KnownFiles {
     task.uri = source.uri;
     task.scale = source.scale;
     const auto known = files_.find(task.file);
-    const File file = known != files_.end() ? known->second : files_[task.file] = look(task.file);
+    const File& file = known != files_.end() ? known->second : files_[task.file] = look(task.file);
     task.sha256 = file.sha256;
-    task.changed = file.changed;
-    task.bytes = std::filesystem::file_size(task.file);
+    task.bytes = file.bytes;
     return task;
   }
 
  private:
   struct File {
     std::string sha256;
-    std::filesystem::file_time_type changed;
+    std::uintmax_t bytes = 0;
   };
 
-  static File look(const std::string& file) {
-    std::error_code unreadable;  // as the next line finds, too
-    const auto changed = std::filesystem::last_write_time(file, unreadable);
-    return {sha256OfFile(file), changed};
+  File look(const std::string& file) const {
+    const std::string content = readFile(file, "mesh", MeshLimits().max_bytes, control_);
+    return {sha256(content), content.size()};
   }
 
+  const RunControl& control_;
   std::map<std::string, File> files_;
 };
 
@@ -132,10 +135,10 @@ std::vector<std::string> notesOnUses(const RobotDescription& robot, const std::v
           others(collisions, "collision")};
 }
 
-MeshTasks meshTasks(const std::vector<MeshUse>& uses, const UriResolver& resolve) {
+MeshTasks meshTasks(const std::vector<MeshUse>& uses, const UriResolver& resolve, const RunControl& control) {
   MeshTasks result;
   result.failed.resize(uses.size());
-  KnownFiles files;
+  KnownFiles files(control);
   std::map<Sameness, std::size_t> known;  // index of the task
   for (std::size_t i = 0; i < uses.size(); ++i) {
     try {
@@ -159,11 +162,10 @@ std::vector<double> expectedCosts(const std::vector<MeshTask>& tasks) {
   return costs;
 }
 
-void expectUnchanged(const MeshTask& task) {
-  std::error_code error;
-  if (std::filesystem::last_write_time(task.file, error) == task.changed && !error) return;
-  throw Error(ErrorCode::kFileNotFound,
-              "'" + task.file + "' changed or disappeared while it was being read; run again when it is complete");
+std::string contentOf(const MeshTask& task, const RunControl& control) {
+  std::string content = readFile(task.file, "mesh", MeshLimits().max_bytes, control);
+  if (sha256(content) == task.sha256) return content;
+  throw Error(ErrorCode::kFileNotFound, "'" + task.file + "' changed while it was being read; run again when it is complete");
 }
 
 }  // namespace collision_hulls

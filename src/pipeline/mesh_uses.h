@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/report/options.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "pipeline/mesh_result.h"
@@ -46,8 +46,7 @@ struct MeshTask {
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
   std::string sha256;
   std::uintmax_t bytes = 0;
-  std::filesystem::file_time_type changed = {};  ///< when the file was last changed, as seen before its sha256 was taken
-  std::vector<std::size_t> uses;                 ///< ascending
+  std::vector<std::size_t> uses;  ///< ascending
 };
 
 struct MeshTasks {
@@ -58,13 +57,14 @@ struct MeshTasks {
 /// Where a mesh's file is. Throws Error.
 using UriResolver = std::function<std::string(const std::string& uri)>;
 
-/// Finds the files of the meshes, and joins equal ones.
-MeshTasks meshTasks(const std::vector<MeshUse>& uses, const UriResolver& resolve);
+/// Finds and hashes the files of the meshes, and joins equal ones.
+MeshTasks meshTasks(const std::vector<MeshUse>& uses, const UriResolver& resolve, const RunControl& control);
 
 /// In proportion to the time that the tasks take, roughly: the time spreads much less than the files' sizes.
 std::vector<double> expectedCosts(const std::vector<MeshTask>& tasks);
 
-/// Throws kFileNotFound if a task's file changed since its sha256 was computed: the cache would keep the result under a wrong key.
-void expectUnchanged(const MeshTask& task);
+/// The content of a task's file. Throws what readFile() throws, and kFileNotFound if it is no longer what was hashed: the cache would keep
+/// the result under a wrong key.
+std::string contentOf(const MeshTask& task, const RunControl& control);
 
 }  // namespace collision_hulls

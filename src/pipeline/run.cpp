@@ -25,7 +25,7 @@ void runStages(const RunInput& input, RobotResult& result, const std::function<v
   MeshResults results;
   withJobs(options.jobs, [&] {
     Progress progress(input.control, input.step, input.uses.size());
-    MeshTasks found = meshTasks(input.uses, input.resolve);
+    MeshTasks found = meshTasks(input.uses, input.resolve, input.control);
     progress.begin("decompose", input.meshes_end, expectedCosts(found.tasks));
     for (std::size_t i = 0; i < input.uses.size(); ++i)
       if (found.failed[i]) progress.finishElement(input.uses[i].link, 0);

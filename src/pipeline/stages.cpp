@@ -55,8 +55,7 @@ ReadMesh readAndRepair(const MeshTask& task, const Options& options, const RunCo
 
   // 1. Read, and scale as the description says.
   facts.sha256 = task.sha256;
-  LoadedMesh loaded = readMesh(task.file, {}, control);
-  expectUnchanged(task);
+  LoadedMesh loaded = parseMesh(contentOf(task, control), task.file, {}, control);
   facts.triangles = loaded.mesh.triangles.size();
   facts.skipped_primitives = loaded.skipped_primitives;
   result.original = scaled(loaded.mesh, task.scale);

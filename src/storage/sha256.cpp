@@ -5,17 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <vector>
-
-#include "collision_hulls/error.h"
 
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kBlock = 64;                        // bytes per compression
-constexpr std::size_t kFileChunk = std::size_t{1} << 20;  // bytes per read
+constexpr std::size_t kBlock = 64;  // bytes per compression
 
 // First 32 bits of the fractional parts of the cube roots of the first 64 primes (section 4.2.2).
 constexpr std::array<std::uint32_t, 64> kRound = {
@@ -96,20 +90,6 @@ class Sha256 {
 std::string sha256(const std::string& bytes) {
   Sha256 hash;
   hash.update(bytes.data(), bytes.size());
-  return hash.hex();
-}
-
-std::string sha256OfFile(const std::string& path) {
-  std::error_code ignored;
-  std::ifstream in(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path, ignored) || !in) {
-    throw Error(ErrorCode::kFileNotFound, "'" + path + "' is not a readable file; check the path and its permissions");
-  }
-  Sha256 hash;
-  std::vector<char> chunk(kFileChunk);
-  while (in.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || in.gcount() > 0) {
-    hash.update(chunk.data(), static_cast<std::size_t>(in.gcount()));
-  }
   return hash.hex();
 }
 

@@ -8,7 +8,4 @@ namespace collision_hulls {
 /// The digest of the bytes, as 64 lower-case hexadecimal digits.
 std::string sha256(const std::string& bytes);
 
-/// The digest of a file's content. Throws kFileNotFound unless it is a readable regular file.
-std::string sha256OfFile(const std::string& path);
-
 }  // namespace collision_hulls

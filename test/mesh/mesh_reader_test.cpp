@@ -72,7 +72,7 @@ TEST(ReadMeshError, FileNotFound) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(ErrorCode::kFileNotFound, error.code());
-    EXPECT_STREQ("/nowhere/at_all.stl: no such file", error.what());
+    EXPECT_STREQ("'/nowhere/at_all.stl' does not exist; give the path of a mesh", error.what());
   }
 }
 

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "collision_hulls/error.h"
-#include "pipeline/fixtures.h"
 
 namespace collision_hulls {
 namespace {
@@ -22,26 +20,6 @@ TEST(Sha256, LengthsAroundTheBlock) {
   EXPECT_EQ(sha256(std::string(55, 'a')), "9f4390f8d30c2dd92ec9f095b65e2b9ae9b0a925a5258e241c9f1e910f734318");
   EXPECT_EQ(sha256(std::string(56, 'a')), "b35439a4ac6f0948b6d6f9e3c6af0f5f590ce20f1bde7090ef7970686ec6738a");
   EXPECT_EQ(sha256(std::string(64, 'a')), "ffe054fe7ae0cb6dc65c3af9b61d5209f439851db43d0ba5997337df154668eb");
-}
-
-TEST(Sha256, FileHasTheHashOfItsBytes) {
-  const fixtures::TempFolder folder;
-  const std::string bytes(3'000'001, '\x80');  // more than one read
-  EXPECT_EQ(sha256OfFile(fixtures::write(folder / "bytes", bytes)), sha256(bytes));
-  EXPECT_EQ(sha256OfFile(fixtures::write(folder / "empty", "")), sha256(""));
-}
-
-TEST(Sha256, NoFile) {
-  const fixtures::TempFolder folder;
-  for (const std::string& path : {folder / "missing", folder.path().string()}) {
-    try {
-      sha256OfFile(path);
-      ADD_FAILURE() << path;
-    } catch (const Error& e) {
-      EXPECT_EQ(e.code(), ErrorCode::kFileNotFound);
-      EXPECT_NE(std::string(e.what()).find(path), std::string::npos);
-    }
-  }
 }
 
 }  // namespace

@@ -55,6 +55,11 @@ bool isMeshFile(const std::string& path);
 LoadedMesh readMesh(const std::string& path, const MeshLimits& limits = {},
                     const RunControl& control = {});
 
+/// The same from the content of a mesh file. `name` stands in messages; its extension says how the
+/// bytes are read. Throws what readMesh() throws, except kFileNotFound.
+LoadedMesh parseMesh(const std::string& bytes, const std::string& name,
+                     const MeshLimits& limits = {}, const RunControl& control = {});
+
 enum class MeshFormat { kStl, kObj, kDae };
 
 /// The extension of a format, with the dot.

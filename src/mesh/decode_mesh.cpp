@@ -1,5 +1,7 @@
-// Reads a mesh: bytes, checks of what Assimp trusts (source_checks.h), Assimp's scene, and every instance of every mesh in metres. Binary
-// STL is read directly, at a tenth of Assimp's cost.
+// Reads a mesh from bytes: checks of what Assimp trusts (source_checks.h), Assimp's scene, and every instance of every mesh in metres.
+// Binary STL is read directly, at a tenth of Assimp's cost.
+#include "mesh/decode_mesh.h"
+
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/config.h>
 #include <assimp/scene.h>
@@ -12,8 +14,6 @@
 #include <assimp/ProgressHandler.hpp>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <limits>
 #include <optional>
@@ -22,14 +22,11 @@
 
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
-#include "collision_hulls/mesh/mesh_io.h"
 #include "mesh/formats/source_checks.h"
 #include "mesh/triangulate.h"
 
 namespace collision_hulls {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Single precision must resolve at least this share of a mesh's diagonal.
 constexpr double kCoarsestResolution = 1e-3;
@@ -41,29 +38,6 @@ constexpr std::string_view kLfsPointer = "version https://git-lfs.github.com/spe
 
 /// Keeps three corners per triangle within the range of int.
 constexpr std::size_t kMostTriangles = std::numeric_limits<int>::max() / 3;
-
-void checkExtension(const std::string& path, const std::string& extension) {
-  if (isMeshFile(path)) return;
-  std::string list;
-  for (const std::string& e : meshExtensions()) list += " " + e;
-  throw Error(ErrorCode::kUnsupportedFormat, path + ": extension '" + extension + "' is not supported; convert the file to one of" + list);
-}
-
-std::string readBytes(const std::string& path, std::uintmax_t max_bytes) {
-  std::error_code failure;
-  if (!fs::is_regular_file(path, failure))
-    throw Error(ErrorCode::kFileNotFound, path + (fs::exists(path, failure) ? ": not a regular file" : ": no such file"));
-  const std::uintmax_t size = fs::file_size(path, failure);
-  if (failure) throw Error(ErrorCode::kFileNotFound, path + ": " + failure.message());
-  if (size > max_bytes)
-    throw Error(ErrorCode::kTooLarge, path + ": " + std::to_string(size) + " bytes, above the limit of " + std::to_string(max_bytes) +
-                                          "; simplify the mesh or raise the limit");
-  std::string bytes(size, '\0');
-  std::ifstream file(path, std::ios::binary);
-  if (!file.read(bytes.data(), static_cast<std::streamsize>(size)))
-    throw Error(ErrorCode::kFileNotFound, path + ": cannot be read; check its permissions");
-  return bytes;
-}
 
 std::optional<Announced> checkSource(const std::string& bytes, const std::string& path, const std::string& extension,
                                      std::size_t max_triangles) {
@@ -315,28 +289,16 @@ class SceneReader {
 
 }  // namespace
 
-const std::vector<std::string>& meshExtensions() {
-  static const std::vector<std::string> extensions{".stl", ".dae", ".obj", ".off", ".ply"};
-  return extensions;
-}
-
-bool isMeshFile(const std::string& path) {
-  const std::vector<std::string>& known = meshExtensions();
-  return std::find(known.begin(), known.end(), lowerExtension(path)) != known.end();
-}
-
-LoadedMesh readMesh(const std::string& path, const MeshLimits& limits, const RunControl& control) {
-  const std::string extension = lowerExtension(path);
-  checkExtension(path, extension);
-  std::string bytes = readBytes(path, limits.max_bytes);
-  control.check();
-  const std::optional<Announced> announced = checkSource(bytes, path, extension, limits.max_triangles);
-  if (extension == ".stl" && isBinaryStl(bytes)) return readBinaryStl(bytes, path, control);
-  if (extension == ".obj" || extension == ".off") bytes += '\n';  // Assimp drops a last line without a line end
+LoadedMesh decodeMesh(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control) {
+  const std::string extension = lowerExtension(name);
+  const std::optional<Announced> announced = checkSource(bytes, name, extension, limits.max_triangles);
+  if (extension == ".stl" && isBinaryStl(bytes)) return readBinaryStl(bytes, name, control);
+  std::string text;  // Assimp drops a last line without a line end
+  if (extension == ".obj" || extension == ".off") text = bytes + '\n';
   Assimp::Importer importer;
-  const aiScene* scene = import(&importer, bytes, path, extension, control);
-  if (announced) expectAll(*announced, *scene, path);
-  return SceneReader(*scene, path, limits.max_triangles, control).read();
+  const aiScene* scene = import(&importer, text.empty() ? bytes : text, name, extension, control);
+  if (announced) expectAll(*announced, *scene, name);
+  return SceneReader(*scene, name, limits.max_triangles, control).read();
 }
 
 }  // namespace collision_hulls

@@ -1,0 +1,44 @@
+// Reads a mesh: the file as bytes, and triangles from them.
+#include <algorithm>
+
+#include "base/read_file.h"
+#include "base/string_parts.h"
+#include "collision_hulls/error.h"
+#include "collision_hulls/mesh/mesh_io.h"
+#include "mesh/decode_mesh.h"
+
+namespace collision_hulls {
+namespace {
+
+void checkExtension(const std::string& name) {
+  if (isMeshFile(name)) return;
+  std::string list;
+  for (const std::string& e : meshExtensions()) list += " " + e;
+  throw Error(ErrorCode::kUnsupportedFormat,
+              name + ": extension '" + lowerExtension(name) + "' is not supported; convert the file to one of" + list);
+}
+
+}  // namespace
+
+const std::vector<std::string>& meshExtensions() {
+  static const std::vector<std::string> extensions{".stl", ".dae", ".obj", ".off", ".ply"};
+  return extensions;
+}
+
+bool isMeshFile(const std::string& path) {
+  const std::vector<std::string>& known = meshExtensions();
+  return std::find(known.begin(), known.end(), lowerExtension(path)) != known.end();
+}
+
+LoadedMesh readMesh(const std::string& path, const MeshLimits& limits, const RunControl& control) {
+  checkExtension(path);
+  return parseMesh(readFile(path, "mesh", limits.max_bytes, control), path, limits, control);
+}
+
+LoadedMesh parseMesh(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control) {
+  checkExtension(name);
+  control.check();
+  return decodeMesh(bytes, name, limits, control);
+}
+
+}  // namespace collision_hulls

@@ -1,7 +1,35 @@
 // Hill climbing over the vertex graph, stored as one flat array of neighbours. On a convex surface any local maximum is global.
+//
+// Why overhang() is a bound: move all faces out by the excess; then all vertices are below all of them. Let p be below all faces, and c the
+// mean of the vertices. If p is beyond the triangles, the segment from c to p leaves them at a point q of some triangle, whose corners, and
+// so q, are at most the slack below its face, c by the depth. From q to p the segment rises by at most the slack, from c to q by at least
+// depth - slack; it is straight, so |p - q| <= |q - c| slack / (depth - slack).
 #include "geometry/hull_support.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace collision_hulls {
+namespace {
+
+/// The face that a triangle's corners lie least below [m].
+struct BestFace {
+  const HalfSpace* face = nullptr;
+  double slack = std::numeric_limits<double>::infinity();
+};
+
+BestFace bestFace(const ConvexHull& hull, const Triangle& triangle) {
+  BestFace best;
+  for (const HalfSpace& face : hull.faces) {
+    double slack = 0;
+    for (std::size_t k = 0; k < 3 && slack < best.slack; ++k)
+      slack = std::max(slack, -face.distance(hull.vertices[static_cast<std::size_t>(triangle[k])]));
+    if (slack < best.slack) best = {&face, slack};
+  }
+  return best;
+}
+
+}  // namespace
 
 HullSupport::HullSupport(const ConvexHull& hull) : hull_(hull), first_(hull.vertices.size() + 1), neighbours_(hull.triangles.size() * 3) {
   for (const Triangle& t : hull.triangles)
@@ -26,14 +54,31 @@ int HullSupport::furthest(const Eigen::Vector3d& direction, int start) const {
 }
 
 double leastWidth(const ConvexHull& hull) {
-  const HullSupport support(hull);
   double least = std::numeric_limits<double>::infinity();
-  int last = 0;
   for (const HalfSpace& face : hull.faces) {
-    last = support.furthest(-face.normal, last);
-    least = std::min(least, -face.distance(hull.vertices[static_cast<std::size_t>(last)]));
+    double lowest = 0;
+    for (const Eigen::Vector3d& v : hull.vertices) lowest = std::min(lowest, face.distance(v));
+    least = std::min(least, -lowest);
   }
   return least;
+}
+
+double overhang(const ConvexHull& hull) {
+  if (hull.vertices.empty()) return 0;
+  Eigen::Vector3d c = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& v : hull.vertices) c += v / static_cast<double>(hull.vertices.size());
+  double radius = 0, excess = 0;
+  for (const Eigen::Vector3d& v : hull.vertices) {
+    radius = std::max(radius, (v - c).norm());
+    excess = std::max(excess, planeDistance(hull, v));
+  }
+  double most = 0;
+  for (const Triangle& t : hull.triangles) {
+    const BestFace best = bestFace(hull, t);
+    const double slack = best.slack + excess, depth = excess - best.face->distance(c);
+    most = std::max(most, depth > slack ? slack / (depth - slack) : 2);
+  }
+  return radius * std::min(most, 2.0);  // no two points are further apart
 }
 
 }  // namespace collision_hulls

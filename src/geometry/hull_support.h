@@ -1,4 +1,4 @@
-// Support points of a hull, found by walking along its edges.
+// Support points of a hull, found by walking along its edges; and measures that compare all faces with all vertices, for proofs.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,11 @@ class HullSupport {
   std::vector<int> neighbours_;     // vertices joined to it by an edge
 };
 
-/// The least width [m] of a hull, measured across its faces: no ball inside it is wider.
+/// [m] An upper bound on the diameter of any ball in the hull: the least width across its faces, each compared with all vertices.
 double leastWidth(const ConvexHull& hull);
+
+/// [m] How far points may lie beyond the hull's triangles and yet be in the convex hull of its vertices, or below all its faces: an upper
+/// bound, proved for triangles that are closed and enclose the mean of the vertices. Takes nothing on trust, slack included.
+double overhang(const ConvexHull& hull);
 
 }  // namespace collision_hulls

@@ -25,6 +25,9 @@ constexpr double kAnyDirection = kPi;
 constexpr double kNarrow = 0.35;  // [rad] a cone narrower than this stands for all its triangles
 constexpr std::size_t kMostCones = 64;
 constexpr double kLevel = 1e-6;  // directions whose cosine is below this count as level: outside the half-space
+// Rounding error of two sides' cross product, as a share of the product of their lengths; and an error of the unit normal [rad] from which
+// on a sliver counts as degenerate: a tenth of what counts as level.
+constexpr double kNormalRounding = 2e-15, kVague = 1e-7;
 constexpr int kHalfSpaceRounds = 24;
 constexpr double kLean = 0.3, kEnough = 1.01;  // step toward the worst cone; gain per round that justifies another round
 
@@ -209,10 +212,10 @@ void TriangleBvh::fitCone(int id) {
 TriangleBvh::Cone TriangleBvh::cone(int k) const {
   const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
   const Eigen::Vector3d vector = (b - a).cross(c - a);
-  const double length = vector.norm();
-  if (!(length > 0) || (!two_sided_.empty() && two_sided_[static_cast<std::size_t>(index_[static_cast<std::size_t>(k)])]))
+  const double length = vector.norm(), error = kNormalRounding * (b - a).norm() * (c - a).norm() / length;
+  if (!(error < kVague) || (!two_sided_.empty() && two_sided_[static_cast<std::size_t>(index_[static_cast<std::size_t>(k)])]))
     return {Eigen::Vector3d::Zero(), kAnyDirection};
-  return {vector / length, 0};
+  return {vector / length, error};
 }
 
 /// Calls visit(k) for the triangles within `radius` of p, but skip(cluster) instead for whole nodes whose cone is narrower than `narrow`.
@@ -264,9 +267,10 @@ double TriangleBvh::frontBound(const std::vector<Eigen::Vector3d>& corners, cons
   const auto add = [&](int k) {
     const Cone c = cone(k);
     if (c.angle >= kAnyDirection || count == kMostCones) return false;
-    cones[count++] = {c.axis, 0};
+    cones[count++] = {c.axis, c.angle};
     for (const Eigen::Vector3d& corner : corners) {
-      const double d = c.axis.dot(corner - corners_[static_cast<std::size_t>(k)][0]);
+      const Eigen::Vector3d from = corner - corners_[static_cast<std::size_t>(k)][0];
+      const double d = c.axis.dot(from) + c.angle * from.norm();
       if (d <= front) continue;
       front = d;
       if (foremost) *foremost = index_[static_cast<std::size_t>(k)];

@@ -34,14 +34,14 @@ void add(Protrusion& worst, const Protrusion& other) {
 }
 
 /// [m] What rounding may hide. Points are rounded with the coordinates of the hulls, distances with the mesh's extent as well; hulls may
-/// stand out beyond their triangles, which are searched, by their slack; and beside cracks and openings points may be taken for inside.
+/// reach beyond their triangles, which are searched; and beside cracks and openings points may be taken for inside.
 double rounding(const std::vector<ConvexHull>& hulls, const Solid& solid) {
-  double size = solid.surface().extent(), slack = 0;
+  double size = solid.surface().extent(), beyond = 0;
   for (const ConvexHull& hull : hulls) {
-    slack = std::max(slack, hull.slack);
+    beyond = std::max(beyond, overhang(hull));
     for (const Eigen::Vector3d& v : hull.vertices) size = std::max(size, v.cwiseAbs().maxCoeff());
   }
-  return hulls.empty() ? 0 : kRounding * size + slack + solid.sideError();
+  return hulls.empty() ? 0 : kRounding * size + beyond + solid.sideError();
 }
 
 /// `on_surface`: per hull, the result of searching its surface.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "random_points.h"
@@ -48,6 +49,46 @@ TEST(HullSupport, RandomHulls) {
     SCOPED_TRACE(seed);
     test_shapes::RandomPoints random(seed);
     expectSupport(convexHull(random.cloud(4 + 5 * seed)), seed);
+  }
+}
+
+TEST(LeastWidth, OfABox) {
+  EXPECT_NEAR(leastWidth(convexHull(test_shapes::box(1, 2, 3).vertices)), 1, 1e-10);
+}
+
+// A wedge of 2 theta whose two long faces are moved out by s: they meet s / sin(theta) beyond its edge.
+TEST(Overhang, ReachesFarAtASharpEdge) {
+  const double theta = 0.02, s = 1e-5, y = std::sin(theta), x = std::cos(theta);
+  ConvexHull wedge = convexHull({{0, 0, 0}, {0, 0, 1}, {x, y, 0}, {x, y, 1}, {x, -y, 0}, {x, -y, 1}});
+  EXPECT_LT(overhang(wedge), 1e-9);
+  for (HalfSpace& face : wedge.faces)
+    if (std::abs(face.normal.y()) > 0.9) face.offset += s;
+  const double beyond = s / std::sin(theta);
+  EXPECT_LE(planeDistance(wedge, {-beyond * (1 - 1e-9), 0, 0.5}), 0);
+  EXPECT_GE(overhang(wedge), beyond);
+  EXPECT_LE(overhang(wedge), 10 * beyond);
+}
+
+// The sharper the edge at the vertex, the further the triangles stay behind it.
+TEST(Overhang, AVertexThatNoFaceHolds) {
+  ConvexHull box = convexHull(test_shapes::box(1, 1, 1).vertices);
+  for (HalfSpace& face : box.faces) face.offset -= 1e-6 * (face.normal.x() > 0.5);
+  EXPECT_GE(overhang(box), 1e-6);
+  EXPECT_LE(overhang(box), 1e-5);
+}
+
+TEST(Overhang, AHullWithoutAnInsideReachesNoFurtherThanItIsWide) {
+  ConvexHull flat = convexHull(test_shapes::box(1, 1, 1).vertices);
+  for (Vector3d& v : flat.vertices) v.z() = 0;
+  const double reach = overhang(flat);
+  EXPECT_GE(reach, std::sqrt(2) - 1e-9);
+  EXPECT_LE(reach, 2);
+}
+
+TEST(Overhang, OfHullsIsRounding) {
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    test_shapes::RandomPoints random(seed);
+    EXPECT_LT(overhang(convexHull(random.cloud(4 + 5 * seed))), 1e-9) << seed;
   }
 }
 

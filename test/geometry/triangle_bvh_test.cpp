@@ -270,6 +270,36 @@ bool openHalfSpace(const TriangleMesh& mesh, const Vector3d& p, double radius) {
   return false;
 }
 
+/// A triangle of length 1 and about this height, with random directions.
+TriangleMesh sliver(double height, RandomPoints& random) {
+  const Vector3d a = random.inCube(), along = random.onSphere(), up = along.cross(random.onSphere()).normalized();
+  return {{a, a + along, a + 0.4 * along + height * up}, {{0, 1, 2}}};
+}
+
+// Far off to the side, rounding of the sliver's normal decides on how high a point is above it.
+TEST(TriangleBvh, FrontBoundAllowsForTheNormalsOfSlivers) {
+  using Exact = Eigen::Matrix<long double, 3, 1>;
+  for (std::uint32_t seed = 0; seed < 300; ++seed) {
+    RandomPoints random(seed);
+    const TriangleMesh mesh = sliver(1e-6, random);
+    const Exact a = mesh.vertices[0].cast<long double>(), b = mesh.vertices[1].cast<long double>(),
+                c = mesh.vertices[2].cast<long double>();
+    const Exact normal = (b - a).cross(c - a).normalized(), sideways = normal.cross(b - a).normalized();
+    const Vector3d p = (a + 10 * sideways + normal).cast<double>();
+    const auto height = static_cast<double>(normal.dot(p.cast<long double>() - a));
+    const double bound = TriangleBvh(mesh).frontBound({p}, p, 20);
+    EXPECT_GE(bound, height) << seed;
+    EXPECT_LE(bound, height + 1e-6) << seed;
+  }
+}
+
+TEST(TriangleBvh, AnExtremeSliverFacesAnyWay) {
+  RandomPoints random(1);
+  const TriangleMesh thin = sliver(1e-6, random), too_thin = sliver(1e-9, random);
+  EXPECT_TRUE(TriangleBvh(thin).facesOneWay(thin.vertices[0], 1));
+  EXPECT_FALSE(TriangleBvh(too_thin).facesOneWay(too_thin.vertices[0], 1));
+}
+
 TEST(TriangleBvh, FacesOneWayClosedForm) {
   const TriangleBvh box(test_shapes::box(1, 1, 1, 8));
   EXPECT_TRUE(box.facesOneWay({0.5, 0.5, 1.2}, 0.3));   // one face

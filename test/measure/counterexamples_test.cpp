@@ -82,12 +82,14 @@ TEST(Counterexamples, TheBoundAllowsForRounding) {
   EXPECT_LE(protrusion({boxHull({0, 0, 0}, {1, 1, 1})}, solidOf(test_shapes::box(1, 1, 1)), 1e-9).bound, 5e-9);
 }
 
+// The triangles are searched; what lies between them and the faces counts as well.
 TEST(Counterexamples, TheBoundAllowsForDentsOfAHull) {
   ConvexHull hull = boxHull({0, 0, 0}, {1, 1, 1});
   const Solid solid = solidOf(test_shapes::box(1, 1, 0.5));
   const double before = protrusion({hull}, solid, 0.01).bound;
-  hull.slack += 1e-4;
-  EXPECT_NEAR(protrusion({hull}, solid, 0.01).bound, before + 1e-4, 1e-12);
+  for (HalfSpace& face : hull.faces) face.offset += 1e-4;
+  EXPECT_GE(protrusion({hull}, solid, 0.01).bound, before + 1e-4);
+  EXPECT_LE(protrusion({hull}, solid, 0.01).bound, before + 1e-3);
 }
 
 // Random input.

@@ -115,7 +115,7 @@ TEST(Protrusion, AHullApartFromTheSolid) {
 
 TEST(Protrusion, TheBoundIncludesWhatAnOpeningMayHide) {
   const Solid solid = solidOf(test_shapes::boxWithWindow(0.2));
-  const Protrusion p = checkedProtrusion({boxHull({0.3, 0.3, 0.1}, {0.7, 0.7, 0.2})}, solid, 0.001);
+  const Protrusion p = protrusion({boxHull({0.3, 0.3, 0.1}, {0.7, 0.7, 0.2})}, solid, 1e-12);
   EXPECT_EQ(p.found, 0);
   EXPECT_GE(p.bound, solid.sideError());
 }

@@ -30,7 +30,8 @@ class MeshTaskTest : public ::testing::Test {
 
   /// The uses of each task, in the tasks' order.
   std::vector<std::vector<std::size_t>> groups(const std::vector<MeshUse>& uses) {
-    found_ = meshTasks(uses, [&](const std::string& uri) { return folder_ / uri; }, RunControl());
+    found_ = meshTasks(
+        uses, [&](const std::string& uri) { return folder_ / uri; }, RunControl());
     std::vector<std::vector<std::size_t>> groups;
     for (const MeshTask& task : found_.tasks) groups.push_back(task.uses);
     return groups;

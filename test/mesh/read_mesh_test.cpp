@@ -1,4 +1,4 @@
-// Also tests src/mesh/formats/check_dae.cpp, src/mesh/formats/check_obj.cpp, src/mesh/formats/check_off.cpp,
+// Also tests src/mesh/decode_mesh.cpp, src/mesh/formats/check_dae.cpp, src/mesh/formats/check_obj.cpp, src/mesh/formats/check_off.cpp,
 // src/mesh/formats/check_ply.cpp and src/mesh/formats/check_stl.cpp.
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -12,7 +12,7 @@
 #include "bench/table.h"
 #include "collision_hulls/decompose/certified.h"
 #include "collision_hulls/decompose/certified_hulls.h"
-#include "collision_hulls/decompose/fit_cover.h"
+#include "collision_hulls/decompose/round_outward.h"
 #include "collision_hulls/measure/measures.h"
 #include "decompose/dice.h"
 #include "storage/csv.h"
@@ -94,12 +94,12 @@ json measureCuts(const json& job) {
     const std::vector<int> cut = randomCut(tree, kind, leaves, dice);
     double told = 0;
     for (const int id : cut) told = std::max(told, tree.nodes[static_cast<std::size_t>(id)].protrusion);
-    const FittedHulls fitted = fitCover(tree.hullsOf(cut), original.mesh, original.margin, 0);
+    const RoundedHulls rounded = roundOutward(tree.hullsOf(cut), original.mesh, original.margin, 0);
     cuts.push_back({{"kind", kind},
                     {"hulls", cut.size()},
-                    {"bound", told + gap + kMargins * (original.margin + fitted.nudge)},
-                    {"uncovered", uncovered(original.mesh, fitted.hulls)},
-                    {"protrusion", certificates.bound(fitted.hulls) + original.margin}});
+                    {"bound", told + gap + kMargins * (original.margin + rounded.nudge)},
+                    {"uncovered", uncovered(original.mesh, rounded.hulls)},
+                    {"protrusion", certificates.bound(rounded.hulls) + original.margin}});
   }
   return {{"leaves", leaves}, {"cuts", cuts}};
 }

@@ -12,7 +12,7 @@
 #include "bench/original.h"
 #include "bench/queries/query_job.h"
 #include "collision_hulls/decompose/certified_hulls.h"
-#include "collision_hulls/decompose/fit_cover.h"
+#include "collision_hulls/decompose/round_outward.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/measure/measures.h"
 #include "collision_hulls/mesh/mesh_io.h"
@@ -50,7 +50,7 @@ json prepare(const json& job) {
 /// methods it is left to score().
 std::vector<ConvexHull> hullsOf(const Original& original, const DecomposeOptions& options) {
   if (options.method != Method::kCertified)
-    return fitCover(decompose(original.repaired, options).hulls, original.mesh, original.margin, options.max_vertices).hulls;
+    return roundOutward(decompose(original.repaired, options).hulls, original.mesh, original.margin, options.max_vertices).hulls;
   const Solid solid(original.repaired);
   return certifiedHulls({original.mesh, original.repaired, solid, original.margin, nullptr, ""}, options).hulls;
 }

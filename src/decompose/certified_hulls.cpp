@@ -16,7 +16,7 @@
 
 #include "base/millimetres.h"
 #include "base/stopwatch.h"
-#include "collision_hulls/decompose/fit_cover.h"
+#include "collision_hulls/decompose/round_outward.h"
 #include "collision_hulls/error.h"
 #include "decompose/hulls_of_tree.h"
 #include "measure/protrusion.h"
@@ -40,7 +40,7 @@ constexpr double kMuch = 0.1;            // of the protrusion: if blunting excee
 struct Attempt {
   CertifiedHulls result;
   bool capped = false;  // caps made the hulls coarser
-  double blunted = 0;   // [m] see FittedHulls
+  double blunted = 0;   // [m] see RoundedHulls
 };
 
 void checkTolerance(const DecomposeOptions& options) {
@@ -61,19 +61,19 @@ Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, double 
   CertifiedHulls& result = attempt.result;
   Stopwatch stage;
   const Decomposition parts = mesh.tree ? hullsOfTree(*mesh.tree, aim) : decompose(mesh.repaired, aim, decomposing);
-  FittedHulls fitted = fitCover(parts.hulls, mesh.original, mesh.margin, aim.max_vertices, decomposing);
+  RoundedHulls rounded = roundOutward(parts.hulls, mesh.original, mesh.margin, aim.max_vertices, decomposing);
   for (const ConvexHull& hull : parts.hulls) result.thickness = std::max(result.thickness, hull.thickness);
   result.seconds.decompose = stage.lap();
-  const Protrusion proof = certificate(fitted.hulls, mesh.solid, mesh.margin, tolerance, certifying);
+  const Protrusion proof = certificate(rounded.hulls, mesh.solid, mesh.margin, tolerance, certifying);
   result.seconds.certify = stage.lap();
-  result.hulls = std::move(fitted.hulls);
+  result.hulls = std::move(rounded.hulls);
   result.bound = proof.bound;
   result.found = proof.found;
   result.where = proof.where;
   result.nearest = proof.nearest;
-  result.nudge = fitted.nudge;
+  result.nudge = rounded.nudge;
   attempt.capped = parts.capped;
-  attempt.blunted = fitted.blunted;
+  attempt.blunted = rounded.blunted;
   return attempt;
 }
 

@@ -2,7 +2,7 @@
 // are made on first use, each behind a once_flag, since a fit need not visit all nodes of a tree.
 #include "fit/detail_tree.h"
 
-#include "collision_hulls/decompose/fit_cover.h"
+#include "collision_hulls/decompose/round_outward.h"
 #include "fit/enclosing.h"
 
 namespace collision_hulls {
@@ -71,8 +71,8 @@ int DetailTree::parent(int hull) const {
 }
 
 ConvexHull DetailTree::written(int hull) const {
-  // With an empty mesh to cover, fitCover() only grows the hull, rounds its vertices and caps their number.
-  return fitCover({mesh_->tree.nodes[static_cast<std::size_t>(hull)].hull}, {}, mesh_->margin, mesh_->max_vertices).hulls.front();
+  // With an empty mesh to cover, roundOutward() only grows the hull, rounds its vertices and caps their number.
+  return roundOutward({mesh_->tree.nodes[static_cast<std::size_t>(hull)].hull}, {}, mesh_->margin, mesh_->max_vertices).hulls.front();
 }
 
 const QueryBody& DetailTree::body(int node) const {
@@ -85,7 +85,7 @@ const QueryBody& DetailTree::body(int node) const {
 }
 
 std::vector<ConvexHull> writtenHulls(const FitMesh& mesh, const std::vector<int>& cut, const RunControl& control) {
-  return fitCover(mesh.tree.hullsOf(cut), mesh.original, mesh.margin, mesh.max_vertices, control).hulls;
+  return roundOutward(mesh.tree.hullsOf(cut), mesh.original, mesh.margin, mesh.max_vertices, control).hulls;
 }
 
 QueryBody queryBody(const GeometryElement& primitive) {

@@ -19,7 +19,7 @@
 
 #include "base/parallel.h"
 #include "collision_hulls/decompose/decompose.h"
-#include "collision_hulls/decompose/fit_cover.h"
+#include "collision_hulls/decompose/round_outward.h"
 #include "collision_hulls/measure/measures.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "geometry/bytes.h"
@@ -107,7 +107,7 @@ GoldenRow goldenRow(const std::string& name, const TriangleMesh& mesh, double re
   options.method = method;
   options.tolerance = kToleranceShare * diagonal(mesh);
   const std::vector<ConvexHull> made = decompose(repaired, options).hulls;
-  const std::vector<ConvexHull> hulls = fitCover(made, mesh, repaired.counts.weld_distance + resolution, options.max_vertices).hulls;
+  const std::vector<ConvexHull> hulls = roundOutward(made, mesh, repaired.counts.weld_distance + resolution, options.max_vertices).hulls;
   GoldenRow row;
   row.subject = name + " " + collision_hulls::name(method);
   row.hulls = hulls.size();

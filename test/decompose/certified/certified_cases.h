@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "collision_hulls/decompose/certified.h"
-#include "collision_hulls/decompose/fit_cover.h"
+#include "collision_hulls/decompose/round_outward.h"
 #include "collision_hulls/measure/measures.h"
 #include "mesh/loose_segments.h"
 #include "solids.h"
@@ -41,11 +41,11 @@ inline TriangleMesh surfaceOf(const RepairedMesh& mesh) {
   return all;
 }
 
-/// The promise of decompose.h and fit_cover.h: the hulls cover, up to rounding as they are and strictly as they are written.
-inline FittedHulls expectCovers(const RepairedMesh& mesh, const std::vector<ConvexHull>& hulls, int max_vertices = 0) {
+/// The promise of decompose.h and round_outward.h: the hulls cover, up to rounding as they are and strictly as they are written.
+inline RoundedHulls expectCovers(const RepairedMesh& mesh, const std::vector<ConvexHull>& hulls, int max_vertices = 0) {
   const TriangleMesh all = surfaceOf(mesh);
   EXPECT_LE(uncovered(all, hulls), 1e-12 * sizeOf(mesh));
-  const FittedHulls fitted = fitCover(hulls, all, 0, max_vertices);
+  const RoundedHulls fitted = roundOutward(hulls, all, 0, max_vertices);
   EXPECT_EQ(uncovered(all, fitted.hulls), 0);
   EXPECT_EQ(fitted.completed, 0u);
   return fitted;

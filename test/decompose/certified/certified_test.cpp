@@ -21,7 +21,7 @@ using test_shapes::within;
 Decomposition checked(const TriangleMesh& mesh, const DecomposeOptions& options) {
   const RepairedMesh repaired = repair(mesh);
   Decomposition result = certified(repaired, options);
-  const FittedHulls fitted = expectCovers(repaired, result.hulls, options.max_vertices);
+  const RoundedHulls fitted = expectCovers(repaired, result.hulls, options.max_vertices);
   EXPECT_LE(protrusion(fitted.hulls, Solid(repaired), kGap * options.tolerance).bound, options.tolerance);
   for (const ConvexHull& hull : result.hulls)
     EXPECT_TRUE(options.max_vertices == 0 || hull.vertices.size() <= static_cast<std::size_t>(options.max_vertices));

@@ -1,4 +1,4 @@
-#include "collision_hulls/decompose/fit_cover.h"
+#include "collision_hulls/decompose/round_outward.h"
 
 #include <gtest/gtest.h>
 
@@ -25,13 +25,13 @@ double sizeOf(const TriangleMesh& mesh) {
 }
 
 bool isSingle(double x) {
-  const volatile float single = static_cast<float>(x);  // volatile: see roundedToSingle() in fit_cover.cpp
+  const volatile float single = static_cast<float>(x);  // volatile: see roundedToSingle() in round_outward.cpp
   return single == x;
 }
 
-/// What fit_cover.h promises, checked on hulls rebuilt from the vertices as written.
-FittedHulls checkedFit(const std::vector<ConvexHull>& hulls, const TriangleMesh& mesh, double margin = 0, int max_vertices = 0) {
-  const FittedHulls fitted = fitCover(hulls, mesh, margin, max_vertices);
+/// What round_outward.h promises, checked on hulls rebuilt from the vertices as written.
+RoundedHulls checkedFit(const std::vector<ConvexHull>& hulls, const TriangleMesh& mesh, double margin = 0, int max_vertices = 0) {
+  const RoundedHulls fitted = roundOutward(hulls, mesh, margin, max_vertices);
   EXPECT_EQ(uncovered(mesh, fitted.hulls), 0);
   std::vector<ConvexHull> written;
   for (const ConvexHull& hull : fitted.hulls) {
@@ -49,7 +49,7 @@ FittedHulls checkedFit(const std::vector<ConvexHull>& hulls, const TriangleMesh&
 }
 
 /// The furthest distance of the fitted hulls' vertices from the given hulls.
-double growth(const FittedHulls& fitted, const std::vector<ConvexHull>& hulls) {
+double growth(const RoundedHulls& fitted, const std::vector<ConvexHull>& hulls) {
   double most = 0;
   for (std::size_t h = 0; h < hulls.size(); ++h)
     for (const Vector3d& v : fitted.hulls[h].vertices) most = std::max(most, distance(hulls[h], v));
@@ -58,20 +58,20 @@ double growth(const FittedHulls& fitted, const std::vector<ConvexHull>& hulls) {
 
 // Degenerate input.
 
-TEST(FitCover, NothingToFit) {
-  EXPECT_TRUE(fitCover({}, {}, 0, 0).hulls.empty());
+TEST(RoundOutward, NothingToFit) {
+  EXPECT_TRUE(roundOutward({}, {}, 0, 0).hulls.empty());
 }
 
-TEST(FitCover, TrianglesWithoutAnyHullAreAnInternalError) {
+TEST(RoundOutward, TrianglesWithoutAnyHullAreAnInternalError) {
   try {
-    fitCover({}, test_shapes::box(1, 1, 1), 0, 0);
+    roundOutward({}, test_shapes::box(1, 1, 1), 0, 0);
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::kInternal);
   }
 }
 
-TEST(FitCover, APointALineAndAPlane) {
+TEST(RoundOutward, APointALineAndAPlane) {
   RandomPoints random(1);
   for (const Vector3d& place : {Vector3d(0, 0, 0), Vector3d(1, 2, 3), Vector3d(1000, -1000, 1000)})
     for (int dimensions = 0; dimensions <= 2; ++dimensions) {
@@ -89,38 +89,38 @@ TEST(FitCover, APointALineAndAPlane) {
     }
 }
 
-TEST(FitCover, UncoveredTrianglesAreAdded) {
+TEST(RoundOutward, UncoveredTrianglesAreAdded) {
   TriangleMesh mesh = test_shapes::box(1, 1, 1, 2);
   const int first = static_cast<int>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), {{1.2, 0.5, 0.5}, {0.5, 0.5, 1.1}, {0.5, 0.5, 0.5}});
   mesh.triangles.push_back({first, first, first});
   mesh.triangles.push_back({first + 1, first + 2, first + 1});
-  const FittedHulls fitted = checkedFit({boxHull({0, 0, 0}, {1, 1, 1})}, mesh);
+  const RoundedHulls fitted = checkedFit({boxHull({0, 0, 0}, {1, 1, 1})}, mesh);
   EXPECT_EQ(fitted.completed, 2u);
 }
 
-TEST(FitCover, ATriangleGoesToTheHullThatGrowsLeast) {
+TEST(RoundOutward, ATriangleGoesToTheHullThatGrowsLeast) {
   TriangleMesh mesh{{{1.1, 0.5, 0.5}, {1.1, 0.6, 0.5}, {1.1, 0.5, 0.6}}, {{0, 1, 2}}};
   const std::vector<ConvexHull> hulls{boxHull({3, 0, 0}, {4, 1, 1}), boxHull({0, 0, 0}, {1, 1, 1}), boxHull({-5, 0, 0}, {-4, 1, 1})};
-  const FittedHulls fitted = checkedFit(hulls, mesh);
+  const RoundedHulls fitted = checkedFit(hulls, mesh);
   EXPECT_EQ(fitted.completed, 1u);
   EXPECT_LE(planeDistance(fitted.hulls[1], mesh.vertices[0]), 0);
   EXPECT_LT(volume(fitted.hulls[0]), 1.001);
   EXPECT_LT(volume(fitted.hulls[2]), 1.001);
 }
 
-TEST(FitCover, CoversATriangleAcrossASlit) {
+TEST(RoundOutward, CoversATriangleAcrossASlit) {
   const TriangleMesh mesh{{{0.1, 0.1, 0.5}, {1.9, 0.1, 0.5}, {1, 0.9, 0.5}}, {{0, 1, 2}}};
   EXPECT_EQ(checkedFit({boxHull({0, 0, 0}, {0.99, 1, 1}), boxHull({1.01, 0, 0}, {2, 1, 1})}, mesh).completed, 1u);
 }
 
 // Closed-form answers.
 
-TEST(FitCover, ABoxGrowsByTheMarginAndSinglePrecision) {
+TEST(RoundOutward, ABoxGrowsByTheMarginAndSinglePrecision) {
   const TriangleMesh mesh = test_shapes::box(1, 1, 1, 3);
   for (double margin : {0.0, 1e-6, 1e-3}) {
     const std::vector<ConvexHull> hulls{hullOf(mesh)};
-    const FittedHulls fitted = checkedFit(hulls, mesh, margin);
+    const RoundedHulls fitted = checkedFit(hulls, mesh, margin);
     EXPECT_GE(fitted.nudge, margin);
     EXPECT_LE(fitted.nudge, margin + 5e-7);
     EXPECT_LE(growth(fitted, hulls), 1.8 * fitted.nudge + 2e-7);
@@ -129,17 +129,17 @@ TEST(FitCover, ABoxGrowsByTheMarginAndSinglePrecision) {
   }
 }
 
-TEST(FitCover, FarFromTheOriginItGrowsWithTheCoordinates) {
+TEST(RoundOutward, FarFromTheOriginItGrowsWithTheCoordinates) {
   for (double far : {10.0, 1e3, 1e4}) {
     const TriangleMesh mesh = test_shapes::moved(test_shapes::torus(1, 0.3, 12, 8), {far, -far, far});
     const std::vector<ConvexHull> hulls{hullOf(mesh)};
-    const FittedHulls fitted = checkedFit(hulls, mesh);
+    const RoundedHulls fitted = checkedFit(hulls, mesh);
     EXPECT_LE(fitted.nudge, 1e-6 * far);
     EXPECT_LE(growth(fitted, hulls), 1e-5 * far);
   }
 }
 
-TEST(FitCover, WorksAtAnySize) {
+TEST(RoundOutward, WorksAtAnySize) {
   for (double scale : {1e-6, 1e-3, 1e3, 1e6}) {
     const TriangleMesh mesh = scaled(test_shapes::torus(1, 0.3, 12, 8), Vector3d::Constant(scale));
     const std::vector<ConvexHull> hulls{hullOf(mesh)};
@@ -149,7 +149,7 @@ TEST(FitCover, WorksAtAnySize) {
 
 // Random input.
 
-TEST(FitCover, HullsOfAnyShape) {
+TEST(RoundOutward, HullsOfAnyShape) {
   for (std::uint32_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     RandomPoints random(seed);
@@ -165,14 +165,14 @@ TEST(FitCover, HullsOfAnyShape) {
       parts.push_back(part);
     }
     const TriangleMesh mesh = test_shapes::merged(parts);
-    const FittedHulls fitted = checkedFit(hulls, mesh);
+    const RoundedHulls fitted = checkedFit(hulls, mesh);
     EXPECT_EQ(fitted.completed, 0u);
     EXPECT_LE(fitted.nudge, 2e-5 * sizeOf(mesh));
     EXPECT_LE(growth(fitted, hulls), 1e-4 * sizeOf(mesh));
   }
 }
 
-TEST(FitCover, KeepsTheVertexCap) {
+TEST(RoundOutward, KeepsTheVertexCap) {
   for (std::uint32_t seed = 0; seed < 24; ++seed) {
     SCOPED_TRACE(seed);
     RandomPoints random(seed);
@@ -186,7 +186,7 @@ TEST(FitCover, KeepsTheVertexCap) {
 
 /// A disc far thinner than the margin has sharp vertices all around: moved as far as their faces require, they would no longer be its
 /// vertices.
-TEST(FitCover, ThinDiscUnderACapStaysADisc) {
+TEST(RoundOutward, ThinDiscUnderACapStaysADisc) {
   constexpr int kSegments = 62, kCap = 64;
   constexpr double kRadius = 0.15, kThickness = 3e-7, kMargin = 8e-6;
   for (std::uint32_t seed = 0; seed < 8; ++seed) {
@@ -198,12 +198,12 @@ TEST(FitCover, ThinDiscUnderACapStaysADisc) {
       points.push_back(turn * Vector3d(kRadius * std::cos(a), kRadius * std::sin(a), i % 2 * kThickness));
     }
     const ConvexHull disc = convexHull(points);
-    const FittedHulls fitted = checkedFit({disc}, {disc.vertices, disc.triangles}, kMargin, kCap);
+    const RoundedHulls fitted = checkedFit({disc}, {disc.vertices, disc.triangles}, kMargin, kCap);
     EXPECT_LT(growth(fitted, {disc}), 0.012 * kRadius + 3 * kMargin);  // about twice that of a regular prism with 62 corners
   }
 }
 
-TEST(FitCover, CompletesTheCoverAtTheCapToo) {
+TEST(RoundOutward, CompletesTheCoverAtTheCapToo) {
   RandomPoints random(2);
   const TriangleMesh ball = test_shapes::sphere(1, 3);
   TriangleMesh mesh = ball;
@@ -212,14 +212,14 @@ TEST(FitCover, CompletesTheCoverAtTheCapToo) {
     mesh.vertices.push_back(1.1 * random.onSphere());
     mesh.triangles.push_back({v, v, v});
   }
-  const FittedHulls fitted = checkedFit({hullOf(ball)}, mesh, 0, 24);
+  const RoundedHulls fitted = checkedFit({hullOf(ball)}, mesh, 0, 24);
   EXPECT_LE(fitted.completed, 40u);
 }
 
-TEST(FitCover, SameInputGivesSameBytes) {
+TEST(RoundOutward, SameInputGivesSameBytes) {
   const TriangleMesh mesh = test_shapes::torus(1, 0.3, 16, 8);
   const std::vector<ConvexHull> hulls{hullOf(mesh)};
-  EXPECT_EQ(fitCover(hulls, mesh, 1e-6, 16).hulls[0].vertices, fitCover(hulls, mesh, 1e-6, 16).hulls[0].vertices);
+  EXPECT_EQ(roundOutward(hulls, mesh, 1e-6, 16).hulls[0].vertices, roundOutward(hulls, mesh, 1e-6, 16).hulls[0].vertices);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // mitre); a vertex too sharp for that becomes a small octahedron, and a hull that then exceeds its vertex cap gives way to a blunter one,
 // at worst its oriented box. Each result is measured against the hull it came from. Then all original triangles are tested
 // (measure/cover.h), and any that are uncovered are added, until none is left.
-#include "collision_hulls/decompose/fit_cover.h"
+#include "collision_hulls/decompose/round_outward.h"
 
 #include <algorithm>
 #include <array>
@@ -138,7 +138,7 @@ double roundingOf(const ConvexHull& hull) {
 struct Rounded {
   ConvexHull hull;
   double nudge = 0;
-  double blunted = 0;  // [m] see FittedHulls
+  double blunted = 0;  // [m] see RoundedHulls
 };
 std::optional<Rounded> roundOutward(const ConvexHull& hull, const Points& held, double margin, double mitre_limit, int max_vertices) {
   Growth growth{margin + roundingOf(hull), mitre_limit};
@@ -215,36 +215,36 @@ ConvexHull withPoints(const ConvexHull& hull, const Points& extra, int max_verti
 
 }  // namespace
 
-FittedHulls fitCover(const std::vector<ConvexHull>& hulls, const TriangleMesh& original, double margin, int max_vertices,
-                     const RunControl& control) {
-  FittedHulls fitted;
+RoundedHulls roundOutward(const std::vector<ConvexHull>& hulls, const TriangleMesh& original, double margin, int max_vertices,
+                          const RunControl& control) {
+  RoundedHulls result;
   const auto take = [&](Rounded rounded, ConvexHull& hull) {
     hull = std::move(rounded.hull);
-    fitted.nudge = std::max(fitted.nudge, rounded.nudge);
-    fitted.blunted = std::max(fitted.blunted, rounded.blunted);
+    result.nudge = std::max(result.nudge, rounded.nudge);
+    result.blunted = std::max(result.blunted, rounded.blunted);
   };
   std::vector<Rounded> rounded(hulls.size());
   forEach(hulls.size(), [&](std::size_t h) {
     control.check();
     rounded[h] = roundOutward(capped(hulls[h], max_vertices), margin, max_vertices);
   });
-  fitted.hulls.resize(hulls.size());
-  for (std::size_t h = 0; h < hulls.size(); ++h) take(std::move(rounded[h]), fitted.hulls[h]);
+  result.hulls.resize(hulls.size());
+  for (std::size_t h = 0; h < hulls.size(); ++h) take(std::move(rounded[h]), result.hulls[h]);
   for (int i = 0; i < kRounds; ++i) {
-    const std::vector<UncoveredTriangle> missing = uncoveredTriangles(original, fitted.hulls, control);
-    if (missing.empty()) return fitted;
-    if (fitted.hulls.empty())
+    const std::vector<UncoveredTriangle> missing = uncoveredTriangles(original, result.hulls, control);
+    if (missing.empty()) return result;
+    if (result.hulls.empty())
       throw Error(ErrorCode::kInternal, "there is no hull to add " + std::to_string(missing.size()) + " uncovered triangles to");
-    fitted.completed += missing.size();
+    result.completed += missing.size();
     std::map<std::size_t, Points> extra;
     for (const UncoveredTriangle& m : missing) {
       const std::array<Eigen::Vector3d, 3> corners{original.corner(m.triangle, 0), original.corner(m.triangle, 1),
                                                    original.corner(m.triangle, 2)};
-      Points& points = extra[leastOutside(fitted.hulls, corners)];
+      Points& points = extra[leastOutside(result.hulls, corners)];
       points.insert(points.end(), corners.begin(), corners.end());
     }
     for (const auto& [h, points] : extra)
-      take(roundOutward(withPoints(fitted.hulls[h], points, max_vertices), 0, max_vertices), fitted.hulls[h]);
+      take(roundOutward(withPoints(result.hulls[h], points, max_vertices), 0, max_vertices), result.hulls[h]);
   }
   throw Error(ErrorCode::kInternal, "the hulls still leave part of the mesh uncovered after " + std::to_string(kRounds) + " rounds");
 }

@@ -9,7 +9,7 @@
 
 namespace collision_hulls {
 
-struct FittedHulls {
+struct RoundedHulls {
   std::vector<ConvexHull> hulls;  ///< their vertices are single-precision numbers
   double nudge = 0;               ///< [m] distance by which every hull was grown to absorb rounding
   std::size_t completed = 0;      ///< triangles that no hull covered and that were added to one
@@ -22,7 +22,7 @@ struct FittedHulls {
 /// its vertices. Any triangle of `original` that the union still does not cover is added to the
 /// hull that has to grow least. Afterwards uncovered(original, hulls) == 0. Each hull has at most
 /// `max_vertices` vertices (0: no cap).
-FittedHulls fitCover(const std::vector<ConvexHull>& hulls, const TriangleMesh& original,
-                     double margin, int max_vertices, const RunControl& control = {});
+RoundedHulls roundOutward(const std::vector<ConvexHull>& hulls, const TriangleMesh& original,
+                          double margin, int max_vertices, const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -27,7 +27,7 @@ function(add_room_tests room)
   if(room IN_LIST CORE_ROOMS)
     set(library ${PROJECT_NAME}_core)  # what a room's tests link is what has to be built to run them
   endif()
-  target_link_libraries(${room}_test ${library} found::fcl found::tbb found::tinyxml2 nlohmann_json::nlohmann_json)
+  target_link_libraries(${room}_test ${library} found::assimp found::fcl found::tbb found::tinyxml2 nlohmann_json::nlohmann_json)
   target_compile_definitions(${room}_test PRIVATE
     TEST_DATA="${PROJECT_SOURCE_DIR}/test/data" SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared"
     DEMO_ROBOT="${PROJECT_SOURCE_DIR}" PROGRAMS="${PROGRAMS_DIR}")

@@ -34,7 +34,8 @@ std::vector<Point> projected(const std::vector<Eigen::Vector3d>& corners) {
 /// The corners not cut off yet, in order.
 class EarCutter {
  public:
-  explicit EarCutter(const std::vector<Eigen::Vector3d>& corners) : points_(projected(corners)), rest_(corners.size()) {
+  EarCutter(const std::vector<Eigen::Vector3d>& corners, const RunControl& control)
+      : points_(projected(corners)), rest_(corners.size()), control_(control) {
     std::iota(rest_.begin(), rest_.end(), 0);
   }
 
@@ -71,6 +72,7 @@ class EarCutter {
   /// The position of an ear: a convex corner whose triangle contains no other corner; the number of corners left if there is none.
   std::size_t findEar() const {
     for (std::size_t k = 0; k < rest_.size(); ++k) {
+      control_.check();
       const std::size_t i = (start_ + k) % rest_.size();
       const Triangle t = triangle(i);
       if (area(point(t[0]), point(t[1]), point(t[2])) > 0 && isEmpty(t)) return i;
@@ -89,14 +91,15 @@ class EarCutter {
 
   std::vector<Point> points_;
   std::vector<int> rest_;
+  const RunControl& control_;
   std::size_t start_ = 0;  // where to start looking for the next ear
 };
 
 }  // namespace
 
-std::vector<Triangle> triangulate(const std::vector<Eigen::Vector3d>& corners) {
+std::vector<Triangle> triangulate(const std::vector<Eigen::Vector3d>& corners, const RunControl& control) {
   if (corners.size() == 3) return {{0, 1, 2}};
-  return EarCutter(corners).cut();
+  return EarCutter(corners, control).cut();
 }
 
 }  // namespace collision_hulls

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
 
 namespace collision_hulls {
@@ -12,7 +13,7 @@ namespace collision_hulls {
 /// if that corner sees all others: most programs triangulate in this way, and since corners are seldom exactly coplanar, another
 /// triangulation would be another surface. Otherwise ears are cut off in the plane of the polygon's mean normal; if there are none left
 /// (the polygon crosses itself or has no area) the rest becomes a fan. Every corner is thus a corner of some triangle, whatever the polygon
-/// looks like.
-std::vector<Triangle> triangulate(const std::vector<Eigen::Vector3d>& corners);
+/// looks like. Throws kCancelled.
+std::vector<Triangle> triangulate(const std::vector<Eigen::Vector3d>& corners, const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -1,5 +1,5 @@
-// Also tests src/mesh/decode_mesh.cpp, src/mesh/formats/check_dae.cpp, src/mesh/formats/check_obj.cpp, src/mesh/formats/check_off.cpp,
-// src/mesh/formats/check_ply.cpp and src/mesh/formats/check_stl.cpp.
+// What all formats have in common, and Collada. Also tests src/mesh/read_mesh.cpp, src/mesh/decode_mesh.cpp,
+// src/mesh/formats/read_dae.cpp and src/mesh/formats/check_dae.cpp.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -97,11 +97,6 @@ TEST(ReadMeshError, GitLfsPointer) {
   for (const std::string& extension : meshExtensions()) expectError(ErrorCode::kNotAMesh, "git lfs pull", "left_out" + extension, pointer);
 }
 
-TEST(ReadMeshError, NotAMeshQuotesAssimp) {
-  expectError(ErrorCode::kNotAMesh, "cannot be read as obj (OBJ: Invalid", "w.obj", "v 1 2 3 0\nf 1 1 1\n");
-  expectError(ErrorCode::kNotAMesh, "cannot be read as off (", "words.off", "OFF\n3 1 0\none two three\n0 1 0\n1 0 0\n3 0 1 2\n");
-}
-
 TEST(ReadMeshError, EmptyMesh) {
   for (const std::string& extension : meshExtensions()) expectError(ErrorCode::kEmptyMesh, "0 bytes", "nothing" + extension, "");
   expectError(ErrorCode::kEmptyMesh, "0 triangles", "nothing.stl", binaryStl("", 0, 0));
@@ -177,40 +172,6 @@ TEST(ReadMeshTrust, TextStlWithFourVerticesInAFacet) {
   std::string four = kTextStl;
   four.insert(four.find("endloop"), "vertex 1 2 0\n");
   expectError(ErrorCode::kNotAMesh, "facet 1 has 4 vertices instead of 3", "four.stl", four);
-}
-
-TEST(ReadMeshTrust, ObjVerticesOfOddLength) {
-  expectError(ErrorCode::kNotAMesh, "line 1: a vertex of 2 numbers", "two.obj", "v 0 0\n" + kObjCorners + "f 1 2 3\n");
-  expectError(ErrorCode::kNotAMesh, "line 6: 'x' is not a corner", "word.obj", kObjCorners + "f 1 x 3\n");
-  expectError(ErrorCode::kNotAMesh, "zero byte", "zero.obj", kObjCorners + std::string(1, '\0'));
-}
-
-TEST(ReadMeshTrust, OffThatAnnouncesMoreThanItContains) {
-  expectError(ErrorCode::kNotAMesh, "ends after 6 lines", "short.off", "OFF\n5 4000000000 0\n" + kOffCorners + "3 0 1 2\n",
-              {1 << 20, std::size_t{5'000'000'000}});
-  expectError(ErrorCode::kNotAMesh, "line 8: a face line begins with its number of corners, from 1 to 9", "ten.off",
-              "OFF\n5 1 0\n" + kOffCorners + "10 0 1 2 3 0 1 2 3 0 1\n");
-}
-
-TEST(ReadMeshTrust, RowsThatAssimpMiscounts) {
-  const std::string faces = "3 0 1 2\n3 0 2 3\n3 0 1 4\n", blanks = "  \n";
-  expectError(ErrorCode::kNotAMesh, "3 faces, but Assimp finds", "blank.off", "OFF\n5 3 0\n" + kOffCorners + blanks + faces);
-  expectError(ErrorCode::kNotAMesh, "line 17: a whitespace-only line before it", "blank.ply",
-              plyHeader("ascii", 5, 3) + kOffCorners + blanks + faces);
-  EXPECT_EQ(read("empty.off", "OFF\n5 3 0\n" + kOffCorners + "\n" + faces).mesh.triangles.size(), 3u) << "an empty line does no harm";
-  std::string camera = plyHeader("ascii", 5, 3);
-  camera.insert(camera.find("element vertex"), "element camera 1\nproperty float a\nproperty float b\nproperty float c\n");
-  expectError(ErrorCode::kNotAMesh, "3 faces, but Assimp finds", "camera.ply", camera + "0 0 1\n" + kOffCorners + faces);
-}
-
-TEST(ReadMeshTrust, PlyThatAnnouncesMoreThanItContains) {
-  expectError(ErrorCode::kNotAMesh, "ends within the 6 rows", "short.ply", plyHeader("ascii", 4, 6) + kOffCorners);
-  expectError(ErrorCode::kNotAMesh, "too few values", "list.ply", plyHeader("ascii", 5, 1) + kOffCorners + "2000000000 0 1 2\n");
-  expectError(ErrorCode::kNotAMesh, "ends within the 1 rows", "cut.ply",
-              plyHeader("binary_little_endian", 0, 1) + std::string(1, '\3') + raw(0) + raw(1));
-  std::string no_z = plyHeader("ascii", 5, 1);
-  no_z.replace(no_z.find("float z"), 7, "float q");
-  expectError(ErrorCode::kNotAMesh, "lack x, y or z", "no_z.ply", no_z + kOffCorners + "3 0 1 2\n");
 }
 
 TEST(ReadMeshTrust, DaeThatNestsWithoutEnd) {

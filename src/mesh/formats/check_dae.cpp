@@ -9,6 +9,7 @@
 #include <sstream>
 #include <vector>
 
+#include "mesh/formats/number.h"
 #include "mesh/formats/scan.h"
 #include "mesh/formats/source_checks.h"
 #include "mesh/formats/xml_tags.h"

@@ -8,7 +8,8 @@ namespace collision_hulls {
 namespace {
 
 TEST(LineScanner, NumbersLinesWhateverEndsThem) {
-  LineScanner lines("one\r\ntwo\rthree\n\n  \nsix", 1);
+  const RunControl control;
+  LineScanner lines("one\r\ntwo\rthree\n\n  \nsix\fseven", control, 10);
   std::string_view line;
   std::vector<std::string> found;
   std::vector<std::size_t> numbers;
@@ -16,17 +17,17 @@ TEST(LineScanner, NumbersLinesWhateverEndsThem) {
     found.emplace_back(line);
     numbers.push_back(lines.number());
   }
-  EXPECT_EQ(found, (std::vector<std::string>{"one", "two", "three", "six"}));
-  EXPECT_EQ(numbers, (std::vector<std::size_t>{1, 2, 3, 6}));
-  EXPECT_TRUE(lines.passedBlanks() || !lines.next(&line));
+  EXPECT_EQ(found, (std::vector<std::string>{"one", "two", "three", "six", "seven"}));
+  EXPECT_EQ(numbers, (std::vector<std::size_t>{10, 11, 12, 15, 16}));
 }
 
-TEST(LineScanner, TellsBlankLinesFromEmptyOnes) {
+TEST(LineScanner, EmptyLinesCanBeCancelled) {
+  RunControl control;
+  control.cancel();
+  const std::string text(1 << 17, '\n');
+  LineScanner lines(text, control);
   std::string_view line;
-  LineScanner empty("a\n\nb"), blank("a\n \nb");
-  for (LineScanner* lines : {&empty, &blank}) ASSERT_TRUE(lines->next(&line) && lines->next(&line));
-  EXPECT_FALSE(empty.passedBlanks());
-  EXPECT_TRUE(blank.passedBlanks());
+  EXPECT_THROW(lines.next(&line), Error);
 }
 
 TEST(NextWord, TakesWordsOffTheFront) {
@@ -37,18 +38,22 @@ TEST(NextWord, TakesWordsOffTheFront) {
   EXPECT_EQ(nextWord(&rest), "");
 }
 
-TEST(ParseInteger, RefusesWhatOthersGuess) {
-  std::int64_t value = 0;
-  EXPECT_TRUE(parseInteger("-42", &value));
-  EXPECT_EQ(value, -42);
-  for (const char* word : {"", "+1", "01", "1.0", "1e3", "0x1", "99999999999999999999"}) EXPECT_FALSE(parseInteger(word, &value)) << word;
-}
-
-TEST(Checks, SayWhatIsWrong) {
-  EXPECT_NO_THROW(checkIsText("solid x", "a.stl"));
-  EXPECT_THROW(checkIsText(std::string_view("a\0b", 3), "a.obj"), Error);
+TEST(Scan, SaysWhatIsWrong) {
+  EXPECT_EQ(inQuotes("1\t" + std::string(60, 'x')), "'1?" + std::string(38, 'x') + "...'");
+  EXPECT_EQ(withoutComment("1 2 # 3"), "1 2 ");
+  EXPECT_EQ(withoutComment("# 1"), "");
+  EXPECT_EQ(withoutComment("1 1.#QNAN 2 #3"), "1 1.#QNAN 2 ");
+  EXPECT_EQ(checkedText("\xEF\xBB\xBFv 1", "a.obj"), "v 1");
+  EXPECT_THROW(checkedText(std::string_view("a\0b", 3), "a.obj"), Error);
   EXPECT_NO_THROW(checkTriangleCount("a.ply", 5, 5));
   EXPECT_THROW(checkTriangleCount("a.ply", 6, 5), Error);
+  EXPECT_EQ(numberIn("2.5", "a.off", 3), 2.5);
+  try {
+    numberIn("2,5", "a.off", 3);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ("a.off: line 3: '2,5' is not a number; check the file or export it again", error.what());
+  }
 }
 
 }  // namespace

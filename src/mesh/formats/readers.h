@@ -1,0 +1,21 @@
+// Each reads one format from a file's bytes.
+//
+// Those of OBJ, OFF, PLY and STL are our own: every library that we know takes numbers leniently ("1,5" for 1 or 1.5, "0x10" for 0) and
+// skips what it does not understand, so what it reads need not be what the file says. Here a file is read completely or not at all: what
+// may carry surface and is not understood is an error that names the line.
+#pragma once
+
+#include <string>
+
+#include "collision_hulls/mesh/mesh_io.h"
+
+namespace collision_hulls {
+
+/// Each takes a file's bytes and its path for messages. Throws what parseMesh() throws.
+LoadedMesh readStl(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control);
+LoadedMesh readObj(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control);
+LoadedMesh readOff(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control);
+LoadedMesh readPly(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control);
+LoadedMesh readDae(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control);
+
+}  // namespace collision_hulls

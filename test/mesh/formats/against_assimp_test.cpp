@@ -1,0 +1,175 @@
+// Our readers against Assimp's, by which rviz reads: on well-formed files both must find the same triangles, in the same order. Assimp
+// rounds some numbers to a neighbour of the nearest one.
+#include <assimp/scene.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <random>
+#include <sstream>
+
+#include "base/at.h"
+#include "base/string_parts.h"
+#include "collision_hulls/error.h"
+#include "collision_hulls/mesh/mesh_io.h"
+#include "mesh/triangulate.h"
+
+namespace collision_hulls {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Corners = std::vector<Eigen::Vector3d>;  // three for each triangle
+
+void addNode(const aiScene& scene, const aiNode& node, Corners* corners) {
+  for (unsigned m = 0; m < node.mNumMeshes; ++m) {
+    const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+      Corners polygon;
+      for (unsigned k = 0; k < mesh.mFaces[f].mNumIndices; ++k) {
+        const aiVector3D& v = mesh.mVertices[mesh.mFaces[f].mIndices[k]];
+        polygon.emplace_back(v.x, v.y, v.z);
+      }
+      if (polygon.size() < 3) continue;
+      for (const Triangle& t : triangulate(polygon))
+        for (const int k : t) corners->push_back(polygon[at(k)]);
+    }
+  }
+  for (unsigned i = 0; i < node.mNumChildren; ++i) addNode(scene, *node.mChildren[i], corners);
+}
+
+Corners byAssimp(const std::string& bytes, const std::string& name) {
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, lowerExtension(name).c_str() + 1);
+  EXPECT_NE(scene, nullptr) << importer.GetErrorString();
+  Corners corners;
+  if (scene != nullptr) addNode(*scene, *scene->mRootNode, &corners);
+  return corners;
+}
+
+Corners byUs(const std::string& bytes, const std::string& name) {
+  const LoadedMesh loaded = parseMesh(bytes, name);
+  Corners corners;
+  for (const Triangle& t : loaded.mesh.triangles)
+    for (const int v : t) corners.push_back(loaded.mesh.vertices[at(v)]);
+  return corners;
+}
+
+void expectTheSame(const std::string& bytes, const std::string& name) {
+  SCOPED_TRACE(name);
+  const Corners ours = byUs(bytes, name), theirs = byAssimp(bytes, name);
+  ASSERT_EQ(ours.size(), theirs.size());
+  for (std::size_t i = 0; i < ours.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      const double unit = std::max(std::abs(ours[i][k]) * std::numeric_limits<float>::epsilon(), 1e-40);
+      ASSERT_NEAR(ours[i][k], theirs[i][k], 2 * unit) << "corner " << i;
+    }
+}
+
+/// A random number as programs write it.
+std::string number(std::mt19937* random) {
+  static const char* const kFormats[] = {"%.6f", "%g", "%.9g", "%e", "%.0f", "%.15g"};
+  char text[400];
+  const double value = std::uniform_real_distribution<double>(-1, 1)(*random) * std::pow(10, static_cast<int>((*random)() % 5) - 2);
+  std::snprintf(text, sizeof text, kFormats[(*random)() % std::size(kFormats)], value);
+  return text;
+}
+
+struct RandomMesh {
+  std::vector<std::string> vertices;  // "x y z"
+  std::vector<std::vector<int>> polygons;
+
+  RandomMesh(std::mt19937* random, std::size_t most_corners) {
+    for (std::size_t i = 0; i < 12; ++i) vertices.push_back(number(random) + " " + number(random) + " " + number(random));
+    for (int i = 0; i < 20; ++i) {
+      std::vector<int> all{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+      std::shuffle(all.begin(), all.end(), *random);
+      all.resize(3 + (*random)() % (most_corners - 2));
+      polygons.push_back(all);
+    }
+  }
+};
+
+std::string obj(const RandomMesh& mesh) {
+  std::ostringstream text;
+  text << "# made up\no part\n";
+  for (const std::string& v : mesh.vertices) text << "v  " << v << "\n";
+  text << "vt 0 0\nvn 0 0 1\nusemtl a\n";
+  for (std::size_t f = 0; f < mesh.polygons.size(); ++f) {
+    if (f == 7) text << "g other\nusemtl b\n";
+    text << "f";
+    for (const int k : mesh.polygons[f]) text << " " << (f % 3 == 0 ? k - 12 : k + 1) << (f % 2 == 0 ? "" : f % 5 == 0 ? "/1/1" : "//1");
+    text << (f % 4 == 0 ? "\r\n" : "\n");
+  }
+  return text.str();
+}
+
+std::string off(const RandomMesh& mesh) {
+  std::ostringstream text;
+  text << "OFF\n" << mesh.vertices.size() << " " << mesh.polygons.size() << " 0\n";
+  for (const std::string& v : mesh.vertices) text << v << "\n";
+  for (const std::vector<int>& polygon : mesh.polygons) {
+    text << polygon.size();
+    for (const int k : polygon) text << " " << k;
+    text << "\n";
+  }
+  return text.str();
+}
+
+std::string ply(const RandomMesh& mesh) {
+  const std::string body = off(mesh);
+  return "ply\nformat ascii 1.0\nelement vertex 12\nproperty float x\nproperty float y\nproperty float z\nelement face 20\n"
+         "property list uchar int vertex_indices\nend_header\n" +
+         body.substr(body.find(" 0\n") + 3);
+}
+
+std::string stl(const RandomMesh& mesh) {
+  std::ostringstream text;
+  text << "solid made up\n";
+  for (const std::vector<int>& polygon : mesh.polygons) {
+    text << "facet normal 0 0 1\n outer loop\n";
+    for (int k = 0; k < 3; ++k) text << "  vertex " << mesh.vertices[at(polygon[at(k)])] << "\n";
+    text << " endloop\nendfacet\n";
+  }
+  return text.str() + "endsolid made up\n";
+}
+
+TEST(AgainstAssimp, RandomMeshes) {
+  std::mt19937 random(11);
+  for (int i = 0; i < 100; ++i) {
+    SCOPED_TRACE(i);
+    const RandomMesh mesh(&random, 9);
+    expectTheSame(obj(mesh), "random.obj");
+    expectTheSame(off(mesh), "random.off");
+    expectTheSame(ply(mesh), "random.ply");
+    expectTheSame(stl(mesh), "random.stl");
+  }
+}
+
+TEST(AgainstAssimp, RealMeshes) {
+  std::size_t read = 0;
+  for (const char* folder : {"robots", "meshes"}) {
+    if (!fs::exists(fs::path(SHARED_DATA) / folder)) GTEST_SKIP() << "no meshes at " << SHARED_DATA;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(SHARED_DATA) / folder)) {
+      const std::string path = entry.path().string();
+      if (!isMeshFile(path) || lowerExtension(path) == ".dae") continue;  // Assimp reads those for us
+      std::ifstream file(path, std::ios::binary);
+      const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+      try {
+        expectTheSame(bytes, path);
+        ++read;
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::kTooFarFromOrigin) << error.what();
+      }
+    }
+  }
+  EXPECT_GT(read, 100u);
+}
+
+}  // namespace
+}  // namespace collision_hulls

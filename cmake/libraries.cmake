@@ -17,7 +17,7 @@ set_up_library(${PROJECT_NAME}_core)
 target_include_directories(${PROJECT_NAME}_core PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
 target_link_libraries(${PROJECT_NAME}_core
   PUBLIC Eigen3::Eigen
-  PRIVATE found::assimp found::qhull_r found::tbb Threads::Threads)
+  PRIVATE found::assimp found::qhull_r found::tbb found::tinyxml2 Threads::Threads)
 
 room_sources(ROBOT_SOURCES ${ROBOT_ROOMS})
 add_library(${PROJECT_NAME} ${ROBOT_SOURCES})

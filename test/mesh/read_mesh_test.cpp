@@ -1,5 +1,4 @@
-// What all formats have in common, and Collada. Also tests src/mesh/read_mesh.cpp, src/mesh/decode_mesh.cpp,
-// src/mesh/formats/read_dae.cpp and src/mesh/formats/check_dae.cpp.
+// What all formats have in common; each has a test of its own in formats/. Also tests src/mesh/read_mesh.cpp and src/mesh/decode_mesh.cpp.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -139,11 +138,6 @@ TEST(ReadMeshError, IndexOutOfRange) {
               "OFF\n# corners\n5 1 0\n" + kOffCorners + "3 0 1 5\n");
   expectError(ErrorCode::kIndexOutOfRange, "face 0 names vertex 5, but there are 5", "a.ply",
               plyHeader("ascii", 5, 1) + kOffCorners + "3 0 1 5\n");
-  std::string beyond = dae("", kTwoTriangles, kPlainNode);
-  beyond.replace(beyond.find("count=\"5\""), 9, "count=\"6\"");
-  expectError(ErrorCode::kIndexOutOfRange, "reads value 18 of the array 'array', which has only 15", "a.dae", beyond);
-  expectError(ErrorCode::kIndexOutOfRange, "below 0", "b.dae",
-              dae("", "<triangles count=\"1\">" + kVertexInput + "<p>0 -1 2</p></triangles>", kPlainNode));
 }
 
 TEST(ReadMeshError, TooFarFromOrigin) {
@@ -172,29 +166,6 @@ TEST(ReadMeshTrust, TextStlWithFourVerticesInAFacet) {
   std::string four = kTextStl;
   four.insert(four.find("endloop"), "vertex 1 2 0\n");
   expectError(ErrorCode::kNotAMesh, "facet 1 has 4 vertices instead of 3", "four.stl", four);
-}
-
-TEST(ReadMeshTrust, DaeThatNestsWithoutEnd) {
-  const std::string circle = R"(<node id="a"><instance_node url="#b"/></node><node id="b"><instance_node url="#a"/></node>)";
-  expectError(ErrorCode::kNotAMesh, "instance each other in a circle", "circle.dae", dae("", kTwoTriangles, circle));
-  std::string deep;
-  for (int i = 0; i < 300; ++i) deep += "<node>";
-  expectError(ErrorCode::kNotAMesh, "nest deeper than 200", "deep.dae", dae("", kTwoTriangles, deep));
-  std::string doubling = "<node id=\"n0\"><instance_geometry url=\"#shape\"/></node>";
-  for (int i = 1; i < 40; ++i) {
-    const std::string inner = "<instance_node url=\"#n" + std::to_string(i - 1) + "\"/>";
-    doubling += "<node id=\"n" + std::to_string(i) + "\">" + inner + inner + "</node>";
-  }
-  expectError(ErrorCode::kTooLarge, "nodes once its instances are expanded", "doubling.dae", dae("", kTwoTriangles, doubling));
-}
-
-TEST(ReadMeshTrust, DaeWithoutVertexInput) {
-  expectError(ErrorCode::kNotAMesh, "without a VERTEX input", "a.dae",
-              dae("", "<triangles count=\"1\"><p>0 1 2</p></triangles>", kPlainNode));
-  expectError(ErrorCode::kNotAMesh, "count=\"4294967295\"", "b.dae",
-              dae("", "<triangles count=\"4294967295\">" + kVertexInput + "<p>0 1 2</p></triangles>", kPlainNode));
-  for (const std::string metres : {"0", "-1", "nan", "inch", "0.1 m"})
-    expectError(ErrorCode::kNotAMesh, "<unit meter> is " + metres, "c.dae", dae(unit(metres), kTwoTriangles, kPlainNode));
 }
 
 // --- Formats ---
@@ -247,47 +218,6 @@ TEST(ReadMesh, PlyTextAndBinaryOfEitherByteOrder) {
     bytes += '\3' + word(raw(0)) + word(raw(1)) + word(raw(2));
     expectBox(read("b.ply", bytes), {0, 0, 0}, {1, 2, 0.5});
   }
-}
-
-TEST(ReadMesh, AMeshInstancedTwiceCountsTwice) {
-  const std::string scene = R"(<node id="a"><instance_geometry url="#shape"/></node>
-    <node id="b"><translate>10 0 0</translate><instance_geometry url="#shape"/></node>
-    <node id="c"><translate>0 10 0</translate><instance_node url="#library"/></node>)";
-  const std::string library =
-      R"(<library_nodes><node id="library"><scale>2 2 2</scale><instance_geometry url="#shape"/></node></library_nodes>)";
-  const LoadedMesh loaded = read("a.dae", dae("", kTwoTriangles, scene, library));
-  EXPECT_EQ(3, loaded.submeshes);
-  EXPECT_EQ(6u, loaded.mesh.triangles.size());
-  expectBox(loaded, {0, 0, 0}, {11, 14, 6});
-}
-
-TEST(ReadMesh, NodeTransformsNest) {
-  const std::string scene = R"(<node id="a"><translate>5 0 0</translate><rotate>0 0 1 90</rotate><node id="b"><scale>2 1 1</scale>
-    <instance_geometry url="#shape"/></node></node>)";
-  expectBox(read("a.dae", dae("", kTwoTriangles, scene)), {3, 0, 0}, {5, 2, 3});
-}
-
-// --- Collada's unit and up-axis as in rviz: the unit counts, the up-axis does not ---
-
-struct UnitCase {
-  const char* meter;
-  double factor;
-};
-class ColladaUnit : public testing::TestWithParam<UnitCase> {};
-
-TEST_P(ColladaUnit, IsConvertedToMetres) {
-  for (const std::string up : {"", "<up_axis>X_UP</up_axis>", "<up_axis>Y_UP</up_axis>", "<up_axis>Z_UP</up_axis>"}) {
-    const std::string scene = R"(<node id="n"><translate>4 0 0</translate><instance_geometry url="#shape"/></node>)";
-    const LoadedMesh loaded = read("a.dae", dae(unit(GetParam().meter) + up, kTwoTriangles, scene));
-    expectBox(loaded, GetParam().factor * Eigen::Vector3d(4, 0, 0), GetParam().factor * Eigen::Vector3d(5, 2, 3));
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Units, ColladaUnit,
-                         testing::Values(UnitCase{"1", 1}, UnitCase{"0.01", 0.01}, UnitCase{"0.001", 0.001}, UnitCase{"0.0254", 0.0254}));
-
-TEST(ReadMesh, ColladaWithoutUnitIsInMetres) {
-  expectBox(read("a.dae", dae("", kTwoTriangles, kPlainNode)), {0, 0, 0}, {1, 2, 3});
 }
 
 // --- Resolution ---

@@ -68,8 +68,8 @@ std::optional<MeshFormat> meshFormatNamed(const std::string& name);  ///< "stl",
 
 /// The contents of a mesh file with one hull: binary STL, OBJ, or Collada. Coordinates are written
 /// as single-precision numbers, exactly: a hull with single-precision vertices is read back
-/// unchanged (but Assimp reads text numbers below 1e-6 m with an error of a few units in the last
-/// place). The same hull gives the same bytes. In names, blanks and characters that XML reserves
+/// unchanged (but Assimp reads Collada's numbers below 1e-6 m with an error of a few units in the
+/// last place). The same hull gives the same bytes. In names, blanks and characters that XML reserves
 /// become '_'.
 std::string encodeHull(const ConvexHull& hull, MeshFormat format, const std::string& object_name);
 

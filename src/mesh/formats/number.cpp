@@ -81,6 +81,7 @@ bool equals(std::string_view word, std::string_view lower_case) {
 
 /// The unsigned "nan", "inf" or "infinity"; false if `word` is none.
 bool parseNonFinite(std::string_view word, double* value) {
+  if (word.size() < 3 || isDigit(word[0])) return false;
   if (equals(word, "nan")) {
     *value = std::numeric_limits<double>::quiet_NaN();
   } else if (equals(word, "inf") || equals(word, "infinity")) {

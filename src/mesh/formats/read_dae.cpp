@@ -1,6 +1,7 @@
-// Collada by Assimp: checks of what it takes on trust, its scene, and every instance of every mesh in metres.
+// Collada. We read the document ourselves, as far as it has surface, and write that part again in the plainest form (collada.h). Assimp, by
+// which rviz reads, gets this text: no trick of XML or of references lies between what was checked and what it parses. Its result is the
+// mesh, if every corner lies where we find it.
 #include <assimp/MemoryIOWrapper.h>
-#include <assimp/config.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -9,13 +10,17 @@
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
 
+#include "base/at.h"
 #include "collision_hulls/error.h"
+#include "mesh/formats/collada.h"
 #include "mesh/formats/readers.h"
-#include "mesh/formats/source_checks.h"
 #include "mesh/polygons.h"
 
 namespace collision_hulls {
 namespace {
+
+/// How far apart Assimp's coordinates and ours may lie, in units of LoadedMesh::resolution: it computes in single precision.
+constexpr double kMostUnits = 8;
 
 /// Shows Assimp this one file and no other: materials and textures are ignored, so missing or hostile ones do no harm.
 class OneFile : public Assimp::IOSystem {
@@ -57,19 +62,16 @@ class Cancelling : public Assimp::ProgressHandler {
   const RunControl& control_;
 };
 
-const aiScene* import(Assimp::Importer* importer, const std::string& bytes, const std::string& path, const std::string& extension,
-                      const RunControl& control) {
-  const std::string name = "mesh" + extension;
+const aiScene& import(Assimp::Importer* importer, const std::string& bytes, const std::string& path, const RunControl& control) {
+  const std::string name = "mesh.dae";
   importer->SetIOHandler(new OneFile(name, bytes));  // owned by the importer
   importer->SetProgressHandler(new Cancelling(control));
-  // Without this, Assimp turns a Collada file without geometry into a made-up skeleton mesh.
-  importer->SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene* scene = importer->ReadFile(name, 0);
   control.check();
   if (scene == nullptr || scene->mRootNode == nullptr)
-    throw Error(ErrorCode::kNotAMesh, path + ": cannot be read as " + extension.substr(1) + " (" + excerpt(importer->GetErrorString()) +
-                                          "); check the file or export it again");
-  return scene;
+    throw Error(ErrorCode::kNotAMesh,
+                path + ": Assimp cannot read it (" + excerpt(importer->GetErrorString()) + "); check the file or export it again");
+  return *scene;
 }
 
 /// Assimp's matrix in double precision, so that chains of nodes add no rounding.
@@ -79,40 +81,30 @@ Eigen::Affine3d toEigen(const aiMatrix4x4& m) {
   return result;
 }
 
-/// The root's transform as rviz applies it. Assimp puts a Collada file's unit there, and a rotation that makes Y the up-axis. rviz keeps
-/// scale and translation but drops the rotation: up_axis has no effect, and coordinates stay as written.
-Eigen::Affine3d rootTransform(const aiMatrix4x4& m, const std::string& path) {
-  Eigen::Affine3d root = toEigen(m);
-  const Eigen::Vector3d scale = root.linear().colwise().norm();
-  if (!(scale.minCoeff() > 0) || !scale.allFinite())
-    throw Error(ErrorCode::kNotAMesh, path + ": its <unit meter> is " + std::to_string(scale.minCoeff()) + "; it must be positive");
-  root.linear() = scale.asDiagonal();
-  return root;
-}
+/// What a document's instances add up to.
+struct Totals {
+  std::size_t corners = 0, triangles = 0, skipped = 0;
 
-/// A node's transform, and the same with absolute values. The latter bounds the magnitudes that single precision rounded on the way: large
-/// numbers that cancel lose as much as those that stay large.
-struct Placement {
-  Eigen::Affine3d to_root;
-  Eigen::Affine3d magnitude;
-
-  static Eigen::Affine3d absolute(Eigen::Affine3d m) {
-    m.matrix() = m.matrix().cwiseAbs();
-    return m;
+  explicit Totals(const ColladaScene& scene) {
+    for (const ColladaInstance& instance : scene.instances) {
+      corners += scene.shapes[instance.shape].corners.size();
+      triangles += scene.shapes[instance.shape].triangles;
+      skipped += scene.shapes[instance.shape].skipped;
+    }
   }
-  explicit Placement(const Eigen::Affine3d& m) : to_root(m), magnitude(absolute(m)) {}
-  Placement(const Placement& parent, const Eigen::Affine3d& m) : to_root(parent.to_root * m), magnitude(parent.magnitude * absolute(m)) {}
 };
 
-/// Collects the triangles of a scene's nodes; each instance of a mesh contributes its own.
+/// Collects the triangles of a scene's nodes; each instance of a mesh contributes its own, and each corner of a polygon its own vertex.
 class SceneReader {
  public:
-  SceneReader(const aiScene& scene, const std::string& path, std::size_t max_triangles, const RunControl& control)
-      : scene_(scene), path_(path), sink_(&result_, path, max_triangles, control) {}
+  SceneReader(const aiScene& scene, const Totals& totals, const std::string& path, const RunControl& control)
+      : scene_(scene), path_(path), sink_(&result_, path, totals.triangles, control) {
+    result_.mesh.vertices.reserve(totals.corners);
+    result_.mesh.triangles.reserve(totals.triangles);
+  }
 
   LoadedMesh read() {
-    visit(*scene_.mRootNode, Placement(rootTransform(scene_.mRootNode->mTransformation, path_)));
-    if (result_.mesh.triangles.empty()) failNoTriangle(path_, result_.skipped_primitives);
+    visit(*scene_.mRootNode, Placement(toEigen(scene_.mRootNode->mTransformation)));
     result_.resolution = singlePrecisionResolution(result_.mesh, largest_, path_);
     return std::move(result_);
   }
@@ -125,36 +117,23 @@ class SceneReader {
   }
 
   void addInstance(const aiMesh& source, const Placement& placement) {
-    const std::size_t before = result_.mesh.triangles.size();
-    number_.assign(source.mNumVertices, -1);
+    ++result_.submeshes;
     for (unsigned f = 0; f < source.mNumFaces; ++f) {
+      const aiFace& face = source.mFaces[f];
       polygon_.clear();
-      if (source.mFaces[f].mNumIndices >= 3)  // the vertices of lines and points are of no use
-        for (unsigned k = 0; k < source.mFaces[f].mNumIndices; ++k) polygon_.push_back(vertexNumber(source, f, k, placement));
+      for (unsigned k = 0; k < face.mNumIndices; ++k) polygon_.push_back(addVertex(source.mVertices[face.mIndices[k]], f, placement));
       sink_.add(polygon_);
     }
-    if (result_.mesh.triangles.size() > before) ++result_.submeshes;
   }
 
-  /// The index in the result of corner k of face f.
-  int vertexNumber(const aiMesh& source, unsigned f, unsigned k, const Placement& placement) {
-    const unsigned index = source.mFaces[f].mIndices[k];
-    if (index >= source.mNumVertices)
-      throw Error(ErrorCode::kIndexOutOfRange, path_ + ": face " + std::to_string(f) + " names vertex " + std::to_string(index) +
-                                                   ", but there are " + std::to_string(source.mNumVertices) +
-                                                   ", counted from 0; export it again");
-    int& number = number_[index];
-    if (number < 0) number = addVertex(source.mVertices[index], index, f, placement);
-    return number;
-  }
-
-  int addVertex(const aiVector3D& source, unsigned index, unsigned f, const Placement& placement) {
+  int addVertex(const aiVector3D& source, unsigned f, const Placement& placement) {
     const Eigen::Vector3d local(source.x, source.y, source.z);
     const Eigen::Vector3d p = placement.to_root * local;
-    if (!p.allFinite()) failNotFinite(path_, index, f);
+    const std::size_t number = result_.mesh.vertices.size();
+    if (!p.allFinite()) failNotFinite(path_, number, f);
     largest_ = std::max(largest_, (placement.magnitude * local.cwiseAbs()).maxCoeff());
     result_.mesh.vertices.push_back(p);
-    return static_cast<int>(result_.mesh.vertices.size()) - 1;
+    return static_cast<int>(number);
   }
 
   const aiScene& scene_;
@@ -162,17 +141,36 @@ class SceneReader {
   LoadedMesh result_;
   PolygonSink sink_;
   double largest_ = 0;        // [m] largest of the numbers that single precision rounded
-  std::vector<int> number_;   // per vertex of the current instance: its index in the result, -1 before its first use
   std::vector<int> polygon_;  // the current face
 };
+
+/// Throws kNotAMesh unless a mesh has the document's polygons, corner by corner.
+void expectTheSame(const ColladaScene& scene, const Totals& totals, const LoadedMesh& result, const std::string& path) {
+  bool same = result.mesh.vertices.size() == totals.corners && result.mesh.triangles.size() == totals.triangles;
+  std::size_t vertex = 0;
+  for (const ColladaInstance& instance : scene.instances) {
+    const ColladaShape& shape = scene.shapes[instance.shape];
+    for (std::size_t i = 0; same && i < shape.corners.size(); ++i) {
+      const Eigen::Vector3d p = instance.placement.to_root * shape.points[at(shape.corners[i])].cast<double>();
+      same = (result.mesh.vertices[vertex++] - p).cwiseAbs().maxCoeff() <= kMostUnits * result.resolution;
+    }
+  }
+  if (!same)
+    throw Error(ErrorCode::kNotAMesh,
+                path + ": Assimp finds other triangles in it than we do; export the mesh again, as STL if this persists");
+}
 
 }  // namespace
 
 LoadedMesh readDae(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control) {
-  checkDae(bytes, path);
+  const ColladaScene scene = readCollada(bytes, path, limits.max_triangles, control);
+  const Totals totals(scene);
+  if (totals.triangles == 0) failNoTriangle(path, totals.skipped);
   Assimp::Importer importer;
-  const aiScene* scene = import(&importer, bytes, path, ".dae", control);
-  return SceneReader(*scene, path, limits.max_triangles, control).read();
+  LoadedMesh result = SceneReader(import(&importer, scene.canonical, path, control), totals, path, control).read();
+  expectTheSame(scene, totals, result, path);
+  result.skipped_primitives = totals.skipped;
+  return result;
 }
 
 }  // namespace collision_hulls

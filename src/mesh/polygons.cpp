@@ -74,7 +74,13 @@ void PolygonSink::add(const std::vector<int>& polygon) {
   }
   std::vector<Eigen::Vector3d> corners;
   for (const int v : polygon) corners.push_back(result_.mesh.vertices[at(v)]);
-  for (const Triangle& t : triangulate(corners, control_)) triangles.push_back({polygon[at(t[0])], polygon[at(t[1])], polygon[at(t[2])]});
+  const std::vector<Triangle> cut = triangulate(corners, control_), other = otherReading(corners, cut);
+  if (triangles.size() + cut.size() + 2 * other.size() > max_triangles_) failTooLarge(path_, max_triangles_);
+  for (const Triangle& t : cut) triangles.push_back({polygon[at(t[0])], polygon[at(t[1])], polygon[at(t[2])]});
+  for (const Triangle& t : other) {  // both ways round, as a wall: it has to be covered, but encloses nothing
+    triangles.push_back({polygon[at(t[0])], polygon[at(t[1])], polygon[at(t[2])]});
+    triangles.push_back({polygon[at(t[0])], polygon[at(t[2])], polygon[at(t[1])]});
+  }
 }
 
 void Polygons::addPoint(double x, double y, double z) {

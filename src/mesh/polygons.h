@@ -30,7 +30,8 @@ class PolygonSink {
   /// `path` and `control` must outlive the sink.
   PolygonSink(LoadedMesh* result, const std::string& path, std::size_t max_triangles, const RunControl& control);
 
-  /// Adds the triangles of a polygon, given by indices of the result's vertices; with fewer than three corners it counts as skipped.
+  /// Adds the triangles of a polygon, given by indices of the result's vertices; with fewer than three corners it counts as skipped. What
+  /// other programs take it for is added as well, if that is another surface: as walls, triangles in both directions.
   /// Throws kTooLarge, kCancelled.
   void add(const std::vector<int>& polygon);
 

@@ -1,14 +1,20 @@
 // Ear clipping in the plane of the polygon's mean normal (Newell), O(n^2) for typical polygons; convex ones are a fan in O(n).
 #include "mesh/triangulate.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
 #include <utility>
+
+#include "base/at.h"
 
 namespace collision_hulls {
 namespace {
 
 using Point = Eigen::Vector2d;
+
+/// Of a polygon's triangles, the length of the sum of their normals, as a share of their area: 1 if they all face the same way.
+constexpr double kFlat = 0.999;
 
 /// Twice the signed area of a triangle in the plane.
 double area(const Point& a, const Point& b, const Point& c) {
@@ -100,6 +106,22 @@ class EarCutter {
 std::vector<Triangle> triangulate(const std::vector<Eigen::Vector3d>& corners, const RunControl& control) {
   if (corners.size() == 3) return {{0, 1, 2}};
   return EarCutter(corners, control).cut();
+}
+
+std::vector<Triangle> otherReading(const std::vector<Eigen::Vector3d>& corners, const std::vector<Triangle>& cut) {
+  double area = 0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Triangle& t : cut) {
+    const Eigen::Vector3d normal = (corners[at(t[1])] - corners[at(t[0])]).cross(corners[at(t[2])] - corners[at(t[0])]);
+    area += normal.norm();
+    mean += normal;
+  }
+  if (mean.norm() >= kFlat * area) return {};
+  std::vector<Triangle> sorted = cut, other;
+  std::sort(sorted.begin(), sorted.end());
+  for (int k = 1; at(k + 1) < corners.size(); ++k)
+    if (!std::binary_search(sorted.begin(), sorted.end(), Triangle{0, k, k + 1})) other.push_back({0, k, k + 1});
+  return other;
 }
 
 }  // namespace collision_hulls

@@ -16,4 +16,8 @@ namespace collision_hulls {
 /// looks like. Throws kCancelled.
 std::vector<Triangle> triangulate(const std::vector<Eigen::Vector3d>& corners, const RunControl& control = {});
 
+/// What other programs take a polygon for, of which triangulate() made `cut`: the triangles of the fan from the first corner that `cut`
+/// lacks. None if the polygon is flat and does not cross itself (the normals of `cut` agree): its surface is then beyond doubt.
+std::vector<Triangle> otherReading(const std::vector<Eigen::Vector3d>& corners, const std::vector<Triangle>& cut);
+
 }  // namespace collision_hulls

@@ -38,6 +38,16 @@ TEST_F(PolygonsTest, SharedOrSeparateVertices) {
   EXPECT_EQ(separate.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}));
 }
 
+TEST_F(PolygonsTest, OtherReadingsAreWalls) {
+  LoadedMesh mesh;
+  mesh.mesh.vertices = {{4, 0, 1}, {1, 1, 0}, {0, 4, 1}, {0, 0, 0}};
+  PolygonSink(&mesh, path_, 6, control()).add({0, 1, 2, 3});
+  EXPECT_EQ(mesh.mesh.triangles, (std::vector<Triangle>{{3, 0, 1}, {1, 2, 3}, {0, 1, 2}, {0, 2, 1}, {0, 2, 3}, {0, 3, 2}}));
+  mesh.mesh.triangles.clear();
+  PolygonSink small(&mesh, path_, 5, control());
+  EXPECT_THROW(small.add({0, 1, 2, 3}), Error);
+}
+
 TEST_F(PolygonsTest, NeverMoreTrianglesThanTheLimit) {
   Polygons polygons(path_, 3, control());
   addPoints(&polygons);

@@ -67,5 +67,25 @@ TEST(Triangulate, RandomStars) {
   }
 }
 
+TEST(OtherReading, IsNoneForFlatPolygons) {
+  for (const Polygon& flat : {Polygon{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}},        // convex
+                              Polygon{{4, 0, 0}, {1, 1, 0}, {0, 4, 0}, {0, 0, 0}},        // concave, and no fan from its first corner
+                              Polygon{{4, 0, 1e-9}, {1, 1, 0}, {0, 4, 1e-9}, {0, 0, 0}},  // so but for rounding
+                              Polygon{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}})       // without area
+    EXPECT_TRUE(otherReading(flat, triangulate(flat)).empty());
+}
+
+TEST(OtherReading, IsTheFanWhereTheSurfaceIsInDoubt) {
+  const Polygon fan{{0, 0, 0}, {1, 0, 1}, {1, 1, 0}, {0, 1, 1}};  // not flat, but our own reading is the fan
+  EXPECT_TRUE(otherReading(fan, triangulate(fan)).empty());
+  const Polygon bent{{4, 0, 1}, {1, 1, 0}, {0, 4, 1}, {0, 0, 0}};
+  EXPECT_EQ(otherReading(bent, triangulate(bent)), (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+  const Polygon crossed{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
+  std::set<Triangle> readings{{0, 1, 2}, {0, 2, 3}};
+  for (const Triangle& t : triangulate(crossed)) readings.erase(t);
+  const std::vector<Triangle> other = otherReading(crossed, triangulate(crossed));
+  EXPECT_EQ(std::set<Triangle>(other.begin(), other.end()), readings);
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -47,11 +47,12 @@ bool isMeshFile(const std::string& path);
 
 /// Reads a mesh file. As in rviz, Collada's `<unit>` scales, its `<up_axis>` is ignored, and node
 /// transforms apply. Units: Collada's are converted to metres; numbers in other formats are metres.
-/// Polygons are triangulated without loss; materials and textures are ignored; vertices that no
-/// triangle uses are dropped. A truncated or inconsistent file is an error, never half a mesh.
-/// Throws kFileNotFound, kUnsupportedFormat, kNotAMesh, kEmptyMesh, kTooLarge,
-/// kNonFiniteCoordinate, kIndexOutOfRange, kTooFarFromOrigin (single precision cannot resolve a
-/// thousandth of the mesh's diagonal), kCancelled. Thread safe.
+/// Polygons are triangulated without loss, in two ways if their surface is in doubt (see
+/// doc/limits.md); materials and textures are ignored; vertices that no triangle uses are dropped.
+/// A truncated or inconsistent file is an error, never half a mesh, and so is one with anything that
+/// may carry surface and is not understood. Throws kFileNotFound, kUnsupportedFormat, kNotAMesh,
+/// kEmptyMesh, kTooLarge, kNonFiniteCoordinate, kIndexOutOfRange, kTooFarFromOrigin (single
+/// precision cannot resolve a thousandth of the mesh's diagonal), kCancelled. Thread safe.
 LoadedMesh readMesh(const std::string& path, const MeshLimits& limits = {},
                     const RunControl& control = {});
 

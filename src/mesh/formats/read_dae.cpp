@@ -97,8 +97,8 @@ struct Totals {
 /// Collects the triangles of a scene's nodes; each instance of a mesh contributes its own, and each corner of a polygon its own vertex.
 class SceneReader {
  public:
-  SceneReader(const aiScene& scene, const Totals& totals, const std::string& path, const RunControl& control)
-      : scene_(scene), path_(path), sink_(&result_, path, totals.triangles, control) {
+  SceneReader(const aiScene& scene, const Totals& totals, const std::string& path, std::size_t max_triangles, const RunControl& control)
+      : scene_(scene), path_(path), sink_(&result_, path, max_triangles, control) {
     result_.mesh.vertices.reserve(totals.corners);
     result_.mesh.triangles.reserve(totals.triangles);
   }
@@ -146,7 +146,7 @@ class SceneReader {
 
 /// Throws kNotAMesh unless a mesh has the document's polygons, corner by corner.
 void expectTheSame(const ColladaScene& scene, const Totals& totals, const LoadedMesh& result, const std::string& path) {
-  bool same = result.mesh.vertices.size() == totals.corners && result.mesh.triangles.size() == totals.triangles;
+  bool same = result.mesh.vertices.size() == totals.corners;
   std::size_t vertex = 0;
   for (const ColladaInstance& instance : scene.instances) {
     const ColladaShape& shape = scene.shapes[instance.shape];
@@ -167,7 +167,7 @@ LoadedMesh readDae(const std::string& bytes, const std::string& path, const Mesh
   const Totals totals(scene);
   if (totals.triangles == 0) failNoTriangle(path, totals.skipped);
   Assimp::Importer importer;
-  LoadedMesh result = SceneReader(import(&importer, scene.canonical, path, control), totals, path, control).read();
+  LoadedMesh result = SceneReader(import(&importer, scene.canonical, path, control), totals, path, limits.max_triangles, control).read();
   expectTheSame(scene, totals, result, path);
   result.skipped_primitives = totals.skipped;
   return result;

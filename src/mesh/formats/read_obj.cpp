@@ -138,6 +138,9 @@ class ObjReader {
 }  // namespace
 
 LoadedMesh readObj(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control) {
+  std::string_view text = checkedText(bytes, path);
+  if (text.size() < bytes.size() && nextWord(&text).substr(0, 1) != "#")
+    failNotAMesh(path, "begins with a byte order mark, by which some readers lose the first line; save it as UTF-8 without");
   return ObjReader(checkedText(bytes, path), path, limits, control).read();
 }
 

@@ -18,7 +18,7 @@
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
-#include "mesh/triangulate.h"
+#include "mesh/polygons.h"
 
 namespace collision_hulls {
 namespace {
@@ -33,47 +33,58 @@ Eigen::Affine3d toEigen(const aiMatrix4x4& m) {
 
 using Corners = std::vector<Eigen::Vector3d>;  // three for each triangle
 
-void addNode(const aiScene& scene, const aiNode& node, const Eigen::Affine3d& to_root, Corners* corners) {
-  for (unsigned m = 0; m < node.mNumMeshes; ++m) {
-    const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
+Corners cornersOf(const TriangleMesh& mesh) {
+  Corners corners;
+  for (const Triangle& t : mesh.triangles)
+    for (const int v : t) corners.push_back(mesh.vertices[at(v)]);
+  return corners;
+}
+
+/// The triangles of Assimp's polygons.
+class AssimpReader {
+ public:
+  explicit AssimpReader(const aiScene& scene) : scene_(scene), sink_(&loaded_, name_, 1 << 30, control_) {
+    // Collada's unit and its up-axis, of which rviz ignores the latter.
+    const Eigen::Vector3d unit = toEigen(scene.mRootNode->mTransformation).linear().colwise().norm();
+    addNode(*scene.mRootNode, Eigen::Affine3d(Eigen::Scaling(unit)));
+  }
+  Corners corners() const { return cornersOf(loaded_.mesh); }
+
+ private:
+  void addNode(const aiNode& node, const Eigen::Affine3d& to_root) {
+    for (unsigned m = 0; m < node.mNumMeshes; ++m) addMesh(*scene_.mMeshes[node.mMeshes[m]], to_root);
+    for (unsigned i = 0; i < node.mNumChildren; ++i) addNode(*node.mChildren[i], to_root * toEigen(node.mChildren[i]->mTransformation));
+  }
+
+  void addMesh(const aiMesh& mesh, const Eigen::Affine3d& to_root) {
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-      Corners polygon;
+      std::vector<int> polygon;
       for (unsigned k = 0; k < mesh.mFaces[f].mNumIndices; ++k) {
         const aiVector3D& v = mesh.mVertices[mesh.mFaces[f].mIndices[k]];
-        polygon.emplace_back(to_root * Eigen::Vector3d(v.x, v.y, v.z));
+        polygon.push_back(static_cast<int>(loaded_.mesh.vertices.size()));
+        loaded_.mesh.vertices.emplace_back(to_root * Eigen::Vector3d(v.x, v.y, v.z));
       }
-      if (polygon.size() < 3) continue;
-      for (const Triangle& t : triangulate(polygon))
-        for (const int k : t) corners->push_back(polygon[at(k)]);
+      sink_.add(polygon);
     }
   }
-  for (unsigned i = 0; i < node.mNumChildren; ++i)
-    addNode(scene, *node.mChildren[i], to_root * toEigen(node.mChildren[i]->mTransformation), corners);
-}
+
+  const aiScene& scene_;
+  const std::string name_ = "by Assimp";
+  const RunControl control_;
+  LoadedMesh loaded_;
+  PolygonSink sink_;
+};
 
 Corners byAssimp(const std::string& bytes, const std::string& name) {
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, lowerExtension(name).c_str() + 1);
   EXPECT_NE(scene, nullptr) << importer.GetErrorString();
-  Corners corners;
-  if (scene == nullptr) return corners;
-  // Collada's unit and its up-axis, of which rviz ignores the latter.
-  const Eigen::Vector3d unit = toEigen(scene->mRootNode->mTransformation).linear().colwise().norm();
-  addNode(*scene, *scene->mRootNode, Eigen::Affine3d(Eigen::Scaling(unit)), &corners);
-  return corners;
-}
-
-Corners byUs(const std::string& bytes, const std::string& name) {
-  const LoadedMesh loaded = parseMesh(bytes, name);
-  Corners corners;
-  for (const Triangle& t : loaded.mesh.triangles)
-    for (const int v : t) corners.push_back(loaded.mesh.vertices[at(v)]);
-  return corners;
+  return scene == nullptr ? Corners() : AssimpReader(*scene).corners();
 }
 
 void expectTheSame(const std::string& bytes, const std::string& name) {
   SCOPED_TRACE(name);
-  const Corners ours = byUs(bytes, name), theirs = byAssimp(bytes, name);
+  const Corners ours = cornersOf(parseMesh(bytes, name).mesh), theirs = byAssimp(bytes, name);
   ASSERT_EQ(ours.size(), theirs.size());
   for (std::size_t i = 0; i < ours.size(); ++i)
     for (int k = 0; k < 3; ++k) {

@@ -297,6 +297,9 @@ TEST(ReadDae, RefusesTransformsThatOthersGuess) {
                         {"<instance_rigid_body url='#x'/>", "<instance_rigid_body> is not supported"}})
     expectRefused("a.dae", {{replaced(kGood, "<instance_geometry", c.transform + "<instance_geometry"), c.part}});
   expectRefused("a.dae", {{dae("", kTwoTriangles, "<scale>2 2 2</scale>" + kPlainNode), "<scale> is not supported"}});
+  // In single precision, such an angle is anything.
+  expectRefused("a.dae",
+                {{replaced(kGood, "<instance_geometry", "<rotate>0 0 1 1e9</rotate><instance_geometry"), "Assimp finds other triangles"}});
 }
 
 TEST(ReadDae, RefusesWhatReadersOfXmlDifferOn) {

@@ -103,6 +103,10 @@ TEST(ReadObj, RefusesBackslashesThatOthersSkip) {
                           {kCorners + std::string(1, '\0'), "zero byte"}});
 }
 
+TEST(ReadObj, RefusesAByteOrderMarkThatOthersLoseALineBy) {
+  expectRefused("a.obj", {{"\xEF\xBB\xBF" + kCorners + "f 1 2 3\n", "begins with a byte order mark"}});
+}
+
 TEST(ReadObj, StopsWhenCancelled) {
   RunControl control;
   control.cancel();

@@ -21,6 +21,9 @@ constexpr double kCoarsestResolution = 1e-3;
 
 constexpr std::size_t kCallsBetweenChecks = 1 << 16;
 
+/// Cutting ears off a polygon takes time with the square of its corners: a second for these.
+constexpr std::size_t kMostCorners = 20'000;
+
 std::string digits(double number) {
   std::ostringstream text;
   text << std::setprecision(4) << number;
@@ -72,6 +75,9 @@ void PolygonSink::add(const std::vector<int>& polygon) {
     triangles.push_back({polygon[0], polygon[1], polygon[2]});
     return;
   }
+  if (polygon.size() > kMostCorners)
+    throw Error(ErrorCode::kTooLarge, path_ + ": a polygon of " + std::to_string(polygon.size()) + " corners, above the limit of " +
+                                          std::to_string(kMostCorners) + "; export it as triangles");
   std::vector<Eigen::Vector3d> corners;
   for (const int v : polygon) corners.push_back(result_.mesh.vertices[at(v)]);
   const std::vector<Triangle> cut = triangulate(corners, control_), other = otherReading(corners, cut);

@@ -60,6 +60,17 @@ TEST_F(PolygonsTest, NeverMoreTrianglesThanTheLimit) {
   }
 }
 
+TEST_F(PolygonsTest, NoPolygonTakesForEver) {
+  LoadedMesh mesh;
+  std::vector<int> polygon;
+  for (int i = 0; i < 20'001; ++i) {
+    mesh.mesh.vertices.emplace_back(i, i % 2, 0);
+    polygon.push_back(i);
+  }
+  PolygonSink sink(&mesh, path_, 100'000, control());
+  EXPECT_THROW(sink.add(polygon), Error);
+}
+
 TEST_F(PolygonsTest, NothingButLinesIsAnEmptyMesh) {
   Polygons polygons(path_, 3, control());
   addPoints(&polygons);

@@ -10,8 +10,27 @@
 namespace collision_hulls {
 namespace {
 
-/// The most elements and attributes together: each takes about a hundred bytes of memory, and perhaps four of the file.
-constexpr std::ptrdiff_t kMostElements = 20'000'000;
+/// Each element takes about a hundred bytes of memory, and perhaps four of the file.
+constexpr std::ptrdiff_t kMostElements = 5'000'000;
+
+/// tinyxml2 compares each attribute of an element with all before.
+constexpr std::size_t kMostAttributes = 200;
+
+/// Throws kTooLarge for more elements, or more attributes of one, than the parser can take. Counts a little too many: what looks like one.
+void checkSize(std::string_view text, const std::string& path) {
+  if (std::count(text.begin(), text.end(), '<') > kMostElements)
+    throw Error(ErrorCode::kTooLarge, path + ": more than " + std::to_string(kMostElements) + " elements; write its polygons as one list");
+  std::size_t attributes = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '<') attributes = 0;
+    if (text[i] != '=') continue;
+    const std::size_t next = text.find_first_not_of(" \t\r\n", i + 1);
+    if (next == std::string_view::npos || (text[next] != '"' && text[next] != '\'')) continue;
+    if (++attributes > kMostAttributes)
+      throw Error(ErrorCode::kTooLarge,
+                  path + ": an element with more than " + std::to_string(kMostAttributes) + " attributes; remove some");
+  }
+}
 
 /// DOCTYPE and others like it, which tinyxml2 keeps as unknown nodes.
 void expectNoDeclarations(const tinyxml2::XMLNode& parent, const std::string& path) {
@@ -26,9 +45,7 @@ void expectNoDeclarations(const tinyxml2::XMLNode& parent, const std::string& pa
 
 const ColladaElement& parseCollada(const std::string& bytes, const std::string& path, tinyxml2::XMLDocument* document) {
   checkedText(bytes, path);
-  if (std::count(bytes.begin(), bytes.end(), '<') + std::count(bytes.begin(), bytes.end(), '=') > kMostElements)
-    throw Error(ErrorCode::kTooLarge,
-                path + ": more than " + std::to_string(kMostElements) + " elements and attributes; write its polygons as one list");
+  checkSize(bytes, path);
   const tinyxml2::XMLError error = document->Parse(bytes.data(), bytes.size());
   const auto line = static_cast<std::size_t>(document->ErrorLineNum());
   if (error == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) failNotAMesh(path, line, "elements nest too deeply");

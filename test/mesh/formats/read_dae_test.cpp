@@ -328,6 +328,16 @@ TEST(ReadDae, RefusesWhatNestsWithoutEnd) {
                           {dae("", "", doubling), "more than 200000 nodes and instances", ErrorCode::kTooLarge}});
 }
 
+TEST(ReadDae, RefusesMoreThanTheParserCanTake) {
+  std::string attributes, elements;
+  for (int i = 0; i < 201; ++i) attributes += " a" + std::to_string(i) + (i % 2 == 0 ? "='1'" : " = \"1\"");
+  expectRefused(
+      "a.dae", {{replaced(kGood, "<mesh>", "<mesh" + attributes + ">"), "an element with more than 200 attributes", ErrorCode::kTooLarge}});
+  EXPECT_NO_THROW(read(replaced(kGood, "<mesh>", "<!-- " + std::string(1000, '=') + " --><mesh>")));
+  for (int i = 0; i < 5'000'000; ++i) elements += "<a/>";
+  expectRefused("a.dae", {{"<COLLADA>" + elements + "</COLLADA>", "more than 5000000 elements", ErrorCode::kTooLarge}});
+}
+
 TEST(ReadDae, CountsTrianglesBeforeAssimpMakesThem) {
   std::string instances;
   for (int i = 0; i < 60; ++i) instances += R"(<instance_geometry url="#shape"/>)";

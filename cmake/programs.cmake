@@ -4,7 +4,14 @@ add_library(command_line STATIC src/tools/command_line.cpp)
 target_include_directories(command_line PRIVATE src)
 target_link_libraries(command_line PUBLIC ${PROJECT_NAME} PRIVATE Boost::program_options)
 
+# Reads meshes in a process of its own: whatever reads meshes needs it. It links the core alone, to start fast.
+add_executable(${PROJECT_NAME}_reader src/tools/reader.cpp)
+target_include_directories(${PROJECT_NAME}_reader PRIVATE src)
+target_link_libraries(${PROJECT_NAME}_reader ${PROJECT_NAME}_core)
+set_target_properties(${PROJECT_NAME}_reader PROPERTIES INSTALL_RPATH "$ORIGIN/..")
+
 function(set_up_program name)
+  add_dependencies(${name} ${PROJECT_NAME}_reader)
   target_include_directories(${name} PRIVATE src)
   target_link_libraries(${name} command_line nlohmann_json::nlohmann_json)
   set_target_properties(${name} PROPERTIES INSTALL_RPATH "$ORIGIN/..")
@@ -17,6 +24,8 @@ foreach(program ${PROGRAMS})
 endforeach()
 target_link_libraries(benchmark ${PROJECT_NAME}_bench)
 target_link_libraries(stability ${PROJECT_NAME}_bench)
+
+list(APPEND PROGRAMS ${PROJECT_NAME}_reader)
 
 include(cmake/peers.cmake)
 include(cmake/physics.cmake)

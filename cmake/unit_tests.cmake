@@ -27,6 +27,7 @@ function(add_room_tests room)
   if(room IN_LIST CORE_ROOMS)
     set(library ${PROJECT_NAME}_core)  # what a room's tests link is what has to be built to run them
   endif()
+  add_dependencies(${room}_test ${PROJECT_NAME}_reader)
   target_link_libraries(${room}_test ${library} found::assimp found::fcl found::tbb found::tinyxml2 nlohmann_json::nlohmann_json)
   target_compile_definitions(${room}_test PRIVATE
     TEST_DATA="${PROJECT_SOURCE_DIR}/test/data" SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared"
@@ -37,6 +38,16 @@ foreach(room ${TESTED_ROOMS})
   add_room_tests(${room})
 endforeach()
 add_dependencies(tools_test ${PROGRAMS})
+
+# A reader program that does what its questions say, and breaks every rule.
+add_executable(misbehaving_reader EXCLUDE_FROM_ALL test/sandbox/misbehaving_reader.cpp)
+target_include_directories(misbehaving_reader PRIVATE src)
+target_link_libraries(misbehaving_reader ${PROJECT_NAME}_core)
+set_target_properties(misbehaving_reader PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")
+foreach(room sandbox mesh)
+  add_dependencies(${room}_test misbehaving_reader)
+  target_compile_definitions(${room}_test PRIVATE TEST_READER="${PROJECT_BINARY_DIR}/tests/misbehaving_reader")
+endforeach()
 
 if(TARGET physics_room)
   add_room_tests(physics)

@@ -14,6 +14,7 @@ const char* name(ErrorCode code) {
     case ErrorCode::kNonFiniteCoordinate: return "NonFiniteCoordinate";
     case ErrorCode::kIndexOutOfRange: return "IndexOutOfRange";
     case ErrorCode::kTooFarFromOrigin: return "TooFarFromOrigin";
+    case ErrorCode::kReaderFailed: return "ReaderFailed";
     case ErrorCode::kBadScale: return "BadScale";
     case ErrorCode::kNotXml: return "NotXml";
     case ErrorCode::kNotARobot: return "NotARobot";

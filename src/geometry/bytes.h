@@ -68,6 +68,7 @@ class ByteWriter {
   template <typename Value>
   void put(const std::vector<Value>& values) {
     put(std::uint64_t{values.size()});
+    bytes_.reserve(bytes_.size() + values.size() * sizeof(Value));
     for (const Value& value : values) put(value);
   }
 

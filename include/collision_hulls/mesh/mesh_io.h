@@ -23,6 +23,9 @@ namespace collision_hulls {
 struct MeshLimits {
   std::uintmax_t max_bytes = std::uintmax_t{1} << 30;  ///< largest file [bytes]
   std::size_t max_triangles = 20'000'000;              ///< most triangles in a file
+  /// Most that the process may use that reads one file; a small file gets less (doc/limits.md).
+  std::uintmax_t reader_memory = std::uintmax_t{1} << 36;  ///< address space [bytes]
+  double reader_seconds = 900;                             ///< computing time [s]
 };
 
 /// The contents of a mesh file.
@@ -52,7 +55,12 @@ bool isMeshFile(const std::string& path);
 /// A truncated or inconsistent file is an error, never half a mesh, and so is one with anything that
 /// may carry surface and is not understood. Throws kFileNotFound, kUnsupportedFormat, kNotAMesh,
 /// kEmptyMesh, kTooLarge, kNonFiniteCoordinate, kIndexOutOfRange, kTooFarFromOrigin (single
-/// precision cannot resolve a thousandth of the mesh's diagonal), kCancelled. Thread safe.
+/// precision cannot resolve a thousandth of the mesh's diagonal), kReaderFailed, kCancelled. Thread
+/// safe.
+///
+/// Except for binary STL, bytes are decoded in another process, `collision_hulls_reader`, which is
+/// started as needed and can do nothing else. A file that crashes it or exceeds its limits is
+/// kReaderFailed; a cancelled run ends it at once.
 LoadedMesh readMesh(const std::string& path, const MeshLimits& limits = {},
                     const RunControl& control = {});
 
@@ -60,6 +68,10 @@ LoadedMesh readMesh(const std::string& path, const MeshLimits& limits = {},
 /// bytes are read. Throws what readMesh() throws, except kFileNotFound.
 LoadedMesh parseMesh(const std::string& bytes, const std::string& name,
                      const MeshLimits& limits = {}, const RunControl& control = {});
+
+/// What keeps a hostile mesh file from doing harm on this machine, in words: "a process of its own,
+/// with limits, seccomp, Landlock". Throws kReaderFailed if no mesh can be read.
+std::string readerProtection();
 
 enum class MeshFormat { kStl, kObj, kDae };
 

@@ -1,0 +1,84 @@
+// The answer comes from a process that hostile bytes may have taken over. So it is taken for what it is, numbers: their count, each index
+// and each coordinate are checked before anything relies on them.
+//
+// What a worker may use grows with its file, so that a small file can do little harm and a large one is read.
+#include "mesh/mesh_question.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision_hulls/error.h"
+#include "geometry/bytes.h"
+#include "mesh/decode_mesh.h"
+#include "sandbox/reader_program.h"
+
+namespace collision_hulls {
+
+template <typename Archive>
+void fields(Archive& archive, LoadedMesh& loaded) {
+  archive(loaded.mesh, loaded.submeshes, loaded.skipped_primitives, loaded.resolution);
+}
+
+namespace {
+
+constexpr std::uint64_t kLeastMemory = std::uint64_t{1} << 29, kMemoryPerByte = 40;  // [bytes]
+constexpr double kLeastSeconds = 4, kSecondsPerByte = 1e-6;                          // [s] of computing
+constexpr double kClockPerComputing = 10;                                            // on a machine with much else to do
+
+ReaderProgram& meshReader() {
+  static auto* const reader =
+      new ReaderProgram("collision_hulls_reader", "COLLISION_HULLS_READER");  // never destroyed: threads may outlive main()
+  return *reader;
+}
+
+WorkerLimits workerLimits(const MeshLimits& limits, std::size_t bytes) {
+  WorkerLimits result;
+  result.memory = std::min<std::uint64_t>(limits.reader_memory, kLeastMemory + kMemoryPerByte * bytes);
+  const double seconds = std::min(limits.reader_seconds, kLeastSeconds + kSecondsPerByte * static_cast<double>(bytes));
+  result.cpu_seconds = static_cast<std::uint64_t>(std::ceil(std::max(seconds, 1.0)));
+  result.clock_seconds = kClockPerComputing * seconds;
+  return result;
+}
+
+void expectSound(const LoadedMesh& loaded, const MeshLimits& limits) {
+  const TriangleMesh& mesh = loaded.mesh;
+  if (mesh.triangles.empty() || mesh.triangles.size() > limits.max_triangles) throw ByteFault("its number of triangles is out of range");
+  if (mesh.vertices.size() > 3 * mesh.triangles.size()) throw ByteFault("it has vertices of no triangle");
+  const auto count = static_cast<int>(mesh.vertices.size());
+  const auto is_corner = [count](int v) { return v >= 0 && v < count; };
+  for (const Triangle& t : mesh.triangles)
+    if (!std::all_of(t.begin(), t.end(), is_corner)) throw ByteFault("an index is out of range");
+  for (const Eigen::Vector3d& v : mesh.vertices)
+    if (!v.allFinite()) throw ByteFault("a coordinate is not finite");
+  if (loaded.submeshes < 0 || !std::isfinite(loaded.resolution) || loaded.resolution < 0) throw ByteFault("a count is negative");
+}
+
+}  // namespace
+
+LoadedMesh decodeInWorker(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control) {
+  const std::string head = toBytes(name, limits.max_bytes, limits.max_triangles);
+  const std::string answer = meshReader().ask({head, bytes, {}}, workerLimits(limits, bytes.size()), name,
+                                              "simplify the mesh, or raise the limit if it is to be trusted", control);
+  LoadedMesh loaded;
+  try {
+    fromBytes(answer, loaded);
+    expectSound(loaded, limits);
+  } catch (const ByteFault& fault) {
+    throw Error(ErrorCode::kReaderFailed, name + ": its reader's answer makes no sense (" + fault.what() +
+                                              "); the file is damaged or made to do harm: export it again");
+  }
+  return loaded;
+}
+
+std::string answerMeshQuestion(const Question& question) {
+  std::string name;
+  MeshLimits limits;
+  fromBytes(question.head, name, limits.max_bytes, limits.max_triangles);
+  return toBytes(decodeMesh(question.body, name, limits, {}));
+}
+
+std::string readerProtection() {
+  return meshReader().protection();
+}
+
+}  // namespace collision_hulls

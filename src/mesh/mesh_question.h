@@ -1,0 +1,17 @@
+// Reads a mesh's bytes in a process of its own: both ends of the question that the library asks the program collision_hulls_reader.
+#pragma once
+
+#include <string>
+
+#include "collision_hulls/mesh/mesh_io.h"
+#include "sandbox/serve.h"
+
+namespace collision_hulls {
+
+/// The library's end: decodeMesh() in a worker, with its result checked again. Throws what decodeMesh() and ReaderProgram::ask() throw.
+LoadedMesh decodeInWorker(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control);
+
+/// The worker's end.
+std::string answerMeshQuestion(const Question& question);
+
+}  // namespace collision_hulls

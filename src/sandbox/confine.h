@@ -1,0 +1,25 @@
+// Takes from this process what a parser of foreign bytes does not need.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace collision_hulls {
+
+/// What is in force in this process.
+struct Protection {
+  bool limits = false;    ///< on address space, CPU time, new files, new processes
+  bool seccomp = false;   ///< a filter of system calls: no opening, no network, no new program
+  bool landlock = false;  ///< no access to any file by its path
+};
+
+/// In words: "a process of its own with limits, seccomp, Landlock".
+std::string text(const Protection& protection);
+
+/// For good: the process may compute, use the descriptors that it has open, and end. Address space [bytes] and CPU time [s] are bounded; it
+/// cannot open or create files or sockets, start processes or programs, or trace others. It ends with its parent, the process `parent`;
+/// dumps no core; and with the status kOutOfMemory if it runs out of memory. What the kernel or the build does not offer is left out, and
+/// missing in the result.
+Protection confine(std::uint64_t memory, std::uint64_t cpu_seconds, int parent);
+
+}  // namespace collision_hulls

@@ -1,0 +1,198 @@
+// posix_spawn() copies nothing of the caller and runs nothing of it in the child, so other threads do no harm. The program gets the socket
+// as standard input, the variables it needs, and, except in builds with sanitizers, nothing to write to. Signals of the terminal are
+// blocked in it: its caller decides what a Ctrl-C means, and closing the socket ends it.
+#include "sandbox/reader_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <time.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+#include "collision_hulls/error.h"
+
+namespace collision_hulls {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kLook = 20;    // [ms] between looks at the cancel flag
+constexpr int kGrace = 200;  // [ms] for the program to end by itself
+constexpr const char* kPassed[] = {"LD_LIBRARY_PATH", "ASAN_OPTIONS", "UBSAN_OPTIONS", "ROS_PACKAGE_PATH", "CMAKE_PREFIX_PATH"};
+
+/// Files and signals of the program to start.
+class Preparation {
+ public:
+  explicit Preparation(int socket) {
+    posix_spawn_file_actions_init(&files_);
+    posix_spawnattr_init(&attributes_);
+    posix_spawn_file_actions_adddup2(&files_, socket, STDIN_FILENO);
+    posix_spawn_file_actions_addopen(&files_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+#ifndef __SANITIZE_ADDRESS__
+    posix_spawn_file_actions_addopen(&files_, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+#endif
+    sigset_t set;
+    sigfillset(&set);
+    posix_spawnattr_setsigdefault(&attributes_, &set);
+    sigemptyset(&set);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP}) sigaddset(&set, signal);
+    posix_spawnattr_setsigmask(&attributes_, &set);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+  }
+  ~Preparation() {
+    posix_spawn_file_actions_destroy(&files_);
+    posix_spawnattr_destroy(&attributes_);
+  }
+  Preparation(const Preparation&) = delete;
+  Preparation& operator=(const Preparation&) = delete;
+
+  posix_spawn_file_actions_t* files() {
+    return &files_;
+  }
+  posix_spawnattr_t* attributes() {
+    return &attributes_;
+  }
+
+ private:
+  posix_spawn_file_actions_t files_;
+  posix_spawnattr_t attributes_;
+};
+
+std::vector<std::string> environmentOfReader() {
+  // Large pages, where the kernel and the C library have them: each worker's memory is new, and most of the cost of new memory is per page.
+  std::vector<std::string> result{"LC_ALL=C", "GLIBC_TUNABLES=glibc.malloc.hugetlb=1"};
+  for (const char* const name : kPassed)
+    if (const char* const value = std::getenv(name)) result.push_back(std::string(name) + "=" + value);
+  return result;
+}
+
+[[noreturn]] void failToStart(const std::string& program, const std::string& variable, int error) {
+  throw Error(ErrorCode::kReaderFailed, "the program that reads files, '" + program + "', cannot be started: " + std::strerror(error) +
+                                            "; install it again, or name it in " + variable);
+}
+
+/// The number of the new process, or minus errno.
+pid_t start(const std::string& program, int socket) {
+  Preparation preparation(socket);
+  std::vector<std::string> environment = environmentOfReader();
+  std::vector<char*> variables;
+  for (std::string& variable : environment) variables.push_back(variable.data());
+  variables.push_back(nullptr);
+  char* const arguments[] = {const_cast<char*>(program.c_str()), nullptr};
+  pid_t process = -1;
+  const int error = posix_spawn(&process, program.c_str(), preparation.files(), preparation.attributes(), arguments, variables.data());
+  return error == 0 ? process : -error;
+}
+
+/// Thrown by Exchange when the question has ended early.
+struct Ended {
+  ReaderOutcome::Kind kind;
+};
+
+/// Bytes over a socket, with an eye on the clock and the cancel flag.
+class Exchange {
+ public:
+  Exchange(int socket, const WorkerLimits& limits, const RunControl& control)
+      : socket_(socket),
+        end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.clock_seconds))),
+        control_(control) {}
+
+  void send(const void* bytes, std::size_t size) {
+    const char* at = static_cast<const char*>(bytes);
+    while (size > 0) advance(at, size, POLLOUT, ::send(socket_, at, size, MSG_NOSIGNAL | MSG_DONTWAIT));
+  }
+  void receive(void* bytes, std::size_t size) {
+    char* at = static_cast<char*>(bytes);
+    while (size > 0) advance(at, size, POLLIN, recv(socket_, at, size, MSG_DONTWAIT));
+  }
+
+ private:
+  template <typename Pointer>
+  void advance(Pointer& at, std::size_t& size, short event, ssize_t moved) {
+    control_.check();
+    if (moved > 0) {
+      at += moved;
+      size -= static_cast<std::size_t>(moved);
+      return;
+    }
+    if (moved == 0 || (errno != EAGAIN && errno != EINTR)) throw Ended{ReaderOutcome::Kind::kReaderEnded};
+    if (Clock::now() > end_) throw Ended{ReaderOutcome::Kind::kTooSlow};
+    pollfd ready{socket_, event, 0};
+    poll(&ready, 1, kLook);
+  }
+
+  int socket_;
+  Clock::time_point end_;
+  const RunControl& control_;
+};
+
+void sendQuestion(Exchange& exchange, const ReaderQuestion& question, const WorkerLimits& limits) {
+  QuestionHeader header;
+  header.memory = limits.memory;
+  header.cpu_seconds = limits.cpu_seconds;
+  header.file_size = question.file.size();
+  header.head_size = question.head.size();
+  header.body_size = question.body.size();
+  exchange.send(&header, sizeof header);
+  for (const std::string_view text : {question.file, question.head, question.body}) exchange.send(text.data(), text.size());
+}
+
+/// Reserves no memory for bytes that have not come.
+void receiveAnswer(Exchange& exchange, std::uint64_t longest, ReaderOutcome& outcome) {
+  for (;;) {
+    std::uint32_t size = 0;
+    exchange.receive(&size, sizeof size);
+    if (size == 0) break;
+    const std::size_t before = outcome.answer.size();
+    if (size > kMostPiece || before + size > longest) throw Ended{ReaderOutcome::Kind::kTooLong};
+    outcome.answer.resize(before + size);
+    exchange.receive(&outcome.answer[before], size);
+  }
+  exchange.receive(&outcome.worker, sizeof outcome.worker);
+}
+
+}  // namespace
+
+ReaderProcess::ReaderProcess(const std::string& program, const std::string& variable) {
+  std::array<int, 2> ends{};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) failToStart(program, variable, errno);
+  socket_ = Descriptor(ends[0]);
+  const Descriptor theirs(ends[1]);
+  process_ = start(program, theirs.number());
+  if (process_ < 0) failToStart(program, variable, -process_);
+}
+
+ReaderProcess::~ReaderProcess() {
+  socket_.reset();  // kills the worker and ends the program
+  for (int waited = 0; waited < kGrace; ++waited) {
+    if (waitpid(process_, nullptr, WNOHANG) != 0) return;
+    const timespec millisecond{0, 1'000'000};
+    nanosleep(&millisecond, nullptr);
+  }
+  kill(process_, SIGKILL);
+  while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
+}
+
+ReaderOutcome ReaderProcess::ask(const ReaderQuestion& question, const WorkerLimits& limits, const RunControl& control) {
+  ReaderOutcome outcome;
+  try {
+    Exchange exchange(socket_.number(), limits, control);
+    sendQuestion(exchange, question, limits);
+    receiveAnswer(exchange, limits.memory, outcome);
+  } catch (const Ended& ended) {
+    outcome.kind = ended.kind;
+  }
+  return outcome;
+}
+
+}  // namespace collision_hulls

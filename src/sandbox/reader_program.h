@@ -1,0 +1,42 @@
+// Asks a reader program, and turns everything that can befall it into an Error.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "sandbox/reader_process.h"
+
+namespace collision_hulls {
+
+/// A program installed with the library, run as often as threads ask at the same time. Thread safe.
+class ReaderProgram {
+ public:
+  /// `name` of the program; the environment variable `variable`, if set, gives the path of another.
+  ReaderProgram(std::string name, std::string variable) : name_(std::move(name)), variable_(std::move(variable)) {}
+
+  /// The worker's answer. `subject` stands in messages: the file. `remedy`: what to do where a limit was reached. Throws the Error that the
+  /// worker threw; kReaderFailed if it crashed, reached a limit or cannot be started; kFileNotFound if the question's file cannot be
+  /// opened; kCancelled, and then the worker is gone.
+  std::string ask(const ReaderQuestion& question, const WorkerLimits& limits, const std::string& subject, const std::string& remedy,
+                  const RunControl& control);
+
+  /// What is in force in its workers, in words.
+  std::string protection();
+
+  /// Where the program is.
+  std::string path() const;
+
+ private:
+  ReaderOutcome outcomeOf(const ReaderQuestion& question, const WorkerLimits& limits, const RunControl& control);
+  std::unique_ptr<ReaderProcess> takeIdle(const std::string& program);
+
+  std::string name_, variable_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<ReaderProcess>> idle_;
+  std::string program_;  // that those in idle_ run
+  pid_t owner_ = -1;     // the process that started them: a fork of it must leave them alone
+};
+
+}  // namespace collision_hulls

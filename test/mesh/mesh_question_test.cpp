@@ -1,0 +1,141 @@
+// Meshes that are decoded by another process, and what that process may do to this one. Also tests src/mesh/read_mesh.cpp and
+// src/tools/reader.cpp.
+#include "mesh/mesh_question.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <thread>
+#include <vector>
+
+#include "collision_hulls/error.h"
+#include "files.h"
+#include "mesh/decode_mesh.h"
+
+namespace collision_hulls {
+namespace {
+
+using namespace test_files;
+
+const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+void expectError(const std::string& content, const std::string& part, const MeshLimits& limits = {}, const std::string& name = "a.obj") {
+  try {
+    parseMesh(content, name, limits);
+    ADD_FAILURE() << content << " was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kReaderFailed) << error.what();
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << content << ": " << error.what();
+  }
+}
+
+/// Within its scope, the test's own program reads meshes, and does what they say.
+class Misbehaving {
+ public:
+  Misbehaving() { setenv("COLLISION_HULLS_READER", TEST_READER, 1); }
+  ~Misbehaving() { unsetenv("COLLISION_HULLS_READER"); }
+};
+
+/// A Collada file with a chain of `depth` nodes, each of which shows the next one twice.
+std::string doubling(int depth) {
+  std::string nodes;
+  for (int i = 0; i < depth; ++i) {
+    const std::string next = "<instance_node url=\"#n" + std::to_string(i + 1) + "\"/>";
+    nodes += "<node id=\"n" + std::to_string(i) + "\">" + next + next + "</node>";
+  }
+  nodes += "<node id=\"n" + std::to_string(depth) + "\"><instance_geometry url=\"#shape\"/></node>";
+  return dae("", "<triangles count=\"1\"><input semantic=\"VERTEX\" source=\"#vertices\" offset=\"0\"/><p>0 1 2</p></triangles>",
+             "<node><instance_node url=\"#n0\"/></node>", "<library_nodes>" + nodes + "</library_nodes>");
+}
+
+TEST(MeshQuestion, SameAsInThisProcess) {
+  const LoadedMesh there = parseMesh(kTriangle, "a.obj"), here = decodeMesh(kTriangle, "a.obj", {}, {});
+  EXPECT_EQ(there.mesh.vertices, here.mesh.vertices);
+  EXPECT_EQ(there.mesh.triangles, here.mesh.triangles);
+  EXPECT_EQ(there.submeshes, 1);
+  EXPECT_EQ(there.resolution, here.resolution);
+  EXPECT_GT(there.resolution, 0);
+}
+
+TEST(MeshQuestion, PassesLimitsAndNameOn) {
+  MeshLimits limits;
+  limits.max_triangles = 1;
+  try {
+    parseMesh(kTriangle + "f 1 3 2\n", "two words.obj", limits);
+    ADD_FAILURE() << "was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kTooLarge) << error.what();
+    EXPECT_EQ(std::string(error.what()).rfind("two words.obj: ", 0), 0u) << error.what();
+  }
+}
+
+TEST(MeshQuestion, ChecksTheAnswer) {
+  const Misbehaving misbehaving;
+  EXPECT_EQ(parseMesh("good_mesh\n", "a.obj").mesh.triangles.size(), 1u);
+  expectError("garbage\n", "a.obj: its reader's answer makes no sense (");
+  expectError("echo\n", "its reader's answer makes no sense (it ends inside a value");
+  expectError("huge_count\n", "its reader's answer makes no sense (it ends inside a value");
+  expectError("too_short\n", "it ends inside a value");
+  expectError("too_much\n", "4 bytes follow its end");
+  expectError("no_triangles\n", "its number of triangles is out of range");
+  expectError("index_above\n", "an index is out of range");
+  expectError("index_below\n", "an index is out of range");
+  expectError("not_finite\n", "a coordinate is not finite");
+  expectError("negative_count\n", "a count is negative");
+  expectError("bad_resolution\n", "a count is negative");
+  MeshLimits limits;
+  limits.max_triangles = 0;
+  expectError("good_mesh\n", "its number of triangles is out of range", limits);
+}
+
+TEST(MeshQuestion, LimitsGrowWithTheFile) {
+  const Misbehaving misbehaving;
+  expectError("memory\n", "more memory than the limit of 536 MB; simplify the mesh, or raise the limit");
+  expectError("memory\n" + std::string(1'000'000, ' '), "more memory than the limit of 576 MB");
+  MeshLimits limits;
+  limits.reader_memory = 100'000'000;
+  expectError("memory\n", "more memory than the limit of 100 MB", limits);
+  limits.reader_seconds = 0.5;
+  expectError("loop\n", "more computing than the limit of 1 s", limits);
+}
+
+TEST(MeshQuestion, NodesWithoutEndAreAFailure) {
+  MeshLimits limits;
+  limits.reader_memory = 200'000'000;
+  try {
+    parseMesh(doubling(26), "a.dae", limits);
+    ADD_FAILURE() << "was read";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("a.dae: "), std::string::npos) << error.what();
+  }
+}
+
+TEST(MeshQuestion, BinaryStlNeedsNoOtherProcess) {
+  setenv("COLLISION_HULLS_READER", "/no/such/program", 1);
+  EXPECT_EQ(parseMesh(binaryStl("", 2, 2), "a.stl").mesh.triangles.size(), 2u);
+  expectError(kTriangle, "'/no/such/program', cannot be started");
+  unsetenv("COLLISION_HULLS_READER");
+}
+
+TEST(MeshQuestion, CancelEndsIt) {
+  const Misbehaving misbehaving;
+  RunControl control;
+  std::thread cancelling([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    control.cancel();
+  });
+  try {
+    parseMesh("sleep\n", "a.obj", {}, control);
+    ADD_FAILURE() << "it answered";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kCancelled) << error.what();
+  }
+  cancelling.join();
+}
+
+TEST(MeshQuestion, SaysWhatProtects) {
+  EXPECT_EQ(readerProtection().rfind("a process of its own, with limits", 0), 0u) << readerProtection();
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -57,7 +57,8 @@ void expectSound(const LoadedMesh& loaded, const MeshLimits& limits) {
 
 LoadedMesh decodeInWorker(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control) {
   const std::string head = toBytes(name, limits.max_bytes, limits.max_triangles);
-  const std::string answer = meshReader().ask({head, bytes, {}}, workerLimits(limits, bytes.size()), name,
+  const Descriptor file = inMemory(bytes, name, control);
+  const std::string answer = meshReader().ask({head, file.number()}, workerLimits(limits, bytes.size()), name,
                                               "simplify the mesh, or raise the limit if it is to be trusted", control);
   LoadedMesh loaded;
   try {
@@ -74,7 +75,7 @@ std::string answerMeshQuestion(const Question& question) {
   std::string name;
   MeshLimits limits;
   fromBytes(question.head, name, limits.max_bytes, limits.max_triangles);
-  return toBytes(decodeMesh(question.body, name, limits, {}));
+  return toBytes(decodeMesh(contentOf(question), name, limits, {}));
 }
 
 std::string readerProtection() {

@@ -51,11 +51,11 @@ bool limit(decltype(RLIMIT_AS) what, rlim_t most) {
 bool limitResources(std::uint64_t memory, std::uint64_t cpu_seconds) {
   bool done = limit(RLIMIT_CORE, 0);
   done &= limit(RLIMIT_CPU, cpu_seconds, cpu_seconds + 1);  // the soft limit sends SIGXCPU, which says why
-  done &= limit(RLIMIT_FSIZE, 0);
-  done &= limit(RLIMIT_NOFILE, 0);  // what is open stays open
+  done &= limit(RLIMIT_FSIZE, memory / 4);                  // of the answer, which is no part of the address space
+  done &= limit(RLIMIT_NOFILE, 0);                          // what is open stays open
   done &= limit(RLIMIT_NPROC, 0);
   done &= limit(RLIMIT_MEMLOCK, 0);
-  if (!kSanitized) done &= limit(RLIMIT_AS, memory);
+  if (!kSanitized) done &= limit(RLIMIT_AS, memory - memory / 4);
   return done;
 }
 
@@ -104,6 +104,9 @@ bool addRules(scmp_filter_ctx filter) {
   // Memory that is not code, and signals to itself, as abort() sends them.
   const auto no_code = SCMP_A2(SCMP_CMP_MASKED_EQ, PROT_EXEC, 0);
   for (const int call : {SCMP_SYS(mmap), SCMP_SYS(mprotect)}) added &= seccomp_rule_add(filter, SCMP_ACT_ALLOW, call, 1, no_code) == 0;
+  // fstat(), as newer C libraries call it.
+  const auto no_path = SCMP_A3(SCMP_CMP_MASKED_EQ, AT_EMPTY_PATH, AT_EMPTY_PATH);
+  added &= seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(newfstatat), 1, no_path) == 0;
   const auto self = SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(getpid()));
   added &= seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(tgkill), 1, self) == 0;
   return added;

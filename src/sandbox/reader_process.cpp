@@ -107,18 +107,15 @@ class Exchange {
         end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.clock_seconds))),
         control_(control) {}
 
-  void send(const void* bytes, std::size_t size) {
-    const char* at = static_cast<const char*>(bytes);
-    while (size > 0) advance(at, size, POLLOUT, ::send(socket_, at, size, MSG_NOSIGNAL | MSG_DONTWAIT));
-  }
-  void receive(void* bytes, std::size_t size) {
-    char* at = static_cast<char*>(bytes);
-    while (size > 0) advance(at, size, POLLIN, recv(socket_, at, size, MSG_DONTWAIT));
+  /// `socket_call(at, size)` sends or receives a part of `size` bytes.
+  template <typename Pointer, typename SocketCall>
+  void all(Pointer at, std::size_t size, short event, const SocketCall& socket_call) {
+    while (size > 0) advance(at, size, event, socket_call(at, size));
   }
 
  private:
   template <typename Pointer>
-  void advance(Pointer& at, std::size_t& size, short event, ssize_t moved) {
+  void advance(Pointer& at, std::size_t& size, short event, long moved) {
     control_.check();
     if (moved > 0) {
       at += moved;
@@ -136,29 +133,20 @@ class Exchange {
   const RunControl& control_;
 };
 
-void sendQuestion(Exchange& exchange, const ReaderQuestion& question, const WorkerLimits& limits) {
+void sendQuestion(Exchange& exchange, int socket, const ReaderQuestion& question, const WorkerLimits& limits) {
   QuestionHeader header;
   header.memory = limits.memory;
   header.cpu_seconds = limits.cpu_seconds;
-  header.file_size = question.file.size();
   header.head_size = question.head.size();
-  header.body_size = question.body.size();
-  exchange.send(&header, sizeof header);
-  for (const std::string_view text : {question.file, question.head, question.body}) exchange.send(text.data(), text.size());
+  exchange.all(reinterpret_cast<const char*>(&header), sizeof header, POLLOUT,
+               [&](const char* at, std::size_t size) { return sendWith(socket, at, size, question.file, MSG_DONTWAIT); });
+  exchange.all(question.head.data(), question.head.size(), POLLOUT,
+               [&](const char* at, std::size_t size) { return send(socket, at, size, MSG_NOSIGNAL | MSG_DONTWAIT); });
 }
 
-/// Reserves no memory for bytes that have not come.
-void receiveAnswer(Exchange& exchange, std::uint64_t longest, ReaderOutcome& outcome) {
-  for (;;) {
-    std::uint32_t size = 0;
-    exchange.receive(&size, sizeof size);
-    if (size == 0) break;
-    const std::size_t before = outcome.answer.size();
-    if (size > kMostPiece || before + size > longest) throw Ended{ReaderOutcome::Kind::kTooLong};
-    outcome.answer.resize(before + size);
-    exchange.receive(&outcome.answer[before], size);
-  }
-  exchange.receive(&outcome.worker, sizeof outcome.worker);
+void receiveEnding(Exchange& exchange, int socket, ReaderOutcome& outcome) {
+  exchange.all(reinterpret_cast<char*>(&outcome.worker), sizeof outcome.worker, POLLIN,
+               [&](char* at, std::size_t size) { return receiveWith(socket, at, size, outcome.answer, MSG_DONTWAIT); });
 }
 
 }  // namespace
@@ -187,8 +175,8 @@ ReaderOutcome ReaderProcess::ask(const ReaderQuestion& question, const WorkerLim
   ReaderOutcome outcome;
   try {
     Exchange exchange(socket_.number(), limits, control);
-    sendQuestion(exchange, question, limits);
-    receiveAnswer(exchange, limits.memory, outcome);
+    sendQuestion(exchange, socket_.number(), question, limits);
+    receiveEnding(exchange, socket_.number(), outcome);
   } catch (const Ended& ended) {
     outcome.kind = ended.kind;
   }

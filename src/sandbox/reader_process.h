@@ -15,23 +15,22 @@ namespace collision_hulls {
 
 /// What one question may use.
 struct WorkerLimits {
-  std::uint64_t memory = 0;       ///< [bytes] address space; also the longest answer
+  std::uint64_t memory = 0;       ///< [bytes] a quarter for the answer, the rest for all else
   std::uint64_t cpu_seconds = 0;  ///< [s] of computing
   double clock_seconds = 0;       ///< [s] on the clock, all waiting included
 };
 
-/// A question to a reader program. The texts must outlive the call that takes it.
+/// A question to a reader program.
 struct ReaderQuestion {
   std::string_view head;  ///< what to do
-  std::string_view body;  ///< the bytes to do it with
-  std::string_view file;  ///< path of a regular file that the worker may read; empty: none
+  int file = -1;          ///< with this file: regular, or in memory
 };
 
 /// How a question ended.
 struct ReaderOutcome {
-  enum class Kind { kAnswered, kTooSlow, kTooLong, kReaderEnded } kind = Kind::kAnswered;
-  Ending worker;       ///< of kAnswered
-  std::string answer;  ///< what the worker wrote
+  enum class Kind { kAnswered, kTooSlow, kReaderEnded } kind = Kind::kAnswered;
+  Ending worker;      ///< of kAnswered
+  Descriptor answer;  ///< of kAnswered: what the worker wrote, which nobody else can change any more
 };
 
 /// A running reader program. Ends with this object, and with the program that has it.

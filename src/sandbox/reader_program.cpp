@@ -31,6 +31,8 @@ std::string millions(std::uint64_t bytes) {
   return std::to_string(bytes / 1'000'000) + " MB";
 }
 
+constexpr std::size_t kPiece = std::size_t{1} << 26;  // [bytes] between looks at the cancel flag
+
 constexpr const char* kDamaged = "the file is damaged or made to do harm: export it again";
 
 /// What stands in a message beside what befell the file.
@@ -57,8 +59,6 @@ struct Circumstances {
 }
 
 [[noreturn]] void failOfReader(const Ending& ending, const Circumstances& about) {
-  if (ending.kind == Ending::Kind::kNotOpened)
-    throw Error(ErrorCode::kFileNotFound, about.subject + ": cannot be opened: " + std::strerror(ending.code) + "; give a regular file");
   if (ending.kind == Ending::Kind::kNotForked)
     failWith(about, std::string("no process can be started to read it: ") + std::strerror(ending.code), "end some others and run again");
   failWith(about, "'" + about.program + "' is of another version than the library", "install both together");
@@ -69,8 +69,6 @@ struct Circumstances {
   switch (outcome.kind) {
     case ReaderOutcome::Kind::kTooSlow:
       failWith(about, "reading it takes longer than the limit of " + whole(limits.clock_seconds), about.remedy);
-    case ReaderOutcome::Kind::kTooLong:
-      failWith(about, "its content takes more than the limit of " + millions(limits.memory), about.remedy);
     case ReaderOutcome::Kind::kReaderEnded:
       failWith(about, "'" + about.program + "', which reads files, ended without an answer", "run it by hand to see why");
     case ReaderOutcome::Kind::kAnswered: break;
@@ -96,6 +94,13 @@ std::string printable(std::string text) {
   throw Error(code, printable(text));
 }
 
+/// All bytes of a worker's file, whose size its limits bound.
+std::string contentOf(int file) {
+  std::string bytes(sizeOf(file).value_or(0), '\0');
+  if (!readAll(file, bytes)) throw ByteFault("it cannot be read");
+  return bytes;
+}
+
 /// The answer in what a worker wrote, or its error.
 std::string answerIn(std::string bytes, const std::string& subject) {
   if (bytes.empty()) throw ByteFault("it is empty");
@@ -109,6 +114,17 @@ std::string answerIn(std::string bytes, const std::string& subject) {
 }
 
 }  // namespace
+
+Descriptor inMemory(std::string_view bytes, const std::string& subject, const RunControl& control) {
+  Descriptor file = memoryFile();
+  for (bool written = file.number() >= 0; !bytes.empty() || !written; bytes.remove_prefix(std::min(kPiece, bytes.size()))) {
+    control.check();
+    written = written && writeAll(file.number(), bytes.substr(0, kPiece));
+    if (!written)
+      throw Error(ErrorCode::kReaderFailed, subject + ": no memory to pass it to its reader: " + std::strerror(errno) + "; free some");
+  }
+  return file;
+}
 
 std::string ReaderProgram::path() const {
   if (const char* const named = std::getenv(variable_.c_str()); named != nullptr && *named != '\0') return named;
@@ -130,7 +146,8 @@ std::unique_ptr<ReaderProcess> ReaderProgram::takeIdle(const std::string& progra
 
 ReaderOutcome ReaderProgram::outcomeOf(const ReaderQuestion& question, const WorkerLimits& limits, const RunControl& control) {
   const std::string program = path();
-  ReaderOutcome outcome{ReaderOutcome::Kind::kReaderEnded, {}, {}};
+  ReaderOutcome outcome;
+  outcome.kind = ReaderOutcome::Kind::kReaderEnded;
   for (bool fresh = false; !fresh && outcome.kind == ReaderOutcome::Kind::kReaderEnded;) {  // an idle one may have been killed meanwhile
     std::unique_ptr<ReaderProcess> process = takeIdle(program);
     fresh = process == nullptr;
@@ -149,14 +166,14 @@ std::string ReaderProgram::ask(const ReaderQuestion& question, const WorkerLimit
   if (outcome.kind != ReaderOutcome::Kind::kAnswered || outcome.worker.kind != Ending::Kind::kExit || outcome.worker.code != 0)
     fail(outcome, limits, {subject, remedy, path()});
   try {
-    return answerIn(std::move(outcome.answer), subject);
+    return answerIn(contentOf(outcome.answer.number()), subject);
   } catch (const ByteFault& fault) {
     throw Error(ErrorCode::kReaderFailed, subject + ": its reader's answer makes no sense (" + fault.what() + "); " + kDamaged);
   }
 }
 
 std::string ReaderProgram::protection() {
-  return ask({kAskProtection, {}, {}}, kToAskProtection, "protection", "", {});
+  return ask({kAskProtection, -1}, kToAskProtection, "protection", "", {});
 }
 
 }  // namespace collision_hulls

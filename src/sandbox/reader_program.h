@@ -4,11 +4,15 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sandbox/reader_process.h"
 
 namespace collision_hulls {
+
+/// A file in memory with these bytes. Throws kReaderFailed if there is no room for it, and kCancelled.
+Descriptor inMemory(std::string_view bytes, const std::string& subject, const RunControl& control);
 
 /// A program installed with the library, run as often as threads ask at the same time. Thread safe.
 class ReaderProgram {
@@ -16,9 +20,9 @@ class ReaderProgram {
   /// `name` of the program; the environment variable `variable`, if set, gives the path of another.
   ReaderProgram(std::string name, std::string variable) : name_(std::move(name)), variable_(std::move(variable)) {}
 
-  /// The worker's answer. `subject` stands in messages: the file. `remedy`: what to do where a limit was reached. Throws the Error that the
-  /// worker threw; kReaderFailed if it crashed, reached a limit or cannot be started; kFileNotFound if the question's file cannot be
-  /// opened; kCancelled, and then the worker is gone.
+  /// The worker's answer. The question may be put again to another process. `subject` stands in messages: the file. `remedy`: what to do
+  /// where a limit was reached. Throws the Error that the worker threw; kReaderFailed if it crashed, reached a limit or cannot be started;
+  /// kCancelled, and then the worker is gone.
   std::string ask(const ReaderQuestion& question, const WorkerLimits& limits, const std::string& subject, const std::string& remedy,
                   const RunControl& control);
 

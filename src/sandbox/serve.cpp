@@ -1,9 +1,10 @@
-// The reader holds the socket and looks at sizes alone. Its worker, a fork, sees the bytes and writes into a pipe; the reader passes that
-// on piece by piece and says at the end, on its own knowledge, how the worker ended. So a worker that a hostile file has taken over can lie
-// about that file and about nothing else. If the library closes the socket, the worker is killed at once.
+// The reader never looks at a file. Its worker, a fork, reads it and writes into a file in memory; once the worker is gone, the reader
+// passes that file on, and says on its own knowledge how the worker ended. So a worker that a hostile file has taken over can lie about
+// that file and about nothing else. If the library closes the socket, the worker is killed at once.
 #include "sandbox/serve.h"
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -14,9 +15,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <iostream>
-#include <vector>
 
 #include "base/descriptor.h"
 #include "collision_hulls/error.h"
@@ -34,6 +36,16 @@ bool isSocket(int descriptor) {
   return fstat(descriptor, &status) == 0 && S_ISSOCK(status.st_mode);
 }
 
+/// Each worker's memory is new, and most of the cost of new memory is per page: take much at once, of large pages if there are any (see the
+/// environment in reader_process.cpp), and keep it.
+void takeMemoryInLargePieces() {
+#ifdef __GLIBC__
+  mallopt(M_TOP_PAD, 64 << 20);
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+#endif
+}
+
 /// Closes what a library's program left open across exec.
 void closeInherited() {
 #ifdef SYS_close_range
@@ -44,35 +56,47 @@ void closeInherited() {
   for (int i = STDERR_FILENO + 1; i < static_cast<int>(std::min<rlim_t>(most.rlim_cur, 65536)); ++i) close(i);
 }
 
-void writeAll(int pipe, const std::string& bytes) {
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t written = write(pipe, bytes.data() + done, bytes.size() - done);
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) _exit(1);
-    done += static_cast<std::size_t>(written);
-  }
-}
+struct Answer {
+  std::string bytes;
+  AnswerKind kind;
+};
 
-std::string answerOrError(const AnswerFunction& answer, const Question& question, const Protection& protection) {
-  const auto closedBy = [](std::string bytes, AnswerKind kind) { return bytes += static_cast<char>(kind); };
+Answer answerOrError(const AnswerFunction& answer, const Question& question, const Protection& protection) {
   try {
-    return closedBy(question.head == kAskProtection ? text(protection) : answer(question), AnswerKind::kAnswer);
+    return {question.head == kAskProtection ? text(protection) : answer(question), AnswerKind::kAnswer};
   } catch (const Error& error) {
-    return closedBy(toBytes(error.code(), std::string(error.what())), AnswerKind::kError);
+    return {toBytes(error.code(), std::string(error.what())), AnswerKind::kError};
   } catch (const std::bad_alloc&) {
     _exit(kOutOfMemory);
   } catch (const std::exception& error) {
-    return closedBy(error.what(), AnswerKind::kException);
+    return {error.what(), AnswerKind::kException};
   }
 }
 
-[[noreturn]] void work(const AnswerFunction& answer, const Question& question, const QuestionHeader& header, int pipe, int readers_end,
-                       pid_t reader) {
-  const Protection protection = confine(header.memory, header.cpu_seconds, reader);
+/// What the reader keeps of one question, and its worker gets.
+struct Job {
+  QuestionHeader header;
+  Question question;
+  Descriptor answer = memoryFile();
+  Descriptor readers_end, workers_end;  // of a pipe that shows by closing that the worker has ended
+};
+
+[[noreturn]] void work(const AnswerFunction& answer, Job& job, pid_t reader) {
+  signal(SIGXFSZ, SIG_IGN);  // too long an answer makes write() fail instead
+  const Protection protection = confine(job.header.memory, job.header.cpu_seconds, reader);
   close(kSocket);
-  close(readers_end);
-  writeAll(pipe, answerOrError(answer, question, protection));
-  _exit(0);
+  job.readers_end.reset();
+  const auto [bytes, kind] = answerOrError(answer, job.question, protection);
+  const char last = static_cast<char>(kind);
+  const bool written = writeAll(job.answer.number(), bytes) && writeAll(job.answer.number(), {&last, 1});
+  _exit(written ? 0 : kOutOfMemory);
+}
+
+/// Returns true when the worker has ended, false if nobody waits for it any more.
+bool awaitWorker(int pipe) {
+  pollfd either[] = {{pipe, POLLIN, 0}, {kSocket, POLLRDHUP, 0}};
+  while (poll(either, 2, -1) < 0) continue;  // EINTR
+  return either[1].revents == 0;
 }
 
 /// Kills a worker, if it has not ended, and says how it did. One that has called exit() keeps its status.
@@ -84,73 +108,45 @@ Ending reaped(pid_t worker) {
   return {Ending::Kind::kExit, WEXITSTATUS(status)};
 }
 
-bool sendPiece(const char* bytes, std::size_t size) {
-  const auto prefix = static_cast<std::uint32_t>(size);
-  return sendAll(kSocket, &prefix, sizeof prefix) && sendAll(kSocket, bytes, size);
+/// Returns false if nobody waits for it any more.
+bool sendEnding(const Ending& ending, int file) {
+  return sendWith(kSocket, &ending, sizeof ending, file, 0) == static_cast<long>(sizeof ending);
 }
 
-/// Passes on what the worker writes until it closes the pipe. Returns false if nobody listens any more.
-bool relay(int pipe) {
-  std::vector<char> piece(kMostPiece);
-  for (;;) {
-    pollfd either[] = {{pipe, POLLIN, 0}, {kSocket, POLLRDHUP, 0}};
-    if (poll(either, 2, -1) < 0) continue;  // EINTR
-    if (either[1].revents != 0) return false;
-    const ssize_t got = read(pipe, piece.data(), piece.size());
-    if (got == 0) return true;
-    if (got > 0 && !sendPiece(piece.data(), static_cast<std::size_t>(got))) return false;
-  }
-}
-
-/// Returns false if nobody listens any more.
-bool sendEnding(const Ending& ending) {
-  return sendPiece(nullptr, 0) && sendAll(kSocket, &ending, sizeof ending);
-}
-
-bool answerInWorker(const AnswerFunction& answer, const Question& question, const QuestionHeader& header) {
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) return sendEnding({Ending::Kind::kNotForked, errno});
-  const Descriptor from_worker(ends[0]);
-  Descriptor to_reader(ends[1]);
+bool answerInWorker(const AnswerFunction& answer, Job& job) {
+  int ends[2] = {-1, -1};
+  if (job.answer.number() < 0 || pipe2(ends, O_CLOEXEC) != 0) return sendEnding({Ending::Kind::kNotForked, errno}, -1);
+  job.readers_end = Descriptor(ends[0]);
+  job.workers_end = Descriptor(ends[1]);
   const pid_t reader = getpid();
   const pid_t worker = fork();
-  if (worker == 0) work(answer, question, header, to_reader.number(), from_worker.number(), reader);
-  if (worker < 0) return sendEnding({Ending::Kind::kNotForked, errno});
-  to_reader.reset();
-  const bool heard = relay(from_worker.number());
+  if (worker == 0) work(answer, job, reader);
+  if (worker < 0) return sendEnding({Ending::Kind::kNotForked, errno}, -1);
+  job.workers_end.reset();
+  const bool awaited = awaitWorker(job.readers_end.number());
   const Ending ending = reaped(worker);
-  return heard && sendEnding(ending);
-}
-
-/// Opens a question's file before the worker exists, which could not.
-bool openAndAnswer(const AnswerFunction& answer, Question& question, const std::string& path, const QuestionHeader& header) {
-  if (path.empty()) return answerInWorker(answer, question, header);
-  const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
-  struct stat status {};
-  if (file.number() < 0 || fstat(file.number(), &status) != 0) return sendEnding({Ending::Kind::kNotOpened, errno});
-  if (!S_ISREG(status.st_mode)) return sendEnding({Ending::Kind::kNotOpened, EINVAL});
-  question.file = file.number();
-  return answerInWorker(answer, question, header);
-}
-
-bool receiveText(std::string& text, std::uint64_t size) {
-  text.resize(size);
-  return receiveAll(kSocket, text.data(), text.size());
+  return awaited && sendEnding(ending, job.answer.number());
 }
 
 bool serveOne(const AnswerFunction& answer) {
-  QuestionHeader header;
-  if (!receiveAll(kSocket, &header, sizeof header)) return false;
-  if (header.version != kWireVersion) return sendEnding({Ending::Kind::kOtherVersion, 0}) && false;
-  Question question;
-  std::string path;
-  if (!receiveText(path, header.file_size) || !receiveText(question.head, header.head_size) ||
-      !receiveText(question.body, header.body_size))
-    return false;
-  return openAndAnswer(answer, question, path, header);
+  Job job;
+  Descriptor file;
+  if (receiveWith(kSocket, &job.header, sizeof job.header, file, MSG_WAITALL) != static_cast<long>(sizeof job.header)) return false;
+  if (job.header.version != kWireVersion) return sendEnding({Ending::Kind::kOtherVersion, 0}, -1) && false;
+  job.question.file = file.number();
+  job.question.head.resize(job.header.head_size);
+  const long size = static_cast<long>(job.header.head_size);
+  if (size > 0 && recv(kSocket, job.question.head.data(), job.header.head_size, MSG_WAITALL) != size) return false;
+  return answerInWorker(answer, job);
 }
 
 }  // namespace
+
+std::string contentOf(const Question& question) {
+  std::string bytes(sizeOf(question.file).value_or(0), '\0');
+  if (!readAll(question.file, bytes)) throw std::runtime_error(std::string("its file cannot be read: ") + std::strerror(errno));
+  return bytes;
+}
 
 int serve(const AnswerFunction& answer) {
   if (!isSocket(kSocket)) {
@@ -158,6 +154,7 @@ int serve(const AnswerFunction& answer) {
     return 2;
   }
   closeInherited();
+  takeMemoryInLargePieces();
   while (serveOne(answer)) continue;
   return 0;
 }

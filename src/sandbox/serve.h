@@ -8,17 +8,18 @@ namespace collision_hulls {
 
 struct Question {
   std::string head;  ///< what to do
-  std::string body;  ///< the bytes to do it with
-  int file = -1;     ///< a regular file, open for reading, if the question names one
+  int file = -1;     ///< with this file, open for reading
 };
+
+/// All bytes of a question's file.
+std::string contentOf(const Question& question);
 
 /// Bytes that the library understands. May throw.
 using AnswerFunction = std::function<std::string(const Question&)>;
 
 /// What main() of a reader program returns. Questions come over standard input, a socket; without one it says what it is for, and returns
 /// 2. For each question, a worker is forked and confined (confine.h) before it calls `answer`: so each has memory that no other question's
-/// bytes have touched. Ends when the library does, or closes the socket. The process must
-/// have no other threads.
+/// bytes have touched. Ends when the library does, or closes the socket. The process must have no other threads.
 int serve(const AnswerFunction& answer);
 
 }  // namespace collision_hulls

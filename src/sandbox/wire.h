@@ -1,33 +1,33 @@
 // What goes over the socket between the library and a reader program.
 //
-// The library sends questions, one after the other: a QuestionHeader, then the three texts whose sizes it names. The reader program sends
-// back what its worker wrote: pieces, each behind its size (32 bits), then a size of zero and an Ending.
+// A question is a QuestionHeader, which carries the descriptor of the file to read, and the text that says what to do with it. Its answer
+// is an Ending, which carries the descriptor of the file that the worker wrote. Files that are no files of a disk lie in memory.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
+
+#include "base/descriptor.h"
 
 namespace collision_hulls {
 
 /// Differs between programs that would misunderstand each other.
 constexpr std::array<char, 8> kWireVersion{'c', 'h', 'r', 'e', 'a', 'd', '0', '1'};
 
-constexpr std::size_t kMostPiece = std::size_t{1} << 18;  ///< [bytes]
-
 struct QuestionHeader {
   std::array<char, 8> version = kWireVersion;
-  std::uint64_t memory = 0;       ///< [bytes] address space of the worker
+  std::uint64_t memory = 0;       ///< [bytes] of the worker
   std::uint64_t cpu_seconds = 0;  ///< [s] CPU time of the worker
-  std::uint64_t file_size = 0;    ///< characters of the path of a file to open for reading; 0: none
-  std::uint64_t head_size = 0;    ///< bytes of the question
-  std::uint64_t body_size = 0;    ///< bytes that the question is about
+  std::uint64_t head_size = 0;    ///< bytes of the text that follows
 };
 
 /// How a worker ended.
 struct Ending {
-  enum class Kind : std::uint32_t { kExit, kSignal, kNotForked, kNotOpened, kOtherVersion } kind = Kind::kExit;
+  enum class Kind : std::uint32_t { kExit, kSignal, kNotForked, kOtherVersion } kind = Kind::kExit;
   std::int32_t code = 0;  ///< exit status, number of the signal, or errno
 };
 
@@ -44,8 +44,19 @@ enum class AnswerKind : char {
   kException = 'x'  ///< the text of any other exception
 };
 
-/// Sends, or receives, all of some bytes over a blocking socket. Returns false if the other end is closed.
-bool sendAll(int socket, const void* bytes, std::size_t size);
-bool receiveAll(int socket, void* bytes, std::size_t size);
+/// An empty file in memory; none if that fails, with errno.
+Descriptor memoryFile();
+
+/// Sends some bytes with a descriptor (negative: none), or receives both, with one system call that returns what sendmsg() or recvmsg()
+/// does.
+long sendWith(int socket, const void* bytes, std::size_t size, int descriptor, int flags);
+long receiveWith(int socket, void* bytes, std::size_t size, Descriptor& descriptor, int flags);
+
+/// Writes all of some bytes, or reads them from the file's start. Returns false if that fails, with errno, or zero if the file is shorter.
+bool writeAll(int file, std::string_view bytes);
+bool readAll(int file, std::string& bytes);
+
+/// The size of a regular file or one in memory.
+std::optional<std::uint64_t> sizeOf(int file);
 
 }  // namespace collision_hulls

@@ -80,16 +80,11 @@ std::string closePipeAndRunOn() {
 
 const std::map<std::string, std::function<std::string(const Question&)>>& deeds() {
   static const std::map<std::string, std::function<std::string(const Question&)>> all{
-      {"echo", [](const Question& q) { return q.body; }},
+      {"echo", [](const Question& q) { return contentOf(q); }},
       {"calls", [](const Question&) { return std::to_string(++g_calls); }},
       {"pids", [](const Question&) { return std::to_string(getpid()); }},
       {"descriptors", [](const Question&) { return openDescriptors(); }},
       {"environment", [](const Question&) { return environmentNames(); }},
-      {"file",
-       [](const Question& q) {
-         char c[9] = {};
-         return read(q.file, c, 8) < 0 ? std::strerror(errno) : std::string(c);
-       }},
       {"crash", [](const Question&) { return std::to_string(raise(SIGSEGV)); }},
       {"abort", [](const Question&) -> std::string { std::abort(); }},
       {"overflow", [](const Question&) { return std::to_string(overflow(1)); }},
@@ -106,8 +101,8 @@ const std::map<std::string, std::function<std::string(const Question&)>>& deeds(
       {"error", [](const Question&) -> std::string { throw Error(ErrorCode::kTooFarFromOrigin, "too far"); }},
       {"exception", [](const Question&) -> std::string { throw std::runtime_error("out\nof order"); }},
       {"open", [](const Question&) { return result(open("/dev/null", O_RDONLY)); }},
-      {"create", [](const Question& q) { return result(open(q.body.c_str(), O_CREAT | O_WRONLY, 0600)); }},
-      {"remove", [](const Question& q) { return result(unlink(q.body.c_str())); }},
+      {"create", [](const Question& q) { return result(open(contentOf(q).c_str(), O_CREAT | O_WRONLY, 0600)); }},
+      {"remove", [](const Question& q) { return result(unlink(contentOf(q).c_str())); }},
       {"socket", [](const Question&) { return result(socket(AF_INET, SOCK_STREAM, 0)); }},
       {"start", [](const Question&) { return startProgram(); }},
       {"fork", [](const Question&) { return result(fork()); }},
@@ -159,7 +154,7 @@ const std::map<std::string, std::function<std::string(const Question&)>>& deeds(
 
 std::string doAsTold(const Question& question) {
   const auto firstWord = [](const std::string& text) { return text.substr(0, text.find_first_of(" \n")); };
-  const auto deed = deeds().count(question.head) ? deeds().find(question.head) : deeds().find(firstWord(question.body));
+  const auto deed = deeds().count(question.head) ? deeds().find(question.head) : deeds().find(firstWord(contentOf(question)));
   if (deed == deeds().end()) throw std::runtime_error("no such deed");
   return deed->second(question);
 }

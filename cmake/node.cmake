@@ -2,15 +2,24 @@
 
 include(cmake/scene_messages.cmake)
 room_sources(NODE_SOURCES ros)
-list(FILTER NODE_SOURCES EXCLUDE REGEX "/(octomap_message|planning_scene)\\.cpp$")
+list(FILTER NODE_SOURCES EXCLUDE REGEX "/(bag_reader|octomap_message|planning_scene)\\.cpp$")
 add_executable(${PROJECT_NAME}_node ${NODE_SOURCES} ${SCENE_MESSAGE_SOURCES})
-add_dependencies(${PROJECT_NAME}_node ${PROJECT_NAME}_reader ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS} ${SCENE_MESSAGE_TARGETS})
+add_dependencies(${PROJECT_NAME}_node ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS} ${SCENE_MESSAGE_TARGETS})
 target_include_directories(${PROJECT_NAME}_node PRIVATE src)
 target_include_directories(${PROJECT_NAME}_node SYSTEM PRIVATE ${catkin_INCLUDE_DIRS} ${SCENE_MESSAGE_INCLUDE_DIRS})
 target_compile_definitions(${PROJECT_NAME}_node PRIVATE ${SCENE_MESSAGE_DEFINITIONS})
 target_link_libraries(${PROJECT_NAME}_node ${PROJECT_NAME} ${catkin_LIBRARIES})
 set_target_properties(${PROJECT_NAME}_node PROPERTIES INSTALL_RPATH "$ORIGIN/..")
-list(APPEND PROGRAMS ${PROJECT_NAME}_node)
+
+# Reads bags for the node, in a process of its own.
+add_executable(${PROJECT_NAME}_bag_reader src/ros/bag_reader.cpp)
+target_include_directories(${PROJECT_NAME}_bag_reader PRIVATE src)
+target_include_directories(${PROJECT_NAME}_bag_reader SYSTEM PRIVATE ${catkin_INCLUDE_DIRS})
+target_link_libraries(${PROJECT_NAME}_bag_reader ${PROJECT_NAME}_core ${catkin_LIBRARIES})
+set_target_properties(${PROJECT_NAME}_bag_reader PROPERTIES INSTALL_RPATH "$ORIGIN/..")
+
+add_dependencies(${PROJECT_NAME}_node ${PROJECT_NAME}_reader ${PROJECT_NAME}_bag_reader)
+list(APPEND PROGRAMS ${PROJECT_NAME}_node ${PROJECT_NAME}_bag_reader)
 
 function(add_node_tests)
   set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")  # not among the programs, where rosrun would find them
@@ -18,7 +27,7 @@ function(add_node_tests)
     test/ros/conversions_test.cpp test/ros/joint_states_test.cpp test/ros/markers_test.cpp test/ros/worker_test.cpp ${SCENE_MESSAGE_TESTS}
     src/ros/annotations.cpp src/ros/conversions.cpp src/ros/joint_states.cpp src/ros/markers.cpp src/ros/pen.cpp src/ros/robot_bounds.cpp
     src/ros/worker.cpp ${SCENE_MESSAGE_SOURCES})
-  add_dependencies(ros_test ${PROJECT_NAME}_reader ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS} ${SCENE_MESSAGE_TARGETS})
+  add_dependencies(ros_test ${PROJECT_NAME}_reader ${PROJECT_NAME}_bag_reader ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS} ${SCENE_MESSAGE_TARGETS})
   target_include_directories(ros_test PRIVATE src)
   target_include_directories(ros_test SYSTEM PRIVATE ${catkin_INCLUDE_DIRS} ${SCENE_MESSAGE_INCLUDE_DIRS})
   target_link_libraries(ros_test ${PROJECT_NAME} ${catkin_LIBRARIES} gtest_main)

@@ -1,31 +1,34 @@
 // Joint states to configurations: listens to a topic for some seconds, or reads a bag, and collects what the messages say of the joints.
+// A damaged bag can crash rosbag or make it allocate without end, so another program reads it (bag_reader.cpp).
 #include "joint_states.h"
 
+#include <fcntl.h>
 #include <ros/callback_queue.h>
 #include <ros/master.h>
 #include <ros/node_handle.h>
-#include <rosbag/bag.h>
-#include <rosbag/view.h>
 #include <sensor_msgs/JointState.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
-#include <filesystem>
+#include <cstring>
+#include <optional>
 #include <sstream>
-#include <stdexcept>
 #include <vector>
 
 #include "collision_hulls/error.h"
+#include "recorded_state.h"
+#include "sandbox/reader_program.h"
 #include "waiting.h"
 
 namespace collision_hulls {
 namespace {
 
-const std::string kTopic = "topic:", kBag = ".bag", kType = "sensor_msgs/JointState";
+const std::string kTopic = "topic:", kBag = ".bag", kType = kJointStateType;
 constexpr double kUsualSeconds = 10, kMostSeconds = 3600;
 constexpr std::uint32_t kQueue = 10'000;  // messages
 
-using JointStates = std::vector<sensor_msgs::JointStateConstPtr>;
+using JointStates = std::vector<RecordedState>;
 
 /// A source split before its last word; the second part is empty if there is one word.
 std::pair<std::string, std::string> parts(const std::string& source) {
@@ -51,24 +54,33 @@ ConfigurationSet collected(const JointStates& states, const std::string& source,
     throw Error(ErrorCode::kBadConfigurations, "'" + source + "' has no message of " + kType + "; give a source that has some" + or_else);
   ConfigurationCollector collector(kinematics, options);
   for (std::size_t i = 0; i < states.size(); ++i)
-    collector.add(states[i]->name, states[i]->position, "'" + source + "', message " + std::to_string(i + 1));
+    collector.add(states[i].names, states[i].positions, "'" + source + "', message " + std::to_string(i + 1));
   return collector.take();
 }
 
-JointStates fromBag(const std::string& file, const std::string& topic) {
-  if (!std::filesystem::exists(file)) throw Error(ErrorCode::kFileNotFound, "'" + file + "': no such file; give the path of a bag");
+/// Of a bag with many other topics little is kept: its index, one chunk at a time, and the joint states.
+WorkerLimits limitsFor(std::uint64_t bag_bytes) {
+  WorkerLimits limits;
+  limits.memory = (std::uint64_t{1} << 30) + bag_bytes;
+  limits.cpu_seconds = 10 + bag_bytes / 10'000'000;
+  limits.clock_seconds = 10 * static_cast<double>(limits.cpu_seconds);
+  return limits;
+}
+
+JointStates fromBag(const std::string& file, const std::string& topic, const RunControl& control) {
+  static auto* const reader = new ReaderProgram("collision_hulls_bag_reader", "COLLISION_HULLS_BAG_READER");  // threads may outlive main()
+  const Descriptor bag(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
+  if (bag.number() < 0)
+    throw Error(ErrorCode::kFileNotFound, "'" + file + "' cannot be read: " + std::strerror(errno) + "; give the path of a bag");
+  const std::optional<std::uint64_t> size = sizeOf(bag.number());
+  if (!size) throw Error(ErrorCode::kFileNotFound, "'" + file + "' is not a regular file; give the path of a bag");
+  const std::string answer = reader->ask({toBytes(file, topic), bag.number()}, limitsFor(*size), "'" + file + "'",
+                                         "give a bag with fewer messages, as 'rosbag filter' makes it", control);
   JointStates states;
   try {
-    const rosbag::Bag bag(file, rosbag::bagmode::Read);
-    rosbag::View view(bag, [&](const rosbag::ConnectionInfo* connection) {
-      return connection->datatype == kType && (topic.empty() || connection->topic == topic);
-    });
-    for (const rosbag::MessageInstance& message : view) {
-      states.push_back(message.instantiate<sensor_msgs::JointState>());
-      if (!states.back()) throw std::runtime_error("topic " + message.getTopic() + " has another version of " + kType);
-    }
-  } catch (const std::exception& error) {  // rosbag's own, and std::bad_alloc from a damaged length
-    throw Error(ErrorCode::kBadConfigurations, "'" + file + "' cannot be read: " + error.what() + "; 'rosbag reindex' may mend it");
+    fromBytes(answer, states);
+  } catch (const ByteFault& fault) {
+    throw Error(ErrorCode::kReaderFailed, "'" + file + "': its reader's answer makes no sense (" + fault.what() + "); record it again");
   }
   return states;
 }
@@ -100,7 +112,9 @@ JointStates fromTopic(const std::string& topic, double seconds, const RunControl
   ros::CallbackQueue queue;  // of its own: the node's threads may all be busy
   ros::NodeHandle node;
   node.setCallbackQueue(&queue);
-  const boost::function<void(const sensor_msgs::JointStateConstPtr&)> keep = [&](const auto& state) { states.push_back(state); };
+  const boost::function<void(const sensor_msgs::JointStateConstPtr&)> keep = [&](const auto& state) {
+    states.push_back({state->name, state->position});
+  };
   const ros::Subscriber subscriber = node.subscribe<sensor_msgs::JointState>(topic, kQueue, keep);
   const auto take = [&] {
     queue.callAvailable();
@@ -119,7 +133,7 @@ bool areJointStates(const std::string& source) {
 ConfigurationSet readJointStates(const std::string& source, const std::function<std::string(const std::string&)>& path,
                                  const Kinematics& kinematics, const ConfigurationOptions& options, const RunControl& control) {
   const auto [file, bag_topic] = bagAndTopic(source);
-  if (!file.empty()) return collected(fromBag(path(file), bag_topic), source, "", kinematics, options);
+  if (!file.empty()) return collected(fromBag(path(file), bag_topic, control), source, "", kinematics, options);
   const auto [topic, seconds] = parts(source.substr(kTopic.size()));
   return collected(fromTopic(topic, secondsOf(seconds, source), control), source, ", or more seconds", kinematics, options);
 }

@@ -1,3 +1,4 @@
+// Also tests src/ros/bag_reader.cpp.
 #include "ros/joint_states.h"
 
 #include <gtest/gtest.h>
@@ -106,6 +107,26 @@ TEST_F(JointStates, MessagesAreNamed) {
   std::string message;
   EXPECT_EQ(errorOf(file, &message), ErrorCode::kBadConfigurations);
   EXPECT_NE(message.find("unknown.bag', message 2"), std::string::npos) << message;
+}
+
+/// rosbag trusts a bag's index: an offset beyond the chunk makes it read there.
+TEST_F(JointStates, DamagedIndexIsAnError) {
+  std::ifstream in(recorded(), std::ios::binary);
+  const std::string whole{std::istreambuf_iterator<char>(in), {}}, first_time{"\1\0\0\0\0\0\0\0", 8};
+  int failed = 0;
+  for (std::size_t at = whole.find(first_time); at != std::string::npos; at = whole.find(first_time, at + 1)) {
+    std::string damaged = whole;
+    damaged.replace(at + first_time.size(), 4, "\xf0\xff\xff\x7f");
+    const std::string file = folder_ / "damaged.bag";
+    std::ofstream(file, std::ios::binary) << damaged;
+    try {
+      read(file);
+    } catch (const Error& error) {
+      failed += error.code() == ErrorCode::kReaderFailed;
+      EXPECT_NE(std::string(error.what()).find("damaged.bag'"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_GT(failed, 0);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ LoadedMesh decodeInWorker(const std::string& bytes, const std::string& name, con
     expectSound(loaded, limits);
   } catch (const ByteFault& fault) {
     throw Error(ErrorCode::kReaderFailed, name + ": its reader's answer makes no sense (" + fault.what() +
-                                              "); the file is damaged or made to do harm: export it again");
+                                              "); the file is damaged, or made to do harm: replace it");
   }
   return loaded;
 }

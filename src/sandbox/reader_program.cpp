@@ -33,7 +33,7 @@ std::string millions(std::uint64_t bytes) {
 
 constexpr std::size_t kPiece = std::size_t{1} << 26;  // [bytes] between looks at the cancel flag
 
-constexpr const char* kDamaged = "the file is damaged or made to do harm: export it again";
+constexpr const char* kDamaged = "the file is damaged, or made to do harm: replace it";
 
 /// What stands in a message beside what befell the file.
 struct Circumstances {

@@ -33,8 +33,14 @@ namespace {
 // A sanitizer reserves terabytes, and opens files to describe what it found.
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool kSanitized = true;
+constexpr const char* kNoSeccomp = "built with a sanitizer";
 #else
 constexpr bool kSanitized = false;
+#ifdef COLLISION_HULLS_SECCOMP
+constexpr const char* kNoSeccomp = "refused by the kernel";
+#else
+constexpr const char* kNoSeccomp = "built without libseccomp";
+#endif
 #endif
 
 bool limit(decltype(RLIMIT_AS) what, rlim_t soft, rlim_t hard) {
@@ -137,13 +143,8 @@ void bindToParent(int parent) {
 
 std::string text(const Protection& protection) {
   std::string result = std::string("a process of its own, ") + (protection.limits ? "with limits" : "some limits refused");
-#ifdef COLLISION_HULLS_SECCOMP
-  const char* const no_seccomp = "no seccomp (the kernel refuses it)";
-#else
-  const char* const no_seccomp = "no seccomp (built without libseccomp)";
-#endif
-  result += std::string(", ") + (protection.seccomp ? "seccomp" : no_seccomp);
-  return result + ", " + (protection.landlock ? "Landlock" : "no Landlock");
+  result += protection.seccomp ? ", seccomp" : std::string(", no seccomp (") + kNoSeccomp + ")";
+  return result + (protection.landlock ? ", Landlock" : ", no Landlock");
 }
 
 Protection confine(std::uint64_t memory, std::uint64_t cpu_seconds, int parent) {

@@ -10,12 +10,22 @@
 
 #include "base/nearest_name.h"
 #include "collision_hulls/error.h"
+#include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/report/report.h"
 
 namespace collision_hulls {
 namespace {
 
 namespace po = boost::program_options;
+
+void printVersion(const std::string& program) {
+  std::cout << program << " of collision_hulls " << collision_hulls::version() << "\n";
+  try {
+    std::cout << "Meshes are read in " << readerProtection() << ".\n";
+  } catch (const Error& error) {
+    std::cout << "Meshes cannot be read: " << error.what() << ".\n";
+  }
+}
 
 std::string shortest(double number) {
   std::ostringstream out;
@@ -120,7 +130,7 @@ CommandLine::Option* CommandLine::add_flag_callback(const std::string& names, co
 bool CommandLine::parse(int argc, const char* const* argv) {
   const std::map<std::string, Texts> given = split(argc, argv);
   if (given.count("help")) return std::cout << help(), false;
-  if (given.count("version")) return std::cout << program_ << " of collision_hulls " << collision_hulls::version() << "\n", false;
+  if (given.count("version")) return printVersion(program_), false;
   for (const auto& option : options_) {
     const auto found = given.find(option->name_);
     if (found != given.end()) {

@@ -43,6 +43,7 @@ TEST_F(DecomposeProgram, Version) {
   const Finished result = run("--version");
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.out.rfind("decompose of collision_hulls ", 0), 0u) << result.out;
+  EXPECT_NE(result.out.find("\nMeshes are read in a process of its own, with limits"), std::string::npos) << result.out;
 }
 
 TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {

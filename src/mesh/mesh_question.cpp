@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "collision_hulls/error.h"
 #include "geometry/bytes.h"
@@ -25,17 +26,22 @@ constexpr std::uint64_t kLeastMemory = std::uint64_t{1} << 29, kMemoryPerByte = 
 constexpr double kLeastSeconds = 4, kSecondsPerByte = 1e-6;                          // [s] of computing
 constexpr double kClockPerComputing = 10;                                            // on a machine with much else to do
 
+constexpr std::uint64_t kBytesPerTriangle = sizeof(Triangle) + 3 * sizeof(Eigen::Vector3d), kLongestError = 1 << 16;
+
 ReaderProgram& meshReader() {
   static auto* const reader =
       new ReaderProgram("collision_hulls_reader", "COLLISION_HULLS_READER");  // never destroyed: threads may outlive main()
   return *reader;
 }
 
-WorkerLimits workerLimits(const MeshLimits& limits, std::size_t bytes) {
-  WorkerLimits result;
-  result.memory = std::min<std::uint64_t>(limits.reader_memory, kLeastMemory + kMemoryPerByte * bytes);
+/// A quarter of the memory is enough for any answer, and no mesh within the limits takes more than so many bytes per triangle.
+ReadingLimits readingLimits(const MeshLimits& limits, std::size_t bytes) {
+  ReadingLimits result;
+  result.worker.memory = std::min<std::uint64_t>(limits.reader_memory, kLeastMemory + kMemoryPerByte * bytes);
+  const std::uint64_t triangles = std::min<std::uint64_t>(limits.max_triangles, std::numeric_limits<int>::max());
+  result.worker.answer = std::min(result.worker.memory / 4, kBytesPerTriangle * triangles + kLongestError);
   const double seconds = std::min(limits.reader_seconds, kLeastSeconds + kSecondsPerByte * static_cast<double>(bytes));
-  result.cpu_seconds = static_cast<std::uint64_t>(std::ceil(std::max(seconds, 1.0)));
+  result.worker.cpu_seconds = static_cast<std::uint64_t>(std::ceil(std::max(seconds, 1.0)));
   result.clock_seconds = kClockPerComputing * seconds;
   return result;
 }
@@ -44,8 +50,7 @@ void expectSound(const LoadedMesh& loaded, const MeshLimits& limits) {
   const TriangleMesh& mesh = loaded.mesh;
   if (mesh.triangles.empty() || mesh.triangles.size() > limits.max_triangles) throw ByteFault("its number of triangles is out of range");
   if (mesh.vertices.size() > 3 * mesh.triangles.size()) throw ByteFault("it has vertices of no triangle");
-  const auto count = static_cast<int>(mesh.vertices.size());
-  const auto is_corner = [count](int v) { return v >= 0 && v < count; };
+  const auto is_corner = [&mesh](int v) { return v >= 0 && static_cast<std::size_t>(v) < mesh.vertices.size(); };
   for (const Triangle& t : mesh.triangles)
     if (!std::all_of(t.begin(), t.end(), is_corner)) throw ByteFault("an index is out of range");
   for (const Eigen::Vector3d& v : mesh.vertices)
@@ -58,15 +63,15 @@ void expectSound(const LoadedMesh& loaded, const MeshLimits& limits) {
 LoadedMesh decodeInWorker(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control) {
   const std::string head = toBytes(name, limits.max_bytes, limits.max_triangles);
   const Descriptor file = inMemory(bytes, name, control);
-  const std::string answer = meshReader().ask({head, file.number()}, workerLimits(limits, bytes.size()), name,
+  const std::string answer = meshReader().ask({head, file.number()}, readingLimits(limits, bytes.size()), name,
                                               "simplify the mesh, or raise the limit if it is to be trusted", control);
   LoadedMesh loaded;
   try {
     fromBytes(answer, loaded);
     expectSound(loaded, limits);
   } catch (const ByteFault& fault) {
-    throw Error(ErrorCode::kReaderFailed, name + ": its reader's answer makes no sense (" + fault.what() +
-                                              "); the file is damaged, or made to do harm: replace it");
+    throw Error(ErrorCode::kReaderFailed,
+                name + ": its reader's answer makes no sense (" + fault.what() + "); the file is damaged, or made to do harm: replace it");
   }
   return loaded;
 }

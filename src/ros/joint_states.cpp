@@ -59,11 +59,12 @@ ConfigurationSet collected(const JointStates& states, const std::string& source,
 }
 
 /// Of a bag with many other topics little is kept: its index, one chunk at a time, and the joint states.
-WorkerLimits limitsFor(std::uint64_t bag_bytes) {
-  WorkerLimits limits;
-  limits.memory = (std::uint64_t{1} << 30) + bag_bytes;
-  limits.cpu_seconds = 10 + bag_bytes / 10'000'000;
-  limits.clock_seconds = 10 * static_cast<double>(limits.cpu_seconds);
+ReadingLimits limitsFor(std::uint64_t bag_bytes) {
+  ReadingLimits limits;
+  limits.worker.memory = (std::uint64_t{1} << 30) + bag_bytes;
+  limits.worker.answer = limits.worker.memory / 4;
+  limits.worker.cpu_seconds = 10 + bag_bytes / 10'000'000;
+  limits.clock_seconds = 10 * static_cast<double>(limits.worker.cpu_seconds);
   return limits;
 }
 

@@ -54,14 +54,14 @@ bool limit(decltype(RLIMIT_AS) what, rlim_t most) {
   return limit(what, most, most);
 }
 
-bool limitResources(std::uint64_t memory, std::uint64_t cpu_seconds) {
+bool limitResources(const WorkerLimits& limits) {
   bool done = limit(RLIMIT_CORE, 0);
-  done &= limit(RLIMIT_CPU, cpu_seconds, cpu_seconds + 1);  // the soft limit sends SIGXCPU, which says why
-  done &= limit(RLIMIT_FSIZE, memory / 4);                  // of the answer, which is no part of the address space
-  done &= limit(RLIMIT_NOFILE, 0);                          // what is open stays open
+  done &= limit(RLIMIT_CPU, limits.cpu_seconds, limits.cpu_seconds + 1);  // the soft limit sends SIGXCPU, which says why
+  done &= limit(RLIMIT_FSIZE, limits.answer);
+  done &= limit(RLIMIT_NOFILE, 0);  // what is open stays open
   done &= limit(RLIMIT_NPROC, 0);
   done &= limit(RLIMIT_MEMLOCK, 0);
-  if (!kSanitized) done &= limit(RLIMIT_AS, memory - memory / 4);
+  if (!kSanitized) done &= limit(RLIMIT_AS, limits.memory);
   return done;
 }
 
@@ -91,37 +91,36 @@ bool denyPaths() {
 #endif
 
 #ifdef COLLISION_HULLS_SECCOMP
-/// What computing, and writing to what is open, may call.
-constexpr int kFree[] = {SCMP_SYS(read),         SCMP_SYS(readv),           SCMP_SYS(pread64),
-                         SCMP_SYS(write),        SCMP_SYS(writev),          SCMP_SYS(close),
-                         SCMP_SYS(lseek),        SCMP_SYS(fstat),           SCMP_SYS(fcntl),
-                         SCMP_SYS(poll),         SCMP_SYS(ppoll),           SCMP_SYS(brk),
-                         SCMP_SYS(munmap),       SCMP_SYS(mremap),          SCMP_SYS(madvise),
-                         SCMP_SYS(futex),        SCMP_SYS(clock_gettime),   SCMP_SYS(gettimeofday),
-                         SCMP_SYS(time),         SCMP_SYS(clock_getres),    SCMP_SYS(nanosleep),
-                         SCMP_SYS(sched_yield),  SCMP_SYS(clock_nanosleep), SCMP_SYS(getrandom),
-                         SCMP_SYS(getpid),       SCMP_SYS(gettid),          SCMP_SYS(rt_sigprocmask),
-                         SCMP_SYS(rt_sigreturn), SCMP_SYS(restart_syscall), SCMP_SYS(exit),
-                         SCMP_SYS(exit_group)};
+/// What computing, and reading and writing what is open, may call; by name, as not every machine has every call.
+constexpr const char* kFree[] = {"read",         "readv",           "pread64",      "write",         "writev",
+                                 "close",        "lseek",           "_llseek",      "fstat",         "fstat64",
+                                 "fcntl",        "fcntl64",         "brk",          "munmap",        "mremap",
+                                 "madvise",      "futex",           "futex_time64", "clock_gettime", "clock_gettime64",
+                                 "clock_getres", "gettimeofday",    "time",         "nanosleep",     "clock_nanosleep",
+                                 "sched_yield",  "getrandom",       "getpid",       "gettid",        "rt_sigprocmask",
+                                 "rt_sigreturn", "restart_syscall", "exit",         "exit_group"};
 
-bool addRules(scmp_filter_ctx filter) {
-  bool added = true;
-  for (const int call : kFree) added &= seccomp_rule_add(filter, SCMP_ACT_ALLOW, call, 0) == 0;
-  // Memory that is not code, and signals to itself, as abort() sends them.
+/// Lets a call through, under a condition. Where that fails, the call fails later, which is the safe side.
+template <typename... Conditions>
+void allow(scmp_filter_ctx filter, const char* name, const Conditions&... conditions) {
+  const int call = seccomp_syscall_resolve_name(name);
+  if (call != __NR_SCMP_ERROR) seccomp_rule_add(filter, SCMP_ACT_ALLOW, call, sizeof...(conditions), conditions...);
+}
+
+void addRules(scmp_filter_ctx filter) {
+  for (const char* const name : kFree) allow(filter, name);
   const auto no_code = SCMP_A2(SCMP_CMP_MASKED_EQ, PROT_EXEC, 0);
-  for (const int call : {SCMP_SYS(mmap), SCMP_SYS(mprotect)}) added &= seccomp_rule_add(filter, SCMP_ACT_ALLOW, call, 1, no_code) == 0;
-  // fstat(), as newer C libraries call it.
+  for (const char* const name : {"mmap", "mmap2", "mprotect"}) allow(filter, name, no_code);
   const auto no_path = SCMP_A3(SCMP_CMP_MASKED_EQ, AT_EMPTY_PATH, AT_EMPTY_PATH);
-  added &= seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(newfstatat), 1, no_path) == 0;
-  const auto self = SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(getpid()));
-  added &= seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(tgkill), 1, self) == 0;
-  return added;
+  for (const char* const name : {"newfstatat", "fstatat64"}) allow(filter, name, no_path);  // fstat() of newer C libraries
+  allow(filter, "tgkill", SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(getpid())));       // abort()
 }
 
 bool filterCalls() {
   const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ERRNO(EPERM));
   if (filter == nullptr) return false;
-  const bool loaded = addRules(filter) && seccomp_load(filter) == 0;
+  addRules(filter);
+  const bool loaded = seccomp_load(filter) == 0;
   seccomp_release(filter);
   return loaded;
 }
@@ -147,13 +146,13 @@ std::string text(const Protection& protection) {
   return result + (protection.landlock ? ", Landlock" : ", no Landlock");
 }
 
-Protection confine(std::uint64_t memory, std::uint64_t cpu_seconds, int parent) {
+Protection confine(const WorkerLimits& limits, int parent) {
   offerToOutOfMemoryKiller();  // before the process is closed to others, and with it its own files in /proc
   bindToParent(parent);
   std::set_new_handler(endForWantOfMemory);
   Protection result;
   if (!kSanitized) result.landlock = denyPaths();  // needs a descriptor, so before the limits
-  result.limits = limitResources(memory, cpu_seconds);
+  result.limits = limitResources(limits);
   if (!kSanitized) result.seccomp = filterCalls();
   return result;
 }

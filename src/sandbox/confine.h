@@ -1,8 +1,9 @@
 // Takes from this process what a parser of foreign bytes does not need.
 #pragma once
 
-#include <cstdint>
 #include <string>
+
+#include "sandbox/wire.h"
 
 namespace collision_hulls {
 
@@ -16,10 +17,9 @@ struct Protection {
 /// In words: "a process of its own with limits, seccomp, Landlock".
 std::string text(const Protection& protection);
 
-/// For good: the process may compute, use the descriptors that it has open, and end. Of `memory` [bytes], three quarters bound its address
-/// space and one quarter a file that it writes. CPU time [s] is bounded. It cannot open or create files or sockets, start processes or
-/// programs, or trace others. It ends with its parent, the process `parent`; dumps no core; and with the status kOutOfMemory if it runs out
-/// of memory. What the kernel or the build does not offer is left out, and missing in the result.
-Protection confine(std::uint64_t memory, std::uint64_t cpu_seconds, int parent);
+/// For good: the process may compute, use the descriptors that it has open, and end, within `limits`. It cannot open or create files or
+/// sockets, start processes or programs, or trace others. It ends with its parent, the process `parent`; dumps no core; and with the status
+/// kOutOfMemory if it runs out of memory. What the kernel or the build does not offer is left out, and missing in the result.
+Protection confine(const WorkerLimits& limits, int parent);
 
 }  // namespace collision_hulls

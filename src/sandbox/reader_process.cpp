@@ -77,8 +77,10 @@ std::vector<std::string> environmentOfReader() {
 }
 
 [[noreturn]] void failToStart(const std::string& program, const std::string& variable, int error) {
-  throw Error(ErrorCode::kReaderFailed, "the program that reads files, '" + program + "', cannot be started: " + std::strerror(error) +
-                                            "; install it again, or name it in " + variable);
+  const bool for_want = error == EAGAIN || error == ENOMEM || error == EMFILE || error == ENFILE;
+  throw Error(ErrorCode::kReaderFailed,
+              "the program that reads files, '" + program + "', cannot be started: " + std::strerror(error) +
+                  (for_want ? "; end other processes, or allow more" : "; install it again, or name it in " + variable));
 }
 
 /// The number of the new process, or minus errno.
@@ -102,7 +104,7 @@ struct Ended {
 /// Bytes over a socket, with an eye on the clock and the cancel flag.
 class Exchange {
  public:
-  Exchange(int socket, const WorkerLimits& limits, const RunControl& control)
+  Exchange(int socket, const ReadingLimits& limits, const RunControl& control)
       : socket_(socket),
         end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.clock_seconds))),
         control_(control) {}
@@ -133,10 +135,9 @@ class Exchange {
   const RunControl& control_;
 };
 
-void sendQuestion(Exchange& exchange, int socket, const ReaderQuestion& question, const WorkerLimits& limits) {
+void sendQuestion(Exchange& exchange, int socket, const ReaderQuestion& question, const ReadingLimits& limits) {
   QuestionHeader header;
-  header.memory = limits.memory;
-  header.cpu_seconds = limits.cpu_seconds;
+  header.limits = limits.worker;
   header.head_size = question.head.size();
   exchange.all(reinterpret_cast<const char*>(&header), sizeof header, POLLOUT,
                [&](const char* at, std::size_t size) { return sendWith(socket, at, size, question.file, MSG_DONTWAIT); });
@@ -171,7 +172,7 @@ ReaderProcess::~ReaderProcess() {
   while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
 }
 
-ReaderOutcome ReaderProcess::ask(const ReaderQuestion& question, const WorkerLimits& limits, const RunControl& control) {
+ReaderOutcome ReaderProcess::ask(const ReaderQuestion& question, const ReadingLimits& limits, const RunControl& control) {
   ReaderOutcome outcome;
   try {
     Exchange exchange(socket_.number(), limits, control);

@@ -14,10 +14,9 @@
 namespace collision_hulls {
 
 /// What one question may use.
-struct WorkerLimits {
-  std::uint64_t memory = 0;       ///< [bytes] a quarter for the answer, the rest for all else
-  std::uint64_t cpu_seconds = 0;  ///< [s] of computing
-  double clock_seconds = 0;       ///< [s] on the clock, all waiting included
+struct ReadingLimits {
+  WorkerLimits worker;
+  double clock_seconds = 0;  ///< [s] on the clock, all waiting included
 };
 
 /// A question to a reader program.
@@ -43,7 +42,7 @@ class ReaderProcess {
   ReaderProcess& operator=(const ReaderProcess&) = delete;
 
   /// Only after kAnswered can the process take another question. Throws kCancelled.
-  ReaderOutcome ask(const ReaderQuestion& question, const WorkerLimits& limits, const RunControl& control);
+  ReaderOutcome ask(const ReaderQuestion& question, const ReadingLimits& limits, const RunControl& control);
 
  private:
   Descriptor socket_;

@@ -18,7 +18,7 @@
 namespace collision_hulls {
 namespace {
 
-constexpr WorkerLimits kToAskProtection{std::uint64_t{1} << 30, 10, 60};
+constexpr ReadingLimits kToAskProtection{{std::uint64_t{1} << 30, 1000, 10}, 60};
 
 /// The folder of this library, or of the program that it is linked into.
 std::filesystem::path ownFolder() {
@@ -46,13 +46,13 @@ struct Circumstances {
   throw Error(ErrorCode::kReaderFailed, about.subject + ": " + what + "; " + remedy);
 }
 
-[[noreturn]] void failOfWorker(const Ending& ending, const WorkerLimits& limits, const Circumstances& about) {
+[[noreturn]] void failOfWorker(const Ending& ending, const ReadingLimits& limits, const Circumstances& about) {
   if (ending.kind == Ending::Kind::kExit && ending.code == kOutOfMemory)
-    failWith(about, "reading it takes more memory than the limit of " + millions(limits.memory), about.remedy);
+    failWith(about, "reading it takes more memory than the limit of " + millions(limits.worker.memory), about.remedy);
   if (ending.kind == Ending::Kind::kExit)
     failWith(about, "its reader ended with status " + std::to_string(ending.code) + " instead of an answer", kDamaged);
   if (ending.code == SIGXCPU)
-    failWith(about, "reading it takes more computing than the limit of " + std::to_string(limits.cpu_seconds) + " s", about.remedy);
+    failWith(about, "reading it takes more computing than the limit of " + std::to_string(limits.worker.cpu_seconds) + " s", about.remedy);
   const std::string signal = "(signal " + std::to_string(ending.code) + ", " + strsignal(ending.code) + ")";
   if (ending.code == SIGKILL) failWith(about, "its reader was killed " + signal, "free some memory and run again");
   failWith(about, "its reader crashed " + signal, kDamaged);
@@ -64,7 +64,7 @@ struct Circumstances {
   failWith(about, "'" + about.program + "' is of another version than the library", "install both together");
 }
 
-[[noreturn]] void fail(const ReaderOutcome& outcome, const WorkerLimits& limits, const Circumstances& about) {
+[[noreturn]] void fail(const ReaderOutcome& outcome, const ReadingLimits& limits, const Circumstances& about) {
   const auto whole = [](double seconds) { return std::to_string(std::lround(seconds)) + " s"; };
   switch (outcome.kind) {
     case ReaderOutcome::Kind::kTooSlow:
@@ -94,9 +94,11 @@ std::string printable(std::string text) {
   throw Error(code, printable(text));
 }
 
-/// All bytes of a worker's file, whose size its limits bound.
-std::string contentOf(int file) {
-  std::string bytes(sizeOf(file).value_or(0), '\0');
+/// All bytes of a worker's file.
+std::string contentOf(int file, std::uint64_t longest) {
+  const std::uint64_t size = sizeOf(file).value_or(0);
+  if (size > longest) throw ByteFault("it is longer than its limit");
+  std::string bytes(size, '\0');
   if (!readAll(file, bytes)) throw ByteFault("it cannot be read");
   return bytes;
 }
@@ -144,7 +146,7 @@ std::unique_ptr<ReaderProcess> ReaderProgram::takeIdle(const std::string& progra
   return taken;
 }
 
-ReaderOutcome ReaderProgram::outcomeOf(const ReaderQuestion& question, const WorkerLimits& limits, const RunControl& control) {
+ReaderOutcome ReaderProgram::outcomeOf(const ReaderQuestion& question, const ReadingLimits& limits, const RunControl& control) {
   const std::string program = path();
   ReaderOutcome outcome;
   outcome.kind = ReaderOutcome::Kind::kReaderEnded;
@@ -160,13 +162,13 @@ ReaderOutcome ReaderProgram::outcomeOf(const ReaderQuestion& question, const Wor
   return outcome;
 }
 
-std::string ReaderProgram::ask(const ReaderQuestion& question, const WorkerLimits& limits, const std::string& subject,
+std::string ReaderProgram::ask(const ReaderQuestion& question, const ReadingLimits& limits, const std::string& subject,
                                const std::string& remedy, const RunControl& control) {
   ReaderOutcome outcome = outcomeOf(question, limits, control);
   if (outcome.kind != ReaderOutcome::Kind::kAnswered || outcome.worker.kind != Ending::Kind::kExit || outcome.worker.code != 0)
     fail(outcome, limits, {subject, remedy, path()});
   try {
-    return answerIn(contentOf(outcome.answer.number()), subject);
+    return answerIn(contentOf(outcome.answer.number(), limits.worker.answer), subject);
   } catch (const ByteFault& fault) {
     throw Error(ErrorCode::kReaderFailed, subject + ": its reader's answer makes no sense (" + fault.what() + "); " + kDamaged);
   }

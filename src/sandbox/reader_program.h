@@ -23,7 +23,7 @@ class ReaderProgram {
   /// The worker's answer. The question may be put again to another process. `subject` stands in messages: the file. `remedy`: what to do
   /// where a limit was reached. Throws the Error that the worker threw; kReaderFailed if it crashed, reached a limit or cannot be started;
   /// kCancelled, and then the worker is gone.
-  std::string ask(const ReaderQuestion& question, const WorkerLimits& limits, const std::string& subject, const std::string& remedy,
+  std::string ask(const ReaderQuestion& question, const ReadingLimits& limits, const std::string& subject, const std::string& remedy,
                   const RunControl& control);
 
   /// What is in force in its workers, in words.
@@ -33,7 +33,7 @@ class ReaderProgram {
   std::string path() const;
 
  private:
-  ReaderOutcome outcomeOf(const ReaderQuestion& question, const WorkerLimits& limits, const RunControl& control);
+  ReaderOutcome outcomeOf(const ReaderQuestion& question, const ReadingLimits& limits, const RunControl& control);
   std::unique_ptr<ReaderProcess> takeIdle(const std::string& program);
 
   std::string name_, variable_;

@@ -83,7 +83,7 @@ struct Job {
 
 [[noreturn]] void work(const AnswerFunction& answer, Job& job, pid_t reader) {
   signal(SIGXFSZ, SIG_IGN);  // too long an answer makes write() fail instead
-  const Protection protection = confine(job.header.memory, job.header.cpu_seconds, reader);
+  const Protection protection = confine(job.header.limits, reader);
   close(kSocket);
   job.readers_end.reset();
   const auto [bytes, kind] = answerOrError(answer, job.question, protection);

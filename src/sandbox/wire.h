@@ -18,11 +18,17 @@ namespace collision_hulls {
 /// Differs between programs that would misunderstand each other.
 constexpr std::array<char, 8> kWireVersion{'c', 'h', 'r', 'e', 'a', 'd', '0', '1'};
 
+/// What a worker may use.
+struct WorkerLimits {
+  std::uint64_t memory = 0;       ///< [bytes] address space
+  std::uint64_t answer = 0;       ///< [bytes] length of its answer, which lies in memory beside that
+  std::uint64_t cpu_seconds = 0;  ///< [s] computing
+};
+
 struct QuestionHeader {
   std::array<char, 8> version = kWireVersion;
-  std::uint64_t memory = 0;       ///< [bytes] of the worker
-  std::uint64_t cpu_seconds = 0;  ///< [s] CPU time of the worker
-  std::uint64_t head_size = 0;    ///< bytes of the text that follows
+  WorkerLimits limits;
+  std::uint64_t head_size = 0;  ///< bytes of the text that follows
 };
 
 /// How a worker ended.

@@ -25,21 +25,23 @@ constexpr bool kSanitized = true;
 constexpr bool kSanitized = false;
 #endif
 
-constexpr WorkerLimits kLimits{std::uint64_t{1} << 28, 5, 60};
+constexpr std::uint64_t kMegabyte = 1'000'000;
+
+constexpr ReadingLimits kLimits{{300 * kMegabyte, 100 * kMegabyte, 5}, 60};
 
 ReaderProgram& reader() {
   static ReaderProgram program(TEST_READER, "COLLISION_HULLS_TEST_READER");
   return program;
 }
 
-std::string ask(const std::string& deed, const std::string& body = "", const WorkerLimits& limits = kLimits,
+std::string ask(const std::string& deed, const std::string& body = "", const ReadingLimits& limits = kLimits,
                 const RunControl& control = {}) {
   const Descriptor file = inMemory(body, "a.dae", control);
   return reader().ask({deed, file.number()}, limits, "a.dae", "raise it", control);
 }
 
 /// Expects an Error of this code whose text has this part.
-void expectError(const std::string& deed, ErrorCode code, const std::string& part, const WorkerLimits& limits = kLimits) {
+void expectError(const std::string& deed, ErrorCode code, const std::string& part, const ReadingLimits& limits = kLimits) {
   try {
     ask(deed, "", limits);
     ADD_FAILURE() << deed << " was answered";
@@ -140,19 +142,22 @@ TEST(Reader, CrashIsAnError) {
 
 TEST(Reader, MemoryIsLimited) {
   if (kSanitized) GTEST_SKIP() << "a sanitizer needs more than any limit";
-  expectError("memory", ErrorCode::kReaderFailed, "a.dae: reading it takes more memory than the limit of 268 MB; raise it");
+  expectError("memory", ErrorCode::kReaderFailed, "a.dae: reading it takes more memory than the limit of 300 MB; raise it");
   expectError("bad_alloc", ErrorCode::kReaderFailed, "more memory than the limit");
 }
 
 TEST(Reader, TimeIsLimited) {
-  expectError("loop", ErrorCode::kReaderFailed, "a.dae: reading it takes more computing than the limit of 1 s; raise it", {1 << 28, 1, 60});
-  expectError("sleep", ErrorCode::kReaderFailed, "a.dae: reading it takes longer than the limit of 1 s; raise it", {1 << 28, 5, 1});
-  expectError("run_on", ErrorCode::kReaderFailed, "signal 9", {1 << 28, 50, 60});
+  expectError("loop", ErrorCode::kReaderFailed, "a.dae: reading it takes more computing than the limit of 1 s; raise it",
+              {{300 * kMegabyte, 1000, 1}, 60});
+  expectError("sleep", ErrorCode::kReaderFailed, "a.dae: reading it takes longer than the limit of 1 s; raise it",
+              {{300 * kMegabyte, 1000, 5}, 1});
+  expectError("run_on", ErrorCode::kReaderFailed, "signal 9", {{300 * kMegabyte, 1000, 50}, 60});
 }
 
 TEST(Reader, LengthOfAnAnswerIsLimited) {
-  EXPECT_EQ(ask("long", "", {std::uint64_t{408} << 20, 5, 60}).size(), std::size_t{100} << 20);
-  expectError("long", ErrorCode::kReaderFailed, "more memory than the limit of 415 MB", {std::uint64_t{396} << 20, 5, 60});
+  const std::string text(1000, 'x');
+  EXPECT_EQ(ask("echo", text, {{300 * kMegabyte, 1001, 5}, 60}), text);
+  EXPECT_THROW(ask("echo", text, {{300 * kMegabyte, 1000, 5}, 60}), Error);  // with its kind, one byte too long
 }
 
 TEST(Reader, DoesNothingButRead) {

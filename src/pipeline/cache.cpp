@@ -70,7 +70,7 @@ std::string meshBytes(const MeshTask& task) {
 
 std::string meshKey(const MeshTask& task, const Options& options) {
   const auto& [tolerance, method, effort, tree, fill, segments, max_hulls, max_vertices, links, source, scale, format, uri, package_name,
-               jobs, validate, cache, seed] = options;
+               jobs, validate, cache, seed, reader_memory, reader_time] = options;
   return keyOf("mesh", meshBytes(task), tolerance, method, effort, tree.has_value(), tree.value_or(Length{}), fill, max_hulls, max_vertices,
                seed);
 }

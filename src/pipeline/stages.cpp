@@ -37,6 +37,13 @@ void checkSize(const std::string& uri, double diagonal, const Length& tolerance)
                   "large, give the tolerance only as a percentage, such as 1%");
 }
 
+MeshLimits meshLimits(const Options& options) {
+  MeshLimits limits;
+  limits.reader_memory = static_cast<std::uintmax_t>(options.reader_memory) << 20;
+  limits.reader_seconds = options.reader_time;
+  return limits;
+}
+
 }  // namespace
 
 void checkForRobot(const Options& options) {
@@ -55,7 +62,7 @@ ReadMesh readAndRepair(const MeshTask& task, const Options& options, const RunCo
 
   // 1. Read, and scale as the description says.
   facts.sha256 = task.sha256;
-  LoadedMesh loaded = parseMesh(contentOf(task, control), task.file, {}, control);
+  LoadedMesh loaded = parseMesh(contentOf(task, control), task.file, meshLimits(options), control);
   facts.triangles = loaded.mesh.triangles.size();
   facts.skipped_primitives = loaded.skipped_primitives;
   result.original = scaled(loaded.mesh, task.scale);

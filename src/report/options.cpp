@@ -29,6 +29,7 @@ constexpr std::array<Unit, 7> kLengthUnits = {
 constexpr int kMostHulls = 1'000'000;     // of a mesh
 constexpr int kMostVertices = 1'000'000;  // of a hull
 constexpr int kMostJobs = 1024;
+constexpr int kMostReading = 1'000'000;  // [MiB] or [s]
 constexpr double kLargestTolerance = 1;  // [m] hulls that protrude further no longer resemble a robot
 
 [[noreturn]] void badOption(const std::string& option, const std::string& value, const std::string& allowed) {
@@ -39,6 +40,10 @@ void checkRange(const std::string& option, int value, int low, int high, const s
   if (value == 0 || (value >= low && value <= high)) return;
   badOption(option, std::to_string(value),
             "a number from " + std::to_string(low) + " to " + std::to_string(high) + ", or 0 for " + meaning);
+}
+
+void checkPositive(const std::string& option, int value) {
+  if (value < 1 || value > kMostReading) badOption(option, std::to_string(value), "a number from 1 to " + std::to_string(kMostReading));
 }
 
 bool isSet(double part) {
@@ -200,6 +205,8 @@ void check(const Options& options) {
     badOption("tree", toString(*options.tree), "a length up to the tolerance, which is " + toString(tolerance));
   checkRange("max-hulls", options.max_hulls, 1, kMostHulls, "no limit");
   checkRange("max-vertices", options.max_vertices, kLeastVertices, kMostVertices, "no limit");
+  checkPositive("reader-memory", options.reader_memory);
+  checkPositive("reader-time", options.reader_time);
   checkRange("jobs", options.jobs, 1, kMostJobs, "as many threads as cores");
   if (!(std::isfinite(options.scale) && options.scale > 0))
     badOption("scale", plain(options.scale), "a number above 0, as in 0.001 for a mesh in millimetres");

@@ -48,6 +48,8 @@ json toJson(const Options& options) {
           {"uri", toText(options.uri)},
           {"package-name", options.package_name},
           {"jobs", options.jobs},
+          {"reader-memory", options.reader_memory},
+          {"reader-time", options.reader_time},
           {"no-validate", !options.validate},
           {"no-cache", !options.cache}};
 }

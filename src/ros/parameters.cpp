@@ -116,6 +116,8 @@ Options readOptions(const ros::NodeHandle& node) {
   readNamed(node, "uri", uriStyleNamed, "package, file, relative", options.uri);
   options.package_name = textParameter(node, "package_name");
   readNumber(node, "jobs", options.jobs);
+  readNumber(node, "reader_memory", options.reader_memory);
+  readNumber(node, "reader_time", options.reader_time);
   readFlag(node, "validate", options.validate);
   readFlag(node, "cache", options.cache);
   int seed = static_cast<int>(options.seed);

@@ -12,8 +12,8 @@
 namespace collision_hulls {
 
 /// Options as the parameters ~profile, ~tolerance ("1cm,5%", "1%", "5mm" or a number of metres), ~method, ~effort, ~fill, ~tree,
-/// ~max_hulls, ~max_vertices, ~links (regular expression), ~source, ~format, ~uri, ~package_name, ~jobs, ~validate, ~cache and ~seed say;
-/// those that are not set keep their defaults. Throws kBadOption for a value of the wrong type or range.
+/// ~max_hulls, ~max_vertices, ~links (regular expression), ~source, ~format, ~uri, ~package_name, ~jobs, ~reader_memory, ~reader_time,
+/// ~validate, ~cache and ~seed say; those that are not set keep their defaults. Throws kBadOption for a value of the wrong type or range.
 Options readOptions(const ros::NodeHandle& node);
 
 /// ~package_path, a list or a text with colons between its items: where to look for packages that ROS does not find, see

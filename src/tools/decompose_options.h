@@ -122,6 +122,8 @@ class DecomposeOptionAdder {
 
   void addRun() {
     addNumber("Run", "--jobs", options_.jobs, "Threads; 0: as many as cores. The result is the same for any number");
+    addNumber("Run", "--reader-memory", options_.reader_memory, "Memory [MiB] for reading a mesh; a large file may take more");
+    addNumber("Run", "--reader-time", options_.reader_time, "Computing time [s] for reading a mesh; a large file may take more");
     add("Run", "--seed", "N", std::to_string(options_.seed), "Seed of the validation's probes and of everything else that is random",
         [&options = options_](const std::string& option, const std::string& text) {
           options.seed = wholeNumber(option, text, std::numeric_limits<std::uint64_t>::max());

@@ -23,9 +23,10 @@ namespace collision_hulls {
 struct MeshLimits {
   std::uintmax_t max_bytes = std::uintmax_t{1} << 30;  ///< largest file [bytes]
   std::size_t max_triangles = 20'000'000;              ///< most triangles in a file
-  /// Most that the process may use that reads one file; a small file gets less (doc/limits.md).
-  std::uintmax_t reader_memory = std::uintmax_t{1} << 36;  ///< address space [bytes]
-  double reader_seconds = 900;                             ///< computing time [s]
+  /// What the process that reads a file may use, beside 40 bytes of memory for each byte of the
+  /// file and 1 s for each of its megabytes.
+  std::uintmax_t reader_memory = std::uintmax_t{512} << 20;  ///< address space [bytes]
+  double reader_seconds = 4;                                 ///< computing time [s]
 };
 
 /// The contents of a mesh file.

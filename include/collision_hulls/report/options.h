@@ -75,6 +75,8 @@ struct Options {
   bool validate = true;
   bool cache = true;
   std::uint64_t seed = 1;
+  int reader_memory = 512;  ///< [MiB] of MeshLimits, for the robot's meshes
+  int reader_time = 4;      ///< [s] of MeshLimits
 };
 
 std::string methodChoices();  ///< the names of all methods, for messages

@@ -1,0 +1,45 @@
+// How a program treats meshes that its reader cannot read.
+#include <gtest/gtest.h>
+
+#include "shapes.h"
+#include "tools/program_test.h"
+
+namespace collision_hulls {
+namespace {
+
+class ReaderOptions : public ProgramTest {
+ protected:
+  ReaderOptions() : ProgramTest("decompose") {
+    fixtures::write(folder_ / "bracket.obj", fixtures::obj(test_shapes::lBracket(0.2, 0.03, 0.1)));
+  }
+};
+
+TEST_F(ReaderOptions, LimitMemory) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "a sanitizer needs more memory than any limit";
+#endif
+  const Finished result = run("bracket.obj -m bounding_box --no-cache --reader-memory 1");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("reading it takes more memory than the limit of 1 MB"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("raise reader-memory"), std::string::npos) << result.err;
+  EXPECT_EQ(run("bracket.obj -m bounding_box --no-cache --reader-memory 256 --reader-time 2").status, 0);
+}
+
+TEST_F(ReaderOptions, OutOfRange) {
+  expectWrongUse("bracket.obj --reader-memory 0", {"reader-memory", "'0'", "1 to 1000000"});
+  expectWrongUse("bracket.obj --reader-time 0", {"reader-time", "'0'", "1 to 1000000"});
+}
+
+TEST_F(ReaderOptions, MissingReaderIsNamed) {
+  setenv("COLLISION_HULLS_READER", "/no/such/reader", 1);
+  const Finished result = run("bracket.obj -m bounding_box --no-cache");
+  const Finished version = run("--version");
+  unsetenv("COLLISION_HULLS_READER");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("'/no/such/reader', cannot be started"), std::string::npos) << result.err;
+  EXPECT_EQ(version.status, 0);
+  EXPECT_NE(version.out.find("Meshes cannot be read: "), std::string::npos) << version.out;
+}
+
+}  // namespace
+}  // namespace collision_hulls

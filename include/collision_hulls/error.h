@@ -39,6 +39,8 @@ enum class ErrorCode {
   kUnwritableOutput,     ///< the output folder cannot be created or written
   kNotAHullTree,         ///< not a hull tree file, or a damaged one, or one of another version
   kNotOurOutput,         ///< the output path holds something this program did not write
+  kOutOfMemory,          ///< the memory did not suffice
+  kOutOfTime,            ///< the time that was allowed did not suffice
   kCancelled,            ///< the caller cancelled the run
   kInternal              ///< the library's own output failed a check
 };

@@ -28,6 +28,8 @@ const char* name(ErrorCode code) {
     case ErrorCode::kUnwritableOutput: return "UnwritableOutput";
     case ErrorCode::kNotAHullTree: return "NotAHullTree";
     case ErrorCode::kNotOurOutput: return "NotOurOutput";
+    case ErrorCode::kOutOfMemory: return "OutOfMemory";
+    case ErrorCode::kOutOfTime: return "OutOfTime";
     case ErrorCode::kCancelled: return "Cancelled";
     case ErrorCode::kInternal: return "Internal";
   }

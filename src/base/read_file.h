@@ -1,6 +1,8 @@
 // Whole files as bytes, which are then hashed and parsed: what is certified is what was hashed.
 #pragma once
 
+#include <sys/stat.h>
+
 #include <cstdint>
 #include <string>
 
@@ -12,5 +14,37 @@ namespace collision_hulls {
 /// file that is too large costs nothing. `kind` stands in messages: "mesh". Throws kFileNotFound for what is not there, not a regular file
 /// or not readable, and for a file that shrinks meanwhile; kTooLarge above `most_bytes`; kCancelled.
 std::string readFile(const std::string& path, const std::string& kind, std::uintmax_t most_bytes, const RunControl& control = {});
+
+/// The same, and all that comes through a pipe until its writer closes it: shells make one of `<(xacro robot.srdf.xacro)`. Waits for the
+/// writer until the run is cancelled.
+std::string readFileOrPipe(const std::string& path, const std::string& kind, std::uintmax_t most_bytes, const RunControl& control);
+
+/// A file that is open for reading, so that what is looked at is what is read.
+class OpenFile {
+ public:
+  enum class Links { kFollow, kRefuse };
+
+  /// Never waits, not even for a FIFO. Check error().
+  explicit OpenFile(const std::string& path, Links links = Links::kFollow);
+  ~OpenFile();
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  int error() const { return error_; }  ///< 0, or the errno that says why the file is not open
+  const struct stat& status() const { return status_; }
+
+  /// See readFile(), which throws the same.
+  std::string content(const std::string& kind, std::uintmax_t most_bytes, const RunControl& control = {}) const;
+  /// See readFileOrPipe().
+  std::string contentOfPipe(const std::string& kind, std::uintmax_t most_bytes, const RunControl& control) const;
+
+ private:
+  void expectRegular(const std::string& kind) const;
+
+  const std::string path_;
+  const int descriptor_;
+  int error_ = 0;
+  struct stat status_ {};
+};
 
 }  // namespace collision_hulls

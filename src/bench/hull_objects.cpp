@@ -2,11 +2,12 @@
 #include "bench/hull_objects.h"
 
 #include <cstdlib>
-#include <fstream>
 #include <set>
 #include <sstream>
 
+#include "base/read_file.h"
 #include "collision_hulls/error.h"
+#include "collision_hulls/mesh/mesh_io.h"
 #include "storage/sha256.h"
 
 namespace collision_hulls {
@@ -17,8 +18,7 @@ class Reader {
   explicit Reader(std::string path) : path_(std::move(path)) {}
 
   std::vector<std::vector<Eigen::Vector3d>> read() {
-    std::ifstream in(path_);
-    if (!in) throw Error(ErrorCode::kFileNotFound, "cannot read hulls '" + path_ + "'; the program must write this file");
+    std::istringstream in(readFile(path_, "file of hulls", MeshLimits().max_bytes));
     for (std::string line; std::getline(in, line);) {
       ++line_;
       take(line);

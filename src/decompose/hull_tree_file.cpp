@@ -7,8 +7,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
+#include "base/read_file.h"
 #include "collision_hulls/error.h"
 #include "geometry/bytes.h"
 
@@ -29,6 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr FileKind kKind{{'C', 'H', 'U', 'L', 'T', 'R', 'E', 'E'}, 1};
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
 
 /// A length, or a bound on one.
 bool isLength(double value) {
@@ -122,12 +123,7 @@ void saveHullTree(const HullTree& tree, const std::string& file) {
 }
 
 HullTree loadHullTree(const std::string& file) {
-  std::error_code ignored;
-  std::ifstream in(file, std::ios::binary);
-  if (!fs::is_regular_file(file, ignored) || !in) {
-    throw Error(ErrorCode::kFileNotFound, "'" + file + "' is not a readable file; check the path and its permissions");
-  }
-  return decodeHullTree({std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()}, file);
+  return decodeHullTree(readFile(file, "hull tree", kMostBytes), file);
 }
 
 }  // namespace collision_hulls

@@ -1,7 +1,8 @@
-// An entry is sealed bytes (kind, version, checksum) that start with the entry's own name. Each struct lists its fields once, for writing
-// and reading alike; a damaged entry is removed and counts as not found.
+// An entry is the bytes of a value; the folder proves that they are what was stored under this name. Each struct lists its fields once, for
+// writing and reading alike. An entry that cannot be read all the same, or that does not fit its mesh, is removed and counts as not found.
 #include "pipeline/cache.h"
 
+#include <new>
 #include <utility>
 
 #include "collision_hulls/decompose/hull_tree_file.h"
@@ -54,11 +55,11 @@ void fields(Archive& archive, Length& length) {
 
 namespace {
 
-constexpr FileKind kKind{{'C', 'H', 'U', 'L', 'C', 'A', 'C', 'H'}, 2};
+constexpr std::uint32_t kFormat = 3;  // of entries
 
 template <typename... Values>
 std::string keyOf(const std::string& kind, const Values&... values) {
-  return sha256(toBytes(kind, kKind.version, std::string(version()), std::string(sourceDigest()), values...));
+  return sha256(toBytes(kind, kFormat, std::string(version()), std::string(sourceDigest()), values...));
 }
 
 /// Identifies the mesh. The file's extension is included, since it determines how the content is read.
@@ -70,7 +71,7 @@ std::string meshBytes(const MeshTask& task) {
 
 std::string meshKey(const MeshTask& task, const Options& options) {
   const auto& [tolerance, method, effort, tree, fill, segments, max_hulls, max_vertices, links, source, scale, format, uri, package_name,
-               jobs, validate, cache, seed, reader_memory, reader_time] = options;
+               jobs, validate, cache, replace_complete, seed, reader_memory, reader_time] = options;
   return keyOf("mesh", meshBytes(task), tolerance, method, effort, tree.has_value(), tree.value_or(Length{}), fill, max_hulls, max_vertices,
                seed);
 }
@@ -94,30 +95,31 @@ std::string validationKey(const std::vector<MeshUse>& uses, const MeshResults& r
 
 Cache::Cache(std::filesystem::path folder, std::uintmax_t most_bytes) : folder_(std::move(folder), most_bytes) {}
 
-// An entry starts with its own name, so that a copy under another name is rejected.
+// Without memory for an entry there is none.
 template <typename Value>
-std::optional<Value> Cache::find(const std::string& name) {
+std::optional<Value> Cache::find(const std::string& name, const std::function<bool(const Value&)>& fits) try {
   const std::optional<std::string> bytes = folder_.find(name);
   if (!bytes) return std::nullopt;
   try {
-    std::string own_name;
     Value value;
-    fromBytes(opened(kKind, *bytes), own_name, value);
-    if (own_name == name) return value;
-  } catch (const ByteFault&) {
-    // Damaged; discarded below, as is one with the wrong name.
+    fromBytes(*bytes, value);
+    if (!fits || fits(value)) return value;
+  } catch (const ByteFault&) {  // then it is damaged
   }
   folder_.discard(name);
+  return std::nullopt;
+} catch (const std::bad_alloc&) {
   return std::nullopt;
 }
 
 template <typename Value>
-void Cache::store(const std::string& name, const Value& value) {
-  folder_.store(name, sealed(kKind, toBytes(name, value)));
+void Cache::store(const std::string& name, const Value& value) try {
+  folder_.store(name, toBytes(value));
+} catch (const std::bad_alloc&) {
 }
 
-std::optional<MeshResult> Cache::findMesh(const std::string& key) {
-  return find<MeshResult>(key + ".mesh");
+std::optional<MeshResult> Cache::findMesh(const std::string& key, const std::string& sha256) {
+  return find<MeshResult>(key + ".mesh", [&](const MeshResult& known) { return known.mesh.sha256 == sha256; });
 }
 
 void Cache::storeMesh(const std::string& key, const MeshResult& result) {

@@ -1,11 +1,14 @@
 // The cache: results of earlier runs, found again by the content of everything they depend on.
 //
 // A key is a SHA-256 over the mesh file's content and extension, the scale and the options, and over this library: its version, the digest
-// of its sources, and how it was compiled. Since the same input gives the same bytes, an entry equals what a new computation would give.
+// of its sources, and how it was compiled. Since the same input gives the same bytes, an entry equals what a new computation would give: if
+// it is what such a computation stored under this key. That is what its seal proves (see CacheFolder), so a hit needs neither the mesh nor
+// the certificate anew.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,8 +31,8 @@ std::string treeKey(const MeshTask& task, const Options& options, double toleran
 std::string validationKey(const std::vector<MeshUse>& uses, const MeshResults& results, const std::vector<std::string>& keys,
                           const Options& options);
 
-/// Finds nothing if there is no entry or if it is damaged; a damaged entry is removed and counted. Thread safe; other processes may use the
-/// same folder at the same time.
+/// Finds nothing if there is no entry, or if it is damaged or others could have written it; such an entry is removed and counted. Thread
+/// safe; other processes may use the same folder at the same time.
 class Cache {
  public:
   static constexpr std::uintmax_t kMostBytes = 1'000'000'000;
@@ -37,8 +40,8 @@ class Cache {
   /// See CacheFolder.
   explicit Cache(std::filesystem::path folder, std::uintmax_t most_bytes = kMostBytes);
 
-  /// A mesh's result, without the solid, the times it took, and what only a scene adds.
-  std::optional<MeshResult> findMesh(const std::string& key);
+  /// A mesh's result, without the solid, the times it took, and what only a scene adds. `sha256`: of the mesh's file.
+  std::optional<MeshResult> findMesh(const std::string& key, const std::string& sha256);
   void storeMesh(const std::string& key, const MeshResult& result);
 
   std::optional<Validation> findValidation(const std::string& key);
@@ -53,7 +56,7 @@ class Cache {
 
  private:
   template <typename Value>
-  std::optional<Value> find(const std::string& name);
+  std::optional<Value> find(const std::string& name, const std::function<bool(const Value&)>& fits = {});
   template <typename Value>
   void store(const std::string& name, const Value& value);
 

@@ -10,6 +10,7 @@
 #include "pipeline/earlier_output.h"
 #include "pipeline/mesh_uses.h"
 #include "storage/names.h"
+#include "storage/replace_folder.h"
 
 namespace collision_hulls {
 namespace {
@@ -26,8 +27,8 @@ using LinkModels = std::map<int, Model>;
 std::string uriPrefix(const Options& options, const std::string& output) {
   switch (options.uri) {
     case UriStyle::kPackage: return "package://" + outputPackage(options, output) + "/";
-    case UriStyle::kFile: return fileUri(std::filesystem::absolute(output).lexically_normal().string()) + "/";
-    case UriStyle::kRelative: return "../";  // the description lies in urdf/
+    case UriStyle::kFile: return fileUri(replacedFolder(output).string()) + "/";  // where links lead now
+    case UriStyle::kRelative: return "../";                                       // the description lies in urdf/
   }
   return "";
 }

@@ -71,9 +71,9 @@ MeshResult decomposed(const MeshTask& task, std::size_t index, const std::string
 }
 
 /// The mesh's result from an earlier run, if there is one.
-std::optional<MeshResult> remembered(const std::string& key, Cache& cache) {
+std::optional<MeshResult> remembered(const MeshTask& task, const std::string& key, Cache& cache) {
   Stopwatch stage;
-  std::optional<MeshResult> known = cache.findMesh(key);
+  std::optional<MeshResult> known = cache.findMesh(key, task.sha256);
   if (!known) return std::nullopt;
   known->cached = true;
   known->seconds.read = stage.lap();
@@ -94,7 +94,7 @@ void addSegments(std::size_t index, Run& run, MeshResult& result) {
 void decomposeTask(std::size_t index, Run& run) {
   const MeshTask& task = run.tasks[index];
   const std::string key = meshKey(task, run.options);
-  std::optional<MeshResult> known = remembered(key, run.cache);
+  std::optional<MeshResult> known = remembered(task, key, run.cache);
   if (known) run.progress.skip(index);
   MeshResult result = known ? *std::move(known) : decomposed(task, index, key, run);
   if (run.options.segments && result.status != Status::kFailed) addSegments(index, run, result);
@@ -137,7 +137,7 @@ RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& f
   checkForRobot(options);
   Stopwatch run;
   refuseLosingVisuals(robot, output, find_package);
-  RobotResult result = emptyResult(robot, options);
+  RobotResult result = emptyResult(robot, options, control);
   const std::vector<MeshUse> uses = meshUses(robot, options);
   const auto resolve = [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); };
   runStages({uses, resolve, meshesEnd(options), control, step}, result, decomposeAll);

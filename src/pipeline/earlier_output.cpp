@@ -2,9 +2,9 @@
 // new output must hold these hulls itself: it may replace the first, and nobody wants a package that needs its predecessor.
 #include "pipeline/earlier_output.h"
 
-#include <nlohmann/json.hpp>
-
 #include "collision_hulls/error.h"
+#include "collision_hulls/mesh/mesh_io.h"
+#include "report/earlier_report.h"
 #include "robot/package_crawl.h"
 #include "storage/files.h"
 #include "storage/names.h"
@@ -27,7 +27,7 @@ fs::path inRealFolder(const fs::path& file) {
 
 /// The content of a hull that has to go with the new output.
 std::string readHull(const fs::path& file) {
-  std::optional<std::string> content = contentOf(file);
+  std::optional<std::string> content = contentOf(file, MeshLimits().max_bytes);
   if (content) return *std::move(content);
   throw Error(ErrorCode::kFileNotFound, "cannot read '" + file.string() + "', a hull that the description keeps; check its permissions");
 }
@@ -36,7 +36,7 @@ std::string readHull(const fs::path& file) {
 class MeshFiles {
  public:
   MeshFiles(const RobotDescription& robot, const std::string& output, const PackageFinder& find_package)
-      : base_(robot.path), folder_(replacedFolder(output)), own_(filesOfEarlierOutput(folder_)), finders_{find_package} {
+      : base_(robot.path), folder_(replacedFolder(output)), own_(earlierOutput(folder_)), finders_{find_package} {
     // The folder to be replaced may hold a package that nobody else knows, such as one that was made a minute ago.
     if (const auto package = packageAt(folder_)) {
       finders_.emplace_back([name = package->name, folder = folder_.string()](const std::string& wanted) {
@@ -60,7 +60,7 @@ class MeshFiles {
   /// A file of the folder to be replaced, by the end of its path: the folder, or the description, may have moved since.
   std::optional<fs::path> findOwn(const std::string& uri) const {
     if (!own_ || uri.rfind("package://", 0) == 0) return std::nullopt;
-    for (const fs::path& file : *own_) {
+    for (const fs::path& file : own_->files) {
       const std::string end = "/" + file.string();
       if (file.has_parent_path() && uri.size() > end.size() && uri.compare(uri.size() - end.size(), end.size(), end) == 0)
         return folder_ / file;
@@ -69,8 +69,8 @@ class MeshFiles {
   }
 
   std::string base_;
-  fs::path folder_;                        // that is replaced
-  std::optional<std::set<fs::path>> own_;  // the files of the earlier output there
+  fs::path folder_;                   // that is replaced
+  std::optional<EarlierOutput> own_;  // the earlier output there
   std::vector<PackageFinder> finders_;
 };
 
@@ -81,15 +81,15 @@ class EarlierOutputs {
   std::optional<fs::path> pathWithin(const fs::path& file) {
     for (fs::path folder = file.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
       const auto [known, is_new] = outputs_.try_emplace(folder);
-      if (is_new) known->second = filesOfEarlierOutput(folder);
+      if (is_new) known->second = earlierOutput(folder);
       const fs::path within = file.lexically_relative(folder);
-      if (known->second && known->second->count(within)) return within;
+      if (known->second && known->second->files.count(within)) return within;
     }
     return std::nullopt;
   }
 
  private:
-  std::map<fs::path, std::optional<std::set<fs::path>>> outputs_;
+  std::map<fs::path, std::optional<EarlierOutput>> outputs_;
 };
 
 /// Gives every kept file a path in the new output: the one that it had, if that is free.
@@ -121,20 +121,6 @@ bool liesIn(const fs::path& file, const fs::path& folder) {
 }
 
 }  // namespace
-
-std::optional<std::set<fs::path>> filesOfEarlierOutput(const fs::path& folder) {
-  try {
-    const nlohmann::json report = nlohmann::json::parse(contentOf(folder / kReportFile).value_or(""));
-    if (report.count("collision_hulls") == 0) return std::nullopt;
-    std::set<fs::path> files{kReportFile};
-    for (const nlohmann::json& file : report.at("files")) files.insert(file.get<std::string>());
-    for (const nlohmann::json& link : report.at("links"))
-      for (const nlohmann::json& file : link.at("files")) files.insert(file.get<std::string>());
-    return files;
-  } catch (const nlohmann::json::exception&) {
-    return std::nullopt;
-  }
-}
 
 KeptHulls keptHulls(const RobotDescription& robot, const std::set<std::string>& replaced, const std::vector<std::string>& taken,
                     const std::string& output, const PackageFinder& find_package) {
@@ -170,10 +156,10 @@ void refuseLosingVisuals(const RobotDescription& robot, const std::string& outpu
   }
 }
 
-void refuseLosingInput(const std::string& mesh, const std::string& output) {
+void refuseLosingInput(const std::string& input, const std::string& output) {
   std::error_code error;
-  const fs::path folder = fs::canonical(fs::absolute(mesh).parent_path(), error), file = folder / fs::path(mesh).filename();
-  if (!error && liesIn(file, replacedFolder(output))) refuseLosing(mesh, "which is the input", output);
+  const fs::path folder = fs::canonical(fs::absolute(input).parent_path(), error), file = folder / fs::path(input).filename();
+  if (!error && liesIn(file, replacedFolder(output))) refuseLosing(input, "which is an input", output);
 }
 
 }  // namespace collision_hulls

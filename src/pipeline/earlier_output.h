@@ -1,9 +1,7 @@
-// Outputs of earlier runs: what they consist of, and the hulls in them that a new one must not lose.
+// Outputs of earlier runs: the files in them that a new one must not lose.
 #pragma once
 
-#include <filesystem>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -11,11 +9,6 @@
 #include "collision_hulls/robot/robot_description.h"
 
 namespace collision_hulls {
-
-constexpr const char* kReportFile = "report.json";
-
-/// The files of an earlier output, relative to its folder, as its report lists them; nullopt if the folder is none.
-std::optional<std::set<std::filesystem::path>> filesOfEarlierOutput(const std::filesystem::path& folder);
 
 /// Hulls of earlier outputs that a description keeps, for the output that takes their place.
 struct KeptHulls {
@@ -32,7 +25,7 @@ KeptHulls keptHulls(const RobotDescription& robot, const std::set<std::string>& 
 /// the mesh would be lost.
 void refuseLosingVisuals(const RobotDescription& robot, const std::string& output, const PackageFinder& find_package);
 
-/// The same for a mesh that is the input itself.
-void refuseLosingInput(const std::string& mesh, const std::string& output);
+/// The same for a file that is itself an input.
+void refuseLosingInput(const std::string& input, const std::string& output);
 
 }  // namespace collision_hulls

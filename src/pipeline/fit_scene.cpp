@@ -300,7 +300,8 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   const Kinematics joints(robot);
   Stopwatch clock;
   refuseLosingVisuals(robot, output, find_package);
-  RobotResult result = emptyResult(robot, options);
+  for (const std::string& file : request.files) refuseLosingInput(file, output);
+  RobotResult result = emptyResult(robot, options, control);
   const std::vector<MeshUse> uses = meshUses(robot, options);
   if (uses.empty()) throw Error(ErrorCode::kBadOption, notesOnUses(robot, uses, options).front());
   std::vector<std::string> notes = request.notes;

@@ -4,17 +4,13 @@
 #include "base/counted.h"
 #include "collision_hulls/pipeline/output.h"
 #include "pipeline/collision_model.h"
+#include "storage/replace_folder.h"
 
 namespace collision_hulls {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-fs::path placeOf(const std::string& output) {
-  const fs::path place = fs::absolute(output).lexically_normal();
-  return place.has_filename() ? place : place.parent_path();
-}
 
 /// Whether ROS, as it is set up here, finds this package in this folder.
 bool isOnRosPath(const std::string& package, const fs::path& place) {
@@ -45,7 +41,7 @@ std::string hullsOf(const Report& report, const fs::path& place) {
 }  // namespace
 
 std::string howToUse(const RobotResult& result, const std::string& output) {
-  const fs::path place = placeOf(output);
+  const fs::path place = replacedFolder(output);
   const std::string written = "\nWritten to " + place.string() + "\n";
   if (result.single_mesh) return written + hullsOf(result.report, place);
   const Options& options = result.report.options;

@@ -24,7 +24,7 @@ void fail(MeshResult& result) {
     if (e.code() == ErrorCode::kCancelled) throw;
     fail(result, name(e.code()), e.what());
   } catch (const std::bad_alloc&) {
-    fail(result, name(ErrorCode::kInternal),
+    fail(result, name(ErrorCode::kOutOfMemory),
          "out of memory for a mesh of " + std::to_string(result.mesh.triangles) +
              " triangles; use fewer jobs, a larger tolerance or a coarser mesh");
   } catch (const std::exception& e) {

@@ -77,7 +77,7 @@ class KnownFiles {
 
   File look(const std::string& file) const {
     const std::string content = readFile(file, "mesh", MeshLimits().max_bytes, control_);
-    return {sha256(content), content.size()};
+    return {sha256(content, control_), content.size()};
   }
 
   const RunControl& control_;
@@ -164,7 +164,7 @@ std::vector<double> expectedCosts(const std::vector<MeshTask>& tasks) {
 
 std::string contentOf(const MeshTask& task, const RunControl& control) {
   std::string content = readFile(task.file, "mesh", MeshLimits().max_bytes, control);
-  if (sha256(content) == task.sha256) return content;
+  if (sha256(content, control) == task.sha256) return content;
   throw Error(ErrorCode::kFileNotFound, "'" + task.file + "' changed while it was being read; run again when it is complete");
 }
 

@@ -9,11 +9,12 @@
 #include <optional>
 #include <set>
 
+#include "base/counted.h"
 #include "base/stopwatch.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "pipeline/collision_model.h"
-#include "pipeline/earlier_output.h"
+#include "report/earlier_report.h"
 #include "storage/files.h"
 #include "storage/names.h"
 #include "storage/replace_folder.h"
@@ -31,7 +32,7 @@ void refuseForeign(const fs::path& folder) {
     throw Error(ErrorCode::kNotOurOutput, "'" + folder.string() + "' is not a folder; choose another output");
   }
   if (fs::is_empty(folder, error)) return;
-  const auto known = filesOfEarlierOutput(folder);
+  const std::optional<EarlierOutput> known = earlierOutput(folder);
   if (!known) {
     throw Error(ErrorCode::kNotOurOutput,
                 "'" + folder.string() +
@@ -40,7 +41,7 @@ void refuseForeign(const fs::path& folder) {
   }
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error)) {
     const fs::path file = entry.path().lexically_relative(folder);
-    if (entry.symlink_status(error).type() == fs::file_type::directory || known->count(file) > 0) continue;
+    if (entry.symlink_status(error).type() == fs::file_type::directory || known->files.count(file) > 0) continue;
     throw Error(ErrorCode::kNotOurOutput,
                 "'" + folder.string() + "' holds '" + file.string() +
                     "', which is not part of the earlier output there, and is left alone; choose another output, or "
@@ -93,7 +94,7 @@ struct Folders {
   void write(const fs::path& name, const std::string& text) const {
     const fs::path file = next / name, same = earlier / name;
     std::error_code error;
-    if (fs::is_regular_file(fs::symlink_status(same, error)) && contentOf(same) == text) {
+    if (fs::is_regular_file(fs::symlink_status(same, error)) && contentOf(same, text.size()) == text) {
       fs::create_directories(file.parent_path(), error);
       fs::create_hard_link(same, file, error);
       if (!error) return;
@@ -127,6 +128,35 @@ void refuseInUse(const fs::path& folder) {
     throw Error(ErrorCode::kUnwritableOutput, "output '" + folder.string() + "' is a mount point and cannot be replaced" + advice);
 }
 
+/// Whether a second run may well do better.
+bool lackedMeans(const ElementReport& row) {
+  return row.status == Status::kFailed && (row.error == name(ErrorCode::kOutOfMemory) || row.error == name(ErrorCode::kOutOfTime));
+}
+
+/// An output with all meshes is worth more than one without those that memory or time did not suffice for.
+void refuseLosingMeshes(const Report& report, const fs::path& folder) {
+  if (report.options.replace_complete) return;
+  const auto lacked = std::count_if(report.links.begin(), report.links.end(), lackedMeans);
+  const std::optional<EarlierOutput> earlier = lacked > 0 ? earlierOutput(folder) : std::nullopt;
+  if (!earlier || !earlier->complete) return;
+  const auto first = std::find_if(report.links.begin(), report.links.end(), lackedMeans);
+  throw Error(ErrorCode::kUnwritableOutput,
+              "output '" + folder.string() + "' stays as it is: it has all meshes, and this run lacked memory or time for " +
+                  counted(static_cast<std::size_t>(lacked), "mesh", "meshes") + ", such as '" + first->uri + "' of link '" + first->link +
+                  "'; run again with fewer jobs or a larger tolerance, choose another output, or replace it with --replace-complete");
+}
+
+/// The report says what the folder loses: hulls are made again, what only a fit to a scene makes is not.
+void noteLost(const fs::path& folder, const std::map<std::string, std::string>& files, Report& report) {
+  const std::optional<EarlierOutput> earlier = earlierOutput(folder);
+  if (!earlier) return;
+  for (const fs::path& file : earlier->files) {
+    if (file.extension() != ".srdf" || files.count(file.string()) > 0) continue;
+    report.notes.push_back("the earlier output in '" + folder.string() + "' had '" + file.string() +
+                           "', with pairs of links of a model that was fitted to a scene; it went with that model");
+  }
+}
+
 }  // namespace
 
 void checkOutput(const std::string& output) {
@@ -141,6 +171,7 @@ bool writeOutput(RobotResult& result, const std::string& output, const RunContro
   if (allFailed(result.report)) return false;
   Stopwatch run;
   checkOutput(output);
+  refuseLosingMeshes(result.report, replacedFolder(output));
   FolderReplacement replacement(output);
   const Folders folders{replacement.folder(), replacedFolder(output)};
   for (std::size_t i = 0; i < result.elements.size(); ++i) {
@@ -156,6 +187,7 @@ bool writeOutput(RobotResult& result, const std::string& output, const RunContro
     folders.write(file, text);
     result.report.files.push_back(file);
   }
+  noteLost(folders.earlier, others, result.report);
   result.report.seconds += run.lap();
   folders.write(kReportFile, toJson(result.report));
   refuseForeign(replacedFolder(output));

@@ -10,11 +10,11 @@
 
 namespace collision_hulls {
 
-RobotResult emptyResult(const RobotDescription& robot, const Options& options) {
+RobotResult emptyResult(const RobotDescription& robot, const Options& options, const RunControl& control) {
   RobotResult result;
   result.robot_name = robot.name;
   result.report.input_path = robot.path;
-  result.report.input_sha256 = sha256(robot.text);
+  result.report.input_sha256 = sha256(robot.text, control);
   result.report.options = options;
   return result;
 }

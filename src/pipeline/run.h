@@ -25,7 +25,7 @@ struct Run {
 };
 
 /// What is known of a run on a robot before it begins.
-RobotResult emptyResult(const RobotDescription& robot, const Options& options);
+RobotResult emptyResult(const RobotDescription& robot, const Options& options, const RunControl& control);
 
 /// The meshes of a run, and who follows it.
 struct RunInput {

@@ -11,6 +11,8 @@ SceneRequest readSceneRequest(const Input& input, const SceneSources& sources) {
     throw Error(ErrorCode::kBadOption,
                 "max-step '" + std::to_string(sources.max_step) + "' interpolates between given configurations; give some, or omit it");
   SceneRequest request;
+  for (const std::string& file : {sources.scene, sources.srdf_file, sources.configurations})
+    if (!file.empty()) request.files.push_back(file);
   if (!sources.scene.empty()) request.scene = readScene(sources.scene, input.find_package);
   if (!sources.srdf.empty() || !sources.srdf_file.empty()) {
     DisabledPairs disabled = parseDisabledPairs(sources.srdf, input.robot, sources.srdf_file);

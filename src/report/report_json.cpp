@@ -51,7 +51,8 @@ json toJson(const Options& options) {
           {"reader-memory", options.reader_memory},
           {"reader-time", options.reader_time},
           {"no-validate", !options.validate},
-          {"no-cache", !options.cache}};
+          {"no-cache", !options.cache},
+          {"replace-complete", options.replace_complete}};
 }
 
 json toJson(const RepairCounts& counts) {

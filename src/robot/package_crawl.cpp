@@ -6,11 +6,17 @@
 #include <algorithm>
 
 #include "base/string_parts.h"
+#include "storage/files.h"
 #include "xml/xml_spans.h"
 
 namespace fs = std::filesystem;
 
 namespace collision_hulls {
+namespace {
+
+constexpr std::uintmax_t kMostManifest = std::uintmax_t{1} << 20;  // [bytes] of a package.xml
+
+}  // namespace
 
 bool isFile(const fs::path& path) {
   std::error_code error;
@@ -34,8 +40,9 @@ std::optional<PackageFolder> packageAt(const fs::path& folder) {
   const std::string folder_name = folder.filename().string();
   if (isFile(folder / "manifest.xml")) return PackageFolder{folder_name};
   if (!isFile(folder / "package.xml")) return std::nullopt;
+  const std::optional<std::string> text = contentOf(folder / "package.xml", kMostManifest);
   tinyxml2::XMLDocument manifest;
-  if (manifest.LoadFile((folder / "package.xml").c_str()) != tinyxml2::XML_SUCCESS) return PackageFolder{folder_name, true};
+  if (!text || manifest.Parse(text->data(), text->size()) != tinyxml2::XML_SUCCESS) return PackageFolder{folder_name, true};
   const tinyxml2::XMLElement* root = manifest.RootElement();
   const tinyxml2::XMLElement* name = root ? root->FirstChildElement("name") : nullptr;
   return PackageFolder{name && name->GetText() ? trimmed(name->GetText(), kXmlSpace) : folder_name};

@@ -1,17 +1,21 @@
 // Entries are written to a temporary file and renamed, so readers never see half of one, and no locks are needed between processes. An
 // entry's time of last use is its modification time; trim() removes the least recently used.
+//
+// An entry's last 64 bytes are its seal: HMAC-SHA-256 over its name and content, with the folder's key. So it is of somebody who can read
+// the key, and it was stored under this name. Comparing seals takes no care against timing: only the owner can write entries to try.
 #include "storage/cache_folder.h"
 
-#include <stdlib.h>
-#include <unistd.h>
+#include <fcntl.h>
+#include <sys/stat.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <cstring>
-#include <fstream>
-#include <iterator>
+#include <cstdlib>
 #include <utility>
+
+#include "storage/cache_key.h"
+#include "storage/sha256.h"
+#include "storage/trusted_file.h"
 
 namespace collision_hulls {
 
@@ -21,8 +25,8 @@ namespace {
 
 constexpr std::size_t kDigits = 64;          // of an entry's name: a SHA-256
 constexpr std::uintmax_t kLeastEntries = 4;  // that must fit; a larger entry would evict all others
-constexpr const char* kUnfinished = ".unfinished-";
-constexpr std::chrono::hours kGivenUp{1};  // age from which an unfinished file counts as left by a killed process
+constexpr std::size_t kSeal = 64;            // bytes
+constexpr std::chrono::hours kGivenUp{1};    // age from which an unfinished file counts as left by a killed process
 
 struct Entry {
   fs::file_time_type time;
@@ -47,6 +51,15 @@ std::optional<Entry> entryOf(const fs::path& file) {
 bool isGivenUp(const Entry& entry) {
   const bool unfinished = entry.file.filename().string().rfind(kUnfinished, 0) == 0;
   return unfinished && fs::file_time_type::clock::now() - entry.time > kGivenUp;
+}
+
+std::string sealOf(const std::string& key, const std::string& name, std::string_view content) {
+  return hmacSha256(key, {name, std::string_view("", 1), content});  // no name has a zero, so nothing else gives these bytes
+}
+
+/// Makes a file the most recently used.
+void touch(const fs::path& file) {
+  utimensat(AT_FDCWD, file.c_str(), nullptr, AT_SYMLINK_NOFOLLOW);
 }
 
 std::string megabytes(std::uintmax_t bytes) {
@@ -74,46 +87,58 @@ bool CacheFolder::isEntry(const std::string& name) {
   return std::all_of(name.begin(), point, isHexDigit) && std::all_of(point + 1, name.end(), [](char c) { return c >= 'a' && c <= 'z'; });
 }
 
+/// The folder's key, once it has one; makes it if told to. Empty: the folder cannot be used (yet).
+std::string CacheFolder::key(Missing missing) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (folder_.empty() || !key_.bytes.empty() || !key_.fault.empty()) return key_.bytes;
+  key_ = readCacheKey(folder_);
+  if (missing == Missing::kFind || !key_.bytes.empty() || !key_.fault.empty()) return key_.bytes;
+  if (const std::string trouble = makeCacheKey(folder_); trouble.empty()) {
+    key_ = readCacheKey(folder_);
+  } else if (trouble_.empty()) {
+    trouble_ = trouble;
+  }
+  return key_.bytes;
+}
+
 std::optional<std::string> CacheFolder::find(const std::string& name) {
-  if (folder_.empty()) return std::nullopt;
+  const std::string key = this->key(Missing::kFind);
+  if (key.empty()) return std::nullopt;
   const fs::path file = folder_ / name;
-  std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) return std::nullopt;
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return std::nullopt;  // removed meanwhile
-  std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
-  return content;
+  TrustedFile entry = readTrustedFile(file.string(), most_bytes_ / kLeastEntries + kSeal);
+  if (entry.missing) return std::nullopt;
+  std::string& bytes = entry.content;
+  const std::string_view content = std::string_view(bytes).substr(0, bytes.size() - std::min(bytes.size(), kSeal));
+  if (!entry.fault.empty() || bytes.substr(content.size()) != sealOf(key, name, content)) {
+    discard(name);
+    return std::nullopt;
+  }
+  touch(file);
+  bytes.resize(content.size());
+  return std::move(bytes);
 }
 
 void CacheFolder::store(const std::string& name, const std::string& content) {
-  if (folder_.empty()) return;
-  const std::string trouble = write(name, content);
+  const std::string key = this->key(Missing::kMake);
+  if (key.empty()) return;
+  const std::string trouble = write(name, content, key);
   const std::lock_guard<std::mutex> lock(mutex_);
   if (trouble.empty()) stored_ = true;
   if (trouble_.empty()) trouble_ = trouble;
 }
 
 /// Writes an entry; returns what went wrong, or an empty string.
-std::string CacheFolder::write(const std::string& name, const std::string& content) const {
+std::string CacheFolder::write(const std::string& name, const std::string& content, const std::string& key) const {
   const std::uintmax_t limit = most_bytes_ / kLeastEntries;
   if (content.size() > limit) return "an entry of " + megabytes(content.size()) + " exceeds the limit of " + megabytes(limit);
-  std::error_code error;
-  fs::create_directories(folder_, error);
-  if (error) return error.message();
-  std::string temporary = (folder_ / kUnfinished).string() + "XXXXXX";
-  const int descriptor = mkstemp(temporary.data());
-  if (descriptor < 0) return std::strerror(errno);
-  close(descriptor);
-  std::ofstream out(temporary, std::ios::binary);
-  out.write(content.data(), static_cast<std::streamsize>(content.size()));
-  out.close();
-  const int reason = errno;
-  if (out) fs::rename(temporary, folder_ / name, error);
-  if (out && !error) return "";
-  std::error_code ignored;
-  fs::remove(temporary, ignored);
-  return error ? error.message() : std::strerror(reason);
+  fs::path unfinished;
+  const std::string trouble = writeUnfinished(folder_, content + sealOf(key, name, content), unfinished);
+  if (!trouble.empty()) return trouble;
+  std::error_code error, ignored;
+  fs::rename(unfinished, folder_ / name, error);
+  if (!error) return "";
+  fs::remove(unfinished, ignored);
+  return error.message();
 }
 
 void CacheFolder::discard(const std::string& name) {
@@ -148,7 +173,10 @@ std::vector<std::string> CacheFolder::notes() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::vector<std::string> notes;
   const std::string place = "the cache '" + folder_.string() + "'";
-  if (damaged_ > 0) notes.push_back(place + " had " + std::to_string(damaged_) + " damaged entries, which were computed again");
+  if (!key_.fault.empty()) notes.push_back(place + " was not used: " + key_.fault);
+  if (damaged_ > 0) {
+    notes.push_back(place + " had " + std::to_string(damaged_) + " damaged or foreign entries, which were computed again");
+  }
   if (!trouble_.empty()) {
     notes.push_back(place + " could not store everything from this run: " + trouble_ +
                     "; set COLLISION_HULLS_CACHE to a writable folder, or turn the cache off");

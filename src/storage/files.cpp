@@ -1,6 +1,7 @@
 // Files written so that a reader never sees half of one, and read back, because a full disk does not always report an error.
 #include "storage/files.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include <fstream>
 #include <utility>
 
+#include "base/read_file.h"
 #include "collision_hulls/error.h"
 
 namespace collision_hulls {
@@ -35,13 +37,12 @@ fs::path behindLinks(fs::path file) {
 
 }  // namespace
 
-std::optional<std::string> contentOf(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return std::nullopt;
-  std::string content;
-  char buffer[65536];
-  while (in.read(buffer, sizeof buffer) || in.gcount() > 0) content.append(buffer, static_cast<std::size_t>(in.gcount()));
-  return in.bad() ? std::nullopt : std::optional(std::move(content));  // bad: a folder, which opens but cannot be read
+std::optional<std::string> contentOf(const fs::path& file, std::uintmax_t most_bytes) {
+  try {
+    return readFile(file.string(), "file", most_bytes);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
 }
 
 void writeText(const fs::path& file, const std::string& text) {
@@ -49,7 +50,7 @@ void writeText(const fs::path& file, const std::string& text) {
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
   if (error) throwUnwritable(file.parent_path(), error.message());
   write(file, text);
-  if (contentOf(file) != text) throwUnwritable(file, "it reads back differently from what was written");
+  if (contentOf(file, text.size()) != text) throwUnwritable(file, "it reads back differently from what was written");
 }
 
 void checkFolderOf(const fs::path& path) {
@@ -82,6 +83,7 @@ void writeNamedFile(const fs::path& file, const std::string& text) {
   temporary += ".part-" + std::to_string(getpid());
   try {
     writeText(temporary, text);
+    if (const int reason = syncPath(temporary, fsync)) throwUnwritable(file, std::strerror(reason));
     fs::rename(temporary, target, error);
   } catch (const Error&) {
     fs::remove(temporary, error);
@@ -91,6 +93,13 @@ void writeNamedFile(const fs::path& file, const std::string& text) {
   const std::string why = error.message();
   fs::remove(temporary, error);
   throwUnwritable(file, why);
+}
+
+int syncPath(const fs::path& path, int (*sync)(int)) {
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int error = descriptor >= 0 && sync(descriptor) == 0 ? 0 : errno;
+  if (descriptor >= 0) close(descriptor);
+  return error == EINVAL || error == ENOSYS ? 0 : error;
 }
 
 void throwUnwritable(const fs::path& path, const std::string& why) {

@@ -1,14 +1,16 @@
 // Whole files, written and read back.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 
 namespace collision_hulls {
 
-/// The content of a file; nullopt if it cannot be read. For files that a user names, which must be there: readTextFile().
-std::optional<std::string> contentOf(const std::filesystem::path& file);
+/// The content of a regular file; nullopt if it cannot be read, is something else or has more bytes. For files that a user names, which
+/// must be there: readTextFile().
+std::optional<std::string> contentOf(const std::filesystem::path& file, std::uintmax_t most_bytes);
 
 /// Writes a file (and the folders above it), reads it back and compares. Throws kUnwritableOutput with the system's reason.
 void writeText(const std::filesystem::path& file, const std::string& text);
@@ -22,6 +24,9 @@ void checkNamedFile(const std::filesystem::path& file);
 
 /// Throws kUnwritableOutput unless something can be created in the nearest existing folder above an absolute path, and tries that.
 void checkFolderOf(const std::filesystem::path& path);
+
+/// Brings a file or folder to the disk: `sync` is fsync or syncfs. 0 or errno; a file system that cannot do this is no error.
+int syncPath(const std::filesystem::path& path, int (*sync)(int));
 
 /// Throws kUnwritableOutput for a path, with the reason and the remedy.
 [[noreturn]] void throwUnwritable(const std::filesystem::path& path, const std::string& why);

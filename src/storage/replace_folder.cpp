@@ -58,14 +58,6 @@ void removeLeftovers(const fs::path& target) {
   }
 }
 
-/// 0 or errno. File systems that cannot do this are no error.
-int syncFolder(const fs::path& folder, int (*sync)(int)) {
-  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  const int error = descriptor >= 0 && sync(descriptor) == 0 ? 0 : errno;
-  if (descriptor >= 0) close(descriptor);
-  return error == EINVAL || error == ENOSYS ? 0 : error;
-}
-
 void move(const fs::path& from, const fs::path& to) {
   if (std::rename(from.c_str(), to.c_str()) != 0) throwUnwritable(to, std::strerror(errno));
 }
@@ -130,14 +122,14 @@ FolderReplacement::~FolderReplacement() {
 
 void FolderReplacement::commit() {
   // One call for thousands of small files; fsync of each would take as many turns of the disk.
-  if (const int error = syncFolder(folder_, syncfs)) throwUnwritable(folder_, std::strerror(error));
+  if (const int error = syncPath(folder_, syncfs)) throwUnwritable(folder_, std::strerror(error));
   // A rename is enough if the target is missing or empty. After an exchange the old folder has our name.
   const bool renamed = std::rename(folder_.c_str(), target_.c_str()) == 0;
   if (!renamed && errno != ENOTEMPTY && errno != EEXIST) throwUnwritable(target_, std::strerror(errno));
   const bool exchanged = !renamed && renameat2(AT_FDCWD, folder_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0;
   if (!renamed && !exchanged) replaceByTwoRenames(folder_, target_);
   if (!exchanged) folder_.clear();
-  syncFolder(target_.parent_path(), fsync);  // even if it fails, the new output is in place
+  syncPath(target_.parent_path(), fsync);  // even if it fails, the new output is in place
 }
 
 }  // namespace collision_hulls

@@ -9,7 +9,8 @@
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kBlock = 64;  // bytes per compression
+constexpr std::size_t kBlock = 64;                    // bytes per compression
+constexpr std::size_t kPiece = std::size_t{1} << 22;  // bytes between looks at the cancel flag: about 15 ms
 
 // First 32 bits of the fractional parts of the cube roots of the first 64 primes (section 4.2.2).
 constexpr std::array<std::uint32_t, 64> kRound = {
@@ -42,7 +43,10 @@ class Sha256 {
     }
   }
 
-  std::string hex() {
+  void update(std::string_view bytes) { update(bytes.data(), bytes.size()); }
+
+  /// Ends the message.
+  std::array<std::uint32_t, 8> words() {
     const std::uint64_t bits = length_ * 8;
     update("\x80", 1);
     const char zero = 0;
@@ -51,11 +55,7 @@ class Sha256 {
       const char byte = static_cast<char>(bits >> shift);
       update(&byte, 1);
     }
-    std::string text;
-    for (const std::uint32_t word : state_) {
-      for (int shift = 28; shift >= 0; shift -= 4) text += "0123456789abcdef"[(word >> shift) & 15];
-    }
-    return text;
+    return state_;
   }
 
  private:
@@ -85,12 +85,45 @@ class Sha256 {
   std::uint64_t length_ = 0;
 };
 
+std::string hex(const std::array<std::uint32_t, 8>& words) {
+  std::string text;
+  for (const std::uint32_t word : words) {
+    for (int shift = 28; shift >= 0; shift -= 4) text += "0123456789abcdef"[(word >> shift) & 15];
+  }
+  return text;
+}
+
+/// A hash that has taken the key, with every byte combined with `pad` (RFC 2104, section 2).
+Sha256 keyed(std::string_view key, char pad) {
+  std::array<char, kBlock> block;
+  block.fill(pad);
+  for (std::size_t i = 0; i < key.size(); ++i) block[i] = static_cast<char>(key[i] ^ pad);
+  Sha256 hash;
+  hash.update(block.data(), block.size());
+  return hash;
+}
+
 }  // namespace
 
-std::string sha256(const std::string& bytes) {
+std::string sha256(std::string_view bytes, const RunControl& control) {
   Sha256 hash;
-  hash.update(bytes.data(), bytes.size());
-  return hash.hex();
+  for (std::size_t done = 0; done < bytes.size(); done += kPiece) {
+    control.check();
+    hash.update(bytes.substr(done, kPiece));
+  }
+  return hex(hash.words());
+}
+
+std::string hmacSha256(std::string_view key, std::initializer_list<std::string_view> parts) {
+  Sha256 inner = keyed(key, 0x36), outer = keyed(key, 0x5c);
+  for (const std::string_view part : parts) inner.update(part);
+  for (const std::uint32_t word : inner.words()) {
+    for (int shift = 24; shift >= 0; shift -= 8) {
+      const char byte = static_cast<char>(word >> shift);
+      outer.update(&byte, 1);
+    }
+  }
+  return hex(outer.words());
 }
 
 }  // namespace collision_hulls

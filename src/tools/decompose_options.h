@@ -118,6 +118,10 @@ class DecomposeOptionAdder {
             "Also write the mesh with a colour for each cluster (segments.ply), and the number of clusters for every tolerance "
             "(hierarchy.csv); method hacd")
         ->group("Output");
+    app_.add_flag_callback(
+            "--replace-complete", [&options = options_] { options.replace_complete = true; },
+            "Replace an earlier output that has all meshes even if memory or time did not suffice for some of them now")
+        ->group("Output");
   }
 
   void addRun() {

@@ -66,13 +66,13 @@ void addOptions(CommandLine& app, SceneCommand& command) {
   addRobotOptions(app, "A ROS package, or a .urdf or .xacro file", command.robot);
 }
 
-SceneRequest requestOf(const SceneCommand& command, const Input& input) {
+SceneRequest requestOf(const SceneCommand& command, const Input& input, const RunControl& control) {
   if (input.kind != Input::Kind::kRobot)
     throw Error(ErrorCode::kBadOption,
                 "'" + input.path + "' is a mesh; only a robot can be fitted to a scene, so give a URDF, xacro file or package");
   if (command.samples <= 0)
     throw Error(ErrorCode::kBadOption, "--samples '" + std::to_string(command.samples) + "' is not understood: it takes a number above 0");
-  const std::string srdf = command.srdf.empty() ? "" : readTextFile(command.srdf, ".srdf file");
+  const std::string srdf = command.srdf.empty() ? "" : readTextFileOrPipe(command.srdf, ".srdf file", control);
   const double clearance = parseMetres(command.clearance, "--clearance");
   SceneRequest request = readSceneRequest(input, {command.scene, srdf, command.srdf, command.configurations, command.max_step});
   request.clearance = clearance;
@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
   std::string comparison;
   const RobotWork work = [&](const Input& input, const std::string& output, const RunControl& control, const StepCallback& step) {
     if (!command.compare.empty()) inContext("--compare", [&] { checkBeside(command.compare, output); });
-    const SceneRequest request = requestOf(command, input);
+    const SceneRequest request = requestOf(command, input, control);
     RobotResult result = fitRobotToScene(input.robot, input.find_package, request, command.robot.options, output, control, step);
     if (request.compare && result.report.scene) comparison = comparisonCsv(result.robot_name, *result.report.scene);
     return result;

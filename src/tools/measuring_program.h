@@ -1,6 +1,7 @@
 // Shared by the measuring programs: reads the command line, runs jobs in child processes, draws charts, reports errors.
 #pragma once
 
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -26,6 +27,7 @@ template <typename Command>
 int runProgram(const MeasuringProgram<Command>& program, int argc, char** argv) {
   CommandLine app(program.purpose, program.name);
   app.footer(program.footer);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is then an error like a full disk
   Command command;
   try {
     const auto job = argc == 4 ? program.jobs.find(argv[1]) : program.jobs.end();

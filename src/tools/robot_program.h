@@ -4,6 +4,7 @@
 #include <csignal>
 #include <functional>
 #include <iostream>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,10 @@ inline void cancelOnSignals(const RunControl& control) {
   for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
 }
 
+inline void printFailures(const Report& report, const RobotCommand& command) {
+  for (const std::string& failure : failures(report)) std::cerr << command.program << ": " << failure << "\n";
+}
+
 /// The table and what to do next on standard output, failures on standard error.
 inline void printReport(const RobotResult& result, const RobotCommand& command, const std::string& how_to_use) {
   if (command.json == "-") {
@@ -72,7 +77,7 @@ inline void printReport(const RobotResult& result, const RobotCommand& command, 
     std::cout << toTable(result.report) << how_to_use;
   }
   if (!std::cout.flush()) throw Error(ErrorCode::kUnwritableOutput, "cannot write the report to standard output; --json FILE keeps it");
-  for (const std::string& failure : failures(result.report)) std::cerr << command.program << ": " << failure << "\n";
+  printFailures(result.report, command);
 }
 
 inline bool isFile(const std::string& json) {
@@ -96,7 +101,9 @@ inline bool writeEverything(RobotResult& result, const RobotCommand& command, co
   try {
     written = writeOutput(result, output, control);
   } catch (const Error& e) {
-    if (to_file && e.code() != ErrorCode::kCancelled) writeReport(result.report, command.json);
+    if (e.code() == ErrorCode::kCancelled) throw;
+    printFailures(result.report, command);
+    if (to_file) writeReport(result.report, command.json);
     throw;
   }
   if (!written) std::cerr << command.program << ": no mesh could be decomposed; nothing was written to '" << output << "'\n";
@@ -162,12 +169,15 @@ inline int runRobotCommand(const RobotCommand& command, const RobotWork& work) {
 
 /// Parses and runs; errors become messages on standard error and exit statuses.
 inline int runRobotProgram(CommandLine& app, int argc, char** argv, const std::function<int()>& run) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is then an error like a full disk
   try {
     return app.parse(argc, argv) ? run() : kDone;
   } catch (const Error& e) {
     const bool interrupted = e.code() == ErrorCode::kCancelled;
     std::cerr << app.get_name() << ": " << (interrupted ? "interrupted; nothing was written" : e.what()) << "\n";
     if (interrupted) return kInterrupted;
+  } catch (const std::bad_alloc&) {
+    std::cerr << app.get_name() << ": out of memory; use fewer --jobs, a larger tolerance or coarser meshes\n";
   } catch (const std::exception& e) {
     std::cerr << app.get_name() << ": unexpected: " << e.what() << "\n";
   }

@@ -1,11 +1,14 @@
 #include "base/read_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "collision_hulls/error.h"
 
@@ -76,6 +79,48 @@ TEST_F(ReadFile, Cancelled) {
   const RunControl control;
   control.cancel();
   EXPECT_THROW(readFile(write("a", "1"), "mesh", 100, control), Error);
+}
+
+class ReadPipe : public ReadFile {
+ protected:
+  ReadPipe() : fifo_((folder_ / "fifo").string()) { mkfifo(fifo_.c_str(), 0600); }
+
+  const std::string fifo_;
+};
+
+TEST_F(ReadPipe, UntilItsWriterClosesIt) {
+  const std::string bytes(1'000'000, 'x');
+  std::thread writer([&] {
+    std::ofstream out(fifo_);
+    for (std::size_t done = 0; done < bytes.size(); done += 100'000) out << bytes.substr(done, 100'000) << std::flush;
+  });
+  EXPECT_EQ(readFileOrPipe(fifo_, "list", bytes.size(), {}), bytes);
+  writer.join();
+  EXPECT_EQ(readFileOrPipe(write("a", "a file"), "list", 100, {}), "a file");
+}
+
+TEST_F(ReadPipe, WithoutEnd) {
+  std::thread writer([&] { std::ofstream(fifo_) << std::string(10'000, 'x'); });
+  try {
+    readFileOrPipe(fifo_, "list", 9'999, {});
+    ADD_FAILURE() << "was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kTooLarge) << error.what();
+  }
+  writer.join();
+  EXPECT_THROW(readFileOrPipe("/dev/zero", "list", 100, {}), Error);
+}
+
+// Whether nobody writes, or somebody who never ends.
+TEST_F(ReadPipe, IsCancelledWhileItWaits) {
+  for (const bool opened : {false, true}) {
+    const int other_end = opened ? open(fifo_.c_str(), O_RDWR) : -1;
+    const RunControl control;
+    std::thread canceller([&] { control.cancel(); });
+    EXPECT_THROW(readFileOrPipe(fifo_, "list", 100, control), Error);
+    canceller.join();
+    if (other_end >= 0) close(other_end);
+  }
 }
 
 }  // namespace

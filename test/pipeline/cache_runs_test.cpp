@@ -1,7 +1,9 @@
 // Runs with a cache: what they find equals what a new computation would give.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <thread>
 
@@ -72,7 +74,30 @@ class CachedRun : public ::testing::Test {
 
   fs::path cache() const { return fixtures::OwnCache::listener()->path(); }
   std::map<std::string, std::string> entries() const {
-    return fs::exists(cache()) ? fixtures::contents(cache()) : std::map<std::string, std::string>();
+    auto files = fs::exists(cache()) ? fixtures::contents(cache()) : std::map<std::string, std::string>();
+    files.erase("key");
+    return files;
+  }
+
+  /// The names of entries for meshes, in the order of their size.
+  std::vector<std::string> meshEntries() const {
+    std::vector<std::string> names;
+    for (const auto& [name, bytes] : entries())
+      if (fs::path(name).extension() == ".mesh") names.push_back(name);
+    std::sort(names.begin(), names.end(), [&](auto& a, auto& b) { return fs::file_size(cache() / a) < fs::file_size(cache() / b); });
+    return names;
+  }
+
+  /// A run after an attack: gives what a run without a cache gives, and says that it refused this many entries.
+  void expectNoticed(const json& sound, std::size_t refused) {
+    const RobotResult result = run();
+    json report = timeless(result);
+    ASSERT_EQ(report["notes"].size(), sound["notes"].size() + 1);
+    EXPECT_NE(result.report.notes[0].find(std::to_string(refused) + " damaged or foreign entries"), std::string::npos)
+        << result.report.notes[0];
+    report["notes"].erase(0);
+    EXPECT_EQ(report, sound);
+    EXPECT_EQ(cachedRows(run()), kAll) << "they were not replaced";
   }
 
   const std::vector<bool> kNone = {false, false, false, false}, kAll = {true, true, false, true};  // a failed mesh is tried again
@@ -120,10 +145,67 @@ TEST_F(CachedRun, UsesTheContentOfEntries) {
   channel.sha256 = first.report.links[1].sha256;
   const std::string key = meshKey(channel, options_);
   Cache cache(this->cache());
-  MeshResult forged = cache.findMesh(key).value();
+  MeshResult forged = cache.findMesh(key, channel.sha256).value();
   forged.reason = "forged";
   cache.storeMesh(key, forged);
   EXPECT_EQ(run().report.links[1].reason, "forged");
+}
+
+// The attacks change what entries hold, as someone can who writes to the folder but does not know its key.
+
+TEST_F(CachedRun, HullsOfAnotherMesh) {
+  const json sound = timeless(run());
+  const auto files = files_;
+  const std::vector<std::string> names = meshEntries();
+  ASSERT_EQ(names.size(), 2u);
+  std::string forged = fixtures::read(cache() / names[0]);
+  for (const std::string& name : names) forged = std::regex_replace(forged, std::regex(name), names[1]);
+  fixtures::write(cache() / names[1], forged);
+  expectNoticed(sound, 1);
+  EXPECT_EQ(files_, files);
+}
+
+TEST_F(CachedRun, EntriesSealedWithAnotherKey) {
+  const json sound = timeless(run());
+  const auto files = files_;
+  const TempFolder attacker;
+  CacheFolder own(cache(), Cache::kMostBytes), other(attacker.path(), Cache::kMostBytes);
+  const std::vector<std::string> names = meshEntries();
+  const std::string smallest = own.find(names[0]).value();
+  for (const std::string& name : names) {
+    other.store(name, smallest);
+    fs::copy_file(attacker / name, cache() / name, fs::copy_options::overwrite_existing);
+  }
+  expectNoticed(sound, 2);
+  EXPECT_EQ(files_, files);
+}
+
+TEST_F(CachedRun, EntriesOfOtherOptions) {
+  const json sound = timeless(run());
+  const auto files = files_;
+  std::map<std::string, std::string> old;
+  for (const std::string& name : meshEntries()) old[name] = fixtures::read(cache() / name);
+  fs::remove_all(cache());
+  options_.method = Method::kBoundingBox;
+  run();
+  const std::vector<std::string> replayed = meshEntries();
+  options_ = Options();
+  ASSERT_EQ(replayed.size(), old.size());
+  for (auto [name, i] = std::pair(old.begin(), std::size_t{0}); name != old.end(); ++name, ++i)
+    fs::copy_file(cache() / replayed[i], cache() / name->first);
+  expectNoticed(sound, 2);
+  EXPECT_EQ(files_, files);
+}
+
+TEST_F(CachedRun, AFolderThatOthersCanWrite) {
+  const json sound = timeless(run());
+  const auto before = entries();
+  fs::permissions(cache(), fs::perms::others_write, fs::perm_options::add);
+  const RobotResult result = run();
+  EXPECT_EQ(cachedRows(result), kNone);
+  ASSERT_EQ(result.report.notes.size(), sound["notes"].size() + 1);
+  EXPECT_NE(result.report.notes[0].find("chmod go-w"), std::string::npos) << result.report.notes[0];
+  EXPECT_EQ(entries(), before);
 }
 
 TEST_F(CachedRun, OtherOptionsHaveOtherEntries) {

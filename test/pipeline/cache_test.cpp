@@ -68,7 +68,7 @@ TEST(Cache, Empty) {
   const TempFolder folder;
   for (const fs::path& place : {fs::path(), folder.path()}) {
     Cache cache(place);
-    EXPECT_FALSE(cache.findMesh(kKey));
+    EXPECT_FALSE(cache.findMesh(kKey, "abc"));
     EXPECT_FALSE(cache.findValidation(kKey));
     EXPECT_FALSE(cache.findTree(kKey));
     EXPECT_EQ(cache.notes(), Notes());
@@ -78,7 +78,7 @@ TEST(Cache, Empty) {
 TEST(Cache, RestoresAMeshToTheLastBit) {
   const TempFolder folder;
   Cache(folder.path()).storeMesh(kKey, mesh());
-  const auto found = Cache(folder.path()).findMesh(kKey);
+  const auto found = Cache(folder.path()).findMesh(kKey, "abc");
   ASSERT_TRUE(found);
   EXPECT_EQ(shown(*found), shown(mesh()));
   EXPECT_EQ(toBytes(found->original), toBytes(mesh().original));
@@ -139,13 +139,39 @@ TEST(Cache, RejectsRemovesAndCountsDamagedEntries) {
     cache.storeTree(kKey, tree());
     cache.storeValidation(kKey, {});
     for (const char* kind : {".mesh", ".tree", ".validation"}) spoil(folder / (kKey + kind), changes[i]);
-    EXPECT_FALSE(cache.findMesh(kKey)) << i;
+    EXPECT_FALSE(cache.findMesh(kKey, "abc")) << i;
     EXPECT_FALSE(cache.findTree(kKey)) << i;
     EXPECT_FALSE(cache.findValidation(kKey)) << i;
-    EXPECT_TRUE(fixtures::contents(folder.path()).empty()) << i;
+    EXPECT_EQ(fixtures::contents(folder.path()).size(), 1u) << i << ": the key is left";
     ASSERT_EQ(cache.notes().size(), 1u) << i;
     EXPECT_NE(cache.notes()[0].find("3 damaged"), std::string::npos) << cache.notes()[0];
   }
+}
+
+TEST(Cache, RejectsAnEntryOfAnotherMesh) {
+  const TempFolder folder;
+  Cache cache(folder.path());
+  cache.storeMesh(kKey, mesh());
+  EXPECT_FALSE(cache.findMesh(kKey, "abd"));
+  EXPECT_FALSE(cache.findMesh(kKey, "abc")) << "it is removed";
+  EXPECT_EQ(cache.notes().size(), 1u);
+}
+
+// With a valid seal: nobody else can make one, but whatever it says must not cost more memory than the entry itself.
+TEST(Cache, CountsBeyondAnEntrysEnd) {
+  const TempFolder folder;
+  Cache cache(folder.path());
+  cache.storeMesh(kKey, mesh());
+  CacheFolder files(folder.path(), Cache::kMostBytes);
+  const std::string sound = files.find(kKey + ".mesh").value(), vertices = toBytes(std::uint64_t{8}, mesh().original.vertices[0]);
+  const std::size_t place = sound.find(vertices);
+  ASSERT_NE(place, std::string::npos);
+  for (const std::uint64_t count : {std::uint64_t{9}, std::uint64_t{1} << 40, ~std::uint64_t{0}}) {
+    files.store(kKey + ".mesh", std::string(sound).replace(place, 8, toBytes(count)));
+    EXPECT_FALSE(cache.findMesh(kKey, "abc")) << count;
+  }
+  files.store(kKey + ".mesh", sound);
+  EXPECT_TRUE(cache.findMesh(kKey, "abc"));
 }
 
 TEST(Cache, RejectsAnEntryUnderAnotherName) {
@@ -154,8 +180,8 @@ TEST(Cache, RejectsAnEntryUnderAnotherName) {
   cache.storeMesh(kKey, mesh());
   const std::string other(64, '1');
   fs::copy(folder / (kKey + ".mesh"), folder / (other + ".mesh"));
-  EXPECT_FALSE(cache.findMesh(other));
-  EXPECT_TRUE(cache.findMesh(kKey));
+  EXPECT_FALSE(cache.findMesh(other, "abc"));
+  EXPECT_TRUE(cache.findMesh(kKey, "abc"));
 }
 
 MeshTask task() {

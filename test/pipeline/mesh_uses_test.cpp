@@ -78,7 +78,7 @@ TEST(Fail, DropsWhatWasMadeAndKeepsWhatWasRead) {
     fail(result);
   }
   EXPECT_EQ(result.status, Status::kFailed);
-  EXPECT_EQ(result.error, "Internal");
+  EXPECT_EQ(result.error, "OutOfMemory");
   EXPECT_EQ(result.reason.substr(0, 43), "out of memory for a mesh of 12 triangles; u");
   EXPECT_EQ(result.mesh.triangles, 12u);
   EXPECT_EQ(result.model.hulls + result.hulls.size() + result.unneeded.size(), 0u);

@@ -244,6 +244,62 @@ TEST(WriteOutput, CancelLeavesTheOldOutput) {
   EXPECT_EQ(fixtures::contents(folder.path()), before);
 }
 
+/// A result in which the second mesh failed for this reason.
+RobotResult incomplete(ErrorCode code) {
+  RobotResult result = sample();
+  ElementReport& row = result.report.links[1];
+  row.status = Status::kFailed;
+  row.error = name(code);
+  row.uri = "package://arm/b.stl";
+  row.files.clear();
+  result.elements[1].hulls.clear();
+  return result;
+}
+
+TEST(WriteOutput, MeshesThatWereThereBeforeStayIfMemoryOrTimeDidNotSuffice) {
+  for (const ErrorCode lacking : {ErrorCode::kOutOfMemory, ErrorCode::kOutOfTime}) {
+    const TempFolder folder;
+    RobotResult complete = sample(), result = incomplete(lacking);
+    writeOutput(complete, folder / "out");
+    const auto before = fixtures::contents(folder.path());
+    try {
+      writeOutput(result, folder / "out");
+      ADD_FAILURE() << "replaced";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kUnwritableOutput);
+      for (const char* part : {"stays as it is", "for 1 mesh,", "package://arm/b.stl", "link 'b'", "--replace-complete"})
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(fixtures::contents(folder.path()), before);
+    result.report.options.replace_complete = true;
+    EXPECT_TRUE(writeOutput(result, folder / "out")) << "if told to";
+    EXPECT_FALSE(fs::exists(folder / "out/meshes/b"));
+    result.report.options.replace_complete = false;
+    EXPECT_TRUE(writeOutput(result, folder / "out")) << "what is there is not complete either";
+  }
+}
+
+TEST(WriteOutput, OtherFailuresReplaceACompleteOutput) {
+  const TempFolder folder;
+  RobotResult complete = sample(), result = incomplete(ErrorCode::kNotAMesh);
+  writeOutput(complete, folder / "out");
+  EXPECT_TRUE(writeOutput(result, folder / "out")) << "another run would not do better";
+}
+
+TEST(WriteOutput, SaysThatThePairsOfAFittedModelAreGone) {
+  const TempFolder folder;
+  RobotResult fitted = sample(), other = sample(), again = sample();
+  fitted.extra_files["config/arm_disabled.srdf"] = again.extra_files["config/arm_disabled.srdf"] = "<robot/>";
+  writeOutput(fitted, folder / "out");
+  EXPECT_TRUE(fitted.report.notes.empty());
+  writeOutput(again, folder / "out");
+  EXPECT_TRUE(again.report.notes.empty());
+  writeOutput(other, folder / "out");
+  ASSERT_EQ(other.report.notes.size(), 1u);
+  EXPECT_NE(other.report.notes[0].find("had 'config/arm_disabled.srdf'"), std::string::npos) << other.report.notes[0];
+  EXPECT_NE(fixtures::read(folder / "out/report.json").find("arm_disabled.srdf"), std::string::npos);
+}
+
 TEST(WriteReport, InOneRename) {
   const TempFolder folder;
   const Report report = sample().report;

@@ -1,6 +1,8 @@
 #include "storage/cache_folder.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -26,11 +28,20 @@ void age(const fs::path& file, int hours) {
   fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(hours));
 }
 
+/// All files but the key.
 Names namesIn(const fs::path& folder) {
   Names names;
-  for (const auto& [name, content] : fixtures::contents(folder)) names.push_back(name);
+  for (const auto& [name, content] : fixtures::contents(folder))
+    if (fs::path(name).filename() != "key") names.push_back(name);
   return names;
 }
+
+void expectNote(const CacheFolder& cache, const Names& parts) {
+  ASSERT_EQ(cache.notes().size(), 1u);
+  for (const std::string& part : parts) EXPECT_NE(cache.notes()[0].find(part), std::string::npos) << cache.notes()[0];
+}
+
+constexpr std::uintmax_t kSeal = 64;  // [bytes] at an entry's end
 
 TEST(CacheFolder, WithoutAFolderItStoresNothing) {
   CacheFolder cache("", kPlenty);
@@ -65,9 +76,7 @@ TEST(CacheFolder, NotesAFolderThatCannotBeWritten) {
     cache.store(entry('b'), "content");
     EXPECT_EQ(cache.find(entry('a')), std::nullopt);
     cache.trim();
-    ASSERT_EQ(cache.notes().size(), 1u);
-    for (const std::string& part : {place, std::string("COLLISION_HULLS_CACHE")})
-      EXPECT_NE(cache.notes()[0].find(part), std::string::npos) << cache.notes()[0];
+    expectNote(cache, {place, "COLLISION_HULLS_CACHE"});
   }
   if (geteuid() != 0) {  // root may write everywhere
     fs::create_directory(folder / "locked");
@@ -86,17 +95,167 @@ TEST(CacheFolder, DamagedEntriesAreRemovedAndCounted) {
     cache.discard(entry(digit));
     EXPECT_EQ(cache.find(entry(digit)), std::nullopt);
   }
-  ASSERT_EQ(cache.notes().size(), 1u);
-  EXPECT_NE(cache.notes()[0].find("2 damaged"), std::string::npos) << cache.notes()[0];
+  expectNote(cache, {"2 damaged"});
+}
+
+class SealedEntries : public ::testing::Test {
+ protected:
+  SealedEntries() { CacheFolder(folder_.path(), kPlenty).store(entry('a'), "content"); }
+
+  /// What is there in place of the entry counts as damaged, and the entry can be stored again.
+  void expectRefused(const std::string& what) {
+    CacheFolder cache(folder_.path(), kPlenty);
+    EXPECT_EQ(cache.find(entry('a')), std::nullopt) << what;
+    expectNote(cache, {"1 damaged"});
+    cache.store(entry('a'), "content");
+    EXPECT_EQ(cache.find(entry('a')), "content") << what;
+  }
+
+  /// The whole folder is left alone until it is repaired.
+  void expectUnused(const Names& parts) {
+    const auto before = fixtures::contents(folder_.path());
+    CacheFolder cache(folder_.path(), kPlenty);
+    EXPECT_EQ(cache.find(entry('a')), std::nullopt) << parts[0];
+    cache.store(entry('b'), "content");
+    cache.trim();
+    EXPECT_EQ(fixtures::contents(folder_.path()), before) << parts[0];
+    expectNote(cache, parts);
+  }
+
+  std::string file() const { return folder_ / entry('a'); }
+  std::string key() const { return folder_ / "key"; }
+
+  const TempFolder folder_;
+};
+
+TEST_F(SealedEntries, AnyChangeIsNoticed) {
+  const std::string sealed = fixtures::read(file());
+  ASSERT_EQ(sealed.size(), 7 + kSeal);
+  for (std::size_t i = 0; i < sealed.size(); ++i) {
+    std::string changed = sealed;
+    changed[i] = static_cast<char>(changed[i] ^ 1);
+    fixtures::write(file(), changed);
+    EXPECT_EQ(CacheFolder(folder_.path(), kPlenty).find(entry('a')), std::nullopt) << i;
+    fixtures::write(file(), sealed.substr(0, i));
+    EXPECT_EQ(CacheFolder(folder_.path(), kPlenty).find(entry('a')), std::nullopt) << i;
+  }
+  fixtures::write(file(), sealed + "a");
+  expectRefused("longer");
+}
+
+TEST_F(SealedEntries, ACopyUnderAnotherName) {
+  CacheFolder(folder_.path(), kPlenty).store(entry('b'), "other");
+  fs::copy_file(folder_ / entry('b'), file(), fs::copy_options::overwrite_existing);
+  expectRefused("copy");
+}
+
+TEST_F(SealedEntries, SealedWithAnotherKey) {
+  const TempFolder other;
+  CacheFolder(other.path(), kPlenty).store(entry('a'), "poison");
+  fs::copy_file(other / entry('a'), file(), fs::copy_options::overwrite_existing);
+  expectRefused("of another folder");
+}
+
+TEST_F(SealedEntries, WhoseFileOthersCanWrite) {
+  for (const fs::perms others : {fs::perms::group_write, fs::perms::others_write}) {
+    fs::permissions(file(), others, fs::perm_options::add);
+    expectRefused("writable");
+  }
+  if (geteuid() != 0) return;  // only root may give files away
+  ASSERT_EQ(chown(file().c_str(), 12345, 12345), 0);
+  expectRefused("of another user");
+}
+
+// None of these may be read, let alone waited for.
+TEST_F(SealedEntries, WhatIsNoFile) {
+  fs::rename(file(), folder_ / "elsewhere");
+  fs::create_symlink("elsewhere", file());
+  expectRefused("link");
+  fs::remove(file());
+  ASSERT_EQ(mkfifo(file().c_str(), 0600), 0);
+  expectRefused("FIFO");
+  fs::remove(file());
+  fs::create_symlink("/dev/zero", file());
+  expectRefused("link to a device");
+  fixtures::write(file(), "");
+  fs::permissions(file(), fs::perms::owner_read | fs::perms::owner_write);
+  fs::resize_file(file(), std::uintmax_t{1} << 40);  // sparse
+  expectRefused("huge");
+}
+
+TEST_F(SealedEntries, AFolderThatOthersCanWrite) {
+  const fs::perms sticky_as_tmp = fs::perms::others_write | fs::perms::sticky_bit;
+  for (const fs::perms others : {fs::perms::group_write, fs::perms::others_write, sticky_as_tmp}) {
+    fs::permissions(folder_.path(), others, fs::perm_options::add);
+    expectUnused({"can be written by others", "chmod go-w '" + folder_.path().string() + "'", "COLLISION_HULLS_CACHE"});
+    fs::permissions(folder_.path(), others, fs::perm_options::remove);
+  }
+  EXPECT_EQ(CacheFolder(folder_.path(), kPlenty).find(entry('a')), "content");
+  if (geteuid() != 0) return;
+  ASSERT_EQ(chown(folder_.path().c_str(), 12345, 12345), 0);
+  expectUnused({"belongs to another user", "set COLLISION_HULLS_CACHE to a folder of your own"});
+}
+
+TEST_F(SealedEntries, AKeyThatIsNoSecret) {
+  for (const fs::perms others : {fs::perms::group_read, fs::perms::others_read, fs::perms::others_write}) {
+    fs::permissions(key(), others, fs::perm_options::add);
+    expectUnused({key(), "by others", "delete the folder"});
+    fs::permissions(key(), others, fs::perm_options::remove);
+  }
+  const std::string secret = fixtures::read(key());
+  EXPECT_EQ(secret.size(), 32u);
+  for (const std::string& other : {std::string(), secret + "a", secret.substr(1)}) {
+    fixtures::write(key(), other);
+    expectUnused({key(), "bytes", "delete the folder"});
+  }
+  fixtures::write(folder_ / "elsewhere", secret);
+  fs::remove(key());
+  fs::create_symlink("elsewhere", key());
+  expectUnused({key(), "symbolic link"});
+  fs::remove(key());
+  CacheFolder cache(folder_.path(), kPlenty);
+  EXPECT_EQ(cache.find(entry('a')), std::nullopt) << "nothing proves it";
+  cache.store(entry('b'), "with a new key");
+  expectRefused("with the old key");
+}
+
+TEST_F(SealedEntries, AFolderThatVanishes) {
+  CacheFolder cache(folder_.path(), kPlenty);
+  EXPECT_EQ(cache.find(entry('a')), "content");
+  fs::rename(folder_.path(), folder_.path().string() + ".away");
+  EXPECT_EQ(cache.find(entry('a')), std::nullopt);
+  cache.store(entry('a'), "content");
+  cache.trim();
+  expectNote(cache, {"could not store"});
+  fs::rename(folder_.path().string() + ".away", folder_.path());
+}
+
+// The first of several processes makes the key, and all use it.
+TEST(CacheFolder, ProcessesAgreeOnAKey) {
+  for (int round = 0; round < 20; ++round) {
+    const TempFolder folder;
+    std::vector<pid_t> children;
+    for (const char digit : std::string("01234567")) {
+      children.push_back(fork());
+      if (children.back() != 0) continue;
+      CacheFolder(folder / "cache", kPlenty).store(entry(digit), std::string(1, digit));
+      _exit(0);
+    }
+    for (const pid_t child : children) waitpid(child, nullptr, 0);
+    CacheFolder cache(folder / "cache", kPlenty);
+    for (const char digit : std::string("01234567")) EXPECT_EQ(cache.find(entry(digit)), std::string(1, digit));
+    EXPECT_EQ(namesIn(folder / "cache").size(), 8u);
+    EXPECT_EQ(fs::status(folder / "cache").permissions(), fs::perms::owner_all);
+  }
 }
 
 TEST(CacheFolder, FolderInPlaceOfAnEntry) {
   const TempFolder folder;
   fs::create_directories(folder / entry('a') + "/more");
   CacheFolder cache(folder.path(), kPlenty);
-  EXPECT_EQ(cache.find(entry('a')), std::nullopt);
   cache.store(entry('a'), "content");
-  EXPECT_EQ(cache.notes().size(), 1u);
+  EXPECT_EQ(cache.find(entry('a')), std::nullopt);
+  EXPECT_EQ(cache.notes().size(), 2u) << "neither stored nor found";
   EXPECT_TRUE(namesIn(folder.path()).empty()) << "the unfinished file is still there";
 }
 
@@ -112,7 +271,7 @@ TEST(CacheFolder, TrimRemovesTheOldestEntriesAndNothingElse) {
   const TempFolder folder;
   fixtures::write(folder / "thesis.tex", std::string(1000, 'x'));
   age(folder / "thesis.tex", 9);
-  CacheFolder cache(folder.path(), 100);
+  CacheFolder cache(folder.path(), 4 * (25 + kSeal));
   for (const char digit : {'a', 'b', 'c', 'd', 'e'}) cache.store(entry(digit), std::string(25, digit));
   int hours = 9;
   for (const char digit : {'b', 'a', 'c', 'e', 'd'}) age(folder / entry(digit), hours--);
@@ -150,7 +309,7 @@ TEST(CacheFolder, ManyThreadsAtTheSameTime) {
   std::vector<int> broken(4, 0), seen(4, 0);
   for (int writer = 0; writer < 4; ++writer) {
     threads.emplace_back([&, writer] {
-      CacheFolder cache(folder.path(), 400'012);  // less than all five entries need
+      CacheFolder cache(folder.path(), 400'268);  // less than all five entries need
       for (int round = 0; round < 50; ++round) {
         cache.store(entry(static_cast<char>('0' + (writer + round) % 5)), content(writer));
         cache.trim();

@@ -16,10 +16,12 @@ TEST(ContentOf, NothingIsNotAnEmptyFile) {
   const std::string bytes("a\0\r\n\xff", 5);
   fixtures::write(folder / "empty", "");
   fixtures::write(folder / "bytes", bytes);
-  EXPECT_EQ(contentOf(folder / "empty"), "");
-  EXPECT_EQ(contentOf(folder / "bytes"), bytes);
-  EXPECT_EQ(contentOf(folder / "none"), std::nullopt);
-  EXPECT_EQ(contentOf(folder.path()), std::nullopt) << "a folder";
+  EXPECT_EQ(contentOf(folder / "empty", 5), "");
+  EXPECT_EQ(contentOf(folder / "bytes", 5), bytes);
+  EXPECT_EQ(contentOf(folder / "bytes", 4), std::nullopt) << "above the limit";
+  EXPECT_EQ(contentOf("/dev/zero", 5), std::nullopt) << "a device";
+  EXPECT_EQ(contentOf(folder / "none", 5), std::nullopt);
+  EXPECT_EQ(contentOf(folder.path(), 5), std::nullopt) << "a folder";
 }
 
 TEST(ReadTextFile, SaysWhatIsWrong) {

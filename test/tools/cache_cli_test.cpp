@@ -54,7 +54,11 @@ class CachedProgram : public ::testing::Test {
     return values;
   }
 
-  static Files entries() { return fixtures::contents(fixtures::OwnCache::listener()->path()); }
+  static Files entries() {
+    Files files = fixtures::contents(fixtures::OwnCache::listener()->path());
+    files.erase("key");
+    return files;
+  }
 
   TempFolder folder_;
 };

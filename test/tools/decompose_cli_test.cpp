@@ -161,7 +161,7 @@ TEST_F(DecomposeProgram, PackagesThatNobodyInstalled) {
 
 TEST_F(DecomposeProgram, AnInputIsNotReplacedByItsResult) {
   EXPECT_EQ(run("arm_description --quiet -o out").status, 0);
-  expectWrongUse("out/meshes/base/0_0.stl --quiet -o out", {"'out'", "the input", "choose another output"});
+  expectWrongUse("out/meshes/base/0_0.stl --quiet -o out", {"'out'", "an input", "choose another output"});
 }
 
 TEST_F(DecomposeProgram, OptionsArriveInTheReport) {
@@ -235,6 +235,38 @@ TEST_F(DecomposeProgram, NothingDoneLeavesTheOutputAsItWas) {
   EXPECT_NE(result.err.find("nothing was written"), std::string::npos) << result.err;
   EXPECT_EQ(fixtures::contents(folder_ / "out"), before);
   EXPECT_TRUE(fs::exists(folder_ / "report.json"));
+}
+
+// A limit on the size of files is met like the end of a disk, but for a signal.
+TEST_F(DecomposeProgram, AFileThatCannotBeCompletedLeavesTheOutputAsItWas) {
+  EXPECT_EQ(run("arm_description --quiet -o out -m single_hull --json report.json").status, 0);
+  const auto before = fixtures::contents(folder_.path());
+  for (const std::string output : {"-o out", "-o other"}) {
+    const Finished result = run("arm_description --quiet --no-cache --json report.json " + output, "ulimit -f 1; ");
+    EXPECT_EQ(result.status, 2) << result.err;
+    EXPECT_NE(result.err.find("File too large; choose another output, or check its permissions and free space"), std::string::npos)
+        << result.err;
+    EXPECT_EQ(fixtures::contents(folder_.path()), before);
+  }
+}
+
+// Neither a FIFO nor a device in place of a file keeps the program waiting.
+TEST_F(DecomposeProgram, WhatIsNoFile) {
+  ASSERT_EQ(run("mkfifo", "mkfifo fifo.urdf fifo.stl; mkdir out; mkfifo out/report.json; ln -s /dev/zero zero.urdf; ").status, 2);
+  for (const std::string input : {"fifo.urdf", "fifo.stl", "zero.urdf"}) expectWrongUse(input + " --quiet", {input, "not a regular file"});
+  expectWrongUse("arm_description --quiet -o out", {"out' is not an earlier output"});
+}
+
+// A file URI leads to where the folder really is.
+TEST_F(DecomposeProgram, FileUrisBehindALink) {
+  fs::create_directories(folder_ / "real/deep");
+  fs::create_directory_symlink("real/deep", folder_ / "link");
+  const Finished result = run("arm_description --uri file -o link/../out");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("Written to " + (folder_ / "real/out") + "\n"), std::string::npos) << result.out;
+  const std::string urdf = fixtures::read(folder_ / "real/out/urdf/arm.urdf");
+  EXPECT_NE(urdf.find("\"file://" + (folder_ / "real/out/meshes/base/0_0.stl") + "\""), std::string::npos) << urdf;
+  EXPECT_TRUE(fs::exists(folder_ / "real/out/meshes/base/0_0.stl"));
 }
 
 TEST_F(DecomposeProgram, ABarOnATerminal) {

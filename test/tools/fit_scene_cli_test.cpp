@@ -58,6 +58,24 @@ TEST_F(FitSceneProgram, WrongUse) {
   expectWrongUse("bracket.obj --scene notch.yaml --clearance 1cm", {"bracket.obj", "mesh"});
 }
 
+// An earlier output may hold what a scene is read from.
+TEST_F(FitSceneProgram, AnInputIsNotReplacedByItsResult) {
+  ASSERT_EQ(run("arm.urdf --scene notch.yaml --clearance 1cm -o out --samples 10").status, 0);
+  const std::string mesh = "out/meshes/base/0_0.stl", srdf = "out/config/arm_disabled.srdf";
+  for (const std::string& file : {mesh, srdf}) ASSERT_TRUE(fs::exists(folder_ / file));
+  expectWrongUse("arm.urdf --scene " + mesh + " --clearance 1cm -o out", {mesh, "which is an input", "choose another output"});
+  expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm -o out --srdf " + srdf, {srdf, "which is an input"});
+  EXPECT_EQ(run("arm.urdf --scene notch.yaml --clearance 1cm -o other --samples 10 --srdf " + srdf).status, 0);
+}
+
+// A shell makes a pipe of <(xacro arm.srdf.xacro).
+TEST_F(FitSceneProgram, AnSrdfFromAPipe) {
+  fixtures::write(folder_ / "arm.srdf", "<robot name='arm'/>");
+  const std::string pipe = "rm -f pipe; mkfifo pipe; (cat arm.srdf > pipe &) ; ";
+  EXPECT_EQ(run("arm.urdf --scene notch.yaml --clearance 1cm --samples 10 --srdf pipe", pipe).status, 0);
+  expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --srdf /dev/zero", {"/dev/zero", "not a regular file"});
+}
+
 TEST_F(FitSceneProgram, WritesNoComparisonIfNothingCouldBeFitted) {
   fixtures::write(folder_ / "torn.urdf",
                   fixtures::robot("torn", fixtures::link("base", "    <visual>" + fixtures::meshTag("nowhere.obj") + "</visual>\n")));

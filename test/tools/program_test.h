@@ -21,11 +21,11 @@ class ProgramTest : public ::testing::Test {
  protected:
   explicit ProgramTest(const std::string& name) : name_(name) {}
 
-  /// Runs in the folder, through a shell: quote arguments with spaces.
-  Finished run(const std::string& arguments) {
+  /// Runs in the folder, through a shell: quote arguments with spaces. `first`: commands before it, such as "ulimit -f 8; ".
+  Finished run(const std::string& arguments, const std::string& first = "") {
     const std::string folder = folder_.path().string();
-    const std::string command = "cd '" + folder + "' && ROS_PACKAGE_PATH='" + folder + "' '" PROGRAMS "/" + name_ + "' " + arguments +
-                                " >'" + (folder_ / ".out") + "' 2>'" + (folder_ / ".err") + "'";
+    const std::string command = "cd '" + folder + "' && " + first + "ROS_PACKAGE_PATH='" + folder + "' '" PROGRAMS "/" + name_ + "' " +
+                                arguments + " >'" + (folder_ / ".out") + "' 2>'" + (folder_ / ".err") + "'";
     const int status = std::system(command.c_str());
     Finished result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, fixtures::read(folder_ / ".out"), fixtures::read(folder_ / ".err")};
     std::filesystem::remove(folder_ / ".out");

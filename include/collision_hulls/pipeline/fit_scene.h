@@ -20,6 +20,7 @@ struct SceneRequest {
   std::vector<DisabledPair> disabled;         ///< pairs of links that are not checked
   std::vector<std::string> notes;             ///< about what was read, for the report
   std::vector<Configuration> configurations;  ///< instead of samples from the joints' whole ranges
+  std::vector<std::string> files;             ///< that it was read from: no output may replace them
 };
 
 /// Where a request is read from; empty: not given.

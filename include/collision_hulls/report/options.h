@@ -74,6 +74,8 @@ struct Options {
   int jobs = 0;              ///< threads; 0: as many as cores
   bool validate = true;
   bool cache = true;
+  /// let a run that lacked memory or time for some meshes replace an output that has all of them
+  bool replace_complete = false;
   std::uint64_t seed = 1;
   int reader_memory = 512;  ///< [MiB] of MeshLimits, for the robot's meshes
   int reader_time = 4;      ///< [s] of MeshLimits

@@ -1,0 +1,69 @@
+#include "report/earlier_report.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "pipeline/fixtures.h"
+
+namespace collision_hulls {
+namespace {
+
+namespace fs = std::filesystem;
+using Files = std::set<fs::path>;
+
+class EarlierReport : public ::testing::Test {
+ protected:
+  std::optional<EarlierOutput> read(const std::string& report) {
+    fixtures::write(file(), report);
+    return earlierOutput(folder_.path());
+  }
+  std::string file() const { return folder_ / "report.json"; }
+
+  const fixtures::TempFolder folder_;
+};
+
+TEST_F(EarlierReport, FilesAndWhetherARowFailed) {
+  const std::string begin = R"({"collision_hulls": "1", "notes": [{"files": ["no"]}], "files": ["urdf/a.urdf"], "links": [)";
+  const auto row = [](const std::string& status, const std::string& file) {
+    return R"({"status": ")" + status + R"(", "repair": {"files": ["no"], "status": "failed"}, "files": [")" + file + R"("]})";
+  };
+  const auto complete = read(begin + row("ok", "a.stl") + "," + row("degraded", "b.stl") + "]}");
+  ASSERT_TRUE(complete);
+  EXPECT_EQ(complete->files, (Files{"report.json", "urdf/a.urdf", "a.stl", "b.stl"}));
+  EXPECT_TRUE(complete->complete);
+  EXPECT_FALSE(read(begin + row("ok", "a.stl") + "," + row("failed", "b.stl") + "]}")->complete);
+}
+
+TEST_F(EarlierReport, NamesNoFileElsewhere) {
+  const auto output = read(R"({"collision_hulls": "1", "links": [], "files": ["/etc/passwd", "../a", "b/../../c", "b/../d", ""]})");
+  ASSERT_TRUE(output);
+  EXPECT_EQ(output->files, (Files{"report.json", "d"}));
+}
+
+TEST_F(EarlierReport, WhatIsNone) {
+  EXPECT_FALSE(earlierOutput(folder_.path()));
+  for (const char* text :
+       {"", "{", "[]", "5", "{}", R"({"collision_hulls": "1"})", R"({"collision_hulls": "1", "files": [], "links": [5]})",
+        R"({"collision_hulls": "1", "files": [5], "links": []})", R"({"files": [], "links": []})"})
+    EXPECT_FALSE(read(text)) << text;
+  EXPECT_FALSE(read(std::string(1'000'000, '['))) << "nested deeply";
+}
+
+// Looked at before anything is read: these would wait, or fill the memory.
+TEST_F(EarlierReport, NoRegularFile) {
+  ASSERT_TRUE(read(R"({"collision_hulls": "1", "files": [], "links": []})"));
+  fs::resize_file(file(), std::uintmax_t{1} << 40);  // sparse
+  EXPECT_FALSE(earlierOutput(folder_.path()));
+  fs::remove(file());
+  ASSERT_EQ(mkfifo(file().c_str(), 0600), 0);
+  EXPECT_FALSE(earlierOutput(folder_.path()));
+  fs::remove(file());
+  fs::create_symlink("/dev/zero", file());
+  EXPECT_FALSE(earlierOutput(folder_.path()));
+  fs::remove(file());
+  fs::create_directory(file());
+  EXPECT_FALSE(earlierOutput(folder_.path()));
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -38,6 +38,7 @@ enum class ErrorCode {
   kBadOption,            ///< an option's value is out of range
   kUnwritableOutput,     ///< the output folder cannot be created or written
   kNotAHullTree,         ///< not a hull tree file, or a damaged one, or one of another version
+  kOutsideRoots,         ///< the path lies outside the folders that may be read or written
   kNotOurOutput,         ///< the output path holds something this program did not write
   kOutOfMemory,          ///< the memory did not suffice
   kOutOfTime,            ///< the time that was allowed did not suffice

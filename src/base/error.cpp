@@ -27,6 +27,7 @@ const char* name(ErrorCode code) {
     case ErrorCode::kBadOption: return "BadOption";
     case ErrorCode::kUnwritableOutput: return "UnwritableOutput";
     case ErrorCode::kNotAHullTree: return "NotAHullTree";
+    case ErrorCode::kOutsideRoots: return "OutsideRoots";
     case ErrorCode::kNotOurOutput: return "NotOurOutput";
     case ErrorCode::kOutOfMemory: return "OutOfMemory";
     case ErrorCode::kOutOfTime: return "OutOfTime";

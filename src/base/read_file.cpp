@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "base/roots.h"
 #include "collision_hulls/error.h"
 
 namespace collision_hulls {
@@ -54,6 +55,10 @@ OpenFile::~OpenFile() {
   if (descriptor_ >= 0) close(descriptor_);
 }
 
+void OpenFile::expectAllowed() const {
+  if (error_ == 0) checkRead(path_, descriptor_);
+}
+
 void OpenFile::expectRegular(const std::string& kind) const {
   if (error_ == ENOENT) fail(path_, "does not exist; give the path of a " + kind);
   if (error_ != 0) failToRead(path_, error_);
@@ -92,11 +97,15 @@ std::string OpenFile::contentOfPipe(const std::string& kind, std::uintmax_t most
 }
 
 std::string readFile(const std::string& path, const std::string& kind, std::uintmax_t most_bytes, const RunControl& control) {
-  return OpenFile(path).content(kind, most_bytes, control);
+  const OpenFile file(path);
+  file.expectAllowed();
+  return file.content(kind, most_bytes, control);
 }
 
 std::string readFileOrPipe(const std::string& path, const std::string& kind, std::uintmax_t most_bytes, const RunControl& control) {
-  return OpenFile(path).contentOfPipe(kind, most_bytes, control);
+  const OpenFile file(path);
+  file.expectAllowed();
+  return file.contentOfPipe(kind, most_bytes, control);
 }
 
 }  // namespace collision_hulls

@@ -12,7 +12,7 @@ namespace collision_hulls {
 
 /// The content of a regular file. It is opened once, and its kind and size are looked at before a byte is read, so a FIFO, a device or a
 /// file that is too large costs nothing. `kind` stands in messages: "mesh". Throws kFileNotFound for what is not there, not a regular file
-/// or not readable, and for a file that shrinks meanwhile; kTooLarge above `most_bytes`; kCancelled.
+/// or not readable, and for a file that shrinks meanwhile; kTooLarge above `most_bytes`; kOutsideRoots (roots.h); kCancelled.
 std::string readFile(const std::string& path, const std::string& kind, std::uintmax_t most_bytes, const RunControl& control = {});
 
 /// The same, and all that comes through a pipe until its writer closes it: shells make one of `<(xacro robot.srdf.xacro)`. Waits for the
@@ -33,7 +33,10 @@ class OpenFile {
   int error() const { return error_; }  ///< 0, or the errno that says why the file is not open
   const struct stat& status() const { return status_; }
 
-  /// See readFile(), which throws the same.
+  /// Throws kOutsideRoots (roots.h).
+  void expectAllowed() const;
+
+  /// See readFile(), which throws the same apart from kOutsideRoots.
   std::string content(const std::string& kind, std::uintmax_t most_bytes, const RunControl& control = {}) const;
   /// See readFileOrPipe().
   std::string contentOfPipe(const std::string& kind, std::uintmax_t most_bytes, const RunControl& control) const;

@@ -4,9 +4,10 @@
 
 #include <tinyxml2.h>
 
-#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "robot/urdf_model.h"
 
@@ -54,27 +55,24 @@ std::string complaintAbout(const XMLElement& element, const std::string& link) {
 
 template <class Choice>
 void GeometryStandIns::takeOut(const Choice& standInFor) {
-  std::vector<StandIn> found;
   for (XMLElement* link = robot_.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
     const std::string name = attributeOf(*link, "name");
+    StandIns& stand_ins = stand_ins_[name];
     for (const bool visual : {true, false}) {
       const char* kind = visual ? "visual" : "collision";
       std::size_t index = 0;
-      const auto isTakenOut = [&](const StandIn& other) { return other.link == name && other.visual == visual && other.index == index; };
       for (XMLElement* element = link->FirstChildElement(kind); element; ++index) {
-        while (std::any_of(stand_ins_.begin(), stand_ins_.end(), isTakenOut)) ++index;
+        while (stand_ins.count({visual, index}) > 0) ++index;  // taken out before
         XMLElement* next = element->NextSiblingElement(kind);
         if (std::optional<GeometryElement> stand_in = standInFor(*element, name)) {
           stand_in->name = attributeOf(*element, "name");
-          found.push_back({name, visual, index, *stand_in});
+          stand_ins.emplace(std::pair(visual, index), *std::move(stand_in));
           link->DeleteChild(element);
         }
         element = next;
       }
     }
   }
-  stand_ins_.insert(stand_ins_.end(), found.begin(), found.end());
-  std::stable_sort(stand_ins_.begin(), stand_ins_.end(), [](const StandIn& a, const StandIn& b) { return a.index < b.index; });
 }
 
 void GeometryStandIns::takeOutOtherThings() {
@@ -109,10 +107,20 @@ void GeometryStandIns::takeOutUnreadable() {
 }
 
 void GeometryStandIns::insertInto(LinkDescription& link) const {
-  for (const StandIn& stand_in : stand_ins_) {
-    if (stand_in.link != link.name) continue;
-    std::vector<GeometryElement>& elements = stand_in.visual ? link.visuals : link.collisions;
-    elements.insert(elements.begin() + static_cast<std::ptrdiff_t>(stand_in.index), stand_in.element);
+  const auto found = stand_ins_.find(link.name);
+  if (found == stand_ins_.end() || found->second.empty()) return;
+  for (const bool visual : {true, false}) {
+    std::vector<GeometryElement>& elements = visual ? link.visuals : link.collisions;
+    std::vector<GeometryElement> all;
+    auto next = elements.begin();
+    for (auto stand_in = found->second.lower_bound({visual, 0}); stand_in != found->second.end(); ++stand_in) {
+      const auto [of_visual, index] = stand_in->first;
+      if (of_visual != visual) break;
+      while (all.size() < index && next != elements.end()) all.push_back(std::move(*next++));
+      all.push_back(stand_in->second);
+    }
+    all.insert(all.end(), std::make_move_iterator(next), std::make_move_iterator(elements.end()));
+    elements = std::move(all);
   }
 }
 

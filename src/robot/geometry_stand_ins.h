@@ -1,7 +1,9 @@
 // Elements of a description that urdfdom had better not see: it drops the rest of a link after one that it cannot read.
 #pragma once
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "collision_hulls/robot/robot_description.h"
@@ -28,18 +30,14 @@ class GeometryStandIns {
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
-  struct StandIn {
-    std::string link;
-    bool visual;
-    std::size_t index;  // among the link's elements as they stand in the text
-    GeometryElement element;
-  };
+  // Of one link: by visual or not, and by index among the link's elements as they stand in the text.
+  using StandIns = std::map<std::pair<bool, std::size_t>, GeometryElement>;
   template <class Choice>
   void takeOut(const Choice& standInFor);
 
   const XmlSource& subject_;
   tinyxml2::XMLElement& robot_;
-  std::vector<StandIn> stand_ins_;  // of a link and kind by rising index
+  std::map<std::string, StandIns> stand_ins_;  // by link
   std::vector<std::string> notes_;
 };
 

@@ -14,6 +14,7 @@ using Kind = JointDescription::Kind;
 
 constexpr double kBeyondLimit = 1e-6;  // of the limits' size: what decimal text may have rounded away
 constexpr double kFurthest = 1e6;      // [m] that something may be away
+constexpr std::size_t kMostMasters = 1000;
 
 bool canMove(const JointDescription& joint) {
   return joint.kind == Kind::kRevolute || joint.kind == Kind::kContinuous || joint.kind == Kind::kPrismatic;
@@ -31,13 +32,15 @@ struct Drive {
 
 Drive driveOf(const JointDescription& joint, const std::map<std::string, const JointDescription*>& by_name) {
   Drive drive{&joint};
+  const auto fail = [&](const std::string& reason) {
+    throw Error(ErrorCode::kNotARobot, "joint '" + joint.name + "' mimics '" + drive.master->mimic + "', which " + reason);
+  };
   for (std::size_t steps = 0; !drive.master->mimic.empty(); ++steps) {
     const auto found = by_name.find(drive.master->mimic);
-    const std::string who = "joint '" + joint.name + "' mimics '" + drive.master->mimic + "', ";
-    if (found == by_name.end()) throw Error(ErrorCode::kNotARobot, who + "which the robot does not have; correct its <mimic>");
-    if (!canMove(*found->second)) throw Error(ErrorCode::kNotARobot, who + "which does not move; correct its <mimic>");
-    if (steps > by_name.size())
-      throw Error(ErrorCode::kNotARobot, who + "which leads back to itself; correct one of their <mimic> elements");
+    if (found == by_name.end()) fail("the robot does not have; correct its <mimic>");
+    if (!canMove(*found->second)) fail("does not move; correct its <mimic>");
+    if (steps > by_name.size()) fail("leads back to itself; correct one of their <mimic> elements");
+    if (steps > kMostMasters) fail("follows more than " + std::to_string(kMostMasters) + " joints; let it mimic the first of them");
     drive.offset += drive.multiplier * drive.master->mimic_offset;
     drive.multiplier *= drive.master->mimic_multiplier;
     drive.master = found->second;

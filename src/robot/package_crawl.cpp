@@ -57,6 +57,12 @@ std::optional<std::string> PackageCrawl::find(const std::string& package) const 
   return found == packages_.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::optional<std::string> PackageCrawl::around(const fs::path& path) const {
+  for (fs::path folder = path; folder.has_relative_path(); folder = folder.parent_path())
+    if (real_packages_.count(folder) > 0) return folder.string();
+  return std::nullopt;
+}
+
 void PackageCrawl::visit(const fs::path& folder) {
   std::error_code error;
   const fs::path real = fs::canonical(folder, error);
@@ -64,6 +70,7 @@ void PackageCrawl::visit(const fs::path& folder) {
   if (isFile(folder / "CATKIN_IGNORE")) return;
   if (const auto package = packageAt(folder)) {
     packages_.emplace(package->name, folder.string());
+    real_packages_.insert(real);
     if (package->broken) broken_manifests_.push_back((folder / "package.xml").string());
     return;
   }

@@ -28,13 +28,15 @@ class PackageCrawl {
   explicit PackageCrawl(const std::vector<std::filesystem::path>& roots);
 
   std::optional<std::string> find(const std::string& package) const;
+  /// The package that holds a path; neither has links in it.
+  std::optional<std::string> around(const std::filesystem::path& path) const;
   const std::vector<std::string>& brokenManifests() const { return broken_manifests_; }
 
  private:
   void visit(const std::filesystem::path& folder);
 
   std::map<std::string, std::string> packages_;
-  std::set<std::filesystem::path> visited_;
+  std::set<std::filesystem::path> visited_, real_packages_;
   std::vector<std::string> broken_manifests_;
 };
 

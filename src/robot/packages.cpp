@@ -12,9 +12,11 @@
 #include <mutex>
 #include <sstream>
 
+#include "base/roots.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/package_crawl.h"
+#include "robot/uri_checks.h"
 
 namespace fs = std::filesystem;
 
@@ -40,10 +42,6 @@ std::vector<fs::path> foldersAbove(const std::string& path) {
     if (!folder.filename().empty()) folders.push_back(folder);
   }
   return folders;
-}
-
-bool isPackageName(const std::string& text) {
-  return !text.empty() && text.front() != '.' && text.find('/') == std::string::npos;
 }
 
 // An item of --package-path.
@@ -126,6 +124,15 @@ class PackageFinder::Search {
     return std::nullopt;
   }
 
+  // Of those that ROS knows or the package path has.
+  std::string packageWith(const fs::path& path) {
+    std::call_once(crawled_, [this] { crawl(); });
+    for (const PackageCrawl* each : {ros_crawl_.get(), given_crawl_.get()}) {
+      if (const auto folder = each->around(path)) return *folder;
+    }
+    return "";
+  }
+
   std::vector<std::string> notes() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return notes_;
@@ -199,14 +206,21 @@ std::optional<std::string> PackageFinder::operator()(const std::string& package)
 }
 
 std::optional<std::string> PackageFinder::knownPackage(const std::string& package) const {
-  if (const auto named = search_->named(package)) return named;
-  if (const auto folder = first_ ? first_(package) : std::nullopt) return folder;
-  return isPackageName(package) ? search_->known(package) : std::nullopt;
+  if (!isPackageName(package)) return std::nullopt;  // before `first_`, which may start a program
+  std::optional<std::string> folder = search_->named(package);
+  if (!folder && first_) folder = first_(package);
+  if (!folder) folder = search_->known(package);
+  if (folder) allowPackage(*folder);
+  return folder;
 }
 
 std::optional<std::string> PackageFinder::fileNearby(const std::string& package, const std::string& rest, const std::string& base) const {
   if (search_->named(package)) return std::nullopt;
   return search_->file(package, knownPackage(package).has_value(), rest, base);
+}
+
+std::string PackageFinder::packageWith(const std::string& path) const {
+  return search_->packageWith(path);
 }
 
 std::vector<std::string> PackageFinder::notes() const {

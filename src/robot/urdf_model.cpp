@@ -169,21 +169,37 @@ std::vector<JointDescription> jointsFromRoot(const urdf::ModelInterface& model) 
 }
 
 using Poses = std::map<std::string, Eigen::Isometry3d>;
-using JointsByName = std::map<std::string, const JointDescription*>;
 
-/// Where a joint stands when all that mimic no other are at rest. What mimics nothing that is there, or itself, is at rest, too.
-double restValue(const JointDescription& joint, const JointsByName& by_name, std::size_t steps = 0) {
-  const auto master = by_name.find(joint.mimic);
-  if (master == by_name.end() || steps > by_name.size()) return restValue(joint);
-  return joint.mimic_multiplier * restValue(*master->second, by_name, steps + 1) + joint.mimic_offset;
-}
+/// Where joints stand when all that mimic no other are at rest. What mimics nothing that is there, or itself, is at rest, too.
+class RestValues {
+ public:
+  explicit RestValues(const std::vector<JointDescription>& joints) {
+    for (const JointDescription& joint : joints) by_name_[joint.name] = &joint;
+  }
+
+  /// Follows the masters up to one that is known; a loop, as a chain may be long.
+  double of(const JointDescription& joint) {
+    std::vector<const JointDescription*> way{&joint};
+    while (known_.emplace(way.back(), restValue(*way.back())).second) {
+      const auto master = by_name_.find(way.back()->mimic);
+      if (master == by_name_.end()) break;
+      way.push_back(master->second);
+    }
+    double value = known_.at(way.back());
+    for (way.pop_back(); !way.empty(); way.pop_back())
+      known_[way.back()] = value = way.back()->mimic_multiplier * value + way.back()->mimic_offset;
+    return value;
+  }
+
+ private:
+  std::map<std::string, const JointDescription*> by_name_;
+  std::map<const JointDescription*, double> known_;
+};
 
 Poses restPoses(const std::string& root, const std::vector<JointDescription>& joints) {
-  JointsByName by_name;
-  for (const JointDescription& joint : joints) by_name[joint.name] = &joint;
+  RestValues values(joints);
   Poses poses{{root, Eigen::Isometry3d::Identity()}};
-  for (const JointDescription& joint : joints)
-    poses[joint.child] = poses[joint.parent] * joint.origin * motion(joint, restValue(joint, by_name));
+  for (const JointDescription& joint : joints) poses[joint.child] = poses[joint.parent] * joint.origin * motion(joint, values.of(joint));
   return poses;
 }
 

@@ -1,5 +1,5 @@
 // The file that a URI of a description means. A '%' is ambiguous: many tools write paths into URIs unescaped, so the literal name is
-// tried before the decoded one.
+// tried before the decoded one. Both have to pass the checks of uri_checks.h first, and the file those of the roots.
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
@@ -7,8 +7,10 @@
 #include <optional>
 #include <string_view>
 
+#include "base/roots.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
+#include "robot/uri_checks.h"
 
 namespace fs = std::filesystem;
 
@@ -25,18 +27,6 @@ std::string withoutLeadingSlashes(const std::string& text) {
   return text.substr(std::min(text.find_first_not_of('/'), text.size()));
 }
 
-// "%20" and its like become the bytes that they stand for; a '%' without two digits stays.
-std::string percentDecoded(const std::string& text) {
-  std::string decoded;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool escape = text[i] == '%' && i + 2 < text.size() && std::isxdigit(static_cast<unsigned char>(text[i + 1])) &&
-                        std::isxdigit(static_cast<unsigned char>(text[i + 2]));
-    decoded += escape ? static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16)) : text[i];
-    if (escape) i += 2;
-  }
-  return decoded;
-}
-
 struct PackageUri {
   std::string package, rest;
 };
@@ -45,7 +35,7 @@ std::optional<PackageUri> packageUri(const std::string& uri) {
   if (!startsWith(uri, kPackageScheme)) return std::nullopt;
   const std::string path = withoutLeadingSlashes(uri.substr(kPackageScheme.size()));
   const std::size_t slash = std::min(path.find('/'), path.size());
-  return PackageUri{percentDecoded(path.substr(0, slash)), withoutLeadingSlashes(path.substr(slash))};
+  return PackageUri{path.substr(0, slash), withoutLeadingSlashes(path.substr(slash))};
 }
 
 // The path of a file:// URI, with or without "localhost". Without a leading slash it is relative: that is what its author meant.
@@ -85,16 +75,38 @@ std::optional<std::string> nearbyFile(const std::string& uri, const std::string&
   return in_package ? find_package.fileNearby(in_package->package, in_package->rest, base) : std::nullopt;
 }
 
+// The first file that one of the texts means; empty if there is none.
+std::string fileOf(const std::vector<std::string>& texts, const std::string& base, const PackageFinder& find_package) {
+  for (const std::string& text : texts) {
+    const std::optional<fs::path> path = pathOf(text, base, find_package);
+    if (const auto file = path ? existingFile(*path) : std::nullopt) return *file;
+  }
+  for (const std::string& text : texts) {
+    if (const auto file = nearbyFile(text, base, find_package)) return *file;
+  }
+  return "";
+}
+
+// The host that a file:// URI names; empty for none. "file://meshes/a.stl" may name one, or a folder: a file of that folder comes first.
+std::string hostOf(const std::string& uri) {
+  if (!startsWith(uri, kFileScheme)) return "";
+  const std::string rest = filePath(uri), name = rest.substr(0, rest.find('/'));
+  return name.size() == rest.size() || name == "." || name == ".." ? "" : name;
+}
+
 [[noreturn]] void throwMissing(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
-  const std::optional<fs::path> path = pathOf(uri, base, find_package);
+  const std::optional<fs::path> path = pathOf(percentDecoded(uri), base, find_package);
   if (!path) {
-    const std::string package = packageUri(uri)->package;
+    const std::string package = *packageOf(uri);
     throw Error(ErrorCode::kPackageNotFound, "package '" + package + "' of '" + uri +
                                                  "' was not found: install it and source its workspace, or say where it is with " +
                                                  "--package-path " + package + "=DIR (parameter ~package_path of the node)");
   }
   const bool has_no_place = base.empty() && isRelativeUri(uri);
-  const std::string file = fs::absolute(*path).lexically_normal().string();
+  const std::string file = fs::absolute(*path).lexically_normal().string(), host = hostOf(uri);
+  if (!host.empty())
+    throw Error(ErrorCode::kFileNotFound, "'" + uri + "' names the host '" + host + "', and '" + file +
+                                              "' does not exist; files are read from this machine alone: give file:///PATH");
   if (file == uri) throw Error(ErrorCode::kFileNotFound, "'" + uri + "' does not exist; check the path");
   throw Error(ErrorCode::kFileNotFound,
               "'" + uri + "' resolves to '" + file + "', which does not exist" +
@@ -106,7 +118,7 @@ std::optional<std::string> nearbyFile(const std::string& uri, const std::string&
 }  // namespace
 
 std::optional<std::string> packageOf(const std::string& uri) {
-  const auto in_package = packageUri(uri);
+  const auto in_package = packageUri(percentDecoded(uri));
   return in_package ? std::optional(in_package->package) : std::nullopt;
 }
 
@@ -129,15 +141,16 @@ std::string fileUri(const std::string& path) {
 
 std::string resolveUri(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
   if (uri.empty()) throw Error(ErrorCode::kFileNotFound, "a mesh has an empty file name");
+  checkCharacters(uri);
   const std::string decoded = percentDecoded(uri);
+  if (const auto package = packageOf(uri)) checkPackageName(uri, *package);
   for (const std::string& text : {uri, decoded}) {
-    const std::optional<fs::path> path = pathOf(text, base, find_package);
-    if (const auto file = path ? existingFile(*path) : std::nullopt) return *file;
+    if (const auto in_package = packageUri(text)) checkStaysWithin(uri, in_package->package, in_package->rest);
   }
-  for (const std::string& text : {uri, decoded}) {
-    if (const auto file = nearbyFile(text, base, find_package)) return *file;
-  }
-  throwMissing(uri, base, find_package);
+  const std::string file = fileOf({uri, decoded}, base, find_package);
+  if (file.empty()) throwMissing(uri, base, find_package);
+  checkRead(file);
+  return file;
 }
 
 }  // namespace collision_hulls

@@ -2,9 +2,17 @@
 //
 // Handles its signals itself: ROS's own handler shuts the log down first, which would swallow what becomes of the running job, and a
 // shutdown waits for the service call in progress, which only Node::stop() cuts short.
+#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <signal.h>
+#include <unistd.h>
 
+#include <atomic>
+#include <exception>
+#include <thread>
+#include <vector>
+
+#include "master_watch.h"
 #include "node.h"
 
 namespace {
@@ -26,21 +34,70 @@ bool waitForMaster() {
   return !interrupted;
 }
 
+/// Handles callbacks as ros::AsyncSpinner does, but outlives one that throws, as any may where memory ends.
+class Spinner {
+ public:
+  void start() {
+    constexpr int kThreads = 4;
+    for (int i = 0; i < kThreads; ++i) threads_.emplace_back([this] { spin(); });
+  }
+  void stop() {
+    stopped_ = true;
+    for (std::thread& thread : threads_) thread.join();
+    threads_.clear();
+  }
+  ~Spinner() { stop(); }
+
+ private:
+  void spin() const {
+    while (!stopped_) {
+      try {
+        ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+      } catch (const std::exception& error) {
+        ROS_ERROR("a message could not be handled: %s", error.what());
+      }
+    }
+  }
+
+  std::atomic<bool> stopped_{false};
+  std::vector<std::thread> threads_;
+};
+
+/// Until a signal or ROS ends it, or a master has forgotten it. Returns the exit status.
+int serve() {
+  if (geteuid() == 0) ROS_WARN("running as root, who may read and write every file of this machine: start it as an ordinary user");
+  Spinner spinner;
+  collision_hulls::MasterWatch watch;
+  collision_hulls::Node node;
+  spinner.start();
+  bool forgotten = false;
+  while (!interrupted && !ros::isShuttingDown() && !forgotten) {
+    ros::WallDuration(0.02).sleep();
+    forgotten = watch.forgotten() && node.idle();
+  }
+  if (forgotten) {
+    ROS_ERROR("the master was restarted and does not know this node: it ends and has to be started again, as decompose.launch does");
+    watch.restore();
+  }
+  ros::master::setRetryTimeout(ros::WallDuration(2));  // a job that would tell a lost master does not wait for it
+  node.stop();
+  spinner.stop();
+  return forgotten ? 1 : 0;
+}  // the job has ended
+
 }  // namespace
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "collision_hulls", ros::init_options::NoSigintHandler);
   handleSignals();
   if (!waitForMaster()) return 0;
-  ros::AsyncSpinner spinner(4);
-  {
-    collision_hulls::Node node;
-    spinner.start();
-    while (!interrupted && !ros::isShuttingDown()) ros::WallDuration(0.02).sleep();
-    ros::master::setRetryTimeout(ros::WallDuration(2));  // a job that would tell a lost master does not wait for it
-    node.stop();
-    spinner.stop();
-  }  // the job has ended
+  int status = 0;
+  try {
+    status = serve();
+  } catch (const std::exception& error) {
+    ROS_FATAL("%s", error.what());
+    status = 1;
+  }
   ros::shutdown();
-  return 0;
+  return status;
 }

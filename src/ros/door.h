@@ -12,6 +12,7 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -44,6 +45,9 @@ Response answered(const std::function<Response()>& job) {
     const bool cancelled = error.code() == ErrorCode::kCancelled;
     response.message = cancelled ? "cancelled; nothing was written" : error.what();
     ROS_LOG(cancelled ? ros::console::levels::Info : ros::console::levels::Error, ROSCONSOLE_DEFAULT_NAME, "%s", response.message.c_str());
+  } catch (const std::bad_alloc&) {
+    response.message = "memory ended; nothing was written. Send smaller meshes, or free memory on the node's machine";
+    ROS_ERROR("%s", response.message.c_str());
   } catch (const std::exception& error) {
     response.message = error.what();
     ROS_ERROR("%s", error.what());
@@ -102,18 +106,26 @@ class Door {
       *cancelled = control.cancelled() && response->urdf_path.empty();
     };
     const auto reply = [=]() mutable {
-      const Result result = recast<Result>(*response);
-      if (*cancelled) {
-        goal.setCanceled(result, response->message);
-      } else if (response->success) {
-        goal.setSucceeded(result, response->message);
-      } else {
-        goal.setAborted(result, response->message);
+      try {
+        finish(goal, *response, *cancelled);
+      } catch (const std::bad_alloc&) {
+        goal.setAborted(Result(), "memory ended while the answer was made; set brief");
       }
     };
     if (worker_.start({goal.getGoalID().id, work, reply})) return;
     response->message = worker_.refusal();
     goal.setRejected(recast<Result>(*response), response->message);
+  }
+
+  static void finish(Goal& goal, const Response& response, bool cancelled) {
+    const Result result = recast<Result>(response);
+    if (cancelled) {
+      goal.setCanceled(result, response.message);
+    } else if (response.success) {
+      goal.setSucceeded(result, response.message);
+    } else {
+      goal.setAborted(result, response.message);
+    }
   }
 
   ros::NodeHandle node_;

@@ -1,8 +1,6 @@
 // Reads a request and the parameters, runs the library, writes and shows the result. The doors (door.h) bring requests in and answers out.
 #include "node.h"
 
-#include <ros/package.h>
-
 #include <filesystem>
 #include <memory>
 
@@ -14,21 +12,6 @@
 
 namespace collision_hulls {
 namespace {
-
-/// The folder of a package as ROS knows it.
-std::optional<std::string> rosPackage(const std::string& package) {
-  try {
-    const std::string folder = ros::package::getPath(package);
-    return folder.empty() ? std::nullopt : std::optional(folder);
-  } catch (const std::exception&) {
-    return std::nullopt;  // rospack gives up at the first broken package.xml, whatever was asked; our own search notes it
-  }
-}
-
-/// Asks ROS first, then looks in the places that need no ROS.
-PackageFinder packageFinder(const ros::NodeHandle& node, const std::string& near) {
-  return defaultPackageFinder(near, readPackagePath(node)).askingFirst(rosPackage);
-}
 
 /// The fields that both requests have.
 DecomposeRequest toRequest(const FitSceneRequest& fit) {
@@ -76,10 +59,6 @@ StepCallback logged(const StepCallback& step) {
   };
 }
 
-std::string absolute(const std::string& path) {
-  return std::filesystem::absolute(path).lexically_normal().string();
-}
-
 }  // namespace
 
 Node::Node()
@@ -108,46 +87,53 @@ void Node::decomposeAtStart() {
 }
 
 DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunControl& control, const StepCallback& step) {
-  const std::string base = textParameter(private_, "base");
-  const RobotDescription robot = readRobot(request.robot_description, base);
-  const Options options = requestedOptions(readOptions(private_), request, robot);
-  const Input input{Input::Kind::kRobot, "", robot, packageFinder(private_, robot.path)};
+  const Confinement confinement(places_.roots());
+  const Input input = inputOf(request.robot_description);
+  const Options options = requestedOptions(readOptions(private_), request, input.robot);
   const std::string output = outputFor(request.output, input);
 
-  const ViewedRun view(view_, robot, options.source, input.find_package);
-  RobotResult result = decomposeRobot(robot, input.find_package, options, output, control, view.shown(logged(step)));
+  const ViewedRun view(view_, input.robot, options.source, input.find_package);
+  RobotResult result = decomposeRobot(input.robot, input.find_package, options, output, control, view.shown(logged(step)));
   DecomposeResponse response = written<DecomposeResponse>(result, output, request.brief, control);
   if (!response.urdf_path.empty()) show(result);
   return response;
 }
 
 FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& control, const StepCallback& step) {
-  const RobotDescription robot = readRobot(request.robot_description, textParameter(private_, "base"));
+  const Confinement confinement(places_.roots());
+  const Input input = inputOf(request.robot_description);
   Options own = readOptions(private_);
   own.method = Method::kCertified;  // ~method is for the other job
   own.tree.reset();
-  const Options options = requestedOptions(own, toRequest(request), robot);
-  const Input input{Input::Kind::kRobot, "", robot, packageFinder(private_, robot.path)};
+  const Options options = requestedOptions(own, toRequest(request), input.robot);
   const std::string output = outputFor(request.output, input);
   const SceneRequest scene = requestedScene(request, input, control);
 
-  const ViewedRun view(view_, robot, options.source, input.find_package);
-  RobotResult result = fitRobotToScene(robot, input.find_package, scene, options, output, control, view.shown(logged(step)));
+  const ViewedRun view(view_, input.robot, options.source, input.find_package);
+  RobotResult result = fitRobotToScene(input.robot, input.find_package, scene, options, output, control, view.shown(logged(step)));
   FitSceneResponse response = written<FitSceneResponse>(result, output, request.brief, control);
   if (!response.urdf_path.empty()) show(result, &scene.scene);
   if (!result.extra_files.empty()) response.srdf = result.extra_files.begin()->second;
   return response;
 }
 
+Input Node::inputOf(const std::string& robot_description) const {
+  Input input;
+  input.robot = readRobot(robot_description);
+  input.find_package = places_.packageFinder(input.robot.path);
+  return input;
+}
+
 std::string Node::outputFor(const std::string& requested, const Input& input) const {
   const std::string wanted = requested.empty() ? textParameter(private_, "output") : requested;
-  const std::string output = absolute(wanted.empty() ? defaultOutput(input) : wanted);
+  const std::string output = places_.output(wanted.empty() ? defaultOutput(input) : wanted);
   checkOutput(output);
   return output;
 }
 
-RobotDescription Node::readRobot(const std::string& text, const std::string& base) const {
-  const std::string path = base.empty() ? "" : resolveUri(base, "", packageFinder(private_, ""));
+RobotDescription Node::readRobot(const std::string& text) const {
+  const std::string base = textParameter(private_, "base");
+  const std::string path = base.empty() ? "" : resolveUri(base, "", places_.packageFinder(""));
   if (!text.empty()) return parseRobotDescription(text, path);
   std::string key, parameter;
   if (!node_.searchParam("robot_description", key) || !node_.getParam(key, parameter)) {

@@ -11,6 +11,7 @@
 
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "door.h"
+#include "places.h"
 #include "view.h"
 #include "worker.h"
 
@@ -21,10 +22,14 @@ namespace collision_hulls {
 /// the library's message; the node lives on. Needs a spinner with at least two threads: a service call occupies one until it is answered.
 class Node {
  public:
+  /// Throws kBadOption for a parameter of places.h that has the wrong type.
   Node();
 
   /// For the way out: cancels the running job and refuses further requests.
   void stop() { worker_.stop(); }
+
+  /// Whether no job runs.
+  bool idle() const { return worker_.current().empty(); }
 
  private:
   bool startsAtOnce() const;
@@ -33,11 +38,13 @@ class Node {
   /// The jobs. Throw what is wrong.
   DecomposeResponse decompose(const DecomposeRequest& request, const RunControl& control, const StepCallback& step);
   FitSceneResponse fit(const FitSceneRequest& request, const RunControl& control, const StepCallback& step);
+  Input inputOf(const std::string& robot_description) const;
   std::string outputFor(const std::string& requested, const Input& input) const;
-  RobotDescription readRobot(const std::string& text, const std::string& base) const;
+  RobotDescription readRobot(const std::string& text) const;
   void show(const RobotResult& result, const Scene* scene = nullptr);
 
   ros::NodeHandle node_, private_{"~"};
+  const Places places_{private_};
   View view_{private_};
   Door<Decompose, DecomposeAction> decompose_door_;
   Door<FitScene, FitSceneAction> fit_door_;

@@ -128,14 +128,14 @@ Options readOptions(const ros::NodeHandle& node) {
   return options;
 }
 
-std::vector<std::string> readPackagePath(const ros::NodeHandle& node) {
-  std::vector<std::string> places;
-  if (node.getParam("package_path", places)) return places;
-  std::istringstream list(textParameter(node, "package_path"));
-  for (std::string place; std::getline(list, place, ':');) {
-    if (!place.empty()) places.push_back(place);
+std::vector<std::string> readFolders(const ros::NodeHandle& node, const std::string& name) {
+  std::vector<std::string> folders;
+  if (node.getParam(name, folders)) return folders;
+  std::istringstream list(textParameter(node, name));
+  for (std::string folder; std::getline(list, folder, ':');) {
+    if (!folder.empty()) folders.push_back(folder);
   }
-  return places;
+  return folders;
 }
 
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot) {

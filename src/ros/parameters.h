@@ -16,9 +16,8 @@ namespace collision_hulls {
 /// ~validate, ~cache and ~seed say; those that are not set keep their defaults. Throws kBadOption for a value of the wrong type or range.
 Options readOptions(const ros::NodeHandle& node);
 
-/// ~package_path, a list or a text with colons between its items: where to look for packages that ROS does not find, see
-/// defaultPackageFinder().
-std::vector<std::string> readPackagePath(const ros::NodeHandle& node);
+/// A list, or a text with colons between its items, such as ~package_path. Throws kBadOption for anything else.
+std::vector<std::string> readFolders(const ros::NodeHandle& node, const std::string& name);
 
 /// A text parameter; `fallback` if it is not set. Throws kBadOption if it is not a text.
 std::string textParameter(const ros::NodeHandle& node, const std::string& name, const std::string& fallback = "");

@@ -50,6 +50,7 @@ View::View(const ros::NodeHandle& node) : node_(node) {
   const auto connected = [this](const ros::SingleSubscriberPublisher&) { subscribed(); };
   for (std::size_t i = 0; i < kTopics; ++i)
     displays_[i].publisher = node_.advertise<visualization_msgs::MarkerArray>(names[i], 1, connected, {}, ros::VoidConstPtr(), true);
+  for (std::size_t i = 0; i < kTopics; ++i) put(static_cast<Topic>(i), {});  // what an earlier node of this name left in rviz goes
   timer_ = node_.createWallTimer(ros::WallDuration(kTick), [this](const ros::WallTimerEvent&) { repeat(); });
   transforms_ = node_.subscribe("/tf", 100, &View::transformed, this);
   static_transforms_ = node_.subscribe("/tf_static", 100, &View::transformed, this);

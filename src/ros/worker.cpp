@@ -1,9 +1,24 @@
 // One thread for each job, joined when the next one starts or at the end.
 #include "worker.h"
 
+#include <exception>
+#include <iostream>
 #include <utility>
 
 namespace collision_hulls {
+namespace {
+
+/// What throws ends by itself alone: an exception that leaves a thread would end the node.
+template <class Function>
+void attempt(const Function& function) {
+  try {
+    function();
+  } catch (const std::exception& error) {
+    std::cerr << "a job of the node ended early: " << error.what() << "\n";
+  }
+}
+
+}  // namespace
 
 Worker::~Worker() {
   stop();
@@ -22,14 +37,14 @@ bool Worker::start(Job job) {
 }
 
 void Worker::run(const Job& job, const RunControl& control) {
-  job.work(control);
+  attempt([&] { job.work(control); });
   {
     // Free before the reply, as its receiver may send the next job right away.
     const std::lock_guard<std::mutex> lock(mutex_);
     running_ = false;
     current_.clear();
   }
-  job.reply();
+  attempt(job.reply);
 }
 
 void Worker::cancel(const std::string& name) {

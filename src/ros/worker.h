@@ -16,8 +16,8 @@ class Worker {
  public:
   struct Job {
     std::string name;                             ///< for messages and for cancel()
-    std::function<void(const RunControl&)> work;  ///< must not throw
-    std::function<void()> reply;                  ///< runs once the next job may start; must not throw
+    std::function<void(const RunControl&)> work;  ///< the reply comes even if it throws
+    std::function<void()> reply;                  ///< runs once the next job may start
   };
 
   /// Cancels the job and waits for its end.

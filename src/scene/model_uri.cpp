@@ -7,7 +7,9 @@
 #include <sstream>
 #include <vector>
 
+#include "base/roots.h"
 #include "collision_hulls/error.h"
+#include "robot/uri_checks.h"
 
 namespace fs = std::filesystem;
 
@@ -37,20 +39,27 @@ std::vector<fs::path> modelFolders(const std::string& base) {
 
 std::string resolveModel(const std::string& path, const std::string& base, const PackageFinder& find_package) {
   std::error_code error;
+  const std::size_t name_end = std::min(path.find('/'), path.size());
+  const std::string model = path.substr(0, name_end), rest = path.substr(name_end);
+  checkStaysWithin(kScheme + path, model, fs::path(rest).relative_path().string());
   for (const fs::path& folder : modelFolders(base)) {
     if (fs::exists(folder / path, error)) return (folder / path).string();
   }
-  const std::size_t name_end = std::min(path.find('/'), path.size());
-  const std::optional<std::string> package = find_package(path.substr(0, name_end));
-  if (package && fs::exists(*package + path.substr(name_end), error)) return *package + path.substr(name_end);
-  throw Error(ErrorCode::kPackageNotFound, "'" + (kScheme + path) + "' was not found; add the folder that contains '" +
-                                               path.substr(0, name_end) + "' to GAZEBO_MODEL_PATH or SDF_PATH");
+  const std::optional<std::string> package = find_package(model);
+  if (package && fs::exists(*package + rest, error)) return *package + rest;
+  throw Error(ErrorCode::kPackageNotFound,
+              "'" + (kScheme + path) + "' was not found; add the folder that contains '" + model + "' to GAZEBO_MODEL_PATH or SDF_PATH");
 }
 
 }  // namespace
 
 std::string resolveModelUri(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
-  if (uri.rfind(kScheme, 0) == 0) return resolveModel(uri.substr(sizeof kScheme - 1), base, find_package);
+  if (uri.rfind(kScheme, 0) == 0) {
+    checkCharacters(uri);
+    const std::string path = resolveModel(uri.substr(sizeof kScheme - 1), base, find_package);
+    checkRead(path);
+    return path;
+  }
   if (uri.rfind("http://", 0) == 0 || uri.rfind("https://", 0) == 0) {
     throw Error(ErrorCode::kUnsupportedFormat, "'" + uri + "' is on the web; download the file and give its path");
   }

@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
   addOptions(app, command);
   std::string comparison;
   const RobotWork work = [&](const Input& input, const std::string& output, const RunControl& control, const StepCallback& step) {
-    if (!command.compare.empty()) inContext("--compare", [&] { checkBeside(command.compare, output); });
+    if (!command.compare.empty()) inContext("--compare", [&] { checkBeside(command.compare = writablePath(command.compare), output); });
     const SceneRequest request = requestOf(command, input, control);
     RobotResult result = fitRobotToScene(input.robot, input.find_package, request, command.robot.options, output, control, step);
     if (request.compare && result.report.scene) comparison = comparisonCsv(result.robot_name, *result.report.scene);

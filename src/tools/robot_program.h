@@ -5,9 +5,12 @@
 #include <functional>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/roots.h"
 #include "base/string_parts.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
@@ -25,7 +28,7 @@ enum ExitStatus { kDone = 0, kSomeFailed = 1, kWrongUse = 2, kInterrupted = 130 
 /// The command line of such a program.
 struct RobotCommand {
   std::string program, input, output, json;
-  std::vector<std::string> package_path;
+  std::vector<std::string> package_path, roots;
   bool quiet = false;
   Options options;
 };
@@ -46,6 +49,10 @@ inline void addRobotOptions(CommandLine& app, const std::string& input, RobotCom
       ->type_name("DIR or NAME=DIR")
       ->check(notEmpty("a folder"))
       ->group("Input");
+  app.add_option("--root", command.roots, "Read and write below this folder alone, and read packages; repeatable; default: anywhere")
+      ->type_name("DIR")
+      ->check(notEmpty("a folder"))
+      ->group("Run");
   app.add_option("--json", command.json, "Write the report to this file as well; - writes it to standard output, instead of the table")
       ->type_name("FILE")
       ->check(notEmpty("a file, or - for standard output"))
@@ -140,20 +147,35 @@ inline Input opened(const RobotCommand& command) {
   return input;
 }
 
+/// What --root confines the program to: those folders, and packages. No roots: nothing.
+inline void confine(const RobotCommand& command, std::optional<Confinement>& confinement) {
+  if (command.roots.empty()) return;
+  Roots roots;
+  roots.read = roots.write = command.roots;
+  for (const std::string& item : command.package_path) roots.read.push_back(item.substr(item.find('=') + 1));
+  roots.package_with = [finder = defaultPackageFinder("", command.package_path)](const std::string& path) {
+    return finder.packageWith(path);
+  };
+  roots.more_read = roots.more_write = "add --root with its folder";
+  confinement.emplace(std::move(roots));
+}
+
 using RobotWork =
     std::function<RobotResult(const Input& input, const std::string& output, const RunControl& control, const StepCallback& step)>;
 
 /// Reads the input, works, writes, and prints the report. Returns the exit status.
-inline int runRobotCommand(const RobotCommand& command, const RobotWork& work) {
+inline int runRobotCommand(RobotCommand command, const RobotWork& work) {
   static RunControl control;  // a signal may come until the program ends
   ProgressDisplay display(command.quiet);
   cancelOnSignals(control);
 
   checkCommand(command);
+  std::optional<Confinement> confinement;
+  confine(command, confinement);
   const Input input = opened(command);
-  const std::string output = command.output.empty() ? defaultOutput(input) : command.output;
+  const std::string output = writablePath(command.output.empty() ? defaultOutput(input) : command.output);
   checkOutput(output);
-  if (isFile(command.json)) inContext("--json", [&] { checkBeside(command.json, output); });
+  if (isFile(command.json)) inContext("--json", [&] { checkBeside(command.json = writablePath(command.json), output); });
   const std::string work_ahead = workOn(input, command.options);
   if (!command.quiet) std::cerr << "reading " << work_ahead << "\n";
   RobotResult result = work(input, output, control, [&](const Step& step) {

@@ -23,7 +23,7 @@ XmlOutline scan(const XmlSource& source) {
   try {
     return scanXml(source.text);
   } catch (const XmlSyntaxError& error) {
-    source.failAt(ErrorCode::kNotXml, lineOf(source.text, error.offset()), std::string(error.what()) + "; the text has to be XML");
+    source.failAt(ErrorCode::kNotXml, lineOf(source.text, error.offset()), std::string(error.what()) + "; correct it there");
   }
 }
 
@@ -48,13 +48,13 @@ void XmlSource::failAt(ErrorCode code, std::size_t line, const std::string& reas
 }
 
 std::size_t XmlSource::lineFromRoot(int line) const {
-  return lineOf(text, root_offset) + static_cast<std::size_t>(line) - 1;
+  return root_line + static_cast<std::size_t>(line) - 1;
 }
 
 void loadRoot(XmlSource& source, tinyxml2::XMLDocument& document) {
   checkEncoding(source);
   const XmlOutline outline = scan(source);
-  source.root_offset = outline.elements.front().begin;
+  source.root_line = lineOf(source.text, outline.elements.front().begin);
   const std::string root = readableRoot(source, outline);
   document.Parse(root.data(), root.size());
   if (!document.Error()) return;

@@ -10,6 +10,9 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
+// XML libraries compare each attribute with all before it. The elements of descriptions have a dozen.
+constexpr std::size_t kMostAttributes = 1000;
+
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_(text) {
@@ -95,7 +98,11 @@ class Scanner {
     element.name = readName();
     if (element.name.empty()) fail(element.begin, "'<' is not followed by a name");
     if (open_.empty() && !elements_.empty()) fail(element.begin, "there is a second root element, <" + std::string(element.name) + ">");
+    std::size_t attributes = 0;
     while (attribute(element)) {
+      if (++attributes > kMostAttributes)
+        fail(element.begin, "<" + std::string(element.name) + "> has more than " + std::to_string(kMostAttributes) +
+                                " attributes, the most that are read");
     }
     element.self_closing = text_[at_] == '/';
     at_ += element.self_closing ? 2 : 1;

@@ -21,7 +21,7 @@ TEST(ReadDescription, MissingFileAndFolder) {
 }
 
 TEST(ReadDescription, EndlessFile) {
-  expectError(ErrorCode::kTooLarge, {"/dev/zero", "bytes"}, [] { readRobotDescription("/dev/zero"); });
+  expectError(ErrorCode::kFileNotFound, {"/dev/zero", "not a regular file"}, [] { readRobotDescription("/dev/zero"); });
 }
 
 TEST(ReadDescription, KeepsEveryByte) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "base/roots.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/robot_tests.h"
 
@@ -45,6 +46,56 @@ TEST_F(ResolveUri, TheMessageHasAnAbsolutePath) {
 
 TEST_F(ResolveUri, UnknownScheme) {
   expectError(ErrorCode::kFileNotFound, {"http://host/x.stl", "package://"}, [&] { resolve("http://host/x.stl"); });
+}
+
+TEST_F(ResolveUri, ControlCharacters) {
+  for (const std::string& uri : {std::string("package://arm/meshes/a%00b.stl"), std::string("package://arm/meshes/a b.stl\0x", 29),
+                                 mesh_ + "%00", mesh_ + "\n", mesh_ + "%7f", mesh_ + "%0A"})
+    expectError(ErrorCode::kFileNotFound, {"control character"}, [&] { resolve(uri); });
+}
+
+TEST_F(ResolveUri, LongerThanAnyPath) {
+  expectError(ErrorCode::kFileNotFound, {"'/aaa", "...' has 5000000 bytes"}, [&] { resolve("/" + std::string(4999999, 'a')); });
+}
+
+TEST_F(ResolveUri, NamesThatAreNoPackages) {
+  const PackageFinder finder = [](const std::string& package) -> std::optional<std::string> {
+    ADD_FAILURE() << "a program would be asked for '" << package << "'";
+    return std::nullopt;
+  };
+  for (const char* uri : {"package://-h/x.stl", "package://--help/x.stl", "package://%2dh/x.stl", "package://a;b/x.stl",
+                          "package://a b/x.stl", "package://../x.stl", "package://.hidden/x.stl", "package://$(x)/x.stl"})
+    expectError(ErrorCode::kPackageNotFound, {"is not a package's name"}, [&] { resolveUri(uri, base_, finder); });
+}
+
+TEST_F(ResolveUri, OutOfAPackage) {
+  folder_.write("secret.stl");
+  for (const char* uri : {"package://arm/../secret.stl", "package://arm/meshes/../../secret.stl", "package://arm/%2e%2e/secret.stl",
+                          "package://arm/..%2fsecret.stl", "package://arm/../arm/meshes/a b.stl"})
+    expectError(ErrorCode::kOutsideRoots, {"leads out of 'arm'"}, [&] { resolve(uri); });
+}
+
+TEST_F(ResolveUri, DecodedOnce) {
+  folder_.write("arm/meshes/a%41.stl");
+  EXPECT_EQ(resolve("package://arm/meshes/a%2541.stl"), folder_.path("arm/meshes/a%41.stl"));
+  EXPECT_EQ(resolve("package://%61rm/meshes/a%20b.stl"), mesh_);
+  expectError(ErrorCode::kPackageNotFound, {"'%61rm'"}, [&] { resolve("package://%2561rm/meshes/a b.stl"); });
+}
+
+TEST_F(ResolveUri, AHost) {
+  expectError(ErrorCode::kFileNotFound, {"names the host 'server'", "file:///PATH"}, [&] { resolve("file://server/share/a.stl"); });
+  EXPECT_EQ(resolve("file://" + folder_.write("arm/urdf/meshes/c.stl").substr(folder_.path("arm/urdf/").size())),
+            folder_.path("arm/urdf/meshes/c.stl"));
+}
+
+TEST_F(ResolveUri, OutsideOfTheRoots) {
+  const std::string outside = folder_.write("outside/a.stl");
+  std::filesystem::create_directories(folder_.path("arm/urdf"));
+  std::filesystem::create_symlink(outside, folder_.path("arm/urdf/link.stl"));
+  const Confinement confinement({{folder_.path("arm/urdf")}, {}, {}, {}, "set ~read_roots", ""});
+  EXPECT_EQ(resolve("package://arm/meshes/a b.stl"), mesh_) << "a package may be read";
+  for (const std::string& uri : {outside, "file://" + outside, std::string("link.stl"), std::string("../../outside/a.stl")})
+    expectError(ErrorCode::kOutsideRoots, {outside, "set ~read_roots"}, [&] { resolve(uri); });
 }
 
 TEST_F(ResolveUri, Package) {

@@ -22,7 +22,7 @@ class LifetimeTest(unittest.TestCase):
     def start_node(self, robot, **options):
         rospy.set_param("/robot_description", robot)
         program = roslib.packages.find_node("collision_hulls", "collision_hulls_node")[0]
-        node = subprocess.Popen([program, "_auto:=true", "_cache:=false", "_method:=hacd", "_output:=" + self.folder.output], **options)
+        node = subprocess.Popen([program, "_auto:=true", "_cache:=false", "_method:=hacd", "_output:=" + self.folder.output, *robots.ROOTS], **options)
         self.addCleanup(self.end, node)
         rospy.wait_for_service(NODE + "/decompose", timeout=30)
         return node

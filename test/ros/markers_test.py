@@ -121,7 +121,7 @@ class MarkersTest(unittest.TestCase):
         texts = []
         rospy.Subscriber("/early/progress", MarkerArray, lambda array: texts.extend(marker.text for marker in array.markers if marker.text))
         program = roslib.packages.find_node("collision_hulls", "collision_hulls_node")[0]
-        node = subprocess.Popen([program, "__name:=early", "_auto:=true", "_cache:=false", "_output:=" + self.folder.output])
+        node = subprocess.Popen([program, "__name:=early", "_auto:=true", "_cache:=false", "_output:=" + self.folder.output, *robots.ROOTS])
         self.addCleanup(node.wait, 20)
         self.addCleanup(node.terminate)
         markers = rospy.wait_for_message("/early/original", MarkerArray, timeout=20).markers[1:]

@@ -14,6 +14,7 @@ import rospy  # noqa: E402
 from collision_hulls.srv import Decompose  # noqa: E402
 
 NODE = "/collision_hulls"
+ROOTS = [f"_{name}:={tempfile.gettempdir()}" for name in ("output_root", "read_roots")]  # of a node that a test starts
 
 
 def box(x, y, z):

@@ -10,7 +10,7 @@ import roslib.packages
 import rospy
 import rostest
 from geometry_msgs.msg import TransformStamped
-from robots import Folder, wait_until
+from robots import ROOTS, Folder, wait_until
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -59,7 +59,7 @@ class ViewTest(unittest.TestCase):
     def start_node(self, name):
         rospy.set_param("/robot_description", re.sub(r'"(base|arm|tip)"', rf'"{name}_\1"', self.folder.small_robot()))
         program = roslib.packages.find_node("collision_hulls", "collision_hulls_node")[0]
-        node = subprocess.Popen([program, f"__name:={name}", "_auto:=true", f"_output:={self.folder.output}"], stdout=subprocess.DEVNULL)
+        node = subprocess.Popen([program, f"__name:={name}", "_auto:=true", f"_output:={self.folder.output}", *ROOTS], stdout=subprocess.DEVNULL)
         self.addCleanup(self.end, node)
         return node
 

@@ -4,6 +4,7 @@
 
 #include <future>
 #include <memory>
+#include <new>
 #include <string>
 #include <thread>
 
@@ -55,6 +56,15 @@ TEST(Worker, RefusesASecondJobUntilTheFirstIsDone) {
   held.release.set_value();
   EXPECT_FALSE(held.cancelled.get_future().get());
   EXPECT_TRUE(worker.start({"third", kNothing, kNoReply}));
+}
+
+TEST(Worker, OutlivesAJobThatThrows) {
+  std::promise<void> replied;
+  const auto fail = [](const RunControl&) { throw std::bad_alloc(); };
+  Worker worker;
+  ASSERT_TRUE(worker.start({"job", fail, [&] { replied.set_value(), throw std::bad_alloc(); }}));
+  replied.get_future().wait();
+  EXPECT_TRUE(worker.start({"next", kNothing, kNoReply}));
 }
 
 TEST(Worker, IsFreeWhenItReplies) {

@@ -1,5 +1,6 @@
 #include "scene/model_uri.h"
 
+#include "base/roots.h"
 #include "scene/scene_tests.h"
 
 namespace collision_hulls {
@@ -30,6 +31,24 @@ TEST(ModelUri, SaysWhereToPutWhatIsMissing) {
               [&] { resolveModelUri("model://none/a.stl", folder.path("w.sdf"), noPackages()); });
   expectError(ErrorCode::kUnsupportedFormat, {"download"},
               [&] { resolveModelUri("https://example.com/a.stl", folder.path("w.sdf"), noPackages()); });
+}
+
+TEST(ModelUri, NothingOutOfAModel) {
+  const TemporaryFolder folder;
+  folder.write("world/models/cup/mesh.stl");
+  folder.write("world/secret.stl");
+  for (const char* uri : {"model://cup/../../secret.stl", "model://../secret.stl", "model://cup/../cup/mesh.stl"})
+    expectError(ErrorCode::kOutsideRoots, {"leads out of"}, [&] { resolveModelUri(uri, folder.path("world/cell.sdf"), noPackages()); });
+  expectError(ErrorCode::kFileNotFound, {"control character"},
+              [&] { resolveModelUri("model://cup/mesh%00.stl", folder.path("world/cell.sdf"), noPackages()); });
+}
+
+TEST(ModelUri, OutsideOfTheRoots) {
+  const TemporaryFolder folder;
+  const std::string mesh = folder.write("world/models/cup/mesh.stl");
+  const Confinement confinement({{folder.path("other")}, {}, {}, {}, "set ~read_roots", ""});
+  expectError(ErrorCode::kOutsideRoots, {mesh},
+              [&] { resolveModelUri("model://cup/mesh.stl", folder.path("world/cell.sdf"), noPackages()); });
 }
 
 }  // namespace

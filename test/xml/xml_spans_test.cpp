@@ -115,5 +115,15 @@ TEST(XmlSpans, LinesCountFromOne) {
   EXPECT_EQ(lineOf("a\nb\r\nc", 5), 3u);
 }
 
+TEST(ScanXml, RefusesMoreAttributesThanAnyElementHas) {
+  const auto withAttributes = [](int count) {
+    std::string tag = "<robot>\n<link";
+    for (int i = 0; i < count; ++i) tag += " a" + std::to_string(i) + "='x'";
+    return tag + "/></robot>";
+  };
+  EXPECT_EQ(scanXml(withAttributes(1000)).elements.size(), 2u);
+  EXPECT_THROW(scanXml(withAttributes(1001)), XmlSyntaxError);
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -113,6 +113,10 @@ class PackageFinder {
   std::optional<std::string> fileNearby(const std::string& package, const std::string& rest,
                                         const std::string& base) const;
 
+  /// The real folder of the package in ROS_PACKAGE_PATH or the package path that holds a path
+  /// without links; empty if none does.
+  std::string packageWith(const std::string& path) const;
+
   /// Which folders were used in place of packages, and which manifests could not be read; so far.
   std::vector<std::string> notes() const;
 

@@ -1,0 +1,84 @@
+// The parameters are read once. The finder and the roots are made anew for each request, as packages come and go.
+#include "places.h"
+
+#include <ros/package.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "collision_hulls/error.h"
+#include "parameters.h"
+
+namespace fs = std::filesystem;
+
+namespace collision_hulls {
+namespace {
+
+/// The folder of a package as ROS knows it.
+std::optional<std::string> rosPackage(const std::string& package) {
+  try {
+    const std::string folder = ros::package::getPath(package);
+    return folder.empty() ? std::nullopt : std::optional(folder);
+  } catch (const std::exception&) {
+    return std::nullopt;  // rospack gives up at the first broken package.xml, whatever was asked; our own search notes it
+  }
+}
+
+fs::path rosHome() {
+  if (const char* folder = std::getenv("ROS_HOME"); folder && *folder) return folder;
+  const char* const home = std::getenv("HOME");
+  return fs::path(home ? home : "") / ".ros";
+}
+
+/// The folder of an item of ~package_path.
+std::string folderOf(const std::string& item) {
+  std::error_code error;
+  return fs::is_directory(item, error) ? item : item.substr(item.find('=') + 1);
+}
+
+}  // namespace
+
+Places::Places(const ros::NodeHandle& node)
+    : output_root_(textParameter(node, "output_root")),
+      base_(textParameter(node, "base")),
+      output_(textParameter(node, "output")),
+      read_roots_(readFolders(node, "read_roots")),
+      package_path_(readFolders(node, "package_path")) {
+  if (output_root_.empty()) output_root_ = rosHome() / "collision_hulls_output";
+  output_root_ = fs::absolute(output_root_).lexically_normal().string();
+}
+
+PackageFinder Places::packageFinder(const std::string& near) const {
+  return defaultPackageFinder(near, package_path_).askingFirst(rosPackage);
+}
+
+/// Empty without a description's file, and where that is missing.
+std::string Places::baseFolder() const {
+  try {
+    return base_.empty() ? "" : fs::path(resolveUri(base_, "", packageFinder(""))).parent_path().string();
+  } catch (const Error&) {
+    return "";
+  }
+}
+
+Roots Places::roots() const {
+  Roots roots;
+  roots.read = read_roots_;
+  roots.read.push_back(output_root_);
+  for (const std::string& item : package_path_) roots.read.push_back(folderOf(item));
+  const std::string base = baseFolder();
+  if (!base.empty()) roots.read.push_back(base);
+  roots.write = {output_root_};
+  if (!output_.empty()) roots.outputs = {(fs::path(output_root_) / output_).string()};
+  roots.read.insert(roots.read.end(), roots.outputs.begin(), roots.outputs.end());
+  roots.package_with = [finder = packageFinder(base)](const std::string& path) { return finder.packageWith(path); };
+  roots.more_read = "start the node with a ~read_roots that has its folder";
+  roots.more_write = "start the node with another ~output_root, or choose a folder below it";
+  return roots;
+}
+
+std::string Places::output(const std::string& wanted) const {
+  return writablePath((fs::path(output_root_) / wanted).lexically_normal().string());
+}
+
+}  // namespace collision_hulls

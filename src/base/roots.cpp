@@ -90,12 +90,14 @@ Confinement::~Confinement() {
   confined.reset();
 }
 
-void allowPackage(const std::string& folder) {
+bool allowPackage(const std::string& folder) {
   const std::shared_ptr<State> now = state();
-  if (!now) return;
+  if (!now) return false;
   const std::string package = real(folder).string();
   const std::lock_guard<std::mutex> lock(mutex);
-  if (!anyHolds(now->packages, package)) now->packages.push_back(package);
+  if (anyHolds(now->packages, package)) return false;
+  now->packages.push_back(package);
+  return true;
 }
 
 void checkRead(const std::string& path) {

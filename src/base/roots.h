@@ -24,8 +24,9 @@ class Confinement {
   Confinement& operator=(const Confinement&) = delete;
 };
 
-/// Lets a confined process read a folder that turned out to be a package's. Without confinement it does nothing, nor do the checks below.
-void allowPackage(const std::string& folder);
+/// Lets a confined process read a folder that turned out to be a package's; whether that is news. Without confinement it does nothing, nor
+/// do the checks below.
+bool allowPackage(const std::string& folder);
 
 /// Throws kOutsideRoots where a path, all links resolved, may not be read.
 void checkRead(const std::string& path);

@@ -48,6 +48,19 @@ std::optional<PackageFolder> packageAt(const fs::path& folder) {
   return PackageFolder{name && name->GetText() ? trimmed(name->GetText(), kXmlSpace) : folder_name};
 }
 
+std::vector<fs::path> realFolders(const fs::path& folder, const std::string& package) {
+  std::error_code error;
+  std::vector<fs::path> folders{fs::canonical(folder, error)};
+  if (error) return {};
+  for (const fs::path& entry : sortedEntries(folder)) {
+    if (!fs::is_symlink(entry, error) || !isFolder(entry)) continue;
+    const fs::path target = fs::canonical(entry, error);
+    const auto source = packageAt(target.parent_path());
+    if (source && source->name == package) folders.push_back(target);
+  }
+  return folders;
+}
+
 PackageCrawl::PackageCrawl(const std::vector<fs::path>& roots) {
   for (const fs::path& root : roots) visit(root);
 }
@@ -70,7 +83,7 @@ void PackageCrawl::visit(const fs::path& folder) {
   if (isFile(folder / "CATKIN_IGNORE")) return;
   if (const auto package = packageAt(folder)) {
     packages_.emplace(package->name, folder.string());
-    real_packages_.insert(real);
+    for (const fs::path& each : realFolders(real, package->name)) real_packages_.insert(each);
     if (package->broken) broken_manifests_.push_back((folder / "package.xml").string());
     return;
   }

@@ -21,6 +21,10 @@ struct PackageFolder {
 };
 std::optional<PackageFolder> packageAt(const std::filesystem::path& folder);
 
+/// Where a package's files really are, without links: its folder, and those that its entries lead to in another folder of the same package.
+/// A devel space is made of such links into the source.
+std::vector<std::filesystem::path> realFolders(const std::filesystem::path& folder, const std::string& package);
+
 /// Descends as rospack does: not into packages, hidden folders, or below CATKIN_IGNORE and rospack_nosubdirs. The first package of a
 /// name counts.
 class PackageCrawl {

@@ -210,7 +210,8 @@ std::optional<std::string> PackageFinder::knownPackage(const std::string& packag
   std::optional<std::string> folder = search_->named(package);
   if (!folder && first_) folder = first_(package);
   if (!folder) folder = search_->known(package);
-  if (folder) allowPackage(*folder);
+  if (folder && allowPackage(*folder))
+    for (const fs::path& each : realFolders(*folder, package)) allowPackage(each.string());
   return folder;
 }
 

@@ -1,6 +1,7 @@
 // A robot description from text: elements by tinyxml2, meaning by urdfdom.
 #include <tinyxml2.h>
 
+#include <cstring>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -13,6 +14,8 @@
 
 namespace collision_hulls {
 namespace {
+
+constexpr std::size_t kLongestName = 1000;  // [bytes] of a link
 
 // "<xacro:include> in line 7": the first of xacro's elements; empty if there is none.
 std::string xacroElement(const XmlSource& subject, const tinyxml2::XMLElement& root) {
@@ -46,12 +49,14 @@ void checkIsRobot(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   }
 }
 
-// urdfdom accepts links without a name.
-void checkLinksHaveNames(const XmlSource& subject, const tinyxml2::XMLElement& root) {
+// urdfdom accepts links without a name. The matching of regular expressions (--links) recurses over a name.
+void checkLinkNames(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   for (const auto* link = root.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
     const char* name = link->Attribute("name");
-    if (name && *name) continue;
-    subject.failAt(ErrorCode::kNotARobot, subject.lineFromRoot(link->GetLineNum()), "a <link> has no name");
+    const std::size_t line = subject.lineFromRoot(link->GetLineNum());
+    if (!name || !*name) subject.failAt(ErrorCode::kNotARobot, line, "a <link> has no name");
+    if (std::strlen(name) > kLongestName)
+      subject.failAt(ErrorCode::kNotARobot, line, "a link's name is longer than " + std::to_string(kLongestName) + " bytes; shorten it");
   }
 }
 
@@ -140,7 +145,7 @@ RobotDescription parseRobotDescription(const std::string& urdf_text, const std::
   loadRoot(subject, document);
   tinyxml2::XMLElement& robot = *document.RootElement();
   checkIsRobot(subject, robot);
-  checkLinksHaveNames(subject, robot);
+  checkLinkNames(subject, robot);
   GeometryStandIns stand_ins(subject, robot);
   stand_ins.takeOutOtherThings();
   UrdfModel model = loadModel(subject, robot, stand_ins);

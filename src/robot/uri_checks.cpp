@@ -47,9 +47,9 @@ void checkCharacters(const std::string& uri) {
 
 void checkPackageName(const std::string& uri, const std::string& name) {
   if (isPackageName(name)) return;
-  throw Error(ErrorCode::kPackageNotFound, "'" + shown(name) + "' of '" + shown(uri) +
-                                               "' is not a package's name: it takes letters, digits, '_', '-' and '.', and begins with a "
-                                               "letter, a digit or '_'");
+  throw Error(ErrorCode::kFileNotFound, "'" + shown(name) + "' of '" + shown(uri) +
+                                            "' is not a package's name: it takes letters, digits, '_', '-' and '.', and begins with a "
+                                            "letter, a digit or '_'");
 }
 
 void checkStaysWithin(const std::string& uri, const std::string& name, const std::string& path) {

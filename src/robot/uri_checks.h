@@ -15,7 +15,7 @@ std::string shown(const std::string& text);
 /// percent-encoded ("%00").
 void checkCharacters(const std::string& uri);
 
-/// Throws kPackageNotFound for a name in a URI that is no package's.
+/// Throws kFileNotFound for a name in a URI that is no package's.
 void checkPackageName(const std::string& uri, const std::string& name);
 
 /// Throws kOutsideRoots where a path in a URI leads out of the package or model `name`, if only on its way.

@@ -87,6 +87,7 @@ void Node::decomposeAtStart() {
 }
 
 DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunControl& control, const StepCallback& step) {
+  checkTexts(request);
   const Confinement confinement(places_.roots());
   const Input input = inputOf(request.robot_description);
   const Options options = requestedOptions(readOptions(private_), request, input.robot);
@@ -100,6 +101,7 @@ DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunCont
 }
 
 FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& control, const StepCallback& step) {
+  checkTexts(request);
   const Confinement confinement(places_.roots());
   const Input input = inputOf(request.robot_description);
   Options own = readOptions(private_);

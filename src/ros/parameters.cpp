@@ -5,11 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "collision_hulls/error.h"
 #include "joint_states.h"
 #include "live_scene.h"
+#include "robot/uri_checks.h"
 
 namespace collision_hulls {
 namespace {
@@ -67,19 +69,29 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// The regular expression that matches these names alone.
+/// The regular expression that matches these names alone; empty for all.
 std::string linksExpression(const std::vector<std::string>& names, const RobotDescription& robot) {
+  std::set<std::string> known;
+  for (const LinkDescription& link : robot.links) known.insert(link.name);
+  const std::set<std::string> wanted(names.begin(), names.end());
   std::string expression;
-  for (const std::string& name : names) {
-    const auto has_name = [&](const LinkDescription& link) { return link.name == name; };
-    if (std::none_of(robot.links.begin(), robot.links.end(), has_name)) {
-      std::string known;
-      for (const LinkDescription& link : robot.links) known += (known.empty() ? "" : ", ") + link.name;
-      throw Error(ErrorCode::kBadOption, "links: robot '" + robot.name + "' has no link '" + name + "': use some of " + known);
+  for (const std::string& name : wanted) {
+    if (known.count(name) == 0) {
+      std::string list;
+      for (const LinkDescription& link : robot.links) list += (list.empty() ? "" : ", ") + link.name;
+      throw Error(ErrorCode::kBadOption, "links: robot '" + robot.name + "' has no link '" + name + "': use some of " + list);
     }
     expression += (expression.empty() ? "" : "|") + escaped(name);
   }
-  return expression;
+  return wanted == known ? "" : expression;
+}
+
+void checkText(const std::string& field, const std::string& text) {
+  try {
+    checkCharacters(text);
+  } catch (const Error& error) {
+    throw Error(ErrorCode::kBadOption, field + ": " + error.what());
+  }
 }
 
 std::string rootLink(const RobotDescription& robot) {
@@ -136,6 +148,19 @@ std::vector<std::string> readFolders(const ros::NodeHandle& node, const std::str
     if (!folder.empty()) folders.push_back(folder);
   }
   return folders;
+}
+
+void checkTexts(const DecomposeRequest& request) {
+  checkText("output", request.output);
+  checkText("method", request.method);
+  for (const std::string& link : request.links) checkText("links", link);
+}
+
+void checkTexts(const FitSceneRequest& request) {
+  checkText("output", request.output);
+  checkText("scene", request.scene);
+  checkText("configurations", request.configurations);
+  for (const std::string& link : request.links) checkText("links", link);
 }
 
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot) {

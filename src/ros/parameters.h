@@ -25,6 +25,10 @@ std::string textParameter(const ros::NodeHandle& node, const std::string& name, 
 /// Sets `value` to a parameter; leaves it if that is not set. Throws kBadOption if it is neither true nor false.
 void readFlag(const ros::NodeHandle& node, const std::string& name, bool& value);
 
+/// Throws kBadOption for a text of a request that is longer than a path can be, or holds control characters: messages quote it.
+void checkTexts(const DecomposeRequest& request);
+void checkTexts(const FitSceneRequest& request);
+
 /// `options` with the request's own in their place. Throws kBadOption, also for a link that the robot does not have.
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot);
 

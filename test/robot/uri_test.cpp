@@ -28,7 +28,7 @@ TEST_F(ResolveUri, Empty) {
 TEST_F(ResolveUri, UnknownPackage) {
   expectError(ErrorCode::kPackageNotFound, {"'leg'", "package://leg/x.stl", "--package-path leg=DIR"},
               [&] { resolve("package://leg/x.stl"); });
-  expectError(ErrorCode::kPackageNotFound, {"''"}, [&] { resolve("package://"); });
+  expectError(ErrorCode::kFileNotFound, {"''"}, [&] { resolve("package://"); });
   expectError(ErrorCode::kPackageNotFound, {"'arm'"}, [&] { resolveUri("package://arm/meshes/a b.stl", "", nullptr); });
 }
 
@@ -65,7 +65,7 @@ TEST_F(ResolveUri, NamesThatAreNoPackages) {
   };
   for (const char* uri : {"package://-h/x.stl", "package://--help/x.stl", "package://%2dh/x.stl", "package://a;b/x.stl",
                           "package://a b/x.stl", "package://../x.stl", "package://.hidden/x.stl", "package://$(x)/x.stl"})
-    expectError(ErrorCode::kPackageNotFound, {"is not a package's name"}, [&] { resolveUri(uri, base_, finder); });
+    expectError(ErrorCode::kFileNotFound, {"is not a package's name"}, [&] { resolveUri(uri, base_, finder); });
 }
 
 TEST_F(ResolveUri, OutOfAPackage) {
@@ -79,7 +79,7 @@ TEST_F(ResolveUri, DecodedOnce) {
   folder_.write("arm/meshes/a%41.stl");
   EXPECT_EQ(resolve("package://arm/meshes/a%2541.stl"), folder_.path("arm/meshes/a%41.stl"));
   EXPECT_EQ(resolve("package://%61rm/meshes/a%20b.stl"), mesh_);
-  expectError(ErrorCode::kPackageNotFound, {"'%61rm'"}, [&] { resolve("package://%2561rm/meshes/a b.stl"); });
+  expectError(ErrorCode::kFileNotFound, {"'%61rm'"}, [&] { resolve("package://%2561rm/meshes/a b.stl"); });
 }
 
 TEST_F(ResolveUri, AHost) {

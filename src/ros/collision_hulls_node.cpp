@@ -91,6 +91,7 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "collision_hulls", ros::init_options::NoSigintHandler);
   handleSignals();
   if (!waitForMaster()) return 0;
+  const ros::NodeHandle last;  // when there is none any more the log ends
   int status = 0;
   try {
     status = serve();

@@ -23,7 +23,7 @@ XmlOutline scan(const XmlSource& source) {
   try {
     return scanXml(source.text);
   } catch (const XmlSyntaxError& error) {
-    source.failAt(ErrorCode::kNotXml, lineOf(source.text, error.offset()), std::string(error.what()) + "; correct it there");
+    source.failAt(ErrorCode::kNotXml, lineOf(source.text, error.offset()), error.what());
   }
 }
 

@@ -27,7 +27,9 @@ class Scanner {
   }
 
  private:
-  [[noreturn]] static void fail(std::size_t offset, const std::string& reason) { throw XmlSyntaxError(offset, reason); }
+  [[noreturn]] static void fail(std::size_t offset, const std::string& reason) {
+    throw XmlSyntaxError(offset, reason + "; the text has to be XML");
+  }
 
   bool startsWith(std::string_view prefix) const { return text_.substr(at_, prefix.size()) == prefix; }
 
@@ -101,8 +103,8 @@ class Scanner {
     std::size_t attributes = 0;
     while (attribute(element)) {
       if (++attributes > kMostAttributes)
-        fail(element.begin, "<" + std::string(element.name) + "> has more than " + std::to_string(kMostAttributes) +
-                                " attributes, the most that are read");
+        throw XmlSyntaxError(element.begin, "<" + std::string(element.name) + "> has more than " + std::to_string(kMostAttributes) +
+                                                " attributes; remove some");
     }
     element.self_closing = text_[at_] == '/';
     at_ += element.self_closing ? 2 : 1;

@@ -267,5 +267,39 @@ TEST(ParseDescription, ThreadsDoNotMixTheirMessages) {
   other.join();
 }
 
+TEST(ParseDescription, ALinkNameThatIsTooLong) {
+  const auto robot = [](std::size_t length) { return "<robot name='r'><link name='" + std::string(length, 'a') + "'/></robot>"; };
+  EXPECT_NO_THROW(parseRobotDescription(robot(1000)));
+  expectError(ErrorCode::kNotARobot, {"longer than 1000 bytes"}, [&] { parseRobotDescription(robot(1001)); });
+}
+
+TEST(ParseDescription, ElementsThatCannotBeReadKeepTheirPlaces) {
+  const std::string box = "<visual><geometry><box size='1 1 1'/></geometry></visual>", none = "<visual/>",
+                    capsule = "<visual><geometry><capsule/></geometry></visual>";
+  const RobotDescription robot = parseRobotDescription("<robot name='r'><link name='a'>" + none + box + capsule + capsule + none + box + none +
+                                                       capsule + "</link><link name='b'>" + capsule + "</link>" +
+                                                       "<joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint></robot>");
+  std::string kinds;
+  for (const GeometryElement& element : robot.links.at(0).visuals) {
+    kinds += element.kind == GeometryElement::Kind::kBox ? 'b' : element.kind == GeometryElement::Kind::kNone ? '-' : 'x';
+    EXPECT_EQ(element.fault.empty(), kinds.back() != 'x');
+  }
+  EXPECT_EQ(kinds, "-bxx-b-x");
+  EXPECT_EQ(robot.links.at(1).visuals.size(), 1u);
+}
+
+TEST(ParseDescription, ALongChainOfMimics) {
+  constexpr int kJoints = 20000;  // a recursion over them would need more than a stack
+  std::string text = "<robot name='r'><link name='a0'/>";
+  for (int i = 1; i <= kJoints; ++i) {
+    const std::string number = std::to_string(i);
+    text += "<link name='a" + number + "'/><joint name='j" + number + "' type='prismatic'><parent link='a0'/><child link='a" + number +
+            "'/><axis xyz='1 0 0'/><limit lower='-1' upper='1' effort='1' velocity='1'/>" +
+            (i > 1 ? "<mimic joint='j" + std::to_string(i - 1) + "' offset='0.5'/>" : "") + "</joint>";
+  }
+  const RobotDescription robot = parseRobotDescription(text + "</robot>");
+  EXPECT_DOUBLE_EQ(robot.links.back().pose.translation().x(), 0.5 * (kJoints - 1));
+}
+
 }  // namespace
 }  // namespace collision_hulls

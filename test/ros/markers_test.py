@@ -124,8 +124,9 @@ class MarkersTest(unittest.TestCase):
         node = subprocess.Popen([program, "__name:=early", "_auto:=true", "_cache:=false", "_output:=" + self.folder.output, *robots.ROOTS])
         self.addCleanup(node.wait, 20)
         self.addCleanup(node.terminate)
-        markers = rospy.wait_for_message("/early/original", MarkerArray, timeout=20).markers[1:]
-        self.assertEqual([Marker.MESH_RESOURCE] * 15, [marker.type for marker in markers])
+        originals = []
+        rospy.Subscriber("/early/original", MarkerArray, lambda array: originals.append([marker.type for marker in array.markers[1:]]))
+        self.assertTrue(robots.wait_until(lambda: [Marker.MESH_RESOURCE] * 15 in originals, 20), originals)
         self.assertFalse(rospy.has_param("/early/robot_description"))
         self.assertTrue(robots.wait_until(lambda: any("of 15 meshes" in text for text in texts), 60), texts)
 

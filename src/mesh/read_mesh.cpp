@@ -10,7 +10,7 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "mesh/decode_mesh.h"
-#include "mesh/formats/source_checks.h"
+#include "mesh/formats/readers.h"
 #include "mesh/mesh_question.h"
 
 namespace collision_hulls {

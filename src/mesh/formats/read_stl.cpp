@@ -113,19 +113,18 @@ class TextReader {
   std::size_t facets_ = 0;
 };
 
-/// Whether a file's size is that of a binary STL with as many triangles as it announces.
-bool isBinary(std::string_view bytes) {
-  return bytes.size() >= kHeaderBytes && bytes.size() == kHeaderBytes + kFacetBytes * announcedTriangles(bytes);
-}
-
 bool isText(std::string_view bytes) {
   return nextWord(&bytes) == "solid" && bytes.find('\0') == std::string_view::npos;
 }
 
 }  // namespace
 
+bool isBinaryStl(std::string_view bytes) {
+  return bytes.size() >= kHeaderBytes && bytes.size() == kHeaderBytes + kFacetBytes * announcedTriangles(bytes);
+}
+
 LoadedMesh readStl(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control) {
-  if (isBinary(bytes)) {
+  if (isBinaryStl(bytes)) {
     if (announcedTriangles(bytes) == 0) throw Error(ErrorCode::kEmptyMesh, path + ": binary STL with 0 triangles; export the mesh again");
     checkTriangleCount(path, announcedTriangles(bytes), std::min(limits.max_triangles, kMostTriangles));
     return readBinary(bytes, path, control);

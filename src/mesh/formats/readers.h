@@ -6,6 +6,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "collision_hulls/mesh/mesh_io.h"
 
@@ -17,5 +18,8 @@ LoadedMesh readObj(const std::string& bytes, const std::string& path, const Mesh
 LoadedMesh readOff(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control);
 LoadedMesh readPly(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control);
 LoadedMesh readDae(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control);
+
+/// Whether a file's size is that of a binary STL with as many triangles as it announces.
+bool isBinaryStl(std::string_view bytes);
 
 }  // namespace collision_hulls

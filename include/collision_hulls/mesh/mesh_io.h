@@ -53,11 +53,11 @@ bool isMeshFile(const std::string& path);
 /// transforms apply. Units: Collada's are converted to metres; numbers in other formats are metres.
 /// Polygons are triangulated without loss, in two ways if their surface is in doubt (see
 /// doc/limits.md); materials and textures are ignored; vertices that no triangle uses are dropped.
-/// A truncated or inconsistent file is an error, never half a mesh, and so is one with anything that
-/// may carry surface and is not understood. Throws kFileNotFound, kUnsupportedFormat, kNotAMesh,
-/// kEmptyMesh, kTooLarge, kNonFiniteCoordinate, kIndexOutOfRange, kTooFarFromOrigin (single
-/// precision cannot resolve a thousandth of the mesh's diagonal), kReaderFailed, kCancelled. Thread
-/// safe.
+/// A truncated or inconsistent file is an error, never half a mesh, and so is one with anything
+/// that may carry surface and is not understood. Throws kFileNotFound, kUnsupportedFormat,
+/// kNotAMesh, kEmptyMesh, kTooLarge, kNonFiniteCoordinate, kIndexOutOfRange, kTooFarFromOrigin
+/// (single precision cannot resolve a thousandth of the mesh's diagonal), kReaderFailed,
+/// kCancelled. Thread safe.
 ///
 /// Except for binary STL, bytes are decoded in another process, `collision_hulls_reader`, which is
 /// started as needed and can do nothing else. A file that crashes it or exceeds its limits is
@@ -83,8 +83,8 @@ std::optional<MeshFormat> meshFormatNamed(const std::string& name);  ///< "stl",
 /// The contents of a mesh file with one hull: binary STL, OBJ, or Collada. Coordinates are written
 /// as single-precision numbers, exactly: a hull with single-precision vertices is read back
 /// unchanged (but Assimp reads Collada's numbers below 1e-6 m with an error of a few units in the
-/// last place). The same hull gives the same bytes. In names, blanks and characters that XML reserves
-/// become '_'.
+/// last place). The same hull gives the same bytes. In names, blanks and characters that XML
+/// reserves become '_'.
 std::string encodeHull(const ConvexHull& hull, MeshFormat format, const std::string& object_name);
 
 /// One OBJ file with an object (`o <name>_<m>`) per hull; coordinates as in encodeHull.

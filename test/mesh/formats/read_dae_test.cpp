@@ -148,7 +148,8 @@ TEST(ReadDae, OtherMaterialsElsewhereDoNotMixUpASecondInstance) {
 TEST(ReadDae, SkinsAndMorphsAreTheirGeometry) {
   const std::string controllers =
       R"(<library_controllers><controller id="m"><morph source="#shape"/></controller>
-      <controller id="s"><skin source="#m"><bind_shape_matrix>2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1</bind_shape_matrix></skin></controller></library_controllers>)";
+      <controller id="s"><skin source="#m"><bind_shape_matrix>2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1</bind_shape_matrix></skin></controller>
+      </library_controllers>)";
   const std::string node = R"(<node id="n"><instance_controller url="#s"/></node>)";
   EXPECT_EQ(read(dae("", kTwoTriangles, node, controllers)).mesh.vertices, read(kGood).mesh.vertices);
   const std::string circle = R"(<library_controllers><controller id="s"><skin source="#t"/></controller>

@@ -154,7 +154,7 @@ class SceneReader {
     tree_ += depth == 0 ? "</visual_scene>" : "</node>";
     const bool is_empty = scene_.instances.size() == instances_before;
     if (unsupported != nullptr && !is_empty)
-      failElement(path_, *unsupported, "is not supported, nor by rviz; write a <matrix> or move the vertices");
+      failElement(path_, *unsupported, "is not supported here; write a <matrix> or move the vertices");
     if (is_empty && depth > 0) tree_.resize(text_before);
   }
 

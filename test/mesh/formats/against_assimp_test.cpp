@@ -14,6 +14,7 @@
 #include <random>
 #include <sstream>
 
+#include "../reading.h"
 #include "base/at.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
@@ -84,7 +85,7 @@ Corners byAssimp(const std::string& bytes, const std::string& name) {
 
 void expectTheSame(const std::string& bytes, const std::string& name) {
   SCOPED_TRACE(name);
-  const Corners ours = cornersOf(parseMesh(bytes, name).mesh), theirs = byAssimp(bytes, name);
+  const Corners ours = cornersOf(test_files::readHere(bytes, name).mesh), theirs = byAssimp(bytes, name);
   ASSERT_EQ(ours.size(), theirs.size());
   for (std::size_t i = 0; i < ours.size(); ++i)
     for (int k = 0; k < 3; ++k) {

@@ -12,7 +12,7 @@ namespace {
 using namespace test_files;
 
 LoadedMesh read(const std::string& bytes) {
-  return parseMesh(bytes, "a.dae");
+  return readHere(bytes, "a.dae");
 }
 
 void expectBox(const LoadedMesh& loaded, const Eigen::Vector3d& min, const Eigen::Vector3d& max) {
@@ -293,8 +293,8 @@ TEST(ReadDae, RefusesTransformsThatOthersGuess) {
                         {"<translate/>", "holds fewer than 3 numbers"},
                         {"<rotate>0 0 2 90</rotate>", "has an axis of length 2"},
                         {"<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 2</matrix>", "does not end with the row 0 0 0 1"},
-                        {"<lookat>1 2 3 4 5 6 7 8 9</lookat>", "<lookat> is not supported, nor by rviz"},
-                        {"<skew>45 1 0 0 0 1 0</skew>", "<skew> is not supported, nor by rviz"},
+                        {"<lookat>1 2 3 4 5 6 7 8 9</lookat>", "<lookat> is not supported here"},
+                        {"<skew>45 1 0 0 0 1 0</skew>", "<skew> is not supported here"},
                         {"<instance_rigid_body url='#x'/>", "<instance_rigid_body> is not supported"}})
     expectRefused("a.dae", {{replaced(kGood, "<instance_geometry", c.transform + "<instance_geometry"), c.part}});
   expectRefused("a.dae", {{dae("", kTwoTriangles, "<scale>2 2 2</scale>" + kPlainNode), "<scale> is not supported"}});
@@ -345,7 +345,7 @@ TEST(ReadDae, CountsTrianglesBeforeAssimpMakesThem) {
   MeshLimits limits;
   limits.max_triangles = 100;
   const std::string text = dae("", kTwoTriangles, "<node>" + instances + "</node>");
-  EXPECT_THROW(parseMesh(text, "a.dae", limits), Error);
+  EXPECT_THROW(readHere(text, "a.dae", limits), Error);
   EXPECT_EQ(read(text).mesh.triangles.size(), 120u);
 }
 

@@ -43,11 +43,11 @@ TEST(ReadObj, SkipsWhatCarriesNoSurface) {
 }
 
 TEST(ReadObj, PartsWithoutFacesDoNotCount) {
-  EXPECT_EQ(parseMesh(kCorners + "o one\ng two\nusemtl a\nf 1 2 3\no three\nf 1 3 4\nf 1 4 5\ng four\n", "a.obj").submeshes, 2);
+  EXPECT_EQ(readHere(kCorners + "o one\ng two\nusemtl a\nf 1 2 3\no three\nf 1 3 4\nf 1 4 5\ng four\n", "a.obj").submeshes, 2);
 }
 
 TEST(ReadObj, CountsWhatHasNoSurface) {
-  const LoadedMesh loaded = parseMesh(kCorners + "f 1 2 3\nl 1 2 3 4\nl 1/1 2/2\np 1 2\nf 1 2\nf 1\nf 3 3 3\n", "a.obj");
+  const LoadedMesh loaded = readHere(kCorners + "f 1 2 3\nl 1 2 3 4\nl 1/1 2/2\np 1 2\nf 1 2\nf 1\nf 3 3 3\n", "a.obj");
   EXPECT_EQ(loaded.skipped_primitives, 3u + 1 + 2 + 2);
   EXPECT_EQ(loaded.mesh.triangles.size(), 2u) << "a triangle without area is one still";
 }
@@ -110,7 +110,7 @@ TEST(ReadObj, RefusesAByteOrderMarkThatOthersLoseALineBy) {
 TEST(ReadObj, StopsWhenCancelled) {
   RunControl control;
   control.cancel();
-  EXPECT_THROW(parseMesh(kCorners + "f 1 2 3\n", "a.obj", {}, control), Error);
+  EXPECT_THROW(readHere(kCorners + "f 1 2 3\n", "a.obj", {}, control), Error);
 }
 
 }  // namespace

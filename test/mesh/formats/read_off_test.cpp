@@ -33,11 +33,11 @@ TEST(ReadOff, PolygonsOfAnySize) {
     text += std::to_string(i) + " " + std::to_string(i * i) + " 0\n";
     face += " " + std::to_string(i);
   }
-  EXPECT_EQ(parseMesh(text + face, "a.off").mesh.triangles.size(), 10u);
+  EXPECT_EQ(readHere(text + face, "a.off").mesh.triangles.size(), 10u);
 }
 
 TEST(ReadOff, VerticesAreSharedInTheOrderOfTheirFirstUse) {
-  const LoadedMesh loaded = parseMesh("OFF\n5 4 0\n9 9 nan\n0 0 0\n1 0 0\n1 2 0\n0 0 3\n3 4 3 2\n3 2 1 4\n2 1 2\n1 0\n", "a.off");
+  const LoadedMesh loaded = readHere("OFF\n5 4 0\n9 9 nan\n0 0 0\n1 0 0\n1 2 0\n0 0 3\n3 4 3 2\n3 2 1 4\n2 1 2\n1 0\n", "a.off");
   EXPECT_EQ(loaded.mesh.vertices, (std::vector<Eigen::Vector3d>{{0, 0, 3}, {1, 2, 0}, {1, 0, 0}, {0, 0, 0}}));
   EXPECT_EQ(loaded.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 3, 0}}));
   EXPECT_EQ(loaded.skipped_primitives, 2u);

@@ -40,7 +40,7 @@ ReadingLimits readingLimits(const MeshLimits& limits, std::size_t bytes) {
   ReadingLimits result;
   result.worker.memory = limits.reader_memory + kMemoryPerByte * bytes;
   const std::uint64_t triangles = std::min<std::uint64_t>(limits.max_triangles, std::numeric_limits<int>::max());
-  result.worker.answer = std::min(result.worker.memory / 4, kBytesPerTriangle * triangles + kLongestError);
+  result.answer = std::min(result.worker.memory / 4, kBytesPerTriangle * triangles + kLongestError);
   const double seconds = limits.reader_seconds + kSecondsPerByte * static_cast<double>(bytes);
   result.worker.cpu_seconds = static_cast<std::uint64_t>(std::ceil(std::max(seconds, 1.0)));
   result.clock_seconds = kClockPerComputing * seconds;
@@ -63,8 +63,7 @@ void expectSound(const LoadedMesh& loaded, const MeshLimits& limits) {
 
 LoadedMesh decodeInWorker(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control) {
   const std::string head = toBytes(name, limits.max_bytes, limits.max_triangles);
-  const Descriptor file = inMemory(bytes, name, control);
-  const std::string answer = meshReader().ask({head, file.number()}, readingLimits(limits, bytes.size()), name,
+  const std::string answer = meshReader().ask({head, bytes, -1}, readingLimits(limits, bytes.size()), name,
                                               "simplify the mesh, or raise reader-memory or reader-time if it is to be trusted", control);
   LoadedMesh loaded;
   try {
@@ -81,7 +80,7 @@ std::string answerMeshQuestion(const Question& question) {
   std::string name;
   MeshLimits limits;
   fromBytes(question.head, name, limits.max_bytes, limits.max_triangles);
-  return toBytes(decodeMesh(contentOf(question), name, limits, {}));
+  return toBytes(decodeMesh(question.body, name, limits, {}));
 }
 
 std::string readerProtection() {

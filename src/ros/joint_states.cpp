@@ -62,7 +62,7 @@ ConfigurationSet collected(const JointStates& states, const std::string& source,
 ReadingLimits limitsFor(std::uint64_t bag_bytes) {
   ReadingLimits limits;
   limits.worker.memory = (std::uint64_t{1} << 30) + bag_bytes;
-  limits.worker.answer = limits.worker.memory / 4;
+  limits.answer = limits.worker.memory / 4;
   limits.worker.cpu_seconds = 10 + bag_bytes / 10'000'000;
   limits.clock_seconds = 10 * static_cast<double>(limits.worker.cpu_seconds);
   return limits;
@@ -75,7 +75,8 @@ JointStates fromBag(const std::string& file, const std::string& topic, const Run
     throw Error(ErrorCode::kFileNotFound, "'" + file + "' cannot be read: " + std::strerror(errno) + "; give the path of a bag");
   const std::optional<std::uint64_t> size = sizeOf(bag.number());
   if (!size) throw Error(ErrorCode::kFileNotFound, "'" + file + "' is not a regular file; give the path of a bag");
-  const std::string answer = reader->ask({toBytes(file, topic), bag.number()}, limitsFor(*size), "'" + file + "'",
+  const std::string head = toBytes(file, topic);
+  const std::string answer = reader->ask({head, {}, bag.number()}, limitsFor(*size), "'" + file + "'",
                                          "give a bag with fewer messages, as 'rosbag filter' makes it", control);
   JointStates states;
   try {

@@ -57,7 +57,7 @@ bool limit(decltype(RLIMIT_AS) what, rlim_t most) {
 bool limitResources(const WorkerLimits& limits) {
   bool done = limit(RLIMIT_CORE, 0);
   done &= limit(RLIMIT_CPU, limits.cpu_seconds, limits.cpu_seconds + 1);  // the soft limit sends SIGXCPU, which says why
-  done &= limit(RLIMIT_FSIZE, limits.answer);
+  done &= limit(RLIMIT_FSIZE, 0);
   done &= limit(RLIMIT_NOFILE, 0);  // what is open stays open
   done &= limit(RLIMIT_NPROC, 0);
   done &= limit(RLIMIT_MEMLOCK, 0);
@@ -92,13 +92,13 @@ bool denyPaths() {
 
 #ifdef COLLISION_HULLS_SECCOMP
 /// What computing, and reading and writing what is open, may call; by name, as not every machine has every call.
-constexpr const char* kFree[] = {"read",         "readv",           "pread64",      "write",         "writev",
-                                 "close",        "lseek",           "_llseek",      "fstat",         "fstat64",
-                                 "fcntl",        "fcntl64",         "brk",          "munmap",        "mremap",
-                                 "madvise",      "futex",           "futex_time64", "clock_gettime", "clock_gettime64",
-                                 "clock_getres", "gettimeofday",    "time",         "nanosleep",     "clock_nanosleep",
-                                 "sched_yield",  "getrandom",       "getpid",       "gettid",        "rt_sigprocmask",
-                                 "rt_sigreturn", "restart_syscall", "exit",         "exit_group"};
+constexpr const char* kFree[] = {"read",         "readv",         "pread64",         "write",        "writev",
+                                 "close",        "lseek",         "_llseek",         "fstat",        "fstat64",
+                                 "brk",          "munmap",        "mremap",          "madvise",      "futex",
+                                 "futex_time64", "clock_gettime", "clock_gettime64", "clock_getres", "gettimeofday",
+                                 "time",         "nanosleep",     "clock_nanosleep", "sched_yield",  "getrandom",
+                                 "getpid",       "gettid",        "rt_sigprocmask",  "rt_sigreturn", "restart_syscall",
+                                 "exit",         "exit_group"};
 
 /// Lets a call through, under a condition. Where that fails, the call fails later, which is the safe side.
 template <typename... Conditions>
@@ -113,7 +113,10 @@ void addRules(scmp_filter_ctx filter) {
   for (const char* const name : {"mmap", "mmap2", "mprotect"}) allow(filter, name, no_code);
   const auto no_path = SCMP_A3(SCMP_CMP_MASKED_EQ, AT_EMPTY_PATH, AT_EMPTY_PATH);
   for (const char* const name : {"newfstatat", "fstatat64"}) allow(filter, name, no_path);  // fstat() of newer C libraries
-  allow(filter, "tgkill", SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(getpid())));       // abort()
+  // Not those that make a descriptor send signals to others.
+  for (const char* const name : {"fcntl", "fcntl64"})
+    for (const int command : {F_GETFD, F_SETFD, F_GETFL}) allow(filter, name, SCMP_A1(SCMP_CMP_EQ, static_cast<scmp_datum_t>(command)));
+  allow(filter, "tgkill", SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(getpid())));  // abort()
 }
 
 bool filterCalls() {

@@ -10,6 +10,7 @@
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <vector>
 
 #include "collision_hulls/error.h"
@@ -26,8 +28,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kLook = 20;    // [ms] between looks at the cancel flag
-constexpr int kGrace = 200;  // [ms] for the program to end by itself
+constexpr int kLook = 20;                            // [ms] between looks at the cancel flag
+constexpr std::size_t kPipe = std::size_t{1} << 20;  // [bytes]: the most that Linux allows by default
+constexpr int kGrace = 200;                          // [ms] for the program to end by itself
 constexpr const char* kPassed[] = {"LD_LIBRARY_PATH", "ASAN_OPTIONS", "UBSAN_OPTIONS", "ROS_PACKAGE_PATH", "CMAKE_PREFIX_PATH"};
 
 /// Files and signals of the program to start.
@@ -101,7 +104,7 @@ struct Ended {
   ReaderOutcome::Kind kind;
 };
 
-/// Bytes over a socket, with an eye on the clock and the cancel flag.
+/// Bytes to and from a reader program, with an eye on the clock and the cancel flag.
 class Exchange {
  public:
   Exchange(int socket, const ReadingLimits& limits, const RunControl& control)
@@ -109,25 +112,60 @@ class Exchange {
         end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.clock_seconds))),
         control_(control) {}
 
-  /// `socket_call(at, size)` sends or receives a part of `size` bytes.
-  template <typename Pointer, typename SocketCall>
-  void all(Pointer at, std::size_t size, short event, const SocketCall& socket_call) {
-    while (size > 0) advance(at, size, event, socket_call(at, size));
+  void send(const ReaderQuestion& question, const WorkerLimits& limits, int answer) {
+    QuestionHeader header;
+    header.limits = limits;
+    header.head_size = question.head.size();
+    header.body_size = question.body.size();
+    const auto with = [&](const char* at, std::size_t size) { return sendWith(socket_, at, size, {answer, question.file}, MSG_DONTWAIT); };
+    const auto alone = [&](const char* at, std::size_t size) { return ::send(socket_, at, size, MSG_NOSIGNAL | MSG_DONTWAIT); };
+    all(reinterpret_cast<const char*>(&header), sizeof header, {socket_, POLLOUT, 0}, with);
+    all(question.head.data(), question.head.size(), {socket_, POLLOUT, 0}, alone);
+    all(question.body.data(), question.body.size(), {socket_, POLLOUT, 0}, alone);
+  }
+
+  /// Up to the end of what the worker writes. Takes no more memory than that needs.
+  std::string receiveAnswer(int pipe, std::uint64_t longest) {
+    std::string answer;
+    const std::unique_ptr<char[]> piece(new char[kPipe]);  // no more of it is touched than comes
+    for (;;) {
+      const long got = part({pipe, POLLIN, 0}, [&] { return read(pipe, piece.get(), kPipe); });
+      if (got == 0) return answer;
+      if (answer.size() + static_cast<std::size_t>(got) > longest) throw Ended{ReaderOutcome::Kind::kTooLong};
+      answer.append(piece.get(), static_cast<std::size_t>(got));
+    }
+  }
+
+  Ending receiveEnding() {
+    Ending ending;
+    all(reinterpret_cast<char*>(&ending), sizeof ending, {socket_, POLLIN, 0},
+        [&](char* at, std::size_t size) { return recv(socket_, at, size, MSG_DONTWAIT); });
+    return ending;
   }
 
  private:
-  template <typename Pointer>
-  void advance(Pointer& at, std::size_t& size, short event, long moved) {
-    control_.check();
-    if (moved > 0) {
+  /// `move(at, size)` sends or receives a part of `size` bytes.
+  template <typename Pointer, typename Move>
+  void all(Pointer at, std::size_t size, const pollfd& ready, const Move& move) {
+    while (size > 0) {
+      const long moved = part(ready, [&] { return move(at, size); });
+      if (moved == 0) throw Ended{ReaderOutcome::Kind::kReaderEnded};
       at += moved;
       size -= static_cast<std::size_t>(moved);
-      return;
     }
-    if (moved == 0 || (errno != EAGAIN && errno != EINTR)) throw Ended{ReaderOutcome::Kind::kReaderEnded};
-    if (Clock::now() > end_) throw Ended{ReaderOutcome::Kind::kTooSlow};
-    pollfd ready{socket_, event, 0};
-    poll(&ready, 1, kLook);
+  }
+
+  /// What `call` returns once it does not have to wait.
+  template <typename Call>
+  long part(pollfd ready, const Call& call) {
+    for (;;) {
+      control_.check();
+      const long moved = call();
+      if (moved >= 0) return moved;
+      if (errno != EAGAIN && errno != EINTR) throw Ended{ReaderOutcome::Kind::kReaderEnded};
+      if (Clock::now() > end_) throw Ended{ReaderOutcome::Kind::kTooSlow};
+      poll(&ready, 1, kLook);
+    }
   }
 
   int socket_;
@@ -135,19 +173,14 @@ class Exchange {
   const RunControl& control_;
 };
 
-void sendQuestion(Exchange& exchange, int socket, const ReaderQuestion& question, const ReadingLimits& limits) {
-  QuestionHeader header;
-  header.limits = limits.worker;
-  header.head_size = question.head.size();
-  exchange.all(reinterpret_cast<const char*>(&header), sizeof header, POLLOUT,
-               [&](const char* at, std::size_t size) { return sendWith(socket, at, size, question.file, MSG_DONTWAIT); });
-  exchange.all(question.head.data(), question.head.size(), POLLOUT,
-               [&](const char* at, std::size_t size) { return send(socket, at, size, MSG_NOSIGNAL | MSG_DONTWAIT); });
-}
-
-void receiveEnding(Exchange& exchange, int socket, ReaderOutcome& outcome) {
-  exchange.all(reinterpret_cast<char*>(&outcome.worker), sizeof outcome.worker, POLLIN,
-               [&](char* at, std::size_t size) { return receiveWith(socket, at, size, outcome.answer, MSG_DONTWAIT); });
+/// A pipe: this end, from which reading never waits, and the worker's.
+Descriptors pipeForAnswer() {
+  Numbers ends{-1, -1};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw Ended{ReaderOutcome::Kind::kReaderEnded};
+  Descriptors result{Descriptor(ends[0]), Descriptor(ends[1])};
+  fcntl(ends[0], F_SETFL, O_NONBLOCK);
+  fcntl(ends[0], F_SETPIPE_SZ, static_cast<int>(kPipe));  // where that is not allowed, it takes more turns
+  return result;
 }
 
 }  // namespace
@@ -176,8 +209,11 @@ ReaderOutcome ReaderProcess::ask(const ReaderQuestion& question, const ReadingLi
   ReaderOutcome outcome;
   try {
     Exchange exchange(socket_.number(), limits, control);
-    sendQuestion(exchange, socket_.number(), question, limits);
-    receiveEnding(exchange, socket_.number(), outcome);
+    Descriptors answer = pipeForAnswer();
+    exchange.send(question, limits.worker, answer[1].number());
+    answer[1].reset();
+    outcome.answer = exchange.receiveAnswer(answer[0].number(), limits.answer);
+    outcome.worker = exchange.receiveEnding();
   } catch (const Ended& ended) {
     outcome.kind = ended.kind;
   }

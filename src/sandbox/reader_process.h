@@ -16,20 +16,22 @@ namespace collision_hulls {
 /// What one question may use.
 struct ReadingLimits {
   WorkerLimits worker;
+  std::uint64_t answer = 0;  ///< [bytes] length of the answer
   double clock_seconds = 0;  ///< [s] on the clock, all waiting included
 };
 
-/// A question to a reader program.
+/// A question to a reader program. What it refers to must outlive the call that takes it.
 struct ReaderQuestion {
   std::string_view head;  ///< what to do
-  int file = -1;          ///< with this file: regular, or in memory
+  std::string_view body;  ///< with these bytes
+  int file = -1;          ///< or with this regular file
 };
 
 /// How a question ended.
 struct ReaderOutcome {
-  enum class Kind { kAnswered, kTooSlow, kReaderEnded } kind = Kind::kAnswered;
-  Ending worker;      ///< of kAnswered
-  Descriptor answer;  ///< of kAnswered: what the worker wrote, which nobody else can change any more
+  enum class Kind { kAnswered, kTooSlow, kTooLong, kReaderEnded } kind = Kind::kAnswered;
+  Ending worker;       ///< of kAnswered
+  std::string answer;  ///< of kAnswered: what the worker wrote
 };
 
 /// A running reader program. Ends with this object, and with the program that has it.

@@ -18,7 +18,7 @@
 namespace collision_hulls {
 namespace {
 
-constexpr ReadingLimits kToAskProtection{{std::uint64_t{1} << 30, 1000, 10}, 60};
+constexpr ReadingLimits kToAskProtection{{std::uint64_t{1} << 30, 10}, 1000, 60};
 
 /// The folder of this library, or of the program that it is linked into.
 std::filesystem::path ownFolder() {
@@ -30,8 +30,6 @@ std::filesystem::path ownFolder() {
 std::string millions(std::uint64_t bytes) {
   return std::to_string(bytes / 1'000'000) + " MB";
 }
-
-constexpr std::size_t kPiece = std::size_t{1} << 26;  // [bytes] between looks at the cancel flag
 
 constexpr const char* kDamaged = "the file is damaged, or made to do harm: replace it";
 
@@ -69,6 +67,8 @@ struct Circumstances {
   switch (outcome.kind) {
     case ReaderOutcome::Kind::kTooSlow:
       failWith(about, "reading it takes longer than the limit of " + whole(limits.clock_seconds), about.remedy);
+    case ReaderOutcome::Kind::kTooLong:
+      failWith(about, "its content takes more memory than the limit of " + millions(limits.answer), about.remedy);
     case ReaderOutcome::Kind::kReaderEnded:
       failWith(about, "'" + about.program + "', which reads files, ended without an answer", "run it by hand to see why");
     case ReaderOutcome::Kind::kAnswered: break;
@@ -90,17 +90,8 @@ std::string printable(std::string text) {
   auto code = ErrorCode::kInternal;
   std::string text;
   fromBytes(bytes, code, text);
-  if (name(code) == std::string("Unknown")) throw ByteFault("it names an unknown error");
+  if (name(code) == std::string("Unknown") || code == ErrorCode::kCancelled) throw ByteFault("it names an error that it cannot have");
   throw Error(code, printable(text));
-}
-
-/// All bytes of a worker's file.
-std::string contentOf(int file, std::uint64_t longest) {
-  const std::uint64_t size = sizeOf(file).value_or(0);
-  if (size > longest) throw ByteFault("it is longer than its limit");
-  std::string bytes(size, '\0');
-  if (!readAll(file, bytes)) throw ByteFault("it cannot be read");
-  return bytes;
 }
 
 /// The answer in what a worker wrote, or its error.
@@ -116,17 +107,6 @@ std::string answerIn(std::string bytes, const std::string& subject) {
 }
 
 }  // namespace
-
-Descriptor inMemory(std::string_view bytes, const std::string& subject, const RunControl& control) {
-  Descriptor file = memoryFile();
-  for (bool written = file.number() >= 0; !bytes.empty() || !written; bytes.remove_prefix(std::min(kPiece, bytes.size()))) {
-    control.check();
-    written = written && writeAll(file.number(), bytes.substr(0, kPiece));
-    if (!written)
-      throw Error(ErrorCode::kReaderFailed, subject + ": no memory to pass it to its reader: " + std::strerror(errno) + "; free some");
-  }
-  return file;
-}
 
 std::string ReaderProgram::path() const {
   if (const char* const named = std::getenv(variable_.c_str()); named != nullptr && *named != '\0') return named;
@@ -168,14 +148,14 @@ std::string ReaderProgram::ask(const ReaderQuestion& question, const ReadingLimi
   if (outcome.kind != ReaderOutcome::Kind::kAnswered || outcome.worker.kind != Ending::Kind::kExit || outcome.worker.code != 0)
     fail(outcome, limits, {subject, remedy, path()});
   try {
-    return answerIn(contentOf(outcome.answer.number(), limits.worker.answer), subject);
+    return answerIn(std::move(outcome.answer), subject);
   } catch (const ByteFault& fault) {
     throw Error(ErrorCode::kReaderFailed, subject + ": its reader's answer makes no sense (" + fault.what() + "); " + kDamaged);
   }
 }
 
 std::string ReaderProgram::protection() {
-  return ask({kAskProtection, -1}, kToAskProtection, "protection", "", {});
+  return ask({kAskProtection, {}, -1}, kToAskProtection, "protection", "", {});
 }
 
 }  // namespace collision_hulls

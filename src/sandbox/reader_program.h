@@ -4,15 +4,11 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "sandbox/reader_process.h"
 
 namespace collision_hulls {
-
-/// A file in memory with these bytes. Throws kReaderFailed if there is no room for it, and kCancelled.
-Descriptor inMemory(std::string_view bytes, const std::string& subject, const RunControl& control);
 
 /// A program installed with the library, run as often as threads ask at the same time. Thread safe.
 class ReaderProgram {

@@ -1,5 +1,5 @@
-// The reader never looks at a file. Its worker, a fork, reads it and writes into a file in memory; once the worker is gone, the reader
-// passes that file on, and says on its own knowledge how the worker ended. So a worker that a hostile file has taken over can lie about
+// The reader passes bytes on and never looks at them. Its worker, a fork, does, and writes the answer into a pipe that the library made for
+// this question. The reader says on its own knowledge how the worker ended. So a worker that a hostile file has taken over can lie about
 // that file and about nothing else. If the library closes the socket, the worker is killed at once.
 #include "sandbox/serve.h"
 
@@ -77,19 +77,19 @@ Answer answerOrError(const AnswerFunction& answer, const Question& question, con
 struct Job {
   QuestionHeader header;
   Question question;
-  Descriptor answer = memoryFile();
-  Descriptor readers_end, workers_end;  // of a pipe that shows by closing that the worker has ended
+  Descriptors given;                    // the pipe for the answer, and the file
+  Descriptor readers_end, workers_end;  // of another pipe, which shows by closing that the worker has ended
 };
 
 [[noreturn]] void work(const AnswerFunction& answer, Job& job, pid_t reader) {
-  signal(SIGXFSZ, SIG_IGN);  // too long an answer makes write() fail instead
   const Protection protection = confine(job.header.limits, reader);
   close(kSocket);
   job.readers_end.reset();
   const auto [bytes, kind] = answerOrError(answer, job.question, protection);
   const char last = static_cast<char>(kind);
-  const bool written = writeAll(job.answer.number(), bytes) && writeAll(job.answer.number(), {&last, 1});
-  _exit(written ? 0 : kOutOfMemory);
+  const int pipe = job.given[0].number();
+  const bool written = writeAll(pipe, bytes) && writeAll(pipe, {&last, 1});
+  _exit(written ? 0 : 1);
 }
 
 /// Returns true when the worker has ended, false if nobody waits for it any more.
@@ -109,44 +109,47 @@ Ending reaped(pid_t worker) {
 }
 
 /// Returns false if nobody waits for it any more.
-bool sendEnding(const Ending& ending, int file) {
-  return sendWith(kSocket, &ending, sizeof ending, file, 0) == static_cast<long>(sizeof ending);
+bool sendEnding(const Ending& ending) {
+  return send(kSocket, &ending, sizeof ending, MSG_NOSIGNAL) == static_cast<long>(sizeof ending);
 }
 
 bool answerInWorker(const AnswerFunction& answer, Job& job) {
   int ends[2] = {-1, -1};
-  if (job.answer.number() < 0 || pipe2(ends, O_CLOEXEC) != 0) return sendEnding({Ending::Kind::kNotForked, errno}, -1);
+  if (pipe2(ends, O_CLOEXEC) != 0) return sendEnding({Ending::Kind::kNotForked, errno});
   job.readers_end = Descriptor(ends[0]);
   job.workers_end = Descriptor(ends[1]);
   const pid_t reader = getpid();
   const pid_t worker = fork();
   if (worker == 0) work(answer, job, reader);
-  if (worker < 0) return sendEnding({Ending::Kind::kNotForked, errno}, -1);
+  if (worker < 0) return sendEnding({Ending::Kind::kNotForked, errno});
   job.workers_end.reset();
+  for (Descriptor& given : job.given) given.reset();  // the library waits for the pipe to close
   const bool awaited = awaitWorker(job.readers_end.number());
   const Ending ending = reaped(worker);
-  return awaited && sendEnding(ending, job.answer.number());
+  return awaited && sendEnding(ending);
+}
+
+bool receiveText(std::string& text, std::uint64_t size) {
+  text.resize(size);
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t got = recv(kSocket, text.data() + done, text.size() - done, MSG_WAITALL);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    done += static_cast<std::size_t>(got);
+  }
+  return true;
 }
 
 bool serveOne(const AnswerFunction& answer) {
   Job job;
-  Descriptor file;
-  if (receiveWith(kSocket, &job.header, sizeof job.header, file, MSG_WAITALL) != static_cast<long>(sizeof job.header)) return false;
-  if (job.header.version != kWireVersion) return sendEnding({Ending::Kind::kOtherVersion, 0}, -1) && false;
-  job.question.file = file.number();
-  job.question.head.resize(job.header.head_size);
-  const long size = static_cast<long>(job.header.head_size);
-  if (size > 0 && recv(kSocket, job.question.head.data(), job.header.head_size, MSG_WAITALL) != size) return false;
-  return answerInWorker(answer, job);
+  if (receiveWith(kSocket, &job.header, sizeof job.header, job.given, MSG_WAITALL) != static_cast<long>(sizeof job.header)) return false;
+  if (job.header.version != kWireVersion) return sendEnding({Ending::Kind::kOtherVersion, 0}) && false;
+  job.question.file = job.given[1].number();
+  return receiveText(job.question.head, job.header.head_size) && receiveText(job.question.body, job.header.body_size) &&
+         answerInWorker(answer, job);
 }
 
 }  // namespace
-
-std::string contentOf(const Question& question) {
-  std::string bytes(sizeOf(question.file).value_or(0), '\0');
-  if (!readAll(question.file, bytes)) throw std::runtime_error(std::string("its file cannot be read: ") + std::strerror(errno));
-  return bytes;
-}
 
 int serve(const AnswerFunction& answer) {
   if (!isSocket(kSocket)) {

@@ -8,11 +8,9 @@ namespace collision_hulls {
 
 struct Question {
   std::string head;  ///< what to do
-  int file = -1;     ///< with this file, open for reading
+  std::string body;  ///< with these bytes
+  int file = -1;     ///< or with this file, open for reading
 };
-
-/// All bytes of a question's file.
-std::string contentOf(const Question& question);
 
 /// Bytes that the library understands. May throw.
 using AnswerFunction = std::function<std::string(const Question&)>;

@@ -1,18 +1,18 @@
 // Bytes and descriptors between processes. A descriptor travels as control data of a message (unix(7), SCM_RIGHTS).
 #include "sandbox/wire.h"
 
-#include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
 namespace collision_hulls {
 namespace {
 
-/// A message of some bytes with room for one descriptor.
+/// A message of some bytes with room for descriptors.
 struct Message {
   Message(void* bytes, std::size_t size) : part{bytes, size} {
     message.msg_iov = &part;
@@ -25,39 +25,33 @@ struct Message {
 
   iovec part;
   msghdr message{};
-  alignas(cmsghdr) char control[CMSG_SPACE(sizeof(int))] = {};
+  alignas(cmsghdr) char control[CMSG_SPACE(sizeof(Numbers))] = {};
 };
 
 }  // namespace
 
-Descriptor memoryFile() {
-#ifdef MFD_NOEXEC_SEAL  // a machine may demand it
-  if (const int file = memfd_create("collision_hulls", MFD_CLOEXEC | MFD_NOEXEC_SEAL); file >= 0 || errno != EINVAL)
-    return Descriptor(file);
-#endif
-  return Descriptor(memfd_create("collision_hulls", MFD_CLOEXEC));
-}
-
-long sendWith(int socket, const void* bytes, std::size_t size, int descriptor, int flags) {
-  if (descriptor < 0) return send(socket, bytes, size, MSG_NOSIGNAL | flags);
+long sendWith(int socket, const void* bytes, std::size_t size, const Numbers& descriptors, int flags) {
+  const std::size_t count = descriptors[0] < 0 ? 0 : descriptors[1] < 0 ? 1 : 2;
+  if (count == 0) return send(socket, bytes, size, MSG_NOSIGNAL | flags);
   Message message(const_cast<void*>(bytes), size);
+  message.message.msg_controllen = CMSG_SPACE(count * sizeof(int));
   cmsghdr* const rights = CMSG_FIRSTHDR(&message.message);
   rights->cmsg_level = SOL_SOCKET;
   rights->cmsg_type = SCM_RIGHTS;
-  rights->cmsg_len = CMSG_LEN(sizeof descriptor);
-  std::memcpy(CMSG_DATA(rights), &descriptor, sizeof descriptor);
+  rights->cmsg_len = CMSG_LEN(count * sizeof(int));
+  std::memcpy(CMSG_DATA(rights), descriptors.data(), count * sizeof(int));
   return sendmsg(socket, &message.message, MSG_NOSIGNAL | flags);
 }
 
-long receiveWith(int socket, void* bytes, std::size_t size, Descriptor& descriptor, int flags) {
+long receiveWith(int socket, void* bytes, std::size_t size, Descriptors& descriptors, int flags) {
   Message message(bytes, size);
   const long got = recvmsg(socket, &message.message, MSG_CMSG_CLOEXEC | flags);
   if (got <= 0) return got;
   const cmsghdr* const rights = CMSG_FIRSTHDR(&message.message);
-  if (rights == nullptr || rights->cmsg_type != SCM_RIGHTS || rights->cmsg_len != CMSG_LEN(sizeof(int))) return got;
-  int number = -1;
-  std::memcpy(&number, CMSG_DATA(rights), sizeof number);
-  descriptor = Descriptor(number);
+  if (rights == nullptr || rights->cmsg_type != SCM_RIGHTS) return got;
+  Numbers numbers{-1, -1};
+  std::memcpy(numbers.data(), CMSG_DATA(rights), std::min(sizeof numbers, rights->cmsg_len - CMSG_LEN(0)));
+  descriptors = {Descriptor(numbers[0]), Descriptor(numbers[1])};
   return got;
 }
 

@@ -1,7 +1,7 @@
 // What goes over the socket between the library and a reader program.
 //
-// A question is a QuestionHeader, which carries the descriptor of the file to read, and the text that says what to do with it. Its answer
-// is an Ending, which carries the descriptor of the file that the worker wrote. Files that are no files of a disk lie in memory.
+// A question is a QuestionHeader, which carries the writing end of a pipe for the answer and, if there is one, the file to read; and two
+// texts: what to do, and the bytes to do it with. The worker writes the answer; when it has ended, an Ending follows over the socket.
 #pragma once
 
 #include <array>
@@ -21,14 +21,14 @@ constexpr std::array<char, 8> kWireVersion{'c', 'h', 'r', 'e', 'a', 'd', '0', '1
 /// What a worker may use.
 struct WorkerLimits {
   std::uint64_t memory = 0;       ///< [bytes] address space
-  std::uint64_t answer = 0;       ///< [bytes] length of its answer, which lies in memory beside that
   std::uint64_t cpu_seconds = 0;  ///< [s] computing
 };
 
 struct QuestionHeader {
   std::array<char, 8> version = kWireVersion;
   WorkerLimits limits;
-  std::uint64_t head_size = 0;  ///< bytes of the text that follows
+  std::uint64_t head_size = 0;  ///< [bytes] of the first text
+  std::uint64_t body_size = 0;  ///< [bytes] of the second
 };
 
 /// How a worker ended.
@@ -50,19 +50,19 @@ enum class AnswerKind : char {
   kException = 'x'  ///< the text of any other exception
 };
 
-/// An empty file in memory; none if that fails, with errno.
-Descriptor memoryFile();
+/// One or two descriptors; those that are negative do not count.
+using Descriptors = std::array<Descriptor, 2>;
+using Numbers = std::array<int, 2>;
 
-/// Sends some bytes with a descriptor (negative: none), or receives both, with one system call that returns what sendmsg() or recvmsg()
-/// does.
-long sendWith(int socket, const void* bytes, std::size_t size, int descriptor, int flags);
-long receiveWith(int socket, void* bytes, std::size_t size, Descriptor& descriptor, int flags);
+/// Sends some bytes with descriptors, or receives both, with one system call that returns what sendmsg() or recvmsg() does.
+long sendWith(int socket, const void* bytes, std::size_t size, const Numbers& descriptors, int flags);
+long receiveWith(int socket, void* bytes, std::size_t size, Descriptors& descriptors, int flags);
 
-/// Writes all of some bytes, or reads them from the file's start. Returns false if that fails, with errno, or zero if the file is shorter.
+/// Writes, or reads from the file's start, all of some bytes. Returns false if that fails.
 bool writeAll(int file, std::string_view bytes);
 bool readAll(int file, std::string& bytes);
 
-/// The size of a regular file or one in memory.
+/// The size of a regular file.
 std::optional<std::uint64_t> sizeOf(int file);
 
 }  // namespace collision_hulls

@@ -19,6 +19,7 @@
 #include "collision_hulls/error.h"
 #include "geometry/bytes.h"
 #include "sandbox/serve.h"
+#include "sandbox/wire.h"
 
 namespace collision_hulls {
 namespace {
@@ -80,11 +81,18 @@ std::string closePipeAndRunOn() {
 
 const std::map<std::string, std::function<std::string(const Question&)>>& deeds() {
   static const std::map<std::string, std::function<std::string(const Question&)>> all{
-      {"echo", [](const Question& q) { return contentOf(q); }},
+      {"echo", [](const Question& q) { return q.body; }},
       {"calls", [](const Question&) { return std::to_string(++g_calls); }},
       {"pids", [](const Question&) { return std::to_string(getpid()); }},
       {"descriptors", [](const Question&) { return openDescriptors(); }},
       {"environment", [](const Question&) { return environmentNames(); }},
+      {"file",
+       [](const Question& q) {
+         std::string bytes(sizeOf(q.file).value_or(0), ' ');
+         return readAll(q.file, bytes) ? bytes : std::strerror(errno);
+       }},
+      {"signals", [](const Question&) { return result(fcntl(STDERR_FILENO, F_SETOWN, getppid())); }},
+      {"cancelled", [](const Question&) -> std::string { throw Error(ErrorCode::kCancelled, "cancelled"); }},
       {"crash", [](const Question&) { return std::to_string(raise(SIGSEGV)); }},
       {"abort", [](const Question&) -> std::string { std::abort(); }},
       {"overflow", [](const Question&) { return std::to_string(overflow(1)); }},
@@ -101,8 +109,8 @@ const std::map<std::string, std::function<std::string(const Question&)>>& deeds(
       {"error", [](const Question&) -> std::string { throw Error(ErrorCode::kTooFarFromOrigin, "too far"); }},
       {"exception", [](const Question&) -> std::string { throw std::runtime_error("out\nof order"); }},
       {"open", [](const Question&) { return result(open("/dev/null", O_RDONLY)); }},
-      {"create", [](const Question& q) { return result(open(contentOf(q).c_str(), O_CREAT | O_WRONLY, 0600)); }},
-      {"remove", [](const Question& q) { return result(unlink(contentOf(q).c_str())); }},
+      {"create", [](const Question& q) { return result(open(q.body.c_str(), O_CREAT | O_WRONLY, 0600)); }},
+      {"remove", [](const Question& q) { return result(unlink(q.body.c_str())); }},
       {"socket", [](const Question&) { return result(socket(AF_INET, SOCK_STREAM, 0)); }},
       {"start", [](const Question&) { return startProgram(); }},
       {"fork", [](const Question&) { return result(fork()); }},
@@ -153,7 +161,7 @@ const std::map<std::string, std::function<std::string(const Question&)>>& deeds(
 
 std::string doAsTold(const Question& question) {
   const auto firstWord = [](const std::string& text) { return text.substr(0, text.find_first_of(" \n")); };
-  const auto deed = deeds().count(question.head) ? deeds().find(question.head) : deeds().find(firstWord(contentOf(question)));
+  const auto deed = deeds().count(question.head) ? deeds().find(question.head) : deeds().find(firstWord(question.body));
   if (deed == deeds().end()) throw std::runtime_error("no such deed");
   return deed->second(question);
 }

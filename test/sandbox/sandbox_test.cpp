@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <chrono>
@@ -27,7 +28,7 @@ constexpr bool kSanitized = false;
 
 constexpr std::uint64_t kMegabyte = 1'000'000;
 
-constexpr ReadingLimits kLimits{{300 * kMegabyte, 100 * kMegabyte, 5}, 60};
+constexpr ReadingLimits kLimits{{300 * kMegabyte, 5}, 100 * kMegabyte, 60};
 
 ReaderProgram& reader() {
   static ReaderProgram program(TEST_READER, "COLLISION_HULLS_TEST_READER");
@@ -36,8 +37,7 @@ ReaderProgram& reader() {
 
 std::string ask(const std::string& deed, const std::string& body = "", const ReadingLimits& limits = kLimits,
                 const RunControl& control = {}) {
-  const Descriptor file = inMemory(body, "a.dae", control);
-  return reader().ask({deed, file.number()}, limits, "a.dae", "raise it", control);
+  return reader().ask({deed, body, -1}, limits, "a.dae", "raise it", control);
 }
 
 /// Expects an Error of this code whose text has this part.
@@ -114,13 +114,13 @@ TEST(Reader, OneProcessServesManyQuestions) {
 
 TEST(Reader, HasOnlyItsPipe) {
   const Descriptor left_open(open("/dev/null", O_RDONLY));
-  EXPECT_EQ(ask("descriptors"), "1 2 3 4 6 ");
+  EXPECT_EQ(ask("descriptors"), "1 2 3 5 ");
 }
 
 TEST(Reader, HasNoEnvironmentBeyondNeed) {
   setenv("COLLISION_HULLS_SECRET", "1", 1);
   ReaderProgram fresh(TEST_READER, "COLLISION_HULLS_TEST_READER");
-  const std::string names = fresh.ask({"environment", -1}, kLimits, "a", "", {});
+  const std::string names = fresh.ask({"environment", {}, -1}, kLimits, "a", "", {});
   EXPECT_NE(names.find("LC_ALL "), std::string::npos) << names;
   EXPECT_EQ(names.find("SECRET"), std::string::npos) << names;
   EXPECT_EQ(names.find("HOME"), std::string::npos) << names;
@@ -128,6 +128,7 @@ TEST(Reader, HasNoEnvironmentBeyondNeed) {
 
 TEST(Reader, PassesErrorsOn) {
   expectError("error", ErrorCode::kTooFarFromOrigin, "too far");
+  expectError("cancelled", ErrorCode::kReaderFailed, "makes no sense");  // it has no say in that
   expectError("exception", ErrorCode::kReaderFailed, "a.dae: cannot be read (out of order)");
 }
 
@@ -148,16 +149,16 @@ TEST(Reader, MemoryIsLimited) {
 
 TEST(Reader, TimeIsLimited) {
   expectError("loop", ErrorCode::kReaderFailed, "a.dae: reading it takes more computing than the limit of 1 s; raise it",
-              {{300 * kMegabyte, 1000, 1}, 60});
+              {{300 * kMegabyte, 1}, 1000, 60});
   expectError("sleep", ErrorCode::kReaderFailed, "a.dae: reading it takes longer than the limit of 1 s; raise it",
-              {{300 * kMegabyte, 1000, 5}, 1});
-  expectError("run_on", ErrorCode::kReaderFailed, "signal 9", {{300 * kMegabyte, 1000, 50}, 60});
+              {{300 * kMegabyte, 5}, 1000, 1});
+  expectError("run_on", ErrorCode::kReaderFailed, "signal 9", {{300 * kMegabyte, 50}, 1000, 60});
 }
 
 TEST(Reader, LengthOfAnAnswerIsLimited) {
   const std::string text(1000, 'x');
-  EXPECT_EQ(ask("echo", text, {{300 * kMegabyte, 1001, 5}, 60}), text);
-  EXPECT_THROW(ask("echo", text, {{300 * kMegabyte, 1000, 5}, 60}), Error);  // with its kind, one byte too long
+  EXPECT_EQ(ask("echo", text, {{300 * kMegabyte, 5}, 1001, 60}), text);
+  EXPECT_THROW(ask("echo", text, {{300 * kMegabyte, 5}, 1000, 60}), Error);  // with its kind, one byte too long
 }
 
 TEST(Reader, DoesNothingButRead) {
@@ -165,7 +166,7 @@ TEST(Reader, DoesNothingButRead) {
   if (protection.find(", seccomp") == std::string::npos) GTEST_SKIP() << protection;
   const std::string file = (std::filesystem::temp_directory_path() / ("sandbox_" + std::to_string(getpid()))).string();
   std::ofstream(file) << "kept";
-  for (const char* const deed : {"open", "socket", "start", "fork", "trace", "kill", "code"})
+  for (const char* const deed : {"open", "socket", "start", "fork", "trace", "kill", "signals", "code"})
     EXPECT_EQ(ask(deed), "Operation not permitted") << deed;
   EXPECT_EQ(ask("create", file + "_new"), "Operation not permitted");
   EXPECT_EQ(ask("remove", file), "Operation not permitted");
@@ -179,7 +180,18 @@ TEST(Reader, ReadsTheFileThatItIsGiven) {
   std::ofstream(path) << "content";
   const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
   std::filesystem::remove(path);
-  EXPECT_EQ(reader().ask({"echo", file.number()}, kLimits, path, "", {}), "content");
+  EXPECT_EQ(reader().ask({"file", {}, file.number()}, kLimits, path, "", {}), "content");
+}
+
+/// Neither bytes nor answers are files, which the shell's `ulimit -f` would bound.
+TEST(Reader, NeedsNoFiles) {
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit none{0, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &none);
+  const std::string text(1'000'000, 'x');
+  EXPECT_EQ(ask("echo", text), text);
+  setrlimit(RLIMIT_FSIZE, &before);
 }
 
 TEST(Reader, CancelEndsIt) {
@@ -236,7 +248,7 @@ TEST(Reader, ServesManyThreads) {
 TEST(Reader, ThatCannotBeStarted) {
   ReaderProgram missing("no_such_program", "COLLISION_HULLS_NO_SUCH");
   try {
-    missing.ask({"echo", -1}, kLimits, "a.dae", "", {});
+    missing.ask({"echo", {}, -1}, kLimits, "a.dae", "", {});
     ADD_FAILURE() << "it answered";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::kReaderFailed);
@@ -249,7 +261,7 @@ TEST(Reader, ThatIsAnotherProgram) {
   setenv("COLLISION_HULLS_OTHER", "/bin/true", 1);
   ReaderProgram other("no_such_program", "COLLISION_HULLS_OTHER");
   try {
-    other.ask({"echo", -1}, kLimits, "a.dae", "", {});
+    other.ask({"echo", {}, -1}, kLimits, "a.dae", "", {});
     ADD_FAILURE() << "it answered";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::kReaderFailed);

@@ -16,6 +16,7 @@
 #include <sstream>
 #include <vector>
 
+#include "base/roots.h"
 #include "collision_hulls/error.h"
 #include "recorded_state.h"
 #include "sandbox/reader_program.h"
@@ -73,6 +74,7 @@ JointStates fromBag(const std::string& file, const std::string& topic, const Run
   const Descriptor bag(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
   if (bag.number() < 0)
     throw Error(ErrorCode::kFileNotFound, "'" + file + "' cannot be read: " + std::strerror(errno) + "; give the path of a bag");
+  checkRead(file, bag.number());
   const std::optional<std::uint64_t> size = sizeOf(bag.number());
   if (!size) throw Error(ErrorCode::kFileNotFound, "'" + file + "' is not a regular file; give the path of a bag");
   const std::string head = toBytes(file, topic);

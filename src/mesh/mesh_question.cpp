@@ -1,8 +1,8 @@
 // The answer comes from a process that hostile bytes may have taken over. So it is taken for what it is, numbers: their count, each index
 // and each coordinate are checked before anything relies on them.
 //
-// What a worker may use grows with its file, so that a small file can do little harm and a large one is read. OBJ takes most: of 3 million
-// triangles, 13 bytes of memory per byte of the file.
+// What a worker may use grows with its file, so that a small file can do little harm and a large one is read. Collada takes most, as Assimp
+// reads it, too: of 3 million triangles, 11 bytes of memory per byte of the file.
 #include "mesh/mesh_question.h"
 
 #include <algorithm>

@@ -29,7 +29,7 @@ constexpr std::size_t kSeal = 64;            // bytes
 constexpr std::chrono::hours kGivenUp{1};    // age from which an unfinished file counts as left by a killed process
 
 struct Entry {
-  fs::file_time_type time;
+  std::chrono::nanoseconds time{0};  // of last use, since 1970
   std::uintmax_t bytes = 0;
   fs::path file;
 };
@@ -38,19 +38,17 @@ bool isHexDigit(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
 }
 
-/// A file's time and size; nullopt if another process has removed it meanwhile.
+/// A file's time and size; nullopt if another process has removed it meanwhile, and for links and other things.
 std::optional<Entry> entryOf(const fs::path& file) {
-  std::error_code error;
-  Entry entry;
-  entry.file = file;
-  entry.time = fs::last_write_time(file, error);
-  if (!error) entry.bytes = fs::file_size(file, error);
-  return error ? std::nullopt : std::optional<Entry>(entry);
+  struct stat status {};
+  if (lstat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  const auto since_1970 = std::chrono::seconds(status.st_mtim.tv_sec) + std::chrono::nanoseconds(status.st_mtim.tv_nsec);
+  return Entry{since_1970, static_cast<std::uintmax_t>(status.st_size), file};
 }
 
 bool isGivenUp(const Entry& entry) {
   const bool unfinished = entry.file.filename().string().rfind(kUnfinished, 0) == 0;
-  return unfinished && fs::file_time_type::clock::now() - entry.time > kGivenUp;
+  return unfinished && std::chrono::system_clock::now().time_since_epoch() - entry.time > kGivenUp;
 }
 
 std::string sealOf(const std::string& key, const std::string& name, std::string_view content) {

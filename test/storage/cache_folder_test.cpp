@@ -271,6 +271,7 @@ TEST(CacheFolder, TrimRemovesTheOldestEntriesAndNothingElse) {
   const TempFolder folder;
   fixtures::write(folder / "thesis.tex", std::string(1000, 'x'));
   age(folder / "thesis.tex", 9);
+  fs::create_symlink("thesis.tex", folder / entry('f'));  // takes no place
   CacheFolder cache(folder.path(), 4 * (25 + kSeal));
   for (const char digit : {'a', 'b', 'c', 'd', 'e'}) cache.store(entry(digit), std::string(25, digit));
   int hours = 9;

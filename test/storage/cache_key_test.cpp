@@ -2,6 +2,7 @@
 #include "storage/cache_key.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "pipeline/fixtures.h"
 
@@ -25,6 +26,17 @@ TEST(CacheKey, IsMadeOnceForItsOwnerAlone) {
   EXPECT_EQ(fixtures::contents(cache).size(), 1u) << "and nothing beside it";
   EXPECT_EQ(makeCacheKey(folder / "other"), "");
   EXPECT_NE(readCacheKey(folder / "other").bytes, key);
+}
+
+// Some systems let a user's group write by default.
+TEST(CacheKey, ItsFolderIsForItsOwnerAloneWhateverTheUmask) {
+  const fixtures::TempFolder folder;
+  const mode_t before = umask(0002);
+  for (const char* const name : {"a", "b/c", "d/", "e/f/"}) {
+    EXPECT_EQ(makeCacheKey(folder / name), "") << name;
+    EXPECT_EQ(readCacheKey(folder / name).bytes.size(), 32u) << name << ": " << readCacheKey(folder / name).fault;
+  }
+  umask(before);
 }
 
 TEST(CacheKey, WhereNoneCanBeMade) {

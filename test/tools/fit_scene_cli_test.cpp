@@ -60,7 +60,7 @@ TEST_F(FitSceneProgram, WrongUse) {
 
 // An earlier output may hold what a scene is read from.
 TEST_F(FitSceneProgram, AnInputIsNotReplacedByItsResult) {
-  ASSERT_EQ(run("arm.urdf --scene notch.yaml --clearance 1cm -o out --samples 10").status, 0);
+  ASSERT_EQ(run("arm.urdf --scene notch.yaml --clearance 1cm -o out --samples 10 --hulls-only").status, 0);
   const std::string mesh = "out/meshes/base/0_0.stl", srdf = "out/config/arm_disabled.srdf";
   for (const std::string& file : {mesh, srdf}) ASSERT_TRUE(fs::exists(folder_ / file));
   expectWrongUse("arm.urdf --scene " + mesh + " --clearance 1cm -o out", {mesh, "which is an input", "choose another output"});

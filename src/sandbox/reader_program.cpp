@@ -40,19 +40,22 @@ struct Circumstances {
   const std::string& program;
 };
 
-[[noreturn]] void failWith(const Circumstances& about, const std::string& what, const std::string& remedy) {
-  throw Error(ErrorCode::kReaderFailed, about.subject + ": " + what + "; " + remedy);
+[[noreturn]] void failWith(const Circumstances& about, const std::string& what, const std::string& remedy,
+                           ErrorCode code = ErrorCode::kReaderFailed) {
+  throw Error(code, about.subject + ": " + what + "; " + remedy);
 }
 
 [[noreturn]] void failOfWorker(const Ending& ending, const ReadingLimits& limits, const Circumstances& about) {
   if (ending.kind == Ending::Kind::kExit && ending.code == kOutOfMemory)
-    failWith(about, "reading it takes more memory than the limit of " + millions(limits.worker.memory), about.remedy);
+    failWith(about, "reading it takes more memory than the limit of " + millions(limits.worker.memory), about.remedy,
+             ErrorCode::kOutOfMemory);
   if (ending.kind == Ending::Kind::kExit)
     failWith(about, "its reader ended with status " + std::to_string(ending.code) + " instead of an answer", kDamaged);
   if (ending.code == SIGXCPU)
-    failWith(about, "reading it takes more computing than the limit of " + std::to_string(limits.worker.cpu_seconds) + " s", about.remedy);
+    failWith(about, "reading it takes more computing than the limit of " + std::to_string(limits.worker.cpu_seconds) + " s", about.remedy,
+             ErrorCode::kOutOfTime);
   const std::string signal = "(signal " + std::to_string(ending.code) + ", " + strsignal(ending.code) + ")";
-  if (ending.code == SIGKILL) failWith(about, "its reader was killed " + signal, "free some memory and run again");
+  if (ending.code == SIGKILL) failWith(about, "its reader was killed " + signal, "free some memory and run again", ErrorCode::kOutOfMemory);
   failWith(about, "its reader crashed " + signal, kDamaged);
 }
 
@@ -66,9 +69,9 @@ struct Circumstances {
   const auto whole = [](double seconds) { return std::to_string(std::lround(seconds)) + " s"; };
   switch (outcome.kind) {
     case ReaderOutcome::Kind::kTooSlow:
-      failWith(about, "reading it takes longer than the limit of " + whole(limits.clock_seconds), about.remedy);
+      failWith(about, "reading it takes longer than the limit of " + whole(limits.clock_seconds), about.remedy, ErrorCode::kOutOfTime);
     case ReaderOutcome::Kind::kTooLong:
-      failWith(about, "its content takes more memory than the limit of " + millions(limits.answer), about.remedy);
+      failWith(about, "its content takes more memory than the limit of " + millions(limits.answer), about.remedy, ErrorCode::kOutOfMemory);
     case ReaderOutcome::Kind::kReaderEnded:
       failWith(about, "'" + about.program + "', which reads files, ended without an answer", "run it by hand to see why");
     case ReaderOutcome::Kind::kAnswered: break;

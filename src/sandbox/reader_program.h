@@ -17,8 +17,8 @@ class ReaderProgram {
   ReaderProgram(std::string name, std::string variable) : name_(std::move(name)), variable_(std::move(variable)) {}
 
   /// The worker's answer. The question may be put again to another process. `subject` stands in messages: the file. `remedy`: what to do
-  /// where a limit was reached. Throws the Error that the worker threw; kReaderFailed if it crashed, reached a limit or cannot be started;
-  /// kCancelled, and then the worker is gone.
+  /// where a limit was reached. Throws the Error that the worker threw; kReaderFailed if it crashed or cannot be started; kOutOfMemory
+  /// or kOutOfTime if it reached a limit; kCancelled, and then the worker is gone.
   std::string ask(const ReaderQuestion& question, const ReadingLimits& limits, const std::string& subject, const std::string& remedy,
                   const RunControl& control);
 

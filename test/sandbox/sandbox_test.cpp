@@ -143,16 +143,16 @@ TEST(Reader, CrashIsAnError) {
 
 TEST(Reader, MemoryIsLimited) {
   if (kSanitized) GTEST_SKIP() << "a sanitizer needs more than any limit";
-  expectError("memory", ErrorCode::kReaderFailed, "a.dae: reading it takes more memory than the limit of 300 MB; raise it");
-  expectError("bad_alloc", ErrorCode::kReaderFailed, "more memory than the limit");
+  expectError("memory", ErrorCode::kOutOfMemory, "a.dae: reading it takes more memory than the limit of 300 MB; raise it");
+  expectError("bad_alloc", ErrorCode::kOutOfMemory, "more memory than the limit");
 }
 
 TEST(Reader, TimeIsLimited) {
-  expectError("loop", ErrorCode::kReaderFailed, "a.dae: reading it takes more computing than the limit of 1 s; raise it",
+  expectError("loop", ErrorCode::kOutOfTime, "a.dae: reading it takes more computing than the limit of 1 s; raise it",
               {{300 * kMegabyte, 1}, 1000, 60});
-  expectError("sleep", ErrorCode::kReaderFailed, "a.dae: reading it takes longer than the limit of 1 s; raise it",
+  expectError("sleep", ErrorCode::kOutOfTime, "a.dae: reading it takes longer than the limit of 1 s; raise it",
               {{300 * kMegabyte, 5}, 1000, 1});
-  expectError("run_on", ErrorCode::kReaderFailed, "signal 9", {{300 * kMegabyte, 50}, 1000, 60});
+  expectError("run_on", ErrorCode::kOutOfMemory, "signal 9", {{300 * kMegabyte, 50}, 1000, 60});
 }
 
 TEST(Reader, LengthOfAnAnswerIsLimited) {

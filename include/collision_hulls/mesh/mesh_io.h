@@ -57,11 +57,11 @@ bool isMeshFile(const std::string& path);
 /// that may carry surface and is not understood. Throws kFileNotFound, kUnsupportedFormat,
 /// kNotAMesh, kEmptyMesh, kTooLarge, kNonFiniteCoordinate, kIndexOutOfRange, kTooFarFromOrigin
 /// (single precision cannot resolve a thousandth of the mesh's diagonal), kReaderFailed,
-/// kCancelled. Thread safe.
+/// kOutOfMemory, kOutOfTime, kCancelled. Thread safe.
 ///
 /// Except for binary STL, bytes are decoded in another process, `collision_hulls_reader`, which is
-/// started as needed and can do nothing else. A file that crashes it or exceeds its limits is
-/// kReaderFailed; a cancelled run ends it at once.
+/// started as needed and can do nothing else. A file that crashes it is kReaderFailed, and one that
+/// exceeds its limits kOutOfMemory or kOutOfTime; a cancelled run ends it at once.
 LoadedMesh readMesh(const std::string& path, const MeshLimits& limits = {},
                     const RunControl& control = {});
 

@@ -2,11 +2,11 @@
 // new output must hold these hulls itself: it may replace the first, and nobody wants a package that needs its predecessor.
 #include "pipeline/earlier_output.h"
 
+#include "base/read_file.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "report/earlier_report.h"
 #include "robot/package_crawl.h"
-#include "storage/files.h"
 #include "storage/names.h"
 #include "storage/replace_folder.h"
 
@@ -23,13 +23,6 @@ bool isUsableMesh(const GeometryElement& element) {
 /// The file in its real folder. A file may itself be a link, as in an output that git-annex holds: it keeps its name.
 fs::path inRealFolder(const fs::path& file) {
   return fs::canonical(fs::absolute(file).parent_path()) / file.filename();
-}
-
-/// The content of a hull that has to go with the new output.
-std::string readHull(const fs::path& file) {
-  std::optional<std::string> content = contentOf(file, MeshLimits().max_bytes);
-  if (content) return *std::move(content);
-  throw Error(ErrorCode::kFileNotFound, "cannot read '" + file.string() + "', a hull that the description keeps; check its permissions");
 }
 
 /// The files that a description means.
@@ -137,7 +130,7 @@ KeptHulls keptHulls(const RobotDescription& robot, const std::set<std::string>& 
       if (!within) continue;
       const std::string place = places.of(*file, *within);
       kept.places[collision.uri] = place;
-      kept.contents[place] = readHull(*file);
+      kept.contents[place] = readFile(file->string(), "hull that the description keeps", MeshLimits().max_bytes);
     }
   }
   return kept;

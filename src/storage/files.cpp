@@ -39,7 +39,7 @@ fs::path behindLinks(fs::path file) {
 
 std::optional<std::string> contentOf(const fs::path& file, std::uintmax_t most_bytes) {
   try {
-    return readFile(file.string(), "file", most_bytes);
+    return OpenFile(file.string()).content("file", most_bytes);
   } catch (const Error&) {
     return std::nullopt;
   }

@@ -8,8 +8,8 @@
 
 namespace collision_hulls {
 
-/// The content of a regular file; nullopt if it cannot be read, is something else or has more bytes. For files that a user names, which
-/// must be there: readTextFile().
+/// The content of a regular file; nullopt if it cannot be read, is something else or has more bytes. For the program's own files, wherever
+/// they lie; for those that a user names, which have to be there and below the roots (base/roots.h): readFile() and readTextFile().
 std::optional<std::string> contentOf(const std::filesystem::path& file, std::uintmax_t most_bytes);
 
 /// Writes a file (and the folders above it), reads it back and compares. Throws kUnwritableOutput with the system's reason.

@@ -8,6 +8,7 @@
 #include <future>
 #include <nlohmann/json.hpp>
 
+#include "base/roots.h"
 #include "collision_hulls/error.h"
 #include "pipeline/fixtures.h"
 #include "shapes.h"
@@ -284,6 +285,15 @@ TEST(WriteOutput, OtherFailuresReplaceACompleteOutput) {
   RobotResult complete = sample(), result = incomplete(ErrorCode::kNotAMesh);
   writeOutput(complete, folder / "out");
   EXPECT_TRUE(writeOutput(result, folder / "out")) << "another run would not do better";
+}
+
+// The node may write to its ~output wherever that lies, and has to find there what it wrote.
+TEST(WriteOutput, WhereOnlyTheOutputMayBeWritten) {
+  const TempFolder folder;
+  const Confinement confinement({{folder / "in"}, {folder / "in"}, {folder / "out"}, {}, "", ""});
+  RobotResult result = sample();
+  EXPECT_TRUE(writeOutput(result, folder / "out"));
+  EXPECT_TRUE(writeOutput(result, folder / "out")) << "over the first";
 }
 
 TEST(WriteOutput, SaysThatThePairsOfAFittedModelAreGone) {

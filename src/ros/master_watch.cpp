@@ -2,6 +2,7 @@
 #include "master_watch.h"
 
 #include <ros/master.h>
+#include <ros/node_handle.h>
 #include <ros/param.h>
 #include <ros/this_node.h>
 #include <ros/time.h>
@@ -23,7 +24,8 @@ bool masterKnowsThisNode() {
 MasterWatch::MasterWatch() {
   std::string description;
   XmlRpc::XmlRpcValue value;
-  if (ros::param::search("robot_description", description) && ros::param::get(description, value)) parameters_[description] = value;
+  const ros::NodeHandle node;  // searches where Node does: ros::param would find the node's own result first
+  if (node.searchParam("robot_description", description) && node.getParam(description, value)) parameters_[description] = value;
   const std::string own = ros::this_node::getName();
   if (!ros::param::get(own, value) || value.getType() != XmlRpc::XmlRpcValue::TypeStruct) return;
   for (const auto& [name, parameter] : value)

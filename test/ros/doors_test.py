@@ -182,6 +182,7 @@ class DoorsTest(unittest.TestCase):
         parameters = rosgraph.Master("/doors_test", uri)
         first = self.start_master(port)
         parameters.setParam("/robot_description", "rubbish")
+        parameters.setParam(NODE + "/robot_description", "an earlier node's result")
         node = self.start("_tolerance:=3mm", env=dict(os.environ, ROS_MASTER_URI=uri, ROS_HOME=self.folder.file("home")))
         self.assertTrue(robots.wait_until(lambda: any(NODE + "/decompose" in name for name, _ in parameters.getSystemState()[2])))
         self.end(first)
@@ -189,6 +190,7 @@ class DoorsTest(unittest.TestCase):
         self.start_master(port)
         self.assertEqual(1, node.wait(30))
         self.assertIn("has to be started again", self.said())
+        self.assertFalse(parameters.hasParam(NODE + "/robot_description"))
         self.assertEqual(("3mm", "rubbish"), (parameters.getParam(NODE + "/tolerance"), parameters.getParam("/robot_description")))
 
     def test_two_interrupts(self):

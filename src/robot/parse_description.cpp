@@ -2,6 +2,7 @@
 #include <tinyxml2.h>
 
 #include <cstring>
+#include <new>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -86,6 +87,8 @@ UrdfModel readWhatCanBeRead(const tinyxml2::XMLElement& root, GeometryStandIns& 
   try {
     UrdfModel model = readModel(root);
     if (isWhole(root, model)) return model;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception&) {  // comes again below unless an element was the reason
   }
   stand_ins.takeOutUnreadable();
@@ -98,6 +101,8 @@ UrdfModel loadModel(const XmlSource& subject, const tinyxml2::XMLElement& root, 
     return readWhatCanBeRead(root, stand_ins);
   } catch (const JointGraphError& error) {
     subject.failAt(ErrorCode::kNotARobot, subject.lineFromRoot(error.line()), error.what());
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     subject.fail(ErrorCode::kNotARobot, std::string("urdfdom refuses it: ") + error.what() + xacroHint(subject, root));
   }

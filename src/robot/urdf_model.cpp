@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <new>
 #include <stdexcept>
 #include <thread>
 
@@ -62,6 +63,9 @@ ParseResult parse(const std::string& text) {
   capture->start();
   try {
     result.model = urdf::parseURDF(text);
+  } catch (const std::bad_alloc&) {
+    capture->stop();
+    throw;
   } catch (const std::exception& error) {
     result.errors = capture->stop() + error.what();
     return result;

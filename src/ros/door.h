@@ -87,10 +87,11 @@ class Door {
   bool serve(Request& request, Response& response) {
     const auto done = std::make_shared<std::promise<void>>();  // shared: this call may return before set_value() does
     const auto work = [&](const RunControl& control) { response = answered<Response>([&] { return job_(request, control, {}); }); };
-    if (worker_.start({"a service call", work, [done] { done->set_value(); }})) {
+    const std::string refusal = refusalOf({"a service call", work, [done] { done->set_value(); }});
+    if (refusal.empty()) {
       done->get_future().wait();
     } else {
-      response.message = worker_.refusal();
+      response.message = refusal;
     }
     return true;
   }
@@ -112,9 +113,19 @@ class Door {
         goal.setAborted(Result(), "memory ended while the answer was made; set brief");
       }
     };
-    if (worker_.start({goal.getGoalID().id, work, reply})) return;
-    response->message = worker_.refusal();
+    const std::string refusal = refusalOf({goal.getGoalID().id, work, reply});
+    if (refusal.empty()) return;
+    response->message = refusal;
     goal.setRejected(recast<Result>(*response), response->message);
+  }
+
+  /// Starts a job. Why that cannot be; empty if it began.
+  std::string refusalOf(Worker::Job job) {
+    try {
+      return worker_.start(std::move(job)) ? "" : worker_.refusal();
+    } catch (const std::exception& error) {
+      return std::string("the request cannot begin: ") + error.what() + "; free memory on the node's machine";
+    }
   }
 
   static void finish(Goal& goal, const Response& response, bool cancelled) {

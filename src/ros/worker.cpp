@@ -29,10 +29,11 @@ bool Worker::start(Job job) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (running_ || stopped_) return false;
   if (thread_.joinable()) thread_.join();  // its job is done and it no longer needs the mutex
-  running_ = true;
-  current_ = job.name;
   control_ = std::make_shared<RunControl>();
+  std::string name = job.name;
   thread_ = std::thread([this, job = std::move(job), control = control_] { run(job, *control); });
+  running_ = true;  // not before a thread is there; its job cannot end while the mutex is held
+  current_ = std::move(name);
   return true;
 }
 

@@ -23,7 +23,8 @@ class Worker {
   /// Cancels the job and waits for its end.
   ~Worker();
 
-  /// Starts the job and returns true. Returns false and calls neither function if a job is running or after stop().
+  /// Starts the job and returns true. Returns false and calls neither function if a job is running or after stop(). Throws
+  /// std::system_error where the system has no thread left; then nothing runs.
   bool start(Job job);
 
   /// Cancels the running job if it has this name.

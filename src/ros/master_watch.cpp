@@ -12,11 +12,12 @@ namespace {
 
 constexpr double kPeriod = 1;  // [s]
 
+/// roscpp registers this service before all else: a master that was restarted meanwhile may know what came later.
 bool masterKnowsThisNode() {
   XmlRpc::XmlRpcValue request, response, uri;
   request[0] = ros::this_node::getName();
-  request[1] = ros::this_node::getName();
-  return ros::master::execute("lookupNode", request, response, uri, false);
+  request[1] = ros::this_node::getName() + "/get_loggers";
+  return ros::master::execute("lookupService", request, response, uri, false);
 }
 
 }  // namespace

@@ -276,8 +276,8 @@ TEST(ParseDescription, ALinkNameThatIsTooLong) {
 TEST(ParseDescription, ElementsThatCannotBeReadKeepTheirPlaces) {
   const std::string box = "<visual><geometry><box size='1 1 1'/></geometry></visual>", none = "<visual/>",
                     capsule = "<visual><geometry><capsule/></geometry></visual>";
-  const RobotDescription robot = parseRobotDescription("<robot name='r'><link name='a'>" + none + box + capsule + capsule + none + box + none +
-                                                       capsule + "</link><link name='b'>" + capsule + "</link>" +
+  const RobotDescription robot = parseRobotDescription("<robot name='r'><link name='a'>" + none + box + capsule + capsule + none + box +
+                                                       none + capsule + "</link><link name='b'>" + capsule + "</link>" +
                                                        "<joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint></robot>");
   std::string kinds;
   for (const GeometryElement& element : robot.links.at(0).visuals) {

@@ -260,7 +260,7 @@ bool TriangleBvh::facesOneWay(const Eigen::Vector3d& p, double radius) const {
          leastCosine(cones.data(), count) > 0;
 }
 
-double TriangleBvh::frontBound(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& p, double radius, int* foremost) const {
+double TriangleBvh::frontBound(const HeightAbove& height, const Eigen::Vector3d& p, double radius, double limit, int* foremost) const {
   std::array<Spread, kMostCones> cones;
   std::size_t count = 0;
   double front = 0;
@@ -268,18 +268,27 @@ double TriangleBvh::frontBound(const std::vector<Eigen::Vector3d>& corners, cons
     const Cone c = cone(k);
     if (c.angle >= kAnyDirection || count == kMostCones) return false;
     cones[count++] = {c.axis, c.angle};
-    for (const Eigen::Vector3d& corner : corners) {
-      const Eigen::Vector3d from = corner - corners_[static_cast<std::size_t>(k)][0];
-      const double d = c.axis.dot(from) + c.angle * from.norm();
-      if (d <= front) continue;
-      front = d;
-      if (foremost) *foremost = index_[static_cast<std::size_t>(k)];
-    }
-    return true;
+    const int triangle = index_[static_cast<std::size_t>(k)];
+    const double d = height(triangle);
+    if (d <= front) return true;
+    front = d;
+    if (foremost) *foremost = triangle;
+    return front <= limit;
   };
   if (!forEachNear(p, radius, -1, add, [](const Cluster&) { return false; })) return std::numeric_limits<double>::infinity();
   const double cosine = leastCosine(cones.data(), count);
   return cosine > 0 ? front / cosine : std::numeric_limits<double>::infinity();
+}
+
+double TriangleBvh::heightAbove(int triangle, const std::vector<Eigen::Vector3d>& points) const {
+  const int k = position_[static_cast<std::size_t>(triangle)];
+  const Cone c = cone(k);
+  double height = 0;
+  for (const Eigen::Vector3d& p : points) {
+    const Eigen::Vector3d from = p - corners_[static_cast<std::size_t>(k)][0];
+    height = std::max(height, c.axis.dot(from) + c.angle * from.norm());
+  }
+  return c.angle < kAnyDirection ? height : std::numeric_limits<double>::infinity();
 }
 
 TriangleBvh::Nearest TriangleBvh::nearest(const Eigen::Vector3d& p, double limit, int hint) const {

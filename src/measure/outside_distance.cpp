@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 #include <queue>
+#include <unordered_map>
 
 #include "measure/level_bound.h"
 
@@ -23,6 +24,8 @@ constexpr double kOnFace = 1e-9;                    // a point this far beyond a
 constexpr std::size_t kMostCellsInAll = 8'000'000;  // with more cells than this none are divided
 constexpr int kDeepest = 40;                        // level down to which isWithin() descends
 constexpr std::size_t kVisitsBetweenChecks = 1024;
+constexpr std::size_t kEasy = 100;         // visits from which on a search compares walls with the whole hull
+constexpr double kWorthwhile = 2;          // least radius, in resolutions, of cells for which it does
 constexpr std::size_t kMostCells = 40000;  // cells of one size that a search for intruders may divide
 
 }  // namespace
@@ -117,6 +120,32 @@ struct OutsideDistance::View {
     if (!std::all_of(mine.begin(), mine.end(), holds)) return std::nullopt;
     return p;
   }
+};
+
+/// How far a hull rises above the walls of the solid. Large, nearly flat walls need no small cells if it rises little.
+class OutsideDistance::WallsOf {
+ public:
+  WallsOf(const OutsideDistance& octree, const ConvexHull& hull) : octree_(octree), hull_(hull) {}
+
+  /// Whether, as the walls near a cell face one way, no common point of cell and hull is further than `distance`. May miss that it is so.
+  bool keepWithin(double distance, const Cell& cell, const Query& query) {
+    const double radius = octree_.radius(cell);
+    if (query.summits_only || octree_.solid_.hasOpenings() || radius < kWorthwhile * query.resolution) return false;
+    const auto height = [this](int triangle) { return heightAbove(triangle); };
+    return heightAbove(cell.triangle) <= distance &&
+           octree_.solid_.frontBound(height, octree_.inWorld(cell.centre), cell.to_surface, radius, distance) <= distance;
+  }
+
+ private:
+  double heightAbove(int triangle) {
+    const auto [at, is_new] = heights_.emplace(triangle, 0);
+    if (is_new) at->second = octree_.solid_.surface().heightAbove(triangle, hull_.vertices);
+    return at->second;
+  }
+
+  const OutsideDistance& octree_;
+  const ConvexHull& hull_;
+  std::unordered_map<int, double> heights_;  // of the hull above triangles, as far as they were asked for
 };
 
 Eigen::AlignedBox3d OutsideDistance::turned(const Eigen::AlignedBox3d& box, const Eigen::Matrix3d& axes) {
@@ -232,6 +261,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
   Largest result;
   result.bound = query.floor;
   Faces faces(hull, solid_.axes(), memory_);
+  WallsOf walls(*this, hull);
   std::vector<View> views;
   std::priority_queue<Open> queue;
   const auto enough = [&] { return std::max(result.found, query.floor); };
@@ -241,7 +271,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
     if (view.outside) return;
     measuredChild(cell, parent);
     const double bound = std::min(knownBound(cell), query.surface_bound + std::min(view.depth, query.depth));
-    if (bound <= enough()) return;
+    if (bound <= enough() || (result.visits >= kEasy && walls.keepWithin(enough(), cells_[static_cast<std::size_t>(cell)], query))) return;
     queue.push({bound, cell, views.size()});
     views.push_back(std::move(view));
   };

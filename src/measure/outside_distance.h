@@ -82,6 +82,7 @@ class OutsideDistance {
   };
   struct Faces;  // of a hull
   struct View;   // of a cell by a hull
+  class WallsOf;
 
   /// The box along `axes` around a box along the world's axes.
   static Eigen::AlignedBox3d turned(const Eigen::AlignedBox3d& box, const Eigen::Matrix3d& axes);

@@ -360,9 +360,9 @@ double Solid::heightAboveSheet(const std::array<Eigen::Vector3d, 3>& patch, cons
 bool Solid::mayHoldSummit(const Eigen::Vector3d& p, double to_surface, double radius) const {
   return !surface().facesOneWay(p, impl_->walls.reach(to_surface, radius));
 }
-double Solid::frontBound(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& p, double to_surface, double radius,
+double Solid::frontBound(const TriangleBvh::HeightAbove& height, const Eigen::Vector3d& p, double to_surface, double radius, double limit,
                          int* foremost) const {
-  return surface().frontBound(corners, p, impl_->walls.reach(to_surface, radius), foremost);
+  return surface().frontBound(height, p, impl_->walls.reach(to_surface, radius), limit, foremost);
 }
 const Eigen::Matrix3d& Solid::axes() const {
   return impl_->axes;

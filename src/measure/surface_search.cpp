@@ -26,7 +26,8 @@ constexpr double kLevel = 0.25;  // in thresholds: a corner nearer to a plane th
 constexpr double kSteep = 0.05;  // least sine of the angle between a patch and a plane that splits it
 constexpr double kLarge = 0.25;  // least size, relative to the patch, of surface triangles along whose edges it may be split
 constexpr double kSlack = 0.5;   // in gaps: how far a patch may stick out sideways and still count as above a flat sheet
-constexpr double kLong = 40;     // in thresholds: shorter patches are halved, as planes would gain little
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+constexpr double kLong = 40;  // in thresholds: shorter patches are halved, as planes would gain little
 
 /// A corner of patches, and the triangle of the solid's surface nearest to it.
 struct Corner {
@@ -113,7 +114,8 @@ class Search {
       if (patch.bound > threshold()) patch.bound = std::min(patch.bound, solid_.heightAboveSheet(corners, n, kSlack * query_.gap));
       if (patch.bound > threshold()) {
         const std::vector<Eigen::Vector3d> all(corners.begin(), corners.end());
-        patch.bound = std::min(patch.bound, solid_.frontBound(all, c, n.distance, radius, &patch.divider));
+        const auto height = [&](int t) { return solid_.surface().heightAbove(t, all); };
+        patch.bound = std::min(patch.bound, solid_.frontBound(height, c, n.distance, radius, kNoLimit, &patch.divider));
       }
     }
     if (patch.bound > threshold())

@@ -146,6 +146,18 @@ TEST(OutsideDistance, SummitsOnly) {
 // Random input.
 
 // The middle of the gap is as far from the plate as from the opening below, and only the plate's flat side is as near.
+// A search of all cells near the surface would visit over a hundred thousand.
+TEST(OutsideDistance, AWallThatAHullHardlyLeavesNeedsFewVisits) {
+  const Solid solid = solidOf(test_shapes::box(2, 2, 1));
+  const ConvexHull hull =
+      convexHull({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}, {0, 0, 1}, {2, 0, 1}, {0, 2, 1}, {2, 2, 1}, {1, 1, 1.003}});
+  OutsideDistance outside(solid, boundingBox(hull));
+  const OutsideDistance::Largest largest = outside.largest(hull, query(0.005, 0.002));
+  EXPECT_EQ(largest.bound, 0.005);
+  EXPECT_LT(largest.visits, 5000U);
+  EXPECT_GE(outside.largest(hull, query(0.002, 0.0005)).bound, 0.003);
+}
+
 TEST(OutsideDistance, SummitsBetweenAWallAndAnOpening) {
   const double gap = 0.1;
   const Solid solid =

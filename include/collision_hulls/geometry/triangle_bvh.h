@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -62,15 +63,24 @@ class TriangleBvh {
   /// there are many triangles), but never the reverse.
   bool facesOneWay(const Eigen::Vector3d& p, double radius) const;
 
-  /// An upper bound on the distance to the solid that the triangles enclose, valid over the convex
-  /// hull of `corners` [m]. The ball of `radius` about p must contain, for each point of that hull
-  /// outside the solid, its nearest surface point. Infinite if the triangles in the ball do not all
-  /// face one way. Why: for x outside with nearest surface point y, x - y lies in the cone of the
-  /// normals n_i at y. These all make an angle of cosine at least c with some direction, so |x - y|
-  /// <= max_i n_i . (x - y) / c, and each term is linear in x. `foremost`, if given, receives the
-  /// triangle i that attains the maximum.
-  double frontBound(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& p,
-                    double radius, int* foremost = nullptr) const;
+  /// How far points lie above a triangle [m].
+  using HeightAbove = std::function<double(int triangle)>;
+
+  /// An upper bound on the distance to the solid that the triangles enclose, valid over any set of
+  /// points of which `height` tells how far any lies above the plane of a triangle (an upper bound,
+  /// see heightAbove()). The ball of `radius` about p must contain, for each of these points outside
+  /// the solid, its nearest surface point. Infinite if the triangles in the ball do not all face one
+  /// way, or if a height exceeds `limit`. Why: for x outside with nearest surface point y, x - y lies
+  /// in the cone of the normals n_i at y. These all make an angle of cosine at least c with some
+  /// direction, so |x - y| <= max_i n_i . (x - y) / c. `foremost`, if given, receives the triangle i
+  /// that attains the maximum.
+  double frontBound(const HeightAbove& height, const Eigen::Vector3d& p, double radius,
+                    double limit = std::numeric_limits<double>::infinity(),
+                    int* foremost = nullptr) const;
+
+  /// [m] An upper bound on how far any of the points, or of their convex hull, lies above a
+  /// triangle's plane; 0 if all lie below. Allows for the rounding of the normal.
+  double heightAbove(int triangle, const std::vector<Eigen::Vector3d>& points) const;
 
   /// The triangles whose boxes meet `box`, in ascending order.
   std::vector<int> trianglesNear(const Eigen::AlignedBox3d& box) const;

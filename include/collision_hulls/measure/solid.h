@@ -80,8 +80,10 @@ class Solid {
   /// [m] An upper bound on the distance to S over the convex hull of `corners`, which lies within
   /// `radius` of p; infinite if mayHoldSummit(p, to_surface, radius). See
   /// TriangleBvh::frontBound().
-  double frontBound(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& p,
-                    double to_surface, double radius, int* foremost = nullptr) const;
+  double frontBound(const TriangleBvh::HeightAbove& height, const Eigen::Vector3d& p,
+                    double to_surface, double radius,
+                    double limit = std::numeric_limits<double>::infinity(),
+                    int* foremost = nullptr) const;
   /// The triangles of the mesh, followed by one for each loose segment. Two-sided are those whose
   /// back may be nearest to a point outside S: sheets, rims, and wherever the surface may be inside
   /// out.

@@ -138,6 +138,27 @@ TEST_F(DecomposeProgram, ThePackageIsCalledAsItsFolder) {
   EXPECT_NE(named.out.find("$(find arm_hulls)"), std::string::npos) << named.out;
 }
 
+TEST_F(DecomposeProgram, StaysWithinItsRoots) {
+  fs::create_directories(folder_ / "in");
+  fs::create_directories(folder_ / "out");
+  fs::copy_file(folder_ / "arm/meshes/bracket.obj", folder_ / "in/bracket.obj");
+  fs::copy_file(folder_ / "arm/meshes/bracket.obj", folder_ / "bracket.obj");
+  fs::create_symlink(folder_ / "bracket.obj", folder_ / "in/link.obj");
+  const std::string roots = " --root in --root out --no-validate";
+  EXPECT_EQ(run("in/bracket.obj -o out/a" + roots).status, 0);
+  EXPECT_EQ(run("arm_description -o out/b --json out/b.json" + roots).status, 0) << "a package may be read";
+  const std::string refusal = "lies outside of the folders that may be ";
+  for (const char* mesh : {"bracket.obj", "in/link.obj", "in/../bracket.obj"}) {
+    const Finished outside = run(mesh + (" -o out/c" + roots));
+    EXPECT_EQ(outside.status, 2) << mesh;
+    EXPECT_NE(outside.err.find((folder_ / "bracket.obj") + "', which " + refusal + "read"), std::string::npos) << outside.err;
+  }
+  for (const char* output : {"c", "in/../c", "out", "."})
+    expectWrongUse("in/bracket.obj" + roots + " -o " + output, {refusal + "written", "--root"});
+  expectWrongUse("in/bracket.obj -o out/c --json report.json" + roots, {refusal + "written"});
+  EXPECT_FALSE(fs::exists(folder_ / "out/c"));
+}
+
 TEST_F(DecomposeProgram, PackagesThatNobodyInstalled) {
   const auto robot = [](const std::string& package) {
     const std::string mesh = "    <collision>" + fixtures::meshTag("package://" + package + "/meshes/bracket.obj") + "</collision>\n";

@@ -1,5 +1,5 @@
 // Joint states to configurations: listens to a topic for some seconds, or reads a bag, and collects what the messages say of the joints.
-// A damaged bag can crash rosbag or make it allocate without end, so another program reads it (bag_reader.cpp).
+// A damaged bag can crash rosbag or make it allocate without end, so another program reads it (bags/bag_reader.cpp).
 #include "joint_states.h"
 
 #include <fcntl.h>
@@ -16,9 +16,9 @@
 #include <sstream>
 #include <vector>
 
+#include "bags/recorded_state.h"
 #include "base/roots.h"
 #include "collision_hulls/error.h"
-#include "recorded_state.h"
 #include "sandbox/reader_program.h"
 #include "waiting.h"
 

@@ -1,4 +1,4 @@
-// Also tests src/ros/bag_reader.cpp.
+// Also tests src/ros/bags/bag_reader.cpp.
 #include "ros/joint_states.h"
 
 #include <gtest/gtest.h>

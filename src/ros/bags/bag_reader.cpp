@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "collision_hulls/error.h"
-#include "recorded_state.h"
+#include "ros/bags/recorded_state.h"
 #include "sandbox/serve.h"
 
 namespace {

@@ -68,12 +68,12 @@ class TriangleBvh {
 
   /// An upper bound on the distance to the solid that the triangles enclose, valid over any set of
   /// points of which `height` tells how far any lies above the plane of a triangle (an upper bound,
-  /// see heightAbove()). The ball of `radius` about p must contain, for each of these points outside
-  /// the solid, its nearest surface point. Infinite if the triangles in the ball do not all face one
-  /// way, or if a height exceeds `limit`. Why: for x outside with nearest surface point y, x - y lies
-  /// in the cone of the normals n_i at y. These all make an angle of cosine at least c with some
-  /// direction, so |x - y| <= max_i n_i . (x - y) / c. `foremost`, if given, receives the triangle i
-  /// that attains the maximum.
+  /// see heightAbove()). The ball of `radius` about p must contain, for each of these points
+  /// outside the solid, its nearest surface point. Infinite if the triangles in the ball do not all
+  /// face one way, or if a height exceeds `limit`. Why: for x outside with nearest surface point y,
+  /// x - y lies in the cone of the normals n_i at y. These all make an angle of cosine at least c
+  /// with some direction, so |x - y| <= max_i n_i . (x - y) / c. `foremost`, if given, receives the
+  /// triangle i that attains the maximum.
   double frontBound(const HeightAbove& height, const Eigen::Vector3d& p, double radius,
                     double limit = std::numeric_limits<double>::infinity(),
                     int* foremost = nullptr) const;

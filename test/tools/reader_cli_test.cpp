@@ -1,6 +1,7 @@
 // How a program treats meshes that its reader cannot read.
 #include <gtest/gtest.h>
 
+#include "collision_hulls/mesh/mesh_io.h"
 #include "shapes.h"
 #include "tools/program_test.h"
 
@@ -18,11 +19,13 @@ TEST_F(ReaderOptions, LimitMemory) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "a sanitizer needs more memory than any limit";
 #endif
-  const Finished result = run("bracket.obj -m bounding_box --no-cache --reader-memory 1");
+  const ConvexHull hull = convexHull(test_shapes::sphere(1, 40).vertices);
+  fixtures::write(folder_ / "ball.dae", encodeHull(hull, MeshFormat::kDae, "ball"));  // Collada takes most memory
+  const Finished result = run("ball.dae -m bounding_box --no-cache --reader-memory 1");
   EXPECT_EQ(result.status, 2);
-  EXPECT_NE(result.err.find("reading it takes more memory than the limit of 1 MB"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("reading it takes more memory than the limit of "), std::string::npos) << result.err;
   EXPECT_NE(result.err.find("raise reader-memory"), std::string::npos) << result.err;
-  EXPECT_EQ(run("bracket.obj -m bounding_box --no-cache --reader-memory 256 --reader-time 2").status, 0);
+  EXPECT_EQ(run("ball.dae -m bounding_box --no-cache --reader-memory 256 --reader-time 2").status, 0);
 }
 
 TEST_F(ReaderOptions, OutOfRange) {

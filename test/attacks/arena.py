@@ -13,6 +13,10 @@ import subprocess
 import tempfile
 from xml.sax.saxutils import quoteattr
 
+import hostile_meshes as hostile
+
+PACKAGE = pathlib.Path(__file__).resolve().parent.parent.parent
+QUICK = ("--no-validate", "--quiet", "-t", "5%")
 PATIENCE = 120  # s, after which a run counts as hung; none comes near it
 
 Ended = collections.namedtuple("Ended", "status errors command")
@@ -21,8 +25,8 @@ Ended = collections.namedtuple("Ended", "status errors command")
 class Arena:
     """A work folder, which stays if something went wrong."""
 
-    def __init__(self, programs, seed):
-        self.programs, self.seed = pathlib.Path(programs).resolve(), seed
+    def __init__(self, programs, seed, batches):
+        self.programs, self.seed, self.batches = pathlib.Path(programs).resolve(), seed, batches
         self.work = pathlib.Path(tempfile.mkdtemp(prefix="attacks-"))
         self.faults = []
 
@@ -41,7 +45,8 @@ class Arena:
                 resource.setrlimit(resource.RLIMIT_FSIZE, (file_bytes, file_bytes))
         command = [str(self.programs / program), *map(str, arguments), *([] if cache else ["--no-cache"])]
         environment = dict(os.environ, HOME=str(self.work), COLLISION_HULLS_CACHE=str(cache or self.work / "cache"))
-        return subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, preexec_fn=limit)
+        return subprocess.Popen(command, env=environment, cwd=self.work, preexec_fn=limit,
+                                stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
 
     def ended(self, process):
         """Waits for a process. A hang, a signal or a failure without a word is a fault."""
@@ -83,13 +88,30 @@ class Arena:
 
 def description(meshes):
     """A description with a link for each mesh, {link: file or URI}."""
-    links = "".join(f"<link name={quoteattr(name)}><collision><geometry><mesh filename={quoteattr(str(mesh))}/></geometry></collision></link>\n"
+    links = "".join(f"<link name='{name}'><collision><geometry><mesh filename={quoteattr(str(mesh))}/></geometry></collision></link>\n"
                     for name, mesh in meshes.items())
     root, *others = meshes
-    joints = "".join(f"<joint name={quoteattr('to_' + name)} type='revolute'><origin xyz='{i} 0 0'/><axis xyz='0 0 1'/>"
-                     f"<limit lower='-1' upper='1' effort='1' velocity='1'/><parent link={quoteattr(root)}/><child link={quoteattr(name)}/></joint>\n"
+    joints = "".join(f"<joint name='to_{name}' type='revolute'><parent link='{root}'/><child link='{name}'/><origin xyz='{i} 0 0'/>"
+                     "<axis xyz='0 0 1'/><limit lower='-1' upper='1' effort='1' velocity='1'/></joint>\n"
                      for i, name in enumerate(others))
     return f"<robot name='victim'>\n{links}{joints}</robot>\n"
+
+
+def in_folder(folder, meshes):
+    """Writes {link: (extension, content)} and a description of them; returns {link: file} and the description."""
+    files = {name: folder / (name + extension) for name, (extension, _) in meshes.items()}
+    for name, (_, content) in meshes.items():
+        files[name].write_bytes(content)
+    robot = folder / "victim.urdf"
+    robot.write_text(description({name: file.name for name, file in files.items()}), encoding="utf-8")
+    return files, robot
+
+
+def robot_of_three(arena, name):
+    """A description of three parts in a new folder."""
+    meshes = {"bracket": (".obj", hostile.obj(hostile.bracket())), "box": (".stl", hostile.binary_stl(hostile.BOX)),
+              "finger": (".stl", (PACKAGE / "meshes" / "finger.stl").read_bytes())}
+    return in_folder(arena.folder(name), meshes)[1]
 
 
 def report_of(output):

@@ -4,10 +4,10 @@ import struct
 
 # Words that stand where a number should: plain ones, which everybody reads alike, and those that readers are known to differ on.
 PLAIN_SPELLINGS = "1.5 -1.5 +1 .5 -.5 1. 0001 1e+00 1E0 5e-1 1.e0 0.1234567890123456789012345".split()
-ODD_SPELLINGS = """1.00000000000000000000000000001 0.00000000000000000000000001e26 10000000000000000000000e-22 1e0005 1.0f 0x1p0 0x1 0x10 1_000
-  99999999999999999999 18446744073709551617 18446744073709551616 1e5000 1e-5000 1.5e1.5 1d1 1,5 1e - -- --3 1-2 1+1 +-1 inf -inf infinity nan
-  nan(1) 123456789.123456789 1e38 3.4028235e38 3.4028236e38 1e-45 1e-320 2e2147483649 2e-4294967295 2e4294967297 1.#INF 1.#QNAN ٣ １ ½ 1..5 .
-  . e5 1e5e5 0b1 1L 1' $1 1% 1;2 -0""".split()
+ODD_SPELLINGS = """1.00000000000000000000000000001 0.00000000000000000000000001e26 10000000000000000000000e-22 1e0005 1.0f 0x1p0 0x1 0x10
+  1_000   99999999999999999999 18446744073709551617 18446744073709551616 1e5000 1e-5000 1.5e1.5 1d1 1,5 1e - -- --3 1-2
+  1+1 +-1 inf -inf infinity nan   nan(1) 123456789.123456789 1e38 3.4028235e38 3.4028236e38 1e-45 1e-320 2e2147483649
+  2e-4294967295 2e4294967297 1.#INF 1.#QNAN ٣ １ ½ 1..5 .   . e5 1e5e5 0b1 1L 1' $1 1% 1;2 -0""".split()
 COUNTS = "0 -1 1 2 3 4 5 7 100 255 256 65536 2147483647 2147483648 4294967295 4294967296 -2147483648 18446744073709551615 1e3 0x3".split()
 
 BOX = ([(x, y, z) for x in (0, .1) for y in (0, .2) for z in (0, .3)],
@@ -40,18 +40,21 @@ def spelled(vertices):
 
 def obj(mesh):
     faces = [" ".join(str(1 + corner) for corner in face) for face in mesh[1]]
-    return ("# made for a test\no part\n" + "".join("v %s %s %s\n" % v for v in spelled(mesh[0])) + "".join(f"f {face}\n" for face in faces)).encode()
+    vertices = ["v %s %s %s\n" % vertex for vertex in spelled(mesh[0])]
+    return ("# made for a test\no part\n" + "".join(vertices) + "".join(f"f {face}\n" for face in faces)).encode()
 
 
 def off(mesh):
     faces = [" ".join(map(str, (len(face), *face))) for face in mesh[1]]
-    return (f"OFF\n{len(mesh[0])} {len(faces)} 0\n" + "".join("%s %s %s\n" % v for v in spelled(mesh[0])) + "\n".join(faces) + "\n").encode()
+    lines = ["OFF", f"{len(mesh[0])} {len(faces)} 0", *("%s %s %s" % vertex for vertex in spelled(mesh[0])), *faces]
+    return ("\n".join(lines) + "\n").encode()
 
 
 def stl(mesh):
     words = spelled(mesh[0])
     facets = ["".join("   vertex %s %s %s\n" % words[corner] for corner in triangle) for triangle in triangulated(mesh)[1]]
-    return ("solid part\n" + "".join(f" facet normal 0 0 0\n  outer loop\n{f}  endloop\n endfacet\n" for f in facets) + "endsolid part\n").encode()
+    body = "".join(f" facet normal 0 0 0\n  outer loop\n{facet}  endloop\n endfacet\n" for facet in facets)
+    return f"solid part\n{body}endsolid part\n".encode()
 
 
 def binary_stl(mesh):
@@ -61,8 +64,9 @@ def binary_stl(mesh):
 
 
 def ply_header(kind, mesh):
-    return (f"ply\nformat {kind} 1.0\ncomment made for a test\nelement vertex {len(mesh[0])}\nproperty float x\nproperty float y\nproperty float z\n"
-            f"property uchar red\nelement face {len(mesh[1])}\nproperty list uchar int vertex_indices\nend_header\n").encode()
+    return (f"ply\nformat {kind} 1.0\ncomment made for a test\nelement vertex {len(mesh[0])}\nproperty float x\nproperty float y\n"
+            f"property float z\nproperty uchar red\nelement face {len(mesh[1])}\nproperty list uchar int vertex_indices\n"
+            "end_header\n").encode()
 
 
 def ply(mesh):
@@ -107,15 +111,18 @@ def seed_meshes(folder):
 
 
 STATEMENTS = {
-    ".obj": ["f 1 2 3", "f -1 -2 -3", "f 1//1 2//2 3//3", "f 1 2 3 4 5 6", "f 1 1 1", "f 1 2", "l 1 2", "p 1", "o x", "usemtl a", "vn 0 0 1",
-             "v 1 2 3 1", "v 1 2 3 4", "v .1 .2 .3 .4 .5 .6", "v 1 2", "\\", "# \\", "cstype bezier", "end", "curv 0 1 2", "call x.obj", "csh -c id"],
+    ".obj": ["f 1 2 3", "f -1 -2 -3", "f 1//1 2//2 3//3", "f 1 2 3 4 5 6", "f 1 1 1", "f 1 2", "l 1 2", "p 1", "o x", "usemtl a",
+            "vn 0 0 1", "v 1 2 3 1", "v 1 2 3 4", "v .1 .2 .3 .4 .5 .6", "v 1 2", "\\", "# \\", "cstype bezier", "end", "curv 0 1 2",
+            "call x.obj", "csh -c id"],
     ".off": ["OFF", "4OFF", "COFF", "BINARY", "#", "3 0 1 2", "4 0 1 2 3 1 0 0", "2 0 1", "0"],
     ".stl": ["solid a", "endsolid", "endsolid b", "facet normal 0 0 0", "outer loop", "vertex 0 0 0", "endloop", "endfacet", "COLOR="],
-    ".ply": ["end_header", "element vertex 3", "element face 2", "element tristrips 1", "element edge 2", "property float x", "property double y",
-             "property list uchar int vertex_indices", "property list double int vertex_index", "format ascii 1.0", "junk", "obj_info x", "comment"],
-    ".dae": ["<node id='a'><instance_node url='#a'/></node>", "<node id='&#97;'><instance_node url='#a'/></node>", "<p>0 0 0</p>", "<vcount>4</vcount>",
-             "<skew>1</skew>", "<lookat>0 0 0 0 0 0 0 0 0</lookat>", "<matrix>nan</matrix>", "<scale>0 0 0</scale>", "<!--", "-->", "<![CDATA[", "]]>",
-             "<?x --> ?>", "<!DOCTYPE a [<!ENTITY b 'c'>]>", "&b;", "&#0;", "<instance_geometry url='#shape'/>", "<tristrips>", "<unit meter='0'/>"],
+    ".ply": ["end_header", "element vertex 3", "element face 2", "element tristrips 1", "element edge 2", "property float x",
+            "property double y", "property list uchar int vertex_indices", "property list double int vertex_index",
+            "format ascii 1.0", "junk", "obj_info x", "comment"],
+    ".dae": ["<node id='a'><instance_node url='#a'/></node>", "<node id='&#97;'><instance_node url='#a'/></node>", "<p>0 0 0</p>",
+            "<vcount>4</vcount>", "<skew>1</skew>", "<lookat>0 0 0 0 0 0 0 0 0</lookat>", "<matrix>nan</matrix>",
+            "<scale>0 0 0</scale>", "<!--", "-->", "<![CDATA[", "]]>", "<?x --> ?>", "<!DOCTYPE a [<!ENTITY b 'c'>]>", "&b;", "&#0;",
+            "<instance_geometry url='#shape'/>", "<tristrips>", "<unit meter='0'/>"],
 }
 
 
@@ -132,7 +139,7 @@ def flip_bits(rng, extension, content):
 
 def overwrite_four_bytes(rng, extension, content):
     at = spot(rng, content)
-    word = rng.choice([b"\xff\xff\xff\xff", bytes(4), b"\xff\xff\xff\x7f", b"\0\0\x80\x7f", b"\0\0\xc0\x7f", b"\0\0\0\x80", rng.getrandbits(32).to_bytes(4, "little")])
+    word = rng.choice([0xffffffff, 0, 0x7fffffff, 0x7f800000, 0x7fc00000, 0x80000000, rng.getrandbits(32)]).to_bytes(4, "little")
     return content[:at] + word + content[at + 4:]
 
 
@@ -176,10 +183,20 @@ def respell_number(rng, extension, content):
     return replace_number(rng, content, PLAIN_SPELLINGS + ODD_SPELLINGS, 10000)
 
 
+def change_digits(rng, extension, content):
+    """What remains is most often a mesh, of another shape."""
+    digits = [match.start() for match in re.finditer(rb"(?<=[\d.])\d", content[:20000])]
+    changed = bytearray(content)
+    for at in rng.sample(digits, min(len(digits), rng.choice([1, 3, 10]))):
+        changed[at] = rng.choice(b"0123456789")
+    return bytes(changed)
+
+
 def change_count(rng, extension, content):
     """Counts are among a file's first numbers, or in an attribute."""
     if extension == ".stl" and len(content) > 84 and not content.startswith(b"solid"):
-        return content[:80] + struct.pack("<I", rng.choice([0, 1, 0x80000000, 0xffffffff, len(content) // 50, rng.getrandbits(32)])) + content[84:]
+        count = rng.choice([0, 1, 0x80000000, 0xffffffff, len(content) // 50, rng.getrandbits(32)])
+        return content[:80] + struct.pack("<I", count) + content[84:]
     counts = list(re.finditer(rb'(?:count|stride|offset)="(\d+)"', content))
     if not counts:
         return replace_number(rng, content, COUNTS, 8)
@@ -198,8 +215,8 @@ def insert_statement(rng, extension, content):
 
 
 def change_blanks(rng, extension, content):
-    old, new = rng.choice([("\n", "\r"), ("\n", "\r\n"), ("\n", "\f"), ("\n", " \n"), ("\n", "\\\n"), ("\n", "\n\n"), (" ", "\t"), (" ", "  "), (" ", "\v"),
-                           (".", ","), ("0", "00")])
+    old, new = rng.choice([("\n", "\r"), ("\n", "\r\n"), ("\n", "\f"), ("\n", " \n"), ("\n", "\\\n"), ("\n", "\n\n"),
+                           (" ", "\t"), (" ", "  "), (" ", "\v"), (".", ","), ("0", "00")])
     return content.replace(old.encode(), new.encode(), rng.choice([1, 3, -1]))
 
 
@@ -216,17 +233,18 @@ def change_tags(rng, extension, content):
     if rng.random() < .4:
         return re.sub(rb"(</?)" + tag + rb"\b", rb"\1" + rng.choice(tags + [b"other"]), content)
     if rng.random() < .5:
-        return re.sub(rb'(id|url|source)="#?(\w+)"', rb'\1="' + rng.choice([b"#shape", b"outer", b"#outer", b"", b"#", b"&#111;uter"]) + b'"', content,
-                      count=rng.choice([1, 2, 5]))
+        value = rng.choice([b"#shape", b"outer", b"#outer", b"", b"#", b"&#111;uter"])
+        return re.sub(rb'(id|url|source)="#?(\w+)"', rb'\1="' + value + b'"', content, count=rng.choice([1, 2, 5]))
     return re.sub(rb"<" + tag + rb"\b([^>]*[^/])?>", lambda match: match.group() * rng.choice([2, 3, 3000]), content, count=1)
 
 
-MUTATIONS = [flip_bits, overwrite_four_bytes, cut_off, drop_piece, double_piece, move_lines, respell_number, respell_number, change_count, change_count,
-             insert_statement, insert_statement, change_blanks, prepend, change_tags]
+MUTATIONS = [change_digits, change_digits, change_digits, flip_bits, overwrite_four_bytes, cut_off, drop_piece, double_piece,
+             move_lines, respell_number, respell_number, change_count, change_count, insert_statement, insert_statement, change_blanks,
+             prepend, change_tags]
 
 
 def mutated(rng, extension, content):
-    for _ in range(rng.choice([1, 1, 1, 2, 3])):
+    for _ in range(rng.choice([1, 1, 1, 1, 2, 3])):
         usable = [each for each in MUTATIONS if each is not change_tags or extension == ".dae"]
         content = rng.choice(usable)(rng, extension, content) or b" "
     return content

@@ -168,8 +168,8 @@ READERS = {".obj": read_obj, ".off": read_off, ".stl": read_stl}
 
 
 def half_spaces(polygons_of_hull):
-    """[(unit normal, offset)] of a convex mesh whose faces look outward. The offset is that of the furthest vertex, not of the face: that of
-    a sliver may be tilted by rounding."""
+    """[(unit normal, offset)] of a convex mesh whose faces look outward. The offset is that of the furthest vertex, not of the face: a
+    sliver may be tilted by rounding."""
     points = sorted({corner for polygon in polygons_of_hull for corner in polygon})
     planes = []
     for a, b, c, *_ in polygons_of_hull:

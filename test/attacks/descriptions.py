@@ -107,6 +107,5 @@ def attack_scenes(arena, rng):
         shutil.rmtree(output, ignore_errors=True)
         run = arena.run("fit_scene", robot, "--scene", scene, "--clearance", "2cm", "--samples", "50", "-o", output, *QUICK)
         arena.expect(run.status == 2 or scene not in hopeless, f"{scene.name} is taken for a scene: {run.command}")
-        arena.expect(output.is_dir() == (run.status == 0),
-                     f"{scene.name} ends with {run.status}, and an output is {'' if output.is_dir() else 'not '}there: {run.command}", scene)
+        arena.expect(output.is_dir() == (run.status == 0), f"{scene.name}: exit status {run.status}, and an output or not: {run.command}")
     return f"{len(hopeless) + 20} scenes"

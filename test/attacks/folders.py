@@ -91,52 +91,71 @@ def attack_cache(arena, rng):
     return f"{len(CACHE_DAMAGES)} damages"
 
 
-def strangers(folder, output):
-    return sorted(each.name for each in folder.iterdir() if each != output)
+def strangers(output):
+    """The names of what lies beside an output."""
+    return sorted(each.name for each in output.parent.iterdir() if each != output)
 
 
-def signalled(arena, command, delay, kind, cache):
-    """A run that gets a signal after `delay` seconds. It ends in order, unless the signal cannot be caught or comes too early for that."""
-    process = arena.start(*command, cache=cache)
+def wait_for_moment(rng, process, output, duration):
+    """Until some time after the start of a run, or after it began to write; returns when that was."""
+    if rng.random() < .5:
+        delay = rng.uniform(0, 1.2 * duration)
+        time.sleep(delay)
+        return f"{delay:.3f} s"
+    while process.poll() is None and not strangers(output):
+        time.sleep(.0002)
+    delay = rng.uniform(0, .01)
     time.sleep(delay)
+    return f"{delay:.4f} s of writing"
+
+
+def check_after_signal(arena, kind, run, output, old, new, what):
+    """An interrupted run leaves the old output, a finished one the new one, a killed one either, and perhaps a hidden folder."""
+    left = digests(output)
+    arena.expect(left in {0: [new], 130: [old]}.get(run.status, [old, new]), f"exit status {run.status}, but another output after {what}")
+    beside = [name for name in strangers(output) if kind != signal.SIGKILL or not name.startswith(".collision_hulls-")]
+    arena.expect(not beside, f"{beside} beside the output after {what}")
+
+
+def interrupt(arena, rng, kind, command, output, old, new, duration):
+    """Sends a signal to a run, and runs again; whether the signal left the old output."""
+    cache = arena.folder("signals_cache")
+    process = arena.start(*command, cache=cache)
+    what = f"{name_of(kind)} after {wait_for_moment(rng, process, output, duration)}"
     process.send_signal(kind)
     run = arena.ended(process)
-    arena.expect(run.status in (0, 130, -kind), f"exit status {run.status} after {name_of(kind)}: {run.command}\n{run.errors[:2000]}")
+    arena.expect(run.status in (0, 130, -kind), f"exit status {run.status} after {what}: {run.command}\n{run.errors[:2000]}")
+    check_after_signal(arena, kind, run, output, old, new, what)
+    stayed = digests(output) == old
+    run = arena.run(*command, cache=cache)
+    arena.expect(run.status == 0 and digests(output) == new, f"the run after {what} fails: {run.command}\n{run.errors[:2000]}")
+    arena.expect(not strangers(output), f"{strangers(output)} beside the output after {what} and another run")
+    return stayed
 
 
 def attack_signals(arena, rng):
     """Signals at any moment of a run that replaces an output: the old or the new one is there, nothing else, and the next run works."""
-    robot, folder = robot_of_three(arena, "signals"), arena.folder("signals_out")
-    output, old, new = folder / "hulls", arena.work / "signals_old", arena.work / "signals_new"
-    arguments = ("decompose", robot, "--package-name", "hulls", "--quiet")
-    arena.run(*arguments, "-t", "5%", "-o", old)
+    robot, output = robot_of_three(arena, "signals"), arena.folder("signals_out") / "hulls"
+    kept, fresh = arena.work / "signals_old", arena.work / "signals_new"
+    command = ("decompose", robot, "--package-name", "hulls", "--quiet")
+    arena.run(*command, "-t", "5%", "-o", kept)
     began = time.monotonic()
-    arena.run(*arguments, "-t", "1%", "-o", new)
+    arena.run(*command, "-t", "1%", "-o", fresh)
     duration = time.monotonic() - began
-    whole = [digests(old), digests(new)]
-    arena.expect(whole[0] != whole[1], "both tolerances give the same output, so nothing can be told")
-    ends = []
+    old, new = digests(kept), digests(fresh)
+    arena.expect(old != new, "both tolerances give the same output, so nothing can be told")
+    stayed = []
     for kind in 8 * [signal.SIGINT, signal.SIGTERM, signal.SIGKILL]:
         shutil.rmtree(output, ignore_errors=True)
-        shutil.copytree(old, output)
-        cache, delay = arena.folder("signals_cache"), rng.uniform(0, 1.1 * duration)
-        command = (*arguments, "-t", "1%", "-o", output)
-        signalled(arena, command, delay, kind, cache)
-        what = f"{name_of(kind)} after {delay:.3f} s"
-        ends.append(digests(output))
-        arena.expect(ends[-1] in whole, f"neither the old nor the new output is there after {what}")
-        beside = [name for name in strangers(folder, output) if kind != signal.SIGKILL or not name.startswith(".collision_hulls-")]
-        arena.expect(not beside, f"{beside} beside the output after {what}")
-        run = arena.run(*command, cache=cache)
-        arena.expect(run.status == 0 and digests(output) == whole[1], f"the run after {what} fails: {run.command}\n{run.errors}")
-        arena.expect(not strangers(folder, output), f"{strangers(folder, output)} beside the output after {what} and another run")
-    return f"{len(ends)} signals, after which the old output is there {ends.count(whole[0])} times"
+        shutil.copytree(kept, output)
+        stayed.append(interrupt(arena, rng, kind, (*command, "-t", "1%", "-o", output), output, old, new, duration))
+    return f"{len(stayed)} signals, {sum(stayed)} of which left the old output"
 
 
 def attack_full_disk(arena, rng):
     """Files that cannot grow, as on a full disk: the earlier output stays."""
-    robot, folder = robot_of_three(arena, "disk"), arena.folder("disk_out")
-    output, old = folder / "hulls", arena.work / "disk_old"
+    robot, output = robot_of_three(arena, "disk"), arena.folder("disk_out") / "hulls"
+    old = arena.work / "disk_old"
     arena.run("decompose", robot, "--package-name", "hulls", *QUICK, "-o", old)
     before = digests(old)
     scene = ("--scene", PACKAGE / "test/data/scenes/table.yaml", "--clearance", "2cm", "--samples", "100")
@@ -150,5 +169,5 @@ def attack_full_disk(arena, rng):
         wanted = 0 if file_bytes == 10**6 else 2
         arena.expect(run.status == wanted, f"a limit of {file_bytes} bytes ends with {run.status}: {run.command}\n{run.errors[:2000]}")
         arena.expect(run.status == 0 or digests(output) == before, f"a limit of {file_bytes} bytes harms the earlier output: {run.command}")
-        arena.expect(not strangers(folder, output), f"{strangers(folder, output)} beside the output: {run.command}")
+        arena.expect(not strangers(output), f"{strangers(output)} beside the output: {run.command}")
     return f"{len(limits)} limits"

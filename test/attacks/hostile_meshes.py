@@ -5,9 +5,9 @@ import struct
 # Words that stand where a number should: plain ones, which everybody reads alike, and those that readers are known to differ on.
 PLAIN_SPELLINGS = "1.5 -1.5 +1 .5 -.5 1. 0001 1e+00 1E0 5e-1 1.e0 0.1234567890123456789012345".split()
 ODD_SPELLINGS = """1.00000000000000000000000000001 0.00000000000000000000000001e26 10000000000000000000000e-22 1e0005 1.0f 0x1p0 0x1 0x10
-  1_000   99999999999999999999 18446744073709551617 18446744073709551616 1e5000 1e-5000 1.5e1.5 1d1 1,5 1e - -- --3 1-2
-  1+1 +-1 inf -inf infinity nan   nan(1) 123456789.123456789 1e38 3.4028235e38 3.4028236e38 1e-45 1e-320 2e2147483649
-  2e-4294967295 2e4294967297 1.#INF 1.#QNAN ٣ １ ½ 1..5 .   . e5 1e5e5 0b1 1L 1' $1 1% 1;2 -0""".split()
+  1_000 99999999999999999999 18446744073709551617 18446744073709551616 1e5000 1e-5000 1.5e1.5 1d1 1,5 1e - -- --3 1-2
+  1+1 +-1 inf -inf infinity nan nan(1) 123456789.123456789 1e38 3.4028235e38 3.4028236e38 1e-45 1e-320 2e2147483649
+  2e-4294967295 2e4294967297 1.#INF 1.#QNAN ٣ １ ½ 1..5 . e5 1e5e5 0b1 1L 1' $1 1% 1;2 -0""".split()
 COUNTS = "0 -1 1 2 3 4 5 7 100 255 256 65536 2147483647 2147483648 4294967295 4294967296 -2147483648 18446744073709551615 1e3 0x3".split()
 
 BOX = ([(x, y, z) for x in (0, .1) for y in (0, .2) for z in (0, .3)],
@@ -112,17 +112,17 @@ def seed_meshes(folder):
 
 STATEMENTS = {
     ".obj": ["f 1 2 3", "f -1 -2 -3", "f 1//1 2//2 3//3", "f 1 2 3 4 5 6", "f 1 1 1", "f 1 2", "l 1 2", "p 1", "o x", "usemtl a",
-            "vn 0 0 1", "v 1 2 3 1", "v 1 2 3 4", "v .1 .2 .3 .4 .5 .6", "v 1 2", "\\", "# \\", "cstype bezier", "end", "curv 0 1 2",
-            "call x.obj", "csh -c id"],
+             "vn 0 0 1", "v 1 2 3 1", "v 1 2 3 4", "v .1 .2 .3 .4 .5 .6", "v 1 2", "\\", "# \\", "cstype bezier", "end", "curv 0 1 2",
+             "call x.obj", "csh -c id"],
     ".off": ["OFF", "4OFF", "COFF", "BINARY", "#", "3 0 1 2", "4 0 1 2 3 1 0 0", "2 0 1", "0"],
     ".stl": ["solid a", "endsolid", "endsolid b", "facet normal 0 0 0", "outer loop", "vertex 0 0 0", "endloop", "endfacet", "COLOR="],
     ".ply": ["end_header", "element vertex 3", "element face 2", "element tristrips 1", "element edge 2", "property float x",
-            "property double y", "property list uchar int vertex_indices", "property list double int vertex_index",
-            "format ascii 1.0", "junk", "obj_info x", "comment"],
+             "property double y", "property list uchar int vertex_indices", "property list double int vertex_index",
+             "format ascii 1.0", "junk", "obj_info x", "comment"],
     ".dae": ["<node id='a'><instance_node url='#a'/></node>", "<node id='&#97;'><instance_node url='#a'/></node>", "<p>0 0 0</p>",
-            "<vcount>4</vcount>", "<skew>1</skew>", "<lookat>0 0 0 0 0 0 0 0 0</lookat>", "<matrix>nan</matrix>",
-            "<scale>0 0 0</scale>", "<!--", "-->", "<![CDATA[", "]]>", "<?x --> ?>", "<!DOCTYPE a [<!ENTITY b 'c'>]>", "&b;", "&#0;",
-            "<instance_geometry url='#shape'/>", "<tristrips>", "<unit meter='0'/>"],
+             "<vcount>4</vcount>", "<skew>1</skew>", "<lookat>0 0 0 0 0 0 0 0 0</lookat>", "<matrix>nan</matrix>",
+             "<scale>0 0 0</scale>", "<!--", "-->", "<![CDATA[", "]]>", "<?x --> ?>", "<!DOCTYPE a [<!ENTITY b 'c'>]>", "&b;", "&#0;",
+             "<instance_geometry url='#shape'/>", "<tristrips>", "<unit meter='0'/>"],
 }
 
 

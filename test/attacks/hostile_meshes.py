@@ -110,6 +110,17 @@ def seed_meshes(folder):
     return seeds
 
 
+
+def nested_nodes(depth):
+    return depth * "<node>" + "<instance_geometry url='#shape'/>" + depth * "</node>"
+
+
+def doubling_nodes(count):
+    """Each node holds the next one twice: 2^count instances."""
+    nodes = [f"<node id='&#100;{i}'>" + 2 * f"<instance_node url='#d{i + 1}'/>" + "</node>" for i in range(count)]
+    return "".join(nodes) + f"<node id='d{count}'><instance_geometry url='#shape'/></node>"
+
+
 STATEMENTS = {
     ".obj": ["f 1 2 3", "f -1 -2 -3", "f 1//1 2//2 3//3", "f 1 2 3 4 5 6", "f 1 1 1", "f 1 2", "l 1 2", "p 1", "o x", "usemtl a",
              "vn 0 0 1", "v 1 2 3 1", "v 1 2 3 4", "v .1 .2 .3 .4 .5 .6", "v 1 2", "\\", "# \\", "cstype bezier", "end", "curv 0 1 2",
@@ -122,7 +133,8 @@ STATEMENTS = {
     ".dae": ["<node id='a'><instance_node url='#a'/></node>", "<node id='&#97;'><instance_node url='#a'/></node>", "<p>0 0 0</p>",
              "<vcount>4</vcount>", "<skew>1</skew>", "<lookat>0 0 0 0 0 0 0 0 0</lookat>", "<matrix>nan</matrix>",
              "<scale>0 0 0</scale>", "<!--", "-->", "<![CDATA[", "]]>", "<?x --> ?>", "<!DOCTYPE a [<!ENTITY b 'c'>]>", "&b;", "&#0;",
-             "<instance_geometry url='#shape'/>", "<tristrips>", "<unit meter='0'/>"],
+             "<instance_geometry url='#shape'/>", "<tristrips>", "<unit meter='0'/>", nested_nodes(100), nested_nodes(5000),
+             doubling_nodes(4), doubling_nodes(26)],
 }
 
 
@@ -185,7 +197,8 @@ def respell_number(rng, extension, content):
 
 def change_digits(rng, extension, content):
     """What remains is most often a mesh, of another shape."""
-    digits = [match.start() for match in re.finditer(rb"(?<=[\d.])\d", content[:20000])]
+    start = max(0, content.find(b"end_header"))
+    digits = [match.start() for match in re.finditer(rb"(?<=[\d.])\d", content[:20000]) if match.start() >= start]
     changed = bytearray(content)
     for at in rng.sample(digits, min(len(digits), rng.choice([1, 3, 10]))):
         changed[at] = rng.choice(b"0123456789")

@@ -1,4 +1,4 @@
-"""A second reader of OBJ, OFF and STL, written apart from the package's, and the check that hulls hold what it reads.
+"""A second reader of OBJ, OFF, PLY and STL, written apart from the package's, and the check that hulls hold what it reads.
 
 It takes what doc/limits.md says that the package takes, and raises ValueError for all else. Standard library only.
 """
@@ -13,6 +13,8 @@ INTEGER = re.compile(r"-?\d+", re.ASCII)
 BYTE_ORDER_MARK = "\xef\xbb\xbf"  # of UTF-8, decoded as Latin-1
 OBJ_WITHOUT_SURFACE = frozenset("vt vn vp g o s mg usemtl mtllib usemap maplib bevel c_interp d_interp lod shadow_obj trace_obj".split())
 STL_HEADER, STL_FACET = 84, 50  # bytes
+PLY_TYPES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I", "float": "f", "double": "d",
+             "int8": "b", "uint8": "B", "int16": "h", "uint16": "H", "int32": "i", "uint32": "I", "float32": "f", "float64": "d"}
 MOST_POINTS = 400  # of a mesh that are looked for in its hulls
 
 
@@ -154,6 +156,63 @@ def facet_points(words):
     return [point(words[i:i + 3]) for i in (8, 12, 16)]
 
 
+def ply_header(text):
+    """The format and [(element, rows, [property])], a property being (name, type) or (name, type of count, type of values)."""
+    lines = [WORD.findall(line) for line in text.splitlines() if line.strip() and WORD.findall(line)[0] not in ("comment", "obj_info")]
+    if lines[:1] != [["ply"]] or lines[1:2] not in [[["format", kind, "1.0"]] for kind in PLY_VALUES]:
+        raise ValueError("no header")
+    elements = []
+    for words in lines[2:]:
+        if words[0] == "element" and len(words) == 3:
+            elements.append((words[1], integer(words[2]), []))
+        elif words[0] == "property" and elements and len(words) == (5 if words[1] == "list" else 3):
+            elements[-1][2].append((words[-1], *(PLY_TYPES[word] for word in words[1:-1] if word != "list")))
+        else:
+            raise ValueError(f"unknown line {words}")
+    return lines[1][1], elements
+
+
+def text_values(data):
+    """Whole numbers are needed only for counts and indices: colours may be anything."""
+    words = iter(WORD.findall(data.decode("latin-1")))
+
+    def value(kind):
+        word = next(words)
+        return int(word) if kind not in "fd" and INTEGER.fullmatch(word) else number(word)
+    return value
+
+
+def binary_values(order):
+    def values(data):
+        place = [0]
+
+        def value(kind):
+            place[0] += struct.calcsize(kind)
+            return struct.unpack_from(order + kind, data, place[0] - struct.calcsize(kind))[0]
+        return value
+    return values
+
+
+PLY_VALUES = {"ascii": text_values, "binary_little_endian": binary_values("<"), "binary_big_endian": binary_values(">")}
+
+
+def ply_row(properties, value):
+    """{property: its value, or list of values}"""
+    return {name: value(kinds[0]) if len(kinds) == 1 else [value(kinds[1]) for _ in range(value(kinds[0]))] for name, *kinds in properties}
+
+
+def read_ply(content):
+    end = re.search(rb"\bend_header[ \t]*(\r\n|\n|\r)", content)
+    try:
+        kind, elements = ply_header(content[:end.start()].decode("latin-1"))
+        value = PLY_VALUES[kind](content[end.end():])
+        rows = {name: [ply_row(properties, value) for _ in range(count)] for name, count, properties in elements}
+        faces = [row["vertex_indices"] if "vertex_indices" in row else row["vertex_index"] for row in rows["face"]]
+        return polygons([tuple(single(row[axis]) for axis in "xyz") for row in rows["vertex"]], faces)
+    except (AttributeError, KeyError, TypeError, StopIteration, struct.error) as error:
+        raise ValueError(f"not a PLY file: {error!r}") from error
+
+
 def polygons(points, faces):
     """The faces as lists of points: those with fewer than three corners are no surface."""
     if any(not 0 <= corner < len(points) for face in faces for corner in face):
@@ -164,7 +223,7 @@ def polygons(points, faces):
     return result
 
 
-READERS = {".obj": read_obj, ".off": read_off, ".stl": read_stl}
+READERS = {".obj": read_obj, ".off": read_off, ".ply": read_ply, ".stl": read_stl}
 
 
 def half_spaces(polygons_of_hull):

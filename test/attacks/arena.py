@@ -49,7 +49,7 @@ class Arena:
                                 stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
 
     def ended(self, process):
-        """Waits for a process. A hang, a signal or a failure without a word is a fault."""
+        """Waits for a process. A hang is a fault."""
         try:
             errors = process.communicate(timeout=PATIENCE)[1].decode("utf-8", "replace")
         except subprocess.TimeoutExpired:
@@ -59,6 +59,7 @@ class Arena:
         return Ended(process.returncode, errors, shlex.join(process.args))
 
     def run(self, program, *arguments, **limits):
+        """A run to its end. A signal, or a failure without a word, is a fault."""
         run = self.ended(self.start(program, *arguments, **limits))
         if run.status not in (0, 1, 2):
             self.fault(f"exit status {run.status}: {run.command}\n{run.errors[:2000]}")

@@ -48,15 +48,11 @@ void awaitPipe(int descriptor, const RunControl& control) {
 OpenFile::OpenFile(const std::string& path, Links links)
     : path_(path),
       descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK | (links == Links::kRefuse ? O_NOFOLLOW : 0))) {
-  if (descriptor_ < 0 || fstat(descriptor_, &status_) != 0) error_ = errno;
-}
-
-OpenFile::~OpenFile() {
-  if (descriptor_ >= 0) close(descriptor_);
+  if (descriptor_.number() < 0 || fstat(descriptor_.number(), &status_) != 0) error_ = errno;
 }
 
 void OpenFile::expectAllowed() const {
-  if (error_ == 0) checkRead(path_, descriptor_);
+  if (error_ == 0) checkRead(path_, descriptor_.number());
 }
 
 void OpenFile::expectRegular(const std::string& kind) const {
@@ -73,7 +69,7 @@ std::string OpenFile::content(const std::string& kind, std::uintmax_t most_bytes
   std::string bytes(size, '\0');
   for (std::size_t done = 0; done < bytes.size();) {
     control.check();
-    const ssize_t got = read(descriptor_, bytes.data() + done, std::min(kPiece, bytes.size() - done));
+    const ssize_t got = read(descriptor_.number(), bytes.data() + done, std::min(kPiece, bytes.size() - done));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) failToRead(path_, errno);
     if (got == 0) fail(path_, "became shorter while it was read; run again when it is complete");
@@ -87,8 +83,8 @@ std::string OpenFile::contentOfPipe(const std::string& kind, std::uintmax_t most
   std::string bytes;
   char piece[65536];
   for (;;) {
-    awaitPipe(descriptor_, control);
-    const ssize_t got = read(descriptor_, piece, sizeof piece);
+    awaitPipe(descriptor_.number(), control);
+    const ssize_t got = read(descriptor_.number(), piece, sizeof piece);
     if (got == 0) return bytes;
     if (got < 0 && errno != EINTR && errno != EAGAIN) failToRead(path_, errno);
     if (got > 0) bytes.append(piece, static_cast<std::size_t>(got));

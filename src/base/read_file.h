@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "base/descriptor.h"
 #include "collision_hulls/control.h"
 
 namespace collision_hulls {
@@ -26,12 +27,10 @@ class OpenFile {
 
   /// Never waits, not even for a FIFO. Check error().
   explicit OpenFile(const std::string& path, Links links = Links::kFollow);
-  ~OpenFile();
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
 
   int error() const { return error_; }  ///< 0, or the errno that says why the file is not open
   const struct stat& status() const { return status_; }
+  int number() const { return descriptor_.number(); }  ///< the file descriptor
 
   /// Throws kOutsideRoots (roots.h).
   void expectAllowed() const;
@@ -41,11 +40,12 @@ class OpenFile {
   /// See readFileOrPipe().
   std::string contentOfPipe(const std::string& kind, std::uintmax_t most_bytes, const RunControl& control) const;
 
- private:
+  /// Throws kFileNotFound unless it is an open regular file.
   void expectRegular(const std::string& kind) const;
 
+ private:
   const std::string path_;
-  const int descriptor_;
+  const Descriptor descriptor_;
   int error_ = 0;
   struct stat status_ {};
 };

@@ -2,22 +2,18 @@
 // A damaged bag can crash rosbag or make it allocate without end, so another program reads it (bags/bag_reader.cpp).
 #include "joint_states.h"
 
-#include <fcntl.h>
 #include <ros/callback_queue.h>
 #include <ros/master.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/JointState.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <optional>
 #include <sstream>
 #include <vector>
 
 #include "bags/recorded_state.h"
-#include "base/roots.h"
+#include "base/read_file.h"
 #include "collision_hulls/error.h"
 #include "sandbox/reader_program.h"
 #include "waiting.h"
@@ -71,15 +67,12 @@ ReadingLimits limitsFor(std::uint64_t bag_bytes) {
 
 JointStates fromBag(const std::string& file, const std::string& topic, const RunControl& control) {
   static auto* const reader = new ReaderProgram("collision_hulls_bag_reader", "COLLISION_HULLS_BAG_READER");  // threads may outlive main()
-  const Descriptor bag(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
-  if (bag.number() < 0)
-    throw Error(ErrorCode::kFileNotFound, "'" + file + "' cannot be read: " + std::strerror(errno) + "; give the path of a bag");
-  checkRead(file, bag.number());
-  const std::optional<std::uint64_t> size = sizeOf(bag.number());
-  if (!size) throw Error(ErrorCode::kFileNotFound, "'" + file + "' is not a regular file; give the path of a bag");
+  const OpenFile bag(file);
+  bag.expectAllowed();
+  bag.expectRegular("bag");
   const std::string head = toBytes(file, topic);
-  const std::string answer = reader->ask({head, {}, bag.number()}, limitsFor(*size), "'" + file + "'",
-                                         "give a bag with fewer messages, as 'rosbag filter' makes it", control);
+  const std::string answer = reader->ask({head, {}, bag.number()}, limitsFor(static_cast<std::uint64_t>(bag.status().st_size)),
+                                         "'" + file + "'", "give a bag with fewer messages, as 'rosbag filter' makes it", control);
   JointStates states;
   try {
     fromBytes(answer, states);

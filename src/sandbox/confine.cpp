@@ -73,7 +73,7 @@ void offerToOutOfMemoryKiller() {
 
 /// Ends the process before a parser can take the failure for a fault of the file.
 [[noreturn]] void endForWantOfMemory() {
-  _exit(kOutOfMemory);
+  _exit(kWorkerOutOfMemory);
 }
 
 #ifdef LANDLOCK_ACCESS_FS_EXECUTE

@@ -19,7 +19,7 @@ std::string text(const Protection& protection);
 
 /// For good: the process may compute, use the descriptors that it has open, and end, within `limits`. It cannot open or create files or
 /// sockets, start processes or programs, or trace others. It ends with its parent, the process `parent`; dumps no core; and with the status
-/// kOutOfMemory if it runs out of memory. What the kernel or the build does not offer is left out, and missing in the result.
+/// kWorkerOutOfMemory if it runs out of memory. What the kernel or the build does not offer is left out, and missing in the result.
 Protection confine(const WorkerLimits& limits, int parent);
 
 }  // namespace collision_hulls

@@ -46,7 +46,7 @@ struct Circumstances {
 }
 
 [[noreturn]] void failOfWorker(const Ending& ending, const ReadingLimits& limits, const Circumstances& about) {
-  if (ending.kind == Ending::Kind::kExit && ending.code == kOutOfMemory)
+  if (ending.kind == Ending::Kind::kExit && ending.code == kWorkerOutOfMemory)
     failWith(about, "reading it takes more memory than the limit of " + millions(limits.worker.memory), about.remedy,
              ErrorCode::kOutOfMemory);
   if (ending.kind == Ending::Kind::kExit)

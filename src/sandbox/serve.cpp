@@ -67,7 +67,7 @@ Answer answerOrError(const AnswerFunction& answer, const Question& question, con
   } catch (const Error& error) {
     return {toBytes(error.code(), std::string(error.what())), AnswerKind::kError};
   } catch (const std::bad_alloc&) {
-    _exit(kOutOfMemory);
+    _exit(kWorkerOutOfMemory);
   } catch (const std::exception& error) {
     return {error.what(), AnswerKind::kException};
   }

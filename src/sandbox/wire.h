@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -41,7 +40,7 @@ struct Ending {
 constexpr std::string_view kAskProtection = "protection";
 
 /// Exit status of a worker that has run out of memory.
-constexpr int kOutOfMemory = 71;
+constexpr int kWorkerOutOfMemory = 71;
 
 /// The last byte that a worker writes says what the bytes before it are.
 enum class AnswerKind : char {
@@ -58,11 +57,7 @@ using Numbers = std::array<int, 2>;
 long sendWith(int socket, const void* bytes, std::size_t size, const Numbers& descriptors, int flags);
 long receiveWith(int socket, void* bytes, std::size_t size, Descriptors& descriptors, int flags);
 
-/// Writes, or reads from the file's start, all of some bytes. Returns false if that fails.
+/// Writes all of some bytes. Returns false if that fails.
 bool writeAll(int file, std::string_view bytes);
-bool readAll(int file, std::string& bytes);
-
-/// The size of a regular file.
-std::optional<std::uint64_t> sizeOf(int file);
 
 }  // namespace collision_hulls

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <utility>
 
+#include "base/descriptor.h"
 #include "base/read_file.h"
 #include "collision_hulls/error.h"
 
@@ -96,9 +97,8 @@ void writeNamedFile(const fs::path& file, const std::string& text) {
 }
 
 int syncPath(const fs::path& path, int (*sync)(int)) {
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const int error = descriptor >= 0 && sync(descriptor) == 0 ? 0 : errno;
-  if (descriptor >= 0) close(descriptor);
+  const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  const int error = file.number() >= 0 && sync(file.number()) == 0 ? 0 : errno;
   return error == EINVAL || error == ENOSYS ? 0 : error;
 }
 

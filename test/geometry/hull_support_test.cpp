@@ -85,6 +85,12 @@ TEST(Overhang, AHullWithoutAnInsideReachesNoFurtherThanItIsWide) {
   EXPECT_LE(reach, 2);
 }
 
+TEST(Overhang, OfTheThinnestPlate) {
+  const ConvexHull plate = convexHull(test_shapes::sheet(1, 1, 5).vertices);
+  ASSERT_GT(plate.thickness, 0);
+  EXPECT_LT(overhang(plate), 2e-6);
+}
+
 TEST(Overhang, OfHullsIsRounding) {
   for (std::uint32_t seed = 0; seed < 50; ++seed) {
     test_shapes::RandomPoints random(seed);

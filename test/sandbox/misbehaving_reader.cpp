@@ -88,8 +88,9 @@ const std::map<std::string, std::function<std::string(const Question&)>>& deeds(
       {"environment", [](const Question&) { return environmentNames(); }},
       {"file",
        [](const Question& q) {
-         std::string bytes(sizeOf(q.file).value_or(0), ' ');
-         return readAll(q.file, bytes) ? bytes : std::strerror(errno);
+         std::string bytes(1000, ' ');  // more than a test gives it
+         const ssize_t got = pread(q.file, bytes.data(), bytes.size(), 0);
+         return got >= 0 ? bytes.substr(0, static_cast<std::size_t>(got)) : std::strerror(errno);
        }},
       {"signals", [](const Question&) { return result(fcntl(STDERR_FILENO, F_SETOWN, getppid())); }},
       {"cancelled", [](const Question&) -> std::string { throw Error(ErrorCode::kCancelled, "cancelled"); }},

@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "collision_hulls/error.h"
+#include "geometry/pi.h"
 #include "mesh/formats/collada_shape.h"
 #include "mesh/formats/collada_xml.h"
 #include "mesh/formats/number.h"
@@ -52,7 +53,7 @@ Eigen::Affine3d transformOf(std::string_view name, const std::array<double, 16>&
     m.scale(Eigen::Vector3d(n[0], n[1], n[2]));
   } else if (name == "rotate") {
     const Eigen::Vector3d axis(n[0], n[1], n[2]);
-    m.rotate(Eigen::AngleAxisd(n[3] * M_PI / 180, axis));
+    m.rotate(Eigen::AngleAxisd(n[3] * kPi / 180, axis));
   } else {
     m.matrix() = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(n.data());
   }

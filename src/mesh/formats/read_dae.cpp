@@ -8,7 +8,6 @@
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
-#include <assimp/ProgressHandler.hpp>
 
 #include "base/at.h"
 #include "collision_hulls/error.h"
@@ -49,25 +48,10 @@ std::string excerpt(std::string text) {
   return text;
 }
 
-/// Stops those readers of Assimp that report progress once the run is cancelled.
-class Cancelling : public Assimp::ProgressHandler {
- public:
-  explicit Cancelling(const RunControl& control) : control_(control) {}
-  bool Update(float /*percentage*/) override {
-    control_.check();
-    return true;
-  }
-
- private:
-  const RunControl& control_;
-};
-
-const aiScene& import(Assimp::Importer* importer, const std::string& bytes, const std::string& path, const RunControl& control) {
+const aiScene& import(Assimp::Importer* importer, const std::string& bytes, const std::string& path) {
   const std::string name = "mesh.dae";
   importer->SetIOHandler(new OneFile(name, bytes));  // owned by the importer
-  importer->SetProgressHandler(new Cancelling(control));
   const aiScene* scene = importer->ReadFile(name, 0);
-  control.check();
   if (scene == nullptr || scene->mRootNode == nullptr)
     throw Error(ErrorCode::kNotAMesh,
                 path + ": Assimp cannot read it (" + excerpt(importer->GetErrorString()) + "); check the file or export it again");
@@ -167,7 +151,7 @@ LoadedMesh readDae(const std::string& bytes, const std::string& path, const Mesh
   const Totals totals(scene);
   if (totals.triangles == 0) failNoTriangle(path, totals.skipped);
   Assimp::Importer importer;
-  LoadedMesh result = SceneReader(import(&importer, scene.canonical, path, control), totals, path, limits.max_triangles, control).read();
+  LoadedMesh result = SceneReader(import(&importer, scene.canonical, path), totals, path, limits.max_triangles, control).read();
   expectTheSame(scene, totals, result, path);
   result.skipped_primitives = totals.skipped;
   return result;

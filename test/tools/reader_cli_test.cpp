@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "collision_hulls/mesh/mesh_io.h"
+#include "mesh/files.h"
 #include "shapes.h"
 #include "tools/program_test.h"
 
@@ -21,15 +21,18 @@ TEST_F(ReaderOptions, LimitMemory) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "a sanitizer needs more memory than any limit";
 #endif
-  const ConvexHull hull = convexHull(test_shapes::sphere(1, 40).vertices);
-  fixtures::write(folder_ / "ball.dae", encodeHull(hull, MeshFormat::kDae, "ball"));  // Collada takes most memory
-  const Finished result = run("ball.dae -m bounding_box --no-cache --reader-memory 1");
+  std::string corners;  // two characters each: no file takes more memory for its size
+  for (int tetrahedron = 0; tetrahedron < 20'000; ++tetrahedron) corners += "0 2 1 0 1 4 1 2 4 2 0 4 ";
+  const std::string triangles = "<triangles count=\"80000\">" + test_files::kVertexInput + "<p>" + corners + "</p></triangles>";
+  const std::string scene = R"(<node><instance_geometry url="#shape"/></node>)";
+  fixtures::write(folder_ / "wedge.dae", test_files::dae(test_files::unit("1"), triangles, scene));
+  const Finished result = run("wedge.dae -m bounding_box --no-cache --reader-memory 1");
   EXPECT_EQ(result.status, 2);
-  const std::uintmax_t limit = (1U << 20) + 40 * std::filesystem::file_size(folder_ / "ball.dae");
+  const std::uintmax_t limit = (1U << 20) + 40 * std::filesystem::file_size(folder_ / "wedge.dae");
   const std::string told = "reading it takes more memory than the limit of " + std::to_string(limit / 1'000'000) + " MB";
   EXPECT_NE(result.err.find(told), std::string::npos) << result.err;
   EXPECT_NE(result.err.find("raise reader-memory"), std::string::npos) << result.err;
-  EXPECT_EQ(run("ball.dae -m bounding_box --no-cache --reader-memory 256 --reader-time 2").status, 0);
+  EXPECT_EQ(run("wedge.dae -m bounding_box --no-cache --reader-memory 256 --reader-time 2").status, 0);
 }
 
 TEST_F(ReaderOptions, OutOfRange) {

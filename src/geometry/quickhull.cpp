@@ -57,7 +57,8 @@ class Builder {
     faces_.reserve(std::min(kUsualFaces * points.size(), kFacesBetweenChecks));
   }
 
-  std::optional<ConvexHull> build() {
+  /// `sources`: see quickhull().
+  std::optional<ConvexHull> build(std::vector<int>& sources) {
     if (!tetrahedron() || (points_.size() > kMany && !addExtremes())) return std::nullopt;
     shareOut();
     control_.check();
@@ -66,12 +67,12 @@ class Builder {
       while (isThere(faces_[k]) && faces_[k].furthest >= 0)
         if (faces_.size() > kMostFaces * points_.size() || !add(faces_[k].furthest, static_cast<int>(k))) return std::nullopt;
     }
-    return result();
+    return result(sources);
   }
 
   /// The vertices where at least three sharp edges meet, and the others, which lie within a face or along an edge up to rounding.
   struct Vertices {
-    std::vector<Eigen::Vector3d> corners, others;
+    std::vector<int> corners, others;
   };
   Vertices vertices() const {
     std::vector<int> sharp(points_.size(), -1);  // number of sharp edges; -1: not a vertex
@@ -82,7 +83,7 @@ class Builder {
       }
     Vertices result;
     for (std::size_t i = 0; i < points_.size(); ++i)
-      if (sharp[i] >= 0) (sharp[i] >= 3 ? result.corners : result.others).push_back(points_[i]);
+      if (sharp[i] >= 0) (sharp[i] >= 3 ? result.corners : result.others).push_back(static_cast<int>(i));
     return result;
   }
 
@@ -335,10 +336,11 @@ class Builder {
   }
 
   /// A surface that is nowhere folded and whose edges are all convex up to rounding is convex, so its faces hold its vertices.
-  std::optional<ConvexHull> result() {
+  std::optional<ConvexHull> result(std::vector<int>& sources) {
     const double dent = deepestDent();
     if (dent > kDent * extent_ || isFolded()) return std::nullopt;
     ConvexHull hull;
+    sources.clear();
     std::vector<int> vertex(points_.size(), -1);
     const auto count = static_cast<std::size_t>(std::count_if(faces_.begin(), faces_.end(), isThere));
     hull.vertices.reserve(count / 2 + 2);
@@ -352,6 +354,7 @@ class Builder {
         if (v < 0) {
           v = static_cast<int>(hull.vertices.size());
           hull.vertices.push_back(point(f.vertex[k]));
+          sources.push_back(f.vertex[k]);
         }
         t[k] = v;
       }
@@ -380,18 +383,25 @@ class Builder {
 
 }  // namespace
 
-std::optional<ConvexHull> quickhull(const std::vector<Eigen::Vector3d>& points, const RunControl& control, Corners corners) {
+std::optional<ConvexHull> quickhull(const std::vector<Eigen::Vector3d>& points, const RunControl& control, Corners corners,
+                                    std::vector<int>* sources) {
+  std::vector<int> all_sources, lean_sources;
   Builder builder(points, control);
-  std::optional<ConvexHull> hull = builder.build();
+  std::optional<ConvexHull> hull = builder.build(all_sources);
+  if (sources) *sources = all_sources;
   if (!hull || corners == Corners::kAsFound) return hull;
   const Builder::Vertices vertices = builder.vertices();
   if (vertices.others.empty()) return hull;
-  std::optional<ConvexHull> lean = Builder(vertices.corners, control).build();
+  std::vector<Eigen::Vector3d> few;
+  for (const int i : vertices.corners) few.push_back(points[static_cast<std::size_t>(i)]);
+  std::optional<ConvexHull> lean = Builder(few, control).build(lean_sources);
   if (!lean) return hull;
   double beyond = 0;
-  for (const Eigen::Vector3d& p : vertices.others) beyond = std::max(beyond, planeDistance(*lean, p));
+  for (const int i : vertices.others) beyond = std::max(beyond, planeDistance(*lean, points[static_cast<std::size_t>(i)]));
   if (beyond > kDent * builder.extent()) return hull;
   for (HalfSpace& face : lean->faces) face.offset += beyond + kVisible * builder.extent();  // plus the first run's own margin
+  for (int& i : lean_sources) i = vertices.corners[static_cast<std::size_t>(i)];
+  if (sources) *sources = lean_sources;
   return lean;
 }
 

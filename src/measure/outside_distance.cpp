@@ -9,7 +9,6 @@
 #include <numeric>
 #include <optional>
 #include <queue>
-#include <unordered_map>
 
 #include "measure/level_bound.h"
 
@@ -24,8 +23,6 @@ constexpr double kOnFace = 1e-9;                    // a point this far beyond a
 constexpr std::size_t kMostCellsInAll = 8'000'000;  // with more cells than this none are divided
 constexpr int kDeepest = 40;                        // level down to which isWithin() descends
 constexpr std::size_t kVisitsBetweenChecks = 1024;
-constexpr std::size_t kEasy = 100;         // visits from which on a search compares walls with the whole hull
-constexpr double kWorthwhile = 2;          // least radius, in resolutions, of cells for which it does
 constexpr std::size_t kMostCells = 40000;  // cells of one size that a search for intruders may divide
 
 }  // namespace
@@ -122,32 +119,6 @@ struct OutsideDistance::View {
   }
 };
 
-/// How far a hull rises above the walls of the solid. Large, nearly flat walls need no small cells if it rises little.
-class OutsideDistance::WallsOf {
- public:
-  WallsOf(const OutsideDistance& octree, const ConvexHull& hull) : octree_(octree), hull_(hull) {}
-
-  /// Whether, as the walls near a cell face one way, no common point of cell and hull is further than `distance`. May miss that it is so.
-  bool keepWithin(double distance, const Cell& cell, const Query& query) {
-    const double radius = octree_.radius(cell);
-    if (query.summits_only || octree_.solid_.hasOpenings() || radius < kWorthwhile * query.resolution) return false;
-    const auto height = [this](int triangle) { return heightAbove(triangle); };
-    return heightAbove(cell.triangle) <= distance &&
-           octree_.solid_.frontBound(height, octree_.inWorld(cell.centre), cell.to_surface, radius, distance) <= distance;
-  }
-
- private:
-  double heightAbove(int triangle) {
-    const auto [at, is_new] = heights_.emplace(triangle, 0);
-    if (is_new) at->second = octree_.solid_.surface().heightAbove(triangle, hull_.vertices);
-    return at->second;
-  }
-
-  const OutsideDistance& octree_;
-  const ConvexHull& hull_;
-  std::unordered_map<int, double> heights_;  // of the hull above triangles, as far as they were asked for
-};
-
 Eigen::AlignedBox3d OutsideDistance::turned(const Eigen::AlignedBox3d& box, const Eigen::Matrix3d& axes) {
   const Eigen::Vector3d middle = axes * box.center(), half = axes.cwiseAbs() * box.sizes() / 2;
   return {middle - half, middle + half};
@@ -187,7 +158,7 @@ void OutsideDistance::measure(Cell& cell, const Cell* parent) const {
 /// An upper bound over a cell on the distance to S as a set; infinite if the cell was not measured yet.
 double OutsideDistance::knownBound(int id) const {
   const Cell& cell = cells_[static_cast<std::size_t>(id)];
-  return cell.triangle < 0 ? std::numeric_limits<double>::infinity() : cell.distance + radius(cell);
+  return cell.triangle < 0 ? std::numeric_limits<double>::infinity() : std::min(cell.distance + radius(cell), cell.level);
 }
 
 /// A point of the hull in a cell whose centre is outside the solid; nullopt if that point may not be outside, too.
@@ -209,7 +180,7 @@ int OutsideDistance::children(int id) {
     Cell cell;
     cell.half = parent.half / 2;
     cell.centre = parent.centre + cell.half * Eigen::Vector3d(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
-    if (parent.summit == 0) cell.summit = 0;
+    if (parent.summit == 0) cell.summit = 0, cell.summits = 0;
     cells_.push_back(cell);
   }
   return cells_[static_cast<std::size_t>(id)].children = first;
@@ -226,6 +197,8 @@ void OutsideDistance::learn(int id, const OutsideDistance& other, int known_id, 
   Cell& cell = cells_[static_cast<std::size_t>(id)];
   if (cell.triangle < 0) cell.to_surface = known.to_surface, cell.distance = known.distance, cell.triangle = known.triangle;
   if (cell.summit < 0) cell.summit = known.summit;
+  cell.level = std::min(cell.level, known.level);
+  cell.summits = std::min(cell.summits, known.summits);
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(cell.half);
   if (known.children < 0 || !canDivide(id) || !part.intersects({cell.centre - reach, cell.centre + reach})) return;
   const int first = children(id);
@@ -235,20 +208,35 @@ void OutsideDistance::learn(int id, const OutsideDistance& other, int known_id, 
 bool OutsideDistance::mayHoldSummit(int id) {
   Cell& cell = cells_[static_cast<std::size_t>(id)];
   if (cell.summit < 0) cell.summit = solid_.mayHoldSummit(inWorld(cell.centre), cell.to_surface, radius(cell));
+  if (cell.summit == 0) cell.summits = 0;
   return cell.summit != 0;
 }
 
 /// Bounds the distance over a divided cell by the triangles nearest to its own and its children's centres.
 bool OutsideDistance::isLevelWithin(double distance, int id) {
   for (int k = 0; k < 8; ++k) measuredChild(cells_[static_cast<std::size_t>(id)].children + k, id);
-  const Cell& cell = cells_[static_cast<std::size_t>(id)];
+  Cell& cell = cells_[static_cast<std::size_t>(id)];
   const auto child = [&](int k) -> const Cell& { return cells_[static_cast<std::size_t>(cell.children + k)]; };
   std::array<Eigen::Vector3d, 8> corners;
   for (int k = 0; k < 8; ++k) corners[static_cast<std::size_t>(k)] = inWorld(cell.centre + 2 * (child(k).centre - cell.centre));
   LevelBound<8, 9> bound(corners, solid_.surface());
   bound.add(cell.triangle);
   for (int k = 0; k < 8 && !bound.reaches(distance); ++k) bound.add(child(k).triangle);
-  return bound.isWithin(distance);
+  cell.level = std::min(cell.level, bound.reaches(distance) ? distance : bound.value());
+  return cell.level <= distance;
+}
+
+/// What is known about its children may bound a cell more tightly; later queries then need not divide it.
+void OutsideDistance::boundByChildren(int id) {
+  double most = 0, summits = 0;
+  const int first = cells_[static_cast<std::size_t>(id)].children;
+  for (int k = first; k < first + 8; ++k) {
+    most = std::max(most, knownBound(k));
+    summits = std::max(summits, summitBound(k));
+  }
+  Cell& cell = cells_[static_cast<std::size_t>(id)];
+  cell.level = std::min(cell.level, most);
+  cell.summits = std::min(cell.summits, summits);
 }
 
 OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const Query& query, const RunControl& control) {
@@ -261,17 +249,17 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
   Largest result;
   result.bound = query.floor;
   Faces faces(hull, solid_.axes(), memory_);
-  WallsOf walls(*this, hull);
   std::vector<View> views;
   std::priority_queue<Open> queue;
   const auto enough = [&] { return std::max(result.found, query.floor); };
+  std::vector<int> divided;
   const auto look = [&](int cell, int parent, const Faces::List& candidates) {
-    if (knownBound(cell) <= enough()) return;
+    if ((query.summits_only ? summitBound(cell) : knownBound(cell)) <= enough()) return;
     View view(cells_[static_cast<std::size_t>(cell)], faces, candidates);
     if (view.outside) return;
     measuredChild(cell, parent);
     const double bound = std::min(knownBound(cell), query.surface_bound + std::min(view.depth, query.depth));
-    if (bound <= enough() || (result.visits >= kEasy && walls.keepWithin(enough(), cells_[static_cast<std::size_t>(cell)], query))) return;
+    if (bound <= enough()) return;
     queue.push({bound, cell, views.size()});
     views.push_back(std::move(view));
   };
@@ -301,9 +289,11 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
       continue;
     }
     const int first = children(open.cell);
+    divided.push_back(open.cell);
     if (query.summits_only && isLevelWithin(enough(), open.cell)) continue;
     for (int k = first; k < first + 8; ++k) look(k, open.cell, view.faces);
   }
+  std::for_each(divided.rbegin(), divided.rend(), [this](int cell) { boundByChildren(cell); });
   result.bound = std::max(result.bound, result.found);
   return result;
 }

@@ -15,8 +15,8 @@ namespace collision_hulls {
 
 /// Cells are cubes along the solid's axes(); few of them then meet both a flat wall and the space beside it. A cell stores the signed
 /// distance at its centre (positive outside), which bounds the distance over the cell to within the cell's radius. Queries descend where
-/// that bound leaves something open, and later queries reuse what earlier ones computed. Values depend only on the solid and the box, so
-/// answers do not depend on the order of queries until the octree is full (eight million cells). Not thread safe.
+/// that bound leaves something open, and later queries reuse what earlier ones computed. A bound may be tighter after other queries; the
+/// same queries in the same order give the same answers. Not thread safe.
 class OutsideDistance {
  public:
   /// `box` should contain most of the hulls to be queried; `solid` must outlive this object.
@@ -61,13 +61,15 @@ class OutsideDistance {
 
  private:
   struct Cell {
-    Eigen::Vector3d centre;   // in the frame of the solid's axes
-    double half = 0;          // side / 2
-    double to_surface = 0;    // [m] from the centre
-    double distance = 0;      // [m] the same, signed: see Solid::signedDistance()
-    int triangle = -1;        // the nearest one; -1: not measured yet
-    int children = -1;        // first of eight
-    signed char summit = -1;  // whether it may contain a local maximum; -1: not determined yet
+    Eigen::Vector3d centre;                                    // in the frame of the solid's axes
+    double half = 0;                                           // side / 2
+    double to_surface = 0;                                     // [m] from the centre
+    double distance = 0;                                       // [m] the same, signed: see Solid::signedDistance()
+    double level = std::numeric_limits<double>::infinity();    // [m] another upper bound on the distance of its points, if known,
+    double summits = std::numeric_limits<double>::infinity();  // [m] and one on the distance of its local maxima
+    int triangle = -1;                                         // the nearest one; -1: not measured yet
+    int children = -1;                                         // first of eight
+    signed char summit = -1;                                   // whether it may contain a local maximum; -1: not determined yet
   };
   /// Four faces of a hull. Missing ones are placed far above.
   struct Four {
@@ -82,7 +84,6 @@ class OutsideDistance {
   };
   struct Faces;  // of a hull
   struct View;   // of a cell by a hull
-  class WallsOf;
 
   /// The box along `axes` around a box along the world's axes.
   static Eigen::AlignedBox3d turned(const Eigen::AlignedBox3d& box, const Eigen::Matrix3d& axes);
@@ -96,6 +97,8 @@ class OutsideDistance {
   const Cell& measuredChild(int cell, int parent);
   bool mayHoldSummit(int cell);
   bool isLevelWithin(double distance, int cell);
+  double summitBound(int cell) const { return std::min(knownBound(cell), cells_[static_cast<std::size_t>(cell)].summits); }
+  void boundByChildren(int cell);
   void learn(int cell, const OutsideDistance& other, int known, const Eigen::AlignedBox3d& part);
 
   const Solid& solid_;

@@ -216,7 +216,7 @@ struct Walls {
 
   /// How far from a point with this distance and radius the surface may be that is nearest to a point of the ball. Never so little that
   /// rounding could leave out what is nearest to the middle.
-  double reach(double to_surface, double radius) const { return to_surface + 2 * radius + crackSlack() + blur; }
+  double reach(double radius, double furthest) const { return radius + furthest + crackSlack() + blur; }
 
   double windingNumber(const Eigen::Vector3d& p) const {
     return closed->signedCrossings(p) - (lids.empty() ? 0 : lids.windingNumber(closed->aside(p)));
@@ -358,11 +358,11 @@ double Solid::heightAboveSheet(const std::array<Eigen::Vector3d, 3>& patch, cons
   return impl_->sheets.bound(patch, near, slack);
 }
 bool Solid::mayHoldSummit(const Eigen::Vector3d& p, double to_surface, double radius) const {
-  return !surface().facesOneWay(p, impl_->walls.reach(to_surface, radius));
+  return !surface().facesOneWay(p, impl_->walls.reach(radius, to_surface + radius));
 }
-double Solid::frontBound(const TriangleBvh::HeightAbove& height, const Eigen::Vector3d& p, double to_surface, double radius, double limit,
+double Solid::frontBound(const TriangleBvh::HeightAbove& height, const Eigen::Vector3d& p, double radius, double furthest, double limit,
                          int* foremost) const {
-  return surface().frontBound(height, p, impl_->walls.reach(to_surface, radius), limit, foremost);
+  return surface().frontBound(height, p, impl_->walls.reach(radius, furthest), limit, foremost);
 }
 const Eigen::Matrix3d& Solid::axes() const {
   return impl_->axes;

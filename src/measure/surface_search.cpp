@@ -26,8 +26,7 @@ constexpr double kLevel = 0.25;  // in thresholds: a corner nearer to a plane th
 constexpr double kSteep = 0.05;  // least sine of the angle between a patch and a plane that splits it
 constexpr double kLarge = 0.25;  // least size, relative to the patch, of surface triangles along whose edges it may be split
 constexpr double kSlack = 0.5;   // in gaps: how far a patch may stick out sideways and still count as above a flat sheet
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-constexpr double kLong = 40;  // in thresholds: shorter patches are halved, as planes would gain little
+constexpr double kLong = 40;     // in thresholds: shorter patches are halved, as planes would gain little
 
 /// A corner of patches, and the triangle of the solid's surface nearest to it.
 struct Corner {
@@ -56,6 +55,10 @@ class Search {
     for (const Eigen::Vector3d& v : hull.vertices) corners.push_back({v, -1, 0});
     for (std::size_t i = 0; i < hull.triangles.size(); ++i) {
       if (i % kTrianglesBetweenChecks == 0) control.check();
+      if (query_.settled && (*query_.settled)[i]) {
+        dropped_ = std::max(dropped_, query_.floor + query_.gap);
+        continue;
+      }
       const Triangle& t = hull.triangles[i];
       const auto at = [&](std::size_t k) -> Corner& { return corners[static_cast<std::size_t>(t[k])]; };
       if (isKnown({at(0), at(1), at(2)})) continue;
@@ -115,7 +118,8 @@ class Search {
       if (patch.bound > threshold()) {
         const std::vector<Eigen::Vector3d> all(corners.begin(), corners.end());
         const auto height = [&](int t) { return solid_.surface().heightAbove(t, all); };
-        patch.bound = std::min(patch.bound, solid_.frontBound(height, c, n.distance, radius, kNoLimit, &patch.divider));
+        const double furthest = std::min(n.distance + radius, level.value());
+        patch.bound = std::min(patch.bound, solid_.frontBound(height, c, radius, furthest, patch.bound, &patch.divider));
       }
     }
     if (patch.bound > threshold())

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <vector>
 
 #include "collision_hulls/measure/measures.h"
 #include "measure/outside_distance.h"
@@ -16,6 +17,7 @@ struct SurfaceQuery {
   int patience = std::numeric_limits<int>::max();            ///< or after this many
   double low = 0;                                            ///< [m] if its bound is at most this
   const OutsideDistance* known = nullptr;                    ///< its knowledge of the solid settles patches
+  const std::vector<char>* settled = nullptr;                ///< triangles of the hull that are known to be within floor + gap
 };
 
 /// Branch and bound over the hull's triangles. The bound is infinite if the ceiling ended the search. Near openings the solid's border is

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "solids.h"
 
@@ -50,6 +51,20 @@ TEST_F(AroundACube, ThereIsABoundBelowTheFloor) {
     EXPECT_GE(p.bound, corner);
     EXPECT_LE(p.bound, query.floor + query.gap);
   }
+}
+
+TEST_F(AroundACube, SettledTrianglesAreSkippedAndCountWithFloorAndGap) {
+  SurfaceQuery query;
+  query.gap = 0.01;
+  query.floor = 0.02;
+  const std::vector<char> all(hull.triangles.size(), 1);
+  std::vector<char> but_one = all;
+  but_one[5] = 0;
+  query.settled = &all;
+  EXPECT_EQ(search(query).found, 0);
+  EXPECT_EQ(search(query).bound, query.floor + query.gap);
+  query.settled = &but_one;
+  EXPECT_NEAR(search(query).found, corner, 1e-12);
 }
 
 TEST_F(AroundACube, TheCeilingEndsTheSearchWithoutABound) {

@@ -77,11 +77,11 @@ class Solid {
   /// surface that faces one way, with nothing inside out in front of it, so the distance grows in a
   /// common direction. Always yes if there are openings. `to_surface`: distanceToSurface(p).
   bool mayHoldSummit(const Eigen::Vector3d& p, double to_surface, double radius) const;
-  /// [m] An upper bound on the distance to S over the convex hull of `corners`, which lies within
-  /// `radius` of p; infinite if mayHoldSummit(p, to_surface, radius). See
+  /// [m] An upper bound on the distance to S over points within `radius` of p that are no further
+  /// than `furthest` from the surface; infinite where such a point may be a summit. See
   /// TriangleBvh::frontBound().
-  double frontBound(const TriangleBvh::HeightAbove& height, const Eigen::Vector3d& p,
-                    double to_surface, double radius,
+  double frontBound(const TriangleBvh::HeightAbove& height, const Eigen::Vector3d& p, double radius,
+                    double furthest,
                     double limit = std::numeric_limits<double>::infinity(),
                     int* foremost = nullptr) const;
   /// The triangles of the mesh, followed by one for each loose segment. Two-sided are those whose

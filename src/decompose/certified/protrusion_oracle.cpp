@@ -1,12 +1,15 @@
 // Does this hull protrude further than the tolerance? Tests in order of cost; each may end the matter:
 //
 //   1. intruders remembered from earlier hulls: a hull that contains one does not fit. Useful ones move to the front;
-//   2. the octree of outside distances, shared by all hulls (measure/outside_distance.h): refutes by a point, or bounds the protrusion;
-//   3. if that bound is too coarse to prove that the hull fits: branch and bound over its surface (measure/surface_search.h);
-//   4. and a search for pockets, summits of the distance inside the hull that lie further out than anything on its surface.
+//   2. some steps down the octree of outside distances, shared by all hulls (measure/outside_distance.h): refutes by a point, or bounds
+//      the protrusion;
+//   3. if that bound is too coarse to prove that the hull fits: branch and bound over its surface (measure/surface_search.h), except for
+//      facets that earlier hulls had as well;
+//   4. and, for a proof, a search for pockets, summits of the distance inside the hull that lie further out than anything on its surface.
 //
 // Why 2 alone will not do: the octree's cells would have to be a few hundredths of the tolerance wide, and a dense grid of distances was
-// the bottleneck of the first prototypes. Why not 3 alone: most hulls are refuted, and for that one point is enough.
+// the bottleneck of the first prototypes; where a hull spans a large wall at nearly the tolerance, even coarse cells are many thousands.
+// Why not 3 alone: most hulls are refuted, and for that one point is enough.
 //
 // The answer that a hull fits is a proof up to the assumptions in doc/certified.md. It is not the certificate: that is computed once more,
 // from scratch, for the hulls as they are written.
@@ -17,6 +20,7 @@
 #include <iterator>
 #include <limits>
 
+#include "base/at.h"
 #include "base/parallel.h"
 #include "decompose/dice.h"
 #include "geometry/hull_support.h"
@@ -28,7 +32,8 @@ namespace {
 
 // The following are shares of the tolerance.
 constexpr double kReserve = 0.004;       // reserved for the certificate, whose bounds refer to the hulls as written
-constexpr double kProofGap = 0.002;      // between the bounds of a proof
+constexpr double kProofGap = 0.002;      // between the bounds of a proof,
+constexpr double kQuickGap = 0.1;        // and of a quick answer
 constexpr double kQuickCell = 1;         // radius of the smallest octree cells: for a quick answer,
 constexpr double kFineCell = 0.42;       // before a proof (for leaves, whose share of the tolerance is smaller, this is a proof),
 constexpr double kIntruderCell = 0.125;  // and for intruders
@@ -42,6 +47,9 @@ constexpr double kJoggle = 1e-6;      // most that points of a rough hull are mo
 constexpr std::size_t kJoggles = 3;   // attempts,
 constexpr std::size_t kMany = 3000;   // with more points than this, coplanar points hinder quickhull so often that all are moved right away
 constexpr std::size_t kMostKnown = 400;  // intruders remembered
+
+// Visits to the octree's cells before a hull's surface is searched: for each facet that no earlier hull had, and for the others together.
+constexpr std::size_t kVisitsPerFacet = 4, kLeastVisits = 100;
 
 ConvexHull grown(ConvexHull hull) {
   const Eigen::Vector3d middle = boundingBox(hull).center();
@@ -66,10 +74,11 @@ ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points, Corners corners
   centred.reserve(points.size());
   for (const Eigen::Vector3d& p : points) centred.push_back(p - middle);
   std::optional<ConvexHull> hull;
-  if (points.size() <= kMany) hull = quickhull(centred, {}, corners);
-  for (std::size_t trial = 0; !hull && trial < kJoggles; ++trial) hull = quickhull(joggled(centred, trial), {}, corners);
+  std::vector<int> sources;
+  if (points.size() <= kMany) hull = quickhull(centred, {}, corners, &sources);
+  for (std::size_t trial = 0; !hull && trial < kJoggles; ++trial) hull = quickhull(joggled(centred, trial), {}, corners, &sources);
   if (!hull) return convexHull(points);
-  for (Eigen::Vector3d& v : hull->vertices) v += middle;
+  for (std::size_t i = 0; i < sources.size(); ++i) hull->vertices[i] = points[at(sources[i])];  // bit by bit, for KnownFacets
   for (HalfSpace& face : hull->faces) face.offset += face.normal.dot(middle);
   return *std::move(hull);
 }
@@ -107,6 +116,7 @@ ProtrusionOracle ProtrusionOracle::forPart(const Eigen::AlignedBox3d& part) cons
 /// Merges the remembered intruders; the most useful of both stay in front.
 void ProtrusionOracle::learn(const ProtrusionOracle& part) {
   outside_.learn(part.outside_, box_);
+  facets_.learn(part.facets_);
   const std::vector<Eigen::Vector3d> mine = std::move(known_);
   known_.clear();
   for (std::size_t i = 0; i < std::max(mine.size(), part.known_.size()); ++i)
@@ -131,17 +141,34 @@ double ProtrusionOracle::intrusion() const {
 
 bool ProtrusionOracle::mayFit(const ConvexHull& hull) {
   control_.check();
-  return !holdsKnownIntruder(hull) && !std::isinf(reachByOctree(hull, kQuickCell));
+  return !holdsKnownIntruder(hull) && mayFit(hull, descend(hull, kQuickCell));
+}
+
+bool ProtrusionOracle::mayWellFit(const ConvexHull& hull) {
+  control_.check();
+  return !holdsKnownIntruder(hull) && mayFit(hull, descend(hull, kFineCell));
 }
 
 double ProtrusionOracle::reach(const ConvexHull& hull) {
   control_.check();
-  return holdsKnownIntruder(hull) ? std::numeric_limits<double>::infinity() : reachByOctree(hull, kFineCell);
+  return holdsKnownIntruder(hull) ? std::numeric_limits<double>::infinity() : descend(hull, kFineCell).reach;
+}
+
+/// Searches the surface where the octree gave up.
+bool ProtrusionOracle::mayFit(const ConvexHull& hull, const Descent& descent) {
+  if (std::isinf(descent.reach) || !descent.gave_up) return !std::isinf(descent.reach);
+  const Protrusion most = onSurface(hull, intrusion(), kQuickGap * share_ * tolerance_);
+  if (most.found > intrusion()) {
+    rememberOnSurface(most.where, hull);
+    return false;
+  }
+  facets_.learn(hull, most.bound);
+  return true;
 }
 
 bool ProtrusionOracle::fitsWithin(const ConvexHull& hull, double reach) {
   const std::optional<bool> answer = fitsByOctree(hull, reach);
-  return answer ? *answer : concluded(hull, onSurface(hull));
+  return answer ? *answer : concluded(hull, onSurfaceAsWritten(hull));
 }
 
 std::vector<char> ProtrusionOracle::fit(const std::vector<const ConvexHull*>& hulls) {
@@ -149,7 +176,7 @@ std::vector<char> ProtrusionOracle::fit(const std::vector<const ConvexHull*>& hu
   for (const ConvexHull* hull : hulls) answers.push_back(fitsByOctree(*hull, reach(*hull)));
   std::vector<Protrusion> on_surface(hulls.size());
   forEach(hulls.size(), [&](std::size_t i) {
-    if (!answers[i]) on_surface[i] = onSurface(*hulls[i]);
+    if (!answers[i]) on_surface[i] = onSurfaceAsWritten(*hulls[i]);
   });
   std::vector<char> result;
   for (std::size_t i = 0; i < hulls.size(); ++i) result.push_back(answers[i] ? *answers[i] : concluded(*hulls[i], on_surface[i]));
@@ -164,12 +191,19 @@ std::optional<bool> ProtrusionOracle::fitsByOctree(const ConvexHull& hull, doubl
   return std::nullopt;
 }
 
-Protrusion ProtrusionOracle::onSurface(const ConvexHull& hull) const {
+Protrusion ProtrusionOracle::onSurface(const ConvexHull& hull, double limit, double gap) const {
+  const std::vector<char> settled = facets_.within(limit + gap, hull);
   SurfaceQuery on;
-  on.floor = on.ceiling = (1 - kReserve) * tolerance_;
-  on.gap = kProofGap * tolerance_;
+  on.floor = on.ceiling = limit;
+  on.gap = gap;
   on.known = &outside_;
-  return largestOnSurface(written(hull), solid_, on, control_);
+  on.settled = &settled;
+  return largestOnSurface(hull, solid_, on, control_);
+}
+
+/// For a proof.
+Protrusion ProtrusionOracle::onSurfaceAsWritten(const ConvexHull& hull) const {
+  return onSurface(written(hull), (1 - kReserve) * tolerance_, kProofGap * tolerance_);
 }
 
 /// The largest hull that may be written for this one. Where the surface has openings the distance function jumps, and a slightly larger
@@ -179,9 +213,12 @@ ConvexHull ProtrusionOracle::written(const ConvexHull& hull) const {
 }
 
 bool ProtrusionOracle::concluded(const ConvexHull& hull, const Protrusion& on_surface) {
-  if (on_surface.found <= (1 - kReserve) * tolerance_) return !mayHoldPocket(hull, on_surface.bound);
-  remember(on_surface.where + kInward * (hull.vertices[0] - on_surface.where));
-  return false;
+  if (on_surface.found > (1 - kReserve) * tolerance_) {
+    rememberOnSurface(on_surface.where, hull);
+    return false;
+  }
+  facets_.learn(written(hull), on_surface.bound);
+  return !mayHoldPocket(hull, on_surface.bound);
 }
 
 /// Whether the middle of a pocket between surfaces may be further from the solid than the hull's whole surface, and than the tolerance.
@@ -218,13 +255,14 @@ double ProtrusionOracle::bound(const ConvexHull& exact) {
   return outside_.largest(hull, query, control_).bound;
 }
 
-double ProtrusionOracle::reachByOctree(const ConvexHull& hull, double resolution) {
+ProtrusionOracle::Descent ProtrusionOracle::descend(const ConvexHull& hull, double resolution) {
   OutsideDistance::Query query;
   query.floor = query.ceiling = intrusion();
   query.resolution = resolution * share_ * tolerance_;
+  query.most_visits = kLeastVisits + kVisitsPerFacet * facets_.unknown(intrusion() + kQuickGap * share_ * tolerance_, hull);
   const OutsideDistance::Largest within = outside_.largest(hull, query, control_);
   if (within.found > intrusion()) remember(within.where);
-  return within.bound;
+  return {within.bound, within.visits == query.most_visits};
 }
 
 /// A useful intruder moves forward.
@@ -242,6 +280,10 @@ void ProtrusionOracle::remember(const Eigen::Vector3d& intruder) {
   if (known_.size() == kMostKnown) known_.pop_back();
   known_.push_back(intruder);
   std::swap(known_.back(), known_[known_.size() / 2]);
+}
+
+void ProtrusionOracle::rememberOnSurface(const Eigen::Vector3d& intruder, const ConvexHull& hull) {
+  remember(intruder + kInward * (hull.vertices[0] - intruder));
 }
 
 std::vector<OutsideDistance::Intruder> ProtrusionOracle::intruders(const ConvexHull& hull, std::size_t wanted) {

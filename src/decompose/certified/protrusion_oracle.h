@@ -13,6 +13,7 @@
 #include "collision_hulls/control.h"
 #include "collision_hulls/measure/measures.h"
 #include "collision_hulls/measure/solid.h"
+#include "decompose/certified/known_facets.h"
 #include "geometry/quickhull.h"
 #include "measure/outside_distance.h"
 
@@ -30,7 +31,8 @@ ConvexHull thinned(const ConvexHull& hull, std::size_t most);
 
 /// Answers by tests in order of cost: intruders (points outside the solid by more than the
 /// tolerance) that refuted earlier hulls; an octree of distances shared by all hulls; and, where
-/// its bound leaves the answer open, searches over the hull's surface and for pockets inside it.
+/// its bound leaves the answer open, searches over those of the hull's facets that no earlier hull
+/// had, and for pockets inside it.
 /// Not thread safe.
 class ProtrusionOracle {
  public:
@@ -49,7 +51,7 @@ class ProtrusionOracle {
   bool mayFit(const ConvexHull& hull);
 
   /// The same, more thoroughly.
-  bool mayWellFit(const ConvexHull& hull) { return !std::isinf(reach(hull)); }
+  bool mayWellFit(const ConvexHull& hull);
 
   /// [m] upper bound on the distance of the hull's points from the solid, down to the octree's
   /// finest cells; infinite: the hull does not fit.
@@ -84,12 +86,20 @@ class ProtrusionOracle {
  private:
   bool holdsKnownIntruder(const ConvexHull& hull);
   std::optional<bool> fitsByOctree(const ConvexHull& hull, double reach) const;
-  Protrusion onSurface(const ConvexHull& hull) const;
+  Protrusion onSurface(const ConvexHull& hull, double limit, double gap) const;
+  Protrusion onSurfaceAsWritten(const ConvexHull& hull) const;
   ConvexHull written(const ConvexHull& hull) const;
+  /// Of a search in the octree.
+  struct Descent {
+    double reach = 0;      // upper bound on the distance; infinite: the hull contains an intruder
+    bool gave_up = false;  // before it reached the finest cells
+  };
+  Descent descend(const ConvexHull& hull, double resolution);
+  bool mayFit(const ConvexHull& hull, const Descent& descent);
   bool concluded(const ConvexHull& hull, const Protrusion& on_surface);
   bool mayHoldPocket(const ConvexHull& hull, double surface_bound);
-  double reachByOctree(const ConvexHull& hull, double resolution);  // upper bound on the distance; infinite: the hull contains an intruder
   void remember(const Eigen::Vector3d& intruder);
+  void rememberOnSurface(const Eigen::Vector3d& intruder, const ConvexHull& hull);
   double intrusion() const;
 
   const Solid& solid_;
@@ -98,6 +108,7 @@ class ProtrusionOracle {
   double tolerance_, share_ = 1;
   OutsideDistance outside_;
   std::vector<Eigen::Vector3d> known_;  // intruders, the most useful ones first
+  KnownFacets facets_;
 };
 
 }  // namespace collision_hulls

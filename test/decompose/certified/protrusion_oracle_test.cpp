@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "collision_hulls/decompose/reduce_vertices.h"
@@ -27,6 +28,15 @@ TEST(RoughHull, ContainsItsPoints) {
     const ConvexHull rough = roughHull(points);
     for (const Eigen::Vector3d& p : points) EXPECT_LE(planeDistance(rough, p), 1e-12 * (1 + place));
     EXPECT_NEAR(volume(rough), volume(convexHull(points)), 1e-9);
+  }
+}
+
+// Hulls of overlapping sets then have facets in common, bit by bit.
+TEST(RoughHull, ItsVerticesAreItsPoints) {
+  RandomPoints random(2);
+  for (std::vector<Eigen::Vector3d> points : {random.cloud(100), flange(40, 0.4, 1, 0.01, 0.15, 20).vertices}) {
+    for (Eigen::Vector3d& p : points) p += Eigen::Vector3d(0.1, 10. / 3, 7);
+    for (const Eigen::Vector3d& v : roughHull(points).vertices) EXPECT_EQ(std::count(points.begin(), points.end(), v), 1);
   }
 }
 
@@ -125,6 +135,28 @@ TEST(Oracle, IntrudersArePassedOn) {
   EXPECT_FALSE(oracle.mayFit(raised));
   EXPECT_FALSE(oracle.forPart(whole).mayFit(raised));
   EXPECT_TRUE(oracle.forPart(below).mayFit(raised)) << "intruders elsewhere are of no use there";
+}
+
+// Most facets of these hulls are those of the ball.
+TEST(Oracle, WhatItLearnedOfFacetsChangesNoAnswer) {
+  const TriangleMesh mesh = sphere(1, 12);
+  const double tolerance = 0.05;
+  const Eigen::AlignedBox3d around(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1));
+  RandomPoints random(3);
+  Subject learned(mesh, tolerance);
+  int fit = 0;
+  for (int i = 0; i < 60; ++i) {
+    std::vector<Eigen::Vector3d> points = mesh.vertices;
+    for (int k = 0; k < 2; ++k) points.push_back((1 + 2 * tolerance * (i % 10) / 9) * random.inBox(around).normalized());
+    const ConvexHull hull = roughHull(points);
+    Subject fresh(mesh, tolerance);
+    const bool fits = fresh.oracle.fits(hull);
+    EXPECT_EQ(learned.oracle.fits(hull), fits);
+    EXPECT_LE(fits, learned.oracle.mayFit(hull));
+    fit += fits;
+  }
+  EXPECT_GT(fit, 5);
+  EXPECT_LT(fit, 55);
 }
 
 TEST(Oracle, SeveralHullsAtOnceGetTheSameAnswersAsEachAlone) {

@@ -75,6 +75,7 @@ std::optional<Method> methodNamed(const std::string& text) {
 
 const char* name(Effort effort) {
   switch (effort) {
+    case Effort::kInstant: return "instant";
     case Effort::kQuick: return "quick";
     case Effort::kBest: return "best";
   }
@@ -82,7 +83,7 @@ const char* name(Effort effort) {
 }
 
 const std::vector<Effort>& allEfforts() {
-  static const std::vector<Effort> efforts{Effort::kQuick, Effort::kBest};
+  static const std::vector<Effort> efforts{Effort::kInstant, Effort::kQuick, Effort::kBest};
   return efforts;
 }
 

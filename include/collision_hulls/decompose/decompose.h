@@ -26,10 +26,11 @@ const std::vector<Method>& allMethods();
 
 /// How hard certified looks for fewer hulls; either way it stays within the tolerance.
 enum class Effort {
-  kQuick,  ///< cut, merge, and a short search
-  kBest    ///< several cuts, and a long search
+  kInstant,  ///< cut and merge once: for previews
+  kQuick,    ///< up to three ways of cutting, merge, and a short search
+  kBest      ///< several ways of cutting, and a long search
 };
-const char* name(Effort effort);  ///< "quick", "best"
+const char* name(Effort effort);  ///< "instant", "quick", "best"
 std::optional<Effort> effortNamed(const std::string& name);
 const std::vector<Effort>& allEfforts();
 

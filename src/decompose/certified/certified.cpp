@@ -74,6 +74,7 @@ struct Plan {
 };
 
 Plan planFor(Effort effort) {
+  if (effort == Effort::kInstant) return {{{kLargeSides}}, 0, 0, 0};
   if (effort == Effort::kQuick)
     return {{{kLargeSides}, {kAnySide, kLeafShare, kFew}, {kLargeSides, kLargeLeafShare, kVeryFew, true}}, 0, 0, kQuickEvaluations};
   Plan plan{{}, kBestElements, kFirstEvaluations, kBestEvaluations};

@@ -68,7 +68,7 @@ void expectEqual(const std::vector<ConvexHull>& a, const std::vector<ConvexHull>
 TEST(Certified, SingleTriangleAndFlatMesh) {
   const TriangleMesh l_shape{{{0, 0, 0}, {1, 0, 0}, {1, 0.1, 0}, {0.1, 0.1, 0}, {0.1, 1, 0}, {0, 1, 0}},
                              {{{0, 1, 2}}, {{0, 2, 3}}, {{0, 3, 5}}, {{3, 4, 5}}}};
-  for (Effort effort : {Effort::kQuick, Effort::kBest}) {
+  for (Effort effort : allEfforts()) {
     EXPECT_EQ(count(test_shapes::singleTriangle(), 0.01, effort), 1u);
     EXPECT_EQ(count(test_shapes::sheet(1, 2, 3), 0.01, effort), 1u);
   }
@@ -78,7 +78,7 @@ TEST(Certified, SingleTriangleAndFlatMesh) {
 TEST(Certified, OnlyLoosePoints) {
   RepairedMesh mesh;
   mesh.loose = test_shapes::loosePoints({{0, 0, 0}, {0.01, 0, 0}, {5, 0, 0}, {5, 0.01, 0}, {0, 0, 7}});
-  for (Effort effort : {Effort::kQuick, Effort::kBest}) {
+  for (Effort effort : allEfforts()) {
     const Decomposition result = certified(mesh, within(0.1, effort));
     EXPECT_EQ(result.hulls.size(), 3u);
     expectCovers(mesh, result.hulls);
@@ -100,7 +100,7 @@ TEST(Certified, OpenAndOverlappingSurfaces) {
 
 TEST(Certified, ConvexInputIsOneHull) {
   RandomPoints random(3);
-  for (Effort effort : {Effort::kQuick, Effort::kBest}) {
+  for (Effort effort : allEfforts()) {
     EXPECT_EQ(count(test_shapes::box(1, 2, 3), 0.01, effort), 1u);
     EXPECT_EQ(count(test_shapes::box(1, 1, 0.001, 2), 0.01, effort), 1u);
     EXPECT_EQ(count(surface(convexHull(random.cloud(30))), 0.01, effort), 1u);
@@ -109,7 +109,7 @@ TEST(Certified, ConvexInputIsOneHull) {
 }
 
 TEST(Certified, WallsAreOneHullEach) {
-  for (Effort effort : {Effort::kQuick, Effort::kBest}) {
+  for (Effort effort : allEfforts()) {
     SCOPED_TRACE(name(effort));
     for (double share : {0.01, 0.02}) {
       EXPECT_EQ(count(test_shapes::lBracket(), share, effort), 2u) << share;
@@ -160,8 +160,8 @@ TEST(Certified, FilledHullsContainTheInside) {
   const Solid solid(repair(mesh));
   double least = 1;
   for (double share : {0.05, 0.01, 0.005})
-    for (Effort effort : {Effort::kQuick, Effort::kBest}) {
-      SCOPED_TRACE(testing::Message() << share << ", " << (effort == Effort::kBest ? "best" : "quick"));
+    for (Effort effort : allEfforts()) {
+      SCOPED_TRACE(testing::Message() << share << ", " << name(effort));
       DecomposeOptions options = within(share * diagonal(mesh), effort);
       least = std::min(least, coveredShare(checked(mesh, options).hulls, solid));
       options.fill = true;
@@ -217,7 +217,7 @@ TEST(Certified, RotationChangesTheCountLittle) {
 TEST(Certified, SameBytesForAnyNumberOfThreads) {
   const RepairedMesh large = repair(bentTube(36, 36)), small = repair(bentTube(8, 8));
   ASSERT_GT(large.mesh.triangles.size(), 5000u) << "small parts are not split in parallel";
-  for (Effort effort : {Effort::kQuick, Effort::kBest}) {
+  for (Effort effort : allEfforts()) {
     const RepairedMesh& mesh = effort == Effort::kQuick ? large : small;
     DecomposeOptions options = within(0.1, effort);
     options.max_vertices = 16;

@@ -18,15 +18,16 @@ namespace fs = std::filesystem;
 namespace {
 
 void addRobot(const Input& input, BenchmarkInputs& all) {
-  const std::vector<MeshUse> uses = meshUses(input.robot, {});
+  const std::vector<MeshUse> uses = meshUses(input.robot, modelDecisions({}, input.robot));
   const auto resolve = [&](const std::string& uri) { return resolveUri(uri, input.robot.path, input.find_package); };
   auto [tasks, failed] = meshTasks(uses, resolve, RunControl());
-  std::sort(tasks.begin(), tasks.end(), [](const MeshTask& a, const MeshTask& b) { return a.uses.front() < b.uses.front(); });
+  const auto uses_of = [](const MeshTask& task) { return task.variants.front().uses; };  // all links have the same options
+  std::sort(tasks.begin(), tasks.end(), [&](const MeshTask& a, const MeshTask& b) { return uses_of(a).front() < uses_of(b).front(); });
   std::map<std::string, std::size_t> link_index;
   for (std::size_t i = 0; i < input.robot.links.size(); ++i) link_index[input.robot.links[i].name] = i;
   QuerySubject subject{input.robot.name, input.robot, {}};
   for (const MeshTask& task : tasks) {
-    for (const std::size_t i : task.uses) subject.parts.push_back({link_index[uses[i].link], all.meshes.size(), uses[i].source.origin});
+    for (const std::size_t i : uses_of(task)) subject.parts.push_back({link_index[uses[i].link], all.meshes.size(), uses[i].source.origin});
     all.meshes.push_back({input.robot.name + "/" + fs::path(task.file).filename().string(), task.file, task.scale});
   }
   // A mesh without a file stays in the list: its rows say what is missing.

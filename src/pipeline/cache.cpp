@@ -69,28 +69,27 @@ std::string meshBytes(const MeshTask& task) {
 
 }  // namespace
 
-std::string meshKey(const MeshTask& task, const Options& options) {
-  const auto& [tolerance, method, effort, tree, fill, segments, max_hulls, max_vertices, links, source, scale, format, uri, package_name,
-               jobs, validate, cache, replace_complete, seed, reader_memory, reader_time] = options;
+std::string meshKey(const MeshTask& task, const LinkOptions& options, std::uint64_t seed) {
+  const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source] = options;
   return keyOf("mesh", meshBytes(task), tolerance, method, effort, tree.has_value(), tree.value_or(Length{}), fill, max_hulls, max_vertices,
                seed);
 }
 
-std::string treeKey(const MeshTask& task, const Options& options, double tolerance) {
-  return keyOf("tree", meshBytes(task), tolerance, options.method, options.effort, options.fill, options.max_vertices, options.seed);
+std::string treeKey(const MeshTask& task, const LinkOptions& options, std::uint64_t seed, double tolerance) {
+  return keyOf("tree", meshBytes(task), tolerance, options.method, options.effort, options.fill, options.max_vertices, seed);
 }
 
 std::string validationKey(const std::vector<MeshUse>& uses, const MeshResults& results, const std::vector<std::string>& keys,
-                          const Options& options) {
+                          std::size_t model, std::uint64_t seed) {
   ByteWriter pairs;
   for (std::size_t i = 0; i < uses.size(); ++i) {
-    if (results[i]->hulls.empty()) continue;
+    if (uses[i].model != model || results[i]->hulls.empty()) continue;
     pairs(uses[i].link, uses[i].element, keys[i]);
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 4; ++column) pairs(uses[i].pose(row, column));
     }
   }
-  return keyOf("validation", pairs.take(), options.seed);
+  return keyOf("validation", pairs.take(), seed);
 }
 
 Cache::Cache(std::filesystem::path folder, std::uintmax_t most_bytes) : folder_(std::move(folder), most_bytes) {}

@@ -20,16 +20,16 @@
 namespace collision_hulls {
 
 /// Key of one mesh's result: content and extension of its file, scale, and the options that change hulls.
-std::string meshKey(const MeshTask& task, const Options& options);
+std::string meshKey(const MeshTask& task, const LinkOptions& options, std::uint64_t seed);
 
 /// Key of one mesh's hull tree with leaves for `tolerance` [m]: as meshKey(), without the options that only choose a cut (tolerance and
 /// number of hulls).
-std::string treeKey(const MeshTask& task, const Options& options, double tolerance);
+std::string treeKey(const MeshTask& task, const LinkOptions& options, std::uint64_t seed, double tolerance);
 
-/// Key of a validation: link, element, key and pose of each use with hulls, and the seed. `keys`: one per use, in order; ignored for uses
-/// without hulls.
+/// Key of a model's validation: link, element, key and pose of each use with hulls, and the seed. `keys`: one per use, in order; ignored
+/// for uses without hulls.
 std::string validationKey(const std::vector<MeshUse>& uses, const MeshResults& results, const std::vector<std::string>& keys,
-                          const Options& options);
+                          std::size_t model, std::uint64_t seed);
 
 /// Finds nothing if there is no entry, or if it is damaged or others could have written it; such an entry is removed and counted. Thread
 /// safe; other processes may use the same folder at the same time.

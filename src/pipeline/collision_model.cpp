@@ -2,13 +2,14 @@
 // here is decided which links change, what their new elements are called, and where their files go.
 #include "pipeline/collision_model.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
 
 #include "base/counted.h"
 #include "pipeline/earlier_output.h"
-#include "pipeline/mesh_uses.h"
+#include "pipeline/run.h"
 #include "storage/names.h"
 #include "storage/replace_folder.h"
 
@@ -69,43 +70,59 @@ LinkCollisions linkCollisions(const std::string& link, const SourceElements& sou
   return result;
 }
 
-std::set<std::string> failedLinks(const Report& report) {
+std::set<std::string> failedLinks(const ModelReport& report) {
   std::set<std::string> failed;
   for (const ElementReport& row : report.links)
     if (row.status == Status::kFailed) failed.insert(row.link);
   return failed;
 }
 
-/// The links that get new <collision> elements: not those with a failed mesh, which keep what they have.
-std::map<std::string, LinkCollisions> newCollisions(const RobotDescription& robot, const RobotResult& result, const std::string& prefix) {
-  const Options& options = result.report.options;
+using NewCollisions = std::map<std::string, LinkCollisions>;
+
+/// The links that get new <collision> elements, or lose theirs: not those with a failed mesh, which keep what they have.
+NewCollisions newCollisions(const RobotDescription& robot, const LinkDecisions& decisions, const ModelReport& report,
+                            const std::vector<ElementResult>& elements, const std::string& prefix) {
   std::map<std::string, LinkModels> models;
-  for (std::size_t i = 0; i < result.elements.size(); ++i) {
-    const ElementReport& row = result.report.links[i];
-    models[row.link].emplace(row.element, Model{row.files, result.elements[i]});
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const ElementReport& row = report.links[i];
+    models[row.link].emplace(row.element, Model{row.files, elements[i]});
   }
-  const std::set<std::string> failed = failedLinks(result.report);
-  const LinkChoice chosen(options.links, robot);
+  const std::set<std::string> failed = failedLinks(report);
   UniqueNames names;
-  std::map<std::string, LinkCollisions> links;
+  NewCollisions links;
   for (const LinkDescription& link : robot.links) {
-    const SourceElements source = sourceElements(link, options.source);
+    const LinkOptions* const options = decisions.of(link.name);
+    if (!options || options->action == Action::kKeep || failed.count(link.name)) continue;
+    if (options->action == Action::kRemove) {
+      links[link.name] = {};
+      continue;
+    }
+    const SourceElements source = sourceElements(link, options->source);
     const bool has_new_ones = models.count(link.name) || (source.visual && !source.elements.empty());
-    if (!has_new_ones || !chosen(link.name) || failed.count(link.name)) continue;
-    links[link.name] = linkCollisions(link.name, source, models[link.name], prefix, names);
+    if (has_new_ones) links[link.name] = linkCollisions(link.name, source, models[link.name], prefix, names);
   }
   return links;
 }
 
+/// The links that have new elements in every model.
+std::set<std::string> replacedLinks(const std::vector<NewCollisions>& models) {
+  std::set<std::string> replaced;
+  for (const auto& [link, by] : models.front()) {
+    if (std::all_of(models.begin(), models.end(), [&name = link](const NewCollisions& model) { return model.count(name) > 0; }))
+      replaced.insert(link);
+  }
+  return replaced;
+}
+
 /// The hulls of earlier outputs that stay in use come along; their URIs lead to their new place.
-std::map<std::string, std::string> carryHulls(const RobotDescription& robot, const std::map<std::string, LinkCollisions>& links,
+std::map<std::string, std::string> carryHulls(const RobotDescription& robot, const std::vector<NewCollisions>& models,
                                               const PackageFinder& find_package, const std::string& output, const std::string& prefix,
                                               RobotResult& result) {
-  std::set<std::string> replaced;
-  for (const auto& [link, by] : links) replaced.insert(link);
   std::vector<std::string> taken;
-  for (const ElementReport& row : result.report.links) taken.insert(taken.end(), row.files.begin(), row.files.end());
-  KeptHulls kept = keptHulls(robot, replaced, taken, output, find_package);
+  for (std::size_t model = 0; model < models.size(); ++model) {
+    for (const ElementReport& row : reportOf(model, result.report).links) taken.insert(taken.end(), row.files.begin(), row.files.end());
+  }
+  KeptHulls kept = keptHulls(robot, replacedLinks(models), taken, output, find_package);
   result.kept_files = std::move(kept.contents);
   std::map<std::string, std::string> moved;
   for (const auto& [uri, place] : kept.places) moved[uri] = prefix + place;
@@ -163,19 +180,22 @@ std::string outputPackage(const Options& options, const std::string& output) {
   return packageName(folder.filename().string());
 }
 
-std::string urdfFile(const std::string& robot_name) {
-  return "urdf/" + fileName(robot_name) + ".urdf";
+std::string urdfFile(const std::string& robot_name, const std::string& model) {
+  return "urdf/" + fileName(robot_name) + (model.empty() ? "" : "_" + model) + ".urdf";
 }
 
-void rewriteDescription(const RobotDescription& robot, const PackageFinder& find_package, const std::string& output,
-                        const std::vector<std::string>& notes, RobotResult& result) {
-  const std::string prefix = uriPrefix(result.report.options, output);
-  const std::map<std::string, LinkCollisions> links = newCollisions(robot, result, prefix);
-  result.urdf = rewriteCollisions(robot, links, carryHulls(robot, links, find_package, output, prefix, result));
+void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDecisions>& decisions, const PackageFinder& find_package,
+                        const std::string& output, const std::vector<std::string>& notes, RobotResult& result) {
+  const Options& options = result.report.options;
+  const std::string prefix = uriPrefix(options, output);
+  std::vector<NewCollisions> links;
+  for (std::size_t model = 0; model < decisions.size(); ++model)
+    links.push_back(newCollisions(robot, decisions[model], reportOf(model, result.report), modelOf(model, result).elements, prefix));
+  const std::map<std::string, std::string> moved = carryHulls(robot, links, find_package, output, prefix, result);
+  for (std::size_t model = 0; model < links.size(); ++model) modelOf(model, result).urdf = rewriteCollisions(robot, links[model], moved);
   std::vector<std::string>& all = result.report.notes;
-  for (const auto& more :
-       {robot.notes, find_package.notes(), notesOnUses(robot, meshUses(robot, result.report.options), result.report.options), notes,
-        notesOnKept(result), notesOnCarried(result), notesOnRewritten(result, output)})
+  for (const auto& more : {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options), notes, notesOnKept(result),
+                           notesOnCarried(result), notesOnRewritten(result, output)})
     all.insert(all.end(), more.begin(), more.end());
 }
 

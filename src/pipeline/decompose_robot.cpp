@@ -21,27 +21,37 @@ namespace {
 constexpr double kMeshesShare = 0.9;  // of a run's time, approximately; the rest is the validation
 constexpr double kTreeShare = 0.7;    // of a mesh's time, approximately, if a tree is built first
 
+/// The work on one variant of a task.
+struct VariantWork {
+  std::size_t task = 0;
+  const LinkOptions& options;
+  double from = 0, to = 1;  // of the work on the task
+
+  void follow(RunControl& control, Run& run, double part_from = 0, double part_to = 1) const {
+    run.progress.follow(control, task, from + (to - from) * part_from, from + (to - from) * part_to);
+  }
+};
+
 /// Where steps 3 and 4 of a mesh take their hulls from, if not from a decomposition.
-std::optional<HullTree> treeFor(const MeshTask& task, std::size_t index, const ReadMesh& read, const MeshFacts& facts, Run& run) {
-  if (!run.options.tree) return std::nullopt;
+std::shared_ptr<const HullTree> treeFor(const VariantWork& work, const MeshFacts& facts, SharedMesh& mesh, Run& run) {
+  if (!work.options.tree) return nullptr;
   RunControl building;
-  run.progress.follow(building, index, 0, kTreeShare);
-  const double leaves = std::min(run.options.tree->metres(facts.diagonal), facts.tolerance);
-  return cachedTree(task, read.repaired, run.options, leaves, run.cache, building).tree;
+  work.follow(building, run, 0, kTreeShare);
+  return mesh.tree(work.options, std::min(work.options.tree->metres(facts.diagonal), facts.tolerance), building);
 }
 
 /// Steps 3 and 4: decompose, make the hulls as written cover the mesh as read, certify. The solid is known only up to the margin, so the
 /// bound includes it.
-void makeHulls(const MeshTask& task, std::size_t index, const ReadMesh& read, Run& run, MeshResult& result) {
+void makeHulls(const VariantWork& work, const ReadMesh& read, SharedMesh& mesh, Run& run, MeshResult& result) {
   Stopwatch stage;
-  const std::optional<HullTree> tree = treeFor(task, index, read, result.mesh, run);
+  const std::shared_ptr<const HullTree> tree = treeFor(work, result.mesh, mesh, run);
   result.seconds.decompose = stage.lap();
   RunControl control;
-  run.progress.follow(control, index);
-  const Options& options = run.options;
+  work.follow(control, run);
+  const LinkOptions& options = work.options;
   CertifiedHulls made = certifiedHulls(
-      {result.original, read.repaired, *result.solid, read.margin, tree ? &*tree : nullptr, task.uri},
-      {options.method, result.mesh.tolerance, options.max_hulls, options.max_vertices, options.seed, options.effort, options.fill},
+      {result.original, read.repaired, *result.solid, read.margin, tree.get(), run.tasks[work.task].uri},
+      {options.method, result.mesh.tolerance, options.max_hulls, options.max_vertices, run.options.seed, options.effort, options.fill},
       control);
   stage.lap();
   result.hulls = std::move(made.hulls);
@@ -55,15 +65,15 @@ void makeHulls(const MeshTask& task, std::size_t index, const ReadMesh& read, Ru
 }
 
 /// Steps 1 to 4 for one mesh.
-MeshResult decomposed(const MeshTask& task, std::size_t index, const std::string& key, Run& run) {
+MeshResult decomposed(const VariantWork& work, SharedMesh& mesh, Run& run) {
   MeshResult result;
   try {
     RunControl reading;
-    run.progress.follow(reading, index);
+    work.follow(reading, run);
     // 1. Read, and scale as the description says. 2. Repair: a mesh with topology, and the solid that it encloses.
-    const ReadMesh read = readAndRepair(task, run.options, reading, result);
-    makeHulls(task, index, read, run, result);
-    run.cache.storeMesh(key, result);
+    const ReadMesh& read = mesh.read(work.options, reading, result);
+    makeHulls(work, read, mesh, run, result);
+    run.cache.storeMesh(meshKey(run.tasks[work.task], work.options, run.options.seed), result);
   } catch (...) {
     fail(result);
   }
@@ -91,38 +101,67 @@ void addSegments(std::size_t index, Run& run, MeshResult& result) {
   }
 }
 
+/// What the cache has of each variant.
+std::vector<std::optional<MeshResult>> rememberedVariants(const MeshTask& task, Run& run) {
+  std::vector<std::optional<MeshResult>> known;
+  for (const MeshVariant& variant : task.variants)
+    known.push_back(remembered(task, meshKey(task, variant.options, run.options.seed), run.cache));
+  return known;
+}
+
 void decomposeTask(std::size_t index, Run& run) {
   const MeshTask& task = run.tasks[index];
-  const std::string key = meshKey(task, run.options);
-  std::optional<MeshResult> known = remembered(task, key, run.cache);
-  if (known) run.progress.skip(index);
-  MeshResult result = known ? *std::move(known) : decomposed(task, index, key, run);
-  if (run.options.segments && result.status != Status::kFailed) addSegments(index, run, result);
-  const std::size_t hulls = result.hulls.size();
-  finishTask(index, std::make_shared<const MeshResult>(std::move(result)), hulls, run);
+  std::vector<std::optional<MeshResult>> results = rememberedVariants(task, run);
+  if (std::all_of(results.begin(), results.end(), [](const auto& known) { return known.has_value(); })) run.progress.skip(index);
+  SharedMesh mesh(task, run.options, run.cache);
+  const auto count = static_cast<double>(results.size());
+  for (std::size_t v = 0; v < results.size(); ++v) {
+    const auto before = static_cast<double>(v);
+    const VariantWork work{index, task.variants[v].options, before / count, (before + 1) / count};
+    if (!results[v]) results[v] = decomposed(work, mesh, run);
+    const bool clustered = run.options.segments && work.options.method == Method::kHacd;
+    if (clustered && results[v]->status != Status::kFailed) addSegments(index, run, *results[v]);
+  }
+  run.progress.finish(index);
+  for (std::size_t v = 0; v < results.size(); ++v) {
+    const auto result = std::make_shared<const MeshResult>(std::move(*results[v]));
+    finishVariant(task.variants[v], result, result->hulls.size(), run);
+  }
+}
+
+/// The keys of all uses' results.
+std::vector<std::string> keysOf(const Run& run) {
+  std::vector<std::string> keys(run.uses.size());
+  for (const MeshTask& task : run.tasks) {
+    for (const MeshVariant& variant : task.variants) {
+      const std::string key = meshKey(task, variant.options, run.options.seed);
+      for (const std::size_t use : variant.uses) keys[use] = key;
+    }
+  }
+  return keys;
 }
 
 /// 5. Validate by queries: the original against the hulls. From the cache if possible.
-void validateOrRemember(Run& run) {
-  std::vector<std::string> keys(run.uses.size());
-  for (const MeshTask& task : run.tasks) {
-    for (const std::size_t i : task.uses) keys[i] = meshKey(task, run.options);
-  }
-  run.progress.begin("validate", 1);
-  const std::string key = validationKey(run.uses, run.results, keys, run.options);
+void validateOrRemember(std::size_t model, const std::vector<std::string>& keys, Run& run) {
+  ModelReport& report = reportOf(model, run.report);
+  const std::string key = validationKey(run.uses, run.results, keys, model, run.options.seed);
   const std::optional<Validation> known = run.cache.findValidation(key);
   RunControl validating;
-  run.progress.follow(validating, 0);
-  if (known) run.progress.skip(0);
-  run.report.validation = known ? *known : validateUses(run.uses, run.results, run.options.seed, validating);
-  run.report.validation_cached = known.has_value();
-  if (!known) run.cache.storeValidation(key, run.report.validation);
+  run.progress.follow(validating, model);
+  if (known) run.progress.skip(model);
+  report.validation = known ? *known : validateUses(run.uses, run.results, model, run.options.seed, validating);
+  report.validation_cached = known.has_value();
+  if (!known) run.cache.storeValidation(key, report.validation);
 }
 
-/// Steps 1 to 4, once per mesh; then step 5.
+/// Steps 1 to 4, once per mesh; then step 5, once per model.
 void decomposeAll(Run& run) {
   forEachInTurn(run.tasks.size(), [&](std::size_t i) { decomposeTask(i, run); });
-  if (run.options.validate) validateOrRemember(run);
+  if (!run.options.validate) return;
+  const std::size_t models = 1 + run.report.models.size();
+  run.progress.begin("validate", 1, std::vector<double>(models, 1));
+  const std::vector<std::string> keys = keysOf(run);
+  for (std::size_t model = 0; model < models; ++model) validateOrRemember(model, keys, run);
 }
 
 double meshesEnd(const Options& options) {
@@ -138,16 +177,18 @@ RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& f
   Stopwatch run;
   refuseLosingVisuals(robot, output, find_package);
   RobotResult result = emptyResult(robot, options, control);
-  const std::vector<MeshUse> uses = meshUses(robot, options);
+  const std::vector<LinkDecisions> decisions = modelDecisions(options, robot);
+  const std::vector<MeshUse> uses = meshUses(robot, decisions);
   const auto resolve = [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); };
   runStages({uses, resolve, meshesEnd(options), control, step}, result, decomposeAll);
-  rewriteDescription(robot, find_package, output, {}, result);
+  rewriteDescription(robot, decisions, find_package, output, {}, result);
   result.report.seconds = run.lap();
   return result;
 }
 
 RobotResult decomposeMesh(const std::string& path, const Options& options, const RunControl& control, const StepCallback& step) {
   check(options);
+  checkForMesh(path, options);
   Stopwatch run;
   RobotResult result;
   result.single_mesh = true;
@@ -156,6 +197,7 @@ RobotResult decomposeMesh(const std::string& path, const Options& options, const
   result.report.options = options;
   MeshUse use;
   use.link = result.robot_name;
+  use.options = options;
   use.source.uri = path;
   use.source.scale.setConstant(options.scale);
   const std::vector<MeshUse> uses{use};

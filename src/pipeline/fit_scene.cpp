@@ -8,12 +8,14 @@
 #include <set>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/millimetres.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "collision_hulls/decompose/certified_hulls.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/measure/measures.h"
+#include "collision_hulls/report/totals.h"
 #include "fit/enclosing.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/earlier_output.h"
@@ -31,37 +33,55 @@ constexpr double kFittedGap = 0.01;  // of the tolerance, or of the protrusion t
 using FitMeshes = std::vector<std::shared_ptr<const FitMesh>>;  // one per use; null: failed
 
 /// 1 to 3 of a mesh: read, repair, and its hull tree.
-std::shared_ptr<const FitMesh> fitMesh(std::size_t index, Run& run, MeshResult& result) {
-  const MeshTask& task = run.tasks[index];
+std::shared_ptr<const FitMesh> fitMesh(std::size_t index, const LinkOptions& options, SharedMesh& shared, Run& run, MeshResult& result) {
   RunControl control;
   run.progress.follow(control, index);
-  const ReadMesh read = readAndRepair(task, run.options, control, result);
+  const ReadMesh& read = shared.read(options, control, result);
   Stopwatch stage;
   const auto mesh = std::make_shared<FitMesh>();
-  CachedTree cached = cachedTree(task, read.repaired, run.options, result.mesh.tolerance, run.cache, control);
-  if (cached.found) run.progress.skip(index);
-  mesh->tree = std::move(cached.tree);
+  mesh->tree = *shared.tree(options, result.mesh.tolerance, control);
   mesh->original = result.original;
   mesh->solid = result.solid;
   mesh->margin = read.margin;
-  mesh->max_vertices = run.options.max_vertices;
-  mesh->max_hulls = run.options.max_hulls;
+  mesh->max_vertices = options.max_vertices;
+  mesh->max_hulls = options.max_hulls;
   result.seconds.decompose = stage.lap();
   return mesh;
+}
+
+/// What becomes of one variant of a task.
+struct FitVariant {
+  MeshResult result;
+  std::shared_ptr<const FitMesh> mesh;  // null: failed
+};
+
+std::vector<FitVariant> fitVariants(std::size_t index, Run& run) {
+  SharedMesh shared(run.tasks[index], run.options, run.cache);
+  std::vector<FitVariant> variants;
+  for (const MeshVariant& variant : run.tasks[index].variants) {
+    FitVariant& made = variants.emplace_back();
+    try {
+      made.mesh = fitMesh(index, variant.options, shared, run, made.result);
+    } catch (...) {
+      fail(made.result);
+    }
+  }
+  const bool all_made = std::all_of(variants.begin(), variants.end(), [](const FitVariant& variant) { return variant.mesh != nullptr; });
+  if (all_made && !shared.builtTree()) run.progress.skip(index);
+  return variants;
 }
 
 FitMeshes fitMeshes(Run& run) {
   FitMeshes meshes(run.uses.size());
   forEachInTurn(run.tasks.size(), [&](std::size_t i) {
-    MeshResult result;
-    std::shared_ptr<const FitMesh> mesh;
-    try {
-      mesh = fitMesh(i, run, result);
-    } catch (...) {
-      fail(result);
+    std::vector<FitVariant> made = fitVariants(i, run);
+    run.progress.finish(i);
+    for (std::size_t v = 0; v < made.size(); ++v) {
+      const MeshVariant& variant = run.tasks[i].variants[v];
+      for (const std::size_t use : variant.uses) meshes[use] = made[v].mesh;
+      const std::size_t leaves = made[v].mesh ? (made[v].mesh->tree.nodes.size() + 1) / 2 : 0;
+      finishVariant(variant, std::make_shared<const MeshResult>(std::move(made[v].result)), leaves, run);
     }
-    for (const std::size_t use : run.tasks[i].uses) meshes[use] = mesh;
-    finishTask(i, std::make_shared<const MeshResult>(std::move(result)), mesh ? (mesh->tree.nodes.size() + 1) / 2 : 0, run);
   });
   return meshes;
 }
@@ -69,8 +89,9 @@ FitMeshes fitMeshes(Run& run) {
 /// A copy of what is known of a use's mesh, to add to. The mesh's first use alone keeps the time.
 MeshResult copyFor(std::size_t use, const Run& run) {
   MeshResult copy = *run.results[use];
-  const auto is_first_of = [&](const MeshTask& task) { return task.uses.front() == use; };
-  if (std::none_of(run.tasks.begin(), run.tasks.end(), is_first_of)) copy.seconds = {};
+  const auto is_first_of = [&](const MeshVariant& variant) { return variant.uses.front() == use; };
+  const auto is_first = [&](const MeshTask& task) { return std::any_of(task.variants.begin(), task.variants.end(), is_first_of); };
+  if (std::none_of(run.tasks.begin(), run.tasks.end(), is_first)) copy.seconds = {};
   return copy;
 }
 
@@ -90,14 +111,14 @@ void failSiblings(FitMeshes& meshes, Run& run) {
   }
 }
 
-/// The primitives of all selected links except absent ones. Primitives without a valid size, such as dummies, only give a note.
-std::vector<KeptBody> keptBodies(const RobotDescription& robot, const Options& options, const std::set<std::string>& absent,
+/// The primitives of all links that are decomposed, except absent ones. Primitives without a valid size, such as dummies, only give a note.
+std::vector<KeptBody> keptBodies(const RobotDescription& robot, const LinkDecisions& decisions, const std::set<std::string>& absent,
                                  std::vector<std::string>& notes) {
-  const LinkChoice chosen(options.links, robot);
   std::vector<KeptBody> kept;
   for (std::size_t link = 0; link < robot.links.size(); ++link) {
-    if (!chosen(robot.links[link].name) || absent.count(robot.links[link].name)) continue;
-    for (const GeometryElement& element : sourceElements(robot.links[link], options.source).elements) {
+    const LinkOptions* const options = decisions.of(robot.links[link].name);
+    if (!options || absent.count(robot.links[link].name)) continue;
+    for (const GeometryElement& element : sourceElements(robot.links[link], options->source).elements) {
       if (element.kind == GeometryElement::Kind::kMesh || element.kind == GeometryElement::Kind::kNone) continue;
       try {
         kept.push_back({link, hullAbout(element)});
@@ -116,21 +137,22 @@ struct FittedUses {
   std::vector<std::string> notes;
 };
 
-/// The problem of fitting the meshes of all links without a failed mesh.
-FittedUses problemOf(const RobotDescription& robot, const SceneRequest& request, const FitMeshes& meshes, const Run& run) {
+/// The problem of fitting the meshes of all links without a failed mesh, and without those that are kept or removed.
+FittedUses problemOf(const RobotDescription& robot, const LinkDecisions& decisions, const SceneRequest& request, const FitMeshes& meshes,
+                     const Run& run) {
   FittedUses fitted{{robot, {}, {}, request.scene, request.disabled, request.configurations}, {}, {}};
   std::map<std::string, std::size_t> link_index;
   for (std::size_t i = 0; i < robot.links.size(); ++i) link_index[robot.links[i].name] = i;
-  std::set<std::string> failed;
+  std::set<std::string> absent;
   for (std::size_t i = 0; i < meshes.size(); ++i)
-    if (!meshes[i]) failed.insert(run.uses[i].link);
+    if (!meshes[i]) absent.insert(run.uses[i].link);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const MeshUse& use = run.uses[i];
-    if (failed.count(use.link)) continue;
+    if (absent.count(use.link)) continue;
     fitted.problem.elements.push_back({use.link + "/" + std::to_string(use.element), link_index[use.link], use.source.origin, meshes[i]});
     fitted.uses.push_back(i);
   }
-  fitted.problem.kept = keptBodies(robot, run.options, failed, fitted.notes);
+  fitted.problem.kept = keptBodies(robot, decisions, absent, fitted.notes);
   return fitted;
 }
 
@@ -219,12 +241,15 @@ void validateAll(Run& run) {
   RunControl control;
   run.progress.begin("validate", 1);
   run.progress.follow(control, 0);
-  run.report.validation = validateUses(run.uses, run.results, run.options.seed, control);
+  run.report.validation = validateUses(run.uses, run.results, 0, run.options.seed, control);
 }
 
-std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options) {
+/// `unfitted`: links that the options keep or remove.
+std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options, std::size_t unfitted) {
   std::vector<std::string> notes = fit.notes;
   if (!options.links.empty()) notes.push_back("links that '" + options.links + "' does not match were left out of the fit");
+  if (unfitted > 0)
+    notes.push_back(counted(unfitted, "link") + (unfitted == 1 ? " that is" : " that are") + " kept or removed had no part in the fit");
   if (!fit.scene_contact.empty()) notes.push_back("the original touches the scene at rest: " + fit.scene_contact);
   if (fit.scene_hits > 0 && fit.given) {
     notes.push_back("the original touches the scene in " + std::to_string(fit.scene_hits) + " of " + std::to_string(fit.samples) +
@@ -260,21 +285,28 @@ void checkClearance(double clearance, const RobotDescription& robot) {
                                          toString(lengthOf(clearance / 1000)) + "?");
 }
 
-void refuseOtherWays(const Options& options) {
+void refuseOtherWays(const Options& options, const LinkDecisions& decisions) {
+  if (!options.models.empty())
+    throw Error(ErrorCode::kBadOption,
+                "model '" + options.models.front().name + "': a scene decides on the detail, so fitting makes one model; omit it");
   if (options.tree)
     throw Error(ErrorCode::kBadOption, "tree '" + toString(*options.tree) +
                                            "' does not apply to fit_scene, whose trees always have leaves for the tolerance; omit it");
-  if (options.method == Method::kCertified) return;
-  throw Error(ErrorCode::kBadOption,
-              std::string("method '") + name(options.method) + "' builds no hull tree, which fitting to a scene needs; use certified");
+  const std::string& link = decisions.firstOfOtherMethod();
+  if (link.empty()) return;
+  const std::string& place = decisions.otherMethodPlace();
+  throw Error(ErrorCode::kBadOption, (place.empty() ? "" : place + ": ") + "method '" + name(decisions.of(link)->method) + "'" +
+                                         (place.empty() ? "" : " of link '" + link + "'") +
+                                         " builds no hull tree, which fitting to a scene needs; use certified" +
+                                         (place.empty() ? "" : ", or keep the link"));
 }
 
 /// All stages. Fills the report's scene, unless every link has a failed mesh. Returns the pairs of links that the fit disables.
-std::vector<DisabledPair> fitAll(const RobotDescription& robot, const SceneRequest& request, const FitOptions& options,
-                                 std::vector<std::string>& notes, Run& run) {
+std::vector<DisabledPair> fitAll(const RobotDescription& robot, const LinkDecisions& decisions, const SceneRequest& request,
+                                 const FitOptions& options, std::vector<std::string>& notes, Run& run) {
   FitMeshes meshes = fitMeshes(run);
   failSiblings(meshes, run);
-  const FittedUses fitted = problemOf(robot, request, meshes, run);
+  const FittedUses fitted = problemOf(robot, decisions, request, meshes, run);
   notes.insert(notes.end(), fitted.notes.begin(), fitted.notes.end());
   if (fitted.problem.elements.empty()) return {};
   RunControl fitting;
@@ -293,7 +325,8 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
                             const Options& options, const std::string& output, const RunControl& control, const StepCallback& step) {
   check(options);
   checkForRobot(options);
-  refuseOtherWays(options);
+  const std::vector<LinkDecisions> decisions{LinkDecisions(options, robot)};
+  refuseOtherWays(options, decisions.front());
   const FitOptions fit_options{request.clearance, request.samples, options.seed, request.compare, request.primitives};
   check(fit_options);
   checkClearance(request.clearance, robot);
@@ -302,20 +335,21 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   refuseLosingVisuals(robot, output, find_package);
   for (const std::string& file : request.files) refuseLosingInput(file, output);
   RobotResult result = emptyResult(robot, options, control);
-  const std::vector<MeshUse> uses = meshUses(robot, options);
-  if (uses.empty()) throw Error(ErrorCode::kBadOption, notesOnUses(robot, uses, options).front());
+  const std::vector<MeshUse> uses = meshUses(robot, decisions);
+  if (decomposedUses(uses) == 0) throw Error(ErrorCode::kBadOption, notesOnUses(robot, decisions.front(), options).front());
   std::vector<std::string> notes = request.notes;
   for (const std::string& note : joints.notes()) notes.push_back(note);
   const auto resolve = [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); };
   std::vector<DisabledPair> disabled;
   runStages({uses, resolve, kTreesEnd, control, step}, result,
-            [&](Run& run) { disabled = fitAll(robot, request, fit_options, notes, run); });
+            [&](Run& run) { disabled = fitAll(robot, decisions.front(), request, fit_options, notes, run); });
   std::optional<FitReport>& scene = result.report.scene;
   if (scene) {
     result.extra_files["config/" + fileName(robot.name) + "_disabled.srdf"] = srdfFragment(robot.name, disabled);
-    for (const std::string& note : notesOnFit(*scene, options)) notes.push_back(note);
+    const Totals sums = totals(result.report);
+    for (const std::string& note : notesOnFit(*scene, options, sums.kept + sums.removed)) notes.push_back(note);
   }
-  rewriteDescription(robot, find_package, output, notes, result);
+  rewriteDescription(robot, decisions, find_package, output, notes, result);
   result.report.seconds = clock.lap();
   if (scene) scene->seconds = result.report.seconds;
   return result;

@@ -96,10 +96,11 @@ Input openInput(const std::string& input, const PackagePath& package_path, const
 
 std::string workOn(const Input& input, const Options& options) {
   if (input.kind == Input::Kind::kMesh) return "'" + input.path + "'";
-  const std::vector<MeshUse> uses = meshUses(input.robot, options);
+  const std::vector<MeshUse> uses = meshUses(input.robot, {modelDecisions(options, input.robot).front()});
   std::set<std::string> links;
-  for (const MeshUse& use : uses) links.insert(use.link);
-  return counted(uses.size(), "mesh", "meshes") + " of " + counted(links.size(), "link");
+  for (const MeshUse& use : uses)
+    if (use.options.action == Action::kDecompose) links.insert(use.link);
+  return counted(decomposedUses(uses), "mesh", "meshes") + " of " + counted(links.size(), "link");
 }
 
 std::string defaultOutput(const Input& input) {

@@ -5,11 +5,9 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <regex>
 #include <tuple>
 #include <utility>
 
-#include "base/nearest_name.h"
 #include "base/read_file.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
@@ -18,29 +16,65 @@
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kNamesShown = 12;
-
-std::string linkNames(const RobotDescription& robot) {
-  std::string text;
-  const std::size_t shown = std::min(robot.links.size(), kNamesShown);
-  for (std::size_t i = 0; i < shown; ++i) text += (i ? ", " : "") + robot.links[i].name;
-  if (shown < robot.links.size()) text += " and " + std::to_string(robot.links.size() - shown) + " more";
-  return text;
-}
-
 bool isMesh(const GeometryElement& element) {
   return element.kind == GeometryElement::Kind::kMesh;
 }
 
+bool isDecomposed(const LinkOptions* options) {
+  return options && options->action == Action::kDecompose;
+}
+
 /// On collision meshes that --source visual skips in links without a visual element.
-std::vector<std::string> notesOnLeftOut(const RobotDescription& robot, const LinkChoice& chosen, const Options& options) {
-  if (options.source != Source::kVisual) return {};
+std::vector<std::string> notesOnLeftOut(const RobotDescription& robot, const LinkDecisions& decisions) {
   std::string links;
-  for (const LinkDescription& link : robot.links)
-    if (chosen(link.name) && link.visuals.empty() && std::any_of(link.collisions.begin(), link.collisions.end(), isMesh))
+  for (const LinkDescription& link : robot.links) {
+    const LinkOptions* const options = decisions.of(link.name);
+    if (isDecomposed(options) && options->source == Source::kVisual && link.visuals.empty() &&
+        std::any_of(link.collisions.begin(), link.collisions.end(), isMesh))
       links += (links.empty() ? "" : ", ") + link.name;
+  }
   if (links.empty()) return {};
   return {"links without a visual element keep their collision meshes as they are: " + links + "; --source auto decomposes them"};
+}
+
+/// The uses of one link in one model.
+void addUses(const LinkDescription& link, const LinkOptions& options, std::size_t model, std::vector<MeshUse>& uses) {
+  const bool decomposed = options.action == Action::kDecompose;
+  const SourceElements source = decomposed ? sourceElements(link, options.source) : SourceElements{false, link.collisions};
+  const std::size_t before = uses.size();
+  for (std::size_t i = 0; i < source.elements.size(); ++i) {
+    const GeometryElement& element = source.elements[i];
+    if (isMesh(element))
+      uses.push_back({model, link.name, options, static_cast<int>(i), source.visual, element, link.pose * element.origin});
+  }
+  if (!decomposed && uses.size() == before) uses.push_back({model, link.name, options, 0, false, GeometryElement(), link.pose});
+}
+
+/// What is known at once of a link that gets no hulls.
+MeshResult undecomposed(const MeshUse& use) {
+  MeshResult result;
+  result.status = use.options.action == Action::kKeep ? Status::kKept : Status::kRemoved;
+  return result;
+}
+
+/// Whether the same mesh becomes the same hulls. The action and the source chose the mesh.
+bool equalWork(const LinkOptions& a, const LinkOptions& b) {
+  const auto values = [](const LinkOptions& options) {
+    const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source] = options;
+    const Length leaves = tree.value_or(Length());
+    return std::make_tuple(tolerance.limit, tolerance.share, method, effort, leaves.limit, leaves.share, fill, max_hulls, max_vertices);
+  };
+  return values(a) == values(b);
+}
+
+void addVariant(const LinkOptions& options, std::size_t use, std::vector<MeshVariant>& variants) {
+  const auto known =
+      std::find_if(variants.begin(), variants.end(), [&](const MeshVariant& variant) { return equalWork(variant.options, options); });
+  if (known != variants.end()) {
+    known->uses.push_back(use);
+  } else {
+    variants.push_back({options, {use}});
+  }
 }
 
 /// Tasks with equal values are the same work. The extension counts because it says how to read the content.
@@ -86,41 +120,25 @@ class KnownFiles {
 
 }  // namespace
 
-LinkChoice::LinkChoice(const std::string& expression, const RobotDescription& robot) {
-  if (expression.empty()) {
-    matches_ = [](const std::string&) { return true; };
-    return;
-  }
-  matches_ = [regex = std::regex(expression)](const std::string& link) { return std::regex_match(link, regex); };
-  const auto chosen = [this](const LinkDescription& link) { return matches_(link.name); };
-  if (std::any_of(robot.links.begin(), robot.links.end(), chosen)) return;
-  std::vector<std::string> names;
-  for (const LinkDescription& link : robot.links) names.push_back(link.name);
-  throw Error(ErrorCode::kBadOption, "links '" + expression + "' matches no link of robot '" + robot.name +
-                                         "' (the expression has to match the whole name). Its links are " + linkNames(robot) +
-                                         didYouMean(expression, names));
-}
-
-std::vector<MeshUse> meshUses(const RobotDescription& robot, const Options& options) {
-  const LinkChoice chosen(options.links, robot);
+std::vector<MeshUse> meshUses(const RobotDescription& robot, const std::vector<LinkDecisions>& decisions) {
   std::vector<MeshUse> uses;
-  for (const LinkDescription& link : robot.links) {
-    if (!chosen(link.name)) continue;
-    const SourceElements source = sourceElements(link, options.source);
-    for (std::size_t i = 0; i < source.elements.size(); ++i) {
-      const GeometryElement& element = source.elements[i];
-      if (isMesh(element)) uses.push_back({link.name, static_cast<int>(i), source.visual, element, link.pose * element.origin});
-    }
+  for (std::size_t model = 0; model < decisions.size(); ++model) {
+    for (const LinkDescription& link : robot.links)
+      if (const LinkOptions* const options = decisions[model].of(link.name)) addUses(link, *options, model, uses);
   }
   return uses;
 }
 
-std::vector<std::string> notesOnUses(const RobotDescription& robot, const std::vector<MeshUse>& uses, const Options& options) {
-  const LinkChoice chosen(options.links, robot);
-  if (!uses.empty()) return notesOnLeftOut(robot, chosen, options);
+std::size_t decomposedUses(const std::vector<MeshUse>& uses) {
+  const auto decomposed = [](const MeshUse& use) { return isDecomposed(&use.options); };
+  return static_cast<std::size_t>(std::count_if(uses.begin(), uses.end(), decomposed));
+}
+
+std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options) {
+  if (decomposedUses(meshUses(robot, {decisions})) > 0) return notesOnLeftOut(robot, decisions);
   std::ptrdiff_t visuals = 0, collisions = 0;
   for (const LinkDescription& link : robot.links) {
-    if (!chosen(link.name)) continue;
+    if (!isDecomposed(decisions.of(link.name))) continue;
     visuals += std::count_if(link.visuals.begin(), link.visuals.end(), isMesh);
     collisions += std::count_if(link.collisions.begin(), link.collisions.end(), isMesh);
   }
@@ -128,28 +146,32 @@ std::vector<std::string> notesOnUses(const RobotDescription& robot, const std::v
     return count == 0 ? ""
                       : "; the <" + kind + "> elements have " + std::to_string(count) + " meshes, which --source " + kind + " decomposes";
   };
-  const char* const none = visuals + collisions > 0 ? "there is no mesh to decompose"
-                           : options.links.empty()  ? "the robot has no meshes"
-                                                    : "the chosen links have no meshes";
+  const char* const none = visuals + collisions > 0                         ? "there is no mesh to decompose"
+                           : options.links.empty() && options.rules.empty() ? "the robot has no meshes"
+                                                                            : "the chosen links have no meshes";
   return {none + std::string("; boxes, spheres and cylinders stay as they are") + others(visuals, "visual") +
           others(collisions, "collision")};
 }
 
 MeshTasks meshTasks(const std::vector<MeshUse>& uses, const UriResolver& resolve, const RunControl& control) {
   MeshTasks result;
-  result.failed.resize(uses.size());
+  result.done.resize(uses.size());
   KnownFiles files(control);
   std::map<Sameness, std::size_t> known;  // index of the task
   for (std::size_t i = 0; i < uses.size(); ++i) {
+    if (!isDecomposed(&uses[i].options)) {
+      result.done[i] = std::make_shared<const MeshResult>(undecomposed(uses[i]));
+      continue;
+    }
     try {
       MeshTask task = files.taskFor(uses[i].source, resolve);
       const auto [place, is_new] = known.emplace(sameness(task), result.tasks.size());
       if (is_new) result.tasks.push_back(std::move(task));
-      result.tasks[place->second].uses.push_back(i);
+      addVariant(uses[i].options, i, result.tasks[place->second].variants);
     } catch (...) {
       MeshResult failed;
       fail(failed);
-      result.failed[i] = std::make_shared<const MeshResult>(std::move(failed));
+      result.done[i] = std::make_shared<const MeshResult>(std::move(failed));
     }
   }
   std::stable_sort(result.tasks.begin(), result.tasks.end(), [](const MeshTask& a, const MeshTask& b) { return a.bytes > b.bytes; });

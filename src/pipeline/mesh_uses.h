@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/config/link_decisions.h"
 #include "collision_hulls/control.h"
 #include "collision_hulls/report/options.h"
 #include "collision_hulls/robot/robot_description.h"
@@ -13,45 +14,46 @@
 
 namespace collision_hulls {
 
-/// Tells whether Options::links chooses a link.
-class LinkChoice {
- public:
-  /// Throws kBadOption where the expression matches no link of the robot.
-  LinkChoice(const std::string& expression, const RobotDescription& robot);
-  bool operator()(const std::string& link) const { return matches_(link); }
-
- private:
-  std::function<bool(const std::string&)> matches_;
-};
-
-/// A mesh of a link, as a description names it. One mesh may have many uses.
+/// A mesh of a link, as a description names it. One mesh may have many uses. A link that is kept or removed has one for each mesh of its
+/// <collision> elements, or a single one without URI.
 struct MeshUse {
+  std::size_t model = 0;  ///< index in Options::models
   std::string link;
+  LinkOptions options;
   int element = 0;                                         ///< see ElementReport
   bool visual = false;                                     ///< see ElementReport
   GeometryElement source;                                  ///< has the mesh's URI and scale
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< see ElementResult
 };
 
-/// Every mesh of every chosen link, in document order.
-std::vector<MeshUse> meshUses(const RobotDescription& robot, const Options& options);
+/// Every mesh of every chosen link, in document order, model by model. `decisions`: of each model.
+std::vector<MeshUse> meshUses(const RobotDescription& robot, const std::vector<LinkDecisions>& decisions);
 
-/// Notes on meshes that Options::source leaves out, and on a robot in which it finds none.
-std::vector<std::string> notesOnUses(const RobotDescription& robot, const std::vector<MeshUse>& uses, const Options& options);
+/// How many of these meshes become hulls.
+std::size_t decomposedUses(const std::vector<MeshUse>& uses);
 
-/// A mesh to work on, for all uses (indices) with the same content, kind of file and scale.
+/// Notes on meshes that LinkOptions::source leaves out, and on a robot in which it finds none.
+std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options);
+
+/// Uses (indices, ascending) of a mesh with the same options.
+struct MeshVariant {
+  LinkOptions options;
+  std::vector<std::size_t> uses;
+};
+
+/// A mesh to work on, with the same content, kind of file and scale.
 struct MeshTask {
   std::string file;
   std::string uri;  ///< as its first use names it
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
   std::string sha256;
   std::uintmax_t bytes = 0;
-  std::vector<std::size_t> uses;  ///< ascending
+  std::vector<MeshVariant> variants;  ///< in the order of their first uses
 };
 
 struct MeshTasks {
   std::vector<MeshTask> tasks;  ///< largest file first, so that no long task begins last
-  MeshResults failed;           ///< by use: a failed result where there is no file; else null
+  MeshResults done;             ///< by use: where there is no file a failed result, and one for each that is kept or removed; else null
 };
 
 /// Where a mesh's file is. Throws Error.

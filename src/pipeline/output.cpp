@@ -11,9 +11,11 @@
 
 #include "base/counted.h"
 #include "base/stopwatch.h"
+#include "collision_hulls/config/config.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "pipeline/collision_model.h"
+#include "pipeline/run.h"
 #include "report/earlier_report.h"
 #include "storage/files.h"
 #include "storage/names.h"
@@ -63,7 +65,7 @@ std::string packageXml(const std::string& package) {
 
 /// Lets the package lie in the source folder of a workspace.
 std::string cmakeLists(const std::string& package, const RobotResult& result) {
-  std::set<std::string> folders{"meshes", "urdf"};
+  std::set<std::string> folders{"config", "meshes", "urdf"};
   for (const auto& [file, text] : result.extra_files) folders.insert(fs::path(file).begin()->string());
   std::string names;
   for (const std::string& folder : folders) names += folder + " ";
@@ -81,6 +83,8 @@ std::map<std::string, std::string> otherFiles(const RobotResult& result, const s
   files.insert(result.kept_files.begin(), result.kept_files.end());
   if (result.single_mesh) return files;
   files[urdfFile(result.robot_name)] = result.urdf;
+  for (std::size_t i = 0; i < result.models.size(); ++i) files[urdfFile(result.robot_name, result.report.models[i].model)] = result.models[i].urdf;
+  files["config/" + fileName(result.robot_name) + "_hulls.yaml"] = configText(result.report.options);
   files["package.xml"] = packageXml(package);
   files["CMakeLists.txt"] = cmakeLists(package, result);
   return files;
@@ -103,13 +107,27 @@ struct Folders {
   }
 };
 
-void writeHulls(const ElementResult& element, const std::vector<std::string>& files, MeshFormat format, const Folders& folders) {
+/// `written`: the files so far, which other models may share.
+void writeHulls(const ElementResult& element, const std::vector<std::string>& files, MeshFormat format, const Folders& folders,
+                std::set<std::string>& written) {
   const std::size_t hulls = element.hulls.size() - element.primitives.size();
   const std::size_t first = files.size() - hulls;  // the OBJ of all hulls stands before a file for each
   if (first > 0) folders.write(files.front(), encodeHullsObj(element.hulls, fileName(element.link)));
   for (std::size_t m = 0; m < hulls; ++m) {
     const fs::path file = files[first + m];
+    if (!written.insert(file.string()).second) continue;
     folders.write(file, encodeHull(element.hulls[m], format, file.stem().string()));
+  }
+}
+
+void writeModel(const ModelResult& model, MeshFormat format, const Folders& folders, std::set<std::string>& written, ModelReport& report,
+                const RunControl& control) {
+  for (std::size_t i = 0; i < model.elements.size(); ++i) {
+    control.check();
+    Stopwatch stage;
+    ElementReport& row = report.links[i];
+    writeHulls(model.elements[i], row.files, format, folders, written);
+    row.seconds.write = stage.lap();
   }
 }
 
@@ -126,6 +144,19 @@ void refuseInUse(const fs::path& folder) {
   }, of_parent{};
   if (stat(place.c_str(), &of_folder) == 0 && stat(place.parent_path().c_str(), &of_parent) == 0 && of_folder.st_dev != of_parent.st_dev)
     throw Error(ErrorCode::kUnwritableOutput, "output '" + folder.string() + "' is a mount point and cannot be replaced" + advice);
+}
+
+/// The hulls of the other models that the first has not.
+std::vector<std::string> filesOfOthers(const Report& report) {
+  std::set<std::string> of_first, of_others;
+  for (const ElementReport& row : report.links) of_first.insert(row.files.begin(), row.files.end());
+  for (const ModelReport& model : report.models) {
+    for (const ElementReport& row : model.links) {
+      for (const std::string& file : row.files)
+        if (!of_first.count(file)) of_others.insert(file);
+    }
+  }
+  return {of_others.begin(), of_others.end()};
 }
 
 /// Whether a second run may well do better.
@@ -174,15 +205,11 @@ bool writeOutput(RobotResult& result, const std::string& output, const RunContro
   refuseLosingMeshes(result.report, replacedFolder(output));
   FolderReplacement replacement(output);
   const Folders folders{replacement.folder(), replacedFolder(output)};
-  for (std::size_t i = 0; i < result.elements.size(); ++i) {
-    control.check();
-    Stopwatch stage;
-    ElementReport& row = result.report.links[i];
-    writeHulls(result.elements[i], row.files, result.report.options.format, folders);
-    row.seconds.write = stage.lap();
-  }
+  std::set<std::string> written;
+  for (std::size_t model = 0; model <= result.models.size(); ++model)
+    writeModel(modelOf(model, result), result.report.options.format, folders, written, reportOf(model, result.report), control);
   const std::map<std::string, std::string> others = otherFiles(result, outputPackage(result.report.options, output));
-  result.report.files.clear();
+  result.report.files = filesOfOthers(result.report);
   for (const auto& [file, text] : others) {
     folders.write(file, text);
     result.report.files.push_back(file);

@@ -7,14 +7,17 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "base/millimetres.h"
+#include "geometry/bytes.h"
+#include "pipeline/run.h"
 #include "storage/names.h"
 
 namespace collision_hulls {
 namespace {
 
-/// Names the files of hulls.
+/// Names the files of hulls. Where there are several models, equal hulls of an element share a file.
 class HullFiles {
  public:
   explicit HullFiles(const RobotResult& result) : result_(result), suffix_(extension(result.report.options.format)) {}
@@ -22,8 +25,12 @@ class HullFiles {
   std::vector<std::string> of(const MeshUse& use, const MeshResult& mesh) {
     std::vector<std::string> files;
     if (result_.single_mesh && !mesh.hulls.empty()) files.push_back(fileName(result_.robot_name) + "_hulls.obj");
-    const std::string stem = result_.single_mesh ? "hull_" : "meshes/" + folderOf(use.link) + "/" + std::to_string(use.element) + "_";
-    for (std::size_t m = 0; m + mesh.primitives.size() < mesh.hulls.size(); ++m) files.push_back(stem + std::to_string(m) + suffix_);
+    const std::string stem =
+        result_.single_mesh ? "hull_" : "meshes/" + folderOf(use.link) + "/" + prefixOf(use) + std::to_string(use.element) + "_";
+    for (std::size_t m = 0; m + mesh.primitives.size() < mesh.hulls.size(); ++m) {
+      const std::string file = stem + std::to_string(m) + suffix_;
+      files.push_back(result_.models.empty() ? file : shared(use, mesh.hulls[m], file));
+    }
     return files;
   }
 
@@ -34,13 +41,21 @@ class HullFiles {
     return folder;
   }
 
+  std::string prefixOf(const MeshUse& use) const { return use.model == 0 ? "" : result_.report.options.models[use.model].name + "_"; }
+
+  /// The file of an equal hull, or else this one.
+  const std::string& shared(const MeshUse& use, const ConvexHull& hull, const std::string& file) {
+    return known_[{use.link, use.element}].emplace(toBytes(hull), file).first->second;
+  }
+
   const RobotResult& result_;
   const std::string suffix_;
   UniqueNames names_;
-  std::map<std::string, std::string> folders_;  // by link
+  std::map<std::string, std::string> folders_;                                       // by link
+  std::map<std::pair<std::string, int>, std::map<std::string, std::string>> known_;  // by link and element: files by the hull's bytes
 };
 
-ElementReport rowOf(const MeshUse& use, const MeshResult& mesh, Method method) {
+ElementReport rowOf(const MeshUse& use, const MeshResult& mesh) {
   ElementReport row;
   static_cast<MeshFacts&>(row) = mesh.mesh;
   static_cast<HullFacts&>(row) = mesh.model;
@@ -49,7 +64,7 @@ ElementReport rowOf(const MeshUse& use, const MeshResult& mesh, Method method) {
   row.visual = use.visual;
   row.uri = use.source.uri;
   row.scale = use.source.scale;
-  row.method = method;
+  row.method = use.options.method;
   row.status = mesh.status;
   row.reason = mesh.reason;
   row.error = mesh.error;
@@ -103,11 +118,12 @@ void putTogether(const std::vector<MeshUse>& uses, const MeshResults& results, R
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const MeshUse& use = uses[i];
     const MeshResult& mesh = *results[i];
-    ElementReport row = rowOf(use, mesh, result.report.options.method);
+    ElementReport row = rowOf(use, mesh);
     if (!timed.insert(&mesh).second) row.seconds = {};  // its time counts once
     row.files = files.of(use, mesh);
-    result.report.links.push_back(std::move(row));
-    result.elements.push_back({use.link, use.source, use.pose, mesh.original, mesh.hulls, mesh.primitives, mesh.unneeded, mesh.segments});
+    reportOf(use.model, result.report).links.push_back(std::move(row));
+    modelOf(use.model, result)
+        .elements.push_back({use.link, use.source, use.pose, mesh.original, mesh.hulls, mesh.primitives, mesh.unneeded, mesh.segments});
   }
   addSegmentFiles(result);
   noteHugeMeshes(result.report);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "pipeline/collision_model.h"
 #include "pipeline/rows.h"
 #include "storage/sha256.h"
 
@@ -16,7 +17,25 @@ RobotResult emptyResult(const RobotDescription& robot, const Options& options, c
   result.report.input_path = robot.path;
   result.report.input_sha256 = sha256(robot.text, control);
   result.report.options = options;
+  result.report.urdf = urdfFile(robot.name);
+  if (options.models.empty()) return result;
+  result.report.model = options.models.front().name;
+  for (std::size_t i = 1; i < options.models.size(); ++i) {
+    ModelReport other;
+    other.model = options.models[i].name;
+    other.urdf = urdfFile(robot.name, other.model);
+    result.report.models.push_back(other);
+  }
+  result.models.resize(result.report.models.size());
   return result;
+}
+
+ModelReport& reportOf(std::size_t model, Report& report) {
+  return model == 0 ? report : report.models[model - 1];
+}
+
+ModelResult& modelOf(std::size_t model, RobotResult& result) {
+  return model == 0 ? result : result.models[model - 1];
 }
 
 void runStages(const RunInput& input, RobotResult& result, const std::function<void(Run&)>& stages) {
@@ -24,12 +43,12 @@ void runStages(const RunInput& input, RobotResult& result, const std::function<v
   Cache cache(options.cache ? cacheFolder() : std::filesystem::path());
   MeshResults results;
   withJobs(options.jobs, [&] {
-    Progress progress(input.control, input.step, input.uses.size());
+    Progress progress(input.control, input.step, decomposedUses(input.uses));
     MeshTasks found = meshTasks(input.uses, input.resolve, input.control);
     progress.begin("decompose", input.meshes_end, expectedCosts(found.tasks));
     for (std::size_t i = 0; i < input.uses.size(); ++i)
-      if (found.failed[i]) progress.finishElement(input.uses[i].link, 0);
-    Run run{options, input.uses, found.tasks, cache, progress, std::move(found.failed), result.report};
+      if (found.done[i] && found.done[i]->status == Status::kFailed) progress.finishElement(input.uses[i].link, 0);
+    Run run{options, input.uses, found.tasks, cache, progress, std::move(found.done), result.report};
     stages(run);
     progress.end();
     results = std::move(run.results);
@@ -39,9 +58,8 @@ void runStages(const RunInput& input, RobotResult& result, const std::function<v
   putTogether(input.uses, results, result);
 }
 
-void finishTask(std::size_t task, std::shared_ptr<const MeshResult> mesh, std::size_t hulls, Run& run) {
-  run.progress.finish(task);
-  for (const std::size_t use : run.tasks[task].uses) {
+void finishVariant(const MeshVariant& variant, const std::shared_ptr<const MeshResult>& mesh, std::size_t hulls, Run& run) {
+  for (const std::size_t use : variant.uses) {
     run.results[use] = mesh;
     run.progress.finishElement(run.uses[use].link, hulls);
   }

@@ -24,7 +24,7 @@ struct Run {
   Report& report;       ///< for what is no row
 };
 
-/// What is known of a run on a robot before it begins.
+/// What is known of a run on a robot before it begins; the reports of all models have their names and places.
 RobotResult emptyResult(const RobotDescription& robot, const Options& options, const RunControl& control);
 
 /// The meshes of a run, and who follows it.
@@ -40,7 +40,12 @@ struct RunInput {
 /// the elements, and the notes of the cache.
 void runStages(const RunInput& input, RobotResult& result, const std::function<void(Run&)>& stages);
 
-/// A task of the first stage is done: hands its result to all of its uses. `hulls`: how many the progress shows for each.
-void finishTask(std::size_t task, std::shared_ptr<const MeshResult> mesh, std::size_t hulls, Run& run);
+/// A variant of a task of the first stage is done: hands its result to all of its uses. `hulls`: how many the progress
+/// shows for each.
+void finishVariant(const MeshVariant& variant, const std::shared_ptr<const MeshResult>& mesh, std::size_t hulls, Run& run);
+
+/// What belongs to a model, by its index among all of them.
+ModelReport& reportOf(std::size_t model, Report& report);
+ModelResult& modelOf(std::size_t model, RobotResult& result);
 
 }  // namespace collision_hulls

@@ -17,7 +17,7 @@
 namespace collision_hulls {
 namespace {
 
-double toleranceFor(const TriangleMesh& mesh, const Options& options) {
+double toleranceFor(const TriangleMesh& mesh, const LinkOptions& options) {
   const double tolerance = options.tolerance.metres(diagonal(mesh));
   if (tolerance > 0) return tolerance;
   throw Error(ErrorCode::kEmptyMesh, "all " + std::to_string(mesh.triangles.size()) +
@@ -35,6 +35,12 @@ void checkSize(const std::string& uri, double diagonal, const Length& tolerance)
                   " across, larger than any robot link: if its numbers are millimetres, scale it by 0.001 (--scale "
                   "0.001 for a mesh file, scale=\"0.001 0.001 0.001\" in a description's <mesh>); if it really is that "
                   "large, give the tolerance only as a percentage, such as 1%");
+}
+
+/// Once the original is known. Throws kTooLarge, see SharedMesh::read().
+void setTolerance(const std::string& uri, const LinkOptions& options, MeshResult& result) {
+  checkSize(uri, result.mesh.diagonal, options.tolerance);
+  result.mesh.tolerance = toleranceFor(result.original, options);
 }
 
 MeshLimits meshLimits(const Options& options) {
@@ -56,41 +62,60 @@ void checkForRobot(const Options& options) {
                                          " " + s + " " + s + "\" in its <mesh> elements");
 }
 
-ReadMesh readAndRepair(const MeshTask& task, const Options& options, const RunControl& control, MeshResult& result) {
+void checkForMesh(const std::string& path, const Options& options) {
+  const auto refuse = [&](const std::string& item, const std::string& place) {
+    throw Error(ErrorCode::kBadOption,
+                (place.empty() ? "" : place + ": ") + item + ": '" + path + "' is a mesh, which has no links and one model; leave it out");
+  };
+  if (!options.links.empty()) refuse("links '" + options.links + "'", options.links_place);
+  if (!options.rules.empty()) refuse("links '" + options.rules.front().pattern + "'", options.rules.front().place);
+  if (!options.models.empty()) refuse("model '" + options.models.front().name + "'", "");
+}
+
+const ReadMesh& SharedMesh::read(const LinkOptions& options, const RunControl& control, MeshResult& result) {
+  if (read_) {
+    result = known_;
+    setTolerance(task_.uri, options, result);
+    return *read_;
+  }
   MeshFacts& facts = result.mesh;
   Stopwatch stage;
 
   // 1. Read, and scale as the description says.
-  facts.sha256 = task.sha256;
-  LoadedMesh loaded = parseMesh(contentOf(task, control), task.file, meshLimits(options), control);
+  facts.sha256 = task_.sha256;
+  LoadedMesh loaded = parseMesh(contentOf(task_, control), task_.file, meshLimits(options_), control);
   facts.triangles = loaded.mesh.triangles.size();
   facts.skipped_primitives = loaded.skipped_primitives;
-  result.original = scaled(loaded.mesh, task.scale);
+  result.original = scaled(loaded.mesh, task_.scale);
   loaded.mesh = {};
   facts.diagonal = diagonal(result.original);
-  checkSize(task.uri, facts.diagonal, options.tolerance);
-  facts.tolerance = toleranceFor(result.original, options);
+  setTolerance(task_.uri, options, result);
   result.seconds.read = stage.lap();
 
   // 2. Repair: a mesh with topology, and the solid that it stands for.
   ReadMesh read{repair(result.original, {}, control)};
   facts.repair = read.repaired.counts;
-  read.margin = loaded.resolution * task.scale.cwiseAbs().maxCoeff() + read.repaired.counts.weld_distance;
+  read.margin = loaded.resolution * task_.scale.cwiseAbs().maxCoeff() + read.repaired.counts.weld_distance;
   result.solid = std::make_shared<const Solid>(read.repaired, control);
   facts.interior = name(result.solid->interior());
   facts.volume = result.solid->volume();
   result.seconds.repair = stage.lap();
-  return read;
+  if (task_.variants.size() > 1) known_ = result;
+  known_.seconds = {};
+  return read_.emplace(std::move(read));
 }
 
 /// The tree is built without a cap on hulls: caps choose a cut, so one tree serves them all.
-CachedTree cachedTree(const MeshTask& task, const RepairedMesh& mesh, const Options& options, double tolerance, Cache& cache,
-                      const RunControl& control) {
-  const std::string key = treeKey(task, options, tolerance);
-  if (std::optional<HullTree> known = cache.findTree(key)) return {std::move(*known), true};
-  HullTree tree = hullTree(mesh, {options.method, tolerance, 0, options.max_vertices, options.seed, options.effort, options.fill}, control);
-  cache.storeTree(key, tree);
-  return {std::move(tree), false};
+std::shared_ptr<const HullTree> SharedMesh::tree(const LinkOptions& options, double tolerance, const RunControl& control) {
+  const std::string key = treeKey(task_, options, options_.seed, tolerance);
+  std::shared_ptr<const HullTree>& tree = trees_[key];
+  if (tree) return tree;
+  if (std::optional<HullTree> known = cache_.findTree(key)) return tree = std::make_shared<const HullTree>(std::move(*known));
+  built_tree_ = true;
+  HullTree built =
+      hullTree(read_->repaired, {options.method, tolerance, 0, options.max_vertices, options_.seed, options.effort, options.fill}, control);
+  cache_.storeTree(key, built);
+  return tree = std::make_shared<const HullTree>(std::move(built));
 }
 
 HullFacts factsOf(const std::vector<ConvexHull>& hulls, std::size_t primitives, const Solid& solid, const Protrusion& proof) {
@@ -107,12 +132,13 @@ HullFacts factsOf(const std::vector<ConvexHull>& hulls, std::size_t primitives, 
   return facts;
 }
 
-Validation validateUses(const std::vector<MeshUse>& uses, const MeshResults& results, std::uint64_t seed, const RunControl& control) {
+Validation validateUses(const std::vector<MeshUse>& uses, const MeshResults& results, std::size_t model, std::uint64_t seed,
+                        const RunControl& control) {
   std::vector<ValidationPair> pairs;
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const MeshUse& use = uses[i];
     const MeshResult& mesh = *results[i];
-    if (mesh.hulls.empty()) continue;
+    if (use.model != model || mesh.hulls.empty()) continue;
     ValidationPair pair;
     pair.name = use.link + "/" + std::to_string(use.element);
     pair.original = transformed(mesh.original, use.pose);

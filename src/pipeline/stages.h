@@ -1,6 +1,9 @@
 // Stages that decomposing a robot and fitting it to a scene have in common, and checks of sizes before the long work.
 #pragma once
 
+#include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,30 +18,44 @@ namespace collision_hulls {
 /// Throws kBadOption for options that only a single mesh takes.
 void checkForRobot(const Options& options);
 
+/// Throws kBadOption for options that only a robot takes.
+void checkForMesh(const std::string& path, const Options& options);
+
 /// A mesh after stages 1 and 2, for the stages that follow.
 struct ReadMesh {
   RepairedMesh repaired;
   double margin = 0;  ///< [m] how far original points may lie from the repaired mesh
 };
 
-/// Stages 1 and 2. `result` gets the original, its solid and what is known of it, as far as the work goes: a mesh that fails keeps it.
-/// Throws kTooLarge for a mesh above 20 m where the tolerance has a length: its numbers are probably millimetres, and the work would take
-/// minutes.
-ReadMesh readAndRepair(const MeshTask& task, const Options& options, const RunControl& control, MeshResult& result);
+/// A task's mesh, on which all of its variants work: read and repaired when the first asks for it. The hull trees that were used so far.
+class SharedMesh {
+ public:
+  SharedMesh(const MeshTask& task, const Options& options, Cache& cache) : task_(task), options_(options), cache_(cache) {}
 
-struct CachedTree {
-  HullTree tree;
-  bool found = false;  ///< in the cache
+  /// Stages 1 and 2. `result` gets the original, its solid and what is known of it, as far as the work goes: a mesh that fails keeps it.
+  /// Throws kTooLarge for a mesh above 20 m where the tolerance has a length: its numbers are probably millimetres, and the work would take
+  /// minutes.
+  const ReadMesh& read(const LinkOptions& options, const RunControl& control, MeshResult& result);
+
+  /// Its hull tree, with leaves for `tolerance` [m]: known already, or from the cache, or built and stored there. After read().
+  std::shared_ptr<const HullTree> tree(const LinkOptions& options, double tolerance, const RunControl& control);
+  bool builtTree() const { return built_tree_; }
+
+ private:
+  const MeshTask& task_;
+  const Options& options_;
+  Cache& cache_;
+  std::optional<ReadMesh> read_;
+  MeshResult known_;                                              ///< once it is read: what all variants have in common
+  std::map<std::string, std::shared_ptr<const HullTree>> trees_;  ///< by key
+  bool built_tree_ = false;
 };
-
-/// The hull tree of a task's mesh, with leaves for `tolerance` [m]: from the cache, or built and stored there.
-CachedTree cachedTree(const MeshTask& task, const RepairedMesh& mesh, const Options& options, double tolerance, Cache& cache,
-                      const RunControl& control);
 
 /// What is known of certified hulls. `primitives`: how many of them, the last ones, stand for primitives, and are written as such.
 HullFacts factsOf(const std::vector<ConvexHull>& hulls, std::size_t primitives, const Solid& solid, const Protrusion& proof);
 
-/// Stage 5, for the uses that have hulls.
-Validation validateUses(const std::vector<MeshUse>& uses, const MeshResults& results, std::uint64_t seed, const RunControl& control);
+/// Stage 5, for the uses of a model that have hulls.
+Validation validateUses(const std::vector<MeshUse>& uses, const MeshResults& results, std::size_t model, std::uint64_t seed,
+                        const RunControl& control);
 
 }  // namespace collision_hulls

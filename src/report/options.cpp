@@ -9,11 +9,12 @@
 #include <cmath>
 #include <iterator>
 #include <locale>
-#include <regex>
+#include <set>
 #include <sstream>
 
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "collision_hulls/error.h"
+#include "report/link_pattern.h"
 #include "storage/names.h"
 
 namespace collision_hulls {
@@ -29,6 +30,7 @@ constexpr std::array<Unit, 7> kLengthUnits = {
 constexpr int kMostHulls = 1'000'000;     // of a mesh
 constexpr int kMostVertices = 1'000'000;  // of a hull
 constexpr int kMostJobs = 1024;
+constexpr std::size_t kLongestModelName = 64;
 constexpr int kMostReading = 1'000'000;  // [MiB] or [s]
 constexpr double kLargestTolerance = 1;  // [m] hulls that protrude further no longer resemble a robot
 
@@ -130,11 +132,41 @@ void checkLength(const std::string& option, const Length& length) {
   checkUnit(option, length);
 }
 
+/// Models become files of their own.
+void checkModels(const std::vector<ModelOptions>& models) {
+  std::set<std::string> names;
+  for (const ModelOptions& model : models) {
+    const bool is_name =
+        !model.name.empty() && model.name.size() <= kLongestModelName &&
+        model.name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") == std::string::npos;
+    if (!is_name) badOption("model", model.name, "a name of up to 64 letters, digits, '_' and '-', which becomes part of a file's name");
+    if (!names.insert(model.name).second)
+      throw Error(ErrorCode::kBadOption, "model '" + model.name + "' is given twice; give each model a name of its own");
+    checkTolerance(model.tolerance, "tolerance of model '" + model.name + "'");
+  }
+}
+
 /// Whether `tree` is the larger length for every mesh, whatever its size. Where only some meshes make it larger, these take the
 /// tolerance instead.
 bool alwaysLarger(const Length& tree, const Length& tolerance) {
   const auto larger = [](double a, double b) { return a > b || (!isSet(a) && !isSet(b)); };
   return larger(tree.limit, tolerance.limit) && larger(tree.share, tolerance.share);
+}
+
+/// What goes with some methods alone.
+void checkMethod(const Options& options) {
+  if (options.tree) checkLength("tree", *options.tree);
+  if (options.fill && options.method != Method::kCertified)
+    throw Error(ErrorCode::kBadOption,
+                std::string("fill needs method 'certified'; leave it out with method '") + name(options.method) + "'");
+  if (options.tree && options.method != Method::kCertified)
+    throw Error(ErrorCode::kBadOption,
+                std::string("tree needs method 'certified'; leave it out with method '") + name(options.method) + "'");
+  if (options.segments && options.method != Method::kHacd)
+    throw Error(ErrorCode::kBadOption, std::string("segments needs method 'hacd', whose clusters it shows; leave it out with method '") +
+                                           name(options.method) + "', or choose --method hacd");
+  if (options.tree && alwaysLarger(*options.tree, options.tolerance))
+    badOption("tree", toString(*options.tree), "a length up to the tolerance, which is " + toString(options.tolerance));
 }
 
 template <typename T>
@@ -173,6 +205,39 @@ std::string toString(const Length& length) {
   return limit + (limit.empty() || share.empty() ? "" : ",") + share;
 }
 
+const char* name(Action action) {
+  switch (action) {
+    case Action::kDecompose: return "decompose";
+    case Action::kKeep: return "keep";
+    case Action::kRemove: return "remove";
+  }
+  return "unknown";
+}
+
+std::optional<Action> actionNamed(const std::string& name) {
+  for (const Action action : {Action::kDecompose, Action::kKeep, Action::kRemove})
+    if (name == collision_hulls::name(action)) return action;
+  return std::nullopt;
+}
+
+const char* name(Source source) {
+  switch (source) {
+    case Source::kAuto: return "auto";
+    case Source::kVisual: return "visual";
+    case Source::kCollision: return "collision";
+  }
+  return "unknown";
+}
+
+const char* name(UriStyle style) {
+  switch (style) {
+    case UriStyle::kPackage: return "package";
+    case UriStyle::kFile: return "file";
+    case UriStyle::kRelative: return "relative";
+  }
+  return "unknown";
+}
+
 std::optional<UriStyle> uriStyleNamed(const std::string& name) {
   if (name == "package") return UriStyle::kPackage;
   if (name == "file") return UriStyle::kFile;
@@ -188,23 +253,20 @@ std::string effortChoices() {
   return choicesOf(allEfforts());
 }
 
-void check(const Options& options) {
-  const Length& tolerance = options.tolerance;
-  checkLength("tolerance", tolerance);
-  if (options.tree) checkLength("tree", *options.tree);
-  if (options.fill && options.method != Method::kCertified)
-    throw Error(ErrorCode::kBadOption,
-                std::string("fill needs method 'certified'; leave it out with method '") + name(options.method) + "'");
-  if (options.tree && options.method != Method::kCertified)
-    throw Error(ErrorCode::kBadOption,
-                std::string("tree needs method 'certified'; leave it out with method '") + name(options.method) + "'");
-  if (options.segments && options.method != Method::kHacd)
-    throw Error(ErrorCode::kBadOption, std::string("segments needs method 'hacd', whose clusters it shows; leave it out with method '") +
-                                           name(options.method) + "', or choose --method hacd");
-  if (options.tree && alwaysLarger(*options.tree, tolerance))
-    badOption("tree", toString(*options.tree), "a length up to the tolerance, which is " + toString(tolerance));
+void checkTolerance(const Length& tolerance, const std::string& option) {
+  checkLength(option, tolerance);
+}
+
+void checkLimits(const LinkOptions& options) {
   checkRange("max-hulls", options.max_hulls, 1, kMostHulls, "no limit");
   checkRange("max-vertices", options.max_vertices, kLeastVertices, kMostVertices, "no limit");
+}
+
+void check(const Options& options) {
+  checkTolerance(options.tolerance);
+  checkMethod(options);
+  checkLimits(options);
+  checkModels(options.models);
   checkPositive("reader-memory", options.reader_memory);
   checkPositive("reader-time", options.reader_time);
   checkRange("jobs", options.jobs, 1, kMostJobs, "as many threads as cores");
@@ -213,11 +275,7 @@ void check(const Options& options) {
   if (!options.package_name.empty() && packageName(options.package_name) != options.package_name)
     badOption("package-name", options.package_name,
               "a lower-case letter, then lower-case letters, digits and '_', such as '" + packageName(options.package_name) + "'");
-  try {
-    const std::regex compiled(options.links);
-  } catch (const std::regex_error& e) {
-    badOption("links", options.links, std::string("a regular expression (ECMAScript): ") + e.what());
-  }
+  const LinkPattern links(options.links, "links");
 }
 
 // Where the values come from:

@@ -16,25 +16,33 @@ const char* name(Status status) {
     case Status::kOk: return "ok";
     case Status::kDegraded: return "degraded";
     case Status::kFailed: return "failed";
+    case Status::kKept: return "kept";
+    case Status::kRemoved: return "removed";
   }
   return "unknown";
 }
 
 bool anyFailed(const Report& report) {
-  return std::any_of(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.status == Status::kFailed; });
+  const auto failed = [](const ModelReport& model) { return totals(model).failed > 0; };
+  return failed(report) || std::any_of(report.models.begin(), report.models.end(), failed);
 }
 
 bool allFailed(const Report& report) {
-  return !report.links.empty() &&
-         std::all_of(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.status == Status::kFailed; });
+  const auto failed = [](const ModelReport& model) { return totals(model).failed > 0 && totals(model).failed == totals(model).meshes; };
+  return failed(report) && std::all_of(report.models.begin(), report.models.end(), failed);
 }
 
-Totals totals(const Report& report) {
+Totals totals(const ModelReport& report) {
   Totals sum;
   const std::string* link = nullptr;  // rows of a link stand together
   for (const ElementReport& row : report.links) {
-    if (!link || *link != row.link) ++sum.links;
+    const bool is_new = !link || *link != row.link;
     link = &row.link;
+    if (row.status == Status::kKept || row.status == Status::kRemoved) {
+      (row.status == Status::kKept ? sum.kept : sum.removed) += is_new;
+      continue;
+    }
+    sum.links += is_new;
     ++sum.meshes;
     sum.triangles += row.triangles;
     sum.hulls += row.hulls;

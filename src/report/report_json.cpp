@@ -9,24 +9,6 @@ namespace {
 
 using nlohmann::json;
 
-const char* toText(Source source) {
-  switch (source) {
-    case Source::kAuto: return "auto";
-    case Source::kVisual: return "visual";
-    case Source::kCollision: return "collision";
-  }
-  return "unknown";
-}
-
-const char* toText(UriStyle style) {
-  switch (style) {
-    case UriStyle::kPackage: return "package";
-    case UriStyle::kFile: return "file";
-    case UriStyle::kRelative: return "relative";
-  }
-  return "unknown";
-}
-
 json toJson(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }
@@ -42,10 +24,10 @@ json toJson(const Options& options) {
           {"max-hulls", options.max_hulls},
           {"max-vertices", options.max_vertices},
           {"links", options.links},
-          {"source", toText(options.source)},
+          {"source", name(options.source)},
           {"scale", options.scale},
           {"format", extension(options.format) + 1},
-          {"uri", toText(options.uri)},
+          {"uri", name(options.uri)},
           {"package-name", options.package_name},
           {"jobs", options.jobs},
           {"reader-memory", options.reader_memory},
@@ -87,7 +69,7 @@ json toJson(const ElementReport& row) {
           {"reason", row.reason},
           {"error", row.error},
           {"repair", toJson(row.repair)},
-          {"method", name(row.method)},
+          {"method", row.status == Status::kKept || row.status == Status::kRemoved ? "" : name(row.method)},
           {"tolerance", row.tolerance},
           {"hulls", row.hulls},
           {"hull_vertices", row.hull_vertices},
@@ -172,32 +154,54 @@ json toJson(const FitReport& fit) {
           {"self_phantoms", toJson(fit.self)}};
 }
 
-json totalsToJson(const Report& report) {
+json totalsToJson(const ModelReport& report, double seconds) {
   const Totals sum = totals(report);
   return {{"links", sum.links},
           {"meshes", sum.meshes},
           {"triangles", sum.triangles},
           {"hulls", sum.hulls},
           {"hull_vertices", sum.hull_vertices},
-          {"seconds", report.seconds},
+          {"seconds", seconds},
           {"failed", sum.failed},
-          {"degraded", sum.degraded}};
+          {"degraded", sum.degraded},
+          {"kept", sum.kept},
+          {"removed", sum.removed}};
+}
+
+json validationToJson(const ModelReport& report, const Options& options) {
+  return options.validate ? toJson(report.validation, report.validation_cached) : json();
+}
+
+/// The models beside the one that the report's own rows describe.
+json modelsToJson(const Report& report) {
+  json models = json::array();
+  for (const ModelReport& model : report.models) {
+    models.push_back({{"model", model.model},
+                      {"urdf", model.urdf},
+                      {"links", toJson(model.links)},
+                      {"validation", validationToJson(model, report.options)},
+                      {"totals", totalsToJson(model, report.seconds)}});
+  }
+  return models;
 }
 
 }  // namespace
 
 std::string toJson(const Report& report) {
-  json rows = json::array();
-  for (const ElementReport& row : report.links) rows.push_back(toJson(row));
   json document = {{"collision_hulls", version()},
                    {"input", {{"path", report.input_path}, {"sha256", report.input_sha256}}},
                    {"options", toJson(report.options)},
                    {"seed", report.options.seed},
-                   {"links", rows},
+                   {"links", toJson(report.links)},
                    {"files", report.files},
-                   {"validation", report.options.validate ? toJson(report.validation, report.validation_cached) : json()},
+                   {"validation", validationToJson(report, report.options)},
                    {"notes", report.notes},
-                   {"totals", totalsToJson(report)}};
+                   {"totals", totalsToJson(report, report.seconds)}};
+  if (!report.models.empty()) {
+    document["model"] = report.model;
+    document["urdf"] = report.urdf;
+    document["models"] = modelsToJson(report);
+  }
   if (report.scene) document["scene"] = toJson(*report.scene);
   // Names in a description may be no UTF-8, which JSON cannot hold: such bytes are shown as U+FFFD. Non-finite numbers become null.
   return document.dump(1, ' ', false, json::error_handler_t::replace) + "\n";

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/counted.h"
@@ -54,6 +55,8 @@ std::size_t width(const std::string& text) {
 Cells cells(const ElementReport& row) {
   const StageSeconds& s = row.seconds;
   const std::string seconds = figure(s.read + s.repair + s.decompose + s.certify + s.write);
+  if (row.status == Status::kKept || row.status == Status::kRemoved)
+    return {row.link, row.uri.empty() ? "-" : lastPart(row.uri), "-", "-", "-", "-", "-", "-", name(row.status)};
   if (row.status == Status::kFailed)
     return {row.link, lastPart(row.uri), row.triangles ? std::to_string(row.triangles) : "-", "-", "-", "-", "-",
             seconds,  name(row.status)};
@@ -77,6 +80,8 @@ std::string statusCounts(const Totals& sum) {
   add(sum.meshes - sum.degraded - sum.failed, Status::kOk);
   add(sum.degraded, Status::kDegraded);
   add(sum.failed, Status::kFailed);
+  add(sum.kept, Status::kKept);
+  add(sum.removed, Status::kRemoved);
   return text;
 }
 
@@ -120,9 +125,14 @@ std::string meshTable(const Report& report) {
   return aligned(rows);
 }
 
+/// Of one model of several.
+std::string modelHeading(const Report& report) {
+  return report.models.empty() ? "" : "model '" + report.model + "', " + report.urdf + "\n";
+}
+
 /// What the columns mean. A row whose hulls left surface uncovered would have failed.
 std::string legend(const Report& report) {
-  if (report.links.empty() || allFailed(report)) return "";
+  if (totals(report).meshes == totals(report).failed) return "";
   const auto cached = std::count_if(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.cached; });
   std::string text = "The hulls cover the whole surface of each mesh, and no hull point is further from its solid than the protrusion.\n";
   if (report.links.size() > 1) text += "Meshes run in parallel; the total time is wall-clock time.\n";
@@ -154,7 +164,7 @@ std::string troubleLine(const Validation& v) {
 }
 
 std::string validationLines(const Report& report) {
-  if (report.links.empty() || allFailed(report)) return "";
+  if (totals(report).meshes == totals(report).failed) return "";
   const std::string of_what = report.scene ? " of single meshes: " : ": ";
   if (!report.options.validate) return "check" + of_what + "skipped (--no-validate)\n";
   const Validation& v = report.validation;
@@ -217,6 +227,21 @@ std::string failure(const Report& report, const ElementReport& row) {
   return (single_mesh ? "" : "link " + row.link + ": ") + (named ? "" : row.uri + ": ") + row.reason;
 }
 
+/// A mesh that fails for the same reason in several models is named once.
+std::vector<const ElementReport*> failedRows(const Report& report) {
+  std::vector<const ElementReport*> failed;
+  std::set<std::tuple<std::string, int, std::string>> known;
+  const auto add = [&](const ModelReport& model) {
+    for (const ElementReport& row : model.links) {
+      const bool is_new = known.emplace(row.link, row.element, row.reason).second;
+      if (row.status == Status::kFailed && (is_new || &model == &report)) failed.push_back(&row);
+    }
+  };
+  add(report);
+  for (const ModelReport& model : report.models) add(model);
+  return failed;
+}
+
 /// The links and meshes that miss a package.
 struct Missing {
   std::size_t meshes = 0;
@@ -232,20 +257,25 @@ std::string line(const std::string& package, const Missing& missing) {
 }  // namespace
 
 std::string toTable(const Report& report) {
-  return meshTable(report) + legend(report) + degradedLine(report) + validationLines(report) + sceneLines(report) + noteLines(report);
+  std::string text = modelHeading(report) + meshTable(report) + legend(report) + degradedLine(report) + validationLines(report);
+  for (const ModelReport& model : report.models) {
+    Report other = report;
+    static_cast<ModelReport&>(other) = model;
+    text += "\n" + modelHeading(other) + meshTable(other) + degradedLine(other) + validationLines(other);
+  }
+  return text + sceneLines(report) + noteLines(report);
 }
 
 std::vector<std::string> failures(const Report& report) {
   std::map<std::string, Missing> packages;
   std::vector<std::string> lines;
-  for (const ElementReport& row : report.links) {
-    if (row.status != Status::kFailed) continue;
-    const std::optional<std::string> package = row.error == name(ErrorCode::kPackageNotFound) ? packageOf(row.uri) : std::nullopt;
+  for (const ElementReport* row : failedRows(report)) {
+    const std::optional<std::string> package = row->error == name(ErrorCode::kPackageNotFound) ? packageOf(row->uri) : std::nullopt;
     if (package) {
       ++packages[*package].meshes;
-      packages[*package].links.insert(row.link);
+      packages[*package].links.insert(row->link);
     } else {
-      lines.push_back(failure(report, row));
+      lines.push_back(failure(report, *row));
     }
   }
   std::vector<std::string> all;

@@ -70,6 +70,14 @@ bool YamlValue::isSequence() const {
   return node_->value.IsSequence();
 }
 
+bool YamlValue::isNull() const {
+  return node_->value.IsNull();
+}
+
+bool YamlValue::isQuoted() const {
+  return node_->value.IsScalar() && node_->value.Tag() == "!";
+}
+
 std::string YamlValue::text() const {
   if (!node_->value.IsScalar()) fail("expected a single value");
   return node_->value.Scalar();
@@ -100,10 +108,17 @@ std::vector<double> YamlValue::numbers(std::size_t count) const {
   return result;
 }
 
-std::vector<std::string> YamlValue::keys() const {
+std::vector<std::pair<YamlValue, YamlValue>> YamlValue::entries() const {
   if (!isMap()) fail("expected a map (key: value)");
+  std::vector<std::pair<YamlValue, YamlValue>> result;
+  for (const auto& entry : node_->value)
+    result.emplace_back(Node::wrap(entry.first, node_->source), Node::wrap(entry.second, node_->source));
+  return result;
+}
+
+std::vector<std::string> YamlValue::keys() const {
   std::vector<std::string> result;
-  for (const auto& entry : node_->value) result.push_back(Node::wrap(entry.first, node_->source).text());
+  for (const auto& [key, value] : entries()) result.push_back(key.text());
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "collision_hulls/error.h"
@@ -19,14 +20,18 @@ class YamlValue {
   bool isMap() const;
   bool isSequence() const;
 
-  std::string text() const;                              ///< of a scalar
-  double number() const;                                 ///< of a scalar; finite
-  std::vector<YamlValue> items() const;                  ///< of a sequence
-  std::vector<double> numbers() const;                   ///< of a sequence of numbers
-  std::vector<double> numbers(std::size_t count) const;  ///< of a sequence of `count` numbers
-  std::vector<std::string> keys() const;                 ///< of a map, in document order
-  bool has(const std::string& key) const;                ///< of a map; false if the value is not a map
-  YamlValue operator[](const std::string& key) const;    ///< of a map that has the key
+  bool isNull() const;    ///< nothing stands there
+  bool isQuoted() const;  ///< a scalar that is a text, whatever it looks like
+
+  std::string text() const;                                      ///< of a scalar
+  double number() const;                                         ///< of a scalar; finite
+  std::vector<YamlValue> items() const;                          ///< of a sequence
+  std::vector<double> numbers() const;                           ///< of a sequence of numbers
+  std::vector<double> numbers(std::size_t count) const;          ///< of a sequence of `count` numbers
+  std::vector<std::string> keys() const;                         ///< of a map, in document order
+  std::vector<std::pair<YamlValue, YamlValue>> entries() const;  ///< of a map: keys and values in document order
+  bool has(const std::string& key) const;                        ///< of a map; false if the value is not a map
+  YamlValue operator[](const std::string& key) const;            ///< of a map that has the key
 
   std::size_t line() const;
   std::string where() const;  ///< "'file', line 3"

@@ -6,12 +6,14 @@
 #include <iostream>
 #include <new>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/roots.h"
 #include "base/string_parts.h"
+#include "collision_hulls/config/config.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "collision_hulls/pipeline/output.h"
@@ -30,7 +32,11 @@ struct RobotCommand {
   std::string program, input, output, json;
   std::vector<std::string> package_path, roots;
   bool quiet = false;
-  Options options;
+  std::string config, config_text;  // file, and what it holds
+  std::vector<std::string> models;  // NAME=LENGTH
+  GivenOptions given;
+  Options options;                 // once they are known: the defaults, then the file, then what is given
+  std::vector<std::string> notes;  // on them
 };
 
 /// Input, output, report and the options of a decomposition.
@@ -39,10 +45,6 @@ inline void addRobotOptions(CommandLine& app, const std::string& input, RobotCom
   app.add_option("-o,--output", command.output, "Output folder; default ./<robot>_collision. An earlier output there is replaced")
       ->type_name("DIR")
       ->check(notEmpty("a folder"))
-      ->group("Output");
-  app.add_option("--package-name", command.options.package_name, "Name of the output package; default: the name of its folder")
-      ->type_name("NAME")
-      ->check(notEmpty("a name"))
       ->group("Output");
   app.add_option("--package-path", command.package_path,
                  "Extra folder to search for packages, or the folder of one package (NAME=DIR); repeatable")
@@ -58,7 +60,12 @@ inline void addRobotOptions(CommandLine& app, const std::string& input, RobotCom
       ->check(notEmpty("a file, or - for standard output"))
       ->group("Output");
   app.add_flag("--quiet", command.quiet, "Print errors only")->group("Output");
-  DecomposeOptionAdder(app, command.options).addAll();
+  app.add_option("--config", command.config,
+                 "Settings link by link (YAML), see doc/configuration.md; options given here count before its defaults")
+      ->type_name("FILE")
+      ->check(notEmpty("a file"))
+      ->group("Input");
+  DecomposeOptionAdder(app, command.given).addAll();
 }
 
 inline const RunControl* interrupted_run = nullptr;
@@ -91,11 +98,15 @@ inline bool isFile(const std::string& json) {
   return !json.empty() && json != "-";
 }
 
+inline bool liesWithin(const std::string& file, const std::string& folder) {
+  const auto real = [](const std::string& path) { return std::filesystem::weakly_canonical(std::filesystem::absolute(path)); };
+  const std::filesystem::path within = real(file).lexically_relative(real(folder));
+  return !within.empty() && *within.begin() != "..";
+}
+
 /// Refuses a file within the output folder, which holds the output alone, and one that cannot be written.
 inline void checkBeside(const std::string& file, const std::string& output) {
-  const auto real = [](const std::string& path) { return std::filesystem::weakly_canonical(std::filesystem::absolute(path)); };
-  const std::filesystem::path within = real(file).lexically_relative(real(output));
-  if (!within.empty() && *within.begin() != "..")
+  if (liesWithin(file, output))
     throw Error(ErrorCode::kBadOption,
                 "'" + file + "' lies in the output folder, which is replaced as a whole; choose a place outside of it");
   checkNamedFile(file);
@@ -127,15 +138,48 @@ inline void checkCommand(const RobotCommand& command) {
                                            "' needs method 'certified'; leave it out with method '" + name(options.method) + "'");
 }
 
+/// A model's name and tolerance.
+inline ModelOptions modelOf(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos)
+    throw Error(ErrorCode::kBadOption, "--model '" + text + "' is invalid: use a name and a tolerance, as in contact=2mm");
+  return {text.substr(0, equals), parseLength(text.substr(equals + 1), "--model " + text.substr(0, equals))};
+}
+
+/// Fills command.options.
+inline void configure(RobotCommand& command) {
+  if (!command.config.empty()) {
+    const Config config = readConfig(command.config);
+    apply(config, command.options);
+    command.config_text = config.text;
+    std::set<std::string> given = command.given.names;
+    if (!command.models.empty()) given.insert("model");
+    command.notes = overridingNotes(config, given);
+  }
+  command.given.apply(command.options);
+  if (command.models.empty()) return;
+  if (command.given.names.count("tolerance"))
+    throw Error(ErrorCode::kBadOption, "--tolerance contradicts --model, which gives each model its own; leave out one of them");
+  command.options.models.clear();
+  for (const std::string& model : command.models) command.options.models.push_back(modelOf(model));
+}
+
+/// A configuration in the output folder would be replaced by the one that the run writes there.
+inline void checkConfig(const RobotCommand& command, const Input& input, const std::string& output) {
+  if (command.config.empty() || input.kind != Input::Kind::kRobot) return;
+  if (liesWithin(command.config, output) && command.config_text != configText(command.options))
+    throw Error(ErrorCode::kBadOption,
+                "--config '" + command.config +
+                    "' lies in the output folder, which is replaced, and the run would write it differently, such as "
+                    "without its comments; copy it to a place outside");
+}
+
 /// Refuses options of robots for a mesh.
 inline void checkSuits(const Input& input, const Options& options) {
   if (input.kind == Input::Kind::kRobot) return;
-  const auto refuse = [&](const std::string& option, const std::string& value, const std::string& why) {
-    if (!value.empty())
-      throw Error(ErrorCode::kBadOption, option + " '" + value + "': '" + input.path + "' is a mesh, " + why + "; leave the option out");
-  };
-  refuse("links", options.links, "which has no links");
-  refuse("package-name", options.package_name, "and its output is no package");
+  if (!options.package_name.empty())
+    throw Error(ErrorCode::kBadOption, "package-name '" + options.package_name + "': '" + input.path +
+                                           "' is a mesh, and its output is no package; leave the option out");
 }
 
 /// A first sign of life: xacro alone may take seconds.
@@ -164,17 +208,19 @@ using RobotWork =
     std::function<RobotResult(const Input& input, const std::string& output, const RunControl& control, const StepCallback& step)>;
 
 /// Reads the input, works, writes, and prints the report. Returns the exit status.
-inline int runRobotCommand(RobotCommand command, const RobotWork& work) {
+inline int runRobotCommand(RobotCommand& command, const RobotWork& work) {
   static RunControl control;  // a signal may come until the program ends
   ProgressDisplay display(command.quiet);
   cancelOnSignals(control);
 
-  checkCommand(command);
   std::optional<Confinement> confinement;
   confine(command, confinement);
+  configure(command);
+  checkCommand(command);
   const Input input = opened(command);
   const std::string output = writablePath(command.output.empty() ? defaultOutput(input) : command.output);
   checkOutput(output);
+  checkConfig(command, input, output);
   if (isFile(command.json)) inContext("--json", [&] { checkBeside(command.json = writablePath(command.json), output); });
   const std::string work_ahead = workOn(input, command.options);
   if (!command.quiet) std::cerr << "reading " << work_ahead << "\n";
@@ -182,6 +228,7 @@ inline int runRobotCommand(RobotCommand command, const RobotWork& work) {
     if (step.stage != "read") display.step(step);  // said already
   });
   display.clear();
+  result.report.notes.insert(result.report.notes.begin(), command.notes.begin(), command.notes.end());
   const bool written = writeEverything(result, command, output, control);
 
   printReport(result, command, written ? howToUse(result, output) : "");

@@ -143,7 +143,7 @@ TEST_F(CachedRun, UsesTheContentOfEntries) {
   MeshTask channel;
   channel.file = "channel.obj";
   channel.sha256 = first.report.links[1].sha256;
-  const std::string key = meshKey(channel, options_);
+  const std::string key = meshKey(channel, options_, options_.seed);
   Cache cache(this->cache());
   MeshResult forged = cache.findMesh(key, channel.sha256).value();
   forged.reason = "forged";

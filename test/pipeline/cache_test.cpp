@@ -216,12 +216,12 @@ TEST(CacheKeys, EachInputOfAMeshCounts) {
     MeshTask changed = task();
     Options options;
     change(changed, options);
-    keys.insert(meshKey(changed, options));
-    tree_keys.insert(treeKey(changed, options, 0.01));
+    keys.insert(meshKey(changed, options, options.seed));
+    tree_keys.insert(treeKey(changed, options, options.seed, 0.01));
   }
   EXPECT_EQ(keys.size(), changes.size());
   EXPECT_EQ(tree_keys.size(), changes.size() - 4) << "tolerances and number of hulls choose a cut of the tree, not the tree";
-  tree_keys.insert(treeKey(task(), {}, 0.02));
+  tree_keys.insert(treeKey(task(), {}, 1, 0.02));
   EXPECT_EQ(tree_keys.size(), changes.size() - 3) << "the tolerance of the leaves is part of the key";
   for (const std::string& key : keys) EXPECT_TRUE(CacheFolder::isEntry(key + ".mesh")) << key;
 }
@@ -231,7 +231,7 @@ TEST(CacheKeys, WhatChangesNoHullDoesNotCount) {
   elsewhere.file = "other/part.stl";
   elsewhere.uri = "package://other/part.stl";
   elsewhere.bytes = 5;
-  elsewhere.uses = {3};
+  elsewhere.variants = {{{}, {3}}};
   Options options;
   options.links = "lower";
   options.source = Source::kVisual;
@@ -239,7 +239,7 @@ TEST(CacheKeys, WhatChangesNoHullDoesNotCount) {
   options.uri = UriStyle::kFile;
   options.jobs = 1;
   options.validate = options.cache = false;
-  EXPECT_EQ(meshKey(elsewhere, options), meshKey(task(), {}));
+  EXPECT_EQ(meshKey(elsewhere, options, 1), meshKey(task(), {}, 1));
 }
 
 TEST(CacheKeys, EachInputOfAValidationCounts) {
@@ -253,7 +253,7 @@ TEST(CacheKeys, EachInputOfAValidationCounts) {
   std::set<std::string> found;
   std::size_t expected = 0;
   const auto add = [&](const Options& options) {
-    found.insert(validationKey(uses, results, keys, options));
+    found.insert(validationKey(uses, results, keys, 0, options.seed));
     EXPECT_EQ(found.size(), ++expected);
   };
   Options options;
@@ -272,10 +272,10 @@ TEST(CacheKeys, EachInputOfAValidationCounts) {
   add(options);
   std::swap(keys[0], keys[1]);
   add(options);
-  const std::string before = validationKey(uses, results, keys, options);
+  const std::string before = validationKey(uses, results, keys, 0, options.seed);
   uses.resize(2);
   results.resize(2);
-  EXPECT_EQ(validationKey(uses, results, keys, options), before) << "a use without hulls must not matter";
+  EXPECT_EQ(validationKey(uses, results, keys, 0, options.seed), before) << "a use without hulls must not matter";
 }
 
 }  // namespace

@@ -28,12 +28,13 @@ class MeshTaskTest : public ::testing::Test {
     fixtures::write(folder_ / "large.stl", std::string(1000, ' '));
   }
 
-  /// The uses of each task, in the tasks' order.
+  /// The uses of each variant of each task, in their order.
   std::vector<std::vector<std::size_t>> groups(const std::vector<MeshUse>& uses) {
     found_ = meshTasks(
         uses, [&](const std::string& uri) { return folder_ / uri; }, RunControl());
     std::vector<std::vector<std::size_t>> groups;
-    for (const MeshTask& task : found_.tasks) groups.push_back(task.uses);
+    for (const MeshTask& task : found_.tasks)
+      for (const MeshVariant& variant : task.variants) groups.push_back(variant.uses);
     return groups;
   }
 
@@ -48,7 +49,26 @@ TEST_F(MeshTaskTest, ContentKindOfFileAndScaleMakeATask) {
   EXPECT_EQ(found_.tasks[0].uri, "a.stl");
   EXPECT_EQ(found_.tasks[2].scale, Eigen::Vector3d(1, 1, -1));
   EXPECT_EQ(found_.tasks[0].sha256, found_.tasks[1].sha256);
-  EXPECT_TRUE(std::none_of(found_.failed.begin(), found_.failed.end(), [](const auto& failed) { return failed; }));
+  EXPECT_TRUE(std::none_of(found_.done.begin(), found_.done.end(), [](const auto& failed) { return failed; }));
+}
+
+TEST_F(MeshTaskTest, OptionsMakeVariantsOfATask) {
+  MeshUse fine = use("a.stl"), from_visual = use("b.stl");
+  fine.options.tolerance = lengthOf(0.001);
+  from_visual.options.source = Source::kVisual;
+  EXPECT_EQ(groups({use("a.stl"), fine, from_visual, fine}), (Groups{{0, 2}, {1, 3}}));
+  ASSERT_EQ(found_.tasks.size(), 1u) << "it is read once";
+  EXPECT_EQ(found_.tasks[0].variants[1].options.tolerance.limit, 0.001);
+}
+
+TEST_F(MeshTaskTest, WhatIsKeptOrRemovedIsDone) {
+  MeshUse kept = use("none.stl"), removed = use("a.stl");
+  kept.options.action = Action::kKeep;
+  removed.options.action = Action::kRemove;
+  EXPECT_EQ(groups({kept, use("a.stl"), removed}), Groups{{1}});
+  EXPECT_EQ(found_.done[0]->status, Status::kKept) << "nobody looks for its file";
+  EXPECT_EQ(found_.done[2]->status, Status::kRemoved);
+  EXPECT_EQ(decomposedUses({kept, use("a.stl"), removed}), 1u);
 }
 
 TEST_F(MeshTaskTest, LargestFileFirst) {
@@ -59,11 +79,11 @@ TEST_F(MeshTaskTest, AMeshWithoutAFileFailsAlone) {
   MeshUse faulty = use("a.stl");
   faulty.source.fault = "line 7: no";
   EXPECT_EQ(groups({use("none.stl"), use("a.stl"), faulty}), Groups{{1}});
-  ASSERT_EQ(found_.failed.size(), 3u);
-  EXPECT_EQ(found_.failed[0]->error, "FileNotFound");
-  EXPECT_EQ(found_.failed[1], nullptr);
-  EXPECT_EQ(found_.failed[2]->error, "BadGeometry");
-  EXPECT_EQ(found_.failed[2]->reason, "line 7: no");
+  ASSERT_EQ(found_.done.size(), 3u);
+  EXPECT_EQ(found_.done[0]->error, "FileNotFound");
+  EXPECT_EQ(found_.done[1], nullptr);
+  EXPECT_EQ(found_.done[2]->error, "BadGeometry");
+  EXPECT_EQ(found_.done[2]->reason, "line 7: no");
 }
 
 TEST(Fail, DropsWhatWasMadeAndKeepsWhatWasRead) {

@@ -43,8 +43,9 @@ TEST(PutTogether, OfNothing) {
 
 TEST(PutTogether, ARowHasItsUseItsResultAndItsFiles) {
   RobotResult result;
-  result.report.options.method = Method::kAcd;
-  putTogether({use("arm", 2)}, {shared(boxes(2))}, result);
+  MeshUse used = use("arm", 2);
+  used.options.method = Method::kAcd;
+  putTogether({used}, {shared(boxes(2))}, result);
   const ElementReport& row = result.report.links.at(0);
   EXPECT_EQ(row.link, "arm");
   EXPECT_EQ(row.element, 2);
@@ -88,6 +89,21 @@ TEST(PutTogether, ASingleMeshHasAFileOfAllHullsFirst) {
   failed.single_mesh = true;
   putTogether({use("part")}, {shared(boxes(0))}, failed);
   EXPECT_TRUE(failed.report.links[0].files.empty());
+}
+
+TEST(PutTogether, ModelsShareEqualHullsOfAnElement) {
+  RobotResult result;
+  result.report.options.models = {{"planning", lengthOf(0.01)}, {"contact", lengthOf(0.001)}};
+  result.report.models.resize(1);
+  result.models.resize(1);
+  MeshUse fine = use("a");
+  fine.model = 1;
+  MeshResult finer = boxes(1);
+  finer.hulls.push_back(convexHull(test_shapes::box(1, 1, 2).vertices));
+  putTogether({use("a"), fine}, {shared(boxes(1)), shared(finer)}, result);
+  EXPECT_EQ(result.report.links.at(0).files, Files{"meshes/a/0_0.stl"});
+  EXPECT_EQ(result.report.models[0].links.at(0).files, (Files{"meshes/a/0_0.stl", "meshes/a/contact_0_1.stl"}));
+  EXPECT_EQ(result.models[0].elements.at(0).hulls.size(), 2u);
 }
 
 TEST(PutTogether, NotesSuspiciousSizesOfMeshesThatDidNotFail) {

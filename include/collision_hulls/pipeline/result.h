@@ -32,12 +32,17 @@ struct ElementResult {
   std::shared_ptr<const Segments> segments;
 };
 
-struct RobotResult {
-  Report report;
-  std::vector<ElementResult> elements;  ///< report.links[i] is the row of elements[i]
-  std::string robot_name;               ///< or the mesh's stem
+/// One collision model of the robot; a ModelReport has its rows.
+struct ModelResult {
+  std::vector<ElementResult> elements;  ///< links[i] of its report is the row of elements[i]
   /// Rewritten description, URIs as the output package will hold them; empty for a single mesh.
   std::string urdf;
+};
+
+struct RobotResult : ModelResult {
+  Report report;
+  std::vector<ModelResult> models;  ///< the others, those of report.models
+  std::string robot_name;           ///< or the mesh's stem
   bool single_mesh = false;
   /// Further files of the output package: path in it, content.
   std::map<std::string, std::string> extra_files;

@@ -14,6 +14,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "collision_hulls/decompose/decompose.h"
 #include "collision_hulls/mesh/mesh_io.h"
@@ -51,21 +52,66 @@ std::string toString(const Length& length);  ///< parseLength reads it back: "5m
 double parseMetres(const std::string& text, const std::string& option);
 
 enum class UriStyle { kPackage, kFile, kRelative };
+const char* name(UriStyle style);  ///< "package", "file", "relative"
 std::optional<UriStyle> uriStyleNamed(const std::string& name);
+const char* name(Source source);  ///< "auto", "visual", "collision"
 
-struct Options {
+/// What becomes of a link's `<collision>` elements.
+enum class Action {
+  kDecompose,  ///< hulls take their place
+  kKeep,       ///< they stay as they are
+  kRemove      ///< they go
+};
+const char* name(Action action);  ///< "decompose", "keep", "remove"
+std::optional<Action> actionNamed(const std::string& name);
+
+/// What can be chosen link by link. It holds for all elements of the link.
+struct LinkOptions {
+  Action action = Action::kDecompose;
   Length tolerance{0.01, 0.05};
   Method method = Method::kCertified;
   Effort effort = Effort::kQuick;
   /// cut the hulls from a tree whose leaves are this fine, kept in the cache (certified)
   std::optional<Length> tree;
   bool fill = false;      ///< cover the inside of closed meshes as well (certified)
-  bool segments = false;  ///< give the clusters of triangles as well (hacd)
   int max_hulls = 0;      ///< per mesh; 0: no cap
   int max_vertices = 64;  ///< per hull; 0: no cap
-  /// regular expression (ECMAScript) that a link's whole name must match; empty: all
-  std::string links;
   Source source = Source::kAuto;
+};
+
+/// Some of a link's options; those that are not set stay as they were.
+struct LinkSettings {
+  std::optional<Action> action;
+  std::optional<Length> tolerance;
+  std::optional<Method> method;
+  std::optional<Effort> effort;
+  std::optional<bool> fill;
+  std::optional<int> max_hulls, max_vertices;
+  std::optional<Source> source;
+};
+
+/// Settings for the links whose whole name a regular expression matches.
+struct LinkRule {
+  std::string pattern;  ///< ECMAScript
+  LinkSettings settings;
+  std::string place;  ///< where it is written, for messages: "'panda.yaml', line 3"
+};
+
+/// One of several models that a run makes of a robot, each with its own tolerance.
+struct ModelOptions {
+  std::string name;
+  Length tolerance;
+};
+
+/// What the base holds is the default of all links.
+struct Options : LinkOptions {
+  std::vector<LinkRule> rules;       ///< the last that matches a link counts, setting by setting
+  std::vector<ModelOptions> models;  ///< empty: one, with `tolerance`
+  bool segments = false;             ///< give the clusters of triangles as well (hacd)
+  /// regular expression (ECMAScript) that a link's whole name must match; empty: all. Links that it
+  /// does not match are left alone, whatever the rules say
+  std::string links;
+  std::string links_place;  ///< as LinkRule::place; empty: an option named it
   /// of a single mesh, > 0: 0.001 for one in millimetres; a robot's description has its own scales
   double scale = 1;
   MeshFormat format = MeshFormat::kStl;
@@ -83,6 +129,11 @@ struct Options {
 
 std::string methodChoices();  ///< the names of all methods, for messages
 std::string effortChoices();  ///< the same for efforts
+
+/// Throws kBadOption for a tolerance that is not positive or above 1 m, a mistake in its unit.
+/// `option`: what the message calls it.
+void checkTolerance(const Length& tolerance, const std::string& option = "tolerance");
+void checkLimits(const LinkOptions& options);  ///< throws kBadOption for a cap out of range
 
 /// Throws kBadOption naming the option, its value and its range. A tolerance above 1 m is a mistake
 /// in its unit.

@@ -17,8 +17,14 @@ namespace collision_hulls {
 /// The version of this library, as in package.xml.
 const char* version();
 
-enum class Status { kOk, kDegraded, kFailed };
-const char* name(Status status);  ///< "ok", "degraded", "failed"
+enum class Status {
+  kOk,
+  kDegraded,
+  kFailed,
+  kKept,    ///< by Action::kKeep; the row's mesh was not read
+  kRemoved  ///< the same for Action::kRemove
+};
+const char* name(Status status);  ///< "ok", "degraded", "failed", "kept", "removed"
 
 struct StageSeconds {
   double read = 0, repair = 0, decompose = 0, certify = 0, write = 0;
@@ -49,7 +55,8 @@ struct HullFacts {
   double thickness = 0;  ///< given to flat hulls
 };
 
-/// A row of the report: one mesh of one link.
+/// A row of the report: one mesh of one link. A link without hulls has one for each mesh of its
+/// `<collision>` elements, or a single one without URI.
 struct ElementReport : MeshFacts, HullFacts {
   std::string link;
   int element = 0;      ///< among the link's source elements, primitives counted
@@ -68,16 +75,23 @@ struct ElementReport : MeshFacts, HullFacts {
   bool cached = false;
 };
 
-struct Report {
+/// What is known of one collision model of the robot.
+struct ModelReport {
+  std::string model;                 ///< its name; empty: it is the only one
+  std::string urdf;                  ///< file of its description; empty for a single mesh
+  std::vector<ElementReport> links;  ///< a row for every mesh of every link, in document order
+  Validation validation;             ///< meaningful where options.validate; null in JSON otherwise
+  bool validation_cached = false;    ///< remembered from an earlier run, times too
+};
+
+struct Report : ModelReport {
   std::string input_path, input_sha256;
   Options options;
-  std::vector<ElementReport> links;  ///< a row for every mesh of every link, in document order
-  std::vector<std::string> files;    ///< of the output beside those of the links and report.json
-  Validation validation;             ///< meaningful where options.validate; null in JSON otherwise
-  std::optional<FitReport> scene;    ///< of a model that was fitted to a scene
-  bool validation_cached = false;    ///< remembered from an earlier run, times too
-  std::vector<std::string> notes;    ///< what to know about the result as a whole
-  double seconds = 0;                ///< wall clock of the whole run
+  std::vector<ModelReport> models;  ///< the others, if there are several
+  std::vector<std::string> files;   ///< of the output beside those of the links and report.json
+  std::optional<FitReport> scene;   ///< of a model that was fitted to a scene
+  std::vector<std::string> notes;   ///< what to know about the result as a whole
+  double seconds = 0;               ///< wall clock of the whole run
 };
 
 /// report.json's text, with the fields and totals of the contract.

@@ -1,0 +1,62 @@
+// The file with the decisions on a robot, link by link: read, applied to options, written.
+//
+// For example:
+//
+//     Options options;
+//     apply(readConfig("panda.yaml"), options);
+//     const RobotResult result = decompose(openInput("panda.urdf"), options, "panda_collision");
+//
+// doc/configuration.md describes the format, schema/config.json defines its form.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/report/options.h"
+
+namespace collision_hulls {
+
+/// What a configuration says. It leaves the rest of the options as they are.
+struct Config {
+  std::string file;  ///< that it was read from, for messages
+  std::string text;  ///< as it was read
+  LinkSettings defaults;
+  /// Empty: no tree. Not set: as the options say.
+  std::optional<std::optional<Length>> tree;
+  std::vector<LinkRule> rules;
+  std::optional<std::string> only;  ///< Options::links
+  std::string only_place;           ///< Options::links_place
+  std::vector<ModelOptions> models;
+  std::optional<MeshFormat> format;
+  std::optional<UriStyle> uri;
+  std::optional<bool> segments;
+  std::optional<std::string> package_name;
+  std::optional<std::uint64_t> seed;
+  /// The options that it sets, by their names on the command line: "tolerance", "max-hulls".
+  std::set<std::string> named;
+};
+
+/// Reads a text of at most 1 MiB. `file`: what messages call it. Throws kBadOption; the message has
+/// the file, the line, the item, its value and the remedy. Whether rules suit a robot is known only
+/// to LinkDecisions.
+Config parseConfig(const std::string& text, const std::string& file);
+
+/// Reads a file. Throws kFileNotFound, kTooLarge, and as parseConfig().
+Config readConfig(const std::string& file);
+
+/// Sets what the configuration says. Its rules and models take the place of those there.
+void apply(const Config& config, Options& options);
+void apply(const LinkSettings& settings, LinkOptions& options);
+
+/// The configuration that repeats a run with these options, with every default. Reading it back
+/// gives the same options, and the same text.
+std::string configText(const Options& options);
+
+/// For each of `given`, options by their names on the command line, that the configuration names as
+/// well: a note that the command line counts.
+std::vector<std::string> overridingNotes(const Config& config, const std::set<std::string>& given);
+
+}  // namespace collision_hulls

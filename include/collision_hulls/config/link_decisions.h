@@ -1,0 +1,43 @@
+// What holds for each link of a robot, once the options' rules are applied to it.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/report/options.h"
+#include "collision_hulls/robot/robot_description.h"
+
+namespace collision_hulls {
+
+/// The options of each link: those of all links, then the rules that match its name, in their
+/// order. Options that do not matter with a link's method have their defaults, so that links with
+/// equal options are equal work.
+class LinkDecisions {
+ public:
+  /// Throws kBadOption for an expression that matches no link, and for rules that contradict each
+  /// other on a link: a setting for one that an earlier rule keeps or removes, or one of method
+  /// certified for a link with another method.
+  LinkDecisions(const Options& options, const RobotDescription& robot);
+
+  /// nullptr: Options::links leaves the link alone.
+  const LinkOptions* of(const std::string& link) const;
+
+  /// The first link, in document order, with hulls of another method, and where that is written:
+  /// "'panda.yaml', line 3"; empty: there is none.
+  const std::string& firstOfOtherMethod() const { return other_method_; }
+  const std::string& otherMethodPlace() const { return other_method_place_; }
+
+ private:
+  friend std::vector<LinkDecisions> modelDecisions(const Options&, const RobotDescription&);
+
+  std::map<std::string, LinkOptions> links_;
+  std::string other_method_, other_method_place_;
+};
+
+/// The decisions of each of Options::models, or else of the only one. A link whose tolerance
+/// differs between models has a tree that all of them can be cut from: its leaves are as fine as
+/// the finest needs.
+std::vector<LinkDecisions> modelDecisions(const Options& options, const RobotDescription& robot);
+
+}  // namespace collision_hulls

@@ -1,0 +1,163 @@
+// Goes through the rules once for each link. Which rule decided matters beyond its value: a setting may be told of links that an earlier,
+// broader rule said something else about, and only the order tells an exception ("all fine, but keep this one") from a contradiction.
+#include "collision_hulls/config/link_decisions.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/nearest_name.h"
+#include "collision_hulls/config/config.h"
+#include "collision_hulls/error.h"
+#include "config/link_fields.h"
+#include "report/link_pattern.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr std::size_t kNamesShown = 12;
+
+/// In front of a message.
+std::string at(const std::string& place) {
+  return place.empty() ? "" : place + ": ";
+}
+
+std::string linkNames(const RobotDescription& robot) {
+  std::string text;
+  const std::size_t shown = std::min(robot.links.size(), kNamesShown);
+  for (std::size_t i = 0; i < shown; ++i) text += (i ? ", " : "") + robot.links[i].name;
+  if (shown < robot.links.size()) text += " and " + std::to_string(robot.links.size() - shown) + " more";
+  return text;
+}
+
+/// An expression, compiled once, that has to match at least one link.
+class Matcher {
+ public:
+  Matcher(const std::string& expression, const std::string& option, const std::string& place, const RobotDescription& robot)
+      : pattern_(expression, at(place) + option) {
+    const auto chosen = [this](const LinkDescription& link) { return pattern_.matches(link.name); };
+    if (std::any_of(robot.links.begin(), robot.links.end(), chosen)) return;
+    std::vector<std::string> names;
+    for (const LinkDescription& link : robot.links) names.push_back(link.name);
+    throw Error(ErrorCode::kBadOption, at(place) + option + " '" + expression + "' matches no link of robot '" + robot.name +
+                                           "' (the expression has to match the whole name). Its links are " + linkNames(robot) +
+                                           didYouMean(expression, names));
+  }
+  bool operator()(const std::string& link) const { return pattern_.matches(link); }
+
+ private:
+  LinkPattern pattern_;
+};
+
+/// The first setting but the action; empty: there is none.
+std::string firstSetting(const LinkSettings& settings) {
+  std::string first;
+  forEachLinkField([&](const char* name, auto option, auto setting) {
+    (void)option;
+    if (first.empty() && settings.*setting && name != std::string("action")) first = name;
+  });
+  return first;
+}
+
+/// The options of one link while the rules are applied to it.
+class Decision {
+ public:
+  Decision(const std::string& link, const LinkOptions& defaults) : link_(link), options_(defaults) {}
+
+  void apply(const LinkRule& rule) {
+    collision_hulls::apply(rule.settings, options_);
+    if (rule.settings.action) action_place_ = rule.place;
+    if (rule.settings.method) method_place_ = rule.place;
+    const std::string setting = firstSetting(rule.settings);
+    if (options_.action != Action::kDecompose && !setting.empty())
+      refuse(rule, setting, std::string(options_.action == Action::kKeep ? "is kept" : "is removed") + " by " + action_place_,
+             "or add action: decompose");
+    if (options_.method == Method::kCertified) return;
+    const std::string why = std::string("has method '") + name(options_.method) + "'" +
+                            (method_place_.empty() ? "" : " from " + method_place_) + ", and only 'certified' has this setting";
+    if (rule.settings.effort == Effort::kBest) refuse(rule, "effort", why, "or add method: certified");
+    if (rule.settings.fill == true) refuse(rule, "fill", why, "or add method: certified");
+  }
+
+  /// Without what does not matter.
+  LinkOptions options() const {
+    LinkOptions result = options_;
+    if (result.method != Method::kCertified) {
+      result.effort = Effort::kQuick;
+      result.fill = false;
+      result.tree.reset();
+    }
+    if (result.method == Method::kSingleHull || result.method == Method::kBoundingBox) result.max_hulls = 0;
+    return result;
+  }
+  const std::string& methodPlace() const { return method_place_; }
+
+ private:
+  [[noreturn]] void refuse(const LinkRule& rule, const std::string& setting, const std::string& why, const std::string& remedy) const {
+    throw Error(ErrorCode::kBadOption, at(rule.place) + setting + " of links '" + rule.pattern + "' holds for link '" + link_ +
+                                           "', which " + why + ": the last rule counts, so move that rule below this one, " + remedy +
+                                           " here");
+  }
+
+  const std::string& link_;
+  LinkOptions options_;
+  std::string action_place_, method_place_;
+};
+
+/// As fine as the finer of both for every mesh.
+Length finer(const Length& a, const Length& b) {
+  return {std::min(a.limit, b.limit), std::min(a.share, b.share)};
+}
+
+bool equal(const Length& a, const Length& b) {
+  return a.limit == b.limit && a.share == b.share;
+}
+
+}  // namespace
+
+LinkDecisions::LinkDecisions(const Options& options, const RobotDescription& robot) {
+  std::optional<Matcher> only;
+  if (!options.links.empty()) only.emplace(options.links, options.links_place.empty() ? "links" : "only", options.links_place, robot);
+  std::vector<Matcher> matchers;
+  for (const LinkRule& rule : options.rules) matchers.emplace_back(rule.pattern, "links", rule.place, robot);
+  for (const LinkDescription& link : robot.links) {
+    if (only && !(*only)(link.name)) continue;
+    Decision decision(link.name, options);
+    for (std::size_t i = 0; i < matchers.size(); ++i)
+      if (matchers[i](link.name)) decision.apply(options.rules[i]);
+    const LinkOptions& decided = links_[link.name] = decision.options();
+    if (other_method_.empty() && decided.action == Action::kDecompose && decided.method != Method::kCertified) {
+      other_method_ = link.name;
+      other_method_place_ = decision.methodPlace();
+    }
+  }
+}
+
+const LinkOptions* LinkDecisions::of(const std::string& link) const {
+  const auto found = links_.find(link);
+  return found == links_.end() ? nullptr : &found->second;
+}
+
+std::vector<LinkDecisions> modelDecisions(const Options& options, const RobotDescription& robot) {
+  if (options.models.empty()) return {LinkDecisions(options, robot)};
+  std::vector<LinkDecisions> decisions;
+  for (const ModelOptions& model : options.models) {
+    Options of_model = options;
+    of_model.tolerance = model.tolerance;
+    decisions.emplace_back(of_model, robot);
+  }
+  for (auto& [link, first] : decisions.front().links_) {
+    Length finest = first.tolerance;
+    bool differ = false;
+    for (const LinkDecisions& model : decisions) {
+      finest = finer(finest, model.of(link)->tolerance);
+      differ = differ || !equal(model.of(link)->tolerance, first.tolerance);
+    }
+    if (!differ || first.method != Method::kCertified) continue;
+    const Length tree = first.tree ? finer(*first.tree, finest) : finest;
+    for (LinkDecisions& model : decisions) model.links_.at(link).tree = tree;
+  }
+  return decisions;
+}
+
+}  // namespace collision_hulls

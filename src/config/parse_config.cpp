@@ -1,0 +1,325 @@
+// From YAML to a Config. Every key is either known or an error, so that a typing error never goes unnoticed. The text may be hostile:
+// it is short, and what it repeats by aliases is never followed beyond the three levels that the format has.
+#include <algorithm>
+#include <charconv>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "base/nearest_name.h"
+#include "base/read_file.h"
+#include "collision_hulls/config/config.h"
+#include "collision_hulls/error.h"
+#include "config/link_fields.h"
+#include "report/link_pattern.h"
+#include "scene/reading.h"
+#include "scene/yaml_node.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+constexpr std::size_t kShown = 60;  // characters of a value in a message
+
+std::string shown(const std::string& text) {
+  return "'" + (text.size() > kShown ? text.substr(0, kShown) + "..." : text) + "'";
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/// A value with what it is, as messages say it: "max_hulls of links 'arm_.*'".
+struct Item {
+  const YamlValue& value;
+  std::string name;
+
+  [[noreturn]] void refuse(const std::string& expected) const {
+    const std::string found = value.isMap() ? "a map" : value.isSequence() ? "a list" : value.isNull() ? "nothing" : shown(value.text());
+    value.fail(name + " is " + found + ": use " + expected);
+  }
+
+  /// Of a single value that is there.
+  std::string text(const std::string& expected) const {
+    if (value.isMap() || value.isSequence() || value.isNull()) refuse(expected);
+    return value.text();
+  }
+};
+
+void read(const Item& item, bool& flag) {
+  const std::string text = item.text("true or false");
+  if (item.value.isQuoted() || (text != "true" && text != "false")) item.refuse("true or false, without quotes");
+  flag = text == "true";
+}
+
+template <typename Number>
+void readWhole(const Item& item, const std::string& most, Number& number) {
+  const std::string expected = "a whole number from 0 to " + most + ", without quotes";
+  const std::string text = item.text(expected);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_plain = text == "0" || (!text.empty() && text[0] >= '1' && text[0] <= '9');
+  if (item.value.isQuoted() || !is_plain || error != std::errc() || end != text.data() + text.size()) item.refuse(expected);
+}
+
+void read(const Item& item, int& number) {
+  readWhole(item, "1000000", number);
+}
+
+void read(const Item& item, Length& length) {
+  const std::string text = item.text("a length, as in 5mm");
+  inContext(item.value.where(), [&] {
+    length = parseLength(text, item.name);
+    checkTolerance(length, item.name);
+  });
+}
+
+template <typename T>
+void readChoice(const Item& item, std::optional<T> (*parse)(const std::string&), const std::vector<std::string>& choices, T& value) {
+  const std::string expected = "one of " + joined(choices);
+  const std::string text = item.text(expected);
+  const std::optional<T> found = parse(text);
+  if (!found) item.refuse(expected + didYouMean(text, choices));
+  value = *found;
+}
+
+template <typename T>
+std::vector<std::string> namesOf(const std::vector<T>& all) {
+  std::vector<std::string> names;
+  for (const T& one : all) names.push_back(name(one));
+  return names;
+}
+
+void read(const Item& item, Action& action) {
+  readChoice(item, actionNamed, {"decompose", "keep", "remove"}, action);
+}
+
+void read(const Item& item, Method& method) {
+  readChoice(item, methodNamed, namesOf(allMethods()), method);
+}
+
+void read(const Item& item, Effort& effort) {
+  readChoice(item, effortNamed, namesOf(allEfforts()), effort);
+}
+
+void read(const Item& item, Source& source) {
+  readChoice(item, sourceNamed, {"auto", "visual", "collision"}, source);
+}
+
+void read(const Item& item, MeshFormat& format) {
+  readChoice(item, meshFormatNamed, {"stl", "obj", "dae"}, format);
+}
+
+void read(const Item& item, UriStyle& uri) {
+  readChoice(item, uriStyleNamed, {"package", "file", "relative"}, uri);
+}
+
+/// What may stand in a map, by key.
+using Readers = std::vector<std::pair<std::string, std::function<void(const Item&)>>>;
+
+[[noreturn]] void refuseKey(const YamlValue& key, const Readers& readers, const std::string& place) {
+  const std::string name = key.text();
+  if (name == "regions" && place.empty())
+    key.fail(
+        "regions cannot be given yet; give the link a smaller tolerance, as in links: {panda_hand: {tolerance: 2mm}}, which keeps its "
+        "openings open");
+  std::vector<std::string> known;
+  for (const auto& [of, reader] : readers) known.push_back(of);
+  key.fail(shown(name) + " is not known" + (place.empty() ? "" : " in " + place) + ": use one of " + joined(known) +
+           didYouMean(name, known));
+}
+
+/// Each key at most once. `place`: the map's name, empty for the whole file.
+void expectDifferentKeys(const YamlValue& map, const std::string& place) {
+  std::map<std::string, std::size_t> lines;
+  for (const auto& [key, value] : map.entries()) {
+    const auto [first, is_new] = lines.emplace(key.text(), key.line());
+    if (!is_new)
+      key.fail(shown(key.text()) + (place.empty() ? "" : " of " + place) + " is already in line " + std::to_string(first->second) +
+               "; remove one of them");
+  }
+}
+
+void readMap(const Item& item, const Readers& readers, const std::string& expected) {
+  if (!item.value.isMap()) item.refuse(expected);
+  expectDifferentKeys(item.value, item.name);
+  for (const auto& [key, value] : item.value.entries()) {
+    const std::string name = key.text();
+    const auto reader = std::find_if(readers.begin(), readers.end(), [&](const auto& r) { return r.first == name; });
+    if (reader == readers.end()) refuseKey(key, readers, item.name);
+    reader->second({value, item.name.empty() ? name : name + " of " + item.name});
+  }
+}
+
+/// What cannot hold together within one map. The rules of a robot's links are compared in LinkDecisions.
+void refuseContradictions(const Item& item, const LinkSettings& settings) {
+  const bool stays = settings.action.value_or(Action::kDecompose) != Action::kDecompose;
+  const bool other_method = settings.method.value_or(Method::kCertified) != Method::kCertified;
+  for (const auto& [key, value] : item.value.entries()) {
+    const std::string name = key.text();
+    if (stays && name != "action")
+      key.fail(name + " of " + item.name + " contradicts '" + collision_hulls::name(*settings.action) +
+               "', with which the link gets no hulls; remove one of them");
+    const bool only_certified = (name == "effort" && settings.effort == Effort::kBest) || (name == "fill" && settings.fill == true);
+    if (other_method && only_certified)
+      key.fail(name + " '" + value.text() + "' of " + item.name + " needs method 'certified', not '" +
+               collision_hulls::name(*settings.method) + "'; remove one of them");
+  }
+}
+
+Readers settingReaders(LinkSettings& settings) {
+  Readers readers;
+  forEachLinkField([&](const char* name, auto option, auto setting) {
+    (void)option;
+    readers.emplace_back(name, [&settings, setting](const Item& item) { read(item, (settings.*setting).emplace()); });
+  });
+  return readers;
+}
+
+void checkCaps(const Item& item, const LinkSettings& settings) {
+  LinkOptions applied;
+  apply(settings, applied);
+  inContext(item.value.where() + ": " + item.name, [&] { checkLimits(applied); });
+}
+
+/// {tolerance: 2mm}, or one word: keep.
+LinkSettings readRule(const Item& item) {
+  LinkSettings settings;
+  const std::string expected = "keep, remove, or a map of settings such as {tolerance: 2mm}";
+  if (!item.value.isMap()) {
+    const std::string word = item.text(expected);
+    settings.action = actionNamed(word);
+    if (!settings.action) item.refuse(expected + didYouMean(word, {"keep", "remove", "decompose"}));
+    return settings;
+  }
+  readMap(item, settingReaders(settings), expected);
+  if (item.value.entries().empty()) item.refuse(expected);
+  checkCaps(item, settings);
+  refuseContradictions(item, settings);
+  return settings;
+}
+
+class Reader {
+ public:
+  explicit Reader(const std::string& file) { result_.file = file; }
+
+  Config read(const YamlValue& root) {
+    if (root.isNull()) return result_;
+    const Readers readers = {
+        {"default", [this](const Item& item) { readDefault(item); }}, {"only", [this](const Item& item) { readOnly(item); }},
+        {"links", [this](const Item& item) { readLinks(item); }},     {"models", [this](const Item& item) { readModels(item); }},
+        {"output", [this](const Item& item) { readOutput(item); }},   {"seed", [this](const Item& item) { readSeed(item); }}};
+    if (!root.isMap()) root.fail("a configuration is a map: use keys such as default: and links:");
+    readMap({root, ""}, readers, "");
+    return result_;
+  }
+
+ private:
+  void readDefault(const Item& item) {
+    const std::string expected = "a map such as {tolerance: 5mm}; to leave links alone, name the others with only:";
+    Readers readers = settingReaders(result_.defaults);
+    readers.erase(readers.begin());  // the action
+    readers.emplace_back("tree", [this](const Item& tree) { readTree(tree); });
+    readMap(item, readers, expected);
+    checkCaps(item, result_.defaults);
+    refuseContradictions(item, result_.defaults);
+    for (const auto& [key, value] : item.value.entries()) {
+      std::string option = key.text();
+      std::replace(option.begin(), option.end(), '_', '-');
+      result_.named.insert(option);
+    }
+  }
+
+  void readTree(const Item& item) {
+    const std::string expected = "a length, as in 2mm, or none";
+    Length length;
+    if (item.text(expected) == "none") {
+      result_.tree.emplace();
+      return;
+    }
+    collision_hulls::read(item, length);
+    result_.tree.emplace(length);
+  }
+
+  void readOnly(const Item& item) {
+    const std::string expression = item.text("a regular expression");
+    inContext(item.value.where(), [&] { LinkPattern(expression, "only"); });
+    result_.only = expression == ".*" ? "" : expression;
+    result_.only_place = item.value.where();
+    result_.named.insert("links");
+  }
+
+  void readLinks(const Item& item) {
+    if (!item.value.isMap()) item.refuse("a map from regular expressions to settings, as in {arm_.*: {tolerance: 2mm}}");
+    expectDifferentKeys(item.value, "links");
+    for (const auto& [key, value] : item.value.entries()) {
+      const std::string pattern = key.text();
+      inContext(key.where(), [&] { LinkPattern(pattern, "links"); });
+      result_.rules.push_back({pattern, readRule({value, "links " + shown(pattern)}), key.where()});
+    }
+  }
+
+  void readModels(const Item& item) {
+    const std::string expected = "a map from names to tolerances, as in {planning: 1cm, contact: 2mm}";
+    if (!item.value.isMap()) item.refuse(expected);
+    expectDifferentKeys(item.value, "models");
+    for (const auto& [key, value] : item.value.entries()) {
+      ModelOptions model{key.text(), {}};
+      collision_hulls::read({value, "tolerance of model " + shown(model.name)}, model.tolerance);
+      result_.models.push_back(model);
+      Options alone;
+      alone.models = {model};
+      inContext(key.where(), [&] { check(alone); });
+    }
+    result_.named.insert("model");
+  }
+
+  void readOutput(const Item& item) {
+    const auto take = [this](const std::string& option, auto& value) {
+      return [this, option, &value](const Item& of) {
+        collision_hulls::read(of, value.emplace());
+        result_.named.insert(option);
+      };
+    };
+    const auto readName = [this](const Item& of) {
+      Options alone;
+      alone.package_name = of.text("the name of a package, or \"\" for that of the output folder");
+      inContext(of.value.where(), [&] { check(alone); });
+      result_.package_name = alone.package_name;
+      result_.named.insert("package-name");
+    };
+    readMap(item,
+            {{"format", take("format", result_.format)},
+             {"uri", take("uri", result_.uri)},
+             {"segments", take("segments", result_.segments)},
+             {"package_name", readName}},
+            "a map such as {format: obj}");
+  }
+
+  void readSeed(const Item& item) {
+    std::uint64_t seed = 0;
+    readWhole(item, "18446744073709551615", seed);
+    result_.seed = seed;
+    result_.named.insert("seed");
+  }
+
+  Config result_;
+};
+
+}  // namespace
+
+Config parseConfig(const std::string& text, const std::string& file) {
+  if (text.size() > kMostBytes)
+    throw Error(ErrorCode::kBadOption, "'" + file + "' has " + std::to_string(text.size()) + " bytes; a configuration has at most " +
+                                           std::to_string(kMostBytes) + ": use one expression for many links");
+  Config config = Reader(file).read(YamlValue::parse(text, file, ErrorCode::kBadOption));
+  config.text = text;
+  return config;
+}
+
+Config readConfig(const std::string& file) {
+  return parseConfig(readFile(file, "configuration", kMostBytes), file);
+}
+
+}  // namespace collision_hulls

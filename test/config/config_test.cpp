@@ -1,0 +1,77 @@
+#include "collision_hulls/config/config.h"
+
+#include <gtest/gtest.h>
+
+#include "collision_hulls/error.h"
+
+namespace collision_hulls {
+namespace {
+
+Options optionsOf(const std::string& text) {
+  Options options;
+  apply(parseConfig(text, "f.yaml"), options);
+  return options;
+}
+
+TEST(ApplyConfig, ChangesWhatItNamesAlone) {
+  Options options;
+  options.max_hulls = 5;
+  options.tree = lengthOf(0.001);
+  apply(parseConfig("default: {tolerance: 2mm}\noutput: {uri: file}", "f"), options);
+  EXPECT_EQ(options.tolerance.limit, 0.002);
+  EXPECT_EQ(options.tolerance.share, Length::kUnset);
+  EXPECT_EQ(options.max_hulls, 5);
+  EXPECT_EQ(options.uri, UriStyle::kFile);
+  EXPECT_EQ(options.tree->limit, 0.001);
+  apply(parseConfig("default: {tree: none, max_hulls: 0}", "f"), options);
+  EXPECT_FALSE(options.tree);
+  EXPECT_EQ(options.max_hulls, 0);
+}
+
+TEST(ApplyConfig, OnlyNamesItsPlace) {
+  EXPECT_EQ(optionsOf("only: a.*").links, "a.*");
+  EXPECT_EQ(optionsOf("only: a.*").links_place, "'f.yaml', line 1");
+  EXPECT_EQ(optionsOf("only: .*").links, "") << "all, as without it";
+}
+
+TEST(ConfigText, SpellsOutTheDefaults) {
+  EXPECT_EQ(configText({}),
+            "# Repeats the run that wrote it: decompose INPUT --config FILE.\n"
+            "default: {tolerance: \"1cm,5%\", method: certified, effort: quick, fill: false, max_hulls: 0, max_vertices: 64, source: auto, "
+            "tree: none}\n"
+            "only: \".*\"\n"
+            "links: {}\n"
+            "models: {}\n"
+            "output: {format: stl, uri: package, segments: false, package_name: \"\"}\n"
+            "seed: 1\n");
+}
+
+TEST(ConfigText, ReadsBackAsTheSame) {
+  const std::vector<std::string> texts = {
+      "", "default: {tolerance: 3%, method: hacd, max_hulls: 4, max_vertices: 0, source: visual}\noutput: {segments: true, format: dae}",
+      "default: {tree: 1mm, fill: true, effort: best}\nseed: 18446744073709551615",
+      "links: {a: keep, b: remove, c: {action: decompose}, \"d\\\\.\\\"\\t.*\": {tolerance: \"1mm,2%\", source: collision, effort: best}}",
+      "models: {planning: \"1cm,5%\", contact: 123.456um}\nonly: \"x|y\"\noutput: {uri: relative, package_name: a_b}"};
+  for (const std::string& text : texts) {
+    const Options options = optionsOf(text);
+    const std::string written = configText(options);
+    EXPECT_EQ(configText(optionsOf(written)), written) << text;
+    EXPECT_EQ(optionsOf(written).links, options.links);
+    ASSERT_EQ(optionsOf(written).rules.size(), options.rules.size());
+    for (std::size_t i = 0; i < options.rules.size(); ++i) EXPECT_EQ(optionsOf(written).rules[i].pattern, options.rules[i].pattern);
+  }
+}
+
+TEST(OverridingNotes, NameWhatTheCommandLineReplaces) {
+  const Config config = parseConfig("default: {tolerance: 1mm, max_hulls: 3}\nonly: a\nmodels: {m: 1cm}", "f.yaml");
+  EXPECT_EQ(overridingNotes(config, {}), std::vector<std::string>());
+  EXPECT_EQ(overridingNotes(config, {"effort", "jobs"}), std::vector<std::string>());
+  EXPECT_EQ(overridingNotes(config, {"tolerance", "links", "model", "profile"}),
+            (std::vector<std::string>{"--links counts in place of 'only' in 'f.yaml'", "--model counts in place of 'models' in 'f.yaml'",
+                                      "--tolerance counts in place of 'tolerance' in 'f.yaml'",
+                                      "--profile counts in place of 'max_hulls' in 'f.yaml'"}));
+  EXPECT_EQ(overridingNotes(config, {"max-hulls"}), std::vector<std::string>{"--max-hulls counts in place of 'max_hulls' in 'f.yaml'"});
+}
+
+}  // namespace
+}  // namespace collision_hulls

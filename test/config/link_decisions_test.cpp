@@ -1,0 +1,162 @@
+#include "collision_hulls/config/link_decisions.h"
+
+#include <gtest/gtest.h>
+
+#include "collision_hulls/config/config.h"
+#include "collision_hulls/error.h"
+
+namespace collision_hulls {
+namespace {
+
+RobotDescription robot() {
+  RobotDescription robot;
+  robot.name = "panda";
+  for (const char* name : {"panda_link0", "panda_link1", "panda_hand", "left_finger", "camera_mount"}) {
+    LinkDescription link;
+    link.name = name;
+    robot.links.push_back(link);
+  }
+  return robot;
+}
+
+Options optionsOf(const std::string& text) {
+  Options options;
+  apply(parseConfig(text, "f.yaml"), options);
+  return options;
+}
+
+LinkDecisions decisions(const std::string& text) {
+  return {optionsOf(text), robot()};
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    decisions(text);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadOption);
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(LinkDecisions, DefaultsWhereNothingElseIsSaid) {
+  const LinkDecisions all = decisions("default: {tolerance: 2mm, max_vertices: 32}");
+  for (const LinkDescription& link : robot().links) {
+    EXPECT_EQ(all.of(link.name)->tolerance.limit, 0.002);
+    EXPECT_EQ(all.of(link.name)->max_vertices, 32);
+  }
+  EXPECT_EQ(all.of("no such link"), nullptr);
+}
+
+TEST(LinkDecisions, TheLastMatchCountsFieldByField) {
+  const LinkDecisions all = decisions(R"(
+links:
+  "panda_.*": {tolerance: 3cm, max_hulls: 2}
+  "panda_hand|.*finger": {tolerance: 2mm}
+  "panda_link1": {max_hulls: 7, source: visual}
+)");
+  EXPECT_EQ(all.of("panda_link0")->tolerance.limit, 0.03);
+  EXPECT_EQ(all.of("panda_link0")->max_hulls, 2);
+  EXPECT_EQ(all.of("panda_hand")->tolerance.limit, 0.002);
+  EXPECT_EQ(all.of("panda_hand")->max_hulls, 2) << "from the first rule";
+  EXPECT_EQ(all.of("left_finger")->max_hulls, 0);
+  EXPECT_EQ(all.of("panda_link1")->max_hulls, 7);
+  EXPECT_EQ(all.of("panda_link1")->tolerance.limit, 0.03);
+  EXPECT_EQ(all.of("panda_link1")->source, Source::kVisual);
+  EXPECT_EQ(all.of("camera_mount")->tolerance.limit, 0.01);
+}
+
+TEST(LinkDecisions, ExpressionsMatchWholeNames) {
+  const LinkDecisions all = decisions("links: {panda_link.: {tolerance: 1mm}, \"(left|right)_finger\": keep, \"(?!panda).*\": remove}");
+  EXPECT_EQ(all.of("panda_link1")->tolerance.limit, 0.001);
+  EXPECT_EQ(all.of("panda_hand")->tolerance.limit, 0.01);
+  EXPECT_EQ(all.of("left_finger")->action, Action::kRemove) << "the last that matches";
+  EXPECT_NE(refusal("links: {panda: keep}").find("matches no link"), std::string::npos);
+}
+
+TEST(LinkDecisions, ExceptionsFromABroaderRule) {
+  const LinkDecisions all =
+      decisions("links: {.*: {tolerance: 1mm}, panda_link0: keep, camera_.*: remove, camera_mount: {action: decompose}}");
+  EXPECT_EQ(all.of("panda_link0")->action, Action::kKeep);
+  EXPECT_EQ(all.of("camera_mount")->action, Action::kDecompose);
+  EXPECT_EQ(all.of("camera_mount")->tolerance.limit, 0.001);
+}
+
+TEST(LinkDecisions, ContradictionsBetweenRules) {
+  EXPECT_EQ(refusal("links:\n  panda_.*: keep\n  panda_link.: {tolerance: 1mm}"),
+            "'f.yaml', line 3: tolerance of links 'panda_link.' holds for link 'panda_link0', which is kept by 'f.yaml', line 2: the last "
+            "rule counts, so move that rule below this one, or add action: decompose here");
+  EXPECT_NE(refusal("links: {.*mount: remove, .*: {max_hulls: 1}}").find("link 'camera_mount', which is removed by"), std::string::npos);
+  EXPECT_NE(refusal("links:\n  panda_hand: {method: acd}\n  panda_.*: {effort: best}").find("which has method 'acd' from 'f.yaml', line 2"),
+            std::string::npos);
+  EXPECT_NE(refusal("default: {method: hacd}\nlinks: {panda_hand: {fill: true}}").find("which has method 'hacd', and only 'certified'"),
+            std::string::npos);
+  EXPECT_EQ(refusal("links: {.*: {effort: best, fill: true}, panda_hand: {method: acd}}"), "accepted");
+  EXPECT_EQ(refusal("default: {method: hacd}\nlinks: {panda_hand: {method: certified, fill: true}}"), "accepted");
+}
+
+TEST(LinkDecisions, AnExpressionThatMatchesNothing) {
+  const std::string message = refusal("links:\n  camera_mount: keep\n  panda_hnad: keep");
+  EXPECT_EQ(message,
+            "'f.yaml', line 3: links 'panda_hnad' matches no link of robot 'panda' (the expression has to match the whole name). Its links "
+            "are panda_link0, panda_link1, panda_hand, left_finger, camera_mount; did you mean 'panda_hand'?");
+  EXPECT_EQ(refusal("only: nothing").substr(0, 54), "'f.yaml', line 1: only 'nothing' matches no link of ro");
+  Options options;
+  options.links = "nothing";
+  EXPECT_THROW(LinkDecisions(options, robot()), Error);
+}
+
+TEST(LinkDecisions, OnlyLeavesTheOthersAlone) {
+  const LinkDecisions all = decisions("only: panda_.*\nlinks: {.*: {tolerance: 1mm}, camera_mount: remove}");
+  EXPECT_EQ(all.of("camera_mount"), nullptr);
+  EXPECT_EQ(all.of("panda_hand")->tolerance.limit, 0.001);
+}
+
+TEST(LinkDecisions, WhatAMethodIgnoresHasItsDefault) {
+  const LinkDecisions all = decisions(
+      "default: {tree: 1mm, fill: true, effort: best, max_hulls: 9}\nlinks: {panda_hand: {method: hacd}, panda_link0: {method: "
+      "single_hull}}");
+  EXPECT_EQ(all.of("panda_link1")->effort, Effort::kBest);
+  for (const char* link : {"panda_hand", "panda_link0"}) {
+    EXPECT_EQ(all.of(link)->effort, Effort::kQuick);
+    EXPECT_FALSE(all.of(link)->fill);
+    EXPECT_FALSE(all.of(link)->tree);
+  }
+  EXPECT_EQ(all.of("panda_hand")->max_hulls, 9);
+  EXPECT_EQ(all.of("panda_link0")->max_hulls, 0);
+}
+
+TEST(LinkDecisions, KnowsTheFirstLinkOfAnotherMethod) {
+  const LinkDecisions all = decisions("links:\n  camera_mount: {method: acd}\n  panda_hand: {method: bounding_box}");
+  EXPECT_EQ(all.firstOfOtherMethod(), "panda_hand");
+  EXPECT_EQ(all.otherMethodPlace(), "'f.yaml', line 3");
+  EXPECT_EQ(decisions("").firstOfOtherMethod(), "");
+  EXPECT_EQ(decisions("links: {panda_hand: {method: acd}, panda_.*: keep}").firstOfOtherMethod(), "") << "it is kept";
+}
+
+TEST(ModelDecisions, OneWithoutModels) {
+  const std::vector<LinkDecisions> models = modelDecisions(optionsOf("default: {tolerance: 3mm}"), robot());
+  ASSERT_EQ(models.size(), 1u);
+  EXPECT_EQ(models[0].of("panda_hand")->tolerance.limit, 0.003);
+  EXPECT_FALSE(models[0].of("panda_hand")->tree);
+}
+
+TEST(ModelDecisions, ATreeForAllWhereTolerancesDiffer) {
+  const std::vector<LinkDecisions> models = modelDecisions(
+      optionsOf("models: {planning: \"1cm,5%\", contact: \"2mm,8%\"}\nlinks: {panda_hand: {tolerance: 1mm}, panda_link0: {method: acd}}"),
+      robot());
+  ASSERT_EQ(models.size(), 2u);
+  EXPECT_EQ(toString(models[0].of("panda_link1")->tolerance), "1cm,5%");
+  EXPECT_EQ(toString(models[1].of("panda_link1")->tolerance), "2mm,8%");
+  for (const LinkDecisions& model : models) {
+    EXPECT_EQ(toString(model.of("panda_link1")->tree.value()), "2mm,5%") << "as fine as either needs, whatever the mesh's size";
+    EXPECT_EQ(model.of("panda_hand")->tolerance.limit, 0.001) << "a rule holds in all models";
+    EXPECT_FALSE(model.of("panda_hand")->tree);
+    EXPECT_FALSE(model.of("panda_link0")->tree) << "acd has none";
+  }
+  const std::vector<LinkDecisions> finer = modelDecisions(optionsOf("default: {tree: 1mm}\nmodels: {a: 1cm, b: 2mm}"), robot());
+  EXPECT_EQ(finer[1].of("panda_hand")->tree->limit, 0.001);
+}
+
+}  // namespace
+}  // namespace collision_hulls

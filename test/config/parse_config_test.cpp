@@ -1,0 +1,180 @@
+#include <gtest/gtest.h>
+
+#include "collision_hulls/config/config.h"
+#include "collision_hulls/error.h"
+
+namespace collision_hulls {
+namespace {
+
+// The example of doc/configuration.md, with something of everything.
+constexpr const char* kPanda = R"(# panda_hulls.yaml
+default: {tolerance: "1cm,5%", source: auto}
+links:
+  "panda_hand|.*finger": {tolerance: 2mm, effort: best}
+  panda_link0: {tolerance: 3cm, max_hulls: 2}
+  panda_link3: keep
+  panda_link5: {method: bounding_box}
+  camera_.*: remove
+models: {planning: "1cm,5%", contact: 0.002}
+output: {format: obj, uri: relative, segments: false, package_name: panda_hulls}
+seed: 7
+only: "(panda|camera)_.*"
+)";
+
+TEST(ParseConfig, EverythingItMaySay) {
+  const Config config = parseConfig(kPanda, "panda.yaml");
+  EXPECT_EQ(toString(config.defaults.tolerance.value()), "1cm,5%");
+  EXPECT_EQ(config.defaults.source, Source::kAuto);
+  EXPECT_FALSE(config.defaults.method);
+  ASSERT_EQ(config.rules.size(), 5u);
+  EXPECT_EQ(config.rules[0].pattern, "panda_hand|.*finger");
+  EXPECT_EQ(config.rules[0].place, "'panda.yaml', line 4");
+  EXPECT_EQ(config.rules[0].settings.effort, Effort::kBest);
+  EXPECT_EQ(config.rules[1].settings.max_hulls, 2);
+  EXPECT_EQ(config.rules[2].settings.action, Action::kKeep);
+  EXPECT_EQ(config.rules[3].settings.method, Method::kBoundingBox);
+  EXPECT_EQ(config.rules[4].settings.action, Action::kRemove);
+  ASSERT_EQ(config.models.size(), 2u);
+  EXPECT_EQ(config.models[1].name, "contact");
+  EXPECT_EQ(config.models[1].tolerance.limit, 0.002);
+  EXPECT_EQ(config.format, MeshFormat::kObj);
+  EXPECT_EQ(config.uri, UriStyle::kRelative);
+  EXPECT_EQ(config.segments, false);
+  EXPECT_EQ(config.package_name, "panda_hulls");
+  EXPECT_EQ(config.seed, 7u);
+  EXPECT_EQ(config.only, "(panda|camera)_.*");
+  EXPECT_EQ(config.named,
+            (std::set<std::string>{"tolerance", "source", "model", "format", "uri", "segments", "package-name", "seed", "links"}));
+}
+
+TEST(ParseConfig, NothingAtAll) {
+  for (const char* text : {"", "# a comment\n", "{}", "---\n"}) {
+    const Config config = parseConfig(text, "f");
+    EXPECT_TRUE(config.rules.empty() && config.models.empty() && config.named.empty()) << text;
+  }
+}
+
+TEST(ParseConfig, AWordOrAMap) {
+  EXPECT_EQ(parseConfig("links: {a: keep}", "f").rules[0].settings.action, Action::kKeep);
+  EXPECT_EQ(parseConfig("links: {a: {action: keep}}", "f").rules[0].settings.action, Action::kKeep);
+  EXPECT_EQ(parseConfig("links: {a: decompose}", "f").rules[0].settings.action, Action::kDecompose);
+}
+
+TEST(ParseConfig, AliasesAreWhatTheyStandFor) {
+  const Config config = parseConfig("links: {a: &fine {tolerance: 2mm}, b: *fine}", "f");
+  EXPECT_EQ(config.rules[1].settings.tolerance->limit, 0.002);
+}
+
+TEST(ParseConfig, EveryWayToGetItWrong) {
+  struct Wrong {
+    const char* text;
+    std::vector<const char*> parts;  // of the message: line, item, value, remedy
+  };
+  const std::vector<Wrong> all = {
+      {"default: {tolerance: 5mm\n", {"'f.yaml', line", "not valid YAML"}},
+      {"- a list", {"line 1", "a configuration is a map", "default:"}},
+      {"just words", {"line 1", "a configuration is a map"}},
+      {"{}\n---\n{}", {"line 3", "a second document"}},
+      {"link: {}", {"line 1", "'link' is not known", "default, only, links", "did you mean 'links'?"}},
+      {"seed: 1\nregions:\n  - {link: hand}", {"line 2", "regions cannot be given yet", "smaller tolerance"}},
+      {"links:\n  arm: {tolerence: 2mm}", {"line 2", "'tolerence' is not known in links 'arm'", "did you mean 'tolerance'?"}},
+      {"links:\n  arm: {regions: []}", {"'regions' is not known in links 'arm'"}},
+      {"default: {action: keep}", {"'action' is not known in default"}},
+      {"default: keep", {"line 1", "default is 'keep'", "only:"}},
+      {"default: [1]", {"default is a list: use a map"}},
+      {"default:", {"default is nothing"}},
+      {"default: {tolerance: 0}", {"tolerance of default '0' is invalid", "positive length"}},
+      {"default: {tolerance: 5}", {"tolerance of default '5m' is more than 1 m", "did you mean 5mm?"}},
+      {"default: {tolerance: {limit: 1}}", {"tolerance of default is a map"}},
+      {"default: {tolerance: }", {"tolerance of default is nothing"}},
+      {"default: {tolerance: 1,5%}", {"line 1"}},  // which YAML reads as a pair
+      {"default: {tree: lots}", {"tree of default 'lots'"}},
+      {"default: {method: certifed}", {"method of default is 'certifed'", "one of certified, hacd", "did you mean 'certified'?"}},
+      {"default: {effort: high}", {"effort of default is 'high': use one of quick, best"}},
+      {"default: {fill: 1}", {"fill of default is '1': use true or false"}},
+      {"default: {fill: \"true\"}", {"true or false, without quotes"}},
+      {"default: {max_hulls: many}", {"max_hulls of default is 'many': use a whole number"}},
+      {"default: {max_hulls: -1}", {"max_hulls of default is '-1'"}},
+      {"default: {max_hulls: 2.5}", {"max_hulls of default is '2.5'"}},
+      {"default: {max_hulls: \"2\"}", {"max_hulls of default is '2'", "without quotes"}},
+      {"default: {max_hulls: 99999999999}", {"max_hulls of default is '99999999999'"}},
+      {"default: {max_vertices: 5}", {"line 1", "max-vertices '5' is invalid", "from 8"}},
+      {"default: {source: visuals}", {"source of default is 'visuals'", "did you mean 'visual'?"}},
+      {"default: {method: hacd, effort: best}", {"effort 'best' of default needs method 'certified', not 'hacd'"}},
+      {"links: [arm]", {"links is a list: use a map"}},
+      {"links:\n  arm: kept", {"line 2", "links 'arm' is 'kept'", "did you mean 'keep'?"}},
+      {"links:\n  arm:", {"line 2", "links 'arm' is nothing", "keep, remove"}},
+      {"links:\n  arm: {}", {"links 'arm' is a map", "such as {tolerance: 2mm}"}},
+      {"links:\n  arm: 2mm", {"links 'arm' is '2mm'", "{tolerance: 2mm}"}},
+      {"links:\n  \"(arm\": keep", {"line 2", "links '(arm' is invalid", "regular expression"}},
+      {"links:\n  \"(a)\\\\1\": keep", {"line 2", "back-references"}},
+      {"links:\n  arm: keep\n  hand: remove\n  arm: remove", {"line 4", "'arm' of links is already in line 2"}},
+      {"links:\n  arm: {tolerance: 1mm, tolerance: 2mm}", {"'tolerance' of links 'arm' is already in line 2"}},
+      {"links:\n  arm: {action: keep, max_hulls: 3}", {"max_hulls of links 'arm' contradicts 'keep'", "remove one"}},
+      {"links:\n  arm: {action: remove, method: hacd}", {"method of links 'arm' contradicts 'remove'"}},
+      {"links:\n  arm: {action: keep, tolerance: 1mm}", {"tolerance of links 'arm' contradicts 'keep'"}},
+      {"links:\n  arm: {method: acd, fill: true}", {"fill 'true' of links 'arm' needs method 'certified', not 'acd'"}},
+      {"links: {[a]: keep}", {"line 1", "expected a single value"}},
+      {"links: {a: *nowhere}", {"not valid YAML"}},
+      {"links: &a {b: *a}", {"line 1"}},
+      {"only: \"*\"", {"only '*' is invalid"}},
+      {"only: {a: b}", {"only is a map"}},
+      {"models: 1cm", {"models is '1cm': use a map", "{planning: 1cm"}},
+      {"models: {a: 1cm, a: 2mm}", {"'a' of models is already in line 1"}},
+      {"models: {a/b: 1cm}", {"model 'a/b' is invalid", "letters, digits"}},
+      {"models: {a: fine}", {"tolerance of model 'a' 'fine'"}},
+      {"output: {format: ply}", {"format of output is 'ply'", "stl, obj, dae"}},
+      {"output: {uri: http}", {"uri of output is 'http'"}},
+      {"output: {package_name: My Robot}", {"package-name 'My Robot' is invalid"}},
+      {"output: {packagename: a}", {"'packagename' is not known in output", "did you mean 'package_name'?"}},
+      {"seed: -1", {"seed is '-1': use a whole number"}},
+      {"seed: 18446744073709551616", {"seed is '18446744073709551616'"}},
+  };
+  for (const Wrong& wrong : all) {
+    try {
+      parseConfig(wrong.text, "f.yaml");
+      ADD_FAILURE() << "accepted: " << wrong.text;
+    } catch (const Error& error) {
+      const std::string message = error.what();
+      EXPECT_EQ(error.code(), ErrorCode::kBadOption) << wrong.text;
+      EXPECT_EQ(message.find("'f.yaml', line "), 0u) << wrong.text << "\n" << message;
+      for (const char* part : wrong.parts)
+        EXPECT_NE(message.find(part), std::string::npos) << wrong.text << "\n" << message << "\nlacks " << part;
+    }
+  }
+}
+
+// Each level names the one before nine times: nine to the ninth values, were they followed.
+TEST(ParseConfig, ABombOfAliasesCostsNothing) {
+  std::string text = "a: &a [1, 1, 1, 1, 1, 1, 1, 1, 1]\n";
+  for (char level = 'b'; level < 'j'; ++level) {
+    const std::string before = "*" + std::string(1, static_cast<char>(level - 1));
+    text += std::string(1, level) + ": &" + level + " [";
+    for (int i = 0; i < 9; ++i) text += (i ? ", " : "") + before;
+    text += "]\n";
+  }
+  for (const std::string& config : std::vector<std::string>{text, text + "links: *i", "links: {x: &y {z: {tolerance: &z [*z, *z]}}}"})
+    EXPECT_THROW(parseConfig(config, "f"), Error);
+}
+
+TEST(ParseConfig, HugeAndDeepTexts) {
+  EXPECT_THROW(parseConfig(std::string((1 << 20) + 1, ' '), "f"), Error);
+  EXPECT_THROW(parseConfig("links: " + std::string(100'000, '['), "f"), Error);
+  EXPECT_THROW(parseConfig("links: {" + std::string(1001, 'a') + ": keep}", "f"), Error);
+  std::string many = "links:\n";
+  for (int i = 0; i < 10'000; ++i) many += "  arm_" + std::to_string(i) + ": {tolerance: 2mm}\n";
+  EXPECT_EQ(parseConfig(many, "f").rules.size(), 10'000u);
+}
+
+TEST(ReadConfig, NamesAFileThatIsMissing) {
+  try {
+    readConfig("/nowhere/panda.yaml");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kFileNotFound);
+    EXPECT_NE(std::string(error.what()).find("/nowhere/panda.yaml"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace collision_hulls

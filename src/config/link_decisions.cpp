@@ -104,15 +104,6 @@ class Decision {
   std::string action_place_, method_place_;
 };
 
-/// As fine as the finer of both for every mesh.
-Length finer(const Length& a, const Length& b) {
-  return {std::min(a.limit, b.limit), std::min(a.share, b.share)};
-}
-
-bool equal(const Length& a, const Length& b) {
-  return a.limit == b.limit && a.share == b.share;
-}
-
 }  // namespace
 
 LinkDecisions::LinkDecisions(const Options& options, const RobotDescription& robot) {
@@ -145,17 +136,6 @@ std::vector<LinkDecisions> modelDecisions(const Options& options, const RobotDes
     Options of_model = options;
     of_model.tolerance = model.tolerance;
     decisions.emplace_back(of_model, robot);
-  }
-  for (auto& [link, first] : decisions.front().links_) {
-    Length finest = first.tolerance;
-    bool differ = false;
-    for (const LinkDecisions& model : decisions) {
-      finest = finer(finest, model.of(link)->tolerance);
-      differ = differ || !equal(model.of(link)->tolerance, first.tolerance);
-    }
-    if (!differ || first.method != Method::kCertified) continue;
-    const Length tree = first.tree ? finer(*first.tree, finest) : finest;
-    for (LinkDecisions& model : decisions) model.links_.at(link).tree = tree;
   }
   return decisions;
 }

@@ -54,6 +54,7 @@ void addUses(const LinkDescription& link, const LinkOptions& options, std::size_
 MeshResult undecomposed(const MeshUse& use) {
   MeshResult result;
   result.status = use.options.action == Action::kKeep ? Status::kKept : Status::kRemoved;
+  if (use.source.uri.empty()) result.reason = "the link has no collision mesh";
   return result;
 }
 

@@ -29,15 +29,12 @@ class LinkDecisions {
   const std::string& otherMethodPlace() const { return other_method_place_; }
 
  private:
-  friend std::vector<LinkDecisions> modelDecisions(const Options&, const RobotDescription&);
-
   std::map<std::string, LinkOptions> links_;
   std::string other_method_, other_method_place_;
 };
 
-/// The decisions of each of Options::models, or else of the only one. A link whose tolerance
-/// differs between models has a tree that all of them can be cut from: its leaves are as fine as
-/// the finest needs.
+/// The decisions of each of Options::models, or else of the only one. A tolerance that a rule gives
+/// holds in every model.
 std::vector<LinkDecisions> modelDecisions(const Options& options, const RobotDescription& robot);
 
 }  // namespace collision_hulls

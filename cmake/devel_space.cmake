@@ -4,7 +4,7 @@
 # package has. It must not be the source folder: rosrun does not look below <package>/build, where the programs are, and tab completion
 # would offer every script in it, while it shall offer the programs alone. In a catkin workspace the source folder is the package, as ever.
 
-set(PACKAGE_FILES package.xml scripts/completion.bash launch meshes rviz urdf)
+set(PACKAGE_FILES package.xml scripts/completion.bash launch meshes rviz schema urdf)
 
 # Before find_package(catkin), which adds the source folder to this list and takes a snapshot of the environment for the tests: their
 # nodes lie in test/ros, so that for them the source folder is the package.

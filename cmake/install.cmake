@@ -14,7 +14,7 @@ if(NOT COLLISION_HULLS_ROS)
 endif()
 
 install(FILES scripts/completion.bash DESTINATION ${SHARE_DESTINATION})
-install(DIRECTORY launch meshes rviz urdf DESTINATION ${SHARE_DESTINATION} PATTERN source EXCLUDE)
+install(DIRECTORY launch meshes rviz schema urdf DESTINATION ${SHARE_DESTINATION} PATTERN source EXCLUDE)
 catkin_install_python(PROGRAMS scripts/benchmark_charts scripts/decompose_client scripts/joint_sliders scripts/physics_charts scripts/rviz_at_root scripts/rviz_picture scripts/scene_charts
   scripts/stability_charts
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -18,6 +18,7 @@ add_script_test(without_ros test/scripts/without_ros "${CMAKE_CXX_COMPILER_LAUNC
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 add_script_test(header_examples test/scripts/header_examples "${CMAKE_CXX_COMPILER}" ${eigen})
 add_script_test(documented_options test/scripts/documented_options ${PROGRAMS_DIR}/decompose ${PROGRAMS_DIR}/fit_scene)
+add_script_test(config_schema test/scripts/config_schema ${PROGRAMS_DIR})
 add_script_test(documented_ros test/scripts/documented_ros)
 add_script_test(documents test/scripts/documents)
 add_script_test(constants test/scripts/constants)

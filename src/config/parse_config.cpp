@@ -25,6 +25,14 @@ std::string shown(const std::string& text) {
   return "'" + (text.size() > kShown ? text.substr(0, kShown) + "..." : text) + "'";
 }
 
+/// A text that messages may quote: a terminal would obey control characters.
+std::string plainText(const YamlValue& value, const std::string& item) {
+  std::string text = value.text();
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+  if (std::any_of(text.begin(), text.end(), is_control)) value.fail(item + " holds a control character; leave it out");
+  return text;
+}
+
 std::string joined(const std::vector<std::string>& names) {
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
@@ -37,14 +45,17 @@ struct Item {
   std::string name;
 
   [[noreturn]] void refuse(const std::string& expected) const {
-    const std::string found = value.isMap() ? "a map" : value.isSequence() ? "a list" : value.isNull() ? "nothing" : shown(value.text());
+    const std::string found = value.isMap()        ? "a map"
+                              : value.isSequence() ? "a list"
+                              : value.isNull()     ? "nothing"
+                                                   : shown(plainText(value, name));
     value.fail(name + " is " + found + ": use " + expected);
   }
 
   /// Of a single value that is there.
   std::string text(const std::string& expected) const {
     if (value.isMap() || value.isSequence() || value.isNull()) refuse(expected);
-    return value.text();
+    return plainText(value, name);
   }
 };
 
@@ -119,7 +130,7 @@ void read(const Item& item, UriStyle& uri) {
 using Readers = std::vector<std::pair<std::string, std::function<void(const Item&)>>>;
 
 [[noreturn]] void refuseKey(const YamlValue& key, const Readers& readers, const std::string& place) {
-  const std::string name = key.text();
+  const std::string name = plainText(key, "a key");
   if (name == "regions" && place.empty())
     key.fail(
         "regions cannot be given yet; give the link a smaller tolerance, as in links: {panda_hand: {tolerance: 2mm}}, which keeps its "
@@ -134,10 +145,10 @@ using Readers = std::vector<std::pair<std::string, std::function<void(const Item
 void expectDifferentKeys(const YamlValue& map, const std::string& place) {
   std::map<std::string, std::size_t> lines;
   for (const auto& [key, value] : map.entries()) {
-    const auto [first, is_new] = lines.emplace(key.text(), key.line());
+    const auto [first, is_new] = lines.emplace(plainText(key, "a key"), key.line());
     if (!is_new)
-      key.fail(shown(key.text()) + (place.empty() ? "" : " of " + place) + " is already in line " + std::to_string(first->second) +
-               "; remove one of them");
+      key.fail(shown(plainText(key, "a key")) + (place.empty() ? "" : " of " + place) + " is already in line " +
+               std::to_string(first->second) + "; remove one of them");
   }
 }
 
@@ -145,7 +156,7 @@ void readMap(const Item& item, const Readers& readers, const std::string& expect
   if (!item.value.isMap()) item.refuse(expected);
   expectDifferentKeys(item.value, item.name);
   for (const auto& [key, value] : item.value.entries()) {
-    const std::string name = key.text();
+    const std::string name = plainText(key, "a key");
     const auto reader = std::find_if(readers.begin(), readers.end(), [&](const auto& r) { return r.first == name; });
     if (reader == readers.end()) refuseKey(key, readers, item.name);
     reader->second({value, item.name.empty() ? name : name + " of " + item.name});
@@ -157,7 +168,7 @@ void refuseContradictions(const Item& item, const LinkSettings& settings) {
   const bool stays = settings.action.value_or(Action::kDecompose) != Action::kDecompose;
   const bool other_method = settings.method.value_or(Method::kCertified) != Method::kCertified;
   for (const auto& [key, value] : item.value.entries()) {
-    const std::string name = key.text();
+    const std::string name = plainText(key, "a key");
     if (stays && name != "action")
       key.fail(name + " of " + item.name + " contradicts '" + collision_hulls::name(*settings.action) +
                "', with which the link gets no hulls; remove one of them");
@@ -225,7 +236,7 @@ class Reader {
     checkCaps(item, result_.defaults);
     refuseContradictions(item, result_.defaults);
     for (const auto& [key, value] : item.value.entries()) {
-      std::string option = key.text();
+      std::string option = plainText(key, "a key");
       std::replace(option.begin(), option.end(), '_', '-');
       result_.named.insert(option);
     }
@@ -254,7 +265,7 @@ class Reader {
     if (!item.value.isMap()) item.refuse("a map from regular expressions to settings, as in {arm_.*: {tolerance: 2mm}}");
     expectDifferentKeys(item.value, "links");
     for (const auto& [key, value] : item.value.entries()) {
-      const std::string pattern = key.text();
+      const std::string pattern = plainText(key, "a key");
       inContext(key.where(), [&] { LinkPattern(pattern, "links"); });
       result_.rules.push_back({pattern, readRule({value, "links " + shown(pattern)}), key.where()});
     }
@@ -265,7 +276,7 @@ class Reader {
     if (!item.value.isMap()) item.refuse(expected);
     expectDifferentKeys(item.value, "models");
     for (const auto& [key, value] : item.value.entries()) {
-      ModelOptions model{key.text(), {}};
+      ModelOptions model{plainText(key, "a key"), {}};
       collision_hulls::read({value, "tolerance of model " + shown(model.name)}, model.tolerance);
       result_.models.push_back(model);
       Options alone;

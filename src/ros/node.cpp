@@ -1,7 +1,6 @@
 // Reads a request and the parameters, runs the library, writes and shows the result. The doors (door.h) bring requests in and answers out.
 #include "node.h"
 
-#include <filesystem>
 #include <memory>
 
 #include "collision_hulls/pipeline/fit_scene.h"
@@ -33,8 +32,8 @@ Response written(RobotResult& result, const std::string& output, bool brief, con
   std::string how_to_use;
   if (writeOutput(result, output, control)) {
     how_to_use = "\n" + howToUse(result, output);
-    how_to_use.pop_back();                                                                        // its last line's end
-    response.urdf_path = std::filesystem::directory_iterator(output + "/urdf")->path().string();  // the only file there
+    how_to_use.pop_back();  // its last line's end
+    response.urdf_path = output + "/" + result.report.urdf;
   } else {
     response.message += "; nothing was written";
   }
@@ -90,7 +89,7 @@ DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunCont
   checkTexts(request);
   const Confinement confinement(places_.roots());
   const Input input = inputOf(request.robot_description);
-  const Options options = requestedOptions(readOptions(private_), request, input.robot);
+  const Options options = requestedOptions(configured(private_, request.config, readOptions(private_)), request, input.robot);
   const std::string output = outputFor(request.output, input);
 
   const ViewedRun view(view_, input.robot, options.source, input.find_package);
@@ -107,7 +106,7 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
   Options own = readOptions(private_);
   own.method = Method::kCertified;  // ~method is for the other job
   own.tree.reset();
-  const Options options = requestedOptions(own, toRequest(request), input.robot);
+  const Options options = requestedOptions(configured(private_, request.config, own), toRequest(request), input.robot);
   const std::string output = outputFor(request.output, input);
   const SceneRequest scene = requestedScene(request, input, control);
 

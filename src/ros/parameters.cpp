@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "collision_hulls/config/config.h"
 #include "collision_hulls/error.h"
 #include "joint_states.h"
 #include "live_scene.h"
@@ -137,6 +138,12 @@ Options readOptions(const ros::NodeHandle& node) {
   if (seed < 0) throw Error(ErrorCode::kBadOption, "parameter " + node.resolveName("seed") + " is negative: use a number from 0");
   options.seed = static_cast<std::uint64_t>(seed);
   check(options);
+  return options;
+}
+
+Options configured(const ros::NodeHandle& node, const std::string& config, Options options) {
+  const std::string text = config.empty() ? textParameter(node, "config") : config;
+  if (!text.empty()) apply(parseConfig(text, config.empty() ? node.resolveName("config") : "config"), options);
   return options;
 }
 

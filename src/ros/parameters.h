@@ -16,6 +16,10 @@ namespace collision_hulls {
 /// ~validate, ~cache and ~seed say; those that are not set keep their defaults. Throws kBadOption for a value of the wrong type or range.
 Options readOptions(const ros::NodeHandle& node);
 
+/// `options` with what a configuration says in their place: `config`, the text in a request, or if that is empty the text of ~config.
+/// Throws as parseConfig().
+Options configured(const ros::NodeHandle& node, const std::string& config, Options options);
+
 /// A list, or a text with colons between its items, such as ~package_path. Throws kBadOption for anything else.
 std::vector<std::string> readFolders(const ros::NodeHandle& node, const std::string& name);
 

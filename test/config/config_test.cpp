@@ -50,7 +50,7 @@ TEST(ConfigText, ReadsBackAsTheSame) {
   const std::vector<std::string> texts = {
       "", "default: {tolerance: 3%, method: hacd, max_hulls: 4, max_vertices: 0, source: visual}\noutput: {segments: true, format: dae}",
       "default: {tree: 1mm, fill: true, effort: best}\nseed: 18446744073709551615",
-      "links: {a: keep, b: remove, c: {action: decompose}, \"d\\\\.\\\"\\t.*\": {tolerance: \"1mm,2%\", source: collision, effort: best}}",
+      "links: {a: keep, b: remove, c: {action: decompose}, \"d\\\\.\\\"*\": {tolerance: \"1mm,2%\", source: collision, effort: best}}",
       "models: {planning: \"1cm,5%\", contact: 123.456um}\nonly: \"x|y\"\noutput: {uri: relative, package_name: a_b}"};
   for (const std::string& text : texts) {
     const Options options = optionsOf(text);

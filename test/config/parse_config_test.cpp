@@ -127,6 +127,8 @@ TEST(ParseConfig, EveryWayToGetItWrong) {
       {"output: {uri: http}", {"uri of output is 'http'"}},
       {"output: {package_name: My Robot}", {"package-name 'My Robot' is invalid"}},
       {"output: {packagename: a}", {"'packagename' is not known in output", "did you mean 'package_name'?"}},
+      {"links: {\"a\\e[31m\": keep}", {"a key holds a control character"}},
+      {"links: {a: \"\\e[31m\"}", {"links 'a' holds a control character"}},
       {"seed: -1", {"seed is '-1': use a whole number"}},
       {"seed: 18446744073709551616", {"seed is '18446744073709551616'"}},
   };

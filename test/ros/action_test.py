@@ -79,6 +79,10 @@ class ActionTest(unittest.TestCase):
         self.assertEqual("reading 2 meshes", self.feedback[0].text)
         self.assertEqual({"arm", "base"}, {step.link for step in self.feedback if step.link})
 
+    def test_configuration(self):
+        result = self.assert_ends(GoalStatus.SUCCEEDED, self.send(self.folder.small_robot(), config="links: {arm: remove}"))
+        self.assertEqual(["ok", "removed"], [row.status for row in result.links])
+
     def test_feedback(self):
         result = self.assert_ends(GoalStatus.SUCCEEDED, self.send(self.folder.small_robot()))
         self.assert_feedback(["read", "decompose", "validate"])

@@ -54,6 +54,13 @@ class FitSceneTest(unittest.TestCase):
     def test_no_clearance(self):
         self.assert_refused("clearance", clearance=0)
 
+    def test_configuration(self):
+        self.assert_refused("method 'acd' of link 'arm'", config="links: {arm: {method: acd}}")
+        response = self.fit(config="links: {arm: keep}")
+        self.assertTrue(response.success, response.message)
+        self.assertEqual(["ok", "kept"], [row.status for row in response.links])
+        self.assertIn("<robot", response.srdf)
+
     def test_negative_samples(self):
         self.assert_refused("samples", samples=-1)
 

@@ -90,7 +90,39 @@ class ServiceTest(unittest.TestCase):
         self.assertEqual([("base", "ok"), ("arm", "failed")], [(row.link, row.status) for row in response.links])
         self.assertTrue(os.path.isfile(response.urdf_path))
 
+    def test_configuration_with_a_mistake(self):
+        self.assert_refused(["'config', line 2", "'tolerence'", "did you mean 'tolerance'?"], config="links:\n  arm: {tolerence: 1mm}")
+        self.assert_refused(["'config', line 1", "'leg' matches no link"], config="links: {leg: keep}")
+        self.set_parameter(NODE + "/config", "links: [arm]")
+        self.assert_refused([NODE + "/config", "links is a list"])
+        self.set_parameter(NODE + "/config", {"links": {}})
+        self.assert_refused(["config is not a text"])
+
+    # An expression that backtracks for ever, and a long name: the node answers all the same.
+    def test_configuration_that_is_hostile(self):
+        self.assert_refused(["matches no link"], config="links: {\"(a|a)*b\": keep}", robot_description=self.robot.replace("arm", "a" * 5000))
+        self.assert_refused(["links"], config="links: " + "[" * 100000)
+
     # What it makes.
+
+    def test_configuration(self):
+        config = "default: {tolerance: 5mm}\nlinks: {arm: keep, base: {max_hulls: 1}}"
+        response = self.decompose_well(config=config)
+        self.assertEqual([("base", "degraded", 1), ("arm", LinkReport.KEPT, 0)], [(row.link, row.status, row.hulls) for row in response.links])
+        self.assertEqual(0.005, response.links[0].tolerance)
+        self.assertEqual(0.002, self.decompose_well(config=config, tolerance=0.002).links[0].tolerance)  # a field counts before the default
+        with open(os.path.join(self.folder.output, "config/small_hulls.yaml"), encoding="utf-8") as file:
+            self.assertEqual(response.links[1].status, self.decompose_well(config=file.read()).links[1].status)
+
+    def test_configuration_of_the_node(self):
+        self.set_parameter(NODE + "/config", "links: {base: remove}")
+        self.assertEqual(LinkReport.REMOVED, self.decompose_well().links[0].status)
+        self.assertEqual("ok", self.decompose_well(config="seed: 2").links[0].status)  # the request's takes its place
+
+    def test_models(self):
+        response = self.decompose_well(config="models: {planning: 10cm, contact: 1mm}")
+        self.assertTrue(response.urdf_path.endswith("/urdf/small.urdf"), response.urdf_path)
+        self.assertEqual("urdf/small_contact.urdf", json.loads(response.report)["models"][0]["urdf"])
 
     def test_small_robot(self):
         response = self.decompose_well()

@@ -21,7 +21,7 @@ LinkReport toMessage(const ElementReport& row, const Eigen::Isometry3d& origin) 
   message.uncovered = row.uncovered;
   message.protrusion = row.protrusion;
   message.protrusion_found = row.protrusion_found;
-  if (row.hulls + row.primitives > 0) {
+  if (row.status == Status::kOk || row.status == Status::kDegraded) {
     message.worst = toPoint(origin * row.worst);
     message.worst_nearest = toPoint(origin * row.worst_nearest);
   }

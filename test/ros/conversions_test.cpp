@@ -48,6 +48,8 @@ TEST(ToMessage, StatusConstants) {
   EXPECT_EQ(name(Status::kOk), LinkReport::OK);
   EXPECT_EQ(name(Status::kDegraded), LinkReport::DEGRADED);
   EXPECT_EQ(name(Status::kFailed), LinkReport::FAILED);
+  EXPECT_EQ(name(Status::kKept), LinkReport::KEPT);
+  EXPECT_EQ(name(Status::kRemoved), LinkReport::REMOVED);
 }
 
 TEST(ToMessage, MethodConstants) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "collision_hulls/error.h"
 #include "pipeline/fixtures.h"
@@ -59,6 +60,19 @@ TEST_F(MeshTaskTest, OptionsMakeVariantsOfATask) {
   EXPECT_EQ(groups({use("a.stl"), fine, from_visual, fine}), (Groups{{0, 2}, {1, 3}}));
   ASSERT_EQ(found_.tasks.size(), 1u) << "it is read once";
   EXPECT_EQ(found_.tasks[0].variants[1].options.tolerance.limit, 0.001);
+}
+
+TEST_F(MeshTaskTest, EachOptionThatChangesHullsMakesAVariant) {
+  const std::vector<std::function<void(LinkOptions&)>> changes = {
+      [](LinkOptions& o) { o.tolerance.limit = 0.02; }, [](LinkOptions& o) { o.tolerance.share = 0.01; },
+      [](LinkOptions& o) { o.method = Method::kAcd; },  [](LinkOptions& o) { o.effort = Effort::kBest; },
+      [](LinkOptions& o) { o.tree = lengthOf(0.001); }, [](LinkOptions& o) { o.fill = true; },
+      [](LinkOptions& o) { o.max_hulls = 3; },          [](LinkOptions& o) { o.max_vertices = 16; }};
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    MeshUse other = use("a.stl");
+    changes[i](other.options);
+    EXPECT_EQ(groups({use("a.stl"), other}), (Groups{{0}, {1}})) << i;
+  }
 }
 
 TEST_F(MeshTaskTest, WhatIsKeptOrRemovedIsDone) {

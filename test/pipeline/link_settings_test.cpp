@@ -184,5 +184,38 @@ TEST_F(LinkSettingsTest, AMeshHasNoLinksAndOneModel) {
   EXPECT_EQ(decomposeMesh(folder_ / "bracket.obj", options).report.links[0].hull_vertices, 8u);
 }
 
+/// The files of the robots that are shared with other projects; none where they are not there.
+std::vector<std::string> sharedRobots() {
+  const std::filesystem::path folder = SHARED_DATA "/robots";
+  std::vector<std::string> files;
+  if (!std::filesystem::exists(folder)) return files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    if (entry.path().extension() == ".urdf") files.push_back(entry.path().string());
+  return files;
+}
+
+// Boxes, since hulls would take minutes.
+TEST(LinkSettingsOfSharedRobots, ThreeLinksDifferFromTheOthers) {
+  for (const std::string& file : sharedRobots()) {
+    const Input input = openInput(file);
+    Options options;
+    options.method = Method::kBoundingBox;
+    options.validate = false;
+    const RobotResult boxes = decompose(input, options, "out");
+    std::vector<std::string> links;
+    for (const ElementReport& row : boxes.report.links)
+      if (links.empty() || links.back() != row.link) links.push_back(row.link);
+    ASSERT_GE(links.size(), 3u) << file;
+    apply(parseConfig("links: {" + links[0] + ": {method: single_hull}, " + links[1] + ": keep, " + links[2] + ": remove}", "f"), options);
+    for (const ElementReport& row : decompose(input, options, "out").report.links) {
+      const std::string context = file + " " + row.link;
+      EXPECT_EQ(row.status == Status::kKept, row.link == links[1]) << context;
+      EXPECT_EQ(row.status == Status::kRemoved, row.link == links[2]) << context;
+      const bool has_hulls = row.link != links[1] && row.link != links[2];
+      EXPECT_EQ(row.method == Method::kSingleHull, row.link == links[0] && has_hulls) << context;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -7,7 +7,17 @@
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kLongest = 1000;
+constexpr std::size_t kLongest = 50'000;  // characters; a request may name every link
+constexpr int kDeepest = 100;             // groups in each other: libstdc++ calls itself for each
+
+bool nestsTooDeep(const std::string& expression) {
+  int depth = 0;
+  for (const char c : expression) {
+    depth += (c == '(') - (c == ')');
+    if (depth > kDeepest) return true;
+  }
+  return false;
+}
 
 std::regex compiled(const std::string& expression, const std::string& option) {
   auto syntax = std::regex::ECMAScript;
@@ -18,6 +28,9 @@ std::regex compiled(const std::string& expression, const std::string& option) {
     throw Error(ErrorCode::kBadOption, option + " has an expression of " + std::to_string(expression.size()) +
                                            " characters, which begins '" + expression.substr(0, 40) +
                                            "'; divide it, so that none has more than " + std::to_string(kLongest));
+  if (nestsTooDeep(expression))
+    throw Error(ErrorCode::kBadOption, option + " has an expression with more than " + std::to_string(kDeepest) +
+                                           " groups in each other, which begins '" + expression.substr(0, 40) + "'; nest less");
   try {
     return std::regex(expression, syntax);
   } catch (const std::regex_error& e) {

@@ -177,7 +177,10 @@ Options requestedOptions(Options options, const DecomposeRequest& request, const
   if (request.max_hulls != 0) options.max_hulls = request.max_hulls;
   if (request.max_vertices != 0) options.max_vertices = request.max_vertices;
   if (!request.method.empty()) options.method = named(methodNamed, "method", request.method, methodChoices());
-  if (!request.links.empty()) options.links = linksExpression(request.links, robot);
+  if (!request.links.empty()) {
+    options.links = linksExpression(request.links, robot);
+    options.links_place.clear();
+  }
   check(options);
   return options;
 }

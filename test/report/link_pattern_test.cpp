@@ -26,6 +26,13 @@ TEST(LinkPattern, HostileExpressionsEnd) {
   EXPECT_TRUE(LinkPattern(".*", "links").matches(std::string(1'000'000, 'a')));
 }
 
+TEST(LinkPattern, ManyNames) {
+  std::string names;
+  for (int i = 0; i < 2000; ++i) names += (i ? "|" : "") + std::string("my_robot_link_") + std::to_string(i);
+  EXPECT_TRUE(LinkPattern(names, "links").matches("my_robot_link_1999"));
+  EXPECT_FALSE(LinkPattern(names, "links").matches("my_robot_link_2000"));
+}
+
 TEST(LinkPattern, RefusesWhatIsNoExpression) {
   for (const char* expression : {"(", "a{2", "[z-a]", "*", "(a)\\1", "(a?){99999}"}) {
     try {
@@ -36,7 +43,9 @@ TEST(LinkPattern, RefusesWhatIsNoExpression) {
       EXPECT_EQ(std::string(error.what()).find("links '" + std::string(expression) + "' is invalid"), 0u) << error.what();
     }
   }
-  EXPECT_THROW(LinkPattern(std::string(1001, 'a'), "links"), Error);
+  EXPECT_THROW(LinkPattern(std::string(50'001, 'a'), "links"), Error);
+  EXPECT_THROW(LinkPattern(std::string(20'000, '(') + "a" + std::string(20'000, ')'), "links"), Error)
+      << "its compiler would overflow the stack";
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST_F(LinkSettingsTest, KeptAndRemovedLinks) {
   const RobotResult result = run("links: {hand: keep, camera|frame: remove}");
   EXPECT_EQ(statuses(result.report), "base ok, base ok, hand kept, finger ok, camera removed, frame removed");
   const RobotDescription before = readRobotDescription(folder_ / "arm.urdf"), after = parseRobotDescription(result.urdf);
-  EXPECT_EQ(after.links[1].collisions.size(), 1u);
+  ASSERT_EQ(after.links[1].collisions.size(), 1u);
   EXPECT_EQ(after.links[1].collisions[0].uri, "channel.obj") << "kept as it was";
   EXPECT_TRUE(after.links[3].collisions.empty()) << "its box goes, too";
   EXPECT_EQ(before.links[3].collisions.size(), 2u);

@@ -12,6 +12,7 @@
 #include "bench/original.h"
 #include "bench/queries/query_job.h"
 #include "collision_hulls/decompose/certified_hulls.h"
+#include "collision_hulls/decompose/least_hulls.h"
 #include "collision_hulls/decompose/round_outward.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/measure/measures.h"
@@ -117,6 +118,11 @@ nlohmann::json score(const json& job) {
   json result = {{"hulls", hulls.size()},     {"hull_vertices", vertices},       {"uncovered", uncovered(original.mesh, hulls)},
                  {"protrusion", found.bound}, {"protrusion_found", found.found}, {"volume_ratio", nullptr},
                  {"hashes", hashes}};
+  if (job.value("least", false)) {
+    const bool good = result["uncovered"] == 0 && found.bound <= job["tolerance"];
+    const std::vector<ConvexHull> none;
+    result["least_hulls"] = leastHulls(original.mesh, solid, job["tolerance"], good ? hulls : none, Effort::kBest);
+  }
   if (solid.volume() > 0) result["volume_ratio"] = unionVolume(hulls) / solid.volume();
   return result;
 }

@@ -13,7 +13,7 @@ namespace collision_hulls {
 ///   decompose  "file", "scale", "method", "effort", "tolerance", "max_vertices", "seed"  -> writes the hulls to "hulls", one object each
 ///   score      "file", "scale", "tolerance", "hulls": [files of equal runs]  -> scores the first file against the mesh as it was read:
 ///              "hulls", "hull_vertices", "uncovered", "protrusion", "protrusion_found", "volume_ratio" (null: the mesh encloses nothing),
-///              "hashes" of all files
+///              "hashes" of all files; if "least" is true also "least_hulls", by Effort::kBest
 ///   decide     "file", "scale", "tolerance", "hulls": [one file per method]  -> "results", one per file: "hulls", "uncovered",
 ///              "protrusion" (a bound within a tenth of the tolerance, closer only if needed to decide whether the tolerance is kept)
 ///              or, on failure, "error"; and CPU "seconds"

@@ -7,7 +7,7 @@ namespace collision_hulls {
 
 std::string benchmarkHeader() {
   return "mesh,triangles,method,tolerance,status,hulls,hull_vertices,uncovered,protrusion,protrusion_found,volume_ratio,"
-         "cpu_seconds,wall_seconds,peak_mb,hash,diagonal,seed,effort,requested,message\n";
+         "cpu_seconds,wall_seconds,peak_mb,hash,diagonal,seed,effort,requested,message,least_hulls\n";
 }
 
 std::string toCsv(const BenchmarkRow& row) {
@@ -30,7 +30,8 @@ std::string toCsv(const BenchmarkRow& row) {
                   std::to_string(row.seed),
                   row.effort,
                   row.requested,
-                  row.message});
+                  row.message,
+                  csvCount(row.least_hulls)});
 }
 
 }  // namespace collision_hulls

@@ -21,10 +21,11 @@ struct BenchmarkRow {
   std::string hash;  ///< SHA-256 of the hulls' vertices
   std::optional<double> diagonal;
   std::uint64_t seed = 1;
-  std::string effort;      ///< of methods that have efforts
-  std::string requested;   ///< the tolerance as requested: "1%"
-  std::string message;     ///< why there is no result, or what is odd about it
-  std::string hulls_file;  ///< where the hulls are kept; empty if they are not; not a column
+  std::string effort;                      ///< of methods that have efforts
+  std::string requested;                   ///< the tolerance as requested: "1%"
+  std::string message;                     ///< why there is no result, or what is odd about it
+  std::optional<std::size_t> least_hulls;  ///< proved: nothing within the tolerance covers the mesh with fewer; see leastHulls()
+  std::string hulls_file;                  ///< where the hulls are kept; empty if they are not; not a column
 };
 
 /// The column names and a row, each as a line of benchmark.csv (RFC 4180).

@@ -225,8 +225,10 @@ struct Walls {
   /// A lower bound on the length of any path from p, where the winding number is `winding`, to the other side of inside() that does not
   /// cross the surface. Away from the surface the winding number's gradient depends only on the rim, like the magnetic field of a current
   /// (Biot-Savart): at a distance d from the rim it is at most length / (4 pi d^2).
-  double wayToBorder(const Eigen::Vector3d& p, double winding) const {
-    const double margin = std::abs(winding - inside()) - kReserve;
+  double wayToBorder(const Eigen::Vector3d& p, double winding) const { return wayTo(std::abs(winding - inside()) - kReserve, p); }
+
+  /// The same for the nearest point where the winding number differs from that of p by `margin`.
+  double wayTo(double margin, const Eigen::Vector3d& p) const {
     if (margin <= 0) return 0;
     if (lids.empty()) return std::numeric_limits<double>::infinity();
     const double d = rim.nearest(p).distance, k = rim_length / (4 * kPi * margin), b = 2 * d + k;
@@ -317,6 +319,12 @@ double Solid::distanceToSurface(const Eigen::Vector3d& p) const {
 }
 double Solid::distance(const Eigen::Vector3d& p) const {
   return contains(p) ? 0 : distanceToSurface(p);
+}
+/// A way from p to S ends at the surface, crosses the lid of a crack, or leads to where the winding number has risen to 1/2.
+double Solid::leastDistance(const Eigen::Vector3d& p, double to_surface) const {
+  const Walls& walls = impl_->walls;
+  const double winding = walls.windingNumber(p) + (hasOpenings() ? TriangleBvh::kWindingError : 0);
+  return std::max(0.0, std::min(to_surface - walls.crackSlack(), walls.wayTo(0.5 - winding, p)) - 2 * walls.blur);
 }
 bool Solid::isWithin(double distance, const Eigen::Vector3d& p) const {
   return impl_->surface->nearest(p, distance).triangle >= 0 || contains(p);

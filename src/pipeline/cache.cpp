@@ -29,9 +29,9 @@ void fields(Archive& archive, MeshFacts& facts) {
 
 template <typename Archive>
 void fields(Archive& archive, HullFacts& facts) {
-  auto& [hulls, hull_vertices, primitives, uncovered, protrusion, protrusion_found, worst, worst_nearest, hull_volume, covered_share, nudge,
+  auto& [hulls, hull_vertices, least_hulls, primitives, uncovered, protrusion, protrusion_found, worst, worst_nearest, hull_volume, covered_share, nudge,
          thickness] = facts;
-  archive(hulls, hull_vertices, primitives, uncovered, protrusion, protrusion_found, worst, worst_nearest, hull_volume, covered_share,
+  archive(hulls, hull_vertices, least_hulls, primitives, uncovered, protrusion, protrusion_found, worst, worst_nearest, hull_volume, covered_share,
           nudge, thickness);
 }
 
@@ -55,7 +55,7 @@ void fields(Archive& archive, Length& length) {
 
 namespace {
 
-constexpr std::uint32_t kFormat = 3;  // of entries
+constexpr std::uint32_t kFormat = 4;  // of entries
 
 template <typename... Values>
 std::string keyOf(const std::string& kind, const Values&... values) {

@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "collision_hulls/decompose/certified_hulls.h"
+#include "collision_hulls/decompose/least_hulls.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/earlier_output.h"
 #include "pipeline/run.h"
@@ -40,6 +41,12 @@ std::shared_ptr<const HullTree> treeFor(const VariantWork& work, const MeshFacts
   return mesh.tree(work.options, std::min(work.options.tree->metres(facts.diagonal), facts.tolerance), building);
 }
 
+/// For other methods, which take a fraction of the time, nobody looks for a bound.
+std::size_t leastHullsOf(const MeshResult& mesh, bool within_tolerance, Effort effort, const RunControl& control) {
+  const std::vector<ConvexHull> none;
+  return leastHulls(mesh.original, *mesh.solid, mesh.mesh.tolerance, within_tolerance ? mesh.hulls : none, effort, control);
+}
+
 /// Steps 3 and 4: decompose, make the hulls as written cover the mesh as read, certify. The solid is known only up to the margin, so the
 /// bound includes it.
 void makeHulls(const VariantWork& work, const ReadMesh& read, SharedMesh& mesh, Run& run, MeshResult& result) {
@@ -56,6 +63,7 @@ void makeHulls(const VariantWork& work, const ReadMesh& read, SharedMesh& mesh, 
   stage.lap();
   result.hulls = std::move(made.hulls);
   result.model = factsOf(result.hulls, 0, *result.solid, {made.bound, made.found, made.where, made.nearest});
+  if (options.method == Method::kCertified) result.model.least_hulls = leastHullsOf(result, made.within_tolerance, options.effort, control);
   result.model.nudge = made.nudge;
   result.model.thickness = made.thickness;
   result.status = made.within_tolerance ? Status::kOk : Status::kDegraded;

@@ -121,6 +121,7 @@ std::shared_ptr<const HullTree> SharedMesh::tree(const LinkOptions& options, dou
 HullFacts factsOf(const std::vector<ConvexHull>& hulls, std::size_t primitives, const Solid& solid, const Protrusion& proof) {
   HullFacts facts;
   facts.primitives = primitives;
+  facts.least_hulls = 1;
   facts.hulls = hulls.size() - primitives;
   for (std::size_t i = 0; i < facts.hulls; ++i) facts.hull_vertices += hulls[i].vertices.size();
   facts.protrusion = proof.bound;

@@ -72,6 +72,7 @@ json toJson(const ElementReport& row) {
           {"method", row.status == Status::kKept || row.status == Status::kRemoved ? "" : name(row.method)},
           {"tolerance", row.tolerance},
           {"hulls", row.hulls},
+          {"least_hulls", row.least_hulls},
           {"hull_vertices", row.hull_vertices},
           {"primitives", row.primitives},
           {"uncovered", row.uncovered},
@@ -156,16 +157,10 @@ json toJson(const FitReport& fit) {
 
 json totalsToJson(const ModelReport& report, double seconds) {
   const Totals sum = totals(report);
-  return {{"links", sum.links},
-          {"meshes", sum.meshes},
-          {"triangles", sum.triangles},
-          {"hulls", sum.hulls},
-          {"hull_vertices", sum.hull_vertices},
-          {"seconds", seconds},
-          {"failed", sum.failed},
-          {"degraded", sum.degraded},
-          {"kept", sum.kept},
-          {"removed", sum.removed}};
+  return {{"links", sum.links}, {"meshes", sum.meshes},           {"triangles", sum.triangles},
+          {"hulls", sum.hulls}, {"least_hulls", sum.least_hulls}, {"hull_vertices", sum.hull_vertices},
+          {"seconds", seconds}, {"failed", sum.failed},           {"degraded", sum.degraded},
+          {"kept", sum.kept},   {"removed", sum.removed}};
 }
 
 json validationToJson(const ModelReport& report, const Options& options) {

@@ -58,12 +58,13 @@ Cells cells(const ElementReport& row) {
   if (row.status == Status::kKept || row.status == Status::kRemoved)
     return {row.link, row.uri.empty() ? "-" : lastPart(row.uri), "-", "-", "-", "-", "-", "-", name(row.status)};
   if (row.status == Status::kFailed)
-    return {row.link, lastPart(row.uri), row.triangles ? std::to_string(row.triangles) : "-", "-", "-", "-", "-",
+    return {row.link, lastPart(row.uri), row.triangles ? std::to_string(row.triangles) : "-", "-", "-", "-", "-", "-",
             seconds,  name(row.status)};
   return {row.link,
           lastPart(row.uri),
           std::to_string(row.triangles),
           bodies(row),
+          std::to_string(row.least_hulls),
           row.hulls > 0 ? std::to_string(row.hull_vertices) : "-",
           millimetres(row.protrusion),
           millimetres(row.tolerance),
@@ -93,6 +94,7 @@ Cells totalCells(const Report& report) {
           counted(sum.meshes, "mesh", "meshes") + " of " + counted(sum.links, "link"),
           std::to_string(sum.triangles),
           std::to_string(sum.hulls),
+          std::to_string(sum.least_hulls),
           std::to_string(sum.hull_vertices),
           millimetres(protrusion),
           "",
@@ -119,7 +121,8 @@ std::string aligned(const std::vector<Cells>& rows) {
 
 std::string meshTable(const Report& report) {
   if (report.links.empty()) return "";
-  std::vector<Cells> rows = {{"link", "mesh", "triangles", "hulls", "vertices", "protrusion [mm]", "tolerance [mm]", "time [s]", "status"}};
+  std::vector<Cells> rows = {
+      {"link", "mesh", "triangles", "hulls", "at least", "vertices", "protrusion [mm]", "tolerance [mm]", "time [s]", "status"}};
   for (const ElementReport& row : report.links) rows.push_back(cells(row));
   rows.push_back(totalCells(report));
   return aligned(rows);
@@ -134,7 +137,9 @@ std::string modelHeading(const Report& report) {
 std::string legend(const Report& report) {
   if (totals(report).meshes == totals(report).failed) return "";
   const auto cached = std::count_if(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.cached; });
-  std::string text = "The hulls cover the whole surface of each mesh, and no hull point is further from its solid than the protrusion.\n";
+  std::string text =
+      "The hulls cover the whole surface of each mesh, and no hull point is further from its solid than the protrusion.\n"
+      "\"at least\": proved, no cover within the tolerance has fewer hulls.\n";
   if (report.links.size() > 1) text += "Meshes run in parallel; the total time is wall-clock time.\n";
   if (cached > 0) text += counted(static_cast<std::size_t>(cached), "mesh", "meshes") + " came from the cache.\n";
   return text;

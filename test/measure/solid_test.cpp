@@ -350,6 +350,54 @@ TEST(Solid, TheWayOutOfARoundOpeningIsThatOfTheRimsField) {
   }
 }
 
+double leastDistance(const Solid& solid, const Vector3d& p) {
+  return solid.leastDistance(p, solid.distanceToSurface(p));
+}
+
+TEST(Solid, TheLeastDistanceOfABoxIsTheDistanceLessTheBlur) {
+  const Solid solid = solidOf(test_shapes::box(1, 1, 1));
+  RandomPoints random(1);
+  for (int i = 0; i < 500; ++i) {
+    const Vector3d p = Vector3d(0.5, 0.5, 0.5) + random.inCube(1);
+    EXPECT_LE(leastDistance(solid, p), solid.distance(p));
+    EXPECT_NEAR(leastDistance(solid, p), solid.distance(p), 3 * kBlur);
+  }
+  EXPECT_LT(leastDistance(solid, {0.5, 0.5, 1 + kBlur}), kBlur / 2);  // rounding may have moved it there
+}
+
+/// Of S, which bulges out of the opening up to where the winding number is 1/2, here just above the window's plane.
+TEST(Solid, TheLeastDistanceNeverExceedsThatToAnyPointOfTheSolid) {
+  const TriangleMesh mesh = test_shapes::boxWithWindow(0.2);
+  const Solid solid = solidOf(mesh);
+  const TriangleBvh winding(mesh);
+  RandomPoints random(2);
+  std::vector<Vector3d> inside;
+  for (int i = 0; i < 4000; ++i) {
+    const Vector3d p = Vector3d(0.5, 0.5, 1) + random.inCube(0.25);
+    if (winding.windingNumber(p) > 0.5 + TriangleBvh::kWindingError) inside.push_back(p);
+  }
+  ASSERT_GT(inside.size(), 100u);
+  double largest = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vector3d p = Vector3d(0.5, 0.5, 1.05) + random.inCube(0.25);
+    const double least = leastDistance(solid, p);
+    largest = std::max(largest, least);
+    EXPECT_LE(least, solid.distance(p));
+    for (const Vector3d& s : inside) ASSERT_LE(least, (p - s).norm()) << p.transpose();
+  }
+  EXPECT_GT(largest, 0.1);
+}
+
+TEST(Solid, TheLeastDistanceAllowsForTheLidsOfCracks) {
+  const double off = 5e-6;
+  const Solid solid(repair(cubeWithCracks(off)));
+  RandomPoints random(3);
+  for (int i = 0; i < 500; ++i) {
+    const Vector3d p = Vector3d(0.5, 0.5, 0.5) + random.inCube(1);
+    EXPECT_LE(leastDistance(solid, p), std::max(0.0, solid.distanceToSurface(p) - 2 * off));
+  }
+}
+
 TEST(Solid, OverlappingComponentsAreOneSolid) {
   const Solid solid =
       solidOf(test_shapes::merged({test_shapes::box(1, 1, 1), test_shapes::moved(test_shapes::box(1, 1, 1), {0.5, 0.25, 0.25})}));

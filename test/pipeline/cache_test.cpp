@@ -36,6 +36,7 @@ MeshResult mesh() {
   facts.tolerance = 0.1 + 0.2;
   HullFacts& model = result.model;
   model.hulls = 4;
+  model.least_hulls = 3;
   model.hull_vertices = 5;
   model.uncovered = 0.01;
   model.protrusion = 1.0 / 3;

@@ -29,6 +29,7 @@ Report sample() {
   row.scale = {1, -1, 0.001};
   row.triangles = 12;
   row.hulls = 3;
+  row.least_hulls = 2;
   row.hull_vertices = 24;
   row.tolerance = 0.1 + 0.2;  // takes all 17 digits
   row.protrusion = 1.0 / 3;
@@ -55,9 +56,9 @@ TEST(ReportJson, HasTheFieldsOfTheContract) {
   EXPECT_EQ(document["seed"], 18446744073709551615u);
   for (const json& row : document["links"]) {
     for (const char* field :
-         {"link",       "element", "source",      "uri",      "sha256",        "scale",     "triangles",    "status",           "reason",
-          "repair",     "method",  "tolerance",   "hulls",    "hull_vertices", "uncovered", "protrusion",   "protrusion_found", "interior",
-          "primitives", "volume",  "hull_volume", "diagonal", "seconds",       "files",     "covered_share"}) {
+         {"link",       "element", "source",      "uri",      "sha256",        "scale",     "triangles",     "status",           "reason",
+          "repair",     "method",  "tolerance",   "hulls",    "hull_vertices", "uncovered", "protrusion",    "protrusion_found", "interior",
+          "primitives", "volume",  "hull_volume", "diagonal", "seconds",       "files",     "covered_share", "least_hulls"}) {
       EXPECT_TRUE(row.contains(field)) << field;
     }
     for (const char* field : {"welded", "degenerate", "duplicate", "flipped", "components", "open_edges", "nonmanifold_edges"})
@@ -78,6 +79,9 @@ TEST(ReportJson, ValuesAreReadBack) {
   EXPECT_EQ(row["link"], "upper");
   EXPECT_EQ(row["element"], 2);
   EXPECT_EQ(row["source"], "visual");
+  EXPECT_EQ(row["hulls"], 3);
+  EXPECT_EQ(row["least_hulls"], 2);
+  EXPECT_EQ(document["links"][2]["least_hulls"], 0);
   EXPECT_EQ(row["scale"], json({1.0, -1.0, 0.001}));
   EXPECT_EQ(row["tolerance"].get<double>(), 0.1 + 0.2);
   EXPECT_EQ(row["protrusion"].get<double>(), 1.0 / 3);
@@ -86,7 +90,7 @@ TEST(ReportJson, ValuesAreReadBack) {
   EXPECT_EQ(document["links"][2]["error"], "FileNotFound");
   EXPECT_EQ(document["options"]["tolerance"], "1cm,5%");
   EXPECT_EQ(document["options"]["format"], "stl");
-  const json totals = {{"links", 2},     {"meshes", 3}, {"triangles", 24}, {"hulls", 6}, {"hull_vertices", 48},
+  const json totals = {{"links", 2},     {"meshes", 3}, {"triangles", 24}, {"hulls", 6}, {"least_hulls", 4}, {"hull_vertices", 48},
                        {"seconds", 1.5}, {"failed", 1}, {"degraded", 1},   {"kept", 0},  {"removed", 0}};
   EXPECT_EQ(document["totals"], totals);
   EXPECT_EQ(document["notes"], json({"a note"}));
@@ -125,22 +129,26 @@ TEST(ReportTable, ARowForEveryMeshAndTheirTotal) {
   report.validation.hull_query_us = 2.345;
   report.validation.mesh_query_us = 123.456;
   const std::vector<std::string> table = lines(toTable(report));
-  ASSERT_EQ(table.size(), 12u);
-  EXPECT_EQ(table[0], "link   mesh                 triangles  hulls  vertices  protrusion [mm]  tolerance [mm]  time [s]  status");
-  EXPECT_EQ(table[1], "upper  upper.stl                   12      3        24              333             300         0  ok");
-  EXPECT_EQ(table[2], "upper  upper.stl                   12      3        24              333             300         0  degraded");
-  EXPECT_EQ(table[3], "lower                               -      -         -                -               -         0  failed");
-  EXPECT_EQ(
-      table[4],
-      "total  3 meshes of 2 links         24      6        48              333                      1.50  1 ok, 1 degraded, 1 failed");
+  ASSERT_EQ(table.size(), 13u);
+  EXPECT_EQ(table[0],
+            "link   mesh                 triangles  hulls  at least  vertices  protrusion [mm]  tolerance [mm]  time [s]  status");
+  EXPECT_EQ(table[1], "upper  upper.stl                   12      3         2        24              333             300         0  ok");
+  EXPECT_EQ(table[2],
+            "upper  upper.stl                   12      3         2        24              333             300         0  degraded");
+  EXPECT_EQ(table[3],
+            "lower                               -      -         -         -                -               -         0  failed");
+  EXPECT_EQ(table[4],
+            "total  3 meshes of 2 links         24      6         4        48              333                      1.50  1 ok, 1 "
+            "degraded, 1 failed");
   EXPECT_EQ(table[5].rfind("The hulls cover the whole surface", 0), 0u);
-  EXPECT_EQ(table[7], "degraded: upper, upper.stl: too far");
-  EXPECT_EQ(table[8],
+  EXPECT_EQ(table[6], "\"at least\": proved, no cover within the tolerance has fewer hulls.");
+  EXPECT_EQ(table[8], "degraded: upper, upper.stl: too far");
+  EXPECT_EQ(table[9],
             "check: 400 queries compared hulls and meshes: 1 collision missed, no false collision beyond the protrusion; "
             "distances at most 12.3 mm too short");
-  EXPECT_EQ(table[9], "  a remark");
-  EXPECT_EQ(table[10], "speed: a distance query between one mesh and a probe takes 2.35 us with its hulls, 123 us with the mesh");
-  EXPECT_EQ(table[11], "note: a note");
+  EXPECT_EQ(table[10], "  a remark");
+  EXPECT_EQ(table[11], "speed: a distance query between one mesh and a probe takes 2.35 us with its hulls, 123 us with the mesh");
+  EXPECT_EQ(table[12], "note: a note");
 }
 
 TEST(ReportTable, AModelForASceneHasItsOwnCheckAndPrimitives) {

@@ -35,6 +35,10 @@ class Solid {
   double distance(const Eigen::Vector3d& p) const;
   /// whether distance(p) is smaller, or p is inside
   bool isWithin(double distance, const Eigen::Vector3d& p) const;
+  /// [m] A lower bound on the distance of p to S, where all others err upward: for proofs that a
+  /// hull that holds p protrudes. Allows for cracks, openings, and the blur of the surface.
+  /// `to_surface`: distanceToSurface(p).
+  double leastDistance(const Eigen::Vector3d& p, double to_surface) const;
   /// [m] Outside, distance(p). Inside, minus the radius of a ball about p that lies within S: the
   /// distance to the surface, less what cracks and rounding may hide; less than that near openings.
   /// `to_surface`: distanceToSurface(p).

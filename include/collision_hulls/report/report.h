@@ -43,6 +43,9 @@ struct MeshFacts {
 /// What is known of a mesh's hulls once they are certified. Lengths in metres, in the mesh's frame.
 struct HullFacts {
   std::size_t hulls = 0, hull_vertices = 0;
+  /// Proved: no convex sets within the mesh's tolerance cover it with fewer; see leastHulls(). 1
+  /// where it was not searched for, 0 for a failed mesh.
+  std::size_t least_hulls = 0;
   /// Spheres, boxes and cylinders in place of hulls, in a model that was fitted to a scene.
   std::size_t primitives = 0;
   double uncovered = 0;  ///< always 0: hulls that leave surface uncovered are a failure

@@ -1,0 +1,87 @@
+// Also tests src/decompose/least/pairs.cpp.
+#include "decompose/least/sharing.h"
+
+#include <gtest/gtest.h>
+
+#include "solids.h"
+
+namespace collision_hulls {
+namespace {
+
+using namespace test_shapes;
+
+constexpr Sharing::Limits kLimits{1'000, 1'000};
+
+/// Small balls on a circle of radius 1, as points in their middles would be: so far apart that none of a hull's points may lie between.
+struct Beads {
+  explicit Beads(int count) {
+    std::vector<TriangleMesh> balls;
+    for (int i = 0; i < count; ++i) {
+      points.emplace_back(std::cos(2 * kPi * i / count), std::sin(2 * kPi * i / count), 0);
+      balls.push_back(moved(sphere(0.05, 2), points.back()));
+    }
+    mesh = merged(balls);
+  }
+
+  /// The answer for all points.
+  Sharing::Answer shared(double tolerance, std::size_t sets, const Sharing::Limits& limits = kLimits) const {
+    const Solid solid = solidOf(mesh);
+    const Apart apart(solid, tolerance, 2);
+    const PairTest pairs(points, {}, apart);
+    Sharing sharing(points, pairs, apart, limits);
+    for (std::size_t i = 0; i < points.size(); ++i) sharing.add(i);
+    return sharing.into(sets);
+  }
+
+  Points points;
+  TriangleMesh mesh;
+};
+
+TEST(Sharing, AsManySetsAsPointsThatAreAllApart) {
+  const Beads beads(5);
+  EXPECT_EQ(beads.shared(0.1, 5), Sharing::Answer::kYes);
+  EXPECT_EQ(beads.shared(0.1, 4), Sharing::Answer::kNo);
+}
+
+TEST(Sharing, TriplesMatterWherePairsAreNotApart) {  // sides are 0.87 from the middle of the circle, balls 0.95
+  const Beads beads(6);
+  EXPECT_EQ(beads.shared(0.93, 1), Sharing::Answer::kNo);
+  EXPECT_EQ(beads.shared(0.93, 1, {0, 1'000}), Sharing::Answer::kNo);  // opposite ones are a pair
+  const Beads three(3);  // the middle of a side is 0.87 from the balls' middles, the middle of all is 1
+  EXPECT_EQ(three.shared(0.9, 1), Sharing::Answer::kNo);
+  EXPECT_EQ(three.shared(0.9, 1, {0, 1'000}), Sharing::Answer::kYes);  // none tested
+  EXPECT_EQ(three.shared(0.9, 2), Sharing::Answer::kYes);
+  EXPECT_EQ(three.shared(1, 1), Sharing::Answer::kYes);
+}
+
+TEST(Sharing, ProvesNothingWithoutSteps) {
+  EXPECT_EQ(Beads(7).shared(0.1, 6, {1'000, 5}), Sharing::Answer::kUnknown);
+}
+
+TEST(Sharing, ThePointThatMostSetsRefuseComesNext) {
+  const Beads beads(6);
+  const Solid solid = solidOf(beads.mesh);
+  const Apart apart(solid, 0.5, 2);  // neighbours are not apart
+  const PairTest pairs(beads.points, {}, apart);
+  Sharing sharing(beads.points, pairs, apart, kLimits);
+  sharing.add(0);
+  sharing.add(2);
+  ASSERT_EQ(sharing.into(2), Sharing::Answer::kYes);
+  EXPECT_EQ(sharing.mostRefused(), 4u);
+}
+
+TEST(PairTest, PointsInAKnownHullNeedNoTest) {
+  const Beads beads(4);
+  const Solid solid = solidOf(beads.mesh);
+  const Apart apart(solid, 0.1, 2);
+  const std::vector<ConvexHull> known{boxHull({-2, -2, -1}, {2, 2, 1})};
+  EXPECT_TRUE(PairTest(beads.points, {}, apart)(0, 1));
+  EXPECT_FALSE(PairTest(beads.points, known, apart)(0, 1));
+  EXPECT_FALSE(PairTest(beads.points, {}, apart)(1, 1));
+  PairTest tested(beads.points, {}, apart);
+  EXPECT_TRUE(tested.graphOf(3, {}).connected(2, 0));
+  EXPECT_TRUE(tested(2, 0) && tested(3, 0));
+}
+
+}  // namespace
+}  // namespace collision_hulls

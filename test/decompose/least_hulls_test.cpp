@@ -38,7 +38,8 @@ TEST(LeastHulls, OfShapesWhoseNumberIsKnown) {
   EXPECT_EQ(leastOf(openBox(), 0.02), 5u);
   EXPECT_EQ(leastOf(cross(), 0.1), 3u);
   EXPECT_EQ(leastOf(fourSpheres(), 0.05), 4u);
-  for (const int teeth : {2, 5, 9}) EXPECT_EQ(leastOf(comb(teeth), 0.1), static_cast<std::size_t>(teeth) + 1) << teeth;
+  for (const int teeth : {2, 5}) EXPECT_EQ(leastOf(comb(teeth), 0.1), static_cast<std::size_t>(teeth) + 1) << teeth;
+  EXPECT_EQ(leastOf(comb(20), 0.1, Effort::kBest), 21u);
 }
 
 TEST(LeastHulls, OneWhereTheToleranceAllowsAllInOne) {
@@ -54,7 +55,7 @@ TEST(LeastHulls, BoxesWithAGapAreTwoOnlyIfItsMiddleIsBeyondTheTolerance) {
 
 TEST(LeastHulls, ColoursProveMoreThanACliqueForARing) {
   // Points of the inner rim share a hull up to an angle of 2 acos(1 - t / 0.7) = 53.6 degrees, of which 6.7 make a turn.
-  EXPECT_EQ(leastOf(torus(1, 0.3, 64, 16), 0.0752, Effort::kBest), 7u);
+  EXPECT_EQ(leastOf(torus(1, 0.3, 64, 4), 0.0752, Effort::kBest), 7u);
 }
 
 TEST(LeastHulls, NeverMoreThanTheBoxesThatAShapeIsMadeOf) {
@@ -80,7 +81,9 @@ TEST(LeastHulls, NeverMoreThanTheHullsOfACover) {
       const std::size_t least = leastOf(meshes[i], tolerance),
                         with_cover = leastHulls(meshes[i], solidOf(meshes[i]), tolerance, cover.hulls);
       EXPECT_GE(std::min(least, with_cover), 1u) << i;
-      if (cover.within_tolerance) EXPECT_LE(std::max(least, with_cover), cover.hulls.size()) << i << " " << share;
+      if (cover.within_tolerance) {
+        EXPECT_LE(std::max(least, with_cover), cover.hulls.size()) << i << " " << share;
+      }
     }
   }
 }

@@ -160,7 +160,7 @@ TEST(ReportTable, AModelForASceneHasItsOwnCheckAndPrimitives) {
   report.links[1].hulls = report.links[1].hull_vertices = 0;
   const std::string table = toTable(report);
   for (const char* part :
-       {"  3, 1 primitive        24  ", "  2 primitives         -  ", "check of single meshes: 400 queries",
+       {"  3, 1 primitive         2        24  ", "  2 primitives         2         -  ", "check of single meshes: 400 queries",
         "speed of single meshes: ", "check in the scene: ", "speed in the scene: ", "collisions  false, single hulls  false, fitted hulls"})
     EXPECT_NE(table.find(part), std::string::npos) << part << "\n" << table;
 }

@@ -2,9 +2,9 @@
 //
 // For example:
 //
-//     const CertifiedHulls result = certifiedHulls(mesh, options);
-//     const std::size_t least = leastHulls(mesh, solid, options.tolerance, {});
-//     std::cout << result.hulls.size() << " hulls; fewer than " << least << " cannot do\n";
+//     const Solid solid(repair(mesh));
+//     const std::size_t least = leastHulls(mesh, solid, options.tolerance, hulls);
+//     std::cout << hulls.size() << " hulls, where fewer than " << least << " cannot do\n";
 //
 // What is proved: let convex sets of any kind, hulls of pieces or not, with any number of vertices,
 // hold every point of the mesh's triangles, and let no point of them be further than the tolerance

@@ -71,6 +71,7 @@ SurfacePoints surfacePoints(const TriangleMesh& mesh, std::size_t count) {
 }
 
 Points ownPoints(const Points& points, const std::vector<ConvexHull>& hulls) {
+  if (hulls.size() < 2) return {};
   Points own(hulls.size());
   std::vector<double> furthest(hulls.size());  // from other hulls, in terms of planeDistance()
   for (const Eigen::Vector3d& p : points) {

@@ -21,7 +21,7 @@ struct SurfacePoints {
 /// Up to `count` vertices, and about as many points spread over the triangles by area.
 SurfacePoints surfacePoints(const TriangleMesh& mesh, std::size_t count);
 
-/// For each hull the point that is furthest from all other hulls, unless each is in two hulls.
+/// For each of several hulls the point that is furthest from all others, unless all its points are in others, too.
 Points ownPoints(const Points& points, const std::vector<ConvexHull>& hulls);
 
 /// Adds up to `count` points, each as far as possible from those before it: by turns a vertex and any of them.

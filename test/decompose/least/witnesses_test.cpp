@@ -40,6 +40,8 @@ TEST(OwnPoints, AreFurthestFromAllOtherHulls) {
   EXPECT_EQ(own[0], points[1]);
   EXPECT_EQ(own[1], points[3]);
   EXPECT_TRUE(ownPoints({points[2]}, hulls).empty());
+  EXPECT_TRUE(ownPoints(points, {}).empty());
+  EXPECT_TRUE(ownPoints(points, {hulls[0]}).empty());
 }
 
 TEST(AddSpread, EndsOfABarComeFirst) {

@@ -388,6 +388,21 @@ TEST(Solid, TheLeastDistanceNeverExceedsThatToAnyPointOfTheSolid) {
   EXPECT_GT(largest, 0.1);
 }
 
+TEST(Solid, TheLeastDistanceIsNothingWhereTheWindingNumberMayBeAHalf) {
+  const TriangleMesh mesh = test_shapes::boxWithWindow(0.2);
+  const Solid solid = solidOf(mesh);
+  const TriangleBvh winding(mesh);
+  int met = 0;
+  for (double z = 0.9; z < 1.1; z += 1e-4) {
+    const Vector3d p(0.5, 0.5, z);
+    const double w = winding.windingNumber(p);
+    if (w < 0.492 || w > 0.498) continue;
+    EXPECT_EQ(leastDistance(solid, p), 0);
+    ++met;
+  }
+  EXPECT_GT(met, 5);
+}
+
 TEST(Solid, TheLeastDistanceAllowsForTheLidsOfCracks) {
   const double off = 5e-6;
   const Solid solid(repair(cubeWithCracks(off)));

@@ -26,7 +26,7 @@ TEST(Apart, PointsOfABoxNeverAre) {
 
 TEST(Apart, AcrossAGapOfMoreThanTwiceTheTolerance) {
   const Solid solid = solidOf(twoBoxes(0.5));
-  const Eigen::Vector3d left(0.2, 0.5, 1), right(1.9, 0.5, 1);
+  const Eigen::Vector3d left(0.2, 0.5, 0.5), right(1.9, 0.5, 0.5);
   for (const double tolerance : {0.1, 0.2, 0.249, 0.251, 0.3})
     EXPECT_EQ(Apart(solid, tolerance, 3)(left, right), tolerance < 0.25) << tolerance;
 }
@@ -40,6 +40,13 @@ TEST(Apart, NotAcrossAGapOfJustTwiceTheTolerance) {
     const Apart apart(solid, 0.25, 20);
     EXPECT_FALSE(apart(place + Eigen::Vector3d(1, 0.5, 0.5), place + Eigen::Vector3d(1.5, 0.5, 0.5)));
   }
+}
+
+TEST(Apart, OnlyBeyondWhatCoordinatesOfThatSizeMayBeRoundedBy) {
+  const Solid solid = solidOf(twoBoxes(0.5));
+  const Eigen::Vector3d left(0.2, 0.5, 0.5), right(2.3, 0.5, 0.5);
+  EXPECT_TRUE(Apart(solid, 0.2499, 3)(left, right));
+  EXPECT_FALSE(Apart(solid, 0.2499, 1e9)(left, right));  // by 1e-3
 }
 
 TEST(Apart, SeesTheMiddleOfANarrowGroove) {  // 0.1 wide, in a segment of length 3

@@ -99,6 +99,19 @@ TEST_F(Score, UncoveredSurface) {  // only one of two boxes has a hull; the far 
   expectProtrusion(scored, 0);
 }
 
+TEST_F(Score, ProvesTheLeastNumberOfHullsIfAsked) {
+  const TriangleMesh pair = merged({box(1, 1, 1), moved(box(1, 1, 1), {1.5, 0, 0})});
+  const std::string mesh = fixtures::write(folder_ / "mesh.obj", fixtures::obj(pair));
+  json job = {{"file", mesh}, {"scale", {1, 1, 1}}, {"tolerance", kTolerance}, {"least", true}};
+  for (const std::vector<ConvexHull>& hulls :
+       {std::vector{hullOf(pair)}, {boxHull({0, 0, 0}, {1, 1, 1}), boxHull({1.5, 0, 0}, {2.5, 1, 1})}}) {
+    job["hulls"] = {fixtures::write(folder_ / "hulls.obj", encodeHullsObj(hulls, "hull"))};
+    EXPECT_EQ(score(job)["least_hulls"], 2) << hulls.size();  // also where one hull leaves the tolerance
+  }
+  job["least"] = false;
+  EXPECT_FALSE(score(job).contains("least_hulls"));
+}
+
 TEST_F(Score, SheetHasNoVolume) {
   const TriangleMesh plate = sheet();
   const json scored = of(plate, {hullOf(plate)});

@@ -12,7 +12,7 @@ namespace {
 TEST(BenchmarkTable, RowHasAFieldForEachColumn) {
   const std::string header = benchmarkHeader(), empty = toCsv({});
   EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(empty.begin(), empty.end(), ','));
-  EXPECT_EQ(empty, ",,,,ok,,,,,,,,,,,,1,,,\n");
+  EXPECT_EQ(empty, ",,,,ok,,,,,,,,,,,,1,,,,\n");
   BenchmarkRow row;
   row.mesh = "a,b.stl";
   row.triangles = 12;
@@ -22,7 +22,8 @@ TEST(BenchmarkTable, RowHasAFieldForEachColumn) {
   row.wall_seconds = 60;
   row.requested = "1%";
   row.message = "ended";
-  EXPECT_EQ(toCsv(row), "\"a,b.stl\",12,hacd,0.01,timeout,,,,,,,,60,,,,1,,1%,ended\n");
+  row.least_hulls = 3;
+  EXPECT_EQ(toCsv(row), "\"a,b.stl\",12,hacd,0.01,timeout,,,,,,,,60,,,,1,,1%,ended,3\n");
 }
 
 }  // namespace

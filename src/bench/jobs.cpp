@@ -119,9 +119,9 @@ nlohmann::json score(const json& job) {
                  {"protrusion", found.bound}, {"protrusion_found", found.found}, {"volume_ratio", nullptr},
                  {"hashes", hashes}};
   if (job.value("least", false)) {
-    const bool good = result["uncovered"] == 0 && found.bound <= job["tolerance"];
+    const bool fits = result["uncovered"] == 0 && found.bound <= job["tolerance"];
     const std::vector<ConvexHull> none;
-    result["least_hulls"] = leastHulls(original.mesh, solid, job["tolerance"], good ? hulls : none, Effort::kBest);
+    result["least_hulls"] = leastHulls(original.mesh, solid, job["tolerance"], fits ? hulls : none, Effort::kBest);
   }
   if (solid.volume() > 0) result["volume_ratio"] = unionVolume(hulls) / solid.volume();
   return result;

@@ -29,10 +29,10 @@ void fields(Archive& archive, MeshFacts& facts) {
 
 template <typename Archive>
 void fields(Archive& archive, HullFacts& facts) {
-  auto& [hulls, hull_vertices, least_hulls, primitives, uncovered, protrusion, protrusion_found, worst, worst_nearest, hull_volume, covered_share, nudge,
-         thickness] = facts;
-  archive(hulls, hull_vertices, least_hulls, primitives, uncovered, protrusion, protrusion_found, worst, worst_nearest, hull_volume, covered_share,
-          nudge, thickness);
+  auto& [hulls, hull_vertices, least_hulls, primitives, uncovered, protrusion, protrusion_found, worst, worst_nearest, hull_volume,
+         covered_share, nudge, thickness] = facts;
+  archive(hulls, hull_vertices, least_hulls, primitives, uncovered, protrusion, protrusion_found, worst, worst_nearest, hull_volume,
+          covered_share, nudge, thickness);
 }
 
 template <typename Archive>

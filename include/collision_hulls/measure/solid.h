@@ -85,8 +85,7 @@ class Solid {
   /// than `furthest` from the surface; infinite where such a point may be a summit. See
   /// TriangleBvh::frontBound().
   double frontBound(const TriangleBvh::HeightAbove& height, const Eigen::Vector3d& p, double radius,
-                    double furthest,
-                    double limit = std::numeric_limits<double>::infinity(),
+                    double furthest, double limit = std::numeric_limits<double>::infinity(),
                     int* foremost = nullptr) const;
   /// The triangles of the mesh, followed by one for each loose segment. Two-sided are those whose
   /// back may be nearest to a point outside S: sheets, rims, and wherever the surface may be inside

@@ -49,10 +49,12 @@ enum class ErrorCode {
 /// The enumerator's name without its k, as used in reports: "FileNotFound".
 const char* name(ErrorCode code);
 
-/// Thrown for every expected failure. what() names the item, its value, the limit and the remedy.
+/// Thrown for every expected failure. what() names the item, its value, the limit and the remedy;
+/// of a text beyond 4,000 bytes, which only quotes of a hostile file make, it has the start and the
+/// end.
 class Error : public std::runtime_error {
  public:
-  Error(ErrorCode code, const std::string& text) : std::runtime_error(text), code_(code) {}
+  Error(ErrorCode code, const std::string& text);
   ErrorCode code() const { return code_; }
 
  private:

@@ -1,7 +1,11 @@
 // The names of the error codes, as used in reports.
 #include "collision_hulls/error.h"
 
+#include "base/string_parts.h"
+
 namespace collision_hulls {
+
+Error::Error(ErrorCode code, const std::string& text) : std::runtime_error(shortened(text, 4000)), code_(code) {}
 
 const char* name(ErrorCode code) {
   switch (code) {

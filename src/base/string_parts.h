@@ -1,4 +1,4 @@
-// Trimming, and extensions of file names.
+// Trimming, shortening, and extensions of file names.
 #pragma once
 
 #include <string>
@@ -8,6 +8,9 @@ namespace collision_hulls {
 
 /// `text` without leading and trailing characters from `blanks`.
 std::string trimmed(std::string_view text, std::string_view blanks);
+
+/// `text` for a message: of one that is longer than `most` bytes, the start, the length and the end. Never cuts a character of UTF-8.
+std::string shortened(const std::string& text, std::size_t most = 200);
 
 /// A path's extension in lower case (ASCII), with the dot; empty if it has none.
 std::string lowerExtension(const std::string& path);

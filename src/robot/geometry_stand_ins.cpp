@@ -10,11 +10,14 @@
 #include <utility>
 
 #include "robot/urdf_model.h"
+#include "robot/uri_checks.h"
 
 namespace collision_hulls {
 namespace {
 
 using tinyxml2::XMLElement;
+
+constexpr std::size_t kMostNotes = 20;
 
 const XMLElement* shapeOf(const XMLElement& element) {
   const XMLElement* geometry = element.FirstChildElement("geometry");
@@ -83,13 +86,16 @@ void GeometryStandIns::takeOutOtherThings() {
   }
   takeOut([&](const XMLElement& element, const std::string& link) -> std::optional<GeometryElement> {
     if (shapeOf(element)) return std::nullopt;
-    notes_.push_back(subject_.label + ", line " + std::to_string(subject_.lineFromRoot(element.GetLineNum())) + ": this <" +
-                     element.Name() + "> of link '" + link +
-                     "' has no geometry and is ignored here; urdfdom also drops the elements that follow it in its link");
+    if (++without_geometry_ <= kMostNotes)
+      notes_.push_back(subject_.label + ", line " + std::to_string(subject_.lineFromRoot(element.GetLineNum())) + ": this <" +
+                       element.Name() + "> of link '" + link +
+                       "' has no geometry and is ignored here; urdfdom also drops the elements that follow it in its link");
     GeometryElement none;
     none.kind = GeometryElement::Kind::kNone;
     return none;
   });
+  if (without_geometry_ > kMostNotes)
+    notes_.push_back(subject_.label + ": " + std::to_string(without_geometry_ - kMostNotes) + " more elements have no geometry");
 }
 
 void GeometryStandIns::takeOutUnreadable() {
@@ -99,7 +105,7 @@ void GeometryStandIns::takeOutUnreadable() {
     GeometryElement unreadable;
     const XMLElement& shape = *shapeOf(element);
     unreadable.uri = attributeOf(shape, "filename");
-    if (unreadable.uri.empty()) unreadable.uri = std::string("<") + shape.Name() + ">";
+    if (unreadable.uri.empty()) unreadable.uri = "<" + shown(shape.Name()) + ">";
     unreadable.fault = subject_.label + ", line " + std::to_string(subject_.lineFromRoot(element.GetLineNum())) +
                        ": urdfdom cannot read this <" + element.Name() + "> of link '" + link + "' (" + complaint + "); correct it";
     return unreadable;

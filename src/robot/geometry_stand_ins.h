@@ -39,6 +39,7 @@ class GeometryStandIns {
   tinyxml2::XMLElement& robot_;
   std::map<std::string, StandIns> stand_ins_;  // by link
   std::vector<std::string> notes_;
+  std::size_t without_geometry_ = 0;  // elements
 };
 
 }  // namespace collision_hulls

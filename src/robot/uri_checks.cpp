@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 
 namespace collision_hulls {
@@ -28,17 +29,15 @@ bool isPackageName(const std::string& text) {
 }
 
 std::string shown(const std::string& text) {
-  constexpr std::size_t kMostShown = 200;
-  std::string result = text.substr(0, kMostShown);
+  std::string result = shortened(text);
   std::replace_if(result.begin(), result.end(), isControl, '?');
-  return result + (text.size() > kMostShown ? "..." : "");
+  return result;
 }
 
 void checkCharacters(const std::string& uri) {
-  constexpr std::size_t kLongest = 4096;
-  if (uri.size() > kLongest)
-    throw Error(ErrorCode::kFileNotFound,
-                "'" + shown(uri) + "' has " + std::to_string(uri.size()) + " bytes, and a path has 4096 at most; correct the URI");
+  if (uri.size() > kLongestUri)
+    throw Error(ErrorCode::kFileNotFound, "'" + shown(uri) + "' has " + std::to_string(uri.size()) + " bytes, and a path has " +
+                                              std::to_string(kLongestUri) + " at most; correct the URI");
   for (const std::string& text : {uri, percentDecoded(uri)}) {
     if (std::any_of(text.begin(), text.end(), isControl))
       throw Error(ErrorCode::kFileNotFound, "'" + shown(uri) + "' holds a control character, which no file is named with; remove it");

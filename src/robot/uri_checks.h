@@ -1,6 +1,7 @@
 // What no URI may hold, looked at before any file or program is.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace collision_hulls {
@@ -8,10 +9,13 @@ namespace collision_hulls {
 /// Letters, digits, '_', '-' and '.', none of the last two first. Looser than REP 144, but never an option of a program, nor a path.
 bool isPackageName(const std::string& text);
 
-/// A text for messages: control characters as "?", and no more than its first 200 bytes.
+/// The most bytes that a path can have.
+constexpr std::size_t kLongestUri = 4096;
+
+/// A text for messages: control characters as "?", and shortened().
 std::string shown(const std::string& text);
 
-/// Throws kFileNotFound for a URI of more than 4096 bytes, the most that a path can have, and for one with control characters, be they
+/// Throws kFileNotFound for a URI of more than kLongestUri bytes, and for one with control characters, be they
 /// percent-encoded ("%00").
 void checkCharacters(const std::string& uri);
 

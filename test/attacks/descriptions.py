@@ -5,6 +5,7 @@ import shutil
 import hostile_meshes as hostile
 from arena import PACKAGE, QUICK, description, robot_of_three, rows_of
 
+MOST_WORDS = 30000  # bytes of errors, tables, reports: what is long is shortened
 CANARY = "made_by_a_uri"  # a file that shows that a URI was run as a command
 
 
@@ -28,6 +29,8 @@ def hostile_files(folder):
 def hostile_texts():
     """{what: description} that must be refused or read, but not slowly."""
     link = "<link name='a'><collision><geometry><mesh filename='good.obj'/></geometry></collision></link>"
+    between = "</link><link name='a'>"
+    joint = "<joint name='%s' type='fixed'><parent link='a'/><child link='%s'/></joint>"
     attributes = " ".join(f"a{i}='x'" for i in range(40000))
     names = ["a", *(f"l{i}" for i in range(5000))]
     chain = "".join(f"<link name='{child}'/><joint name='to_{child}' type='fixed'><parent link='{parent}'/><child link='{child}'/></joint>"
@@ -38,6 +41,14 @@ def hostile_texts():
         "a link's name of 100 kB": f"<robot name='r'>{link}<link name='{100000 * 'n'}'/></robot>",
         "a robot's name of 100 kB": f"<robot name='{100000 * 'n'}'>{link}</robot>",
         "a URI of 1 MB": f"<robot name='r'>{link.replace('good', 1000000 * 'u')}</robot>",
+        "a URI of 1 MB beside a mesh": f"<robot name='r'>{(link + link).replace('good', 1000000 * 'u', 1).replace(between, '')}</robot>",
+        "an element's name of 1 MB": f"<robot name='r'>{link.replace('mesh', 1000000 * 'm')}</robot>",
+        "an attribute's name of 1 MB": f"<robot name='r'>{link.replace('filename', 1000000 * 'm')}</robot>",
+        "a scale of 1 MB": f"<robot name='r'>{link.replace('/></g', ' scale=%s/></g' % repr(1000000 * '1'))}</robot>",
+        "a tag of 1 MB that is not closed": f"<robot name='r'><{1000000 * 't'}>{link}</robot>",
+        "a joint's name of 1 MB": f"<robot name='r'>{link}<link name='b'/>{joint % (1000000 * 'j', 'b')}</robot>",
+        "a joint's parent of 1 MB": f"<robot name='r'>{link}<link name='b'/>{joint % ('j', 1000000 * 'p')}</robot>",
+        "10,000 elements without geometry": f"<robot name='r'>{link}<link name='b'>{10000 * '<visual/>'}</link>{joint % ('j', 'b')}</robot>",
         "20,000 nested elements": f"<robot name='r'>{link}{20000 * '<a>'}{20000 * '</a>'}</robot>",
         "a chain of 5,000 links": f"<robot name='r'>{link}{chain}</robot>",
         "entities of entities": f"<!DOCTYPE r [<!ENTITY e0 'x'>{entities}]><robot name='r'>{link}<link name='&e11;'/></robot>",
@@ -51,16 +62,19 @@ def hostile_texts():
 
 
 def check_text(arena, robot, what, text, program, options):
-    """An output only if a mesh is done, and no more words than the text has."""
+    """An output only if a mesh is done; and nothing repeats what is long."""
     output = arena.work / "texts_out"
     robot.write_text(text, encoding="utf-8")
     shutil.rmtree(output, ignore_errors=True)
-    run = arena.run(program, robot, "-o", output, "--no-validate", "--quiet", "-t", "5%", *options)
+    run = arena.run(program, robot, "-o", output, "--no-validate", "-t", "5%", *options)
     done = output.is_dir() and any(row["status"] != "failed" for row in rows_of(output).values())
     arena.expect(output.is_dir() == done and (done or run.status != 0),
                  f"{program} on {what} ends with {run.status}: {run.command}\n{run.errors[:2000]}", robot)
-    arena.expect(len(run.errors) < 2 * len(text) + 20000,
-                 f"{program} on {what} writes {len(run.errors)} bytes of errors: {run.command}", robot)
+    words = {"errors": run.errors, "standard output": run.out}
+    if done:
+        words["report"] = (output / "report.json").read_text(encoding="utf-8")
+    for name, written in words.items():
+        arena.expect(len(written) < MOST_WORDS, f"{program} on {what}: {len(written)} bytes of {name}: {run.command}", robot)
 
 
 def attack_descriptions(arena, rng):

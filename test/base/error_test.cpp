@@ -23,5 +23,15 @@ TEST(Error, KeepsItsCodeAndText) {
   EXPECT_STREQ(name(error.code()), "BadScale");
 }
 
+TEST(Error, NeverRepeatsAWholeFile) {
+  const std::string usual(4000, 'a');
+  EXPECT_EQ(Error(ErrorCode::kBadScale, usual).what(), usual);
+  const std::string text = Error(ErrorCode::kBadScale, "'" + std::string(1000000, 'a') + "' is odd; correct it").what();
+  EXPECT_LT(text.size(), 4100u);
+  EXPECT_EQ(text.substr(0, 3), "'aa");
+  EXPECT_NE(text.find("(1000023 bytes)"), std::string::npos);
+  EXPECT_EQ(text.substr(text.size() - 12), "; correct it");
+}
+
 }  // namespace
 }  // namespace collision_hulls

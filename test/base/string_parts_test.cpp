@@ -12,6 +12,19 @@ TEST(Trimmed, CutsBothEndsOnly) {
   EXPECT_EQ(trimmed("", " "), "");
 }
 
+TEST(Shortened, KeepsStartAndEndAndSaysTheLength) {
+  EXPECT_EQ(shortened(std::string(200, 'a')), std::string(200, 'a'));
+  EXPECT_EQ(shortened("abcdefghij", 9), "abcd... (10 bytes) ...ghij");
+  EXPECT_EQ(shortened("", 0), "");
+}
+
+TEST(Shortened, CutsNoCharacter) {
+  const std::string text = "ab\xE2\x82\xACxyz\xE2\x82\xAC";  // ab, a euro, xyz, a euro
+  EXPECT_EQ(shortened(text, 6), "ab... (11 bytes) ...\xE2\x82\xAC");
+  EXPECT_EQ(shortened(text, 4), "ab... (11 bytes) ...");
+  EXPECT_EQ(shortened(std::string(20, '\x80'), 10).size(), 9u + sizeof "... (20 bytes) ..." - 1 - 7);
+}
+
 TEST(LowerExtension, IsThatOfTheFile) {
   EXPECT_EQ(lowerExtension("a/b.STL"), ".stl");
   EXPECT_EQ(lowerExtension("arm.urdf.Xacro"), ".xacro");

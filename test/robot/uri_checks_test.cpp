@@ -38,7 +38,7 @@ TEST(CheckStaysWithin, Ways) {
 
 TEST(Shown, IsShortAndPrintable) {
   EXPECT_EQ(shown("a\nb\x7F"), "a?b?");
-  EXPECT_EQ(shown(std::string(300, 'a')), std::string(200, 'a') + "...");
+  EXPECT_EQ(shown(std::string(300, 'a')), std::string(100, 'a') + "... (300 bytes) ..." + std::string(100, 'a'));
 }
 
 TEST(PercentDecoded, Once) {

@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/run_program.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
-#include "robot/run_program.h"
 #include "storage/text_file.h"
 
 namespace fs = std::filesystem;
@@ -17,9 +17,9 @@ namespace {
 // How much of xacro's own messages is quoted: the end, which has the reason.
 constexpr std::size_t kMostQuoted = 2000;
 
-std::string expandXacro(const std::string& path) {
+std::string expandXacro(const std::string& path, const RunControl& control) {
   // Absolute, so that no file's name looks like an option.
-  const std::optional<ProgramResult> xacro = runProgram({"xacro", fs::absolute(path).string()});
+  const std::optional<ProgramResult> xacro = runProgram({"xacro", fs::absolute(path).string()}, control);
   if (!xacro) {
     throw Error(ErrorCode::kXacroMissing, "'" + path + "' is a xacro file, but there is no program 'xacro' on PATH: install it " +
                                               "(ROS package xacro; or 'pip install xacro') and source your workspace's setup.bash, " +
@@ -31,9 +31,12 @@ std::string expandXacro(const std::string& path) {
               "'" + path + "': xacro failed with status " + std::to_string(xacro->status) + ": " + xacro->errors.substr(skipped));
 }
 
-std::string expanded(const std::string& path) {
+std::string expanded(const std::string& path, const RunControl& control) {
   try {
-    return expandXacro(path);
+    return expandXacro(path, control);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::kTooLarge && error.code() != ErrorCode::kOutOfTime) throw;
+    throw Error(error.code(), "'" + path + "': " + error.what());
   } catch (const std::system_error& error) {
     throw Error(ErrorCode::kXacroMissing, "'" + path + "': xacro cannot be run: " + error.what());
   }
@@ -41,10 +44,10 @@ std::string expanded(const std::string& path) {
 
 }  // namespace
 
-RobotDescription readRobotDescription(const std::string& path) {
+RobotDescription readRobotDescription(const std::string& path, const RunControl& control) {
   // Read in any case: the message about an unreadable file is better than xacro's.
-  const std::string text = readTextFile(path, ".urdf or .xacro file");
-  return parseRobotDescription(lowerExtension(path) == ".xacro" ? expanded(path) : text, path);
+  const std::string text = readTextFile(path, ".urdf or .xacro file", control);
+  return parseRobotDescription(lowerExtension(path) == ".xacro" ? expanded(path, control) : text, path, control);
 }
 
 }  // namespace collision_hulls

@@ -3,7 +3,7 @@
 
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/robot_tests.h"
-#include "robot/run_program.h"
+#include "base/run_program.h"
 
 namespace collision_hulls {
 namespace {

@@ -1,0 +1,72 @@
+#include "base/run_program.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <thread>
+
+#include "robot/robot_tests.h"
+
+namespace collision_hulls {
+namespace {
+
+std::vector<std::string> shell(const std::string& script) {
+  return {"/bin/sh", "-c", script};
+}
+
+TEST(RunProgram, GivesWhatItWrites) {
+  const auto result = runProgram(shell("echo out; echo err >&2; exit 3"));
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->status, 3);
+  EXPECT_EQ(result->out, "out\n");
+  EXPECT_EQ(result->errors, "err\n");
+  EXPECT_EQ(runProgram(shell("kill -9 $$"))->status, 128 + SIGKILL);
+  EXPECT_FALSE(runProgram({"no-such-program-anywhere"}));
+}
+
+TEST(RunProgram, OutputWithoutEnd) {
+  ProgramLimits limits;
+  limits.output = 1'000'000;
+  expectError(ErrorCode::kTooLarge, {"1 MB"}, [&] { runProgram(shell("yes"), {}, limits); });
+  expectError(ErrorCode::kTooLarge, {"1 MB"}, [&] { runProgram(shell("yes >&2"), {}, limits); });
+}
+
+TEST(RunProgram, TimeWithoutEnd) {
+  ProgramLimits limits;
+  limits.seconds = 0.2;
+  expectError(ErrorCode::kOutOfTime, {"longer than"}, [&] { runProgram(shell("sleep 1000"), {}, limits); });
+}
+
+TEST(RunProgram, MemoryIsBounded) {
+  ProgramLimits limits;
+  limits.memory = std::uint64_t{1} << 30;
+  EXPECT_EQ(runProgram(shell("sleep 0.2; ulimit -v"), {}, limits)->out, "1048576\n");
+}
+
+TEST(RunProgram, EndsWithWhatItStartedWhenCancelled) {
+  const std::string file = testing::TempDir() + "run_program_" + std::to_string(getpid());
+  RunControl control;
+  pid_t grandchild = 0;
+  std::thread stop([&] {
+    while (grandchild == 0) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      std::ifstream(file) >> grandchild;
+    }
+    control.cancel();
+  });
+  expectError(ErrorCode::kCancelled, {}, [&] { runProgram(shell("sleep 1000 & echo $! > " + file + "; wait"), control); });
+  stop.join();
+  for (int i = 0; i < 1000 && kill(grandchild, 0) == 0; ++i) {  // whoever adopts it has to collect it first
+    char state = '?';
+    std::string word;
+    std::ifstream stat("/proc/" + std::to_string(grandchild) + "/stat");
+    if (stat >> word >> word >> state && state == 'Z') break;
+    ASSERT_LT(i, 999);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  std::remove(file.c_str());
+}
+
+}  // namespace
+}  // namespace collision_hulls

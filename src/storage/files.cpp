@@ -36,6 +36,19 @@ fs::path behindLinks(fs::path file) {
   return file;
 }
 
+/// A path that leads through an open folder (/proc/self/fd/7/meshes), as people know it.
+fs::path named(const fs::path& path) {
+  constexpr int kParts = 5;  // "/", "proc", "self", "fd", "7"
+  if (path.string().rfind("/proc/self/fd/", 0) != 0) return path;
+  auto part = path.begin();
+  fs::path open;
+  for (int i = 0; i < kParts && part != path.end(); ++i) open /= *part++;
+  std::error_code error;
+  fs::path result = fs::read_symlink(open, error);
+  for (; part != path.end(); ++part) result /= *part;
+  return error ? path : result;
+}
+
 }  // namespace
 
 std::optional<std::string> contentOf(const fs::path& file, std::uintmax_t most_bytes) {
@@ -104,7 +117,7 @@ int syncPath(const fs::path& path, int (*sync)(int)) {
 
 void throwUnwritable(const fs::path& path, const std::string& why) {
   throw Error(ErrorCode::kUnwritableOutput,
-              "cannot write '" + path.string() + "': " + why + "; choose another output, or check its permissions and free space");
+              "cannot write '" + named(path).string() + "': " + why + "; choose another output, or check its permissions and free space");
 }
 
 }  // namespace collision_hulls

@@ -1,4 +1,5 @@
-// Replaces a folder atomically: renameat2 exchanges the old and the new one, two renames do where the file system cannot.
+// Replaces a folder atomically: renameat2 exchanges the old and the new one, two renames do where the file system cannot. Paths that begin
+// with /proc/self/fd/N lead through an open folder, whatever becomes of its name.
 #include "storage/replace_folder.h"
 
 #include <fcntl.h>
@@ -10,6 +11,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "base/roots.h"
 #include "collision_hulls/error.h"
 #include "storage/files.h"
 #include "storage/sha256.h"
@@ -31,16 +33,17 @@ fs::path asideOf(const fs::path& target) {
   return target.parent_path() / (prefixOf(target) + "old");
 }
 
-enum class Locked { kWait, kRefuse };  ///< what to do if another process holds the lock
+/// A path to an open folder, wherever that is moved.
+fs::path placeOf(const Descriptor& folder) {
+  return "/proc/self/fd/" + std::to_string(folder.number());
+}
 
-/// Opens and locks a folder; -1 on failure.
-int lockFolder(const fs::path& folder, Locked by_another) {
-  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor >= 0 && flock(descriptor, LOCK_EX | (by_another == Locked::kRefuse ? LOCK_NB : 0)) != 0) {
-    close(descriptor);
-    return -1;
-  }
-  return descriptor;
+/// Whether a path still leads to a folder that was opened by it.
+bool isAt(const fs::path& path, const Descriptor& folder) {
+  struct stat there {};
+  struct stat opened {};
+  return lstat(path.c_str(), &there) == 0 && fstat(folder.number(), &opened) == 0 && there.st_ino == opened.st_ino &&
+         there.st_dev == opened.st_dev;
 }
 
 /// Removes the folders that killed processes left.
@@ -50,11 +53,10 @@ void removeLeftovers(const fs::path& target) {
   for (fs::directory_iterator i(target.parent_path(), ignored), end; !ignored && i != end; i.increment(ignored)) {
     const std::string name = i->path().filename().string();
     if (name.compare(0, prefix.size(), prefix) != 0 || i->path() == asideOf(target)) continue;
-    const int lock = lockFolder(i->path(), Locked::kRefuse);
-    if (lock < 0) continue;
+    const Descriptor lock(open(i->path().c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+    if (lock.number() < 0 || flock(lock.number(), LOCK_EX | LOCK_NB) != 0) continue;
     std::error_code failed;  // then it stays for the next one
     fs::remove_all(i->path(), failed);
-    close(lock);
   }
 }
 
@@ -88,15 +90,28 @@ void restoreAside(const fs::path& target) {
   if (!fs::exists(target, ignored) && fs::exists(asideOf(target), ignored)) move(asideOf(target), target);
 }
 
-FolderReplacement::FolderReplacement(const std::string& target) : target_(replacedFolder(target)) {
+FolderReplacement::FolderReplacement(const std::string& target) : named_(replacedFolder(target)) {
+  writablePath(named_.string());
   std::error_code error;
-  fs::create_directories(target_.parent_path(), error);
-  if (error) throwUnwritable(target_.parent_path(), error.message());
+  fs::create_directories(named_.parent_path(), error);
+  if (error) throwUnwritable(named_.parent_path(), error.message());
+  openAround();
   restoreAside(target_);
   removeLeftovers(target_);
   const std::string stem = (target_.parent_path() / prefixOf(target_)).string() + std::to_string(getpid()) + "-";
   int number = 0;
   while (!makeLocked(stem + std::to_string(number))) ++number;
+}
+
+/// A part of the path may have become a link since it was checked, so what counts is where the folder that is open now really lies.
+void FolderReplacement::openAround() {
+  around_ = Descriptor(open(named_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (around_.number() < 0) throwUnwritable(named_.parent_path(), std::strerror(errno));
+  std::error_code error;
+  const fs::path real = fs::read_symlink(placeOf(around_), error);
+  if (error) throwUnwritable(named_, "/proc, which tells where an open folder lies, is missing: mount it");
+  writablePath((real / named_.filename()).string());
+  target_ = placeOf(around_) / named_.filename();
 }
 
 /// False if the name is taken, or if another process saw the folder before it was locked and removed it.
@@ -106,23 +121,36 @@ bool FolderReplacement::makeLocked(const fs::path& folder) {
     throwUnwritable(folder, std::strerror(errno));
   }
   folder_ = folder;
-  lock_ = lockFolder(folder, Locked::kWait);
-  struct stat entry {};
-  struct stat locked {};
-  const bool ours = stat(folder.c_str(), &entry) == 0 && (lock_ < 0 || (fstat(lock_, &locked) == 0 && entry.st_ino == locked.st_ino));
-  if (!ours && lock_ >= 0) close(lock_);
-  return ours;
+  lock_ = Descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  flock(lock_.number(), LOCK_EX);  // some file systems have no locks
+  struct stat status {};
+  if (!isAt(folder_, lock_) || fstat(lock_.number(), &status) != 0) return false;
+  mode_ = status.st_mode;
+  fchmod(lock_.number(), S_IRWXU);
+  return true;
+}
+
+fs::path FolderReplacement::folder() const {
+  return placeOf(lock_);
 }
 
 FolderReplacement::~FolderReplacement() {
   std::error_code ignored;
   if (!folder_.empty()) fs::remove_all(folder_, ignored);
-  if (lock_ >= 0) close(lock_);
+}
+
+/// Both folders must be where their paths lead.
+void FolderReplacement::expectInPlace() const {
+  std::error_code error;
+  const bool moved = fs::weakly_canonical(named_.parent_path(), error) != named_.parent_path() || !isAt(named_.parent_path(), around_);
+  if (moved || !isAt(folder_, lock_)) throwUnwritable(named_, "the folder around it was moved, or became a link, while it was written");
 }
 
 void FolderReplacement::commit() {
   // One call for thousands of small files; fsync of each would take as many turns of the disk.
-  if (const int error = syncPath(folder_, syncfs)) throwUnwritable(folder_, std::strerror(error));
+  if (const int error = syncPath(folder(), syncfs)) throwUnwritable(folder(), std::strerror(error));
+  expectInPlace();
+  fchmod(lock_.number(), mode_);
   // A rename is enough if the target is missing or empty. After an exchange the old folder has our name.
   const bool renamed = std::rename(folder_.c_str(), target_.c_str()) == 0;
   if (!renamed && errno != ENOTEMPTY && errno != EEXIST) throwUnwritable(target_, std::strerror(errno));

@@ -1,9 +1,13 @@
 // A folder that is replaced as a whole: whenever the process dies, the old or the new one stands there, complete.
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <functional>
 #include <string>
+
+#include "base/descriptor.h"
 
 namespace collision_hulls {
 
@@ -11,25 +15,33 @@ namespace collision_hulls {
 ///
 /// The new folder is hidden, named after its target and locked (flock) while its process lives; what killed processes left
 /// behind is removed when the next one begins. Processes with the same target may run at once: the last one to commit stays.
+///
+/// It works through descriptors of the folder around the target and of the new one: what is written lands where it was checked
+/// (base/roots.h), even if a part of the path becomes a link to another place meanwhile. Then commit() fails.
 class FolderReplacement {
  public:
-  /// Throws kUnwritableOutput.
+  /// Throws kUnwritableOutput, kOutsideRoots.
   explicit FolderReplacement(const std::string& target);
   ~FolderReplacement();
   FolderReplacement(const FolderReplacement&) = delete;
   FolderReplacement& operator=(const FolderReplacement&) = delete;
 
-  /// Where to write; on the file system of the target.
-  const std::filesystem::path& folder() const { return folder_; }
+  /// Where to write; on the file system of the target. Only this user can, until commit().
+  std::filesystem::path folder() const;
 
-  /// Brings everything to the disk, exchanges the folders and removes the old one.
+  /// Brings everything to the disk, exchanges the folders and removes the old one. Throws kUnwritableOutput.
   void commit();
 
  private:
+  void openAround();
   bool makeLocked(const std::filesystem::path& folder);
+  void expectInPlace() const;
 
-  std::filesystem::path target_, folder_;
-  int lock_ = -1;
+  const std::filesystem::path named_;      // the target, as a path
+  Descriptor around_;                      // the folder that it is in
+  std::filesystem::path target_, folder_;  // both by way of `around_`
+  Descriptor lock_;                        // the new folder
+  mode_t mode_ = 0;                        // of it, once it is in place
 };
 
 /// The folder that a path means: absolute, links followed, no slash at its end.

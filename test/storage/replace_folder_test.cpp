@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 
+#include "base/roots.h"
 #include "collision_hulls/error.h"
 #include "pipeline/fixtures.h"
 #include "storage/files.h"
@@ -138,6 +139,77 @@ TEST(ReplaceByTwoRenames, ReplacesAndCanBeResumed) {
   restoreAside(target);
   EXPECT_EQ(fixtures::read(target / "file"), "new");
   EXPECT_EQ(entries(folder.path()), 1u);
+}
+
+void expectCommitFails(FolderReplacement& replacement) {
+  try {
+    replacement.commit();
+    ADD_FAILURE() << "committed";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kUnwritableOutput);
+    EXPECT_NE(std::string(error.what()).find("became a link"), std::string::npos) << error.what();
+    EXPECT_EQ(std::string(error.what()).find("/proc"), std::string::npos) << error.what();
+  }
+}
+
+TEST(FolderReplacement, AFolderThatIsSwappedForALinkMeanwhile) {
+  const TempFolder folder;
+  fs::create_directories(folder / "elsewhere/out");
+  replaceWith(folder / "a/out", "old");
+  {
+    FolderReplacement replacement(folder / "a/out");
+    writeText(replacement.folder() / "before", "text");
+    fs::rename(folder / "a", folder / "moved");
+    fs::create_directory_symlink(folder / "elsewhere", folder / "a");
+    writeText(replacement.folder() / "sub/after", "text");
+    expectCommitFails(replacement);
+  }
+  EXPECT_EQ(entries(folder / "elsewhere"), 1u);
+  EXPECT_EQ(entries(folder / "elsewhere/out"), 0u);
+  EXPECT_EQ(entries(folder / "moved"), 1u) << "something is left";
+  EXPECT_EQ(texts(folder / "moved/out"), std::set<std::string>{"old"});
+}
+
+TEST(FolderReplacement, ANewFolderThatIsSwappedForALinkMeanwhile) {
+  const TempFolder folder;
+  fs::create_directories(folder / "elsewhere");
+  fs::create_directories(folder / "a");
+  FolderReplacement replacement(folder / "a/out");
+  const fs::path hidden = fs::directory_iterator(folder / "a")->path();
+  fs::rename(hidden, folder / "moved");
+  fs::create_directory_symlink(folder / "elsewhere", hidden);
+  writeText(replacement.folder() / "after", "text");
+  expectCommitFails(replacement);
+  EXPECT_EQ(entries(folder / "elsewhere"), 0u);
+  EXPECT_FALSE(fs::exists(folder / "a/out"));
+}
+
+TEST(FolderReplacement, ALinkOutOfTheRootsSinceTheCheck) {
+  const TempFolder folder;
+  fs::create_directories(folder / "elsewhere");
+  fs::create_directories(folder / "in");
+  Roots roots;
+  roots.write = {folder / "in"};
+  const Confinement confinement(roots);
+  const std::string checked = writablePath(folder / "in/sub/out");
+  fs::create_directory_symlink(folder / "elsewhere", folder / "in/sub");
+  try {
+    FolderReplacement replacement(checked);
+    ADD_FAILURE() << "opened";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kOutsideRoots) << error.what();
+  }
+  EXPECT_EQ(entries(folder / "elsewhere"), 0u);
+}
+
+TEST(FolderReplacement, OthersCanWriteOnlyWhenItIsInPlace) {
+  const TempFolder folder;
+  const auto others = [](const fs::path& path) { return fs::status(path).permissions() & (fs::perms::group_all | fs::perms::others_all); };
+  fs::create_directory(folder / "usual");
+  FolderReplacement replacement(folder / "out");
+  EXPECT_EQ(others(replacement.folder()), fs::perms::none);
+  replacement.commit();
+  EXPECT_EQ(fs::status(folder / "out").permissions(), fs::status(folder / "usual").permissions());
 }
 
 }  // namespace

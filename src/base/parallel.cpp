@@ -8,6 +8,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <stdexcept>
+#include <string_view>
+
+#include "collision_hulls/error.h"
 
 namespace collision_hulls {
 
@@ -29,7 +33,15 @@ void atOnce(const std::function<void()>& one, const std::function<void()>& other
 void withJobs(int jobs, const std::function<void()>& work) {
   const auto threads = static_cast<int>(mostThreads());  // more than the cores would only make TBB print a warning
   tbb::task_arena arena(jobs > 0 ? std::min(jobs, threads) : threads);
-  arena.execute(work);
+  try {
+    arena.execute(work);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    if (std::string_view(error.what()).find("pthread_create") == std::string_view::npos) throw;
+    throw Error(ErrorCode::kOutOfMemory, std::string("no further thread can be started (") + error.what() +
+                                             "); use fewer jobs, end other programs, or raise the limit of processes (ulimit -u)");
+  }
 }
 
 std::size_t mostThreads() {

@@ -173,12 +173,12 @@ def ply_header(text):
 
 
 def text_values(data):
-    """Whole numbers are needed only for counts and indices: colours may be anything."""
     words = iter(WORD.findall(data.decode("latin-1")))
 
     def value(kind):
-        word = next(words)
-        return int(word) if kind not in "fd" and INTEGER.fullmatch(word) else number(word)
+        if kind in "fd":
+            return number(next(words))
+        return struct.unpack("<" + kind, struct.pack("<" + kind, integer(next(words))))[0]  # refuses what its type cannot hold
     return value
 
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "collision_hulls/error.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
 #include "shapes.h"
 
@@ -58,6 +59,18 @@ TEST(Parallel, ATreeBuiltInsideACancelledCallIsComplete) {
   double within = 0;
   withinCancelled([&] { within = TriangleBvh(mesh).nearest(p).distance; });
   EXPECT_EQ(distance, within);
+}
+
+TEST(WithJobs, AThreadThatCannotBeStartedHasARemedy) {
+  try {
+    withJobs(1, [] { throw std::runtime_error("pthread_create has failed: Resource temporarily unavailable"); });
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kOutOfMemory);
+    EXPECT_NE(std::string(error.what()).find("ulimit -u"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(withJobs(1, [] { throw Error(ErrorCode::kBadScale, "pthread_create"); }), Error);
+  EXPECT_THROW(withJobs(1, [] { throw std::runtime_error("other"); }), std::runtime_error);
 }
 
 }  // namespace

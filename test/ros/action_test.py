@@ -8,7 +8,8 @@ import actionlib
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
-from collision_hulls.msg import DecomposeAction, DecomposeGoal, FitSceneAction, FitSceneGoal
+from collision_hulls.msg import (DecomposeAction, DecomposeActionFeedback, DecomposeGoal, FitSceneAction, FitSceneActionFeedback,
+                                 FitSceneGoal)
 from robots import NODE, decompose
 
 
@@ -21,16 +22,36 @@ class ActionTest(unittest.TestCase):
         for client in (cls.client, cls.fit_client):
             if not client.wait_for_server(rospy.Duration(30)):
                 raise RuntimeError("no action server")
+        # Not the clients' callbacks: a client drops what comes after the result, as the last of another topic may.
+        cls.received = []  # (goal's id, feedback)
+        topics = (("/decompose_action", DecomposeActionFeedback), ("/fit_scene_action", FitSceneActionFeedback))
+        cls.subscribers = [rospy.Subscriber(NODE + topic + "/feedback", kind, cls.receive, queue_size=None) for topic, kind in topics]
+        if not robots.wait_until(lambda: all(each.get_num_connections() for each in cls.subscribers)):
+            raise RuntimeError("no feedback topics")
+
+    @classmethod
+    def receive(cls, message):
+        cls.received.append((message.status.goal_id.id, message.feedback))
 
     def setUp(self):
         self.folder = robots.Folder()
         self.addCleanup(self.folder.remove)
-        self.feedback = []
+        self.goals = set()
+
+    @property
+    def feedback(self):
+        """Of this test's goals."""
+        return [feedback for goal, feedback in self.received if goal in self.goals]
+
+    def send_goal(self, client, goal):
+        handle = client.send_goal(goal)
+        self.goals.add(handle.comm_state_machine.action_goal.goal_id.id)
+        return handle
 
     def send(self, robot, **fields):
         """The handle of a new goal."""
         goal = DecomposeGoal(robot_description=robot, output=self.folder.output, **fields)
-        return self.client.send_goal(goal, feedback_cb=lambda _, feedback: self.feedback.append(feedback))
+        return self.send_goal(self.client, goal)
 
     def send_fit(self, robot, **fields):
         """The same to the other action: a scene that the robot is clear of."""
@@ -38,7 +59,7 @@ class ActionTest(unittest.TestCase):
             file.write("name: nothing\nbodies: []\n")
         goal = FitSceneGoal(robot_description=robot, output=self.folder.output, scene=self.folder.file("empty.yaml"), clearance=0.01,
                             samples=200, **fields)
-        return self.fit_client.send_goal(goal, feedback_cb=lambda _, feedback: self.feedback.append(feedback))
+        return self.send_goal(self.fit_client, goal)
 
     def send_slow(self, send=None):
         """The handle of a goal that is still being worked on when this returns."""
@@ -68,7 +89,6 @@ class ActionTest(unittest.TestCase):
 
     def assert_feedback(self, stages):
         """It goes from 0 to 1 through these stages."""
-        # Messages of two topics: the last feedback may come after the result.
         self.assertTrue(robots.wait_until(lambda: self.feedback and self.feedback[-1].fraction == 1, 10), "no last feedback")
         fractions = [step.fraction for step in self.feedback]
         self.assertEqual(sorted(fractions), fractions)

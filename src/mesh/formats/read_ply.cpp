@@ -59,8 +59,8 @@ class TextValues {
     return value;
   }
   double number(PlyType type) { return isInteger(type) ? static_cast<double>(integer(type)) : numberIn(value(), path_, lines_.number()); }
-  void skip(PlyType /*type*/, std::uint64_t count) {
-    for (; count > 0; --count) numberIn(value(), path_, lines_.number());
+  void skip(PlyType type, std::uint64_t count) {
+    for (; count > 0; --count) number(type);
   }
   [[noreturn]] void fail(const std::string& reason) const { failNotAMesh(path_, lines_.number(), reason); }
 

@@ -107,7 +107,9 @@ TEST(ReadPly, RefusesNumbersThatOthersGuess) {
     expectRefused("a.ply", {{kHeader + "0 0 0\n1 " + word + " 0\n1 2 0\n3 0 1 2\n", part}});
   }
   const std::string coloured = replaced(kHeader, "float z\n", "float z\nproperty uchar red\n");
-  expectRefused("a.ply", {{coloured + "0 0 0 7\n1 0 0 7,5\n1 2 0 7\n3 0 1 2\n", "line 12: '7,5' is not a number"}});
+  expectRefused("a.ply", {{coloured + "0 0 0 7\n1 0 0 7,5\n1 2 0 7\n3 0 1 2\n", "line 12: '7,5' is no integer from 0 to 255"},
+                          {coloured + "0 0 0 7\n1 0 0 7.5\n1 2 0 7\n3 0 1 2\n", "line 12: '7.5' is no integer"},
+                          {coloured + "0 0 0 7\n1 0 0 256\n1 2 0 7\n3 0 1 2\n", "line 12: '256' is no integer"}});
   const std::string whole = replaced(kHeader, "float x", "uchar x");
   for (const char* word : {"0.5", "256", "-1"})
     expectRefused("a.ply", {{whole + "0 0 0\n" + word + " 0 0\n1 2 0\n3 0 1 2\n",

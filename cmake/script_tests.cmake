@@ -36,6 +36,7 @@ add_script_test(goals test/scripts/goals_test ${PROGRAMS_DIR})
 add_script_test(demo test/scripts/demo_test ${PROJECT_BINARY_DIR})
 add_script_test(memory_limits test/scripts/memory_limits ${PROGRAMS_DIR})
 add_script_test(attacks test/scripts/attacks ${PROGRAMS_DIR})
+add_script_test(fuzz_seeds test/scripts/fuzz_seeds ${PROJECT_BINARY_DIR}/fuzz/fuzz_replay)
 add_script_test(rosrun test/scripts/rosrun_test ${PROJECT_BINARY_DIR})
 add_script_test(demo_meshes test/demo/regenerate_test)
 

@@ -19,7 +19,7 @@ PACKAGE = pathlib.Path(__file__).resolve().parent.parent.parent
 QUICK = ("--no-validate", "--quiet", "-t", "5%")
 PATIENCE = 120  # s, after which a run counts as hung; none comes near it
 
-Ended = collections.namedtuple("Ended", "status errors command")
+Ended = collections.namedtuple("Ended", "status out errors command")
 
 
 class Arena:
@@ -46,17 +46,17 @@ class Arena:
         command = [str(self.programs / program), *map(str, arguments), *([] if cache else ["--no-cache"])]
         environment = dict(os.environ, HOME=str(self.work), COLLISION_HULLS_CACHE=str(cache or self.work / "cache"))
         return subprocess.Popen(command, env=environment, cwd=self.work, preexec_fn=limit,
-                                stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
     def ended(self, process):
         """Waits for a process. A hang is a fault."""
         try:
-            errors = process.communicate(timeout=PATIENCE)[1].decode("utf-8", "replace")
+            texts = process.communicate(timeout=PATIENCE)
         except subprocess.TimeoutExpired:
             process.kill()
-            errors = process.communicate()[1].decode("utf-8", "replace")
+            texts = process.communicate()
             self.fault(f"still running after {PATIENCE} s: {shlex.join(process.args)}")
-        return Ended(process.returncode, errors, shlex.join(process.args))
+        return Ended(process.returncode, *(text.decode("utf-8", "replace") for text in texts), shlex.join(process.args))
 
     def run(self, program, *arguments, **limits):
         """A run to its end. A signal, or a failure without a word, is a fault."""
@@ -154,6 +154,11 @@ def digests(output):
             content = json.dumps(without_times(json.loads(content)), sort_keys=True).encode()
         result[str(file.relative_to(output))] = hashlib.sha256(content).hexdigest()
     return result
+
+
+def strangers(output):
+    """The names of what lies beside an output."""
+    return sorted(each.name for each in output.parent.iterdir() if each != output)
 
 
 def name_of(signal_number):

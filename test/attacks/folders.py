@@ -5,7 +5,7 @@ import signal
 import time
 
 import hostile_meshes as hostile
-from arena import PACKAGE, QUICK, digests, name_of, report_of, robot_of_three
+from arena import PACKAGE, QUICK, digests, name_of, report_of, robot_of_three, strangers
 
 
 def truncate(rng, entries):
@@ -89,11 +89,6 @@ def attack_cache(arena, rng):
         if output.is_dir():
             arena.expect(any(str(cache) in note for note in report_of(output)["notes"]), f"no note of {damage.__name__}: {run.command}")
     return f"{len(CACHE_DAMAGES)} damages"
-
-
-def strangers(output):
-    """The names of what lies beside an output."""
-    return sorted(each.name for each in output.parent.iterdir() if each != output)
 
 
 def wait_for_moment(rng, process, output, duration):

@@ -4,10 +4,10 @@ add_library(command_line STATIC src/tools/command_line.cpp)
 target_include_directories(command_line PRIVATE src)
 target_link_libraries(command_line PUBLIC ${PROJECT_NAME} PRIVATE Boost::program_options)
 
-# Reads meshes in a process of its own: whatever reads meshes needs it. It links the core alone, to start fast.
+# Reads foreign files in a process of its own: whatever reads meshes or descriptions needs it.
 add_executable(${PROJECT_NAME}_reader src/tools/reader.cpp)
 target_include_directories(${PROJECT_NAME}_reader PRIVATE src)
-target_link_libraries(${PROJECT_NAME}_reader ${PROJECT_NAME}_core)
+target_link_libraries(${PROJECT_NAME}_reader ${PROJECT_NAME})
 set_target_properties(${PROJECT_NAME}_reader PROPERTIES INSTALL_RPATH "$ORIGIN/..")
 
 function(set_up_program name)

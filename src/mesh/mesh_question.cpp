@@ -12,7 +12,7 @@
 #include "collision_hulls/error.h"
 #include "geometry/bytes.h"
 #include "mesh/decode_mesh.h"
-#include "sandbox/reader_program.h"
+#include "sandbox/file_reader.h"
 
 namespace collision_hulls {
 
@@ -28,12 +28,6 @@ constexpr double kSecondsPerByte = 1e-6;      // [s] of computing
 constexpr double kClockPerComputing = 10;     // on a machine with much else to do
 
 constexpr std::uint64_t kBytesPerTriangle = sizeof(Triangle) + 3 * sizeof(Eigen::Vector3d), kLongestError = 1 << 16;
-
-ReaderProgram& meshReader() {
-  static auto* const reader =
-      new ReaderProgram("collision_hulls_reader", "COLLISION_HULLS_READER");  // never destroyed: threads may outlive main()
-  return *reader;
-}
 
 /// A quarter of the memory is enough for any answer, and no mesh within the limits takes more than so many bytes per triangle.
 ReadingLimits readingLimits(const MeshLimits& limits, std::size_t bytes) {
@@ -61,10 +55,7 @@ void expectSound(const LoadedMesh& loaded, const MeshLimits& limits) {
 
 }  // namespace
 
-LoadedMesh decodeInWorker(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control) {
-  const std::string head = toBytes(name, limits.max_bytes, limits.max_triangles);
-  const std::string answer = meshReader().ask({head, bytes, -1}, readingLimits(limits, bytes.size()), name,
-                                              "simplify the mesh, or raise reader-memory or reader-time if it is to be trusted", control);
+LoadedMesh meshIn(const std::string& answer, const std::string& name, const MeshLimits& limits) {
   LoadedMesh loaded;
   try {
     fromBytes(answer, loaded);
@@ -76,15 +67,23 @@ LoadedMesh decodeInWorker(const std::string& bytes, const std::string& name, con
   return loaded;
 }
 
+LoadedMesh decodeInWorker(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control) {
+  const std::string head = toBytes(Reading::kMesh, name, limits.max_bytes, limits.max_triangles);
+  const std::string answer = fileReader().ask({head, bytes, -1}, readingLimits(limits, bytes.size()), name,
+                                              "simplify the mesh, or raise reader-memory or reader-time if it is to be trusted", control);
+  return meshIn(answer, name, limits);
+}
+
 std::string answerMeshQuestion(const Question& question) {
+  auto kind = Reading::kMesh;
   std::string name;
   MeshLimits limits;
-  fromBytes(question.head, name, limits.max_bytes, limits.max_triangles);
+  fromBytes(question.head, kind, name, limits.max_bytes, limits.max_triangles);
   return toBytes(decodeMesh(question.body, name, limits, {}));
 }
 
 std::string readerProtection() {
-  return meshReader().protection();
+  return fileReader().protection();
 }
 
 }  // namespace collision_hulls

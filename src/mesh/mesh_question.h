@@ -11,6 +11,9 @@ namespace collision_hulls {
 /// The library's end: decodeMesh() in a worker, with its result checked again. Throws what decodeMesh() and ReaderProgram::ask() throw.
 LoadedMesh decodeInWorker(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control);
 
+/// The mesh in an answer, which is believed nothing: throws kReaderFailed for numbers that no mesh within the limits has.
+LoadedMesh meshIn(const std::string& answer, const std::string& name, const MeshLimits& limits);
+
 /// The worker's end.
 std::string answerMeshQuestion(const Question& question);
 

@@ -149,14 +149,14 @@ std::vector<std::string> notesOnKept(const RobotResult& result) {
 }
 
 /// On meshes that the new description still names relative to the old one's folder.
-std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::string& output) {
+std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::string& output, const RunControl& control) {
   const std::string prefix = uriPrefix(result.report.options, output);
   std::set<std::string> hulls, kept;
   for (const auto& [file, content] : result.kept_files) hulls.insert(prefix + file);
   for (const ElementReport& row : result.report.links) {
     for (const std::string& file : row.files) hulls.insert(prefix + file);
   }
-  for (const LinkDescription& link : parseRobotDescription(result.urdf).links) {
+  for (const LinkDescription& link : parseRobotDescription(result.urdf, "", control).links) {
     for (const auto* elements : {&link.visuals, &link.collisions}) {
       for (const GeometryElement& element : *elements) {
         if (element.kind == GeometryElement::Kind::kMesh && element.fault.empty() && isRelativeUri(element.uri) &&
@@ -185,17 +185,18 @@ std::string urdfFile(const std::string& robot_name, const std::string& model) {
 }
 
 void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDecisions>& decisions, const PackageFinder& find_package,
-                        const std::string& output, const std::vector<std::string>& notes, RobotResult& result) {
+                        const std::string& output, const std::vector<std::string>& notes, RobotResult& result, const RunControl& control) {
   const Options& options = result.report.options;
   const std::string prefix = uriPrefix(options, output);
   std::vector<NewCollisions> links;
   for (std::size_t model = 0; model < decisions.size(); ++model)
     links.push_back(newCollisions(robot, decisions[model], reportOf(model, result.report), modelOf(model, result).elements, prefix));
   const std::map<std::string, std::string> moved = carryHulls(robot, links, find_package, output, prefix, result);
-  for (std::size_t model = 0; model < links.size(); ++model) modelOf(model, result).urdf = rewriteCollisions(robot, links[model], moved);
+  for (std::size_t model = 0; model < links.size(); ++model)
+    modelOf(model, result).urdf = rewriteCollisions(robot, links[model], moved, control);
   std::vector<std::string>& all = result.report.notes;
   for (const auto& more : {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options), notes, notesOnKept(result),
-                           notesOnCarried(result), notesOnRewritten(result, output)})
+                           notesOnCarried(result), notesOnRewritten(result, output, control)})
     all.insert(all.end(), more.begin(), more.end());
 }
 

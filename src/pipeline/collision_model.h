@@ -20,6 +20,6 @@ std::string urdfFile(const std::string& robot_name, const std::string& model = "
 /// report's notes: the oddities of the description and of the search for its files, `notes`, and what the user of the new description
 /// should know, such as URIs relative to the old one's place.
 void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDecisions>& decisions, const PackageFinder& find_package,
-                        const std::string& output, const std::vector<std::string>& notes, RobotResult& result);
+                        const std::string& output, const std::vector<std::string>& notes, RobotResult& result, const RunControl& control);
 
 }  // namespace collision_hulls

@@ -187,9 +187,12 @@ RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& f
   RobotResult result = emptyResult(robot, options, control);
   const std::vector<LinkDecisions> decisions = modelDecisions(options, robot);
   const std::vector<MeshUse> uses = meshUses(robot, decisions);
-  const auto resolve = [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); };
+  const auto resolve = [&](const std::string& uri) {
+    control.check();
+    return resolveUri(uri, robot.path, find_package);
+  };
   runStages({uses, resolve, meshesEnd(options), control, step}, result, decomposeAll);
-  rewriteDescription(robot, decisions, find_package, output, {}, result);
+  rewriteDescription(robot, decisions, find_package, output, {}, result, control);
   result.report.seconds = run.lap();
   return result;
 }

@@ -339,7 +339,10 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   if (decomposedUses(uses) == 0) throw Error(ErrorCode::kBadOption, notesOnUses(robot, decisions.front(), options).front());
   std::vector<std::string> notes = request.notes;
   for (const std::string& note : joints.notes()) notes.push_back(note);
-  const auto resolve = [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); };
+  const auto resolve = [&](const std::string& uri) {
+    control.check();
+    return resolveUri(uri, robot.path, find_package);
+  };
   std::vector<DisabledPair> disabled;
   runStages({uses, resolve, kTreesEnd, control, step}, result,
             [&](Run& run) { disabled = fitAll(robot, decisions.front(), request, fit_options, notes, run); });
@@ -349,7 +352,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
     const Totals sums = totals(result.report);
     for (const std::string& note : notesOnFit(*scene, options, sums.kept + sums.removed)) notes.push_back(note);
   }
-  rewriteDescription(robot, decisions, find_package, output, notes, result);
+  rewriteDescription(robot, decisions, find_package, output, notes, result, control);
   result.report.seconds = clock.lap();
   if (scene) scene->seconds = result.report.seconds;
   return result;

@@ -32,15 +32,15 @@ bool isRobotFile(const std::string& path) {
 
 using PackagePath = std::vector<std::string>;
 
-Input robotInput(const std::string& path, const PackagePath& package_path) {
+Input robotInput(const std::string& path, const PackagePath& package_path, const RunControl& control) {
   Input input;
   input.find_package = defaultPackageFinder(path, package_path);
-  input.robot = readRobotDescription(path);
+  input.robot = readRobotDescription(path, control);
   return input;
 }
 
-Input fileInput(const std::string& path, const PackagePath& package_path) {
-  if (isRobotFile(path)) return robotInput(path, package_path);
+Input fileInput(const std::string& path, const PackagePath& package_path, const RunControl& control) {
+  if (isRobotFile(path)) return robotInput(path, package_path, control);
   if (!isMeshFile(path)) {
     throw Error(ErrorCode::kUnsupportedFormat, "'" + path + "' has the extension '" + lowerExtension(path) +
                                                    "', which is not supported; give a .urdf or .xacro file for a robot, or a mesh (" +
@@ -52,9 +52,10 @@ Input fileInput(const std::string& path, const PackagePath& package_path) {
   return input;
 }
 
-Input packageInput(const std::string& name, const std::string& folder, const PackagePath& package_path, const std::string& program) {
+Input packageInput(const std::string& name, const std::string& folder, const PackagePath& package_path, const std::string& program,
+                   const RunControl& control) {
   const std::vector<std::string> found = robotDescriptionsIn(folder);
-  if (found.size() == 1) return robotInput(found.front(), package_path);
+  if (found.size() == 1) return robotInput(found.front(), package_path, control);
   if (found.empty()) {
     throw Error(ErrorCode::kFileNotFound,
                 "package '" + name + "' (" + folder + ") has no .urdf or .xacro file in its folders urdf and robots; give the file itself");
@@ -83,15 +84,16 @@ Input packageInput(const std::string& name, const std::string& folder, const Pac
 
 }  // namespace
 
-Input openInput(const std::string& input, const PackagePath& package_path, const std::string& program) {
+Input openInput(const std::string& input, const PackagePath& package_path, const std::string& program, const RunControl& control) {
   std::error_code error;
-  if (!input.empty() && fs::exists(fs::path(input) / "package.xml", error)) return packageInput(input, input, package_path, program);
-  if (fs::exists(input, error) && !fs::is_directory(input, error)) return fileInput(input, package_path);
+  if (!input.empty() && fs::exists(fs::path(input) / "package.xml", error))
+    return packageInput(input, input, package_path, program, control);
+  if (fs::exists(input, error) && !fs::is_directory(input, error)) return fileInput(input, package_path, control);
   const bool file_meant = input.empty() || input.find('/') != std::string::npos || isRobotFile(input) || isMeshFile(input);
   if (file_meant) throwNotFound(input, false);
   const std::optional<std::string> folder = defaultPackageFinder("", package_path)(input);
   if (!folder) throwNotFound(input, true);
-  return packageInput(input, *folder, package_path, program);
+  return packageInput(input, *folder, package_path, program, control);
 }
 
 std::string workOn(const Input& input, const Options& options) {

@@ -6,22 +6,23 @@
 
 namespace collision_hulls {
 
-SceneRequest readSceneRequest(const Input& input, const SceneSources& sources) {
+SceneRequest readSceneRequest(const Input& input, const SceneSources& sources, const RunControl& control) {
   if (sources.max_step != 0 && sources.configurations.empty())
     throw Error(ErrorCode::kBadOption,
                 "max-step '" + std::to_string(sources.max_step) + "' interpolates between given configurations; give some, or omit it");
   SceneRequest request;
   for (const std::string& file : {sources.scene, sources.srdf_file, sources.configurations})
     if (!file.empty()) request.files.push_back(file);
-  if (!sources.scene.empty()) request.scene = readScene(sources.scene, input.find_package);
+  if (!sources.scene.empty()) request.scene = readScene(sources.scene, input.find_package, sources.mesh_limits, control);
+  request.files.insert(request.files.end(), request.scene.files.begin(), request.scene.files.end());
   if (!sources.srdf.empty() || !sources.srdf_file.empty()) {
-    DisabledPairs disabled = parseDisabledPairs(sources.srdf, input.robot, sources.srdf_file);
+    DisabledPairs disabled = parseDisabledPairs(sources.srdf, input.robot, sources.srdf_file, control);
     request.disabled = std::move(disabled.pairs);
     request.notes = std::move(disabled.notes);
   }
   if (!sources.configurations.empty()) {
     const ConfigurationOptions options = givenConfigurations(sources.max_step);
-    giveConfigurations(readConfigurations(sources.configurations, Kinematics(input.robot), options), request);
+    giveConfigurations(readConfigurations(sources.configurations, Kinematics(input.robot), options, control), request);
   }
   return request;
 }

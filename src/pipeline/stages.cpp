@@ -13,6 +13,7 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/measure/measures.h"
 #include "collision_hulls/mesh/mesh_io.h"
+#include "collision_hulls/pipeline/fit_scene.h"
 
 namespace collision_hulls {
 namespace {
@@ -42,6 +43,7 @@ void setTolerance(const std::string& uri, const LinkOptions& options, MeshResult
   checkSize(uri, result.mesh.diagonal, options.tolerance);
   result.mesh.tolerance = toleranceFor(result.original, options);
 }
+}  // namespace
 
 MeshLimits meshLimits(const Options& options) {
   MeshLimits limits;
@@ -49,8 +51,6 @@ MeshLimits meshLimits(const Options& options) {
   limits.reader_seconds = options.reader_time;
   return limits;
 }
-
-}  // namespace
 
 void checkForRobot(const Options& options) {
   if (options.scale == 1) return;

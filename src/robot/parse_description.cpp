@@ -6,17 +6,21 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/geometry_stand_ins.h"
 #include "robot/joint_graph.h"
+#include "robot/robot_question.h"
 #include "robot/urdf_model.h"
+#include "robot/uri_checks.h"
 #include "xml/xml_source.h"
 
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kLongestName = 1000;  // [bytes] of a link
+constexpr std::size_t kMostElements = 100'000;
+constexpr std::size_t kLongestName = 1000;  // [bytes] of the robot, a link, a joint
 
 // "<xacro:include> in line 7": the first of xacro's elements; empty if there is none.
 std::string xacroElement(const XmlSource& subject, const tinyxml2::XMLElement& root) {
@@ -50,15 +54,23 @@ void checkIsRobot(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   }
 }
 
-// urdfdom accepts links without a name. The matching of regular expressions (--links) recurses over a name.
-void checkLinkNames(const XmlSource& subject, const tinyxml2::XMLElement& root) {
+void checkName(const XmlSource& subject, const tinyxml2::XMLElement& element) {
+  const char* name = element.Attribute("name");
+  if (!name || std::strlen(name) <= kLongestName) return;
+  subject.failAt(
+      ErrorCode::kNotARobot, subject.lineFromRoot(element.GetLineNum()),
+      std::string("the name of this <") + element.Name() + "> is longer than " + std::to_string(kLongestName) + " bytes; shorten it");
+}
+
+// urdfdom accepts links without a name. The matching of regular expressions (--links) recurses over a name, and messages repeat it.
+void checkNames(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   for (const auto* link = root.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
     const char* name = link->Attribute("name");
-    const std::size_t line = subject.lineFromRoot(link->GetLineNum());
-    if (!name || !*name) subject.failAt(ErrorCode::kNotARobot, line, "a <link> has no name");
-    if (std::strlen(name) > kLongestName)
-      subject.failAt(ErrorCode::kNotARobot, line, "a link's name is longer than " + std::to_string(kLongestName) + " bytes; shorten it");
+    if (!name || !*name) subject.failAt(ErrorCode::kNotARobot, subject.lineFromRoot(link->GetLineNum()), "a <link> has no name");
+    checkName(subject, *link);
   }
+  for (const auto* joint = root.FirstChildElement("joint"); joint; joint = joint->NextSiblingElement("joint")) checkName(subject, *joint);
+  checkName(subject, root);
 }
 
 UrdfModel readModel(const tinyxml2::XMLElement& root) {
@@ -135,6 +147,22 @@ std::vector<LinkDescription> inDocumentOrder(const XmlSource& subject, const tin
   return links;
 }
 
+// Messages, tables and reports repeat URIs and faults: what is too long for a path is an element's fault, and not repeated as a whole.
+void shortenTexts(std::vector<LinkDescription>& links) {
+  for (LinkDescription& link : links) {
+    for (auto* const elements : {&link.visuals, &link.collisions}) {
+      for (GeometryElement& element : *elements) {
+        element.fault = shortened(element.fault, 2 * kLongestName);
+        if (element.uri.size() <= kLongestUri) continue;
+        if (element.fault.empty())
+          element.fault = "a file name of " + std::to_string(element.uri.size()) + " bytes; a path has " + std::to_string(kLongestUri) +
+                          " at most: correct it";
+        element.uri = shown(element.uri);
+      }
+    }
+  }
+}
+
 void checkAxes(const XmlSource& subject, const std::vector<JointDescription>& joints) {
   for (const JointDescription& joint : joints) {
     if (joint.kind == JointDescription::Kind::kFixed || joint.kind == JointDescription::Kind::kFloating || joint.axis.norm() > 0) continue;
@@ -144,21 +172,26 @@ void checkAxes(const XmlSource& subject, const std::vector<JointDescription>& jo
 
 }  // namespace
 
-RobotDescription parseRobotDescription(const std::string& urdf_text, const std::string& path) {
+RobotDescription decodeRobotDescription(const std::string& urdf_text, const std::string& path) {
   XmlSource subject{urdf_text, path.empty() ? "robot description" : "'" + path + "'"};
   tinyxml2::XMLDocument document;
   loadRoot(subject, document);
+  if (subject.elements > kMostElements)
+    subject.fail(ErrorCode::kTooLarge, "it has " + std::to_string(subject.elements) + " elements, above the limit of " +
+                                           std::to_string(kMostElements) +
+                                           "; no robot that we know has a tenth of that: give a smaller one");
   tinyxml2::XMLElement& robot = *document.RootElement();
   checkIsRobot(subject, robot);
-  checkLinkNames(subject, robot);
+  checkNames(subject, robot);
   GeometryStandIns stand_ins(subject, robot);
   stand_ins.takeOutOtherThings();
   UrdfModel model = loadModel(subject, robot, stand_ins);
   checkAxes(subject, model.joints);
   std::vector<LinkDescription> links = inDocumentOrder(subject, robot, model, stand_ins);
+  shortenTexts(links);
   std::vector<std::string> notes = notesOn(subject, robot);
   notes.insert(notes.end(), stand_ins.notes().begin(), stand_ins.notes().end());
-  return {model.name, urdf_text, path, std::move(links), std::move(model.joints), std::move(notes)};
+  return {model.name, "", path, std::move(links), std::move(model.joints), std::move(notes)};
 }
 
 }  // namespace collision_hulls

@@ -208,7 +208,7 @@ void checkLinksExist(const RobotDescription& robot, const std::map<std::string, 
 }  // namespace
 
 std::string rewriteCollisions(const RobotDescription& robot, const std::map<std::string, LinkCollisions>& links,
-                              const std::map<std::string, std::string>& moved) {
+                              const std::map<std::string, std::string>& moved, const RunControl& control) {
   checkLinksExist(robot, links);
   const std::vector<XmlElement> elements = scanXml(robot.text).elements;
   const std::vector<std::size_t> spans = childrenNamed(elements, 0, "link");
@@ -222,7 +222,7 @@ std::string rewriteCollisions(const RobotDescription& robot, const std::map<std:
     edits.insert(edits.end(), of_link.begin(), of_link.end());
   }
   const std::string written = applied(robot.text, edits);
-  checkWritten(robot, links, moved, parseRobotDescription(written, robot.path));
+  checkWritten(robot, links, moved, parseRobotDescription(written, robot.path, control));
   return written;
 }
 

@@ -88,7 +88,7 @@ void Node::decomposeAtStart() {
 DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunControl& control, const StepCallback& step) {
   checkTexts(request);
   const Confinement confinement(places_.roots());
-  const Input input = inputOf(request.robot_description);
+  const Input input = inputOf(request.robot_description, control);
   const Options options = requestedOptions(configured(private_, request.config, readOptions(private_)), request, input.robot);
   const std::string output = outputFor(request.output, input);
 
@@ -102,13 +102,13 @@ DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunCont
 FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& control, const StepCallback& step) {
   checkTexts(request);
   const Confinement confinement(places_.roots());
-  const Input input = inputOf(request.robot_description);
+  const Input input = inputOf(request.robot_description, control);
   Options own = readOptions(private_);
   own.method = Method::kCertified;  // ~method is for the other job
   own.tree.reset();
   const Options options = requestedOptions(configured(private_, request.config, own), toRequest(request), input.robot);
   const std::string output = outputFor(request.output, input);
-  const SceneRequest scene = requestedScene(request, input, control);
+  const SceneRequest scene = requestedScene(request, input, options, control);
 
   const ViewedRun view(view_, input.robot, options.source, input.find_package);
   RobotResult result = fitRobotToScene(input.robot, input.find_package, scene, options, output, control, view.shown(logged(step)));
@@ -118,9 +118,9 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
   return response;
 }
 
-Input Node::inputOf(const std::string& robot_description) const {
+Input Node::inputOf(const std::string& robot_description, const RunControl& control) const {
   Input input;
-  input.robot = readRobot(robot_description);
+  input.robot = readRobot(robot_description, control);
   input.find_package = places_.packageFinder(input.robot.path);
   return input;
 }
@@ -132,16 +132,16 @@ std::string Node::outputFor(const std::string& requested, const Input& input) co
   return output;
 }
 
-RobotDescription Node::readRobot(const std::string& text) const {
+RobotDescription Node::readRobot(const std::string& text, const RunControl& control) const {
   const std::string base = textParameter(private_, "base");
   const std::string path = base.empty() ? "" : resolveUri(base, "", places_.packageFinder(""));
-  if (!text.empty()) return parseRobotDescription(text, path);
+  if (!text.empty()) return parseRobotDescription(text, path, control);
   std::string key, parameter;
   if (!node_.searchParam("robot_description", key) || !node_.getParam(key, parameter)) {
     throw Error(ErrorCode::kFileNotFound, "no robot description: the request has none and the parameter " +
                                               node_.resolveName("robot_description") + " is not set to a text; give either");
   }
-  return parseRobotDescription(parameter, path);
+  return parseRobotDescription(parameter, path, control);
 }
 
 void Node::show(const RobotResult& result, const Scene* scene) {

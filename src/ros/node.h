@@ -38,9 +38,9 @@ class Node {
   /// The jobs. Throw what is wrong.
   DecomposeResponse decompose(const DecomposeRequest& request, const RunControl& control, const StepCallback& step);
   FitSceneResponse fit(const FitSceneRequest& request, const RunControl& control, const StepCallback& step);
-  Input inputOf(const std::string& robot_description) const;
+  Input inputOf(const std::string& robot_description, const RunControl& control) const;
   std::string outputFor(const std::string& requested, const Input& input) const;
-  RobotDescription readRobot(const std::string& text) const;
+  RobotDescription readRobot(const std::string& text, const RunControl& control) const;
   void show(const RobotResult& result, const Scene* scene = nullptr);
 
   ros::NodeHandle node_, private_{"~"};

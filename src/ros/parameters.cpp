@@ -185,7 +185,7 @@ Options requestedOptions(Options options, const DecomposeRequest& request, const
   return options;
 }
 
-SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, const RunControl& control) {
+SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, const Options& options, const RunControl& control) {
   if (request.scene.empty()) throw Error(ErrorCode::kBadOption, "scene is empty: give the file of a scene, or topic:NAME");
   if (request.samples < 0)
     throw Error(ErrorCode::kBadOption, "samples is " + std::to_string(request.samples) + ": give a number from 1, or 0 for the default");
@@ -195,6 +195,7 @@ SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, 
   const auto file = [&](const std::string& uri) { return uri.empty() ? "" : resolveUri(uri, input.robot.path, input.find_package); };
   const bool live = isLive(request.scene), joint_states = areJointStates(request.configurations);
   SceneSources sources;
+  sources.mesh_limits = meshLimits(options);
   try {
     if (!live) sources.scene = file(request.scene);
   } catch (const Error& e) {
@@ -202,7 +203,7 @@ SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, 
   }
   sources.srdf = request.srdf;
   if (!joint_states) sources.configurations = file(request.configurations), sources.max_step = request.max_step;
-  SceneRequest scene = readSceneRequest(input, sources);
+  SceneRequest scene = readSceneRequest(input, sources, control);
   if (live) scene.scene = liveScene(request.scene, rootLink(input.robot), control);
   if (joint_states)
     giveConfigurations(

@@ -38,6 +38,6 @@ Options requestedOptions(Options options, const DecomposeRequest& request, const
 
 /// The scene and the configurations that a request names, read from files or from what is published now (live_scene.h, joint_states.h).
 /// Throws kBadOption, kCancelled, and the readers' errors.
-SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, const RunControl& control);
+SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, const Options& options, const RunControl& control);
 
 }  // namespace collision_hulls

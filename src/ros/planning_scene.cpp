@@ -92,7 +92,7 @@ void setShape(SceneBody& body, const SolidPrimitive& primitive) {
 /// Adds an object's shapes one after the other.
 class ObjectAdder {
  public:
-  ObjectAdder(const moveit_msgs::CollisionObject& object, const Eigen::Isometry3d& frame, Scene& scene)
+  ObjectAdder(const moveit_msgs::CollisionObject& object, const Eigen::Isometry3d& frame, SceneBuilder& scene)
       : object_(object), pose_(frame * toTransform(object.pose)), scene_(scene) {
     shapes_ = object.primitives.size() + object.meshes.size() + object.planes.size();
   }
@@ -114,13 +114,13 @@ class ObjectAdder {
       body.name = shapes_ == 1 ? object_.id : object_.id + "/" + std::to_string(++added_);
       body.pose = i < poses.size() ? pose_ * toTransform(poses[i]) : pose_;
       set(shapes[i], body);
-      addBody(scene_, std::move(body));
+      scene_.add(std::move(body));
     }
   }
 
   const moveit_msgs::CollisionObject& object_;
   const Eigen::Isometry3d pose_;
-  Scene& scene_;
+  SceneBuilder& scene_;
   std::size_t shapes_ = 0, added_ = 0;
 };
 
@@ -130,9 +130,10 @@ Scene toScene(const moveit_msgs::PlanningScene& message, const std::string& root
   if (message.is_diff) fail("is a difference to another one, not a whole scene; ask for service:/get_planning_scene");
   const Frames frames(message, root_link);
   Scene scene;
+  SceneBuilder builder(scene);
   scene.name = message.name;
   for (const moveit_msgs::CollisionObject& object : message.world.collision_objects)
-    ObjectAdder(object, frames.inRoot(object.header.frame_id), scene).addAll();
+    ObjectAdder(object, frames.inRoot(object.header.frame_id), builder).addAll();
   const octomap_msgs::OctomapWithPose& map = message.world.octomap;
   if (!map.octomap.data.empty())
     addOctomap(scene, "octomap", toOctomap(map.octomap), frames.inRoot(map.header.frame_id) * toTransform(map.origin));

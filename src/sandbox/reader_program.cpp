@@ -12,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "geometry/bytes.h"
 
@@ -82,8 +83,7 @@ struct Circumstances {
 
 /// Text from a process that may be hostile.
 std::string printable(std::string text) {
-  constexpr std::size_t kLongest = 2000;
-  if (text.size() > kLongest) text.resize(kLongest);
+  text = shortened(text, 4000);
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
   return text;
@@ -97,7 +97,8 @@ std::string printable(std::string text) {
   throw Error(code, printable(text));
 }
 
-/// The answer in what a worker wrote, or its error.
+}  // namespace
+
 std::string answerIn(std::string bytes, const std::string& subject) {
   if (bytes.empty()) throw ByteFault("it is empty");
   const auto kind = static_cast<AnswerKind>(bytes.back());
@@ -108,8 +109,6 @@ std::string answerIn(std::string bytes, const std::string& subject) {
   if (kind != AnswerKind::kAnswer) throw ByteFault("it is of no known kind");
   return bytes;
 }
-
-}  // namespace
 
 std::string ReaderProgram::path() const {
   if (const char* const named = std::getenv(variable_.c_str()); named != nullptr && *named != '\0') return named;

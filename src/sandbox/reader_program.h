@@ -39,4 +39,8 @@ class ReaderProgram {
   pid_t owner_ = -1;     // the process that started them: a fork of it must leave them alone
 };
 
+/// The answer in what a worker wrote; throws the Error that it wrote instead, kReaderFailed for any other exception, and ByteFault for
+/// bytes that no worker of ours writes. For ask().
+std::string answerIn(std::string bytes, const std::string& subject);
+
 }  // namespace collision_hulls

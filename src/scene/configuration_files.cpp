@@ -105,12 +105,13 @@ void addRow(const Columns& columns, const Cells& cells, const std::string& where
   collector.add(names, positions, where);
 }
 
-void readCsv(const std::string& text, const std::string& file, ConfigurationCollector& collector) {
+void readCsv(const std::string& text, const std::string& file, ConfigurationCollector& collector, const RunControl& control) {
   std::string_view rest = text;
   if (rest.substr(0, kByteOrderMark.size()) == kByteOrderMark) rest.remove_prefix(kByteOrderMark.size());
   Columns columns;
   char separator = ',';
   for (std::size_t number = 1; !rest.empty(); ++number) {
+    control.check();
     const std::string_view line = stripped(takeLine(rest));
     if (line.empty() || line.front() == '#') continue;
     if (columns.header.empty()) {
@@ -164,31 +165,54 @@ class Messages {
   std::size_t looked_at_ = 0;
 };
 
-/// One document at a time, so that a long recording needs little more memory than its text.
-void readYaml(const std::string& text, const std::string& file, ConfigurationCollector& collector) {
-  std::string_view rest = text;
-  std::string document;
-  std::size_t first = 1, number = 1;
-  const auto readDocument = [&] {
-    if (stripped(document).empty()) return;
-    Messages(collector).read(YamlValue::parse(document, file, ErrorCode::kBadConfigurations, first));
-  };
-  for (; !rest.empty(); ++number) {
-    const std::string_view line = takeLine(rest);
-    const bool begins = line.substr(0, kDocument.size()) == kDocument;
-    if (begins) {
-      readDocument();
-      document.clear();
-      first = number;
+/// Some documents at a time, so that a long recording needs little more memory than its text.
+class YamlReader {
+ public:
+  YamlReader(const std::string& file, ConfigurationCollector& collector, const RunControl& control)
+      : file_(file), collector_(collector), control_(control) {}
+
+  void read(std::string_view rest) {
+    YamlText document;
+    for (std::size_t number = 1; !rest.empty(); ++number) {
+      const std::string_view line = takeLine(rest);
+      const bool begins = line.substr(0, kDocument.size()) == kDocument;
+      if (begins) add(std::exchange(document, {"", number}));
+      document.text.append(begins ? line.substr(kDocument.size()) : line).append("\n");
     }
-    document.append(begins ? line.substr(kDocument.size()) : line).append("\n");
+    add(std::move(document));
+    readAdded();
   }
-  readDocument();
-}
+
+ private:
+  static constexpr std::size_t kAtOnce = 1 << 20;  // [bytes]
+
+  void add(YamlText document) {
+    if (stripped(document.text).empty()) return;
+    size_ += document.text.size();
+    added_.push_back(std::move(document));
+    if (size_ >= kAtOnce) readAdded();
+  }
+
+  void readAdded() {
+    for (const YamlValue& value : YamlValue::parse(added_, file_, ErrorCode::kBadConfigurations, control_)) {
+      control_.check();
+      Messages(collector_).read(value);
+    }
+    added_.clear();
+    size_ = 0;
+  }
+
+  const std::string& file_;
+  ConfigurationCollector& collector_;
+  const RunControl& control_;
+  std::vector<YamlText> added_;
+  std::size_t size_ = 0;
+};
 
 }  // namespace
 
-ConfigurationSet readConfigurations(const std::string& file, const Kinematics& kinematics, const ConfigurationOptions& options) {
+ConfigurationSet readConfigurations(const std::string& file, const Kinematics& kinematics, const ConfigurationOptions& options,
+                                    const RunControl& control) {
   const std::string extension = lowerExtension(file);
   const bool yaml = extension == ".yaml" || extension == ".yml";
   if (!yaml && extension != ".csv") {
@@ -196,8 +220,8 @@ ConfigurationSet readConfigurations(const std::string& file, const Kinematics& k
                 "'" + file + "': unknown format; give a .csv file, or a .yaml file as `rostopic echo` writes it");
   }
   ConfigurationCollector collector(kinematics, options);
-  const std::string text = readTextFile(file, extension + " file");
-  yaml ? readYaml(text, file, collector) : readCsv(text, file, collector);
+  const std::string text = readTextFile(file, extension + " file", control);
+  yaml ? YamlReader(file, collector, control).read(text) : readCsv(text, file, collector, control);
   ConfigurationSet set = collector.take();
   if (set.configurations.empty()) {
     fail("'" + file + "'",

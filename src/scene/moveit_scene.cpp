@@ -27,14 +27,16 @@ constexpr double kMostItems = 20'000'000;  // of a kind: shapes, vertices, trian
 
 class Reader {
  public:
-  explicit Reader(const std::string& file) : file_(file), text_(readTextFile(file, ".scene file")), rest_(text_) {}
+  Reader(const std::string& file, const RunControl& control)
+      : file_(file), control_(control), text_(readTextFile(file, ".scene file", control)), rest_(text_) {}
 
   Scene read() {
     Scene scene;
+    SceneBuilder builder(scene);
     scene.name = trimmed(line(), kBlanks);
     for (std::string marker = word("an object, '*', or the end, '.'"); marker != "."; marker = word("an object, '*', or the end, '.'")) {
       if (marker != "*") fail("expected an object ('*') or the end of the scene ('.'), found '" + marker + "'");
-      object(scene);
+      object(builder);
     }
     return scene;
   }
@@ -53,6 +55,7 @@ class Reader {
   }
 
   std::string word(const std::string& what) {
+    control_.check();
     while (!rest_.empty() && kBlanks.find(rest_.front()) != std::string_view::npos) {
       line_ += rest_.front() == '\n';
       rest_.remove_prefix(1);
@@ -99,7 +102,7 @@ class Reader {
     return *has_object_poses_;
   }
 
-  void object(Scene& scene) {
+  void object(SceneBuilder& builder) {
     const std::string name = trimmed(rest_.substr(0, rest_.find('\n')), kBlanks);
     if (name.empty()) fail("an object has no name; give it one");
     line();
@@ -111,7 +114,7 @@ class Reader {
       body.name = shapes == 1 ? name : name + "/" + std::to_string(i + 1);
       body.pose = object_pose * pose() * body.pose;
       for (int k = 0; k < 4; ++k) number("a colour");
-      inThisLine([&] { addBody(scene, std::move(body)); });
+      inThisLine([&] { builder.add(std::move(body)); });
     }
     if (with_pose) subframes();
   }
@@ -157,6 +160,7 @@ class Reader {
   }
 
   const std::string file_;
+  const RunControl& control_;
   const std::string text_;
   std::string_view rest_;
   std::size_t line_ = 1;
@@ -165,8 +169,8 @@ class Reader {
 
 }  // namespace
 
-Scene readMoveItScene(const std::string& file) {
-  return Reader(file).read();
+Scene readMoveItScene(const std::string& file, const RunControl& control) {
+  return Reader(file, control).read();
 }
 
 }  // namespace collision_hulls

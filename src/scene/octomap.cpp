@@ -151,16 +151,17 @@ std::vector<Eigen::AlignedBox3d> occupiedBoxes(const Octomap& map) {
 
 void addOctomap(Scene& scene, const std::string& name, const Octomap& map, const Eigen::Isometry3d& pose) {
   const std::vector<Eigen::AlignedBox3d> boxes = occupiedBoxes(map);
+  SceneBuilder builder(scene);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     SceneBody body{name + "/" + std::to_string(i + 1), {}, pose * Eigen::Translation3d(boxes[i].center())};
     const Eigen::Vector3d sides = boxes[i].sizes();
     setShape(body, "box", {sides.x(), sides.y(), sides.z()});
-    addBody(scene, std::move(body));
+    builder.add(std::move(body));
   }
 }
 
-Scene readOctomapScene(const std::string& file) {
-  const std::string text = readTextFile(file, "map");
+Scene readOctomapScene(const std::string& file, const RunControl& control) {
+  const std::string text = readTextFile(file, "map", control);
   Scene scene;
   inContext("'" + file + "'", [&] {
     constexpr std::string_view kData = "\ndata\n", kBinary = "# Octomap OcTree binary file", kFull = "# Octomap OcTree file";

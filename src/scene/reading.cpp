@@ -39,10 +39,17 @@ Eigen::Quaterniond checkedQuaternion(double x, double y, double z, double w) {
 }
 
 TriangleMesh MeshLibrary::read(const std::string& uri, const Eigen::Vector3d& scale, const std::string& base) {
-  const std::string path = resolveUri(uri, base, find_package_);
+  const std::string path = resolveUri(uri, base, how_.find_package);
   const auto found = by_path_.find(path);
-  const TriangleMesh& mesh = found != by_path_.end() ? found->second : by_path_.emplace(path, readMesh(path).mesh).first->second;
+  const TriangleMesh& mesh =
+      found != by_path_.end() ? found->second : by_path_.emplace(path, readMesh(path, how_.limits, how_.control).mesh).first->second;
   return scaled(mesh, scale);
+}
+
+std::vector<std::string> MeshLibrary::files() const {
+  std::vector<std::string> files;
+  for (const auto& [path, mesh] : by_path_) files.push_back(path);
+  return files;
 }
 
 }  // namespace collision_hulls

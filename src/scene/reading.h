@@ -23,22 +23,30 @@ Eigen::Quaterniond fromRollPitchYaw(const Eigen::Vector3d& rpy);
 /// The normalized quaternion. Throws kBadScene if its length is not about 1, so that it is no rotation.
 Eigen::Quaterniond checkedQuaternion(double x, double y, double z, double w);
 
+/// How readScene() was told to read.
+struct SceneReading {
+  const PackageFinder& find_package;
+  const MeshLimits& limits;
+  const RunControl& control;
+};
+
 /// Meshes by URI, each file read once.
 class MeshLibrary {
  public:
-  explicit MeshLibrary(const PackageFinder& find_package) : find_package_(find_package) {}
+  explicit MeshLibrary(const SceneReading& how) : how_(how) {}
   /// Relative URIs are resolved against the folder of `base` (a file). Throws the errors of resolveUri(), readMesh() and scaled().
   TriangleMesh read(const std::string& uri, const Eigen::Vector3d& scale, const std::string& base);
+  std::vector<std::string> files() const;
 
  private:
-  const PackageFinder& find_package_;
+  const SceneReading& how_;
   std::map<std::string, TriangleMesh> by_path_;
 };
 
 // One reader per format; see readScene(). They may return an empty scene, which the caller judges.
-Scene readMoveItScene(const std::string& file);
-Scene readYamlScene(const std::string& file, const PackageFinder& find_package);
-Scene readSdfScene(const std::string& file, const PackageFinder& find_package);
-Scene readOctomapScene(const std::string& file);
+Scene readMoveItScene(const std::string& file, const RunControl& control);
+Scene readYamlScene(const std::string& file, const SceneReading& how);
+Scene readSdfScene(const std::string& file, const SceneReading& how);
+Scene readOctomapScene(const std::string& file, const RunControl& control);
 
 }  // namespace collision_hulls

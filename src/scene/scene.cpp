@@ -15,10 +15,17 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kFurthest = 1e6;  // [m] from the origin
+constexpr double kFurthest = 1e6;           // [m] from the origin
+constexpr std::size_t kLongestName = 1000;  // [bytes] of a scene and its bodies: messages and reports repeat them
 
 [[noreturn]] void fail(const std::string& body, const std::string& reason) {
   throw Error(ErrorCode::kBadScene, "body '" + body + "' " + reason);
+}
+
+void checkLength(const std::string& name, const std::string& whose) {
+  if (name.size() > kLongestName)
+    throw Error(ErrorCode::kBadScene, "the name of " + whose + ", '" + shortened(name) + "', is longer than " +
+                                          std::to_string(kLongestName) + " bytes; shorten it");
 }
 
 void checkPlace(const std::string& name, const Eigen::Isometry3d& pose) {
@@ -51,14 +58,16 @@ void setPrimitive(SceneBody& body, const GeometryElement& element) {
 }
 
 /// Each element of each link, at its rest pose.
-Scene readUrdfScene(const std::string& file, const PackageFinder& find_package) {
-  const RobotDescription robot = readRobotDescription(file);
-  MeshLibrary meshes(find_package);
+Scene readUrdfScene(const std::string& file, const SceneReading& how) {
+  const RobotDescription robot = readRobotDescription(file, how.control);
+  MeshLibrary meshes(how);
   Scene scene;
+  SceneBuilder builder(scene);
   scene.name = robot.name;
   for (const LinkDescription& link : robot.links) {
     const std::vector<GeometryElement> elements = sourceElements(link, Source::kAuto).elements;
     for (std::size_t i = 0; i < elements.size(); ++i) {
+      how.control.check();
       const GeometryElement& element = elements[i];
       if (element.kind == GeometryElement::Kind::kNone) continue;
       const std::string name = elements.size() == 1 ? link.name : link.name + "/" + std::to_string(i + 1);
@@ -70,49 +79,59 @@ Scene readUrdfScene(const std::string& file, const PackageFinder& find_package) 
         } else {
           setPrimitive(body, element);
         }
-        addBody(scene, std::move(body));
+        builder.add(std::move(body));
       });
     }
   }
+  scene.files = meshes.files();
   return scene;
 }
 
-Scene readMeshScene(const std::string& file) {
+Scene readMeshScene(const std::string& file, const SceneReading& how) {
   Scene scene;
   scene.name = std::filesystem::path(file).stem().string();
-  addBody(scene, {scene.name.empty() ? "mesh" : scene.name, readMesh(file).mesh});
+  addBody(scene, {scene.name.empty() ? "mesh" : scene.name, readMesh(file, how.limits, how.control).mesh});
   return scene;
 }
 
-std::optional<Scene> readByExtension(const std::string& file, const PackageFinder& find_package) {
+std::optional<Scene> readByExtension(const std::string& file, const SceneReading& how) {
   const std::string extension = lowerExtension(file);
-  if (extension == ".scene") return readMoveItScene(file);
-  if (extension == ".urdf" || extension == ".xacro") return readUrdfScene(file, find_package);
-  if (extension == ".sdf" || extension == ".world") return readSdfScene(file, find_package);
-  if (extension == ".bt" || extension == ".ot") return readOctomapScene(file);
-  if (extension == ".yaml" || extension == ".yml") return readYamlScene(file, find_package);
-  if (isMeshFile(file)) return readMeshScene(file);
+  if (extension == ".scene") return readMoveItScene(file, how.control);
+  if (extension == ".urdf" || extension == ".xacro") return readUrdfScene(file, how);
+  if (extension == ".sdf" || extension == ".world") return readSdfScene(file, how);
+  if (extension == ".bt" || extension == ".ot") return readOctomapScene(file, how.control);
+  if (extension == ".yaml" || extension == ".yml") return readYamlScene(file, how);
+  if (isMeshFile(file)) return readMeshScene(file, how);
   return std::nullopt;
 }
 
 }  // namespace
 
-void addBody(Scene& scene, SceneBody body) {
-  if (body.name.empty()) throw Error(ErrorCode::kBadScene, "a body has no name; give it one");
-  const auto is_same = [&](const SceneBody& other) { return other.name == body.name; };
-  if (std::any_of(scene.bodies.begin(), scene.bodies.end(), is_same)) fail(body.name, "appears twice in the scene; rename one of them");
-  checkPlace(body.name, body.pose);
-  if (const auto* mesh = std::get_if<TriangleMesh>(&body.shape)) checkMesh(body.name, *mesh);
-  scene.bodies.push_back(std::move(body));
+SceneBuilder::SceneBuilder(Scene& scene) : scene_(scene) {
+  for (const SceneBody& body : scene.bodies) names_.insert(body.name);
 }
 
-Scene readScene(const std::string& file, const PackageFinder& find_package) {
-  std::optional<Scene> scene = readByExtension(file, find_package);
+void SceneBuilder::add(SceneBody body) {
+  if (body.name.empty()) throw Error(ErrorCode::kBadScene, "a body has no name; give it one");
+  checkLength(body.name, "a body");
+  checkPlace(body.name, body.pose);
+  if (const auto* mesh = std::get_if<TriangleMesh>(&body.shape)) checkMesh(body.name, *mesh);
+  if (!names_.insert(body.name).second) fail(body.name, "appears twice in the scene; rename one of them");
+  scene_.bodies.push_back(std::move(body));
+}
+
+void addBody(Scene& scene, SceneBody body) {
+  SceneBuilder(scene).add(std::move(body));
+}
+
+Scene readScene(const std::string& file, const PackageFinder& find_package, const MeshLimits& limits, const RunControl& control) {
+  std::optional<Scene> scene = readByExtension(file, {find_package, limits, control});
   if (!scene) {
     throw Error(ErrorCode::kUnsupportedFormat,
                 "'" + file + "': unknown scene format; supported are .scene (MoveIt), .urdf, .xacro, .sdf, .world, .yaml, .bt and .ot " +
                     "(OctoMap), and mesh files (.stl .dae .obj .off .ply)");
   }
+  inContext("'" + file + "'", [&] { checkLength(scene->name, "the scene"); });
   const std::string extension = lowerExtension(file);
   if (scene->bodies.empty() && extension != ".yaml" && extension != ".yml") {
     throw Error(ErrorCode::kBadScene,

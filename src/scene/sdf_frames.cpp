@@ -14,6 +14,7 @@ namespace collision_hulls {
 namespace {
 
 const std::string kWithin = "::";
+constexpr std::size_t kMostFrames = 1000;  // in a chain, which takes a level of recursion for each
 constexpr double kRadiansPerDegree = kPi / 180;
 
 std::string textOfChild(const XmlNode& element, const std::string& name) {
@@ -92,6 +93,8 @@ Eigen::Isometry3d SdfFrames::frameNamed(const std::string& name, const XmlNode& 
   if (name.empty() || name == "__model__" || name == "world") return Eigen::Isometry3d::Identity();
   if (steps > frames_.size())
     failSdf(file_, asked_by, "frame '" + name + "' is relative to itself, by way of other frames; break the cycle");
+  if (steps > kMostFrames)
+    failSdf(file_, asked_by, "frame '" + name + "' ends a chain of more than " + std::to_string(kMostFrames) + " frames; shorten it");
   const auto found = frames_.find(name);
   if (found != frames_.end()) return poseOf(*found->second.element, found->second.relative_to, steps + 1);
   const std::size_t end = name.find(kWithin);

@@ -71,7 +71,7 @@ void setConvexShape(const Shape& shape, SceneBody& body) {
 
 class Reader {
  public:
-  explicit Reader(const PackageFinder& find_package) : find_package_(find_package), meshes_(find_package) {}
+  explicit Reader(const SceneReading& how) : find_package_(how.find_package), control_(how.control), meshes_(how) {}
 
   Scene read(const std::string& file) {
     const XmlNode& root = open(file);
@@ -80,6 +80,8 @@ class Reader {
     scene_.name = worlds.empty() ? fs::path(file).stem().string() : worlds.front()->attribute("name");
     const XmlNode& scope = worlds.empty() ? root : *worlds.front();
     readScope({&scope, file, "", nullptr, 0}, Eigen::Isometry3d::Identity(), "", stateOf(scope, file));
+    scene_.files = meshes_.files();
+    for (const auto& [included, document] : documents_) scene_.files.push_back(included);
     return std::move(scene_);
   }
 
@@ -88,7 +90,8 @@ class Reader {
   const XmlNode& open(const std::string& file) {
     const auto known = documents_.find(file);
     if (known != documents_.end()) return known->second;
-    const XmlNode& root = documents_.emplace(file, parseXml(readTextFile(file, ".sdf or .world file"), "'" + file + "'")).first->second;
+    const std::string text = readTextFile(file, ".sdf or .world file", control_);
+    const XmlNode& root = documents_.emplace(file, parseXml(text, "'" + file + "'", control_)).first->second;
     if (root.name != "sdf") failSdf(file, root, "the root element is <" + root.name + ">; SDF needs <sdf>");
     return root;
   }
@@ -133,6 +136,7 @@ class Reader {
       readLink(*link, scope.file, frames, place ? *place * in_scope.inverse() : pose, prefix);
     }
     for (const SdfModel& model : models) {
+      control_.check();
       if (!model.element->attribute("placement_frame").empty()) {
         failSdf(model.file, *model.element, "placement_frame is not supported; give the pose of the model itself");
       }
@@ -144,12 +148,13 @@ class Reader {
 
   void readLink(const XmlNode& link, const std::string& file, const SdfFrames& frames, const Eigen::Isometry3d& pose,
                 const std::string& prefix) {
+    control_.check();
     const std::string link_name = link.attribute("name");
     for (const XmlNode* collision : link.childrenNamed("collision")) {
       const std::string name = prefix + link_name + "::" + collision->attribute("name");
       SceneBody body{name, {}, pose * frames.poseOf(*collision, link_name)};
       inContext("collision '" + name + "'", [&] {
-        if (setShape(*collision, file, body)) addBody(scene_, std::move(body));
+        if (setShape(*collision, file, body)) builder_.add(std::move(body));
       });
     }
   }
@@ -191,7 +196,7 @@ class Reader {
     } catch (const Error&) {
       return resolveModelUri(uri + "/model.sdf", file, find_package_);
     }
-    const XmlNode root = parseXml(readTextFile(config, "model.config"), "'" + config + "'");
+    const XmlNode root = parseXml(readTextFile(config, "model.config", control_), "'" + config + "'", control_);
     std::string newest;
     double newest_version = -1;
     for (const XmlNode* sdf : root.childrenNamed("sdf")) {
@@ -227,16 +232,18 @@ class Reader {
   }
 
   const PackageFinder& find_package_;
+  const RunControl& control_;
   MeshLibrary meshes_;
   std::map<std::string, XmlNode> documents_;  // by path; models point into them
   std::ptrdiff_t includes_ = 0;
   Scene scene_;
+  SceneBuilder builder_{scene_};
 };
 
 }  // namespace
 
-Scene readSdfScene(const std::string& file, const PackageFinder& find_package) {
-  return Reader(find_package).read(file);
+Scene readSdfScene(const std::string& file, const SceneReading& how) {
+  return Reader(how).read(file);
 }
 
 }  // namespace collision_hulls

@@ -6,12 +6,15 @@
 #include <set>
 #include <utility>
 
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "storage/text_file.h"
 #include "xml/xml_tree.h"
 
 namespace collision_hulls {
 namespace {
+
+constexpr std::size_t kMostPairs = 1'000'000;
 
 using LinkPair = std::pair<std::string, std::string>;
 
@@ -28,7 +31,11 @@ class Reader {
 
   DisabledPairs read(const XmlNode& root) {
     if (root.name != "robot") fail(root, "the root element is <" + root.name + ">; an SRDF needs <robot>");
-    for (const XmlNode* element : root.childrenNamed("disable_default_collisions")) disableAllOf(*element);
+    for (const XmlNode* element : root.childrenNamed("disable_default_collisions")) {
+      disableAllOf(*element);
+      if (result_.pairs.size() > kMostPairs)
+        fail(*element, "more than " + std::to_string(kMostPairs) + " pairs are disabled by default; name those that touch instead");
+    }
     for (const XmlNode* element : root.childrenNamed("enable_collisions")) enable(pairOf(*element));
     for (const XmlNode* element : root.childrenNamed("disable_collisions")) disable(pairOf(*element), element->attribute("reason"));
     if (left_out_ > 0) {
@@ -54,7 +61,7 @@ class Reader {
   bool isKnown(const LinkPair& pair) {
     for (const std::string& link : {pair.first, pair.second}) {
       if (known_.count(link)) continue;
-      if (left_out_++ == 0) first_unknown_ = link;
+      if (left_out_++ == 0) first_unknown_ = shortened(link);
       return false;
     }
     return true;
@@ -95,13 +102,14 @@ std::string commentText(std::string text) {
 
 }  // namespace
 
-DisabledPairs parseDisabledPairs(const std::string& srdf_text, const RobotDescription& robot, const std::string& path) {
+DisabledPairs parseDisabledPairs(const std::string& srdf_text, const RobotDescription& robot, const std::string& path,
+                                 const RunControl& control) {
   const std::string label = path.empty() ? "SRDF" : "'" + path + "'";
-  return Reader(robot, label).read(parseXml(srdf_text, label));
+  return Reader(robot, label).read(parseXml(srdf_text, label, control));
 }
 
-DisabledPairs readDisabledPairs(const std::string& srdf_file, const RobotDescription& robot) {
-  return parseDisabledPairs(readTextFile(srdf_file, ".srdf file"), robot, srdf_file);
+DisabledPairs readDisabledPairs(const std::string& srdf_file, const RobotDescription& robot, const RunControl& control) {
+  return parseDisabledPairs(readTextFile(srdf_file, ".srdf file", control), robot, srdf_file, control);
 }
 
 std::string srdfFragment(const std::string& robot_name, const std::vector<DisabledPair>& pairs) {

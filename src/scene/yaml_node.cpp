@@ -1,86 +1,46 @@
-// Wraps yaml-cpp so that every value knows its file and line. Brackets are counted before parsing, as old versions of yaml-cpp overflow the
-// stack on deep nesting.
+// Every value knows its file and line, so that messages can say them.
 #include "scene/yaml_node.h"
-
-#include <yaml-cpp/yaml.h>
 
 #include "scene/reading.h"
 
 namespace collision_hulls {
 
-struct YamlValue::Node {
-  struct Source {
-    std::string file;
-    ErrorCode code;
-    std::size_t first_line;
-  };
-  YAML::Node value;
-  std::shared_ptr<const Source> source;
-
-  static YamlValue wrap(const YAML::Node& value, const std::shared_ptr<const Source>& source) {
-    YamlValue result;
-    result.node_ = std::make_shared<Node>(Node{value, source});
-    return result;
-  }
-};
-
-namespace {
-
-std::string place(const std::string& file, std::size_t line) {
-  return "'" + file + "', line " + std::to_string(line);
+YamlValue YamlValue::parse(const std::string& text, const std::string& file, ErrorCode code, std::size_t first_line,
+                           const RunControl& control) {
+  return parse({{text, first_line}}, file, code, control).front();
 }
 
-std::size_t lineOf(const YAML::Mark& mark, std::size_t first_line) {
-  return first_line + static_cast<std::size_t>(std::max(0, mark.line));
-}
-
-/// yaml-cpp before 0.7 (Ubuntu 20.04) recurses once per bracket and overflows the stack.
-bool nestsTooDeep(const std::string& text) {
-  constexpr int kDeepest = 500;
-  int depth = 0;
-  for (const char c : text) {
-    depth += (c == '[' || c == '{') - (c == ']' || c == '}');
-    if (depth > kDeepest) return true;
+std::vector<YamlValue> YamlValue::parse(const std::vector<YamlText>& documents, const std::string& file, ErrorCode code,
+                                        const RunControl& control) {
+  std::vector<YamlTree> trees = parseYaml(documents, file, code, control);
+  std::vector<YamlValue> values;
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    const std::size_t root = trees[i].nodes.size() - 1;
+    values.push_back(
+        {std::make_shared<const Document>(Document{std::move(trees[i]), file, code, std::size_t{documents[i].first_line}}), root});
   }
-  return false;
-}
-
-}  // namespace
-
-YamlValue YamlValue::parse(const std::string& text, const std::string& file, ErrorCode code, std::size_t first_line) {
-  if (nestsTooDeep(text))
-    throw Error(code, place(file, first_line) + ": more than 500 brackets are open at once; close them, or nest less");
-  const auto source = std::make_shared<const Node::Source>(Node::Source{file, code, first_line});
-  try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    for (std::size_t i = 1; i < documents.size(); ++i)
-      if (!documents[i].IsNull())
-        throw Error(code, place(file, lineOf(documents[i].Mark(), first_line)) + ": a second document; put everything into one");
-    return Node::wrap(documents.empty() ? YAML::Node() : documents.front(), source);
-  } catch (const YAML::Exception& error) {
-    throw Error(code, place(file, lineOf(error.mark, first_line)) + ": not valid YAML: " + error.msg);
-  }
+  return values;
 }
 
 bool YamlValue::isMap() const {
-  return node_->value.IsMap();
+  return node().kind == YamlTree::Kind::kMap;
 }
 
 bool YamlValue::isSequence() const {
-  return node_->value.IsSequence();
+  return node().kind == YamlTree::Kind::kSequence;
 }
 
 bool YamlValue::isNull() const {
-  return node_->value.IsNull();
+  return node().kind == YamlTree::Kind::kNull;
 }
 
 bool YamlValue::isQuoted() const {
-  return node_->value.IsScalar() && node_->value.Tag() == "!";
+  return node().is_quoted != 0;
 }
 
 std::string YamlValue::text() const {
-  if (!node_->value.IsScalar()) fail("expected a single value");
-  return node_->value.Scalar();
+  if (node().kind != YamlTree::Kind::kScalar) fail("expected a single value");
+  return node().text;
 }
 
 double YamlValue::number() const {
@@ -92,7 +52,7 @@ double YamlValue::number() const {
 std::vector<YamlValue> YamlValue::items() const {
   if (!isSequence()) fail("expected a list");
   std::vector<YamlValue> result;
-  for (const YAML::Node& item : node_->value) result.push_back(Node::wrap(item, node_->source));
+  for (const std::uint32_t item : node().children) result.push_back(valueAt(item));
   return result;
 }
 
@@ -111,8 +71,8 @@ std::vector<double> YamlValue::numbers(std::size_t count) const {
 std::vector<std::pair<YamlValue, YamlValue>> YamlValue::entries() const {
   if (!isMap()) fail("expected a map (key: value)");
   std::vector<std::pair<YamlValue, YamlValue>> result;
-  for (const auto& entry : node_->value)
-    result.emplace_back(Node::wrap(entry.first, node_->source), Node::wrap(entry.second, node_->source));
+  for (std::size_t i = 0; i < node().children.size(); i += 2)
+    result.emplace_back(valueAt(node().children[i]), valueAt(node().children[i + 1]));
   return result;
 }
 
@@ -122,25 +82,36 @@ std::vector<std::string> YamlValue::keys() const {
   return result;
 }
 
+const std::uint32_t* YamlValue::valueOf(const std::string& key) const {
+  if (!isMap()) return nullptr;
+  const std::vector<std::uint32_t>& entries = node().children;
+  for (std::size_t i = 0; i < entries.size(); i += 2) {
+    const YamlTree::Node& known = document_->tree.nodes[entries[i]];
+    if (known.kind == YamlTree::Kind::kScalar && known.text == key) return &entries[i + 1];
+  }
+  return nullptr;
+}
+
 bool YamlValue::has(const std::string& key) const {
-  return isMap() && node_->value[key].IsDefined();
+  return valueOf(key) != nullptr;
 }
 
 YamlValue YamlValue::operator[](const std::string& key) const {
-  if (!has(key)) fail("'" + key + "' is missing");
-  return Node::wrap(node_->value[key], node_->source);
+  const std::uint32_t* const value = valueOf(key);
+  if (!value) fail("'" + key + "' is missing");
+  return valueAt(*value);
 }
 
 std::size_t YamlValue::line() const {
-  return lineOf(node_->value.Mark(), node_->source->first_line);
+  return document_->first_line + node().line;
 }
 
 std::string YamlValue::where() const {
-  return place(node_->source->file, line());
+  return "'" + document_->file + "', line " + std::to_string(line());
 }
 
 void YamlValue::fail(const std::string& reason) const {
-  throw Error(node_->source->code, where() + ": " + reason);
+  throw Error(document_->code, where() + ": " + reason);
 }
 
 }  // namespace collision_hulls

@@ -1,21 +1,28 @@
-// YAML values that name their file and line in messages. Only yaml_node.cpp includes yaml-cpp.
+// YAML values that name their file and line in messages.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/error.h"
+#include "scene/yaml_question.h"
 
 namespace collision_hulls {
 
 /// A value in a document: a view that keeps the document alive. Its functions throw the document's `code`, naming file and line.
 class YamlValue {
  public:
-  /// Parses a document. `first_line`: the line of the file at which the text starts.
-  static YamlValue parse(const std::string& text, const std::string& file, ErrorCode code, std::size_t first_line = 1);
+  /// Parses a document, or several at once, in another process (see parseYaml()). `first_line`: the line of the file at which the text
+  /// starts.
+  static YamlValue parse(const std::string& text, const std::string& file, ErrorCode code, std::size_t first_line = 1,
+                         const RunControl& control = {});
+  static std::vector<YamlValue> parse(const std::vector<YamlText>& documents, const std::string& file, ErrorCode code,
+                                      const RunControl& control);
 
   bool isMap() const;
   bool isSequence() const;
@@ -31,15 +38,26 @@ class YamlValue {
   std::vector<std::string> keys() const;                         ///< of a map, in document order
   std::vector<std::pair<YamlValue, YamlValue>> entries() const;  ///< of a map: keys and values in document order
   bool has(const std::string& key) const;                        ///< of a map; false if the value is not a map
-  YamlValue operator[](const std::string& key) const;            ///< of a map that has the key
+  YamlValue operator[](const std::string& key) const;            ///< of a map that has the key; of several, the first
 
   std::size_t line() const;
   std::string where() const;  ///< "'file', line 3"
   [[noreturn]] void fail(const std::string& reason) const;
 
  private:
-  struct Node;
-  std::shared_ptr<const Node> node_;
+  struct Document {
+    YamlTree tree;
+    std::string file;
+    ErrorCode code;
+    std::size_t first_line;
+  };
+  YamlValue(std::shared_ptr<const Document> document, std::size_t node) : document_(std::move(document)), node_(node) {}
+  const YamlTree::Node& node() const { return document_->tree.nodes[node_]; }
+  YamlValue valueAt(std::uint32_t node) const { return {document_, node}; }
+  const std::uint32_t* valueOf(const std::string& key) const;  // null where there is none
+
+  std::shared_ptr<const Document> document_;
+  std::size_t node_;
 };
 
 }  // namespace collision_hulls

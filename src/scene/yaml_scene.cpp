@@ -54,18 +54,21 @@ std::string shapeOf(const YamlValue& body) {
 
 class Reader {
  public:
-  Reader(const std::string& file, const PackageFinder& find_package) : file_(file), meshes_(find_package) {}
+  Reader(const std::string& file, const SceneReading& how) : file_(file), control_(how.control), meshes_(how) {}
 
   Scene read() {
-    const YamlValue root = YamlValue::parse(readTextFile(file_, ".yaml file"), file_, ErrorCode::kBadScene);
+    const YamlValue root = YamlValue::parse(readTextFile(file_, ".yaml file", control_), file_, ErrorCode::kBadScene, 1, control_);
     if (!root.isMap() || !root.has("bodies")) root.fail("a scene needs a list 'bodies:'; an empty scene has 'bodies: []'");
     expectKeys(root, {"name", "bodies"});
     Scene scene;
+    SceneBuilder builder(scene);
     if (root.has("name")) scene.name = root["name"].text();
     for (const YamlValue& value : root["bodies"].items()) {
+      control_.check();
       SceneBody body = bodyOf(value);
-      inContext(value.where(), [&] { addBody(scene, std::move(body)); });
+      inContext(value.where(), [&] { builder.add(std::move(body)); });
     }
+    scene.files = meshes_.files();
     return scene;
   }
 
@@ -96,13 +99,14 @@ class Reader {
   }
 
   const std::string file_;
+  const RunControl& control_;
   MeshLibrary meshes_;
 };
 
 }  // namespace
 
-Scene readYamlScene(const std::string& file, const PackageFinder& find_package) {
-  return Reader(file, find_package).read();
+Scene readYamlScene(const std::string& file, const SceneReading& how) {
+  return Reader(file, how).read();
 }
 
 }  // namespace collision_hulls

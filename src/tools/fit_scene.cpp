@@ -74,7 +74,8 @@ SceneRequest requestOf(const SceneCommand& command, const Input& input, const Ru
     throw Error(ErrorCode::kBadOption, "--samples '" + std::to_string(command.samples) + "' is not understood: it takes a number above 0");
   const std::string srdf = command.srdf.empty() ? "" : readTextFileOrPipe(command.srdf, ".srdf file", control);
   const double clearance = parseMetres(command.clearance, "--clearance");
-  SceneRequest request = readSceneRequest(input, {command.scene, srdf, command.srdf, command.configurations, command.max_step});
+  SceneRequest request = readSceneRequest(
+      input, {command.scene, srdf, command.srdf, command.configurations, command.max_step, meshLimits(command.robot.options)}, control);
   request.clearance = clearance;
   request.samples = static_cast<std::size_t>(command.samples);
   request.compare = !command.compare.empty();

@@ -183,10 +183,10 @@ inline void checkSuits(const Input& input, const Options& options) {
 }
 
 /// A first sign of life: xacro alone may take seconds.
-inline Input opened(const RobotCommand& command) {
+inline Input opened(const RobotCommand& command, const RunControl& control) {
   const bool is_quick = lowerExtension(command.input) == ".urdf" || isMeshFile(command.input);
   if (!command.quiet && !is_quick) std::cerr << "opening '" << command.input << "'\n";
-  Input input = openInput(command.input, command.package_path, command.program);
+  Input input = openInput(command.input, command.package_path, command.program, control);
   checkSuits(input, command.options);
   return input;
 }
@@ -217,7 +217,7 @@ inline int runRobotCommand(RobotCommand& command, const RobotWork& work) {
   confine(command, confinement);
   configure(command);
   checkCommand(command);
-  const Input input = opened(command);
+  const Input input = opened(command, control);
   const std::string output = writablePath(command.output.empty() ? defaultOutput(input) : command.output);
   checkOutput(output);
   checkConfig(command, input, output);

@@ -54,9 +54,11 @@ std::size_t XmlSource::lineFromRoot(int line) const {
 void loadRoot(XmlSource& source, tinyxml2::XMLDocument& document) {
   checkEncoding(source);
   const XmlOutline outline = scan(source);
+  source.elements = outline.elements.size();
   source.root_line = lineOf(source.text, outline.elements.front().begin);
   const std::string root = readableRoot(source, outline);
   document.Parse(root.data(), root.size());
+  if (!document.Error() && !document.RootElement()) source.fail(ErrorCode::kNotXml, "an element's name is no name; correct it");
   if (!document.Error()) return;
   const std::size_t line = source.lineFromRoot(document.ErrorLineNum());
   if (document.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {

@@ -4,6 +4,7 @@
 #include <tinyxml2.h>
 
 #include "base/string_parts.h"
+#include "xml/xml_question.h"
 #include "xml/xml_source.h"
 #include "xml/xml_spans.h"
 
@@ -45,7 +46,7 @@ std::vector<const XmlNode*> XmlNode::childrenNamed(const std::string& child_name
   return result;
 }
 
-XmlNode parseXml(const std::string& text, const std::string& label) {
+XmlNode decodeXml(const std::string& text, const std::string& label) {
   XmlSource source{text, label};
   tinyxml2::XMLDocument document;
   loadRoot(source, document);

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/control.h"
+
 namespace collision_hulls {
 
 /// An element. Comments and processing instructions are left out.
@@ -24,8 +26,8 @@ struct XmlNode {
 };
 
 /// The root element of a document. `label` stands in messages. Entities that a document type defines are not expanded, so that none grow.
-/// Throws kNotXml with the line.
-XmlNode parseXml(const std::string& text, const std::string& label);
+/// Parsed in a process of its own (sandbox/file_reader.h). Throws kNotXml with the line; what ReaderProgram::ask() throws.
+XmlNode parseXml(const std::string& text, const std::string& label, const RunControl& control = {});
 
 /// Text for an attribute's value or an element's content, with what XML reserves escaped.
 std::string xmlEscaped(const std::string& text);

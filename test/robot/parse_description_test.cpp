@@ -270,7 +270,15 @@ TEST(ParseDescription, ThreadsDoNotMixTheirMessages) {
 TEST(ParseDescription, ALinkNameThatIsTooLong) {
   const auto robot = [](std::size_t length) { return "<robot name='r'><link name='" + std::string(length, 'a') + "'/></robot>"; };
   EXPECT_NO_THROW(parseRobotDescription(robot(1000)));
-  expectError(ErrorCode::kNotARobot, {"longer than 1000 bytes"}, [&] { parseRobotDescription(robot(1001)); });
+  expectError(ErrorCode::kNotARobot, {"line 1", "the name of this <link>", "longer than 1000 bytes"},
+              [&] { parseRobotDescription(robot(1001)); });
+  const std::string name(1001, 'a');
+  expectError(ErrorCode::kNotARobot, {"the name of this <robot>"},
+              [&] { parseRobotDescription("<robot name='" + name + "'><link name='a'/></robot>"); });
+  expectError(ErrorCode::kNotARobot, {"the name of this <joint>"}, [&] {
+    parseRobotDescription("<robot name='r'><link name='a'/><link name='b'/><joint name='" + name +
+                          "' type='fixed'><parent link='a'/><child link='b'/></joint></robot>");
+  });
 }
 
 TEST(ParseDescription, ElementsThatCannotBeReadKeepTheirPlaces) {

@@ -63,5 +63,27 @@ TEST(ReadScene, UrdfErrorsNameTheLink) {
   expectError(ErrorCode::kNotXml, {"a.urdf"}, [&] { sceneOf(folder, "a.urdf", "<robot"); });
 }
 
+TEST(ReadScene, NamesTheFilesThatItWasReadFrom) {
+  const TemporaryFolder folder;
+  const std::string mesh = folder.write("part.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(sceneOf(folder, "a.yaml", "bodies:\n- {name: part, mesh: part.obj}\n").files, std::vector<std::string>{mesh});
+  const std::string collision = "<collision name='c'><geometry><mesh><uri>part.obj</uri></mesh></geometry></collision>";
+  const std::string world = "<sdf version='1.7'><model name='m'><link name='l'>" + collision + "</link></model></sdf>";
+  EXPECT_EQ(sceneOf(folder, "a.sdf", world).files, (std::vector<std::string>{mesh, folder.path("a.sdf")}));
+  EXPECT_EQ(sceneOf(folder, "a.urdf",
+                    "<robot name='r'><link name='a'><collision><geometry><mesh filename='part.obj'/></geometry>"
+                    "</collision></link></robot>")
+                .files,
+            std::vector<std::string>{mesh});
+}
+
+TEST(ReadScene, CancelledAtOnce) {
+  const TemporaryFolder folder;
+  RunControl control;
+  control.cancel();
+  for (const char* name : {"a.yaml", "a.sdf", "a.scene", "a.bt", "a.urdf", "a.obj"})
+    expectError(ErrorCode::kCancelled, {}, [&] { readScene(folder.write(name, "x"), noPackages(), {}, control); });
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -196,5 +196,16 @@ TEST(SdfScene, ErrorsNameTheFaultAndTheLine) {
   expectBad(kBad, {"include itself"}, model("<include><uri>a.sdf</uri></include>"));
 }
 
+TEST(ReadSdf, ALongChainOfFramesTakesNoStack) {
+  const TemporaryFolder folder;
+  std::string text = "<sdf version='1.7'><model name='m'><frame name='f0'/>";
+  for (int i = 1; i < 60'000; ++i)
+    text += "<frame name='f" + std::to_string(i) + "'><pose relative_to='f" + std::to_string(i - 1) + "'>0 0 0 0 0 0</pose></frame>";
+  text +=
+      "<link name='l'><pose relative_to='f59999'>0 0 0 0 0 0</pose><collision name='c'><geometry><sphere><radius>1</radius></sphere>"
+      "</geometry></collision></link></model></sdf>";
+  expectError(ErrorCode::kBadScene, {"chain of more than 1000 frames"}, [&] { sceneOf(folder, "a.sdf", text); });
+}
+
 }  // namespace
 }  // namespace collision_hulls

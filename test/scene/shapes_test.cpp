@@ -73,12 +73,25 @@ TEST(AddBody, RejectsInvalidBodies) {
   far.translation().y() = 2e6;
   expectError(ErrorCode::kBadScene, {"no name"}, adding("", triangle, here));
   expectError(ErrorCode::kBadScene, {"'a'", "twice"}, adding("a", triangle, here));
+  expectError(ErrorCode::kBadScene, {"longer than 1000 bytes"}, adding(std::string(1001, 'a'), triangle, here));
   expectError(ErrorCode::kBadScene, {"'b'", "without triangles"}, adding("b", {}, here));
   expectError(ErrorCode::kBadScene, {"'b'", "vertex 3 of 3"}, adding("b", broken, here));
   expectError(ErrorCode::kBadScene, {"'b'", "not finite"}, adding("b", endless, here));
   expectError(ErrorCode::kBadScene, {"'b'", "not finite"}, adding("b", triangle, nowhere));
   expectError(ErrorCode::kBadScene, {"'b'", "1e6"}, adding("b", triangle, far));
   EXPECT_EQ(scene.bodies.size(), 1u);
+}
+
+// With a look at every other body for each, this would take 5e10 comparisons: minutes.
+TEST(SceneBuilder, AddsManyBodies) {
+  Scene scene;
+  addBody(scene, {"first", boxShape({1, 1, 1})});
+  SceneBuilder builder(scene);
+  const TriangleMesh triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  for (int i = 0; i < 300'000; ++i) builder.add({"body " + std::to_string(i), triangle});
+  EXPECT_EQ(scene.bodies.size(), 300'001u);
+  for (const char* name : {"first", "body 7"}) expectError(ErrorCode::kBadScene, {name, "twice"}, [&] { builder.add({name, triangle}); });
+  EXPECT_EQ(scene.bodies.size(), 300'001u);
 }
 
 }  // namespace

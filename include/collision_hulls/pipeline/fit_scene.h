@@ -30,11 +30,16 @@ struct SceneSources {
   std::string srdf_file;       ///< the file that the text is from, for messages
   std::string configurations;  ///< file
   double max_step = 0;         ///< [rad or m] between configurations, see ConfigurationOptions
+  MeshLimits mesh_limits;      ///< for the scene's meshes
 };
+
+/// What the options let the reading of a mesh use: reader_memory and reader_time.
+MeshLimits meshLimits(const Options& options);
 
 /// Reads a request from its sources. Throws the readers' errors, and kBadOption for a step without
 /// configurations.
-SceneRequest readSceneRequest(const Input& input, const SceneSources& sources);
+SceneRequest readSceneRequest(const Input& input, const SceneSources& sources,
+                              const RunControl& control = {});
 
 /// How to read configurations for a request: values beyond the joint limits are refused, since
 /// nothing is proved there.

@@ -20,7 +20,7 @@ struct Input {
 /// defaultPackageFinder(). Throws the readers' errors; for a package with several descriptions the
 /// message lists a command of `program` for each.
 Input openInput(const std::string& input, const std::vector<std::string>& package_path = {},
-                const std::string& program = "decompose");
+                const std::string& program = "decompose", const RunControl& control = {});
 
 /// "42 meshes of 17 links": what decompose() will read.
 std::string workOn(const Input& input, const Options& options);

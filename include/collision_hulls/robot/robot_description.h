@@ -19,6 +19,8 @@
 #include <utility>
 #include <vector>
 
+#include "collision_hulls/control.h"
+
 namespace collision_hulls {
 
 /// A geometry of a link: one `<visual>` or `<collision>` of the description.
@@ -76,12 +78,15 @@ struct RobotDescription {
 
 /// Parses a URDF. `path` (may be empty) stands in messages and is what relative URIs are relative
 /// to. An element that cannot be read has a fault; the others do not suffer from it. Throws
-/// kNotXml, kNotARobot, kNoLinks; the message gives line and reason where the parser does.
-RobotDescription parseRobotDescription(const std::string& urdf_text, const std::string& path = "");
+/// kNotXml, kNotARobot, kNoLinks, kTooLarge; the message gives line and reason where the parser
+/// does. Parses in another process, as readMesh() does (mesh/mesh_io.h), and throws for that
+/// kReaderFailed, kOutOfMemory, kOutOfTime, kCancelled.
+RobotDescription parseRobotDescription(const std::string& urdf_text, const std::string& path = "",
+                                       const RunControl& control = {});
 
 /// Reads a .urdf, or a .xacro through the user's xacro program (kXacroMissing where there is none).
 /// Also throws kFileNotFound.
-RobotDescription readRobotDescription(const std::string& path);
+RobotDescription readRobotDescription(const std::string& path, const RunControl& control = {});
 
 /// Finds packages, and files of packages that are not where their URIs say. Copies share one search
 /// and its notes. Thread safe if the lookup is.
@@ -193,6 +198,7 @@ struct LinkCollisions {
 /// that stay become what `moved` says of them, if it does.
 std::string rewriteCollisions(const RobotDescription& robot,
                               const std::map<std::string, LinkCollisions>& links,
-                              const std::map<std::string, std::string>& moved = {});
+                              const std::map<std::string, std::string>& moved = {},
+                              const RunControl& control = {});
 
 }  // namespace collision_hulls

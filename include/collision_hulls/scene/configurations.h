@@ -122,6 +122,7 @@ class ConfigurationCollector {
 /// text that cannot be read, for a file without a configuration, and wherever
 /// ConfigurationCollector throws it.
 ConfigurationSet readConfigurations(const std::string& file, const Kinematics& kinematics,
-                                    const ConfigurationOptions& options = {});
+                                    const ConfigurationOptions& options = {},
+                                    const RunControl& control = {});
 
 }  // namespace collision_hulls

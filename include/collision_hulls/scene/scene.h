@@ -11,11 +11,13 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <string>
+#include <unordered_set>
 #include <variant>
 #include <vector>
 
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
+#include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/robot/robot_description.h"
 
 namespace collision_hulls {
@@ -35,6 +37,8 @@ struct SceneBody {
 struct Scene {
   std::string name;
   std::vector<SceneBody> bodies;
+  /// what it was read from beside its own file: meshes and included files
+  std::vector<std::string> files;
 };
 
 // Shapes centred at their frame's origin, as URDF, SDF and MoveIt place them; sizes in metres. They
@@ -64,10 +68,23 @@ std::size_t sizesOf(const std::string& kind);
 /// as the functions above.
 void setShape(SceneBody& body, const std::string& kind, const std::vector<double>& sizes);
 
-/// Appends a body. Throws kBadScene for a name that is empty or taken, a pose that is not finite or
-/// more than 1e6 m out, or a mesh that has no triangles, an index out of range, or a vertex that is
-/// not finite or more than 1e6 m out.
+/// Appends a body. Throws kBadScene for a name that is empty, taken or longer than 1000 bytes, a
+/// pose that is not finite or more than 1e6 m out, or a mesh that has no triangles, an index out of
+/// range, or a vertex that is not finite or more than 1e6 m out. Takes time in the number of
+/// bodies: for many, use a SceneBuilder.
 void addBody(Scene& scene, SceneBody body);
+
+/// Appends many bodies to a scene, which nobody else changes meanwhile and which must outlive this.
+class SceneBuilder {
+ public:
+  explicit SceneBuilder(Scene& scene);
+  /// As addBody(), in time that hardly depends on the number of bodies.
+  void add(SceneBody body);
+
+ private:
+  Scene& scene_;
+  std::unordered_set<std::string> names_;
+};
 
 /// Reads a scene; the extension of `file` selects the format:
 ///
@@ -106,7 +123,9 @@ void addBody(Scene& scene, SceneBody body);
 /// error. Throws kFileNotFound, kUnsupportedFormat, kPackageNotFound and kTooLarge; kBadScene for
 /// text that violates the format, invalid sizes and poses, duplicate names, and a scene without
 /// bodies; the errors of reading a mesh, naming the body; for URDF, those of
-/// readRobotDescription().
-Scene readScene(const std::string& file, const PackageFinder& find_package);
+/// readRobotDescription(). XML and YAML are parsed in another process, as meshes are: also throws
+/// kReaderFailed, kOutOfMemory, kOutOfTime, kCancelled.
+Scene readScene(const std::string& file, const PackageFinder& find_package,
+                const MeshLimits& limits = {}, const RunControl& control = {});
 
 }  // namespace collision_hulls

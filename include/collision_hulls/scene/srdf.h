@@ -35,12 +35,15 @@ struct DisabledPairs {
 /// The disabled pairs of an SRDF. As in MoveIt, the order of elements does not matter:
 /// `<disable_default_collisions>` disables all pairs of a link, `<enable_collisions>` enables one
 /// of these again, and `<disable_collisions>` disables a pair. `path` (may be empty) appears in
-/// messages. Throws kNotXml; kNotAnSrdf, also for a link without a name.
+/// messages. Parsed in another process, as meshes are. Throws kNotXml; kNotAnSrdf, also for a link
+/// without a name and for more than a million pairs; kReaderFailed, kOutOfMemory, kOutOfTime,
+/// kCancelled.
 DisabledPairs parseDisabledPairs(const std::string& srdf_text, const RobotDescription& robot,
-                                 const std::string& path = "");
+                                 const std::string& path = "", const RunControl& control = {});
 
 /// The same for a file. Also throws kFileNotFound, kTooLarge.
-DisabledPairs readDisabledPairs(const std::string& srdf_file, const RobotDescription& robot);
+DisabledPairs readDisabledPairs(const std::string& srdf_file, const RobotDescription& robot,
+                                const RunControl& control = {});
 
 /// A document `<robot name="...">` with one `<disable_collisions>` per pair, in the given order, to
 /// merge into a robot's SRDF or to use as one. parseDisabledPairs() reads the same pairs back.

@@ -1,0 +1,99 @@
+// What urdfdom and tinyxml2 make of a description comes from a process that hostile bytes may have taken over. What the rest of the library
+// relies on is checked here: kinds, names, and that links and joints form a tree.
+#include "robot/robot_question.h"
+
+#include <unordered_set>
+
+#include "collision_hulls/error.h"
+#include "geometry/bytes.h"
+#include "sandbox/file_reader.h"
+
+namespace collision_hulls {
+
+// Structured bindings name every member, so a new member does not compile until it travels, too.
+
+template <typename Archive>
+void fields(Archive& archive, Eigen::Isometry3d& pose) {
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column) archive(pose.matrix()(row, column));
+}
+
+template <typename Archive>
+void fields(Archive& archive, GeometryElement& element) {
+  auto& [kind, uri, scale, size, origin, name, fault] = element;
+  archive(kind, uri, scale, size, origin, name, fault);
+}
+
+template <typename Archive>
+void fields(Archive& archive, LinkDescription& link) {
+  auto& [name, visuals, collisions, pose, parent] = link;
+  archive(name, visuals, collisions, pose, parent);
+}
+
+template <typename Archive>
+void fields(Archive& archive, JointDescription& joint) {
+  auto& [name, kind, parent, child, origin, axis, lower, upper, mimic, mimic_multiplier, mimic_offset] = joint;
+  archive(name, kind, parent, child, origin, axis, lower, upper, mimic, mimic_multiplier, mimic_offset);
+}
+
+template <typename Archive>
+void fields(Archive& archive, RobotDescription& robot) {
+  auto& [name, text, path, links, joints, notes] = robot;
+  archive(name, links, joints, notes);
+}
+
+namespace {
+
+void expectKinds(const LinkDescription& link) {
+  for (const auto* const elements : {&link.visuals, &link.collisions})
+    for (const GeometryElement& element : *elements)
+      if (element.kind < GeometryElement::Kind::kMesh || element.kind > GeometryElement::Kind::kNone)
+        throw ByteFault("a geometry is of no known kind");
+}
+
+/// Each joint leads from the root, or from a link that an earlier joint leads to, to another link.
+void expectTree(const RobotDescription& robot) {
+  std::unordered_set<std::string> links, reached;
+  for (const LinkDescription& link : robot.links) {
+    if (!links.insert(link.name).second) throw ByteFault("two links have the same name");
+    if (link.parent.empty()) reached.insert(link.name);
+    expectKinds(link);
+  }
+  if (reached.size() != 1) throw ByteFault("it has no root, or several");
+  for (const JointDescription& joint : robot.joints) {
+    if (joint.kind < JointDescription::Kind::kFixed || joint.kind > JointDescription::Kind::kPlanar)
+      throw ByteFault("a joint is of no known kind");
+    if (reached.count(joint.parent) == 0 || links.count(joint.child) == 0 || !reached.insert(joint.child).second)
+      throw ByteFault("its joints form no tree");
+  }
+}
+
+}  // namespace
+
+RobotDescription robotIn(const std::string& answer) {
+  RobotDescription robot;
+  fromBytes(answer, robot);
+  expectTree(robot);
+  return robot;
+}
+
+std::string answerRobotQuestion(const Question& question) {
+  auto kind = Reading::kRobot;
+  std::string path;
+  fromBytes(question.head, kind, path);
+  return toBytes(decodeRobotDescription(question.body, path));
+}
+
+RobotDescription parseRobotDescription(const std::string& urdf_text, const std::string& path, const RunControl& control) {
+  const std::string label = path.empty() ? "robot description" : "'" + path + "'";
+  try {
+    RobotDescription robot = robotIn(askAboutText(toBytes(Reading::kRobot, path), urdf_text, label, control));
+    robot.text = urdf_text;
+    robot.path = path;
+    return robot;
+  } catch (const ByteFault& fault) {
+    throw Error(ErrorCode::kReaderFailed, label + ": its reader's answer makes no sense (" + fault.what() + "); replace the description");
+  }
+}
+
+}  // namespace collision_hulls

@@ -1,4 +1,5 @@
 """Attacks on the node: hostile requests in a row, and signals at random moments. Needs ROS; where that is missing, nothing is attacked."""
+import importlib.util
 import os
 import pathlib
 import shutil
@@ -57,7 +58,7 @@ class Ros:
         os.environ.update(ROS_MASTER_URI=f"http://localhost:{free_port()}", ROS_HOSTNAME="localhost", ROS_LOG_DIR=str(self.home))
         port = os.environ["ROS_MASTER_URI"].rsplit(":", 1)[1]
         self.master = subprocess.Popen(["rosmaster", "--core", "-p", port], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        sys.path.insert(0, str(arena.programs.parent.parent / "python3/dist-packages"))
+        sys.path.insert(0, str(arena.programs.parent / "python3/dist-packages"))
         import rosgraph
         import rospy
         from collision_hulls.srv import Decompose
@@ -168,7 +169,7 @@ def ignoring(kind, function):
 
 
 def attack_node(arena, rng):
-    if not (arena.programs / "collision_hulls_node").exists() or shutil.which("rosmaster") is None:
+    if not (arena.programs / "collision_hulls_node").exists() or importlib.util.find_spec("rosgraph") is None:
         return "no ROS"
     ros = Ros(arena)
     try:

@@ -22,7 +22,7 @@ TEST(Shortened, CutsNoCharacter) {
   const std::string text = "ab\xE2\x82\xACxyz\xE2\x82\xAC";  // ab, a euro, xyz, a euro
   EXPECT_EQ(shortened(text, 6), "ab... (11 bytes) ...\xE2\x82\xAC");
   EXPECT_EQ(shortened(text, 4), "ab... (11 bytes) ...");
-  EXPECT_EQ(shortened(std::string(20, '\x80'), 10).size(), 9u + sizeof "... (20 bytes) ..." - 1 - 7);
+  EXPECT_EQ(shortened(std::string(20, '\x80'), 10), "\x80\x80... (20 bytes) ...\x80\x80");
 }
 
 TEST(LowerExtension, IsThatOfTheFile) {

@@ -55,7 +55,7 @@ TEST_F(ResolveUri, ControlCharacters) {
 }
 
 TEST_F(ResolveUri, LongerThanAnyPath) {
-  expectError(ErrorCode::kFileNotFound, {"'/aaa", "...' has 5000000 bytes"}, [&] { resolve("/" + std::string(4999999, 'a')); });
+  expectError(ErrorCode::kFileNotFound, {"'/aaa", "aaa' has 5000000 bytes"}, [&] { resolve("/" + std::string(4999999, 'a')); });
 }
 
 TEST_F(ResolveUri, NamesThatAreNoPackages) {

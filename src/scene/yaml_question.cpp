@@ -64,6 +64,11 @@ class TreeBuilder : public YAML::EventHandler {
   void OnMapEnd() override { closeLast(); }
 
   const Mark& start() const { return start_; }
+  Mark root() const {
+    Mark mark = start_;
+    mark.line = static_cast<int>(tree_.nodes.back().line);
+    return mark;
+  }
   bool isNull() const { return tree_.nodes.size() == 1 && tree_.nodes.front().kind == YamlTree::Kind::kNull; }
   YamlTree take() { return std::move(tree_); }
 
@@ -109,7 +114,7 @@ YamlTree onlyDocument(const std::string& text) {
     if (result.nodes.empty()) {
       result = next.take();
     } else if (!next.isNull()) {
-      throw YamlFault{next.start(), "a second document; put everything into one"};
+      throw YamlFault{next.root(), "a second document; put everything into one"};
     }
   }
   if (result.nodes.empty()) result.nodes.emplace_back();

@@ -36,8 +36,11 @@ TEST(CheckedQuaternion, IsNormalizedIfItIsARotation) {
 TEST(MeshLibrary, ReadsAFileOnce) {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.scene"), mesh = folder.write("a.obj", kTriangleObj);
-  const PackageFinder none = noPackages();
-  MeshLibrary library(none);
+  const PackageFinder find_package = noPackages();
+  const MeshLimits limits;
+  const RunControl control;
+  const SceneReading how{find_package, limits, control};
+  MeshLibrary library(how);
   EXPECT_EQ(library.read("a.obj", Vector3d::Ones(), scene).vertices.size(), 3u);
   std::filesystem::resize_file(mesh, 0);
   const TriangleMesh again = library.read("a.obj", Vector3d::Constant(2), scene);

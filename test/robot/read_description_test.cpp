@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include "base/run_program.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/robot_tests.h"
-#include "base/run_program.h"
 
 namespace collision_hulls {
 namespace {

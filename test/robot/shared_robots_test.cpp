@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <set>
 
+#include "base/run_program.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/robot_tests.h"
-#include "base/run_program.h"
 
 namespace fs = std::filesystem;
 

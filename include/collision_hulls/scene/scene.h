@@ -38,7 +38,7 @@ struct Scene {
   std::string name;
   std::vector<SceneBody> bodies;
   /// what it was read from beside its own file: meshes and included files
-  std::vector<std::string> files;
+  std::vector<std::string> files = {};
 };
 
 // Shapes centred at their frame's origin, as URDF, SDF and MoveIt place them; sizes in metres. They

@@ -43,6 +43,7 @@ void setTolerance(const std::string& uri, const LinkOptions& options, MeshResult
   checkSize(uri, result.mesh.diagonal, options.tolerance);
   result.mesh.tolerance = toleranceFor(result.original, options);
 }
+
 }  // namespace
 
 MeshLimits meshLimits(const Options& options) {

@@ -73,7 +73,7 @@ std::size_t raisedBySharing(std::size_t least, std::size_t enough, const std::ve
 std::size_t leastHulls(const TriangleMesh& mesh, const Solid& solid, double tolerance, const std::vector<ConvexHull>& known, Effort effort,
                        const RunControl& control) {
   if (mesh.triangles.empty()) throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangles; a bound on its hulls needs at least one");
-  if (known.size() == 1) return 1;
+  if (known.size() == 1 || effort == Effort::kInstant) return 1;
   const std::size_t enough = known.empty() ? std::numeric_limits<std::size_t>::max() : known.size();
   const Plan& plan = effort == Effort::kBest ? kBestPlan : kQuickPlan;
   const SurfacePoints candidates = surfacePoints(mesh, plan.candidates / 2);

@@ -315,7 +315,6 @@ bool OutsideDistance::isWithin(const std::array<Eigen::Vector3d, 3>& in_world, d
     const Cell& cell = cells_[static_cast<std::size_t>(id)];
     if (((cell.centre - middle).cwiseAbs() - half).maxCoeff() > cell.half) continue;
     if (std::abs(normal.dot(cell.centre) - offset) > cell.half * width) continue;
-    if (cell.level <= distance) continue;
     if (cell.triangle >= 0 && solid_.distanceWithin(radius(cell), cell.distance, cell.to_surface) <= distance) continue;
     if (cell.children < 0 || top + 8 > 8 * kDeepest) return false;
     for (int k = 0; k < 8; ++k) stack[top++] = cell.children + k;

@@ -90,7 +90,7 @@ TEST(ParseConfig, EveryWayToGetItWrong) {
       {"default: {tolerance: 1,5%}", {"line 1"}},  // which YAML reads as a pair
       {"default: {tree: lots}", {"tree of default 'lots'"}},
       {"default: {method: certifed}", {"method of default is 'certifed'", "one of certified, hacd", "did you mean 'certified'?"}},
-      {"default: {effort: high}", {"effort of default is 'high': use one of quick, best"}},
+      {"default: {effort: high}", {"effort of default is 'high': use one of instant, quick, best"}},
       {"default: {fill: 1}", {"fill of default is '1': use true or false"}},
       {"default: {fill: \"true\"}", {"true or false, without quotes"}},
       {"default: {max_hulls: many}", {"max_hulls of default is 'many': use a whole number"}},

@@ -47,6 +47,10 @@ TEST(LeastHulls, OneWhereTheToleranceAllowsAllInOne) {
   EXPECT_EQ(leastOf(comb(5), 0.26), 1u);
 }
 
+TEST(LeastHulls, AnInstantGivesNoTimeForABound) {
+  EXPECT_EQ(leastOf(openBox(), 0.02, Effort::kInstant), 1u);
+}
+
 TEST(LeastHulls, BoxesWithAGapAreTwoOnlyIfItsMiddleIsBeyondTheTolerance) {
   const TriangleMesh boxes = merged({box(1, 1, 1), moved(box(1, 1, 1), {1.2, 0, 0})});
   EXPECT_EQ(leastOf(boxes, 0.0999), 2u);

@@ -10,7 +10,7 @@ namespace {
 std::string written(const YamlTree& tree, std::size_t index) {
   const YamlTree::Node& node = tree.nodes.at(index);
   if (node.kind == YamlTree::Kind::kNull) return "null";
-  if (node.kind == YamlTree::Kind::kScalar) return node.text;
+  if (node.kind == YamlTree::Kind::kScalar) return node.is_quoted ? "'" + node.text + "'" : node.text;
   std::string text = node.kind == YamlTree::Kind::kMap ? "{" : "[";
   for (const std::uint32_t child : node.children) text += written(tree, child) + ";";
   return text + (node.kind == YamlTree::Kind::kMap ? "}" : "]");
@@ -22,7 +22,7 @@ std::string parsed(const std::string& text) {
 }
 
 TEST(YamlQuestion, Values) {
-  EXPECT_EQ(parsed("a: 1\nb: [x, 'y z', ~]\nc: {d: }\n"), "{a;1;b;[x;y z;null;];c;{d;null;};}");
+  EXPECT_EQ(parsed("a: 1\nb: [x, \"y z\", ~]\nc: {d: }\n'1': '~'\n"), "{a;1;b;[x;'y z';null;];c;{d;null;};'1';'~';}");
   EXPECT_EQ(parsed("- &x [1, 2]\n- *x\n- &y z\n- *y\n"), "[[1;2;];[1;2;];z;z;]");
   EXPECT_EQ(parsed(""), "null");
   EXPECT_EQ(parsed("a: 1\n---\n---\n"), "{a;1;}");
@@ -43,7 +43,7 @@ TEST(YamlQuestion, SeveralDocumentsAtOnce) {
 
 TEST(YamlQuestion, AnAnswerThatIsNoTree) {
   const auto node = [](YamlTree::Kind kind, const std::vector<std::uint32_t>& children) {
-    return toBytes(kind, std::uint64_t{0}, std::string("a"), children);
+    return toBytes(kind, std::uint64_t{0}, std::string("a"), std::uint8_t{0}, children);
   };
   const auto answer = [](std::uint64_t nodes, const std::string& bytes) { return toBytes(std::uint64_t{1}, nodes) + bytes; };
   const std::string scalar = node(YamlTree::Kind::kScalar, {});

@@ -49,7 +49,7 @@ constexpr std::size_t kMany = 3000;   // with more points than this, coplanar po
 constexpr std::size_t kMostKnown = 400;  // intruders remembered
 
 // Visits to the octree's cells before a hull's surface is searched: for each facet that no earlier hull had, and for the others together.
-constexpr std::size_t kVisitsPerFacet = 4, kLeastVisits = 100;
+constexpr std::size_t kVisitsPerFacet = 1, kLeastVisits = 30;
 
 ConvexHull grown(ConvexHull hull) {
   const Eigen::Vector3d middle = boundingBox(hull).center();

@@ -245,7 +245,7 @@ TEST(Certified, MaxHullsCapsAndIsReported) {
 
 TEST(Certified, CanBeCancelledAtAnyTime) {
   const RepairedMesh mesh = repair(test_shapes::torus(1, 0.3, 16, 8));
-  for (double share : {0.0, 0.3, 0.8}) {
+  for (double share : {0.0, 0.3, 0.7}) {  // while splitting, after the first way, in the last search
     RunControl control;
     control.progress = [&](double done) {
       if (done >= share) control.cancel();

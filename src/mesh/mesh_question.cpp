@@ -56,15 +56,12 @@ void expectSound(const LoadedMesh& loaded, const MeshLimits& limits) {
 }  // namespace
 
 LoadedMesh meshIn(const std::string& answer, const std::string& name, const MeshLimits& limits) {
-  LoadedMesh loaded;
-  try {
+  return madeOfAnswer(name, "the file is damaged, or made to do harm: replace it", [&] {
+    LoadedMesh loaded;
     fromBytes(answer, loaded);
     expectSound(loaded, limits);
-  } catch (const ByteFault& fault) {
-    throw Error(ErrorCode::kReaderFailed,
-                name + ": its reader's answer makes no sense (" + fault.what() + "); the file is damaged, or made to do harm: replace it");
-  }
-  return loaded;
+    return loaded;
+  });
 }
 
 LoadedMesh decodeInWorker(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control) {

@@ -86,14 +86,11 @@ std::string answerRobotQuestion(const Question& question) {
 
 RobotDescription parseRobotDescription(const std::string& urdf_text, const std::string& path, const RunControl& control) {
   const std::string label = path.empty() ? "robot description" : "'" + path + "'";
-  try {
-    RobotDescription robot = robotIn(askAboutText(toBytes(Reading::kRobot, path), urdf_text, label, control));
-    robot.text = urdf_text;
-    robot.path = path;
-    return robot;
-  } catch (const ByteFault& fault) {
-    throw Error(ErrorCode::kReaderFailed, label + ": its reader's answer makes no sense (" + fault.what() + "); replace the description");
-  }
+  const std::string answer = askAboutText(toBytes(Reading::kRobot, path), urdf_text, label, control);
+  RobotDescription robot = madeOfAnswer(label, "replace the description", [&] { return robotIn(answer); });
+  robot.text = urdf_text;
+  robot.path = path;
+  return robot;
 }
 
 }  // namespace collision_hulls

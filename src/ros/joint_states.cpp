@@ -73,13 +73,11 @@ JointStates fromBag(const std::string& file, const std::string& topic, const Run
   const std::string head = toBytes(file, topic);
   const std::string answer = reader->ask({head, {}, bag.number()}, limitsFor(static_cast<std::uint64_t>(bag.status().st_size)),
                                          "'" + file + "'", "give a bag with fewer messages, as 'rosbag filter' makes it", control);
-  JointStates states;
-  try {
+  return madeOfAnswer("'" + file + "'", "record it again", [&] {
+    JointStates states;
     fromBytes(answer, states);
-  } catch (const ByteFault& fault) {
-    throw Error(ErrorCode::kReaderFailed, "'" + file + "': its reader's answer makes no sense (" + fault.what() + "); record it again");
-  }
-  return states;
+    return states;
+  });
 }
 
 double secondsOf(const std::string& word, const std::string& source) {

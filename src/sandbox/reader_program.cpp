@@ -14,7 +14,6 @@
 
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
-#include "geometry/bytes.h"
 
 namespace collision_hulls {
 namespace {
@@ -149,11 +148,11 @@ std::string ReaderProgram::ask(const ReaderQuestion& question, const ReadingLimi
   ReaderOutcome outcome = outcomeOf(question, limits, control);
   if (outcome.kind != ReaderOutcome::Kind::kAnswered || outcome.worker.kind != Ending::Kind::kExit || outcome.worker.code != 0)
     fail(outcome, limits, {subject, remedy, path()});
-  try {
-    return answerIn(std::move(outcome.answer), subject);
-  } catch (const ByteFault& fault) {
-    throw Error(ErrorCode::kReaderFailed, subject + ": its reader's answer makes no sense (" + fault.what() + "); " + kDamaged);
-  }
+  return madeOfAnswer(subject, kDamaged, [&] { return answerIn(std::move(outcome.answer), subject); });
+}
+
+void failAtAnswer(const std::string& subject, const ByteFault& fault, const std::string& remedy) {
+  throw Error(ErrorCode::kReaderFailed, subject + ": its reader's answer makes no sense (" + fault.what() + "); " + remedy);
 }
 
 std::string ReaderProgram::protection() {

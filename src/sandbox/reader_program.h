@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/bytes.h"
 #include "sandbox/reader_process.h"
 
 namespace collision_hulls {
@@ -42,5 +43,18 @@ class ReaderProgram {
 /// The answer in what a worker wrote; throws the Error that it wrote instead, kReaderFailed for any other exception, and ByteFault for
 /// bytes that no worker of ours writes. For ask().
 std::string answerIn(std::string bytes, const std::string& subject);
+
+/// Throws kReaderFailed for an answer that no worker of ours gives.
+[[noreturn]] void failAtAnswer(const std::string& subject, const ByteFault& fault, const std::string& remedy);
+
+/// What `make` makes of an answer; its ByteFault is turned into kReaderFailed. `subject`, `remedy`: for the message.
+template <class Make>
+auto madeOfAnswer(const std::string& subject, const std::string& remedy, const Make& make) {
+  try {
+    return make();
+  } catch (const ByteFault& fault) {
+    failAtAnswer(subject, fault, remedy);
+  }
+}
 
 }  // namespace collision_hulls

@@ -191,13 +191,12 @@ std::vector<YamlTree> yamlIn(const std::string& answer) {
 std::vector<YamlTree> parseYaml(const std::vector<YamlText>& documents, const std::string& file, ErrorCode code,
                                 const RunControl& control) {
   const std::string label = "'" + file + "'";
-  try {
-    std::vector<YamlTree> trees = yamlIn(askAboutText(toBytes(Reading::kYaml, file, code), toBytes(documents), label, control));
+  const std::string answer = askAboutText(toBytes(Reading::kYaml, file, code), toBytes(documents), label, control);
+  return madeOfAnswer(label, "replace the file", [&] {
+    std::vector<YamlTree> trees = yamlIn(answer);
     if (trees.size() != documents.size()) throw ByteFault("it has another number of documents");
     return trees;
-  } catch (const ByteFault& fault) {
-    throw Error(ErrorCode::kReaderFailed, label + ": its reader's answer makes no sense (" + fault.what() + "); replace the file");
-  }
+  });
 }
 
 }  // namespace collision_hulls

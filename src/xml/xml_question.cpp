@@ -68,11 +68,8 @@ std::string answerXmlQuestion(const Question& question) {
 }
 
 XmlNode parseXml(const std::string& text, const std::string& label, const RunControl& control) {
-  try {
-    return xmlIn(askAboutText(toBytes(Reading::kXml, label), text, label, control));
-  } catch (const ByteFault& fault) {
-    throw Error(ErrorCode::kReaderFailed, label + ": its reader's answer makes no sense (" + fault.what() + "); replace the file");
-  }
+  const std::string answer = askAboutText(toBytes(Reading::kXml, label), text, label, control);
+  return madeOfAnswer(label, "replace the file", [&] { return xmlIn(answer); });
 }
 
 }  // namespace collision_hulls

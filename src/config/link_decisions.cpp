@@ -75,7 +75,7 @@ class Decision {
     if (options_.method == Method::kCertified) return;
     const std::string why = std::string("has method '") + name(options_.method) + "'" +
                             (method_place_.empty() ? "" : " from " + method_place_) + ", and only 'certified' has this setting";
-    if (rule.settings.effort == Effort::kBest) refuse(rule, "effort", why, "or add method: certified");
+    if (rule.settings.effort && needsCertified(*rule.settings.effort)) refuse(rule, "effort", why, "or add method: certified");
     if (rule.settings.fill == true) refuse(rule, "fill", why, "or add method: certified");
   }
 

@@ -87,6 +87,10 @@ const std::vector<Effort>& allEfforts() {
   return efforts;
 }
 
+bool needsCertified(Effort effort) {
+  return effort != Effort::kQuick;
+}
+
 std::optional<Effort> effortNamed(const std::string& text) {
   for (Effort effort : allEfforts())
     if (text == name(effort)) return effort;

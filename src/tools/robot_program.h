@@ -133,7 +133,7 @@ inline bool writeEverything(RobotResult& result, const RobotCommand& command, co
 inline void checkCommand(const RobotCommand& command) {
   const Options& options = command.options;
   check(options);
-  if (options.effort != Effort::kQuick && options.method != Method::kCertified)
+  if (needsCertified(options.effort) && options.method != Method::kCertified)
     throw Error(ErrorCode::kBadOption, std::string("effort '") + name(options.effort) +
                                            "' needs method 'certified'; leave it out with method '" + name(options.method) + "'");
 }

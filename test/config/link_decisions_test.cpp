@@ -89,6 +89,8 @@ TEST(LinkDecisions, ContradictionsBetweenRules) {
   EXPECT_NE(refusal("links: {.*mount: remove, .*: {max_hulls: 1}}").find("link 'camera_mount', which is removed by"), std::string::npos);
   EXPECT_NE(refusal("links:\n  panda_hand: {method: acd}\n  panda_.*: {effort: best}").find("which has method 'acd' from 'f.yaml', line 2"),
             std::string::npos);
+  EXPECT_NE(refusal("default: {method: hacd}\nlinks: {panda_hand: {effort: instant}}").find("has method 'hacd', and only 'certified'"),
+            std::string::npos);
   EXPECT_NE(refusal("default: {method: hacd}\nlinks: {panda_hand: {fill: true}}").find("which has method 'hacd', and only 'certified'"),
             std::string::npos);
   EXPECT_EQ(refusal("links: {.*: {effort: best, fill: true}, panda_hand: {method: acd}}"), "accepted");

@@ -101,6 +101,7 @@ TEST(ParseConfig, EveryWayToGetItWrong) {
       {"default: {max_vertices: 5}", {"line 1", "max-vertices '5' is invalid", "from 8"}},
       {"default: {source: visuals}", {"source of default is 'visuals'", "did you mean 'visual'?"}},
       {"default: {method: hacd, effort: best}", {"effort 'best' of default needs method 'certified', not 'hacd'"}},
+      {"default: {effort: instant, method: acd}", {"effort 'instant' of default needs method 'certified', not 'acd'"}},
       {"links: [arm]", {"links is a list: use a map"}},
       {"links:\n  arm: kept", {"line 2", "links 'arm' is 'kept'", "did you mean 'keep'?"}},
       {"links:\n  arm:", {"line 2", "links 'arm' is nothing", "keep, remove"}},

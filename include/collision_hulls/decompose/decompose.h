@@ -33,6 +33,8 @@ enum class Effort {
 const char* name(Effort effort);  ///< "instant", "quick", "best"
 std::optional<Effort> effortNamed(const std::string& name);
 const std::vector<Effort>& allEfforts();
+/// Whether the effort is a choice that only method certified offers: all but kQuick are.
+bool needsCertified(Effort effort);
 
 struct DecomposeOptions {
   Method method = Method::kCertified;

@@ -17,6 +17,11 @@ inline Solid solidOf(const TriangleMesh& mesh) {
   return Solid(repair(mesh));
 }
 
+/// Whether a summit of the distance within a ball is ruled out.
+inline bool withoutSummit(const Solid& solid, const Eigen::Vector3d& p, double radius) {
+  return !solid.mayHoldSummit(p, solid.distanceToSurface(p), radius);
+}
+
 /// Without rotation.
 inline std::vector<Eigen::Isometry3d> posesAt(const std::vector<Eigen::Vector3d>& places) {
   std::vector<Eigen::Isometry3d> poses;

@@ -37,9 +37,6 @@ class LevelBound {
   /// Whether one triangle alone already gives value() <= distance; more triangles then do not matter.
   bool reaches(double distance) const { return nearest_ <= distance; }
 
-  /// Whether value() <= distance.
-  bool isWithin(double distance) const { return nearest_ <= distance || value() <= distance; }
-
  private:
   static constexpr int kRounds = 16;
   static constexpr int kRows = static_cast<int>(Corners), kColumns = static_cast<int>(MostTriangles);

@@ -214,8 +214,8 @@ struct Walls {
   /// behind them when they are crossed.
   double crackSlack() const { return 4 * crack_width; }
 
-  /// How far from a point with this distance and radius the surface may be that is nearest to a point of the ball. Never so little that
-  /// rounding could leave out what is nearest to the middle.
+  /// How far from the middle of a ball of this radius the surface may be that is nearest to one of its points, if that is no further than
+  /// `furthest` from the point. Never so little that rounding could leave it out.
   double reach(double radius, double furthest) const { return radius + furthest + crackSlack() + blur; }
 
   double windingNumber(const Eigen::Vector3d& p) const {

@@ -1,5 +1,5 @@
 // A triangle's key is a hash of its corners' coordinates in ascending order of their own hashes, 64 bits wide: among a million triangles
-// two share a key by accident once in ten million runs, and such an accident cannot outlive the certificate.
+// two share a key by accident once in some ten million runs, and such an accident cannot outlive the certificate.
 #include "decompose/certified/known_facets.h"
 
 #include <algorithm>

@@ -140,18 +140,15 @@ double ProtrusionOracle::intrusion() const {
 }
 
 bool ProtrusionOracle::mayFit(const ConvexHull& hull) {
-  control_.check();
-  return !holdsKnownIntruder(hull) && mayFit(hull, descend(hull, kQuickCell));
+  return mayFit(hull, descend(hull, kQuickCell));
 }
 
 bool ProtrusionOracle::mayWellFit(const ConvexHull& hull) {
-  control_.check();
-  return !holdsKnownIntruder(hull) && mayFit(hull, descend(hull, kFineCell));
+  return mayFit(hull, descend(hull, kFineCell));
 }
 
 double ProtrusionOracle::reach(const ConvexHull& hull) {
-  control_.check();
-  return holdsKnownIntruder(hull) ? std::numeric_limits<double>::infinity() : descend(hull, kFineCell).reach;
+  return descend(hull, kFineCell).reach;
 }
 
 /// Searches the surface where the octree gave up.
@@ -256,6 +253,8 @@ double ProtrusionOracle::bound(const ConvexHull& exact) {
 }
 
 ProtrusionOracle::Descent ProtrusionOracle::descend(const ConvexHull& hull, double resolution) {
+  control_.check();
+  if (holdsKnownIntruder(hull)) return {std::numeric_limits<double>::infinity(), false};
   OutsideDistance::Query query;
   query.floor = query.ceiling = intrusion();
   query.resolution = resolution * share_ * tolerance_;

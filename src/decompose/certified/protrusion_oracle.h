@@ -89,7 +89,7 @@ class ProtrusionOracle {
   Protrusion onSurface(const ConvexHull& hull, double limit, double gap) const;
   Protrusion onSurfaceAsWritten(const ConvexHull& hull) const;
   ConvexHull written(const ConvexHull& hull) const;
-  /// Of a search in the octree.
+  /// Of a look at the known intruders and into the octree.
   struct Descent {
     double reach = 0;      // upper bound on the distance; infinite: the hull contains an intruder
     bool gave_up = false;  // before it reached the finest cells

@@ -16,9 +16,9 @@ std::string outputPackage(const Options& options, const std::string& output);
 std::string urdfFile(const std::string& robot_name, const std::string& model = "");
 
 /// Rewrites the description with a <collision> for every hull, once for each model; a link with a failed mesh keeps what it has. Hulls of
-/// earlier outputs that it keeps go along into the new one (result.kept_files). Adds to the
-/// report's notes: the oddities of the description and of the search for its files, `notes`, and what the user of the new description
-/// should know, such as URIs relative to the old one's place.
+/// earlier outputs that it keeps go along into the new one (result.kept_files). Adds to the report's notes: the oddities of the description
+/// and of the search for its files, `notes`, and what the user of the new description should know, such as URIs relative to the old one's
+/// place.
 void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDecisions>& decisions, const PackageFinder& find_package,
                         const std::string& output, const std::vector<std::string>& notes, RobotResult& result, const RunControl& control);
 

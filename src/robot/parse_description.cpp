@@ -62,7 +62,7 @@ void checkName(const XmlSource& subject, const tinyxml2::XMLElement& element) {
       std::string("the name of this <") + element.Name() + "> is longer than " + std::to_string(kLongestName) + " bytes; shorten it");
 }
 
-// urdfdom accepts links without a name. The matching of regular expressions (--links) recurses over a name, and messages repeat it.
+// urdfdom accepts links without a name. Messages repeat names.
 void checkNames(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   for (const auto* link = root.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
     const char* name = link->Attribute("name");

@@ -45,7 +45,7 @@ double costOf(const Group& a, const Group& b, const MergeCost& cost) {
 }
 
 /// [b][a] for a < b: whether a and b are known to be apart, i.e. cannot share a hull.
-using ApartPairs = std::vector<std::vector<char>>;
+using ApartPairs = std::vector<std::vector<bool>>;
 
 class Merging {
  public:
@@ -104,8 +104,8 @@ class Merging {
 
  private:
   Group& group(int i) { return all_[at(i)]; }
-  bool apart(int a, int b) const { return apart_[at(std::max(a, b))][at(std::min(a, b))] != 0; }
-  void setApart(int a, int b) { apart_[at(std::max(a, b))][at(std::min(a, b))] = 1; }
+  bool apart(int a, int b) const { return apart_[at(std::max(a, b))][at(std::min(a, b))]; }
+  void setApart(int a, int b) { apart_[at(std::max(a, b))][at(std::min(a, b))] = true; }
   bool isMerged(int i) const { return at(i) >= given_; }
   bool isLive(int i) const { return std::binary_search(live_.begin(), live_.end(), i); }
 
@@ -119,7 +119,7 @@ class Merging {
   /// Pairs group b with the earlier ones. If b is a union, `left` and `right` are its parts.
   void pairWithEarlier(int b, int left, int right) {
     groups_.control().check();
-    if (apart_.size() == at(b)) apart_.emplace_back(at(b), 0);
+    if (apart_.size() == at(b)) apart_.emplace_back(at(b), false);
     for (const int a : live_) {
       if (left >= 0 && (apart(a, left) || apart(a, right))) setApart(a, b);
       if (!apart(a, b) && (all_pairs_ || !isFar(a, b))) queue(a, b);

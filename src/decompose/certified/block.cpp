@@ -1,12 +1,12 @@
-// Splits surfaces together with the region of space around them, for hulls that are to fill the solid (DecomposeOptions::fill).
+// Splits surfaces together with the cell of space around them, for hulls that are to fill the solid (DecomposeOptions::fill).
 //
 // A surface alone needs no such thing: where a plane splits a closed part, its section of the solid lies in the hull of the rim that it
 // leaves. But that is so for each plane by itself. After several splits a piece of the inside may have no surface near it at all. So each
-// block keeps its region, a convex polytope that starts as the mesh's box. A plane's section of the region is a convex polygon; its corners
-// inside the solid are added to both sides as points of their surface. The extreme points of solid in a region are points of the surface or
+// block keeps its cell, a convex polytope that starts as the mesh's box. A plane's section of the cell is a convex polygon; its corners
+// inside the solid are added to both sides as points of their surface. The extreme points of solid in a cell are points of the surface or
 // such corners, hence the sides' hulls hold all of the solid on their side.
 //
-// Linear in the region's faces, of which there is one per split. Corners on the surface itself are decided a little inward (kInward).
+// Linear in the cell's faces, of which there is one per split. Corners on the surface itself are decided a little inward (kInward).
 #include "decompose/certified/block.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace collision_hulls {
 
 namespace {
 
-// As a share of the way to the region's middle. A corner on the surface counts if the solid is on the region's side of it.
+// As a share of the way to the cell's middle. A corner on the surface counts if the solid is on the cell's side of it.
 constexpr double kInward = 1e-7;
 
 /// Sorts the corners of a convex polygon in a plane with this normal around their mean.
@@ -36,22 +36,22 @@ ConvexPolygon ordered(const std::vector<Eigen::Vector3d>& corners, const Eigen::
   return polygon;
 }
 
-Block beneath(SurfacePiece surface, Region region, const HalfSpace& plane) {
-  if (region.matters())
-    for (const Eigen::Vector3d& p : region.keepBelow(plane)) addSegment(surface, {p, p});
-  return {std::move(surface), std::move(region)};
+Block beneath(SurfacePiece surface, Cell cell, const HalfSpace& plane) {
+  if (cell.matters())
+    for (const Eigen::Vector3d& p : cell.keepBelow(plane)) addSegment(surface, {p, p});
+  return {std::move(surface), std::move(cell)};
 }
 
 }  // namespace
 
-Region::Region(const Eigen::AlignedBox3d& box, const Solid& solid) : solid_(&solid) {
+Cell::Cell(const Eigen::AlignedBox3d& box, const Solid& solid) : solid_(&solid) {
   const auto corner = [&](int bits) { return box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(bits)); };
   for (const std::array<int, 4>& face :
        {std::array<int, 4>{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}})
     faces_.push_back({corner(face[0]), corner(face[1]), corner(face[2]), corner(face[3])});
 }
 
-std::vector<Eigen::Vector3d> Region::keepBelow(const HalfSpace& plane) {
+std::vector<Eigen::Vector3d> Cell::keepBelow(const HalfSpace& plane) {
   is_divided_ = true;
   std::vector<Eigen::Vector3d> corners;
   ConvexPolygon scratch;
@@ -73,7 +73,7 @@ std::vector<Eigen::Vector3d> Region::keepBelow(const HalfSpace& plane) {
 }
 
 /// Mean of all corners, counted once per face.
-Eigen::Vector3d Region::middle() const {
+Eigen::Vector3d Cell::middle() const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double count = 0;
   for (const ConvexPolygon& face : faces_)
@@ -84,7 +84,7 @@ Eigen::Vector3d Region::middle() const {
 std::vector<Block> parted(const Block& block, const HalfSpace& plane, double tolerance) {
   std::vector<SurfacePiece> parts = parted(block.surface, plane, tolerance);
   if (parts.size() < 2) return {block};
-  return {beneath(std::move(parts[0]), block.region, plane), beneath(std::move(parts[1]), block.region, {-plane.normal, -plane.offset})};
+  return {beneath(std::move(parts[0]), block.cell, plane), beneath(std::move(parts[1]), block.cell, {-plane.normal, -plane.offset})};
 }
 
 std::vector<Block> halves(const Block& block, double tolerance) {
@@ -92,11 +92,11 @@ std::vector<Block> halves(const Block& block, double tolerance) {
 }
 
 std::vector<Block> components(const Block& block) {
-  if (block.region.isDivided()) return {block};
+  if (block.cell.isDivided()) return {block};
   std::vector<Block> blocks;
   for (SurfacePiece& part : components(block.surface)) {
-    const Region region = block.region.about(boundingBox(part));
-    blocks.push_back({std::move(part), region});
+    const Cell cell = block.cell.about(boundingBox(part));
+    blocks.push_back({std::move(part), cell});
   }
   return blocks;
 }

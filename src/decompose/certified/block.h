@@ -1,5 +1,5 @@
 // A *block* is what planes split a mesh into: a piece of surface and, if the solid is to be filled,
-// the convex *region* of space behind it.
+// the convex *cell* of space behind it.
 #pragma once
 
 #include <vector>
@@ -10,19 +10,19 @@
 
 namespace collision_hulls {
 
-/// A convex region of space, made smaller by planes.
-class Region {
+/// A convex part of space, made smaller by planes.
+class Cell {
  public:
-  Region() = default;  ///< irrelevant: only the surface is to be covered
-  Region(const Eigen::AlignedBox3d& box, const Solid& solid);
+  Cell() = default;  ///< irrelevant: only the surface is to be covered
+  Cell(const Eigen::AlignedBox3d& box, const Solid& solid);
 
   bool matters() const { return solid_ != nullptr; }
   bool isDivided() const { return is_divided_; }
 
-  /// The corresponding region for a part of the mesh that shares no vertex with the others.
-  Region about(const Eigen::AlignedBox3d& box) const { return matters() ? Region(box, *solid_) : Region(); }
+  /// The corresponding cell for a part of the mesh that shares no vertex with the others.
+  Cell about(const Eigen::AlignedBox3d& box) const { return matters() ? Cell(box, *solid_) : Cell(); }
 
-  /// Removes everything above the plane. Returns the corners of the section where the region's part
+  /// Removes everything above the plane. Returns the corners of the section where the cell's part
   /// of the solid ends, each at least once.
   std::vector<Eigen::Vector3d> keepBelow(const HalfSpace& plane);
 
@@ -34,12 +34,12 @@ class Region {
   std::vector<ConvexPolygon> faces_;
 };
 
-/// If the region matters, the surface includes the region's corners inside the solid as separate
-/// points. Every extreme point of the solid within the region is then a point of the surface or a
+/// If the cell matters, the surface includes the cell's corners inside the solid as separate
+/// points. Every extreme point of the solid within the cell is then a point of the surface or a
 /// corner, so the hull of a piece of a closed surface contains all of the solid there.
 struct Block {
   SurfacePiece surface;
-  Region region;
+  Cell cell;
 };
 
 /// Both parts of a block, or the block alone if the plane does not divide its surface; see split()

@@ -13,7 +13,7 @@ const HalfSpace kX{Eigen::Vector3d::UnitX(), 0.5}, kY{Eigen::Vector3d::UnitY(), 
 
 class Blocks : public ::testing::Test {
  protected:
-  Block block(const Region& region) const { return {mesh, region}; }
+  Block block(const Cell& cell) const { return {mesh, cell}; }
   /// The volume of the hull of whatever lies below all of the planes.
   double eighth(Block block) const {
     for (const HalfSpace& plane : {kX, kY, kZ}) block = parted(block, plane, 1e-9)[0];
@@ -25,21 +25,21 @@ class Blocks : public ::testing::Test {
 };
 
 TEST_F(Blocks, ContainTheSolidIfTheirRegionMatters) {
-  EXPECT_NEAR(eighth(block(Region(boundingBox(mesh), solid))), 1.0 / 8, 1e-12);
+  EXPECT_NEAR(eighth(block(Cell(boundingBox(mesh), solid))), 1.0 / 8, 1e-12);
   EXPECT_NEAR(eighth(block({})), 1.0 / 8 * 5 / 6, 1e-12) << "the middle of the box is not on its surface";
 }
 
 TEST_F(Blocks, CornersOutsideTheSolidAreLeftOut) {
-  Region region(Eigen::AlignedBox3d(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(2, 2, 2)), solid);
-  EXPECT_TRUE(region.keepBelow(kX).empty());
-  EXPECT_TRUE(region.keepBelow(kY).empty());
-  const std::vector<Eigen::Vector3d> corners = region.keepBelow(kZ);
+  Cell cell(Eigen::AlignedBox3d(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(2, 2, 2)), solid);
+  EXPECT_TRUE(cell.keepBelow(kX).empty());
+  EXPECT_TRUE(cell.keepBelow(kY).empty());
+  const std::vector<Eigen::Vector3d> corners = cell.keepBelow(kZ);
   ASSERT_FALSE(corners.empty());
   for (const Eigen::Vector3d& p : corners) EXPECT_TRUE(p.isApprox(Eigen::Vector3d(0.5, 0.5, 0.5), 1e-12));
 }
 
 TEST_F(Blocks, APlaneBesideThemDividesNothing) {
-  EXPECT_EQ(parted(block(Region(boundingBox(mesh), solid)), {Eigen::Vector3d::UnitX(), 2}, 1e-9).size(), 1u);
+  EXPECT_EQ(parted(block(Cell(boundingBox(mesh), solid)), {Eigen::Vector3d::UnitX(), 2}, 1e-9).size(), 1u);
   EXPECT_EQ(parted(block({}), {Eigen::Vector3d::UnitX(), -2}, 1e-9).size(), 1u);
   EXPECT_EQ(halves(block({}), 1e-9).size(), 2u);
 }
@@ -47,7 +47,7 @@ TEST_F(Blocks, APlaneBesideThemDividesNothing) {
 TEST_F(Blocks, FallIntoComponentsOnlyBeforeTheyAreCut) {
   const TriangleMesh two = merged({mesh, moved(mesh, {3, 0, 0})});
   const Solid both(repair(two));
-  const Block whole{two, Region(boundingBox(two), both)};
+  const Block whole{two, Cell(boundingBox(two), both)};
   EXPECT_EQ(components(whole).size(), 2u);
   const std::vector<Block> parts = parted(whole, kZ, 1e-9);
   ASSERT_EQ(parts.size(), 2u);

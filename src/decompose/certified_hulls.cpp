@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/millimetres.h"
@@ -50,12 +51,43 @@ void checkTolerance(const DecomposeOptions& options) {
               "tolerance is " + std::to_string(options.tolerance) + " m; it must be a positive length, which hulls are certified against");
 }
 
-/// The aim of the next attempt; `over` is the last bound over the tolerance.
-double lowerAim(double aim, int attempt, double over) {
-  return aim * (attempt == 0 ? std::max(kLowerAim, kALittleLower / over) : kLowerAim);
+std::vector<RegionProof> regionProofs(const std::vector<ConvexHull>& hulls, const PreparedMesh& mesh, const std::vector<Region>& regions,
+                                      const RunControl& control) {
+  std::vector<RegionProof> proofs;
+  for (const Region& region : regions) {
+    std::vector<ConvexHull> parts;
+    for (const ConvexHull& hull : hulls)
+      if (std::optional<ConvexHull> part = partIn(hull, region)) parts.push_back(*std::move(part));
+    RegionProof proof;
+    if (!parts.empty()) {
+      const Protrusion most = certificate(parts, mesh.solid, mesh.margin, region.tolerance, control);
+      proof = {most.bound, most.found};
+    }
+    proofs.push_back(proof);
+  }
+  return proofs;
 }
 
-Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, double tolerance, const RunControl& decomposing,
+/// The largest bound as a share of its tolerance.
+double boundShare(const CertifiedHulls& hulls, const DecomposeOptions& options) {
+  double share = hulls.bound / options.tolerance;
+  for (std::size_t i = 0; i < hulls.regions.size(); ++i) share = std::max(share, hulls.regions[i].bound / options.regions[i].tolerance);
+  return share;
+}
+
+/// The first aim: below the tolerance by what the margin and rounding take.
+double firstAim(double tolerance, double margin) {
+  return std::max(kLeastAim * tolerance, tolerance - kMargins * margin);
+}
+
+/// The aim of the next attempt; `over` is the last bound over the tolerance.
+void lowerAim(DecomposeOptions& aim, int attempt, double over) {
+  const double share = attempt == 0 ? std::max(kLowerAim, kALittleLower / over) : kLowerAim;
+  aim.tolerance *= share;
+  for (Region& region : aim.regions) region.tolerance *= share;
+}
+
+Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, const DecomposeOptions& options, const RunControl& decomposing,
                   const RunControl& certifying) {
   Attempt attempt;
   CertifiedHulls& result = attempt.result;
@@ -64,7 +96,8 @@ Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, double 
   RoundedHulls rounded = roundOutward(parts.hulls, mesh.original, mesh.margin, aim.max_vertices, decomposing);
   for (const ConvexHull& hull : parts.hulls) result.thickness = std::max(result.thickness, hull.thickness);
   result.seconds.decompose = stage.lap();
-  const Protrusion proof = certificate(rounded.hulls, mesh.solid, mesh.margin, tolerance, certifying);
+  const Protrusion proof = certificate(rounded.hulls, mesh.solid, mesh.margin, options.tolerance, certifying);
+  result.regions = regionProofs(rounded.hulls, mesh, options.regions, certifying);
   result.seconds.certify = stage.lap();
   result.hulls = std::move(rounded.hulls);
   result.bound = proof.bound;
@@ -82,20 +115,31 @@ Attempt bestAttempt(const PreparedMesh& mesh, const DecomposeOptions& options, c
                     const RunControl& certifying) {
   const bool aims = options.method == Method::kCertified;
   DecomposeOptions aim = options;
-  if (aims) aim.tolerance = std::max(kLeastAim * options.tolerance, options.tolerance - kMargins * mesh.margin);
+  if (aims) {
+    aim.tolerance = firstAim(options.tolerance, mesh.margin);
+    for (Region& region : aim.regions) region.tolerance = firstAim(region.tolerance, mesh.margin);
+  }
   Attempt best;
   CertifiedHulls::Seconds spent;
   for (int i = 0; i < kAttempts; ++i) {
-    Attempt attempt = attemptAt(mesh, aim, options.tolerance, decomposing, certifying);
+    Attempt attempt = attemptAt(mesh, aim, options, decomposing, certifying);
     spent.decompose += attempt.result.seconds.decompose;
     spent.certify += attempt.result.seconds.certify;
-    if (i > 0 && attempt.result.bound >= best.result.bound) break;
+    if (i > 0 && boundShare(attempt.result, options) >= boundShare(best.result, options)) break;
     best = std::move(attempt);
-    if (!aims || best.capped || best.result.bound <= options.tolerance) break;
-    aim.tolerance = lowerAim(aim.tolerance, i, best.result.bound / options.tolerance);
+    const double over = boundShare(best.result, options);
+    if (!aims || best.capped || over <= 1) break;
+    lowerAim(aim, i, over);
   }
   best.result.seconds = spent;
   return best;
+}
+
+/// The first region whose tolerance is exceeded.
+std::optional<std::size_t> exceededRegion(const CertifiedHulls& hulls, const DecomposeOptions& options) {
+  for (std::size_t i = 0; i < hulls.regions.size(); ++i)
+    if (hulls.regions[i].bound > options.regions[i].tolerance) return i;
+  return std::nullopt;
 }
 
 /// Why hulls protrude further than the tolerance, and what to do about it.
@@ -112,6 +156,16 @@ std::string excuse(const DecomposeOptions& options, const Attempt& made) {
   if (made.blunted > kMuch * made.result.bound)
     return "with so few vertices (" + vertices + ") thin hulls protrude up to " + millimetres(made.blunted) + " further; raise that limit";
   return "the surface has details there that no plane divided; repair the mesh or accept it";
+}
+
+/// The same for the region whose tolerance is exceeded.
+std::string excuseInRegion(const DecomposeOptions& options, const Attempt& made, std::size_t index) {
+  const Region& region = options.regions[index];
+  const bool may_be_moved = options.method == Method::kCertified && !made.capped;
+  return "in " + (region.name.empty() ? "a region" : "region '" + region.name + "'") + " the hulls protrude by up to " +
+         millimetres(made.result.regions[index].bound) + ", more than its tolerance of " + millimetres(region.tolerance) + ": " +
+         (may_be_moved ? "the surface there is too rough for it; give the region a larger tolerance, or move it away from the surface"
+                       : excuse(options, made));
 }
 
 /// Passes a part of the work on as the shares `from` to `to` of the whole, which never decrease though attempts begin anew.
@@ -152,10 +206,13 @@ CertifiedHulls certifiedHulls(const PreparedMesh& mesh, const DecomposeOptions& 
   CertifiedHulls& result = made.result;
   Stopwatch stage;
   expectCovered(mesh.original, result.hulls, mesh.name, certifying);
-  result.within_tolerance = result.bound <= options.tolerance;
-  if (!result.within_tolerance)
+  const std::optional<std::size_t> region = exceededRegion(result, options);
+  result.within_tolerance = result.bound <= options.tolerance && !region;
+  if (result.bound > options.tolerance)
     result.reason = "the hulls protrude by up to " + millimetres(result.bound) + ", more than the tolerance of " +
                     millimetres(options.tolerance) + ": " + excuse(options, made);
+  else if (region)
+    result.reason = excuseInRegion(options, made, *region);
   result.seconds.certify += stage.lap();
   control.report(1);
   return std::move(result);

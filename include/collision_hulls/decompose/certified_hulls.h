@@ -32,6 +32,11 @@
 
 namespace collision_hulls {
 
+/// How far hulls protrude in a region: the true distance lies between `found` and `bound` [m].
+struct RegionProof {
+  double bound = 0, found = 0;
+};
+
 /// Hulls with their proof. Lengths in metres, in the mesh's frame.
 struct CertifiedHulls {
   /// Cover the mesh; in a fixed order.
@@ -44,10 +49,14 @@ struct CertifiedHulls {
   double found = 0;
   Eigen::Vector3d where = Eigen::Vector3d::Zero();
   Eigen::Vector3d nearest = Eigen::Vector3d::Zero();
-  bool within_tolerance = true;  ///< bound <= tolerance
-  std::string reason;            ///< why not, and what to do about it; empty if it is
-  double nudge = 0;              ///< by which every hull was grown to absorb rounding
-  double thickness = 0;          ///< given to flat hulls
+  /// What is proved of each of DecomposeOptions::regions: no point of a hull that is deeper in the
+  /// region than its rim is further from S than this bound.
+  std::vector<RegionProof> regions;
+  /// bound <= tolerance, and the same in each region
+  bool within_tolerance = true;
+  std::string reason;    ///< why not, and what to do about it; empty if it is
+  double nudge = 0;      ///< by which every hull was grown to absorb rounding
+  double thickness = 0;  ///< given to flat hulls
   /// Wall clock [s] of the stages.
   struct Seconds {
     double repair = 0, decompose = 0, certify = 0;

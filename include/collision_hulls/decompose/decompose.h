@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "collision_hulls/control.h"
+#include "collision_hulls/decompose/region.h"
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/mesh/repair.h"
 
@@ -46,6 +47,8 @@ struct DecomposeOptions {
   std::uint64_t seed = 1;  ///< seeds everything random
   Effort effort = Effort::kQuick;
   bool fill = false;  ///< certified: also cover the inside of closed meshes, not only their surface
+  /// certified: where the hulls protrude less, in the mesh's frame; other methods ignore them
+  std::vector<Region> regions;
 };
 
 void check(const DecomposeOptions& options);  ///< throws kBadOption

@@ -96,6 +96,14 @@ class Place {
     return mesh;
   }
 
+  DecomposeOptions brought(DecomposeOptions options) const {
+    Eigen::Isometry3d there = Eigen::Isometry3d::Identity();
+    there.linear() = axes_;
+    there.translation() = -axes_ * middle_;
+    for (Region& region : options.regions) region = transformed(region, there);
+    return options;
+  }
+
   void takeBack(ConvexHull& hull) const {
     Eigen::Isometry3d back = Eigen::Isometry3d::Identity();
     back.linear() = axes_.transpose();
@@ -129,7 +137,7 @@ class Job {
         plan_(planFor(options.effort)),
         control_(control),
         solid_(mesh, control),
-        oracle_(solid_, boundingBox(mesh), options.tolerance, control) {}
+        oracle_(solid_, boundingBox(mesh), options.tolerance, control, options.regions) {}
 
   /// The steps at the top of this file, without the tree. The cover's hulls, capped, are proven to fit, but for leaves that could not be
   /// split. groups_ is then what the cover's groups belong to.
@@ -205,7 +213,7 @@ class Job {
 Decomposition certified(const RepairedMesh& original, const DecomposeOptions& options, const RunControl& control) {
   const Place place(original);
   const RepairedMesh mesh = place.brought(original);
-  Job job(mesh, options, control);
+  Job job(mesh, place.brought(options), control);
   Decomposition result;
   Cover cover = job.cover();
   result.capped = options.max_hulls > 0 && cover.size() > static_cast<std::size_t>(options.max_hulls);
@@ -227,7 +235,7 @@ HullTree hullTree(const RepairedMesh& mesh, const DecomposeOptions& options, con
     throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangles; a hull tree needs at least one");
   const Place place(mesh);
   const RepairedMesh local = place.brought(mesh);
-  Job job(local, options, control);
+  Job job(local, place.brought(options), control);
   HullTree tree = job.treeOver(job.cover());
   for (HullNode& node : tree.nodes) place.takeBack(node.hull);
   return tree;

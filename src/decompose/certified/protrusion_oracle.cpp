@@ -102,14 +102,21 @@ ConvexHull thinned(const ConvexHull& hull, std::size_t most) {
   return roughHull(points);
 }
 
-ProtrusionOracle::ProtrusionOracle(const Solid& solid, const Eigen::AlignedBox3d& box, double tolerance, const RunControl& control)
-    : solid_(solid), control_(control), box_(box), tolerance_(tolerance), outside_(solid, box) {}
+ProtrusionOracle::ProtrusionOracle(const Solid& solid, const Eigen::AlignedBox3d& box, double tolerance, const RunControl& control,
+                                   const std::vector<Region>& regions)
+    : solid_(solid), control_(control), box_(box), tolerance_(tolerance), outside_(solid, box) {
+  for (const Region& region : regions)
+    if (region.tolerance < tolerance)
+      watches_.push_back({region, region.tolerance / tolerance, std::make_unique<ProtrusionOracle>(solid, box, region.tolerance, control)});
+}
 
 ProtrusionOracle ProtrusionOracle::forPart(const Eigen::AlignedBox3d& part) const {
   ProtrusionOracle result(solid_, box_, tolerance_, control_);
   result.share_ = share_;
   result.outside_.learn(outside_, part);
   std::copy_if(known_.begin(), known_.end(), std::back_inserter(result.known_), [&](const Eigen::Vector3d& p) { return part.contains(p); });
+  for (const Watch& watch : watches_)
+    result.watches_.push_back({watch.region, watch.ratio, std::make_unique<ProtrusionOracle>(watch.oracle->forPart(part))});
   return result;
 }
 
@@ -117,6 +124,7 @@ ProtrusionOracle ProtrusionOracle::forPart(const Eigen::AlignedBox3d& part) cons
 void ProtrusionOracle::learn(const ProtrusionOracle& part) {
   outside_.learn(part.outside_, box_);
   facets_.learn(part.facets_);
+  for (std::size_t i = 0; i < watches_.size(); ++i) watches_[i].oracle->learn(*part.watches_[i].oracle);
   const std::vector<Eigen::Vector3d> mine = std::move(known_);
   known_.clear();
   for (std::size_t i = 0; i < std::max(mine.size(), part.known_.size()); ++i)
@@ -128,27 +136,41 @@ void ProtrusionOracle::learn(const ProtrusionOracle& part) {
 void ProtrusionOracle::setTolerance(double tolerance) {
   tolerance_ = tolerance;
   known_.clear();
+  for (const Watch& watch : watches_) watch.oracle->setTolerance(watch.ratio * tolerance);
 }
 
 void ProtrusionOracle::setShare(double share) {
   share_ = share;
   known_.clear();
+  for (const Watch& watch : watches_) watch.oracle->setShare(share);
 }
 
 double ProtrusionOracle::intrusion() const {
   return share_ * (1 - kReserve) * tolerance_;
 }
 
+/// Asks about the parts of the hull in the regions. Whatever refutes a part refutes the hull.
+bool ProtrusionOracle::holdsInRegions(const ConvexHull& hull, const Question& question) {
+  return std::all_of(watches_.begin(), watches_.end(), [&](Watch& watch) {
+    const std::optional<ConvexHull> part = partIn(hull, watch.region);
+    return !part || question(*watch.oracle, *part);
+  });
+}
+
 bool ProtrusionOracle::mayFit(const ConvexHull& hull) {
-  return mayFit(hull, descend(hull, kQuickCell));
+  return mayFit(hull, descend(hull, kQuickCell)) &&
+         holdsInRegions(hull, [](ProtrusionOracle& oracle, const ConvexHull& part) { return oracle.mayFit(part); });
 }
 
 bool ProtrusionOracle::mayWellFit(const ConvexHull& hull) {
-  return mayFit(hull, descend(hull, kFineCell));
+  return mayFit(hull, descend(hull, kFineCell)) &&
+         holdsInRegions(hull, [](ProtrusionOracle& oracle, const ConvexHull& part) { return oracle.mayWellFit(part); });
 }
 
 double ProtrusionOracle::reach(const ConvexHull& hull) {
-  return descend(hull, kFineCell).reach;
+  const double reach = descend(hull, kFineCell).reach;
+  const auto may_fit = [](ProtrusionOracle& oracle, const ConvexHull& part) { return oracle.mayWellFit(part); };
+  return std::isinf(reach) || holdsInRegions(hull, may_fit) ? reach : std::numeric_limits<double>::infinity();
 }
 
 /// Searches the surface where the octree gave up.
@@ -165,7 +187,11 @@ bool ProtrusionOracle::mayFit(const ConvexHull& hull, const Descent& descent) {
 
 bool ProtrusionOracle::fitsWithin(const ConvexHull& hull, double reach) {
   const std::optional<bool> answer = fitsByOctree(hull, reach);
-  return answer ? *answer : concluded(hull, onSurfaceAsWritten(hull));
+  return (answer ? *answer : concluded(hull, onSurfaceAsWritten(hull))) && fitsInRegions(hull);
+}
+
+bool ProtrusionOracle::fitsInRegions(const ConvexHull& hull) {
+  return holdsInRegions(hull, [](ProtrusionOracle& oracle, const ConvexHull& part) { return oracle.fits(part); });
 }
 
 std::vector<char> ProtrusionOracle::fit(const std::vector<const ConvexHull*>& hulls) {
@@ -177,6 +203,7 @@ std::vector<char> ProtrusionOracle::fit(const std::vector<const ConvexHull*>& hu
   });
   std::vector<char> result;
   for (std::size_t i = 0; i < hulls.size(); ++i) result.push_back(answers[i] ? *answers[i] : concluded(*hulls[i], on_surface[i]));
+  for (std::size_t i = 0; i < hulls.size(); ++i) result[i] = result[i] != 0 && fitsInRegions(*hulls[i]);
   return result;
 }
 
@@ -249,7 +276,10 @@ double ProtrusionOracle::bound(const ConvexHull& exact) {
   query.summits_only = true;
   query.surface_bound = on_surface;
   query.depth = leastWidth(hull) / 2;
-  return outside_.largest(hull, query, control_).bound;
+  double most = outside_.largest(hull, query, control_).bound;
+  for (const Watch& watch : watches_)
+    if (const std::optional<ConvexHull> part = partIn(hull, watch.region)) most = std::max(most, watch.oracle->bound(*part) / watch.ratio);
+  return most;
 }
 
 ProtrusionOracle::Descent ProtrusionOracle::descend(const ConvexHull& hull, double resolution) {
@@ -287,7 +317,13 @@ void ProtrusionOracle::rememberOnSurface(const Eigen::Vector3d& intruder, const 
 
 std::vector<OutsideDistance::Intruder> ProtrusionOracle::intruders(const ConvexHull& hull, std::size_t wanted) {
   control_.check();
-  const std::vector<OutsideDistance::Intruder> all = outside_.intruders(hull, intrusion(), wanted, kIntruderCell * share_ * tolerance_);
+  std::vector<OutsideDistance::Intruder> all = outside_.intruders(hull, intrusion(), wanted, kIntruderCell * share_ * tolerance_);
+  for (const Watch& watch : watches_) {
+    const std::optional<ConvexHull> part = partIn(hull, watch.region);
+    if (!part || watch.oracle->mayWellFit(*part)) continue;
+    const std::vector<OutsideDistance::Intruder> within = watch.oracle->intruders(*part, wanted);
+    all.insert(all.end(), within.begin(), within.end());
+  }
   if (all.empty()) {  // the hull is thinner than the cells
     SurfaceQuery on;
     on.gap = kIntruderCell * tolerance_;

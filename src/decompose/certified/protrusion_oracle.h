@@ -1,5 +1,6 @@
 // The question that a decomposition asks over and over: does this hull protrude further than the
-// tolerance? A hull that does not is said to *fit*. An *intruder* is a point of a hull whose
+// tolerance? A hull that does not, and whose parts in regions keep the regions' tolerances, is said
+// to *fit*. An *intruder* is a point of a hull whose
 // distance from the solid exceeds the tolerance: it refutes every hull that contains it. The
 // *share* is the part of the tolerance from which on points count as intruders while leaves are
 // split. A hull's *reach* is the octree's upper bound on its protrusion; a *pocket* is a place
@@ -7,10 +8,13 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "collision_hulls/control.h"
+#include "collision_hulls/decompose/region.h"
 #include "collision_hulls/measure/measures.h"
 #include "collision_hulls/measure/solid.h"
 #include "decompose/certified/known_facets.h"
@@ -38,7 +42,8 @@ class ProtrusionOracle {
  public:
   /// `box` should contain the solid and most of the hulls; proofs take longer for hulls that reach
   /// outside it.
-  ProtrusionOracle(const Solid& solid, const Eigen::AlignedBox3d& box, double tolerance, const RunControl& control);
+  ProtrusionOracle(const Solid& solid, const Eigen::AlignedBox3d& box, double tolerance, const RunControl& control,
+                   const std::vector<Region>& regions = {});
 
   /// An oracle for hulls within `part` of the box, which starts with what this one knows there; for
   /// use in parallel to this one.
@@ -67,7 +72,8 @@ class ProtrusionOracle {
   /// The same for several hulls, searched in parallel.
   std::vector<char> fit(const std::vector<const ConvexHull*>& hulls);
 
-  /// An upper bound on any hull's protrusion, within a few per cent of it or of the tolerance.
+  /// An upper bound on any hull's protrusion, within a few per cent of it or of the tolerance. What
+  /// protrudes in a region counts for more, by as much as its tolerance is smaller.
   double bound(const ConvexHull& hull);
 
   /// Points of the hull outside the solid by more than the tolerance, evenly spread: at least one,
@@ -84,6 +90,15 @@ class ProtrusionOracle {
   void setShare(double share);
 
  private:
+  /// A region, with an oracle for the parts of hulls in it.
+  struct Watch {
+    Region region;
+    double ratio = 1;  // of its tolerance to the oracle's
+    std::unique_ptr<ProtrusionOracle> oracle;
+  };
+  using Question = std::function<bool(ProtrusionOracle& oracle, const ConvexHull& part)>;
+  bool holdsInRegions(const ConvexHull& hull, const Question& question);
+  bool fitsInRegions(const ConvexHull& hull);
   bool holdsKnownIntruder(const ConvexHull& hull);
   std::optional<bool> fitsByOctree(const ConvexHull& hull, double reach) const;
   Protrusion onSurface(const ConvexHull& hull, double limit, double gap) const;
@@ -109,6 +124,7 @@ class ProtrusionOracle {
   OutsideDistance outside_;
   std::vector<Eigen::Vector3d> known_;  // intruders, the most useful ones first
   KnownFacets facets_;
+  std::vector<Watch> watches_;
 };
 
 }  // namespace collision_hulls

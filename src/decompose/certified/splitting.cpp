@@ -204,9 +204,9 @@ std::vector<Leaf> splitIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& or
   Done done(area(whole), progress);
   Splitting splitting(oracle, options, kOnPlane * boundingBox(whole).sizes().maxCoeff(), std::max(kApart, whole.triangles.size() / kShares),
                       kMostLeaves, done);
-  const Region region = options.fill ? Region(boundingBox(whole), oracle.solid()) : Region();
+  const Cell cell = options.fill ? Cell(boundingBox(whole), oracle.solid()) : Cell();
   std::vector<Block> blocks;
-  blocks.push_back({std::move(whole), region});
+  blocks.push_back({std::move(whole), cell});
   splitting.run(std::move(blocks), 0);
   return std::move(splitting.leaves);
 }

@@ -6,24 +6,11 @@
 #include <cstdio>
 
 #include "config/link_fields.h"
+#include "config/parse_regions.h"
+#include "config/quoted.h"
 
 namespace collision_hulls {
 namespace {
-
-/// In double quotes, as YAML and JSON read it.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    char code[8];
-    if (static_cast<unsigned char>(c) < 0x20) {
-      std::snprintf(code, sizeof code, "\\x%02x", static_cast<unsigned>(c));
-      result += code;
-    } else {
-      result += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
-    }
-  }
-  return result + "\"";
-}
 
 std::string yaml(bool value) {
   return value ? "true" : "false";
@@ -81,12 +68,32 @@ std::string section(const std::string& name, const std::vector<T>& entries, cons
   return result;
 }
 
+std::string regionsText(const std::vector<RegionRule>& rules) {
+  std::string text = rules.empty() ? "regions: []\n" : "regions:\n";
+  for (const RegionRule& rule : rules) text += "  " + yaml(rule) + "\n";
+  return text;
+}
+
 template <typename T>
 void set(const std::optional<T>& value, T& option) {
   if (value) option = *value;
 }
 
 }  // namespace
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    char code[8];
+    if (static_cast<unsigned char>(c) < 0x20) {
+      std::snprintf(code, sizeof code, "\\x%02x", static_cast<unsigned>(c));
+      result += code;
+    } else {
+      result += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+    }
+  }
+  return result + "\"";
+}
 
 void apply(const LinkSettings& settings, LinkOptions& options) {
   forEachLinkField([&](const char*, auto option, auto setting) { set(settings.*setting, options.*option); });
@@ -96,6 +103,7 @@ void apply(const Config& config, Options& options) {
   apply(config.defaults, options);
   set(config.tree, options.tree);
   options.rules = config.rules;
+  options.region_rules = config.regions;
   options.models = config.models;
   if (config.only) {
     options.links = *config.only;
@@ -112,6 +120,7 @@ std::string configText(const Options& options) {
   return "# Repeats the run that wrote it: decompose INPUT --config FILE.\ndefault: " + yamlDefaults(options) +
          "\nonly: " + quoted(options.links.empty() ? ".*" : options.links) + "\n" +
          section("links", options.rules, [](const LinkRule& rule) { return quoted(rule.pattern) + ": " + yaml(rule.settings); }) +
+         regionsText(options.region_rules) +
          section("models", options.models, [](const ModelOptions& model) { return quoted(model.name) + ": " + yaml(model.tolerance); }) +
          "output: " +
          braced({"format: " + std::string(extension(options.format) + 1), "uri: " + yaml(options.uri),

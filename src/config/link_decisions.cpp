@@ -11,6 +11,7 @@
 #include "collision_hulls/error.h"
 #include "config/link_fields.h"
 #include "report/link_pattern.h"
+#include "scene/reading.h"
 
 namespace collision_hulls {
 namespace {
@@ -79,7 +80,15 @@ class Decision {
     if (rule.settings.fill == true) refuse(rule, "fill", why, "or add method: certified");
   }
 
-  /// Without what does not matter.
+  void add(const RegionRule& rule) {
+    if (options_.action != Action::kDecompose)
+      throw Error(ErrorCode::kBadOption, at(rule.place) + "region '" + rule.name + "' holds for link '" + link_ + "', which " +
+                                             (options_.action == Action::kKeep ? "is kept" : "is removed") + " by " + action_place_ +
+                                             ": leave one of them out");
+    options_.regions.push_back(regionOf(rule));
+  }
+
+  /// Without what does not matter. A tree knows nothing of regions.
   LinkOptions options() const {
     LinkOptions result = options_;
     if (result.method != Method::kCertified) {
@@ -87,6 +96,7 @@ class Decision {
       result.fill = false;
       result.tree.reset();
     }
+    if (!result.regions.empty()) result.tree.reset();
     if (result.method == Method::kSingleHull || result.method == Method::kBoundingBox) result.max_hulls = 0;
     return result;
   }
@@ -111,11 +121,20 @@ LinkDecisions::LinkDecisions(const Options& options, const RobotDescription& rob
   if (!options.links.empty()) only.emplace(options.links, options.links_place.empty() ? "links" : "only", options.links_place, robot);
   std::vector<Matcher> matchers;
   for (const LinkRule& rule : options.rules) matchers.emplace_back(rule.pattern, "links", rule.place, robot);
+  std::vector<Matcher> in_region;
+  for (const RegionRule& rule : options.region_rules) {
+    if (rule.pattern.empty())
+      throw Error(ErrorCode::kBadOption, at(rule.place) + "region '" + rule.name + "' names no link of robot '" + robot.name +
+                                             "': add one, as in link: " + (robot.links.empty() ? "base" : robot.links.front().name));
+    in_region.emplace_back(rule.pattern, "link of region '" + rule.name + "'", rule.place, robot);
+  }
   for (const LinkDescription& link : robot.links) {
     if (only && !(*only)(link.name)) continue;
     Decision decision(link.name, options);
     for (std::size_t i = 0; i < matchers.size(); ++i)
       if (matchers[i](link.name)) decision.apply(options.rules[i]);
+    for (std::size_t i = 0; i < in_region.size(); ++i)
+      if (in_region[i](link.name)) decision.add(options.region_rules[i]);
     const LinkOptions& decided = links_[link.name] = decision.options();
     if (other_method_.empty() && decided.action == Action::kDecompose && decided.method != Method::kCertified) {
       other_method_ = link.name;
@@ -127,6 +146,21 @@ LinkDecisions::LinkDecisions(const Options& options, const RobotDescription& rob
 const LinkOptions* LinkDecisions::of(const std::string& link) const {
   const auto found = links_.find(link);
   return found == links_.end() ? nullptr : &found->second;
+}
+
+Region regionOf(const RegionRule& rule) {
+  Region region;
+  if (const auto* const box = std::get_if<RegionBox>(&rule.shape)) {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.linear() = fromRollPitchYaw(box->rpy).toRotationMatrix();
+    pose.translation() = box->center;
+    region = boxRegion(box->size, pose, rule.tolerance);
+  } else {
+    const auto& half_space = std::get<RegionHalfSpace>(rule.shape);
+    region = halfSpaceRegion(half_space.normal, half_space.offset, rule.tolerance);
+  }
+  region.name = rule.name;
+  return region;
 }
 
 std::vector<LinkDecisions> modelDecisions(const Options& options, const RobotDescription& robot) {

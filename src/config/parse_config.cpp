@@ -1,16 +1,15 @@
-// From YAML to a Config. Every key is either known or an error, so that a typing error never goes unnoticed. The text may be hostile:
-// it is short, and what it repeats by aliases is never followed beyond the three levels that the format has.
+// From YAML to a Config.
 #include <algorithm>
 #include <charconv>
-#include <functional>
-#include <map>
 #include <utility>
 
 #include "base/nearest_name.h"
 #include "base/read_file.h"
 #include "collision_hulls/config/config.h"
 #include "collision_hulls/error.h"
+#include "config/config_item.h"
 #include "config/link_fields.h"
+#include "config/parse_regions.h"
 #include "report/link_pattern.h"
 #include "scene/reading.h"
 #include "scene/yaml_node.h"
@@ -19,54 +18,12 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 20;
-constexpr std::size_t kShown = 60;  // characters of a value in a message
-
-std::string shown(const std::string& text) {
-  return "'" + (text.size() > kShown ? text.substr(0, kShown) + "..." : text) + "'";
-}
-
-/// A text that messages may quote: a terminal would obey control characters.
-std::string plainText(const YamlValue& value, const std::string& item) {
-  std::string text = value.text();
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
-  if (std::any_of(text.begin(), text.end(), is_control)) value.fail(item + " holds a control character; leave it out");
-  return text;
-}
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
-/// A value with what it is, as messages say it: "max_hulls of links 'arm_.*'".
-struct Item {
-  const YamlValue& value;
-  std::string name;
-
-  [[noreturn]] void refuse(const std::string& expected) const {
-    const std::string found = value.isMap()        ? "a map"
-                              : value.isSequence() ? "a list"
-                              : value.isNull()     ? "nothing"
-                                                   : shown(plainText(value, name));
-    value.fail(name + " is " + found + ": use " + expected);
-  }
-
-  /// Of a single value that is there.
-  std::string text(const std::string& expected) const {
-    if (value.isMap() || value.isSequence() || value.isNull()) refuse(expected);
-    return plainText(value, name);
-  }
-};
-
-void read(const Item& item, bool& flag) {
-  const std::string text = item.text("true or false");
-  if (item.value.isQuoted() || (text != "true" && text != "false")) item.refuse("true or false, without quotes");
-  flag = text == "true";
+void read(const ConfigItem& item, bool& flag) {
+  readFlag(item, flag);
 }
 
 template <typename Number>
-void readWhole(const Item& item, const std::string& most, Number& number) {
+void readWhole(const ConfigItem& item, const std::string& most, Number& number) {
   const std::string expected = "a whole number from 0 to " + most + ", without quotes";
   const std::string text = item.text(expected);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -74,11 +31,11 @@ void readWhole(const Item& item, const std::string& most, Number& number) {
   if (item.value.isQuoted() || !is_plain || error != std::errc() || end != text.data() + text.size()) item.refuse(expected);
 }
 
-void read(const Item& item, int& number) {
+void read(const ConfigItem& item, int& number) {
   readWhole(item, "1000000", number);
 }
 
-void read(const Item& item, Length& length) {
+void read(const ConfigItem& item, Length& length) {
   const std::string text = item.text("a length, as in 5mm");
   inContext(item.value.where(), [&] {
     length = parseLength(text, item.name);
@@ -87,7 +44,7 @@ void read(const Item& item, Length& length) {
 }
 
 template <typename T>
-void readChoice(const Item& item, std::optional<T> (*parse)(const std::string&), const std::vector<std::string>& choices, T& value) {
+void readChoice(const ConfigItem& item, std::optional<T> (*parse)(const std::string&), const std::vector<std::string>& choices, T& value) {
   const std::string expected = "one of " + joined(choices);
   const std::string text = item.text(expected);
   const std::optional<T> found = parse(text);
@@ -102,69 +59,32 @@ std::vector<std::string> namesOf(const std::vector<T>& all) {
   return names;
 }
 
-void read(const Item& item, Action& action) {
+void read(const ConfigItem& item, Action& action) {
   readChoice(item, actionNamed, {"decompose", "keep", "remove"}, action);
 }
 
-void read(const Item& item, Method& method) {
+void read(const ConfigItem& item, Method& method) {
   readChoice(item, methodNamed, namesOf(allMethods()), method);
 }
 
-void read(const Item& item, Effort& effort) {
+void read(const ConfigItem& item, Effort& effort) {
   readChoice(item, effortNamed, namesOf(allEfforts()), effort);
 }
 
-void read(const Item& item, Source& source) {
+void read(const ConfigItem& item, Source& source) {
   readChoice(item, sourceNamed, {"auto", "visual", "collision"}, source);
 }
 
-void read(const Item& item, MeshFormat& format) {
+void read(const ConfigItem& item, MeshFormat& format) {
   readChoice(item, meshFormatNamed, {"stl", "obj", "dae"}, format);
 }
 
-void read(const Item& item, UriStyle& uri) {
+void read(const ConfigItem& item, UriStyle& uri) {
   readChoice(item, uriStyleNamed, {"package", "file", "relative"}, uri);
 }
 
-/// What may stand in a map, by key.
-using Readers = std::vector<std::pair<std::string, std::function<void(const Item&)>>>;
-
-[[noreturn]] void refuseKey(const YamlValue& key, const Readers& readers, const std::string& place) {
-  const std::string name = plainText(key, "a key");
-  if (name == "regions" && place.empty())
-    key.fail(
-        "regions cannot be given yet; give the link a smaller tolerance, as in links: {panda_hand: {tolerance: 2mm}}, which keeps its "
-        "openings open");
-  std::vector<std::string> known;
-  for (const auto& [of, reader] : readers) known.push_back(of);
-  key.fail(shown(name) + " is not known" + (place.empty() ? "" : " in " + place) + ": use one of " + joined(known) +
-           didYouMean(name, known));
-}
-
-/// Each key at most once. `place`: the map's name, empty for the whole file.
-void expectDifferentKeys(const YamlValue& map, const std::string& place) {
-  std::map<std::string, std::size_t> lines;
-  for (const auto& [key, value] : map.entries()) {
-    const auto [first, is_new] = lines.emplace(plainText(key, "a key"), key.line());
-    if (!is_new)
-      key.fail(shown(plainText(key, "a key")) + (place.empty() ? "" : " of " + place) + " is already in line " +
-               std::to_string(first->second) + "; remove one of them");
-  }
-}
-
-void readMap(const Item& item, const Readers& readers, const std::string& expected) {
-  if (!item.value.isMap()) item.refuse(expected);
-  expectDifferentKeys(item.value, item.name);
-  for (const auto& [key, value] : item.value.entries()) {
-    const std::string name = plainText(key, "a key");
-    const auto reader = std::find_if(readers.begin(), readers.end(), [&](const auto& r) { return r.first == name; });
-    if (reader == readers.end()) refuseKey(key, readers, item.name);
-    reader->second({value, item.name.empty() ? name : name + " of " + item.name});
-  }
-}
-
 /// What cannot hold together within one map. The rules of a robot's links are compared in LinkDecisions.
-void refuseContradictions(const Item& item, const LinkSettings& settings) {
+void refuseContradictions(const ConfigItem& item, const LinkSettings& settings) {
   const bool stays = settings.action.value_or(Action::kDecompose) != Action::kDecompose;
   const bool other_method = settings.method.value_or(Method::kCertified) != Method::kCertified;
   for (const auto& [key, value] : item.value.entries()) {
@@ -180,23 +100,23 @@ void refuseContradictions(const Item& item, const LinkSettings& settings) {
   }
 }
 
-Readers settingReaders(LinkSettings& settings) {
-  Readers readers;
+ConfigReaders settingReaders(LinkSettings& settings) {
+  ConfigReaders readers;
   forEachLinkField([&](const char* name, auto option, auto setting) {
     (void)option;
-    readers.emplace_back(name, [&settings, setting](const Item& item) { read(item, (settings.*setting).emplace()); });
+    readers.emplace_back(name, [&settings, setting](const ConfigItem& item) { read(item, (settings.*setting).emplace()); });
   });
   return readers;
 }
 
-void checkCaps(const Item& item, const LinkSettings& settings) {
+void checkCaps(const ConfigItem& item, const LinkSettings& settings) {
   LinkOptions applied;
   apply(settings, applied);
   inContext(item.value.where() + ": " + item.name, [&] { checkLimits(applied); });
 }
 
 /// {tolerance: 2mm}, or one word: keep.
-LinkSettings readRule(const Item& item) {
+LinkSettings readRule(const ConfigItem& item) {
   LinkSettings settings;
   const std::string expected = "keep, remove, or a map of settings such as {tolerance: 2mm}";
   if (!item.value.isMap()) {
@@ -218,21 +138,24 @@ class Reader {
 
   Config read(const YamlValue& root) {
     if (root.isNull()) return result_;
-    const Readers readers = {
-        {"default", [this](const Item& item) { readDefault(item); }}, {"only", [this](const Item& item) { readOnly(item); }},
-        {"links", [this](const Item& item) { readLinks(item); }},     {"models", [this](const Item& item) { readModels(item); }},
-        {"output", [this](const Item& item) { readOutput(item); }},   {"seed", [this](const Item& item) { readSeed(item); }}};
+    const ConfigReaders readers = {{"default", [this](const ConfigItem& item) { readDefault(item); }},
+                                   {"only", [this](const ConfigItem& item) { readOnly(item); }},
+                                   {"links", [this](const ConfigItem& item) { readLinks(item); }},
+                                   {"models", [this](const ConfigItem& item) { readModels(item); }},
+                                   {"output", [this](const ConfigItem& item) { readOutput(item); }},
+                                   {"seed", [this](const ConfigItem& item) { readSeed(item); }},
+                                   {"regions", [this](const ConfigItem& item) { result_.regions = readRegions(item); }}};
     if (!root.isMap()) root.fail("a configuration is a map: use keys such as default: and links:");
     readMap({root, ""}, readers, "");
     return result_;
   }
 
  private:
-  void readDefault(const Item& item) {
+  void readDefault(const ConfigItem& item) {
     const std::string expected = "a map such as {tolerance: 5mm}; to leave links alone, name the others with only:";
-    Readers readers = settingReaders(result_.defaults);
+    ConfigReaders readers = settingReaders(result_.defaults);
     readers.erase(readers.begin());  // the action
-    readers.emplace_back("tree", [this](const Item& tree) { readTree(tree); });
+    readers.emplace_back("tree", [this](const ConfigItem& tree) { readTree(tree); });
     readMap(item, readers, expected);
     checkCaps(item, result_.defaults);
     refuseContradictions(item, result_.defaults);
@@ -243,7 +166,7 @@ class Reader {
     }
   }
 
-  void readTree(const Item& item) {
+  void readTree(const ConfigItem& item) {
     const std::string expected = "a length, as in 2mm, or none";
     Length length;
     if (item.text(expected) == "none") {
@@ -254,7 +177,7 @@ class Reader {
     result_.tree.emplace(length);
   }
 
-  void readOnly(const Item& item) {
+  void readOnly(const ConfigItem& item) {
     const std::string expression = item.text("a regular expression");
     inContext(item.value.where(), [&] { LinkPattern(expression, "only"); });
     result_.only = expression == ".*" ? "" : expression;
@@ -262,23 +185,23 @@ class Reader {
     result_.named.insert("links");
   }
 
-  void readLinks(const Item& item) {
+  void readLinks(const ConfigItem& item) {
     if (!item.value.isMap()) item.refuse("a map from regular expressions to settings, as in {arm_.*: {tolerance: 2mm}}");
     expectDifferentKeys(item.value, "links");
     for (const auto& [key, value] : item.value.entries()) {
       const std::string pattern = plainText(key, "a key");
       inContext(key.where(), [&] { LinkPattern(pattern, "links"); });
-      result_.rules.push_back({pattern, readRule({value, "links " + shown(pattern)}), key.where()});
+      result_.rules.push_back({pattern, readRule({value, "links " + shortQuoted(pattern)}), key.where()});
     }
   }
 
-  void readModels(const Item& item) {
+  void readModels(const ConfigItem& item) {
     const std::string expected = "a map from names to tolerances, as in {planning: 1cm, contact: 2mm}";
     if (!item.value.isMap()) item.refuse(expected);
     expectDifferentKeys(item.value, "models");
     for (const auto& [key, value] : item.value.entries()) {
       ModelOptions model{plainText(key, "a key"), {}};
-      collision_hulls::read({value, "tolerance of model " + shown(model.name)}, model.tolerance);
+      collision_hulls::read({value, "tolerance of model " + shortQuoted(model.name)}, model.tolerance);
       result_.models.push_back(model);
       Options alone;
       alone.models = {model};
@@ -287,14 +210,14 @@ class Reader {
     result_.named.insert("model");
   }
 
-  void readOutput(const Item& item) {
+  void readOutput(const ConfigItem& item) {
     const auto take = [this](const std::string& option, auto& value) {
-      return [this, option, &value](const Item& of) {
+      return [this, option, &value](const ConfigItem& of) {
         collision_hulls::read(of, value.emplace());
         result_.named.insert(option);
       };
     };
-    const auto readName = [this](const Item& of) {
+    const auto readName = [this](const ConfigItem& of) {
       Options alone;
       alone.package_name = of.text("the name of a package, or \"\" for that of the output folder");
       inContext(of.value.where(), [&] { check(alone); });
@@ -309,7 +232,7 @@ class Reader {
             "a map such as {format: obj}");
   }
 
-  void readSeed(const Item& item) {
+  void readSeed(const ConfigItem& item) {
     std::uint64_t seed = 0;
     readWhole(item, "18446744073709551615", seed);
     result_.seed = seed;

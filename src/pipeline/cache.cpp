@@ -28,11 +28,16 @@ void fields(Archive& archive, MeshFacts& facts) {
 }
 
 template <typename Archive>
+void fields(Archive& archive, RegionProof& proof) {
+  archive(proof.bound, proof.found);
+}
+
+template <typename Archive>
 void fields(Archive& archive, HullFacts& facts) {
   auto& [hulls, hull_vertices, least_hulls, primitives, uncovered, protrusion, protrusion_found, worst, worst_nearest, hull_volume,
-         covered_share, nudge, thickness] = facts;
+         covered_share, nudge, thickness, regions] = facts;
   archive(hulls, hull_vertices, least_hulls, primitives, uncovered, protrusion, protrusion_found, worst, worst_nearest, hull_volume,
-          covered_share, nudge, thickness);
+          covered_share, nudge, thickness, regions);
 }
 
 template <typename Archive>
@@ -55,7 +60,7 @@ void fields(Archive& archive, Length& length) {
 
 namespace {
 
-constexpr std::uint32_t kFormat = 4;  // of entries
+constexpr std::uint32_t kFormat = 5;  // of entries
 
 template <typename... Values>
 std::string keyOf(const std::string& kind, const Values&... values) {
@@ -70,9 +75,14 @@ std::string meshBytes(const MeshTask& task) {
 }  // namespace
 
 std::string meshKey(const MeshTask& task, const LinkOptions& options, std::uint64_t seed) {
-  const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source] = options;
+  const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source, regions] = options;
+  ByteWriter places;
+  for (const Region& region : regions) {
+    places(region.tolerance, region.sides.size());
+    for (const HalfSpace& side : region.sides) places(side.normal, side.offset);
+  }
   return keyOf("mesh", meshBytes(task), tolerance, method, effort, tree.has_value(), tree.value_or(Length{}), fill, max_hulls, max_vertices,
-               seed);
+               places.take(), seed);
 }
 
 std::string treeKey(const MeshTask& task, const LinkOptions& options, std::uint64_t seed, double tolerance) {

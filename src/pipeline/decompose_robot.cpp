@@ -56,16 +56,17 @@ void makeHulls(const VariantWork& work, const ReadMesh& read, SharedMesh& mesh, 
   RunControl control;
   work.follow(control, run);
   const LinkOptions& options = work.options;
-  CertifiedHulls made = certifiedHulls(
-      {result.original, read.repaired, *result.solid, read.margin, tree.get(), run.tasks[work.task].uri},
-      {options.method, result.mesh.tolerance, options.max_hulls, options.max_vertices, run.options.seed, options.effort, options.fill},
-      control);
+  CertifiedHulls made = certifiedHulls({result.original, read.repaired, *result.solid, read.margin, tree.get(), run.tasks[work.task].uri},
+                                       {options.method, result.mesh.tolerance, options.max_hulls, options.max_vertices, run.options.seed,
+                                        options.effort, options.fill, options.regions},
+                                       control);
   stage.lap();
   result.hulls = std::move(made.hulls);
   result.model = factsOf(result.hulls, 0, *result.solid, {made.bound, made.found, made.where, made.nearest});
   if (options.method == Method::kCertified) result.model.least_hulls = leastHullsOf(result, made.within_tolerance, options.effort, control);
   result.model.nudge = made.nudge;
   result.model.thickness = made.thickness;
+  result.model.regions = std::move(made.regions);
   result.status = made.within_tolerance ? Status::kOk : Status::kDegraded;
   result.reason = made.reason;
   result.seconds.decompose += made.seconds.decompose;
@@ -209,6 +210,8 @@ RobotResult decomposeMesh(const std::string& path, const Options& options, const
   MeshUse use;
   use.link = result.robot_name;
   use.options = options;
+  for (const RegionRule& rule : options.region_rules) use.options.regions.push_back(regionOf(rule));
+  if (!use.options.regions.empty()) use.options.tree.reset();  // it knows nothing of them
   use.source.uri = path;
   use.source.scale.setConstant(options.scale);
   const std::vector<MeshUse> uses{use};

@@ -292,6 +292,12 @@ void refuseOtherWays(const Options& options, const LinkDecisions& decisions) {
   if (options.tree)
     throw Error(ErrorCode::kBadOption, "tree '" + toString(*options.tree) +
                                            "' does not apply to fit_scene, whose trees always have leaves for the tolerance; omit it");
+  if (!options.region_rules.empty()) {
+    const RegionRule& first = options.region_rules.front();
+    throw Error(ErrorCode::kBadOption,
+                (first.place.empty() ? "" : first.place + ": ") + "region '" + first.name +
+                    "': fitting merges hulls until the scene minds, whatever a region says; omit it, or use decompose");
+  }
   const std::string& link = decisions.firstOfOtherMethod();
   if (link.empty()) return;
   const std::string& place = decisions.otherMethodPlace();

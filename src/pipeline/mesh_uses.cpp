@@ -44,8 +44,9 @@ void addUses(const LinkDescription& link, const LinkOptions& options, std::size_
   const std::size_t before = uses.size();
   for (std::size_t i = 0; i < source.elements.size(); ++i) {
     const GeometryElement& element = source.elements[i];
-    if (isMesh(element))
-      uses.push_back({model, link.name, options, static_cast<int>(i), source.visual, element, link.pose * element.origin});
+    if (!isMesh(element)) continue;
+    uses.push_back({model, link.name, options, static_cast<int>(i), source.visual, element, link.pose * element.origin});
+    for (Region& region : uses.back().options.regions) region = transformed(region, element.origin.inverse());
   }
   if (!decomposed && uses.size() == before) uses.push_back({model, link.name, options, 0, false, GeometryElement(), link.pose});
 }
@@ -61,11 +62,11 @@ MeshResult undecomposed(const MeshUse& use) {
 /// Whether the same mesh becomes the same hulls. The action and the source chose the mesh.
 bool equalWork(const LinkOptions& a, const LinkOptions& b) {
   const auto values = [](const LinkOptions& options) {
-    const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source] = options;
+    const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source, regions] = options;
     const Length leaves = tree.value_or(Length());
     return std::make_tuple(tolerance.limit, tolerance.share, method, effort, leaves.limit, leaves.share, fill, max_hulls, max_vertices);
   };
-  return values(a) == values(b);
+  return values(a) == values(b) && equal(a.regions, b.regions);
 }
 
 void addVariant(const LinkOptions& options, std::size_t use, std::vector<MeshVariant>& variants) {

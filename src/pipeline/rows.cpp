@@ -65,6 +65,7 @@ ElementReport rowOf(const MeshUse& use, const MeshResult& mesh) {
   row.uri = use.source.uri;
   row.scale = use.source.scale;
   row.method = use.options.method;
+  row.regions_given = use.options.regions;
   row.status = mesh.status;
   row.reason = mesh.reason;
   row.error = mesh.error;

@@ -70,6 +70,8 @@ void checkForMesh(const std::string& path, const Options& options) {
   };
   if (!options.links.empty()) refuse("links '" + options.links + "'", options.links_place);
   if (!options.rules.empty()) refuse("links '" + options.rules.front().pattern + "'", options.rules.front().place);
+  for (const RegionRule& rule : options.region_rules)
+    if (!rule.pattern.empty()) refuse("link '" + rule.pattern + "' of region '" + rule.name + "'", rule.place);
   if (!options.models.empty()) refuse("model '" + options.models.front().name + "'", "");
 }
 
@@ -113,8 +115,8 @@ std::shared_ptr<const HullTree> SharedMesh::tree(const LinkOptions& options, dou
   if (tree) return tree;
   if (std::optional<HullTree> known = cache_.findTree(key)) return tree = std::make_shared<const HullTree>(std::move(*known));
   built_tree_ = true;
-  HullTree built =
-      hullTree(read_->repaired, {options.method, tolerance, 0, options.max_vertices, options_.seed, options.effort, options.fill}, control);
+  HullTree built = hullTree(read_->repaired,
+                            {options.method, tolerance, 0, options.max_vertices, options_.seed, options.effort, options.fill, {}}, control);
   cache_.storeTree(key, built);
   return tree = std::make_shared<const HullTree>(std::move(built));
 }

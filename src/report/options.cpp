@@ -293,8 +293,8 @@ void applyProfile(const std::string& profile, Options& options) {
     const char* profile;
     int max_hulls, max_vertices;
   };
-  constexpr int kNoCap = 0, kDefault = DecomposeOptions{}.max_vertices;
-  constexpr Caps kProfiles[] = {
+  const int kNoCap = 0, kDefault = DecomposeOptions{}.max_vertices;
+  const Caps kProfiles[] = {
       {"fcl", kNoCap, 32}, {"moveit", kNoCap, 42}, {"bullet", kNoCap, 42}, {"physx", kNoCap, 32}, {"gazebo", 16, kDefault}};
   const auto* const found =
       std::find_if(std::begin(kProfiles), std::end(kProfiles), [&](const Caps& caps) { return profile == caps.profile; });

@@ -1,4 +1,5 @@
 // report.json. Field names are a contract with other tools: add fields, but never rename or remove one.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "collision_hulls/report/report.h"
@@ -56,6 +57,16 @@ json toJson(const StageSeconds& seconds) {
           {"write", seconds.write}};
 }
 
+json regionsToJson(const ElementReport& row) {
+  json regions = json::array();
+  for (std::size_t i = 0; i < std::min(row.regions.size(), row.regions_given.size()); ++i)
+    regions.push_back({{"region", row.regions_given[i].name},
+                       {"tolerance", row.regions_given[i].tolerance},
+                       {"protrusion", row.regions[i].bound},
+                       {"protrusion_found", row.regions[i].found}});
+  return regions;
+}
+
 json toJson(const ElementReport& row) {
   return {{"link", row.link},
           {"element", row.element},
@@ -79,6 +90,7 @@ json toJson(const ElementReport& row) {
           {"protrusion", row.protrusion},
           {"protrusion_found", row.protrusion_found},
           {"worst", {{"point", toJson(row.worst)}, {"nearest", toJson(row.worst_nearest)}}},
+          {"regions", regionsToJson(row)},
           {"interior", row.interior},
           {"volume", row.volume},
           {"hull_volume", row.hull_volume},

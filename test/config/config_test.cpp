@@ -41,6 +41,7 @@ TEST(ConfigText, SpellsOutTheDefaults) {
             "tree: none}\n"
             "only: \".*\"\n"
             "links: {}\n"
+            "regions: []\n"
             "models: {}\n"
             "output: {format: stl, uri: package, segments: false, package_name: \"\"}\n"
             "seed: 1\n");

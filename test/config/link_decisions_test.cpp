@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "collision_hulls/config/config.h"
 #include "collision_hulls/error.h"
 
@@ -126,6 +129,54 @@ TEST(LinkDecisions, WhatAMethodIgnoresHasItsDefault) {
   }
   EXPECT_EQ(all.of("panda_hand")->max_hulls, 9);
   EXPECT_EQ(all.of("panda_link0")->max_hulls, 0);
+}
+
+TEST(LinkDecisions, RegionsOfALink) {
+  const LinkDecisions all = decisions(R"(
+default: {tree: 1mm}
+regions:
+  - {link: "panda_hand|.*finger", name: mouth, box: {size: [1, 2, 3]}, keep_clear: true}
+  - {link: panda_hand, half_space: {normal: [0, 0, 2], offset: 1}, tolerance: 5mm}
+)");
+  ASSERT_EQ(all.of("panda_hand")->regions.size(), 2u);
+  EXPECT_EQ(all.of("panda_hand")->regions[0].name, "mouth");
+  EXPECT_EQ(all.of("panda_hand")->regions[0].sides.size(), 6u);
+  EXPECT_EQ(all.of("panda_hand")->regions[1].tolerance, 0.005);
+  EXPECT_EQ(all.of("panda_hand")->regions[1].sides[0].offset, -0.5);
+  EXPECT_EQ(all.of("left_finger")->regions.size(), 1u);
+  EXPECT_TRUE(all.of("panda_link0")->regions.empty());
+  EXPECT_TRUE(all.of("panda_link0")->tree);
+  EXPECT_FALSE(all.of("panda_hand")->tree) << "a tree knows nothing of regions";
+}
+
+TEST(LinkDecisions, RegionsThatCannotHold) {
+  const std::string shape = ", box: {size: [1, 1, 1]}, keep_clear: true}";
+  const auto expect = [&](const std::string& text, const std::vector<const char*>& parts) {
+    const std::string message = refusal(text);
+    for (const char* const part : parts) EXPECT_NE(message.find(part), std::string::npos) << message << "\nlacks: " << part;
+  };
+  expect("regions:\n  - {link: gripper" + shape, {"line 2", "link of region '1' 'gripper' matches no link of robot 'panda'"});
+  expect("regions: [{name: a" + shape + "]", {"line 1", "region 'a' names no link of robot 'panda'", "link: panda_link0"});
+  expect("links: {panda_hand: keep}\nregions:\n  - {link: panda_.*" + shape,
+         {"line 3", "region '1' holds for link 'panda_hand', which is kept by 'f.yaml', line 1", "leave one of them out"});
+  expect("links: {panda_hand: remove}\nregions:\n  - {link: panda_hand" + shape, {"which is removed by"});
+}
+
+TEST(LinkDecisions, ARegionAsItsRuleSays) {
+  RegionRule rule;
+  rule.name = "r";
+  rule.tolerance = 0.002;
+  rule.shape = RegionBox{{1, 2, 3}, {2, 4, 6}, {0, 0, M_PI / 2}};  // turned by 90 degrees: 4 along x, 2 along y
+  const Region region = regionOf(rule);
+  const auto inside = [&](const Eigen::Vector3d& p) {
+    return std::all_of(region.sides.begin(), region.sides.end(), [&](const HalfSpace& side) { return side.distance(p) < 0; });
+  };
+  EXPECT_EQ(region.name, "r");
+  EXPECT_EQ(region.tolerance, 0.002);
+  EXPECT_TRUE(inside({2.9, 2.9, 5.9}));
+  EXPECT_FALSE(inside({3.1, 2, 3}));
+  EXPECT_FALSE(inside({1, 3.1, 3}));
+  EXPECT_FALSE(inside({1, 2, 6.1}));
 }
 
 TEST(LinkDecisions, KnowsTheFirstLinkOfAnotherMethod) {

@@ -53,6 +53,14 @@ TEST_F(MeshTaskTest, ContentKindOfFileAndScaleMakeATask) {
   EXPECT_TRUE(std::none_of(found_.done.begin(), found_.done.end(), [](const auto& failed) { return failed; }));
 }
 
+TEST_F(MeshTaskTest, RegionsMakeVariantsOfATask) {
+  MeshUse clear = use("a.stl"), renamed = use("a.stl"), moved = use("a.stl");
+  clear.options.regions = renamed.options.regions = moved.options.regions = {halfSpaceRegion({0, 0, 1}, 1, kRegionSlack)};
+  renamed.options.regions[0].name = "top";
+  moved.options.regions[0].sides[0].offset = 2;
+  EXPECT_EQ(groups({use("a.stl"), clear, renamed, moved}), (Groups{{0}, {1, 2}, {3}}));
+}
+
 TEST_F(MeshTaskTest, OptionsMakeVariantsOfATask) {
   MeshUse fine = use("a.stl"), from_visual = use("b.stl");
   fine.options.tolerance = lengthOf(0.001);

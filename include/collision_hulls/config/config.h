@@ -27,6 +27,7 @@ struct Config {
   /// Empty: no tree. Not set: as the options say.
   std::optional<std::optional<Length>> tree;
   std::vector<LinkRule> rules;
+  std::vector<RegionRule> regions;
   std::optional<std::string> only;  ///< Options::links
   std::string only_place;           ///< Options::links_place
   std::vector<ModelOptions> models;
@@ -47,7 +48,7 @@ Config parseConfig(const std::string& text, const std::string& file);
 /// Reads a file. Throws kFileNotFound, kTooLarge, and as parseConfig().
 Config readConfig(const std::string& file);
 
-/// Sets what the configuration says. Its rules and models take the place of those there.
+/// Sets what the configuration says. Its rules, regions and models take the place of those there.
 void apply(const Config& config, Options& options);
 void apply(const LinkSettings& settings, LinkOptions& options);
 

@@ -11,12 +11,12 @@
 namespace collision_hulls {
 
 /// The options of each link: those of all links, then the rules that match its name, in their
-/// order. Options that do not matter with a link's method have their defaults, so that links with
-/// equal options are equal work.
+/// order, and its regions. Options that do not matter with a link's method have their defaults, so
+/// that links with equal options are equal work.
 class LinkDecisions {
  public:
   /// Throws kBadOption for an expression that matches no link, and for rules that contradict each
-  /// other on a link: a setting for one that an earlier rule keeps or removes, or one of method
+  /// other on a link: a setting or a region for one that is kept or removed, or a setting of method
   /// certified for a link with another method.
   LinkDecisions(const Options& options, const RobotDescription& robot);
 
@@ -32,6 +32,9 @@ class LinkDecisions {
   std::map<std::string, LinkOptions> links_;
   std::string other_method_, other_method_place_;
 };
+
+/// The region that a rule describes. Throws kBadOption.
+Region regionOf(const RegionRule& rule);
 
 /// The decisions of each of Options::models, or else of the only one. A tolerance that a rule gives
 /// holds in every model.

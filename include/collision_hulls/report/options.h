@@ -14,6 +14,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "collision_hulls/decompose/decompose.h"
@@ -77,6 +78,7 @@ struct LinkOptions {
   int max_hulls = 0;      ///< per mesh; 0: no cap
   int max_vertices = 64;  ///< per hull; 0: no cap
   Source source = Source::kAuto;
+  std::vector<Region> regions;  ///< in the frame of what the options are for: the link, or its mesh
 };
 
 /// Some of a link's options; those that are not set stay as they were.
@@ -97,6 +99,27 @@ struct LinkRule {
   std::string place;  ///< where it is written, for messages: "'panda.yaml', line 3"
 };
 
+/// A box [m], [rad]: fixed-axis roll, pitch and yaw about its centre, as in URDF.
+struct RegionBox {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero(), size = Eigen::Vector3d::Zero();
+  Eigen::Vector3d rpy = Eigen::Vector3d::Zero();
+};
+
+/// The points p with normal . p >= offset [m].
+struct RegionHalfSpace {
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  double offset = 0;
+};
+
+/// A region of the links whose whole name a regular expression matches, in the frame of each.
+struct RegionRule {
+  std::string pattern;  ///< ECMAScript; empty for a single mesh, in whose frame it is then
+  std::variant<RegionBox, RegionHalfSpace> shape;
+  double tolerance = kRegionSlack;  ///< [m]
+  std::string name;                 ///< for reports; empty: "1" for the first, and so on
+  std::string place;                ///< as LinkRule::place
+};
+
 /// One of several models that a run makes of a robot, each with its own tolerance.
 struct ModelOptions {
   std::string name;
@@ -105,9 +128,10 @@ struct ModelOptions {
 
 /// What the base holds is the default of all links.
 struct Options : LinkOptions {
-  std::vector<LinkRule> rules;       ///< the last that matches a link counts, setting by setting
-  std::vector<ModelOptions> models;  ///< empty: one, with `tolerance`
-  bool segments = false;             ///< give the clusters of triangles as well (hacd)
+  std::vector<LinkRule> rules;  ///< the last that matches a link counts, setting by setting
+  std::vector<RegionRule> region_rules;  ///< all that match a link hold
+  std::vector<ModelOptions> models;      ///< empty: one, with `tolerance`
+  bool segments = false;                 ///< give the clusters of triangles as well (hacd)
   /// regular expression (ECMAScript) that a link's whole name must match; empty: all. Links that it
   /// does not match are left alone, whatever the rules say
   std::string links;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "collision_hulls/check/validate.h"
+#include "collision_hulls/decompose/certified_hulls.h"
 #include "collision_hulls/fit/fit.h"
 #include "collision_hulls/mesh/repair.h"
 #include "collision_hulls/report/options.h"
@@ -56,6 +57,7 @@ struct HullFacts {
   double covered_share = 1;  ///< of the solid's inside that lies in the hulls; see coveredShare()
   double nudge = 0;      ///< how far hulls were moved outward for rounding (reader, weld, writer)
   double thickness = 0;  ///< given to flat hulls
+  std::vector<RegionProof> regions;  ///< see CertifiedHulls; one for each of the mesh's regions
 };
 
 /// A row of the report: one mesh of one link. A link without hulls has one for each mesh of its
@@ -70,6 +72,7 @@ struct ElementReport : MeshFacts, HullFacts {
   std::string reason;  ///< why degraded or failed; names item, value, limit and remedy
   std::string error;   ///< of a failed row: the name of its ErrorCode
   Method method = Method::kCertified;
+  std::vector<Region> regions_given;  ///< of the mesh, in its frame
   /// A mesh that several links use is worked on once: the first row has the time, the others have
   /// 0.
   StageSeconds seconds;

@@ -1,0 +1,82 @@
+// Keys are either known or errors, so that a typing error never goes unnoticed. The text may be hostile: what it repeats by aliases is
+// never followed beyond the levels that the format has.
+#include "config/config_item.h"
+
+#include <algorithm>
+#include <map>
+
+#include "base/nearest_name.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr std::size_t kShown = 60;  // characters of a value in a message
+
+[[noreturn]] void refuseKey(const YamlValue& key, const ConfigReaders& readers, const std::string& place) {
+  std::vector<std::string> known;
+  for (const auto& [of, reader] : readers) known.push_back(of);
+  const std::string name = plainText(key, "a key");
+  key.fail(shortQuoted(name) + " is not known" + (place.empty() ? "" : " in " + place) + ": use one of " + joined(known) +
+           didYouMean(name, known));
+}
+
+}  // namespace
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+std::string shortQuoted(const std::string& text) {
+  return "'" + (text.size() > kShown ? text.substr(0, kShown) + "..." : text) + "'";
+}
+
+std::string plainText(const YamlValue& value, const std::string& item) {
+  std::string text = value.text();
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+  if (std::any_of(text.begin(), text.end(), is_control)) value.fail(item + " holds a control character; leave it out");
+  return text;
+}
+
+void ConfigItem::refuse(const std::string& expected) const {
+  const std::string found = value.isMap()        ? "a map"
+                            : value.isSequence() ? "a list"
+                            : value.isNull()     ? "nothing"
+                                                 : shortQuoted(plainText(value, name));
+  value.fail(name + " is " + found + ": use " + expected);
+}
+
+std::string ConfigItem::text(const std::string& expected) const {
+  if (value.isMap() || value.isSequence() || value.isNull()) refuse(expected);
+  return plainText(value, name);
+}
+
+void expectDifferentKeys(const YamlValue& map, const std::string& place) {
+  std::map<std::string, std::size_t> lines;
+  for (const auto& [key, value] : map.entries()) {
+    const auto [first, is_new] = lines.emplace(plainText(key, "a key"), key.line());
+    if (!is_new)
+      key.fail(shortQuoted(plainText(key, "a key")) + (place.empty() ? "" : " of " + place) + " is already in line " +
+               std::to_string(first->second) + "; remove one of them");
+  }
+}
+
+void readMap(const ConfigItem& item, const ConfigReaders& readers, const std::string& expected) {
+  if (!item.value.isMap()) item.refuse(expected);
+  expectDifferentKeys(item.value, item.name);
+  for (const auto& [key, value] : item.value.entries()) {
+    const std::string name = plainText(key, "a key");
+    const auto reader = std::find_if(readers.begin(), readers.end(), [&](const auto& r) { return r.first == name; });
+    if (reader == readers.end()) refuseKey(key, readers, item.name);
+    reader->second({value, item.name.empty() ? name : name + " of " + item.name});
+  }
+}
+
+void readFlag(const ConfigItem& item, bool& flag) {
+  const std::string text = item.text("true or false");
+  if (item.value.isQuoted() || (text != "true" && text != "false")) item.refuse("true or false, without quotes");
+  flag = text == "true";
+}
+
+}  // namespace collision_hulls

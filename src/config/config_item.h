@@ -1,0 +1,45 @@
+// Values of a configuration, and messages about them: what a reader of any part of it needs.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/yaml_node.h"
+
+namespace collision_hulls {
+
+/// In quotes, cut where it is long.
+std::string shortQuoted(const std::string& text);
+
+/// "a, b, c"
+std::string joined(const std::vector<std::string>& names);
+
+/// A text that messages may quote: a terminal would obey control characters. Throws at one.
+std::string plainText(const YamlValue& value, const std::string& item);
+
+/// A value with what it is, as messages say it: "max_hulls of links 'arm_.*'".
+struct ConfigItem {
+  const YamlValue& value;
+  std::string name;
+
+  /// "tolerance of links 'arm' is 'x': use a length".
+  [[noreturn]] void refuse(const std::string& expected) const;
+
+  /// Of a single value that is there.
+  std::string text(const std::string& expected) const;
+};
+
+/// What may stand in a map, by key.
+using ConfigReaders = std::vector<std::pair<std::string, std::function<void(const ConfigItem&)>>>;
+
+/// Each key at most once. `place`: the map's name, empty for the whole file.
+void expectDifferentKeys(const YamlValue& map, const std::string& place);
+
+/// Each entry by the reader of its key. `expected`: of the value, for messages.
+void readMap(const ConfigItem& item, const ConfigReaders& readers, const std::string& expected);
+
+void readFlag(const ConfigItem& item, bool& flag);
+
+}  // namespace collision_hulls

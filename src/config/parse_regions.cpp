@@ -1,0 +1,143 @@
+// Regions between YAML and rules. What is written repeats the run: every value, also defaults, as the shortest text that reads back
+// exactly.
+#include "config/parse_regions.h"
+
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "collision_hulls/config/link_decisions.h"
+#include "collision_hulls/error.h"
+#include "config/quoted.h"
+#include "report/link_pattern.h"
+#include "robot/number_text.h"
+#include "scene/reading.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr std::size_t kMostRegions = 1000;
+constexpr char kExample[] = "{link: hand, box: {center: [0, 0, 0.1], size: [0.1, 0.2, 0.05]}, keep_clear: true}";
+
+void readVector(const ConfigItem& item, Eigen::Vector3d& vector) {
+  if (!item.value.isSequence() || item.value.items().size() != 3) item.refuse("a list of three numbers, as in [0, 0, 0.1]");
+  const std::vector<double> numbers = item.value.numbers(3);
+  vector = {numbers[0], numbers[1], numbers[2]};
+}
+
+/// 0 means clear.
+void readTolerance(const ConfigItem& item, double& tolerance) {
+  const std::string text = item.text("a length, as in 1mm, or 0 to keep the region clear");
+  double number = -1;
+  if (parseNumber(text, number) && number == 0) {
+    tolerance = kRegionSlack;
+    return;
+  }
+  inContext(item.value.where(), [&] {
+    tolerance = parseMetres(text, item.name);
+    checkTolerance(lengthOf(tolerance), item.name);
+  });
+}
+
+std::string entriesText(const Eigen::Vector3d& v) {
+  return "[" + numberText(v.x()) + ", " + numberText(v.y()) + ", " + numberText(v.z()) + "]";
+}
+
+std::string yaml(const RegionBox& box) {
+  return "box: {center: " + entriesText(box.center) + ", size: " + entriesText(box.size) + ", rpy: " + entriesText(box.rpy) + "}";
+}
+
+std::string yaml(const RegionHalfSpace& half_space) {
+  return "half_space: {normal: " + entriesText(half_space.normal) + ", offset: " + numberText(half_space.offset) + "}";
+}
+
+/// One entry of the list.
+class RegionReader {
+ public:
+  RegionRule read(const ConfigItem& item) {
+    readMap(item,
+            {{"link", [this](const ConfigItem& of) { readLink(of); }},
+             {"name", [this](const ConfigItem& of) { rule_.name = of.text("a name, for the report"); }},
+             {"box", [this](const ConfigItem& of) { readBox(of); }},
+             {"half_space", [this](const ConfigItem& of) { readHalfSpace(of); }},
+             {"keep_clear", [this](const ConfigItem& of) { readClear(of); }},
+             {"tolerance", [this](const ConfigItem& of) { readTolerance(of, tolerance_.emplace()); }}},
+            std::string("a map such as ") + kExample);
+    if (shapes_ != 1)
+      item.value.fail(item.name + (shapes_ == 0 ? " has neither box nor half_space" : " has both box and half_space") +
+                      ": give one of them, as in " + kExample);
+    if (clear_ == tolerance_.has_value())
+      item.value.fail(item.name + (clear_ ? " has both keep_clear and tolerance" : " has neither keep_clear: true nor tolerance") +
+                      ": give one of them, as in " + kExample);
+    rule_.tolerance = tolerance_.value_or(kRegionSlack);
+    rule_.place = item.value.where();
+    inContext(rule_.place + ": " + item.name, [&] { regionOf(rule_); });
+    return std::move(rule_);
+  }
+
+ private:
+  void readLink(const ConfigItem& item) {
+    rule_.pattern = item.text("a link's name, or a regular expression");
+    inContext(item.value.where(), [&] { LinkPattern(rule_.pattern, item.name); });
+  }
+
+  void readBox(const ConfigItem& item) {
+    RegionBox box;
+    const auto take = [](Eigen::Vector3d& vector) { return [&vector](const ConfigItem& of) { readVector(of, vector); }; };
+    readMap(item, {{"center", take(box.center)}, {"size", take(box.size)}, {"rpy", take(box.rpy)}},
+            "a map such as {center: [0, 0, 0.1], size: [0.1, 0.2, 0.05]}");
+    if (!item.value.has("size")) item.value.fail(item.name + " has no size: add one, as in size: [0.1, 0.2, 0.05]");
+    rule_.shape = box;
+    ++shapes_;
+  }
+
+  void readHalfSpace(const ConfigItem& item) {
+    RegionHalfSpace half_space;
+    readMap(item,
+            {{"normal", [&](const ConfigItem& of) { readVector(of, half_space.normal); }},
+             {"offset", [&](const ConfigItem& of) { half_space.offset = of.value.number(); }}},
+            "a map such as {normal: [0, 0, -1], offset: 0}, which points into the region");
+    if (!item.value.has("normal")) item.value.fail(item.name + " has no normal: add one that points into the region, as in [0, 0, -1]");
+    rule_.shape = half_space;
+    ++shapes_;
+  }
+
+  void readClear(const ConfigItem& item) {
+    readFlag(item, clear_);
+    if (!clear_) item.refuse("true, or a tolerance in its place");
+  }
+
+  RegionRule rule_;
+  int shapes_ = 0;
+  bool clear_ = false;
+  std::optional<double> tolerance_;
+};
+
+}  // namespace
+
+std::vector<RegionRule> readRegions(const ConfigItem& list) {
+  if (!list.value.isSequence()) list.refuse(std::string("a list of entries such as ") + kExample);
+  const std::vector<YamlValue> items = list.value.items();
+  if (items.size() > kMostRegions)
+    list.value.fail("there are " + std::to_string(items.size()) + " regions; at most " + std::to_string(kMostRegions) + " are allowed");
+  std::vector<RegionRule> rules;
+  std::map<std::string, std::string> places;
+  for (const YamlValue& item : items) {
+    const std::string number = std::to_string(rules.size() + 1);
+    RegionRule rule = RegionReader().read({item, "region " + number});
+    if (rule.name.empty()) rule.name = number;
+    const auto [first, is_new] = places.emplace(rule.name, rule.place);
+    if (!is_new)
+      item.fail("region " + number + " has the name " + shortQuoted(rule.name) + " of the one in " + first->second + "; rename one");
+    rules.push_back(std::move(rule));
+  }
+  return rules;
+}
+
+std::string yaml(const RegionRule& rule) {
+  const std::string shape = std::visit([](const auto& of) { return yaml(of); }, rule.shape);
+  return "- {" + (rule.pattern.empty() ? "" : "link: " + quoted(rule.pattern) + ", ") + "name: " + quoted(rule.name) + ", " + shape +
+         ", tolerance: " + toString(lengthOf(rule.tolerance)) + "}";
+}
+
+}  // namespace collision_hulls

@@ -113,10 +113,14 @@ Configuration Assembly::sample(std::size_t index) const {
   return index < kIndependentFrom ? even_(index) : independent_(index - kIndependentFrom);
 }
 
+std::vector<Eigen::Isometry3d> Places::all() const {
+  std::vector<Eigen::Isometry3d> poses = links_;
+  for (const SceneBody& body : *bodies_) poses.push_back(body.pose);
+  return poses;
+}
+
 Places Assembly::places(const Configuration& configuration) const {
-  Places places = kinematics_.poses(configuration);
-  for (const SceneBody& body : problem_.scene.bodies) places.push_back(body.pose);
-  return places;
+  return {kinematics_.poses(configuration), problem_.scene.bodies};
 }
 
 bool touches(const Assembly& assembly, const Contact& contact, int first, int second) {

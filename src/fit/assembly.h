@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "collision_hulls/fit/fit.h"
@@ -24,8 +25,21 @@ struct Piece {
 /// For each piece, the nodes of its tree that represent it.
 using Cuts = std::vector<std::vector<int>>;
 
-/// A pose for each part, in the scene's frame.
-using Places = std::vector<Eigen::Isometry3d>;
+/// A pose for each part, in the scene's frame. There may be tens of thousands of bodies, which do not move: their poses stay in the scene.
+class Places {
+ public:
+  Places(std::vector<Eigen::Isometry3d> links, const std::vector<SceneBody>& bodies) : links_(std::move(links)), bodies_(&bodies) {}
+
+  const std::vector<Eigen::Isometry3d>& links() const { return links_; }
+  std::vector<Eigen::Isometry3d> all() const;
+  const Eigen::Isometry3d& operator[](std::size_t part) const {
+    return part < links_.size() ? links_[part] : (*bodies_)[part - links_.size()].pose;
+  }
+
+ private:
+  std::vector<Eigen::Isometry3d> links_;
+  const std::vector<SceneBody>* bodies_;
+};
 
 /// Parts are the robot's links, in order, followed by the scene's bodies. The first pieces are the problem's elements. Immutable, thread
 /// safe; keeps a reference to the problem.

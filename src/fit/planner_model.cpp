@@ -73,9 +73,9 @@ PlannerModel::PlannerModel(const Assembly& assembly, const PairRules& rules, con
 }
 
 void PlannerModel::place(const Places& places) {
-  if (!scene_placed_) scene_.place(places);
+  if (!scene_placed_) scene_.place(places.all());
   scene_placed_ = true;
-  robot_.place(places);
+  robot_.place(places.links());
 }
 
 bool PlannerModel::hit(const Places& places) {
@@ -98,9 +98,9 @@ TreeModel::TreeModel(const Assembly& assembly, const PairRules& rules, const Ori
 }
 
 bool TreeModel::hit(const Places& places) {
-  if (!scene_placed_) scene_.place(places);
+  if (!scene_placed_) scene_.place(places.all());
   scene_placed_ = true;
-  robot_.place(places);
+  robot_.place(places.links());
   return robot_.collides(scene_, ignored_) || robot_.collides(ignored_);
 }
 

@@ -20,6 +20,11 @@ std::string yaml(int value) {
   return std::to_string(value);
 }
 
+/// Of a padding.
+std::string yaml(double metres) {
+  return metres > 0 ? toString(lengthOf(metres)) : "0";
+}
+
 /// A comma would end the value within braces.
 std::string yaml(const Length& length) {
   const std::string text = toString(length);

@@ -85,6 +85,10 @@ class Decision {
       throw Error(ErrorCode::kBadOption, at(rule.place) + "region '" + rule.name + "' holds for link '" + link_ + "', which " +
                                              (options_.action == Action::kKeep ? "is kept" : "is removed") + " by " + action_place_ +
                                              ": leave one of them out");
+    if (options_.padding > 0)
+      throw Error(ErrorCode::kBadOption, at(rule.place) + "region '" + rule.name + "' holds for link '" + link_ +
+                                             "', whose hulls are padded by " + toString(lengthOf(options_.padding)) +
+                                             ": leave one of them out, or give the link padding: 0");
     options_.regions.push_back(regionOf(rule));
   }
 

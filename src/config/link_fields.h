@@ -16,6 +16,7 @@ void forEachLinkField(const Visit& visit) {
   visit("max_hulls", &LinkOptions::max_hulls, &LinkSettings::max_hulls);
   visit("max_vertices", &LinkOptions::max_vertices, &LinkSettings::max_vertices);
   visit("source", &LinkOptions::source, &LinkSettings::source);
+  visit("padding", &LinkOptions::padding, &LinkSettings::padding);
 }
 
 }  // namespace collision_hulls

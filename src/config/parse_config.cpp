@@ -43,6 +43,12 @@ void read(const ConfigItem& item, Length& length) {
   });
 }
 
+/// A padding.
+void read(const ConfigItem& item, double& metres) {
+  const std::string text = item.text("a length, as in 2cm, or 0");
+  inContext(item.value.where(), [&] { metres = parsePadding(text, item.name); });
+}
+
 template <typename T>
 void readChoice(const ConfigItem& item, std::optional<T> (*parse)(const std::string&), const std::vector<std::string>& choices, T& value) {
   const std::string expected = "one of " + joined(choices);

@@ -16,10 +16,12 @@
 #include <utility>
 
 #include "base/millimetres.h"
+#include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "collision_hulls/decompose/round_outward.h"
 #include "collision_hulls/error.h"
 #include "decompose/hulls_of_tree.h"
+#include "decompose/padding.h"
 #include "measure/protrusion.h"
 
 namespace collision_hulls {
@@ -27,6 +29,7 @@ namespace {
 
 // The first aim is below the tolerance by this many margins, for the margin and rounding, but never below this share of the tolerance.
 constexpr double kMargins = 3, kLeastAim = 0.5;
+constexpr double kPaddingShare = 0.08;  // of the padding: what a padded hull of few vertices is larger than it has to be
 // Each further aim is lower by the excess and a little more, but not below kLowerAim of the last aim.
 constexpr int kAttempts = 3;
 constexpr double kLowerAim = 0.8, kALittleLower = 0.99;
@@ -40,8 +43,9 @@ constexpr double kMuch = 0.1;            // of the protrusion: if blunting excee
 /// Hulls that may be the result, and what may have kept them from being better.
 struct Attempt {
   CertifiedHulls result;
-  bool capped = false;  // caps made the hulls coarser
-  double blunted = 0;   // [m] see RoundedHulls
+  std::vector<ConvexHull> before_padding;  // cover the mesh; empty without padding
+  bool capped = false;                     // caps made the hulls coarser
+  double blunted = 0;                      // [m] see RoundedHulls
 };
 
 void checkTolerance(const DecomposeOptions& options) {
@@ -68,16 +72,21 @@ std::vector<RegionProof> regionProofs(const std::vector<ConvexHull>& hulls, cons
   return proofs;
 }
 
-/// The largest bound as a share of its tolerance.
+/// [m] How far the hulls may protrude.
+double limit(const DecomposeOptions& options) {
+  return options.tolerance + options.padding;
+}
+
+/// The largest bound, less the padding, as a share of its tolerance.
 double boundShare(const CertifiedHulls& hulls, const DecomposeOptions& options) {
-  double share = hulls.bound / options.tolerance;
+  double share = (hulls.bound - options.padding) / options.tolerance;
   for (std::size_t i = 0; i < hulls.regions.size(); ++i) share = std::max(share, hulls.regions[i].bound / options.regions[i].tolerance);
   return share;
 }
 
-/// The first aim: below the tolerance by what the margin and rounding take.
-double firstAim(double tolerance, double margin) {
-  return std::max(kLeastAim * tolerance, tolerance - kMargins * margin);
+/// The first aim: below the tolerance by what other things take.
+double firstAim(double tolerance, double taken) {
+  return std::max(kLeastAim * tolerance, tolerance - taken);
 }
 
 /// The aim of the next attempt; `over` is the last bound over the tolerance.
@@ -85,6 +94,12 @@ void lowerAim(DecomposeOptions& aim, int attempt, double over) {
   const double share = attempt == 0 ? std::max(kLowerAim, kALittleLower / over) : kLowerAim;
   aim.tolerance *= share;
   for (Region& region : aim.regions) region.tolerance *= share;
+}
+
+/// Pads the hulls. `before`: as they were.
+void pad(std::vector<ConvexHull>& hulls, const DecomposeOptions& options, std::vector<ConvexHull>& before) {
+  before = hulls;
+  forEach(hulls.size(), [&](std::size_t i) { hulls[i] = padded(before[i], options.padding, options.max_vertices); });
 }
 
 Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, const DecomposeOptions& options, const RunControl& decomposing,
@@ -96,7 +111,8 @@ Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, const D
   RoundedHulls rounded = roundOutward(parts.hulls, mesh.original, mesh.margin, aim.max_vertices, decomposing);
   for (const ConvexHull& hull : parts.hulls) result.thickness = std::max(result.thickness, hull.thickness);
   result.seconds.decompose = stage.lap();
-  const Protrusion proof = certificate(rounded.hulls, mesh.solid, mesh.margin, options.tolerance, certifying);
+  if (options.padding > 0) pad(rounded.hulls, options, attempt.before_padding);
+  const Protrusion proof = certificate(rounded.hulls, mesh.solid, mesh.margin, limit(options), certifying);
   result.regions = regionProofs(rounded.hulls, mesh, options.regions, certifying);
   result.seconds.certify = stage.lap();
   result.hulls = std::move(rounded.hulls);
@@ -116,8 +132,9 @@ Attempt bestAttempt(const PreparedMesh& mesh, const DecomposeOptions& options, c
   const bool aims = options.method == Method::kCertified;
   DecomposeOptions aim = options;
   if (aims) {
-    aim.tolerance = firstAim(options.tolerance, mesh.margin);
-    for (Region& region : aim.regions) region.tolerance = firstAim(region.tolerance, mesh.margin);
+    const double margins = kMargins * mesh.margin;
+    aim.tolerance = firstAim(options.tolerance, margins + kPaddingShare * options.padding);
+    for (Region& region : aim.regions) region.tolerance = firstAim(region.tolerance, margins);
   }
   Attempt best;
   CertifiedHulls::Seconds spent;
@@ -153,6 +170,8 @@ std::string excuse(const DecomposeOptions& options, const Attempt& made) {
     return "hacd measures concavity along rays, which does not bound the protrusion; give a smaller tolerance, which makes more hulls";
   if (options.method == Method::kAcd)
     return "acd measures concavity at reflex edges, which does not bound the protrusion; give a smaller tolerance, which makes more hulls";
+  if (options.padding > 0)
+    return "padded hulls of few vertices (" + vertices + ") are up to a tenth of the padding larger; raise the tolerance or that limit";
   if (made.blunted > kMuch * made.result.bound)
     return "with so few vertices (" + vertices + ") thin hulls protrude up to " + millimetres(made.blunted) + " further; raise that limit";
   return "the surface has details there that no plane divided; repair the mesh or accept it";
@@ -175,6 +194,14 @@ void follow(RunControl& part, const RunControl& whole, double from, double to) {
     done = std::max(done, from + (to - from) * share);
     whole.report(done);
   };
+}
+
+/// Throws kInternal unless each hull holds all points within the padding of the one that it was made from.
+void expectPadded(const std::vector<ConvexHull>& hulls, const std::vector<ConvexHull>& before, double padding, const std::string& name) {
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (!holdsPadding(hulls[i], before[i], padding))
+      throw Error(ErrorCode::kInternal, "a hull lacks a part of its padding of " + millimetres(padding) + ". Please report the mesh" +
+                                            (name.empty() ? "" : " '" + name + "'"));
 }
 
 }  // namespace
@@ -205,12 +232,14 @@ CertifiedHulls certifiedHulls(const PreparedMesh& mesh, const DecomposeOptions& 
   Attempt made = bestAttempt(mesh, options, decomposing, certifying);
   CertifiedHulls& result = made.result;
   Stopwatch stage;
-  expectCovered(mesh.original, result.hulls, mesh.name, certifying);
+  expectCovered(mesh.original, made.before_padding.empty() ? result.hulls : made.before_padding, mesh.name, certifying);
+  expectPadded(result.hulls, made.before_padding, options.padding, mesh.name);
   const std::optional<std::size_t> region = exceededRegion(result, options);
-  result.within_tolerance = result.bound <= options.tolerance && !region;
-  if (result.bound > options.tolerance)
+  result.within_tolerance = result.bound <= limit(options) && !region;
+  if (result.bound > limit(options))
     result.reason = "the hulls protrude by up to " + millimetres(result.bound) + ", more than the tolerance of " +
-                    millimetres(options.tolerance) + ": " + excuse(options, made);
+                    millimetres(options.tolerance) + (options.padding > 0 ? " and the padding of " + millimetres(options.padding) : "") +
+                    ": " + excuse(options, made);
   else if (region)
     result.reason = excuseInRegion(options, made, *region);
   result.seconds.certify += stage.lap();

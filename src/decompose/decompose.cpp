@@ -23,6 +23,8 @@ void check(const DecomposeOptions& options) {
   if (options.max_hulls < 0) refuse("max_hulls is " + std::to_string(options.max_hulls) + "; it must be at least 1, or 0 for no limit");
   if (options.max_vertices != 0 && options.max_vertices < kLeastVertices)
     refuse("max_vertices is " + std::to_string(options.max_vertices) + "; it must be at least 8, or 0 for no limit");
+  if (!(options.padding >= 0) || !std::isfinite(options.padding))
+    refuse("padding is " + std::to_string(options.padding) + " m; it must be 0 or a positive length");
   if (options.fill && options.method != Method::kCertified)
     refuse(std::string("fill is set but the method is ") + name(options.method) + "; only certified can fill: drop one of the two");
 }

@@ -75,14 +75,14 @@ std::string meshBytes(const MeshTask& task) {
 }  // namespace
 
 std::string meshKey(const MeshTask& task, const LinkOptions& options, std::uint64_t seed) {
-  const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source, regions] = options;
+  const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source, padding, regions] = options;
   ByteWriter places;
   for (const Region& region : regions) {
     places(region.tolerance, region.sides.size());
     for (const HalfSpace& side : region.sides) places(side.normal, side.offset);
   }
   return keyOf("mesh", meshBytes(task), tolerance, method, effort, tree.has_value(), tree.value_or(Length{}), fill, max_hulls, max_vertices,
-               places.take(), seed);
+               padding, places.take(), seed);
 }
 
 std::string treeKey(const MeshTask& task, const LinkOptions& options, std::uint64_t seed, double tolerance) {

@@ -58,12 +58,13 @@ void makeHulls(const VariantWork& work, const ReadMesh& read, SharedMesh& mesh, 
   const LinkOptions& options = work.options;
   CertifiedHulls made = certifiedHulls({result.original, read.repaired, *result.solid, read.margin, tree.get(), run.tasks[work.task].uri},
                                        {options.method, result.mesh.tolerance, options.max_hulls, options.max_vertices, run.options.seed,
-                                        options.effort, options.fill, options.regions},
+                                        options.effort, options.fill, options.regions, options.padding},
                                        control);
   stage.lap();
   result.hulls = std::move(made.hulls);
   result.model = factsOf(result.hulls, 0, *result.solid, {made.bound, made.found, made.where, made.nearest});
-  if (options.method == Method::kCertified) result.model.least_hulls = leastHullsOf(result, made.within_tolerance, options.effort, control);
+  if (options.method == Method::kCertified && options.padding == 0)
+    result.model.least_hulls = leastHullsOf(result, made.within_tolerance, options.effort, control);
   result.model.nudge = made.nudge;
   result.model.thickness = made.thickness;
   result.model.regions = std::move(made.regions);

@@ -298,6 +298,9 @@ void refuseOtherWays(const Options& options, const LinkDecisions& decisions) {
                 (first.place.empty() ? "" : first.place + ": ") + "region '" + first.name +
                     "': fitting merges hulls until the scene minds, whatever a region says; omit it, or use decompose");
   }
+  if (options.padding > 0)
+    throw Error(ErrorCode::kBadOption, "padding '" + toString(lengthOf(options.padding)) +
+                                           "' does not apply to fit_scene, which keeps a clearance; add it to the clearance, and omit it");
   const std::string& link = decisions.firstOfOtherMethod();
   if (link.empty()) return;
   const std::string& place = decisions.otherMethodPlace();

@@ -62,9 +62,10 @@ MeshResult undecomposed(const MeshUse& use) {
 /// Whether the same mesh becomes the same hulls. The action and the source chose the mesh.
 bool equalWork(const LinkOptions& a, const LinkOptions& b) {
   const auto values = [](const LinkOptions& options) {
-    const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source, regions] = options;
+    const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source, padding, regions] = options;
     const Length leaves = tree.value_or(Length());
-    return std::make_tuple(tolerance.limit, tolerance.share, method, effort, leaves.limit, leaves.share, fill, max_hulls, max_vertices);
+    return std::make_tuple(tolerance.limit, tolerance.share, method, effort, leaves.limit, leaves.share, fill, max_hulls, max_vertices,
+                           padding);
   };
   return values(a) == values(b) && equal(a.regions, b.regions);
 }

@@ -66,6 +66,7 @@ ElementReport rowOf(const MeshUse& use, const MeshResult& mesh) {
   row.scale = use.source.scale;
   row.method = use.options.method;
   row.regions_given = use.options.regions;
+  row.padding = use.options.padding;
   row.status = mesh.status;
   row.reason = mesh.reason;
   row.error = mesh.error;

@@ -115,8 +115,8 @@ std::shared_ptr<const HullTree> SharedMesh::tree(const LinkOptions& options, dou
   if (tree) return tree;
   if (std::optional<HullTree> known = cache_.findTree(key)) return tree = std::make_shared<const HullTree>(std::move(*known));
   built_tree_ = true;
-  HullTree built = hullTree(read_->repaired,
-                            {options.method, tolerance, 0, options.max_vertices, options_.seed, options.effort, options.fill, {}}, control);
+  HullTree built = hullTree(
+      read_->repaired, {options.method, tolerance, 0, options.max_vertices, options_.seed, options.effort, options.fill, {}, 0}, control);
   cache_.storeTree(key, built);
   return tree = std::make_shared<const HullTree>(std::move(built));
 }

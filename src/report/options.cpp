@@ -199,6 +199,15 @@ double parseMetres(const std::string& text, const std::string& option) {
   badOption(option, text, "a positive length, as in 2cm, 20mm or 0.02 (metres)");
 }
 
+double parsePadding(const std::string& text, const std::string& option) {
+  const std::optional<Quantity> quantity = parseQuantity(text);
+  const bool is_zero = text == "0" || text == "0.0";
+  if (!is_zero && (!quantity || quantity->isShare())) badOption(option, text, "0 or a positive length, as in 2cm, 20mm or 0.02 (metres)");
+  if (is_zero) return 0;
+  checkLength(option, lengthOf(quantity->value));
+  return quantity->value;
+}
+
 std::string toString(const Length& length) {
   const std::string limit = isSet(length.limit) ? shortestLength(length.limit) : "";
   const std::string share = isSet(length.share) ? shortest(length.share, "%").value_or(plain(100 * length.share, 17) + "%") : "";
@@ -264,6 +273,7 @@ void checkLimits(const LinkOptions& options) {
 
 void check(const Options& options) {
   checkTolerance(options.tolerance);
+  if (options.padding != 0) checkLength("padding", lengthOf(options.padding));
   checkMethod(options);
   checkLimits(options);
   checkModels(options.models);

@@ -61,6 +61,13 @@ std::optional<Length> readLength(const ros::NodeHandle& node, const std::string&
   return parseLength(text, "parameter " + node.resolveName(name));
 }
 
+double readPadding(const ros::NodeHandle& node) {
+  double metres = 0;
+  if (node.getParam("padding", metres)) return metres;
+  const std::string text = textParameter(node, "padding");
+  return text.empty() ? 0 : parsePadding(text, "parameter " + node.resolveName("padding"));
+}
+
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -118,6 +125,7 @@ Options readOptions(const ros::NodeHandle& node) {
   readNamed(node, "method", methodNamed, methodChoices(), options.method);
   readNamed(node, "effort", effortNamed, effortChoices(), options.effort);
   readFlag(node, "fill", options.fill);
+  options.padding = readPadding(node);
   readFlag(node, "segments", options.segments);
   options.tree = readLength(node, "tree");
   if (options.tree && options.tree->limit == 0) options.tree.reset();

@@ -119,6 +119,9 @@ class DecomposeOptionAdder {
     addFlag(
         "Accuracy", "--fill", [](Options& options) { options.fill = true; },
         "Cover the inside of closed meshes as well, not their surface alone");
+    add("Accuracy", "--padding", "LENGTH", "0",
+        "Make the hulls hold everything this near to the surface; they may then protrude by the padding and the tolerance",
+        [](Options& options, const std::string& option, const std::string& text) { options.padding = parsePadding(text, option); });
     add("Accuracy", "--tree", "LENGTH", "",
         "Build and cache a hull tree at this finer tolerance; later runs at coarser tolerances reuse it",
         [](Options& options, const std::string&, const std::string& text) { options.tree = parseLength(text, "--tree"); });

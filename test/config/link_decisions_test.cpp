@@ -159,6 +159,7 @@ TEST(LinkDecisions, RegionsThatCannotHold) {
   expect("regions: [{name: a" + shape + "]", {"line 1", "region 'a' names no link of robot 'panda'", "link: panda_link0"});
   expect("links: {panda_hand: keep}\nregions:\n  - {link: panda_.*" + shape,
          {"line 3", "region '1' holds for link 'panda_hand', which is kept by 'f.yaml', line 1", "leave one of them out"});
+  expect("default: {padding: 2cm}\nregions:\n  - {link: panda_hand" + shape, {"line 3", "whose hulls are padded by 2cm", "padding: 0"});
   expect("links: {panda_hand: remove}\nregions:\n  - {link: panda_hand" + shape, {"which is removed by"});
 }
 

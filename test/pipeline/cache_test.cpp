@@ -211,6 +211,7 @@ TEST(CacheKeys, EachInputOfAMeshCounts) {
       [](MeshTask&, Options& o) { o.tree = shareOf(0.005); },
       [](MeshTask&, Options& o) { o.max_hulls = 3; },
       [](MeshTask&, Options& o) { o.max_vertices = 32; },
+      [](MeshTask&, Options& o) { o.padding = 0.02; },
       [](MeshTask&, Options& o) { o.seed = 2; }};
   std::set<std::string> keys, tree_keys;
   for (const auto& change : changes) {
@@ -221,9 +222,10 @@ TEST(CacheKeys, EachInputOfAMeshCounts) {
     tree_keys.insert(treeKey(changed, options, options.seed, 0.01));
   }
   EXPECT_EQ(keys.size(), changes.size());
-  EXPECT_EQ(tree_keys.size(), changes.size() - 4) << "tolerances and number of hulls choose a cut of the tree, not the tree";
+  EXPECT_EQ(tree_keys.size(), changes.size() - 5)
+      << "tolerances, number of hulls and padding choose and change a cut of the tree, not the tree";
   tree_keys.insert(treeKey(task(), {}, 1, 0.02));
-  EXPECT_EQ(tree_keys.size(), changes.size() - 3) << "the tolerance of the leaves is part of the key";
+  EXPECT_EQ(tree_keys.size(), changes.size() - 4) << "the tolerance of the leaves is part of the key";
   for (const std::string& key : keys) EXPECT_TRUE(CacheFolder::isEntry(key + ".mesh")) << key;
 }
 

@@ -11,6 +11,7 @@
 //
 //   cover   Every point of every triangle lies in a hull, up to the rounding errors of the test:
 //           1e-12 of the coordinates' size, see uncovered().
+//           With a padding, also every point that is no further from a triangle than that.
 //   bound   No point of a hull is further than `bound` from S, the solid that the mesh represents:
 //           its surface, and what that encloses. See Solid, also for what is assumed of meshes
 //           with openings.
@@ -52,7 +53,7 @@ struct CertifiedHulls {
   /// What is proved of each of DecomposeOptions::regions: no point of a hull that is deeper in the
   /// region than its rim is further from S than this bound.
   std::vector<RegionProof> regions;
-  /// bound <= tolerance, and the same in each region
+  /// bound <= tolerance + padding, and no more than its tolerance in each region
   bool within_tolerance = true;
   std::string reason;    ///< why not, and what to do about it; empty if it is
   double nudge = 0;      ///< by which every hull was grown to absorb rounding

@@ -49,6 +49,8 @@ struct DecomposeOptions {
   bool fill = false;  ///< certified: also cover the inside of closed meshes, not only their surface
   /// certified: where the hulls protrude less, in the mesh's frame; other methods ignore them
   std::vector<Region> regions;
+  /// [m] >= 0: certifiedHulls() makes the hulls hold everything this near to the surface
+  double padding = 0;
 };
 
 void check(const DecomposeOptions& options);  ///< throws kBadOption

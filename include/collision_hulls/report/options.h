@@ -51,6 +51,8 @@ std::string toString(const Length& length);  ///< parseLength reads it back: "5m
 
 /// [m] Reads a length alone, without shares and pairs. Throws as parseLength.
 double parseMetres(const std::string& text, const std::string& option);
+/// The same, up to 1 m; 0 is one, too.
+double parsePadding(const std::string& text, const std::string& option = "padding");
 
 enum class UriStyle { kPackage, kFile, kRelative };
 const char* name(UriStyle style);  ///< "package", "file", "relative"
@@ -78,6 +80,8 @@ struct LinkOptions {
   int max_hulls = 0;      ///< per mesh; 0: no cap
   int max_vertices = 64;  ///< per hull; 0: no cap
   Source source = Source::kAuto;
+  /// [m] >= 0: the hulls hold everything this near to the surface, and may protrude further by it
+  double padding = 0;
   std::vector<Region> regions;  ///< in the frame of what the options are for: the link, or its mesh
 };
 
@@ -90,6 +94,7 @@ struct LinkSettings {
   std::optional<bool> fill;
   std::optional<int> max_hulls, max_vertices;
   std::optional<Source> source;
+  std::optional<double> padding;
 };
 
 /// Settings for the links whose whole name a regular expression matches.

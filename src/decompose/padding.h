@@ -1,0 +1,16 @@
+// Hulls with a safety distance around them.
+#pragma once
+
+#include "collision_hulls/geometry/convex_hull.h"
+
+namespace collision_hulls {
+
+/// A hull of at most `max_vertices` (0: no cap) vertices, all of them single-precision numbers, that holds every point within `padding`
+/// [m], > 0, of the given one. Without a cap its points are no further from that one than 1.03 paddings and rounding; with 64 vertices, a
+/// round hull's are up to 1.1.
+ConvexHull padded(const ConvexHull& hull, double padding, int max_vertices);
+
+/// Whether `outer` holds every point within `padding` [m] of `inner`, up to rounding (1e-12 of the coordinates).
+bool holdsPadding(const ConvexHull& outer, const ConvexHull& inner, double padding);
+
+}  // namespace collision_hulls

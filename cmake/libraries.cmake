@@ -31,6 +31,7 @@ target_link_libraries(${PROJECT_NAME}
   PUBLIC ${PROJECT_NAME}_core
   PRIVATE found::fcl found::ccd found::tinyxml2 found::urdfdom_model found::yaml-cpp nlohmann_json::nlohmann_json Threads::Threads)
 include(cmake/source_digest.cmake)
+include(cmake/web_page.cmake)
 
 room_sources(BENCH_SOURCES bench)
 add_library(${PROJECT_NAME}_bench STATIC ${BENCH_SOURCES})

@@ -357,6 +357,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
             [&](Run& run) { disabled = fitAll(robot, decisions.front(), request, fit_options, notes, run); });
   std::optional<FitReport>& scene = result.report.scene;
   if (scene) {
+    result.scene = std::make_shared<const Scene>(request.scene);
     result.extra_files["config/" + fileName(robot.name) + "_disabled.srdf"] = srdfFragment(robot.name, disabled);
     const Totals sums = totals(result.report);
     for (const std::string& note : notesOnFit(*scene, options, sums.kept + sums.removed)) notes.push_back(note);

@@ -15,6 +15,7 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "pipeline/collision_model.h"
+#include "pipeline/page.h"
 #include "pipeline/run.h"
 #include "report/earlier_report.h"
 #include "storage/files.h"
@@ -74,7 +75,9 @@ std::string cmakeLists(const std::string& package, const RobotResult& result) {
          "install(DIRECTORY " +
          names +
          "DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION} OPTIONAL)\n"
-         "install(FILES report.json DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n";
+         "install(FILES " +
+         std::string(result.report.options.html ? "report.html " : "") +
+         "report.json DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n";
 }
 
 /// Everything but the hulls and the report.
@@ -216,6 +219,10 @@ bool writeOutput(RobotResult& result, const std::string& output, const RunContro
     result.report.files.push_back(file);
   }
   noteLost(folders.earlier, others, result.report);
+  if (result.report.options.html) {
+    folders.write(kPageFile, pageOf(result));
+    result.report.files.emplace_back(kPageFile);
+  }
   result.report.seconds += run.lap();
   folders.write(kReportFile, toJson(result.report));
   refuseForeign(replacedFolder(output));

@@ -36,6 +36,7 @@ json toJson(const Options& options) {
           {"reader-time", options.reader_time},
           {"no-validate", !options.validate},
           {"no-cache", !options.cache},
+          {"no-html", !options.html},
           {"replace-complete", options.replace_complete}};
 }
 

@@ -1,8 +1,6 @@
 // The report as text for a person: one table, then what holds for all of it. decompose and fit_scene print it, and the node hands it on,
 // so that all three show the same. Measures have three significant digits; whoever needs more reads report.json.
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 #include <string>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "base/counted.h"
+#include "base/figure.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/report/report.h"
 #include "collision_hulls/report/totals.h"
@@ -19,18 +18,6 @@ namespace {
 
 using Cells = std::vector<std::string>;
 constexpr std::size_t kTextColumns = 2;  // link and mesh are aligned left, numbers right
-
-/// Three significant digits, fewer below 0.01, and never an exponent: 0.0012, 1.23, 123, 12345.
-std::string figure(double value) {
-  constexpr int kMostDecimals = 4;
-  constexpr double kLeast = 0.00005;  // what they can show
-  if (std::abs(value) < kLeast) return "0";
-  const double magnitude = std::floor(std::log10(std::abs(value)));
-  const int decimals = std::isfinite(magnitude) ? std::clamp(2 - static_cast<int>(magnitude), 0, kMostDecimals) : 0;
-  char text[400];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
 
 std::string millimetres(double metres) {
   return figure(1000 * metres);

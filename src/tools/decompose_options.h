@@ -158,6 +158,9 @@ class DecomposeOptionAdder {
         "Also write the mesh with a colour for each cluster (segments.ply), and the number of clusters for every tolerance "
         "(hierarchy.csv); method hacd");
     addFlag(
+        "Output", "--no-html", [](Options& options) { options.html = false; },
+        "Do not write report.html, the report as a page with a 3D view");
+    addFlag(
         "Output", "--replace-complete", [](Options& options) { options.replace_complete = true; },
         "Replace an earlier output that has all meshes even if memory or time did not suffice for some of them now");
   }

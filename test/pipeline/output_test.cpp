@@ -111,7 +111,7 @@ TEST(WriteOutput, APackage) {
   for (const auto& [name, text] : files) names.push_back(name);
   EXPECT_EQ(names, (std::vector<std::string>{"out/CMakeLists.txt", "out/config/My_Arm_hulls.yaml", "out/meshes/a/0_0.stl",
                                              "out/meshes/a/0_1.stl", "out/meshes/b/0_0.stl", "out/meshes/b/0_1.stl", "out/package.xml",
-                                             "out/report.json", "out/urdf/My_Arm.urdf"}));
+                                             "out/report.html", "out/report.json", "out/urdf/My_Arm.urdf"}));
   EXPECT_EQ(files.at("out/urdf/My_Arm.urdf"), result.urdf);
   EXPECT_NE(files.at("out/package.xml").find("<name>out</name>"), std::string::npos) << "as its folder";
   EXPECT_NE(files.at("out/CMakeLists.txt").find("project(out)"), std::string::npos);

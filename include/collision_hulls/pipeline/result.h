@@ -12,6 +12,7 @@
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/report/report.h"
 #include "collision_hulls/robot/robot_description.h"
+#include "collision_hulls/scene/scene.h"
 
 namespace collision_hulls {
 
@@ -44,6 +45,7 @@ struct RobotResult : ModelResult {
   std::vector<ModelResult> models;  ///< the others, those of report.models
   std::string robot_name;           ///< or the mesh's stem
   bool single_mesh = false;
+  std::shared_ptr<const Scene> scene;  ///< that it was fitted to; null: none
   /// Further files of the output package: path in it, content.
   std::map<std::string, std::string> extra_files;
   /// Hulls of earlier outputs that the description keeps: path in the package, content.

@@ -149,6 +149,7 @@ struct Options : LinkOptions {
   int jobs = 0;              ///< threads; 0: as many as cores
   bool validate = true;
   bool cache = true;
+  bool html = true;  ///< write report.html beside report.json
   /// let a run that lacked memory or time for some meshes replace an output that has all of them
   bool replace_complete = false;
   std::uint64_t seed = 1;

@@ -1,0 +1,23 @@
+// Numbers as people read them: in tables, on pages.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace collision_hulls {
+
+/// Three significant digits, fewer below 0.01, and never an exponent: 0.0012, 1.23, 123, 12345.
+inline std::string figure(double value) {
+  constexpr int kMostDecimals = 4;
+  constexpr double kLeast = 0.00005;  // what they can show
+  if (std::abs(value) < kLeast) return "0";
+  const double magnitude = std::floor(std::log10(std::abs(value)));
+  const int decimals = std::isfinite(magnitude) ? std::clamp(2 - static_cast<int>(magnitude), 0, kMostDecimals) : 0;
+  char text[400];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+}  // namespace collision_hulls

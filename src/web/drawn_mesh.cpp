@@ -1,0 +1,151 @@
+// Thinning is rounding: on a coarse grid neighbouring vertices meet in one point, triangles between them vanish, and equal ones are drawn
+// once. It keeps what is large and never fails, which quadric simplification of foreign meshes may. Each round starts from what the last
+// one left, so that the rounds together cost little more than the first.
+#include "web/drawn_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace collision_hulls {
+namespace {
+
+constexpr double kFurthest = 1e6;      // [m]
+constexpr double kFirstCoarser = 3;    // cells per triangle's side, in the first round: details are smaller than the average
+constexpr double kEachCoarser = 0.75;  // of the cells along an axis
+
+using GridPoint = std::array<std::uint16_t, 3>;
+
+bool isPoint(const Eigen::Vector3d& p) {
+  return p.allFinite() && p.cwiseAbs().maxCoeff() <= kFurthest;
+}
+
+/// The triangles that can be drawn.
+std::vector<Triangle> usable(const TriangleMesh& mesh) {
+  const int count = static_cast<int>(mesh.vertices.size());
+  std::vector<bool> is_point;
+  for (const Eigen::Vector3d& vertex : mesh.vertices) is_point.push_back(isPoint(vertex));
+  const auto fits = [&](int v) { return v >= 0 && v < count && is_point[static_cast<std::size_t>(v)]; };
+  std::vector<Triangle> triangles;
+  for (const Triangle& t : mesh.triangles)
+    if (std::all_of(t.begin(), t.end(), fits)) triangles.push_back(t);
+  return triangles;
+}
+
+/// Joins equal points, and drops triangles with equal corners and points without triangles.
+void weld(const std::vector<GridPoint>& points, const std::vector<Triangle>& triangles, DrawnMesh& mesh) {
+  std::vector<GridPoint> used;
+  const auto point = [&](int v) -> const GridPoint& { return points[static_cast<std::size_t>(v)]; };
+  const auto has_area = [&](const Triangle& t) { return point(t[0]) != point(t[1]) && point(t[1]) != point(t[2]) && point(t[2]) != point(t[0]); };
+  std::vector<Triangle> kept;
+  std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(kept), has_area);
+  std::vector<bool> is_used(points.size());
+  for (const Triangle& t : kept)
+    for (const int v : t) is_used[static_cast<std::size_t>(v)] = true;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (is_used[v]) used.push_back(points[v]);
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  std::vector<int> index(points.size());
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (is_used[v]) index[v] = static_cast<int>(std::lower_bound(used.begin(), used.end(), points[v]) - used.begin());
+  for (Triangle& t : kept)
+    for (int& v : t) v = index[static_cast<std::size_t>(v)];
+  mesh.vertices = std::move(used);
+  mesh.triangles = std::move(kept);
+}
+
+/// The same triangle, whichever corner it starts with.
+void dropEqual(std::vector<Triangle>& triangles) {
+  for (Triangle& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+}
+
+DrawnMesh onFinestGrid(const TriangleMesh& mesh) {
+  const std::vector<Triangle> triangles = usable(mesh);
+  Eigen::AlignedBox3d box;
+  for (const Triangle& t : triangles)
+    for (const int v : t) box.extend(mesh.vertices[static_cast<std::size_t>(v)]);
+  DrawnMesh drawn;
+  if (box.isEmpty()) return drawn;
+  drawn.origin = box.min();
+  drawn.step = box.sizes().maxCoeff() / DrawnMesh::kMostCells;
+  std::vector<GridPoint> points;
+  for (const Eigen::Vector3d& vertex : mesh.vertices) {
+    GridPoint point{};
+    const Eigen::Vector3d cells = drawn.step > 0 ? Eigen::Vector3d((vertex - drawn.origin) / drawn.step) : Eigen::Vector3d::Zero();
+    for (int k = 0; k < 3; ++k)  // of what no triangle uses, anything
+      point[static_cast<std::size_t>(k)] =
+          static_cast<std::uint16_t>(std::isfinite(cells[k]) ? std::clamp(std::round(cells[k]), 0.0, double{DrawnMesh::kMostCells}) : 0);
+    points.push_back(point);
+  }
+  weld(points, triangles, drawn);
+  return drawn;
+}
+
+/// `share` of as many cells along each axis.
+void coarsen(double share, DrawnMesh& mesh) {
+  std::vector<GridPoint> points = mesh.vertices;
+  for (GridPoint& point : points)
+    for (std::uint16_t& x : point) x = static_cast<std::uint16_t>(std::lround(share * x));
+  mesh.step /= share;
+  weld(points, std::vector<Triangle>(mesh.triangles), mesh);
+  dropEqual(mesh.triangles);
+}
+
+/// Cells along an axis that leave about as many triangles of a mesh that is finely divided everywhere.
+double cellsFor(std::size_t triangles, const DrawnMesh& mesh) {
+  const auto at = [&](int v) -> Eigen::Vector3d {
+    const GridPoint& p = mesh.vertices[static_cast<std::size_t>(v)];
+    return Eigen::Vector3d(p[0], p[1], p[2]) / DrawnMesh::kMostCells;
+  };
+  double area = 0;  // of the square of the mesh's extent
+  for (const Triangle& t : mesh.triangles) area += (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).norm() / 2;
+  return area > 0 ? kFirstCoarser * std::sqrt(static_cast<double>(triangles) / area) : DrawnMesh::kMostCells;
+}
+
+template <typename Index, typename Item>
+void append(const std::vector<Item>& items, std::string& bytes) {
+  for (const Item& item : items) {
+    for (const auto value : item) {
+      const auto index = static_cast<Index>(value);
+      char raw[sizeof index];
+      std::memcpy(raw, &index, sizeof index);
+      bytes.append(raw, sizeof index);
+    }
+  }
+  bytes.resize((bytes.size() + 3) / 4 * 4);
+}
+
+}  // namespace
+
+DrawnMesh drawnMesh(const TriangleMesh& mesh, std::size_t most_triangles) {
+  DrawnMesh drawn = onFinestGrid(mesh);
+  if (drawn.triangles.size() <= most_triangles) return drawn;
+  double cells = DrawnMesh::kMostCells, next = std::min(kEachCoarser * cells, cellsFor(most_triangles, drawn));
+  while (drawn.triangles.size() > most_triangles && next >= 1) {
+    coarsen(next / cells, drawn);
+    cells = next;
+    next *= kEachCoarser;
+  }
+  return drawn;
+}
+
+int indexBytes(std::size_t vertices) {
+  constexpr std::size_t kByte = 1U << 8U, kTwo = 1U << 16U;
+  return vertices <= kByte ? 1 : vertices <= kTwo ? 2 : 4;
+}
+
+std::string toPageBytes(const DrawnMesh& mesh) {
+  std::string bytes;
+  append<std::uint16_t>(mesh.vertices, bytes);
+  switch (indexBytes(mesh.vertices.size())) {
+    case 1: append<std::uint8_t>(mesh.triangles, bytes); break;
+    case 2: append<std::uint16_t>(mesh.triangles, bytes); break;
+    default: append<std::uint32_t>(mesh.triangles, bytes);
+  }
+  return bytes;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,41 @@
+// report.html: a report that people look at, in one file that needs nothing else.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/geometry/convex_hull.h"
+#include "collision_hulls/geometry/triangle_mesh.h"
+#include "collision_hulls/report/report.h"
+#include "collision_hulls/scene/scene.h"
+
+namespace collision_hulls {
+
+/// What a page draws of a row. The mesh and its hulls are in the element's frame; either may be empty.
+struct PageElement {
+  const TriangleMesh& original;
+  const std::vector<ConvexHull>& hulls;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< of that frame, in the frame of the robot at rest
+};
+
+/// One of the robot's collision models.
+struct PageModel {
+  const ModelReport& report;
+  std::vector<PageElement> elements;  ///< one for each row
+};
+
+struct PageContent {
+  std::string title;  ///< the robot's name, or the mesh's
+  const Report& report;
+  std::vector<PageModel> models;            ///< the first is the report's own
+  bool single_mesh = false;                 ///< there is no robot
+  std::shared_ptr<const Scene> scene = {};  ///< that the model was fitted to; null: none
+};
+
+/// The page. `three_js`: the text of that library, see threeJs(); empty: the page draws by itself. Whatever names, paths and messages hold
+/// is shown, never run. The same content gives the same bytes.
+std::string reportPage(const PageContent& content, const std::string& three_js);
+
+}  // namespace collision_hulls

@@ -1,0 +1,180 @@
+// Every mesh that differs is prepared once, on all threads: its original, thinned if the page would grow too large, and the tree of hulls
+// that the slider cuts, whose leaves are the hulls as written. Links only refer to it, with their pose.
+//
+// In the JSON:  meshes: [{original: BLOCK, triangles, bound, nodes: [{at: BLOCK, bound, left, right}]}], leaves first, left and right -1
+//               models: [{name, elements: [{row, link, uri, status, mesh, primitives: how many of the last leaves stand for
+//               some, pose: 3 x 4 by rows, found, bound, worst, nearest}]}]
+//               scene: BLOCK or null
+// A BLOCK is {offset, vertices, triangles, index: bytes of an index, origin, step}; lengths in metres.
+#include "web/view_data.h"
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "base/parallel.h"
+#include "collision_hulls/error.h"
+#include "geometry/bytes.h"
+#include "web/coarser_hulls.h"
+#include "web/drawn_mesh.h"
+
+namespace collision_hulls {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMostTriangles = 150000;      // of all originals in a page: some 2 MB
+constexpr std::size_t kMostSceneTriangles = 50000;  // of a scene's bodies
+constexpr std::size_t kFewTriangles = 300;          // that every original may keep
+constexpr std::size_t kMostMerged = 150;            // hulls of a mesh: the pairs to try grow with their square
+
+/// A mesh that elements share.
+struct SharedMeshView {
+  const PageElement* element;
+  double bound = 0;  // [m] of its hulls
+  std::size_t most_triangles = 0;
+  DrawnMesh original;
+  HullTree tree;
+};
+
+/// The hulls alone, which stay as they are.
+HullTree withoutMerging(const std::vector<ConvexHull>& hulls, double bound) {
+  HullTree tree;
+  tree.tolerance = bound;
+  for (const ConvexHull& hull : hulls) tree.nodes.push_back({hull, bound, -1, -1, -1});
+  return tree;
+}
+
+HullTree treeOf(const std::vector<ConvexHull>& hulls, double bound) {
+  if (hulls.size() > kMostMerged) return withoutMerging(hulls, bound);
+  try {
+    return coarserHulls(hulls, bound);
+  } catch (const Error&) {  // a page is no reason to lose a result
+    return withoutMerging(hulls, bound);
+  }
+}
+
+/// The meshes of a page, and which of them each element shows.
+class Meshes {
+ public:
+  /// Index of the element's mesh.
+  std::size_t take(const PageElement& element, const ElementReport& row) {
+    const std::string key = toBytes(row.sha256, row.scale, row.protrusion, element.original.triangles.size()) + hullBytes(element.hulls);
+    const auto [known, is_new] = index_.emplace(key, meshes_.size());
+    if (is_new) meshes_.push_back({&element, row.protrusion, 0, {}, {}});
+    return known->second;
+  }
+
+  void prepare() {
+    std::size_t all = 0;
+    for (const SharedMeshView& mesh : meshes_) all += mesh.element->original.triangles.size();
+    forEach(meshes_.size(), [&](std::size_t i) {
+      SharedMeshView& mesh = meshes_[i];
+      const std::size_t triangles = mesh.element->original.triangles.size();
+      const double share = all > kMostTriangles ? static_cast<double>(kMostTriangles) / static_cast<double>(all) : 1;
+      mesh.original = drawnMesh(mesh.element->original, std::max(kFewTriangles, static_cast<std::size_t>(share * static_cast<double>(triangles))));
+      mesh.tree = treeOf(mesh.element->hulls, mesh.bound);
+    });
+  }
+
+  const std::vector<SharedMeshView>& all() const { return meshes_; }
+
+ private:
+  static std::string hullBytes(const std::vector<ConvexHull>& hulls) {
+    ByteWriter bytes;
+    for (const ConvexHull& hull : hulls)
+      for (const Eigen::Vector3d& vertex : hull.vertices) bytes(vertex.x(), vertex.y(), vertex.z());
+    return bytes.take();
+  }
+
+  std::map<std::string, std::size_t> index_;
+  std::vector<SharedMeshView> meshes_;
+};
+
+json toJson(const Eigen::Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+json toJson(const Eigen::Isometry3d& pose) {
+  json rows = json::array();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 4; ++j) rows.push_back(pose(i, j));
+  return rows;
+}
+
+/// Appends the bytes, and says where they are.
+json block(const DrawnMesh& mesh, std::string& geometry) {
+  json place = {{"offset", geometry.size()},
+                {"vertices", mesh.vertices.size()},
+                {"triangles", mesh.triangles.size()},
+                {"index", indexBytes(mesh.vertices.size())},
+                {"origin", toJson(mesh.origin)},
+                {"step", mesh.step}};
+  geometry += toPageBytes(mesh);
+  return place;
+}
+
+json block(const ConvexHull& hull, std::string& geometry) {
+  return block(drawnMesh(surface(hull), hull.triangles.size()), geometry);
+}
+
+json meshJson(const SharedMeshView& mesh, std::string& geometry) {
+  json nodes = json::array();
+  for (const HullNode& node : mesh.tree.nodes)
+    nodes.push_back({{"at", block(node.hull, geometry)}, {"bound", node.protrusion}, {"left", node.left}, {"right", node.right}});
+  return {{"original", block(mesh.original, geometry)},
+          {"triangles", mesh.element->original.triangles.size()},
+          {"bound", mesh.bound},
+          {"nodes", nodes}};
+}
+
+json elementJson(std::size_t row_index, const ElementReport& row, const PageElement& element, std::size_t mesh) {
+  return {{"row", row_index},
+          {"link", row.link},
+          {"uri", row.uri},
+          {"status", name(row.status)},
+          {"mesh", mesh},
+          {"primitives", row.primitives},
+          {"pose", toJson(element.pose)},
+          {"found", row.protrusion_found},
+          {"bound", row.protrusion},
+          {"worst", toJson(row.worst)},
+          {"nearest", toJson(row.worst_nearest)}};
+}
+
+/// All bodies, in the robot's frame.
+TriangleMesh surfaceOf(const Scene& scene) {
+  TriangleMesh all;
+  for (const SceneBody& body : scene.bodies) {
+    const ConvexHull* const hull = std::get_if<ConvexHull>(&body.shape);
+    const TriangleMesh mesh = transformed(hull ? surface(*hull) : std::get<TriangleMesh>(body.shape), body.pose);
+    const int before = static_cast<int>(all.vertices.size());
+    all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    for (const Triangle& t : mesh.triangles) all.triangles.push_back({t[0] + before, t[1] + before, t[2] + before});
+  }
+  return all;
+}
+
+}  // namespace
+
+ViewData viewData(const PageContent& content) {
+  Meshes meshes;
+  json models = json::array();
+  for (const PageModel& model : content.models) {
+    json elements = json::array();
+    for (std::size_t i = 0; i < model.elements.size(); ++i) {
+      const ElementReport& row = model.report.links[i];
+      elements.push_back(elementJson(i, row, model.elements[i], meshes.take(model.elements[i], row)));
+    }
+    models.push_back({{"name", model.report.model}, {"elements", elements}});
+  }
+  meshes.prepare();
+  ViewData data;
+  json all = json::array();
+  for (const SharedMeshView& mesh : meshes.all()) all.push_back(meshJson(mesh, data.geometry));
+  const json scene = content.scene ? block(drawnMesh(surfaceOf(*content.scene), kMostSceneTriangles), data.geometry) : json();
+  // Names in a description may be no UTF-8, which JSON cannot hold: such bytes are shown as U+FFFD. Non-finite numbers become null.
+  data.json = json{{"meshes", all}, {"models", models}, {"scene", scene}}.dump(-1, ' ', false, json::error_handler_t::replace);
+  return data;
+}
+
+}  // namespace collision_hulls

@@ -10,17 +10,19 @@
 #include <set>
 
 #include "base/counted.h"
+#include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "collision_hulls/config/config.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "pipeline/collision_model.h"
-#include "pipeline/page.h"
 #include "pipeline/run.h"
 #include "report/earlier_report.h"
 #include "storage/files.h"
 #include "storage/names.h"
 #include "storage/replace_folder.h"
+#include "web/report_page.h"
+#include "web/three_js.h"
 
 namespace collision_hulls {
 
@@ -76,8 +78,7 @@ std::string cmakeLists(const std::string& package, const RobotResult& result) {
          names +
          "DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION} OPTIONAL)\n"
          "install(FILES " +
-         std::string(result.report.options.html ? "report.html " : "") +
-         "report.json DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n";
+         std::string(result.report.options.html ? "report.html " : "") + "report.json DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n";
 }
 
 /// Everything but the hulls and the report.
@@ -92,6 +93,28 @@ std::map<std::string, std::string> otherFiles(const RobotResult& result, const s
   files["package.xml"] = packageXml(package);
   files["CMakeLists.txt"] = cmakeLists(package, result);
   return files;
+}
+
+constexpr const char* kPageFile = "report.html";
+
+/// Rows without an element, as in a report that was made by hand, are in the table alone.
+PageModel pageModel(const ModelReport& report, const ModelResult& model) {
+  PageModel page{report, {}};
+  const std::size_t count = std::min(report.links.size(), model.elements.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const ElementResult& element = model.elements[i];
+    page.elements.push_back({element.original, element.hulls, element.pose});
+  }
+  return page;
+}
+
+std::string pageOf(const RobotResult& result) {
+  const Report& report = result.report;
+  PageContent content{result.robot_name, report, {pageModel(report, result)}, result.single_mesh, result.scene};
+  for (std::size_t i = 0; i < result.models.size(); ++i) content.models.push_back(pageModel(report.models[i], result.models[i]));
+  std::string page;
+  withJobs(report.options.jobs, [&] { page = reportPage(content, threeJs()); });
+  return page;
 }
 
 /// The folder that an output is written to, and the one whose place it takes, which may not exist.

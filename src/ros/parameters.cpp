@@ -141,6 +141,7 @@ Options readOptions(const ros::NodeHandle& node) {
   readNumber(node, "reader_time", options.reader_time);
   readFlag(node, "validate", options.validate);
   readFlag(node, "cache", options.cache);
+  readFlag(node, "html", options.html);
   int seed = static_cast<int>(options.seed);
   readNumber(node, "seed", seed);
   if (seed < 0) throw Error(ErrorCode::kBadOption, "parameter " + node.resolveName("seed") + " is negative: use a number from 0");

@@ -36,7 +36,9 @@ std::vector<Triangle> usable(const TriangleMesh& mesh) {
 void weld(const std::vector<GridPoint>& points, const std::vector<Triangle>& triangles, DrawnMesh& mesh) {
   std::vector<GridPoint> used;
   const auto point = [&](int v) -> const GridPoint& { return points[static_cast<std::size_t>(v)]; };
-  const auto has_area = [&](const Triangle& t) { return point(t[0]) != point(t[1]) && point(t[1]) != point(t[2]) && point(t[2]) != point(t[0]); };
+  const auto has_area = [&](const Triangle& t) {
+    return point(t[0]) != point(t[1]) && point(t[1]) != point(t[2]) && point(t[2]) != point(t[0]);
+  };
   std::vector<Triangle> kept;
   std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(kept), has_area);
   std::vector<bool> is_used(points.size());

@@ -52,7 +52,8 @@ std::string hullsCell(const ElementReport& row) {
 }
 
 std::string statusCell(Status status) {
-  return "<td data-value=\"" + std::to_string(urgency(status)) + "\"><span class=\"status " + name(status) + "\">" + name(status) + "</span></td>";
+  return "<td data-value=\"" + std::to_string(urgency(status)) + "\"><span class=\"status " + name(status) + "\">" + name(status) +
+         "</span></td>";
 }
 
 /// The link's name is a button: it selects the mesh in the view, from the keyboard as well.
@@ -62,7 +63,8 @@ std::string tableRow(const ElementReport& row, std::size_t index) {
                      "\"><button type=\"button\" class=\"link\">" + link + "</button></th><td class=\"mesh\" data-value=\"" + mesh +
                      "\" title=\"" + uri + "\">" + mesh + "</td>" + statusCell(row.status);
   text += hullsCell(row) + lengthCell(row.protrusion, hasHulls(row)) + lengthCell(row.protrusion_found, hasHulls(row)) +
-          lengthCell(row.tolerance, hasHulls(row)) + countCell(row.triangles, row.triangles > 0) + countCell(row.hull_vertices, hasHulls(row));
+          lengthCell(row.tolerance, hasHulls(row)) + countCell(row.triangles, row.triangles > 0) +
+          countCell(row.hull_vertices, hasHulls(row));
   text += "</tr>";
   if (!row.reason.empty()) text += "<tr class=\"reason\"><td colspan=\"9\"><div>" + escapedHtml(row.reason) + "</div></td></tr>";
   return text + "</tbody>\n";
@@ -84,8 +86,9 @@ std::string heading() {
                             {"Vertices", "", "of all hulls of the mesh", true}};
   std::string text = "<thead><tr>";
   for (const Column& column : columns) {
-    text += std::string("<th scope=\"col\"") + (column.number ? " class=\"number\"" : "") + "><button type=\"button\" title=\"" + column.title +
-            "\">" + column.name + (*column.unit ? std::string(" <small>[") + column.unit + "]</small>" : "") + "</button></th>";
+    text += std::string("<th scope=\"col\"") + (column.number ? " class=\"number\"" : "") + "><button type=\"button\" title=\"" +
+            column.title + "\">" + column.name + (*column.unit ? std::string(" <small>[") + column.unit + "]</small>" : "") +
+            "</button></th>";
   }
   return text + "</tr></thead>\n";
 }
@@ -95,7 +98,8 @@ std::string heading() {
 std::string linkTable(const ModelReport& model) {
   std::vector<std::size_t> order(model.links.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return urgency(model.links[a].status) < urgency(model.links[b].status); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return urgency(model.links[a].status) < urgency(model.links[b].status); });
   std::string text = "<table class=\"links\">\n" + heading();
   for (const std::size_t row : order) text += tableRow(model.links[row], row);
   return text + "</table>\n";

@@ -1,5 +1,5 @@
-// The page from top to bottom. All that can be said without a script is HTML: totals, warnings, the table, notes. The script draws the view,
-// and sorts and filters the table. It gets its data in two elements of its own, JSON and base64, which hold no markup.
+// The page from top to bottom. All that can be said without a script is HTML: totals, warnings, the table, notes. The script draws the
+// view, and sorts and filters the table. It gets its data in two elements of its own, JSON and base64, which hold no markup.
 #include "web/report_page.h"
 
 #include "base/figure.h"
@@ -25,7 +25,9 @@ std::string list(const std::vector<std::string>& items, const std::string& kind 
 }
 
 std::string details(const std::string& title, const std::vector<std::string>& items, bool open) {
-  return items.empty() ? "" : std::string("<details") + (open ? " open" : "") + "><summary>" + title + "</summary>\n" + list(items) + "</details>\n";
+  return items.empty()
+             ? ""
+             : std::string("<details") + (open ? " open" : "") + "><summary>" + title + "</summary>\n" + list(items) + "</details>\n";
 }
 
 std::string hiddenUnlessFirst(std::size_t model) {
@@ -70,10 +72,10 @@ std::string view(const PageContent& content) {
       "<p class=\"small\">Drag to turn, with shift to move, scroll to zoom.";
   if (!content.single_mesh)
     text +=
-        " Choose a link in the table to look at it. The robot is at rest: its joints are at zero, or at the limit nearest to it. Meshes that are "
+        " Choose a link in the table to look at it. The robot is at rest: its joints are at zero, or at the limit nearest to it. Meshes "
+        "that are "
         "kept, and primitives of the description, are not drawn.";
-  text +=
-      "</p>\n<noscript><p>The view needs JavaScript.</p></noscript>\n</section>\n";
+  text += "</p>\n<noscript><p>The view needs JavaScript.</p></noscript>\n</section>\n";
   return text;
 }
 
@@ -94,12 +96,13 @@ std::vector<std::string> reasonsOfFit(const Report& report) {
 }
 
 std::string tables(const PageContent& content) {
-  std::string text = "<section aria-label=\"Links\">\n<div class=\"bar\"><h2>" + std::string(content.single_mesh ? "Mesh" : "Links") + "</h2>\n" +
-                     modelChoice(content) + "<input type=\"search\" id=\"filter\" placeholder=\"Filter\" aria-label=\"Filter the table\"></div>\n";
+  std::string text = "<section aria-label=\"Links\">\n<div class=\"bar\"><h2>" + std::string(content.single_mesh ? "Mesh" : "Links") +
+                     "</h2>\n" + modelChoice(content) +
+                     "<input type=\"search\" id=\"filter\" placeholder=\"Filter\" aria-label=\"Filter the table\"></div>\n";
   for (std::size_t i = 0; i < content.models.size(); ++i) {
     const ModelReport& model = content.models[i].report;
-    text += "<div class=\"model\" id=\"model-" + std::to_string(i) + "\"" + hiddenUnlessFirst(i) + ">\n<div class=\"wide\">\n" + linkTable(model) +
-            "</div>\n" + details("Remarks of the check", model.validation.remarks, false) + "</div>\n";
+    text += "<div class=\"model\" id=\"model-" + std::to_string(i) + "\"" + hiddenUnlessFirst(i) + ">\n<div class=\"wide\">\n" +
+            linkTable(model) + "</div>\n" + details("Remarks of the check", model.validation.remarks, false) + "</div>\n";
   }
   return text + details("What the scene asked of each link", reasonsOfFit(content.report), false) +
          details("Notes", content.report.notes, true) + "</section>\n";
@@ -108,9 +111,10 @@ std::string tables(const PageContent& content) {
 std::string footer(const PageContent& content) {
   const Report& report = content.report;
   const Options& options = report.options;
-  return "<footer>\n<p>" + escapedHtml(report.input_path) + " \xC2\xB7 SHA-256 " + escapedHtml(report.input_sha256) + "</p>\n<p>tolerance " +
-         escapedHtml(toString(options.tolerance)) + ", method " + name(options.method) + ", effort " + name(options.effort) +
-         " \xC2\xB7 all options and numbers: report.json</p>\n<p>collision_hulls " + version() + " \xC2\xB7 <span id=\"drawn-by\"></span></p>\n</footer>\n";
+  return "<footer>\n<p>" + escapedHtml(report.input_path) + " \xC2\xB7 SHA-256 " + escapedHtml(report.input_sha256) +
+         "</p>\n<p>tolerance " + escapedHtml(toString(options.tolerance)) + ", method " + name(options.method) + ", effort " +
+         name(options.effort) + " \xC2\xB7 all options and numbers: report.json</p>\n<p>collision_hulls " + version() +
+         " \xC2\xB7 <span id=\"drawn-by\"></span></p>\n</footer>\n";
 }
 
 std::string scripts(const PageContent& content, const std::string& three_js) {
@@ -127,7 +131,8 @@ std::string reportPage(const PageContent& content, const std::string& three_js) 
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          // Whatever slips through: no request leaves the page.
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; style-src "
+         "'unsafe-inline'; "
          "img-src data:\">\n<title>" +
          escapedHtml(content.title) + " \xE2\x80\x93 collision hulls</title>\n<style>\n" + pageStyle() + "</style>\n</head>\n<body>\n" +
          header(content) + "<main>\n" + view(content) + tables(content) + "</main>\n" + footer(content) + scripts(content, three_js) +

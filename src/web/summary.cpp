@@ -1,5 +1,5 @@
-// The totals in words. "Never miss" is what covering the surface proves, "too large" the proved protrusion; how much quicker queries are was
-// measured, by the validation for single meshes and by the fit for the robot in its scene, and is left out where it was not.
+// The totals in words. "Never miss" is what covering the surface proves, "too large" the proved protrusion; how much quicker queries are
+// was measured, by the validation for single meshes and by the fit for the robot in its scene, and is left out where it was not.
 #include "web/summary.h"
 
 #include <algorithm>
@@ -81,8 +81,8 @@ std::string sceneSentence(const Report& report) {
   if (!report.scene) return "";
   const FitReport& fit = *report.scene;
   std::string text = "Fitted to the scene " + fit.scene + " with a clearance of " + figure(1000 * fit.clearance) + " mm: in " +
-                     many(fit.samples, fit.given ? "given configuration" : "random configuration") + ", " + grouped(fit.missed) + " missed and " +
-                     many(fit.phantom, "false collision");
+                     many(fit.samples, fit.given ? "given configuration" : "random configuration") + ", " + grouped(fit.missed) +
+                     " missed and " + many(fit.phantom, "false collision");
   if (!fit.given) text += " (at 95 % confidence in at most " + figure(100 * fit.phantom_rate_bound) + " % of all configurations)";
   return text + ".";
 }
@@ -103,9 +103,12 @@ std::vector<std::string> warnings(const ModelReport& model, const Report& report
   const auto of = [&](std::size_t part) { return grouped(part) + " of " + many(sum.meshes, "mesh", "meshes"); };
   std::vector<std::string> sentences;
   if (sum.failed > 0) sentences.push_back(of(sum.failed) + " failed: no hulls, and the link keeps its collision elements.");
-  if (sum.degraded > 0) sentences.push_back(of(sum.degraded) + (sum.degraded == 1 ? " protrudes" : " protrude") + " further than the tolerance.");
-  if (missed > 0) sentences.push_back(many(missed, "collision") + " missed in the check: please report this as a fault of collision_hulls.");
-  if (phantom > 0) sentences.push_back(many(phantom, "false collision") + " beyond the bound: please report this as a fault of collision_hulls.");
+  if (sum.degraded > 0)
+    sentences.push_back(of(sum.degraded) + (sum.degraded == 1 ? " protrudes" : " protrude") + " further than the tolerance.");
+  if (missed > 0)
+    sentences.push_back(many(missed, "collision") + " missed in the check: please report this as a fault of collision_hulls.");
+  if (phantom > 0)
+    sentences.push_back(many(phantom, "false collision") + " beyond the bound: please report this as a fault of collision_hulls.");
   return sentences;
 }
 

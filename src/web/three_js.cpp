@@ -14,7 +14,8 @@ bool fitsScript(const std::string& text) {
   std::string lower = text;
   for (char& c : lower)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return lower.find("</script") == std::string::npos && lower.find("<!--") == std::string::npos && lower.find("<script") == std::string::npos;
+  return lower.find("</script") == std::string::npos && lower.find("<!--") == std::string::npos &&
+         lower.find("<script") == std::string::npos;
 }
 
 }  // namespace

@@ -71,7 +71,8 @@ class Meshes {
       SharedMeshView& mesh = meshes_[i];
       const std::size_t triangles = mesh.element->original.triangles.size();
       const double share = all > kMostTriangles ? static_cast<double>(kMostTriangles) / static_cast<double>(all) : 1;
-      mesh.original = drawnMesh(mesh.element->original, std::max(kFewTriangles, static_cast<std::size_t>(share * static_cast<double>(triangles))));
+      mesh.original =
+          drawnMesh(mesh.element->original, std::max(kFewTriangles, static_cast<std::size_t>(share * static_cast<double>(triangles))));
       mesh.tree = treeOf(mesh.element->hulls, mesh.bound);
     });
   }
@@ -103,12 +104,9 @@ json toJson(const Eigen::Isometry3d& pose) {
 
 /// Appends the bytes, and says where they are.
 json block(const DrawnMesh& mesh, std::string& geometry) {
-  json place = {{"offset", geometry.size()},
-                {"vertices", mesh.vertices.size()},
-                {"triangles", mesh.triangles.size()},
-                {"index", indexBytes(mesh.vertices.size())},
-                {"origin", toJson(mesh.origin)},
-                {"step", mesh.step}};
+  json place = {{"offset", geometry.size()},          {"vertices", mesh.vertices.size()},
+                {"triangles", mesh.triangles.size()}, {"index", indexBytes(mesh.vertices.size())},
+                {"origin", toJson(mesh.origin)},      {"step", mesh.step}};
   geometry += toPageBytes(mesh);
   return place;
 }

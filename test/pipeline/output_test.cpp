@@ -80,6 +80,40 @@ TEST(WriteOutput, UnwritablePlaces) {
   }
 }
 
+std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(WriteOutput, APageOfAllRowsAndModels) {
+  const TempFolder folder;
+  RobotResult result = sample();
+  result.elements.pop_back();  // a row without an element is in the table alone
+  result.report.models.resize(1);
+  result.report.models[0].model = "contact";
+  result.report.models[0].links = {result.report.links[0]};
+  result.models.resize(1);
+  result.models[0].elements = {result.elements[0]};
+  writeOutput(result, folder / "out");
+  const std::string page = fixtures::read(folder / "out/report.html");
+  EXPECT_EQ(occurrences(page, "<h1>My Arm</h1>"), 1u);
+  EXPECT_EQ(occurrences(page, "<tbody data-row="), 3u);
+  EXPECT_EQ(occurrences(page, "\"link\":\"a\""), 2u);
+  EXPECT_EQ(occurrences(page, "\"link\":\"b\""), 0u);
+  EXPECT_EQ(std::count(result.report.files.begin(), result.report.files.end(), "report.html"), 1);
+}
+
+TEST(WriteOutput, NoPageWhereNoneIsWanted) {
+  const TempFolder folder;
+  RobotResult first = sample(), second = sample();
+  writeOutput(first, folder / "out");
+  second.report.options.html = false;
+  writeOutput(second, folder / "out");
+  EXPECT_FALSE(fs::exists(folder / "out/report.html")) << "nor that of the run before";
+  EXPECT_EQ(fixtures::read(folder / "out/CMakeLists.txt").find("report.html"), std::string::npos);
+}
+
 TEST(WriteOutput, RefusesToReplaceTheWorkingFolder) {
   const TempFolder folder;
   const fs::path before = fs::current_path(), out = folder / "out", within = out / "a/b";

@@ -44,7 +44,7 @@ class CachedProgram : public ::testing::Test {
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
     Files files = fixtures::contents(folder_ / out);
     const json report = json::parse(files["report.json"]);
-    files.erase("report.json");
+    for (const char* name : {"report.json", "report.html"}) files.erase(name);
     return {files, report};
   }
 

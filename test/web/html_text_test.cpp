@@ -16,7 +16,9 @@ TEST(EscapedHtml, KeepsOtherText) {
 }
 
 TEST(EscapedHtml, ForbiddenCharactersAreShownAsSuch) {
-  EXPECT_EQ(escapedHtml(std::string("a\0b\x1b\x7f", 5)), "a\xEF\xBF\xBD" "b\xEF\xBF\xBD\xEF\xBF\xBD");
+  EXPECT_EQ(escapedHtml(std::string("a\0b\x1b\x7f", 5)),
+            "a\xEF\xBF\xBD"
+            "b\xEF\xBF\xBD\xEF\xBF\xBD");
 }
 
 TEST(ScriptJson, CannotEndTheScript) {

@@ -17,8 +17,8 @@ TEST(ReportPage, HasAllOfItsParts) {
   Sample sample;
   sample.report.notes = {"a folder stood in for a package"};
   const std::string page = reportPage(sample.content(), "");
-  for (const char* part : {"<h1>robot</h1>", "2,468 triangles in 2 meshes", "id=\"slider\"", "data-row=\"1\"", "a folder stood in for a package",
-                           "id=\"view-data\">{", "id=\"geometry\">AAAA", "robot.urdf"})
+  for (const char* part : {"<h1>robot</h1>", "2,468 triangles in 2 meshes", "id=\"slider\"", "data-row=\"1\"",
+                           "a folder stood in for a package", "id=\"view-data\">{", "id=\"geometry\">AAAA", "robot.urdf"})
     EXPECT_EQ(count(page, part), 1u) << part;
 }
 

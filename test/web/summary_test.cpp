@@ -20,9 +20,10 @@ TEST(Summary, TotalsFirst) {
   const Sample sample;
   const std::vector<std::string> said = summary(sample.report, sample.report);
   ASSERT_EQ(said.size(), 2u);
-  EXPECT_EQ(said[0],
-            "2,468 triangles in 2 meshes \xE2\x86\x92 4 hulls. They never miss a collision, are at most 9.80 mm too large, and answer distance "
-            "queries 27.0 times quicker than the meshes.");
+  EXPECT_EQ(
+      said[0],
+      "2,468 triangles in 2 meshes \xE2\x86\x92 4 hulls. They never miss a collision, are at most 9.80 mm too large, and answer distance "
+      "queries 27.0 times quicker than the meshes.");
   EXPECT_EQ(said[1], "400 queries compared hulls and meshes: 0 missed, 0 false beyond the bound.");
   EXPECT_TRUE(warnings(sample.report, sample.report).empty());
 }
@@ -58,11 +59,13 @@ TEST(Summary, AFitIsMeasuredOnTheWholeRobot) {
   const std::vector<std::string> said = summary(sample.report, sample.report);
   ASSERT_EQ(said.size(), 3u);
   EXPECT_NE(said[0].find("2 hulls and 1 primitive. They"), std::string::npos) << said[0];
-  EXPECT_NE(said[0].find("answer collision queries 8.00 times quicker and distance queries 27.0 times quicker than the meshes"), std::string::npos)
+  EXPECT_NE(said[0].find("answer collision queries 8.00 times quicker and distance queries 27.0 times quicker than the meshes"),
+            std::string::npos)
       << said[0];
-  EXPECT_EQ(said[1],
-            "Fitted to the scene shelf with a clearance of 10.0 mm: in 10,000 random configurations, 0 missed and 0 false collisions (at 95 % "
-            "confidence in at most 0.0300 % of all configurations).");
+  EXPECT_EQ(
+      said[1],
+      "Fitted to the scene shelf with a clearance of 10.0 mm: in 10,000 random configurations, 0 missed and 0 false collisions (at 95 % "
+      "confidence in at most 0.0300 % of all configurations).");
 }
 
 TEST(Summary, NothingIsClaimedWithoutHulls) {

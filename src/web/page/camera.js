@@ -42,16 +42,25 @@ class Camera {
     this.target = this.target.map((x, k) => x + scale * (right * this.right[k] + up * this.up[k]));
   }
 
-  /** Shows all of a box, {min, max}. */
-  frame(box, aspect) {
-    this.target = box.max.map((x, k) => (x + box.min[k]) / 2);
-    const slope = 0.9 * Math.tan(FIELD_OF_VIEW / 2);
+  /** Shows all of these points, from the side that the camera is on. `aspect`: width over height of the view. */
+  frame(points, aspect) {
+    if (points.length === 0) points = [[0, 0, 0]];
+    const along = (axis, p) => axis[0] * p[0] + axis[1] * p[1] + axis[2] * p[2];
+    const axes = [this.right, this.up, this.backward];
+    const middle = axes.map((axis) => {
+      let low = Infinity, high = -Infinity;
+      for (const p of points) {
+        low = Math.min(low, along(axis, p));
+        high = Math.max(high, along(axis, p));
+      }
+      return (low + high) / 2;
+    });
+    this.target = [0, 1, 2].map((k) => axes.reduce((sum, axis, i) => sum + axis[k] * middle[i], 0));
+    const slope = 0.88 * Math.tan(FIELD_OF_VIEW / 2);
     this.distance = 1e-3;
-    for (let corner = 0; corner < 8; ++corner) {
-      const p = this.target.map((x, k) => (corner >> k & 1 ? box.max[k] : box.min[k]) - x);
-      const along = (axis) => axis.reduce((sum, x, k) => sum + x * p[k], 0);
-      const wide = Math.abs(along(this.right)) / slope / aspect, high = Math.abs(along(this.up)) / slope;
-      this.distance = Math.max(this.distance, along(this.backward) + Math.max(wide, high));
+    for (const p of points) {
+      const [x, y, z] = axes.map((axis, i) => along(axis, p) - middle[i]);
+      this.distance = Math.max(this.distance, z + Math.max(Math.abs(x) / aspect, Math.abs(y)) / slope);
     }
   }
 

@@ -132,22 +132,15 @@ class Page {
 
   /** All of the robot, or the element. */
   frame() {
-    const box = {min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity]};
+    const points = [];
     for (const element of this.selected ? [this.selected] : this.elements) {
-      const mesh = this.data.meshes[element.mesh];
-      const blocks = [mesh.original, ...mesh.nodes.filter((node) => node.left < 0).map((node) => node.at)];
-      for (const block of blocks) {
+      const mesh = this.data.meshes[element.mesh], leaves = mesh.nodes.filter((node) => node.left < 0).map((node) => node.at);
+      for (const block of leaves.length > 0 ? leaves : [mesh.original]) {  // the hulls hold the mesh
         const p = trianglesOf(block, this.data);
-        for (let i = 0; i < p.length; i += 3) {
-          placed(element.pose, [p[i], p[i + 1], p[i + 2]]).forEach((x, k) => {
-            box.min[k] = Math.min(box.min[k], x);
-            box.max[k] = Math.max(box.max[k], x);
-          });
-        }
+        for (let i = 0; i < p.length; i += 3) points.push(placed(element.pose, [p[i], p[i + 1], p[i + 2]]));
       }
     }
-    if (box.min[0] > box.max[0]) box.min = box.max = [0, 0, 0];
-    this.camera.frame(box, this.stage.clientWidth / this.stage.clientHeight);
+    this.camera.frame(points, this.stage.clientWidth / this.stage.clientHeight);
   }
 
   draw(moving = false) {
@@ -242,4 +235,5 @@ function setUpTables(page) {
   if (models) models.addEventListener('change', () => page.chooseModel(Number(models.value)));
 }
 
-setUpTables(new Page(readData()));
+const page = new Page(readData());
+setUpTables(page);

@@ -56,6 +56,16 @@ std::string statusCell(Status status) {
          "</span></td>";
 }
 
+/// Below a row: what has no column.
+std::string detailRow(const std::string& text) {
+  return "<tr class=\"reason\"><td colspan=\"9\"><div>" + escapedHtml(text) + "</div></td></tr>";
+}
+
+std::string regionText(const Region& region, const RegionProof& proof) {
+  return "region " + region.name + ": proved " + figure(1000 * proof.bound) + " mm, found " + figure(1000 * proof.found) +
+         " mm, tolerance " + figure(1000 * region.tolerance) + " mm";
+}
+
 /// The link's name is a button: it selects the mesh in the view, from the keyboard as well.
 std::string tableRow(const ElementReport& row, std::size_t index) {
   const std::string link = escapedHtml(row.link), mesh = escapedHtml(lastPart(row.uri)), uri = escapedHtml(row.uri);
@@ -66,7 +76,9 @@ std::string tableRow(const ElementReport& row, std::size_t index) {
           lengthCell(row.tolerance, hasHulls(row)) + countCell(row.triangles, row.triangles > 0) +
           countCell(row.hull_vertices, hasHulls(row));
   text += "</tr>";
-  if (!row.reason.empty()) text += "<tr class=\"reason\"><td colspan=\"9\"><div>" + escapedHtml(row.reason) + "</div></td></tr>";
+  for (std::size_t i = 0; i < std::min(row.regions.size(), row.regions_given.size()); ++i)
+    text += detailRow(regionText(row.regions_given[i], row.regions[i]));
+  if (!row.reason.empty()) text += detailRow(row.reason);
   return text + "</tbody>\n";
 }
 

@@ -2,6 +2,8 @@
 // view, and sorts and filters the table. It gets its data in two elements of its own, JSON and base64, which hold no markup.
 #include "web/report_page.h"
 
+#include <algorithm>
+
 #include "base/figure.h"
 #include "web/base64.h"
 #include "web/html_text.h"
@@ -54,12 +56,19 @@ std::string checkbox(const std::string& id, const std::string& label) {
   return "<label><input type=\"checkbox\" id=\"" + id + "\" checked>" + label + "</label>\n";
 }
 
+bool hasRegions(const PageContent& content) {
+  const auto has = [](const ElementReport& row) { return !row.regions_given.empty(); };
+  return std::any_of(content.models.begin(), content.models.end(),
+                     [&](const PageModel& model) { return std::any_of(model.report.links.begin(), model.report.links.end(), has); });
+}
+
 std::string view(const PageContent& content) {
   std::string text =
       "<section class=\"view\" aria-label=\"3D view\">\n"
       "<div class=\"stage\" id=\"stage\" tabindex=\"0\" role=\"img\" aria-label=\"Meshes and hulls in 3D; arrow keys turn, + and - zoom\">"
       "<canvas id=\"canvas\"></canvas><svg id=\"overlay\" aria-hidden=\"true\"></svg></div>\n<div class=\"controls\">\n";
   text += checkbox("show-original", "Original meshes") + checkbox("show-hulls", "Hulls") + checkbox("show-worst", "Worst place");
+  if (hasRegions(content)) text += checkbox("show-regions", "Regions");
   if (content.scene) text += checkbox("show-scene", "Scene");
   text +=
       "<button type=\"button\" id=\"reset\">Show all</button>\n</div>\n"

@@ -3,7 +3,7 @@
 //
 // In the JSON:  meshes: [{original: BLOCK, triangles, bound, nodes: [{at: BLOCK, bound, left, right}]}], leaves first, left and right -1
 //               models: [{name, elements: [{row, link, uri, status, mesh, primitives: how many of the last leaves stand for
-//               some, pose: 3 x 4 by rows, found, bound, worst, nearest}]}]
+//               some, pose: 3 x 4 by rows, found, bound, worst, nearest, regions: [BLOCK]}]}]
 //               scene: BLOCK or null
 // A BLOCK is {offset, vertices, triangles, index: bytes of an index, origin, step}; lengths in metres.
 #include "web/view_data.h"
@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/parallel.h"
+#include "collision_hulls/decompose/region.h"
 #include "collision_hulls/error.h"
 #include "geometry/bytes.h"
 #include "web/coarser_hulls.h"
@@ -25,6 +26,7 @@ using nlohmann::json;
 constexpr std::size_t kMostTriangles = 150000;      // of all originals in a page: some 2 MB
 constexpr std::size_t kMostSceneTriangles = 50000;  // of a scene's bodies
 constexpr std::size_t kFewTriangles = 300;          // that every original may keep
+constexpr double kAround = 0.15;                    // of a mesh's diagonal: how far around it regions are drawn
 constexpr std::size_t kMostMerged = 150;            // hulls of a mesh: the pairs to try grow with their square
 
 /// A mesh that elements share.
@@ -125,6 +127,20 @@ json meshJson(const SharedMeshView& mesh, std::string& geometry) {
           {"nodes", nodes}};
 }
 
+/// What is near the mesh of its regions: a half-space has no end.
+json regionsJson(const ElementReport& row, const PageElement& element, std::string& geometry) {
+  Eigen::AlignedBox3d box = boundingBox(element.original);
+  for (const ConvexHull& hull : element.hulls) box.extend(boundingBox(hull));
+  json regions = json::array();
+  if (box.isEmpty()) return regions;
+  const double more = kAround * box.diagonal().norm();
+  const ConvexHull around =
+      transformed(boxShape(box.sizes() + Eigen::Vector3d::Constant(2 * more)), Eigen::Isometry3d(Eigen::Translation3d(box.center())));
+  for (const Region& region : row.regions_given)
+    if (const std::optional<ConvexHull> part = partIn(around, region)) regions.push_back(block(*part, geometry));
+  return regions;
+}
+
 json elementJson(std::size_t row_index, const ElementReport& row, const PageElement& element, std::size_t mesh) {
   return {{"row", row_index},
           {"link", row.link},
@@ -156,17 +172,18 @@ TriangleMesh surfaceOf(const Scene& scene) {
 
 ViewData viewData(const PageContent& content) {
   Meshes meshes;
+  ViewData data;
   json models = json::array();
   for (const PageModel& model : content.models) {
     json elements = json::array();
     for (std::size_t i = 0; i < model.elements.size(); ++i) {
       const ElementReport& row = model.report.links[i];
       elements.push_back(elementJson(i, row, model.elements[i], meshes.take(model.elements[i], row)));
+      elements.back()["regions"] = regionsJson(row, model.elements[i], data.geometry);
     }
     models.push_back({{"name", model.report.model}, {"elements", elements}});
   }
   meshes.prepare();
-  ViewData data;
   json all = json::array();
   for (const SharedMeshView& mesh : meshes.all()) all.push_back(meshJson(mesh, data.geometry));
   const json scene = content.scene ? block(drawnMesh(surfaceOf(*content.scene), kMostSceneTriangles), data.geometry) : json();

@@ -6,11 +6,13 @@ picture on every machine.
 import base64
 import json
 import os
+import select
 import shutil
 import subprocess
 import tempfile
 
 NAMES = ("chromium", "chromium-browser", "google-chrome")
+PATIENCE = 120  # [s]
 
 
 def program():
@@ -52,6 +54,9 @@ class Browser:
 
     def receive(self):
         while b"\0" not in self.buffer:
+            ready, _, _ = select.select([self.read_end], [], [], PATIENCE)
+            if not ready:
+                raise RuntimeError(f"the browser has said nothing for {PATIENCE} s")
             more = os.read(self.read_end, 1 << 16)
             if not more:
                 raise RuntimeError("the browser has ended")

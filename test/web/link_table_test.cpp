@@ -39,6 +39,17 @@ TEST(LinkTable, WhatIsNotKnownIsNotShown) {
   EXPECT_EQ(count(linkTable(model), "data-value=\"-1\">\xE2\x80\x93<"), 5u);
 }
 
+TEST(LinkTable, RegionsStandBelowTheirRow) {
+  ModelReport model;
+  model.links = {row("hand")};
+  model.links[0].regions_given = {halfSpaceRegion({0, 0, 1}, 0, 0.0001)};
+  model.links[0].regions_given[0].name = "<mouth>";
+  model.links[0].regions = {{0.00009, 0.00008}};
+  EXPECT_NE(linkTable(model).find("<div>region &lt;mouth&gt;: proved 0.0900 mm, found 0.0800 mm, tolerance 0.100 mm</div>"),
+            std::string::npos)
+      << linkTable(model);
+}
+
 TEST(LinkTable, PrimitivesInPlaceOfHulls) {
   ModelReport model;
   model.links = {row("arm"), row("hand")};

@@ -77,6 +77,13 @@ TEST(ReportPage, AChoiceOfSeveralModels) {
   EXPECT_EQ(count(page, "id=\"model-1\" hidden"), 1u);
 }
 
+TEST(ReportPage, ACheckboxForRegions) {
+  Sample sample;
+  EXPECT_EQ(count(reportPage(sample.content(), ""), "id=\"show-regions\""), 0u);
+  sample.report.links[1].regions_given = {halfSpaceRegion({0, 0, 1}, 0, 0.001)};
+  EXPECT_EQ(count(reportPage(sample.content(), ""), "id=\"show-regions\""), 1u);
+}
+
 TEST(ReportPage, ASingleMeshIsNoRobot) {
   Sample sample({row("cup")});
   PageContent content = sample.content();

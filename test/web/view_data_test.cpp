@@ -61,6 +61,20 @@ TEST(ViewData, AnElementSaysWhereItIs) {
   EXPECT_EQ(element["row"], 0);
 }
 
+TEST(ViewData, RegionsAsFarAsTheyAreNear) {
+  Sample sample({row("hand")});
+  sample.report.links[0].regions_given = {halfSpaceRegion({0, 0, 1}, 0.5, 0.001), halfSpaceRegion({0, 0, 1}, 9, 0.001)};
+  const ViewData data = viewData(sample.content());
+  const json regions = json::parse(data.json)["models"][0]["elements"][0]["regions"];
+  ASSERT_EQ(regions.size(), 1u) << "the other one is far away";
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : vertices(regions[0], data.geometry)) box.extend(p);
+  const double more = 0.15 * std::sqrt(11);
+  EXPECT_NEAR(box.min().z(), 0.5, 1e-3);
+  EXPECT_NEAR(box.max().z(), 1 + more, 1e-3);
+  EXPECT_NEAR(box.min().x(), -more, 1e-3);
+}
+
 TEST(ViewData, EqualMeshesAreThereOnce) {
   Sample sample({row("left"), row("right"), row("hand")});
   sample.report.links[0].sha256 = sample.report.links[1].sha256 = "finger";

@@ -33,7 +33,7 @@ class Page {
     byId('drawn-by').textContent = this.view.name;
     this.setUpSlider();
     this.tellThinned();
-    for (const id of ['show-original', 'show-hulls', 'show-worst', 'show-scene']) {
+    for (const id of ['show-original', 'show-hulls', 'show-worst', 'show-regions', 'show-scene']) {
       if (byId(id)) byId(id).addEventListener('change', () => this.showBodies());
     }
     byId('reset').addEventListener('click', () => this.select(null));
@@ -87,7 +87,8 @@ class Page {
     const bodies = [hulls > 0 && counted(hulls, 'hull'), primitives > 0 && counted(primitives, 'primitive')].filter(Boolean).join(' and ');
     byId('count').textContent = bodies ? `${bodies}${what}, at most ${millimetres(bound)} too large` : `no hulls${what}`;
     byId('count').dataset.hulls = hulls + primitives;
-    byId('merged').textContent = this.tolerance > 0 ? 'merged for this page' : 'as written';
+    const regions = this.elements.some((element) => element.regions.length > 0) ? ', without regard to regions' : '';
+    byId('merged').textContent = this.tolerance > 0 ? `merged for this page${regions}` : 'as written';
   }
 
   tellThinned() {
@@ -110,6 +111,11 @@ class Page {
     if (original && !faded && mesh.original.triangles > 0) {
       const color = element.status === 'failed' ? styleColor('--failed') : styleColor('--mesh');
       bodies.push({triangles: trianglesOf(mesh.original, this.data), pose: element.pose, color, opacity: 1, hull: false});
+    }
+    if (this.checked('show-regions') && !faded) {
+      for (const region of element.regions) {
+        bodies.push({triangles: trianglesOf(region, this.data), pose: element.pose, color: styleColor('--mark'), opacity: 0.25, hull: true});
+      }
     }
     if (!hulls) return bodies;
     for (const id of this.cutOf(element)) {

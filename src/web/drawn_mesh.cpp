@@ -1,6 +1,6 @@
-// Thinning is rounding: on a coarse grid neighbouring vertices meet in one point, triangles between them vanish, and equal ones are drawn
-// once. It keeps what is large and never fails, which quadric simplification of foreign meshes may. Each round starts from what the last
-// one left, so that the rounds together cost little more than the first.
+// Thinning joins the vertices in each cell of a coarse grid in their mean: triangles between them vanish, and equal ones are drawn once. It
+// keeps what is large, stays near the surface, and never fails, which quadric simplification of foreign meshes may. Each round starts from
+// what the last one left, so that the rounds together cost little more than the first.
 #include "web/drawn_mesh.h"
 
 #include <algorithm>
@@ -57,6 +57,11 @@ void weld(const std::vector<GridPoint>& points, const std::vector<Triangle>& tri
   mesh.triangles = std::move(kept);
 }
 
+Eigen::Vector3d gridPlace(const DrawnMesh& mesh, int vertex) {
+  const GridPoint& p = mesh.vertices[static_cast<std::size_t>(vertex)];
+  return {double(p[0]), double(p[1]), double(p[2])};
+}
+
 /// The same triangle, whichever corner it starts with.
 void dropEqual(std::vector<Triangle>& triangles) {
   for (Triangle& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
@@ -86,22 +91,32 @@ DrawnMesh onFinestGrid(const TriangleMesh& mesh) {
   return drawn;
 }
 
-/// `share` of as many cells along each axis.
-void coarsen(double share, DrawnMesh& mesh) {
-  std::vector<GridPoint> points = mesh.vertices;
-  for (GridPoint& point : points)
-    for (std::uint16_t& x : point) x = static_cast<std::uint16_t>(std::lround(share * x));
-  mesh.step /= share;
-  weld(points, std::vector<Triangle>(mesh.triangles), mesh);
+/// Leaves one vertex, the mean, of those in each of so many cells along an axis.
+void coarsen(double cells, DrawnMesh& mesh) {
+  std::vector<std::pair<GridPoint, int>> by_cell;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    GridPoint cell{};
+    for (std::size_t k = 0; k < cell.size(); ++k)
+      cell[k] = static_cast<std::uint16_t>(mesh.vertices[v][k] * cells / (DrawnMesh::kMostCells + 1.0));
+    by_cell.emplace_back(cell, static_cast<int>(v));
+  }
+  std::sort(by_cell.begin(), by_cell.end());
+  std::vector<GridPoint> means(mesh.vertices.size());  // by vertex
+  for (auto first = by_cell.begin(), last = first; first != by_cell.end(); first = last) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (last = first; last != by_cell.end() && last->first == first->first; ++last) sum += gridPlace(mesh, last->second);
+    sum /= static_cast<double>(last - first);
+    for (auto member = first; member != last; ++member)
+      for (int k = 0; k < 3; ++k)
+        means[static_cast<std::size_t>(member->second)][static_cast<std::size_t>(k)] = static_cast<std::uint16_t>(std::lround(sum[k]));
+  }
+  weld(means, std::vector<Triangle>(mesh.triangles), mesh);
   dropEqual(mesh.triangles);
 }
 
 /// Cells along an axis that leave about as many triangles of a mesh that is finely divided everywhere.
 double cellsFor(std::size_t triangles, const DrawnMesh& mesh) {
-  const auto at = [&](int v) -> Eigen::Vector3d {
-    const GridPoint& p = mesh.vertices[static_cast<std::size_t>(v)];
-    return Eigen::Vector3d(p[0], p[1], p[2]) / DrawnMesh::kMostCells;
-  };
+  const auto at = [&](int v) -> Eigen::Vector3d { return gridPlace(mesh, v) / DrawnMesh::kMostCells; };
   double area = 0;  // of the square of the mesh's extent
   for (const Triangle& t : mesh.triangles) area += (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).norm() / 2;
   return area > 0 ? kFirstCoarser * std::sqrt(static_cast<double>(triangles) / area) : DrawnMesh::kMostCells;
@@ -125,12 +140,9 @@ void append(const std::vector<Item>& items, std::string& bytes) {
 DrawnMesh drawnMesh(const TriangleMesh& mesh, std::size_t most_triangles) {
   DrawnMesh drawn = onFinestGrid(mesh);
   if (drawn.triangles.size() <= most_triangles) return drawn;
-  double cells = DrawnMesh::kMostCells, next = std::min(kEachCoarser * cells, cellsFor(most_triangles, drawn));
-  while (drawn.triangles.size() > most_triangles && next >= 1) {
-    coarsen(next / cells, drawn);
-    cells = next;
-    next *= kEachCoarser;
-  }
+  for (double cells = std::min(kEachCoarser * DrawnMesh::kMostCells, cellsFor(most_triangles, drawn));
+       drawn.triangles.size() > most_triangles && cells >= 1; cells *= kEachCoarser)
+    coarsen(cells, drawn);
   return drawn;
 }
 

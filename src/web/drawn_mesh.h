@@ -22,9 +22,8 @@ struct DrawnMesh {
   std::vector<Triangle> triangles;
 };
 
-/// A mesh on the finest grid on which about `most_triangles` are left, 16 bits for each coordinate: what falls into one point there is
-/// gone. Triangles that have a corner that is no point, or further away than 1e6 m, are left out. Deterministic; nearly linear in the
-/// number of triangles.
+/// A mesh with 16 bits for each coordinate and at most `most_triangles`, thinned where it has more. Triangles that have a corner that is no
+/// point, or further away than 1e6 m, are left out. Deterministic; nearly linear in the number of triangles.
 DrawnMesh drawnMesh(const TriangleMesh& mesh, std::size_t most_triangles);
 
 /// Its bytes, little-endian: vertices (3 * uint16), then triangles (3 * uint8 up to 256 vertices, uint16 up to 65536, else uint32); each of

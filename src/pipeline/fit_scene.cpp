@@ -198,6 +198,19 @@ void certifyCut(const FitMesh& mesh, const FittedElement& fitted, const std::str
   result.seconds.certify = stage.lap();
 }
 
+/// All bodies, for the report's page.
+TriangleMesh surfaceOf(const Scene& scene) {
+  TriangleMesh all;
+  for (const SceneBody& body : scene.bodies) {
+    const ConvexHull* const hull = std::get_if<ConvexHull>(&body.shape);
+    const TriangleMesh mesh = transformed(hull ? surface(*hull) : std::get<TriangleMesh>(body.shape), body.pose);
+    const int before = static_cast<int>(all.vertices.size());
+    all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    for (const Triangle& t : mesh.triangles) all.triangles.push_back({t[0] + before, t[1] + before, t[2] + before});
+  }
+  return all;
+}
+
 /// Identifies a fitted element: its cut, followed by negative numbers for the kinds of its primitives.
 std::vector<int> cutOf(const FittedElement& fitted) {
   std::vector<int> cut = fitted.cut;
@@ -357,7 +370,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
             [&](Run& run) { disabled = fitAll(robot, decisions.front(), request, fit_options, notes, run); });
   std::optional<FitReport>& scene = result.report.scene;
   if (scene) {
-    result.scene = std::make_shared<const Scene>(request.scene);
+    result.scene = surfaceOf(request.scene);
     result.extra_files["config/" + fileName(robot.name) + "_disabled.srdf"] = srdfFragment(robot.name, disabled);
     const Totals sums = totals(result.report);
     for (const std::string& note : notesOnFit(*scene, options, sums.kept + sums.removed)) notes.push_back(note);

@@ -69,7 +69,7 @@ std::string view(const PageContent& content) {
       "<canvas id=\"canvas\"></canvas><svg id=\"overlay\" aria-hidden=\"true\"></svg></div>\n<div class=\"controls\">\n";
   text += checkbox("show-original", "Original meshes") + checkbox("show-hulls", "Hulls") + checkbox("show-worst", "Worst place");
   if (hasRegions(content)) text += checkbox("show-regions", "Regions");
-  if (content.scene) text += checkbox("show-scene", "Scene");
+  if (!content.scene.triangles.empty()) text += checkbox("show-scene", "Scene");
   text +=
       "<button type=\"button\" id=\"reset\">Show all</button>\n</div>\n"
       "<div class=\"cut\"><label for=\"slider\">Fewer hulls</label>"

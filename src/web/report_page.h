@@ -2,14 +2,12 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
 #include "collision_hulls/report/report.h"
-#include "collision_hulls/scene/scene.h"
 
 namespace collision_hulls {
 
@@ -29,9 +27,9 @@ struct PageModel {
 struct PageContent {
   std::string title;  ///< the robot's name, or the mesh's
   const Report& report;
-  std::vector<PageModel> models;            ///< the first is the report's own
-  bool single_mesh = false;                 ///< there is no robot
-  std::shared_ptr<const Scene> scene = {};  ///< that the model was fitted to; null: none
+  std::vector<PageModel> models;  ///< the first is the report's own
+  bool single_mesh = false;       ///< there is no robot
+  const TriangleMesh& scene;      ///< surface of what the model was fitted to, in the same frame; empty: none
 };
 
 /// The page. `three_js`: the text of that library, see threeJs(); empty: the page draws by itself. Whatever names, paths and messages hold

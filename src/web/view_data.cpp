@@ -127,6 +127,14 @@ json meshJson(const SharedMeshView& mesh, std::string& geometry) {
           {"nodes", nodes}};
 }
 
+ConvexHull boxAround(const Eigen::AlignedBox3d& box, double margin) {
+  const Eigen::Vector3d more = Eigen::Vector3d::Constant(margin);
+  const Eigen::AlignedBox3d larger(box.min() - more, box.max() + more);
+  std::vector<Eigen::Vector3d> corners;
+  for (int i = 0; i < 8; ++i) corners.push_back(larger.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
+  return convexHull(corners);
+}
+
 /// What is near the mesh of its regions: a half-space has no end.
 json regionsJson(const ElementReport& row, const PageElement& element, std::string& geometry) {
   Eigen::AlignedBox3d box = boundingBox(element.original);
@@ -155,19 +163,6 @@ json elementJson(std::size_t row_index, const ElementReport& row, const PageElem
           {"nearest", toJson(row.worst_nearest)}};
 }
 
-/// All bodies, in the robot's frame.
-TriangleMesh surfaceOf(const Scene& scene) {
-  TriangleMesh all;
-  for (const SceneBody& body : scene.bodies) {
-    const ConvexHull* const hull = std::get_if<ConvexHull>(&body.shape);
-    const TriangleMesh mesh = transformed(hull ? surface(*hull) : std::get<TriangleMesh>(body.shape), body.pose);
-    const int before = static_cast<int>(all.vertices.size());
-    all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-    for (const Triangle& t : mesh.triangles) all.triangles.push_back({t[0] + before, t[1] + before, t[2] + before});
-  }
-  return all;
-}
-
 }  // namespace
 
 ViewData viewData(const PageContent& content) {
@@ -186,7 +181,7 @@ ViewData viewData(const PageContent& content) {
   meshes.prepare();
   json all = json::array();
   for (const SharedMeshView& mesh : meshes.all()) all.push_back(meshJson(mesh, data.geometry));
-  const json scene = content.scene ? block(drawnMesh(surfaceOf(*content.scene), kMostSceneTriangles), data.geometry) : json();
+  const json scene = content.scene.triangles.empty() ? json() : block(drawnMesh(content.scene, kMostSceneTriangles), data.geometry);
   // Names in a description may be no UTF-8, which JSON cannot hold: such bytes are shown as U+FFFD. Non-finite numbers become null.
   data.json = json{{"meshes", all}, {"models", models}, {"scene", scene}}.dump(-1, ' ', false, json::error_handler_t::replace);
   return data;

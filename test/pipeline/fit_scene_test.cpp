@@ -92,6 +92,9 @@ TEST_F(FitRobotToScene, BlockInTheNotchNeedsTwoHulls) {
   EXPECT_EQ(row.files.size(), 2u);
   EXPECT_EQ(result.report.validation.missed + result.report.validation.phantom, 0u);
   EXPECT_GT(result.report.validation.queries, 0u);
+  const SceneBody& block = request_.scene.bodies.at(0);
+  EXPECT_EQ(result.scene.triangles, std::get<ConvexHull>(block.shape).triangles);
+  EXPECT_EQ(result.scene.vertices[3], block.pose * std::get<ConvexHull>(block.shape).vertices[3]);
 
   writeOutput(result, folder_ / "out");
   const auto files = fixtures::contents(folder_ / "out");

@@ -39,13 +39,13 @@ struct Sample {
   }
 
   PageContent content() const {
-    PageContent content{"robot", report, {PageModel{report, {}}}};
+    PageContent content{"robot", report, {PageModel{report, {}}}, false, scene};
     for (const ElementReport& row : report.links) content.models[0].elements.push_back({original, row.hulls > 0 ? hulls : none});
     return content;
   }
 
   Report report;
-  TriangleMesh original = test_shapes::box(3, 1, 1);
+  TriangleMesh original = test_shapes::box(3, 1, 1), scene;
   std::vector<ConvexHull> hulls, none;
 };
 

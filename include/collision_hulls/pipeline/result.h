@@ -12,7 +12,6 @@
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/report/report.h"
 #include "collision_hulls/robot/robot_description.h"
-#include "collision_hulls/scene/scene.h"
 
 namespace collision_hulls {
 
@@ -45,7 +44,8 @@ struct RobotResult : ModelResult {
   std::vector<ModelResult> models;  ///< the others, those of report.models
   std::string robot_name;           ///< or the mesh's stem
   bool single_mesh = false;
-  std::shared_ptr<const Scene> scene;  ///< that it was fitted to; null: none
+  /// Surface of the scene that it was fitted to, in the root link's frame; empty: none.
+  TriangleMesh scene;
   /// Further files of the output package: path in it, content.
   std::map<std::string, std::string> extra_files;
   /// Hulls of earlier outputs that the description keeps: path in the package, content.

@@ -141,9 +141,7 @@ json regionsJson(const ElementReport& row, const PageElement& element, std::stri
   for (const ConvexHull& hull : element.hulls) box.extend(boundingBox(hull));
   json regions = json::array();
   if (box.isEmpty()) return regions;
-  const double more = kAround * box.diagonal().norm();
-  const ConvexHull around =
-      transformed(boxShape(box.sizes() + Eigen::Vector3d::Constant(2 * more)), Eigen::Isometry3d(Eigen::Translation3d(box.center())));
+  const ConvexHull around = boxAround(box, kAround * box.diagonal().norm());
   for (const Region& region : row.regions_given)
     if (const std::optional<ConvexHull> part = partIn(around, region)) regions.push_back(block(*part, geometry));
   return regions;

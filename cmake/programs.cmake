@@ -17,7 +17,7 @@ function(set_up_program name)
   set_target_properties(${name} PROPERTIES INSTALL_RPATH "$ORIGIN/..")
 endfunction()
 
-set(PROGRAMS benchmark decompose fit_scene stability)
+set(PROGRAMS benchmark decompose fit_scene stability verify)
 foreach(program ${PROGRAMS})
   add_executable(${program} src/tools/${program}.cpp)
   set_up_program(${program})

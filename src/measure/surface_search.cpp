@@ -45,21 +45,21 @@ struct Patch {
   Eigen::Vector3d centre() const { return (corner[0].p + corner[1].p + corner[2].p) / 3; }
 };
 
-/// The search over one hull.
+/// The search over the triangles of one hull or mesh.
 class Search {
  public:
   Search(const Solid& solid, const SurfaceQuery& query) : solid_(solid), query_(query) {}
 
-  Protrusion run(const ConvexHull& hull, const RunControl& control) {
+  Protrusion run(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles, const RunControl& control) {
     std::vector<Corner> corners;
-    for (const Eigen::Vector3d& v : hull.vertices) corners.push_back({v, -1, 0});
-    for (std::size_t i = 0; i < hull.triangles.size(); ++i) {
+    for (const Eigen::Vector3d& v : vertices) corners.push_back({v, -1, 0});
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
       if (i % kTrianglesBetweenChecks == 0) control.check();
       if (query_.settled && (*query_.settled)[i]) {
         dropped_ = std::max(dropped_, query_.floor + query_.gap);
         continue;
       }
-      const Triangle& t = hull.triangles[i];
+      const Triangle& t = triangles[i];
       const auto at = [&](std::size_t k) -> Corner& { return corners[static_cast<std::size_t>(t[k])]; };
       if (isKnown({at(0), at(1), at(2)})) continue;
       for (std::size_t k = 0; k < 3; ++k)
@@ -202,7 +202,12 @@ class Search {
 }  // namespace
 
 Protrusion largestOnSurface(const ConvexHull& hull, const Solid& solid, const SurfaceQuery& query, const RunControl& control) {
-  return Search(solid, query).run(hull, control);
+  return Search(solid, query).run(hull.vertices, hull.triangles, control);
+}
+
+Protrusion largestOnSurface(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles, const Solid& solid,
+                            const SurfaceQuery& query, const RunControl& control) {
+  return Search(solid, query).run(vertices, triangles, control);
 }
 
 }  // namespace collision_hulls

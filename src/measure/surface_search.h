@@ -1,4 +1,4 @@
-// The largest distance to a solid over the surface of a convex hull.
+// The largest distance to a solid over the surface of a convex hull, or over any other triangles.
 #pragma once
 
 #include <limits>
@@ -24,5 +24,9 @@ struct SurfaceQuery {
 /// not surface, and the distance to the surface jumps across it. A patch around a point inside is assumed to be as near to the solid as
 /// that point's ball, even if it may reach across.
 Protrusion largestOnSurface(const ConvexHull& hull, const Solid& solid, const SurfaceQuery& query, const RunControl& control);
+
+/// The same over the triangles of any surface.
+Protrusion largestOnSurface(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles, const Solid& solid,
+                            const SurfaceQuery& query, const RunControl& control);
 
 }  // namespace collision_hulls

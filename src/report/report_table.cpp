@@ -1,6 +1,8 @@
 // The report as text for a person: one table, then what holds for all of it. decompose and fit_scene print it, and the node hands it on,
-// so that all three show the same. Measures have three significant digits; whoever needs more reads report.json.
+// so that all three show the same. Whoever needs more than three digits reads report.json.
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <map>
 #include <set>
 #include <string>
@@ -8,20 +10,15 @@
 #include <vector>
 
 #include "base/counted.h"
-#include "base/figure.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/report/report.h"
 #include "collision_hulls/report/totals.h"
+#include "report/text_table.h"
 
 namespace collision_hulls {
 namespace {
 
-using Cells = std::vector<std::string>;
-constexpr std::size_t kTextColumns = 2;  // link and mesh are aligned left, numbers right
-
-std::string millimetres(double metres) {
-  return figure(1000 * metres);
-}
+constexpr std::size_t kTextColumns = 2;  // link and mesh, or two links
 
 std::string lastPart(const std::string& uri) {
   return uri.substr(uri.find_last_of('/') + 1);
@@ -32,11 +29,6 @@ std::string bodies(const ElementReport& row) {
   const std::string hulls = std::to_string(row.hulls);
   if (row.primitives == 0) return hulls;
   return (row.hulls > 0 ? hulls + ", " : "") + counted(row.primitives, "primitive");
-}
-
-/// Columns on a terminal, near enough: bytes that start a UTF-8 character.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
 Cells cells(const ElementReport& row) {
@@ -53,8 +45,8 @@ Cells cells(const ElementReport& row) {
           bodies(row),
           std::to_string(row.least_hulls),
           row.hulls > 0 ? std::to_string(row.hull_vertices) : "-",
-          millimetres(row.protrusion),
-          millimetres(row.tolerance),
+          figureInMillimetres(row.protrusion),
+          figureInMillimetres(row.tolerance),
           seconds,
           name(row.status)};
 }
@@ -83,27 +75,10 @@ Cells totalCells(const Report& report) {
           std::to_string(sum.hulls),
           std::to_string(sum.least_hulls),
           std::to_string(sum.hull_vertices),
-          millimetres(protrusion),
+          figureInMillimetres(protrusion),
           "",
           figure(report.seconds),
           statusCounts(sum)};
-}
-
-std::string aligned(const std::vector<Cells>& rows) {
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const Cells& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
-  }
-  std::string text;
-  for (const Cells& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string padding(widths[i] - width(row[i]), ' ');
-      const bool last = i + 1 == row.size();
-      text += i < kTextColumns ? row[i] + padding : last ? row[i] : padding + row[i];
-      text += last ? "\n" : "  ";
-    }
-  }
-  return text;
 }
 
 std::string meshTable(const Report& report) {
@@ -112,7 +87,7 @@ std::string meshTable(const Report& report) {
       {"link", "mesh", "triangles", "hulls", "at least", "vertices", "protrusion [mm]", "tolerance [mm]", "time [s]", "status"}};
   for (const ElementReport& row : report.links) rows.push_back(cells(row));
   rows.push_back(totalCells(report));
-  return aligned(rows);
+  return aligned(rows, kTextColumns);
 }
 
 /// Of one model of several.
@@ -163,7 +138,8 @@ std::string validationLines(const Report& report) {
   if (v.queries == 0) return "check" + of_what + "nothing to compare\n";
   std::string text = "check" + of_what + counted(v.queries, "query", "queries") +
                      " compared hulls and meshes: " + number(v.missed, "collision") + " missed, " + number(v.phantom, "false collision") +
-                     " beyond the protrusion; distances at most " + millimetres(v.max_underestimate) + " mm too short\n" + troubleLine(v);
+                     " beyond the protrusion; distances at most " + figureInMillimetres(v.max_underestimate) + " mm too short\n" +
+                     troubleLine(v);
   for (const std::string& remark : v.remarks) text += "  " + remark + "\n";
   return text + "speed" + of_what + "a distance query between one mesh and a probe takes " + figure(v.hull_query_us) +
          " us with its hulls, " + figure(v.mesh_query_us) + " us with the mesh\n";
@@ -179,7 +155,7 @@ std::string selfTable(const FitReport& fit) {
   std::vector<Cells> rows = {{"link", "link", "collisions", "false, single hulls", "false, fitted hulls"}};
   for (const PairHits& pair : fit.self)
     rows.push_back({pair.first, pair.second, std::to_string(pair.original), std::to_string(pair.before), std::to_string(pair.after)});
-  return "self-collisions in " + std::to_string(fit.samples) + " configurations:\n" + aligned(rows);
+  return "self-collisions in " + std::to_string(fit.samples) + " configurations:\n" + aligned(rows, kTextColumns);
 }
 
 /// "19 of 549 hulls", "14 hulls and 5 primitives in place of 549 hulls", "2 primitives in place of 3 hulls".
@@ -196,7 +172,7 @@ std::string sceneLines(const Report& report) {
   std::string text;
   for (const FittedLink& link : fit.links) text += "  " + link.link + ": " + link.reason + "\n";
   text += selfTable(fit);
-  text += "scene '" + fit.scene + "': " + bodies(fit) + " for a clearance of " + millimetres(fit.clearance) + " mm\n";
+  text += "scene '" + fit.scene + "': " + bodies(fit) + " for a clearance of " + figureInMillimetres(fit.clearance) + " mm\n";
   text += "check in the scene: " + counted(fit.samples, fit.given ? "given configuration" : "random configuration") + ": " +
           number(fit.missed, "collision") + " missed, " + number(fit.phantom, "false collision");
   if (!fit.given) text += " (at 95 % confidence in at most " + figure(100 * fit.phantom_rate_bound) + " % of all configurations)";

@@ -152,6 +152,7 @@ bool CommandLine::isOption(const std::string& word) const {
 std::map<std::string, CommandLine::Texts> CommandLine::split(int argc, const char* const* argv) const {
   po::options_description known;
   po::positional_options_description positional;
+  std::string last;  // argument without a dash: it takes all that are left, each of the others one
   for (const auto& option : options_) {
     const std::string names = option->name_ + (option->short_name_.empty() ? "" : "," + option->short_name_);
     if (option->takes_value_) {
@@ -159,8 +160,11 @@ std::map<std::string, CommandLine::Texts> CommandLine::split(int argc, const cha
     } else {
       known.add_options()(names.c_str(), "");
     }
-    if (option->positional_) positional.add(option->name_.c_str(), -1);
+    if (!option->positional_) continue;
+    if (!last.empty()) positional.add(last.c_str(), 1);
+    last = option->name_;
   }
+  if (!last.empty()) positional.add(last.c_str(), -1);
   std::map<std::string, Texts> given;
   try {
     const auto style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;

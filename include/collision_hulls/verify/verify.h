@@ -1,0 +1,120 @@
+// Whether one robot description is a collision model of another, whoever made either: how much of
+// each link's surface it leaves uncovered, how far it protrudes, and what planners would miss.
+//
+// For example:
+//
+//     const Description original{readRobotDescription("arm.urdf"),
+//     defaultPackageFinder("arm.urdf")}; VerifyOptions options; options.max_uncovered = 0;  // [m]
+//     const Verification seen = verify(original, original, options);  // its <collision>, its
+//     <visual> if (!passed(seen)) std::cerr << toTable(seen);
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/control.h"
+#include "collision_hulls/mesh/mesh_io.h"
+#include "collision_hulls/robot/robot_description.h"
+
+namespace collision_hulls {
+
+struct Description {
+  RobotDescription robot;
+  PackageFinder find_package;
+};
+
+/// What a mesh file is as a description: a robot of one link, "mesh", with the file as `<visual>`
+/// and as `<collision>`.
+Description describeMesh(const std::string& file);
+
+struct VerifyOptions {
+  /// What counts of ORIGINAL. kAuto: a link's `<visual>` elements if it has any, else its
+  /// `<collision>` ones. Of RESULT, `<collision>` alone counts.
+  Source source = Source::kAuto;
+  std::string links;  ///< regular expression that a link's whole name must match; empty: all
+  /// [m] gates: a link that exceeds one does not pass. Without a gate any value does.
+  std::optional<double> max_uncovered, max_protrusion;
+  std::size_t configurations = 1000;  ///< of the robot, in which collisions are queried
+  std::uint64_t seed = 1;
+  int jobs = 0;            ///< threads; 0: one per core. The result is the same for any number
+  MeshLimits mesh_limits;  ///< for the meshes of both
+};
+
+enum class LinkStatus {
+  kOk,       ///< measured, and within the gates
+  kOver,     ///< measured, and beyond a gate
+  kMissing,  ///< RESULT has nothing where ORIGINAL has geometry: all of it is uncovered
+  kAdded,    ///< ORIGINAL has nothing where RESULT has geometry: it protrudes without bound
+  kFailed    ///< not measured, as a mesh cannot be read
+};
+const char* name(LinkStatus status);  ///< "ok", "over", "missing", "added", "failed"
+
+/// The largest of some distances.
+struct Largest {
+  double bound = 0;  ///< [m] proved: none is larger
+  /// [m] one of them is at least as large, at `where`; near an opening of a solid, this is the
+  /// distance to its surface
+  double found = 0;
+  Eigen::Vector3d where = Eigen::Vector3d::Zero();  ///< [m] in the link's frame
+};
+
+/// Coordinates are in the link's frame. Bodies overlap freely: what counts is their union.
+struct LinkVerification {
+  std::string link;
+  LinkStatus status = LinkStatus::kOk;
+  std::string reason;         ///< why it is not ok
+  std::size_t triangles = 0;  ///< of ORIGINAL, primitives included
+  double diagonal = 0;        ///< [m] of ORIGINAL's bounding box
+  /// of RESULT: convex bodies, parts of meshes that are not convex, and spheres and cylinders
+  std::size_t hulls = 0, meshes = 0, primitives = 0;
+  Largest uncovered;   ///< distances from ORIGINAL's surface to RESULT
+  Largest protrusion;  ///< distances from RESULT to ORIGINAL's solid (measure/solid.h)
+  /// share of ORIGINAL's area that is further from RESULT than a millionth of the diagonal, by
+  /// 2,000 samples
+  double uncovered_share = 0;
+  /// collision queries in which the link took part: those that hit ORIGINAL, those that RESULT
+  /// missed, and those that hit RESULT alone
+  std::size_t queries = 0, hits = 0, missed = 0, phantom = 0;
+  double seconds = 0;
+};
+
+struct Verification {
+  std::vector<LinkVerification> links;  ///< with geometry on either side, in ORIGINAL's order
+  std::size_t configurations = 0;
+  std::size_t queries = 0, hits = 0, missed = 0, phantom = 0;  ///< of all links, each query once
+  /// Queries that the bounds rule out: a miss by more than `uncovered`, a phantom further away than
+  /// `protrusion`, by more than a micrometre. Must be 0.
+  std::size_t contradictions = 0;
+  std::vector<std::string> notes;
+  double seconds = 0;
+};
+
+/// Compares two descriptions link by link, then by collision queries: in each of the sampled
+/// configurations, between the links that can move against each other, and with a box that is put
+/// near one of them.
+///
+/// A mesh of RESULT counts as what it is, its surface and what that encloses, although some
+/// consumers take its convex hull. Its closed components that are convex up to some millionths of
+/// their size count as hulls, however many are in one file. Boxes, spheres and cylinders are exact
+/// where RESULT covers; where they protrude, and as parts of ORIGINAL, round ones are replaced by
+/// polyhedra whose error is part of the bound. A mesh or primitive that both sides hold equally is
+/// covered and does not protrude.
+///
+/// Deterministic apart from times. Throws kBadOption, kCancelled, and the errors of Kinematics.
+Verification verify(const Description& original, const Description& result,
+                    const VerifyOptions& options, const RunControl& control = {});
+
+/// Whether every link is within the gates and was measured, and nothing contradicts the bounds. A
+/// link that RESULT lacks fails only the gate on cover, and one that ORIGINAL lacks only that on
+/// protrusion.
+bool passed(const Verification& verification, const VerifyOptions& options);
+
+std::string toTable(const Verification& verification);
+/// As JSON; what has no bound is null. `original` and `result`: what the two were read from.
+std::string toJson(const Verification& verification, const VerifyOptions& options,
+                   const std::string& original, const std::string& result);
+
+}  // namespace collision_hulls

@@ -1,0 +1,137 @@
+// verify ORIGINAL RESULT: whether one description is a collision model of the other, whoever made it.
+#include "collision_hulls/verify/verify.h"
+
+#include "robot_program.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr const char* kFooter = R"(
+Compares <collision> of RESULT with <visual> of ORIGINAL (--source says otherwise), so that one file can be both. A mesh of RESULT counts
+as what it is, even if some consumers take its convex hull.
+
+Exit status: 0 every link was measured and is within the gates; 1 some link is not (each is named), or lacks all geometry on one side while
+there is a gate on it; 2 wrong use or unreadable input; 130 interrupted.
+
+Examples:
+  verify arm.urdf arm_collision/urdf/arm.urdf --max-uncovered 0 --max-protrusion 1cm
+  verify ur_description ur_description
+  verify bracket.stl bracket_hulls.obj --json -)";
+
+struct Command {
+  std::string original, result, source, max_uncovered, max_protrusion, json;
+  std::vector<std::string> package_path;
+  int configurations = 1000, seed = 1, jobs = 0;
+  bool quiet = false;
+  VerifyOptions options;
+};
+
+void addOptions(CommandLine& app, Command& command) {
+  app.add_option("ORIGINAL", command.original, "What the robot is: a ROS package, a .urdf or .xacro file, or one mesh")
+      ->type_name("")
+      ->required();
+  app.add_option("RESULT", command.result, "Its collision model, likewise")->type_name("")->required();
+  const auto add = [&](const std::string& name, std::string& value, const std::string& type, const std::string& help,
+                       const std::string& group) {
+    app.add_option(name, value, help)->type_name(type)->group(group)->check(notEmpty("a value"));
+  };
+  add("--max-uncovered", command.max_uncovered, "LENGTH", "Fail if a link's surface may be further than this from RESULT: 0, 1mm", "Gates");
+  add("--max-protrusion", command.max_protrusion, "LENGTH", "Fail if RESULT may protrude further than this from a link: 1cm", "Gates");
+  add("--source", command.source, "NAME [auto]",
+      "Elements of ORIGINAL that count (auto: a link's visual elements if it has any, else its collision ones): auto, visual, collision",
+      "Input");
+  add("--links", command.options.links, "REGEX", "Links to compare: a regular expression that matches the whole name; default: all",
+      "Input");
+  app.add_option("--package-path", command.package_path,
+                 "Extra folder to search for packages, or the folder of one package (NAME=DIR); repeatable")
+      ->type_name("DIR or NAME=DIR")
+      ->check(notEmpty("a folder"))
+      ->group("Input");
+  app.add_option("--configurations", command.configurations, "Configurations of the robot in which collisions are queried; 0: none")
+      ->type_name("N [1000]")
+      ->check(range(0, 1e9))
+      ->group("Run");
+  app.add_option("--seed", command.seed, "Seed of the configurations")->type_name("N [1]")->check(range(0, 2147483647))->group("Run");
+  app.add_option("--jobs", command.jobs, "Threads; 0: as many as cores. The result is the same for any number")
+      ->type_name("N [0]")
+      ->check(range(0, 4096))
+      ->group("Run");
+  app.add_option("--json", command.json,
+                 "Write what was measured to this file as well; - writes it to standard output, instead of the table")
+      ->type_name("FILE")
+      ->check(notEmpty("a file, or - for standard output"))
+      ->group("Output");
+  app.add_flag("--quiet", command.quiet, "Print errors and failing links only")->group("Output");
+}
+
+/// A gate: a length, or 0.
+std::optional<double> gate(const std::string& text, const std::string& option) {
+  if (text.empty()) return std::nullopt;
+  if (text.find_first_not_of("0.") == std::string::npos && text.find('0') != std::string::npos) return 0.0;
+  return parseMetres(text, option);
+}
+
+void interpret(Command& command) {
+  VerifyOptions& options = command.options;
+  if (!command.source.empty()) options.source = choice("--source", command.source, sourceNamed, "auto, visual, collision");
+  options.max_uncovered = gate(command.max_uncovered, "--max-uncovered");
+  options.max_protrusion = gate(command.max_protrusion, "--max-protrusion");
+  options.configurations = static_cast<std::size_t>(command.configurations);
+  options.seed = static_cast<std::uint64_t>(command.seed);
+  options.jobs = command.jobs;
+}
+
+Description described(const Input& input) {
+  if (input.kind == Input::Kind::kMesh) return describeMesh(input.path);
+  return {input.robot, input.find_package};
+}
+
+void checkSameKind(const Input& original, const Input& result) {
+  if (original.kind == result.kind) return;
+  const std::string& mesh = original.kind == Input::Kind::kMesh ? original.path : result.path;
+  throw Error(ErrorCode::kBadOption, "'" + mesh + "' is a mesh, and the other is a robot; give two robots or two meshes");
+}
+
+void print(const Verification& seen, const Command& command) {
+  const std::string json = toJson(seen, command.options, command.original, command.result);
+  if (isFile(command.json)) writeNamedFile(command.json, json);
+  if (command.json == "-") {
+    std::cout << json;
+  } else if (!command.quiet) {
+    std::cout << toTable(seen);
+  }
+  if (!std::cout.flush()) throw Error(ErrorCode::kUnwritableOutput, "cannot write to standard output; --json FILE keeps the figures");
+  for (const LinkVerification& row : seen.links)
+    if (row.status == LinkStatus::kOver || row.status == LinkStatus::kFailed)
+      std::cerr << "verify: " << row.link << ": " << row.reason << "\n";
+  if (seen.contradictions > 0)
+    std::cerr << "verify: " << seen.contradictions << " collision queries contradict the bounds; the notes name some\n";
+}
+
+int run(Command& command) {
+  static RunControl control;  // a signal may come until the program ends
+  cancelOnSignals(control);
+  interpret(command);
+  if (isFile(command.json)) inContext("--json", [&] { checkNamedFile(command.json); });
+  const Input original = openInput(command.original, command.package_path, "verify", control);
+  const Input result = openInput(command.result, command.package_path, "verify", control);
+  checkSameKind(original, result);
+  const Verification seen = verify(described(original), described(result), command.options, control);
+  print(seen, command);
+  return passed(seen, command.options) ? kDone : kSomeFailed;
+}
+
+int main(int argc, char** argv) {
+  Command command;
+  CommandLine app("Measures how well one description's collision geometry covers another's shape, whoever made it.", "verify");
+  app.footer(kFooter);
+  addOptions(app, command);
+  return runRobotProgram(app, argc, argv, [&] { return run(command); });
+}
+
+}  // namespace
+}  // namespace collision_hulls
+
+int main(int argc, char** argv) {
+  return collision_hulls::main(argc, argv);
+}

@@ -1,0 +1,128 @@
+// Files list bodies one after the other, so a body ends where a run of triangles is closed: hulls that touch each other stay apart. What is
+// not in such order is divided into components. One that is closed is convex if next to nothing of its hull lies beyond its triangles,
+// which overhang() proves: O(triangles * faces). Volumes are compared first: that is cheap, and settles most components that are not
+// convex.
+#include "verify/convex_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "collision_hulls/mesh/repair.h"
+#include "geometry/hull_support.h"
+#include "mesh/loose_segments.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr double kConvex = 3e-6;  // of the size: how far a hull may protrude from a component that counts as convex,
+constexpr double kWritten =
+    2.5e-7;  // of the coordinates: and what single-precision numbers in a file may add, some units in the last place
+constexpr double kLeastVolume = 0.999;                   // of the hull's volume
+constexpr std::size_t kMostComparisons = 2'000'000'000;  // of triangles with faces: larger components do not count as convex
+
+/// The triangles of a mesh that belong to one component, with their own vertices.
+TriangleMesh componentOf(const TriangleMesh& mesh, const std::vector<std::size_t>& triangles) {
+  TriangleMesh part;
+  std::map<int, int> index;
+  for (const std::size_t t : triangles) {
+    Triangle corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int v = mesh.triangles[t][k];
+      const auto known = index.emplace(v, static_cast<int>(part.vertices.size()));
+      if (known.second) part.vertices.push_back(mesh.vertices[static_cast<std::size_t>(v)]);
+      corners[k] = known.first->second;
+    }
+    part.triangles.push_back(corners);
+  }
+  return part;
+}
+
+/// [m] How far from convex a component may be.
+double slackOf(const ConvexHull& hull) {
+  const Eigen::AlignedBox3d box = boundingBox(hull);
+  return kConvex * box.sizes().maxCoeff() + kWritten * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+}
+
+/// The faces of the hull, the vertices and triangles of the component: what overhang() compares.
+bool isConvex(const TriangleMesh& part, const ConvexHull& hull) {
+  if (std::abs(signedVolume(part)) < kLeastVolume * volume(hull) || part.triangles.size() * hull.faces.size() > kMostComparisons)
+    return false;
+  ConvexHull compared = hull;
+  compared.vertices = part.vertices;
+  compared.triangles = part.triangles;
+  return overhang(compared) <= slackOf(hull);
+}
+
+/// Whether a segment lies in one of the hulls, up to rounding.
+bool isHeld(const Segment& segment, const std::vector<ConvexHull>& hulls) {
+  const auto holds_both = [&](const ConvexHull& hull) {
+    return planeDistance(hull, segment[0]) <= slackOf(hull) && planeDistance(hull, segment[1]) <= slackOf(hull);
+  };
+  return std::any_of(hulls.begin(), hulls.end(), holds_both);
+}
+
+}  // namespace
+
+void append(TriangleMesh& all, const TriangleMesh& more) {
+  const int first = static_cast<int>(all.vertices.size());
+  all.vertices.insert(all.vertices.end(), more.vertices.begin(), more.vertices.end());
+  for (const Triangle& t : more.triangles) all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
+namespace {
+
+/// Sorts the components of a mesh into hulls and the rest.
+void addParts(const TriangleMesh& mesh, ConvexParts& parts, const RunControl& control) {
+  const RepairedMesh repaired = repair(mesh, {0}, control);
+  std::vector<std::vector<std::size_t>> components(repaired.counts.components);
+  for (std::size_t t = 0; t < repaired.mesh.triangles.size(); ++t) components[static_cast<std::size_t>(repaired.component[t])].push_back(t);
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    const TriangleMesh part = componentOf(repaired.mesh, components[c]);
+    if (repaired.interior[c] == Interior::kClosed) {
+      ConvexHull hull = convexHull(part.vertices, control);
+      if (isConvex(part, hull)) {
+        parts.hulls.push_back(std::move(hull));
+        continue;
+      }
+    }
+    append(parts.rest, part);
+    ++parts.rest_parts;
+  }
+  for (const Segment& segment : repaired.loose)
+    if (!isHeld(segment, parts.hulls)) addSegment(parts.rest, segment);
+}
+
+/// Runs of triangles, in the file's order, that are closed: each edge occurs equally often in both directions. The last run need not be.
+std::vector<std::vector<std::size_t>> closedRuns(const TriangleMesh& mesh) {
+  using Point = std::array<double, 3>;
+  std::map<std::pair<Point, Point>, int> open;  // edges by their ends, the smaller one first: how much more often they run forward
+  const auto point = [&](std::size_t t, std::size_t k) {
+    const Eigen::Vector3d& v = mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][k])];
+    return Point{v.x() + 0.0, v.y() + 0.0, v.z() + 0.0};  // never -0
+  };
+  std::vector<std::vector<std::size_t>> runs(1);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    runs.back().push_back(t);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point from = point(t, k), to = point(t, (k + 1) % 3);
+      const auto edge = open.emplace(std::minmax(from, to), 0).first;
+      edge->second += from < to ? 1 : from == to ? 0 : -1;
+      if (edge->second == 0) open.erase(edge);
+    }
+    if (open.empty() && t + 1 < mesh.triangles.size()) runs.emplace_back();
+  }
+  return runs;
+}
+
+}  // namespace
+
+ConvexParts convexParts(const TriangleMesh& mesh, const RunControl& control) {
+  ConvexParts parts;
+  for (const std::vector<std::size_t>& run : closedRuns(mesh))
+    if (!run.empty()) addParts(componentOf(mesh, run), parts, control);
+  return parts;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,94 @@
+// A link whose mesh cannot be read has a fault and no numbers: half of its geometry would give wrong ones.
+#include "verify/link_bodies.h"
+
+#include <algorithm>
+
+#include "collision_hulls/error.h"
+#include "verify/round_shapes.h"
+
+namespace collision_hulls {
+namespace {
+
+using Kind = GeometryElement::Kind;
+
+ConvexParts moved(const ConvexParts& parts, const Eigen::Isometry3d& pose) {
+  ConvexParts result{{}, transformed(parts.rest, pose), parts.rest_parts};
+  for (const ConvexHull& hull : parts.hulls) result.hulls.push_back(transformed(hull, pose));
+  return result;
+}
+
+bool equalMeshes(const TriangleMesh& a, const TriangleMesh& b) {
+  return a.triangles == b.triangles && a.vertices == b.vertices;
+}
+
+}  // namespace
+
+std::shared_ptr<const MeshFiles::File> MeshFiles::read(const GeometryElement& element) {
+  const std::string path = resolveUri(element.uri, description_.robot.path, description_.find_package);
+  const Key key{path, {element.scale.x(), element.scale.y(), element.scale.z()}};
+  const auto known = files_.find(key);
+  if (known != files_.end()) return known->second;
+  const LoadedMesh loaded = readMesh(path, limits_, control_);
+  const auto file = std::make_shared<File>();
+  file->body.mesh = scaled(loaded.mesh, element.scale);
+  file->resolution = loaded.resolution * element.scale.cwiseAbs().maxCoeff();
+  if (split_) file->body.parts = convexParts(file->body.mesh, control_);
+  return files_[key] = file;
+}
+
+void MeshFiles::add(LinkBodies& bodies, const GeometryElement& element) {
+  if (!element.fault.empty()) throw Error(ErrorCode::kBadGeometry, element.fault);
+  if (element.kind == Kind::kNone) return;
+  if (element.kind != Kind::kMesh) return bodies.primitives.push_back(element);
+  const std::shared_ptr<const File> file = read(element);
+  bodies.meshes.push_back({transformed(file->body.mesh, element.origin), moved(file->body.parts, element.origin)});
+  bodies.resolution = std::max(bodies.resolution, file->resolution);
+}
+
+LinkBodies MeshFiles::bodiesOf(const std::vector<GeometryElement>& elements) {
+  LinkBodies bodies;
+  for (const GeometryElement& element : elements) {
+    try {
+      add(bodies, element);
+    } catch (const Error& e) {
+      if (e.code() == ErrorCode::kCancelled) throw;
+      bodies.fault = e.what();
+      return bodies;
+    }
+  }
+  return bodies;
+}
+
+std::vector<ConvexHull> LinkBodies::hulls() const {
+  std::vector<ConvexHull> all;
+  for (const MeshBody& body : meshes) all.insert(all.end(), body.parts.hulls.begin(), body.parts.hulls.end());
+  return all;
+}
+
+TriangleMesh LinkBodies::rest() const {
+  TriangleMesh all;
+  for (const MeshBody& body : meshes) append(all, body.parts.rest);
+  return all;
+}
+
+std::size_t LinkBodies::restParts() const {
+  std::size_t sum = 0;
+  for (const MeshBody& body : meshes) sum += body.parts.rest_parts;
+  return sum;
+}
+
+LinkBodies without(const LinkBodies& bodies, const LinkBodies& others) {
+  LinkBodies result;
+  result.resolution = bodies.resolution;
+  for (const GeometryElement& primitive : bodies.primitives) {
+    const auto is_equal = [&](const GeometryElement& other) { return equalBodies(other, primitive); };
+    if (std::none_of(others.primitives.begin(), others.primitives.end(), is_equal)) result.primitives.push_back(primitive);
+  }
+  for (const MeshBody& body : bodies.meshes) {
+    const auto is_equal = [&](const MeshBody& other) { return equalMeshes(other.mesh, body.mesh); };
+    if (std::none_of(others.meshes.begin(), others.meshes.end(), is_equal)) result.meshes.push_back(body);
+  }
+  return result;
+}
+
+}  // namespace collision_hulls

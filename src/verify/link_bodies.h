@@ -1,0 +1,63 @@
+// The geometry of a link, from one description: read, scaled, and in the link's frame.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "collision_hulls/verify/verify.h"
+#include "verify/convex_parts.h"
+
+namespace collision_hulls {
+
+/// A mesh element as read and scaled.
+struct MeshBody {
+  TriangleMesh mesh;
+  ConvexParts parts;  ///< of RESULT's
+};
+
+/// The elements of a link that count. Coordinates in metres, in the link's frame.
+struct LinkBodies {
+  std::vector<GeometryElement> primitives;  ///< boxes, spheres and cylinders
+  std::vector<MeshBody> meshes;
+  double resolution = 0;  ///< [m] what the reader may have rounded
+  std::string fault;      ///< why they cannot be compared; empty: they can
+
+  bool empty() const { return primitives.empty() && meshes.empty(); }
+  std::vector<ConvexHull> hulls() const;  ///< the meshes' convex components
+  TriangleMesh rest() const;              ///< what else the meshes hold
+  std::size_t restParts() const;
+};
+
+/// Reads mesh files, each once.
+class MeshFiles {
+ public:
+  MeshFiles(const Description& description, const MeshLimits& limits, bool split, const RunControl& control)
+      : description_(description), limits_(limits), split_(split), control_(control) {}
+
+  /// The bodies of a link: a mesh that cannot be read is a fault.
+  LinkBodies bodiesOf(const std::vector<GeometryElement>& elements);
+
+ private:
+  struct File {
+    MeshBody body;
+    double resolution = 0;
+  };
+  using Key = std::pair<std::string, std::vector<double>>;  // file and scale
+
+  std::shared_ptr<const File> read(const GeometryElement& element);
+  void add(LinkBodies& bodies, const GeometryElement& element);
+
+  const Description& description_;
+  const MeshLimits limits_;
+  const bool split_;  // find convex parts
+  const RunControl& control_;
+  std::map<Key, std::shared_ptr<const File>> files_;
+};
+
+/// The elements of a link that another list does not hold equally, at the same place.
+LinkBodies without(const LinkBodies& bodies, const LinkBodies& others);
+
+}  // namespace collision_hulls

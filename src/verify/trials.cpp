@@ -1,0 +1,262 @@
+// Each configuration is drawn from a stream of random numbers of its own, so that the counts do not depend on the number of threads.
+//
+// Boxes are placed where misses and phantoms are likely: near a random point of a random link's surface, at distances over three decades.
+// If FCL finds no contact of surfaces, a body may still lie inside another; a point of each component then decides.
+#include "verify/trials.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "check/validate_probes.h"
+#include "collision_hulls/query/query_body.h"
+#include "fit/enclosing.h"
+#include "verify/round_shapes.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr double kNearest = 1e-3, kFarthest = 0.3;   // offset of a box, in diagonals of the link
+constexpr double kThinnest = 0.02, kThickest = 0.5;  // its sides, in diagonals of the link
+constexpr double kRounding = 1e-6;                   // [m] by which a contradiction must exceed its bound
+constexpr std::size_t kMostRemarks = 10;
+
+/// One link of one side, or a box.
+struct Model {
+  struct Part {
+    QueryBody body;
+    Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
+    double error = 0;  // [m] of a polyhedron that stands in for it in `exact`
+    QueryBody exact;   // for distances, which FCL gets wrong for its own shapes
+  };
+  std::vector<Part> parts;
+  std::vector<const Solid*> solids;  // whose insides count
+  std::vector<const ConvexHull*> hulls;
+  std::vector<Eigen::Vector3d> points;  // one of each component
+  Eigen::AlignedBox3d box;
+};
+
+QueryShape shapeOf(const GeometryElement& primitive) {
+  QueryShape shape;
+  shape.kind = primitive.kind == GeometryElement::Kind::kSphere ? QueryShape::Kind::kSphere : QueryShape::Kind::kCylinder;
+  shape.size = primitive.size;
+  return shape;
+}
+
+void addHull(Model& model, const ConvexHull& hull) {
+  const QueryBody body(hull);
+  model.parts.push_back({body, Eigen::Isometry3d::Identity(), 0, body});
+  model.hulls.push_back(&hull);
+  model.points.push_back(hull.vertices.front());
+}
+
+void addRound(Model& model, const GeometryElement& round) {
+  const Approximation around = circumscribed(round);
+  model.parts.push_back({QueryBody(shapeOf(round), round.origin), Eigen::Isometry3d::Identity(), around.error, QueryBody(around.hull)});
+  model.points.push_back(round.origin.translation());
+}
+
+void addMesh(Model& model, const TriangleMesh& mesh, const Solid* solid) {
+  const QueryBody body(mesh);
+  if (!body.empty()) model.parts.push_back({body, Eigen::Isometry3d::Identity(), 0, body});
+  if (solid) model.solids.push_back(solid);
+}
+
+void finish(Model& model) {
+  for (const Model::Part& part : model.parts) model.box.extend(part.body.box());
+}
+
+Model modelOfResult(const LinkPair& pair) {
+  Model model;
+  for (const ConvexHull& hull : pair.bodies().hulls()) addHull(model, hull);
+  for (const GeometryElement& round : pair.bodies().rounds()) addRound(model, round);
+  if (const Solid* const rest = pair.bodies().rest()) {
+    addMesh(model, pair.result().rest(), rest);
+    model.points.insert(model.points.end(), rest->componentPoints().begin(), rest->componentPoints().end());
+  }
+  finish(model);
+  return model;
+}
+
+/// All of the original's insides count by its solid, in which round primitives are polyhedra.
+Model modelOfOriginal(const LinkPair& pair) {
+  Model model;
+  for (const MeshBody& body : pair.original().meshes) addMesh(model, body.mesh, nullptr);
+  for (const GeometryElement& primitive : pair.original().primitives) {
+    if (isRound(primitive))
+      addRound(model, primitive);
+    else
+      addMesh(model, surface(hullAbout(primitive)), nullptr);
+  }
+  model.solids.push_back(&pair.solid());
+  model.points = pair.solid().componentPoints();
+  finish(model);
+  return model;
+}
+
+bool holdsOne(const Model& outer, const std::vector<Eigen::Vector3d>& points, const Eigen::Isometry3d& pose) {
+  return std::any_of(points.begin(), points.end(), [&](const Eigen::Vector3d& point) {
+    const Eigen::Vector3d p = pose * point;
+    return outer.box.contains(p) &&
+           (std::any_of(outer.hulls.begin(), outer.hulls.end(), [&](const ConvexHull* hull) { return planeDistance(*hull, p) <= 0; }) ||
+            std::any_of(outer.solids.begin(), outer.solids.end(), [&](const Solid* solid) { return solid->contains(p); }));
+  });
+}
+
+/// `pose`: of the second in the frame of the first.
+bool collide(const Model& first, const Model& second, const Eigen::Isometry3d& pose) {
+  if (apart(first.box, second.box, pose)) return false;
+  for (const Model::Part& a : first.parts) {
+    for (const Model::Part& b : second.parts)
+      if (!apart(a.body.box(), b.body.box(), pose) && touch(a.body, b.body, pose)) return true;
+  }
+  return holdsOne(first, second.points, pose) || holdsOne(second, first.points, pose.inverse());
+}
+
+/// [m] A lower bound on the distance of two models that do not collide, up to `limit`.
+double distanceOf(const Model& first, const Model& second, const Eigen::Isometry3d& pose, double limit) {
+  double least = limit;
+  for (const Model::Part& a : first.parts) {
+    for (const Model::Part& b : second.parts) {
+      if (a.exact.box().exteriorDistance(placed(b.exact.box(), pose)) >= least) continue;
+      least = std::min(least, distanceBelow(least, a.exact, b.exact, pose));
+    }
+  }
+  return least;
+}
+
+/// Both sides of a link, or twice the same box.
+struct Sides {
+  const Model *original, *result;
+  double uncovered, protrusion;  // [m] bounds
+};
+
+enum class Outcome { kFree, kHit, kMissed, kPhantom, kContradiction };
+
+/// A collision on one side alone is within the bounds if the other side is no further apart than they add up to.
+Outcome outcomeOf(const Sides& a, const Sides& b, const Eigen::Isometry3d& pose) {
+  const bool hit = collide(*a.original, *b.original, pose), seen = collide(*a.result, *b.result, pose);
+  if (hit == seen) return hit ? Outcome::kHit : Outcome::kFree;
+  const double allowed = (hit ? a.uncovered + b.uncovered : a.protrusion + b.protrusion) + kRounding;
+  const double away = hit ? distanceOf(*a.result, *b.result, pose, 2 * allowed) : distanceOf(*a.original, *b.original, pose, 2 * allowed);
+  if (away > allowed) return Outcome::kContradiction;
+  return hit ? Outcome::kMissed : Outcome::kPhantom;
+}
+
+void count(Outcome outcome, TrialCounts& counts) {
+  ++counts.queries;
+  counts.hits += outcome == Outcome::kHit || outcome == Outcome::kMissed;
+  counts.missed += outcome == Outcome::kMissed;
+  counts.phantom += outcome == Outcome::kPhantom;
+}
+
+void add(TrialCounts& sum, const TrialCounts& more) {
+  sum.queries += more.queries;
+  sum.hits += more.hits;
+  sum.missed += more.missed;
+  sum.phantom += more.phantom;
+}
+
+/// The links of a robot, and the queries of one configuration.
+class Trial {
+ public:
+  Trial(const Kinematics& kinematics, const std::vector<TrialLink>& links) : kinematics_(kinematics), links_(links) {
+    for (const TrialLink& link : links) {
+      originals_.push_back(modelOfOriginal(*link.pair));
+      results_.push_back(modelOfResult(*link.pair));
+    }
+  }
+
+  Trials run(std::uint64_t seed, std::size_t configuration) const {
+    Random random(seed, 0, configuration);
+    const std::vector<Eigen::Isometry3d> poses = kinematics_.poses(kinematics_.sample([&] { return random.uniform(0, 1); }));
+    Trials trials;
+    trials.of_link.resize(links_.size());
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+      for (std::size_t j = i + 1; j < links_.size(); ++j) {
+        if (kinematics_.adjacent(links_[i].link, links_[j].link)) continue;
+        const Eigen::Isometry3d pose = poses[links_[i].link].inverse() * poses[links_[j].link];
+        const Outcome outcome = outcomeOf(sides(i), sides(j), pose);
+        record(outcome, {i, j}, configuration, links_[j].bounds->link, trials);
+      }
+    }
+    queryBox(random, poses, configuration, trials);
+    return trials;
+  }
+
+ private:
+  Sides sides(std::size_t i) const {
+    return {&originals_[i], &results_[i], links_[i].bounds->uncovered.bound, links_[i].bounds->protrusion.bound};
+  }
+
+  void queryBox(Random& random, const std::vector<Eigen::Isometry3d>& poses, std::size_t configuration, Trials& trials) const {
+    const std::size_t chosen = random.below(links_.size());
+    const TriangleMesh& surface = links_[chosen].pair->surface();
+    const double size = links_[chosen].bounds->diagonal;
+    if (surface.triangles.empty() || !(size > 0)) return;
+    std::array<double, 3> sides_of_box{};
+    for (double& side : sides_of_box) side = random.logUniform(kThinnest, kThickest) * size;
+    const ConvexHull hull = boxHull(sides_of_box);
+    Model box;
+    addHull(box, hull);
+    finish(box);
+    const Eigen::Vector3d& corner = hull.vertices[random.below(hull.vertices.size())];
+    const Eigen::Vector3d near =
+        surface.corner(static_cast<int>(random.below(surface.triangles.size())), static_cast<int>(random.below(3)));
+    Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
+    place.linear() = random.rotation().toRotationMatrix();
+    place.translation() = near - place.linear() * corner + random.direction() * random.logUniform(kNearest, kFarthest) * size;
+    const Sides same{&box, &box, 0, 0};
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+      const Outcome outcome = outcomeOf(sides(i), same, poses[links_[i].link].inverse() * poses[links_[chosen].link] * place);
+      record(outcome, {i}, configuration, "a box", trials);
+    }
+  }
+
+  static ConvexHull boxHull(const std::array<double, 3>& sides) {
+    std::vector<Eigen::Vector3d> corners;
+    for (int i = 0; i < 8; ++i)
+      corners.emplace_back(((i & 1) - 0.5) * sides[0], ((i >> 1 & 1) - 0.5) * sides[1], ((i >> 2) - 0.5) * sides[2]);
+    return convexHull(corners);
+  }
+
+  void record(Outcome outcome, const std::vector<std::size_t>& links, std::size_t configuration, const std::string& other,
+              Trials& trials) const {
+    count(outcome, trials.all);
+    for (const std::size_t i : links) count(outcome, trials.of_link[i]);
+    if (outcome != Outcome::kContradiction) return;
+    ++trials.contradictions;
+    trials.remarks.push_back("configuration " + std::to_string(configuration) + ": '" + links_[links.front()].bounds->link + "' and " +
+                             other + " collide on one side, and on the other they are further apart than the bounds allow");
+  }
+
+  const Kinematics& kinematics_;
+  const std::vector<TrialLink>& links_;
+  std::vector<Model> originals_, results_;
+};
+
+}  // namespace
+
+Trials tryConfigurations(const Kinematics& kinematics, const std::vector<TrialLink>& links, std::size_t configurations, std::uint64_t seed,
+                         const RunControl& control) {
+  Trials sum;
+  sum.of_link.resize(links.size());
+  if (links.empty()) return sum;
+  const Trial trial(kinematics, links);
+  std::vector<Trials> each(configurations);
+  forEach(configurations, [&](std::size_t i) {
+    control.check();
+    each[i] = trial.run(seed, i);
+  });
+  for (const Trials& one : each) {
+    add(sum.all, one.all);
+    for (std::size_t i = 0; i < links.size(); ++i) add(sum.of_link[i], one.of_link[i]);
+    sum.contradictions += one.contradictions;
+    for (const std::string& remark : one.remarks)
+      if (sum.remarks.size() < kMostRemarks) sum.remarks.push_back(remark);
+  }
+  return sum;
+}
+
+}  // namespace collision_hulls

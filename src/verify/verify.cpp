@@ -1,0 +1,227 @@
+// Reads both descriptions' bodies, measures the links they share, and asks for collisions. What only one side has becomes a row, too.
+#include "collision_hulls/verify/verify.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <map>
+
+#include "base/counted.h"
+#include "base/millimetres.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "collision_hulls/error.h"
+#include "collision_hulls/robot/kinematics.h"
+#include "report/link_pattern.h"
+#include "verify/compare_link.h"
+#include "verify/trials.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr double kElsewhere = 1e-6;  // [m, and of rotation matrices] by which a link's place may differ between the descriptions
+
+std::vector<GeometryElement> elementsOf(const LinkDescription& link, Source source) {
+  const auto has_geometry = [](const GeometryElement& element) { return element.kind != GeometryElement::Kind::kNone; };
+  const bool no_visual = std::none_of(link.visuals.begin(), link.visuals.end(), has_geometry);
+  return source == Source::kCollision || (source == Source::kAuto && no_visual) ? link.collisions : link.visuals;
+}
+
+/// A link of either side, and what became of it.
+struct Work {
+  std::size_t link = 0;  // index in ORIGINAL, if it is there
+  LinkBodies original, result;
+  std::unique_ptr<const LinkPair> pair;  // once it is measured
+};
+
+/// Whether there is a gate and the bound is beyond it; adds why.
+bool exceeds(const std::optional<double>& gate, const Largest& largest, const std::string& what, std::string& reason) {
+  if (!gate || largest.bound <= *gate) return false;
+  reason += (reason.empty() ? "" : "; ") + what + " by up to " + millimetres(largest.bound) + " (found " + millimetres(largest.found) +
+            "), more than the allowed " + millimetres(*gate);
+  return true;
+}
+
+class Verifier {
+ public:
+  Verifier(const Description& original, const Description& result, const VerifyOptions& options, const RunControl& control)
+      : original_(original), result_(result), options_(options), control_(control) {}
+
+  Verification run() {
+    Stopwatch watch;
+    list();
+    forEachInTurn(rows_.size(), [&](std::size_t i) { measure(i); });
+    Verification done;
+    done.configurations = options_.configurations;
+    query(done);
+    done.links = std::move(rows_);
+    addNotes(done);
+    done.seconds = watch.lap();
+    return done;
+  }
+
+ private:
+  /// A row for each link with geometry on either side.
+  void list() {
+    const LinkPattern pattern(options_.links.empty() ? ".*" : options_.links, "--links");
+    std::map<std::string, const LinkDescription*> of_result;
+    for (const LinkDescription& link : result_.robot.links) of_result[link.name] = &link;
+    MeshFiles originals(original_, options_.mesh_limits, false, control_), results(result_, options_.mesh_limits, true, control_);
+    for (std::size_t i = 0; i < original_.robot.links.size(); ++i) {
+      const LinkDescription& link = original_.robot.links[i];
+      const auto other = of_result.find(link.name);
+      const LinkDescription* const result = other == of_result.end() ? nullptr : other->second;
+      if (result) noteElsewhere(link, *result);
+      if (pattern.matches(link.name))
+        add(i, link.name, originals.bodiesOf(elementsOf(link, options_.source)),
+            result ? results.bodiesOf(result->collisions) : LinkBodies(), !result);
+      if (result) of_result.erase(other);
+    }
+    for (const LinkDescription& link : result_.robot.links)
+      if (of_result.count(link.name) && pattern.matches(link.name))
+        add(0, link.name, LinkBodies(), results.bodiesOf(link.collisions), false);
+  }
+
+  void add(std::size_t index, const std::string& name, LinkBodies original, LinkBodies result, bool no_link) {
+    LinkVerification row;
+    row.link = name;
+    if (original.empty() && result.empty() && original.fault.empty() && result.fault.empty()) return;
+    if (!original.fault.empty() || !result.fault.empty()) {
+      row.status = LinkStatus::kFailed;
+      row.reason = original.fault.empty() ? "RESULT: " + result.fault : "ORIGINAL: " + original.fault;
+    } else if (result.empty()) {
+      row.status = LinkStatus::kMissing;
+      row.reason = no_link ? "RESULT has no such link" : "RESULT has no collision geometry here";
+      row.uncovered.bound = row.uncovered.found = std::numeric_limits<double>::infinity();
+      row.uncovered_share = 1;
+    } else if (original.empty()) {
+      row.status = LinkStatus::kAdded;
+      row.reason = "ORIGINAL has no geometry here to compare with";
+      row.protrusion.bound = row.protrusion.found = std::numeric_limits<double>::infinity();
+    }
+    rows_.push_back(std::move(row));
+    works_.push_back({index, std::move(original), std::move(result), nullptr});
+  }
+
+  void measure(std::size_t i) {
+    Stopwatch watch;
+    LinkVerification& row = rows_[i];
+    Work& work = works_[i];
+    row.hulls = work.result.hulls().size();
+    row.meshes = work.result.restParts();
+    row.primitives = work.result.primitives.size();
+    if (row.status != LinkStatus::kOk) return;
+    try {
+      work.pair = std::make_unique<LinkPair>(work.original, work.result, control_);
+      row.triangles = work.pair->surface().triangles.size();
+      row.diagonal = diagonal(work.pair->surface());
+      work.pair->measure(row, options_.max_protrusion.value_or(0), control_);
+    } catch (const Error& e) {
+      if (e.code() == ErrorCode::kCancelled) throw;
+      work.pair.reset();
+      row.status = LinkStatus::kFailed;
+      row.reason = e.what();
+      return;
+    }
+    const bool bare = exceeds(options_.max_uncovered, row.uncovered, "uncovered", row.reason);
+    if (exceeds(options_.max_protrusion, row.protrusion, "protrudes", row.reason) || bare) row.status = LinkStatus::kOver;
+    row.seconds = watch.lap();
+  }
+
+  void query(Verification& done) {
+    std::vector<TrialLink> links;
+    std::vector<std::size_t> index;
+    for (std::size_t i = 0; i < works_.size(); ++i) {
+      if (!works_[i].pair) continue;
+      links.push_back({works_[i].link, works_[i].pair.get(), &rows_[i]});
+      index.push_back(i);
+    }
+    const Kinematics kinematics(original_.robot);
+    const Trials trials = tryConfigurations(kinematics, links, options_.configurations, options_.seed, control_);
+    for (std::size_t i = 0; i < index.size(); ++i) {
+      LinkVerification& row = rows_[index[i]];
+      const TrialCounts& counts = trials.of_link[i];
+      row.queries = counts.queries, row.hits = counts.hits, row.missed = counts.missed, row.phantom = counts.phantom;
+    }
+    done.queries = trials.all.queries, done.hits = trials.all.hits, done.missed = trials.all.missed, done.phantom = trials.all.phantom;
+    done.contradictions = trials.contradictions;
+    done.notes = trials.remarks;
+  }
+
+  void noteElsewhere(const LinkDescription& original, const LinkDescription& result) {
+    if ((original.pose.matrix() - result.pose.matrix()).cwiseAbs().maxCoeff() > kElsewhere) elsewhere_.push_back(original.name);
+  }
+
+  void addNotes(Verification& done) const {
+    if (!elsewhere_.empty())
+      done.notes.push_back(counted(elsewhere_.size(), "link") + " stand elsewhere in RESULT's zero configuration, such as '" +
+                           elsewhere_.front() + "': links are compared in their own frames, and moved by ORIGINAL's joints");
+    for (const Description* side : {&original_, &result_})
+      for (const std::string& note : side->find_package.notes())
+        if (std::find(done.notes.begin(), done.notes.end(), note) == done.notes.end()) done.notes.push_back(note);
+  }
+
+  const Description &original_, &result_;
+  const VerifyOptions& options_;
+  const RunControl& control_;
+  std::vector<LinkVerification> rows_;
+  std::vector<Work> works_;
+  std::vector<std::string> elsewhere_;
+};
+
+void check(const VerifyOptions& options) {
+  const auto refuse = [](const std::string& option, double value) {
+    throw Error(ErrorCode::kBadOption, option + " '" + std::to_string(value) + "' is invalid: use a length of 0 or more");
+  };
+  if (options.max_uncovered && !(*options.max_uncovered >= 0)) refuse("max-uncovered", *options.max_uncovered);
+  if (options.max_protrusion && !(*options.max_protrusion >= 0)) refuse("max-protrusion", *options.max_protrusion);
+}
+
+}  // namespace
+
+const char* name(LinkStatus status) {
+  switch (status) {
+    case LinkStatus::kOk: return "ok";
+    case LinkStatus::kOver: return "over";
+    case LinkStatus::kMissing: return "missing";
+    case LinkStatus::kAdded: return "added";
+    case LinkStatus::kFailed: return "failed";
+  }
+  return "";
+}
+
+Description describeMesh(const std::string& file) {
+  GeometryElement mesh;
+  mesh.uri = std::filesystem::absolute(file).string();
+  LinkDescription link;
+  link.name = "mesh";
+  link.visuals = link.collisions = {mesh};
+  Description description;
+  description.robot.name = "mesh";
+  description.robot.path = mesh.uri;
+  description.robot.links = {link};
+  return description;
+}
+
+Verification verify(const Description& original, const Description& result, const VerifyOptions& options, const RunControl& control) {
+  check(options);
+  Verification done;
+  withJobs(options.jobs, [&] { done = Verifier(original, result, options, control).run(); });
+  if (done.links.empty())
+    throw Error(ErrorCode::kBadOption,
+                "there is nothing to compare: neither description has geometry" +
+                    (options.links.empty() ? std::string() : " in links that match --links '" + options.links + "'"));
+  return done;
+}
+
+bool passed(const Verification& verification, const VerifyOptions& options) {
+  const auto passes = [&](const LinkVerification& row) {
+    if (row.status == LinkStatus::kMissing) return !options.max_uncovered;
+    if (row.status == LinkStatus::kAdded) return !options.max_protrusion;
+    return row.status == LinkStatus::kOk;
+  };
+  return verification.contradictions == 0 && std::all_of(verification.links.begin(), verification.links.end(), passes);
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,122 @@
+// The program verify: exit status, gates, and that it agrees with the report of decompose.
+// Also tests src/tools/verify.cpp.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "shapes.h"
+#include "tools/program_test.h"
+
+namespace collision_hulls {
+namespace {
+
+using nlohmann::json;
+
+class VerifyProgram : public ProgramTest {
+ protected:
+  VerifyProgram() : ProgramTest("verify") {
+    bracket_ = fixtures::write(folder_ / "bracket.obj", fixtures::obj(test_shapes::lBracket(0.2, 0.03, 0.1)));
+    fixtures::write(folder_ / "hulls.obj",
+                    fixtures::obj(test_shapes::merged({test_shapes::box(0.2, 0.03, 0.1), test_shapes::box(0.03, 0.2, 0.1)})));
+  }
+  json measured(const std::string& arguments, int status = 0) {
+    const Finished result = run(arguments + " --json -");
+    EXPECT_EQ(result.status, status) << result.err;
+    return json::parse(result.out);
+  }
+  std::string bracket_;
+};
+
+TEST_F(VerifyProgram, HelpNamesGatesAndStatuses) {
+  const Finished result = run("--help");
+  EXPECT_EQ(result.status, 0);
+  for (const char* part : {"ORIGINAL RESULT", "--max-uncovered", "--max-protrusion", "Exit status: 0", "[1000]"})
+    EXPECT_NE(result.out.find(part), std::string::npos) << part;
+}
+
+TEST_F(VerifyProgram, WrongUse) {
+  expectWrongUse("", {"ORIGINAL is required"});
+  expectWrongUse("bracket.obj", {"RESULT is required"});
+  expectWrongUse("bracket.obj hulls.obj another", {"unexpected argument 'another'"});
+  expectWrongUse("bracket.obj nowhere.obj", {"nowhere.obj", "does not exist"});
+  expectWrongUse("bracket.obj hulls.obj --max-uncovered 5furlongs", {"--max-uncovered", "5furlongs", "2cm"});
+  expectWrongUse("bracket.obj hulls.obj --max-protrusion 1%", {"--max-protrusion"});
+  expectWrongUse("bracket.obj hulls.obj --source colision", {"--source", "colision", "visual"});
+  expectWrongUse("bracket.obj hulls.obj --links '['", {"--links"});
+  fixtures::write(folder_ / "r.urdf", fixtures::robot("r", fixtures::link("a", "")));
+  expectWrongUse("bracket.obj r.urdf", {"bracket.obj", "is a mesh", "two robots or two meshes"});
+  expectWrongUse("r.urdf r.urdf", {"nothing to compare"});
+}
+
+TEST_F(VerifyProgram, TwoMeshesAndTheGates) {
+  const Finished table = run("bracket.obj hulls.obj --max-uncovered 0 --max-protrusion 1mm");
+  EXPECT_EQ(table.status, 0) << table.err;
+  EXPECT_NE(table.out.find("2 hulls"), std::string::npos) << table.out;
+  EXPECT_EQ(table.err, "");
+  const Finished beyond = run("hulls.obj bracket.obj --max-uncovered 0 --quiet");
+  EXPECT_EQ(beyond.out, "");
+  fixtures::write(folder_ / "half.obj", fixtures::obj(test_shapes::box(0.2, 0.03, 0.1)));
+  const Finished half = run("bracket.obj half.obj --max-uncovered 16cm");
+  EXPECT_EQ(half.status, 1);
+  EXPECT_NE(half.err.find("verify: mesh: uncovered by up to 170 mm"), std::string::npos) << half.err;
+  EXPECT_EQ(run("bracket.obj half.obj --max-uncovered 17.1cm").status, 0);
+  EXPECT_EQ(run("bracket.obj half.obj").status, 0);
+}
+
+TEST_F(VerifyProgram, OneFileIsBothSides) {
+  fixtures::write(folder_ / "r.urdf",
+                  fixtures::robot("r", fixtures::link("a", "<visual>" + fixtures::meshTag(bracket_) + "</visual><collision>" +
+                                                               fixtures::meshTag(folder_ / "hulls.obj") + "</collision>")));
+  const json seen = measured("r.urdf r.urdf --max-uncovered 0 --configurations 10");
+  EXPECT_EQ(seen["links"][0]["hulls"], 2);
+  EXPECT_EQ(seen["links"][0]["uncovered"]["bound"], 0);
+  EXPECT_EQ(seen["queries"]["configurations"], 10);
+  EXPECT_EQ(seen["options"]["max-uncovered"], 0);
+  EXPECT_TRUE(seen["options"]["max-protrusion"].is_null());
+  EXPECT_EQ(seen["passed"], true);
+}
+
+TEST_F(VerifyProgram, AMeshThatCannotBeReadIsStatusOne) {
+  fixtures::write(folder_ / "r.urdf",
+                  fixtures::robot("r", fixtures::link("a", "<collision>" + fixtures::meshTag("lost.stl") + "</collision>")));
+  const Finished result = run("r.urdf r.urdf");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("lost.stl"), std::string::npos) << result.err;
+  EXPECT_NE(result.out.find("failed: a: "), std::string::npos) << result.out;
+}
+
+/// What decompose says of its own hulls, and what verify says of the files, made by other code.
+TEST_F(VerifyProgram, AgreesWithTheReportOnTheDemoRobot) {
+  const std::string urdf = DEMO_ROBOT "/urdf/demo_arm.urdf", in = "'" + urdf + "' ", package_path = " --package-path '" DEMO_ROBOT "'";
+  const std::string decompose =
+      "cd '" + folder_.path().string() + "' && '" PROGRAMS "/decompose' " + in + package_path + " --source visual -o arm_collision --quiet";
+  ASSERT_EQ(std::system(decompose.c_str()), 0);
+  const json report = json::parse(fixtures::read(folder_ / "arm_collision/report.json"));
+  std::map<std::string, std::pair<double, double>> said;  // by link: bound and found
+  for (const json& row : report["links"]) {
+    auto& [bound, found] = said[row["link"]];
+    bound = std::max(bound, row["protrusion"].get<double>());
+    found = std::max(found, row["protrusion_found"].get<double>());
+  }
+  const json seen =
+      measured(in + "arm_collision/urdf/demo_arm.urdf" + package_path + " --source visual --max-uncovered 0 --max-protrusion 1cm");
+  EXPECT_EQ(seen["queries"]["missed"], 0);
+  EXPECT_EQ(seen["queries"]["contradictions"], 0);
+  std::size_t compared = 0;
+  for (const json& row : seen["links"]) {
+    if (row["status"] != "ok" || !said.count(row["link"])) continue;
+    ++compared;
+    const auto [bound, found] = said[row["link"]];
+    const double mine = row["protrusion"]["bound"], reached = row["protrusion"]["found"], slack = 2e-4 * row["diagonal"].get<double>();
+    EXPECT_EQ(row["uncovered"]["bound"], 0) << row["link"];
+    EXPECT_GE(mine, reached) << row["link"];
+    EXPECT_GE(mine, found - slack) << row["link"];
+    EXPECT_LE(reached, bound) << row["link"];
+    EXPECT_NEAR(mine, bound, slack) << row["link"];
+  }
+  EXPECT_EQ(compared, said.size());
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -1,0 +1,154 @@
+// The pieces of verify: which components are convex, round shapes, and the searches against closed forms.
+// Also tests src/verify/mesh_protrusion.cpp.
+#include <gtest/gtest.h>
+
+#include "solids.h"
+#include "verify/convex_parts.h"
+#include "verify/cover_search.h"
+#include "verify/mesh_protrusion.h"
+#include "verify/round_shapes.h"
+
+namespace collision_hulls {
+namespace {
+
+using Kind = GeometryElement::Kind;
+using test_shapes::box;
+using test_shapes::lBracket;
+using test_shapes::merged;
+using test_shapes::moved;
+using test_shapes::solidOf;
+
+GeometryElement round(Kind kind, double radius, double length = 0) {
+  GeometryElement element;
+  element.kind = kind;
+  element.size = {radius, length, 0};
+  element.origin = Eigen::Translation3d(0.3, -0.2, 0.1) * Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized());
+  return element;
+}
+
+TEST(ConvexParts, HullsAreToldFromTheRest) {
+  const ConvexParts parts = convexParts(merged({box(1, 1, 1, 3), lBracket(), moved(box(1, 1, 1), {0.5, 0.5, 0.5}), test_shapes::sheet()}));
+  EXPECT_EQ(parts.hulls.size(), 2u);
+  EXPECT_EQ(parts.rest_parts, 2u);
+  EXPECT_EQ(parts.rest.triangles.size(), lBracket().triangles.size() + test_shapes::sheet().triangles.size());
+}
+
+TEST(ConvexParts, AThinPlateAndASphereAreConvex) {
+  EXPECT_EQ(convexParts(box(1, 1, 1e-4)).hulls.size(), 1u);
+  EXPECT_EQ(convexParts(test_shapes::sphere(1, 6)).hulls.size(), 1u);
+}
+
+TEST(ConvexParts, ADentIsNotConvex) {
+  TriangleMesh dented = box(1, 1, 1, 4);
+  for (Eigen::Vector3d& v : dented.vertices)
+    if (std::abs(v.z() - 1) < 1e-9 && std::abs(v.x() - 0.5) < 1e-9 && std::abs(v.y() - 0.5) < 1e-9) v.z() -= 1e-4;
+  EXPECT_EQ(convexParts(dented).hulls.size(), 0u);
+}
+
+TEST(ConvexParts, InsideOutIsStillABody) {
+  TriangleMesh cube = box(1, 1, 1);
+  for (Triangle& t : cube.triangles) std::swap(t[0], t[1]);
+  EXPECT_EQ(convexParts(cube).hulls.size(), 1u);
+}
+
+TEST(RoundShapes, ThePolyhedraEncloseTheShapeBetweenThem) {
+  for (const GeometryElement& shape : {round(Kind::kSphere, 0.2), round(Kind::kCylinder, 0.2, 0.5)}) {
+    const Approximation in = inscribed(shape), out = circumscribed(shape);
+    EXPECT_LT(in.error, 0.006 * 0.2);
+    EXPECT_LT(out.error, 0.006 * 0.2);
+    for (const Eigen::Vector3d& v : in.hull.vertices) EXPECT_LT(distance(shape, v), 1e-12);
+    for (const Eigen::Vector3d& v : in.hull.vertices) EXPECT_TRUE(planeDistance(out.hull, v) < 1e-12);
+    for (const HalfSpace& face : out.hull.faces) {  // the shape reaches no further than the polyhedron around it
+      const Eigen::Vector3d far = shape.origin.translation() + 10 * face.normal;
+      EXPECT_LE(face.distance(far) - distance(shape, far), 1e-9);
+    }
+    test_shapes::RandomPoints random(3);
+    for (int i = 0; i < 200; ++i) {  // points on the shape
+      const Eigen::Vector3d far = shape.origin.translation() + 10 * random.onSphere();
+      const double to_shape = distance(shape, far), to_inner = distance(in.hull, far), to_outer = distance(out.hull, far);
+      EXPECT_LE(to_shape, to_inner + 1e-9);
+      EXPECT_GE(to_shape + in.error, to_inner - 1e-9);
+      EXPECT_GE(to_shape, to_outer - 1e-9);
+    }
+  }
+}
+
+TEST(RoundShapes, AHullHoldsWhatItsFacesLeaveRoomFor) {
+  const GeometryElement can = round(Kind::kCylinder, 0.2, 0.5);
+  std::vector<Eigen::Vector3d> corners;
+  for (int i = 0; i < 8; ++i) corners.push_back(can.origin * Eigen::Vector3d(i & 1 ? 0.2 : -0.2, i & 2 ? 0.2 : -0.2, i & 4 ? 0.25 : -0.25));
+  EXPECT_TRUE(holds(convexHull(corners), can));
+  for (Eigen::Vector3d& corner : corners) corner = can.origin * (0.999 * (can.origin.inverse() * corner));
+  EXPECT_FALSE(holds(convexHull(corners), can));
+}
+
+TEST(RoundShapes, EqualBodiesMayDifferInATurnThatChangesNothing) {
+  const GeometryElement can = round(Kind::kCylinder, 0.2, 0.5), ball = round(Kind::kSphere, 0.2);
+  GeometryElement turned = can, tilted = can, turned_ball = ball;
+  turned.origin.rotate(Eigen::AngleAxisd(1, Eigen::Vector3d::UnitZ()));
+  tilted.origin.rotate(Eigen::AngleAxisd(1e-3, Eigen::Vector3d::UnitX()));
+  turned_ball.origin.rotate(Eigen::AngleAxisd(1, Eigen::Vector3d::UnitX()));
+  EXPECT_TRUE(equalBodies(can, turned));
+  EXPECT_FALSE(equalBodies(can, tilted));
+  EXPECT_TRUE(equalBodies(ball, turned_ball));
+  EXPECT_FALSE(equalBodies(can, ball));
+}
+
+/// A wall of spheres that just covers a square, and one that does not.
+TEST(CoverSearch, SpheresThatOverlapEnoughCover) {
+  for (const double radius : {0.0708, 0.0700}) {
+    LinkBodies bodies;
+    for (int i = 0; i < 10; ++i)
+      for (int j = 0; j < 10; ++j) {
+        GeometryElement ball;
+        ball.kind = Kind::kSphere;
+        ball.size.x() = radius;
+        ball.origin = Eigen::Translation3d(0.05 + 0.1 * i, 0.05 + 0.1 * j, 0);
+        bodies.primitives.push_back(ball);
+      }
+    const Largest largest = furthestFrom(BodySet(bodies), test_shapes::sheet(1, 1), 1e-6);
+    const double expected = std::max(0.0, 0.05 * std::sqrt(2.0) - radius);  // at the corners of the spheres' squares
+    EXPECT_NEAR(largest.found, expected, 1e-5);
+    EXPECT_GE(largest.bound, expected);
+    EXPECT_LE(largest.bound, 1.011 * expected + 2e-6);
+  }
+}
+
+TEST(CoverSearch, HullsAndAMeshCoverTogether) {
+  LinkBodies bodies;
+  bodies.meshes.push_back({lBracket(1, 0.2, 1), convexParts(lBracket(1, 0.2, 1))});
+  const TriangleMesh beside = moved(box(0.5, 0.5, 1), {0.2, 0.2, 0});
+  bodies.meshes.push_back({beside, convexParts(beside)});
+  const BodySet set(bodies);
+  ASSERT_TRUE(set.rest());
+  ASSERT_EQ(set.hulls().size(), 1u);
+  const TriangleMesh across = moved(box(0.6, 0.6, 0.5), {0.05, 0.05, 0.25});  // in both of them
+  EXPECT_LT(furthestFrom(set, across, 1e-4).bound, 2e-3);
+  const Largest out = furthestFrom(set, moved(across, {0.1, 0, 0}), 1e-4);
+  EXPECT_NEAR(out.found, 0.05, 2e-3);
+  EXPECT_GE(out.bound, 0.05);
+}
+
+/// The surface of the bracket in triangles that do not touch, so that it encloses nothing: then the body's inside is further from it than
+/// anything on the body's surface. Its largest inscribed ball touches both outer sides and the inner edge.
+TEST(MeshProtrusion, TheInsideOfABodyCounts) {
+  const double t = 0.2;
+  const TriangleMesh body = lBracket(1, t, 1, 8);
+  TriangleMesh apart;
+  for (int i = 0; i < static_cast<int>(body.triangles.size()); ++i) {
+    const Eigen::Vector3d centre = (body.corner(i, 0) + body.corner(i, 1) + body.corner(i, 2)) / 3;
+    for (int k = 0; k < 3; ++k) apart.vertices.push_back(centre + 0.98 * (body.corner(i, k) - centre));
+    apart.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const double radius = t * std::sqrt(2.0) / (1 + std::sqrt(2.0));
+  const Solid sheets = solidOf(apart), solid = solidOf(body);
+  const Protrusion far = meshProtrusion(body, solid, sheets, 1e-3);
+  EXPECT_GE(far.bound, radius);
+  EXPECT_LE(far.bound, radius + 5e-3);
+  EXPECT_NEAR(far.found, radius, 5e-3);
+  EXPECT_LT(largestOnMesh(body, sheets, 1e-3).bound, 0.01);
+  EXPECT_LT(meshProtrusion(body, solid, solid, 1e-3).bound, 1e-2);
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -1,0 +1,90 @@
+// Queries over configurations: what is counted, and that bounds which are wrong are found out.
+#include "verify/trials.h"
+
+#include <gtest/gtest.h>
+
+#include "shapes.h"
+
+namespace collision_hulls {
+namespace {
+
+using Kind = GeometryElement::Kind;
+
+/// A link whose original is a cube and whose result is a smaller or larger one.
+struct Cube {
+  explicit Cube(double scale) {
+    GeometryElement cube;
+    cube.kind = Kind::kBox;
+    cube.size = {0.2, 0.2, 0.2};
+    original.primitives = {cube};
+    cube.size *= scale;
+    result.primitives = {cube};
+    pair = std::make_unique<LinkPair>(original, result);
+    row.diagonal = diagonal(pair->surface());
+    pair->measure(row);
+  }
+  LinkBodies original, result;
+  std::unique_ptr<LinkPair> pair;
+  LinkVerification row;
+};
+
+Kinematics twoLinks() {
+  RobotDescription robot;
+  robot.links.resize(3);
+  const char* const names[] = {"a", "b", "c"};
+  for (std::size_t i = 0; i < 3; ++i) robot.links[i].name = names[i];
+  for (std::size_t i = 1; i < 3; ++i) {
+    JointDescription joint;
+    joint.name = std::string("to_") + names[i];
+    joint.kind = JointDescription::Kind::kRevolute;
+    joint.parent = names[i - 1];
+    joint.child = names[i];
+    joint.origin = Eigen::Translation3d(0.15, 0, 0);
+    joint.axis = Eigen::Vector3d::UnitZ();
+    joint.lower = -3;
+    joint.upper = 3;
+    robot.joints.push_back(joint);
+    robot.links[i].parent = names[i - 1];
+  }
+  return Kinematics(robot);
+}
+
+Trials trialsOf(const Cube& cube) {
+  return tryConfigurations(twoLinks(), {{0, cube.pair.get(), &cube.row}, {2, cube.pair.get(), &cube.row}}, 400, 1);
+}
+
+TEST(Trials, ASmallerModelMissesAndALargerOneIsHitTooOften) {
+  const Trials small = trialsOf(Cube(0.9)), large = trialsOf(Cube(1.1));
+  EXPECT_GT(small.all.missed, 0u);
+  EXPECT_EQ(small.all.phantom, 0u);
+  EXPECT_EQ(large.all.missed, 0u);
+  EXPECT_GT(large.all.phantom, 0u);
+  EXPECT_EQ(small.contradictions + large.contradictions, 0u);
+  EXPECT_EQ(small.all.queries, 400u * 3);  // the pair, and the box with each link
+  EXPECT_EQ(small.of_link[0].queries, 400u * 2);
+  EXPECT_GT(small.all.hits, small.all.missed);
+}
+
+TEST(Trials, BoundsThatAreTooSmallAreContradicted) {
+  Cube small(0.9), large(1.1);
+  small.row.uncovered.bound /= 10;
+  large.row.protrusion.bound /= 10;
+  const Trials missed = trialsOf(small), phantom = trialsOf(large);
+  EXPECT_GT(missed.contradictions, 0u);
+  EXPECT_GT(phantom.contradictions, 0u);
+  ASSERT_FALSE(missed.remarks.empty());
+  EXPECT_NE(missed.remarks[0].find("configuration "), std::string::npos);
+  EXPECT_LE(phantom.remarks.size(), 10u);
+}
+
+/// A box wholly inside the original touches no surface, and yet it collides.
+TEST(Trials, ABodyInsideAnotherCollides) {
+  Cube same(1);
+  same.row.diagonal /= 100;  // small boxes near the surface, half of them inside
+  const Trials trials = trialsOf(same);
+  EXPECT_EQ(trials.all.missed + trials.all.phantom + trials.contradictions, 0u);
+  EXPECT_GT(trials.of_link[0].hits, 100u);
+}
+
+}  // namespace
+}  // namespace collision_hulls

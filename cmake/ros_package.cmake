@@ -35,7 +35,8 @@ catkin_package(
   INCLUDE_DIRS include
   LIBRARIES ${PROJECT_NAME} ${PROJECT_NAME}_core
   CATKIN_DEPENDS actionlib_msgs geometry_msgs message_runtime std_msgs
-  DEPENDS EIGEN3)
+  DEPENDS EIGEN3
+  CFG_EXTRAS collision_hulls-functions.cmake)
 
 set(LIBRARY_DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 set(PROGRAM_DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -5,7 +5,7 @@
 set(CORE_ROOMS base geometry sandbox mesh measure decompose)
 
 # collision_hulls: robots and scenes. FCL in query, tinyxml2 in xml and robot, urdfdom in robot, yaml-cpp in scene.
-set(ROBOT_ROOMS query check storage xml robot scene reach fit report verify config web pipeline)
+set(ROBOT_ROOMS query check storage xml robot scene reach fit report verify config web pipeline consumers)
 
 # What the library's users never link: benchmarks, DART's physics, the programs, the node.
 set(OUTER_ROOMS bench physics tools ros)

@@ -36,7 +36,7 @@ catkin_package(
   LIBRARIES ${PROJECT_NAME} ${PROJECT_NAME}_core
   CATKIN_DEPENDS actionlib_msgs geometry_msgs message_runtime std_msgs
   DEPENDS EIGEN3
-  CFG_EXTRAS collision_hulls-functions.cmake)
+  CFG_EXTRAS ${PROJECT_NAME}-functions.cmake)
 
 set(LIBRARY_DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
 set(PROGRAM_DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -14,6 +14,7 @@
 #include "base/roots.h"
 #include "base/string_parts.h"
 #include "collision_hulls/config/config.h"
+#include "collision_hulls/consumers/consumers.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "collision_hulls/pipeline/output.h"
@@ -34,6 +35,8 @@ struct RobotCommand {
   bool quiet = false;
   std::string config, config_text;  // file, and what it holds
   std::vector<std::string> models;  // NAME=LENGTH
+  std::vector<std::string> consumer_names;
+  std::vector<Consumer> consumers;  // once they are known
   GivenOptions given;
   Options options;                 // once they are known: the defaults, then the file, then what is given
   std::vector<std::string> notes;  // on them
@@ -65,6 +68,9 @@ inline void addRobotOptions(CommandLine& app, const std::string& input, RobotCom
       ->type_name("FILE")
       ->check(notEmpty("a file"))
       ->group("Input");
+  app.add_option("--for", command.consumer_names, "Also write the files of a consumer; repeat it for several: " + consumerChoices())
+      ->type_name("NAME")
+      ->group("Output");
   DecomposeOptionAdder(app, command.given).addAll();
 }
 
@@ -133,6 +139,7 @@ inline bool writeEverything(RobotResult& result, const RobotCommand& command, co
 inline void checkCommand(const RobotCommand& command) {
   const Options& options = command.options;
   check(options);
+  check(command.consumers, options);
   if (needsCertified(options.effort) && options.method != Method::kCertified)
     throw Error(ErrorCode::kBadOption, std::string("effort '") + name(options.effort) +
                                            "' needs method 'certified'; leave it out with method '" + name(options.method) + "'");
@@ -157,6 +164,8 @@ inline void configure(RobotCommand& command) {
     command.notes = overridingNotes(config, given);
   }
   command.given.apply(command.options);
+  for (const std::string& name : command.consumer_names)
+    command.consumers.push_back(choice("--for", name, consumerNamed, consumerChoices()));
   if (command.models.empty()) return;
   if (command.given.names.count("tolerance"))
     throw Error(ErrorCode::kBadOption, "--tolerance contradicts --model, which gives each model its own; leave out one of them");
@@ -175,8 +184,12 @@ inline void checkConfig(const RobotCommand& command, const Input& input, const s
 }
 
 /// Refuses options of robots for a mesh.
-inline void checkSuits(const Input& input, const Options& options) {
+inline void checkSuits(const Input& input, const RobotCommand& command) {
+  const Options& options = command.options;
   if (input.kind == Input::Kind::kRobot) return;
+  if (!command.consumers.empty())
+    throw Error(ErrorCode::kBadOption, std::string("--for ") + name(command.consumers.front()) + ": '" + input.path +
+                                           "' is a mesh, and only a robot's description has a form for it; leave the option out");
   if (!options.package_name.empty())
     throw Error(ErrorCode::kBadOption, "package-name '" + options.package_name + "': '" + input.path +
                                            "' is a mesh, and its output is no package; leave the option out");
@@ -187,7 +200,7 @@ inline Input opened(const RobotCommand& command, const RunControl& control) {
   const bool is_quick = lowerExtension(command.input) == ".urdf" || isMeshFile(command.input);
   if (!command.quiet && !is_quick) std::cerr << "opening '" << command.input << "'\n";
   Input input = openInput(command.input, command.package_path, command.program, control);
-  checkSuits(input, command.options);
+  checkSuits(input, command);
   return input;
 }
 
@@ -227,6 +240,7 @@ inline int runRobotCommand(RobotCommand& command, const RobotWork& work) {
   RobotResult result = work(input, output, control, [&](const Step& step) {
     if (step.stage != "read") display.step(step);  // said already
   });
+  addConsumerFiles(command.consumers, output, result, control);
   display.clear();
   result.report.notes.insert(result.report.notes.begin(), command.notes.begin(), command.notes.end());
   const bool written = writeEverything(result, command, output, control);

@@ -3,10 +3,11 @@
 //
 // For example:
 //
-//     const Description original{readRobotDescription("arm.urdf"),
-//     defaultPackageFinder("arm.urdf")}; VerifyOptions options; options.max_uncovered = 0;  // [m]
-//     const Verification seen = verify(original, original, options);  // its <collision>, its
-//     <visual> if (!passed(seen)) std::cerr << toTable(seen);
+//     const Description arm{readRobotDescription("arm.urdf"), defaultPackageFinder("arm.urdf")};
+//     VerifyOptions options;
+//     options.max_uncovered = 0;  // [m]
+//     const Verification seen = verify(arm, arm, options);  // its visuals, its collision model
+//     if (!passed(seen, options)) std::cerr << toTable(seen);
 #pragma once
 
 #include <Eigen/Geometry>

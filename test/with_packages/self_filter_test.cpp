@@ -1,5 +1,5 @@
-// geometric_shapes, which filters a robot's own points from depth images, takes each mesh of a description for its convex hull. With one mesh
-// for a link, obstacles in the link's cavity are taken for the robot and disappear (MoveIt #2611); with several hulls they stay.
+// geometric_shapes, which filters a robot's own points from depth images, takes each mesh of a description for its convex hull. With one
+// mesh for a link, obstacles in the link's cavity are taken for the robot and disappear (MoveIt #2611); with several hulls they stay.
 #include <geometric_shapes/bodies.h>
 #include <geometric_shapes/mesh_operations.h>
 #include <gtest/gtest.h>

@@ -1,0 +1,37 @@
+// The output in a consumer's own form: what a planner or simulator needs beside the description and
+// the hulls.
+//
+// For example:
+//
+//     RobotResult result = decompose(input, options, "arm_collision");
+//     addConsumerFiles({Consumer::kMujoco}, "arm_collision", result);
+//     writeOutput(result, "arm_collision");
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/control.h"
+#include "collision_hulls/pipeline/result.h"
+
+namespace collision_hulls {
+
+enum class Consumer { kMoveit, kGazebo, kMujoco, kDrake };
+
+const char* name(Consumer consumer);  ///< "moveit", "gazebo", "mujoco", "drake"
+std::optional<Consumer> consumerNamed(const std::string& name);
+std::string consumerChoices();  ///< the names of all, for messages
+
+/// Throws kBadOption if the options' files cannot be what a consumer takes: the message says what
+/// to choose instead.
+void check(const std::vector<Consumer>& consumers, const Options& options);
+
+/// Adds each consumer's files to the result's `extra_files`. `output`: the folder that will be
+/// written, whose name is the package's. They describe the first model. Throws as check(),
+/// kBadOption for a single mesh, kCancelled, and the errors of parseRobotDescription() and
+/// Kinematics.
+void addConsumerFiles(const std::vector<Consumer>& consumers, const std::string& output,
+                      RobotResult& result, const RunControl& control = {});
+
+}  // namespace collision_hulls

@@ -1,0 +1,77 @@
+// Which consumers there are, and what each asks of the mesh files.
+#include "collision_hulls/consumers/consumers.h"
+
+#include <algorithm>
+#include <array>
+
+#include "collision_hulls/error.h"
+#include "consumers/written_model.h"
+#include "pipeline/collision_model.h"
+
+namespace collision_hulls {
+namespace {
+
+struct Entry {
+  Consumer consumer;
+  const char* name;
+};
+
+constexpr std::array<Entry, 4> kConsumers = {
+    {{Consumer::kMoveit, "moveit"}, {Consumer::kGazebo, "gazebo"}, {Consumer::kMujoco, "mujoco"}, {Consumer::kDrake, "drake"}}};
+
+ConsumerFiles filesFor(Consumer consumer, const WrittenModel& model, const RunControl& control) {
+  switch (consumer) {
+    case Consumer::kMoveit: return moveitFiles(model, control);
+    case Consumer::kGazebo: return gazeboFiles(model);
+    case Consumer::kMujoco: return mujocoFiles(model);
+    case Consumer::kDrake: return drakeFiles(model);
+  }
+  return {};
+}
+
+void refuseFormat(Consumer consumer, MeshFormat format, const std::string& reads) {
+  throw Error(ErrorCode::kBadOption,
+              std::string("--for ") + name(consumer) + " does not go with --format " + (extension(format) + 1) + ": it reads " + reads);
+}
+
+}  // namespace
+
+const char* name(Consumer consumer) {
+  return std::find_if(kConsumers.begin(), kConsumers.end(), [&](const Entry& entry) { return entry.consumer == consumer; })->name;
+}
+
+std::optional<Consumer> consumerNamed(const std::string& name) {
+  const auto found = std::find_if(kConsumers.begin(), kConsumers.end(), [&](const Entry& entry) { return entry.name == name; });
+  return found == kConsumers.end() ? std::nullopt : std::optional<Consumer>(found->consumer);
+}
+
+std::string consumerChoices() {
+  std::string names;
+  for (const Entry& entry : kConsumers) names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  return names;
+}
+
+void check(const std::vector<Consumer>& consumers, const Options& options) {
+  for (const Consumer consumer : consumers) {
+    if (consumer == Consumer::kMujoco && options.format == MeshFormat::kDae)
+      refuseFormat(consumer, options.format, "stl and obj; leave --format out");
+    if (consumer == Consumer::kDrake && options.format != MeshFormat::kObj)
+      refuseFormat(consumer, options.format, "obj alone; add --format obj");
+  }
+}
+
+void addConsumerFiles(const std::vector<Consumer>& consumers, const std::string& output, RobotResult& result, const RunControl& control) {
+  if (consumers.empty()) return;
+  check(consumers, result.report.options);
+  if (result.single_mesh)
+    throw Error(ErrorCode::kBadOption, std::string("--for ") + name(consumers.front()) + ": '" + result.robot_name +
+                                           "' is a mesh, and only a robot's description has a form for it; leave the option out");
+  const WrittenModel model(result, outputPackage(result.report.options, output), control);
+  for (const Consumer consumer : consumers)
+    for (auto& [file, text] : filesFor(consumer, model, control)) result.extra_files[file] = text;
+  const auto simulates = [](Consumer consumer) { return consumer == Consumer::kGazebo || consumer == Consumer::kMujoco; };
+  if (std::any_of(consumers.begin(), consumers.end(), simulates))
+    result.report.notes.insert(result.report.notes.end(), model.notes().begin(), model.notes().end());
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,148 @@
+// SDF 1.9 in a model folder of its own: model.config and model.sdf stand at the output's root, so that the output is the model. Meshes are
+// model:// URIs, found when the folder above is in GZ_SIM_RESOURCE_PATH. Links stand relative to their joints, joints relative to the
+// parent's link. Gazebo's engines take each <collision> by itself, so one a hull keeps the shape.
+#include <algorithm>
+
+#include "consumers/written_model.h"
+#include "robot/number_text.h"
+#include "storage/names.h"
+
+namespace collision_hulls {
+namespace {
+
+using Kind = GeometryElement::Kind;
+
+std::string tag(const std::string& indent, const std::string& name, const std::string& text, const std::string& attributes = "") {
+  return indent + "<" + name + attributes + ">" + xmlEscaped(text) + "</" + name + ">\n";
+}
+
+std::string named(const std::string& name) {
+  return " name=\"" + xmlEscaped(name) + "\"";
+}
+
+std::string pose(const std::string& indent, const Eigen::Isometry3d& pose, const std::string& frame = "") {
+  const std::string relative = frame.empty() ? "" : " relative_to=\"" + xmlEscaped(frame) + "\"";
+  if (relative.empty() && pose.matrix() == Eigen::Matrix4d::Identity()) return "";
+  return tag(indent, "pose", positionText(pose) + " " + rpyText(pose), relative);
+}
+
+class Writer {
+ public:
+  explicit Writer(const WrittenModel& model) : model_(model) {}
+
+  std::string text() {
+    std::string text = "<?xml version=\"1.0\"?>\n<sdf version=\"1.9\">\n  <model" + named(model_.robot().name) + ">\n";
+    for (const LinkDescription& link : model_.robot().links)
+      if (link.name != kWorld || hasShape(link)) text += linkText(link);
+    for (const JointDescription& joint : model_.robot().joints) text += jointText(joint);
+    return text + "  </model>\n</sdf>\n";
+  }
+
+ private:
+  static bool hasShape(const LinkDescription& link) { return !link.visuals.empty() || !link.collisions.empty(); }
+
+  /// SDF reserves the name "world": a link of that name is left out, or takes another name if it has geometry.
+  std::string nameOf(const std::string& link) const {
+    const auto is_it = [&](const LinkDescription& other) { return other.name == link && hasShape(other); };
+    const bool has_shape = std::any_of(model_.robot().links.begin(), model_.robot().links.end(), is_it);
+    return link == kWorld && has_shape ? "world_link" : link;
+  }
+
+  /// What a pose is relative to: the model itself for the world, which has no frame in it.
+  std::string frameOf(const std::string& link) const { return nameOf(link) == kWorld ? "__model__" : nameOf(link); }
+
+  std::string linkText(const LinkDescription& link) {
+    std::string text = "    <link" + named(nameOf(link.name)) + ">\n";
+    for (const JointDescription& joint : model_.robot().joints)
+      if (joint.child == link.name) text += pose("      ", Eigen::Isometry3d::Identity(), joint.name);
+    text += inertialText(link.name);
+    UniqueNames names;
+    for (std::size_t i = 0; i < link.visuals.size(); ++i)
+      text += elementText("visual", names.take(link.name + "_visual_" + std::to_string(i)), link.visuals[i]);
+    for (std::size_t i = 0; i < link.collisions.size(); ++i) {
+      const GeometryElement& element = link.collisions[i];
+      text += elementText("collision", names.take(element.name.empty() ? link.name + "_" + std::to_string(i) : element.name), element);
+    }
+    return text + "    </link>\n";
+  }
+
+  std::string inertialText(const std::string& link) const {
+    const Inertial* const given = model_.inertialOf(link);
+    if (!given) return "";
+    std::string text = "      <inertial>\n" + pose("        ", given->principal) + tag("        ", "mass", numberText(given->mass)) +
+                       "        <inertia>\n";
+    const std::pair<const char*, double> entries[] = {
+        {"ixx", given->moments.x()}, {"iyy", given->moments.y()}, {"izz", given->moments.z()}, {"ixy", 0.0}, {"ixz", 0.0}, {"iyz", 0.0}};
+    for (const auto& entry : entries) text += tag("          ", entry.first, numberText(entry.second));
+    return text + "        </inertia>\n      </inertial>\n";
+  }
+
+  std::string elementText(const std::string& kind, const std::string& name, const GeometryElement& element) const {
+    const std::string geometry = element.fault.empty() ? shapeText(element) : "";
+    if (geometry.empty()) return "";
+    return "      <" + kind + named(name) + ">\n" + pose("        ", element.origin) + "        <geometry>\n" + geometry +
+           "        </geometry>\n      </" + kind + ">\n";
+  }
+
+  std::string shapeText(const GeometryElement& element) const {
+    const std::string in = "            ";
+    const auto shape = [](const std::string& name, const std::string& content) {
+      return "          <" + name + ">\n" + content + "          </" + name + ">\n";
+    };
+    switch (element.kind) {
+      case Kind::kBox: return shape("box", tag(in, "size", vectorText(element.size)));
+      case Kind::kSphere: return shape("sphere", tag(in, "radius", numberText(element.size.x())));
+      case Kind::kCylinder:
+        return shape("cylinder", tag(in, "radius", numberText(element.size.x())) + tag(in, "length", numberText(element.size.y())));
+      case Kind::kNone: return "";
+      case Kind::kMesh: break;
+    }
+    const bool is_scaled = element.scale != Eigen::Vector3d::Ones();
+    return shape("mesh", tag(in, "uri", uriOf(element)) + (is_scaled ? tag(in, "scale", vectorText(element.scale)) : ""));
+  }
+
+  /// A package is a folder, as a model is.
+  std::string uriOf(const GeometryElement& element) const {
+    const std::string file = model_.fileOf(element), scheme = "package://";
+    if (!file.empty()) return "model://" + model_.package() + "/" + file;
+    return element.uri.compare(0, scheme.size(), scheme) == 0 ? "model://" + element.uri.substr(scheme.size()) : element.uri;
+  }
+
+  std::string jointText(const JointDescription& joint) const {
+    std::string text = "    <joint" + named(joint.name) + " type=\"" + typeOf(joint.kind) + "\">\n" +
+                       pose("      ", joint.origin, frameOf(joint.parent)) + tag("      ", "parent", nameOf(joint.parent)) +
+                       tag("      ", "child", nameOf(joint.child));
+    const bool is_limited = joint.kind == JointDescription::Kind::kRevolute || joint.kind == JointDescription::Kind::kPrismatic;
+    if (!is_limited && joint.kind != JointDescription::Kind::kContinuous) return text + "    </joint>\n";
+    const JointDynamics dynamics = model_.dynamicsOf(joint.name);
+    text += "      <axis>\n" + tag("        ", "xyz", vectorText(joint.axis)) + "        <limit>\n";
+    if (is_limited) text += tag("          ", "lower", numberText(joint.lower)) + tag("          ", "upper", numberText(joint.upper));
+    if (dynamics.effort >= 0) text += tag("          ", "effort", numberText(dynamics.effort));
+    if (dynamics.velocity >= 0) text += tag("          ", "velocity", numberText(dynamics.velocity));
+    text += "        </limit>\n        <dynamics>\n" + tag("          ", "damping", numberText(std::max(0.0, dynamics.damping))) +
+            tag("          ", "friction", numberText(std::max(0.0, dynamics.friction))) + "        </dynamics>\n";
+    return text + "      </axis>\n    </joint>\n";
+  }
+
+  /// SDF has no planar joint, and leaves a floating link without one: those are fixed here, as they are in the robot at rest.
+  static std::string typeOf(JointDescription::Kind kind) {
+    switch (kind) {
+      case JointDescription::Kind::kRevolute: return "revolute";
+      case JointDescription::Kind::kContinuous: return "continuous";
+      case JointDescription::Kind::kPrismatic: return "prismatic";
+      default: return "fixed";
+    }
+  }
+
+  const WrittenModel& model_;
+};
+
+}  // namespace
+
+ConsumerFiles gazeboFiles(const WrittenModel& model) {
+  const std::string config = "<?xml version=\"1.0\"?>\n<model>\n" + tag("  ", "name", model.robot().name) + tag("  ", "version", "1.0") +
+                             tag("  ", "sdf", "model.sdf", " version=\"1.9\"") + "</model>\n";
+  return {{"model.config", config}, {"model.sdf", Writer(model).text()}};
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,130 @@
+// MuJoCo collides a mesh as its convex hull, and welds nothing of a body's geoms together: one <mesh> and one <geom> a hull keep the shape.
+// Bodies nest as the links do, each with the frame of its joint. Links without mass get next to none from their geoms, as MuJoCo wants
+// every moving body to have some. Visual meshes are left out: MuJoCo reads neither Collada nor package:// URIs.
+#include "consumers/written_model.h"
+#include "robot/number_text.h"
+#include "storage/names.h"
+
+namespace collision_hulls {
+namespace {
+
+using Kind = GeometryElement::Kind;
+
+std::string attribute(const std::string& name, const std::string& value) {
+  return " " + name + "=\"" + xmlEscaped(value) + "\"";
+}
+
+std::string poseText(const Eigen::Isometry3d& pose) {
+  if (pose.matrix() == Eigen::Matrix4d::Identity()) return "";
+  return attribute("pos", positionText(pose)) + attribute("quat", quaternionText(pose));
+}
+
+class Writer {
+ public:
+  explicit Writer(const WrittenModel& model) : model_(model) {}
+
+  std::string text() {
+    std::string bodies;
+    for (const std::string& root : model_.roots()) bodies += body(root, nullptr, 2);
+    return "<mujoco" + attribute("model", model_.robot().name) + ">\n" +
+           "  <compiler angle=\"radian\" meshdir=\"..\" boundmass=\"1e-6\" boundinertia=\"1e-9\"/>\n" + "  <asset>\n" + assets_ +
+           "  </asset>\n  <worldbody>\n" + bodies + "  </worldbody>\n" + equalities() + "</mujoco>\n";
+  }
+
+ private:
+  std::string body(const std::string& link, const JointDescription* joint, int depth) {
+    const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
+    if (!joint && link == kWorld) return contents(link, indent, depth - 1);
+    std::string text = indent + "<body" + attribute("name", link) + (joint ? poseText(joint->origin) : "") + ">\n";
+    text += inertialText(link, indent + "  ");
+    if (joint) text += jointText(*joint, indent + "  ");
+    text += contents(link, indent + "  ", depth);
+    return text + indent + "</body>\n";
+  }
+
+  /// The geoms of a link, and the bodies below it.
+  std::string contents(const std::string& link, const std::string& indent, int depth) {
+    std::string text;
+    for (const LinkDescription& described : model_.robot().links)
+      if (described.name == link) text += geoms(described, indent);
+    for (const JointDescription* below : model_.jointsBelow(link)) text += body(below->child, below, depth + 1);
+    return text;
+  }
+
+  std::string inertialText(const std::string& link, const std::string& indent) const {
+    const Inertial* const given = model_.inertialOf(link);
+    if (!given) return "";
+    return indent + "<inertial" + attribute("pos", positionText(given->principal)) + attribute("quat", quaternionText(given->principal)) +
+           attribute("mass", numberText(given->mass)) + attribute("diaginertia", vectorText(given->moments)) + "/>\n";
+  }
+
+  std::string jointText(const JointDescription& joint, const std::string& indent) const {
+    const JointDynamics dynamics = model_.dynamicsOf(joint.name);
+    const bool slides = joint.kind == JointDescription::Kind::kPrismatic, turns = joint.kind == JointDescription::Kind::kRevolute;
+    if (joint.kind == JointDescription::Kind::kFloating) return indent + "<freejoint" + attribute("name", joint.name) + "/>\n";
+    if (!slides && !turns && joint.kind != JointDescription::Kind::kContinuous) return "";
+    std::string text = indent + "<joint" + attribute("name", joint.name) + attribute("type", slides ? "slide" : "hinge") +
+                       attribute("axis", vectorText(joint.axis));
+    if (slides || turns) text += attribute("limited", "true") + attribute("range", numberText(joint.lower) + " " + numberText(joint.upper));
+    if (dynamics.damping > 0) text += attribute("damping", numberText(dynamics.damping));
+    if (dynamics.friction > 0) text += attribute("frictionloss", numberText(dynamics.friction));
+    return text + "/>\n";
+  }
+
+  std::string geoms(const LinkDescription& link, const std::string& indent) {
+    std::string text;
+    const bool has_mass = model_.inertialOf(link.name) != nullptr;
+    for (const GeometryElement& element : link.collisions) {
+      const std::string shape = shapeText(element);
+      if (shape.empty()) continue;
+      const std::string name = element.name.empty() ? "" : attribute("name", names_.take(element.name));
+      text += indent + "<geom" + name + shape + poseText(element.origin) + (has_mass ? "" : attribute("density", "1")) + "/>\n";
+    }
+    return text;
+  }
+
+  /// Empty for what is no body, and for a mesh that is not of this output.
+  std::string shapeText(const GeometryElement& element) {
+    const Eigen::Vector3d& size = element.size;
+    switch (element.kind) {
+      case Kind::kBox: return attribute("type", "box") + attribute("size", vectorText(size / 2));
+      case Kind::kSphere: return attribute("type", "sphere") + attribute("size", numberText(size.x()));
+      case Kind::kCylinder: return attribute("type", "cylinder") + attribute("size", numberText(size.x()) + " " + numberText(size.y() / 2));
+      case Kind::kNone: return "";
+      case Kind::kMesh: break;
+    }
+    const std::string file = model_.fileOf(element);
+    if (file.empty()) return "";
+    const auto known = meshes_.find(file);
+    const std::string name = known != meshes_.end() ? known->second : mesh_names_.take(file.substr(0, file.find_last_of('.')));
+    if (known == meshes_.end()) {
+      meshes_[file] = name;
+      assets_ += "    <mesh" + attribute("name", name) + attribute("file", file) + "/>\n";
+    }
+    return attribute("type", "mesh") + attribute("mesh", name);
+  }
+
+  /// Joints that mimic others: offset and multiplier of the master's position.
+  std::string equalities() const {
+    std::string text;
+    for (const JointDescription& joint : model_.robot().joints) {
+      if (joint.mimic.empty()) continue;
+      text += "    <joint" + attribute("joint1", joint.name) + attribute("joint2", joint.mimic) +
+              attribute("polycoef", numberText(joint.mimic_offset) + " " + numberText(joint.mimic_multiplier) + " 0 0 0") + "/>\n";
+    }
+    return text.empty() ? "" : "  <equality>\n" + text + "  </equality>\n";
+  }
+
+  const WrittenModel& model_;
+  UniqueNames names_, mesh_names_;
+  std::map<std::string, std::string> meshes_;  // by file: the asset's name
+  std::string assets_;
+};
+
+}  // namespace
+
+ConsumerFiles mujocoFiles(const WrittenModel& model) {
+  return {{"mjcf/" + fileName(model.robot().name) + ".xml", Writer(model).text()}};
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,152 @@
+// The rewritten text is parsed again, as a consumer would, so that the writers see what it sees. A hull is known by the end of its URI,
+// which is its path in the output, whatever stands before that.
+#include "consumers/written_model.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <sstream>
+
+#include "robot/number_text.h"
+
+namespace collision_hulls {
+namespace {
+
+double numberOf(const XmlNode* node, const std::string& attribute, double otherwise) {
+  if (!node) return otherwise;
+  std::istringstream in(node->attribute(attribute));
+  in.imbue(std::locale::classic());
+  double value = otherwise;
+  return in >> value ? value : otherwise;
+}
+
+Eigen::Vector3d vectorOf(const XmlNode* node, const std::string& attribute) {
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();
+  if (!node) return v;
+  std::istringstream in(node->attribute(attribute));
+  in.imbue(std::locale::classic());
+  in >> v.x() >> v.y() >> v.z();
+  return in ? v : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+
+Eigen::Isometry3d originOf(const XmlNode* node) {
+  const Eigen::Vector3d rpy = vectorOf(node, "rpy");
+  Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
+  origin.linear() = (Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
+                     Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX()))
+                        .toRotationMatrix();
+  origin.translation() = vectorOf(node, "xyz");
+  return origin;
+}
+
+/// Moments that a body may have: all positive, and none larger than the sum of the others. Where they are not, their mean stands for all
+/// three, as MuJoCo's balanceinertia has it; simulators refuse other tensors.
+Eigen::Vector3d balanced(const Eigen::Vector3d& moments) {
+  constexpr double kLeast = 1e-9;  // [kg m^2]
+  const bool possible = moments.minCoeff() > 0 && 2 * moments.maxCoeff() < moments.sum();
+  return possible ? moments : Eigen::Vector3d(Eigen::Vector3d::Constant(std::max(kLeast, moments.sum() / 3)));
+}
+
+/// `given` [kg m^2]: the moments as the description has them.
+Inertial inertialOf(const XmlNode& element, Eigen::Vector3d& given) {
+  const XmlNode* const entries = element.child("inertia");
+  const double xy = numberOf(entries, "ixy", 0), xz = numberOf(entries, "ixz", 0), yz = numberOf(entries, "iyz", 0);
+  Eigen::Matrix3d tensor;
+  tensor << numberOf(entries, "ixx", 0), xy, xz, xy, numberOf(entries, "iyy", 0), yz, xz, yz, numberOf(entries, "izz", 0);
+  Inertial inertial;
+  inertial.principal = originOf(element.child("origin"));
+  inertial.mass = numberOf(element.child("mass"), "value", 0);
+  given = inertial.moments = tensor.diagonal();
+  if (!tensor.isDiagonal(0)) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor);
+    Eigen::Matrix3d axes = solver.eigenvectors();
+    if (axes.determinant() < 0) axes.col(0) *= -1;
+    inertial.principal.linear() *= axes;
+    given = inertial.moments = solver.eigenvalues();
+  }
+  inertial.moments = balanced(inertial.moments);
+  return inertial;
+}
+
+}  // namespace
+
+WrittenModel::WrittenModel(const RobotResult& result, const std::string& package, const RunControl& control)
+    : result_(result), package_(package), robot_(parseRobotDescription(result.urdf, "", control)) {
+  for (std::size_t i = 0; i < result.elements.size(); ++i) {
+    const std::vector<std::string>& files = result.report.links[i].files;
+    for (std::size_t m = 0; m < files.size(); ++m) hulls_[files[m]] = &result.elements[i].hulls[m];
+  }
+  readDynamics(parseXml(result.urdf, "the rewritten description", control));
+}
+
+void WrittenModel::readDynamics(const XmlNode& robot) {
+  for (const XmlNode* link : robot.childrenNamed("link")) {
+    const XmlNode* const given = link->child("inertial");
+    if (!given) continue;
+    Eigen::Vector3d moments;
+    const Inertial inertial = collision_hulls::inertialOf(*given, moments);
+    if (!(inertial.mass > 0)) continue;
+    const std::string name = link->attribute("name");
+    inertials_[name] = inertial;
+    if (moments != inertial.moments)
+      notes_.push_back("link '" + name + "': no body has the moments of inertia that the description gives (" + vectorText(moments) +
+                       "); the files of --for have their mean");
+  }
+  for (const XmlNode* joint : robot.childrenNamed("joint")) {
+    const XmlNode *const limit = joint->child("limit"), *const dynamics = joint->child("dynamics");
+    dynamics_[joint->attribute("name")] = {numberOf(limit, "effort", -1), numberOf(limit, "velocity", -1),
+                                           numberOf(dynamics, "damping", -1), numberOf(dynamics, "friction", -1)};
+  }
+}
+
+std::string WrittenModel::fileOf(const GeometryElement& element) const {
+  if (element.kind != GeometryElement::Kind::kMesh) return "";
+  for (std::size_t at = element.uri.find("meshes/"); at != std::string::npos; at = element.uri.find("meshes/", at + 1)) {
+    const std::string file = element.uri.substr(at);
+    if (at > 0 && element.uri[at - 1] == '/' && hulls_.count(file)) return file;
+  }
+  return "";
+}
+
+const ConvexHull* WrittenModel::hullOf(const GeometryElement& element) const {
+  const std::string file = fileOf(element);
+  return file.empty() ? nullptr : hulls_.at(file);
+}
+
+const Inertial* WrittenModel::inertialOf(const std::string& link) const {
+  const auto found = inertials_.find(link);
+  return found == inertials_.end() ? nullptr : &found->second;
+}
+
+JointDynamics WrittenModel::dynamicsOf(const std::string& joint) const {
+  const auto found = dynamics_.find(joint);
+  return found == dynamics_.end() ? JointDynamics() : found->second;
+}
+
+std::vector<const JointDescription*> WrittenModel::jointsBelow(const std::string& link) const {
+  std::vector<const JointDescription*> below;
+  for (const JointDescription& joint : robot_.joints)
+    if (joint.parent == link) below.push_back(&joint);
+  return below;
+}
+
+std::vector<std::string> WrittenModel::roots() const {
+  std::vector<std::string> roots;
+  for (const LinkDescription& link : robot_.links)
+    if (link.parent.empty()) roots.push_back(link.name);
+  return roots;
+}
+
+std::string positionText(const Eigen::Isometry3d& pose) {
+  return vectorText(pose.translation());
+}
+
+std::string rpyText(const Eigen::Isometry3d& pose) {
+  return vectorText(rollPitchYaw(pose.linear()));
+}
+
+std::string quaternionText(const Eigen::Isometry3d& pose) {
+  const Eigen::Quaterniond q(pose.linear());
+  return numberText(q.w()) + " " + vectorText(q.vec());
+}
+
+}  // namespace collision_hulls

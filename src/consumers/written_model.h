@@ -1,0 +1,72 @@
+// What was decomposed, as the writers need it: the rewritten description, and which of its meshes are hulls of this output.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/pipeline/result.h"
+#include "xml/xml_tree.h"
+
+namespace collision_hulls {
+
+/// What a description says of a link's mass. Units: kg, m, kg m^2.
+struct Inertial {
+  Eigen::Isometry3d principal = Eigen::Isometry3d::Identity();  ///< of the centre of mass, with the principal axes, in the link's frame
+  double mass = 0;
+  Eigen::Vector3d moments = Eigen::Vector3d::Zero();  ///< of inertia about these axes: as a body may have them
+};
+
+/// What it says of a joint beside its place and range: N or N m, m/s or rad/s; damping and friction in SI units. Negative: not given.
+struct JointDynamics {
+  double effort = -1, velocity = -1, damping = -1, friction = -1;
+};
+
+class WrittenModel {
+ public:
+  /// Keeps a reference. `package`: the output package's name.
+  WrittenModel(const RobotResult& result, const std::string& package, const RunControl& control);
+
+  const RobotResult& result() const { return result_; }
+  const std::string& package() const { return package_; }
+  const RobotDescription& robot() const { return robot_; }  ///< with the new `<collision>` elements
+
+  /// The path in the output of a hull that a URI means; empty if it means another file.
+  std::string fileOf(const GeometryElement& element) const;
+  /// Null for an element that is no hull of this output.
+  const ConvexHull* hullOf(const GeometryElement& element) const;
+
+  const Inertial* inertialOf(const std::string& link) const;  ///< null: none is given
+  JointDynamics dynamicsOf(const std::string& joint) const;
+  std::vector<const JointDescription*> jointsBelow(const std::string& link) const;  ///< in document order
+  const std::vector<std::string>& notes() const { return notes_; }                  ///< on what had to be changed
+  std::vector<std::string> roots() const;                                           ///< links without a parent
+
+ private:
+  void readDynamics(const XmlNode& robot);
+
+  const RobotResult& result_;
+  const std::string package_;
+  RobotDescription robot_;
+  std::map<std::string, const ConvexHull*> hulls_;  // by path in the output
+  std::map<std::string, Inertial> inertials_;
+  std::map<std::string, JointDynamics> dynamics_;
+  std::vector<std::string> notes_;
+};
+
+/// A root link of this name stands for the surroundings in ROS; MuJoCo and SDF have such a body of their own.
+constexpr const char* kWorld = "world";
+
+/// Numbers and poses as text: "x y z" and "r p y" [rad], "w x y z".
+std::string positionText(const Eigen::Isometry3d& pose);
+std::string rpyText(const Eigen::Isometry3d& pose);
+std::string quaternionText(const Eigen::Isometry3d& pose);
+
+// The writers: path in the output, content.
+using ConsumerFiles = std::map<std::string, std::string>;
+ConsumerFiles moveitFiles(const WrittenModel& model, const RunControl& control);
+ConsumerFiles drakeFiles(const WrittenModel& model);
+ConsumerFiles mujocoFiles(const WrittenModel& model);
+ConsumerFiles gazeboFiles(const WrittenModel& model);
+
+}  // namespace collision_hulls

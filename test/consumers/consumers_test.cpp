@@ -1,0 +1,143 @@
+// The files of each consumer, as text; test/with_packages loads them with the consumers themselves.
+// Also tests src/consumers/drake.cpp, src/consumers/gazebo.cpp, src/consumers/moveit.cpp, src/consumers/mujoco.cpp and
+// src/consumers/written_model.cpp.
+#include "collision_hulls/consumers/consumers.h"
+
+#include <gtest/gtest.h>
+
+#include "collision_hulls/error.h"
+#include "collision_hulls/pipeline/decompose_robot.h"
+#include "collision_hulls/scene/srdf.h"
+#include "pipeline/fixtures.h"
+#include "shapes.h"
+
+namespace collision_hulls {
+namespace {
+
+class Consumers : public ::testing::Test {
+ protected:
+  Consumers() : mesh_(fixtures::write(folder_ / "cube.obj", fixtures::obj(test_shapes::box(0.1, 0.1, 0.1)))) { options_.validate = false; }
+
+  /// Three links in a row, 0.5 m apart, that turn about z.
+  std::string threeLinks(const std::string& last) const {
+    const std::string cube = "<collision name=\"&lt;cube&gt;\">" + fixtures::meshTag(mesh_) + "</collision>";
+    std::string text = "<?xml version=\"1.0\"?>\n<!-- <robot> -->\n<robot name=\"three\">\n";
+    for (const char* name : {"a", "b"}) text += "  <link name=\"" + std::string(name) + "\">" + cube + "</link>\n";
+    text += "  <link name=\"c\">" + last + "</link>\n";
+    for (const std::string pair : {"ab", "bc"})
+      text += "  <joint name=\"" + pair + "\" type=\"revolute\"><parent link=\"" + pair[0] + "\"/><child link=\"" + pair[1] +
+              "\"/><origin xyz=\"0.5 0 0\"/><axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\" effort=\"5\" velocity=\"2\"/></joint>\n";
+    return text + "</robot>\n";
+  }
+
+  RobotResult decomposed(const std::string& urdf) const {
+    return decomposeRobot(parseRobotDescription(urdf), PackageFinder(), options_, folder_ / "three_c");
+  }
+
+  std::string fileOf(Consumer consumer, const std::string& urdf, const std::string& file) {
+    RobotResult result = decomposed(urdf);
+    addConsumerFiles({consumer}, folder_ / "three_c", result);
+    EXPECT_EQ(result.extra_files.count(file), 1u) << file;
+    return result.extra_files[file];
+  }
+  std::string cube() const { return "<collision>" + fixtures::meshTag(mesh_) + "</collision>"; }
+
+  fixtures::TempFolder folder_;
+  const std::string mesh_;
+  Options options_;
+};
+
+TEST_F(Consumers, NamesAreReadBack) {
+  for (const char* each : {"moveit", "gazebo", "mujoco", "drake"}) {
+    ASSERT_TRUE(consumerNamed(each)) << each;
+    EXPECT_STREQ(name(*consumerNamed(each)), each);
+    EXPECT_NE(consumerChoices().find(each), std::string::npos);
+  }
+  EXPECT_FALSE(consumerNamed("moveit3"));
+}
+
+TEST_F(Consumers, AFormatThatAConsumerCannotReadIsRefusedWithARemedy) {
+  Options options;
+  EXPECT_NO_THROW(check({Consumer::kMoveit, Consumer::kGazebo, Consumer::kMujoco}, options));
+  try {
+    check({Consumer::kDrake}, options);
+    FAIL() << "Drake reads no STL";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::kBadOption);
+    EXPECT_NE(std::string(e.what()).find("add --format obj"), std::string::npos) << e.what();
+  }
+  options.format = MeshFormat::kDae;
+  EXPECT_THROW(check({Consumer::kMujoco}, options), Error);
+}
+
+TEST_F(Consumers, ASingleMeshHasNoSuchForm) {
+  RobotResult result = decomposeMesh(mesh_, options_);
+  EXPECT_THROW(addConsumerFiles({Consumer::kMoveit}, folder_ / "out", result), Error);
+  EXPECT_NO_THROW(addConsumerFiles({}, folder_ / "out", result));
+}
+
+TEST_F(Consumers, MoveitSkipsNeighboursAndWhatIsProvedApart) {
+  const std::string urdf = threeLinks(cube());
+  const std::string srdf = fileOf(Consumer::kMoveit, urdf, "config/three.srdf");
+  std::map<std::pair<std::string, std::string>, std::string> reasons;
+  for (const DisabledPair& pair : parseDisabledPairs(srdf, parseRobotDescription(urdf)).pairs)
+    reasons[{pair.link1, pair.link2}] = pair.reason;
+  EXPECT_EQ((reasons[{"a", "b"}]), "Adjacent");
+  EXPECT_EQ((reasons[{"b", "c"}]), "Adjacent");
+  EXPECT_EQ((reasons[{"a", "c"}]), "Never");  // turned by 1 rad at most, the last is 0.77 m away
+}
+
+TEST_F(Consumers, MoveitChecksWhatMayMeetOrIsNotKnown) {
+  std::string near = threeLinks(cube());
+  for (std::size_t at = near.find("\"-1\" upper=\"1\""); at != std::string::npos; at = near.find("\"-1\" upper=\"1\""))
+    near.replace(at, 14, "\"-3.1\" upper=\"3.1\"");
+  EXPECT_EQ(fileOf(Consumer::kMoveit, near, "config/three.srdf").find("Never"), std::string::npos);
+  const std::string lost = threeLinks("<collision>" + fixtures::meshTag("/nowhere/lost.stl") + "</collision>");
+  EXPECT_EQ(fileOf(Consumer::kMoveit, lost, "config/three.srdf").find("Never"), std::string::npos);
+}
+
+TEST_F(Consumers, DrakeIsToldWhichMeshesAreConvex) {
+  options_.format = MeshFormat::kObj;
+  const std::string visual = "<visual>" + fixtures::meshTag(mesh_) + "</visual>";
+  const std::string urdf = fileOf(Consumer::kDrake, threeLinks(visual + cube()), "urdf/three_drake.urdf");
+  EXPECT_EQ(fixtures::count(urdf, "/0_0.obj\"><drake:declare_convex/></mesh>"), 3u) << urdf;
+  EXPECT_EQ(fixtures::count(urdf, "declare_convex"), 3u);
+  EXPECT_NE(urdf.find("<!-- <robot> -->"), std::string::npos);
+  EXPECT_NE(urdf.find("<robot xmlns:drake=\"http://drake.mit.edu\" name=\"three\">"), std::string::npos) << urdf;
+  EXPECT_EQ(parseRobotDescription(urdf).links.size(), 3u);
+}
+
+TEST_F(Consumers, MujocoHasAGeomForEachHull) {
+  const std::string xml =
+      fileOf(Consumer::kMujoco, threeLinks("<collision><geometry><cylinder radius=\"0.1\" length=\"0.4\"/></geometry></collision>"),
+             "mjcf/three.xml");
+  EXPECT_EQ(fixtures::count(xml, "<mesh "), 2u) << xml;
+  EXPECT_EQ(fixtures::count(xml, "<geom "), 3u);
+  EXPECT_NE(xml.find("file=\"meshes/a/0_0.stl\""), std::string::npos);
+  EXPECT_NE(xml.find("name=\"&lt;cube&gt;_0\""), std::string::npos) << xml;
+  EXPECT_NE(xml.find("type=\"cylinder\" size=\"0.1 0.2\""), std::string::npos);
+  EXPECT_NE(xml.find("<joint name=\"bc\" type=\"hinge\" axis=\"0 0 1\" limited=\"true\" range=\"-1 1\"/>"), std::string::npos) << xml;
+}
+
+TEST_F(Consumers, GazeboHasACollisionForEachHullAndTheLimits) {
+  const std::string sdf = fileOf(Consumer::kGazebo, threeLinks(cube()), "model.sdf");
+  EXPECT_EQ(fixtures::count(sdf, "<collision "), 3u);
+  EXPECT_NE(sdf.find("<uri>model://three_c/meshes/a/0_0.stl</uri>"), std::string::npos) << sdf;
+  EXPECT_NE(sdf.find("<pose relative_to=\"a\">0.5 0 0 0 0 0</pose>"), std::string::npos);
+  EXPECT_NE(sdf.find("<effort>5</effort>"), std::string::npos);
+  EXPECT_NE(sdf.find("<velocity>2</velocity>"), std::string::npos);
+}
+
+TEST_F(Consumers, AnImpossibleInertiaIsBalancedWithANote) {
+  const std::string inertial =
+      "<inertial><mass value=\"2\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"4\"/></inertial>";
+  RobotResult result = decomposed(threeLinks(inertial + cube()));
+  addConsumerFiles({Consumer::kGazebo}, folder_ / "three_c", result);
+  EXPECT_EQ(fixtures::count(result.extra_files["model.sdf"], "<izz>2</izz>"), 1u);
+  ASSERT_FALSE(result.report.notes.empty());
+  EXPECT_NE(result.report.notes.back().find("link 'c': no body has the moments of inertia"), std::string::npos)
+      << result.report.notes.back();
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <queue>
@@ -209,8 +210,8 @@ class Furthest {
   std::priority_queue<Piece> queue_;
 };
 
-/// The largest distance from the hulls over what they leave of a triangle; 0 if they leave nothing.
-double uncoveredDistance(const Polygon& triangle, const Hulls& set) {
+/// What the hulls leave of a triangle, as convex polygons.
+std::vector<Polygon> leftOf(const Polygon& triangle, const Hulls& set) {
   const auto boxOf = [](const Polygon& polygon) {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& p : polygon) box.extend(p);
@@ -229,17 +230,19 @@ double uncoveredDistance(const Polygon& triangle, const Hulls& set) {
     }
     std::swap(left, next);
   }
+  return left;
+}
+
+/// The largest distance from the hulls over what they leave of a triangle; 0 if they leave nothing.
+double uncoveredDistance(const Polygon& triangle, const Hulls& set) {
   Furthest furthest(set);
-  for (const Polygon& polygon : left) furthest.add(polygon);
+  for (const Polygon& polygon : leftOf(triangle, set)) furthest.add(polygon);
   return furthest.bound();
 }
 
-}  // namespace
-
-std::vector<UncoveredTriangle> uncoveredTriangles(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
-                                                  const RunControl& control) {
-  const Hulls set(mesh, hulls);
-  std::vector<double> distance(mesh.triangles.size(), 0.0);
+/// Calls `visit` with the index and the corners of each triangle that is not held by one hull alone, from any thread.
+template <class Visit>
+void forEachNotHeld(const TriangleMesh& mesh, const Hulls& set, const RunControl& control, Visit visit) {
   const int triangles = static_cast<int>(mesh.triangles.size()), blocks = (triangles + kTrianglesAtOnce - 1) / kTrianglesAtOnce;
   forEach(static_cast<std::size_t>(blocks), [&](std::size_t block) {
     control.check();
@@ -250,13 +253,31 @@ std::vector<UncoveredTriangle> uncoveredTriangles(const TriangleMesh& mesh, cons
       bool covered = last < near.size() && near.holds(last, mesh, t);
       for (std::size_t h = 0; h < near.size() && !covered; ++h)
         if (near.holds(h, mesh, t)) covered = true, last = h;
-      if (!covered)
-        distance[static_cast<std::size_t>(t)] = uncoveredDistance({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, set);
+      if (!covered) visit(static_cast<std::size_t>(t), Polygon{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
     }
   });
+}
+
+}  // namespace
+
+std::vector<UncoveredTriangle> uncoveredTriangles(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
+                                                  const RunControl& control) {
+  const Hulls set(mesh, hulls);
+  std::vector<double> distance(mesh.triangles.size(), 0.0);
+  forEachNotHeld(mesh, set, control, [&](std::size_t t, const Polygon& triangle) { distance[t] = uncoveredDistance(triangle, set); });
   std::vector<UncoveredTriangle> result;
   for (std::size_t t = 0; t < distance.size(); ++t)
     if (distance[t] > 0) result.push_back({static_cast<int>(t), distance[t]});
+  return result;
+}
+
+std::vector<std::vector<Eigen::Vector3d>> uncoveredPolygons(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
+                                                            const RunControl& control) {
+  const Hulls set(mesh, hulls);
+  std::vector<std::vector<Polygon>> left(mesh.triangles.size());
+  forEachNotHeld(mesh, set, control, [&](std::size_t t, const Polygon& triangle) { left[t] = leftOf(triangle, set); });
+  std::vector<Polygon> result;
+  for (std::vector<Polygon>& polygons : left) std::move(polygons.begin(), polygons.end(), std::back_inserter(result));
   return result;
 }
 

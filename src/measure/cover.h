@@ -16,4 +16,8 @@ struct UncoveredTriangle {
 std::vector<UncoveredTriangle> uncoveredTriangles(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
                                                   const RunControl& control = {});
 
+/// What the hulls leave of the surface, exactly but for rounding, as convex polygons in the order of their triangles.
+std::vector<std::vector<Eigen::Vector3d>> uncoveredPolygons(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
+                                                            const RunControl& control = {});
+
 }  // namespace collision_hulls

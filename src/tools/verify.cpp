@@ -116,6 +116,7 @@ int run(Command& command) {
   const Input original = openInput(command.original, command.package_path, "verify", control);
   const Input result = openInput(command.result, command.package_path, "verify", control);
   checkSameKind(original, result);
+  if (!command.quiet) std::cerr << "comparing '" << command.original << "' with '" << command.result << "'\n";
   const Verification seen = verify(described(original), described(result), command.options, control);
   print(seen, command);
   return passed(seen, command.options) ? kDone : kSomeFailed;

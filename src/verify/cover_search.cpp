@@ -1,4 +1,4 @@
-// Triangles in the union of the hulls are dropped by exact clipping (measure/cover.h). The others are searched by branch and bound: the
+// What lies in the union of the hulls is dropped by exact clipping (measure/cover.h). The rest is searched by branch and bound: the
 // distance to one convex body is convex, so its maximum over a piece is at a corner, and so is that of the mean of two such distances,
 // which bounds the smaller one. A surface in the middle between two bodies converges by the mean, one in a body by the single distance.
 //
@@ -34,10 +34,11 @@ class Search {
  public:
   Search(const BodySet& bodies, double gap) : bodies_(bodies), gap_(gap) {}
 
-  /// `bound`: [m] known for the triangle.
-  void add(const std::array<Eigen::Vector3d, 3>& triangle, double bound) {
-    for (const Eigen::Vector3d& p : triangle) visit(p);
-    push({triangle, bound});
+  /// A convex polygon.
+  void add(const std::vector<Eigen::Vector3d>& polygon) {
+    for (const Eigen::Vector3d& p : polygon) visit(p);
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+      push({{polygon[0], polygon[i - 1], polygon[i]}, std::numeric_limits<double>::infinity()});
   }
 
   Largest run(const RunControl& control) {
@@ -116,20 +117,11 @@ class Search {
   std::priority_queue<Piece> queue_;
 };
 
-/// The triangles that the hulls do not cover, with bounds on their distances.
-std::vector<UncoveredTriangle> leftByHulls(const TriangleMesh& surface, const BodySet& bodies, const RunControl& control) {
-  if (!bodies.hulls().empty()) return uncoveredTriangles(surface, bodies.hulls(), control);
-  std::vector<UncoveredTriangle> all;
-  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) all.push_back({t, std::numeric_limits<double>::infinity()});
-  return all;
-}
-
 /// Against the convex bodies.
 Largest furthestFromConvex(const BodySet& bodies, const TriangleMesh& surface, double gap, const RunControl& control) {
   if (bodies.boxes().empty()) return {std::numeric_limits<double>::infinity(), 0, Eigen::Vector3d::Zero()};
   Search search(bodies, gap);
-  for (const UncoveredTriangle& left : leftByHulls(surface, bodies, control))
-    search.add({surface.corner(left.triangle, 0), surface.corner(left.triangle, 1), surface.corner(left.triangle, 2)}, left.distance);
+  for (const std::vector<Eigen::Vector3d>& left : uncoveredPolygons(surface, bodies.hulls(), control)) search.add(left);
   Largest largest = search.run(control);
   if (largest.bound <= kRounding * sizeOf(surface)) largest = Largest();
   return largest;

@@ -53,7 +53,7 @@ TEST_F(VerifyProgram, TwoMeshesAndTheGates) {
   const Finished table = run("bracket.obj hulls.obj --max-uncovered 0 --max-protrusion 1mm");
   EXPECT_EQ(table.status, 0) << table.err;
   EXPECT_NE(table.out.find("2 hulls"), std::string::npos) << table.out;
-  EXPECT_EQ(table.err, "");
+  EXPECT_EQ(table.err, "comparing 'bracket.obj' with 'hulls.obj'\n");
   const Finished beyond = run("hulls.obj bracket.obj --max-uncovered 0 --quiet");
   EXPECT_EQ(beyond.out, "");
   fixtures::write(folder_ / "half.obj", fixtures::obj(test_shapes::box(0.2, 0.03, 0.1)));

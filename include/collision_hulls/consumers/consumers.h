@@ -3,7 +3,7 @@
 //
 // For example:
 //
-//     RobotResult result = decompose(input, options, "arm_collision");
+//     RobotResult result = decompose(openInput("arm.urdf"), Options(), "arm_collision");
 //     addConsumerFiles({Consumer::kMujoco}, "arm_collision", result);
 //     writeOutput(result, "arm_collision");
 #pragma once

@@ -161,6 +161,17 @@ TEST(Uncovered, MoreHullsNeverUncover) {
   }
 }
 
+TEST(UncoveredPolygons, AreWhatTheHullsLeave) {
+  const std::vector<ConvexHull> hulls = {boxHull({-1, -1, -1}, {0.25, 2, 1}), boxHull({0.5, -1, -1}, {2, 2, 1})};
+  double area = 0;
+  for (const std::vector<Vector3d>& polygon : uncoveredPolygons(test_shapes::sheet(1, 1, 3), hulls)) {
+    for (std::size_t i = 2; i < polygon.size(); ++i) area += (polygon[i - 1] - polygon[0]).cross(polygon[i] - polygon[0]).norm() / 2;
+    for (const Vector3d& p : polygon) EXPECT_TRUE(p.x() > 0.25 - 1e-9 && p.x() < 0.5 + 1e-9) << p.transpose();
+  }
+  EXPECT_NEAR(area, 0.25, 1e-9);
+  EXPECT_TRUE(uncoveredPolygons(test_shapes::sheet(), {boxHull({-1, -1, -1}, {2, 2, 1})}).empty());
+}
+
 TEST(UnionVolume, OverlappingHulls) {
   EXPECT_EQ(unionVolume({}), 0);
   EXPECT_NEAR(unionVolume({boxHull({0, 0, 0}, {1, 2, 3})}), 6, 0.06);

@@ -27,8 +27,6 @@
 namespace collision_hulls {
 namespace {
 
-// The first aim is below the tolerance by this many margins, for the margin and rounding, but never below this share of the tolerance.
-constexpr double kMargins = 3, kLeastAim = 0.5;
 constexpr double kPaddingShare = 0.08;  // of the padding: what a padded hull of few vertices is larger than it has to be
 // Each further aim is lower by the excess and a little more, but not below kLowerAim of the last aim.
 constexpr int kAttempts = 3;
@@ -84,11 +82,6 @@ double boundShare(const CertifiedHulls& hulls, const DecomposeOptions& options) 
   return share;
 }
 
-/// The first aim: below the tolerance by what other things take.
-double firstAim(double tolerance, double taken) {
-  return std::max(kLeastAim * tolerance, tolerance - taken);
-}
-
 /// The aim of the next attempt; `over` is the last bound over the tolerance.
 void lowerAim(DecomposeOptions& aim, int attempt, double over) {
   const double share = attempt == 0 ? std::max(kLowerAim, kALittleLower / over) : kLowerAim;
@@ -132,9 +125,8 @@ Attempt bestAttempt(const PreparedMesh& mesh, const DecomposeOptions& options, c
   const bool aims = options.method == Method::kCertified;
   DecomposeOptions aim = options;
   if (aims) {
-    const double margins = kMargins * mesh.margin;
-    aim.tolerance = firstAim(options.tolerance, margins + kPaddingShare * options.padding);
-    for (Region& region : aim.regions) region.tolerance = firstAim(region.tolerance, margins);
+    aim.tolerance = firstAim(options.tolerance, mesh.margin, kPaddingShare * options.padding);
+    for (Region& region : aim.regions) region.tolerance = firstAim(region.tolerance, mesh.margin);
   }
   Attempt best;
   CertifiedHulls::Seconds spent;

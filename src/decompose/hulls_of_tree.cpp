@@ -2,25 +2,51 @@
 // have to be opened after all: it is replaced by its children until each hull keeps the tolerance as it will be returned.
 #include "decompose/hulls_of_tree.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "collision_hulls/decompose/reduce_vertices.h"
 
 namespace collision_hulls {
 namespace {
 
-/// Whether a node's hull keeps the tolerance after its vertices are reduced.
-bool keepsTolerance(const HullNode& node, const DecomposeOptions& options) {
-  if (!exceedsCap(node.hull, options.max_vertices)) return node.protrusion <= options.tolerance;
-  const ConvexHull reduced = reduceVertices(node.hull, options.max_vertices);
-  return node.protrusion + addedDistance(reduced, node.hull) <= options.tolerance;
+// The first aim is below the tolerance by this many margins, for the margin and rounding, but never below this share of the tolerance.
+constexpr double kMargins = 3, kLeastAim = 0.5;
+
+}  // namespace
+
+double firstAim(double tolerance, double margin, double more) {
+  return std::max(kLeastAim * tolerance, tolerance - (kMargins * margin + more));
 }
 
-std::vector<int> cutWithin(const HullTree& tree, const DecomposeOptions& options) {
-  std::vector<int> open = tree.cutAt(options.tolerance), cut;
+double toleranceForAim(double aim, double margin) {
+  return std::min(aim / kLeastAim, aim + kMargins * margin);
+}
+
+const TreeCutter::Reduced& TreeCutter::reduced(int id) {
+  std::optional<Reduced>& known = known_[static_cast<std::size_t>(id)];
+  if (known) return *known;
+  const HullNode& node = tree_.nodes[static_cast<std::size_t>(id)];
+  if (!exceedsCap(node.hull, max_vertices_)) return known.emplace(Reduced{node.hull, node.protrusion});
+  Reduced result{reduceVertices(node.hull, max_vertices_)};
+  result.bound = node.protrusion + addedDistance(result.hull, node.hull);
+  return known.emplace(std::move(result));
+}
+
+std::vector<double> TreeCutter::mergedBounds() {
+  std::vector<double> bounds;
+  for (std::size_t id = 0; id < known_.size(); ++id)
+    if (tree_.nodes[id].left >= 0) bounds.push_back(reduced(static_cast<int>(id)).bound);
+  return bounds;
+}
+
+std::vector<int> TreeCutter::cutWithin(double tolerance) {
+  std::vector<int> open = tree_.cutAt(tolerance), cut;
   while (!open.empty()) {
     const int id = open.back();
-    const HullNode& node = tree.nodes[static_cast<std::size_t>(id)];
+    const HullNode& node = tree_.nodes[static_cast<std::size_t>(id)];
     open.pop_back();
-    if (node.left < 0 || keepsTolerance(node, options))
+    if (node.left < 0 || reduced(id).bound <= tolerance)
       cut.push_back(id);
     else
       open.insert(open.end(), {node.left, node.right});
@@ -28,15 +54,21 @@ std::vector<int> cutWithin(const HullTree& tree, const DecomposeOptions& options
   return cut;
 }
 
-}  // namespace
+TreeCutter::Cut TreeCutter::cut(double tolerance, int max_hulls) {
+  Cut result;
+  result.nodes = cutWithin(tolerance);
+  result.capped = max_hulls > 0 && result.nodes.size() > static_cast<std::size_t>(max_hulls);
+  if (result.capped) result.nodes = tree_.cutTo(max_hulls);
+  for (const int id : result.nodes) result.bound = std::max(result.bound, reduced(id).bound);
+  return result;
+}
 
 Decomposition hullsOfTree(const HullTree& tree, const DecomposeOptions& options) {
-  std::vector<int> cut = cutWithin(tree, options);
+  TreeCutter cutter(tree, options.max_vertices);
+  const TreeCutter::Cut cut = cutter.cut(options.tolerance, options.max_hulls);
   Decomposition result;
-  result.capped = options.max_hulls > 0 && cut.size() > static_cast<std::size_t>(options.max_hulls);
-  if (result.capped) cut = tree.cutTo(options.max_hulls);
-  result.hulls = tree.hullsOf(cut);
-  for (ConvexHull& hull : result.hulls) hull = capped(hull, options.max_vertices);
+  result.capped = cut.capped;
+  for (const int id : cut.nodes) result.hulls.push_back(cutter.hull(id));
   return result;
 }
 

@@ -55,6 +55,16 @@ Response answered(const std::function<Response()>& job) {
   return response;
 }
 
+/// Whether an answer says that something was written; where it cannot say so, whether all went well.
+template <class Response>
+auto hasWritten(const Response& response, int) -> decltype(response.urdf_path.empty()) {
+  return !response.urdf_path.empty();
+}
+template <class Response>
+bool hasWritten(const Response& response, long) {
+  return response.success;
+}
+
 template <class Service, class Action>
 class Door {
  public:
@@ -104,7 +114,7 @@ class Door {
       if (goal.getGoalStatus().status == actionlib_msgs::GoalStatus::PREEMPTING) control.cancel();  // it came before the job began
       const auto feedback = [&](const Step& step) { goal.publishFeedback(recast<Feedback>(toMessage(step))); };
       *response = answered<Response>([&] { return job_(recast<Request>(*goal.getGoal()), control, feedback); });
-      *cancelled = control.cancelled() && response->urdf_path.empty();
+      *cancelled = control.cancelled() && !hasWritten(*response, 0);
     };
     const auto reply = [=]() mutable {
       try {

@@ -18,6 +18,9 @@ using visualization_msgs::Marker;
 constexpr double kInset = 2e-4;         // of a mesh's diagonal: how far inside the original is drawn
 constexpr double kSceneOpacity = 0.45;  // the robot is behind the scene from somewhere
 
+constexpr double kEdgeWidth = 0.002;  // of the robot's radius
+constexpr double kFlat = 1 - 1e-6;    // faces whose normals have a larger product are in one plane
+
 std_msgs::ColorRGBA originalColour() {
   return colour(0.85, 0.85, 0.86, 1);
 }
@@ -170,7 +173,44 @@ MarkerList drawScene(const Scene& scene, const std::string& root) {
   return {marker};
 }
 
+/// The edges between faces that are not in one plane.
+void drawEdges(const Link& link, double width, Pen& pen, MarkerList& list) {
+  for (const auto& [element, row] : link.meshes) {
+    for (const ConvexHull& hull : element.hulls) {
+      Marker& marker = pen.add(list, "chosen", link.name, Marker::LINE_LIST, element.source.origin);
+      marker.scale.x = width;
+      marker.color = colour(0.05, 0.05, 0.1, 1);
+      std::map<std::pair<int, int>, Eigen::Vector3d> normals;  // by edge, as the first of its triangles has it
+      for (const Triangle& t : hull.triangles) {
+        const auto at = [&](int corner) -> const Eigen::Vector3d& { return hull.vertices[static_cast<std::size_t>(corner)]; };
+        const Eigen::Vector3d normal = (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).stableNormalized();
+        for (std::size_t k = 0; k < 3; ++k) {
+          const int a = t[k], b = t[(k + 1) % 3];
+          const auto [edge, is_first] = normals.emplace(std::minmax(a, b), normal);
+          if (!is_first && edge->second.dot(normal) < kFlat) marker.points.insert(marker.points.end(), {toPoint(at(a)), toPoint(at(b))});
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
+
+Drawing drawLink(const ShownLink& shown, double radius, double opacity) {
+  Drawing drawing;
+  Pen pen;
+  Link link{shown.link.name, shown.hue, {}, 0, 0};
+  std::vector<ConvexHull> placed;
+  for (std::size_t i = 0; i < shown.elements.size(); ++i) {
+    link.meshes.push_back({shown.elements[i], shown.rows[i]});
+    for (const ConvexHull& hull : shown.elements[i].hulls) placed.push_back(transformed(hull, shown.elements[i].pose));
+  }
+  drawHulls(link, opacity, pen, drawing.hulls);
+  drawPrimitives(link, shown.link, opacity, pen, drawing.hulls);
+  drawEdges(link, kEdgeWidth * radius, pen, drawing.chosen);
+  drawWorst(link, radius, placed, pen, drawing.protrusion);
+  return drawing;
+}
 
 Drawing drawOriginal(const RobotDescription& robot, Source source, const MeshFile& file) {
   Drawing drawing;

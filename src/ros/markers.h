@@ -19,6 +19,7 @@ struct Drawing {
   MarkerList labels;      ///< labels/: "forearm: 5 hulls, 4.8 mm", with a line to the link
   MarkerList unneeded;    ///< unneeded/: grey, finer hulls that a scene did not need
   MarkerList segments;    ///< segments/: a TRIANGLE_LIST per mesh, coloured by cluster
+  MarkerList chosen;      ///< chosen/: the edges of hulls that stand out
   MarkerList scene;       ///< scene: one TRIANGLE_LIST of all bodies
 };
 
@@ -28,5 +29,17 @@ Drawing drawOriginal(const RobotDescription& robot, Source source, const MeshFil
 /// A result, the description that it was made from (for the primitives among the originals), and the scene that it was fitted to (null:
 /// none). `opacity` is that of the hulls, in [0, 1].
 Drawing drawResult(const RobotResult& result, const RobotDescription& original, const Scene* scene, double opacity);
+
+/// A link on its own: its results, and as collisions of `link` the primitives that are shown.
+struct ShownLink {
+  LinkDescription link;
+  double hue = 0;  ///< see linkHue()
+  std::vector<ElementResult> elements;
+  std::vector<ElementReport> rows;  ///< of the elements
+};
+
+/// Its hulls, primitives and protrusion as in drawResult(), and in `chosen` the edges of its hulls: chosen/<link>, a LINE_LIST. `radius`
+/// [m]: of the robot.
+Drawing drawLink(const ShownLink& shown, double radius, double opacity);
 
 }  // namespace collision_hulls

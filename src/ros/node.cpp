@@ -64,10 +64,14 @@ Node::Node()
     : decompose_door_(private_, "decompose", worker_,
                       [this](const auto& request, const auto& control, const auto& step) { return decompose(request, control, step); }),
       fit_door_(private_, "fit_scene", worker_,
-                [this](const auto& request, const auto& control, const auto& step) { return fit(request, control, step); }) {
+                [this](const auto& request, const auto& control, const auto& step) { return fit(request, control, step); }),
+      build_door_(private_, "build", worker_,
+                  [this](const auto& request, const auto& control, const auto& step) { return build(request, control, step); }) {
   if (startsAtOnce()) decomposeAtStart();  // before the doors open, so that no caller is first
   decompose_door_.open();
   fit_door_.open();
+  build_door_.open();
+  preview_.open();
 }
 
 bool Node::startsAtOnce() const {
@@ -88,20 +92,22 @@ void Node::decomposeAtStart() {
 DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunControl& control, const StepCallback& step) {
   checkTexts(request);
   const Confinement confinement(places_.roots());
+  const StatedJob job(preview_, "decompose");
   const Input input = inputOf(request.robot_description, control);
   const Options options = requestedOptions(configured(private_, request.config, readOptions(private_)), request, input.robot);
   const std::string output = outputFor(request.output, input);
 
   const ViewedRun view(view_, input.robot, options.source, input.find_package);
-  RobotResult result = decomposeRobot(input.robot, input.find_package, options, output, control, view.shown(logged(step)));
+  RobotResult result = decomposeRobot(input.robot, input.find_package, options, output, control, job.stated(view.shown(logged(step))));
   DecomposeResponse response = written<DecomposeResponse>(result, output, request.brief, control);
-  if (!response.urdf_path.empty()) show(result);
+  if (!response.urdf_path.empty()) show(input.robot, result);
   return response;
 }
 
 FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& control, const StepCallback& step) {
   checkTexts(request);
   const Confinement confinement(places_.roots());
+  const StatedJob job(preview_, "fit_scene");
   const Input input = inputOf(request.robot_description, control);
   Options own = readOptions(private_);
   own.method = Method::kCertified;  // ~method is for the other job
@@ -111,10 +117,31 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
   const SceneRequest scene = requestedScene(request, input, options, control);
 
   const ViewedRun view(view_, input.robot, options.source, input.find_package);
-  RobotResult result = fitRobotToScene(input.robot, input.find_package, scene, options, output, control, view.shown(logged(step)));
+  RobotResult result =
+      fitRobotToScene(input.robot, input.find_package, scene, options, output, control, job.stated(view.shown(logged(step))));
   FitSceneResponse response = written<FitSceneResponse>(result, output, request.brief, control);
-  if (!response.urdf_path.empty()) show(result, &scene.scene);
+  if (!response.urdf_path.empty()) show(input.robot, result, &scene.scene);
   if (!result.extra_files.empty()) response.srdf = result.extra_files.begin()->second;
+  return response;
+}
+
+/// A build of some links of a known robot shows these alone, and needs no word on its progress: it follows each move of a slider.
+BuildResponse Node::build(const BuildRequest& request, const RunControl& control, const StepCallback& step) {
+  checkTexts(request);
+  const Confinement confinement(places_.roots());
+  const StatedJob job(preview_, "build");
+  const Input input = inputOf(request.robot_description, control);
+  const Options options = buildOptions(configured(private_, "", readOptions(private_)), request, input.robot);
+  std::optional<ViewedRun> view;
+  if (request.only.empty() || preview_.isNews(input.robot)) view.emplace(view_, input.robot, options.source, input.find_package);
+  const StepCallback stated = job.stated(view ? view->shown(logged(step)) : step);
+  const RobotResult result = preview_.trees().build(input.robot, input.find_package, options, control, stated);
+  preview_.take(input.robot, LinkDecisions(options, input.robot), result);
+  BuildResponse response;
+  response.success = !anyFailed(result.report);
+  response.message = summary(result.report);
+  response.links = preview_.messages(request.only);
+  preview_.show(request.only);
   return response;
 }
 
@@ -144,8 +171,9 @@ RobotDescription Node::readRobot(const std::string& text, const RunControl& cont
   return parseRobotDescription(parameter, path, control);
 }
 
-void Node::show(const RobotResult& result, const Scene* scene) {
+void Node::show(const RobotDescription& robot, const RobotResult& result, const Scene* scene) {
   view_.show(result, scene);
+  preview_.take(robot, modelDecisions(result.report.options, robot).front(), result);
   private_.setParam("robot_description", result.urdf);
 }
 

@@ -1,6 +1,8 @@
-// The node: two kinds of job, each with a service and an action, over one worker.
+// The node: three kinds of job, each with a service and an action, over one worker.
 #pragma once
 
+#include <collision_hulls/Build.h>
+#include <collision_hulls/BuildAction.h>
 #include <collision_hulls/Decompose.h>
 #include <collision_hulls/DecomposeAction.h>
 #include <collision_hulls/FitScene.h>
@@ -12,14 +14,16 @@
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "door.h"
 #include "places.h"
+#include "preview/link_previews.h"
 #include "view.h"
 #include "worker.h"
 
 namespace collision_hulls {
 
-/// Serves ~decompose, ~decompose_action, ~fit_scene and ~fit_scene_action, publishes the topics of view.h and sets ~robot_description. It
-/// works on one request at a time, on a thread of its own, and refuses another that arrives meanwhile. A request that it cannot meet gets
-/// the library's message; the node lives on. Needs a spinner with at least two threads: a service call occupies one until it is answered.
+/// Serves ~decompose, ~fit_scene and ~build, each also as an action, and ~preview; publishes the topics of view.h and ~state, and sets
+/// ~robot_description. It works on one request at a time, on a thread of its own, and refuses another that arrives meanwhile. A request
+/// that it cannot meet gets the library's message; the node lives on. Needs a spinner with at least two threads: a service call occupies
+/// one until it is answered.
 class Node {
  public:
   /// Throws kBadOption for a parameter of places.h that has the wrong type.
@@ -38,16 +42,19 @@ class Node {
   /// The jobs. Throw what is wrong.
   DecomposeResponse decompose(const DecomposeRequest& request, const RunControl& control, const StepCallback& step);
   FitSceneResponse fit(const FitSceneRequest& request, const RunControl& control, const StepCallback& step);
+  BuildResponse build(const BuildRequest& request, const RunControl& control, const StepCallback& step);
   Input inputOf(const std::string& robot_description, const RunControl& control) const;
   std::string outputFor(const std::string& requested, const Input& input) const;
   RobotDescription readRobot(const std::string& text, const RunControl& control) const;
-  void show(const RobotResult& result, const Scene* scene = nullptr);
+  void show(const RobotDescription& robot, const RobotResult& result, const Scene* scene = nullptr);
 
   ros::NodeHandle node_, private_{"~"};
   const Places places_{private_};
   View view_{private_};
+  LinkPreviews preview_{private_, view_};
   Door<Decompose, DecomposeAction> decompose_door_;
   Door<FitScene, FitSceneAction> fit_door_;
+  Door<Build, BuildAction> build_door_;
   Worker worker_;  // last, so that its thread ends before what its jobs use
 };
 

@@ -4,14 +4,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
 
 #include "collision_hulls/config/config.h"
+#include "collision_hulls/config/link_decisions.h"
 #include "collision_hulls/error.h"
+#include "config/link_rule.h"
 #include "joint_states.h"
 #include "live_scene.h"
+#include "preview/robot_trees.h"
+#include "preview/settings.h"
 #include "robot/uri_checks.h"
 
 namespace collision_hulls {
@@ -68,30 +73,18 @@ double readPadding(const ros::NodeHandle& node) {
   return text.empty() ? 0 : parsePadding(text, "parameter " + node.resolveName("padding"));
 }
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (std::string("^$\\.*+?()[]{}|").find(c) != std::string::npos) result += '\\';
-    result += c;
-  }
-  return result;
-}
-
 /// The regular expression that matches these names alone; empty for all.
 std::string linksExpression(const std::vector<std::string>& names, const RobotDescription& robot) {
   std::set<std::string> known;
   for (const LinkDescription& link : robot.links) known.insert(link.name);
   const std::set<std::string> wanted(names.begin(), names.end());
-  std::string expression;
   for (const std::string& name : wanted) {
-    if (known.count(name) == 0) {
-      std::string list;
-      for (const LinkDescription& link : robot.links) list += (list.empty() ? "" : ", ") + link.name;
-      throw Error(ErrorCode::kBadOption, "links: robot '" + robot.name + "' has no link '" + name + "': use some of " + list);
-    }
-    expression += (expression.empty() ? "" : "|") + escaped(name);
+    if (known.count(name)) continue;
+    std::string list;
+    for (const LinkDescription& link : robot.links) list += (list.empty() ? "" : ", ") + link.name;
+    throw Error(ErrorCode::kBadOption, "links: robot '" + robot.name + "' has no link '" + name + "': use some of " + list);
   }
-  return wanted == known ? "" : expression;
+  return wanted == known ? "" : expressionFor({wanted.begin(), wanted.end()});
 }
 
 void checkText(const std::string& field, const std::string& text) {
@@ -179,6 +172,12 @@ void checkTexts(const FitSceneRequest& request) {
   for (const std::string& link : request.links) checkText("links", link);
 }
 
+void checkTexts(const BuildRequest& request) {
+  checkText("tree", request.tree);
+  for (const LinkChoice& settings : request.links) checkText("links", settings.link);
+  for (const std::string& link : request.only) checkText("only", link);
+}
+
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot) {
   const auto unsetIfZero = [](double part) { return part == 0 ? Length::kUnset : part; };
   if (request.tolerance != 0 || request.relative_tolerance != 0)
@@ -192,6 +191,32 @@ Options requestedOptions(Options options, const DecomposeRequest& request, const
   }
   check(options);
   return options;
+}
+
+Options buildOptions(const Options& options, const BuildRequest& request, const RobotDescription& robot) {
+  std::map<std::string, LinkOptions> links;
+  const LinkDecisions decisions = modelDecisions(options, robot).front();
+  for (const LinkDescription& link : robot.links)
+    if (const LinkOptions* const own = decisions.of(link.name)) links[link.name] = *own;
+  std::vector<std::string> named;
+  for (const LinkChoice& settings : request.links) {
+    named.push_back(settings.link);
+    links[settings.link] = toOptions(settings);
+  }
+  if (!named.empty()) linksExpression(named, robot);  // throws for a link that the robot does not have
+  Options result = options;
+  result.method = Method::kCertified;  // of links without a rule: there are none
+  result.segments = false;
+  result.models.clear();
+  result.rules.clear();
+  for (const auto& [link, own] : links) result.rules.push_back(ruleFor(link, own));
+  result.tree = request.tree.empty() ? options.tree.value_or(previewTree(options.tolerance)) : parseLength(request.tree, "tree");
+  if (!request.only.empty()) {
+    result.links = linksExpression(request.only, robot);
+    result.links_place.clear();
+  }
+  check(result);
+  return result;
 }
 
 SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, const Options& options, const RunControl& control) {

@@ -1,6 +1,7 @@
 // Options of a run from the node's private parameters and a request.
 #pragma once
 
+#include <collision_hulls/BuildRequest.h>
 #include <collision_hulls/DecomposeRequest.h>
 #include <collision_hulls/FitSceneRequest.h>
 #include <ros/node_handle.h>
@@ -32,9 +33,13 @@ void readFlag(const ros::NodeHandle& node, const std::string& name, bool& value)
 /// Throws kBadOption for a text of a request that is longer than a path can be, or holds control characters: messages quote it.
 void checkTexts(const DecomposeRequest& request);
 void checkTexts(const FitSceneRequest& request);
+void checkTexts(const BuildRequest& request);
 
 /// `options` with the request's own in their place. Throws kBadOption, also for a link that the robot does not have.
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot);
+
+/// Options with a tree, and a rule for each link: what `options` say of it, or the request. Throws as requestedOptions().
+Options buildOptions(const Options& options, const BuildRequest& request, const RobotDescription& robot);
 
 /// The scene and the configurations that a request names, read from files or from what is published now (live_scene.h, joint_states.h).
 /// Throws kBadOption, kCancelled, and the readers' errors.

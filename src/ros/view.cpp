@@ -24,6 +24,15 @@ visualization_msgs::Marker deleteAll() {
   return marker;
 }
 
+visualization_msgs::Marker deleted(const visualization_msgs::Marker& shown) {
+  visualization_msgs::Marker marker;
+  marker.header = shown.header;
+  marker.ns = shown.ns;
+  marker.id = shown.id;
+  marker.action = visualization_msgs::Marker::DELETE;
+  return marker;
+}
+
 /// tf2 frames have no leading slash; older publishers write one.
 std::string frameName(const std::string& name) {
   return name.substr(std::min(name.find_first_not_of('/'), name.size()));
@@ -46,7 +55,8 @@ StepCallback ViewedRun::shown(StepCallback step) const {
 
 View::View(const ros::NodeHandle& node) : node_(node) {
   opacity_ = std::clamp(node_.param("opacity", kOpacity), 0.0, 1.0);
-  const char* const names[kTopics] = {"hulls", "original", "protrusion", "labels", "unneeded", "segments", "scene", "progress", "markers"};
+  const char* const names[kTopics] = {"hulls",    "original", "protrusion", "labels",   "unneeded",
+                                      "segments", "scene",    "chosen",     "progress", "markers"};
   const auto connected = [this](const ros::SingleSubscriberPublisher&) { subscribed(); };
   for (std::size_t i = 0; i < kTopics; ++i)
     displays_[i].publisher = node_.advertise<visualization_msgs::MarkerArray>(names[i], 1, connected, {}, ros::VoidConstPtr(), true);
@@ -112,7 +122,45 @@ void View::put(Drawing drawing) {
   put(kUnneeded, std::move(drawing.unneeded));
   put(kSegments, std::move(drawing.segments));
   put(kScene, std::move(drawing.scene));
+  put(kChosen, std::move(drawing.chosen));
   repeatSoon();
+}
+
+void View::replace(const std::vector<ShownLink>& links, bool chosen) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::set<std::string> names;
+  Drawing all;
+  for (const ShownLink& link : links) {
+    names.insert(link.link.name);
+    const Drawing drawing = drawLink(link, bounds_.radius, opacity_);
+    for (const auto list : {&Drawing::hulls, &Drawing::protrusion, &Drawing::chosen})
+      (all.*list).insert((all.*list).end(), (drawing.*list).begin(), (drawing.*list).end());
+  }
+  replace(kHulls, names, all.hulls);
+  put(kChosen, chosen ? std::move(all.chosen) : MarkerList());
+  replace(kProtrusion, names, all.protrusion);
+  all.hulls.insert(all.hulls.end(), all.protrusion.begin(), all.protrusion.end());
+  replace(kAll, names, all.hulls);
+}
+
+/// Publishes the difference alone: a large robot's markers take longer than a slider may.
+void View::replace(Topic topic, const std::set<std::string>& links, const MarkerList& markers) {
+  std::set<std::pair<std::string, int>> kept;
+  for (const visualization_msgs::Marker& marker : markers) kept.insert({marker.ns, marker.id}), drawn_.insert(marker.header.frame_id);
+  Display& display = displays_[topic];
+  MarkerList& shown = display.markers.markers;
+  visualization_msgs::MarkerArray change;
+  const auto is_replaced = [&](const visualization_msgs::Marker& marker) {
+    const std::size_t slash = marker.ns.find('/');
+    const std::string kind = marker.ns.substr(0, slash);
+    if ((kind != "hulls" && kind != "primitives" && kind != "worst") || links.count(marker.ns.substr(slash + 1)) == 0) return false;
+    if (kept.count({marker.ns, marker.id}) == 0) change.markers.push_back(deleted(marker));
+    return true;
+  };
+  shown.erase(std::remove_if(shown.begin(), shown.end(), is_replaced), shown.end());
+  shown.insert(shown.end(), markers.begin(), markers.end());
+  change.markers.insert(change.markers.end(), markers.begin(), markers.end());
+  if (!change.markers.empty() && display.publisher.getNumSubscribers() > 0) display.publisher.publish(change);
 }
 
 void View::putProgress(const std::string& text) {

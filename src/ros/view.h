@@ -16,8 +16,9 @@
 namespace collision_hulls {
 
 /// Publishes what there is to see of a run, from its start to its result: latched MarkerArrays on ~hulls, ~original, ~protrusion, ~labels,
-/// ~unneeded, ~segments, ~scene and ~progress, one display each, and on ~markers all but the progress. Every array first deletes the
-/// markers of the one before. Sets the parameter ~view to the robot's name, root link and bounds, for the camera.
+/// ~unneeded, ~segments, ~scene, ~chosen and ~progress, one display each, and on ~markers all but the last two. Every array first deletes
+/// the markers of the one before, but for those that replace single links. Sets the parameter ~view to the robot's name, root link and
+/// bounds, for the camera.
 ///
 /// rviz drops markers whose frame it does not know (yet), and latched ones never come again. So all is published again, a few times at
 /// growing intervals, after each new subscriber and after each link's first transform on /tf or /tf_static. Thread safe; needs a spinner.
@@ -35,11 +36,15 @@ class View {
   /// Its result, with the scene that the robot was fitted to (null: none).
   void show(const RobotResult& result, const Scene* scene = nullptr);
 
+  /// Draws these links anew, as far as hulls and protrusion go, and the edges of those that are `chosen` in the place of others'.
+  /// Subscribers get only what changes; those that come later get all, as after each new subscriber.
+  void replace(const std::vector<ShownLink>& links, bool chosen);
+
   /// It is over, whether with a result or not.
   void end();
 
  private:
-  enum Topic { kHulls, kOriginal, kProtrusion, kLabels, kUnneeded, kSegments, kScene, kProgress, kAll, kTopics };
+  enum Topic { kHulls, kOriginal, kProtrusion, kLabels, kUnneeded, kSegments, kScene, kChosen, kProgress, kAll, kTopics };
   struct Display {
     ros::Publisher publisher;
     visualization_msgs::MarkerArray markers;
@@ -47,6 +52,7 @@ class View {
 
   void put(Topic topic, MarkerList markers);  // these need the mutex to be held
   void put(Drawing drawing);
+  void replace(Topic topic, const std::set<std::string>& links, const MarkerList& markers);
   void putProgress(const std::string& text);
   void repeatSoon();
 

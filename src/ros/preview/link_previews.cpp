@@ -1,0 +1,264 @@
+// A cut takes the place of a link's last result only when it is shown: what others ask for, nobody sees.
+//
+// A result that is proved comes before a cut with the same settings, as it is the more exact of the two.
+#include "link_previews.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/stopwatch.h"
+#include "collision_hulls/error.h"
+#include "collision_hulls/pipeline/progress_text.h"
+#include "ros/pen.h"
+#include "settings.h"
+
+namespace collision_hulls {
+namespace {
+
+bool isOfMesh(const GeometryElement& element) {
+  return element.kind == GeometryElement::Kind::kMesh;
+}
+
+/// The elements that a link has once it has hulls: they decide whether it has a colour of its own.
+std::vector<GeometryElement> elementsOf(const LinkDescription& link, const LinkOptions* options) {
+  if (!options || options->action == Action::kKeep) return link.collisions;
+  if (options->action == Action::kRemove) return {};
+  return sourceElements(link, options->source).elements;
+}
+
+bool isSomething(const GeometryElement& element) {
+  return isOfMesh(element) || isPrimitive(element);
+}
+
+/// By link, as drawResult() gives them.
+std::map<std::string, double> huesOf(const RobotDescription& robot, const LinkDecisions& decisions) {
+  std::map<std::string, double> hues;
+  for (const LinkDescription& link : robot.links) {
+    const std::vector<GeometryElement> elements = elementsOf(link, decisions.of(link.name));
+    if (std::any_of(elements.begin(), elements.end(), isSomething)) hues.emplace(link.name, linkHue(hues.size()));
+  }
+  return hues;
+}
+
+bool equalLengths(const Length& a, const Length& b) {
+  return a.limit == b.limit && a.share == b.share;
+}
+
+bool equalSettings(const LinkOptions& a, const LinkOptions& b) {
+  return a.action == b.action && equalLengths(a.tolerance, b.tolerance) && a.method == b.method && a.effort == b.effort &&
+         a.fill == b.fill && a.max_hulls == b.max_hulls && a.max_vertices == b.max_vertices && a.source == b.source;
+}
+
+Status worse(Status a, Status b) {
+  return a == Status::kFailed || b == Status::kOk ? a : b;
+}
+
+/// The sums and extremes over a link's meshes.
+void addRows(const LinkResult& result, LinkPreview& message) {
+  Status status = result.rows.empty() ? Status::kOk : result.rows.front().status;
+  for (std::size_t i = 0; i < result.rows.size(); ++i) {
+    const ElementReport& row = result.rows[i];
+    status = worse(status, row.status);
+    if (message.reason.empty()) message.reason = row.reason;
+    message.triangles += static_cast<std::uint32_t>(row.triangles);
+    message.hulls += static_cast<std::uint32_t>(row.hulls + row.primitives);
+    message.hull_vertices += static_cast<std::uint32_t>(row.hull_vertices);
+    message.tolerance = std::max(message.tolerance, row.tolerance);
+    message.protrusion = std::max(message.protrusion, row.protrusion);
+    if (row.protrusion_found <= message.protrusion_found) continue;
+    message.protrusion_found = row.protrusion_found;
+    message.worst = toPoint(result.elements[i].source.origin * row.worst);
+  }
+  message.meshes = static_cast<std::uint32_t>(result.rows.size());
+  message.status = name(status);
+}
+
+/// A row that says so.
+LinkResult undecomposed(const LinkDescription& link, const LinkOptions& options) {
+  LinkResult result;
+  result.elements.resize(1);
+  result.rows.resize(1);
+  result.elements.front().link = result.rows.front().link = link.name;
+  result.rows.front().status = options.action == Action::kKeep ? Status::kKept : Status::kRemoved;
+  return result;
+}
+
+/// A result without what only drawing the original needs.
+ElementResult withoutOriginal(const ElementResult& element) {
+  ElementResult copy;
+  copy.link = element.link;
+  copy.source = element.source;
+  copy.pose = element.pose;
+  copy.hulls = element.hulls;
+  copy.primitives = element.primitives;
+  return copy;
+}
+
+}  // namespace
+
+StepCallback StatedJob::stated(StepCallback step) const {
+  return [&preview = preview_, step = std::move(step)](const Step& now) {
+    preview.progress(now);
+    if (step) step(now);
+  };
+}
+
+LinkPreviews::LinkPreviews(const ros::NodeHandle& node, View& view) : view_(view), node_(node) {
+  publisher_ = node_.advertise<NodeState>("state", 1, true);
+  publish();
+}
+
+void LinkPreviews::open() {
+  service_ = node_.advertiseService("preview", &LinkPreviews::serve, this);
+}
+
+bool LinkPreviews::isNews(const RobotDescription& robot) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return robot_.text != robot.text;
+}
+
+void LinkPreviews::take(const RobotDescription& robot, const LinkDecisions& decisions, const RobotResult& result) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const Options& options = result.report.options;
+  const bool is_other = robot_.text != robot.text;
+  if (is_other) known_.clear();
+  if (is_other || options.links.empty()) hues_ = huesOf(robot, decisions);
+  if (options.tree) tree_ = options.tree;
+  robot_ = robot;
+  std::map<std::string, Known> news;
+  for (std::size_t i = 0; i < result.elements.size(); ++i) {
+    const std::string& link = result.elements[i].link;
+    Known& known = news[link];
+    known.options = *decisions.of(link);
+    known.proved = true;
+    known.result.elements.push_back(withoutOriginal(result.elements[i]));
+    known.result.rows.push_back(result.report.links[i]);
+  }
+  for (auto& [link, known] : news) known_[link] = std::move(known);
+  state_.robot = robot.name;
+  ++state_.changes;
+  publish();
+}
+
+std::vector<LinkPreview> LinkPreviews::messages(const std::vector<std::string>& links) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<LinkPreview> messages;
+  for (const LinkDescription& link : robot_.links) {
+    const auto known = known_.find(link.name);
+    const bool wanted = links.empty() || std::find(links.begin(), links.end(), link.name) != links.end();
+    if (wanted && known != known_.end()) messages.push_back(message(link.name, known->second));
+  }
+  return messages;
+}
+
+void LinkPreviews::show(const std::vector<std::string>& links) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<ShownLink> drawn;
+  for (const auto& [link, known] : known_)
+    if (links.empty() || std::find(links.begin(), links.end(), link) != links.end()) drawn.push_back(shown(link, known));
+  view_.replace(drawn, !links.empty());
+}
+
+void LinkPreviews::working(const std::string& job) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  state_.job = job;
+  state_.fraction = 0;
+  state_.text.clear();
+  publish();
+}
+
+void LinkPreviews::progress(const Step& step) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  state_.fraction = step.fraction;
+  state_.text = progressLine(step);
+  publish();
+}
+
+bool LinkPreviews::serve(PreviewRequest& request, PreviewResponse& response) {
+  try {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    response.robot = robot_.name;
+    Stopwatch time;
+    cutAll(request, response);
+    response.seconds = time.lap();
+    response.success = true;
+  } catch (const Error& error) {
+    response.message = error.what();
+  }
+  if (request.links.empty()) response.links = messages({});
+  return true;
+}
+
+void LinkPreviews::cutAll(const PreviewRequest& request, PreviewResponse& response) {
+  std::vector<ShownLink> drawn;
+  for (const LinkChoice& settings : request.links) {
+    const std::optional<Known> made = cut(settings);
+    response.links.push_back(made ? message(settings.link, *made) : unbuilt(settings));
+    const auto known = known_.find(settings.link);
+    if (made || known != known_.end()) drawn.push_back(shown(settings.link, made ? *made : known->second));
+    if (request.show && made) known_[settings.link] = *made;
+  }
+  if (request.show) view_.replace(drawn, true);
+}
+
+/// What a link becomes with these settings; nothing where that has to be built.
+std::optional<LinkPreviews::Known> LinkPreviews::cut(const LinkChoice& settings) const {
+  const LinkDescription& link = described(settings.link);
+  Known made;
+  made.options = withTree(toOptions(settings));
+  const auto known = known_.find(settings.link);
+  const bool is_same = known != known_.end() && known->second.proved && equalSettings(made.options, known->second.options);
+  if (made.options.action != Action::kDecompose) {
+    made.result = undecomposed(link, made.options);
+    made.proved = true;
+    return made;
+  }
+  std::optional<LinkResult> result = trees_.cut(link, made.options);
+  if (is_same && (!result || known->second.options.tree)) return known->second;
+  if (!result) return std::nullopt;
+  made.result = std::move(*result);
+  return made;
+}
+
+LinkPreview LinkPreviews::unbuilt(const LinkChoice& settings) const {
+  LinkPreview message;
+  message.settings = settings;
+  message.status = LinkPreview::UNBUILT;
+  message.reason = "no hull tree is held for these settings: build it";
+  return message;
+}
+
+/// With the tree that the last build had.
+LinkOptions LinkPreviews::withTree(LinkOptions options) const {
+  options.tree = options.method == Method::kCertified ? tree_ : std::nullopt;
+  return options;
+}
+
+const LinkDescription& LinkPreviews::described(const std::string& name) const {
+  const auto link = std::find_if(robot_.links.begin(), robot_.links.end(), [&](const LinkDescription& l) { return l.name == name; });
+  if (link != robot_.links.end()) return *link;
+  throw Error(ErrorCode::kBadOption, robot_.links.empty() ? "no robot is known yet: call ~build or ~decompose first"
+                                                          : "robot '" + robot_.name + "' has no link '" + name + "'");
+}
+
+ShownLink LinkPreviews::shown(const std::string& link, const Known& known) const {
+  const auto hue = hues_.find(link);
+  ShownLink result{described(link), hue == hues_.end() ? 0 : hue->second, known.result.elements, known.result.rows};
+  result.link.collisions = elementsOf(result.link, &known.options);
+  return result;
+}
+
+LinkPreview LinkPreviews::message(const std::string& link, const Known& known) const {
+  LinkPreview message;
+  message.settings = toMessage(link, known.options);
+  message.proved = known.proved;
+  addRows(known.result, message);
+  if (known.options.action == Action::kDecompose) message.steps = trees_.steps(described(link), withTree(known.options));
+  return message;
+}
+
+void LinkPreviews::publish() {
+  publisher_.publish(state_);
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,93 @@
+// What the node knows of each link: ~preview, which cuts hull trees, and ~state.
+#pragma once
+
+#include <collision_hulls/LinkPreview.h>
+#include <collision_hulls/NodeState.h>
+#include <collision_hulls/Preview.h>
+#include <ros/ros.h>
+
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/config/link_decisions.h"
+#include "robot_trees.h"
+#include "ros/view.h"
+
+namespace collision_hulls {
+
+/// Serves ~preview from the links' last results and from hull trees, and publishes ~state (latched). A service, not a topic pair: a caller
+/// knows which answer belongs to its question, and a slider that waits for each answer never floods the node. Thread safe.
+class LinkPreviews {
+ public:
+  /// `node`: the private name space. Nothing comes in before open().
+  LinkPreviews(const ros::NodeHandle& node, View& view);
+  void open();
+
+  RobotTrees& trees() { return trees_; }
+
+  /// Whether the links of another robot, or of none, are known.
+  bool isNews(const RobotDescription& robot) const;
+
+  /// What a run made: the results of its links take the place of earlier ones. Those of other links stay if the robot is the same.
+  void take(const RobotDescription& robot, const LinkDecisions& decisions, const RobotResult& result);
+
+  /// The results of these links as messages; empty: of all.
+  std::vector<LinkPreview> messages(const std::vector<std::string>& links) const;
+
+  /// Draws the last results of these links, with their edges; empty: of all, without.
+  void show(const std::vector<std::string>& links);
+
+  /// The state while the node works on a job, and when it ends (empty).
+  void working(const std::string& job);
+  void progress(const Step& step);
+
+ private:
+  /// A link's last result.
+  struct Known {
+    LinkOptions options;
+    LinkResult result;
+    bool proved = false;
+  };
+
+  bool serve(PreviewRequest& request, PreviewResponse& response);
+  void cutAll(const PreviewRequest& request, PreviewResponse& response);
+  std::optional<Known> cut(const LinkChoice& settings) const;
+  LinkPreview unbuilt(const LinkChoice& settings) const;
+  LinkOptions withTree(LinkOptions options) const;
+  const LinkDescription& described(const std::string& link) const;
+  ShownLink shown(const std::string& link, const Known& known) const;
+  LinkPreview message(const std::string& link, const Known& known) const;
+  void publish();
+
+  View& view_;
+  RobotTrees trees_;
+  mutable std::mutex mutex_;
+  RobotDescription robot_;
+  std::map<std::string, Known> known_;
+  std::map<std::string, double> hues_;  // by link
+  std::optional<Length> tree_;          // of the last build
+  NodeState state_;
+  ros::NodeHandle node_;
+  ros::Publisher publisher_;
+  ros::ServiceServer service_;  // last, so that no call comes to what is half gone
+};
+
+/// A job, for as long as the node works on it.
+class StatedJob {
+ public:
+  StatedJob(LinkPreviews& preview, const std::string& job) : preview_(preview) { preview_.working(job); }
+  ~StatedJob() { preview_.working(""); }
+  StatedJob(const StatedJob&) = delete;
+  StatedJob& operator=(const StatedJob&) = delete;
+
+  /// `step`, which may be empty, with the state published as well.
+  StepCallback stated(StepCallback step) const;
+
+ private:
+  LinkPreviews& preview_;
+};
+
+}  // namespace collision_hulls

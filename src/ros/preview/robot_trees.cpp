@@ -1,0 +1,250 @@
+// Builds in the frame that every run has (pipeline/run.h), with one stage of its own: read, tree, certify. What it reads stays, so that a
+// later cut needs neither file nor search: it picks nodes of a tree, whose hulls have their vertices reduced already. A cut through n nodes
+// takes O(n), and the copies of its hulls.
+#include "robot_trees.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "base/millimetres.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "collision_hulls/decompose/certified_hulls.h"
+#include "collision_hulls/error.h"
+#include "decompose/hulls_of_tree.h"
+#include "pipeline/run.h"
+#include "pipeline/stages.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr double kTreeShare = 0.7;    // of the time of a mesh, approximately
+constexpr double kStepApart = 1.005;  // steps that are nearer to each other than this count as one
+constexpr double kMostTolerance = 1;  // [m] see checkTolerance()
+
+std::string useKey(const GeometryElement& element) {
+  std::ostringstream key;
+  key.precision(17);
+  key << element.uri << '\n' << element.scale.transpose();
+  return key.str();
+}
+
+/// Rounded up to three digits, so that a tolerance of this value has a short text and still lets the node pass.
+double roundedUp(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2);
+  return std::ceil(value / unit * (1 - 1e-12)) * unit;
+}
+
+}  // namespace
+
+/// A tree with its reduced hulls.
+struct RobotTrees::Tree {
+  Tree(std::shared_ptr<const HullTree> built, int max_vertices) : tree(std::move(built)), cutter(*tree, max_vertices) {
+    cutter.mergedBounds();  // reduces them all, so that no cut has to
+  }
+  const std::shared_ptr<const HullTree> tree;
+  TreeCutter cutter;
+  std::mutex mutex;  // of the cutter
+};
+
+/// A mesh that was read, with its trees by their keys.
+struct RobotTrees::Mesh {
+  Mesh(const MeshTask& of, const Options& with)
+      : task(of), options(with), cache(options.cache ? cacheFolder() : std::filesystem::path()), shared(task, options, cache) {}
+  const MeshTask task;
+  const Options options;
+  Cache cache;
+  SharedMesh shared;
+  const ReadMesh* read = nullptr;
+  MeshResult known;  // once it is read
+  std::map<std::string, std::shared_ptr<Tree>> trees;
+};
+
+/// A mesh of a link; without its tree where that is not held.
+struct RobotTrees::Held {
+  ElementResult element;
+  ElementReport row;
+  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<Tree> tree;
+};
+
+double RobotTrees::leavesFor(const Mesh& mesh, const LinkOptions& options) {
+  const double diagonal = mesh.known.mesh.diagonal;
+  return std::min(options.tree->metres(diagonal), options.tolerance.metres(diagonal));
+}
+
+RobotTrees::RobotTrees() = default;
+RobotTrees::~RobotTrees() = default;
+
+RobotResult RobotTrees::build(const RobotDescription& robot, const PackageFinder& find_package, const Options& options,
+                              const RunControl& control, const StepCallback& step) {
+  check(options);
+  RobotResult result = emptyResult(robot, options, control);
+  const std::vector<MeshUse> uses = meshUses(robot, {LinkDecisions(options, robot)});
+  const auto resolve = [&](const std::string& uri) {
+    control.check();
+    return resolveUri(uri, robot.path, find_package);
+  };
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (robot_ != robot.text) meshes_.clear(), by_use_.clear();
+    robot_ = robot.text;
+  }
+  runStages({uses, resolve, 1, control, step}, result,
+            [&](Run& run) { forEachInTurn(run.tasks.size(), [&](std::size_t task) { buildTask(task, run); }); });
+  return result;
+}
+
+/// The held mesh of a task's content; a new one where there is none. Its uses are known from now on.
+std::shared_ptr<RobotTrees::Mesh> RobotTrees::meshFor(const MeshTask& task, const Run& run) {
+  std::ostringstream key;
+  key.precision(17);
+  key << task.sha256 << std::filesystem::path(task.file).extension().string() << task.scale.transpose() << ' ' << run.options.reader_memory
+      << ' ' << run.options.reader_time << ' ' << run.options.seed << ' ' << run.options.cache;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::shared_ptr<Mesh>& mesh = meshes_[key.str()];
+  if (!mesh) mesh = std::make_shared<Mesh>(task, run.options);
+  for (const MeshVariant& variant : task.variants)
+    for (const std::size_t use : variant.uses) by_use_[useKey(run.uses[use].source)] = mesh;
+  return mesh;
+}
+
+/// The tree that a link's options need, held from now on.
+std::shared_ptr<const HullTree> RobotTrees::hold(Mesh& mesh, const LinkOptions& options, const RunControl& control) {
+  const double leaves = leavesFor(mesh, options);
+  const std::shared_ptr<const HullTree> tree = mesh.shared.tree(options, leaves, control);
+  const std::string key = treeKey(mesh.task, options, mesh.options.seed, leaves);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (mesh.trees.count(key)) return tree;
+  }
+  auto held = std::make_shared<Tree>(tree, options.max_vertices);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  mesh.trees.emplace(key, std::move(held));
+  return tree;
+}
+
+/// Steps 1 to 4 of decomposeRobot() for one variant. Throws Error.
+MeshResult RobotTrees::resultOf(Mesh& mesh, const LinkOptions& options, const RunControl& preparing, const RunControl& certifying) {
+  MeshResult known;
+  if (!mesh.read) {
+    mesh.read = &mesh.shared.read(options, preparing, known);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    mesh.known = std::move(known);
+  }
+  MeshResult result = mesh.known;
+  result.mesh.tolerance = options.tolerance.metres(result.mesh.diagonal);
+  const std::shared_ptr<const HullTree> tree = options.tree ? hold(mesh, options, preparing) : nullptr;
+  CertifiedHulls made = certifiedHulls(
+      {result.original, mesh.read->repaired, *result.solid, mesh.read->margin, tree.get(), mesh.task.uri},
+      {options.method, result.mesh.tolerance, options.max_hulls, options.max_vertices, mesh.options.seed, options.effort, options.fill},
+      certifying);
+  result.hulls = std::move(made.hulls);
+  result.model = factsOf(result.hulls, 0, *result.solid, {made.bound, made.found, made.where, made.nearest});
+  result.status = made.within_tolerance ? Status::kOk : Status::kDegraded;
+  result.reason = made.reason;
+  return result;
+}
+
+void RobotTrees::buildTask(std::size_t index, Run& run) {
+  const MeshTask& task = run.tasks[index];
+  const std::shared_ptr<Mesh> mesh = meshFor(task, run);
+  const auto count = static_cast<double>(task.variants.size());
+  for (std::size_t v = 0; v < task.variants.size(); ++v) {
+    const double from = static_cast<double>(v) / count;
+    RunControl preparing, certifying;
+    run.progress.follow(preparing, index, from, from + kTreeShare / count);
+    run.progress.follow(certifying, index, from + kTreeShare / count, from + 1 / count);
+    auto result = std::make_shared<MeshResult>();
+    try {
+      *result = resultOf(*mesh, task.variants[v].options, preparing, certifying);
+    } catch (...) {
+      fail(*result);
+    }
+    finishVariant(task.variants[v], result, result->hulls.size(), run);
+  }
+  run.progress.finish(index);
+}
+
+std::shared_ptr<RobotTrees::Tree> RobotTrees::treeOf(const Mesh& mesh, const LinkOptions& options) const {
+  const auto tree = mesh.trees.find(treeKey(mesh.task, options, mesh.options.seed, leavesFor(mesh, options)));
+  return tree == mesh.trees.end() ? nullptr : tree->second;
+}
+
+std::vector<RobotTrees::Held> RobotTrees::heldOf(const LinkDescription& link, const LinkOptions& options) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const SourceElements source = sourceElements(link, options.source);
+  std::vector<Held> held;
+  for (std::size_t i = 0; i < source.elements.size(); ++i) {
+    const GeometryElement& element = source.elements[i];
+    if (element.kind != GeometryElement::Kind::kMesh) continue;
+    Held one;
+    one.element.link = one.row.link = link.name;
+    one.element.source = element;
+    one.element.pose = link.pose * element.origin;
+    one.row.element = static_cast<int>(i);
+    one.row.visual = source.visual;
+    one.row.uri = element.uri;
+    one.row.scale = element.scale;
+    one.row.method = options.method;
+    const auto mesh = by_use_.find(useKey(element));
+    if (mesh != by_use_.end() && mesh->second->known.solid && options.tree) {
+      one.mesh = mesh->second;
+      one.tree = treeOf(*one.mesh, options);
+      static_cast<MeshFacts&>(one.row) = one.mesh->known.mesh;
+      one.row.tolerance = options.tolerance.metres(one.row.diagonal);
+    }
+    held.push_back(std::move(one));
+  }
+  return held;
+}
+
+std::optional<LinkResult> RobotTrees::cut(const LinkDescription& link, const LinkOptions& options) const {
+  LinkResult result;
+  for (Held& held : heldOf(link, options)) {
+    if (!held.tree) return std::nullopt;
+    cutThrough(held, options);
+    result.elements.push_back(std::move(held.element));
+    result.rows.push_back(std::move(held.row));
+  }
+  return result;
+}
+
+void RobotTrees::cutThrough(Held& held, const LinkOptions& options) {
+  const double margin = held.mesh->read->margin;
+  ElementReport& row = held.row;
+  const std::lock_guard<std::mutex> lock(held.tree->mutex);
+  TreeCutter& cutter = held.tree->cutter;
+  const TreeCutter::Cut cut = cutter.cut(firstAim(row.tolerance, margin), options.max_hulls);
+  for (const int node : cut.nodes) {
+    held.element.hulls.push_back(cutter.hull(node));
+    row.hull_vertices += held.element.hulls.back().vertices.size();
+  }
+  row.hulls = cut.nodes.size();
+  row.protrusion = cut.bound + margin;
+  if (row.protrusion <= row.tolerance) return;
+  row.status = Status::kDegraded;
+  row.reason = "the hulls protrude by up to " + millimetres(row.protrusion) + ", more than the tolerance of " + millimetres(row.tolerance) +
+               (cut.capped ? ": raise max_hulls" : ": give the tree finer leaves");
+}
+
+std::vector<double> RobotTrees::steps(const LinkDescription& link, const LinkOptions& options) const {
+  double finest = 0;
+  std::set<double> offered;
+  for (const Held& held : heldOf(link, options)) {
+    if (!held.tree) return {};
+    finest = std::max(finest, leavesFor(*held.mesh, options));
+    const std::lock_guard<std::mutex> lock(held.tree->mutex);
+    for (const double bound : held.tree->cutter.mergedBounds()) offered.insert(toleranceForAim(bound, held.mesh->read->margin));
+  }
+  std::vector<double> steps;
+  if (finest > 0) steps.push_back(roundedUp(finest));
+  for (const double step : offered)
+    if (step <= kMostTolerance && step > kStepApart * steps.back()) steps.push_back(roundedUp(step));
+  return steps;
+}
+
+}  // namespace collision_hulls

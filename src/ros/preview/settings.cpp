@@ -1,0 +1,54 @@
+// Field by field; an empty text keeps the default.
+#include "settings.h"
+
+#include <optional>
+
+#include "collision_hulls/error.h"
+
+namespace collision_hulls {
+namespace {
+
+/// Sets an option that has names; `item`: "link 'arm': method".
+template <typename T>
+void readNamed(const std::string& item, const std::string& text, std::optional<T> (*parse)(const std::string&), const std::string& choices,
+               T& option) {
+  if (text.empty()) return;
+  const std::optional<T> value = parse(text);
+  if (!value) throw Error(ErrorCode::kBadOption, item + " '" + text + "' is unknown: use one of " + choices);
+  option = *value;
+}
+
+}  // namespace
+
+LinkChoice toMessage(const std::string& link, const LinkOptions& options) {
+  LinkChoice message;
+  message.link = link;
+  message.action = name(options.action);
+  message.tolerance = toString(options.tolerance);
+  message.method = name(options.method);
+  message.effort = name(options.effort);
+  message.fill = options.fill;
+  message.max_hulls = options.max_hulls;
+  message.max_vertices = options.max_vertices;
+  message.source = name(options.source);
+  return message;
+}
+
+LinkOptions toOptions(const LinkChoice& settings) {
+  const std::string link = "link '" + settings.link + "': ";
+  LinkOptions options;
+  readNamed(link + "action", settings.action, actionNamed, "decompose, keep, remove", options.action);
+  if (!settings.tolerance.empty()) options.tolerance = parseLength(settings.tolerance, link + "tolerance");
+  checkTolerance(options.tolerance, link + "tolerance");
+  readNamed(link + "method", settings.method, methodNamed, methodChoices(), options.method);
+  readNamed(link + "effort", settings.effort, effortNamed, effortChoices(), options.effort);
+  readNamed(link + "source", settings.source, sourceNamed, "auto, visual, collision", options.source);
+  options.fill = settings.fill;
+  options.max_hulls = settings.max_hulls;
+  options.max_vertices = settings.max_vertices;
+  checkLimits(options);
+  if (options.method != Method::kCertified) options.effort = Effort::kQuick, options.fill = false;
+  return options;
+}
+
+}  // namespace collision_hulls

@@ -1,0 +1,83 @@
+// What the panel's table shows and its buttons change: the robot's links, with settings and what is known of them. Knows neither ROS nor
+// Qt.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision_hulls/report/options.h"
+
+namespace collision_hulls {
+
+/// What a link becomes with its settings; see LinkPreview.msg.
+struct LinkFacts {
+  std::string status;  ///< "ok", "degraded", "failed", "kept", "removed", "unbuilt"
+  std::string reason;
+  bool proved = false;
+  std::size_t triangles = 0, hulls = 0, vertices = 0;
+  double tolerance = 0, protrusion = 0, found = 0;  ///< [m]
+  Eigen::Vector3d worst = Eigen::Vector3d::Zero();  ///< in the link's frame
+  std::vector<double> steps;                        ///< [m]
+};
+
+struct LinkRow {
+  std::string link;
+  LinkOptions options;
+  LinkFacts facts;
+};
+
+struct TableTotals {
+  std::size_t links = 0, hulls = 0, vertices = 0;
+  std::size_t unbuilt = 0, failed = 0;
+  double protrusion = 0;   ///< [m] the largest that is proved
+  std::string worst_link;  ///< that has it
+};
+
+/// Rows in the robot's order. Indices are those of rows().
+class LinkTable {
+ public:
+  const std::vector<LinkRow>& rows() const { return rows_; }
+
+  /// The index of a link; -1: there is none.
+  int indexOf(const std::string& link) const;
+
+  /// Takes what a node says of all links. Settings that were changed here and not built yet stay, if the links are the same; so does what
+  /// can be undone. Otherwise both are gone.
+  void take(std::vector<LinkRow> rows);
+
+  /// Takes a node's answer on one link. An answer to other settings than the row has now came too late and changes nothing; whether it did.
+  bool answer(const LinkRow& row);
+
+  /// Changes settings of rows. `goes_on`: the same change as before, such as the next move of a slider; undo() takes both back at once.
+  void change(const std::vector<int>& rows, const std::function<void(LinkOptions&)>& change, bool goes_on = false);
+
+  bool canUndo() const { return !history_.empty(); }
+  /// The rows whose settings it brought back.
+  std::vector<int> undo();
+
+  TableTotals totals() const;
+
+  /// The configuration that makes these hulls (doc/configuration.md): a rule for each link that differs from the defaults. `tree`: of the
+  /// node's trees, whose cuts the hulls are.
+  std::string configuration(const std::optional<Length>& tree) const;
+
+  /// Sets the rows' settings as a configuration says; other links of it are none of ours. Returns the configuration's tree, if it has one.
+  /// Throws as readConfig() and LinkDecisions.
+  std::optional<Length> load(const std::string& file);
+  std::optional<Length> loadText(const std::string& text, const std::string& name);
+
+ private:
+  std::vector<LinkOptions> options() const;
+
+  std::vector<LinkRow> rows_;
+  std::vector<std::vector<LinkOptions>> history_;  // before each change
+};
+
+/// Whether both make the same hulls, as far as their settings go.
+bool equalSettings(const LinkOptions& a, const LinkOptions& b);
+
+}  // namespace collision_hulls

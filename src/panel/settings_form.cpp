@@ -1,0 +1,226 @@
+// The slider's own positions mean nothing: each is taken to the nearest tolerance that the hull trees offer, and the slider goes there. Its
+// arrow keys go from one of these to the next.
+#include "panel/settings_form.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSpinBox>
+#include <algorithm>
+
+#include "collision_hulls/decompose/reduce_vertices.h"
+#include "collision_hulls/error.h"
+#include "panel/table_model.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr int kPage = 5;  // steps
+constexpr int kMostHulls = 1000, kMostVertices = 1000;
+
+QComboBox* addBox(QGridLayout* grid, int row, int column, const QString& label, const char* object, const QStringList& items) {
+  auto* const text = new QLabel(label);
+  auto* const box = new QComboBox;
+  box->setObjectName(object);
+  box->addItems(items);
+  text->setBuddy(box);
+  grid->addWidget(text, row, column);
+  grid->addWidget(box, row, column + 1);
+  return box;
+}
+
+QSpinBox* addSpin(QGridLayout* grid, int row, int column, const QString& label, const char* object, int most) {
+  auto* const text = new QLabel(label);
+  auto* const spin = new QSpinBox;
+  spin->setObjectName(object);
+  spin->setRange(0, most);
+  spin->setSpecialValueText("no limit");
+  spin->setKeyboardTracking(false);
+  text->setBuddy(spin);
+  grid->addWidget(text, row, column);
+  grid->addWidget(spin, row, column + 1);
+  return spin;
+}
+
+template <typename T>
+QStringList namesOf(const std::vector<T>& all) {
+  QStringList names;
+  for (const T& one : all) names << name(one);
+  return names;
+}
+
+}  // namespace
+
+SettingsForm::SettingsForm(QWidget* parent) : QWidget(parent) {
+  auto* const grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  addTolerance(grid);
+  addBoxes(grid);
+  for (const int column : {1, 3, 5}) grid->setColumnStretch(column, 1);
+  show({});
+}
+
+void SettingsForm::addTolerance(QGridLayout* grid) {
+  auto* const text = new QLabel("&Tolerance");
+  slider_ = new QSlider(Qt::Horizontal);
+  slider_->setObjectName("tolerance");
+  slider_->setRange(0, ToleranceScale::kPositions);
+  slider_->setToolTip("How far the hulls of the chosen links may protrude: left is finer. The arrow keys go to the next number of hulls.");
+  slider_->installEventFilter(this);
+  text->setBuddy(slider_);
+  tolerance_text_ = new QLineEdit;
+  tolerance_text_->setObjectName("tolerance_text");
+  tolerance_text_->setToolTip("A length such as 5mm, a percentage of each mesh's diagonal, or both: 1cm,5%");
+  tolerance_text_->setAccessibleName("Tolerance");
+  effect_ = new QLabel;
+  effect_->setObjectName("effect");
+  effect_->setWordWrap(true);
+  grid->addWidget(text, 0, 0);
+  grid->addWidget(slider_, 0, 1, 1, 4);
+  grid->addWidget(tolerance_text_, 0, 5);
+  grid->addWidget(effect_, 1, 1, 1, 5);
+  connect(slider_, &QSlider::valueChanged, this, &SettingsForm::slide);
+  connect(tolerance_text_, &QLineEdit::editingFinished, this, &SettingsForm::typeTolerance);
+}
+
+void SettingsForm::addBoxes(QGridLayout* grid) {
+  action_ = addBox(grid, 2, 0, "&Collision", "action", {"decompose", "keep", "remove"});
+  action_->setToolTip("What becomes of the links' <collision> elements");
+  method_ = addBox(grid, 2, 2, "&Method", "method", namesOf(allMethods()));
+  effort_ = addBox(grid, 2, 4, "&Effort", "effort", namesOf(allEfforts()));
+  max_hulls_ = addSpin(grid, 3, 0, "Most &hulls", "max_hulls", kMostHulls);
+  max_hulls_->setToolTip("Per mesh");
+  max_vertices_ = addSpin(grid, 3, 2, "Most &vertices", "max_vertices", kMostVertices);
+  max_vertices_->setToolTip("Per hull");
+  source_ = addBox(grid, 3, 4, "So&urce", "source", {"auto", "visual", "collision"});
+  const auto choose = [this](QComboBox* box, auto apply) {
+    connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, box, apply](int) {
+      const std::string text = box->currentText().toStdString();
+      if (!is_showing_) goes_on_ = false, Q_EMIT changed([text, apply](LinkOptions& options) { apply(text, options); }, false);
+    });
+  };
+  choose(action_, [](const std::string& text, LinkOptions& options) { options.action = *actionNamed(text); });
+  choose(method_, [](const std::string& text, LinkOptions& options) { options.method = *methodNamed(text); });
+  choose(effort_, [](const std::string& text, LinkOptions& options) { options.effort = *effortNamed(text); });
+  choose(source_, [](const std::string& text, LinkOptions& options) { options.source = *sourceNamed(text); });
+  const auto limit = [this](QSpinBox* spin, int LinkOptions::*option, int least) {
+    connect(spin, QOverload<int>::of(&QSpinBox::valueChanged), this, [this, option, least](int value) {
+      const int limit = value == 0 ? 0 : std::max(value, least);
+      if (!is_showing_) goes_on_ = false, Q_EMIT changed([=](LinkOptions& options) { options.*option = limit; }, false);
+    });
+  };
+  limit(max_hulls_, &LinkOptions::max_hulls, 1);
+  limit(max_vertices_, &LinkOptions::max_vertices, kLeastVertices);
+}
+
+void SettingsForm::show(const std::vector<const LinkRow*>& links) {
+  is_showing_ = true;
+  std::vector<std::vector<double>> steps;
+  for (const LinkRow* link : links) steps.push_back(link->facts.steps);
+  if (steps != steps_) scale_ = ToleranceScale(steps), steps_ = std::move(steps);
+  const LinkOptions options = links.empty() ? LinkOptions() : links.front()->options;
+  const double known = links.empty() ? 0 : links.front()->facts.tolerance;
+  if (options.tolerance.share == Length::kUnset || known == 0) {
+    tolerance_ = std::min(options.tolerance.limit, 1.0);
+  } else {
+    tolerance_ = known;
+  }
+  slider_->setValue(scale_.positionOf(tolerance_));
+  if (!tolerance_text_->hasFocus() || !tolerance_text_->isModified())
+    tolerance_text_->setText(QString::fromStdString(toString(options.tolerance)));
+  action_->setCurrentText(name(options.action));
+  method_->setCurrentText(name(options.method));
+  effort_->setCurrentText(name(options.effort));
+  source_->setCurrentText(name(options.source));
+  max_hulls_->setValue(options.max_hulls);
+  max_vertices_->setValue(options.max_vertices);
+  enable(!links.empty(), options);
+  describe(links);
+  is_showing_ = false;
+}
+
+void SettingsForm::enable(bool any, const LinkOptions& options) {
+  const bool decomposed = any && options.action == Action::kDecompose;
+  const bool takes_tolerance = options.method != Method::kSingleHull && options.method != Method::kBoundingBox;
+  action_->setEnabled(any);
+  for (QWidget* widget : {static_cast<QWidget*>(method_), static_cast<QWidget*>(source_), static_cast<QWidget*>(max_vertices_)})
+    widget->setEnabled(decomposed);
+  slider_->setEnabled(decomposed && takes_tolerance);
+  tolerance_text_->setEnabled(decomposed && takes_tolerance);
+  max_hulls_->setEnabled(decomposed && takes_tolerance);
+  effort_->setEnabled(decomposed && options.method == Method::kCertified);
+}
+
+/// The number of hulls and the bound, beside the slider.
+void SettingsForm::describe(const std::vector<const LinkRow*>& links) {
+  std::size_t hulls = 0;
+  double bound = 0;
+  bool unbuilt = false;
+  for (const LinkRow* link : links) {
+    hulls += link->facts.hulls;
+    bound = std::max(bound, link->facts.protrusion);
+    unbuilt = unbuilt || link->facts.status == "unbuilt";
+  }
+  if (links.empty()) {
+    effect_->setText("Choose links in the table to change them.");
+  } else if (unbuilt) {
+    effect_->setText("Not built yet with these settings.");
+  } else {
+    effect_->setText(QString("<b>%1</b> %2%3")
+                         .arg(hulls)
+                         .arg(hulls == 1 ? "hull" : "hulls")
+                         .arg(bound > 0 ? ", proved to protrude at most <b>" + lengthText(bound) + "</b>" : QString()));
+  }
+}
+
+void SettingsForm::slide(int position) {
+  if (is_showing_) return;
+  const double tolerance = scale_.toleranceAt(position);
+  if (tolerance != tolerance_) setTolerance(lengthOf(tolerance), goes_on_);
+}
+
+void SettingsForm::step(int by) {
+  setTolerance(lengthOf(scale_.stepFrom(tolerance_, by)), goes_on_);
+}
+
+void SettingsForm::setTolerance(const Length& tolerance, bool goes_on) {
+  tolerance_ = tolerance.limit;
+  goes_on_ = true;
+  tolerance_text_->setModified(false);
+  Q_EMIT changed([tolerance](LinkOptions& options) { options.tolerance = tolerance; }, goes_on);
+}
+
+void SettingsForm::typeTolerance() {
+  if (!tolerance_text_->isModified()) return;
+  try {
+    const Length tolerance = parseLength(tolerance_text_->text().toStdString());
+    checkTolerance(tolerance);
+    goes_on_ = false;
+    tolerance_text_->setModified(false);
+    Q_EMIT changed([tolerance](LinkOptions& options) { options.tolerance = tolerance; }, false);
+  } catch (const Error& error) {
+    effect_->setText(QString::fromStdString(error.what()).toHtmlEscaped());
+  }
+}
+
+/// The slider's keys.
+bool SettingsForm::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == slider_ && event->type() == QEvent::KeyPress) {
+    switch (static_cast<QKeyEvent*>(event)->key()) {
+      case Qt::Key_Left:
+      case Qt::Key_Down: step(-1); return true;
+      case Qt::Key_Right:
+      case Qt::Key_Up: step(1); return true;
+      case Qt::Key_PageDown: step(-kPage); return true;
+      case Qt::Key_PageUp: step(kPage); return true;
+    }
+  }
+  if (watched == slider_ && event->type() == QEvent::MouseButtonPress) goes_on_ = false;
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace collision_hulls

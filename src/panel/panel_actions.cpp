@@ -26,10 +26,10 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kClose = 30;                     // the camera's distance from the worst place, in protrusions,
-constexpr double kNearest = 0.15, kFurthest = 2;  // [m] and its limits
-constexpr int kMostRefusals = 10, kRetry = 300;   // [ms]
-constexpr double kClearance = 0.01;               // [m] from a scene, if nobody changes it
+constexpr double kClose = 60;                    // the camera's distance from the worst place, in protrusions,
+constexpr double kNearest = 0.3, kFurthest = 3;  // [m] and its limits
+constexpr int kMostRefusals = 10, kRetry = 300;  // [ms]
+constexpr double kClearance = 0.01;              // [m] from a scene, if nobody changes it
 constexpr const char* kFilter = "Configurations (*.yaml *.yml);;All files (*)";
 constexpr const char* kScenes = "Scenes (*.scene *.urdf *.xacro *.sdf *.world *.yaml *.bt *.ot *.stl *.obj *.dae *.ply);;All files (*)";
 

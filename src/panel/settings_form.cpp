@@ -11,6 +11,8 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "collision_hulls/error.h"
@@ -19,7 +21,8 @@
 namespace collision_hulls {
 namespace {
 
-constexpr int kPage = 5;  // steps
+constexpr int kPage = 5;         // steps
+constexpr double kSame = 0.001;  // of a tolerance: steps are further apart
 constexpr int kMostHulls = 1000, kMostVertices = 1000;
 
 QComboBox* addBox(QGridLayout* grid, int row, int column, const QString& label, const char* object, const QStringList& items) {
@@ -180,17 +183,19 @@ void SettingsForm::describe(const std::vector<const LinkRow*>& links) {
 void SettingsForm::slide(int position) {
   if (is_showing_) return;
   const double tolerance = scale_.toleranceAt(position);
-  if (tolerance != tolerance_) setTolerance(lengthOf(tolerance), goes_on_);
+  if (std::abs(tolerance - tolerance_) > kSame * tolerance) setTolerance(tolerance);
 }
 
 void SettingsForm::step(int by) {
-  setTolerance(lengthOf(scale_.stepFrom(tolerance_, by)), goes_on_);
+  setTolerance(scale_.stepFrom(tolerance_, by));
 }
 
-void SettingsForm::setTolerance(const Length& tolerance, bool goes_on) {
+/// In millimetres of three digits, as people write it.
+void SettingsForm::setTolerance(double metres) {
+  const Length tolerance = parseLength(QString::number(1000 * metres, 'g', 3).toStdString() + "mm");
   tolerance_ = tolerance.limit;
-  goes_on_ = true;
   tolerance_text_->setModified(false);
+  const bool goes_on = std::exchange(goes_on_, true);
   Q_EMIT changed([tolerance](LinkOptions& options) { options.tolerance = tolerance; }, goes_on);
 }
 

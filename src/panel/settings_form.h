@@ -42,7 +42,7 @@ class SettingsForm : public QWidget {
   void slide(int position);
   void step(int by);
   void typeTolerance();
-  void setTolerance(const Length& tolerance, bool goes_on);
+  void setTolerance(double metres);
 
   ToleranceScale scale_;
   std::vector<std::vector<double>> steps_;

@@ -24,13 +24,34 @@ visualization_msgs::Marker deleteAll() {
   return marker;
 }
 
-visualization_msgs::Marker deleted(const visualization_msgs::Marker& shown) {
+/// Takes a marker away, which rviz does as soon as it hears of it.
+visualization_msgs::Marker deleted(const std::string& name, int id) {
   visualization_msgs::Marker marker;
-  marker.header = shown.header;
-  marker.ns = shown.ns;
-  marker.id = shown.id;
+  marker.ns = name;
+  marker.id = id;
   marker.action = visualization_msgs::Marker::DELETE;
   return marker;
+}
+
+/// Leaves nothing to be seen of a marker: a triangle without area, which rviz takes in the order of arrival.
+visualization_msgs::Marker blank(const std::string& name, int id, const std::string& frame) {
+  visualization_msgs::Marker marker;
+  marker.header.frame_id = frame;
+  marker.ns = name;
+  marker.id = id;
+  marker.type = visualization_msgs::Marker::TRIANGLE_LIST;
+  marker.frame_locked = true;  // as the marker was: rviz 1.14 aborts where this changes
+  marker.pose.orientation.w = 1;
+  marker.scale.x = marker.scale.y = marker.scale.z = 1;
+  marker.color.a = 1;
+  marker.points.resize(3);
+  return marker;
+}
+
+/// The kind and the link of "hulls/forearm".
+std::pair<std::string, std::string> partsOf(const std::string& name) {
+  const std::size_t slash = std::min(name.find('/'), name.size());
+  return {name.substr(0, slash), name.substr(std::min(slash + 1, name.size()))};
 }
 
 /// tf2 frames have no leading slash; older publishers write one.
@@ -82,6 +103,7 @@ void View::begin(const RobotDescription& robot, Source source, const PackageFind
 }
 
 void View::progress(const Step& step) {
+  if (step.fraction >= 1) return;  // it is over at once, and rviz might show this text after that: see replace()
   const std::lock_guard<std::mutex> lock(mutex_);
   putProgress(progressLine(step));
 }
@@ -102,7 +124,12 @@ void View::end() {
 
 void View::put(Topic topic, MarkerList markers) {
   Display& display = displays_[topic];
-  for (const visualization_msgs::Marker& marker : markers) drawn_.insert(marker.header.frame_id);
+  display.used.clear();
+  for (const visualization_msgs::Marker& marker : markers) {
+    drawn_.insert(marker.header.frame_id);
+    int& used = display.used[marker.ns];
+    used = std::max(used, marker.id + 1);
+  }
   display.markers.markers = std::move(markers);
   display.markers.markers.insert(display.markers.markers.begin(), deleteAll());
   display.publisher.publish(display.markers);
@@ -126,7 +153,7 @@ void View::put(Drawing drawing) {
   repeatSoon();
 }
 
-void View::replace(const std::vector<ShownLink>& links, bool chosen) {
+void View::replace(const std::vector<ShownLink>& links, Redraw redraw) {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::set<std::string> names;
   Drawing all;
@@ -136,30 +163,45 @@ void View::replace(const std::vector<ShownLink>& links, bool chosen) {
     for (const auto list : {&Drawing::hulls, &Drawing::protrusion, &Drawing::chosen})
       (all.*list).insert((all.*list).end(), (drawing.*list).begin(), (drawing.*list).end());
   }
-  replace(kHulls, names, all.hulls);
-  put(kChosen, chosen ? std::move(all.chosen) : MarkerList());
-  replace(kProtrusion, names, all.protrusion);
+  if (!redraw.chosen) all.chosen.clear();
+  replace(kHulls, names, all.hulls, redraw.settled);
+  std::set<std::string> chosen = names;
+  for (const auto& [name, used] : displays_[kChosen].used) chosen.insert(partsOf(name).second);
+  replace(kChosen, chosen, all.chosen, redraw.settled);
+  replace(kProtrusion, names, all.protrusion, redraw.settled);
   all.hulls.insert(all.hulls.end(), all.protrusion.begin(), all.protrusion.end());
-  replace(kAll, names, all.hulls);
+  replace(kAll, names, all.hulls, redraw.settled);
 }
 
 /// Publishes the difference alone: a large robot's markers take longer than a slider may.
-void View::replace(Topic topic, const std::set<std::string>& links, const MarkerList& markers) {
-  std::set<std::pair<std::string, int>> kept;
-  for (const visualization_msgs::Marker& marker : markers) kept.insert({marker.ns, marker.id}), drawn_.insert(marker.header.frame_id);
+///
+/// rviz lets what it has to draw wait for its frame, at least until the next turn of its loop; a DELETE does not wait, and overtakes what
+/// was sent shortly before. So markers that are no longer needed become blank, and are deleted once the links have settled.
+void View::replace(Topic topic, const std::set<std::string>& links, const MarkerList& markers, bool settled) {
+  static const std::set<std::string> kinds{"hulls", "primitives", "worst", "chosen"};
+  const auto is_replaced = [&](const std::string& name) {
+    const auto [kind, link] = partsOf(name);
+    return kinds.count(kind) > 0 && links.count(link) > 0;
+  };
   Display& display = displays_[topic];
   MarkerList& shown = display.markers.markers;
-  visualization_msgs::MarkerArray change;
-  const auto is_replaced = [&](const visualization_msgs::Marker& marker) {
-    const std::size_t slash = marker.ns.find('/');
-    const std::string kind = marker.ns.substr(0, slash);
-    if ((kind != "hulls" && kind != "primitives" && kind != "worst") || links.count(marker.ns.substr(slash + 1)) == 0) return false;
-    if (kept.count({marker.ns, marker.id}) == 0) change.markers.push_back(deleted(marker));
-    return true;
-  };
-  shown.erase(std::remove_if(shown.begin(), shown.end(), is_replaced), shown.end());
+  const auto is_old = [&](const visualization_msgs::Marker& marker) { return is_replaced(marker.ns); };
+  shown.erase(std::remove_if(shown.begin(), shown.end(), is_old), shown.end());
   shown.insert(shown.end(), markers.begin(), markers.end());
-  change.markers.insert(change.markers.end(), markers.begin(), markers.end());
+  visualization_msgs::MarkerArray change;
+  change.markers = markers;
+  std::map<std::string, int> needed;
+  for (const visualization_msgs::Marker& marker : markers) {
+    needed[marker.ns] = std::max(needed[marker.ns], marker.id + 1);
+    drawn_.insert(marker.header.frame_id);
+  }
+  for (auto& [name, used] : display.used) {
+    if (!is_replaced(name)) continue;
+    for (int id = needed[name]; id < used; ++id)
+      change.markers.push_back(settled ? deleted(name, id) : blank(name, id, partsOf(name).second));
+    if (settled) used = 0;
+  }
+  for (const auto& [name, count] : needed) display.used[name] = std::max(display.used[name], count);
   if (!change.markers.empty() && display.publisher.getNumSubscribers() > 0) display.publisher.publish(change);
 }
 

@@ -6,6 +6,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <array>
+#include <map>
 #include <mutex>
 #include <set>
 #include <string>
@@ -36,9 +37,13 @@ class View {
   /// Its result, with the scene that the robot was fitted to (null: none).
   void show(const RobotResult& result, const Scene* scene = nullptr);
 
-  /// Draws these links anew, as far as hulls and protrusion go, and the edges of those that are `chosen` in the place of others'.
-  /// Subscribers get only what changes; those that come later get all, as after each new subscriber.
-  void replace(const std::vector<ShownLink>& links, bool chosen);
+  struct Redraw {
+    bool chosen = false;   ///< their edges take the place of others'; false: nobody's edges are drawn
+    bool settled = false;  ///< no other change is about to follow
+  };
+  /// Draws these links anew, as far as hulls and protrusion go. Subscribers get only what changes; those that come later get all, as after
+  /// each new subscriber.
+  void replace(const std::vector<ShownLink>& links, Redraw redraw);
 
   /// It is over, whether with a result or not.
   void end();
@@ -48,11 +53,12 @@ class View {
   struct Display {
     ros::Publisher publisher;
     visualization_msgs::MarkerArray markers;
+    std::map<std::string, int> used;  // by namespace: one more than the largest id that subscribers may have
   };
 
   void put(Topic topic, MarkerList markers);  // these need the mutex to be held
   void put(Drawing drawing);
-  void replace(Topic topic, const std::set<std::string>& links, const MarkerList& markers);
+  void replace(Topic topic, const std::set<std::string>& links, const MarkerList& markers, bool settled);
   void putProgress(const std::string& text);
   void repeatSoon();
 

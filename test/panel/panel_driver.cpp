@@ -2,7 +2,7 @@
 // the names of the panel's widgets. Answers each with a line. For test/ros/panel_test.py and scripts/panel_picture.
 //
 //   get WIDGET PROPERTY            its value
-//   wait WIDGET PROPERTY REGEX S   until a property matches, at most S seconds; the value
+//   wait WIDGET PROPERTY S REGEX   until a property matches, at most S seconds; the value
 //   click WIDGET                   once it is enabled
 //   key WIDGET KEYS TIMES          such as Right or Ctrl+A, to a widget that has the focus
 //   type WIDGET TEXT               in the place of what is there, and return
@@ -68,13 +68,13 @@ class Driver : public QObject {
   }
 
   QString wait(const QStringList& words) {
-    const QRegularExpression wanted(words.at(3));
+    const QRegularExpression wanted(words.mid(4).join(' '));
     QString value;
     const auto is_there = [&] {
       value = widget(words.at(1))->property(words.at(2).toLatin1()).toString();
       return wanted.match(value).hasMatch();
     };
-    if (QTest::qWaitFor(is_there, words.at(4).toInt() * 1000)) return value;
+    if (QTest::qWaitFor(is_there, words.at(3).toInt() * 1000)) return value;
     throw std::runtime_error(words.at(1).toStdString() + " is still '" + value.toStdString() + "'");
   }
 
@@ -166,9 +166,9 @@ void listen(Driver& driver) {
         &driver,
         [&driver, line] {
           try {
-            std::cout << "ok " << driver.obey(QString::fromStdString(line)).toStdString() << std::endl;
+            std::cout << "ok " << driver.obey(QString::fromStdString(line)).replace('\n', ' ').toStdString() << std::endl;
           } catch (const std::exception& error) {
-            std::cout << "failed " << error.what() << std::endl;
+            std::cout << "failed " << QString(error.what()).replace('\n', ' ').toStdString() << std::endl;
           }
         },
         Qt::BlockingQueuedConnection);

@@ -156,7 +156,7 @@ void LinkPreviews::show(const std::vector<std::string>& links) {
   std::vector<ShownLink> drawn;
   for (const auto& [link, known] : known_)
     if (links.empty() || std::find(links.begin(), links.end(), link) != links.end()) drawn.push_back(shown(link, known));
-  view_.replace(drawn, !links.empty());
+  view_.replace(drawn, {!links.empty(), true});
 }
 
 void LinkPreviews::working(const std::string& job) {
@@ -198,7 +198,7 @@ void LinkPreviews::cutAll(const PreviewRequest& request, PreviewResponse& respon
     if (made || known != known_.end()) drawn.push_back(shown(settings.link, made ? *made : known->second));
     if (request.show && made) known_[settings.link] = *made;
   }
-  if (request.show) view_.replace(drawn, true);
+  if (request.show) view_.replace(drawn, {true, false});
 }
 
 /// What a link becomes with these settings; nothing where that has to be built.

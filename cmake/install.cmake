@@ -7,6 +7,9 @@ install(TARGETS ${PROJECT_NAME} ${PROJECT_NAME}_core
 foreach(program ${PROGRAMS})
   install(TARGETS ${program} RUNTIME DESTINATION ${PROGRAM_DESTINATION})
 endforeach()
+if(TARGET ${PROJECT_NAME}_panel)
+  install(TARGETS ${PROJECT_NAME}_panel LIBRARY DESTINATION ${LIBRARY_DESTINATION})
+endif()
 install(DIRECTORY include/${PROJECT_NAME}/ DESTINATION ${INCLUDE_DESTINATION})
 if(NOT COLLISION_HULLS_ROS)
   install_cmake_package()
@@ -15,6 +18,6 @@ endif()
 
 install(FILES scripts/completion.bash DESTINATION ${SHARE_DESTINATION})
 install(DIRECTORY launch meshes rviz schema urdf DESTINATION ${SHARE_DESTINATION} PATTERN source EXCLUDE)
-catkin_install_python(PROGRAMS scripts/benchmark_charts scripts/decompose_client scripts/joint_sliders scripts/physics_charts scripts/rviz_at_root scripts/rviz_picture scripts/scene_charts
+catkin_install_python(PROGRAMS scripts/benchmark_charts scripts/decompose_client scripts/joint_sliders scripts/physics_charts scripts/preview_latency scripts/rviz_at_root scripts/rviz_picture scripts/scene_charts
   scripts/stability_charts
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

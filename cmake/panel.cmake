@@ -7,8 +7,8 @@ set(PANEL_MODEL_SOURCES src/panel/link_table.cpp src/panel/tolerance_scale.cpp)
 if(rviz_FOUND AND Qt5_FOUND AND pluginlib_FOUND)
   qt5_wrap_cpp(PANEL_MOC src/panel/hulls_panel.h src/panel/node_client.h src/panel/settings_form.h)
   add_library(${PROJECT_NAME}_panel MODULE
-    src/panel/hulls_panel.cpp src/panel/node_client.cpp src/panel/panel_actions.cpp src/panel/settings_form.cpp src/panel/table_model.cpp
-    src/ros/preview/settings.cpp ${PANEL_MODEL_SOURCES} ${PANEL_MOC})
+    ${PANEL_MOC} ${PANEL_MODEL_SOURCES} src/panel/hulls_panel.cpp src/panel/node_client.cpp src/panel/panel_actions.cpp
+    src/panel/settings_form.cpp src/panel/table_model.cpp src/ros/preview/settings.cpp)
   add_dependencies(${PROJECT_NAME}_panel ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
   target_include_directories(${PROJECT_NAME}_panel PRIVATE src)
   target_include_directories(${PROJECT_NAME}_panel SYSTEM PRIVATE ${catkin_INCLUDE_DIRS} ${rviz_INCLUDE_DIRS} ${pluginlib_INCLUDE_DIRS})

@@ -25,7 +25,7 @@ if(CATKIN_ENABLE_TESTING)
 endif()
 set(COLLISION_HULLS_TESTS ${CATKIN_ENABLE_TESTING})
 
-add_message_files(FILES LinkPreview.msg LinkReport.msg LinkChoice.msg NodeState.msg RunTotals.msg)
+add_message_files(FILES LinkChoice.msg LinkPreview.msg LinkReport.msg NodeState.msg RunTotals.msg)
 add_service_files(FILES Build.srv Decompose.srv FitScene.srv Preview.srv)
 add_action_files(FILES Build.action Decompose.action FitScene.action)
 generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs std_msgs)

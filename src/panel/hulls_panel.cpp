@@ -17,6 +17,8 @@
 #include <QVBoxLayout>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "collision_hulls/config/config.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -28,6 +30,13 @@ QHBoxLayout* rowOf(QWidget* widget) {
   auto* const row = new QHBoxLayout(widget);
   row->setContentsMargins(0, 0, 0, 0);
   return row;
+}
+
+/// Of a node's own configuration, which is not in question.
+std::vector<RegionRule> regionsIn(const std::string& configuration) {
+  Options options;
+  if (!configuration.empty()) apply(parseConfig(configuration, "the node's configuration"), options);
+  return options.region_rules;
 }
 
 }  // namespace
@@ -238,10 +247,15 @@ void HullsPanel::showNode(bool is_there, const QString& advice) {
   enableButtons();
 }
 
-void HullsPanel::takeKnown(const QString& robot, const std::vector<LinkRow>& rows) {
+void HullsPanel::takeKnown(const QString& robot, const std::vector<LinkRow>& rows, const QString& configuration) {
   robot_ = robot;
-  const std::vector<int> chosen = chosenRows();
-  model_.take(rows);
+  std::vector<RegionRule> regions;
+  try {
+    regions = regionsIn(configuration.toStdString());
+  } catch (const std::exception& error) {
+    say(QString::fromStdString(error.what()));
+  }
+  model_.take(rows, std::move(regions));
   if (!rows.empty() && robot == saved_robot_ && !saved_configuration_.isEmpty()) {
     try {
       table_.loadText(saved_configuration_.toStdString(), "rviz's configuration");
@@ -259,13 +273,9 @@ void HullsPanel::takeKnown(const QString& robot, const std::vector<LinkRow>& row
 }
 
 void HullsPanel::takeAnswers(const std::vector<LinkRow>& rows) {
-  bool is_open = false;
-  for (const LinkRow& row : rows) {
-    if (!table_.answer(row)) continue;
-    is_open = is_open || !row.facts.proved;
-  }
+  for (const LinkRow& row : rows) table_.answer(row);
   refresh();
-  if (is_open) settled_.start();
+  if (!uncertifiedRows().empty()) settled_.start();
 }
 
 void HullsPanel::showJob(const QString& job, double fraction, const QString& text) {

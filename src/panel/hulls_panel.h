@@ -5,6 +5,7 @@
 
 #include <QTimer>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,7 +43,7 @@ class HullsPanel : public rviz::Panel {
   void connectClient();
 
   void showNode(bool is_there, const QString& advice);
-  void takeKnown(const QString& robot, const std::vector<LinkRow>& rows);
+  void takeKnown(const QString& robot, const std::vector<LinkRow>& rows, const QString& configuration);
   void takeAnswers(const std::vector<LinkRow>& rows);
   void showJob(const QString& job, double fraction, const QString& text);
   void endJob(int kind, bool success, bool refused, const QString& message);
@@ -51,6 +52,8 @@ class HullsPanel : public rviz::Panel {
   std::vector<LinkRow> rowsAt(const std::vector<int>& indices) const;
   void choose();
   void change(const SettingsForm::Change& change, bool goes_on);
+  void changed(const std::vector<int>& rows);
+  std::vector<int> uncertifiedRows() const;
   void sendPreview(const std::vector<int>& rows);
   void refresh();
   void enableButtons();
@@ -60,7 +63,7 @@ class HullsPanel : public rviz::Panel {
   void build();
   void buildChanged();
   void begin(const NodeJob& job);
-  void beginBuild(const std::vector<int>& rows, bool all);
+  void beginBuild(const std::vector<int>& rows);
   void write();
   void fit();
   void goToWorst();
@@ -75,6 +78,7 @@ class HullsPanel : public rviz::Panel {
   QTimer settled_;  // runs out when the settings have not changed for a moment
   QString connected_to_, robot_, saved_robot_, saved_configuration_, file_, scene_;
   QString job_;
+  std::set<std::string> changed_;  // links, by somebody at this panel
   NodeJob last_job_;
   int refusals_ = 0;  // of it, in a row
   bool is_there_ = false;

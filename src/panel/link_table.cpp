@@ -56,10 +56,11 @@ int LinkTable::indexOf(const std::string& link) const {
   return row == rows_.end() ? -1 : static_cast<int>(row - rows_.begin());
 }
 
-void LinkTable::take(std::vector<LinkRow> rows) {
+void LinkTable::take(std::vector<LinkRow> rows, std::vector<RegionRule> regions) {
   const auto same_link = [](const LinkRow& a, const LinkRow& b) { return a.link == b.link; };
   const bool is_same = std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(), same_link);
-  if (!is_same) history_.clear();
+  if (!is_same) history_.clear(), has_own_regions_ = false;
+  if (!has_own_regions_) regions_ = std::move(regions);
   for (std::size_t i = 0; is_same && i < rows.size(); ++i) {
     if (rows_[i].facts.status != "unbuilt" || equalSettings(rows_[i].options, rows[i].options)) continue;
     rows[i].options = rows_[i].options;
@@ -129,6 +130,7 @@ TableTotals LinkTable::totals() const {
 std::string LinkTable::configuration(const std::optional<Length>& tree) const {
   Options options;
   options.tree = tree;
+  options.region_rules = regions_;
   for (const LinkRow& row : rows_) {
     LinkRule rule = differingRuleFor(row.link, row.options, options);
     if (hasSettings(rule)) options.rules.push_back(std::move(rule));
@@ -153,6 +155,8 @@ std::optional<Length> LinkTable::loadText(const std::string& text, const std::st
     const LinkOptions* const decided = decisions.of(rows_[next++].link);
     if (decided) own = *decided;
   });
+  regions_ = options.region_rules;
+  has_own_regions_ = true;
   return options.tree;
 }
 

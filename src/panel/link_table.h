@@ -45,9 +45,9 @@ class LinkTable {
   /// The index of a link; -1: there is none.
   int indexOf(const std::string& link) const;
 
-  /// Takes what a node says of all links. Settings that were changed here and not built yet stay, if the links are the same; so does what
-  /// can be undone. Otherwise both are gone.
-  void take(std::vector<LinkRow> rows);
+  /// Takes what a node says of all links, and of the regions (doc/configuration.md), which the panel passes on as they are. Settings that
+  /// were changed here and not built yet stay, if the links are the same; so does what can be undone. Otherwise both are gone.
+  void take(std::vector<LinkRow> rows, std::vector<RegionRule> regions = {});
 
   /// Takes a node's answer on one link. An answer to other settings than the row has now came too late and changes nothing; whether it did.
   bool answer(const LinkRow& row);
@@ -74,6 +74,8 @@ class LinkTable {
   std::vector<LinkOptions> options() const;
 
   std::vector<LinkRow> rows_;
+  std::vector<RegionRule> regions_;
+  bool has_own_regions_ = false;                   // from a file, which counts before the node's
   std::vector<std::vector<LinkOptions>> history_;  // before each change
 };
 

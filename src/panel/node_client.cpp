@@ -57,9 +57,8 @@ std::vector<LinkRow> toRows(const std::vector<LinkPreview>& messages) {
 
 BuildGoal toGoal(const NodeJob& job) {
   BuildGoal goal;
-  goal.tree = job.tree;
+  goal.config = job.configuration;
   goal.only = job.only;
-  for (const LinkRow& row : job.links) goal.links.push_back(toMessage(row.link, row.options));
   return goal;
 }
 
@@ -185,7 +184,7 @@ class NodeClient::Session {
     if (!response.success) {
       Q_EMIT client_.failed(QString::fromStdString(response.message));
     } else if (request.links.empty()) {
-      Q_EMIT client_.known(QString::fromStdString(response.robot), toRows(response.links));
+      Q_EMIT client_.known(QString::fromStdString(response.robot), toRows(response.links), QString::fromStdString(response.config));
     } else {
       Q_EMIT client_.previewed(toRows(response.links), milliseconds);
     }

@@ -12,12 +12,10 @@ namespace collision_hulls {
 /// A job of the node, as the panel asks for it.
 struct NodeJob {
   enum Kind { kBuild, kWrite, kFit } kind = kBuild;
-  std::vector<LinkRow> links;     ///< build: settings of all links
   std::vector<std::string> only;  ///< build: empty for all
-  std::string tree;               ///< build: of the leaves; empty: as the node has it
-  std::string configuration;      ///< write and fit
-  std::string scene;              ///< fit: a file that the node can read
-  double clearance = 0.01;        ///< fit [m]
+  std::string configuration;
+  std::string scene;        ///< fit: a file that the node can read
+  double clearance = 0.01;  ///< fit [m]
 };
 
 /// Talks to one node, from threads of its own: its functions return at once, and its signals come in the GUI's thread, through the queue.
@@ -44,8 +42,8 @@ class NodeClient : public QObject {
  Q_SIGNALS:
   /// Whether the node is there; if not, what to do about it.
   void connected(bool is_there, const QString& advice);
-  /// All links as the node knows them, after each of its jobs; none: it knows no robot yet.
-  void known(const QString& robot, const std::vector<collision_hulls::LinkRow>& rows);
+  /// All links as the node knows them, after each of its jobs, and the configuration of its last one; none: it knows no robot yet.
+  void known(const QString& robot, const std::vector<collision_hulls::LinkRow>& rows, const QString& configuration);
   /// The answer to a preview, which took so long [ms].
   void previewed(const std::vector<collision_hulls::LinkRow>& rows, double milliseconds);
   /// What the node works on, whoever asked for it; empty: nothing.

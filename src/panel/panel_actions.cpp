@@ -62,6 +62,7 @@ void HullsPanel::sendPreview(const std::vector<int>& rows) {
 void HullsPanel::change(const SettingsForm::Change& change, bool goes_on) {
   const std::vector<int> rows = chosenRows();
   table_.change(rows, change, goes_on);
+  changed(rows);
   settled_.stop();
   if (is_own_build_) client_.cancel();
   if (is_there_) {
@@ -73,6 +74,7 @@ void HullsPanel::change(const SettingsForm::Change& change, bool goes_on) {
 
 void HullsPanel::undo() {
   const std::vector<int> rows = table_.undo();
+  changed(rows);
   refresh();
   sendPreview(rows);
 }
@@ -81,33 +83,48 @@ Length HullsPanel::tree() const {
   return parseLength(tree_->text().toStdString(), "Finest leaves");
 }
 
-/// Builds what is not certified, now or once the node is free.
-void HullsPanel::buildChanged() {
+void HullsPanel::changed(const std::vector<int>& rows) {
+  for (const LinkRow& row : rowsAt(rows)) changed_.insert(row.link);
+}
+
+/// Of what was changed here. What fails stays as it is.
+std::vector<int> HullsPanel::uncertifiedRows() const {
   std::vector<int> rows;
-  for (std::size_t i = 0; i < table_.rows().size(); ++i) {
-    const LinkFacts& facts = table_.rows()[i].facts;
-    if (!facts.proved && facts.status != "failed") rows.push_back(static_cast<int>(i));
+  for (const std::string& link : changed_) {
+    const int index = table_.indexOf(link);
+    if (index < 0) continue;
+    const LinkFacts& facts = table_.rows()[static_cast<std::size_t>(index)].facts;
+    if (!facts.proved && facts.status != "failed") rows.push_back(index);
   }
+  return rows;
+}
+
+/// Certifies what was changed, now or once the node is free.
+void HullsPanel::buildChanged() {
+  const std::vector<int> rows = uncertifiedRows();
   if (rows.empty() || !is_there_) return;
   if (is_own_ || !job_.isEmpty()) {
     settled_.start();
   } else {
-    beginBuild(rows, false);
-    is_own_build_ = true;
+    beginBuild(rows);
+    is_own_build_ = is_own_;
   }
 }
 
 void HullsPanel::build() {
-  beginBuild({}, true);
+  beginBuild({});
 }
 
-void HullsPanel::beginBuild(const std::vector<int>& rows, bool all) {
-  NodeJob job;
-  job.links = table_.rows();
-  for (const LinkRow& row : rowsAt(rows)) job.only.push_back(row.link);
-  job.tree = tree_->text().trimmed().toStdString();
-  if (all) say("");
-  begin(job);
+void HullsPanel::beginBuild(const std::vector<int>& rows) {
+  try {
+    NodeJob job;
+    if (!table_.rows().empty()) job.configuration = table_.configuration(tree());
+    for (const LinkRow& row : rowsAt(rows)) job.only.push_back(row.link);
+    say("");
+    begin(job);
+  } catch (const Error& error) {
+    say(QString::fromStdString(error.what()));
+  }
 }
 
 void HullsPanel::begin(const NodeJob& job) {

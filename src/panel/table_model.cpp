@@ -89,12 +89,12 @@ QVariant TableModel::headerData(int section, Qt::Orientation orientation, int ro
   return {};
 }
 
-void TableModel::take(std::vector<LinkRow> rows) {
+void TableModel::take(std::vector<LinkRow> rows, std::vector<RegionRule> regions) {
   const auto& old = table_.rows();
   const bool is_same =
       std::equal(rows.begin(), rows.end(), old.begin(), old.end(), [](const LinkRow& a, const LinkRow& b) { return a.link == b.link; });
   if (!is_same) beginResetModel();
-  table_.take(std::move(rows));
+  table_.take(std::move(rows), std::move(regions));
   if (!is_same) endResetModel();
   refresh();
 }

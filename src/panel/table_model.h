@@ -20,7 +20,7 @@ class TableModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
   /// The table takes other rows; views forget what was chosen where the links are others.
-  void take(std::vector<LinkRow> rows);
+  void take(std::vector<LinkRow> rows, std::vector<RegionRule> regions = {});
 
   /// Call it after any other change of the table.
   void refresh();

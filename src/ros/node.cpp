@@ -131,7 +131,7 @@ BuildResponse Node::build(const BuildRequest& request, const RunControl& control
   const Confinement confinement(places_.roots());
   const StatedJob job(preview_, "build");
   const Input input = inputOf(request.robot_description, control);
-  const Options options = buildOptions(configured(private_, "", readOptions(private_)), request, input.robot);
+  const Options options = buildOptions(configured(private_, request.config, readOptions(private_)), request, input.robot);
   std::optional<ViewedRun> view;
   if (request.only.empty() || preview_.isNews(input.robot)) view.emplace(view_, input.robot, options.source, input.find_package);
   const StepCallback stated = job.stated(view ? view->shown(logged(step)) : step);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -16,7 +15,6 @@
 #include "joint_states.h"
 #include "live_scene.h"
 #include "preview/robot_trees.h"
-#include "preview/settings.h"
 #include "robot/uri_checks.h"
 
 namespace collision_hulls {
@@ -173,8 +171,6 @@ void checkTexts(const FitSceneRequest& request) {
 }
 
 void checkTexts(const BuildRequest& request) {
-  checkText("tree", request.tree);
-  for (const LinkChoice& settings : request.links) checkText("links", settings.link);
   for (const std::string& link : request.only) checkText("only", link);
 }
 
@@ -194,23 +190,15 @@ Options requestedOptions(Options options, const DecomposeRequest& request, const
 }
 
 Options buildOptions(const Options& options, const BuildRequest& request, const RobotDescription& robot) {
-  std::map<std::string, LinkOptions> links;
   const LinkDecisions decisions = modelDecisions(options, robot).front();
-  for (const LinkDescription& link : robot.links)
-    if (const LinkOptions* const own = decisions.of(link.name)) links[link.name] = *own;
-  std::vector<std::string> named;
-  for (const LinkChoice& settings : request.links) {
-    named.push_back(settings.link);
-    links[settings.link] = toOptions(settings);
-  }
-  if (!named.empty()) linksExpression(named, robot);  // throws for a link that the robot does not have
   Options result = options;
+  result.rules.clear();
+  for (const LinkDescription& link : robot.links)
+    if (const LinkOptions* const own = decisions.of(link.name)) result.rules.push_back(ruleFor(link.name, *own));
   result.method = Method::kCertified;  // of links without a rule: there are none
   result.segments = false;
   result.models.clear();
-  result.rules.clear();
-  for (const auto& [link, own] : links) result.rules.push_back(ruleFor(link, own));
-  result.tree = request.tree.empty() ? options.tree.value_or(previewTree(options.tolerance)) : parseLength(request.tree, "tree");
+  if (!result.tree) result.tree = previewTree(options.tolerance);
   if (!request.only.empty()) {
     result.links = linksExpression(request.only, robot);
     result.links_place.clear();

@@ -38,7 +38,7 @@ void checkTexts(const BuildRequest& request);
 /// `options` with the request's own in their place. Throws kBadOption, also for a link that the robot does not have.
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot);
 
-/// Options with a tree, and a rule for each link: what `options` say of it, or the request. Throws as requestedOptions().
+/// Options with a tree, for the first model, of the links that the request chooses. Throws as requestedOptions().
 Options buildOptions(const Options& options, const BuildRequest& request, const RobotDescription& robot);
 
 /// The scene and the configurations that a request names, read from files or from what is published now (live_scene.h, joint_states.h).

@@ -53,5 +53,38 @@ TEST_F(HullsOfTree, ALimitOnVerticesKeepsTheTolerance) {
   EXPECT_LE(protrusion(limited.hulls, solid, 0.001).bound, 0.301);
 }
 
+TEST_F(HullsOfTree, ACutterGivesTheSameHullsInAnyOrderOfTolerances) {
+  TreeCutter cutter(tree_, 16);
+  for (const double tolerance : {0.3, 0.05, 10.0, 0.3}) {
+    const Decomposition once = at(tolerance, 0, 16);
+    const TreeCutter::Cut cut = cutter.cut(tolerance, 0);
+    ASSERT_EQ(once.hulls.size(), cut.nodes.size());
+    for (std::size_t i = 0; i < cut.nodes.size(); ++i) EXPECT_EQ(once.hulls[i].vertices, cutter.hull(cut.nodes[i]).vertices);
+  }
+}
+
+TEST_F(HullsOfTree, ACuttersBoundIsOfTheReducedHulls) {
+  const Solid solid(repair(mesh_));
+  TreeCutter cutter(tree_, 16);
+  for (const double tolerance : {0.1, 0.3}) {
+    const TreeCutter::Cut cut = cutter.cut(tolerance, 0);
+    std::vector<ConvexHull> hulls;
+    for (const int node : cut.nodes) hulls.push_back(cutter.hull(node));
+    EXPECT_LE(protrusion(hulls, solid, 0.001).found, cut.bound);
+    EXPECT_LE(cut.bound, tolerance);
+  }
+}
+
+TEST_F(HullsOfTree, CutsChangeAtTheBoundsOfMergedHulls) {
+  TreeCutter cutter(tree_, 0);
+  for (const double bound : cutter.mergedBounds())
+    if (bound > tree_.tolerance) EXPECT_LT(cutter.cut(bound, 0).nodes.size(), cutter.cut(0.999999 * bound, 0).nodes.size());
+}
+
+TEST(FirstAim, IsThatOfTheLeastToleranceForIt) {
+  for (const double margin : {0.0, 1e-6, 1e-3})
+    for (const double tolerance : {0.001, 0.01}) EXPECT_NEAR(tolerance, toleranceForAim(firstAim(tolerance, margin), margin), 1e-12);
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -55,7 +55,7 @@ class Driver : public QObject {
     if (verb == "slide") return slide(words.at(1).toInt());
     if (verb == "table") return table();
     if (verb == "file") return file_ = rest(1);
-    if (verb == "focus") return press(QApplication::focusWidget(), words.at(1), words.at(2).toInt());
+    if (verb == "focus") return press(frame_.focusWidget(), words.at(1), words.at(2).toInt());
     if (verb == "config") return frame_.saveDisplayConfig(rest(1)) ? "saved" : "not saved";
     if (verb == "picture") return picture(rest(1));
     throw std::runtime_error("unknown: " + verb.toStdString());
@@ -95,22 +95,20 @@ class Driver : public QObject {
     QTest::keyClick(name, Qt::Key_Return);
   }
 
-  static QString press(QWidget* target, const QString& keys, int times) {
+  QString press(QWidget* target, const QString& keys, int times) {
     if (!target) throw std::runtime_error("nothing has the focus");
     target->setFocus();
     const int code = QKeySequence(keys)[0];
-    for (int i = 0; i < times; ++i) {
-      QWidget* const now = QApplication::focusWidget() ? QApplication::focusWidget() : target;
-      QTest::keyClick(now, static_cast<Qt::Key>(code & ~Qt::KeyboardModifierMask), Qt::KeyboardModifiers(code & Qt::KeyboardModifierMask),
-                      30);
-    }
-    return QApplication::focusWidget() ? QApplication::focusWidget()->objectName() : "";
+    for (int i = 0; i < times; ++i)
+      QTest::keyClick(frame_.focusWidget(), static_cast<Qt::Key>(code & ~Qt::KeyboardModifierMask),
+                      Qt::KeyboardModifiers(code & Qt::KeyboardModifierMask), 30);
+    return frame_.focusWidget() ? frame_.focusWidget()->objectName() : "";
   }
 
   QString type(const QString& name, const QString& text) {
     auto* const line = qobject_cast<QLineEdit*>(widget(name));
     line->setFocus();
-    line->selectAll();
+    line->clear();
     QTest::keyClicks(line, text);
     QTest::keyClick(line, Qt::Key_Return);
     return line->text();
@@ -165,11 +163,13 @@ void listen(Driver& driver) {
     QMetaObject::invokeMethod(
         &driver,
         [&driver, line] {
+          QString answer;
           try {
-            std::cout << "ok " << driver.obey(QString::fromStdString(line)).replace('\n', ' ').toStdString() << std::endl;
+            answer = "ok " + driver.obey(QString::fromStdString(line));
           } catch (const std::exception& error) {
-            std::cout << "failed " << QString(error.what()).replace('\n', ' ').toStdString() << std::endl;
+            answer = QString("failed ") + error.what();
           }
+          std::cout << answer.replace('\n', ' ').toStdString() << std::endl;
         },
         Qt::BlockingQueuedConnection);
   }

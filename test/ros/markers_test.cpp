@@ -315,5 +315,30 @@ TEST(DrawProgress, AboveTheRobot) {
   EXPECT_GT(marker.scale.z, 0);
 }
 
+TEST(DrawLink, IsDrawnAsInTheWholeResult) {
+  const RobotResult result = robot({element("arm", 2)});
+  ShownLink shown{parseRobotDescription(kUrdf).links[0], linkHue(0), result.elements, result.report.links};
+  shown.link.collisions.clear();
+  const Drawing whole = drawResult(result, {}, nullptr, 0.5), link = drawLink(shown, 1, 0.5);
+  ASSERT_EQ((Names{"hulls/arm:0", "hulls/arm:1"}), names(link.hulls));
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(whole.hulls[i].color, link.hulls[i].color);
+    EXPECT_EQ(whole.hulls[i].points, link.hulls[i].points);
+    EXPECT_EQ(whole.hulls[i].pose, link.hulls[i].pose);
+  }
+  EXPECT_EQ(names(whole.protrusion), names(link.protrusion));
+}
+
+TEST(DrawLink, HasTheEdgesBetweenFacesOfDifferentPlanesAlone) {
+  ElementResult cube = element("arm", 0);
+  std::vector<Eigen::Vector3d> corners;
+  for (int i = 0; i < 8; ++i) corners.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
+  cube.hulls = {convexHull(corners)};
+  const Drawing drawing = drawLink({LinkDescription(), 0, {cube}, {row(cube)}}, 1, 1);
+  ASSERT_EQ(1u, drawing.chosen.size());
+  EXPECT_EQ(Marker::LINE_LIST, drawing.chosen[0].type);
+  EXPECT_EQ(2u * 12, drawing.chosen[0].points.size());  // without the diagonals of its sides
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -1,5 +1,8 @@
 #!/usr/bin/python3
-"""The panel in rviz, with the demo robot, driven by keys and clicks: what it shows, changes, saves and remembers."""
+"""The panel in rviz, with the demo robot, driven by keys and clicks: what it shows, changes, saves and remembers.
+
+Tests src/panel/hulls_panel.cpp, src/panel/node_client.cpp, src/panel/panel_actions.cpp, src/panel/settings_form.cpp and src/panel/table_model.cpp.
+"""
 import contextlib
 import filecmp
 import importlib.machinery
@@ -114,6 +117,7 @@ class PanelTest(unittest.TestCase):
         self.rviz("choose", "left_finger_link")
         self.rviz("key", "action", "k", 1)  # keep
         self.settle()
+        self.settle()  # each change ends the build before, which then begins once more
         rows = self.rviz.rows()
         self.assertEqual(["bounding_box", "keep"], [rows[link][METHOD] for link in ("flange_link", "left_finger_link")])
         self.rviz("file", self.file("saved.yaml"))

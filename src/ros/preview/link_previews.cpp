@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "collision_hulls/config/config.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/pipeline/progress_text.h"
 #include "ros/pen.h"
@@ -121,9 +122,10 @@ void LinkPreviews::take(const RobotDescription& robot, const LinkDecisions& deci
   const std::lock_guard<std::mutex> lock(mutex_);
   const Options& options = result.report.options;
   const bool is_other = robot_.text != robot.text;
-  if (is_other) known_.clear();
+  if (is_other) known_.clear(), in_regions_.clear();
   if (is_other || options.links.empty()) hues_ = huesOf(robot, decisions);
   if (options.tree) tree_ = options.tree;
+  if (is_other || options.links.empty()) config_ = configText(options);
   robot_ = robot;
   std::map<std::string, Known> news;
   for (std::size_t i = 0; i < result.elements.size(); ++i) {
@@ -134,7 +136,11 @@ void LinkPreviews::take(const RobotDescription& robot, const LinkDecisions& deci
     known.result.elements.push_back(withoutOriginal(result.elements[i]));
     known.result.rows.push_back(result.report.links[i]);
   }
-  for (auto& [link, known] : news) known_[link] = std::move(known);
+  for (auto& [link, known] : news) {
+    in_regions_.erase(link);
+    if (!known.options.regions.empty()) in_regions_.insert(link);
+    known_[link] = std::move(known);
+  }
   state_.robot = robot.name;
   ++state_.changes;
   publish();
@@ -185,7 +191,10 @@ bool LinkPreviews::serve(PreviewRequest& request, PreviewResponse& response) {
   } catch (const Error& error) {
     response.message = error.what();
   }
-  if (request.links.empty()) response.links = messages({});
+  if (!request.links.empty()) return true;
+  response.links = messages({});
+  const std::lock_guard<std::mutex> lock(mutex_);
+  response.config = config_;
   return true;
 }
 
@@ -205,7 +214,7 @@ void LinkPreviews::cutAll(const PreviewRequest& request, PreviewResponse& respon
 std::optional<LinkPreviews::Known> LinkPreviews::cut(const LinkChoice& settings) const {
   const LinkDescription& link = described(settings.link);
   Known made;
-  made.options = withTree(toOptions(settings));
+  made.options = withTree(settings.link, toOptions(settings));
   const auto known = known_.find(settings.link);
   const bool is_same = known != known_.end() && known->second.proved && equalSettings(made.options, known->second.options);
   if (made.options.action != Action::kDecompose) {
@@ -228,9 +237,9 @@ LinkPreview LinkPreviews::unbuilt(const LinkChoice& settings) const {
   return message;
 }
 
-/// With the tree that the last build had.
-LinkOptions LinkPreviews::withTree(LinkOptions options) const {
-  options.tree = options.method == Method::kCertified ? tree_ : std::nullopt;
+/// With the tree that the last build had. A link with regions has none.
+LinkOptions LinkPreviews::withTree(const std::string& link, LinkOptions options) const {
+  options.tree = options.method == Method::kCertified && in_regions_.count(link) == 0 ? tree_ : std::nullopt;
   return options;
 }
 
@@ -253,7 +262,7 @@ LinkPreview LinkPreviews::message(const std::string& link, const Known& known) c
   message.settings = toMessage(link, known.options);
   message.proved = known.proved;
   addRows(known.result, message);
-  if (known.options.action == Action::kDecompose) message.steps = trees_.steps(described(link), withTree(known.options));
+  if (known.options.action == Action::kDecompose) message.steps = trees_.steps(described(link), withTree(link, known.options));
   return message;
 }
 

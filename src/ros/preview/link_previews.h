@@ -9,6 +9,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -56,7 +57,7 @@ class LinkPreviews {
   void cutAll(const PreviewRequest& request, PreviewResponse& response);
   std::optional<Known> cut(const LinkChoice& settings) const;
   LinkPreview unbuilt(const LinkChoice& settings) const;
-  LinkOptions withTree(LinkOptions options) const;
+  LinkOptions withTree(const std::string& link, LinkOptions options) const;
   const LinkDescription& described(const std::string& link) const;
   ShownLink shown(const std::string& link, const Known& known) const;
   LinkPreview message(const std::string& link, const Known& known) const;
@@ -68,7 +69,9 @@ class LinkPreviews {
   RobotDescription robot_;
   std::map<std::string, Known> known_;
   std::map<std::string, double> hues_;  // by link
+  std::set<std::string> in_regions_;    // links that the last result has regions of
   std::optional<Length> tree_;          // of the last build
+  std::string config_;                  // of the last run on all links
   NodeState state_;
   ros::NodeHandle node_;
   ros::Publisher publisher_;

@@ -3,12 +3,11 @@
 find_package(rviz QUIET)
 find_package(Qt5 QUIET COMPONENTS Widgets)
 find_package(pluginlib QUIET)
-set(PANEL_MODEL_SOURCES src/panel/link_table.cpp src/panel/tolerance_scale.cpp)
 if(rviz_FOUND AND Qt5_FOUND AND pluginlib_FOUND)
   qt5_wrap_cpp(PANEL_MOC src/panel/hulls_panel.h src/panel/node_client.h src/panel/settings_form.h)
   add_library(${PROJECT_NAME}_panel MODULE
-    ${PANEL_MOC} ${PANEL_MODEL_SOURCES} src/panel/hulls_panel.cpp src/panel/node_client.cpp src/panel/panel_actions.cpp
-    src/panel/settings_form.cpp src/panel/table_model.cpp src/ros/preview/settings.cpp)
+    src/panel/hulls_panel.cpp src/panel/link_table.cpp src/panel/node_client.cpp src/panel/panel_actions.cpp src/panel/settings_form.cpp
+    src/panel/table_model.cpp src/panel/tolerance_scale.cpp src/ros/preview/settings.cpp ${PANEL_MOC})
   add_dependencies(${PROJECT_NAME}_panel ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
   target_include_directories(${PROJECT_NAME}_panel PRIVATE src)
   target_include_directories(${PROJECT_NAME}_panel SYSTEM PRIVATE ${catkin_INCLUDE_DIRS} ${rviz_INCLUDE_DIRS} ${pluginlib_INCLUDE_DIRS})
@@ -21,7 +20,8 @@ endif()
 
 function(add_panel_tests)
   set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")
-  catkin_add_gtest(panel_test test/panel/link_table_test.cpp test/panel/tolerance_scale_test.cpp ${PANEL_MODEL_SOURCES})
+  catkin_add_gtest(panel_test
+    test/panel/link_table_test.cpp test/panel/tolerance_scale_test.cpp src/panel/link_table.cpp src/panel/tolerance_scale.cpp)
   target_include_directories(panel_test PRIVATE test src)
   target_link_libraries(panel_test ${PROJECT_NAME} gtest_main)
   add_dependencies(panel_test ${PROJECT_NAME}_reader)

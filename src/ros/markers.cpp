@@ -18,8 +18,8 @@ using visualization_msgs::Marker;
 constexpr double kInset = 2e-4;         // of a mesh's diagonal: how far inside the original is drawn
 constexpr double kSceneOpacity = 0.45;  // the robot is behind the scene from somewhere
 
-constexpr double kEdgeWidth = 0.001;  // of the robot's radius
-constexpr double kFlat = 1 - 1e-6;    // faces whose normals have a larger product are in one plane
+constexpr double kEdgeWidth = 0.0015;  // of the robot's radius
+constexpr double kFlat = 1 - 1e-6;     // faces whose normals have a larger product are in one plane
 
 std_msgs::ColorRGBA originalColour() {
   return colour(0.85, 0.85, 0.86, 1);

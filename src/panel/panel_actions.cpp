@@ -158,7 +158,7 @@ void HullsPanel::fit() {
   try {
     NodeJob job;
     job.kind = NodeJob::kFit;
-    job.configuration = table_.configuration(tree());
+    job.configuration = table_.configuration(std::nullopt);  // a fit builds trees of its own
     job.scene = file.toStdString();
     job.clearance = clearance / 1000;
     say("");

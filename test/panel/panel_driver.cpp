@@ -9,7 +9,7 @@
 //   choose LINK...                 rows of the table; none: all that are chosen are no longer
 //   slide POSITION                 the slider; how long until the panel shows the answer [ms]
 //   table                          its rows, cells separated by bars, rows by slashes
-//   file PATH                      what the next file dialog is given
+//   file PATH                      what the next file dialog is given; a question after it is answered with what it proposes
 //   focus KEYS TIMES               keys to whatever has the focus; the name of the widget that has it then
 //   config FILE                    saves rviz's configuration
 //   picture FILE                   of the window
@@ -22,6 +22,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QFileDialog>
+#include <QInputDialog>
 #include <QKeySequence>
 #include <QLineEdit>
 #include <QPushButton>
@@ -92,6 +93,9 @@ class Driver : public QObject {
     auto* const name = dialog->findChild<QLineEdit*>("fileNameEdit");
     name->setText(file_);
     file_.clear();
+    QTimer::singleShot(500, this, [] {
+      if (auto* const question = qobject_cast<QInputDialog*>(QApplication::activeModalWidget())) question->accept();
+    });
     QTest::keyClick(name, Qt::Key_Return);
   }
 

@@ -180,6 +180,17 @@ class PanelTest(unittest.TestCase):
             self.assertEqual("elbow", other("get", "filter", "text"))
             self.assertEqual(wanted, other.rows()["elbow_link"][TOLERANCE])
 
+    def test_a_fit_to_a_scene_needs_fewer_hulls(self):
+        before = sum(int(row[HULLS]) for row in self.rviz.rows().values() if row[HULLS] != "–")
+        self.rviz("file", os.path.join(PACKAGE, "urdf", "demo_shelf.yaml"))
+        self.rviz("click", "fit")
+        self.rviz.wait("message", "text", " hulls? for ", self.script.WAIT)
+        self.settle()
+        self.assertLess(sum(int(row[HULLS]) for row in self.rviz.rows().values() if row[HULLS] != "–"), before)
+        self.rviz("click", "build")
+        self.rviz.wait("cancel", "enabled", "true")
+        self.settle()
+
     def test_no_node_of_that_name_says_what_to_start(self):
         self.rviz("type", "node", "/left/nobody")
         advice = self.rviz.wait("advice", "text", "no node /left/nobody")

@@ -216,14 +216,13 @@ std::optional<LinkPreviews::Known> LinkPreviews::cut(const LinkChoice& settings)
   Known made;
   made.options = withTree(settings.link, toOptions(settings));
   const auto known = known_.find(settings.link);
-  const bool is_same = known != known_.end() && known->second.proved && equalSettings(made.options, known->second.options);
+  if (known != known_.end() && known->second.proved && equalSettings(made.options, known->second.options)) return known->second;
   if (made.options.action != Action::kDecompose) {
     made.result = undecomposed(link, made.options);
     made.proved = true;
     return made;
   }
   std::optional<LinkResult> result = trees_.cut(link, made.options);
-  if (is_same && (!result || known->second.options.tree)) return known->second;
   if (!result) return std::nullopt;
   made.result = std::move(*result);
   return made;
@@ -254,6 +253,12 @@ ShownLink LinkPreviews::shown(const std::string& link, const Known& known) const
   const auto hue = hues_.find(link);
   ShownLink result{described(link), hue == hues_.end() ? 0 : hue->second, known.result.elements, known.result.rows};
   result.link.collisions = elementsOf(result.link, &known.options);
+  for (const ElementResult& element : known.result.elements) {
+    for (GeometryElement primitive : element.primitives) {  // of a model that was fitted to a scene
+      primitive.origin = element.source.origin * primitive.origin;
+      result.link.collisions.push_back(primitive);
+    }
+  }
   return result;
 }
 

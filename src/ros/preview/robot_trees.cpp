@@ -11,9 +11,7 @@
 
 #include "base/millimetres.h"
 #include "base/parallel.h"
-#include "base/stopwatch.h"
 #include "collision_hulls/decompose/certified_hulls.h"
-#include "collision_hulls/error.h"
 #include "decompose/hulls_of_tree.h"
 #include "pipeline/run.h"
 #include "pipeline/stages.h"

@@ -21,8 +21,9 @@
 namespace collision_hulls {
 namespace {
 
-constexpr int kPage = 5;         // steps
-constexpr double kSame = 0.001;  // of a tolerance: steps are further apart
+constexpr int kPage = 5;           // steps
+constexpr double kMetre = 0.9995;  // [m] from here on a tolerance is 1 m, the most there is
+constexpr double kSame = 0.001;    // of a tolerance: steps are further apart
 constexpr int kMostHulls = 1000, kMostVertices = 1000;
 
 QComboBox* addBox(QGridLayout* grid, int row, int column, const QString& label, const char* object, const QStringList& items) {
@@ -192,7 +193,8 @@ void SettingsForm::step(int by) {
 
 /// In millimetres of three digits, as people write it.
 void SettingsForm::setTolerance(double metres) {
-  const Length tolerance = parseLength(QString::number(1000 * metres, 'g', 3).toStdString() + "mm");
+  const QString text = metres < kMetre ? QString::number(1000 * metres, 'g', 3) + "mm" : QString("1m");
+  const Length tolerance = parseLength(text.toStdString());
   tolerance_ = tolerance.limit;
   tolerance_text_->setModified(false);
   const bool goes_on = std::exchange(goes_on_, true);

@@ -15,6 +15,7 @@ TEST(Settings, ComeBackAsTheyWere) {
   options.fill = true;
   options.max_hulls = 3;
   options.max_vertices = 32;
+  options.padding = 0.005;
   options.source = Source::kVisual;
   const LinkOptions back = toOptions(toMessage("arm", options));
   EXPECT_EQ(options.action, back.action);
@@ -24,6 +25,7 @@ TEST(Settings, ComeBackAsTheyWere) {
   EXPECT_TRUE(back.fill);
   EXPECT_EQ(3, back.max_hulls);
   EXPECT_EQ(32, back.max_vertices);
+  EXPECT_EQ(0.005, back.padding);
   EXPECT_EQ(options.source, back.source);
 }
 

@@ -47,7 +47,8 @@ bool equalLengths(const Length& a, const Length& b) {
 
 bool equalSettings(const LinkOptions& a, const LinkOptions& b) {
   return a.action == b.action && equalLengths(a.tolerance, b.tolerance) && a.method == b.method && a.effort == b.effort &&
-         a.fill == b.fill && a.max_hulls == b.max_hulls && a.max_vertices == b.max_vertices && a.source == b.source;
+         a.fill == b.fill && a.max_hulls == b.max_hulls && a.max_vertices == b.max_vertices && a.padding == b.padding &&
+         a.source == b.source;
 }
 
 Status worse(Status a, Status b) {

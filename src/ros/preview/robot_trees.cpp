@@ -203,6 +203,7 @@ std::vector<RobotTrees::Held> RobotTrees::heldOf(const LinkDescription& link, co
 
 std::optional<LinkResult> RobotTrees::cut(const LinkDescription& link, const LinkOptions& options) const {
   LinkResult result;
+  if (options.padding > 0) return std::nullopt;
   for (Held& held : heldOf(link, options)) {
     if (!held.tree) return std::nullopt;
     cutThrough(held, options);
@@ -231,6 +232,7 @@ void RobotTrees::cutThrough(Held& held, const LinkOptions& options) {
 }
 
 std::vector<double> RobotTrees::steps(const LinkDescription& link, const LinkOptions& options) const {
+  if (options.padding > 0) return {};
   double finest = 0;
   std::set<double> offered;
   for (const Held& held : heldOf(link, options)) {

@@ -40,8 +40,9 @@ class RobotTrees {
   RobotResult build(const RobotDescription& robot, const PackageFinder& find_package, const Options& options,
                     const RunControl& control = {}, const StepCallback& step = {});
 
-  /// A link's hulls as cuts of the trees, without reading or searching anything. Nothing where a tree that the options need is not held:
-  /// build() it. `protrusion` is proved for the hulls as they are here; decomposeRobot() rounds them outward, by micrometres.
+  /// A link's hulls as cuts of the trees, without reading or searching anything. Nothing where a tree that the options need is not held,
+  /// or where hulls are padded: build() it. `protrusion` is proved for the hulls as they are here; decomposeRobot() rounds them outward, by
+  /// micrometres.
   std::optional<LinkResult> cut(const LinkDescription& link, const LinkOptions& options) const;
 
   /// [m] The tolerances, ascending, at which the number of a link's hulls changes, from the finest of its trees on. Empty as cut().

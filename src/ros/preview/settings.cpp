@@ -30,6 +30,7 @@ LinkChoice toMessage(const std::string& link, const LinkOptions& options) {
   message.fill = options.fill;
   message.max_hulls = options.max_hulls;
   message.max_vertices = options.max_vertices;
+  if (options.padding > 0) message.padding = toString(lengthOf(options.padding));
   message.source = name(options.source);
   return message;
 }
@@ -46,6 +47,7 @@ LinkOptions toOptions(const LinkChoice& settings) {
   options.fill = settings.fill;
   options.max_hulls = settings.max_hulls;
   options.max_vertices = settings.max_vertices;
+  if (!settings.padding.empty()) options.padding = parsePadding(settings.padding, link + "padding");
   checkLimits(options);
   if (options.method != Method::kCertified) options.effort = Effort::kQuick, options.fill = false;
   return options;

@@ -231,15 +231,14 @@ RoundedHulls roundOutward(const std::vector<ConvexHull>& hulls, const TriangleMe
   result.hulls.resize(hulls.size());
   for (std::size_t h = 0; h < hulls.size(); ++h) take(std::move(rounded[h]), result.hulls[h]);
   for (int i = 0; i < kRounds; ++i) {
-    const std::vector<UncoveredTriangle> missing = uncoveredTriangles(original, result.hulls, control);
+    const std::vector<int> missing = uncoveredTriangles(original, result.hulls, control);
     if (missing.empty()) return result;
     if (result.hulls.empty())
       throw Error(ErrorCode::kInternal, "there is no hull to add " + std::to_string(missing.size()) + " uncovered triangles to");
     result.completed += missing.size();
     std::map<std::size_t, Points> extra;
-    for (const UncoveredTriangle& m : missing) {
-      const std::array<Eigen::Vector3d, 3> corners{original.corner(m.triangle, 0), original.corner(m.triangle, 1),
-                                                   original.corner(m.triangle, 2)};
+    for (const int t : missing) {
+      const std::array<Eigen::Vector3d, 3> corners{original.corner(t, 0), original.corner(t, 1), original.corner(t, 2)};
       Points& points = extra[leastOutside(result.hulls, corners)];
       points.insert(points.end(), corners.begin(), corners.end());
     }

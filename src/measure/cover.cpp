@@ -26,6 +26,9 @@ constexpr double kRounding = 1e-12;
 // This many triangles share a selection of the hulls and faces to compare them with.
 constexpr int kTrianglesAtOnce = 256;
 
+// Pieces that the search for the largest distance halves before it ends with the bound that it has.
+constexpr int kPiecesOfTriangle = 300, kPiecesOfMesh = 400'000;
+
 using Polygon = std::vector<Eigen::Vector3d>;
 
 struct Hulls {
@@ -157,15 +160,14 @@ class Furthest {
   }
 
   /// Never too small; too large by at most kGap unless that takes too many pieces.
-  double bound() {
-    for (int pieces = 0; pieces < kMostPieces && !queue_.empty() && queue_.top().bound > found_ * (1 + kGap); ++pieces) halve();
+  double bound(int most_pieces) {
+    for (int pieces = 0; pieces < most_pieces && !queue_.empty() && queue_.top().bound > found_ * (1 + kGap); ++pieces) halve();
     const double most = queue_.empty() ? found_ : std::max(found_, queue_.top().bound);
     return most <= set_.tolerance ? 0 : most;
   }
 
  private:
   static constexpr double kGap = 0.01;
-  static constexpr int kMostPieces = 300;
   static constexpr std::size_t kNearHulls = 4;
 
   struct Piece {
@@ -233,11 +235,11 @@ std::vector<Polygon> leftOf(const Polygon& triangle, const Hulls& set) {
   return left;
 }
 
-/// The largest distance from the hulls over what they leave of a triangle; 0 if they leave nothing.
-double uncoveredDistance(const Polygon& triangle, const Hulls& set) {
+/// Whether more than rounding remains of a triangle.
+bool isUncovered(const Polygon& triangle, const Hulls& set) {
   Furthest furthest(set);
   for (const Polygon& polygon : leftOf(triangle, set)) furthest.add(polygon);
-  return furthest.bound();
+  return furthest.bound(kPiecesOfTriangle) > 0;
 }
 
 /// Calls `visit` with the index and the corners of each triangle that is not held by one hull alone, from any thread.
@@ -260,14 +262,13 @@ void forEachNotHeld(const TriangleMesh& mesh, const Hulls& set, const RunControl
 
 }  // namespace
 
-std::vector<UncoveredTriangle> uncoveredTriangles(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
-                                                  const RunControl& control) {
+std::vector<int> uncoveredTriangles(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls, const RunControl& control) {
   const Hulls set(mesh, hulls);
-  std::vector<double> distance(mesh.triangles.size(), 0.0);
-  forEachNotHeld(mesh, set, control, [&](std::size_t t, const Polygon& triangle) { distance[t] = uncoveredDistance(triangle, set); });
-  std::vector<UncoveredTriangle> result;
-  for (std::size_t t = 0; t < distance.size(); ++t)
-    if (distance[t] > 0) result.push_back({static_cast<int>(t), distance[t]});
+  std::vector<char> missing(mesh.triangles.size(), 0);
+  forEachNotHeld(mesh, set, control, [&](std::size_t t, const Polygon& triangle) { missing[t] = isUncovered(triangle, set); });
+  std::vector<int> result;
+  for (std::size_t t = 0; t < missing.size(); ++t)
+    if (missing[t]) result.push_back(static_cast<int>(t));
   return result;
 }
 
@@ -282,9 +283,10 @@ std::vector<std::vector<Eigen::Vector3d>> uncoveredPolygons(const TriangleMesh& 
 }
 
 double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls, const RunControl& control) {
-  double most = 0;
-  for (const UncoveredTriangle& u : uncoveredTriangles(mesh, hulls, control)) most = std::max(most, u.distance);
-  return most;
+  const Hulls set(mesh, hulls);
+  Furthest furthest(set);
+  for (const Polygon& polygon : uncoveredPolygons(mesh, hulls, control)) furthest.add(polygon);
+  return furthest.bound(kPiecesOfMesh);
 }
 
 namespace {

@@ -7,14 +7,8 @@
 
 namespace collision_hulls {
 
-struct UncoveredTriangle {
-  int triangle = 0;
-  double distance = 0;  ///< [m] largest distance from the hulls over the uncovered part of the triangle; see uncovered()
-};
-
 /// The triangles not wholly inside the union of the hulls, in ascending order.
-std::vector<UncoveredTriangle> uncoveredTriangles(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
-                                                  const RunControl& control = {});
+std::vector<int> uncoveredTriangles(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls, const RunControl& control = {});
 
 /// What the hulls leave of the surface, exactly but for rounding, as convex polygons in the order of their triangles.
 std::vector<std::vector<Eigen::Vector3d>> uncoveredPolygons(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,

@@ -19,7 +19,7 @@ namespace collision_hulls {
 /// The largest distance [m] of a point of the mesh's surface from the union of the hulls; 0 if and
 /// only if they cover it. A triangle whose corners lie in one hull is covered; any other is clipped
 /// by the hulls until nothing is left. The result is never too small, and too large by at most 1 %
-/// unless the gaps in a triangle take more than some hundred pieces. Distances below 1e-12 of the
+/// unless the gaps take more than 400,000 pieces. Distances below 1e-12 of the
 /// coordinates' size are rounding errors of this computation and count as 0.
 double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls,
                  const RunControl& control = {});

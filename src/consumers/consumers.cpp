@@ -16,8 +16,11 @@ struct Entry {
   const char* name;
 };
 
-constexpr std::array<Entry, 4> kConsumers = {
-    {{Consumer::kMoveit, "moveit"}, {Consumer::kGazebo, "gazebo"}, {Consumer::kMujoco, "mujoco"}, {Consumer::kDrake, "drake"}}};
+constexpr std::array<Entry, 5> kConsumers = {{{Consumer::kMoveit, "moveit"},
+                                              {Consumer::kGazebo, "gazebo"},
+                                              {Consumer::kMujoco, "mujoco"},
+                                              {Consumer::kDrake, "drake"},
+                                              {Consumer::kIsaac, "isaac"}}};
 
 ConsumerFiles filesFor(Consumer consumer, const WrittenModel& model, const RunControl& control) {
   switch (consumer) {
@@ -25,6 +28,7 @@ ConsumerFiles filesFor(Consumer consumer, const WrittenModel& model, const RunCo
     case Consumer::kGazebo: return gazeboFiles(model);
     case Consumer::kMujoco: return mujocoFiles(model);
     case Consumer::kDrake: return drakeFiles(model);
+    case Consumer::kIsaac: return isaacFiles(model);
   }
   return {};
 }
@@ -51,12 +55,16 @@ std::string consumerChoices() {
   return names;
 }
 
+MeshFormat formatFor(const std::vector<Consumer>& consumers, MeshFormat usual) {
+  return std::count(consumers.begin(), consumers.end(), Consumer::kDrake) > 0 ? MeshFormat::kObj : usual;
+}
+
 void check(const std::vector<Consumer>& consumers, const Options& options) {
   for (const Consumer consumer : consumers) {
     if (consumer == Consumer::kMujoco && options.format == MeshFormat::kDae)
       refuseFormat(consumer, options.format, "stl and obj; leave --format out");
     if (consumer == Consumer::kDrake && options.format != MeshFormat::kObj)
-      refuseFormat(consumer, options.format, "obj alone; add --format obj");
+      refuseFormat(consumer, options.format, "obj alone; leave --format out");
   }
 }
 

@@ -66,6 +66,7 @@ std::string quaternionText(const Eigen::Isometry3d& pose);
 using ConsumerFiles = std::map<std::string, std::string>;
 ConsumerFiles moveitFiles(const WrittenModel& model, const RunControl& control);
 ConsumerFiles drakeFiles(const WrittenModel& model);
+ConsumerFiles isaacFiles(const WrittenModel& model);
 ConsumerFiles mujocoFiles(const WrittenModel& model);
 ConsumerFiles gazeboFiles(const WrittenModel& model);
 

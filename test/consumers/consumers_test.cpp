@@ -1,6 +1,6 @@
 // The files of each consumer, as text; test/with_packages loads them with the consumers themselves.
-// Also tests src/consumers/drake.cpp, src/consumers/gazebo.cpp, src/consumers/moveit.cpp, src/consumers/mujoco.cpp and
-// src/consumers/written_model.cpp.
+// Also tests src/consumers/drake.cpp, src/consumers/gazebo.cpp, src/consumers/isaac.cpp, src/consumers/moveit.cpp, src/consumers/mujoco.cpp
+// and src/consumers/written_model.cpp.
 #include "collision_hulls/consumers/consumers.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ class Consumers : public ::testing::Test {
 };
 
 TEST_F(Consumers, NamesAreReadBack) {
-  for (const char* each : {"moveit", "gazebo", "mujoco", "drake"}) {
+  for (const char* each : {"moveit", "gazebo", "mujoco", "drake", "isaac"}) {
     ASSERT_TRUE(consumerNamed(each)) << each;
     EXPECT_STREQ(name(*consumerNamed(each)), each);
     EXPECT_NE(consumerChoices().find(each), std::string::npos);
@@ -64,7 +64,7 @@ TEST_F(Consumers, AFormatThatAConsumerCannotReadIsRefusedWithARemedy) {
     FAIL() << "Drake reads no STL";
   } catch (const Error& e) {
     EXPECT_EQ(e.code(), ErrorCode::kBadOption);
-    EXPECT_NE(std::string(e.what()).find("add --format obj"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("leave --format out"), std::string::npos) << e.what();
   }
   options.format = MeshFormat::kDae;
   EXPECT_THROW(check({Consumer::kMujoco}, options), Error);
@@ -94,6 +94,31 @@ TEST_F(Consumers, MoveitChecksWhatMayMeetOrIsNotKnown) {
   EXPECT_EQ(fileOf(Consumer::kMoveit, near, "config/three.srdf").find("Never"), std::string::npos);
   const std::string lost = threeLinks("<collision>" + fixtures::meshTag("/nowhere/lost.stl") + "</collision>");
   EXPECT_EQ(fileOf(Consumer::kMoveit, lost, "config/three.srdf").find("Never"), std::string::npos);
+}
+
+TEST_F(Consumers, DrakeChoosesTheFormatThatNobodyAskedFor) {
+  EXPECT_EQ(formatFor({Consumer::kMoveit}, MeshFormat::kStl), MeshFormat::kStl);
+  EXPECT_EQ(formatFor({Consumer::kMoveit, Consumer::kDrake}, MeshFormat::kStl), MeshFormat::kObj);
+}
+
+TEST_F(Consumers, IsaacIsToldHowToApproximate) {
+  const std::string round =
+      "<collision name=\"ball\"><geometry><sphere radius=\"0.25\"/></geometry></collision><collision name=\"7th\">"
+      "<origin xyz=\"1 2 3\" rpy=\"0 0 1.5707963267948966\"/><geometry><box size=\"2 4 6\"/></geometry></collision>";
+  const std::string usda = fileOf(Consumer::kIsaac, threeLinks(round), "usd/three.usda");
+  EXPECT_EQ(usda.substr(0, 10), "#usda 1.0\n");
+  EXPECT_EQ(fixtures::count(usda, "def Xform \""), 4u) << "the robot and its links";
+  EXPECT_EQ(fixtures::count(usda, "physics:approximation = \"convexHull\""), 2u);
+  EXPECT_EQ(fixtures::count(usda, "int[] faceVertexCounts = [3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3]"), 2u);
+  EXPECT_NE(
+      usda.find("def Xform \"b\"\n    {\n        matrix4d xformOp:transform = ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0.5, 0, 0, 1))"),
+      std::string::npos)
+      << usda;
+  EXPECT_NE(usda.find("def Sphere \"ball\" (\n            prepend apiSchemas = [\"PhysicsCollisionAPI\"]"), std::string::npos) << usda;
+  const std::size_t box = usda.find("def Cube \"_7th\"");
+  ASSERT_NE(box, std::string::npos) << usda;
+  EXPECT_NE(usda.find("(1, 2, 3, 1)", box), std::string::npos);
+  EXPECT_NE(usda.find(" 2, 0, 0), (-4,", box), std::string::npos) << "rows are the turned axes, as long as the box: " << usda.substr(box);
 }
 
 TEST_F(Consumers, DrakeIsToldWhichMeshesAreConvex) {

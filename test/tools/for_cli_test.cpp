@@ -17,8 +17,8 @@ class ForOption : public ProgramTest {
 };
 
 TEST_F(ForOption, WrongUse) {
-  expectWrongUse("r.urdf --for moveit3", {"--for", "'moveit3'", "moveit, gazebo, mujoco, drake"});
-  expectWrongUse("r.urdf --for drake", {"--for drake", "--format obj"});
+  expectWrongUse("r.urdf --for moveit3", {"--for", "'moveit3'", "moveit, gazebo, mujoco, drake, isaac"});
+  expectWrongUse("r.urdf --for drake --format stl", {"--for drake", "--format stl", "leave --format out"});
   expectWrongUse("cube.obj --for gazebo", {"--for gazebo", "is a mesh"});
 }
 
@@ -28,6 +28,8 @@ TEST_F(ForOption, WritesAndReplacesTheFiles) {
   for (const char* file : {"mjcf/r.xml", "model.sdf", "model.config"})
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / file)) << file;
   EXPECT_NE(fixtures::read(folder_ / "out/report.json").find("\"mjcf/r.xml\""), std::string::npos);
+  ASSERT_EQ(run("r.urdf --for drake" + rest).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/meshes/a/0_0.obj")) << "Drake reads no STL";
   ASSERT_EQ(run("r.urdf --for moveit" + rest).status, 0);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/model.sdf"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/config/r.srdf"));

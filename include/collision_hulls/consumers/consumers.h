@@ -17,11 +17,15 @@
 
 namespace collision_hulls {
 
-enum class Consumer { kMoveit, kGazebo, kMujoco, kDrake };
+enum class Consumer { kMoveit, kGazebo, kMujoco, kDrake, kIsaac };
 
-const char* name(Consumer consumer);  ///< "moveit", "gazebo", "mujoco", "drake"
+const char* name(Consumer consumer);  ///< "moveit", "gazebo", "mujoco", "drake", "isaac"
 std::optional<Consumer> consumerNamed(const std::string& name);
 std::string consumerChoices();  ///< the names of all, for messages
+
+/// The format that suits them all, where nobody asks for one: `usual`, unless one of them reads it
+/// not.
+MeshFormat formatFor(const std::vector<Consumer>& consumers, MeshFormat usual);
 
 /// Throws kBadOption if the options' files cannot be what a consumer takes: the message says what
 /// to choose instead.

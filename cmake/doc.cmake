@@ -12,7 +12,7 @@ if(DOXYGEN_FOUND)
     "*.md=sed -E -f ${PROJECT_SOURCE_DIR}/cmake/doc_links.sed" "*.h=sed -E -f ${PROJECT_SOURCE_DIR}/cmake/doc_headers.sed")
   # Pictures, and files that the documents link to.
   set(DOXYGEN_IMAGE_PATH doc doc/figures doc/results)
-  file(GLOB files RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS CHANGELOG.rst action/*.action srv/*.srv doc/results/*.csv doc/results/*.json doc/figures/*.csv)
+  file(GLOB files RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS CHANGELOG.rst action/*.action msg/*.msg srv/*.srv doc/results/*.csv doc/results/*.json doc/figures/*.csv)
   set(DOXYGEN_HTML_EXTRA_FILES ${files})
   file(GLOB pages RELATIVE "${PROJECT_SOURCE_DIR}" CONFIGURE_DEPENDS doc/*.md doc/results/*.md src/*/README.md)
   doxygen_add_docs(doc include README.md CONTRIBUTING.md ${pages} WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}")

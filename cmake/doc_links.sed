@@ -4,4 +4,4 @@ s/\[([^]]*)\]\(#[^)]*\)/\1/g
 s/\]\(([^)#]+)#[^)]*\)/](\1)/g
 s/\[([^]]*)\]\((\.\.\/)*((cmake|src)\/[^)]*\.(cmake|cpp|h)|(meshes|scripts|test)(\/[^)]*)?)\)/\1/g
 s/\]\(([^):]*\/)?(\w+\.h)\)/](@ref \2)/g
-s/\]\(([^):]*\/)?(\w+\.(action|csv|json|png|rst|srv|svg))\)/](\2)/g
+s/\]\(([^):]*\/)?(\w+\.(action|csv|json|msg|png|rst|srv|svg))\)/](\2)/g

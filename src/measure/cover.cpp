@@ -4,17 +4,16 @@
 #include "measure/cover.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <numeric>
-#include <queue>
 #include <utility>
 
 #include "base/parallel.h"
 #include "collision_hulls/measure/measures.h"
+#include "measure/furthest_point.h"
 
 namespace collision_hulls {
 
@@ -26,66 +25,61 @@ constexpr double kRounding = 1e-12;
 // This many triangles share a selection of the hulls and faces to compare them with.
 constexpr int kTrianglesAtOnce = 256;
 
-// Pieces that the search for the largest distance halves before it ends with the bound that it has.
+// Pieces that the search for the largest distance halves.
 constexpr int kPiecesOfTriangle = 300, kPiecesOfMesh = 400'000;
 
 using Polygon = std::vector<Eigen::Vector3d>;
 
-struct Hulls {
-  const std::vector<ConvexHull>& hulls;
-  std::vector<Eigen::AlignedBox3d> boxes;
-  double tolerance = 0;
-
-  Hulls(const TriangleMesh& mesh, const std::vector<ConvexHull>& set) : hulls(set) {
+/// The hulls as a set of points, up to rounding.
+class Hulls {
+ public:
+  Hulls(const TriangleMesh& mesh, const std::vector<ConvexHull>& set) : hulls_(set) {
     const Eigen::AlignedBox3d box = boundingBox(mesh);
-    if (!box.isEmpty()) tolerance = kRounding * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
-    for (const ConvexHull& hull : hulls) {
+    if (!box.isEmpty()) tolerance_ = kRounding * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+    for (const ConvexHull& hull : hulls_) {
       const Eigen::AlignedBox3d box = boundingBox(hull);
-      boxes.emplace_back(box.min().array() - tolerance, box.max().array() + tolerance);
+      boxes_.emplace_back(box.min().array() - tolerance_, box.max().array() + tolerance_);
     }
   }
 
+  const std::vector<ConvexHull>& hulls() const { return hulls_; }
+  const std::vector<Eigen::AlignedBox3d>& boxes() const { return boxes_; }
+  double tolerance() const { return tolerance_; }  ///< [m] up to which distances are rounding errors
+
+  double convexDistance(std::size_t hull, const Eigen::Vector3d& p) const { return collision_hulls::distance(hulls_[hull], p); }
+
+  double distance(const Eigen::Vector3d& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t h = 0; h < hulls_.size(); ++h)
+      if (boxes_[h].exteriorDistance(p) < least) least = std::min(least, holds(h, p) ? 0.0 : convexDistance(h, p));
+    return least <= tolerance_ ? 0 : least;
+  }
+
+ private:
   bool holds(std::size_t hull, const Eigen::Vector3d& p) const {
-    if (!boxes[hull].contains(p)) return false;
-    for (const HalfSpace& face : hulls[hull].faces)
-      if (face.distance(p) > tolerance) return false;
+    if (!boxes_[hull].contains(p)) return false;
+    for (const HalfSpace& face : hulls_[hull].faces)
+      if (face.distance(p) > tolerance_) return false;
     return true;
   }
 
-  double distanceTo(const Eigen::Vector3d& p) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t h = 0; h < hulls.size(); ++h)
-      if (boxes[h].exteriorDistance(p) < least) least = std::min(least, holds(h, p) ? 0.0 : distance(hulls[h], p));
-    return least <= tolerance ? 0 : least;
-  }
-
-  /// The `most` hulls nearest to p, or all of them if there are fewer.
-  std::vector<std::size_t> nearest(const Eigen::Vector3d& p, std::size_t most) const {
-    std::vector<std::pair<double, std::size_t>> near;
-    for (std::size_t h = 0; h < hulls.size(); ++h) {
-      if (near.size() == most && boxes[h].exteriorDistance(p) >= near.back().first) continue;
-      near.emplace_back(distance(hulls[h], p), h);
-      std::sort(near.begin(), near.end());
-      if (near.size() > most) near.pop_back();
-    }
-    std::vector<std::size_t> result;
-    for (const auto& [d, h] : near) result.push_back(h);
-    return result;
-  }
+  const std::vector<ConvexHull>& hulls_;
+  std::vector<Eigen::AlignedBox3d> boxes_;
+  double tolerance_ = 0;
 };
 
 /// The hulls near some triangles, each with only those faces that the triangles may reach beyond. These are few because consecutive
 /// triangles tend to lie close together.
 class NearHulls {
  public:
-  NearHulls(const Hulls& set, const TriangleMesh& mesh, int begin, int end) : tolerance_(set.tolerance) {
+  NearHulls(const Hulls& set, const TriangleMesh& mesh, int begin, int end) : tolerance_(set.tolerance()) {
     Eigen::AlignedBox3d box;
     for (int t = begin; t < end; ++t) box.extend(mesh.corner(t, 0)).extend(mesh.corner(t, 1)).extend(mesh.corner(t, 2));
     const Eigen::Vector3d centre = box.center(), half = box.max() - centre;
-    for (std::size_t h = 0; h < set.hulls.size(); ++h) {
-      if (!set.boxes[h].intersects(box)) continue;
-      near_.push_back({set.boxes[h], {}});
-      for (const HalfSpace& face : set.hulls[h].faces)
+    for (std::size_t h = 0; h < set.hulls().size(); ++h) {
+      if (!set.boxes()[h].intersects(box)) continue;
+      near_.push_back({set.boxes()[h], {}});
+      for (const HalfSpace& face : set.hulls()[h].faces)
         if (face.distance(centre) + face.normal.cwiseAbs().dot(half) > 0) near_.back().faces.push_back(face);
     }
   }
@@ -145,73 +139,6 @@ void subtract(const Polygon& polygon, const ConvexHull& hull, double tolerance, 
   }
 }
 
-/// The largest distance from the hulls over polygons outside all of them, by branch and bound. The corners of what is left of a triangle
-/// would not suffice: they lie on the faces that cut it.
-///
-/// The distance to one hull is convex, so its maximum over a piece is at a corner. The mean of the distances to two hulls bounds the
-/// smaller one, and tightly so midway between them.
-class Furthest {
- public:
-  explicit Furthest(const Hulls& set) : set_(set) {}
-
-  void add(const Polygon& polygon) {
-    for (const Eigen::Vector3d& p : polygon) visit(p);
-    for (std::size_t i = 2; i < polygon.size(); ++i) push({{polygon[0], polygon[i - 1], polygon[i]}, 0});
-  }
-
-  /// Never too small; too large by at most kGap unless that takes too many pieces.
-  double bound(int most_pieces) {
-    for (int pieces = 0; pieces < most_pieces && !queue_.empty() && queue_.top().bound > found_ * (1 + kGap); ++pieces) halve();
-    const double most = queue_.empty() ? found_ : std::max(found_, queue_.top().bound);
-    return most <= set_.tolerance ? 0 : most;
-  }
-
- private:
-  static constexpr double kGap = 0.01;
-  static constexpr std::size_t kNearHulls = 4;
-
-  struct Piece {
-    std::array<Eigen::Vector3d, 3> corner;
-    double bound;
-    bool operator<(const Piece& other) const { return bound < other.bound; }
-  };
-
-  void visit(const Eigen::Vector3d& p) { found_ = std::max(found_, set_.distanceTo(p)); }
-
-  void push(Piece piece) {
-    const Eigen::Vector3d centre = (piece.corner[0] + piece.corner[1] + piece.corner[2]) / 3;
-    visit(centre);
-    const std::vector<std::size_t> near = set_.nearest(centre, kNearHulls);
-    std::array<Eigen::Array3d, kNearHulls> distances;
-    piece.bound = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < near.size(); ++i) {
-      for (int k = 0; k < 3; ++k) distances[i][k] = distance(set_.hulls[near[i]], piece.corner[static_cast<std::size_t>(k)]);
-      for (std::size_t j = 0; j <= i; ++j) piece.bound = std::min(piece.bound, (distances[i] + distances[j]).maxCoeff() / 2);
-    }
-    if (piece.bound > found_) queue_.push(piece);
-  }
-
-  void halve() {
-    Piece piece = queue_.top();
-    queue_.pop();
-    std::size_t a = 0;
-    const auto length = [&](std::size_t i) { return (piece.corner[i] - piece.corner[(i + 1) % 3]).squaredNorm(); };
-    for (std::size_t i = 1; i < 3; ++i)
-      if (length(i) > length(a)) a = i;
-    const std::size_t b = (a + 1) % 3;
-    const Eigen::Vector3d middle = (piece.corner[a] + piece.corner[b]) / 2;
-    visit(middle);
-    Piece other = piece;
-    piece.corner[b] = other.corner[a] = middle;
-    push(piece);
-    push(other);
-  }
-
-  const Hulls& set_;
-  double found_ = 0;
-  std::priority_queue<Piece> queue_;
-};
-
 /// What the hulls leave of a triangle, as convex polygons.
 std::vector<Polygon> leftOf(const Polygon& triangle, const Hulls& set) {
   const auto boxOf = [](const Polygon& polygon) {
@@ -221,12 +148,12 @@ std::vector<Polygon> leftOf(const Polygon& triangle, const Hulls& set) {
   };
   const Eigen::AlignedBox3d box = boxOf(triangle);
   std::vector<Polygon> left{triangle}, next;
-  for (std::size_t h = 0; h < set.hulls.size() && !left.empty(); ++h) {
-    if (!set.boxes[h].intersects(box)) continue;
+  for (std::size_t h = 0; h < set.hulls().size() && !left.empty(); ++h) {
+    if (!set.boxes()[h].intersects(box)) continue;
     next.clear();
     for (Polygon& polygon : left) {
-      if (set.boxes[h].intersects(boxOf(polygon)))
-        subtract(polygon, set.hulls[h], set.tolerance, next);
+      if (set.boxes()[h].intersects(boxOf(polygon)))
+        subtract(polygon, set.hulls()[h], set.tolerance(), next);
       else
         next.push_back(std::move(polygon));
     }
@@ -235,11 +162,17 @@ std::vector<Polygon> leftOf(const Polygon& triangle, const Hulls& set) {
   return left;
 }
 
+/// [m] The largest distance from the hulls, too large by at most 1 % unless that takes too many pieces; 0 for no more than rounding.
+double largestDistance(const std::vector<Polygon>& polygons, const Hulls& set, int most_pieces, const RunControl& control = {}) {
+  FurthestPoint<Hulls> furthest(set);
+  for (const Polygon& polygon : polygons) furthest.add(polygon);
+  furthest.search(most_pieces, control);
+  return furthest.bound() <= set.tolerance() ? 0 : furthest.bound();
+}
+
 /// Whether more than rounding remains of a triangle.
 bool isUncovered(const Polygon& triangle, const Hulls& set) {
-  Furthest furthest(set);
-  for (const Polygon& polygon : leftOf(triangle, set)) furthest.add(polygon);
-  return furthest.bound(kPiecesOfTriangle) > 0;
+  return largestDistance(leftOf(triangle, set), set, kPiecesOfTriangle) > 0;
 }
 
 /// Calls `visit` with the index and the corners of each triangle that is not held by one hull alone, from any thread.
@@ -284,9 +217,7 @@ std::vector<std::vector<Eigen::Vector3d>> uncoveredPolygons(const TriangleMesh& 
 
 double uncovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hulls, const RunControl& control) {
   const Hulls set(mesh, hulls);
-  Furthest furthest(set);
-  for (const Polygon& polygon : uncoveredPolygons(mesh, hulls, control)) furthest.add(polygon);
-  return furthest.bound(kPiecesOfMesh);
+  return largestDistance(uncoveredPolygons(mesh, hulls, control), set, kPiecesOfMesh, control);
 }
 
 namespace {

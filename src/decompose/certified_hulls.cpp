@@ -163,7 +163,7 @@ std::string excuse(const DecomposeOptions& options, const Attempt& made) {
   if (options.method == Method::kAcd)
     return "acd measures concavity at reflex edges, which does not bound the protrusion; give a smaller tolerance, which makes more hulls";
   if (options.padding > 0)
-    return "padded hulls of few vertices (" + vertices + ") are up to a tenth of the padding larger; raise the tolerance or that limit";
+    return "padded hulls of few vertices (" + vertices + ") reach further than the padding; raise the tolerance or that limit";
   if (made.blunted > kMuch * made.result.bound)
     return "with so few vertices (" + vertices + ") thin hulls protrude up to " + millimetres(made.blunted) + " further; raise that limit";
   return "the surface has details there that no plane divided; repair the mesh or accept it";

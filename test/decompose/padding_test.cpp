@@ -6,6 +6,7 @@
 
 #include "collision_hulls/decompose/certified_hulls.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
+#include "geometry/pi.h"
 #include "solids.h"
 
 namespace collision_hulls {
@@ -36,6 +37,24 @@ TEST(Padding, AddsLittleMore) {
   EXPECT_LT(reach(test_shapes::hullOf(test_shapes::sphere(0.1, 4)), 0), 1.03);
   EXPECT_LT(reach(cube(), 64), 1.15);
   EXPECT_LT(reach(test_shapes::boxHull({0, 0, 0}, {1, 1, 1e-6}), 0), 1.03);
+}
+
+TEST(Padding, AddsLittleToRoundHullsOfAnySize) {
+  for (const double size : {0.01, 0.1, 1.0}) {
+    const ConvexHull ball = capped(test_shapes::hullOf(test_shapes::sphere(size, 4)), 64);
+    std::vector<Eigen::Vector3d> rims;
+    for (int k = 0; k < 32; ++k)
+      for (const double z : {0.0, size}) rims.emplace_back(size / 5 * std::cos(k * kPi / 16), size / 5 * std::sin(k * kPi / 16), z);
+    const ConvexHull rod = convexHull(rims);
+    for (const double padding : {0.002, 0.02, 0.1}) {
+      EXPECT_LT(addedDistance(padded(ball, padding, 64), ball), 1.1 * padding) << size;
+      EXPECT_LT(addedDistance(padded(rod, padding, 64), rod), 1.45 * padding) << size << ": as at a right angle that stays sharp";
+      EXPECT_LT(addedDistance(padded(test_shapes::boxHull({0, 0, 0}, {size, size, size}), padding, 64),
+                              test_shapes::boxHull({0, 0, 0}, {size, size, size})),
+                1.2 * padding)
+          << size;
+    }
+  }
 }
 
 TEST(Padding, FlatAndMinuteHulls) {

@@ -72,11 +72,7 @@ inline TriangleMesh subdivided(const TriangleMesh& mesh, int n) {
 /// Several meshes as one, not welded to each other.
 inline TriangleMesh merged(const std::vector<TriangleMesh>& parts) {
   TriangleMesh all;
-  for (const TriangleMesh& part : parts) {
-    const int first = static_cast<int>(all.vertices.size());
-    all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
-    for (const Triangle& t : part.triangles) all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
+  for (const TriangleMesh& part : parts) append(all, part);
   return all;
 }
 

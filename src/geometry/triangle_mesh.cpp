@@ -60,4 +60,10 @@ TriangleMesh transformed(const TriangleMesh& mesh, const Eigen::Isometry3d& pose
   return result;
 }
 
+void append(TriangleMesh& mesh, const TriangleMesh& more) {
+  const int first = static_cast<int>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
+  for (const Triangle& t : more.triangles) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
 }  // namespace collision_hulls

@@ -203,10 +203,7 @@ TriangleMesh surfaceOf(const Scene& scene) {
   TriangleMesh all;
   for (const SceneBody& body : scene.bodies) {
     const ConvexHull* const hull = std::get_if<ConvexHull>(&body.shape);
-    const TriangleMesh mesh = transformed(hull ? surface(*hull) : std::get<TriangleMesh>(body.shape), body.pose);
-    const int before = static_cast<int>(all.vertices.size());
-    all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-    for (const Triangle& t : mesh.triangles) all.triangles.push_back({t[0] + before, t[1] + before, t[2] + before});
+    append(all, transformed(hull ? surface(*hull) : std::get<TriangleMesh>(body.shape), body.pose));
   }
   return all;
 }
@@ -298,7 +295,7 @@ void checkClearance(double clearance, const RobotDescription& robot) {
                                          toString(lengthOf(clearance / 1000)) + "?");
 }
 
-void refuseOtherWays(const Options& options, const LinkDecisions& decisions) {
+void refuseOtherWays(const RobotDescription& robot, const Options& options, const LinkDecisions& decisions) {
   if (!options.models.empty())
     throw Error(ErrorCode::kBadOption,
                 "model '" + options.models.front().name + "': a scene decides on the detail, so fitting makes one model; omit it");
@@ -311,9 +308,13 @@ void refuseOtherWays(const Options& options, const LinkDecisions& decisions) {
                 (first.place.empty() ? "" : first.place + ": ") + "region '" + first.name +
                     "': fitting merges hulls until the scene minds, whatever a region says; omit it, or use decompose");
   }
-  if (options.padding > 0)
-    throw Error(ErrorCode::kBadOption, "padding '" + toString(lengthOf(options.padding)) +
-                                           "' does not apply to fit_scene, which keeps a clearance; add it to the clearance, and omit it");
+  for (const LinkDescription& link : robot.links) {
+    const LinkOptions* const decided = decisions.of(link.name);
+    if (decided && decided->action == Action::kDecompose && decided->padding > 0)
+      throw Error(ErrorCode::kBadOption,
+                  "padding '" + toString(lengthOf(decided->padding)) + "' of link '" + link.name +
+                      "' does not apply to fit_scene, which keeps a clearance; add it to the clearance, and omit it");
+  }
   const std::string& link = decisions.firstOfOtherMethod();
   if (link.empty()) return;
   const std::string& place = decisions.otherMethodPlace();
@@ -348,7 +349,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   check(options);
   checkForRobot(options);
   const std::vector<LinkDecisions> decisions{LinkDecisions(options, robot)};
-  refuseOtherWays(options, decisions.front());
+  refuseOtherWays(robot, options, decisions.front());
   const FitOptions fit_options{request.clearance, request.samples, options.seed, request.compare, request.primitives};
   check(fit_options);
   checkClearance(request.clearance, robot);

@@ -63,16 +63,6 @@ bool isHeld(const Segment& segment, const std::vector<ConvexHull>& hulls) {
   return std::any_of(hulls.begin(), hulls.end(), holds_both);
 }
 
-}  // namespace
-
-void append(TriangleMesh& all, const TriangleMesh& more) {
-  const int first = static_cast<int>(all.vertices.size());
-  all.vertices.insert(all.vertices.end(), more.vertices.begin(), more.vertices.end());
-  for (const Triangle& t : more.triangles) all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-}
-
-namespace {
-
 /// Sorts the components of a mesh into hulls and the rest.
 void addParts(const TriangleMesh& mesh, ConvexParts& parts, const RunControl& control) {
   const RepairedMesh repaired = repair(mesh, {0}, control);

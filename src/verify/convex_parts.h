@@ -15,9 +15,6 @@ struct ConvexParts {
   std::size_t rest_parts = 0;     ///< components in `rest`
 };
 
-/// Adds the triangles of one mesh to another.
-void append(TriangleMesh& all, const TriangleMesh& more);
-
 /// Nothing is welded, so that the two sides of a thin plate stay apart.
 ConvexParts convexParts(const TriangleMesh& mesh, const RunControl& control = {});
 

@@ -44,6 +44,19 @@ TEST(TriangleMesh, RejectsAZeroOrNonFiniteScale) {
   }
 }
 
+TEST(TriangleMesh, AppendingKeepsEachTrianglesCorners) {
+  const TriangleMesh first = test_shapes::singleTriangle(), more = test_shapes::box(1, 2, 3);
+  TriangleMesh all = first;
+  append(all, more);
+  ASSERT_EQ(all.triangles.size(), 1 + more.triangles.size());
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_EQ(all.corner(0, k), first.corner(0, k));
+    for (int t = 0; t < static_cast<int>(more.triangles.size()); ++t) EXPECT_EQ(all.corner(1 + t, k), more.corner(t, k));
+  }
+  append(all, TriangleMesh());
+  EXPECT_EQ(all.triangles.size(), 1 + more.triangles.size());
+}
+
 // Closed-form answers.
 
 TEST(TriangleMesh, MeasuresABox) {

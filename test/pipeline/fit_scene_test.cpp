@@ -65,6 +65,34 @@ TEST_F(FitRobotToScene, RejectsAnotherTolerancesTree) {
   }
 }
 
+TEST_F(FitRobotToScene, RejectsWhatAFitDoesNotKeep) {
+  const auto message = [&] {
+    try {
+      run(fixtures::link("base", bracket()));
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kBadOption);
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const Options plain = options_;
+  options_.padding = 0.02;
+  EXPECT_NE(message().find("padding '2cm' of link 'base'"), std::string::npos);
+  options_ = plain;
+  LinkRule padded;
+  padded.pattern = "ba.*";
+  padded.settings.padding = 0.03;
+  options_.rules = {padded};
+  EXPECT_NE(message().find("padding '3cm' of link 'base'"), std::string::npos);
+  options_ = plain;
+  RegionRule region;
+  region.pattern = "base";
+  region.name = "mouth";
+  region.shape = RegionHalfSpace{{0, 0, 1}, 0};
+  options_.region_rules = {region};
+  EXPECT_NE(message().find("region 'mouth'"), std::string::npos);
+}
+
 TEST_F(FitRobotToScene, AClearanceBeyondTheRobotsReachIsRefused) {
   const std::string links = fixtures::link("base", bracket()) + fixtures::link("tip", bracket(), "base");  // 0.5 m above it
   request_.clearance = 20;

@@ -45,4 +45,7 @@ TriangleMesh scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale);
 /// The mesh moved by a rigid transform.
 TriangleMesh transformed(const TriangleMesh& mesh, const Eigen::Isometry3d& pose);
 
+/// Adds the vertices and triangles of another mesh. Nothing is welded.
+void append(TriangleMesh& mesh, const TriangleMesh& more);
+
 }  // namespace collision_hulls

@@ -36,12 +36,6 @@ int addVertex(TriangleMesh& mesh, const Eigen::Vector3d& p) {
   return static_cast<int>(mesh.vertices.size()) - 1;
 }
 
-void append(const TriangleMesh& more, TriangleMesh& to) {
-  const int first = static_cast<int>(to.vertices.size());
-  to.vertices.insert(to.vertices.end(), more.vertices.begin(), more.vertices.end());
-  for (const Triangle& t : more.triangles) to.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-}
-
 TriangleMesh unwelded(const TriangleMesh& mesh) {
   TriangleMesh result;
   for (const Triangle& t : mesh.triangles) {
@@ -127,7 +121,7 @@ TriangleMesh withCopy(const TriangleMesh& mesh, double size, const Eigen::Vector
   const Eigen::Vector3d middle = boundingBox(mesh).center();
   TriangleMesh copy = mesh, result = mesh;
   for (Eigen::Vector3d& v : copy.vertices) v = middle + size * (v - middle) + offset;
-  append(copy, result);
+  append(result, copy);
   return result;
 }
 
@@ -142,7 +136,7 @@ TriangleMesh tetrahedron(const Eigen::Vector3d& place, double size, Random& rand
 TriangleMesh withSpecks(const TriangleMesh& mesh, int count, Random& random) {
   TriangleMesh result = mesh;
   const double size = kSpeck * diagonal(mesh);
-  for (int i = 0; i < count; ++i) append(tetrahedron(centre(mesh, random.below(mesh.triangles.size())), size, random), result);
+  for (int i = 0; i < count; ++i) append(result, tetrahedron(centre(mesh, random.below(mesh.triangles.size())), size, random));
   return result;
 }
 

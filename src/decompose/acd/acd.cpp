@@ -41,12 +41,6 @@ SurfacePiece trianglesOf(const RepairedMesh& mesh, bool sheets) {
   return piece;
 }
 
-void append(const SurfacePiece& piece, SurfacePiece& to) {
-  const int first = static_cast<int>(to.vertices.size());
-  to.vertices.insert(to.vertices.end(), piece.vertices.begin(), piece.vertices.end());
-  for (const Triangle& t : piece.triangles) to.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-}
-
 bool within(const ConvexHull& hull, const SurfacePiece& piece) {
   return std::all_of(piece.vertices.begin(), piece.vertices.end(), [&](const Eigen::Vector3d& v) { return planeDistance(hull, v) <= 0; });
 }
@@ -63,7 +57,7 @@ std::vector<SurfacePiece> separated(const SurfacePiece& side) {
         ++i;
         continue;
       }
-      append(parts[i], piece);
+      append(piece, parts[i]);
       hull = convexHull(piece.vertices);
       parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(i));
       hulls.erase(hulls.begin() + static_cast<std::ptrdiff_t>(i));

@@ -6,15 +6,6 @@
 namespace collision_hulls {
 namespace {
 
-bool equal(const Length& a, const Length& b) {
-  return a.limit == b.limit && a.share == b.share;
-}
-
-template <typename T>
-bool equal(const T& a, const T& b) {
-  return a == b;
-}
-
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -53,11 +44,17 @@ LinkRule ruleFor(const std::string& link, const LinkOptions& options) {
 LinkRule differingRuleFor(const std::string& link, const LinkOptions& options, const LinkOptions& defaults) {
   LinkRule rule{expressionFor({link}), {}, ""};
   forEachLinkField([&](const char*, auto option, auto setting) {
-    if (!equal(options.*option, defaults.*option)) rule.settings.*setting = options.*option;
+    if (!(options.*option == defaults.*option)) rule.settings.*setting = options.*option;
   });
   keepWhatMatters(options, rule.settings);
   if (options.action == defaults.action) rule.settings.action.reset();
   return rule;
+}
+
+bool equalSettings(const LinkOptions& a, const LinkOptions& b) {
+  bool same = true;
+  forEachLinkField([&](const char*, auto option, auto) { same = same && a.*option == b.*option; });
+  return same;
 }
 
 bool hasSettings(const LinkRule& rule) {

@@ -28,13 +28,9 @@ void readVector(const ConfigItem& item, Eigen::Vector3d& vector) {
 /// 0 means clear.
 void readTolerance(const ConfigItem& item, double& tolerance) {
   const std::string text = item.text("a length, as in 1mm, or 0 to keep the region clear");
-  double number = -1;
-  if (parseNumber(text, number) && number == 0) {
-    tolerance = kRegionSlack;
-    return;
-  }
   inContext(item.value.where(), [&] {
-    tolerance = parseMetres(text, item.name);
+    tolerance = parseMetresOrZero(text, item.name);
+    if (tolerance == 0) tolerance = kRegionSlack;
     checkTolerance(lengthOf(tolerance), item.name);
   });
 }

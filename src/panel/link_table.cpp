@@ -7,22 +7,12 @@
 
 #include "collision_hulls/config/config.h"
 #include "collision_hulls/config/link_decisions.h"
-#include "config/link_fields.h"
 #include "config/link_rule.h"
 
 namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kMostUndone = 200;
-
-bool equal(const Length& a, const Length& b) {
-  return a.limit == b.limit && a.share == b.share;
-}
-
-template <typename T>
-bool equal(const T& a, const T& b) {
-  return a == b;
-}
 
 void markUnbuilt(LinkRow& row) {
   const std::vector<double> steps = row.facts.steps;
@@ -44,12 +34,6 @@ RobotDescription robotOf(const std::vector<LinkRow>& rows) {
 }
 
 }  // namespace
-
-bool equalSettings(const LinkOptions& a, const LinkOptions& b) {
-  bool same = true;
-  forEachLinkField([&](const char*, auto option, auto) { same = same && equal(a.*option, b.*option); });
-  return same;
-}
 
 int LinkTable::indexOf(const std::string& link) const {
   const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const LinkRow& r) { return r.link == link; });

@@ -79,7 +79,4 @@ class LinkTable {
   std::vector<std::vector<LinkOptions>> history_;  // before each change
 };
 
-/// Whether both make the same hulls, as far as their settings go.
-bool equalSettings(const LinkOptions& a, const LinkOptions& b);
-
 }  // namespace collision_hulls

@@ -41,37 +41,25 @@ std::shared_ptr<const HullTree> treeFor(const VariantWork& work, const MeshFacts
   return mesh.tree(work.options, std::min(work.options.tree->metres(facts.diagonal), facts.tolerance), building);
 }
 
-/// For other methods, which take a fraction of the time, nobody looks for a bound.
-std::size_t leastHullsOf(const MeshResult& mesh, bool within_tolerance, Effort effort, const RunControl& control) {
+/// For other methods, which take a fraction of the time, and for padded hulls nobody looks for a bound.
+std::size_t leastHullsOf(const MeshResult& mesh, const LinkOptions& options, const RunControl& control) {
+  if (options.method != Method::kCertified || options.padding > 0) return 1;
   const std::vector<ConvexHull> none;
-  return leastHulls(mesh.original, *mesh.solid, mesh.mesh.tolerance, within_tolerance ? mesh.hulls : none, effort, control);
+  return leastHulls(mesh.original, *mesh.solid, mesh.mesh.tolerance, mesh.status == Status::kOk ? mesh.hulls : none, options.effort,
+                    control);
 }
 
-/// Steps 3 and 4: decompose, make the hulls as written cover the mesh as read, certify. The solid is known only up to the margin, so the
-/// bound includes it.
+/// Steps 3 and 4: decompose, make the hulls as written cover the mesh as read, certify.
 void makeHulls(const VariantWork& work, const ReadMesh& read, SharedMesh& mesh, Run& run, MeshResult& result) {
   Stopwatch stage;
   const std::shared_ptr<const HullTree> tree = treeFor(work, result.mesh, mesh, run);
   result.seconds.decompose = stage.lap();
   RunControl control;
   work.follow(control, run);
-  const LinkOptions& options = work.options;
-  CertifiedHulls made = certifiedHulls({result.original, read.repaired, *result.solid, read.margin, tree.get(), run.tasks[work.task].uri},
-                                       {options.method, result.mesh.tolerance, options.max_hulls, options.max_vertices, run.options.seed,
-                                        options.effort, options.fill, options.regions, options.padding},
-                                       control);
+  decomposeAndCertify(read, work.options, tree.get(), run.tasks[work.task].uri, run.options.seed, control, result);
   stage.lap();
-  result.hulls = std::move(made.hulls);
-  result.model = factsOf(result.hulls, 0, *result.solid, {made.bound, made.found, made.where, made.nearest});
-  if (options.method == Method::kCertified && options.padding == 0)
-    result.model.least_hulls = leastHullsOf(result, made.within_tolerance, options.effort, control);
-  result.model.nudge = made.nudge;
-  result.model.thickness = made.thickness;
-  result.model.regions = std::move(made.regions);
-  result.status = made.within_tolerance ? Status::kOk : Status::kDegraded;
-  result.reason = made.reason;
-  result.seconds.decompose += made.seconds.decompose;
-  result.seconds.certify = made.seconds.certify + stage.lap();
+  result.model.least_hulls = leastHullsOf(result, work.options, control);
+  result.seconds.certify += stage.lap();
 }
 
 /// Steps 1 to 4 for one mesh.

@@ -63,9 +63,7 @@ MeshResult undecomposed(const MeshUse& use) {
 bool equalWork(const LinkOptions& a, const LinkOptions& b) {
   const auto values = [](const LinkOptions& options) {
     const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source, padding, regions] = options;
-    const Length leaves = tree.value_or(Length());
-    return std::make_tuple(tolerance.limit, tolerance.share, method, effort, leaves.limit, leaves.share, fill, max_hulls, max_vertices,
-                           padding);
+    return std::make_tuple(tolerance, method, effort, tree, fill, max_hulls, max_vertices, padding);
   };
   return values(a) == values(b) && equal(a.regions, b.regions);
 }

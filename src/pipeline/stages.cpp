@@ -10,6 +10,7 @@
 #include "base/stopwatch.h"
 #include "collision_hulls/check/validate.h"
 #include "collision_hulls/decompose/certified.h"
+#include "collision_hulls/decompose/certified_hulls.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/measure/measures.h"
 #include "collision_hulls/mesh/mesh_io.h"
@@ -134,6 +135,24 @@ HullFacts factsOf(const std::vector<ConvexHull>& hulls, std::size_t primitives, 
   facts.hull_volume = unionVolume(hulls);
   facts.covered_share = coveredShare(hulls, solid);
   return facts;
+}
+
+/// The solid is known only up to the margin, so the bound includes it.
+void decomposeAndCertify(const ReadMesh& read, const LinkOptions& options, const HullTree* tree, const std::string& uri, std::uint64_t seed,
+                         const RunControl& control, MeshResult& result) {
+  const DecomposeOptions how{options.method, result.mesh.tolerance, options.max_hulls, options.max_vertices, seed,
+                             options.effort, options.fill,          options.regions,   options.padding};
+  CertifiedHulls made = certifiedHulls({result.original, read.repaired, *result.solid, read.margin, tree, uri}, how, control);
+  Stopwatch stage;
+  result.hulls = std::move(made.hulls);
+  result.model = factsOf(result.hulls, 0, *result.solid, {made.bound, made.found, made.where, made.nearest});
+  result.model.nudge = made.nudge;
+  result.model.thickness = made.thickness;
+  result.model.regions = std::move(made.regions);
+  result.status = made.within_tolerance ? Status::kOk : Status::kDegraded;
+  result.reason = made.reason;
+  result.seconds.decompose += made.seconds.decompose;
+  result.seconds.certify = made.seconds.certify + stage.lap();
 }
 
 Validation validateUses(const std::vector<MeshUse>& uses, const MeshResults& results, std::size_t model, std::uint64_t seed,

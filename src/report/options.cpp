@@ -199,13 +199,18 @@ double parseMetres(const std::string& text, const std::string& option) {
   badOption(option, text, "a positive length, as in 2cm, 20mm or 0.02 (metres)");
 }
 
-double parsePadding(const std::string& text, const std::string& option) {
-  const std::optional<Quantity> quantity = parseQuantity(text);
-  const bool is_zero = text == "0" || text == "0.0";
-  if (!is_zero && (!quantity || quantity->isShare())) badOption(option, text, "0 or a positive length, as in 2cm, 20mm or 0.02 (metres)");
+double parseMetresOrZero(const std::string& text, const std::string& option) {
+  const bool is_zero = text.find_first_not_of("0.") == std::string::npos && text.find('0') != std::string::npos;
   if (is_zero) return 0;
-  checkLength(option, lengthOf(quantity->value));
-  return quantity->value;
+  const std::optional<Quantity> quantity = parseQuantity(text);
+  if (quantity && !quantity->isShare()) return quantity->value;
+  badOption(option, text, "0 or a positive length, as in 2cm, 20mm or 0.02 (metres)");
+}
+
+double parsePadding(const std::string& text, const std::string& option) {
+  const double metres = parseMetresOrZero(text, option);
+  if (metres > 0) checkLength(option, lengthOf(metres));
+  return metres;
 }
 
 std::string toString(const Length& length) {

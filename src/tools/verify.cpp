@@ -64,11 +64,9 @@ void addOptions(CommandLine& app, Command& command) {
   app.add_flag("--quiet", command.quiet, "Print errors and failing links only")->group("Output");
 }
 
-/// A gate: a length, or 0.
 std::optional<double> gate(const std::string& text, const std::string& option) {
   if (text.empty()) return std::nullopt;
-  if (text.find_first_not_of("0.") == std::string::npos && text.find('0') != std::string::npos) return 0.0;
-  return parseMetres(text, option);
+  return parseMetresOrZero(text, option);
 }
 
 void interpret(Command& command) {

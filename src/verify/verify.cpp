@@ -155,8 +155,9 @@ class Verifier {
 
   void addNotes(Verification& done) const {
     if (!elsewhere_.empty())
-      done.notes.push_back(counted(elsewhere_.size(), "link") + " stand elsewhere in RESULT's zero configuration, such as '" +
-                           elsewhere_.front() + "': links are compared in their own frames, and moved by ORIGINAL's joints");
+      done.notes.push_back(counted(elsewhere_.size(), "link stands", "links stand") +
+                           " elsewhere in RESULT's zero configuration, such as '" + elsewhere_.front() +
+                           "': links are compared in their own frames, and moved by ORIGINAL's joints");
     for (const Description* side : {&original_, &result_})
       for (const std::string& note : side->find_package.notes())
         if (std::find(done.notes.begin(), done.notes.end(), note) == done.notes.end()) done.notes.push_back(note);

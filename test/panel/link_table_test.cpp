@@ -6,6 +6,7 @@
 
 #include "collision_hulls/config/config.h"
 #include "collision_hulls/error.h"
+#include "config/link_rule.h"
 #include "pipeline/fixtures.h"
 
 namespace collision_hulls {

@@ -29,6 +29,17 @@ class RobotTreesTest : public testing::Test {
 
   RobotResult build(const RunControl& control = {}) { return trees_.build(robot_, defaultPackageFinder(robot_.path), options_, control); }
 
+  void expectTheHullsOfARun() {
+    const RobotResult built = build(), run = decomposeRobot(robot_, defaultPackageFinder(robot_.path), options_, folder_ / "out");
+    ASSERT_EQ(run.elements.size(), built.elements.size());
+    for (std::size_t i = 0; i < run.elements.size(); ++i) {
+      ASSERT_EQ(run.elements[i].hulls.size(), built.elements[i].hulls.size());
+      for (std::size_t h = 0; h < run.elements[i].hulls.size(); ++h)
+        EXPECT_EQ(run.elements[i].hulls[h].vertices, built.elements[i].hulls[h].vertices);
+      EXPECT_EQ(run.report.links[i].protrusion, built.report.links[i].protrusion);
+    }
+  }
+
   LinkOptions at(double tolerance) const {
     LinkOptions options = options_;
     options.tolerance = lengthOf(tolerance);
@@ -53,14 +64,21 @@ TEST_F(RobotTreesTest, WithoutABuildThereIsNoCut) {
 }
 
 TEST_F(RobotTreesTest, ABuildGivesTheHullsOfARun) {
-  const RobotResult built = build(), run = decomposeRobot(robot_, defaultPackageFinder(robot_.path), options_, folder_ / "out");
-  ASSERT_EQ(run.elements.size(), built.elements.size());
-  for (std::size_t i = 0; i < run.elements.size(); ++i) {
-    ASSERT_EQ(run.elements[i].hulls.size(), built.elements[i].hulls.size());
-    for (std::size_t h = 0; h < run.elements[i].hulls.size(); ++h)
-      EXPECT_EQ(run.elements[i].hulls[h].vertices, built.elements[i].hulls[h].vertices);
-    EXPECT_EQ(run.report.links[i].protrusion, built.report.links[i].protrusion);
-  }
+  expectTheHullsOfARun();
+}
+
+TEST_F(RobotTreesTest, ABuildPadsAsARunDoes) {
+  options_.padding = 0.01;
+  expectTheHullsOfARun();
+}
+
+TEST_F(RobotTreesTest, ABuildKeepsRegionsAsARunDoes) {
+  options_.tree.reset();
+  RegionRule hole;
+  hole.pattern = "small";
+  hole.shape = RegionBox{{0, 0, 0}, {0.1, 0.1, 0.1}, {0, 0, 0}};
+  options_.region_rules = {hole};
+  expectTheHullsOfARun();
 }
 
 TEST_F(RobotTreesTest, ACutHasAsManyHullsAsARunWithThatTolerance) {

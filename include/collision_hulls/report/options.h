@@ -34,6 +34,9 @@ struct Length {
     return share == kUnset ? limit : std::min(limit, share * diagonal);
   }
 };
+constexpr bool operator==(const Length& a, const Length& b) {
+  return a.limit == b.limit && a.share == b.share;
+}
 constexpr Length lengthOf(double metres) {
   return {metres, Length::kUnset};
 }
@@ -51,7 +54,9 @@ std::string toString(const Length& length);  ///< parseLength reads it back: "5m
 
 /// [m] Reads a length alone, without shares and pairs. Throws as parseLength.
 double parseMetres(const std::string& text, const std::string& option);
-/// The same, up to 1 m; 0 is one, too.
+/// The same; 0 is one, too.
+double parseMetresOrZero(const std::string& text, const std::string& option);
+/// The same, up to 1 m.
 double parsePadding(const std::string& text, const std::string& option = "padding");
 
 enum class UriStyle { kPackage, kFile, kRelative };

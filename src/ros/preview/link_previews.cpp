@@ -10,6 +10,7 @@
 #include "collision_hulls/config/config.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/pipeline/progress_text.h"
+#include "config/link_rule.h"
 #include "ros/pen.h"
 #include "settings.h"
 
@@ -39,16 +40,6 @@ std::map<std::string, double> huesOf(const RobotDescription& robot, const LinkDe
     if (std::any_of(elements.begin(), elements.end(), isSomething)) hues.emplace(link.name, linkHue(hues.size()));
   }
   return hues;
-}
-
-bool equalLengths(const Length& a, const Length& b) {
-  return a.limit == b.limit && a.share == b.share;
-}
-
-bool equalSettings(const LinkOptions& a, const LinkOptions& b) {
-  return a.action == b.action && equalLengths(a.tolerance, b.tolerance) && a.method == b.method && a.effort == b.effort &&
-         a.fill == b.fill && a.max_hulls == b.max_hulls && a.max_vertices == b.max_vertices && a.padding == b.padding &&
-         a.source == b.source;
 }
 
 Status worse(Status a, Status b) {

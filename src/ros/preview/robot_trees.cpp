@@ -11,7 +11,6 @@
 
 #include "base/millimetres.h"
 #include "base/parallel.h"
-#include "collision_hulls/decompose/certified_hulls.h"
 #include "decompose/hulls_of_tree.h"
 #include "pipeline/run.h"
 #include "pipeline/stages.h"
@@ -136,15 +135,7 @@ MeshResult RobotTrees::resultOf(Mesh& mesh, const LinkOptions& options, const Ru
   MeshResult result = mesh.known;
   result.mesh.tolerance = options.tolerance.metres(result.mesh.diagonal);
   const std::shared_ptr<const HullTree> tree = options.tree ? hold(mesh, options, preparing) : nullptr;
-  CertifiedHulls made = certifiedHulls({result.original, mesh.read->repaired, *result.solid, mesh.read->margin, tree.get(), mesh.task.uri},
-                                       {options.method, result.mesh.tolerance, options.max_hulls, options.max_vertices, mesh.options.seed,
-                                        options.effort, options.fill, options.regions},
-                                       certifying);
-  result.hulls = std::move(made.hulls);
-  result.model = factsOf(result.hulls, 0, *result.solid, {made.bound, made.found, made.where, made.nearest});
-  result.model.regions = std::move(made.regions);
-  result.status = made.within_tolerance ? Status::kOk : Status::kDegraded;
-  result.reason = made.reason;
+  decomposeAndCertify(*mesh.read, options, tree.get(), mesh.task.uri, mesh.options.seed, certifying, result);
   return result;
 }
 

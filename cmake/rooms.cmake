@@ -1,8 +1,8 @@
 # The rooms, which are folders of src/, of include/collision_hulls/ and of test/. A file may include its own room and rooms above it in
 # this list, none below. This is the only place that lists them: the targets, the unit tests and test/scripts/rooms all read it.
-
-# collision_hulls_core: a mesh in, hulls with their proof out. Eigen, Qhull, TBB; libseccomp in sandbox, Assimp and tinyxml2 in mesh.
-set(CORE_ROOMS base geometry sandbox mesh measure decompose)
+# collision_hulls_core: a mesh in, hulls, primitives or spheres with their proof out. Eigen, Qhull, TBB; libseccomp in sandbox, Assimp and
+# tinyxml2 in mesh.
+set(CORE_ROOMS base geometry sandbox mesh measure decompose primitives)
 
 # collision_hulls: robots and scenes. FCL in query, tinyxml2 in xml and robot, urdfdom in robot, yaml-cpp in scene.
 set(ROBOT_ROOMS query check storage xml robot scene reach fit report verify config web pipeline consumers)

@@ -1,0 +1,93 @@
+// Fit, glance, prove. A primitive is dropped at a glance if a point of it is beyond the tolerance. What is left is proved by the
+// certificate of hulls (decompose/certified_hulls.h) for a polyhedron around the primitive: whatever bounds that one's protrusion bounds
+// the primitive's, which it contains. The polyhedron is larger by a small share of the tolerance, so little is lost; a box is its own
+// polyhedron.
+#include "collision_hulls/primitives/covering_primitive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "collision_hulls/decompose/certified_hulls.h"
+
+namespace collision_hulls {
+
+namespace {
+
+constexpr double kExcess = 0.02;       // of the tolerance: how far the polyhedron of a proof reaches beyond its primitive
+constexpr double kGlanceExcess = 0.1;  // of the size: of the polyhedron whose points are looked at first
+constexpr int kGlances = 6;            // points per edge of that one
+
+/// Notes p, a point of the primitive, if it is the furthest so far.
+void look(CertifiedPrimitive& result, const Solid& solid, const Eigen::Vector3d& p) {
+  const TriangleBvh::Nearest near = solid.surface().nearest(p);
+  if (near.distance > result.found && !solid.contains(p)) {
+    result.found = near.distance;
+    result.where = p;
+    result.nearest = near.point;
+  }
+}
+
+/// Looks at points all over the primitive's surface, until one is further than `enough`.
+void glance(CertifiedPrimitive& result, const Solid& solid, double enough, const RunControl& control) {
+  const ConvexHull around = hullAround(result.primitive, kGlanceExcess * result.primitive.size.maxCoeff());
+  for (const Triangle& t : around.triangles) {
+    control.check();
+    const auto corner = [&](std::size_t k) -> const Eigen::Vector3d& { return around.vertices[static_cast<std::size_t>(t[k])]; };
+    for (int i = 0; i <= kGlances; ++i)
+      for (int j = 0; i + j <= kGlances && result.found <= enough; ++j) {
+        const Eigen::Vector3d p = corner(0) + (corner(1) - corner(0)) * i / kGlances + (corner(2) - corner(0)) * j / kGlances;
+        look(result, solid, nearestPoint(result.primitive, p));
+      }
+  }
+}
+
+void prove(CertifiedPrimitive& result, const Solid& solid, const PrimitiveOptions& options, const RunControl& control) {
+  // Far beyond the tolerance, a bound need not be any closer than a share of what was found.
+  const double scale = std::max(options.tolerance, result.found);
+  const ConvexHull around = hullAround(result.primitive, kExcess * scale);
+  const Protrusion proof = certificate(std::vector<ConvexHull>{around}, solid, options.margin, scale, control);
+  result.bound = proof.bound;
+  look(result, solid, nearestPoint(result.primitive, proof.where));
+}
+
+void check(const PrimitiveOptions& options) {
+  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance))
+    throw Error(ErrorCode::kBadOption, "the tolerance of a primitive is " + std::to_string(options.tolerance) + "; it must be above 0");
+}
+
+}  // namespace
+
+CertifiedPrimitive certificate(const Primitive& primitive, const Solid& solid, double margin, double tolerance, const RunControl& control) {
+  PrimitiveOptions options;
+  options.tolerance = tolerance;
+  options.margin = margin;
+  check(options);
+  CertifiedPrimitive result;
+  result.primitive = primitive;
+  glance(result, solid, std::numeric_limits<double>::infinity(), control);
+  prove(result, solid, options, control);
+  return result;
+}
+
+CertifiedPrimitive primitiveOfKind(PrimitiveKind kind, const ConvexHull& hull, const Solid& solid, const PrimitiveOptions& options,
+                                   const RunControl& control) {
+  return certificate(enclosingPrimitive(kind, hull), solid, options.margin, options.tolerance, control);
+}
+
+std::optional<CertifiedPrimitive> coveringPrimitive(const ConvexHull& hull, const Solid& solid, const PrimitiveOptions& options,
+                                                    const RunControl& control) {
+  check(options);
+  for (const PrimitiveKind kind : options.kinds) {
+    CertifiedPrimitive result;
+    result.primitive = enclosingPrimitive(kind, hull);
+    glance(result, solid, options.tolerance, control);
+    if (result.found > options.tolerance) continue;
+    prove(result, solid, options, control);
+    if (result.bound <= options.tolerance) return result;
+  }
+  return std::nullopt;
+}
+
+}  // namespace collision_hulls

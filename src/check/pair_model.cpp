@@ -33,6 +33,16 @@ TriangleMesh selected(const TriangleMesh& mesh, bool with_area) {
   return result;
 }
 
+/// The hulls, the last of them shrunk until they lie in the spheres.
+std::vector<ConvexHull> within(std::vector<ConvexHull> hulls, const std::vector<Sphere>& spheres) {
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    ConvexHull& hull = hulls[hulls.size() - spheres.size() + i];
+    for (Eigen::Vector3d& v : hull.vertices) v = spheres[i].centre + spheres[i].radius * (v - spheres[i].centre).normalized();
+    hull = convexHull(hull.vertices);
+  }
+  return hulls;
+}
+
 }  // namespace
 
 PairModel::PairModel(const ValidationPair& pair, const std::vector<ProbeShape>& box_shapes, const std::vector<Neighbour>& near)
@@ -40,9 +50,11 @@ PairModel::PairModel(const ValidationPair& pair, const std::vector<ProbeShape>& 
       frame(pair),
       original(frame.units(pair.original)),
       hulls(frame.units(pair.hulls)),
+      spheres(frame.units(pair.spheres)),
       boxes(box_shapes),
       without_area(selected(original, false)),
-      sampler(original, hulls),
+      inner(within(hulls, spheres)),
+      sampler(original, inner),
       tolerance(kFclTolerance + frame.rounding()),
       solid_(pair.solid),
       to_solid_(pair.solid ? pair.solid_pose.inverse() : Eigen::Isometry3d::Identity()) {
@@ -72,6 +84,11 @@ TriangleMesh PairModel::withAreaNear(const Eigen::AlignedBox3d& box) const {
   TriangleMesh result;
   for (const int t : bvh->trianglesNear(box)) append(result, bvh->corners(t));
   return result;
+}
+
+const Sphere* PairModel::sphereAt(std::size_t hull) const {
+  const std::size_t first = hulls.size() - spheres.size();
+  return hull < first ? nullptr : &spheres[hull - first];
 }
 
 bool PairModel::inSolid(const Eigen::Vector3d& p) const {

@@ -31,6 +31,7 @@ class PairModel {
   const TriangleMesh& withArea() const { return with_area_ ? *with_area_ : original; }  ///< the triangles given to FCL
   TriangleMesh nearestWithArea(const Eigen::Vector3d& p) const;                         ///< only the triangle nearest to p
   TriangleMesh withAreaNear(const Eigen::AlignedBox3d& box) const;                      ///< those whose boxes meet a box
+  const Sphere* sphereAt(std::size_t hull) const;                                       ///< null: it is a hull indeed
   bool inSolid(const Eigen::Vector3d& p) const;
   bool hasOpenings() const;
 
@@ -38,6 +39,7 @@ class PairModel {
   const UnitFrame frame;
   const TriangleMesh original;
   const std::vector<ConvexHull> hulls;
+  const std::vector<Sphere> spheres;  // in place of the last hulls
   const std::vector<ProbeShape>& boxes;
   std::vector<ProbeShape> neighbours;
   std::vector<FclHull> fcl_hulls;
@@ -45,6 +47,7 @@ class PairModel {
   TriangleMesh without_area;
   std::unique_ptr<const TriangleBvh> bvh, bvh_without_area;
   std::unique_ptr<const FclMesh> fcl_original;
+  const std::vector<ConvexHull> inner;  // the hulls, and polyhedra inside the spheres
   const PoseSampler sampler;
   double tolerance = 0;                           // for a verdict
   double allowed = 0;                             // the certified protrusion plus the allowance for tolerance and welding

@@ -47,4 +47,9 @@ std::vector<ConvexHull> UnitFrame::units(std::vector<ConvexHull> hulls) const {
   return hulls;
 }
 
+std::vector<Sphere> UnitFrame::units(std::vector<Sphere> spheres) const {
+  for (Sphere& sphere : spheres) sphere = {units(sphere.centre), units(sphere.radius)};
+  return spheres;
+}
+
 }  // namespace collision_hulls

@@ -23,6 +23,7 @@ class UnitFrame {
   TriangleMesh units(TriangleMesh mesh) const;
   ConvexHull units(ConvexHull hull) const;
   std::vector<ConvexHull> units(std::vector<ConvexHull> hulls) const;
+  std::vector<Sphere> units(std::vector<Sphere> spheres) const;
 
  private:
   Eigen::Vector3d centre_;

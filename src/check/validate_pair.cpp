@@ -33,7 +33,9 @@ class PairCheck {
 
   std::vector<std::pair<double, std::size_t>> hullsByBox(const Eigen::AlignedBox3d& box) const;
   double toHulls(const Probe& probe);
+  FclAnswer fclToHull(const Probe& probe, std::size_t hull) const;
   double toHull(const Probe& probe, std::size_t hull, const FclAnswer& answer);
+  double toPoint(std::size_t hull, const Eigen::Vector3d& p) const;
   double toOriginal(const Probe& probe);
   double toSurface(const Probe& probe, const FclAnswer& answer);
   bool touches(const Probe& probe) const;
@@ -70,7 +72,7 @@ void PairCheck::query(std::size_t number, Random& random) {
 void PairCheck::pointOnOriginal(const Eigen::Vector3d& p) {
   double hulls = kFurthest;
   for (const auto& [lower, hull] : hullsByBox(Eigen::AlignedBox3d(p)))
-    if (lower < hulls) hulls = std::min(hulls, pointDistance(model_.hulls[hull], p));
+    if (lower < hulls) hulls = std::min(hulls, toPoint(hull, p));
   judge(sphere(p, 0), 0, hulls);
 }
 
@@ -105,8 +107,7 @@ double PairCheck::toHulls(const Probe& probe) {
   double least = kFurthest;
   for (const auto& [lower, hull] : order) {
     if (lower >= least) break;
-    const FclAnswer answer = probe.shape ? fclDistance(model_.fcl_hulls[hull], probe.shape->convex, probe.pose)
-                                         : fclDistance(model_.fcl_hulls[hull], probe.centre);
+    const FclAnswer answer = fclToHull(probe, hull);
     microseconds += answer.microseconds;
     least = std::min(least, toHull(probe, hull, answer));
   }
@@ -114,8 +115,30 @@ double PairCheck::toHulls(const Probe& probe) {
   return least;
 }
 
+/// A sphere's distances are those of its centre, less its radius.
+FclAnswer PairCheck::fclToHull(const Probe& probe, std::size_t hull) const {
+  const Sphere* const sphere = model_.sphereAt(hull);
+  if (!sphere)
+    return probe.shape ? fclDistance(model_.fcl_hulls[hull], probe.shape->convex, probe.pose)
+                       : fclDistance(model_.fcl_hulls[hull], probe.centre);
+  FclAnswer answer;
+  if (probe.shape)
+    answer = fclDistance(probe.shape->convex, Eigen::Vector3d(probe.pose.inverse() * sphere->centre));
+  else
+    answer.distance = (sphere->centre - probe.centre).norm();
+  answer.distance = std::max(0.0, answer.distance - sphere->radius);
+  return answer;
+}
+
+double PairCheck::toPoint(std::size_t hull, const Eigen::Vector3d& p) const {
+  const Sphere* const sphere = model_.sphereAt(hull);
+  return sphere ? std::max(0.0, (p - sphere->centre).norm() - sphere->radius) : pointDistance(model_.hulls[hull], p);
+}
+
 double PairCheck::toHull(const Probe& probe, std::size_t hull, const FclAnswer& answer) {
-  if (!probe.shape) return settled(probe, answer, std::max(0.0, pointDistance(model_.hulls[hull], probe.centre) - probe.radius), "hulls");
+  if (!probe.shape) return settled(probe, answer, std::max(0.0, toPoint(hull, probe.centre) - probe.radius), "hulls");
+  if (const Sphere* const sphere = model_.sphereAt(hull))
+    return settled(probe, answer, std::max(0.0, pointDistance(probe.body, sphere->centre) - sphere->radius), "hulls");
   if (proved(answer, model_.hulls[hull], probe.body, model_.frame.rounding())) return answer.distance;
   return settled(probe, answer, bodyDistance(model_.hulls[hull], probe.body), "hulls");
 }
@@ -195,7 +218,11 @@ bool PairCheck::meetsTheInside(const Probe& probe, double hulls) const {
   for (const auto& [lower, hull] : hullsByBox(probe.box)) {
     if (lower > hulls) break;
     const ConvexHull& body = model_.hulls[hull];
-    if (probe.shape) {
+    if (const Sphere* const sphere = model_.sphereAt(hull)) {
+      const Eigen::Vector3d towards = probe.shape ? nearestPoint(probe.body, sphere->centre) : probe.centre;
+      const Eigen::Vector3d away = towards - sphere->centre;
+      if (inside(sphere->centre + away * std::min(1.0, sphere->radius / away.norm()))) return true;
+    } else if (probe.shape) {
       const std::vector<Eigen::Vector3d> common = hulls == 0 ? commonPoints(body, probe.body) : std::vector<Eigen::Vector3d>();
       if (std::any_of(common.begin(), common.end(), inside)) return true;
     } else {
@@ -262,6 +289,9 @@ std::string fault(const ValidationPair& pair) {
       if (!face.normal.allFinite() || !std::isfinite(face.offset)) return "a face of a hull is not finite";
   }
   if (!box.isEmpty() && !std::isfinite(box.diagonal().squaredNorm())) return "its coordinates are too large to square";
+  if (pair.spheres.size() > pair.hulls.size()) return "there is no hull for each of its spheres";
+  for (const Sphere& sphere : pair.spheres)
+    if (!sphere.centre.allFinite() || !std::isfinite(sphere.radius)) return "a sphere is not finite";
   if (!std::isfinite(pair.protrusion) || pair.protrusion < 0)
     return "its protrusion of " + std::to_string(pair.protrusion) + " m is not a valid bound";
   return "";

@@ -77,6 +77,21 @@ void read(const ConfigItem& item, Effort& effort) {
   readChoice(item, effortNamed, namesOf(allEfforts()), effort);
 }
 
+void read(const ConfigItem& item, Shapes& shapes) {
+  readChoice(item, shapesNamed, namesOf(allShapes()), shapes);
+}
+
+/// A single one.
+void readShape(const ConfigItem& item, Shapes& shape) {
+  std::vector<Shapes> single = allShapes();
+  single.erase(std::remove_if(single.begin(), single.end(), [](Shapes each) { return !isSingle(each); }), single.end());
+  const std::string expected = "one of " + joined(namesOf(single));
+  const std::string text = item.text(expected);
+  const std::optional<Shapes> found = shapesNamed(text);
+  if (!found || !isSingle(*found)) item.refuse(expected + didYouMean(text, namesOf(single)));
+  shape = *found;
+}
+
 void read(const ConfigItem& item, Source& source) {
   readChoice(item, sourceNamed, {"auto", "visual", "collision"}, source);
 }
@@ -93,13 +108,17 @@ void read(const ConfigItem& item, UriStyle& uri) {
 void refuseContradictions(const ConfigItem& item, const LinkSettings& settings) {
   const bool stays = settings.action.value_or(Action::kDecompose) != Action::kDecompose;
   const bool other_method = settings.method.value_or(Method::kCertified) != Method::kCertified;
+  bool has_shapes = false;
   for (const auto& [key, value] : item.value.entries()) {
     const std::string name = plainText(key, "a key");
+    const bool of_shapes = name == "shape" || name == "shapes";
+    if (of_shapes && has_shapes) key.fail("shape and shapes of " + item.name + " mean the same; remove one of them");
+    has_shapes = has_shapes || of_shapes;
     if (stays && name != "action")
       key.fail(name + " of " + item.name + " contradicts '" + collision_hulls::name(*settings.action) +
                "', with which the link gets no hulls; remove one of them");
-    const bool only_certified =
-        (name == "effort" && settings.effort && needsCertified(*settings.effort)) || (name == "fill" && settings.fill == true);
+    const bool only_certified = (name == "effort" && settings.effort && needsCertified(*settings.effort)) ||
+                                (name == "fill" && settings.fill == true) || (of_shapes && settings.shapes != Shapes::kHulls);
     if (other_method && only_certified)
       key.fail(name + " '" + value.text() + "' of " + item.name + " needs method 'certified', not '" +
                collision_hulls::name(*settings.method) + "'; remove one of them");
@@ -112,13 +131,18 @@ ConfigReaders settingReaders(LinkSettings& settings) {
     (void)option;
     readers.emplace_back(name, [&settings, setting](const ConfigItem& item) { read(item, (settings.*setting).emplace()); });
   });
+  readers.emplace_back("shape", [&settings](const ConfigItem& item) { readShape(item, settings.shapes.emplace()); });
   return readers;
 }
 
-void checkCaps(const ConfigItem& item, const LinkSettings& settings) {
+/// Values out of range, and shapes that contradict another setting of the same map.
+void checkValues(const ConfigItem& item, const LinkSettings& settings) {
   LinkOptions applied;
   apply(settings, applied);
-  inContext(item.value.where() + ": " + item.name, [&] { checkLimits(applied); });
+  inContext(item.value.where() + ": " + item.name, [&] {
+    checkLimits(applied);
+    checkShapes(applied);
+  });
 }
 
 /// {tolerance: 2mm}, or one word: keep.
@@ -133,7 +157,7 @@ LinkSettings readRule(const ConfigItem& item) {
   }
   readMap(item, settingReaders(settings), expected);
   if (item.value.entries().empty()) item.refuse(expected);
-  checkCaps(item, settings);
+  checkValues(item, settings);
   refuseContradictions(item, settings);
   return settings;
 }
@@ -163,7 +187,7 @@ class Reader {
     readers.erase(readers.begin());  // the action
     readers.emplace_back("tree", [this](const ConfigItem& tree) { readTree(tree); });
     readMap(item, readers, expected);
-    checkCaps(item, result_.defaults);
+    checkValues(item, result_.defaults);
     refuseContradictions(item, result_.defaults);
     for (const auto& [key, value] : item.value.entries()) {
       std::string option = plainText(key, "a key");

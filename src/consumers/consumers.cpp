@@ -16,11 +16,13 @@ struct Entry {
   const char* name;
 };
 
-constexpr std::array<Entry, 5> kConsumers = {{{Consumer::kMoveit, "moveit"},
+constexpr std::array<Entry, 7> kConsumers = {{{Consumer::kMoveit, "moveit"},
                                               {Consumer::kGazebo, "gazebo"},
                                               {Consumer::kMujoco, "mujoco"},
                                               {Consumer::kDrake, "drake"},
-                                              {Consumer::kIsaac, "isaac"}}};
+                                              {Consumer::kIsaac, "isaac"},
+                                              {Consumer::kTesseract, "tesseract"},
+                                              {Consumer::kCurobo, "curobo"}}};
 
 ConsumerFiles filesFor(Consumer consumer, const WrittenModel& model, const RunControl& control) {
   switch (consumer) {
@@ -29,6 +31,8 @@ ConsumerFiles filesFor(Consumer consumer, const WrittenModel& model, const RunCo
     case Consumer::kMujoco: return mujocoFiles(model);
     case Consumer::kDrake: return drakeFiles(model);
     case Consumer::kIsaac: return isaacFiles(model);
+    case Consumer::kTesseract: return tesseractFiles(model);
+    case Consumer::kCurobo: return curoboFiles(model, control);
   }
   return {};
 }
@@ -59,12 +63,19 @@ MeshFormat formatFor(const std::vector<Consumer>& consumers, MeshFormat usual) {
   return std::count(consumers.begin(), consumers.end(), Consumer::kDrake) > 0 ? MeshFormat::kObj : usual;
 }
 
+Shapes shapesFor(const std::vector<Consumer>& consumers, Shapes usual) {
+  return std::count(consumers.begin(), consumers.end(), Consumer::kCurobo) > 0 ? Shapes::kSpheres : usual;
+}
+
 void check(const std::vector<Consumer>& consumers, const Options& options) {
   for (const Consumer consumer : consumers) {
     if (consumer == Consumer::kMujoco && options.format == MeshFormat::kDae)
       refuseFormat(consumer, options.format, "stl and obj; leave --format out");
     if (consumer == Consumer::kDrake && options.format != MeshFormat::kObj)
       refuseFormat(consumer, options.format, "obj alone; leave --format out");
+    if (consumer == Consumer::kCurobo && options.shapes != Shapes::kSpheres)
+      throw Error(ErrorCode::kBadOption, std::string("--for curobo does not go with --shapes ") + name(options.shapes) +
+                                             ": it takes spheres alone; leave --shapes out");
   }
 }
 

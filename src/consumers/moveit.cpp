@@ -33,9 +33,26 @@ struct Pair {
   DisabledPair disabled;  // without a reason: it stays enabled
 };
 
+/// For planners and distance fields that take spheres (moveit_core's collision_distance_field): where a link has nothing but them.
+std::vector<SphereApproximation> spheresOf(const RobotDescription& robot) {
+  std::vector<SphereApproximation> all;
+  for (const LinkDescription& link : robot.links) {
+    SphereApproximation spheres{link.name, {}};
+    bool has_others = false;
+    for (const GeometryElement& element : link.collisions) {
+      if (element.kind == GeometryElement::Kind::kSphere)
+        spheres.spheres.push_back({element.origin.translation(), element.size.x()});
+      else
+        has_others = has_others || element.kind != GeometryElement::Kind::kNone;
+    }
+    if (!has_others && !spheres.spheres.empty()) all.push_back(std::move(spheres));
+  }
+  return all;
+}
+
 }  // namespace
 
-ConsumerFiles moveitFiles(const WrittenModel& model, const RunControl& control) {
+std::vector<DisabledPair> pairsWithoutCheck(const WrittenModel& model, const RunControl& control) {
   const RobotDescription& robot = model.robot();
   const Kinematics kinematics(robot);
   std::vector<std::optional<ConvexHull>> known;
@@ -64,7 +81,12 @@ ConsumerFiles moveitFiles(const WrittenModel& model, const RunControl& control) 
   std::vector<DisabledPair> disabled;
   for (const Pair& pair : pairs)
     if (!pair.disabled.reason.empty()) disabled.push_back(pair.disabled);
-  return {{"config/" + fileName(robot.name) + ".srdf", srdfFragment(robot.name, disabled)}};
+  return disabled;
+}
+
+ConsumerFiles moveitFiles(const WrittenModel& model, const RunControl& control) {
+  const std::string& name = model.robot().name;
+  return {{"config/" + fileName(name) + ".srdf", srdfFragment(name, pairsWithoutCheck(model, control), spheresOf(model.robot()))}};
 }
 
 }  // namespace collision_hulls

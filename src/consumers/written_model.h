@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision_hulls/pipeline/result.h"
+#include "collision_hulls/scene/srdf.h"
 #include "xml/xml_tree.h"
 
 namespace collision_hulls {
@@ -62,8 +63,18 @@ std::string positionText(const Eigen::Isometry3d& pose);
 std::string rpyText(const Eigen::Isometry3d& pose);
 std::string quaternionText(const Eigen::Isometry3d& pose);
 
+/// The pairs of links that need no check: neighbours, and those of which it is proved that they never meet, whatever the joints do.
+std::vector<DisabledPair> pairsWithoutCheck(const WrittenModel& model, const RunControl& control);
+
+/// The rewritten description with a change to the <mesh> of each hull: `attributes` in it (each with a space before it), `content` between
+/// its tags; and `of_root` among the attributes of <robot>, unless it has one that begins like it up to the '='.
+std::string withMarkedHulls(const WrittenModel& model, const std::string& attributes, const std::string& content,
+                            const std::string& of_root);
+
 // The writers: path in the output, content.
 using ConsumerFiles = std::map<std::string, std::string>;
+ConsumerFiles curoboFiles(const WrittenModel& model, const RunControl& control);
+ConsumerFiles tesseractFiles(const WrittenModel& model);
 ConsumerFiles moveitFiles(const WrittenModel& model, const RunControl& control);
 ConsumerFiles drakeFiles(const WrittenModel& model);
 ConsumerFiles isaacFiles(const WrittenModel& model);

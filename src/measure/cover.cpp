@@ -166,7 +166,7 @@ std::vector<Polygon> leftOf(const Polygon& triangle, const Hulls& set) {
 double largestDistance(const std::vector<Polygon>& polygons, const Hulls& set, int most_pieces, const RunControl& control = {}) {
   FurthestPoint<Hulls> furthest(set);
   for (const Polygon& polygon : polygons) furthest.add(polygon);
-  furthest.search(most_pieces, control);
+  furthest.search(most_pieces, 0, control);
   return furthest.bound() <= set.tolerance() ? 0 : furthest.bound();
 }
 

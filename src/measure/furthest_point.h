@@ -22,8 +22,7 @@ namespace collision_hulls {
 template <class Bodies>
 class FurthestPoint {
  public:
-  /// The search ends when the bound exceeds what was found by 1 %, or by `gap` [m] if that is more.
-  explicit FurthestPoint(const Bodies& bodies, double gap = 0) : bodies_(bodies), gap_(gap) {}
+  explicit FurthestPoint(const Bodies& bodies) : bodies_(bodies) {}
 
   /// Adds a convex polygon to the surface.
   void add(const std::vector<Eigen::Vector3d>& polygon) {
@@ -32,8 +31,10 @@ class FurthestPoint {
       push({{polygon[0], polygon[i - 1], polygon[i]}, std::numeric_limits<double>::infinity()});
   }
 
-  /// Halves at most that many pieces, and ends with the bound that it has then.
-  void search(int most_pieces, const RunControl& control = {}) {
+  /// Ends when the bound exceeds what was found by 1 %, or by `gap` [m] if that is more; or else, with the bound that it has then, when
+  /// `most_pieces` are halved.
+  void search(int most_pieces, double gap, const RunControl& control = {}) {
+    const auto enough = [&] { return found_ + std::max(gap, kGap * found_); };
     for (int pieces = 0; pieces < most_pieces && !queue_.empty() && queue_.top().bound > enough(); ++pieces) {
       if (pieces % kPiecesBetweenChecks == 0) control.check();
       halve();
@@ -54,8 +55,6 @@ class FurthestPoint {
     double bound;
     bool operator<(const Piece& other) const { return bound < other.bound; }
   };
-
-  double enough() const { return found_ + std::max(gap_, kGap * found_); }
 
   void visit(const Eigen::Vector3d& p) {
     const double d = bodies_.distance(p);
@@ -105,7 +104,6 @@ class FurthestPoint {
   }
 
   const Bodies& bodies_;
-  const double gap_;
   double found_ = 0;
   Eigen::Vector3d where_ = Eigen::Vector3d::Zero();
   std::priority_queue<Piece> queue_;

@@ -41,9 +41,20 @@ void fields(Archive& archive, HullFacts& facts) {
 }
 
 template <typename Archive>
+void fields(Archive& archive, GeometryElement& element) {
+  auto& [kind, uri, scale, size, origin, name, fault] = element;
+  archive(kind, uri, scale, size, name, fault);
+  for (int column = 0; column < 4; ++column) {
+    Eigen::Vector3d value = origin.matrix().col(column).head<3>();
+    archive(value);
+    origin.matrix().col(column).head<3>() = value;
+  }
+}
+
+template <typename Archive>
 void fields(Archive& archive, MeshResult& result) {
   auto& [mesh, model, status, reason, error, seconds, cached, original, hulls, primitives, unneeded, segments, solid] = result;
-  archive(mesh, model, status, reason, error, original, hulls);
+  archive(mesh, model, status, reason, error, original, hulls, primitives);
 }
 
 template <typename Archive>
@@ -60,7 +71,7 @@ void fields(Archive& archive, Length& length) {
 
 namespace {
 
-constexpr std::uint32_t kFormat = 5;  // of entries
+constexpr std::uint32_t kFormat = 6;  // of entries
 
 template <typename... Values>
 std::string keyOf(const std::string& kind, const Values&... values) {
@@ -75,14 +86,14 @@ std::string meshBytes(const MeshTask& task) {
 }  // namespace
 
 std::string meshKey(const MeshTask& task, const LinkOptions& options, std::uint64_t seed) {
-  const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source, padding, regions] = options;
+  const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source, padding, shapes, regions] = options;
   ByteWriter places;
   for (const Region& region : regions) {
     places(region.tolerance, region.sides.size());
     for (const HalfSpace& side : region.sides) places(side.normal, side.offset);
   }
   return keyOf("mesh", meshBytes(task), tolerance, method, effort, tree.has_value(), tree.value_or(Length{}), fill, max_hulls, max_vertices,
-               padding, places.take(), seed);
+               padding, shapes, places.take(), seed);
 }
 
 std::string treeKey(const MeshTask& task, const LinkOptions& options, std::uint64_t seed, double tolerance) {

@@ -14,6 +14,7 @@
 #include "pipeline/collision_model.h"
 #include "pipeline/earlier_output.h"
 #include "pipeline/run.h"
+#include "pipeline/shapes/shapes.h"
 #include "pipeline/stages.h"
 
 namespace collision_hulls {
@@ -35,15 +36,15 @@ struct VariantWork {
 
 /// Where steps 3 and 4 of a mesh take their hulls from, if not from a decomposition.
 std::shared_ptr<const HullTree> treeFor(const VariantWork& work, const MeshFacts& facts, SharedMesh& mesh, Run& run) {
-  if (!work.options.tree) return nullptr;
+  if (!work.options.tree && work.options.shapes != Shapes::kPrimitives) return nullptr;
   RunControl building;
   work.follow(building, run, 0, kTreeShare);
-  return mesh.tree(work.options, std::min(work.options.tree->metres(facts.diagonal), facts.tolerance), building);
+  return mesh.tree(work.options, treeLeaves(work.options, facts.diagonal), building);
 }
 
-/// For other methods, which take a fraction of the time, and for padded hulls nobody looks for a bound.
+/// For other methods, which take a fraction of the time, for padded hulls and other shapes nobody looks for a bound.
 std::size_t leastHullsOf(const MeshResult& mesh, const LinkOptions& options, const RunControl& control) {
-  if (options.method != Method::kCertified || options.padding > 0) return 1;
+  if (options.method != Method::kCertified || options.padding > 0 || options.shapes != Shapes::kHulls) return 1;
   const std::vector<ConvexHull> none;
   return leastHulls(mesh.original, *mesh.solid, mesh.mesh.tolerance, mesh.status == Status::kOk ? mesh.hulls : none, options.effort,
                     control);

@@ -314,6 +314,9 @@ void refuseOtherWays(const RobotDescription& robot, const Options& options, cons
       throw Error(ErrorCode::kBadOption,
                   "padding '" + toString(lengthOf(decided->padding)) + "' of link '" + link.name +
                       "' does not apply to fit_scene, which keeps a clearance; add it to the clearance, and omit it");
+    if (decided && decided->action == Action::kDecompose && decided->shapes != Shapes::kHulls)
+      throw Error(ErrorCode::kBadOption, std::string("shapes '") + name(decided->shapes) + "' of link '" + link.name +
+                                             "' does not apply to fit_scene, which takes primitives where the scene allows; omit it");
   }
   const std::string& link = decisions.firstOfOtherMethod();
   if (link.empty()) return;

@@ -62,8 +62,8 @@ MeshResult undecomposed(const MeshUse& use) {
 /// Whether the same mesh becomes the same hulls. The action and the source chose the mesh.
 bool equalWork(const LinkOptions& a, const LinkOptions& b) {
   const auto values = [](const LinkOptions& options) {
-    const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source, padding, regions] = options;
-    return std::make_tuple(tolerance, method, effort, tree, fill, max_hulls, max_vertices, padding);
+    const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source, padding, shapes, regions] = options;
+    return std::make_tuple(tolerance, method, effort, tree, fill, max_hulls, max_vertices, padding, shapes);
   };
   return values(a) == values(b) && equal(a.regions, b.regions);
 }

@@ -67,6 +67,7 @@ ElementReport rowOf(const MeshUse& use, const MeshResult& mesh) {
   row.method = use.options.method;
   row.regions_given = use.options.regions;
   row.padding = use.options.padding;
+  row.shapes = use.options.shapes;
   row.status = mesh.status;
   row.reason = mesh.reason;
   row.error = mesh.error;

@@ -15,6 +15,7 @@
 #include "collision_hulls/measure/measures.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/fit_scene.h"
+#include "pipeline/shapes/shapes.h"
 
 namespace collision_hulls {
 namespace {
@@ -73,6 +74,9 @@ void checkForMesh(const std::string& path, const Options& options) {
   if (!options.rules.empty()) refuse("links '" + options.rules.front().pattern + "'", options.rules.front().place);
   for (const RegionRule& rule : options.region_rules)
     if (!rule.pattern.empty()) refuse("link '" + rule.pattern + "' of region '" + rule.name + "'", rule.place);
+  if (options.shapes != Shapes::kHulls)
+    throw Error(ErrorCode::kBadOption, std::string("shapes '") + name(options.shapes) + "': '" + path +
+                                           "' is a mesh, and mesh files hold no primitives; give a robot description that names it");
   if (!options.models.empty()) refuse("model '" + options.models.front().name + "'", "");
 }
 
@@ -137,9 +141,15 @@ HullFacts factsOf(const std::vector<ConvexHull>& hulls, std::size_t primitives, 
   return facts;
 }
 
-/// The solid is known only up to the margin, so the bound includes it.
 void decomposeAndCertify(const ReadMesh& read, const LinkOptions& options, const HullTree* tree, const std::string& uri, std::uint64_t seed,
                          const RunControl& control, MeshResult& result) {
+  const auto make = options.shapes == Shapes::kHulls ? decomposeHulls : shapeAndCertify;
+  make(read, options, tree, uri, seed, control, result);
+}
+
+/// The solid is known only up to the margin, so the bound includes it.
+void decomposeHulls(const ReadMesh& read, const LinkOptions& options, const HullTree* tree, const std::string& uri, std::uint64_t seed,
+                    const RunControl& control, MeshResult& result) {
   const DecomposeOptions how{options.method, result.mesh.tolerance, options.max_hulls, options.max_vertices, seed,
                              options.effort, options.fill,          options.regions,   options.padding};
   CertifiedHulls made = certifiedHulls({result.original, read.repaired, *result.solid, read.margin, tree, uri}, how, control);
@@ -166,6 +176,12 @@ Validation validateUses(const std::vector<MeshUse>& uses, const MeshResults& res
     pair.name = use.link + "/" + std::to_string(use.element);
     pair.original = transformed(mesh.original, use.pose);
     for (const ConvexHull& hull : mesh.hulls) pair.hulls.push_back(transformed(hull, use.pose));
+    for (const GeometryElement& primitive : mesh.primitives) {
+      if (primitive.kind == GeometryElement::Kind::kSphere)
+        pair.spheres.push_back({use.pose * primitive.origin.translation(), primitive.size.x()});
+      else
+        pair.spheres.clear();  // only the last hulls may stand for spheres
+    }
     pair.protrusion = mesh.model.protrusion;
     pair.solid = mesh.solid;
     pair.solid_pose = use.pose;

@@ -54,10 +54,15 @@ class SharedMesh {
 /// What is known of certified hulls. `primitives`: how many of them, the last ones, stand for primitives, and are written as such.
 HullFacts factsOf(const std::vector<ConvexHull>& hulls, std::size_t primitives, const Solid& solid, const Protrusion& proof);
 
-/// Stages 3 and 4 of a mesh that was read, for one variant of it: hulls, cut from the tree if there is one (null: decomposed), with what is
-/// proved of them. `result` has what SharedMesh::read() gave, and its tolerance. `uri`: of the mesh, for messages.
+/// Stages 3 and 4 of a mesh that was read, for one variant of it: hulls, cut from the tree if there is one (null: decomposed), or what
+/// `options.shapes` says, with what is proved of them. For primitives there must be a tree. `result` has what SharedMesh::read() gave, and
+/// its tolerance. `uri`: of the mesh, for messages.
 void decomposeAndCertify(const ReadMesh& read, const LinkOptions& options, const HullTree* tree, const std::string& uri, std::uint64_t seed,
                          const RunControl& control, MeshResult& result);
+
+/// The same for hulls alone, whatever `options.shapes` says.
+void decomposeHulls(const ReadMesh& read, const LinkOptions& options, const HullTree* tree, const std::string& uri, std::uint64_t seed,
+                    const RunControl& control, MeshResult& result);
 
 /// Stage 5, for the uses of a model that have hulls.
 Validation validateUses(const std::vector<MeshUse>& uses, const MeshResults& results, std::size_t model, std::uint64_t seed,

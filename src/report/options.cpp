@@ -234,6 +234,36 @@ std::optional<Action> actionNamed(const std::string& name) {
   return std::nullopt;
 }
 
+const char* name(Shapes shapes) {
+  switch (shapes) {
+    case Shapes::kHulls: return "hulls";
+    case Shapes::kMixed: return "mixed";
+    case Shapes::kPrimitives: return "primitives";
+    case Shapes::kSpheres: return "spheres";
+    case Shapes::kSphere: return "sphere";
+    case Shapes::kBox: return "box";
+    case Shapes::kCylinder: return "cylinder";
+    case Shapes::kCapsule: return "capsule";
+  }
+  return "unknown";
+}
+
+const std::vector<Shapes>& allShapes() {
+  static const std::vector<Shapes> all{Shapes::kHulls,  Shapes::kMixed, Shapes::kPrimitives, Shapes::kSpheres,
+                                       Shapes::kSphere, Shapes::kBox,   Shapes::kCylinder,   Shapes::kCapsule};
+  return all;
+}
+
+std::optional<Shapes> shapesNamed(const std::string& name) {
+  for (const Shapes shapes : allShapes())
+    if (name == collision_hulls::name(shapes)) return shapes;
+  return std::nullopt;
+}
+
+bool isSingle(Shapes shapes) {
+  return shapes >= Shapes::kSphere;
+}
+
 const char* name(Source source) {
   switch (source) {
     case Source::kAuto: return "auto";
@@ -267,6 +297,10 @@ std::string effortChoices() {
   return choicesOf(allEfforts());
 }
 
+std::string shapesChoices() {
+  return choicesOf(allShapes());
+}
+
 void checkTolerance(const Length& tolerance, const std::string& option) {
   checkLength(option, tolerance);
 }
@@ -276,8 +310,21 @@ void checkLimits(const LinkOptions& options) {
   checkRange("max-vertices", options.max_vertices, kLeastVertices, kMostVertices, "no limit");
 }
 
+void checkShapes(const LinkOptions& options) {
+  if (options.shapes == Shapes::kHulls) return;
+  const auto refuse = [&](const std::string& setting, const std::string& why) {
+    throw Error(ErrorCode::kBadOption,
+                std::string("shapes '") + name(options.shapes) + "' contradicts " + setting + ", which " + why + "; leave one of them out");
+  };
+  if (options.method != Method::kCertified) refuse(std::string("method '") + name(options.method) + "'", "gives hulls alone");
+  if (options.padding > 0) refuse("padding '" + toString(lengthOf(options.padding)) + "'", "hulls alone have");
+  if (options.fill) refuse("fill", "hulls alone keep");
+  if (!options.regions.empty()) refuse("region '" + options.regions.front().name + "'", "hulls alone keep");
+}
+
 void check(const Options& options) {
   checkTolerance(options.tolerance);
+  checkShapes(options);
   if (options.padding != 0) checkLength("padding", lengthOf(options.padding));
   checkMethod(options);
   checkLimits(options);

@@ -117,6 +117,7 @@ Options readOptions(const ros::NodeHandle& node) {
   readNamed(node, "effort", effortNamed, effortChoices(), options.effort);
   readFlag(node, "fill", options.fill);
   options.padding = readPadding(node);
+  readNamed(node, "shapes", shapesNamed, shapesChoices(), options.shapes);
   readFlag(node, "segments", options.segments);
   options.tree = readLength(node, "tree");
   if (options.tree && options.tree->limit == 0) options.tree.reset();

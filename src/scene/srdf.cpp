@@ -8,6 +8,7 @@
 
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
+#include "robot/number_text.h"
 #include "storage/text_file.h"
 #include "xml/xml_tree.h"
 
@@ -112,12 +113,19 @@ DisabledPairs readDisabledPairs(const std::string& srdf_file, const RobotDescrip
   return parseDisabledPairs(readTextFile(srdf_file, ".srdf file", control), robot, srdf_file, control);
 }
 
-std::string srdfFragment(const std::string& robot_name, const std::vector<DisabledPair>& pairs) {
+std::string srdfFragment(const std::string& robot_name, const std::vector<DisabledPair>& pairs,
+                         const std::vector<SphereApproximation>& spheres) {
   std::string text = "<?xml version=\"1.0\"?>\n<robot name=\"" + xmlEscaped(robot_name) + "\">\n";
   for (const DisabledPair& pair : pairs) {
     text += "  <disable_collisions link1=\"" + xmlEscaped(pair.link1) + "\" link2=\"" + xmlEscaped(pair.link2) + "\" reason=\"" +
             xmlEscaped(pair.reason) + "\"/>";
     text += pair.known.empty() ? "\n" : "  <!-- " + commentText(pair.known) + " -->\n";
+  }
+  for (const SphereApproximation& of_link : spheres) {
+    text += "  <link_sphere_approximation link=\"" + xmlEscaped(of_link.link) + "\">\n";
+    for (const Sphere& sphere : of_link.spheres)
+      text += "    <sphere center=\"" + vectorText(sphere.centre) + "\" radius=\"" + numberText(sphere.radius) + "\"/>\n";
+    text += "  </link_sphere_approximation>\n";
   }
   return text + "</robot>\n";
 }

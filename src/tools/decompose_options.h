@@ -122,6 +122,11 @@ class DecomposeOptionAdder {
     add("Accuracy", "--padding", "LENGTH", "0",
         "Make the hulls hold everything this near to the surface; they may then protrude by the padding and the tolerance",
         [](Options& options, const std::string& option, const std::string& text) { options.padding = parsePadding(text, option); });
+    addChoice("Accuracy", "--shapes", &Options::shapes, shapesNamed, shapesChoices(), name(defaults.shapes),
+              "Bodies that the model consists of: a primitive where it does as well as hulls (mixed), primitives or spheres alone, or a "
+              "single one");
+    addFlag(
+        "Accuracy", "--spheres", [](Options& options) { options.shapes = Shapes::kSpheres; }, "The same as --shapes spheres");
     add("Accuracy", "--tree", "LENGTH", "",
         "Build and cache a hull tree at this finer tolerance; later runs at coarser tolerances reuse it",
         [](Options& options, const std::string&, const std::string& text) { options.tree = parseLength(text, "--tree"); });

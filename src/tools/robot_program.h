@@ -156,9 +156,11 @@ inline ModelOptions modelOf(const std::string& text) {
 /// Fills command.options.
 inline void configure(RobotCommand& command) {
   bool has_format = command.given.names.count("format") > 0;
+  bool has_shapes = command.given.names.count("shapes") + command.given.names.count("spheres") > 0;
   if (!command.config.empty()) {
     const Config config = readConfig(command.config);
     has_format = has_format || config.format;
+    has_shapes = has_shapes || config.defaults.shapes;
     apply(config, command.options);
     command.config_text = config.text;
     std::set<std::string> given = command.given.names;
@@ -169,6 +171,7 @@ inline void configure(RobotCommand& command) {
   for (const std::string& name : command.consumer_names)
     command.consumers.push_back(choice("--for", name, consumerNamed, consumerChoices()));
   if (!has_format) command.options.format = formatFor(command.consumers, command.options.format);
+  if (!has_shapes) command.options.shapes = shapesFor(command.consumers, command.options.shapes);
   if (command.models.empty()) return;
   if (command.given.names.count("tolerance"))
     throw Error(ErrorCode::kBadOption, "--tolerance contradicts --model, which gives each model its own; leave out one of them");

@@ -1,12 +1,15 @@
-// Cover: each part of the original's surface against all bodies of the result. Protrusion: hulls by the certificate that decompose uses,
-// meshes by mesh_protrusion.h, both against one solid made of all of the original. Round primitives of the original enter that solid as
-// polyhedra inside them, which makes it smaller and the bound valid; those of the result are searched as polyhedra around them.
+// Cover: each part of the original's surface against all bodies of the result. Protrusion: hulls and spheres by the certificates that
+// decompose uses, meshes by mesh_protrusion.h, all against one solid made of all of the original. Round primitives of the original enter
+// that solid as polyhedra inside them, which makes it smaller and the bound valid; cylinders of the result are searched as polyhedra around
+// them.
 #include "verify/compare_link.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "collision_hulls/error.h"
+#include "collision_hulls/primitives/covering_primitive.h"
 #include "fit/enclosing.h"
 #include "measure/protrusion.h"
 #include "verify/mesh_protrusion.h"
@@ -18,6 +21,7 @@ namespace {
 constexpr double kGap = 1e-4;                  // of the diagonal: how far bound and found may be apart where both are small
 constexpr double kCloseGap = 0.001;            // of what was found: how far apart they may be otherwise, as in decompose's certificate
 constexpr double kLeastGap = 0.01;             // of the gap before
+constexpr double kGapsOfCertificate = 20;      // that make a tolerance of which a certificate leaves a few hundredths
 constexpr std::size_t kSpareVisits = 500'000;  // as there
 constexpr double kCovered = 1e-6;              // of the diagonal: samples that are this near count as covered
 constexpr std::size_t kSamples = 2000;
@@ -92,14 +96,29 @@ Largest LinkPair::uncovered(double gap, const RunControl& control) const {
   return worst;
 }
 
+/// Spheres have proofs of their own, which are much tighter than those of polyhedra about them.
+Largest LinkPair::sphereProtrusion(const std::vector<Sphere>& spheres, double gap, const RunControl& control) const {
+  std::vector<Largest> all(spheres.size());
+  forEach(spheres.size(), [&](std::size_t i) {
+    const Primitive body{PrimitiveKind::kSphere, {spheres[i].radius, 0, 0}, Eigen::Isometry3d(Eigen::Translation3d(spheres[i].centre))};
+    const CertifiedPrimitive seen = certificate(body, *solid_, 0, kGapsOfCertificate * gap, control);
+    all[i] = {seen.bound, std::max(0.0, seen.found - surface_error_), seen.where};
+  });
+  Largest worst;
+  for (const Largest& each : all) add(worst, each);
+  return worst;
+}
+
 Largest LinkPair::hullProtrusion(const LinkBodies& bodies, double gap, double gate, const RunControl& control) const {
   std::vector<ConvexHull> around = bodies.hulls();
   double error = 0;
   for (const GeometryElement& primitive : bodies.primitives) {
+    if (primitive.kind == GeometryElement::Kind::kSphere) continue;
     const Approximation part = isRound(primitive) ? circumscribed(primitive) : Approximation{hullAbout(primitive), 0};
     around.push_back(part.hull);
     error = std::max(error, part.error);
   }
+  if (around.empty()) return {};
   Protrusion far = collision_hulls::protrusion(around, *solid_, gap, control);
   const auto look_closer = [&](double close) {
     const Protrusion again = collision_hulls::protrusion(around, *solid_, {close, kSpareVisits}, control);
@@ -117,7 +136,11 @@ Largest LinkPair::protrusion(double gap, double gate, const RunControl& control)
   const LinkBodies left = without(result_, original_);
   if (left.empty()) return {};
   const double margin = solid_->weldDistance() + original_.resolution;  // between the mesh as it was repaired, as it was read, and as it is
+  std::vector<Sphere> spheres;
+  for (const GeometryElement& primitive : left.primitives)
+    if (primitive.kind == GeometryElement::Kind::kSphere) spheres.push_back({primitive.origin.translation(), primitive.size.x()});
   Largest worst = hullProtrusion(left, gap, gate - margin, control);
+  add(worst, sphereProtrusion(spheres, gap, control));
   const TriangleMesh rest = left.rest();
   if (!rest.triangles.empty()) {
     const Protrusion far = meshProtrusion(rest, Solid(repair(rest, {}, control), control), *solid_, gap, control);

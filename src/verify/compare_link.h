@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "collision_hulls/primitives/spheres.h"
 #include "verify/cover_search.h"
 
 namespace collision_hulls {
@@ -26,6 +27,7 @@ class LinkPair {
  private:
   Largest uncovered(double gap, const RunControl& control) const;
   Largest protrusion(double gap, double gate, const RunControl& control) const;
+  Largest sphereProtrusion(const std::vector<Sphere>& spheres, double gap, const RunControl& control) const;
   Largest hullProtrusion(const LinkBodies& bodies, double gap, double gate, const RunControl& control) const;
   double uncoveredShare() const;
 

@@ -27,9 +27,10 @@ double sizeOf(const TriangleMesh& surface) {
 /// Against the convex bodies.
 Largest furthestFromConvex(const BodySet& bodies, const TriangleMesh& surface, double gap, const RunControl& control) {
   if (bodies.boxes().empty()) return {std::numeric_limits<double>::infinity(), 0, Eigen::Vector3d::Zero()};
-  FurthestPoint<BodySet> furthest(bodies, gap);
+  FurthestPoint<BodySet> furthest(bodies);
   for (const std::vector<Eigen::Vector3d>& left : uncoveredPolygons(surface, bodies.hulls(), control)) furthest.add(left);
-  furthest.search(kMostPieces, control);
+  furthest.search(kMostPieces, gap, control);
+  if (furthest.found() == 0) furthest.search(kMostPieces, 0, control);  // it may be covered
   if (furthest.bound() <= kRounding * sizeOf(surface)) return {};
   return {furthest.bound(), furthest.found(), furthest.where()};
 }

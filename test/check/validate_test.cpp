@@ -307,5 +307,49 @@ TEST(Validate, UsesASolidFromTheCaller) {
   EXPECT_EQ(given.remarks, made.remarks);
 }
 
+/// A ball of 720 triangles, the sphere about it, and a polyhedron about that.
+ValidationPair ball(double radius) {
+  ValidationPair pair{"ball", test_shapes::sphere(1, 6), {}, 0};
+  std::vector<Vector3d> points;
+  for (const Vector3d& v : test_shapes::sphere(1, 2).vertices) points.push_back(1.3 * radius * v);
+  pair.hulls = {convexHull(points)};
+  pair.spheres = {{Vector3d::Zero(), radius}};
+  pair.protrusion = 0.03;  // of the sphere beyond the triangles
+  return pair;
+}
+
+TEST(Validate, SpheresCountInPlaceOfTheirPolyhedra) {
+  expectClean(run({ball(1)}));
+  ValidationPair polyhedron = ball(1);
+  polyhedron.spheres.clear();
+  EXPECT_GT(run({polyhedron}).phantom, 0u);
+}
+
+TEST(Validate, SpheresThatAreTooSmallOrTooLarge) {
+  EXPECT_GT(run({ball(0.98)}).missed, 0u);
+  EXPECT_GT(run({ball(1.05)}).phantom, 0u);
+}
+
+TEST(Validate, ASphereBesideAHull) {
+  ValidationPair pair = bracket();
+  const TriangleMesh other = test_shapes::moved(test_shapes::sphere(0.2, 6), {2, 0, 0});
+  pair.original = test_shapes::merged({pair.original, other});
+  pair.hulls.push_back(boxHull({1.7, -0.3, -0.3}, {2.3, 0.3, 0.3}));
+  pair.spheres = {{Vector3d(2, 0, 0), 0.2}};
+  pair.protrusion = 0.006;
+  expectClean(run({pair}));
+  pair.spheres = {{Vector3d(2, 0, 0), 0.19}};
+  EXPECT_GT(run({pair}).missed, 0u);
+}
+
+TEST(Validate, RejectsASphereWithoutAHullOrWithoutASize) {
+  ValidationPair pair = ball(1);
+  pair.hulls.clear();
+  EXPECT_GT(run({pair}).nan, 0u);
+  pair = ball(1);
+  pair.spheres[0].radius = kNan;
+  EXPECT_GT(run({pair}).nan, 0u);
+}
+
 }  // namespace
 }  // namespace collision_hulls

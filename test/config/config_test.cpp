@@ -38,7 +38,7 @@ TEST(ConfigText, SpellsOutTheDefaults) {
   EXPECT_EQ(configText({}),
             "# Repeats the run that wrote it: decompose INPUT --config FILE.\n"
             "default: {tolerance: \"1cm,5%\", method: certified, effort: quick, fill: false, max_hulls: 0, max_vertices: 64, source: auto, "
-            "padding: 0, "
+            "padding: 0, shapes: hulls, "
             "tree: none}\n"
             "only: \".*\"\n"
             "links: {}\n"

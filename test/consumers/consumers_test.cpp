@@ -1,6 +1,7 @@
 // The files of each consumer, as text; test/with_packages loads them with the consumers themselves.
-// Also tests src/consumers/drake.cpp, src/consumers/gazebo.cpp, src/consumers/isaac.cpp, src/consumers/moveit.cpp, src/consumers/mujoco.cpp
-// and src/consumers/written_model.cpp.
+// Also tests src/consumers/curobo.cpp, src/consumers/drake.cpp, src/consumers/gazebo.cpp, src/consumers/isaac.cpp,
+// src/consumers/marked_hulls.cpp, src/consumers/moveit.cpp, src/consumers/mujoco.cpp, src/consumers/tesseract.cpp and
+// src/consumers/written_model.cpp.
 #include "collision_hulls/consumers/consumers.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "collision_hulls/scene/srdf.h"
 #include "pipeline/fixtures.h"
+#include "scene/yaml_node.h"
 #include "shapes.h"
 
 namespace collision_hulls {
@@ -48,7 +50,7 @@ class Consumers : public ::testing::Test {
 };
 
 TEST_F(Consumers, NamesAreReadBack) {
-  for (const char* each : {"moveit", "gazebo", "mujoco", "drake", "isaac"}) {
+  for (const char* each : {"moveit", "gazebo", "mujoco", "drake", "isaac", "tesseract", "curobo"}) {
     ASSERT_TRUE(consumerNamed(each)) << each;
     EXPECT_STREQ(name(*consumerNamed(each)), each);
     EXPECT_NE(consumerChoices().find(each), std::string::npos);
@@ -130,6 +132,61 @@ TEST_F(Consumers, DrakeIsToldWhichMeshesAreConvex) {
   EXPECT_NE(urdf.find("<!-- <robot> -->"), std::string::npos);
   EXPECT_NE(urdf.find("<robot xmlns:drake=\"http://drake.mit.edu\" name=\"three\">"), std::string::npos) << urdf;
   EXPECT_EQ(parseRobotDescription(urdf).links.size(), 3u);
+}
+
+TEST_F(Consumers, TesseractIsToldWhichMeshesAreConvex) {
+  const std::string visual = "<visual>" + fixtures::meshTag(mesh_) + "</visual>";
+  const std::string urdf = fileOf(Consumer::kTesseract, threeLinks(visual + cube()), "urdf/three_tesseract.urdf");
+  EXPECT_EQ(fixtures::count(urdf, "/0_0.stl\" tesseract:make_convex=\"true\"/>"), 3u) << urdf;
+  EXPECT_EQ(fixtures::count(urdf, "make_convex"), 3u);
+  EXPECT_NE(urdf.find("<robot xmlns:tesseract="), std::string::npos) << urdf;
+  EXPECT_EQ(parseRobotDescription(urdf).links.size(), 3u);
+}
+
+TEST_F(Consumers, CuroboTakesSpheresInTheLinksFrames) {
+  EXPECT_EQ(shapesFor({Consumer::kMoveit}, Shapes::kMixed), Shapes::kMixed);
+  options_.shapes = shapesFor({Consumer::kMoveit, Consumer::kCurobo}, Shapes::kHulls);
+  options_.tolerance = lengthOf(0.05);
+  const std::string moved = "<collision><origin xyz=\"1 2 3\"/>" + fixtures::meshTag(mesh_) + "</collision>";
+  const std::string yaml = fileOf(Consumer::kCurobo, threeLinks(moved), "config/three_spheres.yml");
+  const YamlValue root = YamlValue::parse(yaml, "spheres", ErrorCode::kInternal);
+  std::map<std::string, YamlValue> sections;
+  for (const auto& [key, value] : root.entries()) sections.emplace(key.text(), value);
+  EXPECT_EQ(sections.at("collision_link_names").items().size(), 3u);
+  const auto links = sections.at("collision_spheres").entries();
+  ASSERT_EQ(links.size(), 3u);
+  EXPECT_EQ(links[2].first.text(), "c");
+  for (const YamlValue& sphere : links[2].second.items()) {
+    const auto centre = sphere.entries().at(0).second.items();
+    EXPECT_NEAR(std::stod(centre.at(0).text()), 1.05, 0.06);
+    EXPECT_NEAR(std::stod(centre.at(1).text()), 2.05, 0.06);
+    EXPECT_NEAR(std::stod(centre.at(2).text()), 3.05, 0.06);
+    EXPECT_GT(std::stod(sphere.entries().at(1).second.text()), 0.04);
+  }
+  const auto ignored = sections.at("self_collision_ignore").entries();
+  ASSERT_EQ(ignored.size(), 2u);
+  EXPECT_EQ(ignored[0].second.items().at(0).text(), "b") << "the neighbour of a";
+}
+
+TEST_F(Consumers, CuroboWouldMissWhatIsNoSphere) {
+  EXPECT_THROW(check({Consumer::kCurobo}, Options()), Error) << "these are hulls";
+  options_.shapes = Shapes::kSpheres;
+  RobotResult result = decomposed(threeLinks("<collision><geometry><box size=\"1 1 1\"/></geometry></collision>"));
+  try {
+    addConsumerFiles({Consumer::kCurobo}, folder_ / "three_c", result);
+    FAIL() << "the box is missing";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("link 'c' has other collision elements than spheres"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(Consumers, MoveitHasTheSpheresOfLinksThatHaveNothingElse) {
+  options_.shapes = Shapes::kSpheres;
+  options_.tolerance = lengthOf(0.05);
+  const std::string box = "<collision><geometry><box size=\"1 1 1\"/></geometry></collision>";
+  const std::string srdf = fileOf(Consumer::kMoveit, threeLinks(cube() + box), "config/three.srdf");
+  EXPECT_NE(srdf.find("<link_sphere_approximation link=\"b\">\n    <sphere center=\""), std::string::npos) << srdf;
+  EXPECT_EQ(fixtures::count(srdf, "<link_sphere_approximation"), 2u);
 }
 
 TEST_F(Consumers, MujocoHasAGeomForEachHull) {

@@ -18,6 +18,7 @@
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
 #include "collision_hulls/measure/solid.h"
+#include "collision_hulls/primitives/spheres.h"
 
 namespace collision_hulls {
 
@@ -32,6 +33,8 @@ struct ValidationPair {
   /// made from the original.
   std::shared_ptr<const Solid> solid = nullptr;
   Eigen::Isometry3d solid_pose = Eigen::Isometry3d::Identity();
+  /// As written, in place of the last hulls, which are polyhedra about them.
+  std::vector<Sphere> spheres = {};
 };
 
 struct ValidationOptions {

@@ -17,15 +17,19 @@
 
 namespace collision_hulls {
 
-enum class Consumer { kMoveit, kGazebo, kMujoco, kDrake, kIsaac };
+enum class Consumer { kMoveit, kGazebo, kMujoco, kDrake, kIsaac, kTesseract, kCurobo };
 
-const char* name(Consumer consumer);  ///< "moveit", "gazebo", "mujoco", "drake", "isaac"
+const char* name(Consumer consumer);  ///< "moveit", "gazebo", "mujoco", ...
 std::optional<Consumer> consumerNamed(const std::string& name);
 std::string consumerChoices();  ///< the names of all, for messages
 
 /// The format that suits them all, where nobody asks for one: `usual`, unless one of them reads it
 /// not.
 MeshFormat formatFor(const std::vector<Consumer>& consumers, MeshFormat usual);
+
+/// The shapes that suit them all, where nobody asks for some: spheres if one of them takes nothing
+/// else, and otherwise `usual`.
+Shapes shapesFor(const std::vector<Consumer>& consumers, Shapes usual);
 
 /// Throws kBadOption if the options' files cannot be what a consumer takes: the message says what
 /// to choose instead.

@@ -73,6 +73,22 @@ enum class Action {
 const char* name(Action action);  ///< "decompose", "keep", "remove"
 std::optional<Action> actionNamed(const std::string& name);
 
+/// The bodies that a link's collision model consists of.
+enum class Shapes {
+  kHulls,
+  kMixed,       ///< a primitive in place of each hull, or of all, that it can replace
+  kPrimitives,  ///< spheres, boxes and cylinders alone, as large as the tolerance lets them be
+  kSpheres,     ///< as many as it takes
+  kSphere,      ///< this one and the following: a single one, whatever its bound
+  kBox,
+  kCylinder,
+  kCapsule  ///< in URDF a cylinder and two spheres
+};
+const char* name(Shapes shapes);  ///< "hulls", "mixed", "primitives", "spheres", "sphere", ...
+std::optional<Shapes> shapesNamed(const std::string& name);
+const std::vector<Shapes>& allShapes();
+bool isSingle(Shapes shapes);  ///< kSphere and the following
+
 /// What can be chosen link by link. It holds for all elements of the link.
 struct LinkOptions {
   Action action = Action::kDecompose;
@@ -87,6 +103,7 @@ struct LinkOptions {
   Source source = Source::kAuto;
   /// [m] >= 0: the hulls hold everything this near to the surface, and may protrude further by it
   double padding = 0;
+  Shapes shapes = Shapes::kHulls;
   std::vector<Region> regions;  ///< in the frame of what the options are for: the link, or its mesh
 };
 
@@ -100,6 +117,7 @@ struct LinkSettings {
   std::optional<int> max_hulls, max_vertices;
   std::optional<Source> source;
   std::optional<double> padding;
+  std::optional<Shapes> shapes;
 };
 
 /// Settings for the links whose whole name a regular expression matches.
@@ -164,11 +182,14 @@ struct Options : LinkOptions {
 
 std::string methodChoices();  ///< the names of all methods, for messages
 std::string effortChoices();  ///< the same for efforts
+std::string shapesChoices();  ///< and for shapes
 
 /// Throws kBadOption for a tolerance that is not positive or above 1 m, a mistake in its unit.
 /// `option`: what the message calls it.
 void checkTolerance(const Length& tolerance, const std::string& option = "tolerance");
 void checkLimits(const LinkOptions& options);  ///< throws kBadOption for a cap out of range
+/// Throws kBadOption where `shapes` contradicts another setting.
+void checkShapes(const LinkOptions& options);
 
 /// Throws kBadOption naming the option, its value and its range. A tolerance above 1 m is a mistake
 /// in its unit.

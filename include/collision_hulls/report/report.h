@@ -72,7 +72,8 @@ struct ElementReport : MeshFacts, HullFacts {
   std::string reason;  ///< why degraded or failed; names item, value, limit and remedy
   std::string error;   ///< of a failed row: the name of its ErrorCode
   Method method = Method::kCertified;
-  double padding = 0;                 ///< [m]
+  double padding = 0;  ///< [m]
+  Shapes shapes = Shapes::kHulls;
   std::vector<Region> regions_given;  ///< of the mesh, in its frame
   /// A mesh that several links use is worked on once: the first row has the time, the others have
   /// 0.

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/primitives/spheres.h"
 #include "collision_hulls/robot/robot_description.h"
 
 namespace collision_hulls {
@@ -45,8 +46,16 @@ DisabledPairs parseDisabledPairs(const std::string& srdf_text, const RobotDescri
 DisabledPairs readDisabledPairs(const std::string& srdf_file, const RobotDescription& robot,
                                 const RunControl& control = {});
 
-/// A document `<robot name="...">` with one `<disable_collisions>` per pair, in the given order, to
-/// merge into a robot's SRDF or to use as one. parseDisabledPairs() reads the same pairs back.
-std::string srdfFragment(const std::string& robot_name, const std::vector<DisabledPair>& pairs);
+/// The spheres that stand for a link, in its frame [m].
+struct SphereApproximation {
+  std::string link;
+  std::vector<Sphere> spheres;
+};
+
+/// A document `<robot name="...">` with one `<disable_collisions>` per pair, and one
+/// `<link_sphere_approximation>` per link with spheres, in the given order, to merge into a robot's
+/// SRDF or to use as one. parseDisabledPairs() reads the same pairs back.
+std::string srdfFragment(const std::string& robot_name, const std::vector<DisabledPair>& pairs,
+                         const std::vector<SphereApproximation>& spheres = {});
 
 }  // namespace collision_hulls

@@ -13,6 +13,7 @@
 #include "base/parallel.h"
 #include "decompose/hulls_of_tree.h"
 #include "pipeline/run.h"
+#include "pipeline/shapes/shapes.h"
 #include "pipeline/stages.h"
 
 namespace collision_hulls {
@@ -68,11 +69,6 @@ struct RobotTrees::Held {
   std::shared_ptr<Tree> tree;
 };
 
-double RobotTrees::leavesFor(const Mesh& mesh, const LinkOptions& options) {
-  const double diagonal = mesh.known.mesh.diagonal;
-  return std::min(options.tree->metres(diagonal), options.tolerance.metres(diagonal));
-}
-
 RobotTrees::RobotTrees() = default;
 RobotTrees::~RobotTrees() = default;
 
@@ -111,7 +107,7 @@ std::shared_ptr<RobotTrees::Mesh> RobotTrees::meshFor(const MeshTask& task, cons
 
 /// The tree that a link's options need, held from now on.
 std::shared_ptr<const HullTree> RobotTrees::hold(Mesh& mesh, const LinkOptions& options, const RunControl& control) {
-  const double leaves = leavesFor(mesh, options);
+  const double leaves = treeLeaves(options, mesh.known.mesh.diagonal);
   const std::shared_ptr<const HullTree> tree = mesh.shared.tree(options, leaves, control);
   const std::string key = treeKey(mesh.task, options, mesh.options.seed, leaves);
   {
@@ -134,7 +130,8 @@ MeshResult RobotTrees::resultOf(Mesh& mesh, const LinkOptions& options, const Ru
   }
   MeshResult result = mesh.known;
   result.mesh.tolerance = options.tolerance.metres(result.mesh.diagonal);
-  const std::shared_ptr<const HullTree> tree = options.tree ? hold(mesh, options, preparing) : nullptr;
+  const bool needs_tree = options.tree || options.shapes == Shapes::kPrimitives;
+  const std::shared_ptr<const HullTree> tree = needs_tree ? hold(mesh, options, preparing) : nullptr;
   decomposeAndCertify(*mesh.read, options, tree.get(), mesh.task.uri, mesh.options.seed, certifying, result);
   return result;
 }
@@ -160,7 +157,7 @@ void RobotTrees::buildTask(std::size_t index, Run& run) {
 }
 
 std::shared_ptr<RobotTrees::Tree> RobotTrees::treeOf(const Mesh& mesh, const LinkOptions& options) const {
-  const auto tree = mesh.trees.find(treeKey(mesh.task, options, mesh.options.seed, leavesFor(mesh, options)));
+  const auto tree = mesh.trees.find(treeKey(mesh.task, options, mesh.options.seed, treeLeaves(options, mesh.known.mesh.diagonal)));
   return tree == mesh.trees.end() ? nullptr : tree->second;
 }
 
@@ -194,7 +191,7 @@ std::vector<RobotTrees::Held> RobotTrees::heldOf(const LinkDescription& link, co
 
 std::optional<LinkResult> RobotTrees::cut(const LinkDescription& link, const LinkOptions& options) const {
   LinkResult result;
-  if (options.padding > 0) return std::nullopt;
+  if (options.padding > 0 || options.shapes != Shapes::kHulls) return std::nullopt;
   for (Held& held : heldOf(link, options)) {
     if (!held.tree) return std::nullopt;
     cutThrough(held, options);
@@ -223,12 +220,12 @@ void RobotTrees::cutThrough(Held& held, const LinkOptions& options) {
 }
 
 std::vector<double> RobotTrees::steps(const LinkDescription& link, const LinkOptions& options) const {
-  if (options.padding > 0) return {};
+  if (options.padding > 0 || options.shapes != Shapes::kHulls) return {};
   double finest = 0;
   std::set<double> offered;
   for (const Held& held : heldOf(link, options)) {
     if (!held.tree) return {};
-    finest = std::max(finest, leavesFor(*held.mesh, options));
+    finest = std::max(finest, treeLeaves(options, held.mesh->known.mesh.diagonal));
     const std::lock_guard<std::mutex> lock(held.tree->mutex);
     for (const double bound : held.tree->cutter.mergedBounds()) offered.insert(toleranceForAim(bound, held.mesh->read->margin));
   }

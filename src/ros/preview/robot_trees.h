@@ -59,7 +59,6 @@ class RobotTrees {
   std::shared_ptr<const HullTree> hold(Mesh& mesh, const LinkOptions& options, const RunControl& control);
   std::shared_ptr<Tree> treeOf(const Mesh& mesh, const LinkOptions& options) const;
   std::vector<Held> heldOf(const LinkDescription& link, const LinkOptions& options) const;
-  static double leavesFor(const Mesh& mesh, const LinkOptions& options);
   static void cutThrough(Held& held, const LinkOptions& options);
 
   mutable std::mutex mutex_;

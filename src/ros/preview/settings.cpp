@@ -31,6 +31,7 @@ LinkChoice toMessage(const std::string& link, const LinkOptions& options) {
   message.max_hulls = options.max_hulls;
   message.max_vertices = options.max_vertices;
   if (options.padding > 0) message.padding = toString(lengthOf(options.padding));
+  message.shapes = name(options.shapes);
   message.source = name(options.source);
   return message;
 }
@@ -43,12 +44,14 @@ LinkOptions toOptions(const LinkChoice& settings) {
   checkTolerance(options.tolerance, link + "tolerance");
   readNamed(link + "method", settings.method, methodNamed, methodChoices(), options.method);
   readNamed(link + "effort", settings.effort, effortNamed, effortChoices(), options.effort);
+  readNamed(link + "shapes", settings.shapes, shapesNamed, shapesChoices(), options.shapes);
   readNamed(link + "source", settings.source, sourceNamed, "auto, visual, collision", options.source);
   options.fill = settings.fill;
   options.max_hulls = settings.max_hulls;
   options.max_vertices = settings.max_vertices;
   if (!settings.padding.empty()) options.padding = parsePadding(settings.padding, link + "padding");
   checkLimits(options);
+  checkShapes(options);
   if (options.method != Method::kCertified) options.effort = Effort::kQuick, options.fill = false;
   return options;
 }

@@ -1,0 +1,218 @@
+// What each choice of shapes does:
+// - a single one encloses the hull of the mesh, and has the bound that it has;
+// - mixed: one primitive for the whole mesh if that keeps the tolerance; otherwise hulls as always, each of which gives way to a primitive
+//   that encloses it and keeps the tolerance, too;
+// - primitives: the same through the hull tree, from its root down: what no primitive can stand for is left to the children;
+// - spheres: see spheres.h.
+//
+// Primitives enclose hulls that cover the mesh, so they cover it as well. The bound of a cylinder includes what the polyhedron about it
+// adds, which stands for it in the collision queries of the validation.
+#include "pipeline/shapes/shapes.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/millimetres.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "collision_hulls/decompose/certified_hulls.h"
+#include "collision_hulls/decompose/round_outward.h"
+#include "collision_hulls/error.h"
+#include "collision_hulls/primitives/spheres.h"
+#include "pipeline/shapes/bodies.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr double kLeaves = 0.25;  // of the tolerance: that of the leaves of trees that are built for primitives
+
+/// What the stages of one mesh work with.
+struct Work {
+  const ReadMesh& read;
+  const LinkOptions& options;
+  const HullTree* tree;
+  const std::string& uri;
+  std::uint64_t seed;
+  const RunControl& control;
+  MeshResult& result;
+
+  double tolerance() const { return result.mesh.tolerance; }
+  PrimitiveOptions primitives() const {
+    return {tolerance(), read.margin, {PrimitiveKind::kSphere, PrimitiveKind::kBox, PrimitiveKind::kCylinder}};
+  }
+};
+
+std::optional<Body> primitiveFor(const ConvexHull& hull, const Work& work) {
+  RunControl part;
+  part.whole = &work.control;
+  const std::optional<CertifiedPrimitive> found = coveringPrimitive(hull, *work.result.solid, work.primitives(), part);
+  if (!found) return std::nullopt;
+  Body body = bodyOf(*found);
+  if (body.bound > work.tolerance()) return std::nullopt;
+  return body;
+}
+
+ConvexHull hullOfMesh(const Work& work) {
+  return roundOutward({convexHull(work.result.original.vertices)}, work.result.original, work.read.margin, 0, work.control).hulls.front();
+}
+
+Body single(PrimitiveKind kind, const Work& work) {
+  return bodyOf(primitiveOfKind(kind, hullOfMesh(work), *work.result.solid, work.primitives(), work.control));
+}
+
+Body singleAsChosen(const Work& work) {
+  switch (work.options.shapes) {
+    case Shapes::kSphere: return single(PrimitiveKind::kSphere, work);
+    case Shapes::kBox: return single(PrimitiveKind::kBox, work);
+    case Shapes::kCylinder: return single(PrimitiveKind::kCylinder, work);
+    default: return single(PrimitiveKind::kCapsule, work);
+  }
+}
+
+/// Of each hull a primitive that keeps the tolerance, or nothing.
+std::vector<std::optional<Body>> primitivesFor(const std::vector<ConvexHull>& hulls, const Work& work) {
+  std::vector<std::optional<Body>> bodies(hulls.size());
+  forEach(hulls.size(), [&](std::size_t i) { bodies[i] = primitiveFor(hulls[i], work); });
+  return bodies;
+}
+
+/// The hulls of decomposeAndCertify(), with what it proved of all of them.
+std::vector<Body> mixed(const Work& work) {
+  decomposeHulls(work.read, work.options, work.tree, work.uri, work.seed, work.control, work.result);
+  const HullFacts& all = work.result.model;
+  const std::vector<std::optional<Body>> primitives = primitivesFor(work.result.hulls, work);
+  std::vector<Body> bodies;
+  for (std::size_t i = 0; i < primitives.size(); ++i)
+    bodies.push_back(primitives[i].value_or(
+        Body{std::nullopt, work.result.hulls[i], all.protrusion, all.protrusion_found, all.worst, all.worst_nearest}));
+  return bodies;
+}
+
+/// The primitive about a hull that reaches least far, though no further than it has to.
+Body leastPrimitive(const ConvexHull& hull, const Work& work) {
+  std::optional<Body> best;
+  for (const PrimitiveKind kind : work.primitives().kinds) {
+    Body body = bodyOf(primitiveOfKind(kind, hull, *work.result.solid, work.primitives(), work.control));
+    if (!best || body.bound < best->bound) best = std::move(body);
+  }
+  return *std::move(best);
+}
+
+/// The coarsest cut through the tree whose hulls have primitives, but for leaves that have none.
+std::vector<ConvexHull> hullsWithPrimitives(const Work& work) {
+  const std::vector<HullNode>& nodes = work.tree->nodes;
+  std::vector<ConvexHull> chosen;
+  std::vector<int> level{static_cast<int>(nodes.size()) - 1}, below;
+  for (; !level.empty(); level = std::exchange(below, {})) {
+    std::vector<ConvexHull> hulls;
+    for (const int node : level) hulls.push_back(nodes[static_cast<std::size_t>(node)].hull);
+    const std::vector<std::optional<Body>> found = primitivesFor(hulls, work);
+    for (std::size_t i = 0; i < level.size(); ++i) {
+      const HullNode& node = nodes[static_cast<std::size_t>(level[i])];
+      if (found[i] || node.left < 0)
+        chosen.push_back(hulls[i]);
+      else
+        below.insert(below.end(), {node.left, node.right});
+    }
+  }
+  return chosen;
+}
+
+/// Primitives about hulls that cover the mesh as it was read.
+std::vector<Body> primitives(const Work& work) {
+  const std::vector<ConvexHull> hulls =
+      roundOutward(hullsWithPrimitives(work), work.result.original, work.read.margin, 0, work.control).hulls;
+  expectCovered(work.result.original, hulls, work.uri, work.control);
+  const std::vector<std::optional<Body>> found = primitivesFor(hulls, work);
+  std::vector<Body> bodies;
+  for (std::size_t i = 0; i < hulls.size(); ++i) bodies.push_back(found[i] ? *found[i] : leastPrimitive(hulls[i], work));
+  return bodies;
+}
+
+std::vector<Body> spheres(const Work& work) {
+  SphereOptions options;
+  options.tolerance = work.tolerance();
+  if (work.options.max_hulls > 0) options.max_spheres = static_cast<std::size_t>(work.options.max_hulls);
+  const MeshResult& result = work.result;
+  const CertifiedSpheres made =
+      certifiedSpheres({result.original, work.read.repaired, *result.solid, work.read.margin, nullptr, work.uri}, options, work.control);
+  std::vector<Body> bodies;
+  for (std::size_t i = 0; i < made.spheres.size(); ++i) {
+    const Sphere& sphere = made.spheres[i];
+    Primitive primitive{PrimitiveKind::kSphere, {sphere.radius, 0, 0}, Eigen::Isometry3d(Eigen::Translation3d(sphere.centre))};
+    bodies.push_back({primitive, {}, made.bounds[i], 0, sphere.centre, sphere.centre});
+  }
+  work.result.reason = made.reason;
+  return bodies;
+}
+
+std::vector<Body> bodiesFor(const Work& work) {
+  const Shapes shapes = work.options.shapes;
+  if (isSingle(shapes)) return {singleAsChosen(work)};
+  if (shapes == Shapes::kSpheres) return spheres(work);
+  if (const std::optional<Body> one = primitiveFor(hullOfMesh(work), work)) return {*one};
+  return shapes == Shapes::kMixed ? mixed(work) : primitives(work);
+}
+
+/// The body that reaches furthest has its place searched, which those of spheres lack so far.
+Protrusion proofOf(const std::vector<Body>& bodies, const Work& work) {
+  const auto further = [](const Body& a, const Body& b) { return a.bound < b.bound; };
+  Body worst = *std::max_element(bodies.begin(), bodies.end(), further);
+  Protrusion proof{worst.bound, worst.found, worst.where, worst.nearest};
+  if (work.options.shapes == Shapes::kSpheres) {
+    const CertifiedPrimitive closer = certificate(*worst.primitive, *work.result.solid, work.read.margin, work.tolerance(), work.control);
+    proof = {worst.bound, closer.found, closer.where, closer.nearest};
+  }
+  for (const Body& body : bodies)
+    if (body.found > proof.found) proof.found = body.found, proof.where = body.where, proof.nearest = body.nearest;
+  return proof;
+}
+
+std::string subject(Shapes shapes) {
+  if (isSingle(shapes)) return "the " + std::string(name(shapes)) + " protrudes";
+  return shapes == Shapes::kMixed ? "the hulls and primitives protrude" : "the " + std::string(name(shapes)) + " protrude";
+}
+
+std::string excuse(const Work& work) {
+  if (isSingle(work.options.shapes))
+    return "a single " + std::string(name(work.options.shapes)) + " does not fit better; take other shapes";
+  if (work.options.shapes == Shapes::kPrimitives) return "no primitive fits better there; take shapes 'mixed', or a larger tolerance";
+  return "take a larger tolerance";
+}
+
+}  // namespace
+
+double treeLeaves(const LinkOptions& options, double diagonal) {
+  const double tolerance = options.tolerance.metres(diagonal);
+  return std::min(tolerance, options.tree ? options.tree->metres(diagonal) : kLeaves * tolerance);
+}
+
+void shapeAndCertify(const ReadMesh& read, const LinkOptions& options, const HullTree* tree, const std::string& uri, std::uint64_t seed,
+                     const RunControl& control, MeshResult& result) {
+  Stopwatch stage;
+  const Work work{read, options, tree, uri, seed, control, result};
+  std::vector<Body> bodies = bodiesFor(work);
+  const auto hulls_end = std::stable_partition(bodies.begin(), bodies.end(), [](const Body& body) { return !body.primitive; });
+  result.seconds.decompose += stage.lap();
+  const Protrusion proof = proofOf(bodies, work);
+  result.hulls.clear();
+  for (auto body = bodies.begin(); body != hulls_end; ++body) result.hulls.push_back(body->hull);
+  std::vector<Primitive> parts;
+  for (auto body = hulls_end; body != bodies.end(); ++body)
+    for (const Primitive& part : partsOf(*body->primitive)) parts.push_back(part);
+  std::stable_partition(parts.begin(), parts.end(), [](const Primitive& part) { return part.kind != PrimitiveKind::kSphere; });
+  for (const Primitive& part : parts) {
+    result.primitives.push_back(elementOf(part));
+    result.hulls.push_back(polyhedronAbout(part));
+  }
+  result.model = factsOf(result.hulls, parts.size(), *result.solid, proof);
+  if (result.reason.empty() && proof.bound > result.mesh.tolerance)
+    result.reason = subject(options.shapes) + " by up to " + millimetres(proof.bound) + ", more than the tolerance of " +
+                    millimetres(result.mesh.tolerance) + ": " + excuse(work);
+  result.status = result.reason.empty() ? Status::kOk : Status::kDegraded;
+  result.seconds.certify += stage.lap();
+}
+
+}  // namespace collision_hulls

@@ -103,6 +103,17 @@ TEST_F(ShapesTest, PrimitivesAlone) {
   EXPECT_LE(result.report.links.at(0).protrusion, 0.005);
 }
 
+TEST_F(ShapesTest, AHullThatNoPrimitiveStandsForIsHalved) {
+  TriangleMesh wedge = test_shapes::box(0.2, 0.2, 0.2);
+  for (Eigen::Vector3d& v : wedge.vertices)
+    if (v.z() > 0.1) v.x() = 0;
+  options_.tolerance = lengthOf(0.03);
+  const RobotResult result = run(wedge, Shapes::kPrimitives);
+  EXPECT_EQ(result.report.links.at(0).status, Status::kOk) << result.report.links.at(0).reason;
+  EXPECT_GT(result.report.links.at(0).primitives, 2u);
+  EXPECT_EQ(kinds(result).size(), result.report.links.at(0).primitives);
+}
+
 TEST_F(ShapesTest, OneOfAKindHasTheBoundThatItHas) {
   for (const Shapes shapes : {Shapes::kSphere, Shapes::kBox, Shapes::kCylinder, Shapes::kCapsule}) {
     const RobotResult result = run(rod(0.04, 0.3), shapes);

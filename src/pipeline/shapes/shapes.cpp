@@ -2,7 +2,8 @@
 // - a single one encloses the hull of the mesh, and has the bound that it has;
 // - mixed: one primitive for the whole mesh if that keeps the tolerance; otherwise hulls as always, each of which gives way to a primitive
 //   that encloses it and keeps the tolerance, too;
-// - primitives: the same through the hull tree, from its root down: what no primitive can stand for is left to the children;
+// - primitives: the same through the hull tree, from its root down: what no primitive can stand for is left to the children, and a leaf is
+//   halved;
 // - spheres: see spheres.h.
 //
 // Primitives enclose hulls that cover the mesh, so they cover it as well. The bound of a cylinder includes what the polyhedron about it
@@ -10,6 +11,8 @@
 #include "pipeline/shapes/shapes.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -26,6 +29,7 @@
 namespace collision_hulls {
 namespace {
 
+constexpr int kMostHalvings = 8;  // of a hull that no primitive stands for
 constexpr double kLeaves = 0.25;  // of the tolerance: that of the leaves of trees that are built for primitives
 
 /// What the stages of one mesh work with.
@@ -100,6 +104,49 @@ Body leastPrimitive(const ConvexHull& hull, const Work& work) {
   return *std::move(best);
 }
 
+/// The parts of a hull on both sides of a plane through its middle, which share the points in the plane: both have to keep some volume.
+std::vector<ConvexHull> halves(const ConvexHull& hull, const HalfSpace& plane) {
+  std::vector<Eigen::Vector3d> below, above;
+  for (const Eigen::Vector3d& v : hull.vertices) (plane.distance(v) <= 0 ? below : above).push_back(v);
+  for (const Triangle& t : hull.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Eigen::Vector3d &a = hull.vertices[static_cast<std::size_t>(t[k])],
+                            &b = hull.vertices[static_cast<std::size_t>(t[(k + 1) % 3])];
+      const double da = plane.distance(a), db = plane.distance(b);
+      if (da > 0 || db <= 0) continue;
+      const Eigen::Vector3d cut = a + (b - a) * (da / (da - db));
+      below.push_back(cut);
+      above.push_back(cut);
+    }
+  }
+  return {convexHull(below), convexHull(above)};
+}
+
+/// The halves across an axis of the hull's box whose own boxes are smallest.
+std::vector<ConvexHull> bestHalves(const ConvexHull& hull) {
+  const Eigen::Isometry3d frame = enclosingPrimitive(PrimitiveKind::kBox, hull).pose;
+  std::vector<ConvexHull> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d normal = frame.linear().col(axis);
+    std::vector<ConvexHull> parts = halves(hull, {normal, normal.dot(frame.translation())});
+    double size = 0;
+    for (const ConvexHull& part : parts) size += volume(enclosingPrimitive(PrimitiveKind::kBox, part));
+    if (size < least) least = size, best = std::move(parts);
+  }
+  return best;
+}
+
+/// Primitives that cover a hull: it is halved until they keep the tolerance, or `halvings` times.
+void addPrimitives(const ConvexHull& hull, int halvings, const Work& work, std::vector<Body>& bodies) {
+  if (std::optional<Body> body = primitiveFor(hull, work))
+    bodies.push_back(*std::move(body));
+  else if (halvings == 0)
+    bodies.push_back(leastPrimitive(hull, work));
+  else
+    for (const ConvexHull& half : bestHalves(hull)) addPrimitives(half, halvings - 1, work, bodies);
+}
+
 /// The coarsest cut through the tree whose hulls have primitives, but for leaves that have none.
 std::vector<ConvexHull> hullsWithPrimitives(const Work& work) {
   const std::vector<HullNode>& nodes = work.tree->nodes;
@@ -125,9 +172,10 @@ std::vector<Body> primitives(const Work& work) {
   const std::vector<ConvexHull> hulls =
       roundOutward(hullsWithPrimitives(work), work.result.original, work.read.margin, 0, work.control).hulls;
   expectCovered(work.result.original, hulls, work.uri, work.control);
-  const std::vector<std::optional<Body>> found = primitivesFor(hulls, work);
+  std::vector<std::vector<Body>> of_hulls(hulls.size());
+  forEach(hulls.size(), [&](std::size_t i) { addPrimitives(hulls[i], kMostHalvings, work, of_hulls[i]); });
   std::vector<Body> bodies;
-  for (std::size_t i = 0; i < hulls.size(); ++i) bodies.push_back(found[i] ? *found[i] : leastPrimitive(hulls[i], work));
+  for (std::vector<Body>& some : of_hulls) std::move(some.begin(), some.end(), std::back_inserter(bodies));
   return bodies;
 }
 

@@ -11,13 +11,18 @@ if(TARGET ${PROJECT_NAME}_panel)
   install(TARGETS ${PROJECT_NAME}_panel LIBRARY DESTINATION ${LIBRARY_DESTINATION})
 endif()
 install(DIRECTORY include/${PROJECT_NAME}/ DESTINATION ${INCLUDE_DESTINATION})
+# The modules and the workflow of scripts/batch/batch, which finds them from its own place.
+install(FILES scripts/batch/Snakefile DESTINATION ${SHARE_DESTINATION}/batch)
+install(DIRECTORY scripts/batch/ DESTINATION ${SHARE_DESTINATION}/batch FILES_MATCHING PATTERN "*.py" PATTERN "*.html")
+install(PROGRAMS scripts/batch/slurm_status DESTINATION ${SHARE_DESTINATION}/batch)
 if(NOT COLLISION_HULLS_ROS)
+  install(PROGRAMS scripts/batch/batch DESTINATION ${PROGRAM_DESTINATION})
   install_cmake_package()
   return()
 endif()
 
 install(FILES scripts/completion.bash DESTINATION ${SHARE_DESTINATION})
 install(DIRECTORY launch meshes rviz schema urdf DESTINATION ${SHARE_DESTINATION} PATTERN source EXCLUDE)
-catkin_install_python(PROGRAMS scripts/benchmark_charts scripts/decompose_client scripts/joint_sliders scripts/physics_charts scripts/preview_latency scripts/rviz_at_root scripts/rviz_picture scripts/scene_charts
+catkin_install_python(PROGRAMS scripts/batch/batch scripts/benchmark_charts scripts/decompose_client scripts/joint_sliders scripts/physics_charts scripts/preview_latency scripts/rviz_at_root scripts/rviz_picture scripts/scene_charts
   scripts/stability_charts
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -1,0 +1,127 @@
+"""What a batch is to decompose: paths, folders, lists and manifests become one list of items.
+
+A manifest is a CSV file with a column `input`, optionally `name`, and a column for each option of decompose that rows set, such as `tolerance`
+or `config`; an empty cell leaves the option as the command line has it. Paths in a list or manifest are relative to its folder.
+"""
+import collections
+import csv
+import dataclasses
+import os
+import pathlib
+import re
+import subprocess
+
+from files import sha256
+
+MESHES = {".stl", ".dae", ".obj", ".off", ".ply"}
+DESCRIPTIONS = {".urdf", ".xacro"}
+PATH_OPTIONS = {"config", "package-path", "root"}
+OWN = {"help", "version", "output", "json", "quiet", "jobs", "package-name", "replace-complete"}  # of decompose, but the batch's to set
+
+
+class Failure(Exception):
+    """Wrong use; for the user."""
+
+
+@dataclasses.dataclass
+class Item:
+    path: str  # absolute, or the name of a package
+    options: dict  # of its row in a manifest: {name: [value...]}, with an empty value for a flag
+    name: str = ""
+
+    def is_mesh(self):
+        return pathlib.Path(self.path).suffix.lower() in MESHES
+
+
+def options_of(decompose):
+    """{name: (its letter or "", its value's name or "")} as --help lists them."""
+    text = subprocess.run([decompose, "--help"], capture_output=True, text=True, check=True).stdout
+    found = re.findall(r"^ +(?:-(\w),)?--([a-z-]+)(?: ([A-Z]+))?", text, flags=re.M)
+    return {name: (letter, value) for letter, name, value in found if name not in OWN}
+
+
+def absolute(name, value, folder):
+    """A path that options name, seen from any folder."""
+    if name not in PATH_OPTIONS:
+        return value
+    package, equals, path = value.rpartition("=")
+    return package + equals + os.path.normpath(folder / path)
+
+
+def located(word, folder):
+    """The input as a path, or the name of a package for decompose to find."""
+    path = folder / word
+    return str(path) if path.exists() or "/" in word or path.suffix.lower() in MESHES | DESCRIPTIONS else word
+
+
+def of_folder(folder, options, name):
+    """The descriptions in a folder; without any, the package that it is; else its meshes."""
+    files = sorted(file for file in folder.rglob("*") if file.is_file() and not any(part.startswith(".") for part in file.relative_to(folder).parts))
+    urdfs = [file for file in files if file.suffix.lower() == ".urdf"]
+    if urdfs:
+        return [Item(str(file), options, name if len(urdfs) == 1 else "") for file in urdfs]
+    if (folder / "package.xml").exists():
+        return [Item(str(folder), options, name)]
+    meshes = [Item(str(file), options) for file in files if file.suffix.lower() in MESHES]
+    return meshes or [Item(str(folder), options, name)]
+
+
+def of_word(word, folder, options, name=""):
+    path = pathlib.Path(located(word, folder))
+    return of_folder(path, options, name) if path.is_dir() else [Item(str(path), options, name)]
+
+
+def of_list(path):
+    lines = [line.strip() for line in path.read_text(encoding="utf-8").splitlines()]
+    return [item for line in lines if line and not line.startswith("#") for item in of_word(line, path.parent, {})]
+
+
+def of_manifest(path, known):
+    with open(path, encoding="utf-8-sig", newline="") as text:
+        rows = csv.DictReader(text)
+        unknown = [column for column in rows.fieldnames or [] if column not in {"input", "name", *known}]
+        if unknown or "input" not in (rows.fieldnames or []):
+            what = f"has a column '{unknown[0]}', which is no option of decompose" if unknown else "has no column 'input'"
+            raise Failure(f"'{path}' {what}; its columns are input, name, and options such as tolerance or config")
+        items = []
+        for row in rows:
+            if not row["input"]:
+                raise Failure(f"'{path}', line {rows.line_num}: no input")
+            options = {name: [absolute(name, value, path.parent) if known[name][1] else ""]
+                       for name, value in row.items() if name in known and value}
+            items += of_word(row["input"], path.parent, options, row.get("name") or "")
+    return items
+
+
+def name_of(item):
+    """What its results are called: a name that ROS takes for a package."""
+    stem = item.name or pathlib.Path(item.path).stem
+    name = re.sub(r"[^a-z0-9]+", "_", stem.lower()).strip("_") or "input"
+    name = name[:80] if name[0].isalpha() else "m_" + name[:78]
+    return name if item.name or item.is_mesh() else name + "_collision"
+
+
+def named(items):
+    """Each once, with a name of its own: one that several would have is followed by digits of the path's hash, and so stays theirs."""
+    items = list({(item.path, str(item.options), item.name): item for item in items}.values())
+    names = [name_of(item) for item in items]
+    count = collections.Counter(names)
+    for item, name in zip(items, names):
+        item.name = name if count[name] == 1 else f"{name}_{sha256((item.path + str(item.options)).encode())[:8]}"
+    return items
+
+
+def items_of(words, known):
+    """All that the command line names."""
+    items = []
+    for word in words:
+        path = pathlib.Path(word)
+        if path.suffix.lower() in (".csv", ".txt") and not path.is_file():
+            raise Failure(f"the list '{word}' does not exist; check the path")
+        if path.suffix.lower() == ".csv":
+            items += of_manifest(path.resolve(), known)
+        elif path.suffix.lower() == ".txt":
+            items += of_list(path.resolve())
+        else:
+            items += of_word(word, pathlib.Path.cwd(), {})
+    return named(items)

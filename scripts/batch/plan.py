@@ -1,0 +1,167 @@
+"""What is to be done: each item with a fingerprint of all that its result depends on, and jobs of those whose row is missing or of another one.
+
+The fingerprint of a description takes in every file that a mesh URI of it could lead to, as decompose looks for them: more than the files that
+it reads, so that it changes whenever one of those does.
+"""
+import html
+import json
+import os
+import pathlib
+import re
+
+from files import read_json, sha256, write_json
+
+JOB_SECONDS = 180  # about what a job of meshes takes
+JOB_MESHES = 200  # at most
+FAILED = ("failed", "incomplete")  # states of inputs
+SECONDS_A_MESH, SECONDS_A_MEGABYTE = 0.3, 4  # roughly what decompose takes with default options
+
+
+def packages(folders):
+    """{name: folders} of all packages below, each by its folder's name and by its manifest's."""
+    found = {}
+    for top in folders:
+        for folder, below, files in os.walk(top, followlinks=True):
+            if "package.xml" not in files:
+                below[:] = sorted(name for name in below if not name.startswith("."))
+                continue
+            below.clear()
+            text = pathlib.Path(folder, "package.xml").read_text(encoding="utf-8", errors="replace")
+            name = re.search(r"<name>\s*([^<\s]+)", text)
+            for each in {os.path.basename(folder), name.group(1) if name else ""}:
+                found.setdefault(each, []).append(folder)
+    return found
+
+
+class Sources:
+    """Where files may come from."""
+
+    def __init__(self, digests):
+        self.digests, self.crawls = digests, {}
+
+    def ros(self, given):
+        """Packages on ROS's path and below --package-path."""
+        key = tuple(given) + (os.environ.get("ROS_PACKAGE_PATH", ""),)
+        if key not in self.crawls:
+            self.crawls[key] = packages([folder for folder in [*given, *key[-1].split(":")] if folder])
+        return self.crawls[key]
+
+    def candidates(self, description, uri, package_path):
+        """Paths that a mesh's URI may mean."""
+        near = pathlib.Path(description).parent
+        if not uri.startswith("package://"):
+            path = re.sub(r"^file:(//)?", "", uri)
+            return [near / path]
+        name, _, rest = uri[len("package://"):].partition("/")
+        given = [pathlib.Path(item.partition("=")[2] or item) for item in package_path]
+        prefixes = [pathlib.Path(prefix, "share") for prefix in os.environ.get("CMAKE_PREFIX_PATH", "").split(":") if prefix]
+        known = [pathlib.Path(folder) for folder in self.ros(map(str, given)).get(name, [])]
+        bases = [*known, *given, *prefixes, near, *near.parents]
+        return [base / part / rest for base in bases for part in ("", name, "meshes", f"meshes/{name}")]
+
+    def of_description(self, path, package_path):
+        try:
+            text = pathlib.Path(path).read_text(encoding="utf-8", errors="replace")
+        except OSError:
+            return []
+        uris = {html.unescape(uri) for _, uri in re.findall(r"""filename\s*=\s*(["'])(.*?)\1""", text)}
+        return [path, *(file for uri in sorted(uris) for file in self.candidates(path, uri, package_path))]
+
+    def of_package(self, path):
+        """Of a package or a .xacro file, which may read any file of its package."""
+        start = pathlib.Path(path)
+        above = [folder for folder in [start, *start.parents] if (folder / "package.xml").exists()]
+        top = above[0] if above else start.parent
+        return sorted(file for file in top.rglob("*") if file.is_file())
+
+    def of(self, item, options):
+        if not os.path.exists(item.path):
+            return None
+        if item.is_mesh():
+            return [item.path]
+        if item.path.lower().endswith(".urdf"):
+            return self.of_description(item.path, options.get("package-path", []))
+        return self.of_package(item.path)
+
+    def fingerprint(self, item, options, version):
+        """Of everything that the result depends on; empty if that is not known, as of a package that ROS has to find."""
+        files = self.of(item, options)
+        if files is None:
+            return ""
+        files = [*files, *options.get("config", [])]
+        held = sorted((str(file), digest) for file in {os.path.normpath(file) for file in files} if (digest := self.digests.of(file)))
+        return sha256(json.dumps([version, item.path, options, held], sort_keys=True).encode())
+
+
+def seconds(item):
+    """What it may take."""
+    try:
+        return SECONDS_A_MESH + SECONDS_A_MEGABYTE * os.path.getsize(item.path) / 1e6
+    except OSError:
+        return SECONDS_A_MESH
+
+
+def folder_of(item):
+    """Where its results go: below 256 folders, as decompose lists the folder around its output each time."""
+    return os.path.join("results", sha256(item.name.encode())[:2], item.name)
+
+
+def plan_of(items, given, digests, version):
+    """The plan as it is stored: an entry an item, in their order."""
+    sources = Sources(digests)
+    entries = []
+    for item in items:
+        options = {**given, **item.options}  # a manifest's row counts before the command line
+        entries.append({"name": item.name, "input": item.path, "kind": "mesh" if item.is_mesh() else "description", "options": options,
+                        "folder": folder_of(item), "fingerprint": sources.fingerprint(item, options, version), "seconds": seconds(item)})
+    return entries
+
+
+def row_file(state, name):
+    return pathlib.Path(state, "rows", name + ".json")
+
+
+def row_of(entry, state):
+    """Its row, if that is of this fingerprint."""
+    row = read_json(row_file(state, entry["name"]))
+    return row if row and row["fingerprint"] == entry["fingerprint"] else None
+
+
+def missing(entries, state):
+    """Those without a row, and those of which nobody knows what they depend on."""
+    return [entry for entry in entries if not (entry["fingerprint"] and row_of(entry, state))]
+
+
+def forget(entries, state):
+    """They are done again, wherever that starts."""
+    for entry in entries:
+        row_file(state, entry["name"]).unlink(missing_ok=True)
+
+
+def forget_failed(entries, state):
+    rows = [(entry, row_of(entry, state)) for entry in entries]
+    forget([entry for entry, row in rows if row and row["status"] in FAILED], state)
+
+
+def jobs_of(entries):
+    """A description each, and meshes together."""
+    jobs, meshes, total = [], [], 0
+    for entry in entries:
+        if entry["kind"] == "description":
+            jobs.append([entry])
+            continue
+        if meshes and (total + entry["seconds"] > JOB_SECONDS or len(meshes) == JOB_MESHES):
+            jobs.append(meshes)
+            meshes, total = [], 0
+        meshes.append(entry)
+        total += entry["seconds"]
+    return jobs + [meshes] * bool(meshes)
+
+
+def write_jobs(jobs, state):
+    """A file each; returns the plan of jobs that the Snakefile reads."""
+    names = []
+    for number, entries in enumerate(jobs):
+        names.append(f"job{number:05}")
+        write_json(pathlib.Path(state, "jobs", names[-1] + ".json"), entries)
+    return names

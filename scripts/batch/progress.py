@@ -1,0 +1,74 @@
+"""What a terminal shows of a batch: done, failed, rate, time left; and at its end what came of it."""
+import collections
+import sys
+import time
+
+from plan import FAILED, row_of
+
+PERIOD = 0.5  # [s] between looks
+LINE_PERIOD = 30  # [s] between lines where there is no terminal
+
+
+def duration(seconds):
+    if seconds < 90:
+        return f"{seconds:.0f} s"
+    return f"{seconds / 60:.0f} min" if seconds < 5400 else f"{seconds / 3600:.1f} h"
+
+
+class Display:
+    """Counts rows as they come."""
+
+    def __init__(self, total):
+        self.total, self.done, self.failed = total, 0, 0
+        self.start = self.told = time.monotonic()
+        self.terminal = sys.stderr.isatty()
+
+    def count(self, row):
+        self.done += 1
+        self.failed += row["status"] in FAILED
+
+    def step(self, row):
+        self.count(row)
+        self.show()
+
+    def text(self):
+        spent = time.monotonic() - self.start
+        rate = self.done / spent if spent else 0
+        left = f", {60 * rate:.3g} a minute, {duration((self.total - self.done) / rate)} left" if self.done else ""
+        return f"{self.done} of {self.total} inputs done, {self.failed} failed{left}"
+
+    def show(self):
+        if self.terminal:
+            print(f"\r\x1b[K{self.text()}", end="", file=sys.stderr, flush=True)
+        elif time.monotonic() - self.told > LINE_PERIOD:
+            self.told = time.monotonic()
+            print(self.text(), file=sys.stderr, flush=True)
+
+    def end(self):
+        if self.terminal:
+            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+
+
+def watch(process, entries, state):
+    """Until Snakemake has ended."""
+    display, waiting = Display(len(entries)), list(entries)
+    while process.poll() is None:
+        time.sleep(PERIOD)
+        rows = [(entry, row_of(entry, state)) for entry in waiting]
+        waiting = [entry for entry, row in rows if not row]
+        for row in filter(None, (row for _, row in rows)):
+            display.count(row)
+        display.show()
+    display.end()
+
+
+def summary(rows, done, output):
+    """A few lines: how many of what, failures by reason, where it is."""
+    meshes = [mesh for row in rows for mesh in row["meshes"]]
+    lines = [f"{done or 'none'} of {len(rows)} inputs done now, all others before" if done < len(rows) else f"{done} inputs done"]
+    for what, items in (("inputs", rows), ("meshes", meshes)):
+        counts = collections.Counter(item["status"] for item in items)
+        lines.append(f"{what}: {len(items)}" + "".join(f", {number} {status}" for status, number in sorted(counts.items())))
+    for cause, number in collections.Counter(item["cause"] for item in [*rows, *meshes] if item["cause"]).most_common():
+        lines.append(f"  {number} {cause}")
+    return "\n".join([*lines, f"Written to {output}: batch.csv, batch.html"])

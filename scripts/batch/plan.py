@@ -75,9 +75,9 @@ class Sources:
         return sorted(file for file in top.rglob("*") if file.is_file())
 
     def of(self, item, options):
-        if not os.path.exists(item.path):
+        if "/" not in item.path:  # a package, for ROS to find
             return None
-        if item.is_mesh():
+        if item.is_mesh() or not os.path.exists(item.path):
             return [item.path]
         if item.path.lower().endswith(".urdf"):
             return self.of_description(item.path, options.get("package-path", []))

@@ -1,5 +1,6 @@
 """What a terminal shows of a batch: done, failed, rate, time left; and at its end what came of it."""
 import collections
+import re
 import sys
 import time
 
@@ -62,13 +63,19 @@ def watch(process, entries, state):
     display.end()
 
 
+def kinds(rows):
+    """How many inputs and meshes failed for which reason, the most frequent first. What decompose refuses is told apart by its own words."""
+    items = [item for row in rows for item in [row, *row["meshes"]] if item["cause"]]
+    return collections.Counter(re.sub(r"'[^']*'|\[[^]]*\]|\d+", "…", item["reason"])[:120] if item["cause"] == "Refused" else item["cause"]
+                               for item in items).most_common()
+
+
 def summary(rows, done, output):
     """A few lines: how many of what, failures by reason, where it is."""
-    meshes = [mesh for row in rows for mesh in row["meshes"]]
-    lines = [f"{done or 'none'} of {len(rows)} inputs done now, all others before" if done < len(rows) else f"{done} inputs done"]
-    for what, items in (("inputs", rows), ("meshes", meshes)):
+    first = f"{done} inputs done" if done == len(rows) else f"{done} of {len(rows)} inputs done; all others are as they were"
+    lines = [first if done else f"nothing to do: all {len(rows)} inputs are as they were"]
+    for what, items in (("inputs", rows), ("meshes", [mesh for row in rows for mesh in row["meshes"]])):
         counts = collections.Counter(item["status"] for item in items)
         lines.append(f"{what}: {len(items)}" + "".join(f", {number} {status}" for status, number in sorted(counts.items())))
-    for cause, number in collections.Counter(item["cause"] for item in [*rows, *meshes] if item["cause"]).most_common():
-        lines.append(f"  {number} {cause}")
+    lines += [f"  {number} {kind}" for kind, number in kinds(rows)]
     return "\n".join([*lines, f"Written to {output}: batch.csv, batch.html"])

@@ -96,12 +96,18 @@ def hash_of(folder):
     return sha256("".join(f"{file.relative_to(folder)} {sha256(file.read_bytes())}\n" for file in files).encode()) if files else ""
 
 
+def cause_of(mesh):
+    """The name of its error. Threads that cannot start lack memory, too."""
+    scarce = mesh["error"] == "Internal" and re.search("pthread_create|Cannot allocate memory", mesh["reason"])
+    return "OutOfMemory" if scarce else mesh["error"]
+
+
 def mesh_rows(report):
     """Every mesh of every model."""
     for model in [report, *report.get("models", [])]:
         for mesh in model["links"]:
             row = {name: mesh[name] for name in MESH_FIELDS}
-            yield {**row, "model": model.get("name", ""), "cause": mesh["error"], "seconds": round(sum(mesh["seconds"].values()), 3), "cached": mesh["cached"]}
+            yield {**row, "model": model.get("name", ""), "cause": cause_of(mesh), "seconds": round(sum(mesh["seconds"].values()), 3), "cached": mesh["cached"]}
 
 
 def status_of(meshes, written):

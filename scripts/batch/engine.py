@@ -31,11 +31,16 @@ def memory_here():
     return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") // worker.MEGABYTE
 
 
+def at_once(cluster, jobs):
+    """How many jobs at most."""
+    return jobs or (len(os.sched_getaffinity(0)) if cluster == "local" else ANY_NUMBER)
+
+
 def arguments_of(cluster, jobs):
     """What makes Snakemake run jobs in that place."""
+    number = ["--jobs", str(at_once(cluster, jobs))]
     if cluster == "local":
-        return ["--cores", str(jobs or os.cpu_count()), "--resources", f"mem_mb={memory_here() * 9 // 10}"]
-    number = ["--jobs", str(jobs or ANY_NUMBER)]
+        return [*number, "--resources", f"mem_mb={memory_here() * 9 // 10}"]
     if cluster != "slurm":
         return ["--profile", str(pathlib.Path(cluster).resolve() if os.path.isdir(cluster) else cluster), *number]
     return ["--cluster", SUBMIT, "--cluster-status", str(HERE / "slurm_status"), "--cluster-cancel", "scancel", "--latency-wait", "30", *number]

@@ -13,6 +13,7 @@ from files import read_json, sha256, write_json
 
 JOB_SECONDS = 180  # about what a job of meshes takes
 JOB_MESHES = 200  # at most
+JOBS_A_CORE = 4  # so that the last ones end about together
 FAILED = ("failed", "incomplete")  # states of inputs
 SECONDS_A_MESH, SECONDS_A_MEGABYTE = 0.3, 4  # roughly what decompose takes with default options
 
@@ -143,19 +144,18 @@ def forget_failed(entries, state):
     forget([entry for entry, row in rows if row and row["status"] in FAILED], state)
 
 
-def jobs_of(entries):
-    """A description each, and meshes together."""
-    jobs, meshes, total = [], [], 0
-    for entry in entries:
-        if entry["kind"] == "description":
-            jobs.append([entry])
-            continue
-        if meshes and (total + entry["seconds"] > JOB_SECONDS or len(meshes) == JOB_MESHES):
-            jobs.append(meshes)
-            meshes, total = [], 0
-        meshes.append(entry)
+def jobs_of(entries, at_once):
+    """A description each, and meshes together: enough jobs for all that run at once to be busy, none of more than some minutes."""
+    meshes = [entry for entry in entries if entry["kind"] == "mesh"]
+    most = min(JOB_SECONDS, max(JOB_SECONDS / 10, sum(entry["seconds"] for entry in meshes) / (JOBS_A_CORE * at_once)))
+    jobs, total = [[entry] for entry in entries if entry["kind"] != "mesh"] + [[]], 0
+    for entry in meshes:
+        if jobs[-1] and (total + entry["seconds"] > most or len(jobs[-1]) == JOB_MESHES):
+            jobs.append([])
+            total = 0
+        jobs[-1].append(entry)
         total += entry["seconds"]
-    return jobs + [meshes] * bool(meshes)
+    return jobs if jobs[-1] else jobs[:-1]
 
 
 def write_jobs(jobs, state):

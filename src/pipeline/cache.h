@@ -51,7 +51,7 @@ class Cache {
   std::optional<HullTree> findTree(const std::string& key);
   void storeTree(const std::string& key, const HullTree& tree);
 
-  void trim() { folder_.trim(); }
+  void trim() { folder_.trimNowAndThen(); }
   std::vector<std::string> notes() const { return folder_.notes(); }
 
  private:

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <utility>
 
 #include "storage/cache_key.h"
@@ -23,10 +24,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kDigits = 64;          // of an entry's name: a SHA-256
-constexpr std::uintmax_t kLeastEntries = 4;  // that must fit; a larger entry would evict all others
-constexpr std::size_t kSeal = 64;            // bytes
-constexpr std::chrono::hours kGivenUp{1};    // age from which an unfinished file counts as left by a killed process
+constexpr std::size_t kDigits = 64;           // of an entry's name: a SHA-256
+constexpr std::uintmax_t kLeastEntries = 4;   // that must fit; a larger entry would evict all others
+constexpr std::size_t kSeal = 64;             // bytes
+constexpr const char* kTrimmed = ".trimmed";  // its date: when a process last looked at all entries
+constexpr std::chrono::minutes kTrimPeriod{1};
+constexpr std::chrono::hours kGivenUp{1};  // age from which an unfinished file counts as left by a killed process
 
 struct Entry {
   std::chrono::nanoseconds time{0};  // of last use, since 1970
@@ -144,6 +147,21 @@ void CacheFolder::discard(const std::string& name) {
   fs::remove(folder_ / name, ignored);
   const std::lock_guard<std::mutex> lock(mutex_);
   ++damaged_;
+}
+
+void CacheFolder::trimNowAndThen() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!stored_) return;
+  }
+  const auto now = fs::file_time_type::clock::now();
+  const fs::path stamp = folder_ / kTrimmed;
+  std::error_code error, ignored;
+  const auto age = now - fs::last_write_time(stamp, error);
+  if (!error && age < kTrimPeriod && age > -kTrimPeriod) return;
+  std::ofstream(stamp, std::ios::app).close();
+  fs::last_write_time(stamp, now, ignored);
+  trim();
 }
 
 void CacheFolder::trim() {

@@ -33,6 +33,9 @@ class CacheFolder {
 
   /// If anything was stored: removes files left by killed processes, and the least recently used entries until the rest is small enough.
   void trim();
+  /// The same, unless some process has done so within the last minute: it looks at every entry, and thousands of short runs would spend
+  /// their time on that.
+  void trimNowAndThen();
 
   /// For the user: why the folder was not used; entries that were discarded; why entries could not be written.
   std::vector<std::string> notes() const;

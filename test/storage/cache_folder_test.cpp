@@ -302,6 +302,27 @@ TEST(CacheFolder, TrimRemovesFilesOfKilledProcesses) {
   EXPECT_EQ(namesIn(folder.path()), (Names{".unfinished-new", entry('a')}));
 }
 
+TEST(CacheFolder, TrimsNowAndThen) {
+  const TempFolder folder;
+  CacheFolder cache(folder.path(), kPlenty);
+  const auto leaveFile = [&] {
+    fixtures::write(folder / ".unfinished-old", "");
+    age(folder / ".unfinished-old", 2);
+  };
+  leaveFile();
+  cache.trimNowAndThen();
+  EXPECT_TRUE(fs::exists(folder / ".unfinished-old")) << "a run that stores nothing must not trim";
+  cache.store(entry('a'), "content");
+  cache.trimNowAndThen();
+  EXPECT_FALSE(fs::exists(folder / ".unfinished-old"));
+  for (const int hours : {0, 2, -2}) {  // since the last time: lately, long ago, by a clock that is wrong
+    leaveFile();
+    if (hours != 0) age(folder / ".trimmed", hours);
+    cache.trimNowAndThen();
+    EXPECT_EQ(fs::exists(folder / ".unfinished-old"), hours == 0) << hours << " h";
+  }
+}
+
 // Readers must see one of the stored contents, complete, whoever else writes or trims.
 TEST(CacheFolder, ManyThreadsAtTheSameTime) {
   const TempFolder folder;

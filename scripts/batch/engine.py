@@ -1,6 +1,7 @@
 """Starts Snakemake on the jobs of a batch, here or on a cluster, and ends it in order."""
 import os
 import pathlib
+import shlex
 import shutil
 import signal
 import subprocess
@@ -43,7 +44,7 @@ def arguments_of(cluster, jobs):
         return [*number, "--resources", f"mem_mb={memory_here() * 9 // 10}"]
     if cluster != "slurm":
         return ["--profile", str(pathlib.Path(cluster).resolve() if os.path.isdir(cluster) else cluster), *number]
-    return ["--cluster", SUBMIT, "--cluster-status", str(HERE / "slurm_status"), "--cluster-cancel", "scancel", "--latency-wait", "30", *number]
+    return ["--cluster", SUBMIT, "--cluster-status", f"sh {shlex.quote(str(HERE / 'slurm_status'))}", "--cluster-cancel", "scancel", "--latency-wait", "30", *number]
 
 
 def cancel_slurm_jobs(name):

@@ -62,11 +62,11 @@ def cancel_slurm_jobs(name):
 def start(settings, jobs, batch, cluster, number):
     """The process of Snakemake, which leads a group of its own."""
     state = pathlib.Path(settings["state"])
-    for folder in ("done", "snakemake"):
-        shutil.rmtree(state / folder, ignore_errors=True)
-    (state / "snakemake").mkdir()
     if cluster == "slurm":
         cancel_slurm_jobs(settings["name"])
+    for folder in ("done", "snakemake"):
+        shutil.rmtree(state / folder, ignore_errors=True)
+    (state / "snakemake").mkdir(exist_ok=True)
     write_json(state / "workflow.json", {**settings, "jobs": jobs, "batch": batch})
     words = [find(), "--snakefile", str(HERE / "Snakefile"), "--configfile", str(state / "workflow.json"), "--directory", str(state / "snakemake"),
              "--nolock", "--keep-going", "--rerun-triggers", "mtime", "--forcerun", "merge", *arguments_of(cluster, number)]

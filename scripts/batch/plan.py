@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 
 from files import read_json, sha256, write_json
 
@@ -159,9 +160,9 @@ def jobs_of(entries, at_once):
 
 
 def write_jobs(jobs, state):
-    """A file each; returns the plan of jobs that the Snakefile reads."""
-    names = []
-    for number, entries in enumerate(jobs):
-        names.append(f"job{number:05}")
-        write_json(pathlib.Path(state, "jobs", names[-1] + ".json"), entries)
+    """A file each; returns their names, which what they do decides: a job of an earlier start that ends late stands for no other."""
+    names = ["job_" + sha256(json.dumps(entries, sort_keys=True).encode())[:16] for entries in jobs]
+    shutil.rmtree(os.path.join(state, "jobs"), ignore_errors=True)
+    for name, entries in zip(names, jobs):
+        write_json(pathlib.Path(state, "jobs", name + ".json"), entries)
     return names

@@ -35,8 +35,10 @@ class Item:
 
 def options_of(decompose):
     """{name: (its letter or "", its value's name or "")} as --help lists them."""
-    text = subprocess.run([decompose, "--help"], capture_output=True, text=True, check=True).stdout
-    found = re.findall(r"^ +(?:-(\w),)?--([a-z-]+)(?: ([A-Z]+))?", text, flags=re.M)
+    ended = subprocess.run([decompose, "--help"], capture_output=True, text=True, check=False)
+    if ended.returncode != 0:
+        raise Failure(f"'{decompose} --help' ended with status {ended.returncode}: {ended.stderr.strip()}")
+    found = re.findall(r"^ +(?:-(\w),)?--([a-z-]+)(?: ([A-Z]+))?", ended.stdout, flags=re.M)
     return {name: (letter, value) for letter, name, value in found if name not in OWN}
 
 

@@ -17,7 +17,7 @@ set_up_library(${PROJECT_NAME}_core)
 target_include_directories(${PROJECT_NAME}_core PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
 target_link_libraries(${PROJECT_NAME}_core
   PUBLIC Eigen3::Eigen
-  PRIVATE found::assimp found::qhull_r found::tbb found::tinyxml2 Threads::Threads ${CMAKE_DL_LIBS})
+  PRIVATE found::assimp found::qhull_r found::tbb found::tinyxml2 nlohmann_json::nlohmann_json Threads::Threads ${CMAKE_DL_LIBS})
 if(TARGET found::seccomp)
   target_link_libraries(${PROJECT_NAME}_core PRIVATE found::seccomp)
   set_source_files_properties(src/sandbox/confine.cpp PROPERTIES COMPILE_DEFINITIONS COLLISION_HULLS_SECCOMP)

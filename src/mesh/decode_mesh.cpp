@@ -23,6 +23,7 @@ LoadedMesh decodeMesh(const std::string& bytes, const std::string& name, const M
   if (extension == ".stl") return readStl(bytes, name, limits, control);
   if (extension == ".obj") return readObj(bytes, name, limits, control);
   if (extension == ".off") return readOff(bytes, name, limits, control);
+  if (extension == ".glb" || extension == ".gltf") return readGltf(bytes, name, limits, control);
   if (extension == ".ply") return readPly(bytes, name, limits, control);
   return readDae(bytes, name, limits, control);
 }

@@ -27,7 +27,7 @@ void checkExtension(const std::string& name) {
 }  // namespace
 
 const std::vector<std::string>& meshExtensions() {
-  static const std::vector<std::string> extensions{".stl", ".dae", ".obj", ".off", ".ply"};
+  static const std::vector<std::string> extensions{".stl", ".dae", ".obj", ".off", ".ply", ".glb", ".gltf"};
   return extensions;
 }
 

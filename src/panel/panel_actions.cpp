@@ -31,7 +31,8 @@ constexpr double kNearest = 0.3, kFurthest = 3;  // [m] and its limits
 constexpr int kMostRefusals = 10, kRetry = 300;  // [ms]
 constexpr double kClearance = 0.01;              // [m] from a scene, if nobody changes it
 constexpr const char* kFilter = "Configurations (*.yaml *.yml);;All files (*)";
-constexpr const char* kScenes = "Scenes (*.scene *.urdf *.xacro *.sdf *.world *.yaml *.bt *.ot *.stl *.obj *.dae *.ply);;All files (*)";
+constexpr const char* kScenes =
+    "Scenes (*.scene *.urdf *.xacro *.sdf *.world *.yaml *.bt *.ot *.stl *.obj *.dae *.ply *.glb);;All files (*)";
 
 }  // namespace
 

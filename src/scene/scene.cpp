@@ -129,7 +129,7 @@ Scene readScene(const std::string& file, const PackageFinder& find_package, cons
   if (!scene) {
     throw Error(ErrorCode::kUnsupportedFormat,
                 "'" + file + "': unknown scene format; supported are .scene (MoveIt), .urdf, .xacro, .sdf, .world, .yaml, .bt and .ot " +
-                    "(OctoMap), and mesh files (.stl .dae .obj .off .ply)");
+                    "(OctoMap), and mesh files (.stl .dae .obj .off .ply .glb .gltf)");
   }
   inContext("'" + file + "'", [&] { checkLength(scene->name, "the scene"); });
   const std::string extension = lowerExtension(file);

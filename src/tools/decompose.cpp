@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
   CommandLine app("Decomposes the meshes of a robot into convex hulls that cover them, and writes them with a description that uses them.",
                   command.program);
   app.footer(kFooter);
-  addRobotOptions(app, "A ROS package, a .urdf or .xacro file, or one mesh (.stl .dae .obj .off .ply)", command);
+  addRobotOptions(app, "A ROS package, a .urdf or .xacro file, or one mesh (.stl .dae .obj .off .ply .glb .gltf)", command);
   app.add_option("--model", command.models,
                  "Make a model of this name with this tolerance; repeat it for several models from the same trees")
       ->type_name("NAME=LENGTH")

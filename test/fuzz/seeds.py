@@ -20,6 +20,13 @@ length='2'/></geometry></collision><collision><geometry><capsule radius="1"/></g
 <limit lower="-1" upper="1" effort="1" velocity="1"/></joint><joint name="k" type="prismatic"><parent link="b"/><child link="c"/>
 <limit effort="1" velocity="1"/><mimic joint="j" multiplier="2" offset=".1"/></joint><![CDATA[x]]></robot>
 """
+GLTF = """{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"children": [1], "scale": [1, 2, 1]},
+{"mesh": 0, "rotation": [0, 0, 0, 1], "translation": [0, 0, 1]}], "meshes": [{"primitives": [{"mode": 4, "indices": 1,
+"attributes": {"POSITION": 0}}, {"mode": 5, "attributes": {"POSITION": 2}}]}], "accessors": [{"bufferView": 0, "componentType": 5126,
+"count": 3, "type": "VEC3"}, {"bufferView": 1, "componentType": 5121, "count": 3, "type": "SCALAR"}, {"componentType": 5126, "count": 3,
+"type": "VEC3", "sparse": {"count": 3, "indices": {"bufferView": 1, "componentType": 5121}, "values": {"bufferView": 0}}}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 3}], "buffers": [{"byteLength": 39,
+"uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAEC"}]}"""
 SRDF = """<robot name="r"><group name="g"/><disable_default_collisions link="c"/><enable_collisions link1="a" link2="c"/>
 <disable_collisions link1="a" link2="b" reason="Adjacent"/><disable_collisions link1="x" link2="b"/></robot>
 """
@@ -79,6 +86,12 @@ def element(depth, name):
     return struct.pack("<IQ", depth, 1) + text(name) + text(b"") + struct.pack("<Q", 1) + text(b"k") + text(b"v")
 
 
+def glb(json):
+    """A .glb file with this chunk of JSON alone."""
+    json += -len(json) % 4 * b" "
+    return struct.pack("<4sIIII", b"glTF", 2, 20 + len(json), len(json), 0x4E4F534A) + json
+
+
 def value(kind, content, *children):
     """Of YAML: kind, line, text, and what it holds."""
     return struct.pack("<BQ", kind, 0) + text(content) + struct.pack(f"<Q{len(children)}I", len(children), *children)
@@ -86,10 +99,11 @@ def value(kind, content, *children):
 
 def seeds():
     """{target: inputs}"""
-    meshes = {target: [] for target in ("off", "ply", "obj", "stl", "dae")}
+    meshes = {target: [] for target in ("off", "ply", "obj", "stl", "dae", "gltf")}
     for extension, content in hostile.seed_meshes(PACKAGE / "meshes"):
         if len(content) < 10000:
             meshes[extension[1:]].append(content)
+    meshes["gltf"] = [GLTF.encode(), glb(GLTF.encode())]
     scenes = [b"\0" + SCENE_YAML.encode(), b"\1" + SCENE_SDF.encode(), b"\2" + SCENE_MOVEIT.encode(), *(b"\3" + map_ for map_ in OCTOMAP)]
     scenes += [b"\0" + file.read_bytes() for file in sorted((PACKAGE / "test/data/scenes").glob("*.yaml"))]
     points, triangle = [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]

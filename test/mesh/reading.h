@@ -19,6 +19,17 @@ inline LoadedMesh readHere(const std::string& bytes, const std::string& name, co
   return decodeMesh(bytes, name, limits, control);
 }
 
+/// A .glb file of two chunks; the JSON has to have a length that is a multiple of four.
+inline std::string glb(const std::string& json, const std::string& binary) {
+  const auto word = [](std::size_t value) {
+    std::string bytes;
+    for (int i = 0; i < 4; ++i) bytes += static_cast<char>(value >> 8 * i & 0xFF);
+    return bytes;
+  };
+  return "glTF" + word(2) + word(28 + json.size() + binary.size()) + word(json.size()) + "JSON" + json + word(binary.size()) +
+         std::string("BIN\0", 4) + binary;
+}
+
 /// A file's bytes that must not be read, and what the message must say.
 struct Refused {
   std::string bytes, part;

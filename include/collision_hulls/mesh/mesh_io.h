@@ -42,7 +42,8 @@ struct LoadedMesh {
   double resolution = 0;
 };
 
-/// The extensions that readMesh supports, in lower case with the dot: .stl .dae .obj .off .ply
+/// The extensions that readMesh supports, in lower case with the dot: .stl .dae .obj .off .ply .glb
+/// .gltf
 /// (file names may use any case).
 const std::vector<std::string>& meshExtensions();
 

@@ -1,0 +1,305 @@
+// glTF 2.0 (ISO/IEC 12113). A .glb file holds a chunk of JSON and one of bytes; a .gltf file is the JSON, with its bytes in data: URIs.
+// Buffers in other files are refused: a mesh is one file, by whose bytes it is known.
+//
+// The JSON names byte ranges (buffers, and views of them) and says what numbers they hold (accessors). A sparse accessor changes some of
+// the numbers of another range. Nothing is taken on trust: each offset, length and count is checked before a byte is read.
+#include "mesh/formats/gltf_document.h"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <set>
+
+#include "mesh/formats/scan.h"
+
+namespace collision_hulls {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
+constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
+constexpr int kInt8 = 5120, kUint8 = 5121, kInt16 = 5122, kUint16 = 5123, kUint32 = 5125, kFloat = 5126;  // componentType
+constexpr int kDeepest = 64;                                                                              // of JSON: the format needs seven
+
+std::uint32_t littleEndian(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<std::uint8_t>(bytes[at + i]);
+  return value;
+}
+
+std::size_t bytesOf(int type) {
+  switch (type) {
+    case kInt8:
+    case kUint8: return 1;
+    case kInt16:
+    case kUint16: return 2;
+    case kUint32:
+    case kFloat: return 4;
+    default: return 0;
+  }
+}
+
+/// As the specification turns normalized integers into numbers from -1 or 0 to 1.
+double numberAt(const char* bytes, int type, bool normalized) {
+  const auto as = [bytes](auto value) {
+    std::memcpy(&value, bytes, sizeof value);
+    return value;
+  };
+  const auto scaled = [normalized](auto value) {
+    const double number = value;
+    return normalized ? std::max(number / std::numeric_limits<decltype(value)>::max(), -1.0) : number;
+  };
+  switch (type) {
+    case kInt8: return scaled(as(std::int8_t{}));
+    case kUint8: return scaled(as(std::uint8_t{}));
+    case kInt16: return scaled(as(std::int16_t{}));
+    case kUint16: return scaled(as(std::uint16_t{}));
+    case kUint32: return as(std::uint32_t{});
+    default: return as(float{});
+  }
+}
+
+/// RFC 4648; nullopt for anything else.
+std::optional<std::string> fromBase64(std::string_view text) {
+  std::string bytes;
+  std::uint32_t bits = 0;
+  int held = 0;
+  if (text.size() % 4 != 0) return std::nullopt;
+  for (int padding = 0; padding < 2 && !text.empty() && text.back() == '='; ++padding) text.remove_suffix(1);
+  for (const char c : text) {
+    static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const std::size_t digit = kDigits.find(c);
+    if (digit == std::string_view::npos) return std::nullopt;
+    bits = bits << 6 | static_cast<std::uint32_t>(digit);
+    held += 6;
+    if (held < 8) continue;
+    held -= 8;
+    bytes += static_cast<char>(bits >> held & 0xFF);
+  }
+  return bytes;
+}
+
+std::string named(const char* list, std::size_t index) {
+  return std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+}  // namespace
+
+/// Elements of an accessor in a buffer.
+struct GltfDocument::Elements {
+  std::string_view bytes;
+  std::size_t stride = 0, components = 0, bytes_each = 0;
+  int type = 0;
+  bool normalized = false;
+
+  double number(std::size_t element, std::size_t component) const {
+    return numberAt(bytes.data() + element * stride + component * bytes_each, type, normalized);
+  }
+};
+
+GltfDocument::GltfDocument(const std::string& bytes, const std::string& path) : path_(path) {
+  if (bytes.size() >= kHeaderBytes && littleEndian(bytes, 0) == kMagic)
+    readContainer(bytes);
+  else
+    parse(checkedText(bytes, path));
+  readBuffers();
+}
+
+void GltfDocument::fail(const std::string& reason) const {
+  failNotAMesh(path_, reason);
+}
+
+void GltfDocument::readContainer(std::string_view bytes) {
+  if (littleEndian(bytes, 4) != 2) fail("is glTF " + std::to_string(littleEndian(bytes, 4)) + "; export it as glTF 2");
+  if (littleEndian(bytes, 8) != bytes.size())
+    fail("announces " + std::to_string(littleEndian(bytes, 8)) + " bytes, but has " + std::to_string(bytes.size()));
+  std::string_view rest = bytes.substr(kHeaderBytes);
+  for (int chunk = 0; !rest.empty(); ++chunk) {
+    if (rest.size() < kChunkHeaderBytes) fail("ends within the header of a chunk");
+    const std::size_t length = littleEndian(rest, 0);
+    const std::uint32_t type = littleEndian(rest, 4);
+    rest.remove_prefix(kChunkHeaderBytes);
+    if (length > rest.size())
+      fail("announces a chunk of " + std::to_string(length) + " bytes, of which " + std::to_string(rest.size()) + " are there");
+    const std::string_view content = rest.substr(0, length);
+    rest.remove_prefix(length);
+    if ((chunk == 0) != (type == kJsonChunk)) fail("has its JSON in another chunk than the first");
+    if (chunk == 0) parse(content);
+    if (chunk == 1 && type == kBinaryChunk) binary_ = content;
+  }
+  if (root_.is_null()) fail("has no chunk of JSON");
+}
+
+/// Names within an object must differ: readers do not agree on which of two counts.
+void GltfDocument::parse(std::string_view text) {
+  std::vector<std::set<std::string>> names;
+  const auto look = [&](int depth, Json::parse_event_t event, Json& value) {
+    if (depth > kDeepest) fail("is nested deeper than " + std::to_string(kDeepest) + " levels");
+    if (event == Json::parse_event_t::object_start) names.emplace_back();
+    if (event == Json::parse_event_t::object_end) names.pop_back();
+    if (event == Json::parse_event_t::key && !names.back().insert(value.get<std::string>()).second)
+      fail("has an object with " + inQuotes(value.get<std::string>()) + " twice");
+    return true;
+  };
+  try {
+    root_ = Json::parse(text.begin(), text.end(), look);
+  } catch (const Json::exception& error) {
+    fail(std::string("is no JSON (") + error.what() + ")");
+  }
+  if (!root_.is_object()) fail("is no glTF: its JSON is no object");
+}
+
+void GltfDocument::readBuffers() {
+  decoded_.resize(count("buffers"));
+  for (std::size_t i = 0; i < decoded_.size(); ++i) {
+    const std::string name = named("buffers", i);
+    const Json& buffer = item("buffers", i);
+    const std::optional<std::size_t> length = index(buffer, "byteLength", name);
+    if (!length) fail(name + " has no byteLength");
+    std::string_view content;
+    if (!buffer.contains("uri")) {
+      if (i == 0 && binary_) content = *binary_;
+    } else {
+      const std::string uri = buffer["uri"].is_string() ? buffer["uri"].get<std::string>() : "";
+      const std::size_t data = uri.find(";base64,");
+      if (uri.rfind("data:", 0) != 0 || data == std::string::npos)
+        fail(name + " is in another file, " + inQuotes(uri) + "; export the mesh as .glb, which holds everything");
+      const std::optional<std::string> bytes = fromBase64(std::string_view(uri).substr(data + 8));
+      if (!bytes) fail(name + " is no base64");
+      content = decoded_[i] = *bytes;
+    }
+    if (*length > content.size())
+      fail(name + " announces " + std::to_string(*length) + " bytes, of which " + std::to_string(content.size()) + " are there");
+    buffers_.push_back(content.substr(0, *length));
+  }
+}
+
+std::size_t GltfDocument::count(const char* list) const {
+  if (!root_.contains(list)) return 0;
+  if (!root_[list].is_array()) fail(std::string(list) + " is no list");
+  return root_[list].size();
+}
+
+const Json& GltfDocument::item(const char* list, std::size_t index) const {
+  if (index >= count(list)) fail("names " + named(list, index) + ", but there are " + std::to_string(count(list)));
+  const Json& found = root_[list][index];
+  if (!found.is_object()) fail(named(list, index) + " is no object");
+  return found;
+}
+
+std::optional<std::size_t> GltfDocument::index(const Json& object, const char* member, const std::string& name) const {
+  const auto found = object.find(member);
+  if (found == object.end()) return std::nullopt;
+  if (!found->is_number_unsigned()) fail(name + "." + member + " is " + inQuotes(found->dump()) + ", no whole number");
+  return found->get<std::size_t>();
+}
+
+std::vector<std::size_t> GltfDocument::indices(const Json& object, const char* member, const std::string& name) const {
+  std::vector<std::size_t> result;
+  if (!object.contains(member)) return result;
+  const Json& list = object[member];
+  if (!list.is_array()) fail(name + "." + member + " is no list");
+  for (const Json& each : list) {
+    if (!each.is_number_unsigned()) fail(name + "." + member + " holds " + inQuotes(each.dump()) + ", no whole number");
+    result.push_back(each.get<std::size_t>());
+  }
+  return result;
+}
+
+std::vector<double> GltfDocument::numbers(const Json& object, const char* member, std::size_t count, const std::string& name) const {
+  std::vector<double> result;
+  if (!object.contains(member)) return result;
+  const Json& list = object[member];
+  for (std::size_t i = 0; list.is_array() && i < list.size() && list[i].is_number(); ++i) result.push_back(list[i].get<double>());
+  if (result.size() != count || list.size() != count) fail(name + "." + member + " are not " + std::to_string(count) + " numbers");
+  return result;
+}
+
+std::string_view GltfDocument::view(std::size_t index, std::size_t* stride) const {
+  const std::string name = named("bufferViews", index);
+  const Json& view = item("bufferViews", index);
+  const std::optional<std::size_t> buffer = this->index(view, "buffer", name), length = this->index(view, "byteLength", name);
+  if (!buffer || !length) fail(name + " has no buffer or no byteLength");
+  if (*buffer >= buffers_.size())
+    fail(name + " names buffer " + std::to_string(*buffer) + ", but there are " + std::to_string(buffers_.size()));
+  const std::string_view bytes = buffers_[*buffer];
+  const std::size_t offset = this->index(view, "byteOffset", name).value_or(0);
+  if (offset > bytes.size() || *length > bytes.size() - offset) fail(name + " leaves its buffer");
+  *stride = this->index(view, "byteStride", name).value_or(0);
+  return bytes.substr(offset, *length);
+}
+
+/// `object`: an accessor, or a part of a sparse one. `type`: 0 for the one that it names.
+GltfDocument::Elements GltfDocument::elements(const Json& object, const std::string& name, std::size_t components, std::size_t count,
+                                              int type) const {
+  const std::optional<std::size_t> view = index(object, "bufferView", name);
+  if (!view) fail(name + " has no bufferView");
+  Elements result;
+  result.bytes = this->view(*view, &result.stride);
+  result.type = type != 0 ? type : static_cast<int>(std::min<std::size_t>(index(object, "componentType", name).value_or(0), 10'000));
+  result.components = components;
+  result.bytes_each = bytesOf(result.type);
+  if (result.bytes_each == 0) fail(name + " has numbers of the unknown type " + std::to_string(result.type));
+  const std::size_t size = components * result.bytes_each;
+  if (result.stride == 0) result.stride = size;
+  if (result.stride < size)
+    fail(name + " has elements of " + std::to_string(size) + " bytes, but a stride of " + std::to_string(result.stride));
+  const std::size_t offset = index(object, "byteOffset", name).value_or(0);
+  const bool fits =
+      offset <= result.bytes.size() &&
+      (count == 0 || (result.bytes.size() - offset >= size && (result.bytes.size() - offset - size) / result.stride >= count - 1));
+  if (!fits) fail(name + " leaves its bufferView");
+  result.bytes.remove_prefix(offset);
+  return result;
+}
+
+std::vector<double> GltfDocument::accessor(std::size_t index, std::size_t components, std::size_t most) const {
+  const std::string name = named("accessors", index);
+  const Json& object = item("accessors", index);
+  const std::string type = components == 3 ? "VEC3" : "SCALAR";
+  if (!object.contains("type") || object["type"] != type) fail(name + " is not of type " + type);
+  const std::size_t count = this->index(object, "count", name).value_or(0);
+  if (count > most)
+    throw Error(ErrorCode::kTooLarge,
+                path_ + ": " + name + " has " + std::to_string(count) + " elements; at most " + std::to_string(most) + " are allowed");
+  const bool normalized = object.contains("normalized") && object["normalized"] == true, sparse = object.contains("sparse");
+  if (!sparse && !object.contains("bufferView"))
+    fail(name + " has no bufferView; if it is compressed, export the mesh without compression");
+  std::vector<double> result(count * components, 0);
+  int component_type = static_cast<int>(std::min<std::size_t>(this->index(object, "componentType", name).value_or(0), 10'000));
+  const auto take = [&](const Elements& from, std::size_t element, std::size_t to) {
+    for (std::size_t c = 0; c < components; ++c) result[to * components + c] = from.number(element, c);
+  };
+  if (object.contains("bufferView")) {
+    Elements all = elements(object, name, components, count, 0);
+    all.normalized = normalized;
+    for (std::size_t i = 0; i < count; ++i) take(all, i, i);
+  }
+  if (!sparse) return result;
+  const Json& changes = object["sparse"];
+  if (!changes.is_object() || !changes.contains("indices") || !changes.contains("values")) fail(name + ".sparse lacks indices or values");
+  const std::size_t changed = this->index(changes, "count", name + ".sparse").value_or(0);
+  const Elements places = elements(changes["indices"], name + ".sparse.indices", 1, changed, 0);
+  Elements values = elements(changes["values"], name + ".sparse.values", components, changed, component_type);
+  values.normalized = normalized;
+  for (std::size_t i = 0; i < changed; ++i) {
+    const double place = places.number(i, 0);
+    if (!(place >= 0 && place < static_cast<double>(count))) fail(name + ".sparse changes an element that is not there");
+    take(values, i, static_cast<std::size_t>(place));
+  }
+  return result;
+}
+
+std::vector<std::uint32_t> GltfDocument::wholeNumbers(std::size_t index, std::size_t most) const {
+  const Json& object = item("accessors", index);
+  const std::size_t type = this->index(object, "componentType", named("accessors", index)).value_or(0);
+  if ((type != kUint8 && type != kUint16 && type != kUint32) || (object.contains("normalized") && object["normalized"] == true))
+    fail(named("accessors", index) + " holds indices, which are unsigned whole numbers");
+  std::vector<std::uint32_t> result;
+  for (const double number : accessor(index, 1, most)) result.push_back(static_cast<std::uint32_t>(number));
+  return result;
+}
+
+}  // namespace collision_hulls

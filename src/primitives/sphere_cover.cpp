@@ -14,16 +14,17 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr int kTrianglesAtOnce = 64;  // consecutive ones share a selection of spheres
-constexpr double kRounding = 1e-12;   // of the coordinates' size: by how much radii are lowered
+constexpr int kTrianglesAtOnce = 64;                       // consecutive ones share a selection of spheres
+constexpr std::size_t kMostGaps = 20'000, kLeastGaps = 4;  // in all, and of some triangles: no more are sought
+constexpr double kRounding = 1e-12;                        // of the coordinates' size: by how much radii are lowered
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
 /// The search over some triangles.
 class Gaps {
  public:
-  Gaps(const std::vector<Sphere>& spheres, const CoverSearch& search, double rounding)
-      : spheres_(spheres), search_(search), rounding_(rounding) {}
+  Gaps(const std::vector<Sphere>& spheres, const CoverSearch& search, double rounding, std::size_t most)
+      : spheres_(spheres), search_(search), rounding_(rounding), most_(most) {}
 
   /// Those that the box meets.
   void select(const Eigen::AlignedBox3d& box) {
@@ -44,6 +45,7 @@ class Gaps {
 
   /// near_[begin, end): the spheres that the piece may meet.
   void search(const Corners& piece, std::size_t begin, std::size_t end) {
+    if (found.size() >= most_) return;
     for (std::size_t i = begin; i < end; ++i)
       if (holds(near_[i], piece[0], 0) && holds(near_[i], piece[1], 0) && holds(near_[i], piece[2], 0)) return;
     const Eigen::Vector3d middle = (piece[0] + piece[1] + piece[2]) / 3;
@@ -72,6 +74,7 @@ class Gaps {
   const std::vector<Sphere>& spheres_;
   const CoverSearch search_;
   const double rounding_;
+  const std::size_t most_;
   std::vector<std::size_t> near_;  // as a stack: of the current piece and those that it is part of
 };
 
@@ -88,7 +91,7 @@ std::vector<Eigen::Vector3d> gapsIn(const TriangleMesh& mesh, const std::vector<
     const int begin = static_cast<int>(block) * kTrianglesAtOnce, end = std::min(begin + kTrianglesAtOnce, triangles);
     Eigen::AlignedBox3d box;
     for (int t = begin; t < end; ++t) box.extend(mesh.corner(t, 0)).extend(mesh.corner(t, 1)).extend(mesh.corner(t, 2));
-    Gaps gaps(spheres, search, rounding);
+    Gaps gaps(spheres, search, rounding, std::max(kLeastGaps, kMostGaps / found.size()));
     gaps.select(box);
     for (int t = begin; t < end; ++t) gaps.search({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
     found[block] = std::move(gaps.found);

@@ -14,7 +14,8 @@ struct CoverSearch {
   double grain = 0;
 };
 
-/// Points of the surface that are in no sphere, or not deep in one; if there are none, the spheres are proved to cover all of it.
+/// Points of the surface that are in no sphere, or not deep in one: some 20,000 of them at most. If there are none, the spheres are proved
+/// to cover all of the surface.
 std::vector<Eigen::Vector3d> gapsIn(const TriangleMesh& mesh, const std::vector<Sphere>& spheres, const CoverSearch& search,
                                     const RunControl& control);
 

@@ -16,7 +16,7 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kFinest = 0.125;            // of the tolerance: radius of the smallest cubes
+constexpr double kFinest = 0.25;             // of the tolerance: radius of the smallest cubes
 constexpr std::size_t kMostCells = 200'000;  // divided breadth first, so that what remains is evenly coarse
 constexpr std::size_t kCellsAtOnce = 64;     // that one thread measures
 constexpr double kBoxMargin = 1.05;          // tolerances around the surface that the octree reaches
@@ -76,9 +76,9 @@ void TolerableSpace::divide(double finest, const RunControl& control) {
   }
 }
 
-void TolerableSpace::findOutside(int index, const Eigen::Vector3d& p, Border& border) const {
+void TolerableSpace::findOutside(int index, const Eigen::Vector3d& p, double enough, Border& border) const {
   const Cell& cell = cells_[static_cast<std::size_t>(index)];
-  if (cell.in) return;
+  if (cell.in || border.distance <= enough) return;
   const Eigen::Vector3d aside = p - cell.centre, beside = aside.cwiseMax(-cell.half).cwiseMin(cell.half);
   const double distance = (aside - beside).norm();
   if (distance >= border.distance) return;
@@ -88,12 +88,12 @@ void TolerableSpace::findOutside(int index, const Eigen::Vector3d& p, Border& bo
   }
   // The child on the point's side first, its neighbours next, the opposite one last.
   const int nearest = (aside.x() > 0 ? 1 : 0) | (aside.y() > 0 ? 2 : 0) | (aside.z() > 0 ? 4 : 0);
-  for (const int flip : {0, 1, 2, 4, 3, 5, 6, 7}) findOutside(cell.children + (nearest ^ flip), p, border);
+  for (const int flip : {0, 1, 2, 4, 3, 5, 6, 7}) findOutside(cell.children + (nearest ^ flip), p, enough, border);
 }
 
 Eigen::Vector3d TolerableSpace::nearestOutside(const Eigen::Vector3d& p) const {
   Border border;
-  findOutside(0, p, border);
+  findOutside(0, p, 0, border);
   return border.point;
 }
 
@@ -103,7 +103,7 @@ double TolerableSpace::radius(const Eigen::Vector3d& centre) const {
   const double by_distance = tolerance_ - solid_.signedDistance(centre, near.distance);
   if (((centre - cells_[0].centre).cwiseAbs().array() > cells_[0].half).any()) return by_distance;
   Border border;
-  findOutside(0, centre, border);
+  findOutside(0, centre, by_distance, border);
   return std::max(by_distance, border.distance);
 }
 

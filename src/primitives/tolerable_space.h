@@ -45,7 +45,8 @@ class TolerableSpace {
     double distance = std::numeric_limits<double>::infinity();
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
   };
-  void findOutside(int cell, const Eigen::Vector3d& p, Border& border) const;
+  /// Ends once a border is known that is no further than `enough` [m].
+  void findOutside(int cell, const Eigen::Vector3d& p, double enough, Border& border) const;
 
   const Solid& solid_;
   double tolerance_;

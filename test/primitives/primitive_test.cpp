@@ -1,3 +1,4 @@
+// Also tests src/primitives/enclosing_primitive.cpp.
 #include "collision_hulls/primitives/primitive.h"
 
 #include <gtest/gtest.h>

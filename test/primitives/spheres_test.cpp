@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/parallel.h"
 #include "solids.h"
 
 namespace collision_hulls {
@@ -11,9 +12,10 @@ namespace {
 
 using namespace test_shapes;
 
-SphereOptions within(double tolerance) {
+SphereOptions within(double tolerance, Effort effort = Effort::kQuick) {
   SphereOptions options;
   options.tolerance = tolerance;
+  options.effort = effort;
   return options;
 }
 
@@ -46,8 +48,130 @@ TEST(CertifiedSpheres, CoverAndKeepTheTolerance) {
   for (const TriangleMesh& mesh :
        {box(1, 2, 0.5), lBracket(), uChannel(), flask(), torus(), flange(), sphere(), sheet(), boxWithWindow()}) {
     const double tolerance = 0.05 * diagonal(mesh);
+    expectKept(mesh, certifiedSpheres(mesh, within(tolerance, Effort::kInstant)), tolerance);
+  }
+  for (const TriangleMesh& mesh : {flange(), boxWithWindow()}) {
+    const double tolerance = 0.05 * diagonal(mesh);
     expectKept(mesh, certifiedSpheres(mesh, within(tolerance)), tolerance);
   }
+}
+
+TEST(CertifiedSpheres, AreFew) {
+  const auto count = [](const TriangleMesh& mesh, double share) {
+    return certifiedSpheres(mesh, within(share * diagonal(mesh))).spheres.size();
+  };
+  EXPECT_EQ(count(sphere(1, 8), 0.01), 1U);
+  EXPECT_EQ(count(box(1, 1, 1), 0.3), 1U);  // the ball through its corners protrudes by 0.21 diagonals
+  // Of two balls in a bar of 10 by 1 by 1, one holds half: 2.6 from the middle to a corner, protruding by 2.1, a fifth of the diagonal.
+  EXPECT_LE(count(box(10, 1, 1), 0.22), 2U);
+  EXPECT_LE(count(torus(), 0.05), 12U);
+  EXPECT_LE(count(lBracket(), 0.05), 70U);
+}
+
+TEST(CertifiedSpheres, InAnyPositionAndSize) {
+  RandomPoints random(2);
+  for (const double scale : {1e-6, 1.0, 1e6}) {
+    const Eigen::Isometry3d pose = Eigen::Translation3d(scale * random.inCube()) * Eigen::Isometry3d(random.rotation());
+    const TriangleMesh mesh = transformed(scaled(lBracket(), Eigen::Vector3d::Constant(scale)), pose);
+    expectKept(mesh, certifiedSpheres(mesh, within(0.05 * diagonal(mesh), Effort::kInstant)), 0.05 * diagonal(mesh));
+  }
+}
+
+TEST(CertifiedSpheres, OfDegenerateMeshes) {
+  const TriangleMesh needle{{{0, 0, 0}, {1, 0, 0}, {0.5, 1e-9, 0}}, {{0, 1, 2}}},
+      repeated{{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 2, 3}, {1, 2, 3}}};
+  const TriangleMesh point{{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, {{0, 1, 2}}};
+  for (const TriangleMesh& mesh : {singleTriangle(), needle, repeated})
+    expectKept(mesh, certifiedSpheres(mesh, within(0.05, Effort::kInstant)), 0.05);
+  EXPECT_EQ(certifiedSpheres(point, within(0.05)).spheres.size(), 1U);
+}
+
+TEST(CertifiedSpheres, KnowOfGroovesAndWallsInside) {
+  // Two boxes that overlap: seen from inside, the walls in the overlap are no border.
+  const TriangleMesh overlapping = merged({box(1, 1, 1), moved(box(1, 1, 1), {0.5, 0, 0})}), whole = box(1.5, 1, 1);
+  const double tolerance = 0.1;
+  EXPECT_LE(certifiedSpheres(overlapping, within(tolerance)).spheres.size(),
+            1.35 * certifiedSpheres(whole, within(tolerance)).spheres.size());
+}
+
+TEST(CertifiedSpheres, BeyondTheLimitTheToleranceIsRaised) {
+  const TriangleMesh mesh = sheet();
+  SphereOptions options = within(0.01);
+  options.max_spheres = 50;
+  const CertifiedSpheres result = certifiedSpheres(mesh, options);
+  EXPECT_LE(result.spheres.size(), 50U);
+  EXPECT_TRUE(covers(result.spheres, mesh));
+  EXPECT_FALSE(result.within_tolerance);
+  EXPECT_GT(result.bound, 0.01);
+  EXPECT_NE(result.reason.find("50 spheres do not cover the mesh within the tolerance of 10 mm"), std::string::npos) << result.reason;
+  EXPECT_NE(result.reason.find("within 160 mm"), std::string::npos) << result.reason;
+}
+
+TEST(CertifiedSpheres, BelowSinglePrecisionTheToleranceIsRaised) {
+  const TriangleMesh mesh = moved(sphere(0.001, 3), {100, 0, 0});
+  const CertifiedSpheres result = certifiedSpheres(mesh, within(1e-7));
+  EXPECT_FALSE(result.within_tolerance);
+  EXPECT_NE(result.reason.find("too small"), std::string::npos) << result.reason;
+  EXPECT_TRUE(covers(result.spheres, mesh));
+}
+
+TEST(CertifiedSpheres, AreSinglePrecisionNumbersLargestFirst) {
+  const CertifiedSpheres result = certifiedSpheres(lBracket(), within(0.1, Effort::kInstant));
+  double last = std::numeric_limits<double>::infinity();
+  for (const Sphere& sphere : result.spheres) {
+    EXPECT_EQ(sphere.centre, sphere.centre.cast<float>().cast<double>());
+    EXPECT_EQ(sphere.radius, static_cast<double>(static_cast<float>(sphere.radius)));
+    EXPECT_LE(sphere.radius, last);
+    last = sphere.radius;
+  }
+}
+
+TEST(CertifiedSpheres, AreTheSameOnAnyNumberOfThreads) {
+  const TriangleMesh mesh = flange();
+  std::vector<CertifiedSpheres> results(2);
+  for (int jobs : {1, 2}) withJobs(jobs, [&] { results[static_cast<std::size_t>(jobs - 1)] = certifiedSpheres(mesh, within(0.1)); });
+  ASSERT_EQ(results[0].spheres.size(), results[1].spheres.size());
+  for (std::size_t s = 0; s < results[0].spheres.size(); ++s) {
+    EXPECT_EQ(results[0].spheres[s].centre, results[1].spheres[s].centre);
+    EXPECT_EQ(results[0].spheres[s].radius, results[1].spheres[s].radius);
+  }
+}
+
+TEST(CertifiedSpheres, MoreEffortNeverTakesMore) {
+  const TriangleMesh mesh = flask();
+  SphereOptions options = within(0.2);
+  const std::size_t quick = certifiedSpheres(mesh, options).spheres.size();
+  options.effort = Effort::kInstant;
+  EXPECT_GT(certifiedSpheres(mesh, options).spheres.size(), quick);
+}
+
+TEST(CertifiedSpheres, CanBeCancelled) {
+  RunControl control;
+  control.cancel();
+  EXPECT_THROW(certifiedSpheres(flange(), within(0.01), control), Error);
+}
+
+TEST(CertifiedSpheres, BadOptionsAndMeshes) {
+  SphereOptions none = within(0.1);
+  none.max_spheres = 0;
+  EXPECT_THROW(certifiedSpheres(box(1, 1, 1), none), Error);
+  for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(certifiedSpheres(box(1, 1, 1), within(tolerance)), Error);
+  EXPECT_THROW(certifiedSpheres(TriangleMesh{}, within(0.1)), Error);
+}
+
+TEST(Covers, AShavedSphereLeavesAGap) {
+  const TriangleMesh mesh = lBracket();
+  CertifiedSpheres result = certifiedSpheres(mesh, within(0.1, Effort::kInstant));
+  for (Sphere& sphere : result.spheres) sphere.radius *= 0.9;
+  EXPECT_FALSE(covers(result.spheres, mesh));
+  EXPECT_FALSE(covers({}, mesh));
+}
+
+TEST(Covers, ExactlyTheBallThroughTheCorners) {
+  const TriangleMesh mesh = moved(box(2, 2, 2), {-1, -1, -1});
+  EXPECT_TRUE(covers({{{0, 0, 0}, std::sqrt(3.0) + 1e-9}}, mesh));
+  EXPECT_FALSE(covers({{{0, 0, 0}, std::sqrt(3.0) - 1e-5}}, mesh));
 }
 
 }  // namespace

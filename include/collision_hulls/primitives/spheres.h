@@ -39,6 +39,7 @@ struct Sphere {
 struct SphereOptions {
   double tolerance = 0;             ///< [m] > 0: acceptable protrusion
   std::size_t max_spheres = 10000;  ///< most spheres per mesh, at least 1
+  Effort effort = Effort::kQuick;   ///< how long to look for fewer
 };
 
 /// Spheres with their proof. Lengths in metres, in the mesh's frame.
@@ -52,10 +53,11 @@ struct CertifiedSpheres {
 };
 
 /// Covers the mesh with spheres that protrude by no more than the tolerance, and few of them. If
-/// that takes more than the limit, the tolerance is raised until it does not, and `reason` says to
-/// what. Deterministic: the same mesh and options give the same spheres, on any number of threads.
-/// Thread safe. Throws what repair() throws, kEmptyMesh, kBadOption, kCancelled, and kInternal if
-/// the result should fail its own check.
+/// that takes more than the limit, or if the tolerance is below what single precision and the
+/// mesh's margin allow, it is raised until it is enough, and `reason` says to what. Deterministic:
+/// the same mesh and options give the same spheres, on any number of threads. Thread safe. Throws
+/// what repair() throws, kEmptyMesh, kBadOption, kCancelled, and kInternal if the result should
+/// fail its own check.
 CertifiedSpheres certifiedSpheres(const TriangleMesh& mesh, const SphereOptions& options,
                                   const RunControl& control = {});
 

@@ -1,7 +1,7 @@
 """Runs decompose on one input after another, within limits, and keeps a row for each.
 
 A row is written after its result, and both appear in one step: whoever is killed in between leaves no row, and the input is done again, from
-decompose's cache. The input's earlier result goes first, so that no result stands beside a row that does not describe it.
+decompose's cache. The input's earlier row went before, and its earlier result goes now, so that no row describes another result.
 """
 import ctypes
 import os
@@ -61,6 +61,7 @@ class Run:
             self.child = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=file, preexec_fn=prepare)
         timers = [threading.Timer(seconds, self.stop), threading.Timer(seconds + GRACE, self.child.kill)]
         for timer in timers:
+            timer.daemon = True  # whoever interrupts this does not wait for it
             timer.start()
         try:
             _, status, usage = os.wait4(self.child.pid, 0)
@@ -139,7 +140,6 @@ def do(entry, settings, attempt):
     report, row_path = (row_file(settings["state"], entry["name"]).with_suffix(end) for end in (".report", ".json"))
     errors = report.with_suffix(".errors")
     report.parent.mkdir(parents=True, exist_ok=True)
-    row_path.unlink(missing_ok=True)
     folder = pathlib.Path(settings["output"], entry["folder"])
     shutil.rmtree(folder, ignore_errors=True)
     folder.parent.mkdir(parents=True, exist_ok=True)

@@ -10,8 +10,8 @@ from files import read_json, write
 from plan import row_of
 
 # Columns up to `hash` are the same whenever and wherever a batch runs; those after it are what was measured.
-RESULT = ("row", "name", "input", "model", "link", "element", "mesh", "status", "cause", "reason", "triangles", "hulls", "least_hulls", "protrusion",
-          "tolerance", "report", "hash")
+RESULT = ("row", "name", "input", "model", "link", "element", "mesh", "status", "cause", "reason", "triangles", "hulls", "primitives", "least_hulls",
+          "protrusion", "tolerance", "report", "hash")
 MEASURED = ("seconds", "cpu", "memory", "attempts", "cached")
 COLUMNS = RESULT + MEASURED
 
@@ -30,7 +30,7 @@ def rows_of(entries, state):
 def lines_of(row):
     """The input's line, then one for each of its meshes."""
     report = os.path.join(row["folder"], "report.html") if row["hash"] else ""
-    sums = {name: sum(mesh[name] for mesh in row["meshes"]) for name in ("triangles", "hulls", "least_hulls")} if row["meshes"] else {}
+    sums = {name: sum(mesh[name] for mesh in row["meshes"]) for name in ("triangles", "hulls", "primitives", "least_hulls")} if row["meshes"] else {}
     sums["protrusion"] = max((mesh["protrusion"] for mesh in row["meshes"]), default="")
     yield {**row, **sums, "row": "input", "report": report}
     for mesh in row["meshes"]:

@@ -2,7 +2,7 @@
 'use strict';
 
 const PART = 200;
-const COLUMNS = ['Input', 'Status', '', 'Meshes', 'Hulls', 'Bound [mm]', 'Time [s]', 'Memory [MB]', 'Attempts', 'Reason'];
+const COLUMNS = ['Input', 'Status', '', 'Meshes', 'Hulls, primitives', 'Bound [mm]', 'Time [s]', 'Memory [MB]', 'Attempts', 'Reason'];
 const NAME = 0, STATUS = 1, REPORT = 2, REASON = 9;
 const RANK = ['failed', 'incomplete', 'degraded', 'ok'];
 const byId = (id) => document.getElementById(id);

@@ -81,6 +81,11 @@ def meshes_of(rows):
     return [(row, mesh) for row in rows for mesh in row["meshes"]]
 
 
+def bodies(mesh):
+    """Hulls and what stands in their place."""
+    return mesh["hulls"] + mesh["primitives"]
+
+
 def failures(rows):
     """By reason, then one by one."""
     failed = [(row["name"], report_of(row), row) for row in rows if row["cause"]]
@@ -101,10 +106,10 @@ def slowest(rows):
 
 def worst(rows):
     """Those that come closest to their tolerance, or exceed it."""
-    done = [(row, mesh, mesh["protrusion"] / mesh["tolerance"]) for row, mesh in meshes_of(rows) if mesh["hulls"] and mesh["tolerance"]]
+    done = [(row, mesh, mesh["protrusion"] / mesh["tolerance"]) for row, mesh in meshes_of(rows) if bodies(mesh) and mesh["tolerance"]]
     done = sorted(done, key=lambda item: (-item[2], item[0]["name"]))[:LISTED]
-    return "<section><h2>The largest bounds for their tolerance</h2>" + table(("Input, link", "Bound [mm]", "Of tolerance [%]", "Hulls"), [
-        (link(f"{row['name']}, {mesh['link']}", report_of(row)), 1000 * mesh["protrusion"], 100 * share, mesh["hulls"]) for row, mesh, share in done]) + "</section>"
+    return "<section><h2>The largest bounds for their tolerance</h2>" + table(("Input, link", "Bound [mm]", "Of tolerance [%]", "Hulls, primitives"), [
+        (link(f"{row['name']}, {mesh['link']}", report_of(row)), 1000 * mesh["protrusion"], 100 * share, bodies(mesh)) for row, mesh, share in done]) + "</section>"
 
 
 def why(row):
@@ -120,12 +125,12 @@ def summary(rows):
     done = [mesh for mesh in meshes if mesh["status"] in ("ok", "degraded")]
     cpu = sum(row.get("cpu", 0) for row in rows)
     return (f'<p class="lead">{counted(len(rows), "input")}: {states}. {len(done):,} of {len(meshes):,} meshes covered, with '
-            f'{counted(sum(mesh["hulls"] for mesh in done), "hull")} and a proved bound each, in {progress.duration(cpu)} of computing time.</p>')
+            f'{sum(map(bodies, done)):,} hulls and primitives and a proved bound each, in {progress.duration(cpu)} of computing time.</p>')
 
 
 def data_of(rows):
     """What the table of all inputs shows. "<" would let a name end the script."""
-    cells = [[row["name"], row["status"], report_of(row), len(row["meshes"]), sum(mesh["hulls"] for mesh in row["meshes"]),
+    cells = [[row["name"], row["status"], report_of(row), len(row["meshes"]), sum(map(bodies, row["meshes"])),
               1000 * max((mesh["protrusion"] for mesh in row["meshes"]), default=0), row["seconds"], row["memory"], row["attempts"],
               why(row)] for row in rows]
     return json.dumps(cells, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
@@ -134,7 +139,7 @@ def data_of(rows):
 def page_of(rows):
     rows = [{"seconds": 0, "cpu": 0, "memory": 0, "attempts": 0, **row} for row in rows]
     meshes = [mesh for _, mesh in meshes_of(rows)]
-    charts = "".join([histogram("Hulls of a mesh", [mesh["hulls"] for mesh in meshes]), histogram("Time of an input [s]", [row["seconds"] for row in rows]),
+    charts = "".join([histogram("Hulls and primitives of a mesh", [bodies(mesh) for mesh in meshes]), histogram("Time of an input [s]", [row["seconds"] for row in rows]),
                       histogram("Bound of a mesh [mm]", [1000 * mesh["protrusion"] for mesh in meshes]), histogram("Memory of an input [MB]", [row["memory"] for row in rows])])
     text = (HERE / "page.html").read_text(encoding="utf-8")
     for name, part in (("style", style()), ("summary", summary(rows)), ("charts", charts), ("failures", failures(rows)), ("slowest", slowest(rows)),

@@ -24,7 +24,7 @@ INTERRUPTED = {130, -signal.SIGINT, -signal.SIGTERM}  # statuses of decompose
 GRACE = 10  # [s] to end in order
 MEASURED = ("report.json", "report.html")  # files with times in them
 PR_SET_PDEATHSIG = 1
-MESH_FIELDS = ("link", "element", "uri", "status", "reason", "triangles", "hulls", "least_hulls", "protrusion", "tolerance", "sha256")
+MESH_FIELDS = ("link", "element", "uri", "status", "reason", "triangles", "hulls", "primitives", "least_hulls", "protrusion", "tolerance", "sha256")
 
 
 def die_with_parent(number=signal.SIGTERM):

@@ -7,17 +7,15 @@
 #include <vector>
 
 #include "collision_hulls/geometry/convex_hull.h"
+#include "collision_hulls/primitives/primitive.h"
 #include "collision_hulls/robot/robot_description.h"
 
 namespace collision_hulls {
 
-/// A primitive that encloses a hull, in the hull's frame. It is a little larger than necessary, so that it still encloses the hull after
-/// rounding, and after its numbers were written to a robot description, with the origin as roll, pitch and yaw, and read back.
-/// Deterministic.
-///
-/// The sphere is the smallest possible; the box is that of orientedBox(); the cylinder is the smallest one along the box's axes, the
-/// principal axes and the hull's longest edges, with the best axis then turned until no turn makes the cylinder smaller. Throws kInternal
-/// if a vertex is outside.
+/// Throws kInternal for a capsule.
+GeometryElement elementOf(const Primitive& primitive);
+
+/// As for a Primitive (primitives/primitive.h).
 GeometryElement enclosingPrimitive(GeometryElement::Kind kind, const ConvexHull& hull);
 
 /// [m^3]

@@ -140,6 +140,16 @@ TEST_F(ShapesTest, SpheresCover) {
   EXPECT_EQ(static_cast<std::size_t>(std::count(seen.begin(), seen.end(), Kind::kSphere)), row.primitives);
 }
 
+TEST_F(ShapesTest, TooFewSpheresAreDegraded) {
+  options_.max_hulls = 3;
+  const RobotResult result = run(test_shapes::lBracket(0.2, 0.03, 0.1), Shapes::kSpheres);
+  const ElementReport& row = result.report.links.at(0);
+  EXPECT_EQ(row.status, Status::kDegraded);
+  EXPECT_LE(row.primitives, 3u);
+  EXPECT_GT(row.protrusion, 0.005);
+  EXPECT_FALSE(row.reason.empty());
+}
+
 TEST_F(ShapesTest, TheCacheKnowsThem) {
   const RobotResult first = run(plateOnRod(), Shapes::kPrimitives), again = run(plateOnRod(), Shapes::kPrimitives);
   EXPECT_TRUE(again.report.links.at(0).cached);

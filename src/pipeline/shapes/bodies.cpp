@@ -43,14 +43,4 @@ ConvexHull polyhedronAbout(const Primitive& primitive) {
   return hullAround(primitive, share * primitive.size.x());
 }
 
-GeometryElement elementOf(const Primitive& primitive) {
-  GeometryElement element;
-  element.kind = primitive.kind == PrimitiveKind::kBox        ? GeometryElement::Kind::kBox
-                 : primitive.kind == PrimitiveKind::kCylinder ? GeometryElement::Kind::kCylinder
-                                                              : GeometryElement::Kind::kSphere;
-  element.size = primitive.size;
-  element.origin = primitive.pose;
-  return element;
-}
-
 }  // namespace collision_hulls

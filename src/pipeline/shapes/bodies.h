@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "collision_hulls/primitives/covering_primitive.h"
-#include "collision_hulls/robot/robot_description.h"
 
 namespace collision_hulls {
 
@@ -25,7 +24,5 @@ std::vector<Primitive> partsOf(const Primitive& primitive);
 
 /// A polyhedron that contains it: for a cylinder in queries, for a sphere in drawings alone.
 ConvexHull polyhedronAbout(const Primitive& part);
-
-GeometryElement elementOf(const Primitive& part);  ///< of no capsule
 
 }  // namespace collision_hulls

@@ -24,6 +24,7 @@
 #include "collision_hulls/decompose/round_outward.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/primitives/spheres.h"
+#include "fit/enclosing.h"
 #include "pipeline/shapes/bodies.h"
 
 namespace collision_hulls {
@@ -182,6 +183,7 @@ std::vector<Body> primitives(const Work& work) {
 std::vector<Body> spheres(const Work& work) {
   SphereOptions options;
   options.tolerance = work.tolerance();
+  options.effort = work.options.effort;
   if (work.options.max_hulls > 0) options.max_spheres = static_cast<std::size_t>(work.options.max_hulls);
   const MeshResult& result = work.result;
   const CertifiedSpheres made =

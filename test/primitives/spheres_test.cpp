@@ -1,5 +1,4 @@
-// Also tests src/primitives/sphere_cover.cpp, src/primitives/sphere_candidates.cpp, src/primitives/set_cover.cpp,
-// src/primitives/smallest_ball.cpp and src/primitives/tolerable_space.cpp.
+// Also tests src/primitives/sphere_choice.cpp.
 #include "collision_hulls/primitives/spheres.h"
 
 #include <gtest/gtest.h>
@@ -143,6 +142,16 @@ TEST(CertifiedSpheres, MoreEffortNeverTakesMore) {
   const std::size_t quick = certifiedSpheres(mesh, options).spheres.size();
   options.effort = Effort::kInstant;
   EXPECT_GT(certifiedSpheres(mesh, options).spheres.size(), quick);
+}
+
+TEST(CertifiedSpheres, TheMarginIsPartOfTheBound) {
+  const TriangleMesh mesh = lBracket();
+  const RepairedMesh repaired = repair(mesh);
+  const Solid solid(repaired);
+  CertifiedSpheres result = certifiedSpheres({mesh, repaired, solid, 0.02, nullptr, ""}, within(0.1, Effort::kInstant));
+  EXPECT_LE(result.bound, 0.1);
+  for (double& bound : result.bounds) bound -= 0.02 - 1e-9;
+  expectKept(mesh, result, 0.1);
 }
 
 TEST(CertifiedSpheres, CanBeCancelled) {

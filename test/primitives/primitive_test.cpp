@@ -88,6 +88,16 @@ TEST(HullAround, ContainsThePrimitiveAndExceedsItBarely) {
     }
 }
 
+TEST(HullAround, NoFaceCutsThePrimitiveNotEvenByRounding) {
+  RandomPoints random(6);
+  for (Primitive primitive : oneOfEach())
+    for (int i = 0; i < 20; ++i) {
+      primitive.pose = Eigen::Translation3d(random.inCube(10)) * Eigen::Isometry3d(random.rotation());
+      for (const HalfSpace& face : hullAround(primitive, 0.05).faces)
+        EXPECT_LE(support(primitive, face.normal), face.offset) << name(primitive.kind);
+    }
+}
+
 TEST(EnclosingPrimitive, EnclosesThePointsAtAnyScale) {
   RandomPoints random(5);
   for (const double scale : {1e-6, 1.0, 1e6})

@@ -1,8 +1,8 @@
 // Each reads one format from a file's bytes.
 //
-// Those of glTF, OBJ, OFF, PLY and STL are our own: every library that we know takes numbers leniently ("1,5" for 1 or 1.5, "0x10" for 0) and
-// skips what it does not understand, so what it reads need not be what the file says. Here a file is read completely or not at all: what
-// may carry surface and is not understood is an error that names the line.
+// Those of glTF, OBJ, OFF, PLY and STL are our own: every library that we know takes numbers leniently ("1,5" for 1 or 1.5, "0x10" for 0)
+// and skips what it does not understand, so what it reads need not be what the file says. Here a file is read completely or not at all:
+// what may carry surface and is not understood is an error that names the line.
 #pragma once
 
 #include <string>

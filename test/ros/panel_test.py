@@ -103,9 +103,7 @@ class PanelTest(unittest.TestCase):
         self.rviz("choose", "forearm_link")
         counts = []
         for _ in range(5):
-            self.rviz("key", "tolerance", "Left", 1)
-            time.sleep(0.2)
-            counts.append(int(self.rviz.rows()["forearm_link"][HULLS]))
+            counts.append(int(self.slide("forearm_link", "Left", 1)[HULLS]))
         self.assertEqual(counts, sorted(set(counts)))
         self.settle()
 

@@ -145,8 +145,10 @@ void GltfDocument::parse(std::string_view text) {
   };
   try {
     root_ = Json::parse(text.begin(), text.end(), look);
-  } catch (const Json::exception& error) {
-    fail(std::string("is no JSON (") + error.what() + ")");
+  } catch (const Json::parse_error& error) {
+    fail("is no JSON from byte " + std::to_string(error.byte) + " on");
+  } catch (const Json::exception&) {
+    fail("has a number that is too large for JSON");
   }
   if (!root_.is_object()) fail("is no glTF: its JSON is no object");
 }

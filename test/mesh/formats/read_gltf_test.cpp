@@ -155,7 +155,8 @@ TEST(ReadGltf, BrokenFilesNameTheItem) {
        {elsewhere, "buffers[0] is in another file, 'part.bin'; export the mesh as .glb"},
        {"{}", "export it as glTF 2"},
        {"[]", "is no object"},
-       {"{", "is no JSON"},
+       {"{", "is no JSON from byte 2"},
+       {"{\"a\": 1e999}", "a number that is too large"},
        {withNodes(R"([{"children": [0]}])"), "nodes[0] is placed twice"},
        {withNodes(R"([{"mesh": 4}])"), "meshes[4], but there are 1"},
        {withNodes(R"([{"mesh": -1}])"), "nodes[0].mesh is '-1', no whole number"},
@@ -175,6 +176,15 @@ TEST(ReadGltf, BrokenFilesNameTheItem) {
        {withPrimitives(R"([{"attributes": {"POSITION": 3}}])", R"(, {"bufferView": 0, "componentType": 5126, "count": 900719925474099,
                   "type": "VEC3"})"),
         "accessors[3] has 900719925474099 elements", ErrorCode::kTooLarge}});
+}
+
+TEST(ReadGltf, MessagesArePrintable) {
+  try {
+    readHere("{\"a\": \xD8\x01}", "a.gltf");
+    FAIL();
+  } catch (const Error& error) {
+    for (const char c : std::string(error.what())) EXPECT_TRUE(c >= ' ' && c <= '~') << error.what();
+  }
 }
 
 }  // namespace

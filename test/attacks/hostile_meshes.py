@@ -1,4 +1,5 @@
 """Small meshes in every format, spellings of numbers, and damage to both. Standard library only."""
+import json
 import re
 import struct
 
@@ -79,6 +80,24 @@ def binary_ply(mesh, order="<"):
     return ply_header("binary_little_endian" if order == "<" else "binary_big_endian", mesh) + b"".join(rows)
 
 
+def glb(mesh):
+    """Binary glTF: points, then the corners of triangles, in a node that is moved."""
+    points = b"".join(struct.pack("<3f", *v) for v in mesh[0])
+    corners = [corner for face in mesh[1] for i in range(2, len(face)) for corner in (face[0], face[i - 1], face[i])]
+    binary = points + struct.pack(f"<{len(corners)}I", *corners)
+    text = json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "translation": [0, 0, 1]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": len(mesh[0]), "type": "VEC3"},
+                      {"bufferView": 1, "componentType": 5125, "count": len(corners), "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteLength": len(points)},
+                        {"buffer": 0, "byteOffset": len(points), "byteLength": 4 * len(corners)}],
+        "buffers": [{"byteLength": len(binary)}]}).encode()
+    text += -len(text) % 4 * b" "
+    header = struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(binary))
+    return header + struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(binary), b"BIN\0") + binary
+
+
 def dae(mesh):
     vertices = " ".join(" ".join(v) for v in spelled(mesh[0]))
     count, corners = len(mesh[0]), " ".join(str(corner) for face in mesh[1] for corner in face)
@@ -104,7 +123,8 @@ TEXT_WRITERS = {".obj": obj, ".off": off, ".stl": stl, ".ply": ply, ".dae": dae}
 def seed_meshes(folder):
     """[(extension, content)]: two small shapes in every format, and some of the package's meshes."""
     seeds = [(extension, write(mesh)) for mesh in (BOX, bracket(), triangulated(bracket())) for extension, write in TEXT_WRITERS.items()]
-    seeds += [(".stl", binary_stl(bracket())), (".ply", binary_ply(bracket())), (".ply", binary_ply(BOX, ">"))]
+    seeds += [(".stl", binary_stl(bracket())), (".ply", binary_ply(bracket())), (".ply", binary_ply(BOX, ">")),
+              (".glb", glb(bracket())), (".glb", glb(BOX))]
     for name in ("base.dae", "gripper.dae", "elbow_bracket.obj", "finger.stl"):
         seeds.append((name[name.index("."):], (folder / name).read_bytes()))
     return seeds

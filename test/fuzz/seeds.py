@@ -102,8 +102,8 @@ def seeds():
     meshes = {target: [] for target in ("off", "ply", "obj", "stl", "dae", "gltf")}
     for extension, content in hostile.seed_meshes(PACKAGE / "meshes"):
         if len(content) < 10000:
-            meshes[extension[1:]].append(content)
-    meshes["gltf"] = [GLTF.encode(), glb(GLTF.encode())]
+            meshes["gltf" if extension == ".glb" else extension[1:]].append(content)
+    meshes["gltf"] += [GLTF.encode(), glb(GLTF.encode())]
     scenes = [b"\0" + SCENE_YAML.encode(), b"\1" + SCENE_SDF.encode(), b"\2" + SCENE_MOVEIT.encode(), *(b"\3" + map_ for map_ in OCTOMAP)]
     scenes += [b"\0" + file.read_bytes() for file in sorted((PACKAGE / "test/data/scenes").glob("*.yaml"))]
     points, triangle = [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]

@@ -95,6 +95,14 @@ TEST_F(ShapesTest, AHullStaysWhereNoPrimitiveDoes) {
   EXPECT_EQ(kinds(result), std::vector<Kind>{Kind::kMesh});
 }
 
+TEST_F(ShapesTest, ThePolyhedronAboutACylinderCounts) {
+  options_.tolerance = lengthOf(0.0003);  // the cylinder keeps it, 0.1 mm, but what stands for it in queries is 0.4 mm larger
+  const RobotResult result = run(rod(0.04, 0.3), Shapes::kMixed);
+  const ElementReport& row = result.report.links.at(0);
+  EXPECT_EQ(row.status, Status::kOk) << row.reason;
+  EXPECT_EQ(row.primitives, 0u);
+}
+
 TEST_F(ShapesTest, PrimitivesAlone) {
   const RobotResult result = run(plateOnRod(), Shapes::kPrimitives);
   EXPECT_EQ(result.report.links.at(0).status, Status::kOk) << result.report.links.at(0).reason;

@@ -117,8 +117,8 @@ void refuseContradictions(const ConfigItem& item, const LinkSettings& settings) 
     if (stays && name != "action")
       key.fail(name + " of " + item.name + " contradicts '" + collision_hulls::name(*settings.action) +
                "', with which the link gets no hulls; remove one of them");
-    const bool only_certified = (name == "effort" && settings.effort && needsCertified(*settings.effort)) ||
-                                (name == "fill" && settings.fill == true) || (of_shapes && settings.shapes != Shapes::kHulls);
+    const bool only_certified =
+        (name == "effort" && settings.effort && needsCertified(*settings.effort)) || (name == "fill" && settings.fill == true);
     if (other_method && only_certified)
       key.fail(name + " '" + value.text() + "' of " + item.name + " needs method 'certified', not '" +
                collision_hulls::name(*settings.method) + "'; remove one of them");

@@ -4,8 +4,6 @@
 // checking the hull.
 #pragma once
 
-#include <vector>
-
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/primitives/primitive.h"
 #include "collision_hulls/robot/robot_description.h"

@@ -96,7 +96,7 @@ Largest LinkPair::uncovered(double gap, const RunControl& control) const {
   return worst;
 }
 
-/// Spheres have proofs of their own, which are much tighter than those of polyhedra about them.
+/// Each sphere by itself, with a polyhedron about it that is as fine as the sphere protrudes little.
 Largest LinkPair::sphereProtrusion(const std::vector<Sphere>& spheres, double gap, const RunControl& control) const {
   std::vector<Largest> all(spheres.size());
   forEach(spheres.size(), [&](std::size_t i) {

@@ -77,7 +77,7 @@ class ShapesTest : public ::testing::Test {
   std::string file_;
 };
 
-TEST_F(ShapesTest, AMixOfHullsAndPrimitives) {
+TEST_F(ShapesTest, PrimitivesTakeThePlaceOfHulls) {
   const TriangleMesh part = test_shapes::merged({plateOnRod(), test_shapes::moved(test_shapes::lBracket(0.2, 0.03, 0.1), {0.5, 0, 0})});
   const std::vector<Kind> seen = kinds(run(part, Shapes::kMixed));
   EXPECT_EQ(std::count(seen.begin(), seen.end(), Kind::kCylinder), 1);

@@ -60,5 +60,18 @@ TEST(Settings, AWrongValueIsNamedWithItsLink) {
   EXPECT_NE("", message([](LinkChoice& choice) { choice.max_vertices = 3; }));
 }
 
+TEST(Settings, ContradictionsNameTheLink) {
+  LinkChoice choice;
+  choice.link = "arm";
+  choice.shapes = "spheres";
+  choice.padding = "1cm";
+  try {
+    toOptions(choice);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("link 'arm': shapes 'spheres' contradicts padding '1cm'"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -42,9 +42,8 @@ struct LoadedMesh {
   double resolution = 0;
 };
 
-/// The extensions that readMesh supports, in lower case with the dot: .stl .dae .obj .off .ply .glb
-/// .gltf
-/// (file names may use any case).
+/// The extensions that readMesh supports, in lower case with the dot (file names may use any
+/// case): .stl .dae .obj .off .ply .glb .gltf
 const std::vector<std::string>& meshExtensions();
 
 /// Whether a file's name has one of the extensions that readMesh supports.

@@ -102,7 +102,8 @@ class SceneBuilder {
 ///                     GZ_SIM_RESOURCE_PATH, IGN_GAZEBO_RESOURCE_PATH, SDF_PATH, the folders above
 ///                     the file, ~/.gazebo/models, and as a package name), package://, or a path;
 ///                     each to a file or a model's folder
-///   .stl .dae .obj .off .ply .glb .gltf    one mesh, in the scene's frame
+///   .stl .dae .obj .off .ply .glb .gltf
+///                     one mesh, in the scene's frame
 ///   .bt .ot           OctoMap maps; see octomap.h
 ///   .yaml .yml        our own format:
 ///

@@ -100,9 +100,9 @@ struct Verification {
 /// A mesh of RESULT counts as what it is, its surface and what that encloses, although some
 /// consumers take its convex hull. Its closed components that are convex up to some millionths of
 /// their size count as hulls, however many are in one file. Boxes, spheres and cylinders are exact
-/// where RESULT covers, boxes and spheres where they protrude, too; in the place of cylinders, and
-/// of round parts of ORIGINAL, there are polyhedra whose error is part of the bound. A mesh or
-/// primitive that both sides hold equally is covered and does not protrude.
+/// where RESULT covers; where they protrude, and as parts of ORIGINAL, round ones are replaced by
+/// polyhedra whose error is part of the bound. A mesh or primitive that both sides hold equally is
+/// covered and does not protrude.
 ///
 /// Deterministic apart from times. Throws kBadOption, kCancelled, and the errors of Kinematics.
 Verification verify(const Description& original, const Description& result,

@@ -63,17 +63,10 @@ ConvexHull hullOfMesh(const Work& work) {
   return roundOutward({convexHull(work.result.original.vertices)}, work.result.original, work.read.margin, 0, work.control).hulls.front();
 }
 
-Body single(PrimitiveKind kind, const Work& work) {
+/// The one that is asked for by name.
+Body single(const Work& work) {
+  const PrimitiveKind kind = primitiveKindNamed(name(work.options.shapes)).value();
   return bodyOf(primitiveOfKind(kind, hullOfMesh(work), *work.result.solid, work.primitives(), work.control));
-}
-
-Body singleAsChosen(const Work& work) {
-  switch (work.options.shapes) {
-    case Shapes::kSphere: return single(PrimitiveKind::kSphere, work);
-    case Shapes::kBox: return single(PrimitiveKind::kBox, work);
-    case Shapes::kCylinder: return single(PrimitiveKind::kCylinder, work);
-    default: return single(PrimitiveKind::kCapsule, work);
-  }
 }
 
 /// Of each hull a primitive that keeps the tolerance, or nothing.
@@ -200,7 +193,7 @@ std::vector<Body> spheres(const Work& work) {
 
 std::vector<Body> bodiesFor(const Work& work) {
   const Shapes shapes = work.options.shapes;
-  if (isSingle(shapes)) return {singleAsChosen(work)};
+  if (isSingle(shapes)) return {single(work)};
   if (shapes == Shapes::kSpheres) return spheres(work);
   if (const std::optional<Body> one = primitiveFor(hullOfMesh(work), work)) return {*one};
   return shapes == Shapes::kMixed ? mixed(work) : primitives(work);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "collision_hulls/error.h"
+#include "scene/reading.h"
 
 namespace collision_hulls {
 namespace {
@@ -51,7 +52,7 @@ LinkOptions toOptions(const LinkChoice& settings) {
   options.max_vertices = settings.max_vertices;
   if (!settings.padding.empty()) options.padding = parsePadding(settings.padding, link + "padding");
   checkLimits(options);
-  checkShapes(options);
+  inContext("link '" + settings.link + "'", [&] { checkShapes(options); });
   if (options.method != Method::kCertified) options.effort = Effort::kQuick, options.fill = false;
   return options;
 }

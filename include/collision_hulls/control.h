@@ -1,4 +1,4 @@
-// How a caller follows and cancels a long computation.
+// How a caller follows, cancels and limits a long computation.
 //
 // For example:
 //
@@ -8,7 +8,9 @@
 //     const ConvexHull hull = convexHull(points, control);  // throws kCancelled
 #pragma once
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <functional>
 
 #include "collision_hulls/error.h"
@@ -22,14 +24,29 @@ struct RunControl {
   std::function<void(double fraction)> progress;
   /// The run that this one is part of: cancelling it cancels this one too. Null at the top level.
   const RunControl* whole = nullptr;
+  /// When the caller wants the result: the method certified then ends its searches with what they
+  /// have, see certifiedHulls(). Nothing else heeds it. What it cuts short depends on the machine.
+  using Time = std::chrono::steady_clock::time_point;
+  Time deadline = Time::max();
+  /// Makes check() throw after the deadline, for a stage whose caller goes on without it.
+  bool stops_at_deadline = false;
 
   void cancel() const { cancelled_.store(true); }
   bool cancelled() const {
     return cancelled_.load(std::memory_order_relaxed) || (whole && whole->cancelled());
   }
-  /// Throws Error(kCancelled) after cancel(). Stages call this at least every 0.1 s.
+  /// The deadline, or that of the whole if it is earlier.
+  Time until() const { return whole ? std::min(deadline, whole->until()) : deadline; }
+  bool late() const {
+    const Time end = until();
+    return end != Time::max() && std::chrono::steady_clock::now() >= end;
+  }
+  /// Throws Error(kCancelled) after cancel(), and kOutOfTime if it stops at the deadline. Stages
+  /// call this at least every 0.1 s.
   void check() const {
     if (cancelled()) throw Error(ErrorCode::kCancelled, "cancelled by the caller");
+    if (stops_at_deadline && late())
+      throw Error(ErrorCode::kOutOfTime, "the time limit has passed; allow more time");
   }
   void report(double fraction) const {
     if (progress) progress(fraction);

@@ -35,6 +35,7 @@ constexpr double kLowerAim = 0.8, kALittleLower = 0.99;
 constexpr double kLeastGap = 0.1;
 constexpr std::size_t kSpareVisits = 500'000;
 
+constexpr double kSearchShare = 0.7;     // of the time until a deadline; the rest is for certifying
 constexpr double kDecomposeShare = 0.7;  // of the time, approximately; the rest is certifying
 constexpr double kMuch = 0.1;            // of the protrusion: if blunting exceeds this share, it is named as the cause
 
@@ -95,12 +96,23 @@ void pad(std::vector<ConvexHull>& hulls, const DecomposeOptions& options, std::v
   forEach(hulls.size(), [&](std::size_t i) { hulls[i] = padded(before[i], options.padding, options.max_vertices); });
 }
 
+/// The search's part of the time until then.
+RunControl::Time searchEnd(const RunControl::Time& end) {
+  if (end == RunControl::Time::max()) return end;
+  const RunControl::Time now = std::chrono::steady_clock::now();
+  return now + std::chrono::duration_cast<RunControl::Time::duration>(kSearchShare * (end - now));
+}
+
 Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, const DecomposeOptions& options, const RunControl& decomposing,
                   const RunControl& certifying) {
   Attempt attempt;
   CertifiedHulls& result = attempt.result;
   Stopwatch stage;
-  const Decomposition parts = mesh.tree ? hullsOfTree(*mesh.tree, aim) : decompose(mesh.repaired, aim, decomposing);
+  RunControl searching;
+  searching.whole = &decomposing;
+  searching.progress = decomposing.progress;
+  searching.deadline = searchEnd(decomposing.until());
+  const Decomposition parts = mesh.tree ? hullsOfTree(*mesh.tree, aim) : decompose(mesh.repaired, aim, searching);
   RoundedHulls rounded = roundOutward(parts.hulls, mesh.original, mesh.margin, aim.max_vertices, decomposing);
   for (const ConvexHull& hull : parts.hulls) result.thickness = std::max(result.thickness, hull.thickness);
   result.seconds.decompose = stage.lap();
@@ -114,6 +126,9 @@ Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, const D
   result.where = proof.where;
   result.nearest = proof.nearest;
   result.nudge = rounded.nudge;
+  result.untried = parts.untried;
+  if (certifying.late() && proof.bound - mesh.margin - proof.found > kCertificateGap * options.tolerance)
+    result.untried += std::string(result.untried.empty() ? "" : ", ") + "a tight bound";
   attempt.capped = parts.capped;
   attempt.blunted = rounded.blunted;
   return attempt;
@@ -134,10 +149,13 @@ Attempt bestAttempt(const PreparedMesh& mesh, const DecomposeOptions& options, c
     Attempt attempt = attemptAt(mesh, aim, options, decomposing, certifying);
     spent.decompose += attempt.result.seconds.decompose;
     spent.certify += attempt.result.seconds.certify;
-    if (i > 0 && boundShare(attempt.result, options) >= boundShare(best.result, options)) break;
+    if (i > 0 && boundShare(attempt.result, options) >= boundShare(best.result, options)) {
+      best.result.untried = attempt.result.untried;
+      break;
+    }
     best = std::move(attempt);
     const double over = boundShare(best.result, options);
-    if (!aims || best.capped || over <= 1) break;
+    if (!aims || best.capped || over <= 1 || !best.result.untried.empty()) break;
     lowerAim(aim, i, over);
   }
   best.result.seconds = spent;
@@ -156,6 +174,7 @@ std::string excuse(const DecomposeOptions& options, const Attempt& made) {
   if (options.method == Method::kSingleHull || options.method == Method::kBoundingBox)
     return std::string(name(options.method)) + " ignores the tolerance; use another method";
   const std::string vertices = "max-vertices " + std::to_string(options.max_vertices);
+  if (!made.result.untried.empty()) return "time ended before " + made.result.untried + "; raise the time limit or the tolerance";
   if (made.capped && (options.max_hulls > 0 || options.method == Method::kCertified))
     return "the limits (max-hulls " + std::to_string(options.max_hulls) + ", " + vertices + ") made the hulls coarser; raise them";
   if (options.method == Method::kHacd)
@@ -175,8 +194,9 @@ std::string excuseInRegion(const DecomposeOptions& options, const Attempt& made,
   const bool may_be_moved = options.method == Method::kCertified && !made.capped;
   return "in " + (region.name.empty() ? "a region" : "region '" + region.name + "'") + " the hulls protrude by up to " +
          millimetres(made.result.regions[index].bound) + ", more than its tolerance of " + millimetres(region.tolerance) + ": " +
-         (may_be_moved ? "the surface there is too rough for it; give the region a larger tolerance, or move it away from the surface"
-                       : excuse(options, made));
+         (may_be_moved && made.result.untried.empty()
+              ? "the surface there is too rough for it; give the region a larger tolerance, or move it away from the surface"
+              : excuse(options, made));
 }
 
 /// Passes a part of the work on as the shares `from` to `to` of the whole, which never decrease though attempts begin anew.

@@ -266,8 +266,9 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
   look(0, -1, faces.all);
   for (; !queue.empty() && queue.top().bound > enough(); ++result.visits) {
     const Open open = queue.top();
-    if (result.visits % kVisitsBetweenChecks == 0) control.check();
-    if (result.visits == query.most_visits) {
+    const bool looks_up = result.visits % kVisitsBetweenChecks == 0;
+    if (looks_up) control.check();
+    if (result.visits == query.most_visits || (looks_up && control.late())) {
       result.bound = std::max(result.bound, open.bound);
       break;
     }

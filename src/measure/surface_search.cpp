@@ -69,7 +69,10 @@ class Search {
     for (int step = 0; !queue_.empty() && queue_.top().bound > threshold() && best_.found <= query_.ceiling && step < query_.halvings;
          ++step) {
       if (step >= query_.patience && queue_.top().bound <= query_.low) break;
-      if (step % kStepsBetweenChecks == 0) control.check();
+      if (step % kStepsBetweenChecks == 0) {
+        control.check();
+        if (control.late()) break;
+      }
       halve();
     }
     best_.bound = std::max(best_.found, dropped_);

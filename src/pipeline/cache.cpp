@@ -53,7 +53,7 @@ void fields(Archive& archive, GeometryElement& element) {
 
 template <typename Archive>
 void fields(Archive& archive, MeshResult& result) {
-  auto& [mesh, model, status, reason, error, seconds, cached, original, hulls, primitives, unneeded, segments, solid] = result;
+  auto& [mesh, model, status, reason, error, untried, seconds, cached, original, hulls, primitives, unneeded, segments, solid] = result;
   archive(mesh, model, status, reason, error, original, hulls, primitives);
 }
 

@@ -27,7 +27,8 @@ constexpr double kTreeShare = 0.7;    // of a mesh's time, approximately, if a t
 struct VariantWork {
   std::size_t task = 0;
   const LinkOptions& options;
-  double from = 0, to = 1;  // of the work on the task
+  std::size_t variants = 1;  // of the task, from this one on
+  double from = 0, to = 1;   // of the work on the task
 
   void follow(RunControl& control, Run& run, double part_from = 0, double part_to = 1) const {
     run.progress.follow(control, task, from + (to - from) * part_from, from + (to - from) * part_to);
@@ -42,12 +43,24 @@ std::shared_ptr<const HullTree> treeFor(const VariantWork& work, const MeshFacts
   return mesh.tree(work.options, treeLeaves(work.options, facts.diagonal), building);
 }
 
-/// For other methods, which take a fraction of the time, for padded hulls and other shapes nobody looks for a bound.
+/// For other methods, which take a fraction of the time, for padded hulls and other shapes, and without time left, nobody looks for a
+/// bound.
 std::size_t leastHullsOf(const MeshResult& mesh, const LinkOptions& options, const RunControl& control) {
-  if (options.method != Method::kCertified || options.padding > 0 || options.shapes != Shapes::kHulls) return 1;
+  if (options.method != Method::kCertified || options.padding > 0 || options.shapes != Shapes::kHulls || control.late()) return 1;
   const std::vector<ConvexHull> none;
   return leastHulls(mesh.original, *mesh.solid, mesh.mesh.tolerance, mesh.status == Status::kOk ? mesh.hulls : none, options.effort,
                     control);
+}
+
+/// When one of `count` equal pieces of work that end at `end` should be done.
+RunControl::Time partOf(const RunControl::Time& end, std::size_t count) {
+  if (end == RunControl::Time::max()) return end;
+  const RunControl::Time now = std::chrono::steady_clock::now();
+  return now + (end - now) / static_cast<RunControl::Time::rep>(count);
+}
+
+bool heedsTimeLimit(const LinkOptions& options) {
+  return options.method == Method::kCertified && !options.tree && (options.shapes == Shapes::kHulls || options.shapes == Shapes::kMixed);
 }
 
 /// Steps 3 and 4: decompose, make the hulls as written cover the mesh as read, certify.
@@ -57,6 +70,7 @@ void makeHulls(const VariantWork& work, const ReadMesh& read, SharedMesh& mesh, 
   result.seconds.decompose = stage.lap();
   RunControl control;
   work.follow(control, run);
+  if (heedsTimeLimit(work.options)) control.deadline = partOf(run.time.begin(work.task), work.variants);
   decomposeAndCertify(read, work.options, tree.get(), run.tasks[work.task].uri, run.options.seed, control, result);
   stage.lap();
   result.model.least_hulls = leastHullsOf(result, work.options, control);
@@ -72,7 +86,7 @@ MeshResult decomposed(const VariantWork& work, SharedMesh& mesh, Run& run) {
     // 1. Read, and scale as the description says. 2. Repair: a mesh with topology, and the solid that it encloses.
     const ReadMesh& read = mesh.read(work.options, reading, result);
     makeHulls(work, read, mesh, run, result);
-    run.cache.storeMesh(meshKey(run.tasks[work.task], work.options, run.options.seed), result);
+    if (result.untried.empty()) run.cache.storeMesh(meshKey(run.tasks[work.task], work.options, run.options.seed), result);
   } catch (...) {
     fail(result);
   }
@@ -116,11 +130,12 @@ void decomposeTask(std::size_t index, Run& run) {
   const auto count = static_cast<double>(results.size());
   for (std::size_t v = 0; v < results.size(); ++v) {
     const auto before = static_cast<double>(v);
-    const VariantWork work{index, task.variants[v].options, before / count, (before + 1) / count};
+    const VariantWork work{index, task.variants[v].options, results.size() - v, before / count, (before + 1) / count};
     if (!results[v]) results[v] = decomposed(work, mesh, run);
     const bool clustered = run.options.segments && work.options.method == Method::kHacd;
     if (clustered && results[v]->status != Status::kFailed) addSegments(index, run, *results[v]);
   }
+  run.time.finish(index);
   run.progress.finish(index);
   for (std::size_t v = 0; v < results.size(); ++v) {
     const auto result = std::make_shared<const MeshResult>(std::move(*results[v]));
@@ -140,17 +155,18 @@ std::vector<std::string> keysOf(const Run& run) {
   return keys;
 }
 
-/// 5. Validate by queries: the original against the hulls. From the cache if possible.
+/// 5. Validate by queries: the original against the hulls. From the cache if possible; its key names no hulls that time cut short.
 void validateOrRemember(std::size_t model, const std::vector<std::string>& keys, Run& run) {
   ModelReport& report = reportOf(model, run.report);
   const std::string key = validationKey(run.uses, run.results, keys, model, run.options.seed);
-  const std::optional<Validation> known = run.cache.findValidation(key);
+  const bool complete = std::all_of(run.results.begin(), run.results.end(), [](const auto& mesh) { return mesh->untried.empty(); });
+  const std::optional<Validation> known = complete ? run.cache.findValidation(key) : std::nullopt;
   RunControl validating;
   run.progress.follow(validating, model);
   if (known) run.progress.skip(model);
   report.validation = known ? *known : validateUses(run.uses, run.results, model, run.options.seed, validating);
   report.validation_cached = known.has_value();
-  if (!known) run.cache.storeValidation(key, report.validation);
+  if (complete && !known) run.cache.storeValidation(key, report.validation);
 }
 
 /// Steps 1 to 4, once per mesh; then step 5, once per model.

@@ -302,6 +302,8 @@ void refuseOtherWays(const RobotDescription& robot, const Options& options, cons
   if (options.tree)
     throw Error(ErrorCode::kBadOption, "tree '" + toString(*options.tree) +
                                            "' does not apply to fit_scene, whose trees always have leaves for the tolerance; omit it");
+  if (options.time_limit > 0)
+    throw Error(ErrorCode::kBadOption, "time-limit does not apply to fit_scene, which needs whole hull trees; omit it");
   if (!options.region_rules.empty()) {
     const RegionRule& first = options.region_rules.front();
     throw Error(ErrorCode::kBadOption,

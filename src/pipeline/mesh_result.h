@@ -22,7 +22,7 @@ struct MeshResult {
   MeshFacts mesh;
   HullFacts model;
   Status status = Status::kOk;
-  std::string reason, error;  ///< see ElementReport
+  std::string reason, error, untried;  ///< see ElementReport
   StageSeconds seconds;
   bool cached = false;
   TriangleMesh original;

@@ -71,6 +71,7 @@ ElementReport rowOf(const MeshUse& use, const MeshResult& mesh) {
   row.status = mesh.status;
   row.reason = mesh.reason;
   row.error = mesh.error;
+  row.untried = mesh.untried;
   row.seconds = mesh.seconds;
   row.cached = mesh.cached;
   return row;
@@ -113,6 +114,17 @@ void noteSmallMeshes(Report& report) {
                          ": one hull covers each; for more detail give a smaller tolerance, or one with a share, as in 1cm,5%");
 }
 
+/// The hulls are what could be found in time.
+void noteTimeLimit(Report& report) {
+  const auto is_cut = [](const ElementReport& row) { return !row.untried.empty(); };
+  const auto first = std::find_if(report.links.begin(), report.links.end(), is_cut);
+  if (first == report.links.end()) return;
+  const auto cut = std::count_if(first, report.links.end(), is_cut);
+  report.notes.push_back("the time limit ended the search for " + std::to_string(cut) + " of " + std::to_string(report.links.size()) +
+                         " meshes early, so they may have more hulls, or protrude further, than they need: '" + first->uri + "' lacks " +
+                         first->untried + "; their hulls cover, and their bounds hold, all the same");
+}
+
 }  // namespace
 
 void putTogether(const std::vector<MeshUse>& uses, const MeshResults& results, RobotResult& result) {
@@ -131,6 +143,7 @@ void putTogether(const std::vector<MeshUse>& uses, const MeshResults& results, R
   addSegmentFiles(result);
   noteHugeMeshes(result.report);
   noteSmallMeshes(result.report);
+  noteTimeLimit(result.report);
 }
 
 }  // namespace collision_hulls

@@ -48,7 +48,8 @@ void runStages(const RunInput& input, RobotResult& result, const std::function<v
     progress.begin("decompose", input.meshes_end, expectedCosts(found.tasks));
     for (std::size_t i = 0; i < input.uses.size(); ++i)
       if (found.done[i] && found.done[i]->status == Status::kFailed) progress.finishElement(input.uses[i].link, 0);
-    Run run{options, input.uses, found.tasks, cache, progress, std::move(found.done), result.report};
+    TimeBudget time(options.time_limit, expectedCosts(found.tasks), mostThreads());
+    Run run{options, input.uses, found.tasks, cache, progress, time, std::move(found.done), result.report};
     stages(run);
     progress.end();
     results = std::move(run.results);

@@ -10,6 +10,7 @@
 #include "pipeline/cache.h"
 #include "pipeline/mesh_uses.h"
 #include "pipeline/progress.h"
+#include "pipeline/time_budget.h"
 
 namespace collision_hulls {
 
@@ -20,6 +21,7 @@ struct Run {
   const std::vector<MeshTask>& tasks;
   Cache& cache;
   Progress& progress;
+  TimeBudget& time;
   MeshResults results;  ///< by use: at the end all of them
   Report& report;       ///< for what is no row
 };

@@ -161,6 +161,7 @@ void decomposeHulls(const ReadMesh& read, const LinkOptions& options, const Hull
   result.model.regions = std::move(made.regions);
   result.status = made.within_tolerance ? Status::kOk : Status::kDegraded;
   result.reason = made.reason;
+  result.untried = made.untried;
   result.seconds.decompose += made.seconds.decompose;
   result.seconds.certify = made.seconds.certify + stage.lap();
 }

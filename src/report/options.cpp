@@ -207,6 +207,19 @@ double parseMetresOrZero(const std::string& text, const std::string& option) {
   badOption(option, text, "0 or a positive length, as in 2cm, 20mm or 0.02 (metres)");
 }
 
+double parseSeconds(const std::string& text, const std::string& option) {
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  double number = 0;
+  std::string unit, rest;
+  in >> number;
+  const bool is_number = !in.fail() && std::isfinite(number) && number >= 0;
+  in >> unit >> rest;
+  for (const auto& [name, seconds] : {std::pair<const char*, double>{"", 1}, {"s", 1}, {"ms", 0.001}, {"min", 60}, {"h", 3600}})
+    if (is_number && rest.empty() && unit == name) return number * seconds;
+  badOption(option, text, "0 or a positive time, as in 5s, 500ms, 2min or 5 (seconds)");
+}
+
 double parsePadding(const std::string& text, const std::string& option) {
   const double metres = parseMetresOrZero(text, option);
   if (metres > 0) checkLength(option, lengthOf(metres));
@@ -322,6 +335,20 @@ void checkShapes(const LinkOptions& options) {
   if (!options.regions.empty()) refuse("region '" + options.regions.front().name + "'", "hulls alone keep");
 }
 
+/// Where the limit would be ignored.
+void checkTimeLimit(const Options& options) {
+  if (options.time_limit == 0) return;
+  const std::string limit = plain(options.time_limit) + " s";
+  if (!(std::isfinite(options.time_limit) && options.time_limit > 0)) badOption("time-limit", limit, "0 (no limit) or a time above it");
+  const auto refuse = [&](const std::string& setting, const std::string& why) {
+    throw Error(ErrorCode::kBadOption, "time-limit '" + limit + "' contradicts " + setting + ", which " + why + "; leave one of them out");
+  };
+  if (options.method != Method::kCertified) refuse(std::string("method '") + name(options.method) + "'", "takes the time that it takes");
+  if (options.tree) refuse("tree '" + toString(*options.tree) + "'", "is cached whole");
+  if (options.shapes != Shapes::kHulls && options.shapes != Shapes::kMixed)
+    refuse(std::string("shapes '") + name(options.shapes) + "'", "take the time that they take");
+}
+
 void check(const Options& options) {
   checkTolerance(options.tolerance);
   checkShapes(options);
@@ -331,6 +358,7 @@ void check(const Options& options) {
   checkModels(options.models);
   checkPositive("reader-memory", options.reader_memory);
   checkPositive("reader-time", options.reader_time);
+  checkTimeLimit(options);
   checkRange("jobs", options.jobs, 1, kMostJobs, "as many threads as cores");
   if (!(std::isfinite(options.scale) && options.scale > 0))
     badOption("scale", plain(options.scale), "a number above 0, as in 0.001 for a mesh in millimetres");

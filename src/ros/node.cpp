@@ -110,8 +110,9 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
   const StatedJob job(preview_, "fit_scene");
   const Input input = inputOf(request.robot_description, control);
   Options own = readOptions(private_);
-  own.method = Method::kCertified;  // ~method is for the other job
+  own.method = Method::kCertified;  // ~method, ~tree and ~time_limit are for the other job
   own.tree.reset();
+  own.time_limit = 0;
   const Options options = requestedOptions(configured(private_, request.config, own), toRequest(request), input.robot);
   const std::string output = outputFor(request.output, input);
   const SceneRequest scene = requestedScene(request, input, options, control);

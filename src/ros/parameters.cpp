@@ -71,6 +71,13 @@ double readPadding(const ros::NodeHandle& node) {
   return text.empty() ? 0 : parsePadding(text, "parameter " + node.resolveName("padding"));
 }
 
+double readSeconds(const ros::NodeHandle& node, const std::string& name) {
+  double seconds = 0;
+  if (node.getParam(name, seconds)) return seconds;
+  const std::string text = textParameter(node, name);
+  return text.empty() ? 0 : parseSeconds(text, "parameter " + node.resolveName(name));
+}
+
 /// The regular expression that matches these names alone; empty for all.
 std::string linksExpression(const std::vector<std::string>& names, const RobotDescription& robot) {
   std::set<std::string> known;
@@ -131,6 +138,7 @@ Options readOptions(const ros::NodeHandle& node) {
   readNumber(node, "jobs", options.jobs);
   readNumber(node, "reader_memory", options.reader_memory);
   readNumber(node, "reader_time", options.reader_time);
+  options.time_limit = readSeconds(node, "time_limit");
   readFlag(node, "validate", options.validate);
   readFlag(node, "cache", options.cache);
   readFlag(node, "html", options.html);
@@ -181,6 +189,7 @@ Options requestedOptions(Options options, const DecomposeRequest& request, const
     options.tolerance = {unsetIfZero(request.tolerance), unsetIfZero(request.relative_tolerance)};
   if (request.max_hulls != 0) options.max_hulls = request.max_hulls;
   if (request.max_vertices != 0) options.max_vertices = request.max_vertices;
+  if (request.time_limit != 0) options.time_limit = request.time_limit;
   if (!request.method.empty()) options.method = named(methodNamed, "method", request.method, methodChoices());
   if (!request.links.empty()) {
     options.links = linksExpression(request.links, robot);
@@ -200,6 +209,7 @@ Options buildOptions(const Options& options, const BuildRequest& request, const 
   result.segments = false;
   result.models.clear();
   if (!result.tree) result.tree = previewTree(options.tolerance);
+  result.time_limit = 0;  // trees are built whole
   if (!request.only.empty()) {
     result.links = linksExpression(request.only, robot);
     result.links_place.clear();

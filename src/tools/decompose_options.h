@@ -172,6 +172,9 @@ class DecomposeOptionAdder {
 
   void addRun() {
     addNumber("Run", "--jobs", &Options::jobs, "Threads; 0: as many as cores. The result is the same for any number");
+    add("Run", "--time-limit", "TIME", "none",
+        "Time for making the hulls of all meshes, such as 5s or 2min: what was found by then counts, and is certified (method certified)",
+        [](Options& options, const std::string& option, const std::string& text) { options.time_limit = parseSeconds(text, option); });
     addNumber("Run", "--reader-memory", &Options::reader_memory, "Memory [MiB] for reading a mesh; a large file may take more");
     addNumber("Run", "--reader-time", &Options::reader_time, "Computing time [s] for reading a mesh; a large file may take more");
     add("Run", "--seed", "N", std::to_string(Options().seed), "Seed of the validation's probes and of everything else that is random",

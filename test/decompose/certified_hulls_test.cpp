@@ -229,5 +229,32 @@ TEST(ExpectCovered, NamesTheMesh) {
   EXPECT_NO_THROW(expectCovered(box, {convexHull(box.vertices)}, "box.stl"));
 }
 
+// Deadlines. That of an hour never passes here; that of now has passed when the search begins.
+
+RunControl::Time soon(int hours) {
+  return std::chrono::steady_clock::now() + std::chrono::hours(hours);
+}
+
+TEST(Deadline, ThatIsFarChangesNothing) {
+  RunControl control;
+  control.deadline = soon(1);
+  for (const TriangleMesh& mesh : {channel(), test_shapes::torus(0.1, 0.03, 24, 12)}) {
+    const CertifiedHulls free = certifiedHulls(mesh, within(0.004)), result = certifiedHulls(mesh, within(0.004), control);
+    EXPECT_EQ(toBytes(result.hulls), toBytes(free.hulls));
+    EXPECT_EQ(result.untried, "");
+  }
+}
+
+TEST(Deadline, ThatHasPassedLeavesAHullThatCovers) {
+  RunControl control;
+  control.deadline = soon(0);
+  const CertifiedHulls result = certifiedHulls(channel(), within(0.004), control);
+  expectPromise(channel(), result, 0.004);
+  EXPECT_EQ(result.hulls.size(), 1u);
+  EXPECT_GE(result.bound, kHalfGap);
+  EXPECT_NE(result.untried.find("dividing all of the surface"), std::string::npos) << result.untried;
+  EXPECT_NE(result.reason.find("raise the time limit"), std::string::npos) << result.reason;
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -296,5 +296,18 @@ TEST(Protrusion, ASheetThatIsNotQuiteFlat) {
   EXPECT_LE(p.bound, 0.00301);
 }
 
+// Whenever time ends, the bound holds: it is only less tight.
+TEST(Protrusion, ABoundAfterTheDeadline) {
+  const TriangleMesh bowl = test_shapes::openBox();
+  const std::vector<ConvexHull> hulls = {hullOf(bowl)};
+  const Protrusion exact = protrusion(hulls, solidOf(bowl), 1e-3);
+  RunControl late;
+  late.deadline = std::chrono::steady_clock::now();
+  const Protrusion early = protrusion(hulls, solidOf(bowl), 1e-6, late);
+  EXPECT_GE(early.bound, exact.found);
+  EXPECT_LE(early.bound, diagonal(bowl));
+  EXPECT_GT(early.bound - early.found, 1e-3) << "the search went on";
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -369,5 +369,31 @@ TEST_F(CachedRun, OneMesh) {
   EXPECT_EQ(toBytes(second.elements[0].original), toBytes(first.elements[0].original));
 }
 
+// What a time limit cut short is neither kept nor taken for what a run without one finds, and says so.
+TEST_F(CachedRun, NothingThatTimeCutShort) {
+  options_.cache = false;
+  const json free = timeless(run());
+  options_.cache = true;
+  options_.time_limit = 1e-9;
+  const RobotResult cut = run();
+  EXPECT_EQ(cut.report.links[1].hulls, 1u);
+  EXPECT_EQ(cut.report.links[1].status, Status::kDegraded);
+  EXPECT_NE(cut.report.links[1].untried, "");
+  const auto says = [](const RobotResult& result) {
+    return std::count_if(result.report.notes.begin(), result.report.notes.end(), [](const std::string& note) {
+      return note.find("the time limit ended the search for 3 of 4 meshes") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(says(cut), 1);
+  EXPECT_EQ(cut.report.validation.missed, 0);
+  EXPECT_EQ(entries().size(), 0u);
+  options_.time_limit = 0;
+  EXPECT_EQ(timeless(run()), free);
+  options_.time_limit = 1e-9;
+  const RobotResult known = run();
+  EXPECT_EQ(cachedRows(known), kAll) << "what is known takes no time";
+  EXPECT_EQ(says(known), 0);
+}
+
 }  // namespace
 }  // namespace collision_hulls

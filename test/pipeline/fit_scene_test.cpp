@@ -76,6 +76,9 @@ TEST_F(FitRobotToScene, RejectsWhatAFitDoesNotKeep) {
     return std::string();
   };
   const Options plain = options_;
+  options_.time_limit = 5;
+  EXPECT_NE(message().find("time-limit"), std::string::npos);
+  options_ = plain;
   options_.padding = 0.02;
   EXPECT_NE(message().find("padding '2cm' of link 'base'"), std::string::npos);
   options_ = plain;

@@ -195,5 +195,30 @@ TEST(UriStyles, Names) {
   EXPECT_FALSE(uriStyleNamed("http"));
 }
 
+TEST(ParseSeconds, Units) {
+  const std::pair<const char*, double> times[] = {{"5s", 5}, {"5", 5}, {"500ms", 0.5}, {"2min", 120}, {"1.5 h", 5400}, {"0", 0}};
+  for (const auto& [text, seconds] : times) EXPECT_DOUBLE_EQ(parseSeconds(text, "--time-limit"), seconds) << text;
+  for (const char* wrong : {"", "s", "-1s", "5m", "5s later", "inf", "nan", "1e400s"})
+    EXPECT_NE(badOption([&] { parseSeconds(wrong, "--time-limit"); }).find("--time-limit '" + std::string(wrong) + "'"), std::string::npos)
+        << wrong;
+}
+
+TEST(CheckOptions, TimeLimitIsRefusedWhereItWouldBeIgnored) {
+  const auto message = [](const auto& change) {
+    Options options;
+    options.time_limit = 5;
+    change(options);
+    return badOption([&] { check(options); });
+  };
+  EXPECT_NE(message([](Options& o) { o.method = Method::kHacd; }).find("time-limit '5 s' contradicts method 'hacd'"), std::string::npos);
+  EXPECT_NE(message([](Options& o) { o.tree = parseLength("1mm"); }).find("tree '1mm'"), std::string::npos);
+  EXPECT_NE(message([](Options& o) { o.shapes = Shapes::kSpheres; }).find("shapes 'spheres'"), std::string::npos);
+  EXPECT_NE(message([](Options& o) { o.time_limit = -1; }).find("time-limit '-1 s'"), std::string::npos);
+  Options mixed;
+  mixed.time_limit = 5;
+  mixed.shapes = Shapes::kMixed;
+  EXPECT_NO_THROW(check(mixed));
+}
+
 }  // namespace
 }  // namespace collision_hulls

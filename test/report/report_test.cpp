@@ -58,7 +58,7 @@ TEST(ReportJson, HasTheFieldsOfTheContract) {
     for (const char* field :
          {"link",       "element", "source",      "uri",      "sha256",        "scale",     "triangles",     "status",           "reason",
           "repair",     "method",  "tolerance",   "hulls",    "hull_vertices", "uncovered", "protrusion",    "protrusion_found", "interior",
-          "primitives", "volume",  "hull_volume", "diagonal", "seconds",       "files",     "covered_share", "least_hulls"}) {
+          "primitives", "volume",  "hull_volume", "diagonal", "seconds",       "files",     "covered_share", "least_hulls", "untried"}) {
       EXPECT_TRUE(row.contains(field)) << field;
     }
     for (const char* field : {"welded", "degenerate", "duplicate", "flipped", "components", "open_edges", "nonmanifold_edges"})
@@ -69,7 +69,7 @@ TEST(ReportJson, HasTheFieldsOfTheContract) {
                             "mesh_query_us", "hull_query_us"})
     EXPECT_TRUE(document["validation"].contains(field)) << field;
   for (const char* field : {"tolerance", "method", "effort", "fill", "tree", "segments", "max-hulls", "max-vertices", "links", "source",
-                            "scale", "format", "uri", "jobs"})
+                            "scale", "format", "uri", "jobs", "time-limit"})
     EXPECT_TRUE(document["options"].contains(field)) << field;
 }
 

@@ -60,6 +60,8 @@ struct Decomposition {
   std::vector<ConvexHull> hulls;
   /// a cap (on hulls or vertices) made the result coarser than the tolerance alone would
   bool capped = false;
+  /// what the control's deadline cut short or left out, for people; empty: nothing
+  std::string untried;
 };
 
 /// Decomposes a mesh. Deterministic: the same input and options give the same bytes, whatever else

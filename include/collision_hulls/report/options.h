@@ -178,7 +178,15 @@ struct Options : LinkOptions {
   std::uint64_t seed = 1;
   int reader_memory = 512;  ///< [MiB] of MeshLimits, for the robot's meshes
   int reader_time = 4;      ///< [s] of MeshLimits
+  /// [s] for making hulls by certified, of all meshes together, which share it; 0: no limit.
+  /// Reading, validating and writing come on top. Other shapes than hulls and mixed, and trees,
+  /// ignore it
+  double time_limit = 0;
 };
+
+/// Throws kBadOption for a text that is not 0 or a time: "5s", "500ms", "2min", or seconds alone.
+/// `option`: what the message calls it.
+double parseSeconds(const std::string& text, const std::string& option);
 
 std::string methodChoices();  ///< the names of all methods, for messages
 std::string effortChoices();  ///< the same for efforts

@@ -71,6 +71,8 @@ struct ElementReport : MeshFacts, HullFacts {
   Status status = Status::kOk;
   std::string reason;  ///< why degraded or failed; names item, value, limit and remedy
   std::string error;   ///< of a failed row: the name of its ErrorCode
+  /// What the time limit cut short or left out; empty: nothing. Such rows are not cached.
+  std::string untried;
   Method method = Method::kCertified;
   double padding = 0;  ///< [m]
   Shapes shapes = Shapes::kHulls;

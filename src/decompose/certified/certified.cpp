@@ -15,8 +15,12 @@
 //
 // Cost. With T triangles and K leaves, splitting builds hulls of pieces that halve about log K times, O(T log T log K); it asks O(K) hulls
 // of the oracle and scores some hundreds of planes per split on pieces of at most 200 vertices, whatever T is. Merging looks at O(K^2)
-// pairs and builds a hull only for those that come out on top. The search is limited by a count of hulls, never by time: the result is the
-// same everywhere.
+// pairs and builds a hull only for those that come out on top. The search is limited by a count of hulls: the result is the same
+// everywhere.
+//
+// A deadline (RunControl) ends the search as such: splitting leaves the rest of the surface whole, and what was merged and proven by then
+// counts. Such results do depend on the machine. Coarser covers, which take little time, come first then, so that there is something to
+// fall back on.
 //
 // Tried and given up: clusters of the surface as leaves (as good on smooth shapes, far worse on mechanical parts); one score for all meshes
 // (none wins everywhere); ray concavity or volume as the limit (neither bounds protrusion); leaves that use the whole tolerance (merging
@@ -29,6 +33,7 @@
 
 #include "base/parallel.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
+#include "decompose/certified/in_time.h"
 #include "decompose/certified/largest_side.h"
 #include "decompose/certified/local_search.h"
 #include "decompose/certified/merging.h"
@@ -49,6 +54,8 @@ constexpr std::size_t kManyLeaves = 8, kManyLeavesPerHull = 8;
 constexpr ScoreWeights kLargeSides{0.5, 0.3, 0}, kAnySide{0.5, 0, 0.1}, kLittleVolume{0.1, 0, 0};
 // Quick: the second and the third way are tried only if the best cover so far has no more hulls than this, when every hull counts.
 constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max(), kFew = 24, kVeryFew = 10;
+// Multiples of the tolerance that are tried before it where there is a deadline.
+constexpr double kCoarser[] = {16, 4};
 // Evaluations of the search, and for Effort::kBest the elements that leaves are halved into and the evaluations after each way of
 // splitting.
 constexpr long kQuickEvaluations = 400, kBestEvaluations = 10'000, kFirstEvaluations = 200;
@@ -137,21 +144,37 @@ class Job {
         plan_(planFor(options.effort)),
         control_(control),
         solid_(mesh, control),
-        oracle_(solid_, boundingBox(mesh), options.tolerance, control, options.regions) {}
+        oracle_(solid_, boundingBox(mesh), options.tolerance, searching_, options.regions) {
+    searching_.whole = &control;
+    searching_.stops_at_deadline = true;
+  }
 
   /// The steps at the top of this file, without the tree. The cover's hulls, capped, are proven to fit, but for leaves that could not be
-  /// split. groups_ is then what the cover's groups belong to.
+  /// split, or not in time. groups_ is then what the cover's groups belong to.
   Cover cover() {
+    Coarse coarse;
+    if (control_.until() != RunControl::Time::max()) coarse = coarseCover();
     Cover best;
     const double step = kCovered / static_cast<double>(plan_.ways.size());
     Stretch stretch{0, step};
     for (const Way& way : plan_.ways) {
+      if (groups_ && searching_.late()) break;
       const bool is_better = isWorthTrying(way, best) && tryWay(way, stretch, best);
-      if (is_better && isLeast(best, mesh_.mesh, solid_, options_.tolerance)) return best;
+      if (is_better && untried_.empty() && isLeast(best, mesh_.mesh, solid_, options_.tolerance)) return best;
       stretch = {stretch.to, stretch.to + step};
     }
-    return improved(std::move(best), *groups_, {plan_.evaluations, options_.seed}, reporting(control_, {kCovered, kSearched}));
+    if (!divided_ && coarse.groups) {
+      groups_ = std::move(coarse.groups);
+      return coarse.cover;
+    }
+    if (plan_.ways.size() > 1) note("other ways to divide it");
+    best = improved(std::move(best), *groups_, {plan_.evaluations, options_.seed}, reporting(control_, {kCovered, kSearched}));
+    if (plan_.evaluations > 0) note("the search for fewer hulls");
+    return best;
   }
+
+  /// What the deadline cut short or left out; empty: nothing.
+  const std::string& untried() const { return untried_; }
 
   std::vector<ConvexHull> hullsOf(const Cover& cover) const {
     std::vector<ConvexHull> hulls(cover.size());
@@ -159,21 +182,48 @@ class Job {
     return hulls;
   }
 
+  /// After the deadline its bounds are loose.
   HullTree treeOver(Cover cover) {
+    searching_.stops_at_deadline = false;
     forEach(cover.size(), [&](std::size_t i) { cover[i].hull = std::make_shared<ConvexHull>(groups_->exactHull(cover[i])); });
     return treeAbove(cover, oracle_, reporting(control_, {kSearched, 1}));
   }
 
  private:
+  /// A cover at a larger tolerance. No groups: there is none.
+  struct Coarse {
+    Cover cover;
+    std::unique_ptr<SurfaceGroups> groups;
+  };
+
+  /// For when time ends before there is a cover at the tolerance itself: the finest of some that was made in time.
+  Coarse coarseCover() {
+    Coarse finest;
+    for (const double factor : kCoarser) {
+      oracle_.setTolerance(factor * options_.tolerance);
+      Coarse next;
+      tryWay(plan_.ways.front(), {0, 0}, next.cover);
+      next.groups = std::move(groups_);
+      if (searching_.late() && finest.groups) break;
+      finest = std::move(next);
+    }
+    oracle_.setTolerance(options_.tolerance);
+    untried_.clear();
+    return finest;
+  }
+
   bool isWorthTrying(const Way& way, const Cover& best) { return best.size() <= way.few && (!way.largest_side_first || hasLargeSide()); }
 
   /// Whether splitting this way gives a cover of fewer hulls than `best`, or the first cover, which then replaces it.
   bool tryWay(const Way& way, const Stretch& stretch, Cover& best) {
     const std::size_t most = groups_ ? kManyLeaves + kManyLeavesPerHull * best.size() : SplitOptions{}.most_leaves;
     const std::vector<Leaf> parts = leaves(way, most, reporting(control_, stretch.part(0, kSplitting)));
-    if (groups_ && parts.size() >= most) return false;
+    if (groups_ && (parts.size() >= most || searching_.late())) return false;  // what is left whole would pass for few hulls
+    divided_ = !searching_.late();
+    note("dividing all of the surface within the tolerance");
     auto groups = std::make_unique<SurfaceGroups>(parts, plan_.elements, oracle_, options_.max_vertices);
     Cover cover = mergedBest(groups->leaves(), *groups);
+    note("merging hulls");
     if (plan_.first_evaluations > 0) {
       const SearchOptions search{plan_.first_evaluations, options_.seed};
       cover = improved(std::move(cover), *groups, search, reporting(control_, stretch.part(kSplitting, 1)));
@@ -186,7 +236,8 @@ class Job {
 
   bool hasLargeSide() {
     oracle_.setShare(kLargeLeafShare);
-    const bool result = largestSide(withLoose(mesh_), oracle_).has_value();
+    bool result = false;
+    inTime([&] { result = largestSide(withLoose(mesh_), oracle_).has_value(); });
     oracle_.setShare(1);
     return result;
   }
@@ -199,13 +250,21 @@ class Job {
     return leaves;
   }
 
+  /// After a stage: all that is named after the deadline is untried, be it only in part.
+  void note(const std::string& stage) {
+    if (searching_.late()) untried_ += (untried_.empty() ? "" : ", ") + stage;
+  }
+
   const RepairedMesh& mesh_;
   const DecomposeOptions options_;
   const Plan plan_;
   const RunControl& control_;
+  RunControl searching_;  // ends at the deadline
   const Solid solid_;
   ProtrusionOracle oracle_;
   std::unique_ptr<SurfaceGroups> groups_;  // of the best cover
+  bool divided_ = false;                   // by the last way in time
+  std::string untried_;
 };
 
 }  // namespace
@@ -216,6 +275,7 @@ Decomposition certified(const RepairedMesh& original, const DecomposeOptions& op
   Job job(mesh, place.brought(options), control);
   Decomposition result;
   Cover cover = job.cover();
+  result.untried = job.untried();
   result.capped = options.max_hulls > 0 && cover.size() > static_cast<std::size_t>(options.max_hulls);
   if (result.capped) {
     const HullTree tree = job.treeOver(std::move(cover));

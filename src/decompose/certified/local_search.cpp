@@ -16,6 +16,7 @@
 
 #include <algorithm>
 
+#include "decompose/certified/in_time.h"
 #include "decompose/certified/merging.h"
 #include "decompose/dice.h"
 
@@ -154,8 +155,11 @@ bool leastPossible(const Cover& cover, SurfaceGroups& groups) {
 
 }  // namespace
 
-Cover improved(Cover cover, SurfaceGroups& groups, const SearchOptions& options, const std::function<void(double)>& progress) {
-  if (leastPossible(cover, groups)) return cover;
+namespace {
+
+/// Leaves in `cover` the best proven one at any time.
+void improve(Cover& cover, SurfaceGroups& groups, const SearchOptions& options, const std::function<void(double)>& progress) {
+  if (leastPossible(cover, groups)) return;
   Search search(groups, options.seed);
   Cover current = cover;  // no more groups than `cover`; only `cover` is proven
   long first = groups.evaluations();
@@ -183,6 +187,12 @@ Cover improved(Cover cover, SurfaceGroups& groups, const SearchOptions& options,
       current = cover;  // some of its merges were refuted
     }
   }
+}
+
+}  // namespace
+
+Cover improved(Cover cover, SurfaceGroups& groups, const SearchOptions& options, const std::function<void(double)>& progress) {
+  inTime([&] { improve(cover, groups, options, progress); });
   return cover;
 }
 

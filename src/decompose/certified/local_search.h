@@ -15,7 +15,7 @@ struct SearchOptions {
 };
 
 /// A cover with no more groups than `cover`, proven if `cover` is. Deterministic. Calls `progress`
-/// with the share of evaluations used.
+/// with the share of evaluations used. A deadline ends it with what it has.
 Cover improved(Cover cover, SurfaceGroups& groups, const SearchOptions& options, const std::function<void(double)>& progress);
 
 }  // namespace collision_hulls

@@ -23,6 +23,7 @@
 #include <utility>
 
 #include "base/at.h"
+#include "decompose/certified/in_time.h"
 #include "decompose/dice.h"
 #include "decompose/pair_queue.h"
 
@@ -59,7 +60,14 @@ class Merging {
     all_pairs_ = false;
     const std::vector<int> given = std::move(live_);
     live_.clear();
-    for (const int b : given) pairWithEarlier(b, -1, -1);
+    for (const int b : given) {
+      if (groups_.control().cancelled()) groups_.control().check();
+      if (groups_.control().late())
+        live_.push_back(b);  // in no pair, but in the cover
+      else
+        pairWithEarlier(b, -1, -1);
+    }
+    groups_.control().check();
     mergeQueued(proof);
     if (live_.size() > kMany) return;
     all_pairs_ = true;
@@ -113,12 +121,14 @@ class Merging {
   void queue(int a, int b) { queue_.push({costOf(group(a), group(b), cost_), a, b}); }
 
   void mergeQueued(Proof proof) {
-    while (const auto pair = queue_.takeCheapest([&](int i) { return isLive(i); })) tryMerge(pair->a, pair->b, proof);
+    while (const auto pair = queue_.takeCheapest([&](int i) { return isLive(i); })) {
+      groups_.control().check();
+      tryMerge(pair->a, pair->b, proof);
+    }
   }
 
   /// Pairs group b with the earlier ones. If b is a union, `left` and `right` are its parts.
   void pairWithEarlier(int b, int left, int right) {
-    groups_.control().check();
     if (apart_.size() == at(b)) apart_.emplace_back(at(b), false);
     for (const int a : live_) {
       if (left >= 0 && (apart(a, left) || apart(a, right))) setApart(a, b);
@@ -155,8 +165,17 @@ Cover merged(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof pr
   return merging.cover();
 }
 
-Cover mergedBest(const Cover& cover, SurfaceGroups& groups) {
-  if (cover.size() > kSeveral) return merged(cover, groups, {MergeCost::kSquares, 0, 0}, Proof::kAtOnce);
+namespace {
+
+/// Each merge is proven, so those that were made in time count.
+Cover mergedInTime(const Cover& cover, SurfaceGroups& groups) {
+  Merging merging(cover, groups, {MergeCost::kSquares, 0, 0});
+  inTime([&] { merging.run(Proof::kAtOnce); });
+  return merging.cover();
+}
+
+/// By the kind of cost that provisionally leaves fewest.
+Cover mergedByBestKind(const Cover& cover, SurfaceGroups& groups) {
   ApartPairs apart;
   std::optional<Merging> best;
   for (const auto kind : {MergeCost::kSize, MergeCost::kGrowth, MergeCost::kMeanGrowth, MergeCost::kSquares}) {
@@ -167,6 +186,15 @@ Cover mergedBest(const Cover& cover, SurfaceGroups& groups) {
   }
   while (!best->settle()) best->run(Proof::kLater);
   return best->cover();
+}
+
+}  // namespace
+
+Cover mergedBest(const Cover& cover, SurfaceGroups& groups) {
+  if (cover.size() > kSeveral) return mergedInTime(cover, groups);
+  Cover result = cover;
+  if (inTime([&] { result = mergedByBestKind(cover, groups); })) return result;
+  return cover;
 }
 
 }  // namespace collision_hulls

@@ -26,6 +26,7 @@ Cover merged(Cover cover, SurfaceGroups& groups, const MergeCost& cost, Proof pr
 
 /// Merges greedily with everything proven. For few groups it takes the kind of cost that
 /// provisionally leaves fewest; for many, kSquares, which did best when the kinds were compared.
+/// Where a deadline ends it, with the merges proven by then.
 Cover mergedBest(const Cover& cover, SurfaceGroups& groups);
 
 }  // namespace collision_hulls

@@ -25,6 +25,7 @@
 
 #include "base/parallel.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
+#include "decompose/certified/in_time.h"
 #include "decompose/certified/largest_side.h"
 #include "decompose/certified/split_planes.h"
 #include "mesh/loose_segments.h"
@@ -120,11 +121,25 @@ class Splitting {
   std::vector<Leaf> leaves;
 
  private:
-  /// One block. The hull that refutes a piece need not be the piece's: that of some points lies in it, and that of few vertices (`thin`) in
-  /// that. So the whole hull is built only where the smaller ones are clear of intruders, and proven only then.
+  /// One block. Where time ends it is left whole.
   void run(Block block, int depth) {
+    Leaf whole;  // but for its block
+    std::vector<Block> parts;
+    if (!inTime([&] { parts = divided(block, depth, whole); })) whole = {{}, roughHull(block.surface.vertices)};
+    if (parts.size() < 2) {
+      whole.block = std::move(block);
+      return leaf(std::move(whole));
+    }
+    block = {};
+    run(std::move(parts), depth + 1);
+  }
+
+  /// The parts of a block, or less than two, and then its hull. The hull that refutes a piece need not be the piece's: that of some points
+  /// lies in it, and that of few vertices (`thin`) in that. So the whole hull is built only where the smaller ones are clear of intruders,
+  /// and proven only then.
+  std::vector<Block> divided(const Block& block, int depth, Leaf& whole) {
     const std::vector<Eigen::Vector3d>& points = block.surface.vertices;
-    ConvexHull hull = roughHull(some(points));
+    ConvexHull& hull = whole.hull = roughHull(some(points));
     const ConvexHull thin = thinned(hull, kThin);
     const double reach = oracle_.reach(thin);
     const bool clear = !std::isinf(reach), is_last = depth >= kDeepest || isFull();
@@ -137,15 +152,12 @@ class Splitting {
     // If `thin` is the whole hull, its reach is known already.
     const bool is_asked = !reduced && points.size() <= kSome && thin.vertices.size() == hull.vertices.size();
     const bool fits = clear && (is_asked ? oracle_.fitsWithin(hull, reach) : oracle_.fits(reduced ? *reduced : hull));
-    if (fits || is_last) return leaf({std::move(block), std::move(hull), fits ? reduced : nullptr});
+    if (fits) whole.reduced = reduced;
+    if (fits || is_last) return {};
     std::vector<Block> parts = components(block);
     if (parts.size() == 1) parts = over_cap || depth >= kHalveFrom ? halves(block, on_plane_) : bestSplit(block, clear ? hull : thin);
-    if (parts.size() == 1) {
-      complete();
-      return leaf({std::move(block), std::move(hull)});
-    }
-    block = {};
-    run(std::move(parts), depth + 1);
+    if (parts.size() == 1) complete();
+    return parts;
   }
 
   bool isFull() const { return leaves.size() >= options_.most_leaves || static_cast<double>(leaves.size()) >= budget_; }

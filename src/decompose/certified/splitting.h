@@ -30,7 +30,7 @@ struct Leaf {
 
 /// Splits a mesh into leaves whose blocks make up the whole surface (including loose segments). By
 /// the oracle's account each hull stays within the tolerance, unless its piece could not be split
-/// further. The order is fixed. Calls `progress` with the finished share of the area.
+/// further, or the deadline of the oracle's control passed. The order is fixed. Calls `progress` with the finished share of the area.
 std::vector<Leaf> splitIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& oracle, const SplitOptions& options,
                                   const std::function<void(double)>& progress);
 

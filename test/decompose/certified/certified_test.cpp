@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "decompose/certified/certified_cases.h"
 
 namespace collision_hulls {
@@ -257,6 +258,64 @@ TEST(Certified, CanBeCancelledAtAnyTime) {
       EXPECT_EQ(error.code(), ErrorCode::kCancelled);
     }
   }
+}
+
+// Deadlines.
+
+TriangleMesh ring() {
+  return test_shapes::torus(0.1, 0.03, 32, 16);
+}
+
+/// The search is at `share` of its work when time ends.
+Decomposition endedAt(double share, const TriangleMesh& mesh, const DecomposeOptions& options) {
+  RunControl control;
+  control.deadline = std::chrono::steady_clock::now() + std::chrono::hours(1);
+  control.progress = [&](double done) {
+    if (done >= share) control.deadline = std::chrono::steady_clock::now();
+  };
+  Decomposition result;
+  withJobs(1, [&] { result = certified(repair(mesh), options, control); });
+  return result;
+}
+
+double protrusionOf(const std::vector<ConvexHull>& hulls, const TriangleMesh& mesh) {
+  return protrusion(hulls, test_shapes::solidOf(mesh), 1e-5).bound;
+}
+
+TEST(CertifiedUntilADeadline, HullsCoverWheneverTimeEnds) {
+  for (const Effort effort : allEfforts()) {
+    for (const double share : {0.0, 0.01, 0.1, 0.3, 0.45, 0.55, 0.69}) {
+      SCOPED_TRACE(std::string(name(effort)) + " until " + std::to_string(share));
+      const Decomposition result = endedAt(share, ring(), within(0.002, effort));
+      expectCovers(repair(ring()), result.hulls, 64);
+      EXPECT_LT(result.hulls.size(), 500u);
+    }
+  }
+}
+
+// Of an hour, nothing passes while leaves are made; the first progress at the tolerance itself comes after the coarser covers.
+TEST(CertifiedUntilADeadline, ACoarserCoverStandsInForOneThatIsNotComplete) {
+  const Decomposition result = endedAt(0.001, ring(), within(0.002));
+  EXPECT_GT(result.hulls.size(), 1u);
+  const double reached = protrusionOf(result.hulls, ring());
+  EXPECT_GT(reached, 0.002);
+  EXPECT_LT(reached, 4 * 0.002);
+  EXPECT_NE(result.untried.find("dividing all of the surface"), std::string::npos) << result.untried;
+}
+
+TEST(CertifiedUntilADeadline, TheToleranceHoldsOnceTheSurfaceIsDivided) {
+  for (const double share : {0.5, 0.65}) {
+    const Decomposition result = endedAt(share, ring(), within(0.004));
+    EXPECT_LE(protrusionOf(result.hulls, ring()), 0.004);
+    EXPECT_NE(result.untried.find("the search for fewer hulls"), std::string::npos) << result.untried;
+    EXPECT_EQ(result.untried.find("dividing all"), std::string::npos) << result.untried;
+  }
+}
+
+TEST(CertifiedUntilADeadline, CapsHold) {
+  DecomposeOptions options = within(0.002);
+  options.max_hulls = 3;
+  for (const double share : {0.0, 0.01, 0.3}) EXPECT_LE(endedAt(share, ring(), options).hulls.size(), 3u);
 }
 
 }  // namespace

@@ -1,0 +1,42 @@
+// Divides the time of a run between its meshes.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <vector>
+
+#include "collision_hulls/control.h"
+
+namespace collision_hulls {
+
+/// Each task gets the part of what is left that its expected cost is of the waiting tasks', so what one saves, the others have. Thread
+/// safe.
+class TimeBudget {
+ public:
+  using Clock = std::function<RunControl::Time()>;
+
+  /// From now on, for tasks of these expected costs on so many threads. 0 seconds: no limit.
+  TimeBudget(double seconds, std::vector<double> costs, std::size_t threads, Clock clock = std::chrono::steady_clock::now);
+
+  /// When a task that begins now, or has begun, should be done. One that takes no time need not begin.
+  RunControl::Time begin(std::size_t task);
+  void finish(std::size_t task);
+
+ private:
+  enum class State { kWaiting, kRunning, kDone };
+  struct Task {
+    double cost = 0;
+    State state = State::kWaiting;
+    RunControl::Time deadline;
+  };
+  double left(const RunControl::Time& end, const RunControl::Time& now) const;
+
+  const Clock clock_;
+  const RunControl::Time end_;
+  const double threads_;
+  std::mutex mutex_;
+  std::vector<Task> tasks_;
+};
+
+}  // namespace collision_hulls

@@ -21,11 +21,7 @@ int main(int argc, char** argv) {
                   command.program);
   app.footer(kFooter);
   addRobotOptions(app, "A ROS package, a .urdf or .xacro file, or one mesh (.stl .dae .obj .off .ply .glb .gltf)", command);
-  app.add_option("--model", command.models,
-                 "Make a model of this name with this tolerance; repeat it for several models from the same trees")
-      ->type_name("NAME=LENGTH")
-      ->check(notEmpty("a name and a tolerance, as in contact=2mm"))
-      ->group("Accuracy");
+  addModelOption(app, command);
   const RobotWork work = [&](const Input& input, const std::string& output, const RunControl& control, const StepCallback& step) {
     return decompose(input, command.options, output, control, step);
   };

@@ -74,6 +74,15 @@ inline void addRobotOptions(CommandLine& app, const std::string& input, RobotCom
   DecomposeOptionAdder(app, command.given).addAll();
 }
 
+/// The option of programs that make several models.
+inline void addModelOption(CommandLine& app, RobotCommand& command) {
+  app.add_option("--model", command.models,
+                 "Make a model of this name with this tolerance; repeat it for several models from the same trees")
+      ->type_name("NAME=LENGTH")
+      ->check(notEmpty("a name and a tolerance, as in contact=2mm"))
+      ->group("Accuracy");
+}
+
 inline const RunControl* interrupted_run = nullptr;
 
 /// The first signal stops the run in order, a second one as ever.
@@ -226,14 +235,14 @@ inline void confine(const RobotCommand& command, std::optional<Confinement>& con
 using RobotWork =
     std::function<RobotResult(const Input& input, const std::string& output, const RunControl& control, const StepCallback& step)>;
 
-/// Reads the input, works, writes, and prints the report. Returns the exit status.
-inline int runRobotCommand(RobotCommand& command, const RobotWork& work) {
-  static RunControl control;  // a signal may come until the program ends
-  ProgressDisplay display(command.quiet);
-  cancelOnSignals(control);
+/// What a command makes, and the folder where it is to be written.
+struct MadeRobot {
+  RobotResult result;
+  std::string output;
+};
 
-  std::optional<Confinement> confinement;
-  confine(command, confinement);
+/// Everything but writing: checks the command, reads the input, and works.
+inline MadeRobot make(RobotCommand& command, const RobotWork& work, const RunControl& control, const StepCallback& step) {
   configure(command);
   checkCommand(command);
   const Input input = opened(command, control);
@@ -243,12 +252,25 @@ inline int runRobotCommand(RobotCommand& command, const RobotWork& work) {
   if (isFile(command.json)) inContext("--json", [&] { checkBeside(command.json = writablePath(command.json), output); });
   const std::string work_ahead = workOn(input, command.options);
   if (!command.quiet) std::cerr << "reading " << work_ahead << "\n";
-  RobotResult result = work(input, output, control, [&](const Step& step) {
+  MadeRobot made{work(input, output, control, step), output};
+  addConsumerFiles(command.consumers, output, made.result, control);
+  std::vector<std::string>& notes = made.result.report.notes;
+  notes.insert(notes.begin(), command.notes.begin(), command.notes.end());
+  return made;
+}
+
+/// Reads the input, works, writes, and prints the report. Returns the exit status.
+inline int runRobotCommand(RobotCommand& command, const RobotWork& work) {
+  static RunControl control;  // a signal may come until the program ends
+  ProgressDisplay display(command.quiet);
+  cancelOnSignals(control);
+
+  std::optional<Confinement> confinement;
+  confine(command, confinement);
+  auto [result, output] = make(command, work, control, [&](const Step& step) {
     if (step.stage != "read") display.step(step);  // said already
   });
-  addConsumerFiles(command.consumers, output, result, control);
   display.clear();
-  result.report.notes.insert(result.report.notes.begin(), command.notes.begin(), command.notes.end());
   const bool written = writeEverything(result, command, output, control);
 
   printReport(result, command, written ? howToUse(result, output) : "");

@@ -1,0 +1,64 @@
+# The Python module collision_hulls, where pybind11 is (pybind11-dev, python3-dev).
+#
+# It is the same Python package as that of the messages, as ROS calls that by the name of the ROS package: an extension and an __init__.py
+# beside the folders msg and srv. Message generation leaves an __init__.py as it is, and installs the folder of the devel space with all that
+# is in it. This __init__.py loads the extension when a function is called, so that who wants messages alone needs neither it nor numpy.
+#
+# pybind11's own CMake files would set catkin's PYTHON_VERSION to another value.
+
+option(COLLISION_HULLS_PYTHON "Build the Python module, where pybind11 is installed" ON)
+
+# Catkin has chosen a Python already. Else it is the system's, which the packages of the system are for.
+if(NOT PYTHON_EXECUTABLE)
+  find_program(PYTHON_EXECUTABLE python3 PATHS /usr/bin NO_DEFAULT_PATH)
+  find_program(PYTHON_EXECUTABLE python3)
+endif()
+find_path(PYBIND11_INCLUDE_DIR pybind11/numpy.h)
+mark_as_advanced(PYBIND11_INCLUDE_DIR)
+
+# PYTHON_FACTS: the folder of Python.h, the ending of extensions, and the folder below a prefix where Python looks for packages.
+function(ask_python)
+  set(script "import os, sysconfig as s; v = s.get_python_version(); packages = 'dist-packages' if os.path.exists('/etc/debian_version') else 'site-packages'
+print(s.get_path('include'), s.get_config_var('EXT_SUFFIX'), f'lib/python{v}/{packages}', sep=';', end='')")
+  execute_process(COMMAND "${PYTHON_EXECUTABLE}" -c "${script}" OUTPUT_VARIABLE facts ERROR_QUIET)
+  set(PYTHON_FACTS "${facts}" PARENT_SCOPE)
+endfunction()
+
+set(PYTHON_FACTS)
+if(COLLISION_HULLS_PYTHON AND PYTHON_EXECUTABLE AND PYBIND11_INCLUDE_DIR)
+  ask_python()
+endif()
+if(PYTHON_FACTS)
+  list(GET PYTHON_FACTS 0 python_headers)
+endif()
+# Python itself is not linked with sanitizers, and could not load a module that is.
+if(NOT PYTHON_FACTS OR NOT EXISTS "${python_headers}/Python.h" OR COLLISION_HULLS_SANITIZE OR COLLISION_HULLS_FUZZ)
+  message(STATUS "No Python module: it needs pybind11 and Python's headers (pybind11-dev, python3-dev), and no sanitizers.")
+  return()
+endif()
+
+list(GET PYTHON_FACTS 1 python_suffix)
+if(COLLISION_HULLS_ROS)
+  set(PYTHON_DESTINATION ${CATKIN_GLOBAL_PYTHON_DESTINATION}/${PROJECT_NAME})
+  set(PYTHON_PACKAGE_DIR "${CATKIN_DEVEL_PREFIX}/${PYTHON_DESTINATION}")
+else()
+  list(GET PYTHON_FACTS 2 python_packages)
+  set(PYTHON_DESTINATION ${python_packages}/${PROJECT_NAME})
+  set(PYTHON_PACKAGE_DIR "${PROJECT_BINARY_DIR}/${PYTHON_DESTINATION}")
+endif()
+
+room_sources(PYTHON_SOURCES python)
+add_library(${PROJECT_NAME}_python MODULE ${PYTHON_SOURCES})
+add_dependencies(${PROJECT_NAME}_python ${PROJECT_NAME}_reader)
+target_include_directories(${PROJECT_NAME}_python PRIVATE src)
+target_include_directories(${PROJECT_NAME}_python SYSTEM PRIVATE "${PYBIND11_INCLUDE_DIR}" "${python_headers}")
+target_link_libraries(${PROJECT_NAME}_python command_line)
+set_target_properties(command_line PROPERTIES POSITION_INDEPENDENT_CODE ON)
+file(RELATIVE_PATH to_libraries "/${PYTHON_DESTINATION}" "/${LIBRARY_DESTINATION}")
+set_target_properties(${PROJECT_NAME}_python PROPERTIES
+  OUTPUT_NAME _core PREFIX "" SUFFIX "${python_suffix}" CXX_VISIBILITY_PRESET hidden
+  LIBRARY_OUTPUT_DIRECTORY "${PYTHON_PACKAGE_DIR}" INSTALL_RPATH "$ORIGIN/${to_libraries}")
+configure_file(src/python/${PROJECT_NAME}/__init__.py "${PYTHON_PACKAGE_DIR}/__init__.py" COPYONLY)
+
+install(TARGETS ${PROJECT_NAME}_python LIBRARY DESTINATION ${PYTHON_DESTINATION})
+install(FILES src/python/${PROJECT_NAME}/__init__.py DESTINATION ${PYTHON_DESTINATION})

@@ -1,0 +1,197 @@
+// The extension module collision_hulls._core: arrays in, arrays out. src/python/collision_hulls/__init__.py is its only user, and has the
+// interface that people see: names, defaults, type hints, documentation, checks of the arrays.
+//
+// Options come as the words of a command line and are parsed by what parses those of `decompose`: the same names, checks and messages, and
+// no option that the programs have and Python lacks.
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/at.h"
+#include "base/figure.h"
+#include "base/parallel.h"
+#include "collision_hulls/decompose/certified_hulls.h"
+#include "collision_hulls/report/report.h"
+#include "interruptible.h"
+#include "mesh/polygons.h"
+#include "pipeline/mesh_result.h"
+#include "tools/robot_program.h"
+
+namespace collision_hulls {
+namespace {
+
+namespace py = pybind11;
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Indices = py::array_t<int, py::array::c_style | py::array::forcecast>;
+using Words = std::vector<std::string>;
+
+/// Fills what the options of `app` fill.
+void parse(CommandLine& app, const Words& words) {
+  std::vector<const char*> arguments{app.get_name().c_str()};
+  for (const std::string& word : words) arguments.push_back(word.c_str());
+  app.parse(static_cast<int>(arguments.size()), arguments.data());
+}
+
+/// The mesh with its vertices in the order of their first use, as a reader gives it. Indices must be in range.
+TriangleMesh meshOf(const Numbers& vertices, const Indices& faces) {
+  TriangleMesh mesh;
+  const auto from = vertices.unchecked<2>();
+  const auto corners = faces.unchecked<2>();
+  std::vector<int> number(at(from.shape(0)), -1);
+  for (py::ssize_t f = 0; f < corners.shape(0); ++f) {
+    Triangle triangle{};
+    for (py::ssize_t k = 0; k < 3; ++k) {
+      const py::ssize_t v = corners(f, k);
+      int& mine = number[at(v)];
+      if (mine < 0) {
+        mine = static_cast<int>(mesh.vertices.size());
+        mesh.vertices.emplace_back(from(v, 0), from(v, 1), from(v, 2));
+      }
+      triangle[at(k)] = mine;
+    }
+    mesh.triangles.push_back(triangle);
+  }
+  return mesh;
+}
+
+/// The stages of `decompose` for one mesh, with the margin of a mesh that was read from a file: the same hulls.
+CertifiedHulls hullsOf(const TriangleMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
+  double largest = 0;
+  for (const Eigen::Vector3d& v : mesh.vertices) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+  const double resolution = singlePrecisionResolution(mesh, largest, "vertices");
+  const RepairedMesh repaired = repair(mesh, {}, control);
+  const Solid solid(repaired, control);
+  return certifiedHulls({mesh, repaired, solid, resolution + repaired.counts.weld_distance, nullptr, ""}, options, control);
+}
+
+/// A copy as an array of rows of three.
+template <typename Number, typename Rows>
+py::array_t<Number> arrayOf(const Rows& rows) {
+  py::array_t<Number> array({static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}});
+  auto to = array.template mutable_unchecked<2>();
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) to(static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(k)) = rows[i][static_cast<int>(k)];
+  return array;
+}
+
+py::array_t<double> arrayOf(const Eigen::Vector3d& p) {
+  return py::array_t<double>(3, p.data());
+}
+
+/// The fields of the Python class Result; its hulls as tuples of the fields of Hull.
+py::dict fieldsOf(const CertifiedHulls& made, const DecomposeOptions& options) {
+  py::list hulls;
+  for (const ConvexHull& hull : made.hulls)
+    hulls.append(py::make_tuple(arrayOf<double>(hull.vertices), arrayOf<int>(hull.triangles), volume(hull)));
+  py::dict fields;
+  fields["hulls"] = hulls;
+  fields["bound"] = made.bound;
+  fields["found"] = made.found;
+  fields["where"] = arrayOf(made.where);
+  fields["nearest"] = arrayOf(made.nearest);
+  fields["tolerance"] = options.tolerance;
+  fields["status"] = name(made.within_tolerance ? Status::kOk : Status::kDegraded);
+  fields["reason"] = made.reason;
+  return fields;
+}
+
+/// Numbers in millimetres would keep the computer busy for minutes, for nothing.
+void checkSize(double size, const Length& tolerance) {
+  if (size <= kLargestLink || tolerance.limit == Length::kUnset) return;
+  throw Error(ErrorCode::kTooLarge,
+              "the mesh is " + figure(size) +
+                  " m across, larger than any robot link: if its vertices are in millimetres, multiply them by 0.001; if "
+                  "it really is that large, give the tolerance only as a percentage, such as '1%'");
+}
+
+Options optionsOf(const Words& words) {
+  RobotCommand command;
+  CommandLine app("", "decompose");
+  DecomposeOptionAdder(app, command.given).addAll();
+  parse(app, words);
+  command.given.apply(command.options);
+  checkCommand(command);
+  return command.options;
+}
+
+/// What an array's mesh takes of the options of a run.
+DecomposeOptions optionsFor(const TriangleMesh& mesh, const Options& options) {
+  const double size = diagonal(mesh);
+  checkSize(size, options.tolerance);
+  return {options.method,    options.tolerance.metres(size),
+          options.max_hulls, options.max_vertices,
+          options.seed,      options.effort,
+          options.fill,      {},
+          options.padding};
+}
+
+py::dict decomposeArrays(const Numbers& vertices, const Indices& faces, const Words& words, const py::object& progress) {
+  const Options options = optionsOf(words);
+  const TriangleMesh mesh = meshOf(vertices, faces);
+  const DecomposeOptions how = optionsFor(mesh, options);
+  CertifiedHulls made;
+  const auto work = [&](const RunControl& control) { withJobs(options.jobs, [&] { made = hullsOf(mesh, how, control); }); };
+  runInterruptibly(work, progress);
+  return fieldsOf(made, how);
+}
+
+/// Writes a result. Throws if it has nothing to write, as all meshes failed.
+void write(MadeRobot& made, const RobotCommand& command, const RunControl& control) {
+  const bool written = writeOutput(made.result, made.output, control);
+  if (isFile(command.json)) writeReport(made.result.report, command.json);
+  if (written) return;
+  std::string text = "no mesh could be decomposed; nothing was written to '" + made.output + "'";
+  for (const std::string& failure : failures(made.result.report)) text += "\n" + failure;
+  throw Error(ErrorCode::kNotAMesh, text);
+}
+
+/// The text of report.json.
+std::string reportOn(const Words& words, const py::object& progress) {
+  RobotCommand command;
+  command.program = "decompose";
+  CommandLine app("", command.program);
+  addRobotOptions(app, "", command);
+  addModelOption(app, command);
+  parse(app, words);
+  command.quiet = true;
+  std::string report;
+  const auto work = [&](const RunControl& control) {
+    std::optional<Confinement> confinement;
+    confine(command, confinement);
+    const RobotWork decomposing = [&](const Input& input, const std::string& output, const RunControl& run, const StepCallback& step) {
+      return decompose(input, command.options, output, run, step);
+    };
+    MadeRobot made = make(command, decomposing, control, [&](const Step& step) { control.report(step.fraction); });
+    write(made, command, control);
+    report = toJson(made.result.report);
+  };
+  runInterruptibly(work, progress);
+  return report;
+}
+
+/// Errors of the library become collision_hulls.Error.
+void translate(std::exception_ptr thrown) {
+  try {
+    if (thrown) std::rethrow_exception(thrown);
+  } catch (const Error& error) {
+    const py::object type = py::module::import("collision_hulls").attr("Error");
+    PyErr_SetObject(type.ptr(), type(error.what(), name(error.code())).ptr());
+  }
+}
+
+}  // namespace
+}  // namespace collision_hulls
+
+PYBIND11_MODULE(_core, module) {
+  namespace py = pybind11;
+  module.doc() = "The library's side of the package collision_hulls, which checks arguments and documents them.";
+  py::register_exception_translator(collision_hulls::translate);
+  module.def("decompose", collision_hulls::decomposeArrays, py::arg("vertices"), py::arg("faces"), py::arg("words"), py::arg("progress"));
+  module.def("decompose_robot", collision_hulls::reportOn, py::arg("words"), py::arg("progress"));
+}

@@ -141,14 +141,21 @@ py::dict decomposeArrays(const Numbers& vertices, const Indices& faces, const Wo
   return fieldsOf(made, how);
 }
 
-/// Writes a result. Throws if it has nothing to write, as all meshes failed.
+/// A run in which every mesh failed: why, and the name of the first failure's ErrorCode.
+struct NothingMade {
+  std::string text, error;
+};
+
+/// Writes a result. Throws NothingMade.
 void write(MadeRobot& made, const RobotCommand& command, const RunControl& control) {
   const bool written = writeOutput(made.result, made.output, control);
   if (isFile(command.json)) writeReport(made.result.report, command.json);
   if (written) return;
-  std::string text = "no mesh could be decomposed; nothing was written to '" + made.output + "'";
-  for (const std::string& failure : failures(made.result.report)) text += "\n" + failure;
-  throw Error(ErrorCode::kNotAMesh, text);
+  const std::vector<ElementReport>& rows = made.result.report.links;
+  const auto first = std::find_if(rows.begin(), rows.end(), [](const ElementReport& row) { return row.status == Status::kFailed; });
+  NothingMade nothing{"no mesh could be decomposed; nothing was written to '" + made.output + "'", first->error};
+  for (const std::string& failure : failures(made.result.report)) nothing.text += "\n" + failure;
+  throw nothing;
 }
 
 /// The text of report.json.
@@ -175,13 +182,19 @@ std::string reportOn(const Words& words, const py::object& progress) {
   return report;
 }
 
-/// Errors of the library become collision_hulls.Error.
+void raise(const std::string& text, const std::string& error) {
+  const py::object type = py::module::import("collision_hulls").attr("Error");
+  PyErr_SetObject(type.ptr(), type(text, error).ptr());
+}
+
+/// What is thrown here becomes collision_hulls.Error.
 void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);
   } catch (const Error& error) {
-    const py::object type = py::module::import("collision_hulls").attr("Error");
-    PyErr_SetObject(type.ptr(), type(error.what(), name(error.code())).ptr());
+    raise(error.what(), name(error.code()));
+  } catch (const NothingMade& nothing) {
+    raise(nothing.text, nothing.error);
   }
 }
 

@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any, Callable, List, Optional, Sequence, Union
 
 if TYPE_CHECKING:
     import numpy
+    import numpy.typing
 
 __all__ = ["Error", "Hull", "Result", "decompose", "decompose_robot"]
 
@@ -50,13 +51,13 @@ class Error(RuntimeError):
 class Hull:
     """A convex polyhedron.
 
-    vertices: N x 3, float64 [m]; every number is one of single precision, so that writing it to a file changes nothing.
+    vertices: N x 3, float64 [m]; single-precision numbers, so that mesh files hold them as they are.
     faces: M x 3, int32: rows of vertices, counter-clockwise seen from outside. It is closed.
     volume: [m^3]
     """
 
-    vertices: "numpy.ndarray"
-    faces: "numpy.ndarray"
+    vertices: numpy.ndarray
+    faces: numpy.ndarray
     volume: float
 
 
@@ -76,16 +77,16 @@ class Result:
     hulls: List[Hull]
     bound: float
     found: float
-    where: "numpy.ndarray"
-    nearest: "numpy.ndarray"
+    where: numpy.ndarray
+    nearest: numpy.ndarray
     tolerance: float
     status: str
     reason: str
 
 
 def decompose(
-    vertices: "numpy.typing.ArrayLike",
-    faces: "numpy.typing.ArrayLike",
+    vertices: numpy.typing.ArrayLike,
+    faces: numpy.typing.ArrayLike,
     tolerance: Length = "1cm,5%",
     *,
     method: str = "certified",
@@ -190,7 +191,7 @@ def _text(name: str, value: Any) -> str:
     raise Error(f"{name} {value!r} is not understood: it takes a number or a text", "BadOption")
 
 
-def _array(value: Any, name: str, kinds: str, content: str) -> "numpy.ndarray":
+def _array(value: Any, name: str, kinds: str, content: str) -> numpy.ndarray:
     import numpy
 
     try:
@@ -206,18 +207,19 @@ def _array(value: Any, name: str, kinds: str, content: str) -> "numpy.ndarray":
     return array
 
 
-def _vertices(value: Any) -> "numpy.ndarray":
+def _vertices(value: Any) -> numpy.ndarray:
     import numpy
 
     array = _array(value, "vertices", "fiu", "numbers [m]").astype(numpy.float64)
-    bad = ~numpy.isfinite(array).all(axis=1)
+    with numpy.errstate(over="ignore"):
+        bad = ~numpy.isfinite(array.astype(numpy.float32)).all(axis=1)
     if bad.any():
         row = int(bad.argmax())
-        raise Error(f"vertices[{row}] is {array[row].tolist()}, which is not finite; correct or remove it", "NonFiniteCoordinate")
+        raise Error(f"vertices[{row}] is {array[row].tolist()}, which is no finite number of single precision; correct or remove it", "NonFiniteCoordinate")
     return array
 
 
-def _faces(value: Any, count: int) -> "numpy.ndarray":
+def _faces(value: Any, count: int) -> numpy.ndarray:
     import numpy
 
     array = _array(value, "faces", "iu", "whole numbers: rows of vertices, such as faces.astype(int)")

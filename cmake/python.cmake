@@ -8,25 +8,15 @@
 
 option(COLLISION_HULLS_PYTHON "Build the Python module, where pybind11 is installed" ON)
 
-# Catkin has chosen a Python already. Else it is the system's, which the packages of the system are for.
-if(NOT PYTHON_EXECUTABLE)
-  find_program(PYTHON_EXECUTABLE python3 PATHS /usr/bin NO_DEFAULT_PATH)
-  find_program(PYTHON_EXECUTABLE python3)
-endif()
 find_path(PYBIND11_INCLUDE_DIR pybind11/numpy.h)
 mark_as_advanced(PYBIND11_INCLUDE_DIR)
 
-# PYTHON_FACTS: the folder of Python.h, the ending of extensions, and the folder below a prefix where Python looks for packages.
-function(ask_python)
-  set(script "import os, sysconfig as s; v = s.get_python_version(); packages = 'dist-packages' if os.path.exists('/etc/debian_version') else 'site-packages'
-print(s.get_path('include'), s.get_config_var('EXT_SUFFIX'), f'lib/python{v}/{packages}', sep=';', end='')")
-  execute_process(COMMAND "${PYTHON_EXECUTABLE}" -c "${script}" OUTPUT_VARIABLE facts ERROR_QUIET)
-  set(PYTHON_FACTS "${facts}" PARENT_SCOPE)
-endfunction()
-
+# PYTHON_FACTS: the folder of Python.h, and the ending of extensions.
 set(PYTHON_FACTS)
 if(COLLISION_HULLS_PYTHON AND PYTHON_EXECUTABLE AND PYBIND11_INCLUDE_DIR)
-  ask_python()
+  execute_process(
+    COMMAND "${PYTHON_EXECUTABLE}" -c "import sysconfig as s; print(s.get_path('include'), s.get_config_var('EXT_SUFFIX'), sep=';', end='')"
+    OUTPUT_VARIABLE PYTHON_FACTS ERROR_QUIET)
 endif()
 if(PYTHON_FACTS)
   list(GET PYTHON_FACTS 0 python_headers)
@@ -38,15 +28,6 @@ if(NOT PYTHON_FACTS OR NOT EXISTS "${python_headers}/Python.h" OR COLLISION_HULL
 endif()
 
 list(GET PYTHON_FACTS 1 python_suffix)
-if(COLLISION_HULLS_ROS)
-  set(PYTHON_DESTINATION ${CATKIN_GLOBAL_PYTHON_DESTINATION}/${PROJECT_NAME})
-  set(PYTHON_PACKAGE_DIR "${CATKIN_DEVEL_PREFIX}/${PYTHON_DESTINATION}")
-else()
-  list(GET PYTHON_FACTS 2 python_packages)
-  set(PYTHON_DESTINATION ${python_packages}/${PROJECT_NAME})
-  set(PYTHON_PACKAGE_DIR "${PROJECT_BINARY_DIR}/${PYTHON_DESTINATION}")
-endif()
-
 room_sources(PYTHON_SOURCES python)
 add_library(${PROJECT_NAME}_python MODULE ${PYTHON_SOURCES})
 add_dependencies(${PROJECT_NAME}_python ${PROJECT_NAME}_reader)

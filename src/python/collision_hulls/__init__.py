@@ -10,8 +10,8 @@
     report = collision_hulls.decompose_robot("arm.urdf", "arm_collision", tolerance="5mm")
 
 Lengths are in metres. Both functions give the same result for the same input, on any number of threads. They let other threads of Python run,
-and Ctrl-C ends them within a second. Beside this module, collision_hulls.msg and collision_hulls.srv are the messages of the ROS package, where
-that is installed; they need nothing of it.
+and Ctrl-C ends them within a second, unless a mesh of a million triangles is just being repaired. Beside this module, collision_hulls.msg and
+collision_hulls.srv are the messages of the ROS package, where that is installed; they need nothing of it.
 """
 from __future__ import annotations
 
@@ -113,7 +113,7 @@ def decompose(
     jobs: threads; 0: as many as cores.
     progress: called with the share done, from 0 to 1, a few times a second. What it raises ends the work.
 
-    Raises Error, and KeyboardInterrupt within a second of a Ctrl-C.
+    Raises Error, and KeyboardInterrupt soon after a Ctrl-C.
     """
     from . import _core
 
@@ -152,7 +152,7 @@ def decompose_robot(
     The report is a dict. report["links"] has a row for each mesh, with its "status", "hulls", "protrusion" (the proved bound) and "files". A mesh
     that fails has the status "failed" and the "reason"; if all fail, nothing is written and Error is raised.
 
-    Raises Error, and KeyboardInterrupt within a second of a Ctrl-C; then nothing was written.
+    Raises Error, and KeyboardInterrupt soon after a Ctrl-C; then nothing was written.
     """
     from . import _core
 

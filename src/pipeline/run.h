@@ -6,11 +6,11 @@
 #include <memory>
 #include <vector>
 
+#include "base/time_budget.h"
 #include "collision_hulls/pipeline/result.h"
 #include "pipeline/cache.h"
 #include "pipeline/mesh_uses.h"
 #include "pipeline/progress.h"
-#include "pipeline/time_budget.h"
 
 namespace collision_hulls {
 

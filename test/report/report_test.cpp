@@ -55,10 +55,11 @@ TEST(ReportJson, HasTheFieldsOfTheContract) {
   EXPECT_EQ(document["input"]["path"], "robots/\"arm\".urdf");
   EXPECT_EQ(document["seed"], 18446744073709551615u);
   for (const json& row : document["links"]) {
-    for (const char* field :
-         {"link",       "element", "source",      "uri",      "sha256",        "scale",     "triangles",     "status",           "reason",
-          "repair",     "method",  "tolerance",   "hulls",    "hull_vertices", "uncovered", "protrusion",    "protrusion_found", "interior",
-          "primitives", "volume",  "hull_volume", "diagonal", "seconds",       "files",     "covered_share", "least_hulls", "untried"}) {
+    for (const char* field : {"link",          "element",       "source",      "uri",        "sha256",           "scale",
+                              "triangles",     "status",        "reason",      "repair",     "method",           "tolerance",
+                              "hulls",         "hull_vertices", "uncovered",   "protrusion", "protrusion_found", "interior",
+                              "primitives",    "volume",        "hull_volume", "diagonal",   "seconds",          "files",
+                              "covered_share", "least_hulls",   "untried"}) {
       EXPECT_TRUE(row.contains(field)) << field;
     }
     for (const char* field : {"welded", "degenerate", "duplicate", "flipped", "components", "open_edges", "nonmanifold_edges"})

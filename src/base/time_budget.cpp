@@ -1,6 +1,6 @@
 // The threads have (end - now) each. What running tasks were promised is taken off; the rest goes to the waiting ones in proportion to
 // their costs. No task gets more than the time until the end, as one thread may have to do it.
-#include "pipeline/time_budget.h"
+#include "base/time_budget.h"
 
 #include <algorithm>
 #include <utility>

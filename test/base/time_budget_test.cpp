@@ -1,4 +1,4 @@
-#include "pipeline/time_budget.h"
+#include "base/time_budget.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Divides the time of a run between its meshes.
+// Divides the time of a run between its tasks.
 #pragma once
 
 #include <cstddef>

@@ -29,3 +29,4 @@ list(APPEND PROGRAMS ${PROJECT_NAME}_reader)
 
 include(cmake/peers.cmake)
 include(cmake/physics.cmake)
+include(cmake/planning.cmake)

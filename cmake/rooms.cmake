@@ -7,8 +7,8 @@ set(CORE_ROOMS base geometry sandbox mesh measure decompose primitives)
 # collision_hulls: robots and scenes. FCL in query, tinyxml2 in xml and robot, urdfdom in robot, yaml-cpp in scene.
 set(ROBOT_ROOMS query check storage xml robot scene reach fit report verify config web pipeline consumers)
 
-# What the library's users never link: benchmarks, DART's physics, the programs, the Python module, the node, rviz's panel.
-set(OUTER_ROOMS bench physics tools python ros panel)
+# What the library's users never link: benchmarks, DART's physics, OMPL's planning, the programs, the Python module, the node, rviz's panel.
+set(OUTER_ROOMS bench physics planning tools python ros panel)
 
 # room_sources(RESULT ROOM...): the .cpp files of rooms, with those in their folders.
 function(room_sources result)

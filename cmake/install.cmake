@@ -22,6 +22,6 @@ endif()
 
 install(FILES scripts/completion.bash DESTINATION ${SHARE_DESTINATION})
 install(DIRECTORY launch meshes rviz schema urdf DESTINATION ${SHARE_DESTINATION} PATTERN source EXCLUDE)
-catkin_install_python(PROGRAMS scripts/batch/batch scripts/benchmark_charts scripts/decompose_client scripts/joint_sliders scripts/physics_charts scripts/preview_latency scripts/rviz_at_root scripts/rviz_picture scripts/scene_charts
+catkin_install_python(PROGRAMS scripts/batch/batch scripts/benchmark_charts scripts/decompose_client scripts/joint_sliders scripts/physics_charts scripts/plan_charts scripts/preview_latency scripts/rviz_at_root scripts/rviz_picture scripts/scene_charts
   scripts/stability_charts
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

@@ -57,10 +57,11 @@ class BoxesChecker : public Checker {
   BoxedModel robot_, scene_;
 };
 
-class MoveItChecker : public Checker {
+class TreesChecker : public Checker {
  public:
-  MoveItChecker(const RobotModel& robot, std::size_t links, const Scene& scene, IgnoredPairs ignored) : ignored_(std::move(ignored)) {
-    addRobot(robot, CheckerKind::kMoveIt, robot_);
+  TreesChecker(CheckerKind kind, const RobotModel& robot, std::size_t links, const Scene& scene, IgnoredPairs ignored)
+      : ignored_(std::move(ignored)) {
+    addRobot(robot, kind, robot_);
     addScene(scene, links, scene_);
   }
   bool collides(const std::vector<Eigen::Isometry3d>& links) override {
@@ -76,19 +77,32 @@ class MoveItChecker : public Checker {
 }  // namespace
 
 const char* name(CheckerKind kind) {
-  return kind == CheckerKind::kBoxes ? "boxes" : "moveit";
+  switch (kind) {
+    case CheckerKind::kBoxes: return "boxes";
+    case CheckerKind::kTrees: return "trees";
+    case CheckerKind::kMoveIt: return "moveit";
+  }
+  return "";
 }
 
 std::optional<CheckerKind> checkerNamed(const std::string& name) {
-  if (name == "boxes") return CheckerKind::kBoxes;
-  if (name == "moveit") return CheckerKind::kMoveIt;
+  for (const CheckerKind kind : {CheckerKind::kBoxes, CheckerKind::kTrees, CheckerKind::kMoveIt})
+    if (name == collision_hulls::name(kind)) return kind;
   return std::nullopt;
 }
 
 std::unique_ptr<Checker> makeChecker(CheckerKind kind, const RobotModel& robot, std::size_t links, const Scene& scene,
                                      const IgnoredPairs& ignored) {
   if (kind == CheckerKind::kBoxes) return std::make_unique<BoxesChecker>(robot, links, scene, ignored);
-  return std::make_unique<MoveItChecker>(robot, links, scene, ignored);
+  return std::make_unique<TreesChecker>(kind, robot, links, scene, ignored);
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> touchingLinks(const RobotModel& robot, const IgnoredPairs& ignored,
+                                                               const std::vector<Eigen::Isometry3d>& links) {
+  QueryModel model;
+  addRobot(robot, CheckerKind::kTrees, model);
+  model.place(links);
+  return model.touching(ignored);
 }
 
 }  // namespace collision_hulls

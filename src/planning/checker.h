@@ -14,10 +14,10 @@ namespace collision_hulls {
 /// Who checks.
 enum class CheckerKind {
   kBoxes,  ///< BoxedModel; hulls are convex bodies
-  /// as MoveIt has it: FCL's dynamic trees over all bodies, hulls are meshes of triangles like any mesh of the description
-  kMoveIt
+  kTrees,  ///< FCL's dynamic trees over all bodies; hulls are convex bodies
+  kMoveIt  ///< the same as MoveIt has it: hulls are meshes of triangles, like any mesh of a description
 };
-const char* name(CheckerKind kind);  ///< "boxes", "moveit"
+const char* name(CheckerKind kind);  ///< "boxes", "trees", "moveit"
 std::optional<CheckerKind> checkerNamed(const std::string& name);
 
 /// Asks the scene first, then the robot against itself, up to the first contact. As in FCL and MoveIt, meshes are surfaces without an
@@ -32,5 +32,9 @@ class Checker {
 /// `ignored`: see SceneModels.
 std::unique_ptr<Checker> makeChecker(CheckerKind kind, const RobotModel& robot, std::size_t links, const Scene& scene,
                                      const IgnoredPairs& ignored);
+
+/// The pairs of links that touch each other, without ignored ones.
+std::vector<std::pair<std::size_t, std::size_t>> touchingLinks(const RobotModel& robot, const IgnoredPairs& ignored,
+                                                               const std::vector<Eigen::Isometry3d>& links);
 
 }  // namespace collision_hulls

@@ -17,8 +17,14 @@ std::string namesOf(const std::vector<JointVariable>& variables) {
   return names;
 }
 
+/// Joints that agree in all this, and in those before them, move what hangs on them alike.
+bool equal(const ChainJoint& a, const ChainJoint& b) {
+  return a.variable == b.variable && a.turns == b.turns && a.multiplier == b.multiplier && a.offset == b.offset && a.axis == b.axis &&
+         a.origin.matrix() == b.origin.matrix();
+}
+
 /// How far a joint moves, with a sign.
-double way(const JointVariable& joint, double from, double to) {
+double travel(const JointVariable& joint, double from, double to) {
   const double straight = to - from;
   return joint.continuous ? std::remainder(straight, 2 * kPi) : straight;
 }
@@ -52,9 +58,23 @@ JointValues JointSpace::values(const Configuration& configuration) const {
   return values;
 }
 
+std::vector<ChainJoint> JointSpace::way(std::size_t link) const {
+  std::vector<ChainJoint> joints = kinematics_.chain(link).joints;
+  const auto is_planned = [&](const ChainJoint& joint) {
+    return std::find(variables_.begin(), variables_.end(), joint.variable) != variables_.end();
+  };
+  while (!joints.empty() && !is_planned(joints.back())) joints.pop_back();
+  return joints;
+}
+
+bool JointSpace::moves(std::size_t link, std::size_t other) const {
+  const std::vector<ChainJoint> one = way(link), two = way(other);
+  return !std::equal(one.begin(), one.end(), two.begin(), two.end(), equal);
+}
+
 JointValues between(const std::vector<JointVariable>& joints, const JointValues& from, const JointValues& to, double share) {
   JointValues values(joints.size());
-  for (std::size_t i = 0; i < joints.size(); ++i) values[i] = from[i] + share * way(joints[i], from[i], to[i]);
+  for (std::size_t i = 0; i < joints.size(); ++i) values[i] = from[i] + share * travel(joints[i], from[i], to[i]);
   return values;
 }
 
@@ -63,7 +83,7 @@ std::vector<JointValues> alongPath(const std::vector<JointVariable>& joints, con
   for (std::size_t k = 0; k + 1 < path.size(); ++k) {
     double steps = 1;
     for (std::size_t i = 0; i < joints.size(); ++i)
-      steps = std::max(steps, std::ceil(std::abs(way(joints[i], path[k][i], path[k + 1][i])) / (step * (joints[i].upper - joints[i].lower))));
+      steps = std::max(steps, std::ceil(std::abs(travel(joints[i], path[k][i], path[k + 1][i])) / (step * (joints[i].upper - joints[i].lower))));
     for (double n = 0; n < steps; ++n) along.push_back(between(joints, path[k], path[k + 1], n / steps));
   }
   if (!path.empty()) along.push_back(path.back());

@@ -28,10 +28,17 @@ class JointSpace {
   Configuration configuration(const JointValues& values) const;
   JointValues values(const Configuration& configuration) const;
 
+  /// Whether planned joints move a link (index), or two links against each other. As in MoveIt, planners need not check what they do not.
+  bool moves(std::size_t link) const { return !way(link).empty(); }
+  bool moves(std::size_t link, std::size_t other) const;
+
   /// The links' poses in the root link's frame.
   std::vector<Eigen::Isometry3d> poses(const JointValues& values) const { return kinematics_.poses(configuration(values)); }
 
  private:
+  /// The joints that move a link, up to the last planned one.
+  std::vector<ChainJoint> way(std::size_t link) const;
+
   const Kinematics& kinematics_;
   std::vector<JointVariable> joints_;
   std::vector<std::size_t> variables_;  // of the planned joints, indices

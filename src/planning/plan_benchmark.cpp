@@ -41,7 +41,7 @@ class TimedChecker {
 
 /// A model with a checker.
 struct Contender {
-  std::string model;
+  const RobotModel& model;
   CheckerKind kind;
   TimedChecker checker;
 };
@@ -57,16 +57,25 @@ ModelSize sizeOf(const RobotModel& model, const std::string& scene) {
   return size;
 }
 
+/// What the planned joints do not move against each other, no model is asked about.
+void ignoreUnmoved(const JointSpace& space, std::size_t links, const Scene& scene, IgnoredPairs& ignored) {
+  for (std::size_t link = 0; link < links; ++link) {
+    for (std::size_t other = link + 1; other < links; ++other)
+      if (!space.moves(link, other)) ignored.ignore(link, other);
+    for (std::size_t body = 0; body < scene.bodies.size() && !space.moves(link); ++body) ignored.ignore(link, links + body);
+  }
+}
+
 /// All queries in one scene.
 class SceneRun {
  public:
   SceneRun(const Input& robot, const Kinematics& kinematics, const JointSpace& space, const Scene& scene, const SceneModels& made,
            const PlanOptions& options)
-      : space_(space), scene_(scene.name), options_(options) {
+      : robot_(robot.robot), space_(space), scene_(scene.name), made_(made), options_(options) {
     const std::size_t links = robot.robot.links.size();
     for (const RobotModel& model : made.models) {
       for (const CheckerKind kind : options.checkers)
-        contenders_.push_back({model.name, kind, {space, makeChecker(kind, model, links, scene, made.ignored)}});
+        contenders_.push_back({model, kind, {space, makeChecker(kind, model, links, scene, made.ignored)}});
       if (model.name == kOriginalModel)
         truth_ = std::make_unique<TimedChecker>(space, makeChecker(CheckerKind::kBoxes, model, links, scene, made.ignored));
     }
@@ -91,15 +100,25 @@ class SceneRun {
     const Plan found = plan(
         space_.joints(), queries_[query].start, queries_[query].goal, [&](const JointValues& values) { return checker.isFree(values); },
         settings);
-    PlanRow row{scene_, contender.model, contender.kind, query, found.outcome, found.seconds, checker.seconds(), checker.checks()};
+    PlanRow row{scene_, contender.model.name, contender.kind, query, found.outcome, found.seconds, checker.seconds(), checker.checks()};
     const std::vector<JointValues> path = alongPath(space_.joints(), found.path, kFiner * settings.step);
     row.path_states = path.size();
     row.path_hits = hits(path, truth());
+    if (found.outcome == Plan::Outcome::kLost) row.lost_to = lostTo(query, contender.model);
     return row;
   }
 
+  std::string lostTo(std::size_t query, const RobotModel& model) const {
+    for (const JointValues& state : {queries_[query].start, queries_[query].goal})
+      for (const auto& [a, b] : touchingLinks(model, made_.ignored, space_.poses(state)))
+        return robot_.links[a].name + " and " + robot_.links[b].name;
+    return "the scene";
+  }
+
+  const RobotDescription& robot_;
   const JointSpace& space_;
   const std::string scene_;
+  const SceneModels& made_;
   const PlanOptions& options_;
   std::vector<Contender> contenders_;
   std::unique_ptr<TimedChecker> truth_;
@@ -119,7 +138,7 @@ void check(const PlanOptions& options) {
   expectBetween("seed", options.seed, 1, 1e9);
   expectBetween("time limit", options.planner.time_limit, 1e-3, 3600);
   expectBetween("step", options.planner.step, 1e-5, 0.5);
-  if (options.checkers.empty()) throw Error(ErrorCode::kBadOption, "no checker: use boxes, moveit, or both");
+  if (options.checkers.empty()) throw Error(ErrorCode::kBadOption, "no checker: use some of boxes, trees, moveit");
   if (options.models.empty() || options.models.front() != kOriginalModel)
     throw Error(ErrorCode::kBadOption, std::string("the models must begin with '") + kOriginalModel + "', which the others are compared with");
 }
@@ -132,7 +151,8 @@ PlanResults runPlanBenchmark(const Input& robot, const std::vector<Scene>& scene
   ModelMaker maker(robot, options.models, options.request);
   PlanResults results;
   for (const Scene& scene : scenes) {
-    const SceneModels made = maker.make(scene);
+    SceneModels made = maker.make(scene);
+    ignoreUnmoved(space, robot.robot.links.size(), scene, made.ignored);
     for (const RobotModel& model : made.models) results.sizes.push_back(sizeOf(model, scene.name));
     SceneRun(robot, kinematics, space, scene, made, options).run([&](const PlanRow& row) {
       results.rows.push_back(row);

@@ -20,7 +20,7 @@ struct PlanOptions {
   std::map<std::string, double> others;      ///< [rad or m] where joints stand that are not planned
   PlannerSettings planner;                   ///< its seed is set query by query
   std::vector<std::string> models = allModels();
-  std::vector<CheckerKind> checkers{CheckerKind::kBoxes, CheckerKind::kMoveIt};
+  std::vector<CheckerKind> checkers{CheckerKind::kBoxes, CheckerKind::kTrees, CheckerKind::kMoveIt};
   ModelRequest request;
 };
 
@@ -38,6 +38,9 @@ struct PlanRow {
   std::size_t checks = 0;
   std::size_t path_states = 0;  ///< of the found path, at a tenth of the planner's step
   std::size_t path_hits = 0;    ///< of these, states in which the original meshes collide
+  /// of a lost query: the first pair of links that touch each other at its start, else at its goal, "wrist and hand"; "the scene" if only
+  /// that is touched
+  std::string lost_to = {};
 };
 
 /// A model in a scene.
@@ -53,7 +56,7 @@ struct PlanResults {
 
 /// Plans in each scene. The starts and goals are free with the original meshes behind boxes; a model may find one of them in collision, and
 /// has then lost the query. For each query, every model and checker plans in turn, beginning with another one each time, so that a busy
-/// machine disturbs all alike. `take` gets each row at once. Deterministic apart from times and what time limits cut short. Throws kBadOption,
+/// machine disturbs all alike. Links that the planned joints do not move against each other, or against the scene, are not compared. `take` gets each row at once. Deterministic apart from times and what time limits cut short. Throws kBadOption,
 /// and what ModelMaker and drawQueries() throw.
 PlanResults runPlanBenchmark(const Input& robot, const std::vector<Scene>& scenes, const PlanOptions& options,
                              const std::function<void(const PlanRow&)>& take);

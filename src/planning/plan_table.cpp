@@ -42,6 +42,14 @@ std::vector<double> gains(const Rows& rows, const Rows& originals) {
   return values;
 }
 
+/// How many queries each pair of links loses.
+json lostTo(const Rows& rows) {
+  std::map<std::string, std::size_t> counts;
+  for (const PlanRow* row : rows)
+    if (!row->lost_to.empty()) ++counts[row->lost_to];
+  return counts;
+}
+
 json summaryOf(const ModelSize& size, CheckerKind checker, const Rows& rows, const Rows& originals) {
   const auto some = [&](const auto& value) { return quartiles(ofSolved(rows, value)); };
   const auto hit = [](const PlanRow* row) { return row->path_hits > 0; };
@@ -60,6 +68,7 @@ json summaryOf(const ModelSize& size, CheckerKind checker, const Rows& rows, con
           {"check_us", some([](const PlanRow& row) { return 1e6 * row.check_seconds / static_cast<double>(row.checks); })},
           {"checks", some([](const PlanRow& row) { return static_cast<double>(row.checks); })},
           {"times_faster", quartiles(gains(rows, originals))},
+          {"lost_to", lostTo(rows)},
           {"paths_hit", std::count_if(rows.begin(), rows.end(), hit)}};
 }
 
@@ -73,7 +82,7 @@ Rows rowsOf(const PlanResults& results, const std::string& scene, const std::str
 }  // namespace
 
 std::string planHeader() {
-  return "scene,checker,query,model,outcome,planning_s,checking_s,checks,path_states,path_hits\n";
+  return "scene,checker,query,model,outcome,planning_s,checking_s,checks,path_states,path_hits,lost_to\n";
 }
 
 std::string toCsv(const PlanRow& row) {
@@ -81,7 +90,7 @@ std::string toCsv(const PlanRow& row) {
   const auto number = [&](double value) { return lost ? "" : csvNumber(value); };
   const auto text = [&](std::size_t value) { return lost ? "" : std::to_string(value); };
   return csvLine({row.scene, name(row.checker), std::to_string(row.query), row.model, name(row.outcome), number(row.seconds),
-                  number(row.check_seconds), text(row.checks), text(row.path_states), text(row.path_hits)});
+                  number(row.check_seconds), text(row.checks), text(row.path_states), text(row.path_hits), row.lost_to});
 }
 
 json quartiles(std::vector<double> values) {

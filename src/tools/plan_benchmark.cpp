@@ -53,7 +53,7 @@ void addOptions(CommandLine& app, Command& command) {
   add("--at", command.at, "JOINT=VALUE", "Where a joint stands that is not planned [rad or m]; repeatable; default: at rest");
   add("--models", command.models, "LIST", "Models, comma-separated, original first: original,single_hull,default,fitted,spheres; default: all");
   add("--checkers", command.checkers, "LIST",
-      "Comma-separated: boxes, this package's own with convex hulls; moveit, FCL's dynamic trees with hulls as meshes; default: both");
+      "Comma-separated: boxes, this package's own; trees, FCL's dynamic trees; moveit, the same with hulls as meshes; default: all");
   add("--time-limit", options.planner.time_limit, "S [5]", "Of a query, in seconds")->check(range(1e-3, 3600));
   add("--step", options.planner.step, "SHARE [0.005]", "Of a joint's range, between states at which a motion is checked")
       ->check(range(1e-5, 0.5));
@@ -83,7 +83,7 @@ void interpret(Command& command) {
   options.request.samples = static_cast<std::size_t>(command.samples);
   options.request.options.validate = false;
   const auto same = [](const std::string& text) { return text; };
-  const auto checker = [](const std::string& text) { return choice("--checkers", text, checkerNamed, "boxes, moveit"); };
+  const auto checker = [](const std::string& text) { return choice("--checkers", text, checkerNamed, "boxes, trees, moveit"); };
   if (!command.models.empty()) options.models = parsedList<std::string>(command.models, same);
   if (!command.checkers.empty()) options.checkers = parsedList<CheckerKind>(command.checkers, checker);
   if (!command.clearance.empty()) options.request.clearance = parseMetres(command.clearance, "--clearance");

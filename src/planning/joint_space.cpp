@@ -41,9 +41,10 @@ JointSpace::JointSpace(const Kinematics& kinematics, const std::string& pattern,
     variables_.push_back(i);
   }
   if (!joints_.empty()) return;
-  throw Error(ErrorCode::kBadOption, all.empty() ? "the robot has no movable joint, and nothing to plan; give another robot"
-                                                 : "joints '" + pattern + "' matches no joint with room between its limits; the movable joints are " +
-                                                       namesOf(all));
+  throw Error(ErrorCode::kBadOption,
+              all.empty()
+                  ? "the robot has no movable joint, and nothing to plan; give another robot"
+                  : "joints '" + pattern + "' matches no joint with room between its limits; the movable joints are " + namesOf(all));
 }
 
 Configuration JointSpace::configuration(const JointValues& values) const {
@@ -83,7 +84,8 @@ std::vector<JointValues> alongPath(const std::vector<JointVariable>& joints, con
   for (std::size_t k = 0; k + 1 < path.size(); ++k) {
     double steps = 1;
     for (std::size_t i = 0; i < joints.size(); ++i)
-      steps = std::max(steps, std::ceil(std::abs(travel(joints[i], path[k][i], path[k + 1][i])) / (step * (joints[i].upper - joints[i].lower))));
+      steps = std::max(steps,
+                       std::ceil(std::abs(travel(joints[i], path[k][i], path[k + 1][i])) / (step * (joints[i].upper - joints[i].lower))));
     for (double n = 0; n < steps; ++n) along.push_back(between(joints, path[k], path[k + 1], n / steps));
   }
   if (!path.empty()) along.push_back(path.back());

@@ -1,5 +1,5 @@
-// Runs the queries. Every check is timed by itself: two readings of the clock, some tens of nanoseconds, are part of the planning time of all
-// models alike.
+// Runs the queries. Every check is timed by itself: two readings of the clock, some tens of nanoseconds, are part of the planning time of
+// all models alike.
 #include "planning/plan_benchmark.h"
 
 #include <memory>
@@ -127,8 +127,8 @@ class SceneRun {
 
 void expectBetween(const std::string& option, double value, double least, double most) {
   if (value >= least && value <= most) return;
-  throw Error(ErrorCode::kBadOption,
-              option + " " + std::to_string(value) + " is out of range: use a number from " + std::to_string(least) + " to " + std::to_string(most));
+  throw Error(ErrorCode::kBadOption, option + " " + std::to_string(value) + " is out of range: use a number from " + std::to_string(least) +
+                                         " to " + std::to_string(most));
 }
 
 }  // namespace
@@ -139,8 +139,10 @@ void check(const PlanOptions& options) {
   expectBetween("time limit", options.planner.time_limit, 1e-3, 3600);
   expectBetween("step", options.planner.step, 1e-5, 0.5);
   if (options.checkers.empty()) throw Error(ErrorCode::kBadOption, "no checker: use some of boxes, trees, moveit");
+  checkModels(options.models);
   if (options.models.empty() || options.models.front() != kOriginalModel)
-    throw Error(ErrorCode::kBadOption, std::string("the models must begin with '") + kOriginalModel + "', which the others are compared with");
+    throw Error(ErrorCode::kBadOption,
+                std::string("the models must begin with '") + kOriginalModel + "', which the others are compared with");
 }
 
 PlanResults runPlanBenchmark(const Input& robot, const std::vector<Scene>& scenes, const PlanOptions& options,

@@ -14,11 +14,11 @@
 namespace collision_hulls {
 
 struct PlanOptions {
-  std::size_t queries = 50;                  ///< a scene
-  std::uint32_t seed = 1;                    ///< > 0; of the queries and of the planner
-  std::string joints;                        ///< regular expression on their names; empty: all that move
-  std::map<std::string, double> others;      ///< [rad or m] where joints stand that are not planned
-  PlannerSettings planner;                   ///< its seed is set query by query
+  std::size_t queries = 50;              ///< a scene
+  std::uint32_t seed = 1;                ///< > 0; of the queries and of the planner
+  std::string joints;                    ///< regular expression on their names; empty: all that move
+  std::map<std::string, double> others;  ///< [rad or m] where joints stand that are not planned
+  PlannerSettings planner;               ///< its seed is set query by query
   std::vector<std::string> models = allModels();
   std::vector<CheckerKind> checkers{CheckerKind::kBoxes, CheckerKind::kTrees, CheckerKind::kMoveIt};
   ModelRequest request;
@@ -56,8 +56,9 @@ struct PlanResults {
 
 /// Plans in each scene. The starts and goals are free with the original meshes behind boxes; a model may find one of them in collision, and
 /// has then lost the query. For each query, every model and checker plans in turn, beginning with another one each time, so that a busy
-/// machine disturbs all alike. Links that the planned joints do not move against each other, or against the scene, are not compared. `take` gets each row at once. Deterministic apart from times and what time limits cut short. Throws kBadOption,
-/// and what ModelMaker and drawQueries() throw.
+/// machine disturbs all alike. Links that the planned joints do not move against each other, or against the scene, are not compared. `take`
+/// gets each row at once. Deterministic apart from times and what time limits cut short. Throws kBadOption, and what ModelMaker and
+/// drawQueries() throw.
 PlanResults runPlanBenchmark(const Input& robot, const std::vector<Scene>& scenes, const PlanOptions& options,
                              const std::function<void(const PlanRow&)>& take);
 

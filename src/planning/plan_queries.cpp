@@ -24,9 +24,10 @@ class Draws {
       const std::vector<JointValues> straight = alongPath(space_.joints(), {query.start, query.goal}, step_);
       if (!std::all_of(straight.begin(), straight.end(), is_free_)) return query;
     }
-    throw Error(ErrorCode::kBadOption, "the straight motions between " + std::to_string(kMostPairs) +
-                                           " pairs of states are all free, so there is nothing to plan; plan more joints (--joints), or give "
-                                           "another scene");
+    throw Error(ErrorCode::kBadOption,
+                "the straight motions between " + std::to_string(kMostPairs) +
+                    " pairs of states are all free, so there is nothing to plan; plan more joints (--joints), or give "
+                    "another scene");
   }
 
  private:

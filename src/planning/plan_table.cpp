@@ -1,5 +1,5 @@
-// Times are of solved queries alone. For ratios, pairs of a model's query and the original's are compared, since queries differ by more than
-// models do.
+// Times are of solved queries alone. For ratios, pairs of a model's query and the original's are compared, since queries differ by more
+// than models do.
 #include "planning/plan_table.h"
 
 #include <algorithm>
@@ -106,13 +106,14 @@ json quartiles(std::vector<double> values) {
   return five;
 }
 
-json planSummary(const PlanResults& results, const std::string& robot, const std::vector<JointVariable>& joints, const PlanOptions& options) {
+json planSummary(const PlanResults& results, const std::string& robot, const std::vector<JointVariable>& joints,
+                 const PlanOptions& options) {
   json names = json::array(), models = json::array();
   for (const JointVariable& joint : joints) names.push_back(joint.name);
   for (const ModelSize& size : results.sizes) {
     for (const CheckerKind checker : options.checkers)
-      models.push_back(summaryOf(size, checker, rowsOf(results, size.scene, size.model, checker),
-                                 rowsOf(results, size.scene, kOriginalModel, checker)));
+      models.push_back(
+          summaryOf(size, checker, rowsOf(results, size.scene, size.model, checker), rowsOf(results, size.scene, kOriginalModel, checker)));
   }
   return {{"robot", robot},
           {"joints", names},

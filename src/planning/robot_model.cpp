@@ -1,5 +1,5 @@
-// Models come straight from the flows that programs run, without files between. Hulls are taken from the results; primitives, the original's
-// and new ones alike, from the rewritten description, which says which of them are left.
+// Models come straight from the flows that programs run, without files between. Hulls are taken from the results; primitives, the
+// original's and new ones alike, from the rewritten description, which says which of them are left.
 #include "planning/robot_model.h"
 
 #include <algorithm>
@@ -54,7 +54,13 @@ IgnoredPairs ignoredPairs(const RobotDescription& robot, const Scene& scene, con
   return ignored;
 }
 
-void checkNames(const std::vector<std::string>& names) {
+}  // namespace
+
+std::vector<std::string> allModels() {
+  return {kOriginalModel, "single_hull", "default", kFitted, "spheres"};
+}
+
+void checkModels(const std::vector<std::string>& names) {
   const std::vector<std::string> known = allModels();
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
@@ -64,15 +70,9 @@ void checkNames(const std::vector<std::string>& names) {
   }
 }
 
-}  // namespace
-
-std::vector<std::string> allModels() {
-  return {kOriginalModel, "single_hull", "default", kFitted, "spheres"};
-}
-
 ModelMaker::ModelMaker(const Input& robot, const std::vector<std::string>& names, const ModelRequest& options)
     : robot_(robot), names_(names), options_(options) {
-  checkNames(names);
+  checkModels(names);
 }
 
 RobotResult ModelMaker::decomposed(const std::string& name) const {

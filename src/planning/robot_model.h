@@ -28,6 +28,7 @@ constexpr const char* kOriginalModel = "original";
 
 /// "original" (the meshes), "single_hull" (one for each mesh), "default" (the default options' hulls), "fitted" (to the scene), "spheres".
 std::vector<std::string> allModels();
+void checkModels(const std::vector<std::string>& names);  ///< throws kBadOption for a name that is none of these
 
 struct ModelRequest {
   double clearance = 0.01;      ///< [m] of the fitted model
@@ -42,11 +43,11 @@ struct SceneModels {
 };
 
 /// Makes models of a robot and fits those that are to be fitted to a scene. All are checked for the same pairs: without those that the fit
-/// leaves out or finds never to meet, by the original meshes, and that it would disable in an SRDF. What does not depend on the scene is made
-/// once.
+/// leaves out or finds never to meet, by the original meshes, and that it would disable in an SRDF. What does not depend on the scene is
+/// made once.
 class ModelMaker {
  public:
-  /// Throws kBadOption for a name that is unknown.
+  /// `names`: of the models. Throws as checkModels().
   ModelMaker(const Input& robot, const std::vector<std::string>& names, const ModelRequest& options);
 
   /// Throws what fitRobotToScene() and decomposeRobot() throw, and the error of the first mesh that failed.

@@ -24,7 +24,8 @@ struct Command {
   PlanOptions options;
 };
 
-constexpr const char* kPurpose = "Shows what a planner gains by a collision model: OMPL's RRT-Connect with the original meshes and with models.";
+constexpr const char* kPurpose =
+    "Shows what a planner gains by a collision model: OMPL's RRT-Connect with the original meshes and with models.";
 
 constexpr const char* kFooter = R"(
 Starts and goals are random states that are free with the original meshes, while the straight motion between them is not; they are the
@@ -51,7 +52,8 @@ void addOptions(CommandLine& app, Command& command) {
   add("--queries", command.queries, "N [50]", "Queries a scene")->check(range(1, 1e6));
   add("--joints", options.joints, "REGEX", "Joints that are planned: a regular expression that matches the whole name; default: all");
   add("--at", command.at, "JOINT=VALUE", "Where a joint stands that is not planned [rad or m]; repeatable; default: at rest");
-  add("--models", command.models, "LIST", "Models, comma-separated, original first: original,single_hull,default,fitted,spheres; default: all");
+  add("--models", command.models, "LIST",
+      "Models, comma-separated, original first: original,single_hull,default,fitted,spheres; default: all");
   add("--checkers", command.checkers, "LIST",
       "Comma-separated: boxes, this package's own; trees, FCL's dynamic trees; moveit, the same with hulls as meshes; default: all");
   add("--time-limit", options.planner.time_limit, "S [5]", "Of a query, in seconds")->check(range(1e-3, 3600));

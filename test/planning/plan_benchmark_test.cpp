@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "plan_fixtures.h"
+#include "planning/checker.h"
 #include "planning/plan_queries.h"
 #include "planning/plan_table.h"
+#include "planning/robot_model.h"
 #include "robot/robot_tests.h"
 
 namespace collision_hulls {

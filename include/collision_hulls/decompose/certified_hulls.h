@@ -55,7 +55,7 @@ struct CertifiedHulls {
   std::vector<RegionProof> regions;
   /// bound <= tolerance + padding, and no more than its tolerance in each region
   bool within_tolerance = true;
-  std::string reason;    ///< why not, and what to do about it; empty if it is
+  std::string reason;  ///< why not, and what to do about it; empty if it is
   /// What the deadline of the control cut short or left out, for people; empty: nothing.
   std::string untried;
   double nudge = 0;      ///< by which every hull was grown to absorb rounding
@@ -69,9 +69,10 @@ struct CertifiedHulls {
 /// Repairs the mesh, decomposes it, and proves the result. Deterministic: the same mesh and options
 /// give the same bytes, on any number of threads. With a deadline in the control the method
 /// certified gives the best that it has by then; the search gets most of that time and the proof
-/// the rest, but cover, rounding and a first bound take what they take. Thread safe. Throws what repair() throws,
-/// kEmptyMesh for a mesh without triangles, kBadOption (a tolerance must be given, also for methods
-/// that ignore it), kCancelled, and kInternal if the result should fail its own check.
+/// the rest, but cover, rounding and a first bound take what they take. Thread safe. Throws what
+/// repair() throws, kEmptyMesh for a mesh without triangles, kBadOption (a tolerance must be given,
+/// also for methods that ignore it), kCancelled, and kInternal if the result should fail its own
+/// check.
 CertifiedHulls certifiedHulls(const TriangleMesh& mesh, const DecomposeOptions& options,
                               const RunControl& control = {});
 

@@ -55,7 +55,7 @@ constexpr ScoreWeights kLargeSides{0.5, 0.3, 0}, kAnySide{0.5, 0, 0.1}, kLittleV
 // Quick: the second and the third way are tried only if the best cover so far has no more hulls than this, when every hull counts.
 constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max(), kFew = 24, kVeryFew = 10;
 // Multiples of the tolerance that are tried before it where there is a deadline.
-constexpr double kCoarser[] = {16, 4};
+constexpr double kCoarsest = 16, kCoarser = 4;
 // Evaluations of the search, and for Effort::kBest the elements that leaves are halved into and the evaluations after each way of
 // splitting.
 constexpr long kQuickEvaluations = 400, kBestEvaluations = 10'000, kFirstEvaluations = 200;
@@ -199,7 +199,7 @@ class Job {
   /// For when time ends before there is a cover at the tolerance itself: the finest of some that was made in time.
   Coarse coarseCover() {
     Coarse finest;
-    for (const double factor : kCoarser) {
+    for (const double factor : {kCoarsest, kCoarser}) {
       oracle_.setTolerance(factor * options_.tolerance);
       Coarse next;
       tryWay(plan_.ways.front(), {0, 0}, next.cover);

@@ -304,7 +304,7 @@ TEST(CertifiedUntilADeadline, ACoarserCoverStandsInForOneThatIsNotComplete) {
 }
 
 TEST(CertifiedUntilADeadline, TheToleranceHoldsOnceTheSurfaceIsDivided) {
-  for (const double share : {0.5, 0.65}) {
+  for (const double share : {0.25, 0.3, 0.4, 0.5, 0.65}) {
     const Decomposition result = endedAt(share, ring(), within(0.004));
     EXPECT_LE(protrusionOf(result.hulls, ring()), 0.004);
     EXPECT_NE(result.untried.find("the search for fewer hulls"), std::string::npos) << result.untried;

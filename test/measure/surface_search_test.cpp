@@ -88,5 +88,20 @@ TEST_F(AroundACube, HalvingsThatRunOutLeaveTheBoundOfTheOpenPatches) {
   EXPECT_LE(p.found, 2 + 1e-12);
 }
 
+// The furthest place, in the middle of the mouth, is on the border between triangles, where nothing looks before they are divided.
+TEST(SurfaceSearch, WhatIsNotSearchedInTimeKeepsItsBound) {
+  const TriangleMesh bowl = test_shapes::openBox(1, 1, 1, 0.05);
+  const Solid solid = solidOf(bowl);
+  const ConvexHull hull = convexHull(bowl.vertices);
+  SurfaceQuery query;
+  query.gap = 1e-4;
+  const Protrusion exact = largestOnSurface(hull, solid, query, {});
+  RunControl late;
+  late.deadline = std::chrono::steady_clock::now();
+  const Protrusion early = largestOnSurface(hull, solid, query, late);
+  EXPECT_LT(early.found, exact.found - 0.01) << "it was searched";
+  EXPECT_GE(early.bound, exact.found);
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -90,5 +90,15 @@ TEST(Merging, IsDeterministic) {
   }
 }
 
+TEST(Merging, AfterADeadlineTheCoverIsAsItWas) {
+  Subject subject(box(1, 2, 3, 3), 0.05);
+  SurfaceGroups groups({leafOf(subject.mesh.mesh)}, 64, subject.oracle, 0);
+  subject.control.deadline = std::chrono::steady_clock::now();
+  subject.control.stops_at_deadline = true;
+  const Cover cover = mergedBest(singlesOf(groups, 64), groups);
+  EXPECT_EQ(cover.size(), 64u);
+  EXPECT_EQ(elementsIn(cover), upTo(64));
+}
+
 }  // namespace
 }  // namespace collision_hulls

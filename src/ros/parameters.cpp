@@ -64,18 +64,12 @@ std::optional<Length> readLength(const ros::NodeHandle& node, const std::string&
   return parseLength(text, "parameter " + node.resolveName(name));
 }
 
-double readPadding(const ros::NodeHandle& node) {
-  double metres = 0;
-  if (node.getParam("padding", metres)) return metres;
-  const std::string text = textParameter(node, "padding");
-  return text.empty() ? 0 : parsePadding(text, "parameter " + node.resolveName("padding"));
-}
-
-double readSeconds(const ros::NodeHandle& node, const std::string& name) {
-  double seconds = 0;
-  if (node.getParam(name, seconds)) return seconds;
+/// A number in SI units, or a text with a unit; 0 where the parameter is not set or empty.
+double readQuantity(const ros::NodeHandle& node, const std::string& name, double (*parse)(const std::string&, const std::string&)) {
+  double value = 0;
+  if (node.getParam(name, value)) return value;
   const std::string text = textParameter(node, name);
-  return text.empty() ? 0 : parseSeconds(text, "parameter " + node.resolveName(name));
+  return text.empty() ? 0 : parse(text, "parameter " + node.resolveName(name));
 }
 
 /// The regular expression that matches these names alone; empty for all.
@@ -123,7 +117,7 @@ Options readOptions(const ros::NodeHandle& node) {
   readNamed(node, "method", methodNamed, methodChoices(), options.method);
   readNamed(node, "effort", effortNamed, effortChoices(), options.effort);
   readFlag(node, "fill", options.fill);
-  options.padding = readPadding(node);
+  options.padding = readQuantity(node, "padding", parsePadding);
   readNamed(node, "shapes", shapesNamed, shapesChoices(), options.shapes);
   readFlag(node, "segments", options.segments);
   options.tree = readLength(node, "tree");
@@ -138,7 +132,7 @@ Options readOptions(const ros::NodeHandle& node) {
   readNumber(node, "jobs", options.jobs);
   readNumber(node, "reader_memory", options.reader_memory);
   readNumber(node, "reader_time", options.reader_time);
-  options.time_limit = readSeconds(node, "time_limit");
+  options.time_limit = readQuantity(node, "time_limit", parseSeconds);
   readFlag(node, "validate", options.validate);
   readFlag(node, "cache", options.cache);
   readFlag(node, "html", options.html);

@@ -29,6 +29,7 @@ namespace {
 // Shares of the whole time at which stages end, approximately.
 constexpr double kTreesEnd = 0.4, kFitEnd = 0.8, kCertifyEnd = 0.9;
 constexpr double kFittedGap = 0.01;  // of the tolerance, or of the protrusion that the tree states if that is larger
+constexpr double kMost = 0.5;        // of the samples: if the robot touches the scene in more, there is a note
 
 using FitMeshes = std::vector<std::shared_ptr<const FitMesh>>;  // one per use; null: failed
 
@@ -261,10 +262,12 @@ std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options
   if (unfitted > 0)
     notes.push_back(counted(unfitted, "link") + (unfitted == 1 ? " that is" : " that are") + " kept or removed had no part in the fit");
   if (!fit.scene_contact.empty()) notes.push_back("the original touches the scene at rest: " + fit.scene_contact);
-  if (fit.scene_hits > 0 && fit.given) {
-    notes.push_back("the original touches the scene in " + std::to_string(fit.scene_hits) + " of " + std::to_string(fit.samples) +
-                    " given configurations");
-  }
+  const std::string touched = "the original touches the scene in " + std::to_string(fit.scene_hits) + " of " + std::to_string(fit.samples);
+  if (fit.scene_hits > 0 && fit.given) notes.push_back(touched + " given configurations");
+  if (!fit.given && static_cast<double>(fit.scene_hits) > kMost * static_cast<double>(fit.samples))
+    notes.push_back(touched +
+                    " sampled configurations, and a fit learns from the others alone; if the robot does not stand there, move the " +
+                    "scene, or give the configurations that matter");
   if (fit.leaf_contacts > 0) {
     notes.push_back(std::to_string(fit.leaf_contacts) + " counterexamples remain even with the finest hulls, such as " + fit.leaf_contact +
                     "; use a smaller tolerance");

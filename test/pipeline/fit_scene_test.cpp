@@ -267,6 +267,20 @@ TEST_F(FitRobotToScene, ReportsContactWithTheScene) {
   EXPECT_TRUE(noted);
 }
 
+TEST_F(FitRobotToScene, SaysThatTheRobotStandsInTheScene) {
+  std::string turning = fixtures::link("tip", bracket(), "base");  // about x, with a leg of 0.2 m along y
+  turning.replace(turning.find("fixed"), 5, "continuous");
+  const auto isNoted = [&](double wall_from_y) {
+    request_.scene.bodies[0] = {"wall", boxShape({2, 2, 0.8}), at(0, 1 + wall_from_y, 0.6)};
+    const RobotResult result = run(fixtures::link("base", bracket()) + turning);
+    const std::vector<std::string>& notes = result.report.notes;
+    return std::any_of(notes.begin(), notes.end(),
+                       [](const std::string& note) { return note.find("of 100 sampled configurations") != std::string::npos; });
+  };
+  EXPECT_TRUE(isNoted(0.04));   // touched over 234 degrees
+  EXPECT_FALSE(isNoted(0.18));  // over 76 degrees
+}
+
 TEST_F(FitRobotToScene, FailedMeshLeavesItsLinkOut) {
   const RobotResult result =
       run(fixtures::link("base", bracket()) + fixtures::link("hand", collision(fixtures::meshTag("../meshes/rubbish.stl")), "base"));

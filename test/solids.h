@@ -62,6 +62,14 @@ inline TriangleMesh flask(double neck = 0.2, int n = 1) {
   return subdivided(squareVessel({{1.5, 0}, {1.5, 3}, {neck, 3}, {neck, 2.5}, {1, 2.5}, {1, 0.5}}), n);
 }
 
+/// A flask beside 20 plates of its height and width, 1.8 apart: in the long hull of all, the middle of the flask's hollow, at distance 1,
+/// is one place among thousands that are nearly as far.
+inline TriangleMesh flaskBesidePlates() {
+  std::vector<TriangleMesh> parts{flask()};
+  for (int i = 0; i < 20; ++i) parts.push_back(moved(box(0.2, 3, 3), {3.3 + 2 * i, -1.5, 0}));
+  return merged(parts);
+}
+
 /// A box [0, 1]^3 with a window [0.5 - half, 0.5 + half]^2 in its top: an open surface.
 inline TriangleMesh boxWithWindow(double half = 0.2) {
   TriangleMesh shell = squareVessel({{0.5, 0}, {0.5, 1}, {half, 1}});

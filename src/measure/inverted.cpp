@@ -1,11 +1,14 @@
-// Finds boxes outside of which a surface provably encloses nothing inside out. All triangles at an edge belong to one part (edge-connected
-// component), so each part is closed and has a winding number of its own; the surface's is their sum. Parts may cross one another.
+// Finds the triangles in front of which a surface may enclose something inside out. All triangles at an edge belong to one part
+// (edge-connected component), so each part is closed and has a winding number of its own; the surface's is their sum. Parts may cross one
+// another.
 //  1. Mark the triangles that may meet others of their part elsewhere than at common corners and edges (triangle_pairs.h).
 //  2. The others form patches across edges that just two of them use, in opposite directions. Nothing of the part is crossed by walking
 //     along a patch's front, so one probe tells the part's winding number in front of the whole patch. If it is negative, mark the patch.
 //  3. A region where a part's winding number is negative is bounded by triangles that all face it, hence by marked ones. Its outer border
 //     is connected, so the region lies in the box around a cluster of marked triangles that touch, unless their normals leave some
-//     direction out: they then bound no region. Outside these boxes no part's winding number is negative, nor is the sum.
+//     direction out: they then bound no region. Outside these boxes no part's winding number is negative.
+// So a part's winding number is proved not to be negative in front of those of its triangles that are not marked, and of all triangles
+// outside its boxes.
 // Near-linear: each triangle is compared with those whose boxes meet its own.
 #include "measure/inverted.h"
 
@@ -75,6 +78,8 @@ class Sets {
 class Part {
  public:
   explicit Part(TriangleMesh mesh) : mesh_(std::move(mesh)), tree_(mesh_), marked_(mesh_.triangles.size()) {}
+
+  const std::vector<char>& marked() const { return marked_; }
 
   /// Steps 1 and 2.
   void mark() {
@@ -169,18 +174,23 @@ class Part {
   std::vector<std::pair<int, int>> meetings_;
 };
 
-std::vector<TriangleMesh> partsOf(const TriangleMesh& surface) {
-  const Edges edges = findEdges(surface.triangles, surface.vertices.size());
-  if (edges.components == 1) return {surface};
-  std::vector<TriangleMesh> parts(edges.components);
-  std::vector<std::vector<int>> members(edges.components);
+/// A surface's parts.
+struct Parts {
+  std::vector<int> of;                    // the part of each triangle
+  std::vector<std::vector<int>> members;  // the triangles of each part
+  std::vector<TriangleMesh> meshes;       // the same with numberings of their own
+};
+
+Parts partsOf(const TriangleMesh& surface) {
+  Edges edges = findEdges(surface.triangles, surface.vertices.size());
+  Parts parts{std::move(edges.component), std::vector<std::vector<int>>(edges.components), std::vector<TriangleMesh>(edges.components)};
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    members[static_cast<std::size_t>(edges.component[t])].push_back(static_cast<int>(t));
+    parts.members[static_cast<std::size_t>(parts.of[t])].push_back(static_cast<int>(t));
   std::vector<int> number(surface.vertices.size(), -1);
-  for (std::size_t c = 0; c < parts.size(); ++c) {
-    TriangleMesh& part = parts[c];
+  for (std::size_t c = 0; c < parts.meshes.size(); ++c) {
+    TriangleMesh& part = parts.meshes[c];
     std::vector<int> used;
-    for (const int t : members[c]) {
+    for (const int t : parts.members[c]) {
       Triangle triangle = surface.triangles[static_cast<std::size_t>(t)];
       for (int& v : triangle) {
         int& mine = number[static_cast<std::size_t>(v)];
@@ -201,19 +211,23 @@ std::vector<TriangleMesh> partsOf(const TriangleMesh& surface) {
 }  // namespace
 
 std::vector<char> mayFaceInverted(const TriangleMesh& surface) {
-  std::vector<TriangleMesh> parts = partsOf(surface);
-  std::vector<std::vector<Eigen::AlignedBox3d>> boxes(parts.size());
-  forEach(parts.size(), [&](std::size_t c) {
-    Part part(std::move(parts[c]));
+  Parts parts = partsOf(surface);
+  std::vector<std::vector<Eigen::AlignedBox3d>> boxes(parts.meshes.size());
+  std::vector<char> marked(surface.triangles.size(), 0), result(surface.triangles.size(), 0);
+  forEach(parts.meshes.size(), [&](std::size_t c) {
+    Part part(std::move(parts.meshes[c]));
     part.mark();
     boxes[c] = part.boxesAroundClusters();
+    for (std::size_t i = 0; i < parts.members[c].size(); ++i) marked[static_cast<std::size_t>(parts.members[c][i])] = part.marked()[i];
   });
-  std::vector<char> result(surface.triangles.size(), 0);
   if (std::all_of(boxes.begin(), boxes.end(), [](const auto& of_part) { return of_part.empty(); })) return result;
   const TriangleBvh tree(surface);
-  for (const std::vector<Eigen::AlignedBox3d>& of_part : boxes)
-    for (const Eigen::AlignedBox3d& box : of_part)
-      for (const int t : tree.trianglesNear(box)) result[static_cast<std::size_t>(t)] = 1;
+  for (std::size_t c = 0; c < boxes.size(); ++c)
+    for (const Eigen::AlignedBox3d& box : boxes[c])
+      for (const int t : tree.trianglesNear(box)) {
+        const auto i = static_cast<std::size_t>(t);
+        if (marked[i] || parts.of[i] != static_cast<int>(c)) result[i] = 1;
+      }
   return result;
 }
 

@@ -57,6 +57,12 @@ TEST(MayFaceInverted, APartInsideOutDoesAndSoDoesWhatIsNearIt) {
   for (std::size_t t = 0; t < 36; ++t) EXPECT_EQ(marks[t], t < 12 || t >= 24) << t;
 }
 
+TEST(MayFaceInverted, WhatIsProvedOfOnePartIsNotTakenForAnother) {
+  const TriangleMesh inverted = insideOut(test_shapes::moved(test_shapes::box(1, 1, 1), {5, 0, 0}));
+  const TriangleMesh inside = test_shapes::moved(test_shapes::box(0.1, 0.1, 0.1), {5.5, 0.5, 0.5});
+  EXPECT_EQ(count(mayFaceInverted(test_shapes::merged({inside, inverted}))), 24);
+}
+
 /// A prism whose outline crosses itself: the lobe on the right is inside out.
 TEST(MayFaceInverted, ALobeInsideOut) {
   const TriangleMesh lobes = test_shapes::prism({{-3, -1}, {2, 2.0 / 3}, {2, 0}, {-3, 0}}, {{0, 1, 2}, {0, 2, 3}}, 1);

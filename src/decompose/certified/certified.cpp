@@ -9,6 +9,7 @@
 //     cover  = mergedBest(leaves)            merging.h; with Effort::kBest, improved() a little
 //     keep the cover if it has fewer hulls than the best so far; if it is provably minimal, stop     points_apart.h
 //   cover = improved(best cover)             local_search.h
+//   if a hull of the cover may hold a pocket: all this once more, with a search for pockets in each hull that is tried
 //   if a cap on hulls asks for fewer: treeAbove(cover) and a cut of that tree                        tree_building.h
 //
 // All of this is done about the origin and along the mesh's own axes, where coordinates are finest and results steadier under rotation.
@@ -152,6 +153,37 @@ class Job {
   /// The steps at the top of this file, without the tree. The cover's hulls, capped, are proven to fit, but for leaves that could not be
   /// split, or not in time. groups_ is then what the cover's groups belong to.
   Cover cover() {
+    Cover first = searched();
+    if (searching_.late() || !mayHoldPockets(first)) return first;
+    oracle_.provePockets();
+    groups_.reset();
+    return searched();
+  }
+
+  /// What the deadline cut short or left out; empty: nothing.
+  const std::string& untried() const { return untried_; }
+
+  std::vector<ConvexHull> hullsOf(const Cover& cover) const {
+    std::vector<ConvexHull> hulls(cover.size());
+    forEach(cover.size(), [&](std::size_t i) { hulls[i] = groups_->cappedHull(cover[i]); });
+    return hulls;
+  }
+
+  /// After the deadline its bounds are loose.
+  HullTree treeOver(Cover cover) {
+    searching_.stops_at_deadline = false;
+    forEach(cover.size(), [&](std::size_t i) { cover[i].hull = std::make_shared<ConvexHull>(groups_->exactHull(cover[i])); });
+    return treeAbove(cover, oracle_, reporting(control_, {kSearched, 1}));
+  }
+
+ private:
+  /// Of hulls that do not fit anyway nothing is asked.
+  bool mayHoldPockets(const Cover& cover) {
+    return std::any_of(cover.begin(), cover.end(),
+                       [&](const Group& group) { return groups_->isProven(group) && oracle_.mayHoldPocket(groups_->cappedHull(group)); });
+  }
+
+  Cover searched() {
     Coarse coarse;
     if (control_.until() != RunControl::Time::max()) coarse = coarseCover();
     Cover best;
@@ -173,23 +205,6 @@ class Job {
     return best;
   }
 
-  /// What the deadline cut short or left out; empty: nothing.
-  const std::string& untried() const { return untried_; }
-
-  std::vector<ConvexHull> hullsOf(const Cover& cover) const {
-    std::vector<ConvexHull> hulls(cover.size());
-    forEach(cover.size(), [&](std::size_t i) { hulls[i] = groups_->cappedHull(cover[i]); });
-    return hulls;
-  }
-
-  /// After the deadline its bounds are loose.
-  HullTree treeOver(Cover cover) {
-    searching_.stops_at_deadline = false;
-    forEach(cover.size(), [&](std::size_t i) { cover[i].hull = std::make_shared<ConvexHull>(groups_->exactHull(cover[i])); });
-    return treeAbove(cover, oracle_, reporting(control_, {kSearched, 1}));
-  }
-
- private:
   /// A cover at a larger tolerance. No groups: there is none.
   struct Coarse {
     Cover cover;

@@ -6,6 +6,8 @@
 //   3. if that bound is too coarse to prove that the hull fits: branch and bound over its surface (measure/surface_search.h), except for
 //      facets that earlier hulls had as well;
 //   4. and, for a proof, a search for pockets, summits of the distance inside the hull that lie further out than anything on its surface.
+//      It is a glance unless pockets are to be proved: where little is known about the surface, the proof for one hull takes longer than
+//      all else, and most hulls do not remain.
 //
 // Why 2 alone will not do: the octree's cells would have to be a few hundredths of the tolerance wide, and a dense grid of distances was
 // the bottleneck of the first prototypes; where a hull spans a large wall at nearly the tolerance, even coarse cells are many thousands.
@@ -38,6 +40,7 @@ constexpr double kQuickCell = 1;         // radius of the smallest octree cells:
 constexpr double kFineCell = 0.42;       // before a proof (for leaves, whose share of the tolerance is smaller, this is a proof),
 constexpr double kIntruderCell = 0.125;  // and for intruders
 constexpr double kPocketCell = 0.01;     // where the search for pockets ends
+constexpr double kShallow = 0.9;         // to know that a hull's surface is nearer than this hardly helps that search
 constexpr double kLooseGap = 0.005;      // between the bounds of large protrusions
 
 constexpr double kLooseShare = 0.01;  // the same as a share of the protrusion itself
@@ -50,6 +53,8 @@ constexpr std::size_t kMostKnown = 400;  // intruders remembered
 
 // Visits to the octree's cells before a hull's surface is searched: for each facet that no earlier hull had, and for the others together.
 constexpr std::size_t kVisitsPerFacet = 1, kLeastVisits = 30;
+// The same for a glance at pockets.
+constexpr std::size_t kPocketGlance = 300;
 
 ConvexHull grown(ConvexHull hull) {
   const Eigen::Vector3d middle = boundingBox(hull).center();
@@ -113,6 +118,7 @@ ProtrusionOracle::ProtrusionOracle(const Solid& solid, const Eigen::AlignedBox3d
 ProtrusionOracle ProtrusionOracle::forPart(const Eigen::AlignedBox3d& part) const {
   ProtrusionOracle result(solid_, box_, tolerance_, control_);
   result.share_ = share_;
+  result.proves_pockets_ = proves_pockets_;
   result.outside_.learn(outside_, part);
   std::copy_if(known_.begin(), known_.end(), std::back_inserter(result.known_), [&](const Eigen::Vector3d& p) { return part.contains(p); });
   for (const Watch& watch : watches_)
@@ -242,22 +248,45 @@ bool ProtrusionOracle::concluded(const ConvexHull& hull, const Protrusion& on_su
     return false;
   }
   facets_.learn(written(hull), on_surface.bound);
-  return !mayHoldPocket(hull, on_surface.bound);
+  if (proves_pockets_) return !mayHoldPocket(hull);
+  return isTooSmallForPockets(hull) || summit(hull, on_surface.bound, kPocketGlance).found <= tolerance_;
 }
 
-/// Whether the middle of a pocket between surfaces may be further from the solid than the hull's whole surface, and than the tolerance.
-bool ProtrusionOracle::mayHoldPocket(const ConvexHull& hull, double surface_bound) {
-  // Independent of the octree: nothing in a small hull is far from the surface if one of its vertices is near it.
-  if (solid_.distanceToSurface(hull.vertices[0]) + boundingBox(hull).diagonal().norm() <= tolerance_) return false;
+/// Independent of the octree: nothing in a small hull is far from the surface if one of its vertices is near it.
+bool ProtrusionOracle::isTooSmallForPockets(const ConvexHull& hull) const {
+  return solid_.distanceToSurface(hull.vertices[0]) + boundingBox(hull).diagonal().norm() <= tolerance_;
+}
+
+bool ProtrusionOracle::mayHoldPocket(const ConvexHull& hull) {
+  if (!isTooSmallForPockets(hull) && !fitsByOctree(hull, reach(hull)).value_or(false)) {
+    SurfaceQuery on;  // the smaller its bound, the fewer cells matter
+    on.floor = kShallow * tolerance_;
+    on.gap = kProofGap * tolerance_;
+    on.known = &outside_;
+    const double surface_bound = largestOnSurface(hull, solid_, on, control_).bound;
+    if (summit(hull, surface_bound, OutsideDistance::Query{}.most_visits).bound > tolerance_) return true;
+  }
+  return !holdsInRegions(hull, [](ProtrusionOracle& oracle, const ConvexHull& part) { return !oracle.mayHoldPocket(part); });
+}
+
+void ProtrusionOracle::provePockets() {
+  proves_pockets_ = true;
+  for (const Watch& watch : watches_) watch.oracle->provePockets();
+}
+
+/// A search for the middle of a pocket between surfaces that is further from the solid than the hull's whole surface, and than the
+/// tolerance.
+OutsideDistance::Largest ProtrusionOracle::summit(const ConvexHull& hull, double surface_bound, std::size_t most_visits) {
   OutsideDistance::Query query;
   query.floor = query.ceiling = tolerance_;
   query.resolution = kPocketCell * tolerance_;
   query.summits_only = true;
   query.surface_bound = surface_bound;
   query.depth = leastWidth(hull) / 2;
+  query.most_visits = most_visits;
   const OutsideDistance::Largest summit = outside_.largest(hull, query, control_);
   if (summit.found > tolerance_) remember(summit.where);
-  return summit.bound > tolerance_;
+  return summit;
 }
 
 double ProtrusionOracle::bound(const ConvexHull& exact) {

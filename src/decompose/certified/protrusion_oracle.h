@@ -62,8 +62,9 @@ class ProtrusionOracle {
   /// finest cells; infinite: the hull does not fit.
   double reach(const ConvexHull& hull);
 
-  /// True: no point of the hull is further from the solid than the tolerance and no point of its
-  /// surface further than 99.8 % of it, provably.
+  /// True: no point of the hull's surface is further from the solid than 99.8 % of the tolerance,
+  /// provably, and no pocket came to light. After provePockets(): no point of the hull is further
+  /// than the tolerance, provably.
   bool fits(const ConvexHull& hull) { return fitsWithin(hull, reach(hull)); }
 
   /// The same for a hull whose reach() is known.
@@ -71,6 +72,14 @@ class ProtrusionOracle {
 
   /// The same for several hulls, searched in parallel.
   std::vector<char> fit(const std::vector<const ConvexHull*>& hulls);
+
+  /// Whether a hull that fits may still hold a pocket further from the solid than the tolerance, by
+  /// a thorough search.
+  bool mayHoldPocket(const ConvexHull& hull);
+
+  /// Makes fits(), fitsWithin() and fit() search each hull so. That takes long, and pockets that a
+  /// glance does not find are rare: first do without, and ask about the hulls that remain.
+  void provePockets();
 
   /// An upper bound on any hull's protrusion, within a few per cent of it or of the tolerance. What
   /// protrudes in a region counts for more, by as much as its tolerance is smaller.
@@ -112,7 +121,8 @@ class ProtrusionOracle {
   Descent descend(const ConvexHull& hull, double resolution);
   bool mayFit(const ConvexHull& hull, const Descent& descent);
   bool concluded(const ConvexHull& hull, const Protrusion& on_surface);
-  bool mayHoldPocket(const ConvexHull& hull, double surface_bound);
+  OutsideDistance::Largest summit(const ConvexHull& hull, double surface_bound, std::size_t most_visits);
+  bool isTooSmallForPockets(const ConvexHull& hull) const;
   void remember(const Eigen::Vector3d& intruder);
   void rememberOnSurface(const Eigen::Vector3d& intruder, const ConvexHull& hull);
   double intrusion() const;
@@ -121,6 +131,7 @@ class ProtrusionOracle {
   const RunControl& control_;
   const Eigen::AlignedBox3d box_;
   double tolerance_, share_ = 1;
+  bool proves_pockets_ = false;
   OutsideDistance outside_;
   std::vector<Eigen::Vector3d> known_;  // intruders, the most useful ones first
   KnownFacets facets_;

@@ -152,6 +152,7 @@ class Splitting {
     // If `thin` is the whole hull, its reach is known already.
     const bool is_asked = !reduced && points.size() <= kSome && thin.vertices.size() == hull.vertices.size();
     const bool fits = clear && (is_asked ? oracle_.fitsWithin(hull, reach) : oracle_.fits(reduced ? *reduced : hull));
+    whole.fits = fits;
     if (fits) whole.reduced = reduced;
     if (fits || is_last) return {};
     std::vector<Block> parts = components(block);

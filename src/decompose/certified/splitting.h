@@ -26,6 +26,7 @@ struct Leaf {
   Block block;
   ConvexHull hull;
   std::shared_ptr<const ConvexHull> reduced = nullptr;  ///< the hull with its vertices capped, if that is what fits
+  bool fits = false;                                    ///< no: it could not be split further, or not in time
 };
 
 /// Splits a mesh into leaves whose blocks make up the whole surface (including loose segments). By

@@ -98,7 +98,7 @@ bool farApart(const Group& a, const Group& b, double tolerance) {
 
 SurfaceGroups::SurfaceGroups(const std::vector<Leaf>& leaves, std::size_t element_count, ProtrusionOracle& oracle, int max_vertices)
     : elements_(elementsOf(leaves, element_count, oracle.tolerance())), oracle_(oracle), max_vertices_(max_vertices) {
-  for (const Leaf& leaf : leaves) leaves_.push_back({leaf.hull, leaf.reduced, 0});
+  for (const Leaf& leaf : leaves) leaves_.push_back({leaf.hull, leaf.reduced, leaf.fits, 0});
   for (const Element& e : elements_) ++leaves_[at(e.leaf)].elements;
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     Group group;
@@ -238,6 +238,12 @@ bool SurfaceGroups::hasSolidBetween(const Group& a, const Group& b) const {
   for (std::uint64_t i = 0; i < kSamples; ++i)
     if (!fits((of_a[mixed(2 * i) % of_a.size()] + of_b[mixed(2 * i + 1) % of_b.size()]) / 2)) return false;
   return true;
+}
+
+bool SurfaceGroups::isProven(const Group& group) const {
+  if (isWholeLeaf(group)) return leaves_[at(elements_[at(group.elements.front())].leaf)].fits;
+  const auto known = known_.find(group.key);
+  return known != known_.end() && known->second.proven;
 }
 
 bool SurfaceGroups::proven(const Group& group) {

@@ -66,6 +66,9 @@ class SurfaceGroups {
   bool proven(const Group& group);
   bool proven(const Cover& cover);
 
+  /// Whether that has been proven already; nothing is tried.
+  bool isProven(const Group& group) const;
+
   /// Tests in parallel which of the groups' hulls fit.
   void prove(std::vector<const Group*> groups);
 
@@ -109,6 +112,7 @@ class SurfaceGroups {
   struct WholeLeaf {
     ConvexHull hull;
     std::shared_ptr<const ConvexHull> reduced;
+    bool fits = false;
     std::size_t elements = 0;
   };
   std::vector<Element> elements_;

@@ -156,6 +156,12 @@ TEST(Certified, APocketBehindANarrowNeckIsNotFilled) {
   EXPECT_EQ(checked(mesh, within(1.1)).hulls.size(), 1u);
 }
 
+TEST(Certified, APocketThatOnlyAProofFindsIsNotFilled) {
+  const TriangleMesh mesh = test_shapes::flaskBesidePlates();
+  EXPECT_GT(checked(mesh, within(0.95)).hulls.size(), 1u);
+  EXPECT_EQ(checked(mesh, within(1.05)).hulls.size(), 1u);
+}
+
 TEST(Certified, FilledHullsContainTheInside) {
   const TriangleMesh mesh = test_shapes::flask(0.1);
   const Solid solid(repair(mesh));

@@ -206,6 +206,18 @@ TEST(Oracle, FindsPocketsBehindANarrowNeck) {
   EXPECT_TRUE(subject.oracle.fits(hull));
 }
 
+TEST(Oracle, AGlanceMissesAPocketThatAProofFinds) {
+  Subject subject(flaskBesidePlates(), 0.95);
+  const ConvexHull hull = hullOf(subject.mesh.mesh);
+  EXPECT_TRUE(subject.oracle.fits(hull));
+  EXPECT_TRUE(subject.oracle.mayHoldPocket(hull));
+  EXPECT_FALSE(subject.oracle.mayHoldPocket(hullOf(test_shapes::box(0.2, 3, 3))));
+  Subject proving(flaskBesidePlates(), 0.95);
+  proving.oracle.provePockets();
+  EXPECT_FALSE(proving.oracle.fits(hull));
+  EXPECT_FALSE(proving.oracle.forPart(boundingBox(hull)).fits(hull));
+}
+
 TEST(Oracle, IntrudersAreInTheHullAndBeyondTheTolerance) {
   for (const TriangleMesh& mesh : {uChannel(), openBox(), torus(1, 0.3, 16, 8)}) {
     const double tolerance = 0.02 * diagonal(mesh);

@@ -98,7 +98,7 @@ struct FclMesh::Impl {
 FclMesh::FclMesh(const TriangleMesh& mesh, const RunControl& control) : impl_(std::make_unique<Impl>()) {
   if (mesh.triangles.empty()) return;
   impl_->model.bv_fitter = std::make_shared<BoxFitter>(mesh, control);
-  build(impl_->model, mesh.vertices, fclTriangles(mesh.triangles));
+  build(impl_->model, mesh.vertices, fclTriangles(mesh.triangles), kFclEnlarged, control);
 }
 
 FclMesh::~FclMesh() = default;

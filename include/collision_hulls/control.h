@@ -22,6 +22,9 @@ namespace collision_hulls {
 struct RunControl {
   /// Called with the share of the work done so far, in [0, 1]; never decreases. May be empty.
   std::function<void(double fraction)> progress;
+  /// Asked at every look (see check()) whether to end, as after cancel(): for callers that nobody
+  /// tells, but who can find out. Any thread of the run asks, several at once. May be empty.
+  std::function<bool()> ends;
   /// The run that this one is part of: cancelling it cancels this one too. Null at the top level.
   const RunControl* whole = nullptr;
   /// When the caller wants the result: the method certified then ends its searches with what they
@@ -33,7 +36,8 @@ struct RunControl {
 
   void cancel() const { cancelled_.store(true); }
   bool cancelled() const {
-    return cancelled_.load(std::memory_order_relaxed) || (whole && whole->cancelled());
+    return cancelled_.load(std::memory_order_relaxed) || (ends && ends()) ||
+           (whole && whole->cancelled());
   }
   /// The deadline, or that of the whole if it is earlier.
   Time until() const { return whole ? std::min(deadline, whole->until()) : deadline; }
@@ -41,8 +45,9 @@ struct RunControl {
     const Time end = until();
     return end != Time::max() && std::chrono::steady_clock::now() >= end;
   }
-  /// Throws Error(kCancelled) after cancel(), and kOutOfTime if it stops at the deadline. Stages
-  /// call this at least every 0.1 s.
+  /// Throws Error(kCancelled) after cancel(), and kOutOfTime if it stops at the deadline. Every
+  /// loop over all of a mesh calls this at least once in 16,384 items. A single call of a library,
+  /// be it for much memory, cannot be interrupted; see doc/limits.md.
   void check() const {
     if (cancelled()) throw Error(ErrorCode::kCancelled, "cancelled by the caller");
     if (stops_at_deadline && late())

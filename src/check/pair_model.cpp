@@ -3,7 +3,9 @@
 #include "check/pair_model.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "base/looks.h"
 #include "base/parallel.h"
 #include "collision_hulls/mesh/repair.h"
 
@@ -26,10 +28,11 @@ void append(TriangleMesh& mesh, const std::array<Eigen::Vector3d, 3>& corners) {
 }
 
 /// The triangles that have an area up to rounding, or the others.
-TriangleMesh selected(const TriangleMesh& mesh, bool with_area) {
+TriangleMesh selected(const TriangleMesh& mesh, bool with_area, const RunControl& control) {
   TriangleMesh result;
+  Looks look(control);
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
-    if (hasArea(mesh, t) == with_area) append(result, {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
+    if (look(); hasArea(mesh, t) == with_area) append(result, {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
   return result;
 }
 
@@ -45,28 +48,28 @@ std::vector<ConvexHull> within(std::vector<ConvexHull> hulls, const std::vector<
 
 }  // namespace
 
-PairModel::PairModel(const ValidationPair& pair, const std::vector<ProbeShape>& box_shapes, const std::vector<Neighbour>& near)
+PairModel::PairModel(ValidationPair& pair, const std::vector<ProbeShape>& box_shapes, const std::vector<Neighbour>& near,
+                     const RunControl& control)
     : name(pair.name),
+      solid(pair.solid ? pair.solid : std::make_shared<const Solid>(repair(pair.original, {}, control), control)),
       frame(pair),
-      original(frame.units(pair.original)),
+      original(frame.units(std::move(pair.original))),
       hulls(frame.units(pair.hulls)),
       spheres(frame.units(pair.spheres)),
       boxes(box_shapes),
-      without_area(selected(original, false)),
+      without_area(selected(original, false, control)),
       inner(within(hulls, spheres)),
       sampler(original, inner),
       tolerance(kFclTolerance + frame.rounding()),
-      solid_(pair.solid),
       to_solid_(pair.solid ? pair.solid_pose.inverse() : Eigen::Isometry3d::Identity()) {
-  if (!without_area.triangles.empty()) with_area_ = selected(original, true);
-  atOnce([&] { fcl_original = std::make_unique<FclMesh>(withArea()); },
+  if (!without_area.triangles.empty()) with_area_ = selected(original, true, control);
+  atOnce([&] { fcl_original = std::make_unique<FclMesh>(withArea(), control); },
          [&] {
-           bvh = std::make_unique<TriangleBvh>(withArea());
-           bvh_without_area = std::make_unique<TriangleBvh>(without_area);
-           if (!solid_) solid_ = std::make_shared<Solid>(repair(pair.original));
+           bvh = std::make_unique<TriangleBvh>(withArea(), std::vector<char>(), control);
+           bvh_without_area = std::make_unique<TriangleBvh>(without_area, std::vector<char>(), control);
          });
-  allowed = frame.units(pair.protrusion) + tolerance + frame.units(solid_->weldDistance());
-  for (const Eigen::Vector3d& p : solid_->componentPoints()) component_points.push_back(frame.units(to_solid_.inverse() * p));
+  allowed = frame.units(pair.protrusion) + tolerance + frame.units(solid->weldDistance());
+  for (const Eigen::Vector3d& p : solid->componentPoints()) component_points.push_back(frame.units(to_solid_.inverse() * p));
   for (const Neighbour& neighbour : near) neighbours.emplace_back("hull of " + neighbour.name, frame.units(*neighbour.hull));
   for (const ConvexHull& hull : hulls) {
     fcl_hulls.emplace_back(hull);
@@ -92,11 +95,11 @@ const Sphere* PairModel::sphereAt(std::size_t hull) const {
 }
 
 bool PairModel::inSolid(const Eigen::Vector3d& p) const {
-  return solid_->contains(to_solid_ * frame.metres(p));
+  return solid->contains(to_solid_ * frame.metres(p));
 }
 
 bool PairModel::hasOpenings() const {
-  return solid_->hasOpenings();
+  return solid->hasOpenings();
 }
 
 }  // namespace collision_hulls

@@ -23,8 +23,9 @@ struct Neighbour {
 /// The original and the hulls of a sound pair, in units. Immutable, thread safe.
 class PairModel {
  public:
-  /// `boxes`: see boxShapes(). Keeps references to the pair and to the boxes.
-  PairModel(const ValidationPair& pair, const std::vector<ProbeShape>& boxes, const std::vector<Neighbour>& neighbours);
+  /// `boxes`: see boxShapes(). Keeps references to the pair's name and to the boxes, and takes the pair's original. Throws kCancelled.
+  PairModel(ValidationPair& pair, const std::vector<ProbeShape>& boxes, const std::vector<Neighbour>& neighbours,
+            const RunControl& control);
   PairModel(const PairModel&) = delete;
   PairModel& operator=(const PairModel&) = delete;
 
@@ -36,6 +37,7 @@ class PairModel {
   bool hasOpenings() const;
 
   const std::string& name;
+  const std::shared_ptr<const Solid> solid;
   const UnitFrame frame;
   const TriangleMesh original;
   const std::vector<ConvexHull> hulls;
@@ -55,8 +57,7 @@ class PairModel {
 
  private:
   std::optional<TriangleMesh> with_area_;  // if there are others
-  std::shared_ptr<const Solid> solid_;
-  Eigen::Isometry3d to_solid_;  // from the pair's frame [m]
+  Eigen::Isometry3d to_solid_;             // from the pair's frame [m]
 };
 
 }  // namespace collision_hulls

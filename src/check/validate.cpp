@@ -98,14 +98,16 @@ class Finished {
 
 }  // namespace
 
-Validation validate(const std::vector<ValidationPair>& pairs, const ValidationOptions& options, const RunControl& control) {
+Validation validate(std::vector<ValidationPair> pairs, const ValidationOptions& options, const RunControl& control) {
   if (options.queries_per_pair < 0)
     throw Error(ErrorCode::kBadOption,
                 "validation: the number of queries per pair is " + std::to_string(options.queries_per_pair) + "; give 0 or more");
   std::vector<std::string> faults;
   std::vector<Boxes> pair_boxes(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
+    control.check();
     faults.push_back(fault(pairs[i]));
+    control.check();
     if (faults[i].empty()) pair_boxes[i] = boxesOf(pairs[i]);
   }
   const std::vector<ProbeShape> boxes = boxShapes();

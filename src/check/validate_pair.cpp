@@ -297,10 +297,10 @@ std::string fault(const ValidationPair& pair) {
   return "";
 }
 
-std::vector<PairResult> validatePair(const ValidationPair& pair, std::size_t index, const std::vector<ProbeShape>& boxes,
+std::vector<PairResult> validatePair(ValidationPair& pair, std::size_t index, const std::vector<ProbeShape>& boxes,
                                      const std::vector<Neighbour>& neighbours, const ValidationOptions& options,
                                      const RunControl& control) {
-  const PairModel model(pair, boxes, neighbours);
+  const PairModel model(pair, boxes, neighbours, control);
   const auto queries = static_cast<std::size_t>(options.queries_per_pair);
   std::vector<PairResult> results((queries + kQueriesAtOnce - 1) / kQueriesAtOnce);
   forEach(results.size(), [&](std::size_t i) {

@@ -22,8 +22,8 @@ constexpr std::size_t kMostRemarks = 20;
 std::string fault(const ValidationPair& pair);
 
 /// Runs the queries of a sound pair whose original has triangles; `index` and the seed determine the poses. `boxes`: see boxShapes(). Each
-/// result covers several queries, in order. Deterministic except for the times.
-std::vector<PairResult> validatePair(const ValidationPair& pair, std::size_t index, const std::vector<ProbeShape>& boxes,
+/// result covers several queries, in order. Takes the original, which may be large, from the pair. Deterministic except for the times.
+std::vector<PairResult> validatePair(ValidationPair& pair, std::size_t index, const std::vector<ProbeShape>& boxes,
                                      const std::vector<Neighbour>& neighbours, const ValidationOptions& options, const RunControl& control);
 
 }  // namespace collision_hulls

@@ -91,7 +91,8 @@ ConvexHull innerHull(const ConvexHull& hull, const HullSupport& support, std::si
 
 /// The hull to be contained.
 struct Held {
-  explicit Held(const ConvexHull& the_hull) : hull(the_hull), support(hull), surface(collision_hulls::surface(hull)) {}
+  Held(const ConvexHull& the_hull, const RunControl& control)
+      : hull(the_hull), support(hull), surface(collision_hulls::surface(hull), {}, control) {}
   const Eigen::Vector3d& vertex(int i) const { return hull.vertices[static_cast<std::size_t>(i)]; }
 
   const ConvexHull& hull;
@@ -233,14 +234,15 @@ double largestDistance(const ConvexHull& outer, const Held& held) {
 }
 
 /// Points whose hull contains `hull`; nullopt if that fails.
-std::optional<Points> outerPoints(const ConvexHull& hull, std::size_t max_vertices) {
-  const Held held(hull);
+std::optional<Points> outerPoints(const ConvexHull& hull, std::size_t max_vertices, const RunControl& control) {
+  const Held held(hull, control);
   std::optional<ConvexHull> outer = risenAndSunk(innerHull(hull, held.support, max_vertices), held);
   if (!outer) return std::nullopt;
   Points best = outer->vertices;
   double least = largestDistance(*outer, held);
   const double enough = kNearEnough * boundingBox(hull).sizes().maxCoeff();
   for (int k = 0; k < kRelaxations && least > enough; ++k) {
+    control.check();
     OuterSurface relaxed(*outer, held);
     relaxed.relax();
     outer = risenAndSunk(relaxed.hull(), held);
@@ -272,9 +274,9 @@ struct Stretch {
   Eigen::Vector3d middle, factors;
 };
 
-std::optional<ConvexHull> outerHull(const ConvexHull& hull, std::size_t max_vertices) {
+std::optional<ConvexHull> outerHull(const ConvexHull& hull, std::size_t max_vertices, const RunControl& control) {
   const Stretch stretch(hull.vertices);
-  const std::optional<Points> points = outerPoints({stretch.forward(hull.vertices), hull.triangles, {}, 0, 0}, max_vertices);
+  const std::optional<Points> points = outerPoints({stretch.forward(hull.vertices), hull.triangles, {}, 0, 0}, max_vertices, control);
   if (!points) return std::nullopt;
   std::optional<ConvexHull> result = hullHolding(stretch.back(*points), hull.vertices);
   return result && result->vertices.size() <= max_vertices ? result : std::nullopt;
@@ -282,13 +284,13 @@ std::optional<ConvexHull> outerHull(const ConvexHull& hull, std::size_t max_vert
 
 }  // namespace
 
-ConvexHull reduceVertices(const ConvexHull& hull, int max_vertices) {
+ConvexHull reduceVertices(const ConvexHull& hull, int max_vertices, const RunControl& control) {
   if (max_vertices < kLeastVertices)
     throw Error(ErrorCode::kBadOption, "max_vertices is " + std::to_string(max_vertices) + "; a hull needs at least " +
                                            std::to_string(kLeastVertices) + " vertices: with that many, a box is always possible");
   const auto most = static_cast<std::size_t>(max_vertices);
   if (hull.vertices.size() <= most) return hull;
-  std::optional<ConvexHull> outer = outerHull(hull, most);
+  std::optional<ConvexHull> outer = outerHull(hull, most, control);
   ConvexHull result = outer ? std::move(*outer) : orientedBox(hull);
   result.thickness = std::max(result.thickness, hull.thickness);
   return result;

@@ -11,6 +11,7 @@
 #include <unordered_map>
 
 #include "base/at.h"
+#include "base/looks.h"
 
 namespace collision_hulls {
 
@@ -53,15 +54,17 @@ class Part {
 /// Divides a piece triangle by triangle; a divided edge gets one new vertex on each side.
 class Cutter {
  public:
-  Cutter(const SurfacePiece& piece, const HalfSpace& plane, double tolerance) : piece_(piece), beneath_(piece), above_(piece) {
+  Cutter(const SurfacePiece& piece, const HalfSpace& plane, double tolerance, const RunControl& control)
+      : piece_(piece), look_(control), beneath_(piece), above_(piece) {
     for (const Eigen::Vector3d& v : piece.vertices) {
+      look_();
       const double d = plane.distance(v);
       distance_.push_back(std::abs(d) <= tolerance ? 0 : d);
     }
   }
 
   std::pair<SurfacePiece, SurfacePiece> run() {
-    for (const Triangle& t : piece_.triangles) divide(t);
+    for (const Triangle& t : piece_.triangles) look_(), divide(t);
     return {std::move(beneath_.piece), std::move(above_.piece)};
   }
 
@@ -102,6 +105,7 @@ class Cutter {
   }
 
   const SurfacePiece& piece_;
+  Looks look_;
   std::vector<double> distance_;
   Part beneath_, above_;
   std::unordered_map<std::uint64_t, std::pair<int, int>> crossings_;
@@ -123,11 +127,13 @@ class Sets {
 
 /// The piece with the vertices in each grid cell merged into one, if at most `most` remain. Drops triangles that collapse, but keeps what
 /// was a segment or a point before.
-std::optional<SurfacePiece> clustered(const SurfacePiece& piece, const Eigen::AlignedBox3d& box, double side, std::size_t most) {
+std::optional<SurfacePiece> clustered(const SurfacePiece& piece, const Eigen::AlignedBox3d& box, double side, std::size_t most,
+                                      Looks& look) {
   SurfacePiece result;
   std::unordered_map<std::uint64_t, int> cells;
   std::vector<int> index;
   for (const Eigen::Vector3d& v : piece.vertices) {
+    look();
     const Eigen::Vector3d cell = ((v - box.min()) / side).array().floor();
     const auto id =
         (static_cast<std::uint64_t>(cell.x()) << 42) | (static_cast<std::uint64_t>(cell.y()) << 21) | static_cast<std::uint64_t>(cell.z());
@@ -137,6 +143,7 @@ std::optional<SurfacePiece> clustered(const SurfacePiece& piece, const Eigen::Al
     index.push_back(place->second);
   }
   for (const Triangle& t : piece.triangles) {
+    look();
     const Triangle c{index[at(t[0])], index[at(t[1])], index[at(t[2])]};
     const bool was_flat = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
     if (was_flat || (c[0] != c[1] && c[1] != c[2] && c[2] != c[0])) result.triangles.push_back(c);
@@ -146,12 +153,13 @@ std::optional<SurfacePiece> clustered(const SurfacePiece& piece, const Eigen::Al
 
 }  // namespace
 
-std::pair<SurfacePiece, SurfacePiece> split(const SurfacePiece& piece, const HalfSpace& plane, double tolerance) {
-  return Cutter(piece, plane, tolerance).run();
+std::pair<SurfacePiece, SurfacePiece> split(const SurfacePiece& piece, const HalfSpace& plane, double tolerance,
+                                            const RunControl& control) {
+  return Cutter(piece, plane, tolerance, control).run();
 }
 
-std::vector<SurfacePiece> parted(const SurfacePiece& piece, const HalfSpace& plane, double tolerance) {
-  auto [beneath, above] = split(piece, plane, tolerance);
+std::vector<SurfacePiece> parted(const SurfacePiece& piece, const HalfSpace& plane, double tolerance, const RunControl& control) {
+  auto [beneath, above] = split(piece, plane, tolerance, control);
   if (beneath.triangles.empty() || above.triangles.empty()) return {piece};
   return {std::move(beneath), std::move(above)};
 }
@@ -163,9 +171,11 @@ HalfSpace middlePlane(const SurfacePiece& piece) {
   return {Eigen::Vector3d::Unit(axis), box.center()[axis]};
 }
 
-std::vector<SurfacePiece> components(const SurfacePiece& piece) {
+std::vector<SurfacePiece> components(const SurfacePiece& piece, const RunControl& control) {
   Sets sets(piece.vertices.size());
+  Looks look(control);
   for (const Triangle& t : piece.triangles) {
+    look();
     sets.join(t[0], t[1]);
     sets.join(t[0], t[2]);
   }
@@ -173,6 +183,7 @@ std::vector<SurfacePiece> components(const SurfacePiece& piece) {
   std::vector<SurfacePiece> parts;
   std::vector<int> index(piece.vertices.size(), -1);
   for (const Triangle& t : piece.triangles) {
+    look();
     const auto [place, fresh] = number.try_emplace(sets.find(t[0]), parts.size());
     if (fresh) parts.emplace_back();
     SurfacePiece& part = parts[place->second];
@@ -190,14 +201,15 @@ std::vector<SurfacePiece> components(const SurfacePiece& piece) {
   return parts;
 }
 
-SurfacePiece simplified(const SurfacePiece& piece, std::size_t vertices) {
+SurfacePiece simplified(const SurfacePiece& piece, std::size_t vertices, const RunControl& control) {
   if (piece.vertices.size() <= vertices) return piece;
   const Eigen::AlignedBox3d box = boundingBox(piece);
   // A surface as large as one side of its box fills about one cell per vertex; coarsen until there are few enough.
   constexpr double kFirstSide = 0.8, kCoarser = 1.3;
   double side = kFirstSide * box.sizes().maxCoeff() / std::sqrt(static_cast<double>(vertices));
+  Looks look(control);
   for (;; side *= kCoarser)
-    if (std::optional<SurfacePiece> result = clustered(piece, box, side, vertices)) return *std::move(result);
+    if (std::optional<SurfacePiece> result = clustered(piece, box, side, vertices, look)) return *std::move(result);
 }
 
 std::vector<std::pair<int, int>> edgesOf(const SurfacePiece& piece) {

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 
+#include "base/looks.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
 #include "geometry/hull_support.h"
@@ -194,11 +195,13 @@ std::vector<std::size_t> joinCoplanarFaces(ConvexHull& hull) {
 }
 
 /// Merges coplanar faces, moves each out until all vertices lie below it, and records how far they then lie off their faces.
-void finish(ConvexHull& hull) {
+void finish(ConvexHull& hull, const RunControl& control) {
+  Looks look(control, kLargeItemsBetweenLooks);
   for (HalfSpace& face : hull.faces) face.normal.normalize();
   const std::vector<std::size_t> face_of = joinCoplanarFaces(hull);
   const HullSupport support(hull);
   for (std::size_t t = 0; t < hull.triangles.size(); ++t) {
+    look();
     HalfSpace& face = hull.faces[face_of[t]];
     const int highest = support.furthest(face.normal, hull.triangles[t][0]);
     face.offset = std::max(face.normal.dot(hull.vertices[static_cast<std::size_t>(highest)]), face.offset);
@@ -213,9 +216,10 @@ std::optional<ConvexHull> spatialHull(const Points& points, const Eigen::Vector3
   Points centred(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) centred[i] = points[i] - middle;
   std::optional<ConvexHull> hull = quickhull(centred, control);
+  control.check();
   if (!hull) hull = qhull(centred);
   if (!hull) return hull;
-  finish(*hull);
+  finish(*hull, control);
   for (Eigen::Vector3d& v : hull->vertices) v += middle;
   for (HalfSpace& face : hull->faces) face.offset += face.normal.dot(middle);
   return hull;
@@ -240,7 +244,7 @@ ConvexHull convexHull(const Points& points, const RunControl& control) {
   // Flat, or so nearly flat that Qhull gave up: a plate holds everything.
   ConvexHull hull = prism(plate(points, frame, least), frame, kCollinear * frame.extent.x() + kFrameRounding * size);
   hull.thickness = least;
-  finish(hull);
+  finish(hull, control);
   return hull;
 }
 

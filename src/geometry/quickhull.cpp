@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/looks.h"
 #include "geometry/point_tree.h"
 
 namespace collision_hulls {
@@ -26,8 +27,8 @@ constexpr double kSliver = 1e-9;    // least height of a face over its longest s
 constexpr std::size_t kMany = 500;  // sets larger than this start with extreme points
 constexpr int kExtremes = 26;
 constexpr double kWorthwhile = 1e-3, kGoldenAngle = 2.399963229728653;
-constexpr std::size_t kFacesBetweenChecks = 10000;
-constexpr std::size_t kUsualFaces = 4;   // created in all, per point, if most points are corners
+constexpr std::size_t kUsualFaces = 4;  // created in all, per point, if most points are corners
+constexpr std::size_t kMostReserved = 10000;
 constexpr std::size_t kMostFaces = 100;  // created in all, per point; more means that rounding runs in circles
 constexpr double kDent = 1e-10;          // furthest that a vertex may lie beyond a neighbouring face, as a share of the extent
 constexpr double kSuspicious = 2e-12;    // kVisible does not explain dents deeper than this: compare all vertices with all faces
@@ -53,8 +54,13 @@ struct HorizonEdge {
 class Builder {
  public:
   Builder(const std::vector<Eigen::Vector3d>& points, const RunControl& control)
-      : points_(points), control_(control), next_(points.size(), -1), dropped_(points.size(), -1), settled_by_(points.size(), -1) {
-    faces_.reserve(std::min(kUsualFaces * points.size(), kFacesBetweenChecks));
+      : points_(points),
+        control_(control),
+        look_(control),
+        next_(points.size(), -1),
+        dropped_(points.size(), -1),
+        settled_by_(points.size(), -1) {
+    faces_.reserve(std::min(kUsualFaces * points.size(), kMostReserved));
   }
 
   /// `sources`: see quickhull().
@@ -62,11 +68,9 @@ class Builder {
     if (!tetrahedron() || (points_.size() > kMany && !addExtremes())) return std::nullopt;
     shareOut();
     control_.check();
-    for (std::size_t k = 0; k < faces_.size(); ++k) {
-      if (k % kFacesBetweenChecks == 0) control_.check();
+    for (std::size_t k = 0; k < faces_.size(); ++k)
       while (isThere(faces_[k]) && faces_[k].furthest >= 0)
         if (faces_.size() > kMostFaces * points_.size() || !add(faces_[k].furthest, static_cast<int>(k))) return std::nullopt;
-    }
     return result(sources);
   }
 
@@ -130,6 +134,7 @@ class Builder {
   /// Adds the extreme points in directions that CAD models seldom share; few points then stay outside for long.
   bool addExtremes() {
     for (int i = 0; i < kExtremes; ++i) {
+      if (points_.size() > kItemsBetweenLooks) control_.check();
       const double z = (2 * i + 1.0) / kExtremes - 1, across = std::sqrt(1 - z * z), turn = i * kGoldenAngle;
       const Eigen::Vector3d direction(across * std::cos(turn), across * std::sin(turn), z);
       const int p = furthest([&](const auto&q) { return direction.dot(q); }), f = pierced(point(p), static_cast<int>(faces_.size()) - 1);
@@ -165,6 +170,7 @@ class Builder {
 
   /// Gives a point to the first face in [from, to) that it sees; drops it if it sees none.
   void assign(int p, std::size_t from, std::size_t to) {
+    look_();
     for (std::size_t k = from; k < to; ++k) {
       Face& f = faces_[k];
       const double d = f.normal.dot(point(p)) - f.offset;
@@ -307,7 +313,7 @@ class Builder {
   /// to, hence in the convex hull of four points that all faces hold.
   bool holdsAll(const std::vector<int>& vertex) {
     for (std::size_t p = 0; p < points_.size(); ++p)
-      if (vertex[p] < 0 && dropped_[p] >= 0 && beyond(points_[p], present(dropped_[p])) > kDent * extent_) return false;
+      if (look_(); vertex[p] < 0 && dropped_[p] >= 0 && beyond(points_[p], present(dropped_[p])) > kDent * extent_) return false;
     return true;
   }
 
@@ -367,6 +373,7 @@ class Builder {
 
   const std::vector<Eigen::Vector3d>& points_;
   const RunControl& control_;
+  Looks look_;
   std::vector<int> next_;
   std::vector<int> dropped_;     // per point: the first of the faces created when it was last dropped; -1: never dropped
   std::vector<int> settled_by_;  // per vertex: the last point that replaced some of its faces

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/looks.h"
 #include "base/parallel.h"
 #include "geometry/pi.h"
 
@@ -69,29 +70,34 @@ double leastCosine(const Spread* cones, std::size_t count) {
 
 }  // namespace
 
-TriangleBvh::TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_sided) {
+TriangleBvh::TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_sided, const RunControl& control) {
   const std::size_t n = mesh.triangles.size();
   if (n == 0) return;
-  std::vector<Centre> centres(n);
+  std::vector<Centre> centres;
+  enlarge(centres, n, control);
+  Looks look(control);
   for (std::size_t t = 0; t < n; ++t) {
+    look();
     const int i = static_cast<int>(t);
     centres[t] = {(mesh.corner(i, 0) + mesh.corner(i, 1) + mesh.corner(i, 2)) / 3, i};
   }
-  corners_.resize(n);
-  index_.resize(n);
-  position_.resize(n);
+  enlarge(corners_, n, control);
+  enlarge(index_, n, control);
+  enlarge(position_, n, control);
   two_sided_ = two_sided;
-  nodes_.resize(2 * leavesFor(static_cast<int>(n)) - 1);
-  clusters_.resize(nodes_.size());
-  build(mesh, centres, 0, 0, static_cast<int>(n), 1);
+  enlarge(nodes_, 2 * leavesFor(static_cast<int>(n)) - 1, control);
+  enlarge(clusters_, nodes_.size(), control);
+  build(mesh, centres, 0, 0, static_cast<int>(n), 1, control);
   centre_ = nodes_[0].box.center();
   const double extent = nodes_[0].box.sizes().maxCoeff();
   unit_ = extent > 0 ? extent : 1;
-  gather(0);
+  fours_.reserve(nodes_.size() * 5 / 6 + 1);  // one for each leaf, and for the inner nodes of every other level
+  gather(0, control);
 }
 
 /// Packs the boxes two levels below a node, or those of a leaf's triangles; returns their place.
-int TriangleBvh::gather(int id) {
+int TriangleBvh::gather(int id, const RunControl& control) {
+  if (fours_.size() % kItemsBetweenLooks == 0) control.check();
   const auto at = static_cast<int>(fours_.size());
   fours_.emplace_back();
   FourBoxes four;
@@ -111,35 +117,40 @@ int TriangleBvh::gather(int id) {
   }
   for (int half = node.first; node.count == 0 && half < node.first + 2; ++half) {
     const Node& inner = nodes_[static_cast<std::size_t>(half)];
-    if (inner.count > 0) add(inner.box, gather(half));
-    for (int k = inner.first; inner.count == 0 && k < inner.first + 2; ++k) add(nodes_[static_cast<std::size_t>(k)].box, gather(k));
+    if (inner.count > 0) add(inner.box, gather(half, control));
+    for (int k = inner.first; inner.count == 0 && k < inner.first + 2; ++k)
+      add(nodes_[static_cast<std::size_t>(k)].box, gather(k, control));
   }
   fours_[static_cast<std::size_t>(at)] = four;
   return at;
 }
 
 /// Builds a node of `count` triangles. `below`: where its descendants go.
-void TriangleBvh::build(const TriangleMesh& mesh, std::vector<Centre>& centres, int id, int first, int count, int below) {
+void TriangleBvh::build(const TriangleMesh& mesh, std::vector<Centre>& centres, int id, int first, int count, int below,
+                        const RunControl& control) {
   Node& node = nodes_[static_cast<std::size_t>(id)];
   node.first = first;
   node.count = count;
   if (count <= kLeafSize) {
     fillLeaf(mesh, centres, node);
   } else {
+    Looks look(control);
     Eigen::AlignedBox3d box;
     const auto begin = centres.begin() + first;
     std::for_each(begin, begin + count, [&](const Centre& c) { box.extend(c.at); });
     int axis = 0;
     box.sizes().maxCoeff(&axis);
     const int left_leaves = static_cast<int>(leavesFor(count) / 2), left = kLeafSize * left_leaves;
-    std::nth_element(begin, begin + left, begin + count, [axis](const Centre& a, const Centre& b) {
+    std::nth_element(begin, begin + left, begin + count, [axis, &look](const Centre& a, const Centre& b) {
+      look();
       return a.at[axis] < b.at[axis] || (a.at[axis] == b.at[axis] && a.triangle < b.triangle);
     });
     node.first = below;
     node.count = 0;
-    const auto build_left = [&] { build(mesh, centres, below, first, left, below + 2); };
-    const auto build_right = [&] { build(mesh, centres, below + 1, first + left, count - left, below + 2 * left_leaves); };
+    const auto build_left = [&] { build(mesh, centres, below, first, left, below + 2, control); };
+    const auto build_right = [&] { build(mesh, centres, below + 1, first + left, count - left, below + 2 * left_leaves, control); };
     if (count > kParallel) {
+      control.check();
       atOnce(build_left, build_right);
     } else {
       build_left();

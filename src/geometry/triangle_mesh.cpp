@@ -42,22 +42,20 @@ double signedVolume(const std::vector<Eigen::Vector3d>& vertices, const std::vec
   return sum;
 }
 
-TriangleMesh scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale) {
+TriangleMesh scaled(TriangleMesh mesh, const Eigen::Vector3d& scale) {
   if (!scale.allFinite() || (scale.array() == 0).any())
     throw Error(ErrorCode::kBadScale, "mesh scale [" + std::to_string(scale.x()) + " " + std::to_string(scale.y()) + " " +
                                           std::to_string(scale.z()) +
                                           "]: each factor must be finite and non-zero; correct the scale in the URDF");
-  TriangleMesh result = mesh;
-  for (Eigen::Vector3d& v : result.vertices) v = v.cwiseProduct(scale);
+  for (Eigen::Vector3d& v : mesh.vertices) v = v.cwiseProduct(scale);
   if (scale.prod() < 0)
-    for (Triangle& t : result.triangles) std::swap(t[1], t[2]);
-  return result;
+    for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
 }
 
-TriangleMesh transformed(const TriangleMesh& mesh, const Eigen::Isometry3d& pose) {
-  TriangleMesh result = mesh;
-  for (Eigen::Vector3d& v : result.vertices) v = pose * v;
-  return result;
+TriangleMesh transformed(TriangleMesh mesh, const Eigen::Isometry3d& pose) {
+  for (Eigen::Vector3d& v : mesh.vertices) v = pose * v;
+  return mesh;
 }
 
 void append(TriangleMesh& mesh, const TriangleMesh& more) {

@@ -27,24 +27,28 @@ Eigen::Vector3d normalOf(const TriangleMesh& mesh, int t) {
 
 }  // namespace
 
-FlatSheets::FlatSheets(const RepairedMesh& mesh, const Edges& edges, const std::vector<char>& two_sided)
+FlatSheets::FlatSheets(const RepairedMesh& mesh, const Edges& edges, const std::vector<char>& two_sided, const RunControl& control)
     : flat_(kFlat * diagonal(mesh.mesh)), group_(mesh.mesh.triangles.size(), -1), rim_(TriangleMesh{}) {
   constexpr int kSmall = -2;
+  Looks look(control);
   for (std::size_t t = 0; t < group_.size(); ++t) {
+    look();
     if (group_[t] != -1 || !two_sided[t]) continue;
-    Group group = grownFrom(static_cast<int>(t), mesh, edges, two_sided);
+    Group group = grownFrom(static_cast<int>(t), mesh, edges, two_sided, look);
     const bool large = group.triangles.size() >= kFewTriangles;
     for (const int of_it : group.triangles) group_[static_cast<std::size_t>(of_it)] = large ? static_cast<int>(groups_.size()) : kSmall;
     if (large) groups_.push_back(std::move(group));
   }
-  if (!groups_.empty()) rim_ = rims(mesh, edges);
+  if (!groups_.empty()) rim_ = rims(mesh, edges, control);
 }
 
-FlatSheets::Group FlatSheets::grownFrom(int seed, const RepairedMesh& mesh, const Edges& edges, const std::vector<char>& two_sided) {
+FlatSheets::Group FlatSheets::grownFrom(int seed, const RepairedMesh& mesh, const Edges& edges, const std::vector<char>& two_sided,
+                                        Looks& look) {
   const int number = static_cast<int>(groups_.size());
   Group group{normalOf(mesh.mesh, seed), mesh.mesh.corner(seed, 0), 0, {seed}};
   group_[static_cast<std::size_t>(seed)] = number;
   for (std::size_t next = 0; next < group.triangles.size(); ++next) {
+    look();
     for (int k = 0; k < 3; ++k) {
       const int t = neighbour(mesh, edges, 3 * group.triangles[next] + k);
       if (t < 0 || group_[static_cast<std::size_t>(t)] != -1 || !two_sided[static_cast<std::size_t>(t)]) continue;
@@ -60,18 +64,20 @@ FlatSheets::Group FlatSheets::grownFrom(int seed, const RepairedMesh& mesh, cons
   return group;
 }
 
-TriangleBvh FlatSheets::rims(const RepairedMesh& mesh, const Edges& edges) const {
+TriangleBvh FlatSheets::rims(const RepairedMesh& mesh, const Edges& edges, const RunControl& control) const {
   TriangleMesh rims;
   rims.vertices = mesh.mesh.vertices;
+  Looks look(control);
   for (const Group& group : groups_)
     for (const int t : group.triangles)
       for (int h = 3 * t; h < 3 * t + 3; ++h) {
+        look();
         const int other = neighbour(mesh, edges, h);
         if (other >= 0 && group_[static_cast<std::size_t>(other)] == group_[static_cast<std::size_t>(t)]) continue;
         const int from = startOf(mesh.mesh.triangles, h), to = endOf(mesh.mesh.triangles, h);
         rims.triangles.push_back({from, to, to});
       }
-  return TriangleBvh(rims);
+  return TriangleBvh(rims, {}, control);
 }
 
 double FlatSheets::bound(const std::array<Eigen::Vector3d, 3>& patch, const TriangleBvh::Nearest& near, double slack) const {

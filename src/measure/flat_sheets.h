@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "base/looks.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
 #include "collision_hulls/mesh/repair.h"
 #include "mesh/edges.h"
@@ -15,7 +16,7 @@ namespace collision_hulls {
 class FlatSheets {
  public:
   /// `two_sided`: per triangle, whether either side may face the outside.
-  FlatSheets(const RepairedMesh& mesh, const Edges& edges, const std::vector<char>& two_sided);
+  FlatSheets(const RepairedMesh& mesh, const Edges& edges, const std::vector<char>& two_sided, const RunControl& control);
 
   /// [m] An upper bound on the distance of a patch's points from the surface: the patch's height above one group, plus `slack` [m];
   /// infinite if the patch sticks out sideways by more than the slack. `near`: the point of the surface nearest to a point of the patch.
@@ -28,9 +29,9 @@ class FlatSheets {
     double deviation = 0;
     std::vector<int> triangles;
   };
-  Group grownFrom(int seed, const RepairedMesh& mesh, const Edges& edges, const std::vector<char>& two_sided);
+  Group grownFrom(int seed, const RepairedMesh& mesh, const Edges& edges, const std::vector<char>& two_sided, Looks& look);
   bool isCovered(const std::array<Eigen::Vector3d, 3>& triangle, const Eigen::Vector3d& point, const Group& group) const;
-  TriangleBvh rims(const RepairedMesh& mesh, const Edges& edges) const;
+  TriangleBvh rims(const RepairedMesh& mesh, const Edges& edges, const RunControl& control) const;
 
   double flat_ = 0;            // [m] allowed deviation
   std::vector<int> group_;     // per triangle of the mesh; -1: none

@@ -15,10 +15,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <utility>
 
+#include "base/looks.h"
 #include "base/parallel.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
 #include "measure/triangle_pairs.h"
@@ -35,6 +35,8 @@ constexpr double kLeastHeight = 4;     // of a probe, in widths of the blur
 // Normals more nearly parallel than this do not give a direction across both; larger clusters are not examined; a cosine this small is 0.
 constexpr double kParallel = 1e-6, kRounding = 1e-12;
 constexpr std::size_t kManyNormals = 40;
+
+constexpr std::size_t kTrianglesAtOnce = 256;  // that one thread compares with those nearby
 
 Eigen::AlignedBox3d boxOf(const TriangleMesh& mesh, int t) {
   Eigen::AlignedBox3d box(mesh.corner(t, 0));
@@ -77,20 +79,23 @@ class Sets {
 /// One part, with its own numbering of triangles and vertices.
 class Part {
  public:
-  explicit Part(TriangleMesh mesh) : mesh_(std::move(mesh)), tree_(mesh_), marked_(mesh_.triangles.size()) {}
+  Part(TriangleMesh mesh, const RunControl& control)
+      : mesh_(std::move(mesh)), control_(control), tree_(mesh_, {}, control), marked_(mesh_.triangles.size()) {}
 
   const std::vector<char>& marked() const { return marked_; }
 
   /// Steps 1 and 2.
   void mark() {
     findMeetings();
-    const Edges edges = findEdges(mesh_.triangles, mesh_.vertices.size());
+    const Edges edges = findEdges(mesh_.triangles, mesh_.vertices.size(), control_);
     std::vector<char> seen = marked_;
+    Looks look(control_);
     for (int t = 0; t < count(); ++t) {
+      look();
       if (seen[static_cast<std::size_t>(t)]) continue;
-      const std::vector<int> patch = patchFrom(t, edges, seen);
+      const std::vector<int> patch = patchFrom(t, edges, seen, look);
       const int largest =
-          *std::max_element(patch.begin(), patch.end(), [&](int a, int b) { return areaVector(a).norm() < areaVector(b).norm(); });
+          *std::max_element(patch.begin(), patch.end(), [&](int a, int b) { return look(), areaVector(a).norm() < areaVector(b).norm(); });
       if (isProper(largest)) continue;
       for (const int of_it : patch) marked_[static_cast<std::size_t>(of_it)] = 1;
     }
@@ -98,10 +103,12 @@ class Part {
 
   /// Step 3.
   std::vector<Eigen::AlignedBox3d> boxesAroundClusters() const {
+    Looks look(control_);
     Sets sets(mesh_.triangles.size());
-    for (const auto& [t, u] : meetings_) sets.join(t, u);
+    for (const auto& [t, u] : meetings_) look(), sets.join(t, u);
     std::vector<int> at_vertex(mesh_.vertices.size(), -1);
     for (int t = 0; t < count(); ++t) {
+      look();
       if (!marked_[static_cast<std::size_t>(t)]) continue;
       for (const int v : mesh_.triangles[static_cast<std::size_t>(t)]) {
         int& other = at_vertex[static_cast<std::size_t>(v)];
@@ -109,14 +116,19 @@ class Part {
         other = t;
       }
     }
-    std::map<int, std::vector<int>> members;
+    std::vector<std::pair<int, int>> members;  // of clusters
     for (int t = 0; t < count(); ++t)
-      if (marked_[static_cast<std::size_t>(t)]) members[sets.of(t)].push_back(t);
+      if (marked_[static_cast<std::size_t>(t)]) look(), members.emplace_back(sets.of(t), t);
+    std::sort(members.begin(), members.end(), [&](const auto& a, const auto& b) { return look(), a < b; });
     std::vector<Eigen::AlignedBox3d> boxes;
-    for (const auto& [name, cluster] : members) {
+    for (auto member = members.begin(); member != members.end();) {
       std::vector<Eigen::Vector3d> normals;
       Eigen::AlignedBox3d box;
-      for (const int t : cluster) normals.push_back(areaVector(t).normalized()), box.extend(boxOf(mesh_, t));
+      for (const int cluster = member->first; member != members.end() && member->first == cluster; ++member) {
+        look();
+        normals.push_back(areaVector(member->second).normalized());
+        box.extend(boxOf(mesh_, member->second));
+      }
       if (mayEnclose(normals)) boxes.push_back(box);
     }
     return boxes;
@@ -130,29 +142,34 @@ class Part {
 
   void findMeetings() {
     const double extent = boundingBox(mesh_).sizes().maxCoeff();
-    std::vector<std::vector<int>> met(mesh_.triangles.size());
-    forEach(mesh_.triangles.size(), [&](std::size_t i) {
-      const int t = static_cast<int>(i);
-      for (const int u : tree_.trianglesNear(boxOf(mesh_, t)))
-        if (u > t && !meetOnlyAsNeighbours(mesh_, t, u, extent)) met[i].push_back(u);
+    std::vector<Meetings> met((mesh_.triangles.size() + kTrianglesAtOnce - 1) / kTrianglesAtOnce);
+    forEach(met.size(), [&](std::size_t block) {
+      control_.check();
+      Looks look(control_);
+      const int begin = static_cast<int>(block * kTrianglesAtOnce), end = std::min(count(), begin + static_cast<int>(kTrianglesAtOnce));
+      for (int t = begin; t < end; ++t)
+        for (const int u : tree_.trianglesNear(boxOf(mesh_, t)))
+          if (look(); u > t && !meetOnlyAsNeighbours(mesh_, t, u, extent)) met[block].emplace_back(t, u);
     });
-    for (int t = 0; t < count(); ++t)
-      for (const int u : met[static_cast<std::size_t>(t)]) {
+    for (const Meetings& of_block : met)
+      for (const auto& [t, u] : of_block) {
         meetings_.emplace_back(t, u);
         marked_[static_cast<std::size_t>(t)] = marked_[static_cast<std::size_t>(u)] = 1;
       }
   }
 
-  std::vector<int> patchFrom(int seed, const Edges& edges, std::vector<char>& seen) const {
+  std::vector<int> patchFrom(int seed, const Edges& edges, std::vector<char>& seen, Looks& look) const {
     std::vector<int> patch{seed};
     seen[static_cast<std::size_t>(seed)] = 1;
-    for (std::size_t next = 0; next < patch.size(); ++next)
+    for (std::size_t next = 0; next < patch.size(); ++next) {
+      look();
       for (int h = 3 * patch[next]; h < 3 * patch[next] + 3; ++h) {
         const int twin = edges.twin[static_cast<std::size_t>(h)];
         if (twin < 0 || startOf(mesh_.triangles, twin) != endOf(mesh_.triangles, h) || seen[static_cast<std::size_t>(twin / 3)]) continue;
         seen[static_cast<std::size_t>(twin / 3)] = 1;
         patch.push_back(twin / 3);
       }
+    }
     return patch;
   }
 
@@ -168,10 +185,13 @@ class Part {
     return false;
   }
 
+  using Meetings = std::vector<std::pair<int, int>>;
+
   const TriangleMesh mesh_;
+  const RunControl& control_;
   const TriangleBvh tree_;
   std::vector<char> marked_;
-  std::vector<std::pair<int, int>> meetings_;
+  Meetings meetings_;
 };
 
 /// A surface's parts.
@@ -181,16 +201,18 @@ struct Parts {
   std::vector<TriangleMesh> meshes;       // the same with numberings of their own
 };
 
-Parts partsOf(const TriangleMesh& surface) {
-  Edges edges = findEdges(surface.triangles, surface.vertices.size());
+Parts partsOf(const TriangleMesh& surface, const RunControl& control) {
+  Edges edges = findEdges(surface.triangles, surface.vertices.size(), control);
   Parts parts{std::move(edges.component), std::vector<std::vector<int>>(edges.components), std::vector<TriangleMesh>(edges.components)};
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     parts.members[static_cast<std::size_t>(parts.of[t])].push_back(static_cast<int>(t));
   std::vector<int> number(surface.vertices.size(), -1);
+  Looks look(control);
   for (std::size_t c = 0; c < parts.meshes.size(); ++c) {
     TriangleMesh& part = parts.meshes[c];
     std::vector<int> used;
     for (const int t : parts.members[c]) {
+      look();
       Triangle triangle = surface.triangles[static_cast<std::size_t>(t)];
       for (int& v : triangle) {
         int& mine = number[static_cast<std::size_t>(v)];
@@ -210,21 +232,24 @@ Parts partsOf(const TriangleMesh& surface) {
 
 }  // namespace
 
-std::vector<char> mayFaceInverted(const TriangleMesh& surface) {
-  Parts parts = partsOf(surface);
+std::vector<char> mayFaceInverted(const TriangleMesh& surface, const RunControl& control) {
+  Parts parts = partsOf(surface, control);
   std::vector<std::vector<Eigen::AlignedBox3d>> boxes(parts.meshes.size());
   std::vector<char> marked(surface.triangles.size(), 0), result(surface.triangles.size(), 0);
   forEach(parts.meshes.size(), [&](std::size_t c) {
-    Part part(std::move(parts.meshes[c]));
+    control.check();
+    Part part(std::move(parts.meshes[c]), control);
     part.mark();
     boxes[c] = part.boxesAroundClusters();
     for (std::size_t i = 0; i < parts.members[c].size(); ++i) marked[static_cast<std::size_t>(parts.members[c][i])] = part.marked()[i];
   });
   if (std::all_of(boxes.begin(), boxes.end(), [](const auto& of_part) { return of_part.empty(); })) return result;
-  const TriangleBvh tree(surface);
+  const TriangleBvh tree(surface, {}, control);
+  Looks look(control);
   for (std::size_t c = 0; c < boxes.size(); ++c)
     for (const Eigen::AlignedBox3d& box : boxes[c])
       for (const int t : tree.trianglesNear(box)) {
+        look();
         const auto i = static_cast<std::size_t>(t);
         if (marked[i] || parts.of[i] != static_cast<int>(c)) result[i] = 1;
       }

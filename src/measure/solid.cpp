@@ -14,90 +14,22 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <map>
 #include <memory>
 #include <utility>
 
-#include "base/parallel.h"
+#include "base/looks.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
 #include "geometry/own_axes.h"
 #include "geometry/pi.h"
 #include "measure/flat_sheets.h"
 #include "measure/inverted.h"
+#include "measure/rim.h"
 #include "mesh/edges.h"
 #include "mesh/loose_segments.h"
 
 namespace collision_hulls {
 
 namespace {
-
-/// Edges as pairs (from, to).
-using Rim = std::vector<std::array<int, 2>>;
-
-/// Whether a half-edge and its twin, the only other one on its edge, run in opposite directions.
-bool isPaired(const std::vector<Triangle>& triangles, const Edges& edges, int h) {
-  const int twin = edges.twin[static_cast<std::size_t>(h)];
-  return twin >= 0 && startOf(triangles, twin) == endOf(triangles, h);
-}
-
-/// The boundary of the oriented surface without its sheets: the edges that triangles do not use equally often in both directions, in the
-/// direction that prevails and as many times as it does.
-Rim rimOf(const RepairedMesh& mesh, const Edges& edges) {
-  const std::vector<Triangle>& triangles = mesh.mesh.triangles;
-  std::map<std::array<int, 2>, int> surplus;
-  for (int h = 0; h < static_cast<int>(edges.twin.size()); ++h) {
-    if (isPaired(triangles, edges, h)) continue;
-    const int from = startOf(triangles, h), to = endOf(triangles, h);
-    if (mesh.sheet[static_cast<std::size_t>(h / 3)]) continue;
-    surplus[{std::min(from, to), std::max(from, to)}] += from < to ? 1 : -1;
-  }
-  Rim rim;
-  for (const auto& [edge, count] : surplus) {
-    for (int i = 0; i < count; ++i) rim.push_back(edge);
-    for (int i = 0; i < -count; ++i) rim.push_back({edge[1], edge[0]});
-  }
-  return rim;
-}
-
-/// Takes the outgoing edge at v that turns back most; the two sides of a crack then form one loop.
-int takeOnward(const std::vector<Eigen::Vector3d>& vertices, int before, int v, std::vector<int>* ends) {
-  const auto at = [&](int i) -> const Eigen::Vector3d& { return vertices[static_cast<std::size_t>(i)]; };
-  const Eigen::Vector3d back = at(before) - at(v);
-  const auto turn = [&](int end) { return (at(end) - at(v)).normalized().dot(back); };
-  auto taken = ends->end() - 1;
-  if (before != v && ends->size() > 1)
-    taken = std::max_element(ends->begin(), ends->end(), [&](int a, int b) { return turn(a) < turn(b); });
-  const int next = *taken;
-  ends->erase(taken);
-  return next;
-}
-
-/// A simple cycle of vertices.
-using Loop = std::vector<int>;
-
-/// Splits the rim into loops. It is a cycle: at each vertex as many of its edges begin as end.
-std::vector<Loop> loopsOf(const std::vector<Eigen::Vector3d>& vertices, const Rim& rim) {
-  std::map<int, std::vector<int>> onward;  // per vertex: the end points of edges not walked yet
-  for (const auto& [from, to] : rim) onward[from].push_back(to);
-  std::vector<Loop> loops;
-  std::map<int, std::size_t> place;  // on the path
-  for (const auto& [from, to] : rim) {
-    Loop path;
-    for (int v = from;;) {
-      const auto met = place.find(v);
-      if (met != place.end()) {
-        loops.emplace_back(path.begin() + static_cast<std::ptrdiff_t>(met->second), path.end());
-        for (int u : loops.back()) place.erase(u);
-        path.resize(path.size() - loops.back().size());
-      }
-      if (onward[v].empty()) break;
-      place[v] = path.size();
-      path.push_back(v);
-      v = takeOnward(vertices, path.size() > 1 ? path[path.size() - 2] : v, v, &onward[v]);
-    }
-  }
-  return loops;
-}
 
 /// [m] An upper bound on the distance of the loop, and of any surface spanning it, from a segment along which the loop runs there and back.
 double widthOf(const std::vector<Eigen::Vector3d>& vertices, const Loop& loop) {
@@ -128,21 +60,22 @@ constexpr double kApexAside = 0.05;  // as a share of a loop's extent
 
 /// An opening gets a cone of triangles with its apex near the loop's middle, but off the plane that the loop may lie in, where queries are
 /// most frequent.
-Lids lidsOf(const TriangleMesh& mesh, const Rim& rim) {
+Lids lidsOf(const TriangleMesh& mesh, const Rim& rim, const RunControl& control) {
   Lids lids;
   if (rim.empty()) return lids;
   lids.vertices = mesh.vertices;
   const double widest_crack = RepairOptions{}.weld_tolerance * boundingBox(mesh).sizes().maxCoeff();
   const Eigen::Vector3d aside = Eigen::Vector3d(0.6180339887, -0.4142135624, 0.7320508076).normalized();
-  for (const Loop& loop : loopsOf(mesh.vertices, rim)) {
+  Looks look(control);
+  for (const Loop& loop : loopsOf(mesh.vertices, rim, control)) {
     const double width = widthOf(mesh.vertices, loop);
     if (width <= widest_crack) {
-      for (std::size_t i = 2; i < loop.size(); ++i) lids.of_cracks.push_back({loop[i], loop[i - 1], loop[0]});
+      for (std::size_t i = 2; i < loop.size(); ++i) look(), lids.of_cracks.push_back({loop[i], loop[i - 1], loop[0]});
       lids.crack_width = std::max(lids.crack_width, width);
       continue;
     }
     Eigen::AlignedBox3d box;
-    for (int v : loop) box.extend(mesh.vertices[static_cast<std::size_t>(v)]);
+    for (int v : loop) look(), box.extend(mesh.vertices[static_cast<std::size_t>(v)]);
     const int apex = static_cast<int>(lids.vertices.size());
     lids.vertices.push_back(box.center() + kApexAside * box.diagonal().norm() * aside);
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -155,11 +88,12 @@ Lids lidsOf(const TriangleMesh& mesh, const Rim& rim) {
 }
 
 /// The triangles that are not in sheets.
-TriangleMesh wallsOf(const RepairedMesh& mesh) {
+TriangleMesh wallsOf(const RepairedMesh& mesh, const RunControl& control) {
+  Looks look(control);
   TriangleMesh result;
   result.vertices = mesh.mesh.vertices;
   for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t)
-    if (!mesh.sheet[t]) result.triangles.push_back(mesh.mesh.triangles[t]);
+    if (look(); !mesh.sheet[t]) result.triangles.push_back(mesh.mesh.triangles[t]);
   return result;
 }
 
@@ -195,12 +129,13 @@ static_assert(TriangleBvh::kWindingError < kSurelyInside - 0.5, "a point outside
 /// few.
 struct Walls {
   /// `surface`: a tree over all triangles, reused if all of them are walls and there is no rim.
-  Walls(const TriangleMesh& walls, const Lids& all_lids, const RepairedMesh& mesh, const std::shared_ptr<const TriangleBvh>& surface)
+  Walls(const TriangleMesh& walls, const Lids& all_lids, const RepairedMesh& mesh, const std::shared_ptr<const TriangleBvh>& surface,
+        const RunControl& control)
       : closed(all_lids.vertices.empty() && walls.triangles.size() == mesh.mesh.triangles.size()
                    ? surface
-                   : std::make_shared<TriangleBvh>(joined(walls, all_lids))),
-        lids({all_lids.vertices, all_lids.of_openings}),
-        rim(edgeMesh(mesh.mesh.vertices, all_lids.rim_of_openings)),
+                   : std::make_shared<TriangleBvh>(joined(walls, all_lids), std::vector<char>(), control)),
+        lids({all_lids.vertices, all_lids.of_openings}, {}, control),
+        rim(edgeMesh(mesh.mesh.vertices, all_lids.rim_of_openings), {}, control),
         rim_length(lengthOf(mesh.mesh.vertices, all_lids.rim_of_openings)),
         crack_width(all_lids.crack_width),
         blur(std::max(closed->blur(), surface->blur())),
@@ -244,12 +179,14 @@ struct Walls {
 };
 
 /// The triangles on the rim: an opening or a crack begins there.
-std::vector<char> onRim(const RepairedMesh& mesh, const Rim& rim) {
+std::vector<char> onRim(const RepairedMesh& mesh, const Rim& rim, const RunControl& control) {
+  Looks look(control);
   std::vector<std::array<int, 2>> edges;
   for (const auto& [from, to] : rim) edges.push_back({std::min(from, to), std::max(from, to)});
-  std::sort(edges.begin(), edges.end());
+  std::sort(edges.begin(), edges.end(), [&](const auto& a, const auto& b) { return look(), a < b; });
   std::vector<char> result(mesh.mesh.triangles.size());
   for (std::size_t h = 0; h < 3 * result.size() && !edges.empty(); ++h) {
+    look();
     const int from = startOf(mesh.mesh.triangles, static_cast<int>(h)), to = endOf(mesh.mesh.triangles, static_cast<int>(h));
     if (std::binary_search(edges.begin(), edges.end(), std::array<int, 2>{std::min(from, to), std::max(from, to)})) result[h / 3] = 1;
   }
@@ -258,11 +195,12 @@ std::vector<char> onRim(const RepairedMesh& mesh, const Rim& rim) {
 
 /// Per triangle of withLoose(): whether a point outside S may be nearest to its back. Not so where the winding number is proved not to be
 /// negative in front of it; with openings, which blur the winding number, that is not attempted.
-std::vector<char> twoSided(const RepairedMesh& mesh, const TriangleMesh& walls, const Rim& rim, const Lids& lids) {
+std::vector<char> twoSided(const RepairedMesh& mesh, const TriangleMesh& walls, const Rim& rim, const Lids& lids,
+                           const RunControl& control) {
   const std::size_t count = mesh.mesh.triangles.size();
   std::vector<char> result(count + mesh.loose.size(), 1);
   if (!lids.of_openings.empty()) return result;
-  const std::vector<char> inverted = mayFaceInverted(joined(walls, lids)), on_rim = onRim(mesh, rim);
+  const std::vector<char> inverted = mayFaceInverted(joined(walls, lids), control), on_rim = onRim(mesh, rim, control);
   for (std::size_t t = 0, wall = 0; t < count; ++t)
     if (!mesh.sheet[t]) result[t] = inverted[wall++] || on_rim[t];
   return result;
@@ -270,12 +208,12 @@ std::vector<char> twoSided(const RepairedMesh& mesh, const TriangleMesh& walls, 
 
 /// What the surface consists of.
 struct Anatomy {
-  explicit Anatomy(const RepairedMesh& mesh)
-      : edges(findEdges(mesh.mesh.triangles, mesh.mesh.vertices.size())),
-        walls(wallsOf(mesh)),
-        rim(rimOf(mesh, edges)),
-        lids(lidsOf(mesh.mesh, rim)),
-        two_sided(twoSided(mesh, walls, rim, lids)) {}
+  Anatomy(const RepairedMesh& mesh, const RunControl& control)
+      : edges(findEdges(mesh.mesh.triangles, mesh.mesh.vertices.size(), control)),
+        walls(wallsOf(mesh, control)),
+        rim(rimOf(mesh, edges, control)),
+        lids(lidsOf(mesh.mesh, rim, control)),
+        two_sided(twoSided(mesh, walls, rim, lids, control)) {}
   Edges edges;
   TriangleMesh walls;
   Rim rim;
@@ -286,11 +224,11 @@ struct Anatomy {
 }  // namespace
 
 struct Solid::Impl {
-  explicit Impl(const RepairedMesh& mesh) : Impl(mesh, Anatomy(mesh)) {}
-  Impl(const RepairedMesh& mesh, const Anatomy& anatomy)
-      : surface(std::make_shared<TriangleBvh>(withLoose(mesh), anatomy.two_sided)),
-        walls(anatomy.walls, anatomy.lids, mesh, surface),
-        sheets(mesh, anatomy.edges, anatomy.two_sided),
+  Impl(const RepairedMesh& mesh, const RunControl& control) : Impl(mesh, Anatomy(mesh, control), control) {}
+  Impl(const RepairedMesh& mesh, const Anatomy& anatomy, const RunControl& control)
+      : surface(std::make_shared<TriangleBvh>(withLoose(mesh), anatomy.two_sided, control)),
+        walls(anatomy.walls, anatomy.lids, mesh, surface, control),
+        sheets(mesh, anatomy.edges, anatomy.two_sided, control),
         interior(interiorOf(mesh)),
         axes(ownAxes(mesh.mesh)),
         weld_distance(mesh.counts.weld_distance),
@@ -306,7 +244,7 @@ struct Solid::Impl {
 
 Solid::Solid(const RepairedMesh& mesh, const RunControl& control) {
   control.check();
-  impl_ = std::make_unique<Impl>(mesh);
+  impl_ = std::make_unique<Impl>(mesh, control);
 }
 Solid::~Solid() = default;
 Solid::Solid(Solid&&) noexcept = default;

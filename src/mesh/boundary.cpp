@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/looks.h"
 #include "mesh/edges.h"
 
 namespace collision_hulls {
@@ -18,10 +19,13 @@ std::tuple<int, int, int> undirected(const BoundaryEdge& e) {
 }
 
 /// For each undirected edge, keeps the surplus of one direction over the other.
-Boundary withoutOpposites(Boundary edges) {
-  std::sort(edges.begin(), edges.end(), [](const BoundaryEdge& a, const BoundaryEdge& b) { return undirected(a) < undirected(b); });
+Boundary withoutOpposites(Boundary edges, const RunControl& control) {
+  Looks look(control);
+  std::sort(edges.begin(), edges.end(),
+            [&](const BoundaryEdge& a, const BoundaryEdge& b) { return look(), undirected(a) < undirected(b); });
   Boundary kept;
   for (auto first = edges.begin(); first != edges.end();) {
+    look();
     const auto last = std::find_if(first, edges.end(), [&](const BoundaryEdge& e) { return undirected(e) != undirected(*first); });
     const auto rising = std::count_if(first, last, [](const BoundaryEdge& e) { return e.from < e.to; });
     const auto surplus = 2 * rising - (last - first);
@@ -38,8 +42,8 @@ Boundary withoutOpposites(Boundary edges) {
 class LoopWalk {
  public:
   /// `edges`: sorted by surface, then by start vertex.
-  LoopWalk(const std::vector<Eigen::Vector3d>& vertices, const Boundary& edges, const Eigen::Vector3d& origin)
-      : vertices_(vertices), edges_(edges), origin_(origin), next_(vertices.size(), 0), place_(vertices.size(), kNowhere) {}
+  LoopWalk(const std::vector<Eigen::Vector3d>& vertices, const Boundary& edges, const Eigen::Vector3d& origin, const RunControl& control)
+      : vertices_(vertices), edges_(edges), origin_(origin), look_(control), next_(vertices.size(), 0), place_(vertices.size(), kNowhere) {}
 
   /// Closes the surface with the edges [begin, end).
   Closure close(std::size_t begin, std::size_t end) {
@@ -59,6 +63,7 @@ class LoopWalk {
 
   void walk(std::size_t v) {
     while (true) {
+      look_();
       if (place_[v] != kNowhere) cut(place_[v]);
       place_[v] = path_.size();
       path_.push_back(v);
@@ -86,6 +91,7 @@ class LoopWalk {
   const std::vector<Eigen::Vector3d>& vertices_;
   const Boundary& edges_;
   Eigen::Vector3d origin_;
+  Looks look_;
   std::size_t end_ = 0;             // end of the current surface's edges
   std::vector<std::size_t> next_;   // per vertex: the first unused edge that starts there
   std::vector<std::size_t> place_;  // per vertex: its place on the path, or kNowhere
@@ -108,13 +114,15 @@ BoundaryEdge boundaryEdge(const TriangleMesh& mesh, int half_edge, const std::ve
 }
 
 std::vector<Closure> closures(const std::vector<Eigen::Vector3d>& vertices, std::vector<BoundaryEdge> boundary, std::size_t surfaces,
-                              const Eigen::Vector3d& origin) {
-  Boundary edges = withoutOpposites(std::move(boundary));
-  std::sort(edges.begin(), edges.end(), [](const BoundaryEdge& a, const BoundaryEdge& b) {
+                              const Eigen::Vector3d& origin, const RunControl& control) {
+  Boundary edges = withoutOpposites(std::move(boundary), control);
+  Looks look(control);
+  std::sort(edges.begin(), edges.end(), [&](const BoundaryEdge& a, const BoundaryEdge& b) {
+    look();
     return std::tie(a.surface, a.from, a.to) < std::tie(b.surface, b.from, b.to);
   });
   std::vector<Closure> result(surfaces);
-  LoopWalk walk(vertices, edges, origin);
+  LoopWalk walk(vertices, edges, origin, control);
   for (std::size_t begin = 0; begin < edges.size();) {
     std::size_t end = begin;
     while (end < edges.size() && edges[end].surface == edges[begin].surface) ++end;

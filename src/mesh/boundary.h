@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
 
 namespace collision_hulls {
@@ -30,6 +31,6 @@ struct Closure {
 /// The closures of `surfaces` surfaces. Opposite edges of a surface cancel and are ignored. Loops that touch at a vertex are closed
 /// separately. A chain that does not return (the boundary of a non-orientable surface) counts as a loop.
 std::vector<Closure> closures(const std::vector<Eigen::Vector3d>& vertices, std::vector<BoundaryEdge> boundary, std::size_t surfaces,
-                              const Eigen::Vector3d& origin);
+                              const Eigen::Vector3d& origin, const RunControl& control);
 
 }  // namespace collision_hulls

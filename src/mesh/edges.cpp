@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/looks.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -18,22 +20,27 @@ struct Buckets {
   std::vector<Entry> entries;
 };
 
-Buckets fillBuckets(const std::vector<Triangle>& triangles, std::size_t vertices) {
+Buckets fillBuckets(const std::vector<Triangle>& triangles, std::size_t vertices, const RunControl& control) {
   Buckets buckets;
   const int half_edges = static_cast<int>(3 * triangles.size());
   const auto lower = [&](int h) { return static_cast<std::size_t>(std::min(startOf(triangles, h), endOf(triangles, h))); };
   buckets.begin.assign(vertices + 1, 0);
-  for (int h = 0; h < half_edges; ++h) ++buckets.begin[lower(h) + 1];
+  Looks look(control);
+  for (int h = 0; h < half_edges; ++h) look(), ++buckets.begin[lower(h) + 1];
   std::partial_sum(buckets.begin.begin(), buckets.begin.end(), buckets.begin.begin());
   buckets.entries.resize(static_cast<std::size_t>(half_edges));
   std::vector<int> end(buckets.begin.begin(), buckets.begin.end() - 1);
-  for (int h = 0; h < half_edges; ++h)
+  for (int h = 0; h < half_edges; ++h) {
+    look();
     buckets.entries[static_cast<std::size_t>(end[lower(h)]++)] = {std::max(startOf(triangles, h), endOf(triangles, h)), h};
+  }
   const auto order = [](const Buckets::Entry& a, const Buckets::Entry& b) {
     return a.upper != b.upper ? a.upper < b.upper : a.half_edge < b.half_edge;
   };
-  for (std::size_t v = 0; v < vertices; ++v)
+  for (std::size_t v = 0; v < vertices; ++v) {
+    look();
     std::sort(buckets.entries.begin() + buckets.begin[v], buckets.entries.begin() + buckets.begin[v + 1], order);
+  }
   return buckets;
 }
 
@@ -69,8 +76,10 @@ void record(const Buckets::Entry* first, const Buckets::Entry* last, Edges* edge
   }
 }
 
-void numberComponents(Sets* sets, Edges* edges) {
+void numberComponents(const RunControl& control, Sets* sets, Edges* edges) {
+  Looks look(control);
   for (std::size_t t = 0; t < edges->component.size(); ++t) {
+    look();
     const auto root = static_cast<std::size_t>(sets->find(static_cast<int>(t)));
     edges->component[t] = root == t ? static_cast<int>(edges->components++) : edges->component[root];
   }
@@ -78,13 +87,15 @@ void numberComponents(Sets* sets, Edges* edges) {
 
 }  // namespace
 
-Edges findEdges(const std::vector<Triangle>& triangles, std::size_t vertices) {
+Edges findEdges(const std::vector<Triangle>& triangles, std::size_t vertices, const RunControl& control) {
   Edges edges;
   edges.twin.resize(3 * triangles.size());
   edges.component.resize(triangles.size());
   Sets sets(triangles.size());
-  const Buckets buckets = fillBuckets(triangles, vertices);
+  const Buckets buckets = fillBuckets(triangles, vertices, control);
+  Looks look(control);
   for (std::size_t v = 0; v < vertices; ++v) {
+    look();
     const Buckets::Entry* const end = buckets.entries.data() + buckets.begin[v + 1];
     for (const Buckets::Entry* first = buckets.entries.data() + buckets.begin[v]; first != end;) {
       const Buckets::Entry* last = first;
@@ -93,7 +104,7 @@ Edges findEdges(const std::vector<Triangle>& triangles, std::size_t vertices) {
       first = last;
     }
   }
-  numberComponents(&sets, &edges);
+  numberComponents(control, &sets, &edges);
   return edges;
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
 
 namespace collision_hulls {
@@ -21,7 +22,7 @@ struct Edges {
 };
 
 /// Near-linear in the size of the mesh. Each triangle must have three different corners, all below `vertices`.
-Edges findEdges(const std::vector<Triangle>& triangles, std::size_t vertices);
+Edges findEdges(const std::vector<Triangle>& triangles, std::size_t vertices, const RunControl& control);
 
 /// Start and end of a half-edge.
 inline int startOf(const std::vector<Triangle>& triangles, int h) {

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/at.h"
+#include "base/looks.h"
 #include "mesh/boundary.h"
 
 namespace collision_hulls {
@@ -15,16 +16,24 @@ namespace {
 
 class Fins {
  public:
-  Fins(const TriangleMesh& mesh, const Edges& edges, const OrientedPatches& oriented, const std::vector<int>& surplus)
-      : mesh_(mesh), patch_(oriented.patch), is_fin_(oriented.patches, 1), is_wall_(oriented.patches, 1) {
+  Fins(const TriangleMesh& mesh, const Edges& edges, const OrientedPatches& oriented, const std::vector<int>& surplus,
+       const RunControl& control)
+      : mesh_(mesh),
+        patch_(oriented.patch),
+        control_(control),
+        look_(control),
+        is_fin_(oriented.patches, 1),
+        is_wall_(oriented.patches, 1) {
     std::vector<char> is_open(is_fin_.size(), 0), hangs(is_fin_.size(), 0);
     for (int h = 0; h < static_cast<int>(edges.twin.size()); ++h) {
+      look_();
       const int twin = edges.twin[at(h)];
       if (twin >= 0) continue;
       boundary_.push_back(boundaryEdge(mesh, h, oriented.turn, patch_));
       (twin == Edges::kOpen ? is_open : hangs)[at(patch_[at(h / 3)])] = 1;
-      if (twin == Edges::kNonManifold) meeting_[edgeOf(boundary_.back())].push_back(boundary_.back());
+      if (twin == Edges::kNonManifold) meeting_.push_back(boundary_.back());
     }
+    std::sort(meeting_.begin(), meeting_.end(), [&](const auto& a, const auto& b) { return look_(), edgeOf(a) < edgeOf(b); });
     for (std::size_t t = 0; t < patch_.size(); ++t)
       if (surplus[t] != 0) is_wall_[at(patch_[t])] = 0;
     for (std::size_t p = 0; p < is_fin_.size(); ++p) {
@@ -49,29 +58,47 @@ class Fins {
   static Edge edgeOf(const BoundaryEdge& e) { return {std::min(e.from, e.to), std::max(e.from, e.to)}; }
   static int direction(const BoundaryEdge& e) { return e.from < e.to ? 1 : -1; }
 
+  /// The halves at one edge.
+  struct Halves {
+    std::vector<BoundaryEdge>::const_iterator first, last;
+    auto begin() const { return first; }
+    auto end() const { return last; }
+  };
+
+  /// Calls visit() with the halves at each non-manifold edge.
+  template <class Visit>
+  void forEachMeeting(Visit visit) {
+    for (auto first = meeting_.cbegin(); first != meeting_.cend();) {
+      look_();
+      const auto last = std::find_if(first, meeting_.cend(), [&](const BoundaryEdge& e) { return edgeOf(e) != edgeOf(*first); });
+      visit(Halves{first, last});
+      first = last;
+    }
+  }
+
   void excludeThoseThatSurfacesNeed() {
-    for (const auto& [edge, halves] : meeting_) {
+    forEachMeeting([&](const Halves& halves) {
       std::map<int, int> surplus;  // by patch
       int sum = 0;
       for (const BoundaryEdge& half : halves) surplus[half.surface] += direction(half), sum += direction(half);
       for (const auto& [patch, own] : surplus)
         if (sum != own) is_fin_[at(patch)] = 0;
-    }
+    });
   }
 
   /// Whether it excluded any.
   bool excludeWallsThatSurfacesNeed() {
     bool any = false;
-    for (const auto& [edge, halves] : meeting_) {
+    forEachMeeting([&](const Halves& halves) {
       int sum = 0;
       for (const BoundaryEdge& half : halves)
         if (!is_wall_[at(half.surface)]) sum += direction(half);
-      if (sum == 0) continue;
       for (const BoundaryEdge& half : halves) {
+        if (sum == 0) break;
         any = any || is_wall_[at(half.surface)];
         is_wall_[at(half.surface)] = 0;
       }
-    }
+    });
     return any;
   }
 
@@ -81,39 +108,42 @@ class Fins {
     const auto holds = [&](const BoundaryEdge& half) { return !is_wall_[at(half.surface)] || hangs[at(half.surface)]; };
     for (bool any = true; any;) {
       any = false;
-      for (const auto& [edge, halves] : meeting_) {
-        if (!std::any_of(halves.begin(), halves.end(), holds)) continue;
+      forEachMeeting([&](const Halves& halves) {
+        if (!std::any_of(halves.begin(), halves.end(), holds)) return;
         for (const BoundaryEdge& half : halves) {
           any = any || !holds(half);
           hangs[at(half.surface)] = 1;
         }
-      }
+      });
     }
     for (std::size_t p = 0; p < is_wall_.size(); ++p) is_wall_[p] = is_wall_[p] && hangs[p];
   }
 
   void excludeAlmostClosed() {
     std::vector<double> area(is_fin_.size(), 0);
-    for (int t = 0; t < static_cast<int>(patch_.size()); ++t) area[at(patch_[at(t)])] += triangleArea(mesh_, t);
-    const std::vector<Closure> closing = closures(mesh_.vertices, std::move(boundary_), area.size(), Eigen::Vector3d::Zero());
+    for (int t = 0; t < static_cast<int>(patch_.size()); ++t) look_(), area[at(patch_[at(t)])] += triangleArea(mesh_, t);
+    const std::vector<Closure> closing = closures(mesh_.vertices, std::move(boundary_), area.size(), Eigen::Vector3d::Zero(), control_);
     for (std::size_t p = 0; p < area.size(); ++p)
       if (closing[p].area < kSmallOpening * area[p]) is_fin_[p] = 0;
   }
 
   const TriangleMesh& mesh_;
   const std::vector<int>& patch_;  // per triangle
-  std::vector<char> is_fin_;       // per patch: not excluded yet,
-  std::vector<char> is_wall_;      // the same, as a wall shared by two solids
+  const RunControl& control_;
+  Looks look_;
+  std::vector<char> is_fin_;   // per patch: not excluded yet,
+  std::vector<char> is_wall_;  // the same, as a wall shared by two solids
   std::vector<BoundaryEdge> boundary_;
-  std::map<Edge, std::vector<BoundaryEdge>> meeting_;  // at non-manifold edges
+  std::vector<BoundaryEdge> meeting_;  // at non-manifold edges, sorted by edge
 };
 
 }  // namespace
 
-std::vector<char> findFins(const TriangleMesh& mesh, const Edges& edges, const OrientedPatches& oriented, const std::vector<int>& surplus) {
+std::vector<char> findFins(const TriangleMesh& mesh, const Edges& edges, const OrientedPatches& oriented, const std::vector<int>& surplus,
+                           const RunControl& control) {
   const bool any_wall = std::find(surplus.begin(), surplus.end(), 0) != surplus.end();
   if ((edges.open == 0 && !any_wall) || edges.nonmanifold == 0) return std::vector<char>(mesh.triangles.size(), 0);
-  return Fins(mesh, edges, oriented, surplus).find();
+  return Fins(mesh, edges, oriented, surplus, control).find();
 }
 
 }  // namespace collision_hulls

@@ -15,6 +15,7 @@ namespace collision_hulls {
 ///
 /// A wall shared by two solids is a fin, too: a patch without open edges whose triangles all have `surplus` zero (copies that face the same
 /// way minus copies that face the other) and which hangs in the same manner once all such walls are left out.
-std::vector<char> findFins(const TriangleMesh& mesh, const Edges& edges, const OrientedPatches& oriented, const std::vector<int>& surplus);
+std::vector<char> findFins(const TriangleMesh& mesh, const Edges& edges, const OrientedPatches& oriented, const std::vector<int>& surplus,
+                           const RunControl& control);
 
 }  // namespace collision_hulls

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/at.h"
+#include "base/looks.h"
 #include "mesh/boundary.h"
 
 namespace collision_hulls {
@@ -24,9 +25,11 @@ struct Patch {
 
 class Orientation {
  public:
-  Orientation(const TriangleMesh& mesh, const Edges& edges)
+  Orientation(const TriangleMesh& mesh, const Edges& edges, const RunControl& control)
       : mesh_(mesh),
         edges_(edges),
+        control_(control),
+        look_(control),
         origin_(boundingBox(mesh).center()),
         turned_(mesh.triangles.size(), 0),
         patch_of_(mesh.triangles.size(), -1) {}
@@ -53,6 +56,7 @@ class Orientation {
     std::vector<int> front{seed};
     patch_of_[at(seed)] = number;
     while (!front.empty()) {
+      look_();
       const int t = front.back();
       front.pop_back();
       const double area = triangleArea(mesh_, t);
@@ -77,26 +81,31 @@ class Orientation {
       patch.turn = choice(patch);
       if (patch.turn) patch.volume = -patch.volume;
     }
-    for (std::size_t t = 0; t < turned_.size(); ++t)
+    for (std::size_t t = 0; t < turned_.size(); ++t) {
+      look_();
       if (patches_[at(patch_of_[t])].turn) turned_[t] = !turned_[t];
+    }
   }
 
   void measureVolumes() {
     for (int t = 0; t < static_cast<int>(turned_.size()); ++t) {
+      look_();
       const Eigen::Vector3d a = mesh_.corner(t, 0) - origin_, b = mesh_.corner(t, 1) - origin_, c = mesh_.corner(t, 2) - origin_;
       patches_[at(patch_of_[at(t)])].volume += (turned_[at(t)] ? -1 : 1) * a.cross(b).dot(c) / 6;
     }
-    const std::vector<Closure> closing = closures(mesh_.vertices, patchBoundaries(), patches_.size(), origin_);
+    const std::vector<Closure> closing = closures(mesh_.vertices, patchBoundaries(), patches_.size(), origin_, control_);
     for (std::size_t i = 0; i < patches_.size(); ++i) {
       patches_[i].volume += closing[i].volume;
       patches_[i].closed = closing[i].area < kSmallOpening * patches_[i].area;
     }
   }
 
-  std::vector<BoundaryEdge> patchBoundaries() const {
+  std::vector<BoundaryEdge> patchBoundaries() {
     std::vector<BoundaryEdge> boundary;
-    for (int h = 0; h < static_cast<int>(edges_.twin.size()); ++h)
+    for (int h = 0; h < static_cast<int>(edges_.twin.size()); ++h) {
+      look_();
       if (edges_.twin[at(h)] < 0) boundary.push_back(boundaryEdge(mesh_, h, turned_, patch_of_));
+    }
     return boundary;
   }
 
@@ -113,6 +122,8 @@ class Orientation {
 
   const TriangleMesh& mesh_;
   const Edges& edges_;
+  const RunControl& control_;
+  Looks look_;
   Eigen::Vector3d origin_;
   std::vector<char> turned_;
   std::vector<int> patch_of_;
@@ -121,9 +132,9 @@ class Orientation {
 
 }  // namespace
 
-OrientedPatches orient(const TriangleMesh& mesh, const Edges& edges) {
+OrientedPatches orient(const TriangleMesh& mesh, const Edges& edges, const RunControl& control) {
   if (mesh.triangles.empty()) return {};
-  return Orientation(mesh, edges).solve();
+  return Orientation(mesh, edges, control).solve();
 }
 
 }  // namespace collision_hulls

@@ -22,7 +22,7 @@ struct OrientedPatches {
 ///   3. Flips a patch that is closed on its own (its fans are below a tenth of its area) and encloses a negative volume.
 /// A volume that is negligible for its area (a flat sheet) decides nothing. A patch that cannot be oriented (a Moebius strip) keeps a seam
 /// along which its triangles disagree.
-OrientedPatches orient(const TriangleMesh& mesh, const Edges& edges);
+OrientedPatches orient(const TriangleMesh& mesh, const Edges& edges, const RunControl& control);
 
 /// A surface whose fans are below this share of its area counts as closed.
 constexpr double kSmallOpening = 0.1;

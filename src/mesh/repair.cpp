@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <set>
 #include <string>
 #include <utility>
 
 #include "base/at.h"
+#include "base/looks.h"
 #include "collision_hulls/error.h"
 #include "mesh/boundary.h"
 #include "mesh/edges.h"
@@ -26,12 +26,14 @@ constexpr double kFlatHeight = 1e-14;
 
 constexpr double kLargestWeldTolerance = 0.1;
 
-void check(const TriangleMesh& mesh, const RepairOptions& options) {
+void check(const TriangleMesh& mesh, const RepairOptions& options, const RunControl& control) {
   if (!(options.weld_tolerance >= 0 && options.weld_tolerance <= kLargestWeldTolerance))
     throw Error(ErrorCode::kBadOption, "weld tolerance " + std::to_string(options.weld_tolerance) +
                                            " is out of range; give a share of the mesh's extent from 0 to " +
                                            std::to_string(kLargestWeldTolerance));
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  Looks look(control);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    look();
     for (const int v : mesh.triangles[t]) {
       if (v < 0 || at(v) >= mesh.vertices.size())
         throw Error(ErrorCode::kIndexOutOfRange, "triangle " + std::to_string(t) + " names vertex " + std::to_string(v) +
@@ -40,6 +42,7 @@ void check(const TriangleMesh& mesh, const RepairOptions& options) {
       if (!mesh.vertices[at(v)].allFinite())
         throw Error(ErrorCode::kNonFiniteCoordinate, "vertex " + std::to_string(v) + " has a coordinate that is not a finite number");
     }
+  }
 }
 
 bool isDegenerate(const std::vector<Eigen::Vector3d>& vertices, const Triangle& t, double extent) {
@@ -91,13 +94,16 @@ bool isTurnOf(const Triangle& a, const Triangle& b) {
 
 /// The welded mesh's triangles, without duplicates and without those that have no area, which go to `flat`. `surplus`: per kept triangle,
 /// the number of copies that face its way minus those that face the other.
-std::vector<Triangle> keptTriangles(const TriangleMesh& mesh, const std::vector<int>& representative, double extent, RepairCounts* counts,
-                                    std::vector<Triangle>* flat, std::vector<int>* surplus) {
+std::vector<Triangle> keptTriangles(const TriangleMesh& mesh, const std::vector<int>& representative, double extent,
+                                    const RunControl& control, RepairCounts* counts, std::vector<Triangle>* flat,
+                                    std::vector<int>* surplus) {
   std::vector<Triangle> kept;
   kept.reserve(mesh.triangles.size());
   surplus->reserve(mesh.triangles.size());
   TriangleSet seen(kept, mesh.triangles.size());
+  Looks look(control);
   for (const Triangle& t : mesh.triangles) {
+    look();
     const Triangle welded{representative[at(t[0])], representative[at(t[1])], representative[at(t[2])]};
     if (isDegenerate(mesh.vertices, welded, extent)) {
       ++counts->degenerate;
@@ -126,63 +132,97 @@ Triangle longestSideFirst(const std::vector<Eigen::Vector3d>& vertices, const Tr
   return {t[longest], t[(longest + 1) % 3], t[(longest + 2) % 3]};
 }
 
+using Side = std::pair<int, int>;
+
+Side sideOf(int a, int b) {
+  return std::minmax(a, b);
+}
+
+/// Sorts sides and keeps one of each.
+void sortOnce(std::vector<Side>& sides, const RunControl& control) {
+  Looks look(control);
+  std::sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return look(), a < b; });
+  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+}
+
+/// Those sides of kept triangles whose both ends belong to flat ones, sorted.
+std::vector<Side> sidesBesideFlat(std::size_t vertices, const std::vector<Triangle>& kept, const std::vector<Triangle>& flat,
+                                  const RunControl& control) {
+  Looks look(control);
+  std::vector<char> is_flat(vertices, 0);
+  for (const Triangle& t : flat)
+    for (const int v : t) look(), is_flat[at(v)] = 1;
+  std::vector<Side> sides;
+  for (const Triangle& t : kept)
+    for (std::size_t k = 0; k < 3; ++k) {
+      look();
+      const int a = t[k], b = t[(k + 1) % 3];
+      if (is_flat[at(a)] && is_flat[at(b)]) sides.push_back(sideOf(a, b));
+    }
+  sortOnce(sides, control);
+  return sides;
+}
+
 /// What remains of flat triangles, each part once: the longest side, unless a kept triangle has it as a side or kept triangles have both
 /// other sides; and points that nothing else contains.
 std::vector<Segment> looseOf(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& kept,
-                             const std::vector<Triangle>& flat) {
-  using Side = std::pair<int, int>;
-  const auto side = [](int a, int b) { return Side(std::minmax(a, b)); };
-  std::vector<char> is_flat(vertices.size(), 0), held(vertices.size(), 0);
-  for (const Triangle& t : flat)
-    for (const int v : t) is_flat[at(v)] = 1;
-  std::set<Side> sides, loose;
+                             const std::vector<Triangle>& flat, const RunControl& control) {
+  Looks look(control);
+  std::vector<char> held(vertices.size(), 0);
   for (const Triangle& t : kept)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int a = t[k], b = t[(k + 1) % 3];
-      held[at(a)] = 1;
-      if (is_flat[at(a)] && is_flat[at(b)]) sides.insert(side(a, b));
-    }
+    for (const int v : t) look(), held[at(v)] = 1;
+  const std::vector<Side> sides = sidesBesideFlat(vertices.size(), kept, flat, control);
+  const auto has = [&](int a, int b) { return std::binary_search(sides.begin(), sides.end(), sideOf(a, b)); };
+  std::vector<Side> loose;
   for (const Triangle& t : flat) {
+    look();
     const auto [a, b, middle] = longestSideFirst(vertices, t);
-    if (a == b || sides.count(side(a, b)) || (sides.count(side(a, middle)) && sides.count(side(middle, b)))) continue;
-    loose.insert(side(a, b));
+    if (a == b || has(a, b) || (has(a, middle) && has(middle, b))) continue;
+    loose.push_back(sideOf(a, b));
     for (const int v : t) held[at(v)] = 1;
   }
   for (const Triangle& t : flat)
-    if (t[0] == t[1] && t[1] == t[2] && !held[at(t[0])]) loose.insert(side(t[0], t[0]));
+    if (t[0] == t[1] && t[1] == t[2] && !held[at(t[0])]) look(), loose.push_back(sideOf(t[0], t[0]));
+  sortOnce(loose, control);
   std::vector<Segment> result;
-  for (const auto& [a, b] : loose) result.push_back({vertices[at(a)], vertices[at(b)]});
+  for (const auto& [a, b] : loose) look(), result.push_back({vertices[at(a)], vertices[at(b)]});
   return result;
 }
 
 /// Renumbers the vertices used by triangles, keeping their order.
-void compact(const std::vector<Eigen::Vector3d>& vertices, RepairedMesh* result) {
+void compact(const std::vector<Eigen::Vector3d>& vertices, const RunControl& control, RepairedMesh* result) {
+  Looks look(control);
   std::vector<int> number(vertices.size(), -1);
   for (const Triangle& t : result->mesh.triangles)
-    for (const int v : t) number[at(v)] = 0;
+    for (const int v : t) look(), number[at(v)] = 0;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
+    look();
     if (number[v] < 0) continue;
     number[v] = static_cast<int>(result->mesh.vertices.size());
     result->mesh.vertices.push_back(vertices[v]);
   }
   for (Triangle& t : result->mesh.triangles)
-    for (int& v : t) v = number[at(v)];
+    for (int& v : t) look(), v = number[at(v)];
 }
 
 /// Per component, without its fins; triangles marked in `turn` count as flipped.
 std::vector<Interior> findInteriors(const TriangleMesh& mesh, const Edges& edges, const std::vector<char>& turn,
-                                    const std::vector<char>& fin) {
+                                    const std::vector<char>& fin, const RunControl& control) {
+  Looks look(control);
   std::vector<double> area(edges.components, 0);
   std::vector<Interior> interior(edges.components, Interior::kClosed);
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    look();
     if (fin[at(t)]) continue;
     area[at(edges.component[at(t)])] += triangleArea(mesh, t);
   }
   std::vector<BoundaryEdge> boundary;
-  for (int h = 0; h < static_cast<int>(edges.twin.size()); ++h)
+  for (int h = 0; h < static_cast<int>(edges.twin.size()); ++h) {
+    look();
     if (edges.twin[at(h)] == Edges::kOpen && !fin[at(h / 3)]) boundary.push_back(boundaryEdge(mesh, h, turn, edges.component));
+  }
   for (const BoundaryEdge& edge : boundary) interior[at(edge.surface)] = Interior::kWinding;
-  const std::vector<Closure> closing = closures(mesh.vertices, std::move(boundary), edges.components, Eigen::Vector3d::Zero());
+  const std::vector<Closure> closing = closures(mesh.vertices, std::move(boundary), edges.components, Eigen::Vector3d::Zero(), control);
   for (std::size_t c = 0; c < interior.size(); ++c)
     if (interior[c] == Interior::kWinding && closing[c].area >= kSmallOpening * area[c]) interior[c] = Interior::kSurface;
   return interior;
@@ -201,34 +241,31 @@ const char* name(Interior interior) {
 
 RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options, const RunControl& control) {
   control.check();
-  check(mesh, options);
+  check(mesh, options, control);
   RepairedMesh result;
   if (mesh.triangles.empty()) return result;
   const double extent = boundingBox(mesh).sizes().maxCoeff();
 
-  const Welding welding = weld(mesh, options.weld_tolerance * extent);
-  control.check();
+  const Welding welding = weld(mesh, options.weld_tolerance * extent, control);
   result.counts.welded = welding.joined;
   result.counts.weld_distance = welding.distance;
 
   std::vector<Triangle> flat;
   std::vector<int> surplus;
-  result.mesh.triangles = keptTriangles(mesh, welding.representative, extent, &result.counts, &flat, &surplus);
-  if (!flat.empty()) result.loose = looseOf(mesh.vertices, result.mesh.triangles, flat);
-  compact(mesh.vertices, &result);
-  control.check();
+  result.mesh.triangles = keptTriangles(mesh, welding.representative, extent, control, &result.counts, &flat, &surplus);
+  if (!flat.empty()) result.loose = looseOf(mesh.vertices, result.mesh.triangles, flat, control);
+  compact(mesh.vertices, control, &result);
 
-  Edges edges = findEdges(result.mesh.triangles, result.mesh.vertices.size());
+  Edges edges = findEdges(result.mesh.triangles, result.mesh.vertices.size(), control);
   result.counts.components = edges.components;
   result.counts.open_edges = edges.open;
   result.counts.nonmanifold_edges = edges.nonmanifold;
 
-  control.check();
-  const OrientedPatches oriented = orient(result.mesh, edges);
+  const OrientedPatches oriented = orient(result.mesh, edges, control);
   const std::vector<char>& turn = oriented.turn;
   result.counts.flipped = static_cast<std::size_t>(std::count(turn.begin(), turn.end(), 1));
-  result.sheet = findFins(result.mesh, edges, oriented, surplus);
-  result.interior = findInteriors(result.mesh, edges, turn, result.sheet);
+  result.sheet = findFins(result.mesh, edges, oriented, surplus, control);
+  result.interior = findInteriors(result.mesh, edges, turn, result.sheet, control);
   for (std::size_t t = 0; t < turn.size(); ++t)
     if (turn[t]) std::swap(result.mesh.triangles[t][1], result.mesh.triangles[t][2]);
   for (std::size_t t = 0; t < turn.size(); ++t)

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/looks.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -79,14 +81,18 @@ class Grid {
 
 }  // namespace
 
-Welding weld(const TriangleMesh& mesh, double tolerance) {
+Welding weld(const TriangleMesh& mesh, double tolerance, const RunControl& control) {
   Welding result;
   result.representative.assign(mesh.vertices.size(), -1);
-  for (const Triangle& triangle : mesh.triangles)
+  Looks look(control);
+  for (const Triangle& triangle : mesh.triangles) {
+    look();
     for (const int v : triangle) result.representative[static_cast<std::size_t>(v)] = v;
+  }
 
   Grid grid(mesh, tolerance);
   for (int& representative : result.representative) {
+    look();
     if (representative < 0) continue;
     double distance = 0;
     const int earlier = grid.nearest(mesh.vertices[static_cast<std::size_t>(representative)], &distance);

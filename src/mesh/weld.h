@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
 
 namespace collision_hulls {
@@ -17,6 +18,6 @@ struct Welding {
 /// Welds every vertex to the nearest earlier representative within `tolerance` [m]; a vertex without one becomes a representative itself.
 /// Hence no vertex moves further than the tolerance, however long a chain of close vertices is, and the result depends only on distances
 /// and on the order of the vertices, not on the axes.
-Welding weld(const TriangleMesh& mesh, double tolerance);
+Welding weld(const TriangleMesh& mesh, double tolerance, const RunControl& control);
 
 }  // namespace collision_hulls

@@ -108,12 +108,12 @@ PageModel pageModel(const ModelReport& report, const ModelResult& model) {
   return page;
 }
 
-std::string pageOf(const RobotResult& result) {
+std::string pageOf(const RobotResult& result, const RunControl& control) {
   const Report& report = result.report;
   PageContent content{result.robot_name, report, {pageModel(report, result)}, result.single_mesh, result.scene};
   for (std::size_t i = 0; i < result.models.size(); ++i) content.models.push_back(pageModel(report.models[i], result.models[i]));
   std::string page;
-  withJobs(report.options.jobs, [&] { page = reportPage(content, threeJs()); });
+  withJobs(report.options.jobs, [&] { page = reportPage(content, threeJs(), control); });
   return page;
 }
 
@@ -243,11 +243,11 @@ bool writeOutput(RobotResult& result, const std::string& output, const RunContro
   }
   noteLost(folders.earlier, others, result.report);
   if (result.report.options.html) {
-    folders.write(kPageFile, pageOf(result));
+    folders.write(kPageFile, pageOf(result, control));
     result.report.files.emplace_back(kPageFile);
   }
   result.report.seconds += run.lap();
-  folders.write(kReportFile, toJson(result.report));
+  folders.write(kReportFile, toJson(result.report, control));
   refuseForeign(replacedFolder(output));
   control.check();
   replacement.commit();

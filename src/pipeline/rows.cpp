@@ -127,10 +127,11 @@ void noteTimeLimit(Report& report) {
 
 }  // namespace
 
-void putTogether(const std::vector<MeshUse>& uses, const MeshResults& results, RobotResult& result) {
+void putTogether(const std::vector<MeshUse>& uses, const MeshResults& results, RobotResult& result, const RunControl& control) {
   HullFiles files(result);
   std::set<const MeshResult*> timed;
   for (std::size_t i = 0; i < uses.size(); ++i) {
+    control.check();
     const MeshUse& use = uses[i];
     const MeshResult& mesh = *results[i];
     ElementReport row = rowOf(use, mesh);

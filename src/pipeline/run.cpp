@@ -56,7 +56,7 @@ void runStages(const RunInput& input, RobotResult& result, const std::function<v
   });
   cache.trim();
   result.report.notes = cache.notes();
-  putTogether(input.uses, results, result);
+  putTogether(input.uses, results, result, input.control);
 }
 
 void finishVariant(const MeshVariant& variant, const std::shared_ptr<const MeshResult>& mesh, std::size_t hulls, Run& run) {

@@ -94,8 +94,7 @@ const ReadMesh& SharedMesh::read(const LinkOptions& options, const RunControl& c
   LoadedMesh loaded = parseMesh(contentOf(task_, control), task_.file, meshLimits(options_), control);
   facts.triangles = loaded.mesh.triangles.size();
   facts.skipped_primitives = loaded.skipped_primitives;
-  result.original = scaled(loaded.mesh, task_.scale);
-  loaded.mesh = {};
+  result.original = scaled(std::move(loaded.mesh), task_.scale);
   facts.diagonal = diagonal(result.original);
   setTolerance(task_.uri, options, result);
   result.seconds.read = stage.lap();
@@ -173,6 +172,7 @@ Validation validateUses(const std::vector<MeshUse>& uses, const MeshResults& res
     const MeshUse& use = uses[i];
     const MeshResult& mesh = *results[i];
     if (use.model != model || mesh.hulls.empty()) continue;
+    control.check();
     ValidationPair pair;
     pair.name = use.link + "/" + std::to_string(use.element);
     pair.original = transformed(mesh.original, use.pose);
@@ -190,7 +190,7 @@ Validation validateUses(const std::vector<MeshUse>& uses, const MeshResults& res
   }
   ValidationOptions options;
   options.seed = seed;
-  return validate(pairs, options, control);
+  return validate(std::move(pairs), options, control);
 }
 
 }  // namespace collision_hulls

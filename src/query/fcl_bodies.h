@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
@@ -39,14 +40,17 @@ std::shared_ptr<fcl::Convexd> fclConvex(const ConvexHull& hull, double factor = 
 
 std::vector<fcl::Triangle> fclTriangles(const std::vector<Triangle>& triangles);
 
-/// Builds FCL's tree over triangles. Throws kInternal if FCL refuses them.
+/// Builds FCL's tree over triangles. Throws kInternal if FCL refuses them, and kCancelled: before FCL makes room for the tree, which takes
+/// it 0.1 s for a million triangles, and then whenever the model's fitter does.
 template <typename Box>
 void build(fcl::BVHModel<Box>& model, const std::vector<Eigen::Vector3d>& vertices, std::vector<fcl::Triangle> triangles,
-           double factor = kFclEnlarged) {
+           double factor = kFclEnlarged, const RunControl& control = {}) {
   const std::size_t count = triangles.size();
   model.beginModel(static_cast<int>(count), static_cast<int>(vertices.size()));
+  control.check();
   model.addSubModel(enlarged(vertices, factor), triangles);
   triangles = {};  // FCL has its own copy, and the tree is large
+  control.check();
   if (model.endModel() != fcl::BVH_OK) throw Error(ErrorCode::kInternal, "FCL rejected a mesh of " + std::to_string(count) + " triangles");
 }
 

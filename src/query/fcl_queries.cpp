@@ -13,6 +13,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/looks.h"
 #include "query/fcl_bodies.h"
 
 namespace collision_hulls {
@@ -52,9 +53,10 @@ FclAnswer askPoint(const fcl::CollisionGeometryd& body, const Eigen::Vector3d& p
 /// own fitter aligns boxes with the axes of inertia: it takes ten times as long and makes queries little faster.
 class BoxFitter : public fcl::detail::BVFitterBase<fcl::RSSd> {
  public:
-  explicit BoxFitter(const TriangleMesh& mesh) {
+  BoxFitter(const TriangleMesh& mesh, const RunControl& control) : look_(control) {
     boxes_.reserve(mesh.triangles.size());
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+      look_();
       const Eigen::Vector3d &a = mesh.corner(t, 0), &b = mesh.corner(t, 1), &c = mesh.corner(t, 2);
       boxes_.emplace_back(kFclEnlarged * a.cwiseMin(b).cwiseMin(c), kFclEnlarged * a.cwiseMax(b).cwiseMax(c));
     }
@@ -63,10 +65,11 @@ class BoxFitter : public fcl::detail::BVFitterBase<fcl::RSSd> {
   void set(Eigen::Vector3d*, Eigen::Vector3d*, fcl::Triangle*, fcl::BVHModelType) override {}
   void clear() override { boxes_ = {}; }
 
-  /// The rectangle lies halfway up the box's shortest side; half of that side is the radius.
+  /// The rectangle lies halfway up the box's shortest side; half of that side is the radius. FCL asks for each node, so that what a look
+  /// throws ends its building.
   fcl::RSSd fit(unsigned int* indices, int count) override {
     Eigen::AlignedBox3d box;
-    for (int i = 0; i < count; ++i) box.extend(boxes_[indices[i]]);
+    for (int i = 0; i < count; ++i) look_(), box.extend(boxes_[indices[i]]);
     const Eigen::Vector3d size = box.sizes();
     Eigen::Index longest = 0;
     size.maxCoeff(&longest);
@@ -84,6 +87,7 @@ class BoxFitter : public fcl::detail::BVFitterBase<fcl::RSSd> {
   }
 
  private:
+  Looks look_;
   std::vector<Eigen::AlignedBox3d> boxes_;  // of the triangles
 };
 
@@ -91,10 +95,10 @@ struct FclMesh::Impl {
   fcl::BVHModel<fcl::RSSd> model;
 };
 
-FclMesh::FclMesh(const TriangleMesh& mesh) : impl_(std::make_unique<Impl>()) {
+FclMesh::FclMesh(const TriangleMesh& mesh, const RunControl& control) : impl_(std::make_unique<Impl>()) {
   if (mesh.triangles.empty()) return;
-  impl_->model.bv_fitter = std::make_shared<BoxFitter>(mesh);
-  build(impl_->model, mesh.vertices, fclTriangles(mesh.triangles));
+  impl_->model.bv_fitter = std::make_shared<BoxFitter>(mesh, control);
+  build(impl_->model, mesh.vertices, fclTriangles(mesh.triangles), kFclEnlarged, control);
 }
 
 FclMesh::~FclMesh() = default;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
 
@@ -28,7 +29,8 @@ struct FclAnswer {
 /// answers are wrong, as it fits no box to it. Immutable, thread safe.
 class FclMesh {
  public:
-  explicit FclMesh(const TriangleMesh& mesh);
+  /// Throws kCancelled.
+  explicit FclMesh(const TriangleMesh& mesh, const RunControl& control = {});
   ~FclMesh();
   FclMesh(FclMesh&&) noexcept;
   bool empty() const;  ///< no triangles; distance queries on such a mesh are not allowed

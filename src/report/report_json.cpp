@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/looks.h"
 #include "collision_hulls/report/report.h"
 #include "collision_hulls/report/totals.h"
 
@@ -192,21 +193,47 @@ json modelsToJson(const Report& report) {
   for (const ModelReport& model : report.models) {
     models.push_back({{"model", model.model},
                       {"urdf", model.urdf},
-                      {"links", toJson(model.links)},
+                      {"links", json::array()},
                       {"validation", validationToJson(model, report.options)},
                       {"totals", totalsToJson(model, report.seconds)}});
   }
   return models;
 }
 
+/// Names in a description may be no UTF-8, which JSON cannot hold: such bytes are shown as U+FFFD. Non-finite numbers become null.
+std::string text(const json& value) {
+  return value.dump(1, ' ', false, json::error_handler_t::replace);
+}
+
+/// Writes the rows where the text has an empty list of links at this depth, from `place` on; then place is behind them. They become text
+/// one by one: those of a large robot take ten times as much memory as a document.
+void writeRows(const std::vector<ElementReport>& rows, std::size_t depth, const RunControl& control, std::string& document,
+               std::size_t& place) {
+  const std::string line = "\n" + std::string(depth, ' '), list = line + "\"links\": [";  // no string holds a line's end
+  place = document.find(list + "]", place) + list.size();
+  if (rows.empty()) return;
+  Looks look(control, kLargeItemsBetweenLooks);
+  std::string all;
+  for (const ElementReport& row : rows) {
+    look();
+    all += all.empty() ? "\n" : ",\n";
+    all += text(toJson(row));
+  }
+  std::string indented;
+  for (const char c : all) c == '\n' ? indented += line + " " : indented += c;
+  indented += line;
+  document.insert(place, indented);
+  place += indented.size();
+}
+
 }  // namespace
 
-std::string toJson(const Report& report) {
+std::string toJson(const Report& report, const RunControl& control) {
   json document = {{"collision_hulls", version()},
                    {"input", {{"path", report.input_path}, {"sha256", report.input_sha256}}},
                    {"options", toJson(report.options)},
                    {"seed", report.options.seed},
-                   {"links", toJson(report.links)},
+                   {"links", json::array()},
                    {"files", report.files},
                    {"validation", validationToJson(report, report.options)},
                    {"notes", report.notes},
@@ -217,8 +244,12 @@ std::string toJson(const Report& report) {
     document["models"] = modelsToJson(report);
   }
   if (report.scene) document["scene"] = toJson(*report.scene);
-  // Names in a description may be no UTF-8, which JSON cannot hold: such bytes are shown as U+FFFD. Non-finite numbers become null.
-  return document.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+  std::string result = text(document);
+  std::size_t place = 0;
+  writeRows(report.links, 1, control, result, place);
+  place = 0;
+  for (const ModelReport& model : report.models) writeRows(model.links, 3, control, result, place);
+  return result + "\n";
 }
 
 }  // namespace collision_hulls

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/looks.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -21,36 +23,36 @@ bool isPoint(const Eigen::Vector3d& p) {
 }
 
 /// The triangles that can be drawn.
-std::vector<Triangle> usable(const TriangleMesh& mesh) {
+std::vector<Triangle> usable(const TriangleMesh& mesh, Looks& look) {
   const int count = static_cast<int>(mesh.vertices.size());
   std::vector<bool> is_point;
-  for (const Eigen::Vector3d& vertex : mesh.vertices) is_point.push_back(isPoint(vertex));
+  for (const Eigen::Vector3d& vertex : mesh.vertices) look(), is_point.push_back(isPoint(vertex));
   const auto fits = [&](int v) { return v >= 0 && v < count && is_point[static_cast<std::size_t>(v)]; };
   std::vector<Triangle> triangles;
   for (const Triangle& t : mesh.triangles)
-    if (std::all_of(t.begin(), t.end(), fits)) triangles.push_back(t);
+    if (look(); std::all_of(t.begin(), t.end(), fits)) triangles.push_back(t);
   return triangles;
 }
 
 /// Joins equal points, and drops triangles with equal corners and points without triangles.
-void weld(const std::vector<GridPoint>& points, const std::vector<Triangle>& triangles, DrawnMesh& mesh) {
+void weld(const std::vector<GridPoint>& points, const std::vector<Triangle>& triangles, Looks& look, DrawnMesh& mesh) {
   std::vector<GridPoint> used;
   const auto point = [&](int v) -> const GridPoint& { return points[static_cast<std::size_t>(v)]; };
   const auto has_area = [&](const Triangle& t) {
-    return point(t[0]) != point(t[1]) && point(t[1]) != point(t[2]) && point(t[2]) != point(t[0]);
+    return look(), point(t[0]) != point(t[1]) && point(t[1]) != point(t[2]) && point(t[2]) != point(t[0]);
   };
   std::vector<Triangle> kept;
   std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(kept), has_area);
   std::vector<bool> is_used(points.size());
   for (const Triangle& t : kept)
-    for (const int v : t) is_used[static_cast<std::size_t>(v)] = true;
+    for (const int v : t) look(), is_used[static_cast<std::size_t>(v)] = true;
   for (std::size_t v = 0; v < points.size(); ++v)
-    if (is_used[v]) used.push_back(points[v]);
-  std::sort(used.begin(), used.end());
+    if (look(); is_used[v]) used.push_back(points[v]);
+  std::sort(used.begin(), used.end(), [&](const GridPoint& a, const GridPoint& b) { return look(), a < b; });
   used.erase(std::unique(used.begin(), used.end()), used.end());
   std::vector<int> index(points.size());
   for (std::size_t v = 0; v < points.size(); ++v)
-    if (is_used[v]) index[v] = static_cast<int>(std::lower_bound(used.begin(), used.end(), points[v]) - used.begin());
+    if (look(); is_used[v]) index[v] = static_cast<int>(std::lower_bound(used.begin(), used.end(), points[v]) - used.begin());
   for (Triangle& t : kept)
     for (int& v : t) v = index[static_cast<std::size_t>(v)];
   mesh.vertices = std::move(used);
@@ -63,14 +65,14 @@ Eigen::Vector3d gridPlace(const DrawnMesh& mesh, int vertex) {
 }
 
 /// The same triangle, whichever corner it starts with.
-void dropEqual(std::vector<Triangle>& triangles) {
-  for (Triangle& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  std::sort(triangles.begin(), triangles.end());
+void dropEqual(std::vector<Triangle>& triangles, Looks& look) {
+  for (Triangle& t : triangles) look(), std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  std::sort(triangles.begin(), triangles.end(), [&](const Triangle& a, const Triangle& b) { return look(), a < b; });
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
 }
 
-DrawnMesh onFinestGrid(const TriangleMesh& mesh) {
-  const std::vector<Triangle> triangles = usable(mesh);
+DrawnMesh onFinestGrid(const TriangleMesh& mesh, Looks& look) {
+  const std::vector<Triangle> triangles = usable(mesh, look);
   Eigen::AlignedBox3d box;
   for (const Triangle& t : triangles)
     for (const int v : t) box.extend(mesh.vertices[static_cast<std::size_t>(v)]);
@@ -80,6 +82,7 @@ DrawnMesh onFinestGrid(const TriangleMesh& mesh) {
   drawn.step = box.sizes().maxCoeff() / DrawnMesh::kMostCells;
   std::vector<GridPoint> points;
   for (const Eigen::Vector3d& vertex : mesh.vertices) {
+    look();
     GridPoint point{};
     const Eigen::Vector3d cells = drawn.step > 0 ? Eigen::Vector3d((vertex - drawn.origin) / drawn.step) : Eigen::Vector3d::Zero();
     for (int k = 0; k < 3; ++k)  // of what no triangle uses, anything
@@ -87,31 +90,32 @@ DrawnMesh onFinestGrid(const TriangleMesh& mesh) {
           static_cast<std::uint16_t>(std::isfinite(cells[k]) ? std::clamp(std::round(cells[k]), 0.0, double{DrawnMesh::kMostCells}) : 0);
     points.push_back(point);
   }
-  weld(points, triangles, drawn);
+  weld(points, triangles, look, drawn);
   return drawn;
 }
 
 /// Leaves one vertex, the mean, of those in each of so many cells along an axis.
-void coarsen(double cells, DrawnMesh& mesh) {
+void coarsen(double cells, Looks& look, DrawnMesh& mesh) {
   std::vector<std::pair<GridPoint, int>> by_cell;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    look();
     GridPoint cell{};
     for (std::size_t k = 0; k < cell.size(); ++k)
       cell[k] = static_cast<std::uint16_t>(mesh.vertices[v][k] * cells / (DrawnMesh::kMostCells + 1.0));
     by_cell.emplace_back(cell, static_cast<int>(v));
   }
-  std::sort(by_cell.begin(), by_cell.end());
+  std::sort(by_cell.begin(), by_cell.end(), [&](const auto& a, const auto& b) { return look(), a < b; });
   std::vector<GridPoint> means(mesh.vertices.size());  // by vertex
   for (auto first = by_cell.begin(), last = first; first != by_cell.end(); first = last) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (last = first; last != by_cell.end() && last->first == first->first; ++last) sum += gridPlace(mesh, last->second);
+    for (last = first; last != by_cell.end() && last->first == first->first; ++last) look(), sum += gridPlace(mesh, last->second);
     sum /= static_cast<double>(last - first);
     for (auto member = first; member != last; ++member)
       for (int k = 0; k < 3; ++k)
         means[static_cast<std::size_t>(member->second)][static_cast<std::size_t>(k)] = static_cast<std::uint16_t>(std::lround(sum[k]));
   }
-  weld(means, std::vector<Triangle>(mesh.triangles), mesh);
-  dropEqual(mesh.triangles);
+  weld(means, std::vector<Triangle>(mesh.triangles), look, mesh);
+  dropEqual(mesh.triangles, look);
 }
 
 /// Cells along an axis that leave about as many triangles of a mesh that is finely divided everywhere.
@@ -137,12 +141,13 @@ void append(const std::vector<Item>& items, std::string& bytes) {
 
 }  // namespace
 
-DrawnMesh drawnMesh(const TriangleMesh& mesh, std::size_t most_triangles) {
-  DrawnMesh drawn = onFinestGrid(mesh);
+DrawnMesh drawnMesh(const TriangleMesh& mesh, std::size_t most_triangles, const RunControl& control) {
+  Looks look(control);
+  DrawnMesh drawn = onFinestGrid(mesh, look);
   if (drawn.triangles.size() <= most_triangles) return drawn;
   for (double cells = std::min(kEachCoarser * DrawnMesh::kMostCells, cellsFor(most_triangles, drawn));
        drawn.triangles.size() > most_triangles && cells >= 1; cells *= kEachCoarser)
-    coarsen(cells, drawn);
+    coarsen(cells, look, drawn);
   return drawn;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
 
 namespace collision_hulls {
@@ -23,8 +24,9 @@ struct DrawnMesh {
 };
 
 /// A mesh with 16 bits for each coordinate and at most `most_triangles`, thinned where it has more. Triangles that have a corner that is no
-/// point, or further away than 1e6 m, are left out. Deterministic; nearly linear in the number of triangles.
-DrawnMesh drawnMesh(const TriangleMesh& mesh, std::size_t most_triangles);
+/// point, or further away than 1e6 m, are left out. Deterministic; nearly linear in the number of triangles. Throws
+/// kCancelled.
+DrawnMesh drawnMesh(const TriangleMesh& mesh, std::size_t most_triangles, const RunControl& control = {});
 
 /// Its bytes, little-endian: vertices (3 * uint16), then triangles (3 * uint8 up to 256 vertices, uint16 up to 65536, else uint32); each of
 /// the two begins at a multiple of four bytes, and so does the end.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/figure.h"
+#include "base/looks.h"
 #include "web/html_text.h"
 
 namespace collision_hulls {
@@ -107,13 +108,14 @@ std::string heading() {
 
 }  // namespace
 
-std::string linkTable(const ModelReport& model) {
+std::string linkTable(const ModelReport& model, const RunControl& control) {
   std::vector<std::size_t> order(model.links.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return urgency(model.links[a].status) < urgency(model.links[b].status); });
   std::string text = "<table class=\"links\">\n" + heading();
-  for (const std::size_t row : order) text += tableRow(model.links[row], row);
+  Looks look(control, kLargeItemsBetweenLooks);
+  for (const std::size_t row : order) look(), text += tableRow(model.links[row], row);
   return text + "</table>\n";
 }
 

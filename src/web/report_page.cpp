@@ -104,14 +104,14 @@ std::vector<std::string> reasonsOfFit(const Report& report) {
   return reasons;
 }
 
-std::string tables(const PageContent& content) {
+std::string tables(const PageContent& content, const RunControl& control) {
   std::string text = "<section aria-label=\"Links\">\n<div class=\"bar\"><h2>" + std::string(content.single_mesh ? "Mesh" : "Links") +
                      "</h2>\n" + modelChoice(content) +
                      "<input type=\"search\" id=\"filter\" placeholder=\"Filter\" aria-label=\"Filter the table\"></div>\n";
   for (std::size_t i = 0; i < content.models.size(); ++i) {
     const ModelReport& model = content.models[i].report;
     text += "<div class=\"model\" id=\"model-" + std::to_string(i) + "\"" + hiddenUnlessFirst(i) + ">\n<div class=\"wide\">\n" +
-            linkTable(model) + "</div>\n" + details("Remarks of the check", model.validation.remarks, false) + "</div>\n";
+            linkTable(model, control) + "</div>\n" + details("Remarks of the check", model.validation.remarks, false) + "</div>\n";
   }
   return text + details("What the scene asked of each link", reasonsOfFit(content.report), false) +
          details("Notes", content.report.notes, true) + "</section>\n";
@@ -126,8 +126,8 @@ std::string footer(const PageContent& content) {
          " \xC2\xB7 <span id=\"drawn-by\"></span></p>\n</footer>\n";
 }
 
-std::string scripts(const PageContent& content, const std::string& three_js) {
-  const ViewData data = viewData(content);
+std::string scripts(const PageContent& content, const std::string& three_js, const RunControl& control) {
+  const ViewData data = viewData(content, control);
   std::string text = "<script type=\"application/json\" id=\"view-data\">" + scriptJson(data.json) +
                      "</script>\n<script type=\"text/plain\" id=\"geometry\">" + base64(data.geometry) + "</script>\n";
   if (!three_js.empty()) text += std::string("<script>\n/* ") + threeJsNotice() + " */\n" + three_js + "\n</script>\n";
@@ -136,7 +136,7 @@ std::string scripts(const PageContent& content, const std::string& three_js) {
 
 }  // namespace
 
-std::string reportPage(const PageContent& content, const std::string& three_js) {
+std::string reportPage(const PageContent& content, const std::string& three_js, const RunControl& control) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          // Whatever slips through: no request leaves the page.
@@ -144,8 +144,8 @@ std::string reportPage(const PageContent& content, const std::string& three_js) 
          "'unsafe-inline'; "
          "img-src data:\">\n<title>" +
          escapedHtml(content.title) + " \xE2\x80\x93 collision hulls</title>\n<style>\n" + pageStyle() + "</style>\n</head>\n<body>\n" +
-         header(content) + "<main>\n" + view(content) + tables(content) + "</main>\n" + footer(content) + scripts(content, three_js) +
-         "</body>\n</html>\n";
+         header(content) + "<main>\n" + view(content) + tables(content, control) + "</main>\n" + footer(content) +
+         scripts(content, three_js, control) + "</body>\n</html>\n";
 }
 
 }  // namespace collision_hulls

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
 #include "collision_hulls/report/report.h"
@@ -33,7 +34,7 @@ struct PageContent {
 };
 
 /// The page. `three_js`: the text of that library, see threeJs(); empty: the page draws by itself. Whatever names, paths and messages hold
-/// is shown, never run. The same content gives the same bytes.
-std::string reportPage(const PageContent& content, const std::string& three_js);
+/// is shown, never run. The same content gives the same bytes. Throws kCancelled.
+std::string reportPage(const PageContent& content, const std::string& three_js, const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -46,11 +46,12 @@ HullTree withoutMerging(const std::vector<ConvexHull>& hulls, double bound) {
   return tree;
 }
 
-HullTree treeOf(const std::vector<ConvexHull>& hulls, double bound) {
+HullTree treeOf(const std::vector<ConvexHull>& hulls, double bound, const RunControl& control) {
   if (hulls.size() > kMostMerged) return withoutMerging(hulls, bound);
   try {
-    return coarserHulls(hulls, bound);
-  } catch (const Error&) {  // a page is no reason to lose a result
+    return coarserHulls(hulls, bound, control);
+  } catch (const Error& error) {  // a page is no reason to lose a result
+    if (error.code() == ErrorCode::kCancelled) throw;
     return withoutMerging(hulls, bound);
   }
 }
@@ -66,16 +67,17 @@ class Meshes {
     return known->second;
   }
 
-  void prepare() {
+  void prepare(const RunControl& control) {
     std::size_t all = 0;
     for (const SharedMeshView& mesh : meshes_) all += mesh.element->original.triangles.size();
     forEach(meshes_.size(), [&](std::size_t i) {
+      control.check();
       SharedMeshView& mesh = meshes_[i];
       const std::size_t triangles = mesh.element->original.triangles.size();
       const double share = all > kMostTriangles ? static_cast<double>(kMostTriangles) / static_cast<double>(all) : 1;
-      mesh.original =
-          drawnMesh(mesh.element->original, std::max(kFewTriangles, static_cast<std::size_t>(share * static_cast<double>(triangles))));
-      mesh.tree = treeOf(mesh.element->hulls, mesh.bound);
+      const std::size_t most = std::max(kFewTriangles, static_cast<std::size_t>(share * static_cast<double>(triangles)));
+      mesh.original = drawnMesh(mesh.element->original, most, control);
+      mesh.tree = treeOf(mesh.element->hulls, mesh.bound, control);
     });
   }
 
@@ -161,27 +163,35 @@ json elementJson(std::size_t row_index, const ElementReport& row, const PageElem
           {"nearest", toJson(row.worst_nearest)}};
 }
 
+/// Names in a description may be no UTF-8, which JSON cannot hold: such bytes are shown as U+FFFD. Non-finite numbers become null.
+std::string text(const json& value) {
+  return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
 }  // namespace
 
-ViewData viewData(const PageContent& content) {
+/// Elements become text one by one: those of a large robot take ten times as much memory as a document.
+ViewData viewData(const PageContent& content, const RunControl& control) {
   Meshes meshes;
   ViewData data;
-  json models = json::array();
+  std::string models;
   for (const PageModel& model : content.models) {
-    json elements = json::array();
+    std::string elements;
     for (std::size_t i = 0; i < model.elements.size(); ++i) {
+      control.check();
       const ElementReport& row = model.report.links[i];
-      elements.push_back(elementJson(i, row, model.elements[i], meshes.take(model.elements[i], row)));
-      elements.back()["regions"] = regionsJson(row, model.elements[i], data.geometry);
+      json element = elementJson(i, row, model.elements[i], meshes.take(model.elements[i], row));
+      element["regions"] = regionsJson(row, model.elements[i], data.geometry);
+      elements += (elements.empty() ? "" : ",") + text(element);
     }
-    models.push_back({{"name", model.report.model}, {"elements", elements}});
+    models += (models.empty() ? "" : ",") + std::string("{\"elements\":[") + elements + "],\"name\":" + text(model.report.model) + "}";
   }
-  meshes.prepare();
+  meshes.prepare(control);
   json all = json::array();
   for (const SharedMeshView& mesh : meshes.all()) all.push_back(meshJson(mesh, data.geometry));
-  const json scene = content.scene.triangles.empty() ? json() : block(drawnMesh(content.scene, kMostSceneTriangles), data.geometry);
-  // Names in a description may be no UTF-8, which JSON cannot hold: such bytes are shown as U+FFFD. Non-finite numbers become null.
-  data.json = json{{"meshes", all}, {"models", models}, {"scene", scene}}.dump(-1, ' ', false, json::error_handler_t::replace);
+  const json scene =
+      content.scene.triangles.empty() ? json() : block(drawnMesh(content.scene, kMostSceneTriangles, control), data.geometry);
+  data.json = "{\"meshes\":" + text(all) + ",\"models\":[" + models + "],\"scene\":" + text(scene) + "}";
   return data;
 }
 

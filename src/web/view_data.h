@@ -14,6 +14,6 @@ struct ViewData {
 };
 
 /// Meshes with equal hulls are there once, however many links use them.
-ViewData viewData(const PageContent& content);
+ViewData viewData(const PageContent& content, const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -27,33 +27,33 @@ TriangleMesh insideOut(TriangleMesh mesh) {
 // Degenerate input.
 
 TEST(MayFaceInverted, NoTriangles) {
-  EXPECT_TRUE(mayFaceInverted({}).empty());
+  EXPECT_TRUE(mayFaceInverted({}, {}).empty());
 }
 
 TEST(MayFaceInverted, ASheetOfTwoSidesEnclosesNothing) {
   TriangleMesh sheet = test_shapes::sheet(1, 1, 2);
   const TriangleMesh back = insideOut(sheet);
   sheet.triangles.insert(sheet.triangles.end(), back.triangles.begin(), back.triangles.end());
-  EXPECT_EQ(count(mayFaceInverted(sheet)), 0) << "its normals leave out all directions along it";
+  EXPECT_EQ(count(mayFaceInverted(sheet, {})), 0) << "its normals leave out all directions along it";
 }
 
 // Closed-form answers.
 
 TEST(MayFaceInverted, SimpleSurfacesDoNot) {
   for (const TriangleMesh& mesh : {test_shapes::box(1, 1, 1, 3), test_shapes::torus(), test_shapes::openBox(), test_shapes::fourSpheres()})
-    EXPECT_EQ(count(mayFaceInverted(mesh)), 0);
+    EXPECT_EQ(count(mayFaceInverted(mesh, {})), 0);
 }
 
 TEST(MayFaceInverted, PartsThatCrossDoNot) {
   const TriangleMesh crossing = test_shapes::merged(
       {test_shapes::box(1, 1, 1), test_shapes::moved(test_shapes::box(1, 1, 1), {0.5, 0.3, 0.2}), test_shapes::torus()});
-  EXPECT_EQ(count(mayFaceInverted(crossing)), 0);
+  EXPECT_EQ(count(mayFaceInverted(crossing, {})), 0);
 }
 
 TEST(MayFaceInverted, APartInsideOutDoesAndSoDoesWhatIsNearIt) {
   const TriangleMesh inverted = insideOut(test_shapes::moved(test_shapes::box(1, 1, 1), {5, 0, 0}));
   const TriangleMesh inside = test_shapes::moved(test_shapes::box(0.1, 0.1, 0.1), {5.5, 0.5, 0.5});
-  const std::vector<char> marks = mayFaceInverted(test_shapes::merged({inverted, test_shapes::box(1, 1, 1), inside}));
+  const std::vector<char> marks = mayFaceInverted(test_shapes::merged({inverted, test_shapes::box(1, 1, 1), inside}), {});
   for (std::size_t t = 0; t < 36; ++t) EXPECT_EQ(marks[t], t < 12 || t >= 24) << t;
 }
 
@@ -67,7 +67,7 @@ TEST(MayFaceInverted, WhatIsProvedOfOnePartIsNotTakenForAnother) {
 TEST(MayFaceInverted, ALobeInsideOut) {
   const TriangleMesh lobes = test_shapes::prism({{-3, -1}, {2, 2.0 / 3}, {2, 0}, {-3, 0}}, {{0, 1, 2}, {0, 2, 3}}, 1);
   const TriangleMesh apart = test_shapes::moved(test_shapes::box(1, 1, 1), {0, 5, 0});
-  const std::vector<char> marks = mayFaceInverted(test_shapes::merged({lobes, apart}));
+  const std::vector<char> marks = mayFaceInverted(test_shapes::merged({lobes, apart}), {});
   for (std::size_t t = 0; t < marks.size(); ++t) EXPECT_EQ(marks[t], t < lobes.triangles.size()) << t;
 }
 
@@ -91,7 +91,7 @@ TEST(MayFaceInverted, NothingInsideOutLiesBeforeTheOthers) {
   for (std::uint32_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     const TriangleMesh mesh = crumpled(seed);
-    const std::vector<char> marks = mayFaceInverted(mesh);
+    const std::vector<char> marks = mayFaceInverted(mesh, {});
     const TriangleBvh tree(mesh);
     RandomPoints random(seed);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

@@ -9,7 +9,7 @@ namespace {
 
 TEST(Edges, OfAClosedMeshPairUp) {
   const TriangleMesh box = test_shapes::box(1, 1, 1, 2);
-  const Edges edges = findEdges(box.triangles, box.vertices.size());
+  const Edges edges = findEdges(box.triangles, box.vertices.size(), {});
   EXPECT_EQ(edges.open, 0u);
   EXPECT_EQ(edges.nonmanifold, 0u);
   EXPECT_EQ(edges.components, 1u);
@@ -23,13 +23,13 @@ TEST(Edges, OfAClosedMeshPairUp) {
 
 TEST(Edges, OfASheetAreOpen) {
   const TriangleMesh sheet = test_shapes::sheet(1, 1, 3);
-  const Edges edges = findEdges(sheet.triangles, sheet.vertices.size());
+  const Edges edges = findEdges(sheet.triangles, sheet.vertices.size(), {});
   EXPECT_EQ(edges.open, 12u);
   EXPECT_EQ(edges.components, 1u);
 }
 
 TEST(Edges, ThreeTrianglesAtOneEdge) {
-  const Edges edges = findEdges({{0, 1, 2}, {0, 1, 3}, {1, 0, 4}}, 5);
+  const Edges edges = findEdges({{0, 1, 2}, {0, 1, 3}, {1, 0, 4}}, 5, {});
   EXPECT_EQ(edges.nonmanifold, 1u);
   EXPECT_EQ(edges.open, 6u);
   EXPECT_EQ(edges.twin[0], Edges::kNonManifold);
@@ -38,7 +38,7 @@ TEST(Edges, ThreeTrianglesAtOneEdge) {
 }
 
 TEST(Edges, TrianglesThatMeetInACornerAreApart) {
-  const Edges edges = findEdges({{0, 1, 2}, {2, 3, 4}}, 5);
+  const Edges edges = findEdges({{0, 1, 2}, {2, 3, 4}}, 5, {});
   EXPECT_EQ(edges.components, 2u);
   EXPECT_EQ(edges.component, (std::vector<int>{0, 1}));
 }

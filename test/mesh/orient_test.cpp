@@ -11,7 +11,7 @@ namespace collision_hulls {
 namespace {
 
 OrientedPatches oriented(const TriangleMesh& mesh) {
-  return orient(mesh, findEdges(mesh.triangles, mesh.vertices.size()));
+  return orient(mesh, findEdges(mesh.triangles, mesh.vertices.size(), {}), {});
 }
 
 void flip(Triangle& triangle) {

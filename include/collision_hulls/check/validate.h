@@ -70,10 +70,8 @@ struct Validation {
 
 /// Distance queries with probes (spheres, boxes, and other elements' hulls) at seeded poses around
 /// each element, and point-in-solid samples. Pairs, and the queries of a pair, run in parallel.
-/// Deterministic except for times and timeouts. Throws kCancelled (checked between queries;
-/// building FCL's tree, half a second for a million triangles, is not interrupted), kBadOption,
-/// kIndexOutOfRange.
-Validation validate(const std::vector<ValidationPair>& pairs, const ValidationOptions& options,
+/// Deterministic except for times and timeouts. Throws kCancelled, kBadOption, kIndexOutOfRange.
+Validation validate(std::vector<ValidationPair> pairs, const ValidationOptions& options,
                     const RunControl& control = {});
 
 }  // namespace collision_hulls

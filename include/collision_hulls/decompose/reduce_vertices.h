@@ -1,6 +1,7 @@
 // Fewer vertices for a hull, outward only: a vertex cap must never uncover what the hull covered.
 #pragma once
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/geometry/convex_hull.h"
 
 namespace collision_hulls {
@@ -13,8 +14,9 @@ constexpr int kLeastVertices = 8;
 /// outward; the containment is checked (all vertices of `hull` lie within all faces of the result).
 /// A sphere reduced to 64 vertices gains 7 % of its radius. If rounding spoils this, as for minute
 /// hulls, the result is the smallest oriented box found. A hull within the cap is returned
-/// unchanged. Deterministic. Thread safe. Throws kBadOption if max_vertices is too small.
-ConvexHull reduceVertices(const ConvexHull& hull, int max_vertices);
+/// unchanged. Deterministic. Thread safe. Throws kBadOption if max_vertices is too small, and
+/// kCancelled.
+ConvexHull reduceVertices(const ConvexHull& hull, int max_vertices, const RunControl& control = {});
 
 /// Whether a hull has more vertices than a cap allows; 0 is no cap.
 bool exceedsCap(const ConvexHull& hull, int max_vertices);

@@ -13,6 +13,7 @@
 #include <limits>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
 
 namespace collision_hulls {
@@ -25,8 +26,10 @@ Eigen::Vector3d closestPoint(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
 /// A bounding-volume tree over a mesh's triangles. Keeps copies of them. Immutable and thread safe.
 class TriangleBvh {
  public:
-  /// `two_sided`: per triangle, whether either side may face outward (empty: none does).
-  explicit TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_sided = {});
+  /// `two_sided`: per triangle, whether either side may face outward (empty: none does). Throws
+  /// kCancelled.
+  explicit TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_sided = {},
+                       const RunControl& control = {});
 
   struct Nearest {
     /// [m]; infinite if nothing lies within the limit
@@ -129,10 +132,10 @@ class TriangleBvh {
   };
   Cone cone(int position) const;
   void build(const TriangleMesh& mesh, std::vector<Centre>& centres, int node, int first, int count,
-             int below);
+             int below, const RunControl& control);
   void fillLeaf(const TriangleMesh& mesh, const std::vector<Centre>& centres, Node& leaf);
   void fit(int node);
-  int gather(int node);
+  int gather(int node, const RunControl& control);
   Eigen::Vector3f inUnits(const Eigen::Vector3d& p) const {
     return ((p - centre_) / unit_).cast<float>();
   }

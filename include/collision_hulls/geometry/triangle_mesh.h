@@ -40,10 +40,10 @@ double signedVolume(const std::vector<Eigen::Vector3d>& vertices,
 /// The mesh with every vertex scaled per axis. For a mirroring scale (negative product) the
 /// triangles are flipped, which keeps the outside outside. Throws kBadScale for a zero or
 /// non-finite factor.
-TriangleMesh scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale);
+TriangleMesh scaled(TriangleMesh mesh, const Eigen::Vector3d& scale);
 
 /// The mesh moved by a rigid transform.
-TriangleMesh transformed(const TriangleMesh& mesh, const Eigen::Isometry3d& pose);
+TriangleMesh transformed(TriangleMesh mesh, const Eigen::Isometry3d& pose);
 
 /// Adds the vertices and triangles of another mesh. Nothing is welded.
 void append(TriangleMesh& mesh, const TriangleMesh& more);

@@ -81,20 +81,20 @@ Eigen::Vector3d Cell::middle() const {
   return sum / std::max(1.0, count);
 }
 
-std::vector<Block> parted(const Block& block, const HalfSpace& plane, double tolerance) {
-  std::vector<SurfacePiece> parts = parted(block.surface, plane, tolerance);
+std::vector<Block> parted(const Block& block, const HalfSpace& plane, double tolerance, const RunControl& control) {
+  std::vector<SurfacePiece> parts = parted(block.surface, plane, tolerance, control);
   if (parts.size() < 2) return {block};
   return {beneath(std::move(parts[0]), block.cell, plane), beneath(std::move(parts[1]), block.cell, {-plane.normal, -plane.offset})};
 }
 
-std::vector<Block> halves(const Block& block, double tolerance) {
-  return parted(block, middlePlane(block.surface), tolerance);
+std::vector<Block> halves(const Block& block, double tolerance, const RunControl& control) {
+  return parted(block, middlePlane(block.surface), tolerance, control);
 }
 
-std::vector<Block> components(const Block& block) {
+std::vector<Block> components(const Block& block, const RunControl& control) {
   if (block.cell.isDivided()) return {block};
   std::vector<Block> blocks;
-  for (SurfacePiece& part : components(block.surface)) {
+  for (SurfacePiece& part : components(block.surface, control)) {
     const Cell cell = block.cell.about(boundingBox(part));
     blocks.push_back({std::move(part), cell});
   }

@@ -44,13 +44,13 @@ struct Block {
 
 /// Both parts of a block, or the block alone if the plane does not divide its surface; see split()
 /// of a surface piece.
-std::vector<Block> parted(const Block& block, const HalfSpace& plane, double tolerance);
+std::vector<Block> parted(const Block& block, const HalfSpace& plane, double tolerance, const RunControl& control = {});
 
 /// The same, by middlePlane().
-std::vector<Block> halves(const Block& block, double tolerance);
+std::vector<Block> halves(const Block& block, double tolerance, const RunControl& control = {});
 
 /// The parts that share no vertex. A solid that was split stays in one part: its parts may be
 /// connected on the inside.
-std::vector<Block> components(const Block& block);
+std::vector<Block> components(const Block& block, const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -57,8 +57,12 @@ Sides divided(const SurfacePiece& piece, const std::vector<std::pair<int, int>>&
 }  // namespace
 
 PlaneScore::PlaneScore(const SurfacePiece& piece, std::size_t vertices, std::vector<OutsideDistance::Intruder> intruders, double volume,
-                       const ScoreWeights& weights)
-    : piece_(simplified(piece, vertices)), edges_(edgesOf(piece_)), intruders_(std::move(intruders)), volume_(volume), weights_(weights) {
+                       const ScoreWeights& weights, const RunControl& control)
+    : piece_(simplified(piece, vertices, control)),
+      edges_(edgesOf(piece_)),
+      intruders_(std::move(intruders)),
+      volume_(volume),
+      weights_(weights) {
   for (const OutsideDistance::Intruder& i : intruders_) weight_ += i.weight;
   on_plane_ = kOnPlane * boundingBox(piece_).sizes().maxCoeff();
 }

@@ -26,7 +26,7 @@ class PlaneScore {
  public:
   /// `piece` is simplified to at most `vertices`; `volume` [m^3] is that of its hull.
   PlaneScore(const SurfacePiece& piece, std::size_t vertices, std::vector<OutsideDistance::Intruder> intruders, double volume,
-             const ScoreWeights& weights);
+             const ScoreWeights& weights, const RunControl& control);
 
   /// At most `most` of the planes, best first, without those that divide nothing.
   std::vector<HalfSpace> best(const std::vector<HalfSpace>& planes, std::size_t most) const;

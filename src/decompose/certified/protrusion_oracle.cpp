@@ -72,7 +72,7 @@ std::vector<Eigen::Vector3d> joggled(std::vector<Eigen::Vector3d> points, std::s
 
 }  // namespace
 
-ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points, Corners corners) {
+ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points, Corners corners, const RunControl& control) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& p : points) middle += p / static_cast<double>(points.size());
   std::vector<Eigen::Vector3d> centred;
@@ -80,9 +80,9 @@ ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points, Corners corners
   for (const Eigen::Vector3d& p : points) centred.push_back(p - middle);
   std::optional<ConvexHull> hull;
   std::vector<int> sources;
-  if (points.size() <= kMany) hull = quickhull(centred, {}, corners, &sources);
-  for (std::size_t trial = 0; !hull && trial < kJoggles; ++trial) hull = quickhull(joggled(centred, trial), {}, corners, &sources);
-  if (!hull) return convexHull(points);
+  if (points.size() <= kMany) hull = quickhull(centred, control, corners, &sources);
+  for (std::size_t trial = 0; !hull && trial < kJoggles; ++trial) hull = quickhull(joggled(centred, trial), control, corners, &sources);
+  if (!hull) return convexHull(points, control);
   for (std::size_t i = 0; i < sources.size(); ++i) hull->vertices[i] = points[at(sources[i])];  // bit by bit, for KnownFacets
   for (HalfSpace& face : hull->faces) face.offset += face.normal.dot(middle);
   return *std::move(hull);

@@ -25,8 +25,8 @@ namespace collision_hulls {
 
 /// A hull of points near the origin with one face per triangle, usually as quickhull leaves it: for
 /// hulls that are evaluated once and mostly thrown away. If points are coplanar it may be larger
-/// than the exact hull, by up to a millionth of its size.
-ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points, Corners corners = Corners::kNeeded);
+/// than the exact hull, by up to a millionth of its size. Throws kCancelled.
+ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points, Corners corners = Corners::kNeeded, const RunControl& control = {});
 
 /// The hull of about `most` of a hull's vertices, the support points in as many directions: close
 /// to the original where that is round. Returns the hull itself if it does not have many more

@@ -125,7 +125,7 @@ class Splitting {
   void run(Block block, int depth) {
     Leaf whole;  // but for its block
     std::vector<Block> parts;
-    if (!inTime([&] { parts = divided(block, depth, whole); })) whole = {{}, roughHull(block.surface.vertices)};
+    if (!inTime([&] { parts = divided(block, depth, whole); })) whole = {{}, hullOfRest(block.surface.vertices)};
     if (parts.size() < 2) {
       whole.block = std::move(block);
       return leaf(std::move(whole));
@@ -139,26 +139,38 @@ class Splitting {
   /// and proven only then.
   std::vector<Block> divided(const Block& block, int depth, Leaf& whole) {
     const std::vector<Eigen::Vector3d>& points = block.surface.vertices;
-    ConvexHull& hull = whole.hull = roughHull(some(points));
+    ConvexHull& hull = whole.hull = hullOf(some(points));
     const ConvexHull thin = thinned(hull, kThin);
     const double reach = oracle_.reach(thin);
     const bool clear = !std::isinf(reach), is_last = depth >= kDeepest || isFull();
     const auto complete = [&] {
-      if (points.size() > kSome) hull = roughHull(points);
+      if (points.size() > kSome) hull = hullOf(points);
     };
     if (clear || is_last) complete();
     const bool over_cap = clear && exceedsCap(hull, options_.max_vertices);
-    const auto reduced = over_cap ? std::make_shared<const ConvexHull>(reduceVertices(hull, options_.max_vertices)) : nullptr;
+    const auto reduced = over_cap ? std::make_shared<const ConvexHull>(reduceVertices(hull, options_.max_vertices, control())) : nullptr;
     // If `thin` is the whole hull, its reach is known already.
     const bool is_asked = !reduced && points.size() <= kSome && thin.vertices.size() == hull.vertices.size();
     const bool fits = clear && (is_asked ? oracle_.fitsWithin(hull, reach) : oracle_.fits(reduced ? *reduced : hull));
     whole.fits = fits;
     if (fits) whole.reduced = reduced;
     if (fits || is_last) return {};
-    std::vector<Block> parts = components(block);
-    if (parts.size() == 1) parts = over_cap || depth >= kHalveFrom ? halves(block, on_plane_) : bestSplit(block, clear ? hull : thin);
+    std::vector<Block> parts = components(block, control());
+    if (parts.size() == 1)
+      parts = over_cap || depth >= kHalveFrom ? halves(block, on_plane_, control()) : bestSplit(block, clear ? hull : thin);
     if (parts.size() == 1) complete();
     return parts;
+  }
+
+  const RunControl& control() const { return oracle_.control(); }
+
+  ConvexHull hullOf(const std::vector<Eigen::Vector3d>& points) const { return roughHull(points, Corners::kNeeded, control()); }
+
+  /// The same after the deadline.
+  ConvexHull hullOfRest(const std::vector<Eigen::Vector3d>& points) const {
+    RunControl to_the_end;
+    to_the_end.whole = &control();
+    return roughHull(points, Corners::kNeeded, to_the_end);
   }
 
   bool isFull() const { return leaves.size() >= options_.most_leaves || static_cast<double>(leaves.size()) >= budget_; }
@@ -173,22 +185,22 @@ class Splitting {
     const SurfacePiece& piece = block.surface;
     if (options_.largest_side_first)
       if (const std::optional<HalfSpace> plane = largestSide(piece, oracle_)) {
-        std::vector<Block> parts = parted(block, *plane, on_plane_);
+        std::vector<Block> parts = parted(block, *plane, on_plane_, control());
         if (parts.size() > 1) return parts;
       }
     const Intruders intruders = oracle_.intruders(hull, kIntruders);
     Intruders few;
     for (std::size_t i = 0; i < intruders.size(); i += kRoughThinning) few.push_back(intruders[i]);
-    const PlaneScore fine(piece, kVertices, intruders, volume(hull), options_.weights);
-    const PlaneScore rough(fine.piece(), kRoughVertices, few, volume(hull), options_.weights);
+    const PlaneScore fine(piece, kVertices, intruders, volume(hull), options_.weights, control());
+    const PlaneScore rough(fine.piece(), kRoughVertices, few, volume(hull), options_.weights, control());
     const bool own_edges = piece.triangles.size() <= kEdgesOfPiece;
     std::vector<HalfSpace> planes = splitPlanes(own_edges ? piece : fine.piece(), intruders, oracle_.solid(), oracle_.tolerance());
     if (planes.size() > kFinalists) planes = rough.best(planes, kFinalists);
     for (const HalfSpace& plane : fine.best(planes, kFinalists)) {
-      std::vector<Block> parts = parted(block, plane, on_plane_);
+      std::vector<Block> parts = parted(block, plane, on_plane_, control());
       if (parts.size() > 1 && !isPared(parts, plane)) return parts;  // a plane that divides the simplified piece may miss the real one
     }
-    return halves(block, on_plane_);
+    return halves(block, on_plane_, control());
   }
 
   /// Whether one side is so slim and small that nothing is gained: such splits, repeated, only multiply triangles.

@@ -165,12 +165,13 @@ bool SurfaceGroups::isWholeLeaf(const Group& group) const {
   return group.elements.size() == leaves_[at(leaf)].elements && std::all_of(group.elements.begin(), group.elements.end(), of_leaf);
 }
 
-ConvexHull SurfaceGroups::hullOf(const Group& group) const {
-  return isWholeLeaf(group) ? leaves_[at(elements_[at(group.elements.front())].leaf)].hull : roughHull(pointsOf(group.elements));
+ConvexHull SurfaceGroups::hullOf(const Group& group, const RunControl& control) const {
+  if (isWholeLeaf(group)) return leaves_[at(elements_[at(group.elements.front())].leaf)].hull;
+  return roughHull(pointsOf(group.elements), Corners::kNeeded, control);
 }
 
 ConvexHull SurfaceGroups::exactHull(const Group& group) const {
-  ConvexHull hull = hullOf(group);
+  ConvexHull hull = hullOf(group, {});  // wanted even after a deadline
   return exceedsCap(hull, max_vertices_) ? hull : convexHull(pointsOf(group.elements));
 }
 
@@ -254,11 +255,11 @@ bool SurfaceGroups::proven(const Group& group) {
 void SurfaceGroups::prove(std::vector<const Group*> groups) {
   groups.erase(std::remove_if(groups.begin(), groups.end(), [&](const Group* g) { return !needsProof(*g); }), groups.end());
   std::vector<Candidate> candidates(groups.size());
-  forEach(groups.size(), [&](std::size_t i) { candidates[i] = {hullOf(*groups[i]), false}; });
+  forEach(groups.size(), [&](std::size_t i) { candidates[i] = {hullOf(*groups[i], oracle_.control()), false}; });
   // A capped hull contains the uncapped one: whatever refutes the latter refutes the former.
   for (Candidate& c : candidates) c.is_reduced = exceedsCap(c.hull, max_vertices_) && oracle_.mayWellFit(c.hull);
   forEach(groups.size(), [&](std::size_t i) {
-    if (candidates[i].is_reduced) candidates[i].hull = reduceVertices(candidates[i].hull, max_vertices_);
+    if (candidates[i].is_reduced) candidates[i].hull = reduceVertices(candidates[i].hull, max_vertices_, oracle_.control());
   });
   std::vector<const ConvexHull*> hulls;
   for (const Candidate& c : candidates) hulls.push_back(&c.hull);

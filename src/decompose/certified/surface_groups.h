@@ -102,7 +102,7 @@ class SurfaceGroups {
   Group groupOf(const std::vector<int>& elements) const;
   std::vector<Eigen::Vector3d> pointsOf(const std::vector<int>& elements) const;
   std::vector<Eigen::Vector3d> likelyPointsOf(const std::vector<int>& elements) const;
-  ConvexHull hullOf(const Group& group) const;
+  ConvexHull hullOf(const Group& group, const RunControl& control) const;
   std::shared_ptr<const ConvexHull> reducedHull(const Group& group) const;  // the proven one; null: none
   bool needsProof(const Group& group) const;
   bool isWholeLeaf(const Group& group) const;

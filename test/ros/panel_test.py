@@ -168,12 +168,15 @@ class PanelTest(unittest.TestCase):
         """One of the two that the settings share a place with."""
         self.rviz("key", "qt_tabwidget_tabbar", {"settings": "Left", "regions": "Right"}[name], 1)
 
-    def add_region(self, link, kind):
+    def add_region(self, link, kind, tolerance="9mm"):
+        """Such a tolerance is built in no time, wherever the region is meanwhile."""
         self.rviz("choose", link)
         self.show_form("regions")
         self.rviz("click", "add_" + kind)
-        self.settle()
         self.addCleanup(self.remove_regions, link)
+        self.assertEqual("true", self.rviz("get", "keep_clear", "checked"))
+        self.rviz("click", "keep_clear")
+        self.rviz("type", "region_tolerance", tolerance)
 
     def remove_regions(self, link):
         self.rviz("choose", link)
@@ -188,7 +191,6 @@ class PanelTest(unittest.TestCase):
 
     def enter(self, field, *numbers):
         self.rviz("type", "region_" + field, ", ".join(map(str, numbers)))
-        self.settle()
 
     def drag(self, link, start, end):
         self.rviz("drag", link, *(",".join(map(str, point)) for point in (start, end)))
@@ -205,6 +207,7 @@ class PanelTest(unittest.TestCase):
         self.add_region("gripper_link", "box")
         self.enter("center", 0, 0, 0.08)
         self.enter("size", 0.1, 0.2, 0.06)
+        self.settle()
         self.drag("gripper_link", (0, 0.1, 0.08), (0, 0.16, 0.08))
         size, center = self.numbers("size"), self.numbers("center")
         self.assertAlmostEqual(0.26, size[1], delta=0.02)
@@ -219,11 +222,9 @@ class PanelTest(unittest.TestCase):
 
     def test_a_region_is_built_and_saved_and_gives_decompose_the_same_hulls(self):
         before = self.rviz.rows()["gripper_link"]
-        self.add_region("gripper_link", "half_space")
+        self.add_region("gripper_link", "half_space", "3mm")
         self.enter("normal", 0, 0, 1)
         self.enter("offset", 0.05)
-        self.rviz("click", "keep_clear")
-        self.rviz("type", "region_tolerance", "3mm")
         self.rviz("type", "region_name", "mouth")
         self.settle()
         row = self.rviz.rows()["gripper_link"]
@@ -241,6 +242,7 @@ class PanelTest(unittest.TestCase):
         self.add_region("gripper_link", "half_space")
         self.enter("normal", 0, 0, -1)
         self.enter("offset", 0)
+        self.settle()
         topic = "/collision_hulls/regions"
         markers = rospy.wait_for_message(topic + "/update_full", InteractiveMarkerInit, 10).markers
         self.assertEqual(["gripper_link/1/whole"], [marker.name for marker in markers])

@@ -25,9 +25,9 @@ function(add_node_tests)
   set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")  # not among the programs, where rosrun would find them
   catkin_add_gtest(ros_test
     test/ros/conversions_test.cpp test/ros/joint_states_test.cpp test/ros/markers_test.cpp test/ros/robot_trees_test.cpp
-    test/ros/settings_test.cpp test/ros/worker_test.cpp ${SCENE_MESSAGE_TESTS}
+    test/ros/settings_test.cpp test/ros/validation_test.cpp test/ros/worker_test.cpp ${SCENE_MESSAGE_TESTS}
     src/ros/annotations.cpp src/ros/conversions.cpp src/ros/joint_states.cpp src/ros/markers.cpp src/ros/pen.cpp
-    src/ros/preview/robot_trees.cpp src/ros/preview/settings.cpp src/ros/robot_bounds.cpp
+    src/ros/preview/robot_trees.cpp src/ros/preview/settings.cpp src/ros/preview/validation.cpp src/ros/robot_bounds.cpp
     src/ros/worker.cpp ${SCENE_MESSAGE_SOURCES})
   add_dependencies(ros_test ${PROJECT_NAME}_reader ${PROJECT_NAME}_bag_reader ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS} ${SCENE_MESSAGE_TARGETS})
   target_include_directories(ros_test PRIVATE src test)

@@ -25,9 +25,9 @@ if(CATKIN_ENABLE_TESTING)
 endif()
 set(COLLISION_HULLS_TESTS ${CATKIN_ENABLE_TESTING})
 
-add_message_files(FILES LinkChoice.msg LinkPreview.msg LinkReport.msg NodeState.msg RunTotals.msg)
-add_service_files(FILES Build.srv Decompose.srv FitScene.srv Preview.srv)
-add_action_files(FILES Build.action Decompose.action FitScene.action)
+add_message_files(FILES LinkChoice.msg LinkPreview.msg LinkRegion.msg LinkReport.msg NodeState.msg RunTotals.msg)
+add_service_files(FILES Build.srv Decompose.srv FitScene.srv Preview.srv Validate.srv)
+add_action_files(FILES Build.action Decompose.action FitScene.action Validate.action)
 generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs std_msgs)
 
 # A user of the library needs Eigen's headers and nothing else; a user of the messages their message packages.

@@ -52,7 +52,7 @@ LinkRule differingRuleFor(const std::string& link, const LinkOptions& options, c
 }
 
 bool equalSettings(const LinkOptions& a, const LinkOptions& b) {
-  bool same = true;
+  bool same = equal(a.regions, b.regions);
   forEachLinkField([&](const char*, auto option, auto) { same = same && a.*option == b.*option; });
   return same;
 }

@@ -21,7 +21,7 @@ LinkRule differingRuleFor(const std::string& link, const LinkOptions& options, c
 /// Whether a rule sets anything.
 bool hasSettings(const LinkRule& rule);
 
-/// Whether all that a rule could set is equal.
+/// Whether all that a configuration says of a link is equal, but for the names of regions.
 bool equalSettings(const LinkOptions& a, const LinkOptions& b);
 
 }  // namespace collision_hulls

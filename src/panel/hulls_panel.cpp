@@ -13,6 +13,7 @@
 #include <QPushButton>
 #include <QShortcut>
 #include <QSortFilterProxyModel>
+#include <QTabWidget>
 #include <QTableView>
 #include <QVBoxLayout>
 #include <pluginlib/class_list_macros.hpp>
@@ -55,8 +56,7 @@ HullsPanel::HullsPanel(QWidget* parent) : rviz::Panel(parent) {
   auto* const work = new QVBoxLayout(work_);
   work->setContentsMargins(0, 0, 0, 0);
   work->addWidget(tableArea(), 1);
-  form_ = new SettingsForm;
-  work->addWidget(form_);
+  work->addWidget(forms());
   work->addWidget(buttons());
   column->addWidget(work_, 1);
   column->addWidget(jobRow());
@@ -68,7 +68,18 @@ HullsPanel::HullsPanel(QWidget* parent) : rviz::Panel(parent) {
   connect(form_, &SettingsForm::changed, this, &HullsPanel::change);
   connect(&settled_, &QTimer::timeout, this, &HullsPanel::buildChanged);
   connectClient();
+  connectRegions();
   showNode(false, "Looking for the node.");
+}
+
+QWidget* HullsPanel::forms() {
+  auto* const tabs = new QTabWidget;
+  tabs->setObjectName("forms");
+  form_ = new SettingsForm;
+  region_form_ = new RegionForm;
+  tabs->addTab(form_, "Settings");
+  tabs->addTab(region_form_, "Regions");
+  return tabs;
 }
 
 QWidget* HullsPanel::nodeRow() {
@@ -151,6 +162,8 @@ QWidget* HullsPanel::buttons() {
   first->addWidget(tree_);
   button(first, "&Build", "build", "Build the hull trees of all links, which make the slider live, and certify all hulls",
          &HullsPanel::build);
+  button(first, "Vali&date", "validate", "Compare the hulls, as they are now, with the original meshes by collision queries",
+         &HullsPanel::validate);
   button(first, "&Worst place", "worst", "Move the camera to where the chosen link's hulls protrude furthest", &HullsPanel::goToWorst);
   button(first, "&Undo", "undo", "Take the last change of settings back", &HullsPanel::undo);
   auto* const second = new QHBoxLayout;
@@ -236,6 +249,7 @@ void HullsPanel::connectNode() {
   refresh();
   showNode(false, "Looking for the node.");
   client_.setNode(connected_to_);
+  region_server_.setTopic(connected_to_.trimmed().toStdString() + "/regions");
 }
 
 void HullsPanel::showNode(bool is_there, const QString& advice) {
@@ -293,6 +307,7 @@ void HullsPanel::refresh() {
   std::vector<const LinkRow*> links;
   for (const int index : chosen) links.push_back(&table_.rows()[static_cast<std::size_t>(index)]);
   form_->show(links);
+  showRegions();
   const TableTotals totals = table_.totals();
   QString text = QString("%1 links, <b>%2 hulls</b>, %3 vertices").arg(totals.links).arg(totals.hulls).arg(totals.vertices);
   if (totals.protrusion > 0)
@@ -306,7 +321,7 @@ void HullsPanel::refresh() {
 void HullsPanel::enableButtons() {
   const bool is_idle = is_there_ && job_.isEmpty(), has_links = !table_.rows().empty();
   buttons_["build"]->setEnabled(is_idle);
-  buttons_["write"]->setEnabled(is_idle && has_links);
+  for (const char* const name : {"write", "validate"}) buttons_[name]->setEnabled(is_idle && has_links);
   buttons_["fit"]->setEnabled(is_idle && has_links);
   buttons_["load"]->setEnabled(has_links);
   buttons_["save"]->setEnabled(has_links);

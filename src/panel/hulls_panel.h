@@ -4,6 +4,7 @@
 #include <rviz/panel.h>
 
 #include <QTimer>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -11,6 +12,8 @@
 
 #include "panel/link_table.h"
 #include "panel/node_client.h"
+#include "panel/region_form.h"
+#include "panel/region_server.h"
 #include "panel/settings_form.h"
 #include "panel/table_model.h"
 
@@ -38,6 +41,7 @@ class HullsPanel : public rviz::Panel {
   QWidget* nodeRow();
   QWidget* jobRow();
   QWidget* tableArea();
+  QWidget* forms();
   QWidget* buttons();
   QPushButton* button(QLayout* layout, const QString& text, const char* object, const QString& tip, void (HullsPanel::*pressed)());
   void connectClient();
@@ -52,9 +56,16 @@ class HullsPanel : public rviz::Panel {
   std::vector<LinkRow> rowsAt(const std::vector<int>& indices) const;
   void choose();
   void change(const SettingsForm::Change& change, bool goes_on);
+  void follow(const std::vector<int>& rows);
   void changed(const std::vector<int>& rows);
   std::vector<int> uncertifiedRows() const;
   void sendPreview(const std::vector<int>& rows);
+  void connectRegions();
+  void addRegion(const RegionShape& shape);
+  void changeRegion(const std::string& region, const std::function<void(RegionRule&)>& change, bool goes_on = false);
+  void changeRegions(const std::function<void(std::vector<RegionRule>&)>& change, bool goes_on = false);
+  void showRegions();
+
   void refresh();
   void enableButtons();
   void say(const QString& text);
@@ -65,6 +76,7 @@ class HullsPanel : public rviz::Panel {
   void begin(const NodeJob& job);
   void beginBuild(const std::vector<int>& rows);
   void write();
+  void validate();
   void fit();
   void goToWorst();
   void saveConfiguration();
@@ -75,6 +87,7 @@ class HullsPanel : public rviz::Panel {
   LinkTable table_;
   TableModel model_{table_};
   NodeClient client_;
+  RegionServer region_server_;
   QTimer settled_;  // runs out when the settings have not changed for a moment
   QString connected_to_, robot_, saved_robot_, saved_configuration_, file_, scene_;
   QString job_;
@@ -91,6 +104,7 @@ class HullsPanel : public rviz::Panel {
   QTableView* view_ = nullptr;
   QSortFilterProxyModel* sorted_ = nullptr;
   SettingsForm* form_ = nullptr;
+  RegionForm* region_form_ = nullptr;
   std::map<std::string, QPushButton*> buttons_;  // by object name
 };
 

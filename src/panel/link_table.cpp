@@ -1,13 +1,17 @@
-// Undo keeps the settings of all links before each change: a few kilobytes for the largest robots.
+// Undo keeps the settings of all links, and all regions, before each change: a few kilobytes for the largest robots.
 #include "panel/link_table.h"
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "collision_hulls/config/config.h"
 #include "collision_hulls/config/link_decisions.h"
+#include "collision_hulls/error.h"
 #include "config/link_rule.h"
+#include "report/link_pattern.h"
+#include "scene/reading.h"
 
 namespace collision_hulls {
 namespace {
@@ -15,10 +19,26 @@ namespace {
 constexpr std::size_t kMostUndone = 200;
 
 void markUnbuilt(LinkRow& row) {
-  const std::vector<double> steps = row.facts.steps;
-  row.facts = {};
-  row.facts.status = "unbuilt";
-  row.facts.steps = steps;
+  LinkFacts unbuilt;
+  unbuilt.status = "unbuilt";
+  unbuilt.around = row.facts.around;
+  unbuilt.steps = std::move(row.facts.steps);
+  row.facts = std::move(unbuilt);
+}
+
+bool holdsFor(const RegionRule& region, const std::string& link) {
+  return !region.pattern.empty() && LinkPattern(region.pattern, "link of region '" + region.name + "'").matches(link);
+}
+
+/// Gives those without a name the smallest number that is none yet. Throws for a name that two have.
+void nameRegions(std::vector<RegionRule>& regions) {
+  std::set<std::string> names;
+  for (const RegionRule& region : regions)
+    if (!region.name.empty() && !names.insert(region.name).second)
+      throw Error(ErrorCode::kBadOption, "two regions have the name '" + region.name + "': give one of them another");
+  for (RegionRule& region : regions)
+    for (int number = 1; region.name.empty(); ++number)
+      if (names.insert(std::to_string(number)).second) region.name = std::to_string(number);
 }
 
 /// A robot of these links alone, for LinkDecisions.
@@ -51,6 +71,47 @@ void LinkTable::take(std::vector<LinkRow> rows, std::vector<RegionRule> regions)
     markUnbuilt(rows[i]);
   }
   rows_ = std::move(rows);
+  applyRegions();
+}
+
+/// Gives each row's options the regions that hold for it. Returns the rows whose hulls these are not.
+std::vector<int> LinkTable::applyRegions() {
+  std::vector<int> changed;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const LinkOptions before = rows_[i].options;
+    rows_[i].options.regions.clear();
+    for (const int region : regionsOf(rows_[i].link))
+      rows_[i].options.regions.push_back(regionOf(regions_[static_cast<std::size_t>(region)]));
+    if (equalSettings(before, rows_[i].options)) continue;
+    markUnbuilt(rows_[i]);
+    changed.push_back(static_cast<int>(i));
+  }
+  return changed;
+}
+
+std::vector<int> LinkTable::regionsOf(const std::string& link) const {
+  std::vector<int> indices;
+  for (std::size_t i = 0; i < regions_.size(); ++i)
+    if (holdsFor(regions_[i], link)) indices.push_back(static_cast<int>(i));
+  return indices;
+}
+
+std::vector<int> LinkTable::linksOf(const RegionRule& region) const {
+  std::vector<int> indices;
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (holdsFor(region, rows_[i].link)) indices.push_back(static_cast<int>(i));
+  return indices;
+}
+
+std::vector<int> LinkTable::changeRegions(const std::function<void(std::vector<RegionRule>&)>& change, bool goes_on) {
+  std::vector<RegionRule> regions = regions_;
+  change(regions);
+  nameRegions(regions);
+  for (const RegionRule& region : regions) inContext("region '" + region.name + "'", [&] { regionOf(region); });
+  remember(goes_on);
+  regions_ = std::move(regions);
+  has_own_regions_ = true;
+  return applyRegions();
 }
 
 bool LinkTable::answer(const LinkRow& row) {
@@ -58,21 +119,25 @@ bool LinkTable::answer(const LinkRow& row) {
   if (index < 0) return false;
   LinkRow& own = rows_[static_cast<std::size_t>(index)];
   if (!equalSettings(own.options, row.options)) return false;
-  const std::vector<double> steps = own.facts.steps;
-  own.facts = row.facts;
-  if (own.facts.steps.empty()) own.facts.steps = steps;  // what is not built yet offers what it did
+  const LinkFacts before = std::exchange(own.facts, row.facts);
+  if (own.facts.steps.empty()) own.facts.steps = before.steps;  // what is not built yet offers what it did, and is where it was
+  if (own.facts.around.isEmpty()) own.facts.around = before.around;
   return true;
 }
 
-std::vector<LinkOptions> LinkTable::options() const {
-  std::vector<LinkOptions> options;
-  for (const LinkRow& row : rows_) options.push_back(row.options);
-  return options;
+LinkTable::Moment LinkTable::now() const {
+  Moment moment{{}, regions_, has_own_regions_};
+  for (const LinkRow& row : rows_) moment.options.push_back(row.options);
+  return moment;
+}
+
+void LinkTable::remember(bool goes_on) {
+  if (!goes_on || history_.empty()) history_.push_back(now());
+  if (history_.size() > kMostUndone) history_.erase(history_.begin());
 }
 
 void LinkTable::change(const std::vector<int>& rows, const std::function<void(LinkOptions&)>& change, bool goes_on) {
-  if (!goes_on || history_.empty()) history_.push_back(options());
-  if (history_.size() > kMostUndone) history_.erase(history_.begin());
+  remember(goes_on);
   for (const int index : rows) {
     LinkRow& row = rows_[static_cast<std::size_t>(index)];
     const LinkOptions before = row.options;
@@ -85,11 +150,13 @@ void LinkTable::change(const std::vector<int>& rows, const std::function<void(Li
 std::vector<int> LinkTable::undo() {
   std::vector<int> changed;
   if (history_.empty()) return changed;
-  const std::vector<LinkOptions> before = std::move(history_.back());
+  const Moment before = std::move(history_.back());
   history_.pop_back();
+  regions_ = before.regions;
+  has_own_regions_ = before.has_own_regions;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (equalSettings(rows_[i].options, before[i])) continue;
-    rows_[i].options = before[i];
+    if (equalSettings(rows_[i].options, before.options[i])) continue;
+    rows_[i].options = before.options[i];
     markUnbuilt(rows_[i]);
     changed.push_back(static_cast<int>(i));
   }
@@ -141,6 +208,7 @@ std::optional<Length> LinkTable::loadText(const std::string& text, const std::st
   });
   regions_ = options.region_rules;
   has_own_regions_ = true;
+  applyRegions();  // of links that the configuration leaves alone
   return options.tree;
 }
 

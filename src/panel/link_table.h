@@ -2,7 +2,7 @@
 // Qt.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -21,6 +21,7 @@ struct LinkFacts {
   std::size_t triangles = 0, hulls = 0, vertices = 0;
   double tolerance = 0, protrusion = 0, found = 0;  ///< [m]
   Eigen::Vector3d worst = Eigen::Vector3d::Zero();  ///< in the link's frame
+  Eigen::AlignedBox3d around;                       ///< the link's bodies, in its frame; empty: it has none
   std::vector<double> steps;                        ///< [m]
 };
 
@@ -45,8 +46,8 @@ class LinkTable {
   /// The index of a link; -1: there is none.
   int indexOf(const std::string& link) const;
 
-  /// Takes what a node says of all links, and of the regions (doc/configuration.md), which the panel passes on as they are. Settings that
-  /// were changed here and not built yet stay, if the links are the same; so does what can be undone. Otherwise both are gone.
+  /// Takes what a node says of all links, and of the regions (doc/configuration.md). Settings that were changed here and not built yet
+  /// stay, if the links are the same; so do regions that were changed or loaded here, and what can be undone. Otherwise all are gone.
   void take(std::vector<LinkRow> rows, std::vector<RegionRule> regions = {});
 
   /// Takes a node's answer on one link. An answer to other settings than the row has now came too late and changes nothing; whether it did.
@@ -54,6 +55,16 @@ class LinkTable {
 
   /// Changes settings of rows. `goes_on`: the same change as before, such as the next move of a slider; undo() takes both back at once.
   void change(const std::vector<int>& rows, const std::function<void(LinkOptions&)>& change, bool goes_on = false);
+
+  const std::vector<RegionRule>& regions() const { return regions_; }
+  /// Indices of the regions that hold for a link.
+  std::vector<int> regionsOf(const std::string& link) const;
+  /// The links for which a region holds, as rows.
+  std::vector<int> linksOf(const RegionRule& region) const;
+
+  /// Changes, adds or removes regions. A name that is empty becomes a number. Returns the rows that are to be built anew. Throws kBadOption
+  /// for what is no region, and for a name that two have; then nothing is changed. `goes_on`: as change().
+  std::vector<int> changeRegions(const std::function<void(std::vector<RegionRule>&)>& change, bool goes_on = false);
 
   bool canUndo() const { return !history_.empty(); }
   /// The rows whose settings it brought back.
@@ -71,12 +82,21 @@ class LinkTable {
   std::optional<Length> loadText(const std::string& text, const std::string& name);
 
  private:
-  std::vector<LinkOptions> options() const;
+  /// What undo() brings back.
+  struct Moment {
+    std::vector<LinkOptions> options;
+    std::vector<RegionRule> regions;
+    bool has_own_regions = false;
+  };
+
+  Moment now() const;
+  void remember(bool goes_on);
+  std::vector<int> applyRegions();
 
   std::vector<LinkRow> rows_;
-  std::vector<RegionRule> regions_;
-  bool has_own_regions_ = false;                   // from a file, which counts before the node's
-  std::vector<std::vector<LinkOptions>> history_;  // before each change
+  std::vector<RegionRule> regions_;  // each row's options have those that hold for it
+  bool has_own_regions_ = false;     // changed or loaded here: they count before the node's
+  std::vector<Moment> history_;      // before each change
 };
 
 }  // namespace collision_hulls

@@ -8,6 +8,7 @@
 #include <collision_hulls/FitSceneAction.h>
 #include <collision_hulls/NodeState.h>
 #include <collision_hulls/Preview.h>
+#include <collision_hulls/ValidateAction.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
@@ -45,6 +46,8 @@ LinkRow toRow(const LinkPreview& message) {
   row.facts.protrusion = message.protrusion;
   row.facts.found = message.protrusion_found;
   row.facts.worst = {message.worst.x, message.worst.y, message.worst.z};
+  const Eigen::Vector3d low(message.low.x, message.low.y, message.low.z), high(message.high.x, message.high.y, message.high.z);
+  if (low != high) row.facts.around = Eigen::AlignedBox3d(low, high);
   row.facts.steps = message.steps;
   return row;
 }
@@ -73,6 +76,7 @@ class NodeClient::Session {
     build_.emplace(node_, name_ + "/build_action", &queue_);
     decompose_.emplace(node_, name_ + "/decompose_action", &queue_);
     fit_.emplace(node_, name_ + "/fit_scene_action", &queue_);
+    validate_.emplace(node_, name_ + "/validate_action", &queue_);
     spinner_.start();
     caller_ = std::thread([this] { call(); });
   }
@@ -209,6 +213,7 @@ class NodeClient::Session {
         sendGoal(*fit_, goal, job.kind);
         break;
       }
+      case NodeJob::kValidate: sendGoal(*validate_, ValidateGoal(), job.kind); break;
     }
   }
 
@@ -258,6 +263,7 @@ class NodeClient::Session {
   std::optional<actionlib::ActionClient<BuildAction>> build_;
   std::optional<actionlib::ActionClient<DecomposeAction>> decompose_;
   std::optional<actionlib::ActionClient<FitSceneAction>> fit_;
+  std::optional<actionlib::ActionClient<ValidateAction>> validate_;
   ros::AsyncSpinner spinner_{1, &queue_};
 
   std::mutex goals_mutex_;

@@ -11,7 +11,7 @@ namespace collision_hulls {
 
 /// A job of the node, as the panel asks for it.
 struct NodeJob {
-  enum Kind { kBuild, kWrite, kFit } kind = kBuild;
+  enum Kind { kBuild, kWrite, kFit, kValidate } kind = kBuild;
   std::vector<std::string> only;  ///< build: empty for all
   std::string configuration;
   std::string scene;        ///< fit: a file that the node can read

@@ -63,6 +63,11 @@ void HullsPanel::sendPreview(const std::vector<int>& rows) {
 void HullsPanel::change(const SettingsForm::Change& change, bool goes_on) {
   const std::vector<int> rows = chosenRows();
   table_.change(rows, change, goes_on);
+  follow(rows);
+}
+
+/// Of rows that were changed.
+void HullsPanel::follow(const std::vector<int>& rows) {
   changed(rows);
   settled_.stop();
   if (is_own_build_) client_.cancel();
@@ -146,6 +151,13 @@ void HullsPanel::write() {
   } catch (const Error& error) {
     say(QString::fromStdString(error.what()));
   }
+}
+
+void HullsPanel::validate() {
+  NodeJob job;
+  job.kind = NodeJob::kValidate;
+  say("");
+  begin(job);
 }
 
 void HullsPanel::fit() {

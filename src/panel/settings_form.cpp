@@ -61,7 +61,6 @@ QStringList namesOf(const std::vector<T>& all) {
 
 SettingsForm::SettingsForm(QWidget* parent) : QWidget(parent) {
   auto* const grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
   addTolerance(grid);
   addBoxes(grid);
   for (const int column : {1, 3, 5}) grid->setColumnStretch(column, 1);

@@ -8,6 +8,7 @@
 #include "collision_hulls/pipeline/progress_text.h"
 #include "conversions.h"
 #include "parameters.h"
+#include "preview/validation.h"
 
 namespace collision_hulls {
 namespace {
@@ -66,11 +67,14 @@ Node::Node()
       fit_door_(private_, "fit_scene", worker_,
                 [this](const auto& request, const auto& control, const auto& step) { return fit(request, control, step); }),
       build_door_(private_, "build", worker_,
-                  [this](const auto& request, const auto& control, const auto& step) { return build(request, control, step); }) {
+                  [this](const auto& request, const auto& control, const auto& step) { return build(request, control, step); }),
+      validate_door_(private_, "validate", worker_,
+                     [this](const auto& request, const auto& control, const auto& step) { return validate(request, control, step); }) {
   if (startsAtOnce()) decomposeAtStart();  // before the doors open, so that no caller is first
   decompose_door_.open();
   fit_door_.open();
   build_door_.open();
+  validate_door_.open();
   preview_.open();
 }
 
@@ -143,6 +147,24 @@ BuildResponse Node::build(const BuildRequest& request, const RunControl& control
   response.message = summary(result.report);
   response.links = preview_.messages(request.only);
   preview_.show(request.only);
+  return response;
+}
+
+ValidateResponse Node::validate(const ValidateRequest& request, const RunControl& control, const StepCallback& step) {
+  checkTexts(request);
+  const Confinement confinement(places_.roots());
+  const StatedJob job(preview_, "validate");
+  const std::map<std::string, LinkResult> links = preview_.results(request.only);
+  const RobotDescription robot = preview_.robot();
+  const PackageFinder find_package = places_.packageFinder(robot.path);
+  const Validation found = validateLinks(robot, find_package, readOptions(private_), links, control, job.stated(logged(step)));
+  ValidateResponse response;
+  response.success = found.missed + found.phantom == 0;
+  response.message = summary(found);
+  response.queries = static_cast<std::uint32_t>(found.queries);
+  response.missed = static_cast<std::uint32_t>(found.missed);
+  response.phantom = static_cast<std::uint32_t>(found.phantom);
+  response.max_underestimate = found.max_underestimate;
   return response;
 }
 

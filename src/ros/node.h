@@ -1,4 +1,4 @@
-// The node: three kinds of job, each with a service and an action, over one worker.
+// The node: four kinds of job, each with a service and an action, over one worker.
 #pragma once
 
 #include <collision_hulls/Build.h>
@@ -7,6 +7,8 @@
 #include <collision_hulls/DecomposeAction.h>
 #include <collision_hulls/FitScene.h>
 #include <collision_hulls/FitSceneAction.h>
+#include <collision_hulls/Validate.h>
+#include <collision_hulls/ValidateAction.h>
 #include <ros/ros.h>
 
 #include <string>
@@ -20,10 +22,10 @@
 
 namespace collision_hulls {
 
-/// Serves ~decompose, ~fit_scene and ~build, each also as an action, and ~preview; publishes the topics of view.h and ~state, and sets
-/// ~robot_description. It works on one request at a time, on a thread of its own, and refuses another that arrives meanwhile. A request
-/// that it cannot meet gets the library's message; the node lives on. Needs a spinner with at least two threads: a service call occupies
-/// one until it is answered.
+/// Serves ~decompose, ~fit_scene, ~build and ~validate, each also as an action, and ~preview; publishes the topics of view.h and ~state,
+/// and sets ~robot_description. It works on one request at a time, on a thread of its own, and refuses another that arrives meanwhile. A
+/// request that it cannot meet gets the library's message; the node lives on. Needs a spinner with at least two threads: a service call
+/// occupies one until it is answered.
 class Node {
  public:
   /// Throws kBadOption for a parameter of places.h that has the wrong type.
@@ -43,6 +45,7 @@ class Node {
   DecomposeResponse decompose(const DecomposeRequest& request, const RunControl& control, const StepCallback& step);
   FitSceneResponse fit(const FitSceneRequest& request, const RunControl& control, const StepCallback& step);
   BuildResponse build(const BuildRequest& request, const RunControl& control, const StepCallback& step);
+  ValidateResponse validate(const ValidateRequest& request, const RunControl& control, const StepCallback& step);
   Input inputOf(const std::string& robot_description, const RunControl& control) const;
   std::string outputFor(const std::string& requested, const Input& input) const;
   RobotDescription readRobot(const std::string& text, const RunControl& control) const;
@@ -55,6 +58,7 @@ class Node {
   Door<Decompose, DecomposeAction> decompose_door_;
   Door<FitScene, FitSceneAction> fit_door_;
   Door<Build, BuildAction> build_door_;
+  Door<Validate, ValidateAction> validate_door_;
   Worker worker_;  // last, so that its thread ends before what its jobs use
 };
 

@@ -177,6 +177,10 @@ void checkTexts(const BuildRequest& request) {
   for (const std::string& link : request.only) checkText("only", link);
 }
 
+void checkTexts(const ValidateRequest& request) {
+  for (const std::string& link : request.only) checkText("only", link);
+}
+
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot) {
   const auto unsetIfZero = [](double part) { return part == 0 ? Length::kUnset : part; };
   if (request.tolerance != 0 || request.relative_tolerance != 0)

@@ -4,6 +4,7 @@
 #include <collision_hulls/BuildRequest.h>
 #include <collision_hulls/DecomposeRequest.h>
 #include <collision_hulls/FitSceneRequest.h>
+#include <collision_hulls/ValidateRequest.h>
 #include <ros/node_handle.h>
 
 #include "collision_hulls/pipeline/fit_scene.h"
@@ -35,6 +36,7 @@ void readFlag(const ros::NodeHandle& node, const std::string& name, bool& value)
 void checkTexts(const DecomposeRequest& request);
 void checkTexts(const FitSceneRequest& request);
 void checkTexts(const BuildRequest& request);
+void checkTexts(const ValidateRequest& request);
 
 /// `options` with the request's own in their place. Throws kBadOption, also for a link that the robot does not have.
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot);

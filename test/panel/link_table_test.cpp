@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "collision_hulls/config/config.h"
+#include "collision_hulls/config/link_decisions.h"
 #include "collision_hulls/error.h"
 #include "config/link_rule.h"
 #include "pipeline/fixtures.h"
@@ -32,9 +33,19 @@ void setTolerance(LinkOptions& options) {
   options.tolerance = lengthOf(0.003);
 }
 
+RegionRule regionFor(const std::string& pattern, double offset = 0) {
+  RegionRule region;
+  region.pattern = pattern;
+  region.shape = RegionHalfSpace{{0, 0, 1}, offset};
+  return region;
+}
+
 class LinkTableTest : public testing::Test {
  protected:
   LinkTableTest() { table_.take(threeLinks()); }
+  std::vector<int> add(const RegionRule& region) {
+    return table_.changeRegions([&](std::vector<RegionRule>& all) { all.push_back(region); });
+  }
   const LinkRow& at(int index) const { return table_.rows()[static_cast<std::size_t>(index)]; }
 
   LinkTable table_;
@@ -167,6 +178,111 @@ TEST_F(LinkTableTest, LinksThatTheConfigurationLeavesAloneStay) {
   table_.loadText("default: {tolerance: 2mm, tree: 1mm}\nonly: hand", "some.yaml");
   EXPECT_DOUBLE_EQ(0.002, at(2).options.tolerance.limit);
   EXPECT_EQ("ok", at(0).facts.status);
+}
+
+TEST_F(LinkTableTest, ARegionLeavesTheLinksItHoldsForUnbuilt) {
+  EXPECT_EQ((std::vector<int>{0, 2}), add(regionFor("base|hand")));
+  EXPECT_EQ("unbuilt", at(0).facts.status);
+  EXPECT_EQ("ok", at(1).facts.status);
+  EXPECT_EQ(1u, at(2).options.regions.size());
+  EXPECT_EQ(std::vector<int>{0}, table_.regionsOf("hand"));
+  EXPECT_TRUE(table_.regionsOf("arm.left").empty());
+  EXPECT_EQ((std::vector<int>{0, 2}), table_.linksOf(table_.regions()[0]));
+}
+
+TEST_F(LinkTableTest, AnAnswerWithOtherRegionsComesTooLate) {
+  add(regionFor("hand"));
+  LinkRow answer = row("hand", 7, 0.001);
+  EXPECT_FALSE(table_.answer(answer));
+  answer.options.regions = at(2).options.regions;
+  EXPECT_TRUE(table_.answer(answer));
+  EXPECT_EQ(7u, at(2).facts.hulls);
+}
+
+TEST_F(LinkTableTest, RegionsAreNamedByFreeNumbers) {
+  RegionRule named = regionFor("hand");
+  named.name = "2";
+  add(named);
+  add(regionFor("hand", 0.1));
+  add(regionFor("hand", 0.2));
+  EXPECT_EQ("1", table_.regions()[1].name);
+  EXPECT_EQ("3", table_.regions()[2].name);
+}
+
+TEST_F(LinkTableTest, AWrongRegionChangesNothing) {
+  add(regionFor("hand"));
+  RegionRule flat = regionFor("base");
+  flat.shape = RegionBox{};
+  EXPECT_THROW(add(flat), Error);
+  RegionRule same_name = regionFor("base");
+  same_name.name = "1";
+  EXPECT_THROW(add(same_name), Error);
+  EXPECT_EQ(1u, table_.regions().size());
+  EXPECT_EQ("ok", at(0).facts.status);
+}
+
+TEST_F(LinkTableTest, ANewNameLeavesTheHulls) {
+  add(regionFor("hand"));
+  LinkRow answer = row("hand", 7, 0.001);
+  answer.options.regions = at(2).options.regions;
+  table_.answer(answer);
+  EXPECT_TRUE(table_.changeRegions([](std::vector<RegionRule>& all) { all[0].name = "mouth"; }).empty());
+  EXPECT_EQ(7u, at(2).facts.hulls);
+  EXPECT_NE(std::string::npos, table_.configuration({}).find("mouth"));
+}
+
+TEST_F(LinkTableTest, UndoTakesRegionsBackAndAWholeDragAtOnce) {
+  add(regionFor("hand"));
+  for (const double offset : {0.1, 0.2})
+    table_.changeRegions([&](std::vector<RegionRule>& all) { all[0].shape = RegionHalfSpace{{0, 0, 1}, offset}; }, offset > 0.15);
+  EXPECT_EQ(std::vector<int>{2}, table_.undo());
+  EXPECT_EQ(0, std::get<RegionHalfSpace>(table_.regions()[0].shape).offset);
+  EXPECT_EQ(std::vector<int>{2}, table_.undo());
+  EXPECT_TRUE(table_.regions().empty());
+  EXPECT_TRUE(at(2).options.regions.empty());
+  EXPECT_FALSE(table_.canUndo());
+}
+
+TEST_F(LinkTableTest, TheNodesRegionsCountUntilOwnOnesDo) {
+  std::vector<LinkRow> rows = threeLinks();
+  rows[2].options.regions = {regionOf(regionFor("hand", 0.1))};
+  table_.take(rows, {regionFor("hand", 0.1)});
+  EXPECT_EQ("ok", at(2).facts.status);
+  table_.changeRegions([](std::vector<RegionRule>& all) { all.clear(); });
+  EXPECT_EQ("unbuilt", at(2).facts.status);
+  table_.take(rows, {regionFor("hand", 0.1)});
+  EXPECT_TRUE(table_.regions().empty());
+  EXPECT_EQ("unbuilt", at(2).facts.status);
+  table_.take(threeLinks());
+  EXPECT_EQ("ok", at(2).facts.status) << "built without the region";
+}
+
+TEST_F(LinkTableTest, RegionsAreSavedAndLoaded) {
+  RegionRule box = regionFor("hand");
+  box.shape = RegionBox{{0, 0, 0.08}, {0.08, 0.2, 0.03}, {0, 0.5, 0}};
+  box.tolerance = 0.002;
+  add(box);
+  add(regionFor("base", 0.01));
+  LinkTable other;
+  other.take(threeLinks());
+  other.loadText(table_.configuration({}), "saved");
+  ASSERT_EQ(2u, other.regions().size());
+  EXPECT_EQ(Eigen::Vector3d(0, 0.5, 0), std::get<RegionBox>(other.regions()[0].shape).rpy);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(equalSettings(at(i).options, other.rows()[static_cast<std::size_t>(i)].options)) << i;
+  EXPECT_EQ(2u, other.totals().unbuilt);
+}
+
+TEST_F(LinkTableTest, WhatIsNotBuiltYetIsWhereItWas) {
+  std::vector<LinkRow> rows = threeLinks();
+  rows[2].facts.around.extend(Eigen::Vector3d(1, 2, 3));
+  table_.take(rows);
+  add(regionFor("hand"));
+  EXPECT_FALSE(at(2).facts.around.isEmpty());
+  LinkRow answer = row("hand", 0, 0);
+  answer.options = at(2).options;
+  answer.facts.status = "unbuilt";
+  table_.answer(answer);
+  EXPECT_FALSE(at(2).facts.around.isEmpty());
 }
 
 }  // namespace

@@ -9,14 +9,20 @@
 //   choose LINK...                 rows of the table; none: all that are chosen are no longer
 //   slide POSITION                 the slider; how long until the panel shows the answer [ms]
 //   table                          its rows, cells separated by bars, rows by slashes
+//   cut                            names of the panel's widgets that reach beyond the screen
+//   drag LINK FROM TO              the mouse in the view, between two points of a link, as 0,0,0.1
 //   file PATH                      what the next file dialog is given; a question after it is answered with what it proposes
 //   focus KEYS TIMES               keys to whatever has the focus; the name of the widget that has it then
 //   config FILE                    saves rviz's configuration
 //   picture FILE                   of the window
 //   end
+#include <OgreCamera.h>
 #include <ros/ros.h>
+#include <rviz/frame_manager.h>
 #include <rviz/ogre_helpers/ogre_logging.h>
+#include <rviz/render_panel.h>
 #include <rviz/visualization_frame.h>
+#include <rviz/visualization_manager.h>
 
 #include <QAbstractItemView>
 #include <QApplication>
@@ -55,6 +61,8 @@ class Driver : public QObject {
     if (verb == "choose") return choose(words.mid(1));
     if (verb == "slide") return slide(words.at(1).toInt());
     if (verb == "table") return table();
+    if (verb == "cut") return cut();
+    if (verb == "drag") return drag(words.at(1), words.at(2), words.at(3));
     if (verb == "file") return file_ = rest(1);
     if (verb == "focus") return press(frame_.focusWidget(), words.at(1), words.at(2).toInt());
     if (verb == "config") return frame_.saveDisplayConfig(rest(1)) ? "saved" : "not saved";
@@ -150,6 +158,50 @@ class Driver : public QObject {
       rows << cells.join('|');
     }
     return rows.join('/');
+  }
+
+  QString cut() const {
+    QStringList names;
+    for (const QWidget* const part : widget("forms")->parentWidget()->parentWidget()->findChildren<QWidget*>())
+      if (part->isVisible() && !part->objectName().isEmpty() &&
+          !frame_.screen()->geometry().contains(QRect(part->mapToGlobal(QPoint(0, 0)), part->size())))
+        names << part->objectName();
+    return names.join(' ');
+  }
+
+  /// Where a point of a link is drawn.
+  QPointF pixelOf(const QString& link, const QString& point) {
+    const QStringList numbers = point.split(',');
+    geometry_msgs::Pose pose;
+    pose.position.x = numbers.at(0).toDouble();
+    pose.position.y = numbers.at(1).toDouble();
+    pose.position.z = numbers.at(2).toDouble();
+    pose.orientation.w = 1;
+    Ogre::Vector3 place;
+    Ogre::Quaternion turn;
+    if (!frame_.getManager()->getFrameManager()->transform(link.toStdString(), ros::Time(), pose, place, turn))
+      throw std::runtime_error("no frame " + link.toStdString());
+    const rviz::RenderPanel& view = *frame_.getManager()->getRenderPanel();
+    const Ogre::Camera& camera = *view.getCamera();
+    const Ogre::Vector3 seen = camera.getProjectionMatrix() * (camera.getViewMatrix() * place);
+    return {(1 + seen.x) / 2 * view.width(), (1 - seen.y) / 2 * view.height()};
+  }
+
+  void mouse(QEvent::Type type, const QPointF& place, Qt::MouseButton button, Qt::MouseButtons buttons) {
+    QWidget* const view = frame_.getManager()->getRenderPanel();
+    QMouseEvent event(type, place, view->mapToGlobal(place.toPoint()), button, buttons, Qt::NoModifier);
+    QApplication::sendEvent(view, &event);
+    QTest::qWait(150);  // rviz looks once a frame what is below the mouse
+  }
+
+  QString drag(const QString& link, const QString& from, const QString& to) {
+    const QPointF begin = pixelOf(link, from), end = pixelOf(link, to);
+    for (const double aside : {9.0, 1.0, 0.0}) mouse(QEvent::MouseMove, begin + QPointF(aside, 0), Qt::NoButton, Qt::NoButton);
+    mouse(QEvent::MouseButtonPress, begin, Qt::LeftButton, Qt::LeftButton);
+    constexpr int kSteps = 5;
+    for (int i = 1; i <= kSteps; ++i) mouse(QEvent::MouseMove, begin + (end - begin) * i / kSteps, Qt::NoButton, Qt::LeftButton);
+    mouse(QEvent::MouseButtonRelease, end, Qt::LeftButton, Qt::NoButton);
+    return QString("%1,%2 to %3,%4").arg(begin.x()).arg(begin.y()).arg(end.x()).arg(end.y());
   }
 
   QString picture(const QString& file) {

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """The panel in rviz, with the demo robot, driven by keys and clicks: what it shows, changes, saves and remembers.
 
-Tests src/panel/hulls_panel.cpp, src/panel/node_client.cpp, src/panel/panel_actions.cpp, src/panel/settings_form.cpp and src/panel/table_model.cpp.
+Tests src/panel/hulls_panel.cpp, src/panel/node_client.cpp, src/panel/panel_actions.cpp, src/panel/panel_regions.cpp, src/panel/region_form.cpp,
+src/panel/region_markers.cpp, src/panel/region_server.cpp, src/panel/settings_form.cpp and src/panel/table_model.cpp.
 """
 import contextlib
 import filecmp
@@ -16,9 +17,11 @@ import tempfile
 import time
 import unittest
 
+import rospy
 import rostest
+from visualization_msgs.msg import InteractiveMarkerFeedback, InteractiveMarkerInit
 
-WIDTH, HEIGHT = 1500, 900
+WIDTH, HEIGHT = 1366, 768  # of a small laptop
 PROGRAMS = ("Xvfb", "convert")
 PACKAGE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 CONFIG = os.path.join(PACKAGE, "rviz", "collision_hulls.rviz")
@@ -37,7 +40,7 @@ def load_script(name):
 
 def changed_pixels(before, after):
     """How many, in the middle of the window, where the robot is."""
-    command = ["convert", before, after, "-crop", "480x700+360+100", "-compose", "difference", "-composite", "-threshold", "5%", "-format", "%[fx:mean*w*h]", "info:"]
+    command = ["convert", before, after, "-crop", "400x560+120+100", "-compose", "difference", "-composite", "-threshold", "5%", "-format", "%[fx:mean*w*h]", "info:"]
     return float(subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout)
 
 
@@ -56,6 +59,7 @@ class PanelTest(unittest.TestCase):
         os.environ["COLLISION_HULLS_CACHE"] = cls.file("cache")
         log = cls.stack.enter_context(open(cls.file("log"), "w", encoding="utf-8"))
         cls.stack.enter_context(cls.script.demo_robot(cls.home, log))
+        rospy.init_node("panel_test", anonymous=True, disable_signals=True)
         cls.rviz = cls.stack.enter_context(cls.script.driven_rviz(DRIVER, CONFIG, WIDTH, HEIGHT))
         cls.rviz.wait("totals", "text", "^9 links", cls.script.WAIT)
         cls.settle()
@@ -158,12 +162,146 @@ class PanelTest(unittest.TestCase):
         self.assertIn("9 links", self.rviz("get", "totals", "text"))
         self.rviz("type", "filter", "")
 
+    # Regions.
+
+    def show_form(self, name):
+        """One of the two that the settings share a place with."""
+        self.rviz("key", "qt_tabwidget_tabbar", {"settings": "Left", "regions": "Right"}[name], 1)
+
+    def add_region(self, link, kind, tolerance="9mm"):
+        """Such a tolerance is built in no time, wherever the region is meanwhile."""
+        self.rviz("choose", link)
+        self.show_form("regions")
+        self.rviz("click", "add_" + kind)
+        self.addCleanup(self.remove_regions, link)
+        self.assertEqual("true", self.rviz("get", "keep_clear", "checked"))
+        self.rviz("click", "keep_clear")
+        self.rviz("type", "region_tolerance", tolerance)
+
+    def remove_regions(self, link):
+        self.rviz("choose", link)
+        self.show_form("regions")
+        while self.rviz("get", "remove_region", "enabled") == "true":
+            self.rviz("click", "remove_region")
+        self.show_form("settings")
+        self.settle()
+
+    def numbers(self, field):
+        return [float(number) for number in self.rviz("get", "region_" + field, "text").split(",")]
+
+    def enter(self, field, *numbers):
+        self.rviz("type", "region_" + field, ", ".join(map(str, numbers)))
+
+    def drag(self, link, start, end):
+        self.rviz("drag", link, *(",".join(map(str, point)) for point in (start, end)))
+        self.settle()
+
+    def saved(self):
+        self.rviz("file", self.file("regions.yaml"))
+        self.rviz("click", "save")
+        self.rviz.wait("message", "text", "^Saved ")
+        with open(self.file("regions.yaml"), encoding="utf-8") as file:
+            return file.read()
+
+    def test_a_face_of_a_box_is_dragged_in_the_view(self):
+        self.add_region("gripper_link", "box")
+        self.enter("center", 0, 0, 0.08)
+        self.enter("size", 0.1, 0.2, 0.06)
+        self.settle()
+        self.drag("gripper_link", (0, 0.1, 0.08), (0, 0.16, 0.08))
+        size, center = self.numbers("size"), self.numbers("center")
+        self.assertAlmostEqual(0.26, size[1], delta=0.02)
+        self.assertAlmostEqual(0.1, size[0], delta=1e-6)
+        self.assertAlmostEqual(-0.1, center[1] - size[1] / 2, delta=1e-4, msg="the opposite face has moved")
+        self.rviz("click", "undo")
+        self.assertAlmostEqual(0.2, self.numbers("size")[1], delta=1e-6, msg="a drag is one move")
+        self.rviz("picture", self.file("box.png"))
+        self.remove_regions("gripper_link")
+        self.rviz("picture", self.file("no_box.png"))
+        self.assertGreater(changed_pixels(self.file("box.png"), self.file("no_box.png")), 200)
+
+    def test_a_region_is_built_and_saved_and_gives_decompose_the_same_hulls(self):
+        before = self.rviz.rows()["gripper_link"]
+        self.add_region("gripper_link", "half_space", "3mm")
+        self.enter("normal", 0, 0, 1)
+        self.enter("offset", 0.05)
+        self.rviz("type", "region_name", "mouth")
+        self.settle()
+        row = self.rviz.rows()["gripper_link"]
+        self.assertNotEqual(before[HULLS], row[HULLS])
+        self.assertRegex(self.saved(), r'link: "gripper_link", name: "mouth", half_space: \{normal: \[0, 0, 1\], offset: 0.05\}, tolerance: 3mm')
+        self.rviz("click", "write")
+        self.rviz.wait("message", "text", " hulls for ", self.script.WAIT)
+        subprocess.run([os.path.join(SPACE, "lib", "collision_hulls", "decompose"), ROBOT, "--config", self.file("regions.yaml"), "--no-cache",
+                        "--no-validate", "-o", self.file("in_regions")], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        comparison = filecmp.dircmp(self.file("written/meshes/gripper_link"), self.file("in_regions/meshes/gripper_link"))
+        self.assertEqual([[], [], []], [comparison.left_only, comparison.right_only, comparison.diff_files])
+        self.assertEqual(row[HULLS], str(len(comparison.same_files)))
+
+    def test_a_half_space_tilts_and_a_release_puts_its_plane_back(self):
+        self.add_region("gripper_link", "half_space")
+        self.enter("normal", 0, 0, -1)
+        self.enter("offset", 0)
+        self.settle()
+        topic = "/collision_hulls/regions"
+        markers = rospy.wait_for_message(topic + "/update_full", InteractiveMarkerInit, 10).markers
+        self.assertEqual(["gripper_link/1/whole"], [marker.name for marker in markers])
+        self.assertEqual("gripper_link", markers[0].header.frame_id)
+        feedback = InteractiveMarkerFeedback(client_id="test", marker_name=markers[0].name, event_type=InteractiveMarkerFeedback.POSE_UPDATE)
+        feedback.header.frame_id = "gripper_link"
+        feedback.pose.position.z = 0.1
+        feedback.pose.orientation.w = feedback.pose.orientation.z = 0.5 ** 0.5  # its normal, the x axis, along y
+        publisher = rospy.Publisher(topic + "/feedback", InteractiveMarkerFeedback, queue_size=10)
+        while publisher.get_num_connections() == 0:
+            rospy.sleep(0.05)
+        publisher.publish(feedback)
+        self.rviz.wait("region_normal", "text", "^0, 1, 0$")
+        self.assertEqual([0], self.numbers("offset"))
+        feedback.event_type = InteractiveMarkerFeedback.MOUSE_UP
+        publisher.publish(feedback)
+        self.settle()
+        pose = rospy.wait_for_message(topic + "/update_full", InteractiveMarkerInit, 10).markers[0].pose
+        self.assertAlmostEqual(0, pose.position.y, msg="on the plane, below the middle of the link")
+
+    def test_a_wrong_region_says_why_and_changes_nothing(self):
+        self.add_region("gripper_link", "box")
+        size = self.rviz("get", "region_size", "text")
+        self.rviz("type", "region_size", "1, 2")
+        self.assertIn("three numbers", self.rviz("get", "region_advice", "text"))
+        self.rviz("type", "region_size", "0, 1, 1")
+        self.rviz.wait("message", "text", "region '1'")
+        self.rviz("type", "region_size", size)
+        self.assertIn("size: [" + size, self.saved())
+
+    def test_a_link_that_is_kept_has_no_regions(self):
+        self.rviz("choose", "left_finger_link")
+        self.show_form("regions")
+        self.assertEqual("true", self.rviz("get", "add_box", "enabled"))
+        self.show_form("settings")
+        self.rviz("key", "action", "k", 1)
+        self.show_form("regions")
+        self.assertEqual("false", self.rviz("get", "add_box", "enabled"))
+        self.show_form("settings")
+        self.rviz("click", "undo")
+        self.settle()
+
+    def test_a_validation_says_what_its_queries_found(self):
+        self.rviz("click", "validate")
+        found = self.rviz.wait("message", "text", "compared hulls and meshes", self.script.WAIT)
+        self.assertRegex(found, r"^\d{3,} queries compared hulls and meshes: no collision missed, no false collision beyond the protrusion; .* mm too short$")
+        self.settle()
+
+    def test_nothing_is_cut_off_on_a_small_screen(self):
+        for form in ("regions", "settings"):
+            self.show_form(form)
+            self.assertEqual("", self.rviz("cut"), form)
+
     def test_every_control_is_reached_by_the_tab_key(self):
         self.rviz("choose", "elbow_link")
         self.rviz("key", "node", "Tab", 1)
         reached = {self.rviz("focus", "Tab", 1) for _ in range(25)}
         self.assertLessEqual({"links", "tolerance", "tolerance_text", "action", "method", "effort", "max_hulls", "max_vertices", "source",
-                              "tree", "build", "load", "save", "fit", "write"}, reached)
+                              "tree", "build", "validate", "load", "save", "fit", "write"}, reached)
 
     def test_the_settings_survive_in_rvizs_configuration(self):
         wanted = self.slide("elbow_link", "Right", 4)[TOLERANCE]

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Hull trees that the node holds, and cuts through them. Tests src/ros/preview/link_previews.cpp."""
+"""Hull trees that the node holds, cuts through them, and their validation. Tests src/ros/preview/link_previews.cpp."""
 import threading
 import unittest
 
@@ -9,7 +9,7 @@ import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
 from collision_hulls.msg import BuildAction, BuildGoal, LinkChoice, NodeState
-from collision_hulls.srv import Build, Preview
+from collision_hulls.srv import Build, Preview, Validate
 from robots import NODE
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -49,6 +49,7 @@ class PreviewTest(unittest.TestCase):
         rospy.wait_for_service(NODE + "/preview", 30)
         cls.preview = staticmethod(rospy.ServiceProxy(NODE + "/preview", Preview))
         cls.build = staticmethod(rospy.ServiceProxy(NODE + "/build", Build))
+        cls.validate = staticmethod(rospy.ServiceProxy(NODE + "/validate", Validate))
         cls.hulls, cls.chosen = Drawn("/hulls"), Drawn("/chosen")
 
     def setUp(self):
@@ -104,9 +105,27 @@ class PreviewTest(unittest.TestCase):
         region = "regions: [{link: base, half_space: {normal: [0, 0, 1], offset: 1}, keep_clear: true}]"
         built = self.build(robot_description=self.robot, config=f"{CONFIG}\n{region}")
         self.assertTrue(built.success, built.message)
-        self.assertEqual("unbuilt", self.cut(tolerance="10cm").status)
+        base, arm = self.preview().links
+        self.assertEqual([0, 0, -1, -1], list(base.settings.regions[0].sides))
+        self.assertFalse(arm.settings.regions)
+        regions = base.settings.regions
+        self.assertTrue(self.cut(tolerance="5mm", regions=regions).proved)
+        self.assertEqual("unbuilt", self.cut(tolerance="10cm", regions=regions).status)
+        self.assertFalse(self.cut(tolerance="5mm").proved, "what is proved is for the region")
         self.assertEqual(1, self.cut(link="arm", tolerance="10cm").hulls)
         self.assertIn("half_space", self.preview().config)
+
+    def test_the_configuration_has_the_regions_of_the_last_build(self):
+        region = "regions: [{link: base, half_space: {normal: [0, 0, 1], offset: 1}, keep_clear: true}]"
+        built = self.build(robot_description=self.robot, config=f"{CONFIG}\n{region}", only=["base"])
+        self.assertTrue(built.success, built.message)
+        self.assertIn("half_space", self.preview().config)
+        self.assertTrue(self.build(robot_description=self.robot, config=CONFIG, only=["base"]).success)
+        self.assertNotIn("half_space", self.preview().config)
+
+    def test_a_link_says_where_its_bodies_are(self):
+        base = self.preview().links[0]
+        self.assertTrue(base.low.x < base.high.x and base.low.y < base.high.y and base.low.z < base.high.z, base)
 
     def test_a_wrong_question_is_answered_with_a_message(self):
         for choice, word in ((LinkChoice(link="leg"), "leg"), (LinkChoice(link="base", method="best"), "best"), (LinkChoice(link="base", tolerance="5m"), "5m")):
@@ -121,6 +140,21 @@ class PreviewTest(unittest.TestCase):
         self.assertEqual(["base"], [link.settings.link for link in built.links])
         base, arm = self.preview().links
         self.assertEqual(("bounding_box", "0.1m"), (base.settings.method, arm.settings.tolerance))
+
+    def test_a_validation_compares_what_is_known(self):
+        found = self.validate()
+        self.assertTrue(found.success, found.message)
+        self.assertEqual((0, 0), (found.missed, found.phantom))
+        self.assertIn("no collision missed, no false collision", found.message)
+        one = self.validate(only=["base"])
+        self.assertTrue(0 < one.queries < found.queries, one)
+        self.assertIn("leg", self.validate(only=["leg"]).message)
+
+    def test_without_hulls_there_is_nothing_to_validate(self):
+        self.cut(link="arm", action="remove", show=True)
+        found = self.validate(only=["arm"])
+        self.assertFalse(found.success)
+        self.assertIn("~build", found.message)
 
     def test_a_wrong_build_is_refused_with_a_message(self):
         self.assertIn("leg", self.build(robot_description=self.robot, only=["leg"]).message)

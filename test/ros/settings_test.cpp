@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "collision_hulls/error.h"
 
 namespace collision_hulls {
@@ -17,6 +19,9 @@ TEST(Settings, ComeBackAsTheyWere) {
   options.max_vertices = 32;
   options.padding = 0.005;
   options.source = Source::kVisual;
+  options.regions = {boxRegion({0.1, 0.2, 0.3}, Eigen::Isometry3d(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized())), 0.002),
+                     halfSpaceRegion({0, 0, -1}, 0.1, 0.001)};
+  options.regions[0].name = "mouth";
   const LinkOptions back = toOptions(toMessage("arm", options));
   EXPECT_EQ(options.action, back.action);
   EXPECT_EQ(options.tolerance.limit, back.tolerance.limit);
@@ -27,6 +32,8 @@ TEST(Settings, ComeBackAsTheyWere) {
   EXPECT_EQ(32, back.max_vertices);
   EXPECT_EQ(0.005, back.padding);
   EXPECT_EQ(options.source, back.source);
+  EXPECT_TRUE(equal(options.regions, back.regions)) << "to the last bit";
+  EXPECT_EQ("mouth", back.regions[0].name);
 }
 
 TEST(Settings, EmptyTextsAreTheDefaults) {
@@ -58,6 +65,19 @@ TEST(Settings, AWrongValueIsNamedWithItsLink) {
   EXPECT_NE(std::string::npos, message([](LinkChoice& choice) { choice.method = "best"; }).find("link 'arm': method 'best'"));
   EXPECT_NE(std::string::npos, message([](LinkChoice& choice) { choice.tolerance = "seven"; }).find("link 'arm': tolerance 'seven'"));
   EXPECT_NE("", message([](LinkChoice& choice) { choice.max_vertices = 3; }));
+  const auto region = [](LinkChoice& choice) -> LinkRegion& {
+    choice.regions.resize(1);
+    choice.regions[0].name = "mouth";
+    choice.regions[0].sides = {0, 0, 1, 0};
+    choice.regions[0].tolerance = 0.001;
+    return choice.regions[0];
+  };
+  static const auto of = region;
+  EXPECT_EQ("", message([](LinkChoice& choice) { of(choice); }));
+  EXPECT_NE(std::string::npos,
+            message([](LinkChoice& choice) { of(choice).sides.pop_back(); }).find("link 'arm': region 'mouth' has 3 numbers"));
+  EXPECT_NE("", message([](LinkChoice& choice) { of(choice).sides[3] = NAN; }));
+  EXPECT_NE("", message([](LinkChoice& choice) { of(choice).tolerance = 0; }));
 }
 
 TEST(Settings, ContradictionsNameTheLink) {

@@ -46,6 +46,17 @@ Status worse(Status a, Status b) {
   return a == Status::kFailed || b == Status::kOk ? a : b;
 }
 
+/// Around all bodies, in the link's frame.
+void addBounds(const LinkResult& result, LinkPreview& message) {
+  Eigen::AlignedBox3d box;
+  for (const ElementResult& element : result.elements)
+    for (const ConvexHull& hull : element.hulls)
+      for (const Eigen::Vector3d& vertex : hull.vertices) box.extend(element.source.origin * vertex);
+  if (box.isEmpty()) return;
+  message.low = toPoint(box.min());
+  message.high = toPoint(box.max());
+}
+
 /// The sums and extremes over a link's meshes.
 void addRows(const LinkResult& result, LinkPreview& message) {
   Status status = result.rows.empty() ? Status::kOk : result.rows.front().status;
@@ -114,10 +125,11 @@ void LinkPreviews::take(const RobotDescription& robot, const LinkDecisions& deci
   const std::lock_guard<std::mutex> lock(mutex_);
   const Options& options = result.report.options;
   const bool is_other = robot_.text != robot.text;
-  if (is_other) known_.clear(), in_regions_.clear();
+  if (is_other) known_.clear(), config_.reset();
   if (is_other || options.links.empty()) hues_ = huesOf(robot, decisions);
   if (options.tree) tree_ = options.tree;
-  if (is_other || options.links.empty()) config_ = configText(options);
+  if (!config_ || options.links.empty()) config_ = options;
+  config_->region_rules = options.region_rules;
   robot_ = robot;
   std::map<std::string, Known> news;
   for (std::size_t i = 0; i < result.elements.size(); ++i) {
@@ -128,11 +140,7 @@ void LinkPreviews::take(const RobotDescription& robot, const LinkDecisions& deci
     known.result.elements.push_back(withoutOriginal(result.elements[i]));
     known.result.rows.push_back(result.report.links[i]);
   }
-  for (auto& [link, known] : news) {
-    in_regions_.erase(link);
-    if (!known.options.regions.empty()) in_regions_.insert(link);
-    known_[link] = std::move(known);
-  }
+  for (auto& [link, known] : news) known_[link] = std::move(known);
   state_.robot = robot.name;
   ++state_.changes;
   publish();
@@ -147,6 +155,20 @@ std::vector<LinkPreview> LinkPreviews::messages(const std::vector<std::string>& 
     if (wanted && known != known_.end()) messages.push_back(message(link.name, known->second));
   }
   return messages;
+}
+
+std::map<std::string, LinkResult> LinkPreviews::results(const std::vector<std::string>& links) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::map<std::string, LinkResult> results;
+  for (const std::string& link : links) described(link);
+  for (const auto& [link, known] : known_)
+    if (links.empty() || std::find(links.begin(), links.end(), link) != links.end()) results[link] = known.result;
+  return results;
+}
+
+RobotDescription LinkPreviews::robot() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return robot_;
 }
 
 void LinkPreviews::show(const std::vector<std::string>& links) {
@@ -186,7 +208,7 @@ bool LinkPreviews::serve(PreviewRequest& request, PreviewResponse& response) {
   if (!request.links.empty()) return true;
   response.links = messages({});
   const std::lock_guard<std::mutex> lock(mutex_);
-  response.config = config_;
+  if (config_) response.config = configText(*config_);
   return true;
 }
 
@@ -206,7 +228,7 @@ void LinkPreviews::cutAll(const PreviewRequest& request, PreviewResponse& respon
 std::optional<LinkPreviews::Known> LinkPreviews::cut(const LinkChoice& settings) const {
   const LinkDescription& link = described(settings.link);
   Known made;
-  made.options = withTree(settings.link, toOptions(settings));
+  made.options = withTree(toOptions(settings));
   const auto known = known_.find(settings.link);
   if (known != known_.end() && known->second.proved && equalSettings(made.options, known->second.options)) return known->second;
   if (made.options.action != Action::kDecompose) {
@@ -229,8 +251,8 @@ LinkPreview LinkPreviews::unbuilt(const LinkChoice& settings) const {
 }
 
 /// With the tree that the last build had. A link with regions has none.
-LinkOptions LinkPreviews::withTree(const std::string& link, LinkOptions options) const {
-  options.tree = options.method == Method::kCertified && in_regions_.count(link) == 0 ? tree_ : std::nullopt;
+LinkOptions LinkPreviews::withTree(LinkOptions options) const {
+  options.tree = options.method == Method::kCertified && options.regions.empty() ? tree_ : std::nullopt;
   return options;
 }
 
@@ -259,7 +281,8 @@ LinkPreview LinkPreviews::message(const std::string& link, const Known& known) c
   message.settings = toMessage(link, known.options);
   message.proved = known.proved;
   addRows(known.result, message);
-  if (known.options.action == Action::kDecompose) message.steps = trees_.steps(described(link), withTree(link, known.options));
+  addBounds(known.result, message);
+  if (known.options.action == Action::kDecompose) message.steps = trees_.steps(described(link), withTree(known.options));
   return message;
 }
 

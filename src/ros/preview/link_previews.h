@@ -9,7 +9,6 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -38,6 +37,10 @@ class LinkPreviews {
   /// The results of these links as messages; empty: of all.
   std::vector<LinkPreview> messages(const std::vector<std::string>& links) const;
 
+  /// The last results of these links, empty: of all, and the robot that has them. Throws kBadOption for a link that it does not have.
+  std::map<std::string, LinkResult> results(const std::vector<std::string>& links) const;
+  RobotDescription robot() const;
+
   /// Draws the last results of these links, with their edges; empty: of all, without.
   void show(const std::vector<std::string>& links);
 
@@ -57,7 +60,7 @@ class LinkPreviews {
   void cutAll(const PreviewRequest& request, PreviewResponse& response);
   std::optional<Known> cut(const LinkChoice& settings) const;
   LinkPreview unbuilt(const LinkChoice& settings) const;
-  LinkOptions withTree(const std::string& link, LinkOptions options) const;
+  LinkOptions withTree(LinkOptions options) const;
   const LinkDescription& described(const std::string& link) const;
   ShownLink shown(const std::string& link, const Known& known) const;
   LinkPreview message(const std::string& link, const Known& known) const;
@@ -69,9 +72,8 @@ class LinkPreviews {
   RobotDescription robot_;
   std::map<std::string, Known> known_;
   std::map<std::string, double> hues_;  // by link
-  std::set<std::string> in_regions_;    // links that the last result has regions of
   std::optional<Length> tree_;          // of the last build
-  std::string config_;                  // of the last run on all links
+  std::optional<Options> config_;       // of the last run on all links, with the regions of the last one
   NodeState state_;
   ros::NodeHandle node_;
   ros::Publisher publisher_;

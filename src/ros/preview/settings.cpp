@@ -1,6 +1,8 @@
 // Field by field; an empty text keeps the default.
 #include "settings.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "collision_hulls/error.h"
@@ -19,6 +21,31 @@ void readNamed(const std::string& item, const std::string& text, std::optional<T
   option = *value;
 }
 
+LinkRegion toMessage(const Region& region) {
+  LinkRegion message;
+  message.name = region.name;
+  message.tolerance = region.tolerance;
+  for (const HalfSpace& side : region.sides)
+    message.sides.insert(message.sides.end(), {side.normal.x(), side.normal.y(), side.normal.z(), side.offset});
+  return message;
+}
+
+/// `item`: "link 'arm': ".
+Region toRegion(const std::string& item, const LinkRegion& message) {
+  const std::string region = item + "region '" + message.name + "'";
+  const bool is_finite = std::all_of(message.sides.begin(), message.sides.end(), [](double number) { return std::isfinite(number); });
+  if (message.sides.empty() || message.sides.size() % 4 != 0 || !is_finite)
+    throw Error(ErrorCode::kBadOption, region + " has " + std::to_string(message.sides.size()) +
+                                           " numbers for its sides: give four finite ones for each, a normal and an offset");
+  checkTolerance(lengthOf(message.tolerance), region + ": tolerance");
+  Region result;
+  result.name = message.name;
+  result.tolerance = message.tolerance;
+  for (std::size_t i = 0; i < message.sides.size(); i += 4)
+    result.sides.push_back({Eigen::Vector3d(message.sides[i], message.sides[i + 1], message.sides[i + 2]), message.sides[i + 3]});
+  return result;
+}
+
 }  // namespace
 
 LinkChoice toMessage(const std::string& link, const LinkOptions& options) {
@@ -34,6 +61,7 @@ LinkChoice toMessage(const std::string& link, const LinkOptions& options) {
   if (options.padding > 0) message.padding = toString(lengthOf(options.padding));
   message.shapes = name(options.shapes);
   message.source = name(options.source);
+  for (const Region& region : options.regions) message.regions.push_back(toMessage(region));
   return message;
 }
 
@@ -51,6 +79,7 @@ LinkOptions toOptions(const LinkChoice& settings) {
   options.max_hulls = settings.max_hulls;
   options.max_vertices = settings.max_vertices;
   if (!settings.padding.empty()) options.padding = parsePadding(settings.padding, link + "padding");
+  for (const LinkRegion& region : settings.regions) options.regions.push_back(toRegion(link, region));
   checkLimits(options);
   inContext("link '" + settings.link + "'", [&] { checkShapes(options); });
   if (options.method != Method::kCertified) options.effort = Effort::kQuick, options.fill = false;

@@ -1,4 +1,4 @@
-// A link's options as messages.
+// A link's options as messages, and back.
 #pragma once
 
 #include <collision_hulls/LinkChoice.h>

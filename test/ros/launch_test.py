@@ -1,0 +1,78 @@
+#!/usr/bin/python3
+"""The launch files' argument `config`: a file beside the robot's, named relative to the folder in which roslaunch runs. Tests
+launch/decompose.launch and launch/view.launch."""
+import contextlib
+import json
+import os
+import signal
+import subprocess
+import unittest
+
+import robots
+import rospy
+import rostest
+
+SPACE = os.environ["CMAKE_PREFIX_PATH"].split(os.pathsep)[0]  # devel
+CONFIG = "default: {tolerance: 4mm}\nlinks:\n  base: {method: bounding_box}  # 'quotes' and $(signs) stay as they are\n  arm: keep\n"
+
+
+class LaunchTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = robots.Folder()
+        self.addCleanup(self.folder.remove)
+        self.write("robot.urdf", self.folder.small_robot())
+        self.write("hulls.yaml", CONFIG)
+        # As in a shell that has sourced setup.bash: tests have the source folder on the path instead.
+        self.environment = dict(os.environ, ROS_PACKAGE_PATH=SPACE + "/share", PWD=self.folder.path)
+
+    def write(self, name, text):
+        with open(self.folder.file(name), "w", encoding="utf-8") as file:
+            file.write(text)
+
+    @contextlib.contextmanager
+    def launched(self, file, *arguments):
+        command = ["roslaunch", "collision_hulls", file, "robot:=robot.urdf", "output:=results/made", f"output_root:={self.folder.path}", *arguments]
+        with open(self.folder.file("log"), "w+", encoding="utf-8") as log:
+            nodes = subprocess.Popen(command, cwd=self.folder.path, env=self.environment, stdout=log, stderr=log)
+            try:
+                yield nodes
+            finally:
+                if nodes.poll() is None:
+                    nodes.send_signal(signal.SIGINT)
+                nodes.wait(30)
+
+    def log(self):
+        with open(self.folder.file("log"), encoding="utf-8") as log:
+            return log.read()
+
+    def assert_configured(self, file, *arguments):
+        report = os.path.join(self.folder.output, "report.json")
+        with self.launched(file, "config:=hulls.yaml", *arguments):
+            self.assertTrue(robots.wait_until(lambda: os.path.exists(report), 60), self.log())
+            self.assertEqual(CONFIG, rospy.get_param(robots.NODE + "/config"))
+        with open(report, encoding="utf-8") as written:
+            rows = {row["link"]: row for row in json.load(written)["links"]}
+        self.assertEqual(("bounding_box", 1), (rows["base"]["method"], rows["base"]["hulls"]))
+        self.assertEqual("kept", rows["arm"]["status"])
+        with open(os.path.join(self.folder.output, "config", "small_hulls.yaml"), encoding="utf-8") as written:
+            self.assertIn("tolerance: 4mm", written.read())
+
+    def test_decompose_launch(self):
+        self.assert_configured("decompose.launch")
+
+    def test_view_launch(self):
+        self.assert_configured("view.launch", "gui:=false", "state:=false")
+
+    def test_the_files_default_counts_before_the_arguments(self):
+        self.assert_configured("decompose.launch", "tolerance:=9mm", "method:=hacd")
+
+    def test_a_file_that_is_not_there_is_named(self):
+        with self.launched("decompose.launch", "config:=nowhere.yaml") as nodes:
+            self.assertNotEqual(0, nodes.wait(30))
+        self.assertIn("nowhere.yaml", self.log())
+        self.assertFalse(os.path.exists(self.folder.output))
+
+
+if __name__ == "__main__":
+    rospy.init_node("launch_test")
+    rostest.rosrun("collision_hulls", "launch_test", LaunchTest)

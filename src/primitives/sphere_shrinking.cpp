@@ -17,6 +17,7 @@
 #include <numeric>
 
 #include "primitives/smallest_ball.h"
+#include "primitives/sphere_candidates.h"
 
 namespace collision_hulls {
 
@@ -81,11 +82,7 @@ class Shrinking {
       spheres_[s].radius = -1;  // gone
       return;
     }
-    const Sphere found = leastProtruding(points, spheres_[s]);
-    const double bound = space_.bound(found);
-    if (!(bound < bounds_[s] - kWorthwhile * space_.tolerance())) return;
-    spheres_[s] = found;
-    bounds_[s] = bound;
+    leastProtruding(points, spheres_[s], bounds_[s]);
   }
 
   /// Corners of pieces that together hold all surface that only this sphere holds.
@@ -136,33 +133,32 @@ class Shrinking {
   /// About a centre, the sphere that holds the points.
   Sphere sphereAbout(const Eigen::Vector3d& centre, const Points& points) const {
     Sphere sphere;
-    sphere.centre = centre.cast<float>().cast<double>();
+    sphere.centre = inSinglePrecision(centre);
     double square = 0;
     for (const Eigen::Vector3d& p : points) square = std::max(square, (p - sphere.centre).squaredNorm());
     sphere.radius = roundedUp(std::sqrt(square) + held_);
     return sphere;
   }
 
-  Sphere leastProtruding(Points points, const Sphere& before) const {
+  /// Replaces the sphere if another that holds the points protrudes less.
+  void leastProtruding(Points points, Sphere& sphere, double& bound) const {
     thin(points);
-    Sphere best = sphereAbout(before.centre, points);
-    double least = space_.bound(best);
     const auto offer = [&](const Eigen::Vector3d& centre) {
-      const Sphere sphere = sphereAbout(centre, points);
-      const double bound = space_.bound(sphere);
-      if (!(bound < least)) return false;
-      best = sphere, least = bound;
+      const Sphere other = sphereAbout(centre, points);
+      const double of_other = space_.boundByDistance(other);
+      if (!(of_other < bound - kWorthwhile * space_.tolerance())) return false;
+      sphere = other, bound = of_other;
       return true;
     };
+    offer(sphere.centre);
     offer(smallestBall(points).centre);
-    for (double step = kFirstStep * before.radius; step > kLastStep * space_.tolerance(); step /= 2) {
+    for (double step = kFirstStep * sphere.radius; step > kLastStep * space_.tolerance(); step /= 2) {
       bool found = true;
       while (found) {
         found = false;
-        for (int k = 0; k < 6; ++k) found = offer(best.centre + (k % 2 ? step : -step) * Eigen::Vector3d::Unit(k / 2)) || found;
+        for (int k = 0; k < 6; ++k) found = offer(sphere.centre + (k % 2 ? step : -step) * Eigen::Vector3d::Unit(k / 2)) || found;
       }
     }
-    return best;
   }
 
   /// The corners of neighbouring pieces are the same.

@@ -3,7 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <dart/collision/bullet/BulletCollisionDetector.hpp>
-#include <dart/dart.hpp>
+#include <dart/constraint/ConstraintSolver.hpp>
+#include <dart/dynamics/BodyNode.hpp>
+#include <dart/dynamics/FreeJoint.hpp>
+#include <dart/dynamics/MultiSphereConvexHullShape.hpp>
+#include <dart/dynamics/Skeleton.hpp>
+#include <dart/dynamics/SphereShape.hpp>
+#include <dart/simulation/World.hpp>
 #include <dart/utils/SkelParser.hpp>
 #include <dart/utils/urdf/DartLoader.hpp>
 #include <map>

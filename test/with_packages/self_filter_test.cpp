@@ -69,13 +69,13 @@ TEST_F(SelfFilter, NoPointOfTheLinkIsTakenForAnObstacle) {
   for (const Eigen::Vector3d& v : fork_.vertices) EXPECT_TRUE(ours_.containsPoint(v)) << v.transpose();
 }
 
-/// Every hull that --for moveit writes, by geometric_shapes' own loader: it holds its vertices, with the padding.
+/// Every hull, by geometric_shapes' own loader: it holds its vertices, with the padding.
 TEST_F(SelfFilter, LoadsTheHullsOfTheSharedRobots) {
   if (fixtures::sharedRobots().empty()) GTEST_SKIP() << "no robots beside the repository";
   const fixtures::TempFolder folder;
   for (const std::string& robot : fixtures::sharedRobots()) {
-    const std::string out = folder / std::filesystem::path(robot).filename().string();
-    if (!fixtures::writeFor("moveit", robot, out, fixtures::kQuick)) continue;
+    const std::string out = folder / std::filesystem::path(robot).filename().string();  // of no consumer's own files
+    if (!fixtures::writeFor("bullet", robot, out, fixtures::kQuick)) continue;
     const RobotDescription written = readRobotDescription(std::filesystem::directory_iterator(out + "/urdf")->path().string());
     std::size_t hulls = 0;
     for (const LinkDescription& link : written.links) {

@@ -29,6 +29,14 @@ if(PKG_CONFIG_FOUND)
   endif()
 endif()
 
+# DART's own CMake files make the targets (physics.cmake).
+if(DART_FOUND)
+  add_library(found::dart INTERFACE IMPORTED)
+  target_link_libraries(found::dart INTERFACE dart dart-utils dart-utils-urdf dart-collision-bullet found::assimp)
+endif()
+
 add_consumer_test(self_filter geometric_shapes geometric_shapes/bodies.h libgeometric-shapes-dev)
+add_consumer_test(padding geometric_shapes geometric_shapes/bodies.h libgeometric-shapes-dev)
 add_consumer_test(mujoco mujoco mujoco/mujoco.h libmujoco-dev)
 add_consumer_test(gazebo sdformat12 sdf/sdf.hh libsdformat-dev)
+add_consumer_test(dart dart dart/dart.hpp "libdart-utils-urdf-dev, libdart-collision-bullet-dev")

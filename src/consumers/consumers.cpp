@@ -16,13 +16,15 @@ struct Entry {
   const char* name;
 };
 
-constexpr std::array<Entry, 7> kConsumers = {{{Consumer::kMoveit, "moveit"},
+constexpr std::array<Entry, 9> kConsumers = {{{Consumer::kMoveit, "moveit"},
                                               {Consumer::kGazebo, "gazebo"},
                                               {Consumer::kMujoco, "mujoco"},
                                               {Consumer::kDrake, "drake"},
                                               {Consumer::kIsaac, "isaac"},
                                               {Consumer::kTesseract, "tesseract"},
-                                              {Consumer::kCurobo, "curobo"}}};
+                                              {Consumer::kCurobo, "curobo"},
+                                              {Consumer::kDart, "dart"},
+                                              {Consumer::kBullet, "bullet"}}};
 
 ConsumerFiles filesFor(Consumer consumer, const WrittenModel& model, const RunControl& control) {
   switch (consumer) {
@@ -33,6 +35,8 @@ ConsumerFiles filesFor(Consumer consumer, const WrittenModel& model, const RunCo
     case Consumer::kIsaac: return isaacFiles(model);
     case Consumer::kTesseract: return tesseractFiles(model);
     case Consumer::kCurobo: return curoboFiles(model, control);
+    case Consumer::kDart: return dartFiles(model);
+    case Consumer::kBullet: return {};
   }
   return {};
 }
@@ -40,6 +44,15 @@ ConsumerFiles filesFor(Consumer consumer, const WrittenModel& model, const RunCo
 void refuseFormat(Consumer consumer, MeshFormat format, const std::string& reads) {
   throw Error(ErrorCode::kBadOption,
               std::string("--for ") + name(consumer) + " does not go with --format " + (extension(format) + 1) + ": it reads " + reads);
+}
+
+/// What has to be known of a consumer's files, or in place of them.
+std::vector<std::string> notesFor(Consumer consumer, const WrittenModel& model) {
+  if (consumer == Consumer::kGazebo || consumer == Consumer::kMujoco) return model.notes();
+  if (consumer == Consumer::kDart) return dartNotes(model);
+  if (consumer == Consumer::kBullet)
+    return {"--for bullet: Bullet's URDF importer takes the description as it is, each hull as a convex shape; no other file is written"};
+  return {};
 }
 
 }  // namespace
@@ -76,6 +89,8 @@ void check(const std::vector<Consumer>& consumers, const Options& options) {
     if (consumer == Consumer::kCurobo && options.shapes != Shapes::kSpheres)
       throw Error(ErrorCode::kBadOption, std::string("--for curobo does not go with --shapes ") + name(options.shapes) +
                                              ": it takes spheres alone; leave --shapes out");
+    if (consumer == Consumer::kBullet && options.uri == UriStyle::kFile)
+      throw Error(ErrorCode::kBadOption, "--for bullet does not go with --uri file: its importer does not know file://; leave --uri out");
   }
 }
 
@@ -86,11 +101,12 @@ void addConsumerFiles(const std::vector<Consumer>& consumers, const std::string&
     throw Error(ErrorCode::kBadOption, std::string("--for ") + name(consumers.front()) + ": '" + result.robot_name +
                                            "' is a mesh, and only a robot's description has a form for it; leave the option out");
   const WrittenModel model(result, outputPackage(result.report.options, output), control);
-  for (const Consumer consumer : consumers)
+  std::vector<std::string>& notes = result.report.notes;
+  for (const Consumer consumer : consumers) {
     for (auto& [file, text] : filesFor(consumer, model, control)) result.extra_files[file] = text;
-  const auto simulates = [](Consumer consumer) { return consumer == Consumer::kGazebo || consumer == Consumer::kMujoco; };
-  if (std::any_of(consumers.begin(), consumers.end(), simulates))
-    result.report.notes.insert(result.report.notes.end(), model.notes().begin(), model.notes().end());
+    for (const std::string& note : notesFor(consumer, model))
+      if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+  }
 }
 
 }  // namespace collision_hulls

@@ -80,5 +80,7 @@ ConsumerFiles drakeFiles(const WrittenModel& model);
 ConsumerFiles isaacFiles(const WrittenModel& model);
 ConsumerFiles mujocoFiles(const WrittenModel& model);
 ConsumerFiles gazeboFiles(const WrittenModel& model);
+ConsumerFiles dartFiles(const WrittenModel& model);
+std::vector<std::string> dartNotes(const WrittenModel& model);  ///< WrittenModel::notes(), and on what its format cannot say
 
 }  // namespace collision_hulls

@@ -60,9 +60,16 @@ std::vector<SurfacePoint> spreadOver(const TriangleMesh& mesh, std::size_t count
   return points;
 }
 
+// GCC 12 at -O3 makes a copy of p.cast<float>().cast<double>(), when it does two coordinates at once; volatile numbers it does not put
+// together.
+Eigen::Vector3d inSinglePrecision(const Eigen::Vector3d& p) {
+  const volatile auto x = static_cast<float>(p.x()), y = static_cast<float>(p.y()), z = static_cast<float>(p.z());
+  return {x, y, z};
+}
+
 Sphere sphereAt(const Eigen::Vector3d& centre, const TolerableSpace& space) {
   Sphere sphere;
-  sphere.centre = centre.cast<float>().cast<double>();
+  sphere.centre = inSinglePrecision(centre);
   sphere.radius = std::max(0.0, roundedDown(space.radius(sphere.centre)));
   return sphere;
 }

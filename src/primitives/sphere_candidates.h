@@ -16,6 +16,9 @@ struct SurfacePoint {
 /// Spread evenly over the triangles: `count` of them, or one if the area is 0.
 std::vector<SurfacePoint> spreadOver(const TriangleMesh& mesh, std::size_t count);
 
+/// The nearest point whose coordinates are single-precision numbers.
+Eigen::Vector3d inSinglePrecision(const Eigen::Vector3d& p);
+
 /// The sphere about a point, rounded to single precision; of radius 0 if none is proved to lie in the space.
 Sphere sphereAt(const Eigen::Vector3d& centre, const TolerableSpace& space);
 

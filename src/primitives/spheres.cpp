@@ -1,6 +1,6 @@
-// The space that spheres may fill (tolerable_space.h), a choice of few spheres in it (sphere_choice.h), and the proof of what is returned:
-// that they cover the mesh, tested with the radii as they are, and each sphere's bound, which the space gives for that place and radius,
-// whoever chose them.
+// The space that spheres may fill (tolerable_space.h), a choice of few spheres in it (sphere_choice.h), each made to protrude as little as
+// the others let it (sphere_shrinking.h), and the proof of what is returned: that they cover the mesh, tested with the radii as they are,
+// and each sphere's bound, which the space gives for that place and radius, whoever chose them.
 #include "collision_hulls/primitives/spheres.h"
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include "base/millimetres.h"
 #include "primitives/sphere_choice.h"
 #include "primitives/sphere_cover.h"
+#include "primitives/sphere_shrinking.h"
 #include "primitives/tolerable_space.h"
 
 namespace collision_hulls {
@@ -49,7 +50,7 @@ std::optional<CertifiedSpheres> spheresWithin(double tolerance, const PreparedMe
   const auto spheres = fewSpheres(mesh.original, space, {options.max_spheres, workFor(options.effort)}, control);
   if (!spheres) return std::nullopt;
   CertifiedSpheres result;
-  result.spheres = *spheres;
+  result.spheres = shrunk(*spheres, mesh.original, space, control);
   std::stable_sort(result.spheres.begin(), result.spheres.end(), [](const Sphere& a, const Sphere& b) { return a.radius > b.radius; });
   for (const Sphere& sphere : result.spheres) result.bounds.push_back(space.bound(sphere) + allowance);
   result.bound = *std::max_element(result.bounds.begin(), result.bounds.end());

@@ -107,9 +107,13 @@ double TolerableSpace::radius(const Eigen::Vector3d& centre) const {
   return std::max(by_distance, border.distance);
 }
 
+double TolerableSpace::boundByDistance(const Sphere& sphere) const {
+  return std::max(0.0, solid_.signedDistance(sphere.centre, solid_.distanceToSurface(sphere.centre)) + sphere.radius);
+}
+
 double TolerableSpace::bound(const Sphere& sphere) const {
-  const double by_distance = solid_.signedDistance(sphere.centre, solid_.distanceToSurface(sphere.centre)) + sphere.radius;
-  if (by_distance <= tolerance_) return std::max(0.0, by_distance);
+  const double by_distance = boundByDistance(sphere);
+  if (by_distance <= tolerance_) return by_distance;
   return sphere.radius <= radius(sphere.centre) ? tolerance_ : std::numeric_limits<double>::infinity();
 }
 

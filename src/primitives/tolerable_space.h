@@ -24,6 +24,9 @@ class TolerableSpace {
   /// [m] An upper bound on how far a sphere protrudes from S; infinite if it is not proved to lie in T.
   double bound(const Sphere& sphere) const;
 
+  /// [m] An upper bound by the distance of its centre alone: exact beside a wall, and cheap.
+  double boundByDistance(const Sphere& sphere) const;
+
   /// The nearest point of a cube that may lie outside T.
   Eigen::Vector3d nearestOutside(const Eigen::Vector3d& p) const;
 

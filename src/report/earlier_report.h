@@ -2,8 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
+#include <string>
+
+#include "collision_hulls/robot/robot_description.h"
 
 namespace collision_hulls {
 
@@ -17,5 +21,15 @@ struct EarlierOutput {
 
 /// nullopt if the folder is no earlier output: if its report is missing, of another program, above 16 MiB, or no regular file.
 std::optional<EarlierOutput> earlierOutput(const std::filesystem::path& folder);
+
+/// What an earlier run made its model from.
+struct EarlierSource {
+  std::string input_sha256;               ///< of the description's text
+  Source source = Source::kAuto;          ///< the run's option
+  std::map<std::string, Source> of_link;  ///< kVisual or kCollision, of links with a row: their settings may differ from the run's
+};
+
+/// nullopt as above.
+std::optional<EarlierSource> earlierSource(const std::filesystem::path& folder);
 
 }  // namespace collision_hulls

@@ -7,8 +7,8 @@ namespace collision_hulls {
 namespace {
 
 constexpr const char* kFooter = R"(
-Compares <collision> of RESULT with <visual> of ORIGINAL (--source says otherwise), so that one file can be both. A mesh of RESULT counts
-as what it is, even if some consumers take its convex hull.
+Compares <collision> of RESULT with <visual> of ORIGINAL, so that one file can be both; but output of decompose with what it was made from,
+as its report says (--source chooses otherwise). A mesh of RESULT counts as what it is, even if some consumers take its convex hull.
 
 Exit status: 0 every link was measured and is within the gates; 1 some link is not (each is named), or lacks all geometry on one side while
 there is a gate on it; 2 wrong use or unreadable input; 130 interrupted.
@@ -37,8 +37,9 @@ void addOptions(CommandLine& app, Command& command) {
   };
   add("--max-uncovered", command.max_uncovered, "LENGTH", "Fail if a link's surface may be further than this from RESULT: 0, 1mm", "Gates");
   add("--max-protrusion", command.max_protrusion, "LENGTH", "Fail if RESULT may protrude further than this from a link: 1cm", "Gates");
-  add("--source", command.source, "NAME [auto]",
-      "Elements of ORIGINAL that count (auto: a link's visual elements if it has any, else its collision ones): auto, visual, collision",
+  add("--source", command.source, "NAME",
+      "Elements of ORIGINAL that count (auto: a link's visual elements if it has any, else its collision ones): auto, visual, collision. "
+      "Default: those that RESULT was made from, if its report says so, else auto",
       "Input");
   add("--links", command.options.links, "REGEX", "Links to compare: a regular expression that matches the whole name; default: all",
       "Input");
@@ -115,7 +116,9 @@ int run(Command& command) {
   const Input result = openInput(command.result, command.package_path, "verify", control);
   checkSameKind(original, result);
   if (!command.quiet) std::cerr << "comparing '" << command.original << "' with '" << command.result << "'\n";
-  const Verification seen = verify(described(original), described(result), command.options, control);
+  const Description of_original = described(original), of_result = described(result);
+  if (command.source.empty()) command.options.made_from = madeFrom(of_original, of_result);
+  const Verification seen = verify(of_original, of_result, command.options, control);
   print(seen, command);
   return passed(seen, command.options) ? kDone : kSomeFailed;
 }

@@ -104,12 +104,16 @@ bool holdsOne(const Model& outer, const std::vector<Eigen::Vector3d>& points, co
   });
 }
 
-/// `pose`: of the second in the frame of the first.
+/// `pose`: of the second in the frame of the first. There may be thousands of spheres on either side, few of them near the other.
 bool collide(const Model& first, const Model& second, const Eigen::Isometry3d& pose) {
   if (apart(first.box, second.box, pose)) return false;
+  std::vector<const Model::Part*> near;
+  for (const Model::Part& b : second.parts)
+    if (!apart(first.box, b.body.box(), pose)) near.push_back(&b);
   for (const Model::Part& a : first.parts) {
-    for (const Model::Part& b : second.parts)
-      if (!apart(a.body.box(), b.body.box(), pose) && touch(a.body, b.body, pose)) return true;
+    if (near.empty() || apart(a.body.box(), second.box, pose)) continue;
+    for (const Model::Part* const b : near)
+      if (!apart(a.body.box(), b->body.box(), pose) && touch(a.body, b->body, pose)) return true;
   }
   return holdsOne(first, second.points, pose) || holdsOne(second, first.points, pose.inverse());
 }

@@ -12,6 +12,7 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "collision_hulls/error.h"
+#include "collision_hulls/report/options.h"
 #include "collision_hulls/robot/kinematics.h"
 #include "report/link_pattern.h"
 #include "verify/compare_link.h"
@@ -22,10 +23,16 @@ namespace {
 
 constexpr double kElsewhere = 1e-6;  // [m, and of rotation matrices] by which a link's place may differ between the descriptions
 
-std::vector<GeometryElement> elementsOf(const LinkDescription& link, Source source) {
+std::vector<GeometryElement> elementsOf(const LinkDescription& link, const VerifyOptions& options) {
+  if (options.made_from) {
+    const auto known = options.made_from->of_link.find(link.name);
+    const Source source = known != options.made_from->of_link.end() ? known->second : options.made_from->source;
+    const std::vector<GeometryElement> elements = sourceElements(link, source).elements;
+    return elements.empty() ? link.collisions : elements;  // which a link without visual elements keeps
+  }
   const auto has_geometry = [](const GeometryElement& element) { return element.kind != GeometryElement::Kind::kNone; };
   const bool no_visual = std::none_of(link.visuals.begin(), link.visuals.end(), has_geometry);
-  return source == Source::kCollision || (source == Source::kAuto && no_visual) ? link.collisions : link.visuals;
+  return options.source == Source::kCollision || (options.source == Source::kAuto && no_visual) ? link.collisions : link.visuals;
 }
 
 /// A link of either side, and what became of it.
@@ -74,8 +81,8 @@ class Verifier {
       const LinkDescription* const result = other == of_result.end() ? nullptr : other->second;
       if (result) noteElsewhere(link, *result);
       if (pattern.matches(link.name))
-        add(i, link.name, originals.bodiesOf(elementsOf(link, options_.source)),
-            result ? results.bodiesOf(result->collisions) : LinkBodies(), !result);
+        add(i, link.name, originals.bodiesOf(elementsOf(link, options_)), result ? results.bodiesOf(result->collisions) : LinkBodies(),
+            !result);
       if (result) of_result.erase(other);
     }
     for (const LinkDescription& link : result_.robot.links)
@@ -154,6 +161,9 @@ class Verifier {
   }
 
   void addNotes(Verification& done) const {
+    if (options_.made_from)
+      done.notes.push_back("of ORIGINAL counts what RESULT was made from (--source " + std::string(name(options_.made_from->source)) +
+                           " of decompose), as '" + options_.made_from->report + "' says; --source chooses otherwise");
     if (!elsewhere_.empty())
       done.notes.push_back(counted(elsewhere_.size(), "link stands", "links stand") +
                            " elsewhere in RESULT's zero configuration, such as '" + elsewhere_.front() +

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/counted.h"
+#include "collision_hulls/report/options.h"
 #include "collision_hulls/report/report.h"
 #include "collision_hulls/verify/verify.h"
 #include "report/text_table.h"
@@ -88,6 +89,8 @@ std::string toJson(const Verification& verification, const VerifyOptions& option
                          {"result", result},
                          {"options",
                           {{"links", options.links},
+                           {"source", name(options.source)},
+                           {"made-from", options.made_from ? json(options.made_from->report) : json()},
                            {"max-uncovered", gate(options.max_uncovered)},
                            {"max-protrusion", gate(options.max_protrusion)},
                            {"configurations", options.configurations}}},

@@ -1,5 +1,5 @@
 // The files of each consumer, as text; test/with_packages loads them with the consumers themselves.
-// Also tests src/consumers/curobo.cpp, src/consumers/drake.cpp, src/consumers/gazebo.cpp, src/consumers/isaac.cpp,
+// Also tests src/consumers/curobo.cpp, src/consumers/dart.cpp, src/consumers/drake.cpp, src/consumers/gazebo.cpp, src/consumers/isaac.cpp,
 // src/consumers/marked_hulls.cpp, src/consumers/moveit.cpp, src/consumers/mujoco.cpp, src/consumers/tesseract.cpp and
 // src/consumers/written_model.cpp.
 #include "collision_hulls/consumers/consumers.h"
@@ -50,7 +50,7 @@ class Consumers : public ::testing::Test {
 };
 
 TEST_F(Consumers, NamesAreReadBack) {
-  for (const char* each : {"moveit", "gazebo", "mujoco", "drake", "isaac", "tesseract", "curobo"}) {
+  for (const char* each : {"moveit", "gazebo", "mujoco", "drake", "isaac", "tesseract", "curobo", "dart", "bullet"}) {
     ASSERT_TRUE(consumerNamed(each)) << each;
     EXPECT_STREQ(name(*consumerNamed(each)), each);
     EXPECT_NE(consumerChoices().find(each), std::string::npos);
@@ -141,6 +141,42 @@ TEST_F(Consumers, TesseractIsToldWhichMeshesAreConvex) {
   EXPECT_EQ(fixtures::count(urdf, "make_convex"), 3u);
   EXPECT_NE(urdf.find("<robot xmlns:tesseract="), std::string::npos) << urdf;
   EXPECT_EQ(parseRobotDescription(urdf).links.size(), 3u);
+}
+
+TEST_F(Consumers, DartTakesTheHullOfAHullsPoints) {
+  const std::string moved =
+      "<collision name=\"turned\"><origin xyz=\"0 0 1\" rpy=\"0 0 1.5707963267948966\"/>" + fixtures::meshTag(mesh_) + "</collision>";
+  const std::string box = "<collision><origin xyz=\"1 2 3\" rpy=\"0.1 0.2 0.3\"/><geometry><box size=\"2 4 6\"/></geometry></collision>";
+  const std::string skel = fileOf(Consumer::kDart, threeLinks(moved + box), "skel/three.skel");
+  EXPECT_EQ(fixtures::count(skel, "<multi_sphere>"), 3u) << skel;
+  EXPECT_EQ(fixtures::count(skel, "<sphere><radius>0</radius>"), 3 * 8u);
+  const std::size_t turned = skel.find("<collision_shape name=\"turned");
+  ASSERT_NE(turned, std::string::npos) << skel;
+  EXPECT_EQ(skel.substr(skel.find('>', turned), 11), "><geometry>") << "no place of its own";
+  EXPECT_NE(skel.find("<position>-0.100000", turned), std::string::npos) << skel.substr(turned);
+  EXPECT_NE(skel.find("<collision_detector>bullet</collision_detector>"), std::string::npos) << "no other knows that shape";
+  EXPECT_NE(skel.find("<joint type=\"free\" name=\"rootJoint\"><parent>world</parent><child>a</child>"), std::string::npos);
+  EXPECT_NE(skel.find("<body name=\"b\">\n        <transformation>0.5 0 0 0 0 0"), std::string::npos);
+  EXPECT_NE(skel.find("<xyz>0 0 1</xyz><limit><lower>-1</lower><upper>1</upper></limit>"), std::string::npos);
+}
+
+/// The importer is no part of Debian's Bullet, so what it does with the description is read, not tested: see doc/options.md.
+TEST_F(Consumers, BulletTakesTheDescriptionAsItIs) {
+  RobotResult result = decomposed(threeLinks(cube()));
+  const auto before = result.extra_files;
+  const std::string urdf = result.urdf;
+  addConsumerFiles({Consumer::kBullet, Consumer::kBullet}, folder_ / "three_c", result);
+  EXPECT_EQ(result.extra_files, before);
+  EXPECT_EQ(result.urdf, urdf);
+  EXPECT_EQ(fixtures::count(urdf, "filename=\"package://three_c/meshes/"), 3u)
+      << "found by looking for the folder three_c above the description";
+  ASSERT_FALSE(result.report.notes.empty());
+  EXPECT_NE(result.report.notes.back().find("as it is"), std::string::npos) << result.report.notes.back();
+  Options options;
+  options.uri = UriStyle::kFile;
+  EXPECT_THROW(check({Consumer::kBullet}, options), Error);
+  options.uri = UriStyle::kRelative;
+  EXPECT_NO_THROW(check({Consumer::kBullet}, options));
 }
 
 TEST_F(Consumers, CuroboTakesSpheresInTheLinksFrames) {

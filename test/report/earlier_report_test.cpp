@@ -34,6 +34,25 @@ TEST_F(EarlierReport, FilesAndWhetherARowFailed) {
   EXPECT_FALSE(read(begin + row("ok", "a.stl") + "," + row("failed", "b.stl") + "]}")->complete);
 }
 
+TEST_F(EarlierReport, WhatTheModelWasMadeFrom) {
+  const auto written = [&](const std::string& rows) {
+    fixtures::write(file(),
+                    R"({"collision_hulls": "1", "files": [], "input": {"path": "a", "sha256": "12"}, "options": {"source": "visual"}, )" +
+                        std::string("\"links\": [") + rows + "]}");
+    return earlierSource(folder_.path());
+  };
+  const auto source = written(R"({"link": "a", "source": "collision", "status": "ok", "files": []},)"
+                              R"({"link": "b", "source": "visual", "sha256": "34", "status": "ok", "files": []})");
+  ASSERT_TRUE(source);
+  EXPECT_EQ(source->input_sha256, "12");
+  EXPECT_EQ(source->source, Source::kVisual);
+  EXPECT_EQ(source->of_link, (std::map<std::string, Source>{{"a", Source::kCollision}, {"b", Source::kVisual}}));
+  EXPECT_FALSE(written(R"({"link": "a"})"));
+  EXPECT_FALSE(written("5"));
+  fs::remove(file());
+  EXPECT_FALSE(earlierSource(folder_.path()));
+}
+
 TEST_F(EarlierReport, NamesNoFileElsewhere) {
   const auto output = read(R"({"collision_hulls": "1", "links": [], "files": ["/etc/passwd", "../a", "b/../../c", "b/../d", ""]})");
   ASSERT_TRUE(output);

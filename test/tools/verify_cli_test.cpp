@@ -86,6 +86,35 @@ TEST_F(VerifyProgram, AMeshThatCannotBeReadIsStatusOne) {
   EXPECT_NE(result.out.find("failed: a: "), std::string::npos) << result.out;
 }
 
+/// Its collision box is larger than its visual one, and decompose prefers the former.
+TEST_F(VerifyProgram, OutputOfDecomposeIsComparedWithWhatItWasMadeFrom) {
+  const auto cube = [&](const std::string& name, double side) {
+    return fixtures::meshTag(fixtures::write(folder_ / name, fixtures::obj(test_shapes::box(side, side, side))));
+  };
+  const std::string visual = "<visual>" + cube("small.obj", 0.1) + "</visual>",
+                    collision = "<collision>" + cube("large.obj", 0.2) + "</collision>";
+  fixtures::write(folder_ / "r.urdf", fixtures::robot("r", fixtures::link("a", visual + collision)));
+  const std::string decompose = "cd '" + folder_.path().string() + "' && '" PROGRAMS "/decompose' r.urdf -o out --quiet";
+  ASSERT_EQ(std::system(decompose.c_str()), 0);
+  const auto protrusion = [&](const json& seen) { return seen["links"][0]["protrusion"]["found"].get<double>(); };
+
+  const json by_report = measured("r.urdf out/urdf/r.urdf");
+  EXPECT_LT(protrusion(by_report), 1e-6);
+  EXPECT_EQ(by_report["options"]["made-from"], folder_ / "out/report.json");
+  ASSERT_FALSE(by_report["notes"].empty());
+  EXPECT_NE(by_report["notes"][0].get<std::string>().find("--source auto of decompose"), std::string::npos) << by_report["notes"];
+
+  for (const std::string source : {"visual", "auto"}) {
+    const json chosen = measured("r.urdf out/urdf/r.urdf --source " + source);
+    EXPECT_GT(protrusion(chosen), 0.1) << source;
+    EXPECT_TRUE(chosen["options"]["made-from"].is_null());
+  }
+  // Another robot's report says nothing of this one, nor does the output's of itself.
+  fixtures::write(folder_ / "other.urdf", fixtures::robot("other", fixtures::link("a", visual + collision)));
+  EXPECT_GT(protrusion(measured("other.urdf out/urdf/r.urdf")), 0.1);
+  EXPECT_GT(protrusion(measured("out/urdf/r.urdf out/urdf/r.urdf")), 0.1);
+}
+
 /// What decompose says of its own hulls, and what verify says of the files, made by other code.
 TEST_F(VerifyProgram, AgreesWithTheReportOnTheDemoRobot) {
   const std::string urdf = DEMO_ROBOT "/urdf/demo_arm.urdf", in = "'" + urdf + "' ", package_path = " --package-path '" DEMO_ROBOT "'";

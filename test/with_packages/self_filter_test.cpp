@@ -9,7 +9,9 @@
 #include "collision_hulls/decompose/certified_hulls.h"
 #include "collision_hulls/measure/solid.h"
 #include "collision_hulls/mesh/mesh_io.h"
+#include "collision_hulls/robot/robot_description.h"
 #include "random_points.h"
+#include "with_packages/written.h"
 
 namespace collision_hulls {
 namespace {
@@ -65,6 +67,32 @@ TEST_F(SelfFilter, NoPointOfTheLinkIsTakenForAnObstacle) {
     EXPECT_TRUE(ours_.containsPoint(p)) << p.transpose();
   }
   for (const Eigen::Vector3d& v : fork_.vertices) EXPECT_TRUE(ours_.containsPoint(v)) << v.transpose();
+}
+
+/// Every hull, by geometric_shapes' own loader: it holds its vertices, with the padding.
+TEST_F(SelfFilter, LoadsTheHullsOfTheSharedRobots) {
+  if (fixtures::sharedRobots().empty()) GTEST_SKIP() << "no robots beside the repository";
+  const fixtures::TempFolder folder;
+  for (const std::string& robot : fixtures::sharedRobots()) {
+    const std::string out = folder / std::filesystem::path(robot).filename().string();  // of no consumer's own files
+    if (!fixtures::writeFor("bullet", robot, out, fixtures::kQuick)) continue;
+    const RobotDescription written = readRobotDescription(std::filesystem::directory_iterator(out + "/urdf")->path().string());
+    std::size_t hulls = 0;
+    for (const LinkDescription& link : written.links) {
+      for (const GeometryElement& element : link.collisions) {
+        const std::size_t at = element.uri.find("/meshes/");
+        if (element.kind != GeometryElement::Kind::kMesh || at == std::string::npos) continue;
+        const std::unique_ptr<shapes::Mesh> mesh(shapes::createMeshFromResource("file://" + out + element.uri.substr(at)));
+        ASSERT_TRUE(mesh) << element.uri;
+        bodies::BodyVector filter;
+        filter.addBody(mesh.get(), Eigen::Isometry3d::Identity(), kPadding);
+        for (unsigned int v = 0; v < mesh->vertex_count; ++v)
+          EXPECT_TRUE(filter.containsPoint(Eigen::Map<const Eigen::Vector3d>(mesh->vertices + 3 * v))) << element.uri;
+        ++hulls;
+      }
+    }
+    EXPECT_GT(hulls, 0u) << robot;
+  }
 }
 
 }  // namespace

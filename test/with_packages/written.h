@@ -25,6 +25,17 @@ inline bool writeFor(const std::string& consumer, const std::string& input, cons
   return false;
 }
 
+/// A description without what consumers do not collide with.
+inline std::string withoutVisuals(std::string urdf) {
+  const std::string start = "<visual", end = "</visual>";
+  for (std::size_t at = 0; (at = urdf.find(start, at)) != std::string::npos;) {
+    const std::size_t last = urdf.find(end, at);
+    if (last == std::string::npos) break;
+    urdf.erase(at, last + end.size() - at);
+  }
+  return urdf;
+}
+
 /// The packages of robots beside the repository; none on machines that do not have them.
 inline std::vector<std::string> sharedRobots() {
   std::vector<std::string> robots;

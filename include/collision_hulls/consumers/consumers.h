@@ -17,7 +17,17 @@
 
 namespace collision_hulls {
 
-enum class Consumer { kMoveit, kGazebo, kMujoco, kDrake, kIsaac, kTesseract, kCurobo };
+enum class Consumer {
+  kMoveit,
+  kGazebo,
+  kMujoco,
+  kDrake,
+  kIsaac,
+  kTesseract,
+  kCurobo,
+  kDart,
+  kBullet  ///< takes the description as it is: no file of its own, but a note in the report
+};
 
 const char* name(Consumer consumer);  ///< "moveit", "gazebo", "mujoco", ...
 std::optional<Consumer> consumerNamed(const std::string& name);

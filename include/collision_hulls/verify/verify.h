@@ -12,6 +12,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,10 +32,23 @@ struct Description {
 /// and as `<collision>`.
 Description describeMesh(const std::string& file);
 
+/// Which elements of ORIGINAL a model was made from.
+struct MadeFrom {
+  std::string report;             ///< the file that says so
+  Source source = Source::kAuto;  ///< as decompose has it: kAuto prefers a link's `<collision>`
+  /// kVisual or kCollision, of the links whose meshes were decomposed
+  std::map<std::string, Source> of_link;
+};
+
+/// What the report of decompose says of the package whose urdf/ RESULT's file lies in; nullopt if
+/// there is no report, or if its model was made from another description than ORIGINAL.
+std::optional<MadeFrom> madeFrom(const Description& original, const Description& result);
+
 struct VerifyOptions {
   /// What counts of ORIGINAL. kAuto: a link's `<visual>` elements if it has any, else its
   /// `<collision>` ones. Of RESULT, `<collision>` alone counts.
   Source source = Source::kAuto;
+  std::optional<MadeFrom> made_from;  ///< counts instead of `source`; a note says so
   std::string links;  ///< regular expression that a link's whole name must match; empty: all
   /// [m] gates: a link that exceeds one does not pass. Without a gate any value does.
   std::optional<double> max_uncovered, max_protrusion;

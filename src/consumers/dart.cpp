@@ -1,0 +1,156 @@
+// A SKEL file for DART, with a world that has Bullet's collision detector. DART's URDF loader makes a triangle mesh of each hull, whatever
+// the description says; of what its files can say, <multi_sphere>, the hull of spheres, is convex, and spheres of radius 0 are points. Only
+// Bullet's detector knows that shape. The hulls' points stand in the file, in the links' frames.
+//
+// A SKEL file places bodies in the world at zero positions, joints at the origin of their child. Its angles turn about x, y and z in this
+// order, as rows of URDF's do about z, y and x. It has no mimic joints.
+#include <algorithm>
+#include <map>
+
+#include "consumers/written_model.h"
+#include "robot/number_text.h"
+#include "storage/names.h"
+
+namespace collision_hulls {
+namespace {
+
+using Kind = GeometryElement::Kind;
+using JointKind = JointDescription::Kind;
+
+std::string tag(const std::string& name, const std::string& text) {
+  return "<" + name + ">" + xmlEscaped(text) + "</" + name + ">";
+}
+
+std::string transformation(const Eigen::Isometry3d& pose) {
+  return tag("transformation", positionText(pose) + " " + vectorText(-rollPitchYaw(pose.linear().transpose())));
+}
+
+std::string named(const std::string& name) {
+  return " name=\"" + xmlEscaped(name) + "\"";
+}
+
+class Writer {
+ public:
+  explicit Writer(const WrittenModel& model) : model_(model) {}
+
+  std::string text() {
+    std::map<std::string, Eigen::Isometry3d> places;
+    for (const LinkDescription& link : model_.robot().links) places[link.name] = Eigen::Isometry3d::Identity();
+    for (const JointDescription& joint : model_.robot().joints) places[joint.child] = places[joint.parent] * joint.origin;
+    std::string text = "<?xml version=\"1.0\"?>\n<skel version=\"1.0\">\n  <world" + named(model_.robot().name) +
+                       ">\n    <physics>\n      <time_step>0.001</time_step>\n      <gravity>0 0 -9.81</gravity>\n"
+                       "      <collision_detector>bullet</collision_detector>\n    </physics>\n    <skeleton" +
+                       named(model_.robot().name) + ">\n";
+    for (const LinkDescription& link : model_.robot().links)
+      if (!isTheWorld(link.name)) text += bodyText(link, places[link.name]);
+    for (const std::string& root : model_.roots())
+      if (!isTheWorld(root)) text += rootText(root);
+    for (const JointDescription& joint : model_.robot().joints) text += jointText(joint);
+    return text + "    </skeleton>\n  </world>\n</skel>\n";
+  }
+
+ private:
+  /// The surroundings have no body, but one of their name may have geometry.
+  bool isTheWorld(const std::string& link) const {
+    const auto is_it = [&](const LinkDescription& other) { return other.name == link && !other.collisions.empty(); };
+    return link == kWorld && std::none_of(model_.robot().links.begin(), model_.robot().links.end(), is_it);
+  }
+
+  std::string nameOf(const std::string& link) const { return link == kWorld && !isTheWorld(link) ? "world_link" : link; }
+
+  std::string bodyText(const LinkDescription& link, const Eigen::Isometry3d& place) const {
+    std::string text = "      <body" + named(nameOf(link.name)) + ">\n        " + transformation(place) + "\n" + inertiaText(link.name);
+    for (const GeometryElement& element : link.collisions) text += shapeText(element);
+    return text + "      </body>\n";
+  }
+
+  std::string inertiaText(const std::string& link) const {
+    const Inertial* const given = model_.inertialOf(link);
+    if (!given) return "";
+    const Eigen::Matrix3d axes = given->principal.linear(), tensor = axes * given->moments.asDiagonal() * axes.transpose();
+    const std::pair<const char*, double> entries[] = {{"ixx", tensor(0, 0)}, {"iyy", tensor(1, 1)}, {"izz", tensor(2, 2)},
+                                                      {"ixy", tensor(0, 1)}, {"ixz", tensor(0, 2)}, {"iyz", tensor(1, 2)}};
+    std::string moments;
+    for (const auto& entry : entries) moments += tag(entry.first, numberText(entry.second));
+    return "        <inertia>" + tag("mass", numberText(given->mass)) + tag("offset", positionText(given->principal)) +
+           "<moment_of_inertia>" + moments + "</moment_of_inertia></inertia>\n";
+  }
+
+  /// A hull's points are in the link's frame already.
+  std::string shapeText(const GeometryElement& element) const {
+    const std::string geometry = element.fault.empty() ? geometryText(element) : "";
+    if (geometry.empty()) return "";
+    const std::string name = element.name.empty() ? "" : named(element.name),
+                      place = model_.hullOf(element) ? "" : transformation(element.origin);
+    return "        <collision_shape" + name + ">" + place + "<geometry>" + geometry + "</geometry></collision_shape>\n";
+  }
+
+  std::string geometryText(const GeometryElement& element) const {
+    const auto inside = [](const std::string& name, const std::string& content) { return "<" + name + ">" + content + "</" + name + ">"; };
+    switch (element.kind) {
+      case Kind::kBox: return inside("box", tag("size", vectorText(element.size)));
+      case Kind::kSphere: return inside("sphere", tag("radius", numberText(element.size.x())));
+      case Kind::kCylinder:
+        return inside("cylinder", tag("radius", numberText(element.size.x())) + tag("height", numberText(element.size.y())));
+      case Kind::kNone: return "";
+      case Kind::kMesh: break;
+    }
+    const ConvexHull* const hull = model_.hullOf(element);
+    if (!hull) return inside("mesh", tag("file_name", element.uri) + tag("scale", vectorText(element.scale)));
+    std::string points;
+    for (const Eigen::Vector3d& vertex : hull->vertices)
+      points += "\n          <sphere><radius>0</radius>" + tag("position", vectorText(element.origin * vertex)) + "</sphere>";
+    return inside("multi_sphere", points);
+  }
+
+  /// As DART's URDF loader has it.
+  std::string rootText(const std::string& link) const {
+    return "      <joint type=\"free\" name=\"rootJoint\">" + tag("parent", kWorld) + tag("child", nameOf(link)) + "</joint>\n";
+  }
+
+  std::string jointText(const JointDescription& joint) const {
+    return "      <joint type=\"" + std::string(typeOf(joint.kind)) + "\"" + named(joint.name) + ">" + tag("parent", nameOf(joint.parent)) +
+           tag("child", nameOf(joint.child)) + axisText(joint) + "</joint>\n";
+  }
+
+  std::string axisText(const JointDescription& joint) const {
+    const bool is_limited = joint.kind == JointKind::kRevolute || joint.kind == JointKind::kPrismatic;
+    if (!is_limited && joint.kind != JointKind::kContinuous) return "";
+    const JointDynamics dynamics = model_.dynamicsOf(joint.name);
+    std::string text = "<axis>" + tag("xyz", vectorText(joint.axis));
+    if (is_limited) text += "<limit>" + tag("lower", numberText(joint.lower)) + tag("upper", numberText(joint.upper)) + "</limit>";
+    return text + "<dynamics>" + tag("damping", numberText(std::max(0.0, dynamics.damping))) +
+           tag("friction", numberText(std::max(0.0, dynamics.friction))) + "</dynamics></axis>";
+  }
+
+  static const char* typeOf(JointKind kind) {
+    switch (kind) {
+      case JointKind::kRevolute:
+      case JointKind::kContinuous: return "revolute";
+      case JointKind::kPrismatic: return "prismatic";
+      case JointKind::kFloating: return "free";
+      default: return "weld";  // its planar joint has two axes of its own: fixed here, as in the robot at rest
+    }
+  }
+
+  const WrittenModel& model_;
+};
+
+}  // namespace
+
+ConsumerFiles dartFiles(const WrittenModel& model) {
+  return {{"skel/" + fileName(model.robot().name) + ".skel", Writer(model).text()}};
+}
+
+std::vector<std::string> dartNotes(const WrittenModel& model) {
+  std::vector<std::string> notes = model.notes();
+  std::string followers;
+  for (const JointDescription& joint : model.robot().joints)
+    if (!joint.mimic.empty()) followers += (followers.empty() ? "'" : ", '") + joint.name + "'";
+  if (!followers.empty())
+    notes.push_back("--for dart: joints that mimic others (" + followers +
+                    ") move by themselves, as a SKEL file cannot say that they follow");
+  return notes;
+}
+
+}  // namespace collision_hulls

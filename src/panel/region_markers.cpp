@@ -14,7 +14,7 @@ using visualization_msgs::InteractiveMarker;
 using visualization_msgs::InteractiveMarkerControl;
 using visualization_msgs::Marker;
 
-constexpr double kControls = 1;                        // of what is drawn: how wide arrows and rings are
+constexpr double kControls = 1.35;                     // of what is drawn: arrows and rings are beyond the handles on the faces
 constexpr double kHandle = 0.1, kLeastHandle = 0.004;  // of a box's longest side; [m]
 constexpr double kThin = 0.004, kArrow = 0.3;          // of the piece of a plane
 constexpr float kAxisColors[3][3] = {{0.85F, 0.1F, 0.1F}, {0.1F, 0.65F, 0.1F}, {0.15F, 0.3F, 0.9F}};

@@ -1,5 +1,5 @@
 // The program verify: exit status, gates, and that it agrees with the report of decompose.
-// Also tests src/tools/verify.cpp.
+// Also tests src/tools/verify.cpp and src/verify/made_from.cpp.
 #include <gtest/gtest.h>
 
 #include <map>

@@ -5,10 +5,8 @@
 #include <dart/collision/bullet/BulletCollisionDetector.hpp>
 #include <dart/constraint/ConstraintSolver.hpp>
 #include <dart/dynamics/BodyNode.hpp>
-#include <dart/dynamics/FreeJoint.hpp>
 #include <dart/dynamics/MultiSphereConvexHullShape.hpp>
 #include <dart/dynamics/Skeleton.hpp>
-#include <dart/dynamics/SphereShape.hpp>
 #include <dart/simulation/World.hpp>
 #include <dart/utils/SkelParser.hpp>
 #include <dart/utils/urdf/DartLoader.hpp>
@@ -105,25 +103,6 @@ TEST_F(Dart, LoadsTheDemoRobot) {
                                  std::string("--package-path '" DEMO_ROBOT "' --no-validate --quiet")));
   expectTheSame(folder_ / "out");
   expectTheUrdfLoads(folder_ / "out");
-}
-
-/// The hook's floor is 2 cm high and its prongs 8 cm: with its mesh's hull the ball would rest at 10 cm.
-TEST_F(Dart, ABallRestsInTheHook) {
-  const std::string consumer = DEMO_ROBOT "/test/consumer";
-  ASSERT_TRUE(fixtures::writeFor("dart", consumer + "/urdf/hook.urdf", folder_ / "out",
-                                 "-t 1mm --package-path 'collision_hulls_consumer=" + consumer + "' --quiet"));
-  const dart::simulation::WorldPtr world = worldOf(folder_ / "out");
-  ASSERT_TRUE(world);
-  world->getSkeleton(0)->setMobile(false);
-  world->setGravity({0, -9.81, 0});
-  const dd::SkeletonPtr ball = dd::Skeleton::create("ball");
-  const auto [joint, body] = ball->createJointAndBodyNodePair<dd::FreeJoint>();
-  body->createShapeNodeWith<dd::CollisionAspect, dd::DynamicsAspect>(std::make_shared<dd::SphereShape>(0.02));
-  body->setInertia(dd::Inertia(0.1, Eigen::Vector3d::Zero(), 2e-5 * Eigen::Matrix3d::Identity()));
-  joint->setTransformFromParentBodyNode(Eigen::Isometry3d(Eigen::Translation3d(0.05, 0.15, 0.015)));
-  world->addSkeleton(ball);
-  for (int step = 0; step < 3000; ++step) world->step();
-  EXPECT_NEAR(body->getWorldTransform().translation().y(), 0.04, 0.001);
 }
 
 TEST_F(Dart, LoadsTheSharedRobots) {

@@ -151,7 +151,7 @@ TEST_F(Padding, TheDocumentHasTheseRows) {
   if (std::abs(moveits[1] - moveits[2]) > 0.005 || moveits[3] > 0) GTEST_SKIP() << "geometric_shapes of 0.7.6 or later";
   const std::string document = fixtures::read(DEMO_ROBOT "/doc/options.md");
   for (const std::string& each :
-       {row("MoveIt's padding (geometric_shapes)", moveits), row("`--padding 10cm -t 3cm`", growth(surfaces(ours().hulls)))})
+       {row("MoveIt's padding (geometric_shapes)", moveits), row("ours: `--padding 10cm -t 3cm`", growth(surfaces(ours().hulls)))})
     EXPECT_NE(document.find(each), std::string::npos) << "doc/options.md lacks this row:\n" << each;
 }
 

@@ -40,8 +40,8 @@ std::shared_ptr<fcl::Convexd> fclConvex(const ConvexHull& hull, double factor = 
 
 std::vector<fcl::Triangle> fclTriangles(const std::vector<Triangle>& triangles);
 
-/// Builds FCL's tree over triangles. Throws kInternal if FCL refuses them, and kCancelled: before FCL makes room for the tree, which takes
-/// it 0.1 s for a million triangles, and then whenever the model's fitter does.
+/// Builds FCL's tree over triangles. Throws kInternal if FCL refuses them, and kCancelled: before FCL makes room for the tree, which it
+/// does in one go, and then whenever the model's fitter does.
 template <typename Box>
 void build(fcl::BVHModel<Box>& model, const std::vector<Eigen::Vector3d>& vertices, std::vector<fcl::Triangle> triangles,
            double factor = kFclEnlarged, const RunControl& control = {}) {

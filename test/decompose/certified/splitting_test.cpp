@@ -151,7 +151,7 @@ class PlaneScoreOfABracket : public ::testing::Test {
  protected:
   Subject subject{lBracket(), 0.03};
   ConvexHull hull = hullOf(subject.mesh.mesh);
-  PlaneScore score{subject.mesh.mesh, 200, subject.oracle.intruders(hull, 100), volume(hull), {}};
+  PlaneScore score{subject.mesh.mesh, 200, subject.oracle.intruders(hull, 100), volume(hull), {}, subject.control};
 };
 
 TEST_F(PlaneScoreOfABracket, PrefersTheCutAtTheCorner) {

@@ -211,7 +211,7 @@ TEST(Oracle, AGlanceMissesAPocketThatAProofFinds) {
   const ConvexHull hull = hullOf(subject.mesh.mesh);
   EXPECT_TRUE(subject.oracle.fits(hull));
   EXPECT_TRUE(subject.oracle.mayHoldPocket(hull));
-  EXPECT_FALSE(subject.oracle.mayHoldPocket(hullOf(test_shapes::box(0.2, 3, 3))));
+  EXPECT_FALSE(subject.oracle.mayHoldPocket(hullOf(moved(box(0.2, 3, 3), {3.3, -1.5, 0}))));
   Subject proving(flaskBesidePlates(), 0.95);
   proving.oracle.provePockets();
   EXPECT_FALSE(proving.oracle.fits(hull));

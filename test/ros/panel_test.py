@@ -197,6 +197,9 @@ class PanelTest(unittest.TestCase):
         self.settle()
 
     def saved(self):
+        """The configuration. No file is there before: the dialog would ask whether to replace it."""
+        if os.path.exists(self.file("regions.yaml")):
+            os.remove(self.file("regions.yaml"))
         self.rviz("file", self.file("regions.yaml"))
         self.rviz("click", "save")
         self.rviz.wait("message", "text", "^Saved ")

@@ -64,6 +64,6 @@ add_optional_room_tests(physics DART)
 add_optional_room_tests(planning OMPL)
 
 # What a cancel may have to wait for: no test, since it measures.
-add_executable(longest_look EXCLUDE_FROM_ALL test/looks/longest_look.cpp)
-target_link_libraries(longest_look ${PROJECT_NAME})
-set_target_properties(longest_look PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")
+add_executable(longest_look_test EXCLUDE_FROM_ALL test/looks/longest_look.cpp)
+target_link_libraries(longest_look_test ${PROJECT_NAME})
+set_target_properties(longest_look_test PROPERTIES OUTPUT_NAME longest_look RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")

@@ -154,10 +154,15 @@ class Job {
   /// split, or not in time. groups_ is then what the cover's groups belong to.
   Cover cover() {
     Cover first = searched();
-    if (searching_.late() || !mayHoldPockets(first)) return first;
+    bool may_hold_pockets = false;
+    inTime([&] { may_hold_pockets = mayHoldPockets(first); });
+    if (!may_hold_pockets) return first;
     oracle_.provePockets();
-    groups_.reset();
-    return searched();
+    std::unique_ptr<SurfaceGroups> groups_of_first = std::move(groups_);
+    Cover second = searched();
+    if (!searching_.late()) return second;
+    groups_ = std::move(groups_of_first);
+    return first;
   }
 
   /// What the deadline cut short or left out; empty: nothing.

@@ -53,7 +53,7 @@ class Spinner {
   void spin() const {
     while (!stopped_) {
       try {
-        ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+        ros::getGlobalCallbackQueue()->callOne(ros::WallDuration(0.1));  // one: what waits behind a long call is for another thread
       } catch (const std::exception& error) {
         ROS_ERROR("a message could not be handled: %s", error.what());
       }

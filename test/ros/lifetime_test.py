@@ -34,6 +34,11 @@ class LifetimeTest(unittest.TestCase):
         node.wait()
 
     @staticmethod
+    def text_of(log):
+        with open(log.name, encoding="utf-8") as file:
+            return file.read()
+
+    @staticmethod
     def call_until_taken(**request):
         """Calls again while the node works for someone else; the node's end is this call's end."""
         try:
@@ -67,21 +72,20 @@ class LifetimeTest(unittest.TestCase):
     def test_cancelled_run_is_no_error(self):
         with open(self.folder.file("log"), "w+", encoding="utf-8") as log:
             node = self.start_node(self.folder.slow_robot(), stdout=log, stderr=log)
+            self.assertTrue(robots.wait_until(lambda: "reading 15 meshes" in self.text_of(log)))
             node.send_signal(signal.SIGINT)
             node.wait(10)
-            log.seek(0)
-            lines = log.read()
-        self.assertIn("reading 15 meshes", lines)
+            lines = self.text_of(log)
         self.assertIn("cancelled; nothing was written", lines)
         self.assertNotIn("ERROR", lines)
 
     def test_one_error_for_one_fault(self):
         with open(self.folder.file("log"), "w+", encoding="utf-8") as log:
             node = self.start_node("rubbish", stdout=log, stderr=log)
+            self.assertTrue(robots.wait_until(lambda: "XML" in self.text_of(log)))
             node.send_signal(signal.SIGINT)
             node.wait(10)
-            log.seek(0)
-            lines = log.read()
+            lines = self.text_of(log)
         self.assertEqual(1, lines.count("XML"), lines)
         self.assertEqual(1, lines.count("ERROR"), lines)
 

@@ -2,6 +2,7 @@
 // writing and reading alike. An entry that cannot be read all the same, or that does not fit its mesh, is removed and counts as not found.
 #include "pipeline/cache.h"
 
+#include <memory>
 #include <new>
 #include <utility>
 
@@ -51,10 +52,22 @@ void fields(Archive& archive, GeometryElement& element) {
   }
 }
 
+static std::shared_ptr<const HullTree> decodedTree(const std::string& bytes) {
+  try {
+    return std::make_shared<const HullTree>(decodeHullTree(bytes, "a mesh's tree"));
+  } catch (const Error& error) {
+    throw ByteFault(error.what());
+  }
+}
+
 template <typename Archive>
 void fields(Archive& archive, MeshResult& result) {
-  auto& [mesh, model, status, reason, error, untried, seconds, cached, original, hulls, primitives, unneeded, segments, solid] = result;
+  auto& [mesh, model, status, reason, error, untried, seconds, cached, original, hulls, primitives, unneeded, segments, coarser, solid] =
+      result;
   archive(mesh, model, status, reason, error, original, hulls, primitives);
+  std::string tree = coarser ? encodeHullTree(*coarser) : "";
+  archive(tree);
+  if (!coarser && !tree.empty()) coarser = decodedTree(tree);
 }
 
 template <typename Archive>
@@ -71,7 +84,7 @@ void fields(Archive& archive, Length& length) {
 
 namespace {
 
-constexpr std::uint32_t kFormat = 6;  // of entries
+constexpr std::uint32_t kFormat = 7;  // of entries
 
 template <typename... Values>
 std::string keyOf(const std::string& kind, const Values&... values) {

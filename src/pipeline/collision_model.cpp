@@ -8,6 +8,9 @@
 #include <set>
 
 #include "base/counted.h"
+#include "collision_hulls/error.h"
+#include "collision_hulls/mesh/mesh_io.h"
+#include "collision_hulls/pipeline/fit_scene.h"
 #include "pipeline/earlier_output.h"
 #include "pipeline/run.h"
 #include "storage/names.h"
@@ -15,6 +18,8 @@
 
 namespace collision_hulls {
 namespace {
+
+constexpr double kSame = 1e-9;  // of numbers that were written and read again
 
 /// A mesh with new hulls: its files, and the primitives in place of others.
 struct Model {
@@ -171,6 +176,46 @@ std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::
           "': use package:// URIs in the input, or copy the new description beside the input (with --uri package or file)"};
 }
 
+/// Whether the model has this primitive in the place of a hull.
+bool isOfRow(const GeometryElement& element, const std::string& link, const ModelResult& model) {
+  return std::any_of(model.elements.begin(), model.elements.end(), [&](const ElementResult& row) {
+    return row.link == link && std::any_of(row.primitives.begin(), row.primitives.end(), [&](const GeometryElement& primitive) {
+             return primitive.kind == element.kind && primitive.size.isApprox(element.size, kSame) &&
+                    (row.source.origin * primitive.origin).isApprox(element.origin, kSame);
+           });
+  });
+}
+
+/// The surface of a mesh, for a page: empty where it cannot be read.
+TriangleMesh surfaceOf(const GeometryElement& mesh, const RobotDescription& robot, const PackageFinder& find_package,
+                       const Options& options, const RunControl& control) {
+  try {
+    const std::string file = resolveUri(mesh.uri, robot.path, find_package);
+    return scaled(readMesh(file, meshLimits(options), control).mesh, mesh.scale);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::kCancelled) throw;
+    return {};
+  }
+}
+
+/// The primitives that stay, and the meshes of links that are kept.
+std::vector<KeptElement> keptElements(const RobotDescription& robot, const PackageFinder& find_package, const ModelReport& report,
+                                      const ModelResult& model, const Options& options, const RunControl& control) {
+  std::set<std::string> kept_links;
+  for (const ElementReport& row : report.links)
+    if (row.status == Status::kKept) kept_links.insert(row.link);
+  std::vector<KeptElement> kept;
+  for (const LinkDescription& link : parseRobotDescription(model.urdf, "", control).links) {
+    for (const GeometryElement& element : link.collisions) {
+      const bool is_mesh = element.kind == GeometryElement::Kind::kMesh, is_empty = element.kind == GeometryElement::Kind::kNone;
+      if (is_mesh ? !kept_links.count(link.name) : is_empty || isOfRow(element, link.name, model)) continue;
+      kept.push_back({element, {}, link.pose * element.origin});
+      if (is_mesh) kept.back().surface = surfaceOf(element, robot, find_package, options, control);
+    }
+  }
+  return kept;
+}
+
 }  // namespace
 
 std::string outputPackage(const Options& options, const std::string& output) {
@@ -194,6 +239,10 @@ void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDec
   const std::map<std::string, std::string> moved = carryHulls(robot, links, find_package, output, prefix, result);
   for (std::size_t model = 0; model < links.size(); ++model)
     modelOf(model, result).urdf = rewriteCollisions(robot, links[model], moved, control);
+  for (std::size_t model = 0; options.html && model < links.size(); ++model) {
+    ModelResult& of = modelOf(model, result);
+    of.kept = keptElements(robot, find_package, reportOf(model, result.report), of, options, control);
+  }
   std::vector<std::string>& all = result.report.notes;
   for (const auto& more : {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options), notes, notesOnKept(result),
                            notesOnCarried(result), notesOnRewritten(result, output, control)})

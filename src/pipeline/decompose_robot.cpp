@@ -16,6 +16,7 @@
 #include "pipeline/run.h"
 #include "pipeline/shapes/shapes.h"
 #include "pipeline/stages.h"
+#include "web/coarser_cuts.h"
 
 namespace collision_hulls {
 namespace {
@@ -72,6 +73,9 @@ void makeHulls(const VariantWork& work, const ReadMesh& read, SharedMesh& mesh, 
   work.follow(control, run);
   if (heedsTimeLimit(work.options)) control.deadline = partOf(run.time.begin(work.task), work.variants);
   decomposeAndCertify(read, work.options, tree.get(), run.tasks[work.task].uri, run.options.seed, control, result);
+  if (tree && work.options.shapes == Shapes::kHulls && work.options.padding == 0)
+    result.coarser = coarserCuts(*tree, {result.hulls, result.model.protrusion, result.mesh.tolerance, work.options.max_hulls,
+                                         work.options.max_vertices, read.margin, result.model.nudge});
   stage.lap();
   result.model.least_hulls = leastHullsOf(result, work.options, control);
   result.seconds.certify += stage.lap();

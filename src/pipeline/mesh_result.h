@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/decompose/hull_tree.h"
 #include "collision_hulls/decompose/segments.h"
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/measure/solid.h"
@@ -30,6 +31,7 @@ struct MeshResult {
   std::vector<GeometryElement> primitives;   ///< see ElementResult
   std::vector<ConvexHull> unneeded;          ///< see ElementResult
   std::shared_ptr<const Segments> segments;  ///< see ElementResult
+  std::shared_ptr<const HullTree> coarser;   ///< see ElementResult
   std::shared_ptr<const Solid> solid;        ///< of `original`; null if the hulls are from the cache
 };
 

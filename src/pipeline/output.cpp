@@ -99,12 +99,13 @@ constexpr const char* kPageFile = "report.html";
 
 /// Rows without an element, as in a report that was made by hand, are in the table alone.
 PageModel pageModel(const ModelReport& report, const ModelResult& model) {
-  PageModel page{report, {}};
+  PageModel page{report, {}, {}};
   const std::size_t count = std::min(report.links.size(), model.elements.size());
   for (std::size_t i = 0; i < count; ++i) {
     const ElementResult& element = model.elements[i];
-    page.elements.push_back({element.original, element.hulls, element.pose});
+    page.elements.push_back({element.original, element.hulls, element.pose, element.primitives, element.coarser.get()});
   }
+  for (const KeptElement& kept : model.kept) page.kept.push_back({kept.element, kept.surface, kept.pose});
   return page;
 }
 

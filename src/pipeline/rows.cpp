@@ -139,7 +139,8 @@ void putTogether(const std::vector<MeshUse>& uses, const MeshResults& results, R
     row.files = files.of(use, mesh);
     reportOf(use.model, result.report).links.push_back(std::move(row));
     modelOf(use.model, result)
-        .elements.push_back({use.link, use.source, use.pose, mesh.original, mesh.hulls, mesh.primitives, mesh.unneeded, mesh.segments});
+        .elements.push_back(
+            {use.link, use.source, use.pose, mesh.original, mesh.hulls, mesh.primitives, mesh.unneeded, mesh.segments, mesh.coarser});
   }
   addSegmentFiles(result);
   noteHugeMeshes(result.report);

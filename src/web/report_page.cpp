@@ -62,6 +62,28 @@ bool hasRegions(const PageContent& content) {
                      [&](const PageModel& model) { return std::any_of(model.report.links.begin(), model.report.links.end(), has); });
 }
 
+bool hasKept(const PageContent& content) {
+  return std::any_of(content.models.begin(), content.models.end(), [](const PageModel& model) { return !model.kept.empty(); });
+}
+
+/// Whether anything that is drawn stands for a mesh whose hulls are cuts of a tree; or, `but_for_these`, for another.
+bool hasTrees(const PageContent& content, bool but_for_these) {
+  const auto has = [&](const PageElement& element) { return !element.hulls.empty() && (element.tree == nullptr) == but_for_these; };
+  return std::any_of(content.models.begin(), content.models.end(),
+                     [&](const PageModel& model) { return std::any_of(model.elements.begin(), model.elements.end(), has); });
+}
+
+std::string sliderNote(const PageContent& content) {
+  std::string text;
+  if (hasTrees(content, false))
+    text += "The slider goes through the coarser cuts of the hull tree, with the bound that is proved of each. ";
+  if (hasTrees(content, true))
+    text +=
+        "The slider merges the hulls of this result pair by pair. What merging adds is proved on top of what is proved of them, so the "
+        "bound holds; a run with that tolerance usually needs fewer.";
+  return text;
+}
+
 std::string view(const PageContent& content) {
   std::string text =
       "<section class=\"view\" aria-label=\"3D view\">\n"
@@ -69,21 +91,20 @@ std::string view(const PageContent& content) {
       "<canvas id=\"canvas\"></canvas><svg id=\"overlay\" aria-hidden=\"true\"></svg></div>\n<div class=\"controls\">\n";
   text += checkbox("show-original", "Original meshes") + checkbox("show-hulls", "Hulls") + checkbox("show-worst", "Worst place");
   if (hasRegions(content)) text += checkbox("show-regions", "Regions");
+  if (hasKept(content)) text += checkbox("show-kept", "Kept as they are");
   if (!content.scene.triangles.empty()) text += checkbox("show-scene", "Scene");
   text +=
       "<button type=\"button\" id=\"reset\">Show all</button>\n</div>\n"
       "<div class=\"cut\"><label for=\"slider\">Fewer hulls</label>"
       "<input type=\"range\" id=\"slider\" min=\"0\" max=\"0\" value=\"0\" step=\"1\">\n"
       "<div class=\"told\"><output id=\"count\" for=\"slider\"></output><span class=\"small\" id=\"merged\"></span></div></div>\n"
-      "<p class=\"small\">The slider merges the hulls of this result pair by pair. What merging adds is proved on top of what is proved of "
-      "them, so the bound holds; a run with that tolerance usually needs fewer.</p>\n"
+      "<p class=\"small\">" +
+      sliderNote(content) +
+      "</p>\n"
       "<p class=\"small\" id=\"thinned\"></p>\n"
       "<p class=\"small\">Drag to turn, with shift to move, scroll to zoom.";
   if (!content.single_mesh)
-    text +=
-        " Choose a link in the table to look at it. The robot is at rest: its joints are at zero, or at the limit nearest to it. Meshes "
-        "that are "
-        "kept, and primitives of the description, are not drawn.";
+    text += " Choose a link in the table to look at it. The robot is at rest: its joints are at zero, or at the limit nearest to it.";
   text += "</p>\n<noscript><p>The view needs JavaScript.</p></noscript>\n</section>\n";
   return text;
 }

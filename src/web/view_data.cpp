@@ -1,11 +1,13 @@
 // Every mesh that differs is prepared once, on all threads: its original, thinned if the page would grow too large, and the tree of hulls
 // that the slider cuts, whose leaves are the hulls as written. Links only refer to it, with their pose.
 //
-// In the JSON:  meshes: [{original: BLOCK, triangles, bound, nodes: [{at: BLOCK, bound, left, right}]}], leaves first, left and right -1
-//               models: [{name, elements: [{row, link, uri, status, mesh, primitives: how many of the last leaves stand for
-//               some, pose: 3 x 4 by rows, found, bound, worst, nearest, regions: [BLOCK]}]}]
+// In the JSON:  meshes: [{original: BLOCK, triangles, bound, cuts: of a hull tree of the run, nodes: [{at: BODY, bound, left, right}]}],
+//               leaves first, left and right -1
+//               models: [{name, elements: [{row, link, uri, status, mesh, primitives: how many of the last leaves are some, pose: 3 x 4
+//               by rows, found, bound, worst, nearest, regions: [BLOCK]}], kept: [{at: BODY, pose}]}]
 //               scene: BLOCK or null
-// A BLOCK is {offset, vertices, triangles, index: bytes of an index, origin, step}; lengths in metres.
+// A BLOCK is {offset, vertices, triangles, index: bytes of an index, origin, step}, a BODY a BLOCK or {shape: box, sphere or cylinder, size
+// and pose as in URDF}; lengths in metres.
 #include "web/view_data.h"
 
 #include <map>
@@ -25,6 +27,7 @@ using nlohmann::json;
 
 constexpr std::size_t kMostTriangles = 150000;      // of all originals in a page: some 2 MB
 constexpr std::size_t kMostSceneTriangles = 50000;  // of a scene's bodies
+constexpr std::size_t kMostKeptTriangles = 5000;    // of a mesh that is kept
 constexpr std::size_t kFewTriangles = 300;          // that every original may keep
 constexpr double kAround = 0.15;                    // of a mesh's diagonal: how far around it regions are drawn
 constexpr std::size_t kMostMerged = 150;            // hulls of a mesh: the pairs to try grow with their square
@@ -46,7 +49,9 @@ HullTree withoutMerging(const std::vector<ConvexHull>& hulls, double bound) {
   return tree;
 }
 
-HullTree treeOf(const std::vector<ConvexHull>& hulls, double bound, const RunControl& control) {
+HullTree treeOf(const PageElement& element, double bound, const RunControl& control) {
+  const std::vector<ConvexHull>& hulls = element.hulls;
+  if (element.tree) return *element.tree;
   if (hulls.size() > kMostMerged) return withoutMerging(hulls, bound);
   try {
     return coarserHulls(hulls, bound, control);
@@ -61,7 +66,8 @@ class Meshes {
  public:
   /// Index of the element's mesh.
   std::size_t take(const PageElement& element, const ElementReport& row) {
-    const std::string key = toBytes(row.sha256, row.scale, row.protrusion, element.original.triangles.size()) + hullBytes(element.hulls);
+    const std::string key = toBytes(row.sha256, row.scale, row.protrusion, element.original.triangles.size(), element.primitives.size()) +
+                            hullBytes(element.hulls);
     const auto [known, is_new] = index_.emplace(key, meshes_.size());
     if (is_new) meshes_.push_back({&element, row.protrusion, 0, {}, {}});
     return known->second;
@@ -77,7 +83,7 @@ class Meshes {
       const double share = all > kMostTriangles ? static_cast<double>(kMostTriangles) / static_cast<double>(all) : 1;
       const std::size_t most = std::max(kFewTriangles, static_cast<std::size_t>(share * static_cast<double>(triangles)));
       mesh.original = drawnMesh(mesh.element->original, most, control);
-      mesh.tree = treeOf(mesh.element->hulls, mesh.bound, control);
+      mesh.tree = treeOf(*mesh.element, mesh.bound, control);
     });
   }
 
@@ -119,11 +125,28 @@ json block(const ConvexHull& hull, std::string& geometry) {
   return block(drawnMesh(surface(hull), hull.triangles.size()), geometry);
 }
 
+json shapeJson(const GeometryElement& primitive, const Eigen::Isometry3d& pose) {
+  const char* const name = primitive.kind == GeometryElement::Kind::kSphere ? "sphere"
+                           : primitive.kind == GeometryElement::Kind::kBox  ? "box"
+                                                                            : "cylinder";
+  return {{"shape", name}, {"size", toJson(primitive.size)}, {"pose", toJson(pose)}};
+}
+
+/// The primitive that a leaf stands for; null: it is a hull.
+const GeometryElement* primitiveAt(std::size_t node, const PageElement& element) {
+  const std::size_t leaves = element.hulls.size(), primitives = element.primitives.size();
+  return node < leaves && node + primitives >= leaves ? &element.primitives[node + primitives - leaves] : nullptr;
+}
+
 json meshJson(const SharedMeshView& mesh, std::string& geometry) {
   json nodes = json::array();
-  for (const HullNode& node : mesh.tree.nodes)
-    nodes.push_back({{"at", block(node.hull, geometry)}, {"bound", node.protrusion}, {"left", node.left}, {"right", node.right}});
+  for (const HullNode& node : mesh.tree.nodes) {
+    const GeometryElement* const primitive = primitiveAt(nodes.size(), *mesh.element);
+    const json at = primitive ? shapeJson(*primitive, primitive->origin) : block(node.hull, geometry);
+    nodes.push_back({{"at", at}, {"bound", node.protrusion}, {"left", node.left}, {"right", node.right}});
+  }
   return {{"original", block(mesh.original, geometry)},
+          {"cuts", mesh.element->tree != nullptr},
           {"triangles", mesh.element->original.triangles.size()},
           {"bound", mesh.bound},
           {"nodes", nodes}};
@@ -168,6 +191,12 @@ std::string text(const json& value) {
   return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
+json keptJson(const PageBody& body, std::string& geometry, const RunControl& control) {
+  const json at = body.element.kind == GeometryElement::Kind::kMesh ? block(drawnMesh(body.surface, kMostKeptTriangles, control), geometry)
+                                                                    : shapeJson(body.element, Eigen::Isometry3d::Identity());
+  return {{"at", at}, {"pose", toJson(body.pose)}};
+}
+
 }  // namespace
 
 /// Elements become text one by one: those of a large robot take ten times as much memory as a document.
@@ -184,7 +213,10 @@ ViewData viewData(const PageContent& content, const RunControl& control) {
       element["regions"] = regionsJson(row, model.elements[i], data.geometry);
       elements += (elements.empty() ? "" : ",") + text(element);
     }
-    models += (models.empty() ? "" : ",") + std::string("{\"elements\":[") + elements + "],\"name\":" + text(model.report.model) + "}";
+    json kept = json::array();
+    for (const PageBody& body : model.kept) kept.push_back(keptJson(body, data.geometry, control));
+    models += (models.empty() ? "" : ",") + std::string("{\"elements\":[") + elements + "],\"name\":" + text(model.report.model) +
+              ",\"kept\":" + text(kept) + "}";
   }
   meshes.prepare(control);
   json all = json::array();

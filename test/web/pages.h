@@ -39,14 +39,16 @@ struct Sample {
   }
 
   PageContent content() const {
-    PageContent content{"robot", report, {PageModel{report, {}}}, false, scene};
-    for (const ElementReport& row : report.links) content.models[0].elements.push_back({original, row.hulls > 0 ? hulls : none});
+    PageContent content{"robot", report, {PageModel{report, {}, {}}}, false, scene};
+    for (const ElementReport& row : report.links)
+      content.models[0].elements.push_back({original, row.hulls > 0 ? hulls : none, Eigen::Isometry3d::Identity(), primitives});
     return content;
   }
 
   Report report;
   TriangleMesh original = test_shapes::box(3, 1, 1), scene;
   std::vector<ConvexHull> hulls, none;
+  std::vector<GeometryElement> primitives;  // of each link
 };
 
 inline std::size_t count(const std::string& text, const std::string& part) {

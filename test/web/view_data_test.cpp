@@ -75,6 +75,54 @@ TEST(ViewData, RegionsAsFarAsTheyAreNear) {
   EXPECT_NEAR(box.min().x(), -more, 1e-3);
 }
 
+GeometryElement sphere(double radius, const Eigen::Vector3d& centre) {
+  GeometryElement element;
+  element.kind = GeometryElement::Kind::kSphere;
+  element.size.x() = radius;
+  element.origin.translation() = centre;
+  return element;
+}
+
+TEST(ViewData, APrimitiveStandsInThePlaceOfItsHull) {
+  Sample sample({row("arm")});
+  sample.primitives = {sphere(0.7, {2, 0, 0})};
+  const json nodes = json::parse(viewData(sample.content()).json)["meshes"][0]["nodes"];
+  EXPECT_FALSE(nodes[0]["at"].contains("shape"));
+  EXPECT_EQ(nodes[1]["at"]["shape"], "sphere");
+  EXPECT_EQ(nodes[1]["at"]["size"][0], 0.7);
+  EXPECT_EQ(nodes[1]["at"]["pose"][3], 2);
+  EXPECT_TRUE(nodes[2]["at"].contains("offset")) << "merged, they are a hull";
+}
+
+TEST(ViewData, ATreesCutsAndTheirBounds) {
+  Sample sample({row("arm")});
+  HullTree tree;
+  for (const ConvexHull& hull : sample.hulls) tree.nodes.push_back({hull, 0.01, 2, -1, -1});
+  tree.nodes.push_back({sample.hulls[0], 0.123, -1, 0, 1});
+  PageContent content = sample.content();
+  EXPECT_EQ(json::parse(viewData(content).json)["meshes"][0]["cuts"], false);
+  content.models[0].elements[0].tree = &tree;
+  const json mesh = json::parse(viewData(content).json)["meshes"][0];
+  EXPECT_EQ(mesh["cuts"], true);
+  ASSERT_EQ(mesh["nodes"].size(), 3u);
+  EXPECT_EQ(mesh["nodes"][2]["bound"], 0.123);
+  EXPECT_EQ(mesh["nodes"][2]["right"], 1);
+}
+
+TEST(ViewData, WhatStaysAsItIs) {
+  const Sample sample({row("arm")});
+  PageContent content = sample.content();
+  const GeometryElement mesh, ball = sphere(0.5, {});
+  const TriangleMesh surface = test_shapes::box(1, 2, 3), none;
+  content.models[0].kept.push_back({mesh, surface, Eigen::Isometry3d(Eigen::Translation3d(4, 5, 6))});
+  content.models[0].kept.push_back({ball, none, Eigen::Isometry3d::Identity()});
+  const json kept = json::parse(viewData(content).json)["models"][0]["kept"];
+  ASSERT_EQ(kept.size(), 2u);
+  EXPECT_EQ(kept[0]["at"]["triangles"], 12);
+  EXPECT_EQ(kept[0]["pose"][7], 5);
+  EXPECT_EQ(kept[1]["at"]["shape"], "sphere");
+}
+
 TEST(ViewData, EqualMeshesAreThereOnce) {
   Sample sample({row("left"), row("right"), row("hand")});
   sample.report.links[0].sha256 = sample.report.links[1].sha256 = "finger";
@@ -89,7 +137,9 @@ TEST(ViewData, EqualMeshesWithOtherHullsAreNot) {
   sample.report.links[0].sha256 = sample.report.links[1].sha256 = "finger";
   const std::vector<ConvexHull> others{sample.hulls[0]};
   PageContent content = sample.content();
-  content.models.push_back(PageModel{sample.report, {{sample.original, others}, {sample.original, sample.hulls}}});
+  const Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  content.models.push_back(PageModel{
+      sample.report, {{sample.original, others, pose, sample.primitives}, {sample.original, sample.hulls, pose, sample.primitives}}, {}});
   EXPECT_EQ(json::parse(viewData(content).json)["meshes"].size(), 2u);
 }
 

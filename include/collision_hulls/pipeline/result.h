@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/decompose/hull_tree.h"
 #include "collision_hulls/decompose/segments.h"
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/report/report.h"
@@ -30,11 +31,24 @@ struct ElementResult {
   /// The clusters of `original` and their hierarchy, in its frame; null unless the options ask for
   /// them.
   std::shared_ptr<const Segments> segments;
+  /// What fewer hulls would be, where they are a cut of a hull tree: a tree whose leaves are `hulls`, in
+  /// their order, with a proved bound for each node. Null otherwise.
+  std::shared_ptr<const HullTree> coarser;
+};
+
+/// A `<collision>` element of the new description that stays as it was: a primitive, or a mesh of a
+/// link that is kept.
+struct KeptElement {
+  GeometryElement element;
+  TriangleMesh surface;  ///< of a mesh, as read and scaled; empty where it cannot be read
+  /// Of the element's frame in the robot's zero configuration.
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
 };
 
 /// One collision model of the robot; a ModelReport has its rows.
 struct ModelResult {
   std::vector<ElementResult> elements;  ///< links[i] of its report is the row of elements[i]
+  std::vector<KeptElement> kept;  ///< for the page alone: empty without Options::html
   /// Rewritten description, URIs as the output package will hold them; empty for a single mesh.
   std::string urdf;
 };

@@ -33,7 +33,7 @@ class Page {
     byId('drawn-by').textContent = this.view.name;
     this.setUpSlider();
     this.tellThinned();
-    for (const id of ['show-original', 'show-hulls', 'show-worst', 'show-regions', 'show-scene']) {
+    for (const id of ['show-original', 'show-hulls', 'show-worst', 'show-regions', 'show-kept', 'show-scene']) {
       if (byId(id)) byId(id).addEventListener('change', () => this.showBodies());
     }
     byId('reset').addEventListener('click', () => this.select(null));
@@ -88,7 +88,8 @@ class Page {
     byId('count').textContent = bodies ? `${bodies}${what}, at most ${millimetres(bound)} too large` : `no hulls${what}`;
     byId('count').dataset.hulls = hulls + primitives;
     const regions = this.elements.some((element) => element.regions.length > 0) ? ', without regard to regions' : '';
-    byId('merged').textContent = this.tolerance > 0 ? `merged for this page${regions}` : 'as written';
+    const how = shown.every((element) => this.data.meshes[element.mesh].cuts) ? 'a cut of the hull tree' : 'merged for this page';
+    byId('merged').textContent = this.tolerance > 0 ? `${how}${regions}` : 'as written';
   }
 
   tellThinned() {
@@ -128,6 +129,9 @@ class Page {
 
   showBodies() {
     const bodies = this.elements.flatMap((element, index) => this.bodiesOf(element, index));
+    for (const body of this.checked('show-kept') && !this.selected ? this.data.models[this.model].kept : []) {
+      bodies.push({triangles: trianglesOf(body.at, this.data), pose: body.pose, color: styleColor('--kept'), opacity: 1, hull: Boolean(body.at.shape)});
+    }
     if (this.data.scene && this.checked('show-scene')) {
       bodies.push({triangles: trianglesOf(this.data.scene, this.data), pose: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], color: styleColor('--scene'), opacity: 0.35, hull: true});
     }
@@ -139,12 +143,14 @@ class Page {
   /** All of the robot, or the element. */
   frame() {
     const points = [];
+    const add = (block, pose) => {
+      const p = trianglesOf(block, this.data);
+      for (let i = 0; i < p.length; i += 3) points.push(placed(pose, [p[i], p[i + 1], p[i + 2]]));
+    };
+    for (const body of this.selected ? [] : this.data.models[this.model].kept) add(body.at, body.pose);
     for (const element of this.selected ? [this.selected] : this.elements) {
       const mesh = this.data.meshes[element.mesh], leaves = mesh.nodes.filter((node) => node.left < 0).map((node) => node.at);
-      for (const block of leaves.length > 0 ? leaves : [mesh.original]) {  // the hulls hold the mesh
-        const p = trianglesOf(block, this.data);
-        for (let i = 0; i < p.length; i += 3) points.push(placed(element.pose, [p[i], p[i + 1], p[i + 2]]));
-      }
+      for (const block of leaves.length > 0 ? leaves : [mesh.original]) add(block, element.pose);  // the hulls hold the mesh
     }
     this.camera.frame(points, this.stage.clientWidth / this.stage.clientHeight);
   }

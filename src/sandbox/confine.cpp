@@ -18,6 +18,7 @@
 #include <new>
 
 #include "base/descriptor.h"
+#include "base/sanitizer.h"
 #include "sandbox/wire.h"
 
 #if __has_include(<linux/landlock.h>)
@@ -30,17 +31,10 @@
 namespace collision_hulls {
 namespace {
 
-// A sanitizer reserves terabytes, and opens files to describe what it found.
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool kSanitized = true;
-constexpr const char* kNoSeccomp = "built with a sanitizer";
-#else
-constexpr bool kSanitized = false;
 #ifdef COLLISION_HULLS_SECCOMP
-constexpr const char* kNoSeccomp = "refused by the kernel";
+constexpr const char* kNoSeccomp = kSanitized ? "built with a sanitizer" : "refused by the kernel";
 #else
-constexpr const char* kNoSeccomp = "built without libseccomp";
-#endif
+constexpr const char* kNoSeccomp = kSanitized ? "built with a sanitizer" : "built without libseccomp";
 #endif
 
 bool limit(decltype(RLIMIT_AS) what, rlim_t soft, rlim_t hard) {

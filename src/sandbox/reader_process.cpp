@@ -21,6 +21,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/sanitizer.h"
 #include "collision_hulls/error.h"
 
 namespace collision_hulls {
@@ -41,9 +42,7 @@ class Preparation {
     posix_spawnattr_init(&attributes_);
     posix_spawn_file_actions_adddup2(&files_, socket, STDIN_FILENO);
     posix_spawn_file_actions_addopen(&files_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-#ifndef __SANITIZE_ADDRESS__
-    posix_spawn_file_actions_addopen(&files_, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-#endif
+    if (!kSanitized) posix_spawn_file_actions_addopen(&files_, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     sigset_t set;
     sigfillset(&set);
     posix_spawnattr_setsigdefault(&attributes_, &set);
@@ -59,12 +58,8 @@ class Preparation {
   Preparation(const Preparation&) = delete;
   Preparation& operator=(const Preparation&) = delete;
 
-  posix_spawn_file_actions_t* files() {
-    return &files_;
-  }
-  posix_spawnattr_t* attributes() {
-    return &attributes_;
-  }
+  posix_spawn_file_actions_t* files() { return &files_; }
+  posix_spawnattr_t* attributes() { return &attributes_; }
 
  private:
   posix_spawn_file_actions_t files_;

@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/sanitizer.h"
 #include "collision_hulls/error.h"
 #include "files.h"
 #include "mesh/decode_mesh.h"
@@ -78,9 +79,7 @@ TEST(MeshQuestion, ChecksTheAnswer) {
 }
 
 TEST(MeshQuestion, LimitsGrowWithTheFile) {
-#ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "a sanitizer needs more memory than any limit";
-#endif
+  if (kSanitized) GTEST_SKIP() << "a sanitizer needs more memory than any limit";
   const Misbehaving misbehaving;
   expectError("memory\n", "more memory than the limit of 536 MB; simplify the mesh, or raise reader-memory", {}, ErrorCode::kOutOfMemory);
   expectError("memory\n" + std::string(1'000'000, ' '), "more memory than the limit of 576 MB", {}, ErrorCode::kOutOfMemory);

@@ -12,19 +12,13 @@
 #include <thread>
 
 #include "base/descriptor.h"
+#include "base/sanitizer.h"
 #include "collision_hulls/error.h"
 #include "sandbox/reader_process.h"
 #include "sandbox/reader_program.h"
 
 namespace collision_hulls {
 namespace {
-
-// A sanitizer ends a process in its own way, and needs more memory than any limit.
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
 
 constexpr std::uint64_t kMegabyte = 1'000'000;
 

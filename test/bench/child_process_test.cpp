@@ -89,8 +89,8 @@ TEST(ChildProcess, CountsCpuTimeAndMemoryOfItsChildren) {
   EXPECT_GE(idle.wall_seconds, 0.3);
   EXPECT_LT(idle.cpu_seconds, 0.1);
   EXPECT_GT(busy.cpu_seconds, idle.cpu_seconds);
-  const ChildResult killed = shell("sh -c 'while :; do :; done'; true", 0.5);
-  EXPECT_GT(killed.cpu_seconds, 10 * idle.cpu_seconds) << "the shell's child must count";
+  const ChildResult killed = shell("sh -c 'while :; do :; done'; true", 2);
+  EXPECT_GT(killed.cpu_seconds, 4 * idle.cpu_seconds) << "the shell's child must count";
   const ChildResult large = shell("head -c 100000000 /dev/zero | tail -c 80000000 | wc -c");
   EXPECT_GT(large.peak_mb, 70);
 }

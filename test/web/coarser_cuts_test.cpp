@@ -16,13 +16,19 @@ HullTree rowOfBoxes() {
   return coarserHulls(boxes, 0.01);
 }
 
+std::vector<ConvexHull> hullsAt(double tolerance, const HullTree& tree) {
+  DecomposeOptions options;
+  options.tolerance = tolerance;
+  return hullsOfTree(tree, options).hulls;
+}
+
 std::shared_ptr<const HullTree> above(const HullTree& tree, const std::vector<ConvexHull>& hulls, double tolerance, double margin = 0) {
   return coarserCuts(tree, {hulls, 0.015, tolerance, 0, 64, margin, 0});
 }
 
 TEST(CoarserCuts, AllAboveTheLeaves) {
   const HullTree tree = rowOfBoxes();
-  const std::vector<ConvexHull> hulls = hullsOfTree(tree, {Method::kCertified, 0.02}).hulls;
+  const std::vector<ConvexHull> hulls = hullsAt(0.02, tree);
   ASSERT_EQ(3u, hulls.size());
   const auto cuts = above(tree, hulls, 0.02);
   ASSERT_TRUE(cuts);
@@ -41,14 +47,14 @@ TEST(CoarserCuts, AllAboveTheLeaves) {
 TEST(CoarserCuts, ACoarserResultHasFewerAbove) {
   const HullTree tree = rowOfBoxes();
   const double tolerance = 1.001 * tree.nodes[3].protrusion;
-  const auto cuts = above(tree, hullsOfTree(tree, {Method::kCertified, tolerance}).hulls, tolerance);
+  const auto cuts = above(tree, hullsAt(tolerance, tree), tolerance);
   ASSERT_TRUE(cuts);
   EXPECT_EQ(3u, cuts->nodes.size());
 }
 
 TEST(CoarserCuts, TheMarginIsPartOfABound) {
   const HullTree tree = rowOfBoxes();
-  const std::vector<ConvexHull> hulls = hullsOfTree(tree, {Method::kCertified, 0.02}).hulls;
+  const std::vector<ConvexHull> hulls = hullsAt(0.02, tree);
   const auto cuts = above(tree, hulls, 0.02, 1e-4);
   ASSERT_TRUE(cuts);
   EXPECT_DOUBLE_EQ(tree.nodes[4].protrusion + 1e-4, cuts->nodes[4].protrusion);
@@ -56,7 +62,7 @@ TEST(CoarserCuts, TheMarginIsPartOfABound) {
 
 TEST(CoarserCuts, NoneForOtherHulls) {
   const HullTree tree = rowOfBoxes();
-  std::vector<ConvexHull> hulls = hullsOfTree(tree, {Method::kCertified, 0.02}).hulls;
+  std::vector<ConvexHull> hulls = hullsAt(0.02, tree);
   hulls[1] = convexHull(test_shapes::box(1, 1, 1.1).vertices);
   EXPECT_FALSE(above(tree, hulls, 0.02));
   hulls.pop_back();

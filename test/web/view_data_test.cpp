@@ -112,7 +112,7 @@ TEST(ViewData, ATreesCutsAndTheirBounds) {
 TEST(ViewData, WhatStaysAsItIs) {
   const Sample sample({row("arm")});
   PageContent content = sample.content();
-  const GeometryElement mesh, ball = sphere(0.5, {});
+  const GeometryElement mesh, ball = sphere(0.5, Eigen::Vector3d::Zero());
   const TriangleMesh surface = test_shapes::box(1, 2, 3), none;
   content.models[0].kept.push_back({mesh, surface, Eigen::Isometry3d(Eigen::Translation3d(4, 5, 6))});
   content.models[0].kept.push_back({ball, none, Eigen::Isometry3d::Identity()});

@@ -22,6 +22,7 @@ class LifetimeTest(unittest.TestCase):
     def start_node(self, robot, **options):
         rospy.set_param("/robot_description", robot)
         program = roslib.packages.find_node("collision_hulls", "collision_hulls_node")[0]
+        options["env"] = dict(os.environ, ROSCONSOLE_STDOUT_LINE_BUFFERED="1")
         node = subprocess.Popen([program, "_auto:=true", "_cache:=false", "_method:=hacd", "_output:=" + self.folder.output, *robots.ROOTS], **options)
         self.addCleanup(self.end, node)
         rospy.wait_for_service(NODE + "/decompose", timeout=30)
@@ -32,6 +33,10 @@ class LifetimeTest(unittest.TestCase):
         if node.poll() is None:
             node.kill()
         node.wait()
+
+    @staticmethod
+    def namespaces():
+        return [marker.ns for marker in rospy.wait_for_message(NODE + "/markers", MarkerArray, timeout=60).markers]
 
     @staticmethod
     def text_of(log):
@@ -49,8 +54,7 @@ class LifetimeTest(unittest.TestCase):
 
     def test_run_at_start(self):
         node = self.start_node(self.folder.small_robot())
-        markers = rospy.wait_for_message(NODE + "/markers", MarkerArray, timeout=60).markers
-        self.assertIn("hulls/base", [marker.ns for marker in markers])
+        self.assertTrue(robots.wait_until(lambda: "hulls/base" in self.namespaces()))
         self.assertTrue(os.path.isfile(os.path.join(self.folder.output, "report.json")))
         node.send_signal(signal.SIGINT)
         self.assertEqual(0, node.wait(10))

@@ -19,8 +19,6 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kSame = 1e-9;  // of numbers that were written and read again
-
 /// A mesh with new hulls: its files, and the primitives in place of others.
 struct Model {
   const std::vector<std::string>& files;
@@ -45,8 +43,12 @@ std::string baseName(const std::string& link, int index, const SourceElements& s
   return source.visual || given.empty() ? link + "_" + std::to_string(index) : given;
 }
 
+/// Names of <collision> elements, with their links.
+using ElementNames = std::set<std::pair<std::string, std::string>>;
+
+/// Adds the primitives that stand in place of hulls to `in_place`.
 LinkCollisions linkCollisions(const std::string& link, const SourceElements& source, const LinkModels& models, const std::string& prefix,
-                              UniqueNames& names) {
+                              UniqueNames& names, ElementNames& in_place) {
   LinkCollisions result;
   result.keep_primitives = !source.visual;
   for (std::size_t i = 0; i < source.elements.size(); ++i) {
@@ -69,7 +71,9 @@ LinkCollisions linkCollisions(const std::string& link, const SourceElements& sou
       GeometryElement primitive = mesh.primitives[k];
       primitive.origin = source.elements[i].origin * primitive.origin;
       const bool alone = mesh.hulls.size() == 1;
-      result.elements.push_back({names.take(alone ? base : base + "_" + std::to_string(files.size() + k)), primitive});
+      const std::string name = names.take(alone ? base : base + "_" + std::to_string(files.size() + k));
+      result.elements.push_back({name, primitive});
+      in_place.emplace(link, name);
     }
   }
   return result;
@@ -86,7 +90,7 @@ using NewCollisions = std::map<std::string, LinkCollisions>;
 
 /// The links that get new <collision> elements, or lose theirs: not those with a failed mesh, which keep what they have.
 NewCollisions newCollisions(const RobotDescription& robot, const LinkDecisions& decisions, const ModelReport& report,
-                            const std::vector<ElementResult>& elements, const std::string& prefix) {
+                            const std::vector<ElementResult>& elements, const std::string& prefix, ElementNames& in_place) {
   std::map<std::string, LinkModels> models;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const ElementReport& row = report.links[i];
@@ -104,7 +108,7 @@ NewCollisions newCollisions(const RobotDescription& robot, const LinkDecisions& 
     }
     const SourceElements source = sourceElements(link, options->source);
     const bool has_new_ones = models.count(link.name) || (source.visual && !source.elements.empty());
-    if (has_new_ones) links[link.name] = linkCollisions(link.name, source, models[link.name], prefix, names);
+    if (has_new_ones) links[link.name] = linkCollisions(link.name, source, models[link.name], prefix, names, in_place);
   }
   return links;
 }
@@ -176,16 +180,6 @@ std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::
           "': use package:// URIs in the input, or copy the new description beside the input (with --uri package or file)"};
 }
 
-/// Whether the model has this primitive in the place of a hull.
-bool isOfRow(const GeometryElement& element, const std::string& link, const ModelResult& model) {
-  return std::any_of(model.elements.begin(), model.elements.end(), [&](const ElementResult& row) {
-    return row.link == link && std::any_of(row.primitives.begin(), row.primitives.end(), [&](const GeometryElement& primitive) {
-             return primitive.kind == element.kind && primitive.size.isApprox(element.size, kSame) &&
-                    (row.source.origin * primitive.origin).isApprox(element.origin, kSame);
-           });
-  });
-}
-
 /// The surface of a mesh, for a page: empty where it cannot be read.
 TriangleMesh surfaceOf(const GeometryElement& mesh, const RobotDescription& robot, const PackageFinder& find_package,
                        const Options& options, const RunControl& control) {
@@ -200,7 +194,8 @@ TriangleMesh surfaceOf(const GeometryElement& mesh, const RobotDescription& robo
 
 /// The primitives that stay, and the meshes of links that are kept.
 std::vector<KeptElement> keptElements(const RobotDescription& robot, const PackageFinder& find_package, const ModelReport& report,
-                                      const ModelResult& model, const Options& options, const RunControl& control) {
+                                      const ModelResult& model, const ElementNames& in_place, const Options& options,
+                                      const RunControl& control) {
   std::set<std::string> kept_links;
   for (const ElementReport& row : report.links)
     if (row.status == Status::kKept) kept_links.insert(row.link);
@@ -208,7 +203,7 @@ std::vector<KeptElement> keptElements(const RobotDescription& robot, const Packa
   for (const LinkDescription& link : parseRobotDescription(model.urdf, "", control).links) {
     for (const GeometryElement& element : link.collisions) {
       const bool is_mesh = element.kind == GeometryElement::Kind::kMesh, is_empty = element.kind == GeometryElement::Kind::kNone;
-      if (is_mesh ? !kept_links.count(link.name) : is_empty || isOfRow(element, link.name, model)) continue;
+      if (is_mesh ? !kept_links.count(link.name) : is_empty || in_place.count({link.name, element.name})) continue;
       kept.push_back({element, {}, link.pose * element.origin});
       if (is_mesh) kept.back().surface = surfaceOf(element, robot, find_package, options, control);
     }
@@ -234,14 +229,17 @@ void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDec
   const Options& options = result.report.options;
   const std::string prefix = uriPrefix(options, output);
   std::vector<NewCollisions> links;
-  for (std::size_t model = 0; model < decisions.size(); ++model)
-    links.push_back(newCollisions(robot, decisions[model], reportOf(model, result.report), modelOf(model, result).elements, prefix));
+  std::vector<ElementNames> in_place(decisions.size());
+  for (std::size_t model = 0; model < decisions.size(); ++model) {
+    const std::vector<ElementResult>& elements = modelOf(model, result).elements;
+    links.push_back(newCollisions(robot, decisions[model], reportOf(model, result.report), elements, prefix, in_place[model]));
+  }
   const std::map<std::string, std::string> moved = carryHulls(robot, links, find_package, output, prefix, result);
   for (std::size_t model = 0; model < links.size(); ++model)
     modelOf(model, result).urdf = rewriteCollisions(robot, links[model], moved, control);
   for (std::size_t model = 0; options.html && model < links.size(); ++model) {
     ModelResult& of = modelOf(model, result);
-    of.kept = keptElements(robot, find_package, reportOf(model, result.report), of, options, control);
+    of.kept = keptElements(robot, find_package, reportOf(model, result.report), of, in_place[model], options, control);
   }
   std::vector<std::string>& all = result.report.notes;
   for (const auto& more : {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options), notes, notesOnKept(result),

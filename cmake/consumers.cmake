@@ -32,7 +32,7 @@ endif()
 # DART's own CMake files make the targets (physics.cmake).
 if(DART_FOUND)
   add_library(found::dart INTERFACE IMPORTED)
-  target_link_libraries(found::dart INTERFACE dart dart-utils dart-utils-urdf dart-collision-bullet found::assimp)
+  target_link_libraries(found::dart INTERFACE physics_room dart-utils)
 endif()
 
 add_consumer_test(self_filter geometric_shapes geometric_shapes/bodies.h libgeometric-shapes-dev)

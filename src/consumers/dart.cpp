@@ -1,6 +1,6 @@
-// A SKEL file for DART, with a world that has Bullet's collision detector. DART's URDF loader makes a triangle mesh of each hull, whatever
-// the description says; of what its files can say, <multi_sphere>, the hull of spheres, is convex, and spheres of radius 0 are points. Only
-// Bullet's detector knows that shape. The hulls' points stand in the file, in the links' frames.
+// A SKEL file for DART. Each hull is a <mesh>, of which DART makes triangles. The one convex shape that such a file can name is
+// <multi_sphere>, the hull of spheres, of which those with radius 0 are points. But Bullet's detector, the only one that knows it, takes
+// its margin of 4 cm off that shape, by which hulls thinner than 8 cm are inside out: a ball falls through them.
 //
 // A SKEL file places bodies in the world at zero positions, joints at the origin of their child. Its angles turn about x, y and z in this
 // order, as rows of URDF's do about z, y and x. It has no mimic joints.
@@ -38,9 +38,8 @@ class Writer {
     for (const LinkDescription& link : model_.robot().links) places[link.name] = Eigen::Isometry3d::Identity();
     for (const JointDescription& joint : model_.robot().joints) places[joint.child] = places[joint.parent] * joint.origin;
     std::string text = "<?xml version=\"1.0\"?>\n<skel version=\"1.0\">\n  <world" + named(model_.robot().name) +
-                       ">\n    <physics>\n      <time_step>0.001</time_step>\n      <gravity>0 0 -9.81</gravity>\n"
-                       "      <collision_detector>bullet</collision_detector>\n    </physics>\n    <skeleton" +
-                       named(model_.robot().name) + ">\n";
+                       ">\n    <physics>\n      <time_step>0.001</time_step>\n      <gravity>0 0 -9.81</gravity>\n    </physics>\n" +
+                       "    <skeleton" + named(model_.robot().name) + ">\n";
     for (const LinkDescription& link : model_.robot().links)
       if (!isTheWorld(link.name)) text += bodyText(link, places[link.name]);
     for (const std::string& root : model_.roots())
@@ -76,13 +75,12 @@ class Writer {
            "<moment_of_inertia>" + moments + "</moment_of_inertia></inertia>\n";
   }
 
-  /// A hull's points are in the link's frame already.
   std::string shapeText(const GeometryElement& element) const {
     const std::string geometry = element.fault.empty() ? geometryText(element) : "";
     if (geometry.empty()) return "";
-    const std::string name = element.name.empty() ? "" : named(element.name),
-                      place = model_.hullOf(element) ? "" : transformation(element.origin);
-    return "        <collision_shape" + name + ">" + place + "<geometry>" + geometry + "</geometry></collision_shape>\n";
+    const std::string name = element.name.empty() ? "" : named(element.name);
+    return "        <collision_shape" + name + ">" + transformation(element.origin) + "<geometry>" + geometry +
+           "</geometry></collision_shape>\n";
   }
 
   std::string geometryText(const GeometryElement& element) const {
@@ -95,12 +93,8 @@ class Writer {
       case Kind::kNone: return "";
       case Kind::kMesh: break;
     }
-    const ConvexHull* const hull = model_.hullOf(element);
-    if (!hull) return inside("mesh", tag("file_name", element.uri) + tag("scale", vectorText(element.scale)));
-    std::string points;
-    for (const Eigen::Vector3d& vertex : hull->vertices)
-      points += "\n          <sphere><radius>0</radius>" + tag("position", vectorText(element.origin * vertex)) + "</sphere>";
-    return inside("multi_sphere", points);
+    const std::string hull = model_.fileOf(element);
+    return inside("mesh", tag("file_name", hull.empty() ? element.uri : "../" + hull) + tag("scale", vectorText(element.scale)));
   }
 
   /// As DART's URDF loader has it.

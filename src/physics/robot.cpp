@@ -4,18 +4,19 @@
 #include <dart/utils/urdf/DartLoader.hpp>
 
 #include "collision_hulls/error.h"
+#include "xml/xml_spans.h"
 
 namespace collision_hulls {
 namespace {
 
-std::string withoutVisuals(std::string urdf) {
-  const std::string start = "<visual", end = "</visual>";
-  for (std::size_t at = 0; (at = urdf.find(start, at)) != std::string::npos;) {
-    const std::size_t last = urdf.find(end, at);
-    if (last == std::string::npos) break;
-    urdf.erase(at, last + end.size() - at);
-  }
-  return urdf;
+std::string withoutVisuals(const std::string& urdf, const std::string& path) try {
+  std::string text = urdf;
+  const std::vector<XmlElement> elements = scanXml(urdf).elements;
+  for (auto element = elements.rbegin(); element != elements.rend(); ++element)
+    if (element->name == "visual") text.erase(element->begin, element->end - element->begin);
+  return text;
+} catch (const XmlSyntaxError& error) {
+  throw Error(ErrorCode::kNotARobot, "'" + path + "', line " + std::to_string(lineOf(urdf, error.offset())) + ": " + error.what());
 }
 
 void addPackages(const std::string& urdf, const PackageFinder& find_package, dart::utils::DartLoader& loader) {
@@ -30,7 +31,7 @@ void addPackages(const std::string& urdf, const PackageFinder& find_package, dar
 }  // namespace
 
 dart::dynamics::SkeletonPtr loadRobot(const std::string& urdf, const std::string& path, const PackageFinder& find_package) {
-  const std::string text = withoutVisuals(urdf);
+  const std::string text = withoutVisuals(urdf, path);
   dart::utils::DartLoader loader;
   addPackages(text, find_package, loader);
   dart::dynamics::SkeletonPtr robot = loader.parseSkeletonString(text, dart::common::Uri::createFromPath(path));

@@ -83,6 +83,22 @@ TEST(Grip, RejectsARobotWithoutTheGripper) {
   }
 }
 
+TEST(LoadRobot, LeavesOutVisualsAndNothingElse) {
+  const std::string ball = "<geometry><sphere radius='1'/></geometry>",
+                    lost = "<geometry><mesh filename='package://p/a.dae' scale='-1 1 1'/></geometry>";
+  const auto robot =
+      loadRobot("<robot name='r'><link name='a'><collision>" + ball + "</collision><visual name='v'>" + lost +
+                    "</visual><!-- <visual> --></link><gazebo><visualize>false</visualize></gazebo><link name='b'><collision>" + ball +
+                    "</collision><visual\n>" + lost +
+                    "</visual></link><joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint></robot>",
+                "/r.urdf", [](const std::string&) { return std::nullopt; });
+  ASSERT_EQ(robot->getNumBodyNodes(), 2u);
+  for (const auto* const body : robot->getBodyNodes()) {
+    EXPECT_EQ(body->getNumShapeNodesWith<dart::dynamics::CollisionAspect>(), 1u);
+    EXPECT_EQ(body->getNumShapeNodes(), 1u);
+  }
+}
+
 TEST(LoadRobot, RejectsTextThatIsNoDescription) {
   EXPECT_THROW(loadRobot("rubbish", "/r.urdf", [](const std::string&) { return std::nullopt; }), Error);
 }

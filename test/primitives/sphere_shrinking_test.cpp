@@ -23,6 +23,13 @@ TEST(ShrunkSpheres, OneBecomesTheSmallestAroundItsMesh) {
   EXPECT_TRUE(covers(result, box(1, 1, 1)));
 }
 
+/// Else the proof that they cover would divide the surface without end.
+TEST(ShrunkSpheres, HoldTheSurfaceByADepth) {
+  const std::vector<Sphere> result = shrunkOf({{{0.4, 0.5, 0.5}, 1}}, box(1, 1, 1), 0.7);
+  ASSERT_EQ(result.size(), 1U);
+  for (const Eigen::Vector3d& corner : box(1, 1, 1).vertices) EXPECT_GT(result[0].radius, (corner - result[0].centre).norm() + 0.005 * 0.7);
+}
+
 TEST(ShrunkSpheres, WhatHoldsNothingOfItsOwnGoes) {
   const std::vector<Sphere> result = shrunkOf({{{0.5, 0.5, 0.5}, 0.2}, {{0.5, 0.5, 0.5}, 0.9}}, box(1, 1, 1), 0.5);
   ASSERT_EQ(result.size(), 1U);

@@ -75,6 +75,8 @@ TEST_F(Mujoco, LoadsTheSharedRobots) {
       const Model model = load(file.path().string());
       if (!model) continue;
       EXPECT_EQ(static_cast<std::size_t>(model->nmesh), fixtures::count(fixtures::read(file.path()), "<mesh ")) << robot;
+      const std::string urdf = std::filesystem::directory_iterator(out + "/urdf")->path().string();
+      EXPECT_EQ(static_cast<std::size_t>(model->ngeom), fixtures::collisions(urdf)) << robot;
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/robot/robot_description.h"
 #include "pipeline/fixtures.h"
 
 namespace collision_hulls {
@@ -25,15 +26,11 @@ inline bool writeFor(const std::string& consumer, const std::string& input, cons
   return false;
 }
 
-/// A description without what consumers do not collide with.
-inline std::string withoutVisuals(std::string urdf) {
-  const std::string start = "<visual", end = "</visual>";
-  for (std::size_t at = 0; (at = urdf.find(start, at)) != std::string::npos;) {
-    const std::size_t last = urdf.find(end, at);
-    if (last == std::string::npos) break;
-    urdf.erase(at, last + end.size() - at);
-  }
-  return urdf;
+/// The bodies of a description: its text has the tag in comments and for Gazebo's sensors, too.
+inline std::size_t collisions(const std::string& urdf) {
+  std::size_t count = 0;
+  for (const LinkDescription& link : readRobotDescription(urdf).links) count += link.collisions.size();
+  return count;
 }
 
 /// The packages of robots beside the repository; none on machines that do not have them.

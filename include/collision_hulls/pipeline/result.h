@@ -31,8 +31,8 @@ struct ElementResult {
   /// The clusters of `original` and their hierarchy, in its frame; null unless the options ask for
   /// them.
   std::shared_ptr<const Segments> segments;
-  /// What fewer hulls would be, where they are a cut of a hull tree: a tree whose leaves are `hulls`, in
-  /// their order, with a proved bound for each node. Null otherwise.
+  /// What fewer hulls would be, where they are a cut of a hull tree: a tree whose leaves are
+  /// `hulls`, in their order, with a proved bound for each node. Null otherwise.
   std::shared_ptr<const HullTree> coarser;
 };
 
@@ -48,7 +48,7 @@ struct KeptElement {
 /// One collision model of the robot; a ModelReport has its rows.
 struct ModelResult {
   std::vector<ElementResult> elements;  ///< links[i] of its report is the row of elements[i]
-  std::vector<KeptElement> kept;  ///< for the page alone: empty without Options::html
+  std::vector<KeptElement> kept;        ///< for the page alone: empty without Options::html
   /// Rewritten description, URIs as the output package will hold them; empty for a single mesh.
   std::string urdf;
 };

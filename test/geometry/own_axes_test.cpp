@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <vector>
 
 #include "shapes.h"
@@ -47,6 +48,42 @@ TEST(OwnAxes, AlignTheFlatFacesOfARotatedMesh) {
 TEST(OwnAxes, NeedOnlyOneFlatDirection) {
   const TriangleMesh mesh = turned(sheet(1, 2, 4));
   EXPECT_EQ(static_cast<int>(mesh.triangles.size()), flat(mesh, ownAxes(mesh)));
+}
+
+/// The vertices in the mesh's steady frame, about the middle of their box.
+std::vector<Eigen::Vector3d> inFrame(TriangleMesh mesh) {
+  const Eigen::Matrix3d axes = steadyAxes(mesh);
+  EXPECT_TRUE(axes.isUnitary(1e-12));
+  EXPECT_NEAR(1, axes.determinant(), 1e-12);
+  for (Eigen::Vector3d& v : mesh.vertices) v = axes * v;
+  const Eigen::Vector3d middle = boundingBox(mesh).center();
+  for (Eigen::Vector3d& v : mesh.vertices) v -= middle;
+  return mesh.vertices;
+}
+
+TEST(SteadyAxes, LayATurnedMeshAsTheOriginal) {
+  for (const TriangleMesh& mesh :
+       {scaled(lBracket(), {1, 2, 3}), scaled(sphere(), {1, 2, 3}), merged({box(1, 1, 1), moved(box(2, 3, 4), {1, 1, 1})}),
+        merged({sphere(), moved(sphere(0.5), {1, 0.3, 0.1})})}) {
+    const std::vector<Eigen::Vector3d> still = inFrame(mesh), moving = inFrame(moved(turned(mesh), {5, 6, 7}));
+    for (std::size_t i = 0; i < still.size(); ++i) EXPECT_TRUE(still[i].isApprox(moving[i], 1e-9)) << i;
+  }
+}
+
+// Which of the frames that a symmetry leads to is open, but not how the shape lies in it.
+TEST(SteadyAxes, LayATurnedSymmetricMeshAsASymmetryLeavesIt) {
+  for (const TriangleMesh& mesh : {box(1, 2, 3), uChannel(), flange()}) {
+    const std::vector<Eigen::Vector3d> still = inFrame(mesh), moving = inFrame(turned(mesh));
+    for (const Eigen::Vector3d& v : still)
+      EXPECT_TRUE(std::any_of(moving.begin(), moving.end(), [&](const Eigen::Vector3d& w) { return (v - w).norm() < 1e-9; })) << v;
+  }
+}
+
+TEST(SteadyAxes, AreAlongFlatFaces) {
+  const TriangleMesh mesh = turned(uChannel());
+  EXPECT_EQ(static_cast<int>(mesh.triangles.size()), flat(mesh, steadyAxes(mesh)));
+  EXPECT_TRUE(steadyAxes(TriangleMesh()).isIdentity(0));
+  EXPECT_TRUE(steadyAxes(singleTriangle()).isUnitary(1e-12));
 }
 
 }  // namespace

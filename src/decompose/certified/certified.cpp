@@ -12,7 +12,8 @@
 //   if a hull of the cover may hold a pocket: all this once more, with a search for pockets in each hull that is tried
 //   if a cap on hulls asks for fewer: treeAbove(cover) and a cut of that tree                        tree_building.h
 //
-// All of this is done about the origin and along the mesh's own axes, where coordinates are finest and results steadier under rotation.
+// All of this is done about the origin and along axes that turn with the mesh, where coordinates are finest and results hardly depend on
+// how the mesh lies.
 //
 // Cost. With T triangles and K leaves, splitting builds hulls of pieces that halve about log K times, O(T log T log K); it asks O(K) hulls
 // of the oracle and scores some hundreds of planes per split on pieces of at most 200 vertices, whatever T is. Merging looks at O(K^2)
@@ -92,10 +93,10 @@ Plan planFor(Effort effort) {
   return plan;
 }
 
-/// The frame to work in: about the origin, where coordinates are finest, and along the mesh's own axes.
+/// The frame to work in: about the origin, where coordinates are finest, and along axes that turn with the mesh.
 class Place {
  public:
-  explicit Place(const RepairedMesh& mesh) : axes_(ownAxes(mesh.mesh)), middle_(boundingBox(mesh).center()) {}
+  explicit Place(const RepairedMesh& mesh) : axes_(steadyAxes(mesh.mesh)), middle_(axes_.transpose() * middleOf(mesh)) {}
 
   RepairedMesh brought(RepairedMesh mesh) const {
     for (Eigen::Vector3d& v : mesh.mesh.vertices) v = axes_ * (v - middle_);
@@ -120,6 +121,15 @@ class Place {
   }
 
  private:
+  /// The middle of the box along the axes, in their frame.
+  Eigen::Vector3d middleOf(const RepairedMesh& mesh) const {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& v : mesh.mesh.vertices) box.extend(Eigen::Vector3d(axes_ * v));
+    for (const Segment& segment : mesh.loose)
+      for (const Eigen::Vector3d& p : segment) box.extend(Eigen::Vector3d(axes_ * p));
+    return box.center();
+  }
+
   const Eigen::Matrix3d axes_;  // rows
   const Eigen::Vector3d middle_;
 };

@@ -28,6 +28,7 @@
 #include "decompose/certified/in_time.h"
 #include "decompose/certified/largest_side.h"
 #include "decompose/certified/split_planes.h"
+#include "geometry/lean.h"
 #include "mesh/loose_segments.h"
 
 namespace collision_hulls {
@@ -42,6 +43,7 @@ constexpr std::size_t kSome = 3000;                          // points of a piec
 constexpr std::size_t kThin = 300;                           // vertices of a hull that is searched for intruders
 constexpr double kSlim = 0.01, kSmall = 0.01;   // in tolerances and as a share of the area: a side this slim and small is not worth a split
 constexpr double kOnPlane = 1e-9;               // in extents of the whole mesh
+constexpr double kAlongPlane = 0.01;            // in tolerances
 constexpr int kHalveFrom = 40, kDeepest = 200;  // depth of recursion from which pieces are simply halved, and where it ends
 constexpr double kMostLeaves = 10'000;          // per mesh; parts get shares in proportion to their areas
 constexpr std::size_t kApart = 1000, kShares = 16;  // triangles, and shares of them all, that make a part worth a thread
@@ -72,6 +74,17 @@ Eigen::AlignedBox3d boxOf(const std::vector<Block>& blocks) {
   Eigen::AlignedBox3d box;
   for (const Block& block : blocks) box.extend(boundingBox(block.surface));
   return box;
+}
+
+/// In an order that does not depend on that of the triangles.
+std::vector<Block> inOrder(std::vector<Block> blocks) {
+  if (blocks.size() < 2) return blocks;
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < blocks.size(); ++i) order.push_back({lean(boundingBox(blocks[i].surface).center(), 1), i});
+  std::sort(order.begin(), order.end());
+  std::vector<Block> result;
+  for (const auto& [place, i] : order) result.push_back(std::move(blocks[i]));
+  return result;
 }
 
 /// The share of the area that is finished. Thread safe.
@@ -155,7 +168,7 @@ class Splitting {
     whole.fits = fits;
     if (fits) whole.reduced = reduced;
     if (fits || is_last) return {};
-    std::vector<Block> parts = components(block, control());
+    std::vector<Block> parts = inOrder(components(block, control()));
     if (parts.size() == 1)
       parts = over_cap || depth >= kHalveFrom ? halves(block, on_plane_, control()) : bestSplit(block, clear ? hull : thin);
     if (parts.size() == 1) complete();
@@ -227,8 +240,9 @@ std::vector<Leaf> splitIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& or
                                   const std::function<void(double)>& progress) {
   SurfacePiece whole = withLoose(mesh);
   Done done(area(whole), progress);
-  Splitting splitting(oracle, options, kOnPlane * boundingBox(whole).sizes().maxCoeff(), std::max(kApart, whole.triangles.size() / kShares),
-                      kMostLeaves, done);
+  // Where only the surface counts, faces along a plane need not be cut by it because their vertices are not quite in it.
+  const double on_plane = options.fill ? kOnPlane * boundingBox(whole).sizes().maxCoeff() : kAlongPlane * oracle.tolerance();
+  Splitting splitting(oracle, options, on_plane, std::max(kApart, whole.triangles.size() / kShares), kMostLeaves, done);
   const Cell cell = options.fill ? Cell(boundingBox(whole), oracle.solid()) : Cell();
   std::vector<Block> blocks;
   blocks.push_back({std::move(whole), cell});

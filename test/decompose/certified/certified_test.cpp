@@ -221,7 +221,7 @@ TEST(Certified, RotationChangesTheCountLittle) {
 
 TEST(Certified, ASymmetricMeshHasTheSameCountWhenTurned) {
   RandomPoints random(6);
-  for (const TriangleMesh& mesh : {uChannel(), openBox(), flange()}) {
+  for (const TriangleMesh& mesh : {test_shapes::uChannel(), test_shapes::openBox(), test_shapes::flange()}) {
     const auto hulls = [&](const TriangleMesh& some) { return decompose(repair(some), within(0.02 * diagonal(mesh))).hulls.size(); };
     EXPECT_EQ(hulls(rotated(mesh, random.rotation())), hulls(mesh));
   }

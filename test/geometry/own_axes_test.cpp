@@ -62,11 +62,10 @@ std::vector<Eigen::Vector3d> inFrame(TriangleMesh mesh) {
 }
 
 TEST(SteadyAxes, LayATurnedMeshAsTheOriginal) {
-  for (const TriangleMesh& mesh :
-       {scaled(lBracket(), {1, 2, 3}), scaled(sphere(), {1, 2, 3}), merged({box(1, 1, 1), moved(box(2, 3, 4), {1, 1, 1})}),
-        merged({sphere(), moved(sphere(0.5), {1, 0.3, 0.1})})}) {
+  for (const TriangleMesh& mesh : {scaled(lBracket(), {1, 2, 3}), merged({box(1, 1, 1), moved(box(2, 3, 4), {1, 1, 1})}),
+                                   merged({scaled(sphere(), {1, 2, 3}), moved(sphere(0.5), {1, 0.3, 0.1})})}) {
     const std::vector<Eigen::Vector3d> still = inFrame(mesh), moving = inFrame(moved(turned(mesh), {5, 6, 7}));
-    for (std::size_t i = 0; i < still.size(); ++i) EXPECT_TRUE(still[i].isApprox(moving[i], 1e-9)) << i;
+    for (std::size_t i = 0; i < still.size(); ++i) EXPECT_LT((still[i] - moving[i]).norm(), 1e-9) << i << " of " << still.size();
   }
 }
 

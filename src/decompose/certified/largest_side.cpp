@@ -16,7 +16,6 @@ namespace {
 
 // Largest piece to try: larger ones take long, and simplifying them would blur where the hull stops fitting.
 constexpr std::size_t kVertices = 4000;
-constexpr double kMore = 1e-3;                 // by which a direction must be better than those before it, as a share of the area
 constexpr double kLeast = 0.15, kMost = 0.95;  // shares of the area that make a split worthwhile
 constexpr int kAreaHalvings = 20;              // bisections to reach a given share of the area,
 constexpr int kHalvings = 8;                   // and from there on
@@ -117,7 +116,7 @@ std::optional<HalfSpace> largestSide(const SurfacePiece& piece, ProtrusionOracle
   double most = kLeast;
   for (const Eigen::Vector3d& up : directions()) {
     beneath.setDirection(up);
-    const std::optional<double> plane = beneath.highest(most + kMore, oracle);
+    const std::optional<double> plane = beneath.highest(most, oracle);
     if (!plane || beneath.share(*plane) > kMost) continue;
     best = HalfSpace{up, *plane};
     most = beneath.share(*plane);

@@ -61,8 +61,8 @@ TEST(Merging, GivesNoMoreGroupsAllProven) {
 
 /// The tolerance is slightly below the depth of holes; there, the oracle's quick answer accepts what a proof rejects.
 TEST(Merging, RefutedUnionsFallBackIntoTheirParts) {
-  const TriangleMesh mesh = flange(6, 0.4, 1, 0.12, 0.6, 4, 2);
-  const double tolerance = 0.11;
+  const TriangleMesh mesh = flange(7, 0.4, 1, 0.12, 0.4, 4, 2);
+  const double tolerance = 0.115;
   Subject subject(mesh, tolerance);
   const std::vector<Leaf> leaves = subject.leaves();
   SurfaceGroups trusting(leaves, 0, subject.oracle, 0);

@@ -52,10 +52,11 @@ bool limitResources(const WorkerLimits& limits) {
   bool done = limit(RLIMIT_CORE, 0);
   done &= limit(RLIMIT_CPU, limits.cpu_seconds, limits.cpu_seconds + 1);  // the soft limit sends SIGXCPU, which says why
   done &= limit(RLIMIT_FSIZE, 0);
-  done &= limit(RLIMIT_NOFILE, 0);  // what is open stays open
   done &= limit(RLIMIT_NPROC, 0);
   done &= limit(RLIMIT_MEMLOCK, 0);
-  if (!kSanitized) done &= limit(RLIMIT_AS, limits.memory);
+  if (kSanitized) return done;
+  done &= limit(RLIMIT_NOFILE, 0);  // what is open stays open
+  done &= limit(RLIMIT_AS, limits.memory);
   return done;
 }
 

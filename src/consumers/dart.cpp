@@ -1,6 +1,6 @@
 // A SKEL file for DART. Each hull is a <mesh>, of which DART makes triangles. The one convex shape that such a file can name is
 // <multi_sphere>, the hull of spheres, of which those with radius 0 are points. But Bullet's detector, the only one that knows it, takes
-// its margin of 4 cm off that shape, by which hulls thinner than 8 cm are inside out: a ball falls through them.
+// its margin of 4 cm off that shape, by which hulls thinner than 8 cm are inside out: bodies do not rest on them.
 //
 // A SKEL file places bodies in the world at zero positions, joints at the origin of their child. Its angles turn about x, y and z in this
 // order, as rows of URDF's do about z, y and x. It has no mimic joints.

@@ -26,10 +26,10 @@ class Mujoco : public ::testing::Test {
  protected:
   /// [m] where a ball of 2 cm radius comes to rest that falls along -y, above `body`: what a <worldbody> holds.
   double restingHeight(const std::string& head, const std::string& body) {
-    // Contacts that hardly give way: how far they do by default depends on how many there are.
+    // Rolling friction, or it rolls along the hook and off its end.
     const std::string ball =
         "<body name=\"ball\" pos=\"0.05 0.15 0.015\"><freejoint/>"
-        "<geom type=\"sphere\" size=\"0.02\" mass=\"0.1\" priority=\"1\" solref=\"0.004 1\"/></body>";
+        "<geom type=\"sphere\" size=\"0.02\" mass=\"0.1\" condim=\"6\" friction=\"1 0.01 0.01\"/></body>";
     const std::string scene =
         fixtures::write(folder_ / "out/mjcf/scene.xml", "<mujoco><option gravity=\"0 -9.81 0\" timestep=\"0.001\"/>" + head +
                                                             "<worldbody>" + body + ball + "</worldbody></mujoco>");

@@ -229,32 +229,6 @@ TriangleBvh::Cone TriangleBvh::cone(int k) const {
   return {vector / length, error};
 }
 
-/// Calls visit(k) for the triangles within `radius` of p, but skip(cluster) instead for whole nodes whose cone is narrower than `narrow`.
-/// Stops and returns false as soon as a call does.
-template <class Visit, class Skip>
-bool TriangleBvh::forEachNear(const Eigen::Vector3d& p, double radius, double narrow, Visit visit, Skip skip) const {
-  int stack[kDeepest];
-  int top = 0;
-  if (!nodes_.empty()) stack[top++] = 0;
-  while (top > 0) {
-    const auto id = static_cast<std::size_t>(stack[--top]);
-    const Node& node = nodes_[id];
-    if (squaredDistance(node.box, p) > radius * radius) continue;
-    if (clusters_[id].cone_angle < narrow) {
-      if (!skip(clusters_[id])) return false;
-    } else if (node.count > 0) {
-      for (int k = node.first; k < node.first + node.count; ++k) {
-        const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
-        if ((closestPoint(a, b, c, p) - p).squaredNorm() <= radius * radius && !visit(k)) return false;
-      }
-    } else {
-      stack[top++] = node.first;
-      stack[top++] = node.first + 1;
-    }
-  }
-  return true;
-}
-
 bool TriangleBvh::facesOneWay(const Eigen::Vector3d& p, double radius) const {
   std::array<Spread, kMostCones> cones;
   std::size_t count = 0;
@@ -263,43 +237,26 @@ bool TriangleBvh::facesOneWay(const Eigen::Vector3d& p, double radius) const {
     cones[count++] = {c.axis, c.angle > 0 ? std::sin(c.angle) : 0};
     return true;
   };
-  return forEachNear(
-             p, radius, kNarrow, [&](int k) { return add(cone(k)); },
-             [&](const Cluster& cluster) {
-               return add({cluster.cone_axis, cluster.cone_angle});
-             }) &&
-         leastCosine(cones.data(), count) > 0;
-}
-
-double TriangleBvh::frontBound(const HeightAbove& height, const Eigen::Vector3d& p, double radius, double limit, int* foremost) const {
-  std::array<Spread, kMostCones> cones;
-  std::size_t count = 0;
-  double front = 0;
-  const auto add = [&](int k) {
-    const Cone c = cone(k);
-    if (c.angle >= kAnyDirection || count == kMostCones) return false;
-    cones[count++] = {c.axis, c.angle};
-    const int triangle = index_[static_cast<std::size_t>(k)];
-    const double d = height(triangle);
-    if (d <= front) return true;
-    front = d;
-    if (foremost) *foremost = triangle;
-    return front <= limit;
-  };
-  if (!forEachNear(p, radius, -1, add, [](const Cluster&) { return false; })) return std::numeric_limits<double>::infinity();
-  const double cosine = leastCosine(cones.data(), count);
-  return cosine > 0 ? front / cosine : std::numeric_limits<double>::infinity();
-}
-
-double TriangleBvh::heightAbove(int triangle, const std::vector<Eigen::Vector3d>& points) const {
-  const int k = position_[static_cast<std::size_t>(triangle)];
-  const Cone c = cone(k);
-  double height = 0;
-  for (const Eigen::Vector3d& p : points) {
-    const Eigen::Vector3d from = p - corners_[static_cast<std::size_t>(k)][0];
-    height = std::max(height, c.axis.dot(from) + c.angle * from.norm());
+  int stack[kDeepest];
+  int top = 0;
+  if (!nodes_.empty()) stack[top++] = 0;
+  while (top > 0) {
+    const auto id = static_cast<std::size_t>(stack[--top]);
+    const Node& node = nodes_[id];
+    if (squaredDistance(node.box, p) > radius * radius) continue;
+    if (clusters_[id].cone_angle < kNarrow) {
+      if (!add({clusters_[id].cone_axis, clusters_[id].cone_angle})) return false;
+    } else if (node.count > 0) {
+      for (int k = node.first; k < node.first + node.count; ++k) {
+        const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
+        if ((closestPoint(a, b, c, p) - p).squaredNorm() <= radius * radius && !add(cone(k))) return false;
+      }
+    } else {
+      stack[top++] = node.first;
+      stack[top++] = node.first + 1;
+    }
   }
-  return c.angle < kAnyDirection ? height : std::numeric_limits<double>::infinity();
+  return leastCosine(cones.data(), count) > 0;
 }
 
 TriangleBvh::Nearest TriangleBvh::nearest(const Eigen::Vector3d& p, double limit, int hint) const {

@@ -283,6 +283,15 @@ double Solid::sideError() const {
 bool Solid::isOneSide(double to_surface, double radius) const {
   return !hasOpenings() && to_surface - impl_->walls.crackSlack() - impl_->walls.blur > radius;
 }
+bool Solid::isOneSide(const std::array<Eigen::Vector3d, 3>& patch, const std::array<Eigen::Vector3d, 3>** met) const {
+  const Walls& walls = impl_->walls;
+  const std::array<Eigen::Vector3d, 3>* const found = walls.closed->metBy(patch);
+  if (met) *met = found;
+  if (found || !hasOpenings()) return !found;
+  const Eigen::Vector3d centre = (patch[0] + patch[1] + patch[2]) / 3;
+  const double way = walls.wayToBorder(centre, walls.windingNumber(centre));
+  return std::all_of(patch.begin(), patch.end(), [&](const Eigen::Vector3d& p) { return (p - centre).norm() < way; });
+}
 
 double Solid::distanceWithin(double radius, double signed_distance, double to_surface) const {
   const double bound = std::max(0.0, signed_distance + radius);
@@ -305,10 +314,6 @@ double Solid::heightAboveSheet(const std::array<Eigen::Vector3d, 3>& patch, cons
 }
 bool Solid::mayHoldSummit(const Eigen::Vector3d& p, double to_surface, double radius) const {
   return !surface().facesOneWay(p, impl_->walls.reach(radius, to_surface + radius));
-}
-double Solid::frontBound(const TriangleBvh::HeightAbove& height, const Eigen::Vector3d& p, double radius, double furthest, double limit,
-                         int* foremost) const {
-  return surface().frontBound(height, p, impl_->walls.reach(radius, furthest), limit, foremost);
 }
 const Eigen::Matrix3d& Solid::axes() const {
   return impl_->axes;

@@ -1,9 +1,9 @@
 // Queue the hull's triangles by their bounds. While the largest bound exceeds found + gap, split that triangle at its longest edge and
-// queue both parts. If a hull's face is level with the surface on one side of a surface edge and enters the solid on the other, split along
-// that edge instead.
+// queue both parts. Where a patch passes through the surface, split it along the plane of a triangle there instead.
 //
 // The distance f to the solid is 1-Lipschitz: within a radius r of the centre c it is at most f(c) + r. Where f is nearly constant this
-// converges slowly, and LevelBound takes over. Solid::frontBound settles patches inside the solid that end at its surface.
+// converges slowly, and LevelBound takes over. Where a patch is inside, or near a surface of many triangles, it is moved into the solid: f
+// is at most as large as the longest way that any of its points goes.
 #include "measure/surface_search.h"
 
 #include <algorithm>
@@ -21,12 +21,14 @@ namespace {
 
 constexpr int kStepsBetweenChecks = 1024;
 constexpr std::size_t kTrianglesBetweenChecks = 1024;
-constexpr int kMostInARow = 4;   // splits by planes in a row; these need not make a patch shorter
-constexpr double kLevel = 0.25;  // in thresholds: a corner nearer to a plane than this lies in it
-constexpr double kSteep = 0.05;  // least sine of the angle between a patch and a plane that splits it
-constexpr double kLarge = 0.25;  // least size, relative to the patch, of surface triangles along whose edges it may be split
-constexpr double kSlack = 0.5;   // in gaps: how far a patch may stick out sideways and still count as above a flat sheet
-constexpr double kLong = 40;     // in thresholds: shorter patches are halved, as planes would gain little
+constexpr int kMostInARow = 4;      // splits by planes in a row; these need not make a patch shorter
+constexpr double kLevel = 0.25;     // in thresholds: a corner nearer to a plane than this lies in it
+constexpr double kSteep = 0.05;     // least sine of the angle between a patch and a plane that splits it
+constexpr double kLarge = 0.25;     // least size, relative to the patch, of surface triangles along whose edges it may be split
+constexpr double kSlack = 0.5;      // in gaps: how far a patch may stick out sideways and still count as above a flat sheet
+constexpr double kTouching = 1e-3;  // in thresholds: the direction to a nearest point is vague if that is nearer than this
+constexpr double kMoved = 0.125;    // in gaps, above what was found: how far patches are moved
+constexpr double kLong = 40;        // in thresholds: shorter patches are halved, as planes would gain little
 
 /// A corner of patches, and the triangle of the solid's surface nearest to it.
 struct Corner {
@@ -38,8 +40,9 @@ struct Corner {
 struct Patch {
   std::array<Corner, 3> corner;
   double bound = 0;
-  int divider = -1;  // a surface triangle whose plane may separate what is level from what is inside; -1: none known
-  int divided = 0;   // times in a row that it and its ancestors were split by planes
+  // a triangle of the surface: its plane may separate what is outside from what is inside; null: none known
+  const std::array<Eigen::Vector3d, 3>* divider = nullptr;
+  int divided = 0;  // times in a row that it and its ancestors were split by planes
 
   bool operator<(const Patch& other) const { return bound < other.bound; }
   Eigen::Vector3d centre() const { return (corner[0].p + corner[1].p + corner[2].p) / 3; }
@@ -87,6 +90,9 @@ class Search {
   /// A patch whose bound is below this is not worth splitting.
   double threshold() const { return std::max(best_.found, query_.floor) + query_.gap; }
 
+  /// How far patches are moved into the solid. With the whole threshold, the gap would be all that is known.
+  double farthest() const { return std::max(best_.found, query_.floor) + kMoved * query_.gap; }
+
   /// Whether, as far as distances are known, no point of the patch is far enough to matter.
   bool isKnown(const std::array<Corner, 3>& corner) {
     if (!query_.known || !query_.known->isWithin({corner[0].p, corner[1].p, corner[2].p}, threshold())) return false;
@@ -117,18 +123,34 @@ class Search {
       if (outside > best_.found && outside > query_.floor) best_.found = outside, best_.where = c, best_.nearest = n.point;
       level.add(n.triangle);
       patch.bound = std::min({patch.bound, std::max(0.0, outside + radius), level.value()});
+      if (patch.bound > threshold() && goesInside(patch, c, radius, outside, n)) patch.bound = farthest();
       if (patch.bound > threshold()) patch.bound = std::min(patch.bound, solid_.heightAboveSheet(corners, n, kSlack * query_.gap));
-      if (patch.bound > threshold()) {
-        const std::vector<Eigen::Vector3d> all(corners.begin(), corners.end());
-        const auto height = [&](int t) { return solid_.surface().heightAbove(t, all); };
-        const double furthest = std::min(n.distance + radius, level.value());
-        patch.bound = std::min(patch.bound, solid_.frontBound(height, c, radius, furthest, patch.bound, &patch.divider));
-      }
     }
     if (patch.bound > threshold())
       queue_.push(patch);
     else
       dropped_ = std::max(dropped_, patch.bound);
+  }
+
+  /// Whether every point of the patch about c has a point of the solid within farthest(), because all of the patch is inside once it is
+  /// moved there.
+  bool goesInside(Patch& patch, const Eigen::Vector3d& c, double radius, double outside, const TriangleBvh::Nearest& nearest) const {
+    if (outside < 0 && isInside(patch, c, radius, Eigen::Vector3d::Zero())) return true;
+    const double above = std::max(outside, 0.0);
+    if (above >= farthest() || (outside < 0 && !patch.divider)) return false;
+    const auto& [p, q, r] = outside < 0 ? *patch.divider : solid_.surface().corners(nearest.triangle);
+    const Eigen::Vector3d inward = outside > kTouching * threshold() ? nearest.point - c : (q - p).cross(p - r);
+    const Eigen::Vector3d by = (above + farthest()) / 2 * inward.normalized();
+    return solid_.contains(c + by) && isInside(patch, c, radius, by);
+  }
+
+  /// Whether the patch about c lies inside as a whole, which its centre does, when it is moved by `by` and shrunk: that moves its corners
+  /// by farthest() at most. If not, it meets the divider.
+  bool isInside(Patch& patch, const Eigen::Vector3d& c, double radius, const Eigen::Vector3d& by) const {
+    const double share = 1 - (farthest() - by.norm()) / radius;
+    std::array<Eigen::Vector3d, 3> moved;
+    for (std::size_t i = 0; i < 3; ++i) moved[i] = c + by + share * (patch.corner[i].p - c);
+    return solid_.isOneSide(moved, &patch.divider);
   }
 
   /// Where a plane crosses an edge of a patch.
@@ -140,8 +162,8 @@ class Search {
     const Crossing longest = middleOfLongest(patch);
     const double length = (patch.corner[longest.edge].p - patch.corner[(longest.edge + 1) % 3].p).norm();
     if (patch.divided >= kMostInARow || length < kLong * threshold()) return std::nullopt;
-    if (patch.divider >= 0) {
-      const auto& [a, b, c] = solid_.surface().corners(patch.divider);
+    if (patch.divider) {
+      const auto& [a, b, c] = *patch.divider;
       return crossing(patch, (b - a).cross(c - a), a);
     }
     // Over a level surface of several triangles: split where one of them ends.

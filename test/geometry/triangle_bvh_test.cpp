@@ -1,9 +1,10 @@
-// Also tests src/geometry/triangle_bvh_inside.cpp.
+// Also tests src/geometry/triangle_bvh_inside.cpp and triangle_bvh_patch.cpp.
 #include "collision_hulls/geometry/triangle_bvh.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -32,6 +33,7 @@ TEST(TriangleBvh, EmptyMesh) {
   EXPECT_EQ(bvh.windingNumber({0, 0, 0}), 0);
   EXPECT_EQ(bvh.signedCrossings({0, 0, 0}), 0);
   EXPECT_TRUE(bvh.facesOneWay({0, 0, 0}, 1));
+  EXPECT_FALSE(bvh.metBy({Vector3d{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
 }
 
 TEST(TriangleBvh, TrianglesWithoutArea) {
@@ -42,8 +44,6 @@ TEST(TriangleBvh, TrianglesWithoutArea) {
   EXPECT_EQ(bvh.windingNumber({1, 1, 1}), 0);
   EXPECT_EQ(bvh.signedCrossings({1, 0, -1}), 0);
   EXPECT_FALSE(bvh.facesOneWay({1, 1, 1}, 2));
-  EXPECT_EQ(bvh.frontBound([](int) { return 0.0; }, {1, 1, 1}, 2), kInfinity);
-  EXPECT_EQ(bvh.heightAbove(0, {{1, 1, 1}}), kInfinity);
 }
 
 TEST(TriangleBvh, OneTriangleManyTimes) {
@@ -190,12 +190,7 @@ TEST(TriangleBvh, CrossingsOfAnInwardSurfaceAreNegative) {
   EXPECT_EQ(TriangleBvh(box).signedCrossings({0.5, 0.5, 0.5}), -1);
 }
 
-// facesOneWay() and frontBound(): they may fall short but never claim too much.
-
-/// Over the convex hull of some corners.
-double frontBound(const TriangleBvh& bvh, const std::vector<Vector3d>& corners, const Vector3d& p, double radius) {
-  return bvh.frontBound([&](int t) { return bvh.heightAbove(t, corners); }, p, radius);
-}
+// facesOneWay(): it may fall short but never claims too much.
 
 /// Whether some direction makes an acute angle with the normals of all triangles within the radius. If one does, so does the point of the
 /// normals' convex hull that is nearest to 0 (Gilbert's method).
@@ -221,23 +216,6 @@ bool openHalfSpace(const TriangleMesh& mesh, const Vector3d& p, double radius) {
 TriangleMesh sliver(double height, RandomPoints& random) {
   const Vector3d a = random.inCube(), along = random.onSphere(), up = along.cross(random.onSphere()).normalized();
   return {{a, a + along, a + 0.4 * along + height * up}, {{0, 1, 2}}};
-}
-
-// Far off to the side, rounding of the sliver's normal decides on how high a point is above it.
-TEST(TriangleBvh, FrontBoundAllowsForTheNormalsOfSlivers) {
-  using Exact = Eigen::Matrix<long double, 3, 1>;
-  for (std::uint32_t seed = 0; seed < 300; ++seed) {
-    RandomPoints random(seed);
-    const TriangleMesh mesh = sliver(1e-6, random);
-    const Exact a = mesh.vertices[0].cast<long double>(), b = mesh.vertices[1].cast<long double>(),
-                c = mesh.vertices[2].cast<long double>();
-    const Exact normal = (b - a).cross(c - a).normalized(), sideways = normal.cross(b - a).normalized();
-    const Vector3d p = (a + 10 * sideways + normal).cast<double>();
-    const auto height = static_cast<double>(normal.dot(p.cast<long double>() - a));
-    const double bound = frontBound(TriangleBvh(mesh), {p}, p, 20);
-    EXPECT_GE(bound, height) << seed;
-    EXPECT_LE(bound, height + 1e-6) << seed;
-  }
 }
 
 TEST(TriangleBvh, AnExtremeSliverFacesAnyWay) {
@@ -289,9 +267,7 @@ TEST(TriangleBvh, TwoSidedTrianglesDoNotFaceOneWay) {
   two_sided[static_cast<std::size_t>(one.nearest({0.9, 0.9, 0.1}).triangle)] = 1;
   const TriangleBvh bvh(sheet, two_sided);
   EXPECT_FALSE(bvh.facesOneWay({0.9, 0.9, 0.1}, 0.2));
-  EXPECT_EQ(frontBound(bvh, {{0.9, 0.9, 0.1}}, {0.9, 0.9, 0.1}, 0.2), kInfinity);
   EXPECT_TRUE(bvh.facesOneWay({0.1, 0.1, 0.1}, 0.2));
-  EXPECT_NEAR(frontBound(bvh, {{0.1, 0.1, 0.1}}, {0.1, 0.1, 0.1}, 0.2), 0.1, 1e-9);
 }
 
 TEST(TriangleBvh, FacesOneWayNeverClaimsTooMuch) {
@@ -319,45 +295,73 @@ TEST(TriangleBvh, FacesOneWayNeverClaimsTooMuch) {
   EXPECT_GT(refuted, 100);
 }
 
-TEST(TriangleBvh, FrontBoundIsNeverTooSmall) {
-  int bounded = 0;
+// metBy(): null only if the patch meets nothing.
+
+using Patch = std::array<Vector3d, 3>;
+
+/// Whether the segment ab crosses the triangle.
+bool crosses(const Vector3d& a, const Vector3d& b, const Patch& t) {
+  const auto volume = [](const Vector3d& p, const Vector3d& q, const Vector3d& r, const Vector3d& s) {
+    return (q - p).cross(r - p).dot(s - p);
+  };
+  if ((volume(t[0], t[1], t[2], a) > 0) == (volume(t[0], t[1], t[2], b) > 0)) return false;
+  const bool left = volume(a, b, t[0], t[1]) > 0;
+  return (volume(a, b, t[1], t[2]) > 0) == left && (volume(a, b, t[2], t[0]) > 0) == left;
+}
+
+/// Two triangles in general position meet where an edge of one crosses the other.
+bool meet(const Patch& s, const Patch& t) {
+  bool result = false;
+  for (std::size_t i = 0; i < 3; ++i) result = result || crosses(s[i], s[(i + 1) % 3], t) || crosses(t[i], t[(i + 1) % 3], s);
+  return result;
+}
+
+TEST(TriangleBvh, WhatAPatchMeets) {
+  int met = 0, hardly_told = 0, free = 0;
   for (std::uint32_t seed = 0; seed < 10; ++seed) {
     SCOPED_TRACE(seed);
     RandomPoints random(seed);
-    const std::vector<TriangleMesh> meshes{test_shapes::torus(1, 0.3, 16, 10), test_shapes::openBox(1, 1, 1, 0.1, 3),
-                                           test_shapes::lBracket(1, 0.2, 1, 3), test_shapes::sphere(1, 4)};
+    const std::vector<TriangleMesh> meshes{test_shapes::torus(1, 0.3, 16, 10), test_shapes::openBox(1, 1, 1, 0.1, 3), random.soup(60, 0.4),
+                                           test_shapes::sphere(100, 4)};
     for (const TriangleMesh& mesh : meshes) {
+      const double scale = boundingBox(mesh).sizes().maxCoeff() / 2;
       const TriangleBvh bvh(mesh);
-      for (int i = 0; i < 60; ++i) {
-        const Vector3d p = random.inCube(1.2);
-        const double size = std::pow(10.0, random.number(-2, -0.3));
-        const std::vector<Vector3d> corners{p + random.inCube(size), p + random.inCube(size), p + random.inCube(size)};
-        double reach = 0;
-        for (const Vector3d& c : corners) reach = std::max(reach, (c - p).norm());
-        const double bound = frontBound(bvh, corners, p, bvh.nearest(p).distance + 2 * reach);
-        if (bound == kInfinity) continue;
-        ++bounded;
-        for (int k = 0; k < 20; ++k) {
-          const Vector3d x = random.inTriangle(corners[0], corners[1], corners[2]);
-          const bool inside = bvh.signedCrossings(x) > 0;
-          EXPECT_LE(inside ? 0 : bruteForce(mesh, x), bound + 1e-12);
+      for (int i = 0; i < 200; ++i) {
+        const Vector3d p = scale * random.inCube(1.2);
+        const double size = scale * std::pow(10.0, random.number(-3, 0.3));
+        const Patch patch{p + random.inCube(size), p + random.inCube(size), p + random.inCube(size)};
+        bool expected = false;
+        for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+          expected = expected || meet(patch, {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
+        const Patch* found = bvh.metBy(patch);
+        if (expected) {
+          ASSERT_TRUE(found);
+          ++met;
+        } else {
+          found ? ++hardly_told : ++free;
         }
       }
     }
   }
-  EXPECT_GT(bounded, 100);
+  EXPECT_GT(met, 500);
+  EXPECT_GT(free, 2000);
+  EXPECT_LT(hardly_told, 0.01 * free) << "it need not be exact, but nearly so";
 }
 
-/// Over a floor the bound is the height; in front of the ridge of two slopes, the height over the worse slope's plane, divided by the
-/// cosine between the slopes and the direction between them.
-TEST(TriangleBvh, FrontBoundIsTightOverAFloorAndARidge) {
-  const TriangleMesh floor{{{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}}, {{0, 1, 2}}};
-  const std::vector<Vector3d> patch{{0, 0, 0.2}, {1, 0, 0.5}, {0, 1, -0.3}};
-  EXPECT_NEAR(frontBound(TriangleBvh(floor), patch, {0, 0, 0}, 2), 0.5, 1e-12);
-  const double slope = 0.5;
-  const TriangleMesh ridge{{{0, -9, 0}, {0, 9, 0}, {9, 0, -9 * slope}, {-9, 0, -9 * slope}}, {{1, 0, 2}, {0, 1, 3}}};
-  const double cosine = 1 / std::hypot(1, slope);
-  EXPECT_NEAR(frontBound(TriangleBvh(ridge), {{0, 0, 0.4}}, {0, 0, 0}, 2), 0.4 * cosine / cosine, 1e-3);
+// In the plane of a face, the heights above it are rounding errors.
+TEST(TriangleBvh, APatchThatTouchesTheSurfaceMeetsIt) {
+  RandomPoints random(3);
+  TriangleMesh mesh = test_shapes::box(1, 1, 1, 4);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  for (Vector3d& v : mesh.vertices) v = turn * v;
+  const TriangleBvh bvh(mesh);
+  for (int i = 0; i < 300; ++i) {
+    const auto on = [&](double z) { return Vector3d(turn * Vector3d(random.number(0.1, 0.9), random.number(0.1, 0.9), z)); };
+    EXPECT_TRUE(bvh.metBy({on(1), on(1), on(1)}));
+    EXPECT_TRUE(bvh.metBy({on(1), on(1.5), on(1.5)})) << "a corner";
+    EXPECT_TRUE(bvh.metBy({on(1), on(1), on(0.5)})) << "an edge";
+    EXPECT_FALSE(bvh.metBy({on(0.999), on(0.999), on(0.001)})) << "inside";
+  }
 }
 
 TEST(TriangleBvh, TrianglesNearABoxAreThoseWhoseBoxesMeetIt) {

@@ -182,6 +182,34 @@ TEST(Solid, WhatLiesWithinTheBlurOfTheSurfaceCountsAsOutside) {
   EXPECT_TRUE(solid.isOneSide(0.3, 0.2999));
 }
 
+// With openings, S also ends in mid air.
+TEST(Solid, APatchOnOneSideIsOnOneSideEverywhere) {
+  RandomPoints random(4);
+  TriangleMesh lidless = test_shapes::sphere(1, 4);
+  lidless.triangles.resize(lidless.triangles.size() - 6);
+  for (const TriangleMesh& mesh : {test_shapes::openBox(1, 1, 1, 0.1, 3), test_shapes::torus(1, 0.3, 16, 10), lidless}) {
+    const Solid solid = solidOf(mesh);
+    const Eigen::AlignedBox3d box = boundingBox(mesh);
+    int inside = 0, mixed = 0;
+    for (int trial = 0; trial < 1500; ++trial) {
+      const Vector3d p = random.inBox(box);
+      const double size = std::pow(10.0, random.number(-2, 0));
+      const std::array<Vector3d, 3> patch{p + random.inCube(size), p + random.inCube(size), p + random.inCube(size)};
+      const bool first = solid.contains((patch[0] + patch[1] + patch[2]) / 3);
+      bool alike = true;
+      for (int k = 0; k < 50; ++k) alike = alike && solid.contains(random.inTriangle(patch[0], patch[1], patch[2])) == first;
+      const std::array<Vector3d, 3>* met = nullptr;
+      const bool claimed = solid.isOneSide(patch, &met);
+      EXPECT_TRUE(alike || !claimed) << p.transpose() << ", size " << size;
+      EXPECT_TRUE(!met || !claimed);
+      inside += claimed && first;
+      mixed += !alike;
+    }
+    EXPECT_GT(inside, 50);
+    EXPECT_GT(mixed, 50);
+  }
+}
+
 /// A cube of side 1 whose top and sides meet at different vertices: each edge of the top is split at a point `off` beside the sides' edge.
 TriangleMesh cubeWithCracks(double off) {
   TriangleMesh mesh = test_shapes::box(1, 1, 1);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "random_points.h"
 #include "solids.h"
 
 namespace collision_hulls {
@@ -13,6 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 using test_shapes::boxHull;
+using test_shapes::RandomPoints;
 using test_shapes::solidOf;
 
 /// A hull 0.1 around a cube: its corners are 0.1 sqrt(3) away.
@@ -86,6 +88,60 @@ TEST_F(AroundACube, HalvingsThatRunOutLeaveTheBoundOfTheOpenPatches) {
   const Protrusion p = largestOnSurface(flat, solid, query, {});
   EXPECT_GE(p.bound, 2);
   EXPECT_LE(p.found, 2 + 1e-12);
+}
+
+// Patches are moved into the solid.
+
+/// The search's bound before anything is divided.
+double firstBound(const ConvexHull& hull, const Solid& solid, double floor) {
+  SurfaceQuery query;
+  query.floor = floor;
+  query.gap = 1e-3;
+  query.halvings = 0;
+  return largestOnSurface(hull, solid, query, {}).bound;
+}
+
+TEST(SurfaceSearch, AFaceThroughTheSolidIsSettledWhole) {
+  const Solid solid = solidOf(test_shapes::box(1, 1, 1, 8));
+  EXPECT_LE(firstBound(boxHull({0, 0.4, 0.4}, {1, 0.6, 0.6}), solid, 0.05), 0.051) << "it ends at two walls";
+  EXPECT_LE(firstBound(boxHull({-0.02, 0.4, 0.4}, {1.02, 0.6, 0.6}), solid, 0.05), 0.051) << "it ends beyond them";
+  EXPECT_GT(firstBound(boxHull({-0.07, 0.4, 0.4}, {1.07, 0.6, 0.6}), solid, 0.05), 0.069);
+}
+
+TEST(SurfaceSearch, AFaceNearARoundSurfaceIsSettledWhole) {
+  const Solid solid = solidOf(test_shapes::sphere(1, 5));
+  const ConvexHull hull = boxHull({-0.2, -0.2, 0.9}, {0.2, 0.2, 1});
+  const double corner = std::sqrt(1.08) - 1;
+  EXPECT_LE(firstBound(hull, solid, 0.1), 0.101);
+  EXPECT_GE(firstBound(hull, solid, 0.1), corner);
+}
+
+TEST(SurfaceSearch, TheBoundHoldsWhereverTheFloorIs) {
+  RandomPoints random(7);
+  int close = 0;
+  for (const TriangleMesh& mesh : {test_shapes::openBox(1, 1, 1, 0.1, 3), test_shapes::lBracket(1, 0.2, 1, 3),
+                                   test_shapes::torus(0.6, 0.3, 24, 16), test_shapes::sheet(1, 1, 4)}) {
+    const Solid solid = solidOf(mesh);
+    for (int trial = 0; trial < 60; ++trial) {
+      std::vector<Vector3d> corners;
+      for (int i = 0; i < 8; ++i) corners.push_back(random.on(mesh) + random.inCube(0.05));
+      const ConvexHull hull = convexHull(corners);
+      double most = 0;
+      for (const Triangle& t : hull.triangles)
+        for (int k = 0; k < 60; ++k) {
+          const auto at = [&](std::size_t i) -> const Vector3d& { return hull.vertices[static_cast<std::size_t>(t[i])]; };
+          most = std::max(most, solid.distance(random.inTriangle(at(0), at(1), at(2))));
+        }
+      SurfaceQuery query;
+      query.floor = most * random.number(0.5, 1.2);
+      query.gap = 1e-3;
+      query.halvings = random.index(200);
+      const double bound = largestOnSurface(hull, solid, query, {}).bound;
+      EXPECT_GE(bound, most);
+      close += bound < 1.3 * most;
+    }
+  }
+  EXPECT_GT(close, 60);
 }
 
 // The furthest place, in the middle of the mouth, is on the border between triangles, where nothing looks before they are divided.

@@ -9,7 +9,6 @@
 
 #include <Eigen/Geometry>
 #include <array>
-#include <functional>
 #include <limits>
 #include <vector>
 
@@ -66,24 +65,9 @@ class TriangleBvh {
   /// there are many triangles), but never the reverse.
   bool facesOneWay(const Eigen::Vector3d& p, double radius) const;
 
-  /// How far points lie above a triangle [m].
-  using HeightAbove = std::function<double(int triangle)>;
-
-  /// An upper bound on the distance to the solid that the triangles enclose, valid over any set of
-  /// points of which `height` tells how far any lies above the plane of a triangle (an upper bound,
-  /// see heightAbove()). The ball of `radius` about p must contain, for each of these points
-  /// outside the solid, its nearest surface point. Infinite if the triangles in the ball do not all
-  /// face one way, or if a height exceeds `limit`. Why: for x outside with nearest surface point y,
-  /// x - y lies in the cone of the normals n_i at y. These all make an angle of cosine at least c
-  /// with some direction, so |x - y| <= max_i n_i . (x - y) / c. `foremost`, if given, receives the
-  /// triangle i that attains the maximum.
-  double frontBound(const HeightAbove& height, const Eigen::Vector3d& p, double radius,
-                    double limit = std::numeric_limits<double>::infinity(),
-                    int* foremost = nullptr) const;
-
-  /// [m] An upper bound on how far any of the points, or of their convex hull, lies above a
-  /// triangle's plane; 0 if all lie below. Allows for the rounding of the normal.
-  double heightAbove(int triangle, const std::vector<Eigen::Vector3d>& points) const;
+  /// The corners of a triangle of the surface that `patch` meets, or passes so closely that
+  /// rounding hides it; null only if it surely meets none.
+  const std::array<Eigen::Vector3d, 3>* metBy(const std::array<Eigen::Vector3d, 3>& patch) const;
 
   /// The triangles whose boxes meet `box`, in ascending order.
   std::vector<int> trianglesNear(const Eigen::AlignedBox3d& box) const;
@@ -122,6 +106,7 @@ class TriangleBvh {
   static constexpr int kDeepest = 96;
   // stack size: three pending on each of log4(2^31 / 4) levels, and some to spare
   static constexpr int kDeepestFours = 3 * 24;
+  struct PatchPlanes;
   struct Cone {
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
     double angle = 0;  // [rad] half opening angle
@@ -140,9 +125,6 @@ class TriangleBvh {
     return ((p - centre_) / unit_).cast<float>();
   }
   void fitCone(int node);
-  template <class Visit, class Skip>
-  bool forEachNear(const Eigen::Vector3d& p, double radius, double narrow, Visit visit,
-                   Skip skip) const;
 
   std::vector<Node> nodes_;
   std::vector<FourBoxes> fours_;  // the same nodes, two levels merged into one

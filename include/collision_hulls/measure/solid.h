@@ -48,6 +48,10 @@ class Solid {
   /// Whether all points within `radius` [m] of one at this distance from the surface are on its
   /// side, inside or outside. May answer no where the answer is yes, but never the reverse.
   bool isOneSide(double to_surface, double radius) const;
+  /// The same for all points of a patch. `met`, if given, receives the corners of a triangle of the
+  /// surface that it meets; null if there is none.
+  bool isOneSide(const std::array<Eigen::Vector3d, 3>& patch,
+                 const std::array<Eigen::Vector3d, 3>** met = nullptr) const;
   /// [m] An upper bound on distance() within `radius` of a point with this signedDistance(). Near
   /// openings, a step out of the ball inside S may cross a border that is not surface; then only
   /// the nearest surface counts.
@@ -81,12 +85,6 @@ class Solid {
   /// surface that faces one way, with nothing inside out in front of it, so the distance grows in a
   /// common direction. Always yes if there are openings. `to_surface`: distanceToSurface(p).
   bool mayHoldSummit(const Eigen::Vector3d& p, double to_surface, double radius) const;
-  /// [m] An upper bound on the distance to S over points within `radius` of p that are no further
-  /// than `furthest` from the surface; infinite where such a point may be a summit. See
-  /// TriangleBvh::frontBound().
-  double frontBound(const TriangleBvh::HeightAbove& height, const Eigen::Vector3d& p, double radius,
-                    double furthest, double limit = std::numeric_limits<double>::infinity(),
-                    int* foremost = nullptr) const;
   /// The triangles of the mesh, followed by one for each loose segment. Two-sided are those whose
   /// back may be nearest to a point outside S: sheets, rims, and wherever the surface may be inside
   /// out.

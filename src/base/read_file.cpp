@@ -66,10 +66,12 @@ std::string OpenFile::content(const std::string& kind, std::uintmax_t most_bytes
   expectRegular(kind);
   const auto size = static_cast<std::uintmax_t>(status_.st_size);
   if (size > most_bytes) refuseSize(path_, std::to_string(size), most_bytes, kind);
-  std::string bytes(size, '\0');
-  for (std::size_t done = 0; done < bytes.size();) {
+  std::string bytes;
+  bytes.reserve(size);
+  for (std::size_t done = 0; done < size;) {
     control.check();
-    const ssize_t got = read(descriptor_.number(), bytes.data() + done, std::min(kPiece, bytes.size() - done));
+    bytes.resize(std::min<std::size_t>(size, done + kPiece));  // bit by bit: the kernel takes its time over much memory
+    const ssize_t got = read(descriptor_.number(), bytes.data() + done, bytes.size() - done);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) failToRead(path_, errno);
     if (got == 0) fail(path_, "became shorter while it was read; run again when it is complete");

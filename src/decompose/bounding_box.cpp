@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/looks.h"
 #include "decompose/outline.h"
 
 namespace collision_hulls {
@@ -107,7 +108,7 @@ ConvexHull orientedBox(const ConvexHull& hull, const RunControl& control) {
     const OrientedBox box = boxAcross(points, direction);
     if (box.volume() < best.volume()) best = box;
   }
-  std::optional<ConvexHull> result = hullHolding(corners(best, middle), hull.vertices);
+  std::optional<ConvexHull> result = hullHolding(corners(best, middle), hull.vertices, control);
   if (!result) throw Error(ErrorCode::kInternal, "an oriented box does not contain the hull it was built around");
   result->thickness = std::max(result->thickness, hull.thickness);
   return *result;
@@ -121,13 +122,15 @@ Eigen::Matrix3d principalAxes(const std::vector<Eigen::Vector3d>& points) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors();
 }
 
-std::optional<ConvexHull> hullHolding(std::vector<Eigen::Vector3d> corners, const std::vector<Eigen::Vector3d>& held) {
+std::optional<ConvexHull> hullHolding(std::vector<Eigen::Vector3d> corners, const std::vector<Eigen::Vector3d>& held,
+                                      const RunControl& control) {
+  Looks look(control, kLargeItemsBetweenLooks);
   constexpr int kTries = 8;
   constexpr double kMostGrowth = 1e-6;  // as a share of the size; larger excesses are not due to rounding
   for (int k = 0; k < kTries; ++k) {
-    ConvexHull hull = convexHull(corners);
+    ConvexHull hull = convexHull(corners, control);
     double excess = 0;
-    for (const Eigen::Vector3d& p : held) excess = std::max(excess, planeDistance(hull, p));
+    for (const Eigen::Vector3d& p : held) look(), excess = std::max(excess, planeDistance(hull, p));
     if (excess <= 0) return hull;
     const Eigen::Vector3d middle = boundingBox(hull).center();
     const double depth = -planeDistance(hull, middle);

@@ -19,7 +19,8 @@ ConvexHull orientedBox(const ConvexHull& hull, const RunControl& control = {});
 Eigen::Matrix3d principalAxes(const std::vector<Eigen::Vector3d>& points);
 
 /// The hull of `corners`, grown about their middle as far as rounding requires until its faces hold all of `held`; nullopt if it would have
-/// to grow by more than rounding explains.
-std::optional<ConvexHull> hullHolding(std::vector<Eigen::Vector3d> corners, const std::vector<Eigen::Vector3d>& held);
+/// to grow by more than rounding explains. Throws kCancelled.
+std::optional<ConvexHull> hullHolding(std::vector<Eigen::Vector3d> corners, const std::vector<Eigen::Vector3d>& held,
+                                      const RunControl& control = {});
 
 }  // namespace collision_hulls

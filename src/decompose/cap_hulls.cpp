@@ -24,10 +24,10 @@ struct Body {
   bool merged = false;
 };
 
-ConvexHull hullOfBoth(const ConvexHull& a, const ConvexHull& b) {
+ConvexHull hullOfBoth(const ConvexHull& a, const ConvexHull& b, const RunControl& control) {
   std::vector<Eigen::Vector3d> points = a.vertices;
   points.insert(points.end(), b.vertices.begin(), b.vertices.end());
-  ConvexHull hull = convexHull(points);
+  ConvexHull hull = convexHull(points, control);
   hull.thickness = std::max({hull.thickness, a.thickness, b.thickness});
   return hull;
 }
@@ -43,7 +43,7 @@ class Merging {
       const MergePair pair = cheapest();
       Body &a = bodies_[pair.a], &b = bodies_[pair.b];
       a.merged = b.merged = true;
-      add(hullOfBoth(a.hull, b.hull), std::min(a.first, b.first));
+      add(hullOfBoth(a.hull, b.hull, control_), std::min(a.first, b.first));
     }
   }
 
@@ -81,7 +81,7 @@ class Merging {
       MergePair pair = *queue_.takeCheapest([&](int i) { return !bodies_[i].merged; });
       if (pair.is_exact) return pair;
       const Body &a = bodies_[pair.a], &b = bodies_[pair.b];
-      pair.cost += std::cbrt(std::max(0.0, volume(hullOfBoth(a.hull, b.hull)) - a.volume - b.volume));
+      pair.cost += std::cbrt(std::max(0.0, volume(hullOfBoth(a.hull, b.hull, control_)) - a.volume - b.volume));
       pair.is_exact = true;
       queue_.push(pair);
     }

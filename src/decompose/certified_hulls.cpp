@@ -91,9 +91,9 @@ void lowerAim(DecomposeOptions& aim, int attempt, double over) {
 }
 
 /// Pads the hulls. `before`: as they were.
-void pad(std::vector<ConvexHull>& hulls, const DecomposeOptions& options, std::vector<ConvexHull>& before) {
+void pad(std::vector<ConvexHull>& hulls, const DecomposeOptions& options, const RunControl& control, std::vector<ConvexHull>& before) {
   before = hulls;
-  forEach(hulls.size(), [&](std::size_t i) { hulls[i] = padded(before[i], options.padding, options.max_vertices); });
+  forEach(hulls.size(), [&](std::size_t i) { hulls[i] = padded(before[i], options.padding, options.max_vertices, control); });
 }
 
 /// The search's part of the time until then.
@@ -116,7 +116,7 @@ Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, const D
   RoundedHulls rounded = roundOutward(parts.hulls, mesh.original, mesh.margin, aim.max_vertices, decomposing);
   for (const ConvexHull& hull : parts.hulls) result.thickness = std::max(result.thickness, hull.thickness);
   result.seconds.decompose = stage.lap();
-  if (options.padding > 0) pad(rounded.hulls, options, attempt.before_padding);
+  if (options.padding > 0) pad(rounded.hulls, options, decomposing, attempt.before_padding);
   const Protrusion proof = certificate(rounded.hulls, mesh.solid, mesh.margin, limit(options), certifying);
   result.regions = regionProofs(rounded.hulls, mesh, options.regions, certifying);
   result.seconds.certify = stage.lap();

@@ -54,17 +54,17 @@ void addLoose(std::vector<ConvexHull>& hulls, const std::vector<Segment>& loose,
     control.check();
     extra[h].insert(extra[h].end(), hulls[h].vertices.begin(), hulls[h].vertices.end());
     const double thickness = hulls[h].thickness;
-    hulls[h] = convexHull(extra[h]);
+    hulls[h] = convexHull(extra[h], control);
     hulls[h].thickness = std::max(hulls[h].thickness, thickness);
   }
 }
 
 std::vector<ConvexHull> clusterHulls(const RepairedMesh& mesh, const std::vector<std::vector<int>>& clusters, const RunControl& control) {
-  if (clusters.empty()) return {convexHull(withLoose(mesh).vertices)};
+  if (clusters.empty()) return {convexHull(withLoose(mesh).vertices, control)};
   std::vector<ConvexHull> hulls;
   for (const std::vector<int>& cluster : clusters) {
     control.check();
-    hulls.push_back(convexHull(corners(mesh.mesh, cluster)));
+    hulls.push_back(convexHull(corners(mesh.mesh, cluster), control));
   }
   addLoose(hulls, mesh.loose, control);
   return hulls;

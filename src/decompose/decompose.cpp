@@ -45,7 +45,7 @@ bool capVertices(std::vector<ConvexHull>& hulls, int max_vertices, const RunCont
   for (ConvexHull& hull : hulls) {
     control.check();
     if (!exceedsCap(hull, max_vertices)) continue;
-    hull = reduceVertices(hull, max_vertices);
+    hull = reduceVertices(hull, max_vertices, control);
     capped = true;
   }
   return capped;

@@ -103,17 +103,18 @@ std::vector<Eigen::Vector3d> withMovedVertices(const ConvexHull& hull, double ra
 
 }  // namespace
 
-ConvexHull padded(const ConvexHull& hull, double padding, int max_vertices) {
+ConvexHull padded(const ConvexHull& hull, double padding, int max_vertices, const RunControl& control) {
   const double radius = padding + 4 * kRounding * (sizeOf(hull) + padding);
   const auto written = [&](const std::vector<Eigen::Vector3d>& points) {
-    return roundOutward({convexHull(points)}, TriangleMesh(), 0, max_vertices).hulls.front();
+    return roundOutward({convexHull(points, control)}, TriangleMesh(), 0, max_vertices, control).hulls.front();
   };
   const ConvexHull rounder = written(withBalls(hull, radius));
   if (max_vertices == 0) return rounder;
   const std::vector<Eigen::Vector3d> moved = withMovedVertices(hull, radius);
   if (moved.empty()) return rounder;
   const ConvexHull sharper = written(moved);
-  return holdsPadding(sharper, hull, padding) && addedDistance(sharper, hull) < addedDistance(rounder, hull) ? sharper : rounder;
+  return holdsPadding(sharper, hull, padding) && addedDistance(sharper, hull, control) < addedDistance(rounder, hull, control) ? sharper
+                                                                                                                               : rounder;
 }
 
 bool holdsPadding(const ConvexHull& outer, const ConvexHull& inner, double padding) {

@@ -278,7 +278,7 @@ std::optional<ConvexHull> outerHull(const ConvexHull& hull, std::size_t max_vert
   const Stretch stretch(hull.vertices);
   const std::optional<Points> points = outerPoints({stretch.forward(hull.vertices), hull.triangles, {}, 0, 0}, max_vertices, control);
   if (!points) return std::nullopt;
-  std::optional<ConvexHull> result = hullHolding(stretch.back(*points), hull.vertices);
+  std::optional<ConvexHull> result = hullHolding(stretch.back(*points), hull.vertices, control);
   return result && result->vertices.size() <= max_vertices ? result : std::nullopt;
 }
 
@@ -291,7 +291,7 @@ ConvexHull reduceVertices(const ConvexHull& hull, int max_vertices, const RunCon
   const auto most = static_cast<std::size_t>(max_vertices);
   if (hull.vertices.size() <= most) return hull;
   std::optional<ConvexHull> outer = outerHull(hull, most, control);
-  ConvexHull result = outer ? std::move(*outer) : orientedBox(hull);
+  ConvexHull result = outer ? std::move(*outer) : orientedBox(hull, control);
   result.thickness = std::max(result.thickness, hull.thickness);
   return result;
 }
@@ -300,15 +300,17 @@ bool exceedsCap(const ConvexHull& hull, int max_vertices) {
   return max_vertices > 0 && hull.vertices.size() > static_cast<std::size_t>(max_vertices);
 }
 
-ConvexHull capped(const ConvexHull& hull, int max_vertices) {
-  return exceedsCap(hull, max_vertices) ? reduceVertices(hull, max_vertices) : hull;
+ConvexHull capped(const ConvexHull& hull, int max_vertices, const RunControl& control) {
+  return exceedsCap(hull, max_vertices) ? reduceVertices(hull, max_vertices, control) : hull;
 }
 
-double addedDistance(const ConvexHull& outer, const ConvexHull& hull) {
-  const TriangleBvh skin(surface(hull));
+double addedDistance(const ConvexHull& outer, const ConvexHull& hull, const RunControl& control) {
+  const TriangleBvh skin(surface(hull), {}, control);
   double most = 0;
-  for (const Eigen::Vector3d& v : outer.vertices)
+  for (const Eigen::Vector3d& v : outer.vertices) {
+    control.check();
     if (planeDistance(hull, v) > 0) most = std::max(most, skin.nearest(v).distance);
+  }
   return most;
 }
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <utility>
 
+#include "base/looks.h"
 #include "base/parallel.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "collision_hulls/error.h"
@@ -96,10 +97,12 @@ std::vector<std::vector<Eigen::Vector3d>> normalsAtVertices(const ConvexHull& hu
 }
 
 /// Points whose hull has each face moved outward by at least the growth's distance.
-Points grown(const ConvexHull& hull, const Growth& growth) {
+Points grown(const ConvexHull& hull, const Growth& growth, const RunControl& control) {
+  Looks look(control, kLargeItemsBetweenLooks);
   const std::vector<std::vector<Eigen::Vector3d>> normals = normalsAtVertices(hull);
   Points points;
   for (std::size_t v = 0; v < hull.vertices.size(); ++v) {
+    look();
     if (const auto step = outwardStep(normals[v], growth)) {
       points.push_back(hull.vertices[v] + *step);
       continue;
@@ -123,8 +126,8 @@ Points roundedToSingle(Points points) {
   return points;
 }
 
-bool holdsAll(const ConvexHull& hull, const Points& points, double margin) {
-  return std::all_of(points.begin(), points.end(), [&](const auto& p) { return planeDistance(hull, p) <= -margin; });
+bool holdsAll(const ConvexHull& hull, const Points& points, double margin, const RunControl& control) {
+  return std::all_of(points.begin(), points.end(), [&](const auto& p) { return control.check(), planeDistance(hull, p) <= -margin; });
 }
 
 /// Twice the furthest that rounding to single precision may move a vertex.
@@ -140,55 +143,57 @@ struct Rounded {
   double nudge = 0;
   double blunted = 0;  // [m] see RoundedHulls
 };
-std::optional<Rounded> roundOutward(const ConvexHull& hull, const Points& held, double margin, double mitre_limit, int max_vertices) {
+std::optional<Rounded> roundOutward(const ConvexHull& hull, const Points& held, double margin, double mitre_limit, int max_vertices,
+                                    const RunControl& control) {
   Growth growth{margin + roundingOf(hull), mitre_limit};
   for (int i = 0; i < kDoublings; ++i, growth.distance *= 2) {
-    Rounded result{convexHull(roundedToSingle(grown(hull, growth))), growth.distance};
+    Rounded result{convexHull(roundedToSingle(grown(hull, growth, control)), control), growth.distance};
     result.hull.vertices = roundedToSingle(std::move(result.hull.vertices));  // convexHull() may change a last bit
     if (exceedsCap(result.hull, max_vertices)) break;
-    if (result.hull.thickness == 0 && holdsAll(result.hull, held, margin)) return result;
+    if (result.hull.thickness == 0 && holdsAll(result.hull, held, margin, control)) return result;
   }
   return std::nullopt;
 }
 
 /// The hull of the vertices moved both ways along their direction of least spread.
-ConvexHull slab(const ConvexHull& hull, double distance) {
+ConvexHull slab(const ConvexHull& hull, double distance, const RunControl& control) {
   const Eigen::Vector3d way = distance * principalAxes(hull.vertices).col(0);
   Points points;
   for (const Eigen::Vector3d& v : hull.vertices) points.insert(points.end(), {v - way, v + way});
-  return convexHull(points);
+  return convexHull(points, control);
 }
 
 /// Blunter hulls around one that is too sharp for its vertex cap, as thin hulls are.
-std::vector<ConvexHull> blunted(const ConvexHull& hull, double distance, int max_vertices) {
+std::vector<ConvexHull> blunted(const ConvexHull& hull, double distance, int max_vertices, const RunControl& control) {
   std::vector<ConvexHull> result;
   if (max_vertices == 0) return result;
-  const ConvexHull thicker = slab(hull, distance);
-  for (int most = max_vertices; most >= kLeastVertices; most -= std::max(1, max_vertices / 8)) result.push_back(capped(thicker, most));
+  const ConvexHull thicker = slab(hull, distance, control);
+  for (int most = max_vertices; most >= kLeastVertices; most -= std::max(1, max_vertices / 8))
+    result.push_back(capped(thicker, most, control));
   result.push_back(prismAbout(hull, max_vertices));
   return result;
 }
 
 /// Rounds any hull outward. If it is too sharp, tries, in this order: the closest of the blunter hulls around it, a larger limit on the
 /// vertices' steps, and its oriented box.
-Rounded roundOutward(const ConvexHull& hull, double margin, int max_vertices) {
+Rounded roundOutward(const ConvexHull& hull, double margin, int max_vertices, const RunControl& control) {
   const auto attempt = [&](const ConvexHull& outer, double mitre_limit) {
-    return roundOutward(outer, hull.vertices, margin, mitre_limit, max_vertices);
+    return roundOutward(outer, hull.vertices, margin, mitre_limit, max_vertices, control);
   };
   if (const auto result = attempt(hull, kMitreLimit)) return *result;
   std::optional<Rounded> best;
   double least = std::numeric_limits<double>::infinity();
-  for (const ConvexHull& blunt : blunted(hull, margin + roundingOf(hull), max_vertices)) {
+  for (const ConvexHull& blunt : blunted(hull, margin + roundingOf(hull), max_vertices, control)) {
     auto result = attempt(blunt, kMitreLimit);
-    const double added = result ? addedDistance(result->hull, hull) : least;
+    const double added = result ? addedDistance(result->hull, hull, control) : least;
     if (added < least) least = added, best = std::move(result);
   }
   if (!best) best = attempt(hull, kLooseMitreLimit);
-  const ConvexHull box = best ? ConvexHull() : orientedBox(hull);
+  const ConvexHull box = best ? ConvexHull() : orientedBox(hull, control);
   for (const double mitre_limit : {kMitreLimit, kLooseMitreLimit})
     if (!best) best = attempt(box, mitre_limit);
   if (best) {
-    best->blunted = addedDistance(best->hull, hull);
+    best->blunted = addedDistance(best->hull, hull, control);
     return *std::move(best);
   }
   throw Error(ErrorCode::kInternal, "a hull of " + std::to_string(hull.vertices.size()) + " vertices about " +
@@ -207,10 +212,10 @@ std::size_t leastOutside(const std::vector<ConvexHull>& hulls, const std::array<
   return best;
 }
 
-ConvexHull withPoints(const ConvexHull& hull, const Points& extra, int max_vertices) {
+ConvexHull withPoints(const ConvexHull& hull, const Points& extra, int max_vertices, const RunControl& control) {
   Points all = hull.vertices;
   all.insert(all.end(), extra.begin(), extra.end());
-  return capped(convexHull(all), max_vertices);
+  return capped(convexHull(all, control), max_vertices, control);
 }
 
 }  // namespace
@@ -226,7 +231,7 @@ RoundedHulls roundOutward(const std::vector<ConvexHull>& hulls, const TriangleMe
   std::vector<Rounded> rounded(hulls.size());
   forEach(hulls.size(), [&](std::size_t h) {
     control.check();
-    rounded[h] = roundOutward(capped(hulls[h], max_vertices), margin, max_vertices);
+    rounded[h] = roundOutward(capped(hulls[h], max_vertices, control), margin, max_vertices, control);
   });
   result.hulls.resize(hulls.size());
   for (std::size_t h = 0; h < hulls.size(); ++h) take(std::move(rounded[h]), result.hulls[h]);
@@ -238,12 +243,13 @@ RoundedHulls roundOutward(const std::vector<ConvexHull>& hulls, const TriangleMe
     result.completed += missing.size();
     std::map<std::size_t, Points> extra;
     for (const int t : missing) {
+      control.check();
       const std::array<Eigen::Vector3d, 3> corners{original.corner(t, 0), original.corner(t, 1), original.corner(t, 2)};
       Points& points = extra[leastOutside(result.hulls, corners)];
       points.insert(points.end(), corners.begin(), corners.end());
     }
     for (const auto& [h, points] : extra)
-      take(roundOutward(withPoints(result.hulls[h], points, max_vertices), 0, max_vertices), result.hulls[h]);
+      take(roundOutward(withPoints(result.hulls[h], points, max_vertices, control), 0, max_vertices, control), result.hulls[h]);
   }
   throw Error(ErrorCode::kInternal, "the hulls still leave part of the mesh uncovered after " + std::to_string(kRounds) + " rounds");
 }

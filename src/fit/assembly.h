@@ -45,7 +45,8 @@ class Places {
 /// safe; keeps a reference to the problem.
 class Assembly {
  public:
-  Assembly(const FitProblem& problem, std::uint64_t seed);
+  /// Throws kCancelled.
+  Assembly(const FitProblem& problem, std::uint64_t seed, const RunControl& control = {});
 
   std::size_t links() const { return problem_.robot.links.size(); }
   std::size_t parts() const { return links() + problem_.scene.bodies.size(); }

@@ -49,8 +49,8 @@ void check(const FitOptions& options) {
 SceneFit fitScene(const FitProblem& problem, const FitOptions& options, const RunControl& control) {
   check(options);
   if (problem.elements.empty()) throw Error(ErrorCode::kBadOption, "the robot has no mesh to fit hulls to; select links that have one");
-  const Assembly assembly(problem, options.seed);
-  const Originals originals(problem, assembly);
+  const Assembly assembly(problem, options.seed, control);
+  const Originals originals(problem, assembly, control);
   const PairRules rules = pairRules(problem, assembly, originals, options.clearance, control);
   Fitting fitting(problem, options, assembly, originals, rules, control);
   fitting.run();

@@ -24,26 +24,26 @@ bool within(const Body& inner, const Body& outer, const Eigen::Isometry3d& pose)
   return std::any_of(inner.points.begin(), inner.points.end(), [&](const Eigen::Vector3d& p) { return holds(outer, pose * p); });
 }
 
-Body bodyOf(const ConvexHull& hull) {
+Body bodyOf(const ConvexHull& hull, const RunControl&) {
   return {QueryBody(hull), Eigen::Isometry3d::Identity(), nullptr, &hull, {hull.vertices.front()}};
 }
 
-Body bodyOf(const TriangleMesh& mesh) {
-  return {QueryBody(mesh), Eigen::Isometry3d::Identity(), nullptr, nullptr, pointsOfComponents(repair(mesh))};
+Body bodyOf(const TriangleMesh& mesh, const RunControl& control) {
+  return {QueryBody(mesh, control), Eigen::Isometry3d::Identity(), nullptr, nullptr, pointsOfComponents(repair(mesh, {}, control))};
 }
 
 }  // namespace
 
-Originals::Originals(const FitProblem& problem, const Assembly& assembly) : of_part_(assembly.parts()) {
+Originals::Originals(const FitProblem& problem, const Assembly& assembly, const RunControl& control) : of_part_(assembly.parts()) {
   std::map<const FitMesh*, QueryBody> meshes;
   for (const FitElement& element : problem.elements) {
     const FitMesh& mesh = *element.mesh;
-    const QueryBody& body = meshes.try_emplace(&mesh, mesh.original).first->second;
+    const QueryBody& body = meshes.try_emplace(&mesh, mesh.original, control).first->second;
     of_part_[element.link].push_back({body, element.origin, mesh.solid.get(), nullptr, mesh.solid->componentPoints()});
   }
-  for (const KeptBody& kept : problem.kept) of_part_[kept.link].push_back(bodyOf(kept.hull));
+  for (const KeptBody& kept : problem.kept) of_part_[kept.link].push_back(bodyOf(kept.hull, control));
   for (std::size_t i = 0; i < problem.scene.bodies.size(); ++i)
-    std::visit([&](const auto& shape) { of_part_[assembly.links() + i].push_back(bodyOf(shape)); }, problem.scene.bodies[i].shape);
+    std::visit([&](const auto& shape) { of_part_[assembly.links() + i].push_back(bodyOf(shape, control)); }, problem.scene.bodies[i].shape);
 }
 
 bool Originals::touch(std::size_t a, std::size_t b, const Places& places) const {

@@ -12,7 +12,8 @@ namespace collision_hulls {
 /// The parts of an assembly with the elements' original meshes. Immutable, thread safe.
 class Originals {
  public:
-  Originals(const FitProblem& problem, const Assembly& assembly);
+  /// Throws kCancelled.
+  Originals(const FitProblem& problem, const Assembly& assembly, const RunControl& control);
 
   /// Whether surfaces touch; as in FCL and MoveIt, interiors do not count.
   bool touch(std::size_t a, std::size_t b, const Places& places) const;

@@ -169,7 +169,7 @@ ConvexHull prism(const Points& corners, const Frame& frame, double slack) {
 
 /// Merges faces that lie in the same plane, keeping the outermost. Expects one face per triangle and returns, per triangle, which of the
 /// remaining faces is its own.
-std::vector<std::size_t> joinCoplanarFaces(ConvexHull& hull) {
+std::vector<std::size_t> joinCoplanarFaces(ConvexHull& hull, Looks& look) {
   const double extent = largestCoordinate(hull.vertices);
   // Equal planes are neighbours in the order along any direction. Along this odd one, few CAD models have other planes between them.
   const Eigen::Vector3d direction = Eigen::Vector3d(0.5773, 0.3141, 0.7541).normalized();
@@ -177,12 +177,12 @@ std::vector<std::size_t> joinCoplanarFaces(ConvexHull& hull) {
   for (const HalfSpace& face : hull.faces) along.push_back(direction.dot(face.normal));
   std::vector<std::size_t> order(hull.faces.size()), joined(hull.faces.size()), first;
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return along[a] < along[b]; });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return look(), along[a] < along[b]; });
   std::vector<HalfSpace> kept;
   for (std::size_t f : order) {
     const HalfSpace& face = hull.faces[f];
     std::size_t same = kept.size();
-    for (std::size_t i = kept.size(); i-- > 0 && along[f] - along[first[i]] <= 2 * kSamePlane && same == kept.size();)
+    for (std::size_t i = kept.size(); look(), i-- > 0 && along[f] - along[first[i]] <= 2 * kSamePlane && same == kept.size();)
       if ((kept[i].normal - face.normal).cwiseAbs().maxCoeff() <= kSamePlane &&
           std::abs(kept[i].offset - face.offset) <= kSamePlane * extent)
         same = i;
@@ -198,7 +198,7 @@ std::vector<std::size_t> joinCoplanarFaces(ConvexHull& hull) {
 void finish(ConvexHull& hull, const RunControl& control) {
   Looks look(control, kLargeItemsBetweenLooks);
   for (HalfSpace& face : hull.faces) face.normal.normalize();
-  const std::vector<std::size_t> face_of = joinCoplanarFaces(hull);
+  const std::vector<std::size_t> face_of = joinCoplanarFaces(hull, look);
   const HullSupport support(hull);
   for (std::size_t t = 0; t < hull.triangles.size(); ++t) {
     look();
@@ -216,8 +216,7 @@ std::optional<ConvexHull> spatialHull(const Points& points, const Eigen::Vector3
   Points centred(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) centred[i] = points[i] - middle;
   std::optional<ConvexHull> hull = quickhull(centred, control);
-  control.check();
-  if (!hull) hull = qhull(centred);
+  if (!hull) hull = qhull(centred, control);
   if (!hull) return hull;
   finish(*hull, control);
   for (Eigen::Vector3d& v : hull->vertices) v += middle;

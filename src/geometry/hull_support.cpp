@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/looks.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -18,9 +20,10 @@ struct BestFace {
   double slack = std::numeric_limits<double>::infinity();
 };
 
-BestFace bestFace(const ConvexHull& hull, const Triangle& triangle) {
+BestFace bestFace(const ConvexHull& hull, const Triangle& triangle, Looks& look) {
   BestFace best;
   for (const HalfSpace& face : hull.faces) {
+    look();
     double slack = 0;
     for (std::size_t k = 0; k < 3 && slack < best.slack; ++k)
       slack = std::max(slack, -face.distance(hull.vertices[static_cast<std::size_t>(triangle[k])]));
@@ -53,28 +56,31 @@ int HullSupport::furthest(const Eigen::Vector3d& direction, int start) const {
   return best;
 }
 
-double leastWidth(const ConvexHull& hull) {
+double leastWidth(const ConvexHull& hull, const RunControl& control) {
+  Looks look(control);
   double least = std::numeric_limits<double>::infinity();
   for (const HalfSpace& face : hull.faces) {
     double lowest = 0;
-    for (const Eigen::Vector3d& v : hull.vertices) lowest = std::min(lowest, face.distance(v));
+    for (const Eigen::Vector3d& v : hull.vertices) look(), lowest = std::min(lowest, face.distance(v));
     least = std::min(least, -lowest);
   }
   return least;
 }
 
-double overhang(const ConvexHull& hull) {
+double overhang(const ConvexHull& hull, const RunControl& control) {
   if (hull.vertices.empty()) return 0;
+  Looks look(control);
   Eigen::Vector3d c = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& v : hull.vertices) c += v / static_cast<double>(hull.vertices.size());
   double radius = 0, excess = 0;
   for (const Eigen::Vector3d& v : hull.vertices) {
+    control.check();
     radius = std::max(radius, (v - c).norm());
     excess = std::max(excess, planeDistance(hull, v));
   }
   double most = 0;
   for (const Triangle& t : hull.triangles) {
-    const BestFace best = bestFace(hull, t);
+    const BestFace best = bestFace(hull, t, look);
     const double slack = best.slack + excess, depth = excess - best.face->distance(c);
     most = std::max(most, depth > slack ? slack / (depth - slack) : 2);
   }

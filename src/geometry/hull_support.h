@@ -23,11 +23,13 @@ class HullSupport {
   std::vector<int> neighbours_;     // vertices joined to it by an edge
 };
 
-/// [m] An upper bound on the diameter of any ball in the hull: the least width across its faces, each compared with all vertices.
-double leastWidth(const ConvexHull& hull);
+/// [m] An upper bound on the diameter of any ball in the hull: the least width across its faces, each compared with all vertices. Throws
+/// kCancelled.
+double leastWidth(const ConvexHull& hull, const RunControl& control = {});
 
 /// [m] How far points may lie beyond the hull's triangles and yet be in the convex hull of its vertices, or below all its faces: an upper
-/// bound, proved for triangles that are closed and enclose the mean of the vertices. Takes nothing on trust, slack included.
-double overhang(const ConvexHull& hull);
+/// bound, proved for triangles that are closed and enclose the mean of the vertices. Takes nothing on trust, slack included. Throws
+/// kCancelled.
+double overhang(const ConvexHull& hull, const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <unordered_map>
 
+#include "base/left_behind.h"
+
 extern "C" {
 #include <libqhull_r/qhull_ra.h>
 }
@@ -81,17 +83,24 @@ bool isClosed(const ConvexHull& hull) {
   return !hull.triangles.empty() && hull.triangles.size() + 4 == 2 * hull.vertices.size();
 }
 
-}  // namespace
-
-std::optional<ConvexHull> qhull(const std::vector<Eigen::Vector3d>& points) {
+std::optional<ConvexHull> hullOf(const std::vector<Eigen::Vector3d>& points, const RunControl& control) {
   // Qt triangulates merged facets. QJ joggles the input: slower and less exact, but it never gives up on hard sets.
   for (const char* command : {"qhull Qt Pp", "qhull QJ Pp"}) {
+    control.check();
     QhullRun run(points, command);
     if (!run.ok()) continue;
     ConvexHull hull = run.hull(points);
     if (isClosed(hull)) return hull;
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<ConvexHull> qhull(const std::vector<Eigen::Vector3d>& points, const RunControl& control) {
+  constexpr std::size_t kMany = 20'000;  // points for which Qhull takes a tenth of a second or more
+  if (points.size() < kMany) return hullOf(points, control);
+  return orLeftBehind([points](const RunControl& control) { return hullOf(points, control); }, control);
 }
 
 }  // namespace collision_hulls

@@ -164,8 +164,17 @@ class Builder {
     if (!(twice_area > kSliver * extent_ * longest)) return false;
     f.normal = cross / twice_area;
     f.offset = std::max({f.normal.dot(a), f.normal.dot(b), f.normal.dot(c)});
+    if (faces_.size() == faces_.capacity()) makeRoom();
     faces_.push_back(f);
     return true;
+  }
+
+  /// Bit by bit: the kernel takes its time over much memory.
+  void makeRoom() {
+    std::vector<Face> larger;
+    larger.reserve(2 * faces_.size() + 1);
+    for (const Face& each : faces_) look_(), larger.push_back(each);
+    faces_ = std::move(larger);
   }
 
   /// Gives a point to the first face in [from, to) that it sees; drops it if it sees none.
@@ -320,7 +329,7 @@ class Builder {
   /// Whether every face holds every vertex.
   bool holdsVertices(const ConvexHull& hull) const {
     const PointTree vertices(hull.vertices);
-    const auto cuts = [&](const HalfSpace& face) { return vertices.anyBeyond(face, kDent * extent_); };
+    const auto cuts = [&](const HalfSpace& face) { return control_.check(), vertices.anyBeyond(face, kDent * extent_); };
     return std::none_of(hull.faces.begin(), hull.faces.end(), cuts);
   }
 
@@ -404,7 +413,7 @@ std::optional<ConvexHull> quickhull(const std::vector<Eigen::Vector3d>& points, 
   std::optional<ConvexHull> lean = Builder(few, control).build(lean_sources);
   if (!lean) return hull;
   double beyond = 0;
-  for (const int i : vertices.others) beyond = std::max(beyond, planeDistance(*lean, points[static_cast<std::size_t>(i)]));
+  for (const int i : vertices.others) control.check(), beyond = std::max(beyond, planeDistance(*lean, points[static_cast<std::size_t>(i)]));
   if (beyond > kDent * builder.extent()) return hull;
   for (HalfSpace& face : lean->faces) face.offset += beyond + kVisible * builder.extent();  // plus the first run's own margin
   for (int& i : lean_sources) i = vertices.corners[static_cast<std::size_t>(i)];

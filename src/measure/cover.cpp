@@ -11,6 +11,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/looks.h"
 #include "base/parallel.h"
 #include "collision_hulls/measure/measures.h"
 #include "measure/furthest_point.h"
@@ -241,7 +242,7 @@ Eigen::Vector3d spread(std::size_t i) {
 
 }  // namespace
 
-double unionVolume(const std::vector<ConvexHull>& hulls) {
+double unionVolume(const std::vector<ConvexHull>& hulls, const RunControl& control) {
   if (hulls.size() == 1) return volume(hulls[0]);
   const std::vector<Eigen::AlignedBox3d> boxes = boxesOf(hulls);
   double all = 0;
@@ -249,6 +250,7 @@ double unionVolume(const std::vector<ConvexHull>& hulls) {
   // A part shared by several hulls counts for each of them with an equal share.
   std::vector<double> own(hulls.size(), 0);
   forEach(hulls.size(), [&](std::size_t h) {
+    Looks look(control, kLargeItemsBetweenLooks);
     const double mine = volume(hulls[h]);
     std::vector<std::size_t> others;
     for (std::size_t o = 0; o < hulls.size(); ++o)
@@ -258,6 +260,7 @@ double unionVolume(const std::vector<ConvexHull>& hulls) {
     std::size_t inside = 0;
     double parts = 0;
     for (std::size_t i = 0; inside < wanted && i < most; ++i) {
+      look();
       const Eigen::Vector3d p = boxes[h].min() + boxes[h].sizes().cwiseProduct(spread(i));
       if (!holds(hulls[h], p)) continue;
       ++inside;
@@ -270,13 +273,14 @@ double unionVolume(const std::vector<ConvexHull>& hulls) {
   return std::accumulate(own.begin(), own.end(), 0.0);
 }
 
-double coveredShare(const std::vector<ConvexHull>& hulls, const Solid& solid) {
+double coveredShare(const std::vector<ConvexHull>& hulls, const Solid& solid, const RunControl& control) {
   const std::vector<Eigen::AlignedBox3d> boxes = boxesOf(hulls);
   Eigen::AlignedBox3d all;
   for (const Eigen::AlignedBox3d& box : boxes) all.extend(box);
   if (all.isEmpty()) return 1;
   std::atomic<int> inside{0}, held{0};
   forEach(static_cast<std::size_t>(kSamples), [&](std::size_t i) {
+    control.check();
     const Eigen::Vector3d p = all.min() + all.sizes().cwiseProduct(spread(i));
     if (!solid.contains(p)) return;
     ++inside;

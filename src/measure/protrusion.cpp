@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/looks.h"
 #include "base/parallel.h"
 #include "geometry/hull_support.h"
 #include "measure/outside_distance.h"
@@ -35,10 +36,10 @@ void add(Protrusion& worst, const Protrusion& other) {
 
 /// [m] What rounding may hide. Points are rounded with the coordinates of the hulls, distances with the mesh's extent as well; hulls may
 /// reach beyond their triangles, which are searched; and beside cracks and openings points may be taken for inside.
-double rounding(const std::vector<ConvexHull>& hulls, const Solid& solid) {
+double rounding(const std::vector<ConvexHull>& hulls, const Solid& solid, const RunControl& control) {
   double size = solid.surface().extent(), beyond = 0;
   for (const ConvexHull& hull : hulls) {
-    beyond = std::max(beyond, overhang(hull));
+    beyond = std::max(beyond, overhang(hull, control));
     for (const Eigen::Vector3d& v : hull.vertices) size = std::max(size, v.cwiseAbs().maxCoeff());
   }
   return hulls.empty() ? 0 : kRounding * size + beyond + solid.sideError();
@@ -61,7 +62,7 @@ void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const s
     query.most_visits = usual + spare;
     query.floor = std::max(query.floor, worst.found);
     query.surface_bound = on_surface[i].bound;
-    query.depth = leastWidth(hulls[i]) / 2;
+    query.depth = leastWidth(hulls[i], control) / 2;
     const OutsideDistance::Largest largest = outside.largest(hulls[i], query, control);
     spare -= std::max(largest.visits, usual) - usual;
     Protrusion summit;
@@ -87,9 +88,10 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
   const double gap = search.gap;
   // Vertices first: the distance they reach is a floor that spares the other hulls most of the search.
   double floor = 0;
+  Looks look(control, kLargeItemsBetweenLooks);
   for (const ConvexHull& hull : hulls)
     for (const Eigen::Vector3d& v : hull.vertices)
-      if (solid.distanceToSurface(v) > floor) floor = std::max(floor, solid.distance(v));
+      if (look(), solid.distanceToSurface(v) > floor) floor = std::max(floor, solid.distance(v));
   // Then all hulls at a glance, and more and more closely those that may reach further than what was found.
   struct Pass {
     double gap;
@@ -118,7 +120,7 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
   Protrusion worst;
   for (const Protrusion& p : each) add(worst, p);
   addSummits(worst, hulls, each, solid, gap / 2, search.spare_visits, control);
-  worst.bound += rounding(hulls, solid);
+  worst.bound += rounding(hulls, solid, control);
   return worst;
 }
 

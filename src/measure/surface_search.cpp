@@ -19,8 +19,8 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr int kStepsBetweenChecks = 1024;
-constexpr std::size_t kTrianglesBetweenChecks = 1024;
+constexpr int kStepsBetweenChecks = 64;  // one may take milliseconds where a mesh of millions of triangles is as near everywhere
+constexpr std::size_t kTrianglesBetweenChecks = 64;
 constexpr int kMostInARow = 4;      // splits by planes in a row; these need not make a patch shorter
 constexpr double kLevel = 0.25;     // in thresholds: a corner nearer to a plane than this lies in it
 constexpr double kSteep = 0.05;     // least sine of the angle between a patch and a plane that splits it

@@ -195,7 +195,7 @@ void certifyCut(const FitMesh& mesh, const FittedElement& fitted, const std::str
   Protrusion proof = protrusion(result.hulls, *mesh.solid, kFittedGap * told, control);
   tellOfPrimitive(fitted, *mesh.solid, proof);
   proof.bound += mesh.margin;
-  result.model = factsOf(result.hulls, result.primitives.size(), *mesh.solid, proof);
+  result.model = factsOf(result.hulls, result.primitives.size(), *mesh.solid, proof, control);
   result.seconds.certify = stage.lap();
 }
 

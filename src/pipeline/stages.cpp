@@ -125,7 +125,8 @@ std::shared_ptr<const HullTree> SharedMesh::tree(const LinkOptions& options, dou
   return tree = std::make_shared<const HullTree>(std::move(built));
 }
 
-HullFacts factsOf(const std::vector<ConvexHull>& hulls, std::size_t primitives, const Solid& solid, const Protrusion& proof) {
+HullFacts factsOf(const std::vector<ConvexHull>& hulls, std::size_t primitives, const Solid& solid, const Protrusion& proof,
+                  const RunControl& control) {
   HullFacts facts;
   facts.primitives = primitives;
   facts.least_hulls = 1;
@@ -135,8 +136,8 @@ HullFacts factsOf(const std::vector<ConvexHull>& hulls, std::size_t primitives, 
   facts.protrusion_found = proof.found;
   facts.worst = proof.where;
   facts.worst_nearest = proof.nearest;
-  facts.hull_volume = unionVolume(hulls);
-  facts.covered_share = coveredShare(hulls, solid);
+  facts.hull_volume = unionVolume(hulls, control);
+  facts.covered_share = coveredShare(hulls, solid, control);
   return facts;
 }
 
@@ -154,7 +155,7 @@ void decomposeHulls(const ReadMesh& read, const LinkOptions& options, const Hull
   CertifiedHulls made = certifiedHulls({result.original, read.repaired, *result.solid, read.margin, tree, uri}, how, control);
   Stopwatch stage;
   result.hulls = std::move(made.hulls);
-  result.model = factsOf(result.hulls, 0, *result.solid, {made.bound, made.found, made.where, made.nearest});
+  result.model = factsOf(result.hulls, 0, *result.solid, {made.bound, made.found, made.where, made.nearest}, control);
   result.model.nudge = made.nudge;
   result.model.thickness = made.thickness;
   result.model.regions = std::move(made.regions);

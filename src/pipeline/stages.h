@@ -52,7 +52,8 @@ class SharedMesh {
 };
 
 /// What is known of certified hulls. `primitives`: how many of them, the last ones, stand for primitives, and are written as such.
-HullFacts factsOf(const std::vector<ConvexHull>& hulls, std::size_t primitives, const Solid& solid, const Protrusion& proof);
+HullFacts factsOf(const std::vector<ConvexHull>& hulls, std::size_t primitives, const Solid& solid, const Protrusion& proof,
+                  const RunControl& control);
 
 /// Stages 3 and 4 of a mesh that was read, for one variant of it: hulls, cut from the tree if there is one (null: decomposed), or what
 /// `options.shapes` says, with what is proved of them. For primitives there must be a tree. `result` has what SharedMesh::read() gave, and

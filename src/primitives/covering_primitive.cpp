@@ -73,7 +73,7 @@ CertifiedPrimitive certificate(const Primitive& primitive, const Solid& solid, d
 
 CertifiedPrimitive primitiveOfKind(PrimitiveKind kind, const ConvexHull& hull, const Solid& solid, const PrimitiveOptions& options,
                                    const RunControl& control) {
-  return certificate(enclosingPrimitive(kind, hull), solid, options.margin, options.tolerance, control);
+  return certificate(enclosingPrimitive(kind, hull, control), solid, options.margin, options.tolerance, control);
 }
 
 std::optional<CertifiedPrimitive> coveringPrimitive(const ConvexHull& hull, const Solid& solid, const PrimitiveOptions& options,
@@ -81,7 +81,7 @@ std::optional<CertifiedPrimitive> coveringPrimitive(const ConvexHull& hull, cons
   check(options);
   for (const PrimitiveKind kind : options.kinds) {
     CertifiedPrimitive result;
-    result.primitive = enclosingPrimitive(kind, hull);
+    result.primitive = enclosingPrimitive(kind, hull, control);
     glance(result, solid, options.tolerance, control);
     if (result.found > options.tolerance) continue;
     prove(result, solid, options, control);

@@ -34,18 +34,18 @@ struct Across {
   Points flat;
   Ball circle;
 };
-Across across(const Points& points, const Eigen::Vector3d& axis) {
+Across across(const Points& points, const Eigen::Vector3d& axis, const RunControl& control) {
   Across result;
   for (const Eigen::Vector3d& p : points) {
     result.along.push_back(axis.dot(p));
     result.flat.push_back(p - result.along.back() * axis);
   }
-  result.circle = smallestBall(result.flat);
+  result.circle = smallestBall(result.flat, control);
   return result;
 }
 
-Bar cylinderAlong(const Points& points, const Eigen::Vector3d& axis) {
-  const Across view = across(points, axis);
+Bar cylinderAlong(const Points& points, const Eigen::Vector3d& axis, const RunControl& control) {
+  const Across view = across(points, axis, control);
   const auto [low, high] = std::minmax_element(view.along.begin(), view.along.end());
   const double radius = std::sqrt(view.circle.squared_radius), length = *high - *low;
   return {axis, view.circle.centre + (*low + *high) / 2 * axis, radius, length, radius * radius * length};
@@ -53,8 +53,8 @@ Bar cylinderAlong(const Points& points, const Eigen::Vector3d& axis) {
 
 /// A point at height z and distance s from the axis lies above the lower ball's end if that ball's centre is at z + sqrt(r^2 - s^2) at
 /// most, and below the upper one's if that is at z - sqrt(r^2 - s^2) at least.
-Bar capsuleAlong(const Points& points, const Eigen::Vector3d& axis) {
-  const Across view = across(points, axis);
+Bar capsuleAlong(const Points& points, const Eigen::Vector3d& axis, const RunControl& control) {
+  const Across view = across(points, axis, control);
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double reach = std::sqrt(std::max(0.0, view.circle.squared_radius - (view.flat[i] - view.circle.centre).squaredNorm()));
@@ -78,15 +78,15 @@ Points longestEdges(const ConvexHull& hull) {
   return edges;
 }
 
-using Along = std::function<Bar(const Points&, const Eigen::Vector3d&)>;
+using Along = std::function<Bar(const Points&, const Eigen::Vector3d&, const RunControl&)>;
 
 /// Turns the axis in shrinking steps as long as that makes the bar smaller.
-Bar turned(const Points& points, Bar best, const Along& along) {
+Bar turned(const Points& points, Bar best, const Along& along, const RunControl& control) {
   for (double turn = kFirstTurn; turn > kLastTurn;) {
     const Eigen::Vector3d u = best.axis.unitOrthogonal(), v = best.axis.cross(u), axis = best.axis;
     const double before = best.size;
     for (const Eigen::Vector3d& aside : {u, v, Eigen::Vector3d(-u), Eigen::Vector3d(-v)}) {
-      const Bar other = along(points, (axis + turn * aside).normalized());
+      const Bar other = along(points, (axis + turn * aside).normalized(), control);
       if (other.size < best.size) best = other;
     }
     if (best.size >= before) turn /= 2;
@@ -111,39 +111,41 @@ Primitive primitiveOf(Kind kind, const Eigen::Vector3d& size, const Eigen::Vecto
   return {kind, size, Eigen::Translation3d(middle) * turn.normalized()};
 }
 
-Primitive boxAbout(const ConvexHull& hull) {
-  const Eigen::Matrix3d axes = axesOf(orientedBox(hull));
+Primitive boxAbout(const ConvexHull& hull, const RunControl& control) {
+  const Eigen::Matrix3d axes = axesOf(orientedBox(hull, control));
   Eigen::AlignedBox3d extent;
   for (const Eigen::Vector3d& v : hull.vertices) extent.extend(Eigen::Vector3d(axes.transpose() * v));
   return primitiveOf(Kind::kBox, extent.sizes(), axes * extent.center(), Eigen::Quaterniond(axes));
 }
 
-Primitive sphereAbout(const ConvexHull& hull) {
-  const Ball ball = smallestBall(hull.vertices);
+Primitive sphereAbout(const ConvexHull& hull, const RunControl& control) {
+  const Ball ball = smallestBall(hull.vertices, control);
   return primitiveOf(Kind::kSphere, Eigen::Vector3d::UnitX() * std::sqrt(ball.squared_radius), ball.centre, Eigen::Quaterniond::Identity());
 }
 
-Primitive barAbout(Kind kind, const ConvexHull& hull) {
+Primitive barAbout(Kind kind, const ConvexHull& hull, const RunControl& control) {
   const Along along = kind == Kind::kCylinder ? cylinderAlong : capsuleAlong;
-  const Eigen::Matrix3d box = axesOf(orientedBox(hull)), principal = principalAxes(hull.vertices);
+  const Eigen::Matrix3d box = axesOf(orientedBox(hull, control)), principal = principalAxes(hull.vertices);
   Points axes = longestEdges(hull);
   for (int k = 0; k < 3; ++k) axes.insert(axes.end(), {box.col(k), principal.col(k)});
-  Bar best = along(hull.vertices, Eigen::Vector3d::UnitZ());
+  Bar best = along(hull.vertices, Eigen::Vector3d::UnitZ(), control);
   for (const Eigen::Vector3d& axis : axes) {
-    const Bar bar = along(hull.vertices, axis.normalized());
+    const Bar bar = along(hull.vertices, axis.normalized(), control);
     if (bar.size < best.size) best = bar;
   }
-  best = turned(hull.vertices, best, along);
+  best = turned(hull.vertices, best, along, control);
   return primitiveOf(kind, {best.radius, best.length, 0}, best.centre,
                      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), best.axis));
 }
 
 }  // namespace
 
-Primitive enclosingPrimitive(PrimitiveKind kind, const ConvexHull& hull) {
+Primitive enclosingPrimitive(PrimitiveKind kind, const ConvexHull& hull, const RunControl& control) {
   const Eigen::AlignedBox3d bounds = boundingBox(hull);
   const double more = kRounding * (bounds.diagonal().norm() + bounds.center().norm());
-  Primitive result = kind == Kind::kSphere ? sphereAbout(hull) : kind == Kind::kBox ? boxAbout(hull) : barAbout(kind, hull);
+  Primitive result = kind == Kind::kSphere ? sphereAbout(hull, control)
+                     : kind == Kind::kBox  ? boxAbout(hull, control)
+                                           : barAbout(kind, hull, control);
   result.size += Eigen::Vector3d::Constant(2 * more);
   for (const Eigen::Vector3d& v : hull.vertices)
     if (nearestPoint(result, v) != v) throw Error(ErrorCode::kInternal, "a primitive does not enclose the hull that it was built for");

@@ -6,6 +6,8 @@
 #include <Eigen/QR>
 #include <algorithm>
 
+#include "base/looks.h"
+
 namespace collision_hulls {
 
 namespace {
@@ -28,14 +30,16 @@ Ball ballThrough(const Points& border) {
 }
 
 /// The smallest ball around the first `count` points that has `border` on its border.
-Ball ballWith(Points& points, std::size_t count, Points& border) {
+Ball ballWith(Points& points, std::size_t count, Points& border, Looks& look, const RunControl& control) {
   Ball ball = ballThrough(border);
   if (border.size() == 4) return ball;
   for (std::size_t i = 0; i < count; ++i) {
+    look();
     const Eigen::Vector3d p = points[i];
     if ((p - ball.centre).squaredNorm() <= (1 + kOnBorder) * ball.squared_radius) continue;
+    control.check();  // all points before this one move
     border.push_back(p);
-    ball = ballWith(points, i, border);
+    ball = ballWith(points, i, border, look, control);
     border.pop_back();
     std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(i), points.begin() + static_cast<std::ptrdiff_t>(i) + 1);
   }
@@ -44,9 +48,10 @@ Ball ballWith(Points& points, std::size_t count, Points& border) {
 
 }  // namespace
 
-Ball smallestBall(std::vector<Eigen::Vector3d> points) {
+Ball smallestBall(std::vector<Eigen::Vector3d> points, const RunControl& control) {
+  Looks look(control);
   Points border;
-  Ball ball = ballWith(points, points.size(), border);
+  Ball ball = ballWith(points, points.size(), border, look, control);
   for (const Eigen::Vector3d& p : points) ball.squared_radius = std::max(ball.squared_radius, (p - ball.centre).squaredNorm());
   return ball;
 }

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "collision_hulls/control.h"
+
 namespace collision_hulls {
 
 struct Ball {
@@ -12,7 +14,7 @@ struct Ball {
 };
 
 /// By Welzl's algorithm (1991) with move to front; of points in a plane or on a line, the centre lies in it, too. Holds all points but for
-/// rounding.
-Ball smallestBall(std::vector<Eigen::Vector3d> points);
+/// rounding. Throws kCancelled.
+Ball smallestBall(std::vector<Eigen::Vector3d> points, const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/left_behind.h"
 #include "collision_hulls/control.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/geometry/convex_hull.h"
@@ -40,18 +41,41 @@ std::shared_ptr<fcl::Convexd> fclConvex(const ConvexHull& hull, double factor = 
 
 std::vector<fcl::Triangle> fclTriangles(const std::vector<Triangle>& triangles);
 
-/// Builds FCL's tree over triangles. Throws kInternal if FCL refuses them, and kCancelled: before FCL makes room for the tree, which it
-/// does in one go, and then whenever the model's fitter does.
+/// FCL's own boxes. FCL asks for each node's, so that what a look throws ends its building.
 template <typename Box>
-void build(fcl::BVHModel<Box>& model, const std::vector<Eigen::Vector3d>& vertices, std::vector<fcl::Triangle> triangles,
-           double factor = kFclEnlarged, const RunControl& control = {}) {
+class OwnBoxes : public fcl::detail::BVFitter<Box> {
+ public:
+  OwnBoxes(const std::vector<Eigen::Vector3d>&, const std::vector<fcl::Triangle>&, const RunControl& control) : control_(control) {}
+  Box fit(unsigned int* indices, int count) override {
+    control_.check();
+    return fcl::detail::BVFitter<Box>::fit(indices, count);
+  }
+
+ private:
+  const RunControl& control_;
+};
+
+/// FCL's tree over triangles, with the boxes of a Fitter made from (vertices, triangles, control). Throws kInternal if FCL refuses them,
+/// and kCancelled: of a large mesh even while FCL makes room for the tree, which it does in one go.
+template <typename Box, typename Fitter = OwnBoxes<Box>>
+std::shared_ptr<fcl::BVHModel<Box>> fclTree(const std::vector<Eigen::Vector3d>& vertices, std::vector<fcl::Triangle> triangles,
+                                            double factor = kFclEnlarged, const RunControl& control = {}) {
+  constexpr std::size_t kMany = 100'000;  // triangles for which FCL takes a tenth of a second or more
   const std::size_t count = triangles.size();
-  model.beginModel(static_cast<int>(count), static_cast<int>(vertices.size()));
-  control.check();
-  model.addSubModel(enlarged(vertices, factor), triangles);
-  triangles = {};  // FCL has its own copy, and the tree is large
-  control.check();
-  if (model.endModel() != fcl::BVH_OK) throw Error(ErrorCode::kInternal, "FCL rejected a mesh of " + std::to_string(count) + " triangles");
+  auto work = [points = enlarged(vertices, factor), triangles = std::move(triangles)](const RunControl& control) mutable {
+    auto model = std::make_shared<fcl::BVHModel<Box>>();
+    model->bv_fitter = std::make_shared<Fitter>(points, triangles, control);
+    model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(points.size()));
+    model->addSubModel(points, triangles);
+    const std::size_t count = triangles.size();
+    points = {}, triangles = {};  // FCL has its own copies, and the tree is large
+    control.check();
+    if (model->endModel() != fcl::BVH_OK)
+      throw Error(ErrorCode::kInternal, "FCL rejected a mesh of " + std::to_string(count) + " triangles");
+    model->bv_fitter.reset();  // which refers to the control
+    return model;
+  };
+  return count < kMany ? work(control) : orLeftBehind(std::move(work), control);
 }
 
 fcl::DistanceRequestd distanceRequest(bool nearest_points);

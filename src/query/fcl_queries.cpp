@@ -53,12 +53,13 @@ FclAnswer askPoint(const fcl::CollisionGeometryd& body, const Eigen::Vector3d& p
 /// own fitter aligns boxes with the axes of inertia: it takes ten times as long and makes queries little faster.
 class BoxFitter : public fcl::detail::BVFitterBase<fcl::RSSd> {
  public:
-  BoxFitter(const TriangleMesh& mesh, const RunControl& control) : look_(control) {
-    boxes_.reserve(mesh.triangles.size());
-    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+  BoxFitter(const std::vector<Eigen::Vector3d>& vertices, const std::vector<fcl::Triangle>& triangles, const RunControl& control)
+      : look_(control) {
+    boxes_.reserve(triangles.size());
+    for (const fcl::Triangle& t : triangles) {
       look_();
-      const Eigen::Vector3d &a = mesh.corner(t, 0), &b = mesh.corner(t, 1), &c = mesh.corner(t, 2);
-      boxes_.emplace_back(kFclEnlarged * a.cwiseMin(b).cwiseMin(c), kFclEnlarged * a.cwiseMax(b).cwiseMax(c));
+      const Eigen::Vector3d &a = vertices[t[0]], &b = vertices[t[1]], &c = vertices[t[2]];
+      boxes_.emplace_back(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
     }
   }
   void set(Eigen::Vector3d*, fcl::Triangle*, fcl::BVHModelType) override {}
@@ -92,20 +93,19 @@ class BoxFitter : public fcl::detail::BVFitterBase<fcl::RSSd> {
 };
 
 struct FclMesh::Impl {
-  fcl::BVHModel<fcl::RSSd> model;
+  std::shared_ptr<const fcl::BVHModel<fcl::RSSd>> model = std::make_shared<fcl::BVHModel<fcl::RSSd>>();
 };
 
 FclMesh::FclMesh(const TriangleMesh& mesh, const RunControl& control) : impl_(std::make_unique<Impl>()) {
   if (mesh.triangles.empty()) return;
-  impl_->model.bv_fitter = std::make_shared<BoxFitter>(mesh, control);
-  build(impl_->model, mesh.vertices, fclTriangles(mesh.triangles), kFclEnlarged, control);
+  impl_->model = fclTree<fcl::RSSd, BoxFitter>(mesh.vertices, fclTriangles(mesh.triangles), kFclEnlarged, control);
 }
 
 FclMesh::~FclMesh() = default;
 FclMesh::FclMesh(FclMesh&&) noexcept = default;
 
 bool FclMesh::empty() const {
-  return impl_->model.num_tris == 0;
+  return impl_->model->num_tris == 0;
 }
 
 struct FclHull::Impl {
@@ -118,7 +118,7 @@ FclHull::~FclHull() = default;
 FclHull::FclHull(FclHull&&) noexcept = default;
 
 FclAnswer fclDistance(const FclMesh& mesh, const Eigen::Vector3d& point) {
-  return askPoint(mesh.impl().model, point);
+  return askPoint(*mesh.impl().model, point);
 }
 
 FclAnswer fclDistance(const FclHull& hull, const Eigen::Vector3d& point) {
@@ -129,7 +129,7 @@ FclAnswer fclDistance(const FclHull& hull, const Eigen::Vector3d& point) {
 }
 
 FclAnswer fclDistance(const FclMesh& mesh, const FclMesh& other, const Eigen::Isometry3d& pose) {
-  return ask(mesh.impl().model, other.impl().model, pose, false);
+  return ask(*mesh.impl().model, *other.impl().model, pose, false);
 }
 
 FclAnswer fclDistance(const FclHull& hull, const FclHull& other, const Eigen::Isometry3d& pose) {

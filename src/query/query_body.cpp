@@ -13,14 +13,17 @@
 #include <cmath>
 #include <vector>
 
+#include "base/looks.h"
 #include "query/fcl_bodies.h"
 
 namespace collision_hulls {
 namespace {
 
-std::vector<Triangle> withArea(const TriangleMesh& mesh) {
+std::vector<Triangle> withArea(const TriangleMesh& mesh, const RunControl& control) {
+  Looks look(control);
   std::vector<Triangle> triangles;
   for (int i = 0; i < static_cast<int>(mesh.triangles.size()); ++i) {
+    look();
     const Eigen::Vector3d &a = mesh.corner(i, 0), u = mesh.corner(i, 1) - a;
     if (!u.cross(mesh.corner(i, 2) - a).isZero(0)) triangles.push_back(mesh.triangles[static_cast<std::size_t>(i)]);
   }
@@ -54,12 +57,10 @@ QueryBody::QueryBody(const ConvexHull& hull)
 QueryBody::QueryBody(const QueryShape& shape, const Eigen::Isometry3d& origin)
     : impl_(std::make_shared<const Impl>(Impl{geometryOf(shape), origin})), box_(placed({-halfSides(shape), halfSides(shape)}, origin)) {}
 
-QueryBody::QueryBody(const TriangleMesh& mesh) : box_(boundingBox(mesh)) {
-  const std::vector<Triangle> triangles = withArea(mesh);
+QueryBody::QueryBody(const TriangleMesh& mesh, const RunControl& control) : box_(boundingBox(mesh)) {
+  const std::vector<Triangle> triangles = withArea(mesh, control);
   if (triangles.empty()) return;
-  const auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
-  build(*model, mesh.vertices, fclTriangles(triangles));
-  impl_ = std::make_shared<const Impl>(Impl{model});
+  impl_ = std::make_shared<const Impl>(Impl{fclTree<fcl::OBBRSSd>(mesh.vertices, fclTriangles(triangles), kFclEnlarged, control)});
 }
 
 bool touch(const QueryBody& first, const QueryBody& second, const Eigen::Isometry3d& pose) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/looks.h"
 #include "collision_hulls/mesh/repair.h"
 #include "geometry/hull_support.h"
 #include "mesh/loose_segments.h"
@@ -23,10 +24,12 @@ constexpr double kLeastVolume = 0.999;                   // of the hull's volume
 constexpr std::size_t kMostComparisons = 2'000'000'000;  // of triangles with faces: larger components do not count as convex
 
 /// The triangles of a mesh that belong to one component, with their own vertices.
-TriangleMesh componentOf(const TriangleMesh& mesh, const std::vector<std::size_t>& triangles) {
+TriangleMesh componentOf(const TriangleMesh& mesh, const std::vector<std::size_t>& triangles, const RunControl& control) {
+  Looks look(control, kLargeItemsBetweenLooks);
   TriangleMesh part;
   std::map<int, int> index;
   for (const std::size_t t : triangles) {
+    look();
     Triangle corners{};
     for (std::size_t k = 0; k < 3; ++k) {
       const int v = mesh.triangles[t][k];
@@ -46,13 +49,13 @@ double slackOf(const ConvexHull& hull) {
 }
 
 /// The faces of the hull, the vertices and triangles of the component: what overhang() compares.
-bool isConvex(const TriangleMesh& part, const ConvexHull& hull) {
+bool isConvex(const TriangleMesh& part, const ConvexHull& hull, const RunControl& control) {
   if (std::abs(signedVolume(part)) < kLeastVolume * volume(hull) || part.triangles.size() * hull.faces.size() > kMostComparisons)
     return false;
   ConvexHull compared = hull;
   compared.vertices = part.vertices;
   compared.triangles = part.triangles;
-  return overhang(compared) <= slackOf(hull);
+  return overhang(compared, control) <= slackOf(hull);
 }
 
 /// Whether a segment lies in one of the hulls, up to rounding.
@@ -69,10 +72,10 @@ void addParts(const TriangleMesh& mesh, ConvexParts& parts, const RunControl& co
   std::vector<std::vector<std::size_t>> components(repaired.counts.components);
   for (std::size_t t = 0; t < repaired.mesh.triangles.size(); ++t) components[static_cast<std::size_t>(repaired.component[t])].push_back(t);
   for (std::size_t c = 0; c < components.size(); ++c) {
-    const TriangleMesh part = componentOf(repaired.mesh, components[c]);
+    const TriangleMesh part = componentOf(repaired.mesh, components[c], control);
     if (repaired.interior[c] == Interior::kClosed) {
       ConvexHull hull = convexHull(part.vertices, control);
-      if (isConvex(part, hull)) {
+      if (isConvex(part, hull, control)) {
         parts.hulls.push_back(std::move(hull));
         continue;
       }
@@ -85,7 +88,8 @@ void addParts(const TriangleMesh& mesh, ConvexParts& parts, const RunControl& co
 }
 
 /// Runs of triangles, in the file's order, that are closed: each edge occurs equally often in both directions. The last run need not be.
-std::vector<std::vector<std::size_t>> closedRuns(const TriangleMesh& mesh) {
+std::vector<std::vector<std::size_t>> closedRuns(const TriangleMesh& mesh, const RunControl& control) {
+  Looks look(control, kLargeItemsBetweenLooks);
   using Point = std::array<double, 3>;
   std::map<std::pair<Point, Point>, int> open;  // edges by their ends, the smaller one first: how much more often they run forward
   const auto point = [&](std::size_t t, std::size_t k) {
@@ -94,6 +98,7 @@ std::vector<std::vector<std::size_t>> closedRuns(const TriangleMesh& mesh) {
   };
   std::vector<std::vector<std::size_t>> runs(1);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    look();
     runs.back().push_back(t);
     for (std::size_t k = 0; k < 3; ++k) {
       const Point from = point(t, k), to = point(t, (k + 1) % 3);
@@ -110,8 +115,8 @@ std::vector<std::vector<std::size_t>> closedRuns(const TriangleMesh& mesh) {
 
 ConvexParts convexParts(const TriangleMesh& mesh, const RunControl& control) {
   ConvexParts parts;
-  for (const std::vector<std::size_t>& run : closedRuns(mesh))
-    if (!run.empty()) addParts(componentOf(mesh, run), parts, control);
+  for (const std::vector<std::size_t>& run : closedRuns(mesh, control))
+    if (!run.empty()) addParts(componentOf(mesh, run, control), parts, control);
   return parts;
 }
 

@@ -64,8 +64,8 @@ void addRound(Model& model, const GeometryElement& round) {
   model.points.push_back(round.origin.translation());
 }
 
-void addMesh(Model& model, const TriangleMesh& mesh, const Solid* solid) {
-  const QueryBody body(mesh);
+void addMesh(Model& model, const TriangleMesh& mesh, const Solid* solid, const RunControl& control) {
+  const QueryBody body(mesh, control);
   if (!body.empty()) model.parts.push_back({body, Eigen::Isometry3d::Identity(), 0, body});
   if (solid) model.solids.push_back(solid);
 }
@@ -74,12 +74,12 @@ void finish(Model& model) {
   for (const Model::Part& part : model.parts) model.box.extend(part.body.box());
 }
 
-Model modelOfResult(const LinkPair& pair) {
+Model modelOfResult(const LinkPair& pair, const RunControl& control) {
   Model model;
   for (const ConvexHull& hull : pair.bodies().hulls()) addHull(model, hull);
   for (const GeometryElement& round : pair.bodies().rounds()) addRound(model, round);
   if (const Solid* const rest = pair.bodies().rest()) {
-    addMesh(model, pair.result().rest(), rest);
+    addMesh(model, pair.result().rest(), rest, control);
     model.points.insert(model.points.end(), rest->componentPoints().begin(), rest->componentPoints().end());
   }
   finish(model);
@@ -87,18 +87,18 @@ Model modelOfResult(const LinkPair& pair) {
 }
 
 /// All of the original's insides count by its solid, in which round primitives are polyhedra.
-Model modelOfOriginal(const LinkPair& pair) {
+Model modelOfOriginal(const LinkPair& pair, const RunControl& control) {
   Model model;
-  for (const MeshBody& body : pair.original().meshes) addMesh(model, body.mesh, nullptr);
+  for (const MeshBody& body : pair.original().meshes) addMesh(model, body.mesh, nullptr, control);
   for (const GeometryElement& primitive : pair.original().primitives) {
     if (isRound(primitive))
       addRound(model, primitive);
     else
-      addMesh(model, surface(hullAbout(primitive)), nullptr);
+      addMesh(model, surface(hullAbout(primitive)), nullptr, control);
   }
   model.solids.push_back(&pair.solid());
   model.points = pair.solid().componentPoints();
-  model.surface = std::make_shared<TriangleBvh>(pair.surface());
+  model.surface = std::make_shared<TriangleBvh>(pair.surface(), std::vector<char>(), control);
   finish(model);
   return model;
 }
@@ -196,10 +196,11 @@ void add(TrialCounts& sum, const TrialCounts& more) {
 /// The links of a robot, and the queries of one configuration.
 class Trial {
  public:
-  Trial(const Kinematics& kinematics, const std::vector<TrialLink>& links) : kinematics_(kinematics), links_(links) {
+  Trial(const Kinematics& kinematics, const std::vector<TrialLink>& links, const RunControl& control)
+      : kinematics_(kinematics), links_(links) {
     for (const TrialLink& link : links) {
-      originals_.push_back(modelOfOriginal(*link.pair));
-      results_.push_back(modelOfResult(*link.pair));
+      originals_.push_back(modelOfOriginal(*link.pair, control));
+      results_.push_back(modelOfResult(*link.pair, control));
     }
   }
 
@@ -279,7 +280,7 @@ Trials tryConfigurations(const Kinematics& kinematics, const std::vector<TrialLi
   Trials sum;
   sum.of_link.resize(links.size());
   if (links.empty()) return sum;
-  const Trial trial(kinematics, links);
+  const Trial trial(kinematics, links, control);
   std::vector<Trials> each(configurations);
   forEach(configurations, [&](std::size_t i) {
     control.check();

@@ -16,7 +16,7 @@ TEST(Originals, AMeshIsCheckedAsItsSurface) {
   ASSERT_EQ(assembly.parts(), 3u) << "base, carriage, post";
   EXPECT_EQ(assembly.name(1), "c0");
   EXPECT_FALSE(assembly.isLink(2));
-  const Originals originals(problem, assembly);
+  const Originals originals(problem, assembly, {});
   const Places rest = assembly.places(assembly.kinematics().rest());
   EXPECT_FALSE(originals.touch(1, 2, rest)) << "the post stands in the gap";
   const double gap = originals.distanceBelow(1, 1, 2, rest);
@@ -26,12 +26,20 @@ TEST(Originals, AMeshIsCheckedAsItsSurface) {
   EXPECT_FALSE(originals.clear({1, 2, 1.1 * gap}, rest));
 }
 
+TEST(Originals, CanBeCancelledWhileFclBuildsItsTrees) {
+  const FitProblem problem = overPost();
+  const Assembly assembly(problem, 1);
+  const RunControl control;
+  control.cancel();
+  EXPECT_THROW(Originals(problem, assembly, control), Error);
+}
+
 TEST(Originals, WhatLiesWithinASolidIsNotClear) {
   FitProblem problem = overPost();
   const Eigen::Vector3d wall(0.03, 0.15, 0.5);  // in the middle of the channel's first wall
   problem.scene.bodies = {boxBody("pin", {0.01, 0.01, 0.01}, wall)};
   const Assembly assembly(problem, 1);
-  const Originals originals(problem, assembly);
+  const Originals originals(problem, assembly, {});
   const Places rest = assembly.places(assembly.kinematics().rest());
   EXPECT_FALSE(originals.touch(1, 2, rest)) << "surfaces are apart";
   EXPECT_EQ(originals.distanceBelow(1, 1, 2, rest), 0);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "counted_looks.h"
 #include "random_points.h"
 #include "shapes.h"
 
@@ -89,6 +90,13 @@ TEST(Overhang, OfTheThinnestPlate) {
   const ConvexHull plate = convexHull(test_shapes::sheet(1, 1, 5).vertices);
   ASSERT_GT(plate.thickness, 0);
   EXPECT_LT(overhang(plate), 2e-6);
+}
+
+TEST(Overhang, IsCancelledAmidTheComparisonOfAllWithAll) {
+  const ConvexHull ball = convexHull(test_shapes::sphere(1, 16).vertices);
+  const std::size_t pairs = ball.faces.size() * ball.vertices.size();
+  EXPECT_GE(looksOf([&](const RunControl& control) { leastWidth(ball, control); }), looksFor(pairs));
+  EXPECT_GE(looksOf([&](const RunControl& control) { overhang(ball, control); }), ball.vertices.size() + looksFor(pairs));
 }
 
 TEST(Overhang, OfHullsIsRounding) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "counted_looks.h"
 #include "random_points.h"
 #include "shapes.h"
 
@@ -28,6 +29,15 @@ TEST(Qhull, EnclosesPointsInGeneralPosition) {
   ASSERT_TRUE(hull);
   EXPECT_EQ(hull->triangles.size(), 2 * hull->vertices.size() - 4);
   for (const Vector3d& p : points) EXPECT_LE(planeDistance(*hull, p), 1e-12);
+}
+
+TEST(Qhull, ACallerWhoIsCancelledMeanwhileDoesNotWaitForIt) {
+  test_shapes::RandomPoints random(6);
+  std::vector<Vector3d> points;
+  for (int i = 0; i < 100'000; ++i) points.push_back(random.onSphere());
+  const auto work = [&](const RunControl& control) { qhull(points, control); };
+  EXPECT_EQ(looksAfterCancel(2, work), 1u) << "the first look is before Qhull starts";
+  EXPECT_GT(looksOf(work), 2u);
 }
 
 }  // namespace

@@ -3,11 +3,13 @@
 
 #include "base/parallel.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
+#include "collision_hulls/measure/measures.h"
 #include "collision_hulls/measure/solid.h"
 #include "counted_looks.h"
 #include "measure/rim.h"
 #include "mesh/edges.h"
 #include "shapes.h"
+#include "solids.h"
 
 namespace collision_hulls {
 namespace {
@@ -57,6 +59,21 @@ TEST(LooksOfSolid, ARimIsSortedAndWalked) {
   ASSERT_GT(rim.size(), kept.size());
   EXPECT_GE(found, looksFor(3 * kept.size() + 2 * rim.size() - 1));
   EXPECT_GE(looksOf([&](const RunControl& control) { loopsOf(mesh.mesh.vertices, rim, control); }), looksFor(rim.size()));
+}
+
+TEST(LooksOfMeasures, EachSampleOfEachHull) {
+  constexpr std::size_t kSamples = 20000;
+  const ConvexHull one = test_shapes::boxHull({0, 0, 0}, {1, 1, 1}), other = test_shapes::boxHull({0.5, 0, 0}, {1.5, 1, 1});
+  EXPECT_GE(looksOf([&](const RunControl& control) { unionVolume({one, other}, control); }), kSamples / kLargeItemsBetweenLooks - 2);
+  const Solid solid(repair(test_shapes::box(1, 1, 1)));
+  EXPECT_GE(looksOf([&](const RunControl& control) { coveredShare({one}, solid, control); }), kSamples);
+}
+
+TEST(LooksOfMeasures, EachVertexAndStepOfACertificate) {
+  const Solid solid(repair(test_shapes::torus(0.3, 0.1, 20, 20)));
+  const ConvexHull hull = convexHull(test_shapes::torus(0.3, 0.1, 60, 60).vertices);
+  const std::size_t compared = looksFor(hull.faces.size() * hull.vertices.size());  // in leastWidth() and overhang()
+  EXPECT_GE(looksOf([&](const RunControl& control) { protrusion({hull}, solid, 0.01, control); }), hull.vertices.size() + 2 * compared);
 }
 
 TEST(LooksOfSolid, ACancelIsHeededAtOnceWhereverItComes) {

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "collision_hulls/primitives/primitive.h"
+#include "counted_looks.h"
 #include "random_points.h"
 
 namespace collision_hulls {
@@ -32,6 +34,13 @@ TEST(SmallestBall, HoldsAllAndNoNearbyCentreIsBetter) {
     EXPECT_NEAR(radiusAt(ball.centre), std::sqrt(ball.squared_radius), 1e-12);
     for (int i = 0; i < 100; ++i) EXPECT_GE(radiusAt(ball.centre + 0.01 * random.onSphere()), std::sqrt(ball.squared_radius));
   }
+}
+
+TEST(SmallestBall, LooksAtEachPointAndWheneverItMovesThem) {
+  const std::vector<Eigen::Vector3d> points = test_shapes::RandomPoints(1).cloud(3 * kItemsBetweenLooks);
+  EXPECT_GT(looksOf([&](const RunControl& control) { smallestBall(points, control); }), 3u + 4u) << "four points of its border have moved";
+  for (const PrimitiveKind kind : {PrimitiveKind::kSphere, PrimitiveKind::kCylinder, PrimitiveKind::kCapsule})
+    EXPECT_EQ(looksAfterCancel(2, [&](const RunControl& control) { enclosingPrimitive(kind, convexHull(points), control); }), 1u);
 }
 
 }  // namespace

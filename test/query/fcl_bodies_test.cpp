@@ -38,9 +38,8 @@ TEST(FclConvex, HasTheHullsVerticesAndTriangles) {
             (std::vector<int>{3, box.triangles[0][0], box.triangles[0][1], box.triangles[0][2]}));
 }
 
-TEST(Build, RefusesWhatFclRefuses) {
-  fcl::BVHModel<fcl::OBBRSSd> model;
-  EXPECT_THROW(build(model, {}, {}), Error);
+TEST(FclTree, RefusesWhatFclRefuses) {
+  EXPECT_THROW(fclTree<fcl::OBBRSSd>({}, {}), Error);
 }
 
 TEST(Answered, TurnsAnExceptionIntoAnErrorThatSaysWhatToDo) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "counted_looks.h"
 #include "solids.h"
 
 namespace collision_hulls {
@@ -32,6 +33,14 @@ TEST(QueryBody, AShapeStandsAtItsOrigin) {
   EXPECT_TRUE(touch(cube, ball, at(-0.8, 0, 0)));
   EXPECT_LT((ball.box().min() - Vector3d(1.75, 0.25, 0.25)).norm(), 1e-12);
   EXPECT_EQ(ball.corners(), 0u);
+}
+
+TEST(QueryBody, IsCancelledWhileFclBuildsItsTree) {
+  const TriangleMesh mesh = sphere(1, 16);
+  const std::size_t nodes = 2 * mesh.triangles.size() - 1;
+  const auto build = [&](const RunControl& control) { const QueryBody body(mesh, control); };
+  EXPECT_GE(looksOf(build), nodes);
+  EXPECT_EQ(looksAfterCancel(nodes / 2, build), 1u);
 }
 
 TEST(QueryBody, AMeshWithoutAreaIsEmptyAndTouchesNothing) {

@@ -2,6 +2,7 @@
 // Also tests src/verify/mesh_protrusion.cpp.
 #include <gtest/gtest.h>
 
+#include "counted_looks.h"
 #include "solids.h"
 #include "verify/convex_parts.h"
 #include "verify/cover_search.h"
@@ -31,6 +32,13 @@ TEST(ConvexParts, HullsAreToldFromTheRest) {
   EXPECT_EQ(parts.hulls.size(), 2u);
   EXPECT_EQ(parts.rest_parts, 2u);
   EXPECT_EQ(parts.rest.triangles.size(), lBracket().triangles.size() + test_shapes::sheet().triangles.size());
+}
+
+TEST(ConvexParts, LooksAtEachTriangleOfEachPass) {
+  const TriangleMesh sheet = test_shapes::sheet(1, 1, 60);
+  const std::size_t pass = sheet.triangles.size() / kLargeItemsBetweenLooks;
+  ASSERT_GT(pass, 20u);
+  EXPECT_GE(looksOf([&](const RunControl& control) { convexParts(sheet, control); }), 3 * pass) << "runs, their triangles, its component's";
 }
 
 TEST(ConvexParts, AThinPlateAndASphereAreConvex) {

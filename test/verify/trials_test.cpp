@@ -53,6 +53,13 @@ Trials trialsOf(const Cube& cube) {
   return tryConfigurations(twoLinks(), {{0, cube.pair.get(), &cube.row}, {2, cube.pair.get(), &cube.row}}, 400, 1);
 }
 
+TEST(Trials, CanBeCancelledWhileFclBuildsItsTrees) {
+  const Cube cube(1);
+  const RunControl control;
+  control.cancel();
+  EXPECT_THROW(tryConfigurations(twoLinks(), {{0, cube.pair.get(), &cube.row}}, 0, 1, control), Error);
+}
+
 TEST(Trials, ASmallerModelMissesAndALargerOneIsHitTooOften) {
   const Trials small = trialsOf(Cube(0.9)), large = trialsOf(Cube(1.1));
   EXPECT_GT(small.all.missed, 0u);

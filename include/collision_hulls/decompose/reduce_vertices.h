@@ -21,10 +21,12 @@ ConvexHull reduceVertices(const ConvexHull& hull, int max_vertices, const RunCon
 /// Whether a hull has more vertices than a cap allows; 0 is no cap.
 bool exceedsCap(const ConvexHull& hull, int max_vertices);
 
-/// reduceVertices() where the cap is exceeded, otherwise the hull; 0 is no cap.
-ConvexHull capped(const ConvexHull& hull, int max_vertices);
+/// reduceVertices() where the cap is exceeded, otherwise the hull; 0 is no cap. Throws kCancelled.
+ConvexHull capped(const ConvexHull& hull, int max_vertices, const RunControl& control = {});
 
-/// The largest distance [m] from `hull` of a point of `outer`, which contains it.
-double addedDistance(const ConvexHull& outer, const ConvexHull& hull);
+/// The largest distance [m] from `hull` of a point of `outer`, which contains it. Throws
+/// kCancelled.
+double addedDistance(const ConvexHull& outer, const ConvexHull& hull,
+                     const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -47,12 +47,13 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
 
 /// The volume of the union of the hulls [m^3]: exact for one hull and for disjoint hulls. What
 /// hulls share is estimated from a fixed sequence of samples in each of them, 20,000 in all (with
-/// an error of about 1 % of it).
-double unionVolume(const std::vector<ConvexHull>& hulls);
+/// an error of about 1 % of it). Throws kCancelled.
+double unionVolume(const std::vector<ConvexHull>& hulls, const RunControl& control = {});
 
 /// The share of the inside of S that lies in the hulls, assuming they cover its surface; by the
 /// same sequence of samples. 1 for a solid without an inside. What is missing lies deep inside,
-/// where hulls of pieces of the surface do not reach.
-double coveredShare(const std::vector<ConvexHull>& hulls, const Solid& solid);
+/// where hulls of pieces of the surface do not reach. Throws kCancelled.
+double coveredShare(const std::vector<ConvexHull>& hulls, const Solid& solid,
+                    const RunControl& control = {});
 
 }  // namespace collision_hulls

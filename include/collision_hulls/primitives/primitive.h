@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/geometry/convex_hull.h"
 
 namespace collision_hulls {
@@ -57,7 +58,9 @@ ConvexHull hullAround(const Primitive& primitive, double excess);
 ///
 /// The sphere is the smallest one. The box is that of orientedBox(). Cylinders and capsules are the
 /// smallest along the box's axes, the principal axes and the hull's longest edges, with the best
-/// axis then turned until no turn makes the body smaller. Throws kInternal if a vertex is outside.
-Primitive enclosingPrimitive(PrimitiveKind kind, const ConvexHull& hull);
+/// axis then turned until no turn makes the body smaller. Throws kInternal if a vertex is outside,
+/// and kCancelled.
+Primitive enclosingPrimitive(PrimitiveKind kind, const ConvexHull& hull,
+                             const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <memory>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
 
@@ -35,8 +36,8 @@ class QueryBody {
   explicit QueryBody(const ConvexHull& hull);
   /// `origin`: the shape's frame in the body's
   QueryBody(const QueryShape& shape, const Eigen::Isometry3d& origin);
-  /// leaves out triangles without area
-  explicit QueryBody(const TriangleMesh& mesh);
+  /// leaves out triangles without area; throws kCancelled
+  explicit QueryBody(const TriangleMesh& mesh, const RunControl& control = {});
 
   /// true for a mesh without any area; such a body touches nothing
   bool empty() const { return !impl_; }

@@ -26,9 +26,7 @@ Geometry convexOf(const ConvexHull& hull) {
 }
 
 Geometry bvhOf(const ConvexHull& hull) {
-  const auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
-  build(*model, hull.vertices, fclTriangles(hull.triangles), 1);
-  return model;
+  return fclTree<fcl::OBBRSSd>(hull.vertices, fclTriangles(hull.triangles), 1);
 }
 
 fcl::GJKSolverType solverType(Solver solver) {

@@ -47,18 +47,19 @@ bool within(const ConvexHull& hull, const SurfacePiece& piece) {
 
 /// What a cut leaves on one side: its components, with each component inside another's hull joined to that one. Why: if a wall is cut at
 /// all of its edges its two skins become separate components, and the outer skin alone is convex, whatever it encloses.
-std::vector<SurfacePiece> separated(const SurfacePiece& side) {
+std::vector<SurfacePiece> separated(const SurfacePiece& side, const RunControl& control) {
   std::vector<SurfacePiece> parts;
   std::vector<ConvexHull> hulls;
-  for (SurfacePiece& piece : components(side)) {
-    ConvexHull hull = convexHull(piece.vertices);
+  for (SurfacePiece& piece : components(side, control)) {
+    ConvexHull hull = convexHull(piece.vertices, control);
     for (std::size_t i = 0; i < parts.size();) {
+      control.check();
       if (!within(hulls[i], piece) && !within(hull, parts[i])) {
         ++i;
         continue;
       }
       append(piece, parts[i]);
-      hull = convexHull(piece.vertices);
+      hull = convexHull(piece.vertices, control);
       parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(i));
       hulls.erase(hulls.begin() + static_cast<std::ptrdiff_t>(i));
       i = 0;  // the hull has grown: start again
@@ -75,7 +76,7 @@ class Resolving {
       : epsilon_(epsilon), on_plane_(kOnPlane * boundingBox(mesh.mesh).sizes().maxCoeff()), control_(control), undone_(area(mesh.mesh)) {
     whole_ = undone_;
     for (bool sheets : {false, true})
-      for (SurfacePiece& piece : components(trianglesOf(mesh, sheets))) add(std::move(piece), sheets);
+      for (SurfacePiece& piece : components(trianglesOf(mesh, sheets), control)) add(std::move(piece), sheets);
   }
 
   std::vector<ConvexHull> run() {
@@ -94,7 +95,7 @@ class Resolving {
   void add(SurfacePiece piece, bool two_sided) {
     control_.check();
     Part part;
-    part.hull = convexHull(piece.vertices);
+    part.hull = convexHull(piece.vertices, control_);
     part.notch = deepestNotch(piece, part.hull, two_sided, control_);
     part.two_sided = two_sided;
     if (part.notch.concavity > epsilon_) {
@@ -110,11 +111,11 @@ class Resolving {
   void resolve(std::size_t index) {
     const Part part = std::exchange(parts_[index], {});
     for (const HalfSpace& plane : {planeThrough(part.notch), middlePlane(part.piece)}) {
-      const auto [beneath, above] = split(part.piece, plane, on_plane_);
+      const auto [beneath, above] = split(part.piece, plane, on_plane_, control_);
       if (beneath.triangles.empty() || above.triangles.empty()) continue;
       ++resolved_;
       for (const SurfacePiece* side : {&beneath, &above})
-        for (SurfacePiece& piece : separated(*side)) add(std::move(piece), part.two_sided);
+        for (SurfacePiece& piece : separated(*side, control_)) add(std::move(piece), part.two_sided);
       return;
     }
     done(part.piece);
@@ -144,7 +145,7 @@ double straightLineConcavity(const TriangleMesh& mesh, bool two_sided) {
 }
 
 std::vector<ConvexHull> acdHulls(const RepairedMesh& mesh, double epsilon, const RunControl& control) {
-  if (mesh.mesh.triangles.empty()) return {convexHull(withLoose(mesh).vertices)};
+  if (mesh.mesh.triangles.empty()) return {convexHull(withLoose(mesh).vertices, control)};
   std::vector<ConvexHull> hulls = Resolving(mesh, epsilon, control).run();
   addLoose(hulls, mesh.loose, control);
   return hulls;

@@ -7,14 +7,15 @@
 #include <limits>
 #include <vector>
 
+#include "base/looks.h"
+
 namespace collision_hulls {
 
 namespace {
 
-constexpr double kFlat = 1 - 1e-10;     // an edge is flat if the cosine between its faces is above this
-constexpr double kOpensTowards = 0.1;   // least cosine between the direction out of a notch and the normal of its bridge
-constexpr double kNil = 1e-9;           // concavity, in extents of the piece, that counts as zero
-constexpr int kNotchesPerCheck = 1000;  // between two checks for cancellation
+constexpr double kFlat = 1 - 1e-10;    // an edge is flat if the cosine between its faces is above this
+constexpr double kOpensTowards = 0.1;  // least cosine between the direction out of a notch and the normal of its bridge
+constexpr double kNil = 1e-9;          // concavity, in extents of the piece, that counts as zero
 
 /// A triangle's side, in the direction in which it runs around the triangle.
 struct Side {
@@ -24,15 +25,16 @@ struct Side {
   bool along(const Side& o) const { return low == o.low && high == o.high; }
 };
 
-std::vector<Side> sortedSides(const SurfacePiece& piece) {
+std::vector<Side> sortedSides(const SurfacePiece& piece, Looks& look) {
   std::vector<Side> sides;
   sides.reserve(3 * piece.triangles.size());
   for (std::size_t t = 0; t < piece.triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
+      look();
       const int a = piece.triangles[t][k], b = piece.triangles[t][(k + 1) % 3];
       sides.push_back({std::min(a, b), std::max(a, b), static_cast<int>(t), a < b});
     }
-  std::sort(sides.begin(), sides.end());
+  std::sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return look(), a < b; });
   return sides;
 }
 
@@ -48,19 +50,21 @@ class Search {
   }
 
   Notch run(const RunControl& control) {
-    const std::vector<Side> sides = sortedSides(piece_);
+    Looks look(control);
+    const std::vector<Side> sides = sortedSides(piece_, look);
     const double nil = deepest_.concavity;
     for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-      if (i % kNotchesPerCheck == 0) control.check();
-      if (sides[i].along(sides[i + 1]) && sides[i].forward != sides[i + 1].forward) visit(sides[i], sides[i + 1]);
+      look();
+      if (sides[i].along(sides[i + 1]) && sides[i].forward != sides[i + 1].forward) visit(sides[i], sides[i + 1], control);
     }
     return deepest_.concavity > nil ? deepest_ : Notch{};
   }
 
  private:
-  void visit(const Side& first, const Side& second) {
+  void visit(const Side& first, const Side& second, const RunControl& control) {
     const Eigen::Vector3d n1 = normalOf(piece_, first.triangle), n2 = normalOf(piece_, second.triangle);
     if (n1.isZero(0) || n2.isZero(0) || n1.dot(n2) > kFlat) return;
+    control.check();  // the scan may take as many steps as the hull has faces
     const Eigen::Vector3d &a = piece_.vertices[static_cast<std::size_t>(first.low)],
                           &b = piece_.vertices[static_cast<std::size_t>(first.high)];
     const Eigen::Vector3d edge = first.forward ? Eigen::Vector3d(b - a) : Eigen::Vector3d(a - b);

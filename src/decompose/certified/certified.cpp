@@ -310,7 +310,7 @@ Decomposition certified(const RepairedMesh& original, const DecomposeOptions& op
   if (result.capped) {
     const HullTree tree = job.treeOver(std::move(cover));
     result.hulls = tree.hullsOf(tree.cutTo(options.max_hulls));
-    for (ConvexHull& hull : result.hulls) hull = capped(hull, options.max_vertices);
+    for (ConvexHull& hull : result.hulls) hull = capped(hull, options.max_vertices, control);
   } else {
     result.hulls = job.hullsOf(cover);
   }

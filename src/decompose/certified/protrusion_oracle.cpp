@@ -282,7 +282,7 @@ OutsideDistance::Largest ProtrusionOracle::summit(const ConvexHull& hull, double
   query.resolution = kPocketCell * tolerance_;
   query.summits_only = true;
   query.surface_bound = surface_bound;
-  query.depth = leastWidth(hull) / 2;
+  query.depth = leastWidth(hull, control_) / 2;
   query.most_visits = most_visits;
   const OutsideDistance::Largest summit = outside_.largest(hull, query, control_);
   if (summit.found > tolerance_) remember(summit.where);
@@ -304,7 +304,7 @@ double ProtrusionOracle::bound(const ConvexHull& exact) {
   query.resolution = on.gap;
   query.summits_only = true;
   query.surface_bound = on_surface;
-  query.depth = leastWidth(hull) / 2;
+  query.depth = leastWidth(hull, control_) / 2;
   double most = outside_.largest(hull, query, control_).bound;
   for (const Watch& watch : watches_)
     if (const std::optional<ConvexHull> part = partIn(hull, watch.region)) most = std::max(most, watch.oracle->bound(*part) / watch.ratio);

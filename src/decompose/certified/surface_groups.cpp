@@ -54,7 +54,7 @@ Element elementOf(const SurfacePiece& piece, const ConvexHull& hull, int leaf, d
 
 }  // namespace
 
-std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t count, double tolerance) {
+std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t count, double tolerance, const RunControl& control) {
   std::vector<Element> elements;
   if (count <= leaves.size()) {
     for (std::size_t i = 0; i < leaves.size(); ++i)
@@ -75,7 +75,7 @@ std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t cou
     std::vector<Block> blocks;
     const double extent = box.sizes().maxCoeff();
     const bool large_enough = boundingBox(part.block.surface).sizes().maxCoeff() > kSmallest * extent;
-    if (large_enough && large.size() + done.size() + 1 < count) blocks = halves(part.block, kOnPlane * extent);
+    if (large_enough && large.size() + done.size() + 1 < count) blocks = halves(part.block, kOnPlane * extent, control);
     if (blocks.size() < 2) {
       done.push_back(std::move(part));
       continue;
@@ -87,7 +87,8 @@ std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t cou
   }
   std::sort(done.begin(), done.end(), [](const Part& a, const Part& b) { return std::tie(a.leaf, a.number) < std::tie(b.leaf, b.number); });
   for (const Part& part : done)
-    elements.push_back(elementOf(part.block.surface, roughHull(part.block.surface.vertices), part.leaf, tolerance));
+    elements.push_back(
+        elementOf(part.block.surface, roughHull(part.block.surface.vertices, Corners::kNeeded, control), part.leaf, tolerance));
   return elements;
 }
 
@@ -97,7 +98,9 @@ bool farApart(const Group& a, const Group& b, double tolerance) {
 }
 
 SurfaceGroups::SurfaceGroups(const std::vector<Leaf>& leaves, std::size_t element_count, ProtrusionOracle& oracle, int max_vertices)
-    : elements_(elementsOf(leaves, element_count, oracle.tolerance())), oracle_(oracle), max_vertices_(max_vertices) {
+    : oracle_(oracle), max_vertices_(max_vertices) {
+  to_the_end_.whole = &oracle.control();
+  elements_ = elementsOf(leaves, element_count, oracle.tolerance(), to_the_end_);
   for (const Leaf& leaf : leaves) leaves_.push_back({leaf.hull, leaf.reduced, leaf.fits, 0});
   for (const Element& e : elements_) ++leaves_[at(e.leaf)].elements;
   for (std::size_t i = 0; i < elements_.size(); ++i) {
@@ -108,7 +111,9 @@ SurfaceGroups::SurfaceGroups(const std::vector<Leaf>& leaves, std::size_t elemen
     for (const Eigen::Vector3d& p : elements_[i].points) group.widths.extend(p);
     singles_.push_back(std::move(group));
   }
-  forEach(singles_.size(), [&](std::size_t i) { singles_[i].hull = std::make_shared<ConvexHull>(roughHull(elements_[i].likely)); });
+  forEach(singles_.size(), [&](std::size_t i) {
+    singles_[i].hull = std::make_shared<ConvexHull>(roughHull(elements_[i].likely, Corners::kNeeded, to_the_end_));
+  });
 }
 
 Cover SurfaceGroups::leaves() {
@@ -128,7 +133,7 @@ Cover SurfaceGroups::byLeaf(const std::vector<int>& elements) {
     }
     Group part = groupOf(mine);
     Known& known = known_[part.key];
-    if (!known.hull) known.hull = std::make_shared<ConvexHull>(roughHull(likelyPointsOf(mine)));
+    if (!known.hull) known.hull = std::make_shared<ConvexHull>(roughHull(likelyPointsOf(mine), Corners::kNeeded, to_the_end_));
     known.asked = known.may_fit = true;
     part.hull = known.hull;
     parts.push_back(std::move(part));
@@ -171,8 +176,8 @@ ConvexHull SurfaceGroups::hullOf(const Group& group, const RunControl& control) 
 }
 
 ConvexHull SurfaceGroups::exactHull(const Group& group) const {
-  ConvexHull hull = hullOf(group, {});  // wanted even after a deadline
-  return exceedsCap(hull, max_vertices_) ? hull : convexHull(pointsOf(group.elements));
+  ConvexHull hull = hullOf(group, to_the_end_);
+  return exceedsCap(hull, max_vertices_) ? hull : convexHull(pointsOf(group.elements), to_the_end_);
 }
 
 std::shared_ptr<const ConvexHull> SurfaceGroups::reducedHull(const Group& group) const {
@@ -183,13 +188,13 @@ std::shared_ptr<const ConvexHull> SurfaceGroups::reducedHull(const Group& group)
 
 ConvexHull SurfaceGroups::cappedHull(const Group& group) const {
   if (const auto reduced = reducedHull(group)) return *reduced;
-  return capped(exactHull(group), max_vertices_);
+  return capped(exactHull(group), max_vertices_, to_the_end_);
 }
 
 void SurfaceGroups::ask(const std::vector<Eigen::Vector3d>& points, Known& known) {
   known.asked = true;
   ++evaluations_;
-  auto hull = std::make_shared<ConvexHull>(roughHull(points));
+  auto hull = std::make_shared<ConvexHull>(roughHull(points, Corners::kNeeded, control()));
   known.may_fit = oracle_.mayFit(*hull);
   if (known.may_fit) known.hull = std::move(hull);
 }

@@ -26,7 +26,7 @@ struct Element {
 /// The leaves as elements, or halved, largest first, until there are `count` elements (0: the
 /// leaves as they are). Ordered by leaf. `tolerance` [m] determines how many points are likely to
 /// matter.
-std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t count, double tolerance);
+std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t count, double tolerance, const RunControl& control = {});
 
 /// Elements covered by one hull.
 struct Group {
@@ -120,6 +120,7 @@ class SurfaceGroups {
   std::vector<Group> singles_;
   ProtrusionOracle& oracle_;
   int max_vertices_;
+  RunControl to_the_end_;  // cancelled with the oracle's control, but without its deadline: for hulls that are wanted even then
   std::unordered_map<std::uint64_t, Known> known_;
   long evaluations_ = 0;
 };

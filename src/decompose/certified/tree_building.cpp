@@ -72,7 +72,7 @@ class Building {
     while (const auto pair = queue.takeCheapest([&](int i) { return isRoot(i); })) {
       std::vector<Eigen::Vector3d> points = node(pair->a).hull.vertices;
       points.insert(points.end(), node(pair->b).hull.vertices.begin(), node(pair->b).hull.vertices.end());
-      const ConvexHull hull = roughHull(points);
+      const ConvexHull hull = roughHull(points, Corners::kNeeded, oracle_.control());
       if (anything || oracle_.mayFit(hull))
         pairWithEarlier(join(pair->a, pair->b, hull), reach, queue);
       else

@@ -60,7 +60,8 @@ std::optional<Body> primitiveFor(const ConvexHull& hull, const Work& work) {
 }
 
 ConvexHull hullOfMesh(const Work& work) {
-  return roundOutward({convexHull(work.result.original.vertices)}, work.result.original, work.read.margin, 0, work.control).hulls.front();
+  return roundOutward({convexHull(work.result.original.vertices, work.control)}, work.result.original, work.read.margin, 0, work.control)
+      .hulls.front();
 }
 
 /// The one that is asked for by name.
@@ -250,7 +251,7 @@ void shapeAndCertify(const ReadMesh& read, const LinkOptions& options, const Hul
     result.primitives.push_back(elementOf(part));
     result.hulls.push_back(polyhedronAbout(part));
   }
-  result.model = factsOf(result.hulls, parts.size(), *result.solid, proof);
+  result.model = factsOf(result.hulls, parts.size(), *result.solid, proof, control);
   if (result.reason.empty() && proof.bound > result.mesh.tolerance)
     result.reason = subject(options.shapes) + " by up to " + millimetres(proof.bound) + ", more than the tolerance of " +
                     millimetres(result.mesh.tolerance) + ": " + excuse(work);

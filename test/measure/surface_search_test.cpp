@@ -116,11 +116,24 @@ TEST(SurfaceSearch, AFaceNearARoundSurfaceIsSettledWhole) {
   EXPECT_GE(firstBound(hull, solid, 0.1), corner);
 }
 
+/// Thin plates: what is moved through one is outside again.
+TriangleMesh plates(int count, RandomPoints& random) {
+  TriangleMesh result;
+  for (int i = 0; i < count; ++i) {
+    const TriangleMesh plate = test_shapes::box(0.2, 0.2, 0.01);
+    const int first = static_cast<int>(result.vertices.size());
+    const Vector3d at = random.inCube();
+    for (const Vector3d& v : plate.vertices) result.vertices.push_back(at + v);
+    for (const Triangle& t : plate.triangles) result.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  return result;
+}
+
 TEST(SurfaceSearch, TheBoundHoldsWhereverTheFloorIs) {
   RandomPoints random(7);
   int close = 0;
   for (const TriangleMesh& mesh : {test_shapes::openBox(1, 1, 1, 0.1, 3), test_shapes::lBracket(1, 0.2, 1, 3),
-                                   test_shapes::torus(0.6, 0.3, 24, 16), test_shapes::sheet(1, 1, 4)}) {
+                                   test_shapes::torus(0.6, 0.3, 24, 16), test_shapes::sheet(1, 1, 4), plates(12, random)}) {
     const Solid solid = solidOf(mesh);
     for (int trial = 0; trial < 60; ++trial) {
       std::vector<Vector3d> corners;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
 
 namespace collision_hulls {
@@ -13,13 +14,6 @@ namespace {
 // As a share of the tree's extent: what is nearer than this counts as met. Larger than the rounding error of a sum of three products in
 // single precision, of coordinates that are at most 2 extents large, and of the boxes.
 constexpr double kTouch = 4e-6;
-
-/// The points at a height of 0.
-struct Plane {
-  Eigen::Vector3d normal;
-  double offset;
-  double height(const Eigen::Vector3d& p) const { return normal.dot(p) - offset; }
-};
 
 }  // namespace
 
@@ -37,7 +31,7 @@ struct TriangleBvh::PatchPlanes {
   /// Whether a triangle of the surface may meet the patch.
   bool mayMeet(const std::array<Eigen::Vector3d, 3>& other) const {
     std::array<double, 3> height;
-    for (std::size_t i = 0; i < 3; ++i) height[i] = plane.height(other[i]);
+    for (std::size_t i = 0; i < 3; ++i) height[i] = plane.distance(other[i]);
     const auto [low, high] = std::minmax_element(height.begin(), height.end());
     if (*low > margin || *high < -margin) return false;
     const Eigen::Vector3d normal = (other[1] - other[0]).cross(other[2] - other[0]);
@@ -57,16 +51,16 @@ struct TriangleBvh::PatchPlanes {
       if ((from < 0) != (to < 0) && std::abs(from - to) > margin)
         part[count++] = other[i] + (other[(i + 1) % 3] - other[i]) * (from / (from - to));
     }
-    return std::none_of(edge.begin(), edge.end(), [&](const Plane& e) {
+    return std::none_of(edge.begin(), edge.end(), [&](const HalfSpace& e) {
       return std::all_of(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(count),
-                         [&](const Eigen::Vector3d& p) { return e.height(p) > margin; });
+                         [&](const Eigen::Vector3d& p) { return e.distance(p) > margin; });
     });
   }
 
   std::array<Eigen::Vector3d, 3> corner;
   double margin;  // [m]
-  Plane plane;
-  std::array<Plane, 3> edge;  // heights are positive outside the patch
+  HalfSpace plane;
+  std::array<HalfSpace, 3> edge;  // distances are positive outside the patch
 };
 
 const std::array<Eigen::Vector3d, 3>* TriangleBvh::metBy(const std::array<Eigen::Vector3d, 3>& patch) const {
@@ -79,7 +73,7 @@ const std::array<Eigen::Vector3d, 3>* TriangleBvh::metBy(const std::array<Eigen:
     Eigen::Vector3f normal;
     float offset;
   };
-  const auto single = [&](const Plane& p) -> Single {
+  const auto single = [&](const HalfSpace& p) -> Single {
     return {p.normal.cast<float>(), static_cast<float>((p.offset - p.normal.dot(centre_)) / unit_)};
   };
   const Single plane = single(planes.plane);

@@ -118,15 +118,9 @@ TEST(SurfaceSearch, AFaceNearARoundSurfaceIsSettledWhole) {
 
 /// Thin plates: what is moved through one is outside again.
 TriangleMesh plates(int count, RandomPoints& random) {
-  TriangleMesh result;
-  for (int i = 0; i < count; ++i) {
-    const TriangleMesh plate = test_shapes::box(0.2, 0.2, 0.01);
-    const int first = static_cast<int>(result.vertices.size());
-    const Vector3d at = random.inCube();
-    for (const Vector3d& v : plate.vertices) result.vertices.push_back(at + v);
-    for (const Triangle& t : plate.triangles) result.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-  }
-  return result;
+  std::vector<TriangleMesh> parts;
+  for (int i = 0; i < count; ++i) parts.push_back(test_shapes::moved(test_shapes::box(0.2, 0.2, 0.01), random.inCube()));
+  return test_shapes::merged(parts);
 }
 
 TEST(SurfaceSearch, TheBoundHoldsWhereverTheFloorIs) {

@@ -53,7 +53,7 @@ Trials trialsOf(const Cube& cube) {
   return tryConfigurations(twoLinks(), {{0, cube.pair.get(), &cube.row}, {2, cube.pair.get(), &cube.row}}, 400, 1);
 }
 
-TEST(Trials, CanBeCancelledWhileFclBuildsItsTrees) {
+TEST(Trials, ACancelledRunHasNoResult) {
   const Cube cube(1);
   const RunControl control;
   control.cancel();

@@ -66,13 +66,14 @@ Input packageInput(const std::string& name, const std::string& folder, const Pac
 
 [[noreturn]] void throwNotFound(const std::string& input, bool package_tried) {
   std::error_code error;
-  const std::string place = (fs::current_path() / input).lexically_normal().string();
+  const std::string place = fs::absolute(fs::path(".") / input, error).lexically_normal().string();  // empty: the working folder is gone
   if (!input.empty() && fs::is_directory(input, error))
     throw Error(ErrorCode::kFileNotFound, "folder '" + input + "' is not a package: '" + place + "' has no package.xml; give a package, " +
                                               "a .urdf or .xacro file, or a mesh");
   if (isRobotFile(input) || isMeshFile(input))
-    throw Error(ErrorCode::kFileNotFound,
-                "'" + input + "' does not exist" + (place == input ? "" : " (looked for '" + place + "')") + "; check the path");
+    throw Error(
+        ErrorCode::kFileNotFound,
+        "'" + input + "' does not exist" + (place == input || place.empty() ? "" : " (looked for '" + place + "')") + "; check the path");
   const std::string text = "INPUT '" + input + "' is neither a file nor the folder of a package ('" + place + "')";
   if (!package_tried) throw Error(ErrorCode::kFileNotFound, text + "; check the path");
   const char* const packages = std::getenv("ROS_PACKAGE_PATH");

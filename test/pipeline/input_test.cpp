@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <filesystem>
+
 #include "collision_hulls/error.h"
 #include "pipeline/fixtures.h"
 
@@ -45,6 +47,16 @@ TEST_F(OpenInput, NothingThere) {
   expectError("no/such", ErrorCode::kFileNotFound, {"neither a file nor the folder of a package"});
   expectError("no_such_package", ErrorCode::kPackageNotFound, {"no_such_package", "ROS_PACKAGE_PATH", folder_.path().string()});
   expectError(folder_.path().string(), ErrorCode::kFileNotFound, {"folder '" + folder_.path().string() + "'", "no package.xml"});
+}
+
+TEST_F(OpenInput, NothingThereAndNoWorkingFolderEither) {
+  const std::filesystem::path here = std::filesystem::current_path();
+  std::filesystem::create_directory(folder_ / "gone");
+  std::filesystem::current_path(folder_ / "gone");
+  std::filesystem::remove(folder_ / "gone");
+  expectError("/no/such.stl", ErrorCode::kFileNotFound, {"'/no/such.stl' does not exist; check the path"});
+  expectError("such.stl", ErrorCode::kFileNotFound, {"'such.stl' does not exist; check the path"});
+  std::filesystem::current_path(here);
 }
 
 TEST_F(OpenInput, RejectsUnknownAndInvalidInputs) {

@@ -39,6 +39,7 @@ function(add_node_tests)
   foreach(node_test ${node_tests})
     get_filename_component(name ${node_test} NAME_WE)
     add_rostest(test/ros/${name}.test DEPENDENCIES ${PROJECT_NAME}_node)
-    set_tests_properties(_ctest_${PROJECT_NAME}_rostest_test_ros_${name}.test PROPERTIES ENVIRONMENT ROS_HOSTNAME=localhost)
+    # Alone, as they wait for answers in limited time.
+    set_tests_properties(_ctest_${PROJECT_NAME}_rostest_test_ros_${name}.test PROPERTIES ENVIRONMENT ROS_HOSTNAME=localhost RUN_SERIAL TRUE)
   endforeach()
 endfunction()

@@ -43,6 +43,7 @@ add_script_test(python "${PYTHON_EXECUTABLE}" test/scripts/python_test "${PYTHON
 add_script_test(demo test/scripts/demo_test ${PROJECT_BINARY_DIR})
 add_script_test(memory_limits test/scripts/memory_limits ${PROGRAMS_DIR})
 add_script_test(attacks test/scripts/attacks ${PROGRAMS_DIR})
+set_tests_properties(attacks PROPERTIES RUN_SERIAL TRUE)  # its inputs have to be dealt with in limited time
 add_script_test(fuzz_seeds test/scripts/fuzz_seeds ${PROJECT_BINARY_DIR}/fuzz/fuzz_replay)
 add_script_test(rosrun test/scripts/rosrun_test ${PROJECT_BINARY_DIR})
 add_script_test(demo_meshes test/demo/regenerate_test)

@@ -51,9 +51,10 @@ TEST(LooksOfRepair, AllOfAClosedMesh) {
 
 TEST(LooksOfRepair, BoundariesAreSortedAndWalked) {
   const TriangleMesh mesh = apart(closedMesh());
+  const std::vector<char> turn(mesh.triangles.size());
+  const std::vector<int> surface(mesh.triangles.size());
   std::vector<BoundaryEdge> boundary;
-  for (int h = 0; h < static_cast<int>(3 * mesh.triangles.size()); ++h)
-    boundary.push_back(boundaryEdge(mesh, h, std::vector<char>(mesh.triangles.size()), std::vector<int>(mesh.triangles.size())));
+  for (int h = 0; h < static_cast<int>(3 * mesh.triangles.size()); ++h) boundary.push_back(boundaryEdge(mesh, h, turn, surface));
   const auto close = [&](const RunControl& control) { closures(mesh.vertices, boundary, 1, Eigen::Vector3d::Zero(), control); };
   // Two sorts of n edges that are sorted already, n edges that are added up, and n that are walked.
   EXPECT_GE(looksOf(close), 4 * looksFor(boundary.size()));

@@ -4,8 +4,8 @@
 //     until there are max_vertices points, add the hull's vertices furthest outside the inner hull, as quickhull does
 //   rise: move each vertex of the inner hull out, beyond the hull's supporting planes parallel to the faces around it
 //   sink: lower each again as far as the faces around it can turn before they cut into the hull
-//   relax, a few times, unless the result is already close: move the vertices half way to the mean of their neighbours, rise and
-//     sink again; keep the result that protrudes least
+//   relax, up to a few times, unless the result is already close: move the vertices half way to the mean of their neighbours, rise and
+//     sink again, and keep the result if it protrudes less; else that is all
 //
 // All corners of a moved face lie beyond a supporting plane, so no face meets the hull's interior, and the hull stays inside. Collapsing
 // edges outward (progressive hulls) was tried instead: it protruded nearly twice as far on round hulls.
@@ -36,9 +36,10 @@ constexpr double kThinnest = 0.01;
 constexpr double kShareOfFurthest = 0.5;
 // Points outside the inner hull by less than this share of the extent are not worth a vertex.
 constexpr double kNegligible = 1e-9;
-// Attempts to space the vertices more evenly, unless all are closer to the hull than this share of its extent.
+// Attempts to space the vertices more evenly, unless all are closer to the hull than this share of its extent: it is round hulls that gain,
+// and those of few vertices are further away than that.
 constexpr int kRelaxations = 3;
-constexpr double kNearEnough = 1e-3;
+constexpr double kNearEnough = 0.02;
 
 Eigen::Vector3d areaVector(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   return (b - a).cross(c - a) / 2;
@@ -248,7 +249,8 @@ std::optional<Points> outerPoints(const ConvexHull& hull, std::size_t max_vertic
     outer = risenAndSunk(relaxed.hull(), held);
     if (!outer || outer->vertices.size() > max_vertices) break;
     const double most = largestDistance(*outer, held);
-    if (most < least) least = most, best = outer->vertices;
+    if (most >= least) break;
+    least = most, best = outer->vertices;
   }
   return best;
 }

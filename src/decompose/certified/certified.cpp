@@ -32,6 +32,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "base/parallel.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
@@ -50,8 +51,8 @@ namespace {
 
 // Share of the tolerance used for splitting leaves: a small one leaves merging some room, a large one makes leaves as large as possible.
 constexpr double kLeafShare = 0.7, kLargeLeafShare = 0.93;
-// A way that gives more leaves than this is not worth merging, once there is a cover to beat.
-constexpr std::size_t kManyLeaves = 8, kManyLeavesPerHull = 8;
+// A way that gives more leaves than this, times those of the cover to beat, is not worth merging.
+constexpr double kMoreLeaves = 1.5;
 // Kinds of score: in favour of one large finished side, of any finished side, and with little weight on volume.
 constexpr ScoreWeights kLargeSides{0.5, 0.3, 0}, kAnySide{0.5, 0, 0.1}, kLittleVolume{0.1, 0, 0};
 // Quick: the second and the third way are tried only if the best cover so far has no more hulls than this, when every hull counts.
@@ -206,8 +207,8 @@ class Job {
     Stretch stretch{0, step};
     for (const Way& way : plan_.ways) {
       if (groups_ && searching_.late()) break;
-      const bool is_better = isWorthTrying(way, best) && tryWay(way, stretch, best);
-      if (is_better && untried_.empty() && isLeast(best, mesh_.mesh, solid_, options_.tolerance)) return best;
+      const bool is_better = best.size() <= way.few && tryWay(way, stretch, best);
+      if (is_better && untried_.empty() && isMinimal(best)) return best;
       stretch = {stretch.to, stretch.to + step};
     }
     if (!divided_ && coarse.groups) {
@@ -242,12 +243,13 @@ class Job {
     return finest;
   }
 
-  bool isWorthTrying(const Way& way, const Cover& best) { return best.size() <= way.few && (!way.largest_side_first || hasLargeSide()); }
-
   /// Whether splitting this way gives a cover of fewer hulls than `best`, or the first cover, which then replaces it.
   bool tryWay(const Way& way, const Stretch& stretch, Cover& best) {
-    const std::size_t most = groups_ ? kManyLeaves + kManyLeavesPerHull * best.size() : SplitOptions{}.most_leaves;
-    const std::vector<Leaf> parts = leaves(way, most, reporting(control_, stretch.part(0, kSplitting)));
+    const std::size_t most =
+        groups_ ? 1 + static_cast<std::size_t>(kMoreLeaves * static_cast<double>(leaves_)) : SplitOptions{}.most_leaves;
+    std::optional<HalfSpace> largest_side;
+    if (way.largest_side_first && !(largest_side = largestSideOfAll())) return false;
+    const std::vector<Leaf> parts = leaves(way, largest_side, most, reporting(control_, stretch.part(0, kSplitting)));
     if (groups_ && (parts.size() >= most || searching_.late())) return false;  // what is left whole would pass for few hulls
     divided_ = !searching_.late();
     note("dividing all of the surface within the tolerance");
@@ -261,20 +263,26 @@ class Job {
     if (groups_ && cover.size() >= best.size()) return false;
     best = std::move(cover);
     groups_ = std::move(groups);
+    leaves_ = parts.size();
     return true;
   }
 
-  bool hasLargeSide() {
+  /// Whether no cover has fewer hulls, as far as it is easily proved. Two hulls are what merging leaves where one, that of everything, was
+  /// refused.
+  bool isMinimal(const Cover& cover) const { return cover.size() <= 2 || isLeast(cover, mesh_.mesh, solid_, options_.tolerance); }
+
+  std::optional<HalfSpace> largestSideOfAll() {
     oracle_.setShare(kLargeLeafShare);
-    bool result = false;
-    inTime([&] { result = largestSide(withLoose(mesh_), oracle_).has_value(); });
+    std::optional<HalfSpace> result;
+    inTime([&] { result = largestSide(withLoose(mesh_), oracle_); });
     oracle_.setShare(1);
     return result;
   }
 
-  std::vector<Leaf> leaves(const Way& way, std::size_t most, const std::function<void(double)>& progress) {
+  std::vector<Leaf> leaves(const Way& way, const std::optional<HalfSpace>& largest_side, std::size_t most,
+                           const std::function<void(double)>& progress) {
     oracle_.setShare(way.leaf_share);
-    const SplitOptions options{way.weights, options_.max_vertices, options_.fill, way.largest_side_first, most};
+    const SplitOptions options{way.weights, options_.max_vertices, options_.fill, most, largest_side};
     std::vector<Leaf> leaves = splitIntoLeaves(mesh_, oracle_, options, progress);
     oracle_.setShare(1);
     return leaves;
@@ -293,6 +301,7 @@ class Job {
   const Solid solid_;
   ProtrusionOracle oracle_;
   std::unique_ptr<SurfaceGroups> groups_;  // of the best cover
+  std::size_t leaves_ = 0;                 // that it was merged from
   bool divided_ = false;                   // by the last way in time
   std::string untried_;
 };

@@ -170,7 +170,7 @@ class Splitting {
     if (fits || is_last) return {};
     std::vector<Block> parts = inOrder(components(block, control()));
     if (parts.size() == 1)
-      parts = over_cap || depth >= kHalveFrom ? halves(block, on_plane_, control()) : bestSplit(block, clear ? hull : thin);
+      parts = over_cap || depth >= kHalveFrom ? halves(block, on_plane_, control()) : bestSplit(block, clear ? hull : thin, depth);
     if (parts.size() == 1) complete();
     return parts;
   }
@@ -194,10 +194,10 @@ class Splitting {
   }
 
   /// Both sides of the best plane that divides the piece; the piece alone if no plane does.
-  std::vector<Block> bestSplit(const Block& block, const ConvexHull& hull) {
+  std::vector<Block> bestSplit(const Block& block, const ConvexHull& hull, int depth) {
     const SurfacePiece& piece = block.surface;
-    if (options_.largest_side_first)
-      if (const std::optional<HalfSpace> plane = largestSide(piece, oracle_)) {
+    if (options_.largest_side)
+      if (const auto plane = depth == 0 ? options_.largest_side : largestSide(piece, oracle_)) {
         std::vector<Block> parts = parted(block, *plane, on_plane_, control());
         if (parts.size() > 1) return parts;
       }

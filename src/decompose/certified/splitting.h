@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "collision_hulls/mesh/repair.h"
@@ -15,10 +16,13 @@ namespace collision_hulls {
 
 struct SplitOptions {
   ScoreWeights weights;
-  int max_vertices = 0;             ///< cap for a leaf's hull, which must stay within the tolerance when capped as well; 0: no cap
-  bool fill = false;                ///< cover the solid, not only its surface
-  bool largest_side_first = false;  ///< split by largestSide() if it finds a plane, regardless of scores
-  std::size_t most_leaves = 5000;   ///< per part that is split on its own; once reached, the rest is left whole
+  int max_vertices = 0;            ///< cap for a leaf's hull, which must stay within the tolerance when capped as well; 0: no cap
+  bool fill = false;               ///< cover the solid, not only its surface
+  std::size_t most_leaves = 5000;  ///< per part that is split on its own; once reached, the rest is left whole
+
+  /// The largestSide() of all of the mesh. If it is given, each piece is split by its own if it has
+  /// one, regardless of scores.
+  std::optional<HalfSpace> largest_side = std::nullopt;
 };
 
 /// A block and the hull of its points.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "decompose/certified/largest_side.h"
+#include "mesh/loose_segments.h"
 #include "subject.h"
 
 namespace collision_hulls {
@@ -88,11 +90,15 @@ TEST(Splitting, RoundShapesGiveFittingLeaves) {
 }
 
 TEST(Splitting, LargestSideFirstGivesFittingLeavesToo) {
-  SplitOptions options;
-  options.largest_side_first = true;
-  EXPECT_EQ(checkedLeaves(lBracket(), 0.02, options).size(), 2u);
-  EXPECT_GE(checkedLeaves(uChannel(), 0.02, options).size(), 3u);
-  EXPECT_GT(checkedLeaves(torus(1, 0.3, 16, 8), 0.03, options).size(), 4u);
+  const auto leaves = [](const TriangleMesh& mesh, double share) {
+    Subject subject(mesh, share * diagonal(mesh));
+    SplitOptions options;
+    options.largest_side = largestSide(withLoose(subject.mesh), subject.oracle);
+    EXPECT_TRUE(options.largest_side);
+    return checkedLeaves(mesh, share, options).size();
+  };
+  EXPECT_EQ(leaves(lBracket(), 0.02), 2u);
+  EXPECT_GE(leaves(uChannel(), 0.02), 3u);
 }
 
 TEST(Splitting, StopsAtTheLimitOnLeaves) {

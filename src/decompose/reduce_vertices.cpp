@@ -4,8 +4,8 @@
 //     until there are max_vertices points, add the hull's vertices furthest outside the inner hull, as quickhull does
 //   rise: move each vertex of the inner hull out, beyond the hull's supporting planes parallel to the faces around it
 //   sink: lower each again as far as the faces around it can turn before they cut into the hull
-//   relax, up to a few times, unless the result is already close: move the vertices half way to the mean of their neighbours, rise and
-//     sink again, and keep the result if it protrudes less; else that is all
+//   relax, a few times, unless the result is already close: move the vertices half way to the mean of their neighbours, rise and
+//     sink again; keep the result that protrudes least
 //
 // All corners of a moved face lie beyond a supporting plane, so no face meets the hull's interior, and the hull stays inside. Collapsing
 // edges outward (progressive hulls) was tried instead: it protruded nearly twice as far on round hulls.
@@ -249,8 +249,7 @@ std::optional<Points> outerPoints(const ConvexHull& hull, std::size_t max_vertic
     outer = risenAndSunk(relaxed.hull(), held);
     if (!outer || outer->vertices.size() > max_vertices) break;
     const double most = largestDistance(*outer, held);
-    if (most >= least) break;
-    least = most, best = outer->vertices;
+    if (most < least) least = most, best = outer->vertices;
   }
   return best;
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "counted_looks.h"
 #include "shapes.h"
 
 namespace collision_hulls {
@@ -58,6 +59,18 @@ TEST(Trials, ACancelledRunHasNoResult) {
   const RunControl control;
   control.cancel();
   EXPECT_THROW(tryConfigurations(twoLinks(), {{0, cube.pair.get(), &cube.row}}, 0, 1, control), Error);
+}
+
+TEST(Trials, FclLooksAtTheControlForEachNodeOfItsTrees) {
+  const TriangleMesh ring = test_shapes::torus(0.3, 0.1, 30, 20);
+  LinkBodies bodies;
+  bodies.meshes.push_back({ring, convexParts(ring)});
+  LinkPair pair(bodies, bodies);
+  LinkVerification row;
+  row.diagonal = diagonal(pair.surface());
+  pair.measure(row);
+  const std::size_t looks = looksOf([&](const RunControl& control) { tryConfigurations(twoLinks(), {{0, &pair, &row}}, 0, 1, control); });
+  EXPECT_GE(looks, 2 * (2 * ring.triangles.size() - 1)) << "of the original and of the result";
 }
 
 TEST(Trials, ASmallerModelMissesAndALargerOneIsHitTooOften) {

@@ -247,8 +247,8 @@ class Job {
   bool tryWay(const Way& way, const Stretch& stretch, Cover& best) {
     const std::size_t most =
         groups_ ? 1 + static_cast<std::size_t>(kMoreLeaves * static_cast<double>(leaves_)) : SplitOptions{}.most_leaves;
-    std::optional<HalfSpace> largest_side;
-    if (way.largest_side_first && !(largest_side = largestSideOfAll())) return false;
+    const std::optional<HalfSpace> largest_side = way.largest_side_first ? largestSideOfAll() : std::nullopt;
+    if (way.largest_side_first && !largest_side) return false;
     const std::vector<Leaf> parts = leaves(way, largest_side, most, reporting(control_, stretch.part(0, kSplitting)));
     if (groups_ && (parts.size() >= most || searching_.late())) return false;  // what is left whole would pass for few hulls
     divided_ = !searching_.late();

@@ -99,6 +99,7 @@ TEST(Splitting, LargestSideFirstGivesFittingLeavesToo) {
   };
   EXPECT_EQ(leaves(lBracket(), 0.02), 2u);
   EXPECT_GE(leaves(uChannel(), 0.02), 3u);
+  EXPECT_GT(leaves(torus(1, 0.3, 16, 8), 0.03), 4u);
 }
 
 TEST(Splitting, StopsAtTheLimitOnLeaves) {

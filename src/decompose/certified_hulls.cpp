@@ -18,8 +18,10 @@
 #include "base/millimetres.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "collision_hulls/decompose/least_hulls.h"
 #include "collision_hulls/decompose/round_outward.h"
 #include "collision_hulls/error.h"
+#include "decompose/certified/lower_bound.h"
 #include "decompose/hulls_of_tree.h"
 #include "decompose/padding.h"
 #include "measure/protrusion.h"
@@ -103,8 +105,20 @@ RunControl::Time searchEnd(const RunControl::Time& end) {
   return now + std::chrono::duration_cast<RunControl::Time::duration>(kSearchShare * (end - now));
 }
 
-Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, const DecomposeOptions& options, const RunControl& decomposing,
-                  const RunControl& certifying) {
+/// What no cover goes below, whatever the aim of the attempt.
+LowerBound boundOf(const PreparedMesh& mesh, const DecomposeOptions& options) {
+  return LowerBound([&](const std::vector<ConvexHull>& cover, const RunControl& control) {
+    return leastHulls(mesh.original, mesh.solid, options.tolerance, cover, options.effort, control);
+  });
+}
+
+Decomposition decomposed(const PreparedMesh& mesh, const DecomposeOptions& aim, LowerBound& least, const RunControl& control) {
+  if (mesh.tree) return hullsOfTree(*mesh.tree, aim);
+  return aim.method == Method::kCertified ? certified(mesh.repaired, aim, least, control) : decompose(mesh.repaired, aim, control);
+}
+
+Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, const DecomposeOptions& options, LowerBound& least,
+                  const RunControl& decomposing, const RunControl& certifying) {
   Attempt attempt;
   CertifiedHulls& result = attempt.result;
   Stopwatch stage;
@@ -112,7 +126,7 @@ Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, const D
   searching.whole = &decomposing;
   searching.progress = decomposing.progress;
   searching.deadline = searchEnd(decomposing.until());
-  const Decomposition parts = mesh.tree ? hullsOfTree(*mesh.tree, aim) : decompose(mesh.repaired, aim, searching);
+  const Decomposition parts = decomposed(mesh, aim, least, searching);
   RoundedHulls rounded = roundOutward(parts.hulls, mesh.original, mesh.margin, aim.max_vertices, decomposing);
   for (const ConvexHull& hull : parts.hulls) result.thickness = std::max(result.thickness, hull.thickness);
   result.seconds.decompose = stage.lap();
@@ -143,10 +157,11 @@ Attempt bestAttempt(const PreparedMesh& mesh, const DecomposeOptions& options, c
     aim.tolerance = firstAim(options.tolerance, mesh.margin, kPaddingShare * options.padding);
     for (Region& region : aim.regions) region.tolerance = firstAim(region.tolerance, mesh.margin);
   }
+  LowerBound least = boundOf(mesh, options);
   Attempt best;
   CertifiedHulls::Seconds spent;
   for (int i = 0; i < kAttempts; ++i) {
-    Attempt attempt = attemptAt(mesh, aim, options, decomposing, certifying);
+    Attempt attempt = attemptAt(mesh, aim, options, least, decomposing, certifying);
     spent.decompose += attempt.result.seconds.decompose;
     spent.certify += attempt.result.seconds.certify;
     if (i > 0 && boundShare(attempt.result, options) >= boundShare(best.result, options)) {
@@ -159,6 +174,7 @@ Attempt bestAttempt(const PreparedMesh& mesh, const DecomposeOptions& options, c
     lowerAim(aim, i, over);
   }
   best.result.seconds = spent;
+  best.result.least_hulls = least.known();
   return best;
 }
 

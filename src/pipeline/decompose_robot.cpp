@@ -45,9 +45,10 @@ std::shared_ptr<const HullTree> treeFor(const VariantWork& work, const MeshFacts
 }
 
 /// For other methods, which take a fraction of the time, for padded hulls and other shapes, and without time left, nobody looks for a
-/// bound.
+/// bound, unless the search had a use for it.
 std::size_t leastHullsOf(const MeshResult& mesh, const LinkOptions& options, const RunControl& control) {
   if (options.method != Method::kCertified || options.padding > 0 || options.shapes != Shapes::kHulls || control.late()) return 1;
+  if (mesh.model.least_hulls > 1) return mesh.model.least_hulls;
   const std::vector<ConvexHull> none;
   return leastHulls(mesh.original, *mesh.solid, mesh.mesh.tolerance, mesh.status == Status::kOk ? mesh.hulls : none, options.effort,
                     control);

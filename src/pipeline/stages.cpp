@@ -156,6 +156,7 @@ void decomposeHulls(const ReadMesh& read, const LinkOptions& options, const Hull
   Stopwatch stage;
   result.hulls = std::move(made.hulls);
   result.model = factsOf(result.hulls, 0, *result.solid, {made.bound, made.found, made.where, made.nearest}, control);
+  if (made.least_hulls) result.model.least_hulls = *made.least_hulls;
   result.model.nudge = made.nudge;
   result.model.thickness = made.thickness;
   result.model.regions = std::move(made.regions);

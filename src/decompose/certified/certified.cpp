@@ -7,7 +7,7 @@
 //   for each way to split (a score for planes, and how much of the tolerance leaves may use):
 //     leaves = splitIntoLeaves()             splitting.h
 //     cover  = mergedBest(leaves)            merging.h; with Effort::kBest, improved() a little
-//     keep the cover if it has fewer hulls than the best so far; if it is provably minimal, stop     points_apart.h
+//     keep the cover if it has fewer hulls than the best so far; if it is provably minimal, stop     lower_bound.h
 //   cover = improved(best cover)             local_search.h
 //   if a hull of the cover may hold a pocket: all this once more, with a search for pockets in each hull that is tried
 //   if a cap on hulls asks for fewer: treeAbove(cover) and a cut of that tree                        tree_building.h
@@ -35,12 +35,13 @@
 #include <optional>
 
 #include "base/parallel.h"
+#include "collision_hulls/decompose/least_hulls.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "decompose/certified/in_time.h"
 #include "decompose/certified/largest_side.h"
 #include "decompose/certified/local_search.h"
+#include "decompose/certified/lower_bound.h"
 #include "decompose/certified/merging.h"
-#include "decompose/certified/points_apart.h"
 #include "decompose/certified/tree_building.h"
 #include "geometry/own_axes.h"
 #include "mesh/loose_segments.h"
@@ -63,6 +64,7 @@ constexpr double kCoarsest = 16, kCoarser = 4;
 // splitting.
 constexpr long kQuickEvaluations = 400, kBestEvaluations = 10'000, kFirstEvaluations = 200;
 constexpr std::size_t kBestElements = 150;
+constexpr std::size_t kMostToProve = 8;  // hulls; of covers with more, it can hardly ever be proved that none has fewer
 // Progress: splitting and merging take up to the first share of the whole, the search up to the second, the tree the rest. Of each way,
 // splitting takes kSplitting.
 constexpr double kCovered = 0.7, kSearched = 0.9, kSplitting = 0.8;
@@ -114,11 +116,11 @@ class Place {
     return options;
   }
 
-  void takeBack(ConvexHull& hull) const {
+  ConvexHull takenBack(const ConvexHull& hull) const {
     Eigen::Isometry3d back = Eigen::Isometry3d::Identity();
     back.linear() = axes_.transpose();
     back.translation() = middle_;
-    hull = transformed(hull, back);
+    return transformed(hull, back);
   }
 
  private:
@@ -147,16 +149,18 @@ std::function<void(double)> reporting(const RunControl& control, const Stretch& 
   return [&control, stretch](double share) { control.report(stretch.at(share)); };
 }
 
-/// One decomposition in progress.
+/// One decomposition in progress, in a frame of its own. Hulls are returned in the mesh's frame.
 class Job {
  public:
-  Job(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control)
-      : mesh_(mesh),
-        options_(options),
+  Job(const RepairedMesh& original, const DecomposeOptions& options, LowerBound& least, const RunControl& control)
+      : place_(original),
+        mesh_(place_.brought(original)),
+        options_(place_.brought(options)),
         plan_(planFor(options.effort)),
+        least_(least),
         control_(control),
-        solid_(mesh, control),
-        oracle_(solid_, boundingBox(mesh), options.tolerance, searching_, options.regions) {
+        solid_(mesh_, control),
+        oracle_(solid_, boundingBox(mesh_), options.tolerance, searching_, options_.regions) {
     searching_.whole = &control;
     searching_.stops_at_deadline = true;
   }
@@ -181,7 +185,7 @@ class Job {
 
   std::vector<ConvexHull> hullsOf(const Cover& cover) const {
     std::vector<ConvexHull> hulls(cover.size());
-    forEach(cover.size(), [&](std::size_t i) { hulls[i] = groups_->cappedHull(cover[i]); });
+    forEach(cover.size(), [&](std::size_t i) { hulls[i] = place_.takenBack(groups_->cappedHull(cover[i])); });
     return hulls;
   }
 
@@ -189,7 +193,9 @@ class Job {
   HullTree treeOver(Cover cover) {
     searching_.stops_at_deadline = false;
     forEach(cover.size(), [&](std::size_t i) { cover[i].hull = std::make_shared<ConvexHull>(groups_->exactHull(cover[i])); });
-    return treeAbove(cover, oracle_, reporting(control_, {kSearched, 1}));
+    HullTree tree = treeAbove(cover, oracle_, reporting(control_, {kSearched, 1}));
+    for (HullNode& node : tree.nodes) node.hull = place_.takenBack(node.hull);
+    return tree;
   }
 
  private:
@@ -267,9 +273,17 @@ class Job {
     return true;
   }
 
-  /// Whether no cover has fewer hulls, as far as it is easily proved. Two hulls are what merging leaves where one, that of everything, was
-  /// refused.
-  bool isMinimal(const Cover& cover) const { return cover.size() <= 2 || isLeast(cover, mesh_.mesh, solid_, options_.tolerance); }
+  /// Whether it is proved that no cover has fewer hulls. Two hulls are what merging leaves where one, that of everything, was refused.
+  bool isMinimal(const Cover& cover) { return cover.size() <= 2 || (cover.size() <= kMostToProve && cover.size() <= least(cover)); }
+
+  /// 0: time ended.
+  std::size_t least(const Cover& cover) {
+    std::vector<ConvexHull> hulls;
+    for (const Group& group : cover) hulls.push_back(place_.takenBack(*group.hull));
+    std::size_t result = 0;
+    inTime([&] { result = least_(hulls, searching_); });
+    return result;
+  }
 
   std::optional<HalfSpace> largestSideOfAll() {
     oracle_.setShare(kLargeLeafShare);
@@ -293,9 +307,11 @@ class Job {
     if (searching_.late()) untried_ += (untried_.empty() ? "" : ", ") + stage;
   }
 
-  const RepairedMesh& mesh_;
+  const Place place_;
+  const RepairedMesh mesh_;
   const DecomposeOptions options_;
   const Plan plan_;
+  LowerBound& least_;
   const RunControl& control_;
   RunControl searching_;  // ends at the deadline
   const Solid solid_;
@@ -306,12 +322,23 @@ class Job {
   std::string untried_;
 };
 
+/// For the mesh as it is decomposed, where nobody knows how it was read.
+LowerBound boundOf(const RepairedMesh& mesh, const DecomposeOptions& options) {
+  return LowerBound([&](const std::vector<ConvexHull>& cover, const RunControl& control) -> std::size_t {
+    if (mesh.mesh.triangles.empty()) return 1;
+    return leastHulls(mesh.mesh, Solid(mesh, control), options.tolerance, cover, options.effort, control);
+  });
+}
+
 }  // namespace
 
-Decomposition certified(const RepairedMesh& original, const DecomposeOptions& options, const RunControl& control) {
-  const Place place(original);
-  const RepairedMesh mesh = place.brought(original);
-  Job job(mesh, place.brought(options), control);
+Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
+  LowerBound least = boundOf(mesh, options);
+  return certified(mesh, options, least, control);
+}
+
+Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& options, LowerBound& least, const RunControl& control) {
+  Job job(mesh, options, least, control);
   Decomposition result;
   Cover cover = job.cover();
   result.untried = job.untried();
@@ -323,7 +350,6 @@ Decomposition certified(const RepairedMesh& original, const DecomposeOptions& op
   } else {
     result.hulls = job.hullsOf(cover);
   }
-  for (ConvexHull& hull : result.hulls) place.takeBack(hull);
   control.report(1);
   return result;
 }
@@ -332,12 +358,9 @@ HullTree hullTree(const RepairedMesh& mesh, const DecomposeOptions& options, con
   check(options);
   if (mesh.mesh.triangles.empty() && mesh.loose.empty())
     throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangles; a hull tree needs at least one");
-  const Place place(mesh);
-  const RepairedMesh local = place.brought(mesh);
-  Job job(local, place.brought(options), control);
-  HullTree tree = job.treeOver(job.cover());
-  for (HullNode& node : tree.nodes) place.takeBack(node.hull);
-  return tree;
+  LowerBound least = boundOf(mesh, options);
+  Job job(mesh, options, least, control);
+  return job.treeOver(job.cover());
 }
 
 }  // namespace collision_hulls

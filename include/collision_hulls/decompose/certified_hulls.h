@@ -51,8 +51,8 @@ struct CertifiedHulls {
   double found = 0;
   Eigen::Vector3d where = Eigen::Vector3d::Zero();
   Eigen::Vector3d nearest = Eigen::Vector3d::Zero();
-  /// Proved: no convex sets within the tolerance cover the mesh with fewer; see leastHulls(). nullopt:
-  /// the search had no use for this number.
+  /// Proved: no convex sets within the tolerance cover the mesh with fewer; see leastHulls().
+  /// nullopt: the search had no use for this number.
   std::optional<std::size_t> least_hulls;
   /// What is proved of each of DecomposeOptions::regions: no point of a hull that is deeper in the
   /// region than its rim is further from S than this bound.

@@ -1,9 +1,11 @@
 // Inside or outside: ray crossings for closed surfaces, solid angles for open ones.
 //
-// Why dipoles err by at most kWindingError: a surface element at r from the query contributes n . G(r) to the solid angle, G(r) = r /
+// How much dipoles err: a surface element at r from the query contributes n . G(r) to the solid angle, G(r) = r /
 // |r|^3, and G's derivative has norm 2 / |r|^3. Moving all elements of a cluster (area A, within a radius R of its centre, which is at a
-// distance D) to its centre therefore changes the solid angle by at most 2 A R / (D - R)^3, the winding number by 1 / (4 pi) of that. A
-// cluster is replaced if that is at most its area's share of kWindingError, and the shares of disjoint clusters sum to no more than 1.
+// distance D) to its centre therefore changes the solid angle by at most 2 A R / (D - R)^3, the winding number by 1 / (4 pi) of that.
+// windingNumber() replaces a cluster if that is at most its area's share of kWindingError: the shares of disjoint clusters sum to no more
+// than 1. roughWindingNumber() replaces every cluster that is further away than its radius, and adds these errors up: they are small where
+// the triangles are, as the lids of small openings that are spread over a surface.
 #include <cmath>
 
 #include "collision_hulls/geometry/triangle_bvh.h"
@@ -99,20 +101,21 @@ int TriangleBvh::signedCrossings(const Eigen::Vector3d& p) const {
   return sum;
 }
 
-double TriangleBvh::windingNumber(const Eigen::Vector3d& p) const {
+/// Clusters are replaced by dipoles where replace(cluster, gap) says so; `gap` is how far away they are at least, > 0.
+template <class Replace>
+double TriangleBvh::windingNumber(const Eigen::Vector3d& p, const Replace& replace) const {
   double sum = 0;      // half solid angles of dipoles
   SumOfAngles angles;  // half solid angles of triangles
   int stack[kDeepest];
   int top = 0;
   if (!nodes_.empty()) stack[top++] = 0;
-  const double allowed = nodes_.empty() || !(clusters_[0].area > 0) ? 0 : 2 * kPi * kWindingError / clusters_[0].area;
   while (top > 0) {
     const auto id = static_cast<std::size_t>(stack[--top]);
     const Node& node = nodes_[id];
     const Cluster& cluster = clusters_[id];
     const Eigen::Vector3d to = cluster.dipole_centre - p;
     const double distance = to.norm(), gap = distance - cluster.radius;
-    if (gap > 0 && cluster.radius <= allowed * gap * gap * gap) {
+    if (gap > 0 && replace(cluster, gap)) {
       sum += cluster.dipole.dot(to) / (2 * distance * distance * distance);
     } else if (node.count > 0) {
       for (int k = node.first; k < node.first + node.count; ++k) {
@@ -125,6 +128,21 @@ double TriangleBvh::windingNumber(const Eigen::Vector3d& p) const {
     }
   }
   return (sum + angles.value()) / (2 * kPi);
+}
+
+double TriangleBvh::windingNumber(const Eigen::Vector3d& p) const {
+  const double allowed = nodes_.empty() || !(clusters_[0].area > 0) ? 0 : 2 * kPi * kWindingError / clusters_[0].area;
+  return windingNumber(p, [&](const Cluster& cluster, double gap) { return cluster.radius <= allowed * gap * gap * gap; });
+}
+
+TriangleBvh::RoughWinding TriangleBvh::roughWindingNumber(const Eigen::Vector3d& p) const {
+  RoughWinding rough;
+  rough.number = windingNumber(p, [&](const Cluster& cluster, double gap) {
+    if (gap < cluster.radius) return false;
+    rough.error += cluster.area * cluster.radius / (2 * kPi * gap * gap * gap);
+    return true;
+  });
+  return rough;
 }
 
 }  // namespace collision_hulls

@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "base/looks.h"
@@ -157,6 +158,42 @@ struct Walls {
     return closed->signedCrossings(p) - (lids.empty() ? 0 : lids.windingNumber(closed->aside(p)));
   }
 
+  /// The winding number of a point where there are openings. For most points a rough one tells as much as windingNumber() would, which is
+  /// asked where it does not.
+  class Winding {
+   public:
+    Winding(const Walls& walls, const Eigen::Vector3d& p)
+        : walls_(walls),
+          p_(p),
+          crossings_(walls.closed->signedCrossings(p)),
+          lids_(walls.lids.roughWindingNumber(walls.closed->aside(p))) {}
+
+    bool isInside() { return margin() > 0 ? crossings_ - lids_.number > kSurelyInside : exact() > kSurelyInside; }
+
+    /// As below.
+    double wayToBorder() {
+      const double least = walls_.wayTo(margin() - kReserve, p_);
+      return least > 0 ? least : walls_.wayToBorder(p_, exact());
+    }
+
+   private:
+    /// Not more than what exact() is from the border.
+    double margin() const { return std::abs(crossings_ - lids_.number - kSurelyInside) - lids_.error - TriangleBvh::kWindingError; }
+
+    double exact() {
+      if (!exact_) exact_ = crossings_ - walls_.lids.windingNumber(walls_.closed->aside(p_));
+      return *exact_;
+    }
+
+    const Walls& walls_;
+    const Eigen::Vector3d& p_;
+    const int crossings_;
+    const TriangleBvh::RoughWinding lids_;
+    std::optional<double> exact_;
+  };
+
+  bool contains(const Eigen::Vector3d& p) const { return lids.empty() ? closed->signedCrossings(p) > 0 : Winding(*this, p).isInside(); }
+
   /// A lower bound on the length of any path from p, where the winding number is `winding`, to the other side of inside() that does not
   /// cross the surface. Away from the surface the winding number's gradient depends only on the rim, like the magnetic field of a current
   /// (Biot-Savart): at a distance d from the rim it is at most length / (4 pi d^2).
@@ -250,7 +287,7 @@ Solid::~Solid() = default;
 Solid::Solid(Solid&&) noexcept = default;
 
 bool Solid::contains(const Eigen::Vector3d& p) const {
-  return impl_->walls.windingNumber(p) > impl_->walls.inside();
+  return impl_->walls.contains(p);
 }
 double Solid::distanceToSurface(const Eigen::Vector3d& p) const {
   return impl_->surface->nearest(p).distance;
@@ -270,9 +307,15 @@ bool Solid::isWithin(double distance, const Eigen::Vector3d& p) const {
 double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface) const {
   const Walls& walls = impl_->walls;
   if (to_surface <= walls.blur) return to_surface;
-  const double winding = walls.windingNumber(p);
-  if (winding <= walls.inside()) return to_surface;
-  return -std::max(0.0, std::min(to_surface - walls.crackSlack(), walls.wayToBorder(p, winding)) - walls.blur);
+  double way = to_surface - walls.crackSlack();
+  if (!hasOpenings()) {
+    if (!walls.contains(p)) return to_surface;
+  } else {
+    Walls::Winding winding(walls, p);
+    if (!winding.isInside()) return to_surface;
+    way = std::min(way, winding.wayToBorder());
+  }
+  return -std::max(0.0, way - walls.blur);
 }
 double Solid::signedDistance(bool inside, double to_surface) const {
   return inside ? -std::max(0.0, to_surface - impl_->walls.crackSlack() - impl_->walls.blur) : to_surface;
@@ -289,7 +332,7 @@ bool Solid::isOneSide(const std::array<Eigen::Vector3d, 3>& patch, const std::ar
   if (met) *met = found;
   if (found || !hasOpenings()) return !found;
   const Eigen::Vector3d centre = (patch[0] + patch[1] + patch[2]) / 3;
-  const double way = walls.wayToBorder(centre, walls.windingNumber(centre));
+  const double way = Walls::Winding(walls, centre).wayToBorder();
   return std::all_of(patch.begin(), patch.end(), [&](const Eigen::Vector3d& p) { return (p - centre).norm() < way; });
 }
 

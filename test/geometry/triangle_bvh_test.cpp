@@ -122,6 +122,8 @@ TEST(TriangleBvh, WindingNumberWithinAHundredth) {
       for (int i = 0; i < 60; ++i) {
         const Vector3d p = random.inCube(1.5);
         EXPECT_NEAR(bvh.windingNumber(p), winding(mesh, p), TriangleBvh::kWindingError);
+        const TriangleBvh::RoughWinding rough = bvh.roughWindingNumber(p);
+        EXPECT_NEAR(rough.number, winding(mesh, p), rough.error + 1e-12);
       }
     }
   }
@@ -140,6 +142,13 @@ TEST(TriangleBvh, TheErrorOfDipolesIsBoundedTightly) {
       worst = std::max(worst, std::abs(bvh.windingNumber(p) - winding(mesh, p)));
   EXPECT_LE(worst, TriangleBvh::kWindingError);
   EXPECT_GE(worst, 0.8 * TriangleBvh::kWindingError);
+  for (const double x : {3, 10, 300}) {
+    const Vector3d p(x, 0, 0);
+    const TriangleBvh::RoughWinding rough = bvh.roughWindingNumber(p);
+    const double share = std::abs(rough.number - winding(mesh, p)) / rough.error;
+    EXPECT_LE(share, 1) << x;
+    EXPECT_TRUE(x < 100 || share > 0.9) << share;
+  }
 }
 
 /// Compares at p unless the surface is so near that either answer would do.

@@ -49,6 +49,12 @@ class TriangleBvh {
   double windingNumber(const Eigen::Vector3d& p) const;
   static constexpr double kWindingError = 0.01;
 
+  struct RoughWinding {
+    double number = 0, error = 0;  ///< the true winding number differs by no more than `error`
+  };
+  /// The same, much faster: clusters are replaced wherever they are not near.
+  RoughWinding roughWindingNumber(const Eigen::Vector3d& p) const;
+
   /// The winding number of a closed surface at aside(p): the signed crossings of a ray along z.
   /// Exact, and much faster than windingNumber(). It is that of p if p is further than blur() from
   /// the surface.
@@ -115,6 +121,8 @@ class TriangleBvh {
     Eigen::Vector3d at;
     int triangle;
   };
+  template <class Replace>
+  double windingNumber(const Eigen::Vector3d& p, const Replace& replace) const;
   Cone cone(int position) const;
   void build(const TriangleMesh& mesh, std::vector<Centre>& centres, int node, int first, int count,
              int below, const RunControl& control);

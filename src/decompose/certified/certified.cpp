@@ -9,7 +9,8 @@
 //     cover  = mergedBest(leaves)            merging.h; with Effort::kBest, improved() a little
 //     keep the cover if it has fewer hulls than the best so far; if it is provably minimal, stop     lower_bound.h
 //   cover = improved(best cover)             local_search.h
-//   if a hull of the cover may hold a pocket: all this once more, with a search for pockets in each hull that is tried
+//   if a hull of the cover may hold a pocket: merge its leaves anew, with a search for pockets in each hull that is tried;
+//     if a leaf may hold one: all this once more, with that search
 //   if a cap on hulls asks for fewer: treeAbove(cover) and a cut of that tree                        tree_building.h
 //
 // All of this is done about the origin and along axes that turn with the mesh, where coordinates are finest and results hardly depend on
@@ -169,9 +170,9 @@ class Job {
   /// split, or not in time. groups_ is then what the cover's groups belong to.
   Cover cover() {
     Cover first = searched();
-    bool may_hold_pockets = false;
-    inTime([&] { may_hold_pockets = mayHoldPockets(first); });
-    if (!may_hold_pockets) return first;
+    bool is_free = true;
+    inTime([&] { is_free = freeOfPockets(first); });
+    if (is_free) return first;
     oracle_.provePockets();
     std::unique_ptr<SurfaceGroups> groups_of_first = std::move(groups_);
     Cover second = searched();
@@ -199,10 +200,25 @@ class Job {
   }
 
  private:
-  /// Of hulls that do not fit anyway nothing is asked.
-  bool mayHoldPockets(const Cover& cover) {
-    return std::any_of(cover.begin(), cover.end(),
-                       [&](const Group& group) { return groups_->isProven(group) && oracle_.mayHoldPocket(groups_->cappedHull(group)); });
+  /// Dissolves the hulls that may hold pockets and merges them anew, proving that those hold none. False: some leaf may hold one, so the
+  /// surface has to be divided in another way. Of hulls that do not fit anyway nothing is asked.
+  bool freeOfPockets(Cover& cover) {
+    const auto may_hold = [&](const Group& group) { return oracle_.mayHoldPocket(groups_->cappedHull(group)); };
+    Cover free, parts;
+    for (const Group& group : cover) {
+      if (groups_->isProven(group) && may_hold(group))
+        for (Group& part : groups_->byLeaf(group.elements)) parts.push_back(std::move(part));
+      else
+        free.push_back(group);
+    }
+    if (parts.empty()) return true;
+    if (std::any_of(parts.begin(), parts.end(), may_hold)) return false;
+    oracle_.provePockets();
+    groups_->keepProofsOf(free);
+    free.insert(free.end(), parts.begin(), parts.end());
+    cover = merged(std::move(free), *groups_, {MergeCost::kSquares, 0, 0}, Proof::kAtOnce);
+    cover = improved(std::move(cover), *groups_, {plan_.evaluations, options_.seed}, [](double) {});
+    return true;
   }
 
   Cover searched() {

@@ -39,7 +39,7 @@ constexpr double kQuickGap = 0.1;        // and of a quick answer
 constexpr double kQuickCell = 1;         // radius of the smallest octree cells: for a quick answer,
 constexpr double kFineCell = 0.42;       // before a proof (for leaves, whose share of the tolerance is smaller, this is a proof),
 constexpr double kIntruderCell = 0.125;  // and for intruders
-constexpr double kPocketCell = 0.01;     // where the search for pockets ends
+constexpr double kPocketCell = 0.002;    // where the search for pockets ends
 constexpr double kShallow = 0.9;         // to know that a hull's surface is nearer than this hardly helps that search
 constexpr double kLooseGap = 0.005;      // between the bounds of large protrusions
 

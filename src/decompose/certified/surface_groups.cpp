@@ -10,6 +10,7 @@
 #include <map>
 #include <queue>
 #include <tuple>
+#include <unordered_set>
 
 #include "base/at.h"
 #include "base/parallel.h"
@@ -255,6 +256,13 @@ bool SurfaceGroups::isProven(const Group& group) const {
 bool SurfaceGroups::proven(const Group& group) {
   prove({&group});
   return isWholeLeaf(group) || known_.at(group.key).proven;
+}
+
+void SurfaceGroups::keepProofsOf(const Cover& cover) {
+  std::unordered_set<std::uint64_t> kept;
+  for (const Group& group : cover) kept.insert(group.key);
+  for (auto& [key, known] : known_)
+    if (kept.count(key) == 0) known.proven = false, known.reduced = nullptr;
 }
 
 void SurfaceGroups::prove(std::vector<const Group*> groups) {

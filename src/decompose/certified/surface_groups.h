@@ -69,6 +69,9 @@ class SurfaceGroups {
   /// Whether that has been proven already; nothing is tried.
   bool isProven(const Group& group) const;
 
+  /// Forgets the proofs of all other groups, because from now on the oracle asks for more.
+  void keepProofsOf(const Cover& cover);
+
   /// Tests in parallel which of the groups' hulls fit.
   void prove(std::vector<const Group*> groups);
 

@@ -162,6 +162,14 @@ TEST(Certified, APocketThatOnlyAProofFindsIsNotFilled) {
   EXPECT_EQ(checked(mesh, within(1.05)).hulls.size(), 1u);
 }
 
+TEST(Certified, AHullWithAPocketIsMergedAnew) {
+  using namespace test_shapes;
+  const TriangleMesh mesh = merged({flaskBesidePlates(), moved(box(3, 3, 3), {0, 20, 0})});
+  EXPECT_GT(checked(mesh, within(0.95)).hulls.size(), 2u);
+  EXPECT_GT(checked(mesh, within(0.95, Effort::kBest)).hulls.size(), 2u);
+  EXPECT_EQ(checked(mesh, within(1.05)).hulls.size(), 2u);
+}
+
 TEST(Certified, FilledHullsContainTheInside) {
   const TriangleMesh mesh = bentTube(8, 12);
   const Solid solid(repair(mesh));

@@ -140,6 +140,16 @@ TEST_F(GroupsOfABracket, AProofRefutesWhatWasAcceptedProvisionally) {
   EXPECT_FALSE(groups.proven(Cover{leaf(0), both}));
 }
 
+TEST_F(GroupsOfABracket, ProofsAreForgottenExceptThoseToKeep) {
+  const std::vector<int> wall = leaf(0).elements, other = leaf(1).elements;
+  const Group some = groups.whole({wall.begin(), wall.begin() + 2}), others = groups.whole({other.begin(), other.begin() + 2});
+  ASSERT_TRUE(groups.proven(Cover{some, others}));
+  groups.keepProofsOf({some});
+  EXPECT_TRUE(groups.isProven(some));
+  EXPECT_FALSE(groups.isProven(others));
+  EXPECT_TRUE(groups.proven(others));
+}
+
 TEST_F(GroupsOfABracket, ExactHullsCoverWithinTheTolerance) {
   const std::vector<ConvexHull> hulls = exactHulls(groups.leaves(), groups);
   EXPECT_LE(uncovered(subject.mesh.mesh, hulls), 1e-12);

@@ -104,11 +104,12 @@ int TriangleBvh::signedCrossings(const Eigen::Vector3d& p) const {
 /// Clusters are replaced by dipoles where replace(cluster, gap) says so; `gap` is how far away they are at least, > 0.
 template <class Replace>
 double TriangleBvh::windingNumber(const Eigen::Vector3d& p, const Replace& replace) const {
+  if (nodes_.empty()) return 0;
   double sum = 0;      // half solid angles of dipoles
   SumOfAngles angles;  // half solid angles of triangles
   int stack[kDeepest];
   int top = 0;
-  if (!nodes_.empty()) stack[top++] = 0;
+  stack[top++] = 0;
   while (top > 0) {
     const auto id = static_cast<std::size_t>(stack[--top]);
     const Node& node = nodes_[id];

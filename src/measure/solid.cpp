@@ -158,8 +158,8 @@ struct Walls {
     return closed->signedCrossings(p) - (lids.empty() ? 0 : lids.windingNumber(closed->aside(p)));
   }
 
-  /// The winding number of a point where there are openings. For most points a rough one tells as much as windingNumber() would, which is
-  /// asked where it does not.
+  /// The winding number of a point. With openings, a rough one tells as much of most points as windingNumber() would, which is asked where
+  /// it does not.
   class Winding {
    public:
     Winding(const Walls& walls, const Eigen::Vector3d& p)
@@ -191,8 +191,6 @@ struct Walls {
     const TriangleBvh::RoughWinding lids_;
     std::optional<double> exact_;
   };
-
-  bool contains(const Eigen::Vector3d& p) const { return lids.empty() ? closed->signedCrossings(p) > 0 : Winding(*this, p).isInside(); }
 
   /// A lower bound on the length of any path from p, where the winding number is `winding`, to the other side of inside() that does not
   /// cross the surface. Away from the surface the winding number's gradient depends only on the rim, like the magnetic field of a current
@@ -287,7 +285,7 @@ Solid::~Solid() = default;
 Solid::Solid(Solid&&) noexcept = default;
 
 bool Solid::contains(const Eigen::Vector3d& p) const {
-  return impl_->walls.contains(p);
+  return Walls::Winding(impl_->walls, p).isInside();
 }
 double Solid::distanceToSurface(const Eigen::Vector3d& p) const {
   return impl_->surface->nearest(p).distance;
@@ -307,15 +305,9 @@ bool Solid::isWithin(double distance, const Eigen::Vector3d& p) const {
 double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface) const {
   const Walls& walls = impl_->walls;
   if (to_surface <= walls.blur) return to_surface;
-  double way = to_surface - walls.crackSlack();
-  if (!hasOpenings()) {
-    if (!walls.contains(p)) return to_surface;
-  } else {
-    Walls::Winding winding(walls, p);
-    if (!winding.isInside()) return to_surface;
-    way = std::min(way, winding.wayToBorder());
-  }
-  return -std::max(0.0, way - walls.blur);
+  Walls::Winding winding(walls, p);
+  if (!winding.isInside()) return to_surface;
+  return -std::max(0.0, std::min(to_surface - walls.crackSlack(), winding.wayToBorder()) - walls.blur);
 }
 double Solid::signedDistance(bool inside, double to_surface) const {
   return inside ? -std::max(0.0, to_surface - impl_->walls.crackSlack() - impl_->walls.blur) : to_surface;

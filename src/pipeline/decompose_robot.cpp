@@ -44,8 +44,8 @@ std::shared_ptr<const HullTree> treeFor(const VariantWork& work, const MeshFacts
   return mesh.tree(work.options, treeLeaves(work.options, facts.diagonal), building);
 }
 
-/// For other methods, which take a fraction of the time, for padded hulls and other shapes, and without time left, nobody looks for a
-/// bound, unless the search had a use for it.
+/// The search may have found the bound already. For other methods, which take a fraction of the time, for padded hulls and other shapes,
+/// and without time left, nobody looks for one.
 std::size_t leastHullsOf(const MeshResult& mesh, const LinkOptions& options, const RunControl& control) {
   if (options.method != Method::kCertified || options.padding > 0 || options.shapes != Shapes::kHulls || control.late()) return 1;
   if (mesh.model.least_hulls > 1) return mesh.model.least_hulls;

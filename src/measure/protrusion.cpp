@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "base/looks.h"
 #include "base/parallel.h"
 #include "geometry/hull_support.h"
+#include "measure/halves_by_place.h"
 #include "measure/outside_distance.h"
 #include "measure/surface_search.h"
 
@@ -17,8 +19,9 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kLooseGap = 16;  // gap of the first passes, in gaps of the last
-constexpr int kGlance = 20;       // halvings
+constexpr double kLooseGap = 16;       // gap of the first passes, in gaps of the last
+constexpr std::size_t kTogether = 16;  // hulls whose summits are searched one by one
+constexpr int kGlance = 20;            // halvings
 // If the search does not converge on a surface, as in the plane of an opening, it keeps the bound after this many halvings.
 constexpr int kMostHalvings = 2'000'000;
 // A bound of only a few gaps is not worth more halvings than this.
@@ -45,38 +48,62 @@ double rounding(const std::vector<ConvexHull>& hulls, const Solid& solid, const 
   return hulls.empty() ? 0 : kRounding * size + beyond + solid.sideError();
 }
 
-/// `on_surface`: per hull, the result of searching its surface.
-void addSummits(Protrusion& worst, const std::vector<ConvexHull>& hulls, const std::vector<Protrusion>& on_surface, const Solid& solid,
-                double gap, std::size_t spare, const RunControl& control) {
-  Eigen::AlignedBox3d box;
-  for (const ConvexHull& hull : hulls) box.extend(boundingBox(hull));
-  if (box.isEmpty()) return;
-  OutsideDistance outside(solid, box);
-  OutsideDistance::Query query;
-  query.floor = worst.bound + gap;
-  query.ceiling = std::numeric_limits<double>::infinity();
-  query.resolution = gap / 4;
-  query.summits_only = true;
-  const std::size_t usual = query.most_visits;
-  for (std::size_t i = 0; i < hulls.size(); ++i) {
-    query.most_visits = usual + spare;
-    query.floor = std::max(query.floor, worst.found);
-    query.surface_bound = on_surface[i].bound;
-    query.depth = leastWidth(hulls[i], control) / 2;
-    const OutsideDistance::Largest largest = outside.largest(hulls[i], query, control);
-    spare -= std::max(largest.visits, usual) - usual;
-    Protrusion summit;
-    summit.bound = largest.bound;
-    if (largest.found > worst.found) {
-      const TriangleBvh::Nearest n = solid.surface().nearest(largest.where);
-      summit.found = n.distance;  // largest.found is only a bound on it, from the middle of a cell
-      summit.where = largest.where;
-      summit.nearest = n.point;
-      summit.hull = static_cast<int>(i);
-    }
-    add(worst, summit);
+/// Searches hulls for summits. Many are searched in parallel, in halves that lie side by side; the halves do not depend on the number of
+/// threads, and so neither does the result.
+class Summits {
+ public:
+  /// `on_surface`: per hull, the result of searching its surface.
+  Summits(const std::vector<ConvexHull>& hulls, const std::vector<Protrusion>& on_surface, const Solid& solid, double gap,
+          const RunControl& control)
+      : hulls_(hulls), on_surface_(on_surface), solid_(solid), gap_(gap), control_(control) {}
+
+  /// Adds those of some hulls to the worst; `spare`: visits beyond the usual, for all of them.
+  void add(Protrusion& worst, const std::vector<std::size_t>& some, std::size_t spare) const {
+    if (some.empty()) return;
+    if (some.size() <= kTogether) return addOneByOne(worst, some, spare);
+    const auto [first, second] = halvesByPlace(hulls_, some);
+    Protrusion other = worst;
+    atOnce([&] { add(worst, first, spare / 2); }, [&] { add(other, second, spare / 2); });
+    collision_hulls::add(worst, other);
   }
-}
+
+ private:
+  void addOneByOne(Protrusion& worst, const std::vector<std::size_t>& some, std::size_t spare) const {
+    Eigen::AlignedBox3d box;
+    for (const std::size_t i : some) box.extend(boundingBox(hulls_[i]));
+    OutsideDistance outside(solid_, box);
+    OutsideDistance::Query query;
+    query.floor = worst.bound + gap_;
+    query.ceiling = std::numeric_limits<double>::infinity();
+    query.resolution = gap_ / 4;
+    query.summits_only = true;
+    const std::size_t usual = query.most_visits;
+    for (const std::size_t i : some) {
+      query.most_visits = usual + spare;
+      query.floor = std::max(query.floor, worst.found);
+      query.surface_bound = on_surface_[i].bound;
+      query.depth = leastWidth(hulls_[i], control_) / 2;
+      const OutsideDistance::Largest largest = outside.largest(hulls_[i], query, control_);
+      spare -= std::max(largest.visits, usual) - usual;
+      Protrusion summit;
+      summit.bound = largest.bound;
+      if (largest.found > worst.found) {
+        const TriangleBvh::Nearest n = solid_.surface().nearest(largest.where);
+        summit.found = n.distance;  // largest.found is only a bound on it, from the middle of a cell
+        summit.where = largest.where;
+        summit.nearest = n.point;
+        summit.hull = static_cast<int>(i);
+      }
+      collision_hulls::add(worst, summit);
+    }
+  }
+
+  const std::vector<ConvexHull>& hulls_;
+  const std::vector<Protrusion>& on_surface_;
+  const Solid& solid_;
+  const double gap_;
+  const RunControl& control_;
+};
 
 }  // namespace
 
@@ -119,7 +146,9 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
   }
   Protrusion worst;
   for (const Protrusion& p : each) add(worst, p);
-  addSummits(worst, hulls, each, solid, gap / 2, search.spare_visits, control);
+  std::vector<std::size_t> all(hulls.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  Summits(hulls, each, solid, gap / 2, control).add(worst, all, search.spare_visits);
   worst.bound += rounding(hulls, solid, control);
   return worst;
 }

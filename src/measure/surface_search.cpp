@@ -4,21 +4,29 @@
 // The distance f to the solid is 1-Lipschitz: within a radius r of the centre c it is at most f(c) + r. Where f is nearly constant this
 // converges slowly, and LevelBound takes over. Where a patch is inside, or near a surface of many triangles, it is moved into the solid: f
 // is at most as large as the longest way that any of its points goes.
+//
+// Where the question is only whether a hull reaches above the floor, parts of it are searched in parallel: then no part gains from what
+// another found. The first part that does, in their order, gives the answer, whichever was the fastest.
 #include "measure/surface_search.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <queue>
+#include <utility>
 
+#include "base/parallel.h"
 #include "measure/level_bound.h"
 
 namespace collision_hulls {
 
 namespace {
 
+constexpr std::size_t kTrianglesPerPart = 16, kMostParts = 8;  // of a hull: parts are searched in parallel
 constexpr int kStepsBetweenChecks = 64;  // one may take milliseconds where a mesh of millions of triangles is as near everywhere
 constexpr std::size_t kTrianglesBetweenChecks = 64;
 constexpr int kMostInARow = 4;      // splits by planes in a row; these need not make a patch shorter
@@ -51,13 +59,21 @@ struct Patch {
 /// The search over the triangles of one hull or mesh.
 class Search {
  public:
-  Search(const Solid& solid, const SurfaceQuery& query) : solid_(solid), query_(query) {}
+  /// `is_vain` is asked now and then: whether the result does not count any more.
+  Search(
+      const Solid& solid, const SurfaceQuery& query, std::function<bool()> is_vain = [] { return false; })
+      : solid_(solid), query_(query), is_vain_(std::move(is_vain)) {}
 
-  Protrusion run(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles, const RunControl& control) {
+  /// Over the triangles from the first to before the second of `range`.
+  Protrusion run(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles,
+                 const std::pair<std::size_t, std::size_t>& range, const RunControl& control) {
     std::vector<Corner> corners;
     for (const Eigen::Vector3d& v : vertices) corners.push_back({v, -1, 0});
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      if (i % kTrianglesBetweenChecks == 0) control.check();
+    for (std::size_t i = range.first; i < range.second; ++i) {
+      if (i % kTrianglesBetweenChecks == 0) {
+        control.check();
+        if (is_vain_()) return best_;
+      }
       if (query_.settled && (*query_.settled)[i]) {
         dropped_ = std::max(dropped_, query_.floor + query_.gap);
         continue;
@@ -74,7 +90,7 @@ class Search {
       if (step >= query_.patience && queue_.top().bound <= query_.low) break;
       if (step % kStepsBetweenChecks == 0) {
         control.check();
-        if (control.late()) break;
+        if (control.late() || is_vain_()) break;
       }
       halve();
     }
@@ -219,6 +235,7 @@ class Search {
 
   const Solid& solid_;
   const SurfaceQuery query_;
+  const std::function<bool()> is_vain_;
   double dropped_ = 0;
   std::priority_queue<Patch> queue_;
   Protrusion best_;
@@ -227,12 +244,29 @@ class Search {
 }  // namespace
 
 Protrusion largestOnSurface(const ConvexHull& hull, const Solid& solid, const SurfaceQuery& query, const RunControl& control) {
-  return Search(solid, query).run(hull.vertices, hull.triangles, control);
+  const std::size_t count = hull.triangles.size();
+  const std::size_t parts = query.ceiling > query.floor ? 1 : std::clamp(count / kTrianglesPerPart, std::size_t{1}, kMostParts);
+  std::vector<Protrusion> each(parts);
+  std::atomic<std::size_t> first{parts};  // part with something above the ceiling; later ones do not count
+  forEach(parts, [&](std::size_t i) {
+    Search search(solid, query, [&] { return first < i; });
+    each[i] = search.run(hull.vertices, hull.triangles, {i * count / parts, (i + 1) * count / parts}, control);
+    if (!(each[i].found > query.ceiling)) return;
+    for (std::size_t other = first; i < other && !first.compare_exchange_weak(other, i);) continue;
+  });
+  if (first < parts) return each[first];
+  Protrusion largest = each[0];
+  for (const Protrusion& part : each) {
+    const double bound = std::max(largest.bound, part.bound);
+    if (part.found > largest.found) largest = part;
+    largest.bound = bound;
+  }
+  return largest;
 }
 
 Protrusion largestOnSurface(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles, const Solid& solid,
                             const SurfaceQuery& query, const RunControl& control) {
-  return Search(solid, query).run(vertices, triangles, control);
+  return Search(solid, query).run(vertices, triangles, {0, triangles.size()}, control);
 }
 
 }  // namespace collision_hulls

@@ -167,6 +167,23 @@ TEST(Protrusion, SummitBetweenTwoSheets) {
   expectProtrusion(0.5, {boxHull({0, 0, 0}, {2, 2, 1})}, solidOf(mesh), 0.004);
 }
 
+// Many hulls are searched for summits in halves, down to a few.
+TEST(Protrusion, ASummitInOneOfManyHulls) {
+  for (const std::size_t which : {0, 1, 13, 29, 47}) {
+    std::vector<TriangleMesh> parts;
+    std::vector<ConvexHull> hulls;
+    for (std::size_t i = 0; i < 48; ++i) {
+      const Vector3d at(4 * static_cast<double>(i % 8), 4 * static_cast<double>(i / 8), 0);
+      parts.push_back(test_shapes::moved(i == which ? test_shapes::flask() : test_shapes::box(1, 1, 1), at));
+      hulls.push_back(hullOf(parts.back()));
+    }
+    const Protrusion p = checkedProtrusion(hulls, solidOf(test_shapes::merged(parts)), 0.01);
+    EXPECT_GE(p.bound, 1);
+    EXPECT_NEAR(p.found, 1, 0.01);
+    EXPECT_EQ(p.hull, static_cast<int>(which));
+  }
+}
+
 TEST(Protrusion, HullsThatLeaveABoxThroughItsWindow) {
   // The winding number passes 1/2 in the plane of the window: a post through it protrudes by its part above, though its foot lies deeper
   // inside than that.

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
+#include "base/parallel.h"
 #include "random_points.h"
 #include "solids.h"
 
@@ -88,6 +91,67 @@ TEST_F(AroundACube, HalvingsThatRunOutLeaveTheBoundOfTheOpenPatches) {
   const Protrusion p = largestOnSurface(flat, solid, query, {});
   EXPECT_GE(p.bound, 2);
   EXPECT_LE(p.found, 2 + 1e-12);
+}
+
+// Where the ceiling is the floor, parts of a hull are searched in parallel.
+
+/// A ball 0.01 around the unit ball, with a vertex pulled out to a distance of 1. Before the triangles at the spike
+/// come a share of the others.
+ConvexHull ballWithSpike(double before) {
+  std::vector<Vector3d> points = test_shapes::sphere(1.01, 3).vertices;
+  points[40] *= 2 / 1.01;
+  ConvexHull hull = convexHull(points);
+  const auto is_at_spike = [&](const Triangle& t) {
+    return std::any_of(t.begin(), t.end(), [&](int v) { return hull.vertices[static_cast<std::size_t>(v)] == points[40]; });
+  };
+  const auto calm = std::stable_partition(hull.triangles.begin(), hull.triangles.end(), is_at_spike);
+  const auto others = static_cast<double>(hull.triangles.end() - calm);
+  std::rotate(hull.triangles.begin(), calm, calm + static_cast<std::ptrdiff_t>(before * others));
+  return hull;
+}
+
+class PartsOfABall : public testing::Test {
+ protected:
+  Protrusion above(double floor, const ConvexHull& hull) {
+    SurfaceQuery query;
+    query.gap = 1e-3;
+    query.floor = query.ceiling = floor;
+    return largestOnSurface(hull, solid, query, {});
+  }
+  const Solid solid = solidOf(test_shapes::sphere(1, 5));
+  const std::vector<double> shares{0, 0.2, 0.4, 0.6, 0.8, 1};
+};
+
+TEST_F(PartsOfABall, ASpikeIsFoundInWhicheverPart) {
+  for (const double before : shares) {
+    const Protrusion p = above(0.1, ballWithSpike(before));
+    EXPECT_GT(p.found, 0.1) << before;
+    EXPECT_NEAR(solid.distance(p.where), p.found, 1e-9) << before;
+    EXPECT_TRUE(std::isinf(p.bound)) << before;
+  }
+}
+
+TEST_F(PartsOfABall, TheBoundIsThatOfTheWorstPart) {
+  for (const double before : shares) {
+    const Protrusion p = above(1.5, ballWithSpike(before));
+    EXPECT_EQ(p.found, 0) << before;
+    EXPECT_GE(p.bound, 1) << before;
+    EXPECT_LE(p.bound, 1.501) << before;
+  }
+}
+
+// Everything is above the ceiling, so that every part finds something.
+TEST_F(PartsOfABall, TheFirstPartAnswersOnAnyNumberOfThreads) {
+  const ConvexHull hull = ballWithSpike(0.6);
+  Protrusion alone;
+  withJobs(1, [&] { alone = above(0.005, hull); });
+  EXPECT_GT(alone.found, 0.005);
+  EXPECT_LT(alone.found, 0.1) << "the spike is in a later part";
+  for (int i = 0; i < 200; ++i) {
+    const Protrusion p = above(0.005, hull);
+    EXPECT_EQ(p.found, alone.found);
+    EXPECT_EQ(p.where, alone.where);
+  }
 }
 
 // Patches are moved into the solid.

@@ -203,22 +203,31 @@ class Job {
   /// Dissolves the hulls that may hold pockets and merges them anew, proving that those hold none. False: some leaf may hold one, so the
   /// surface has to be divided in another way. Of hulls that do not fit anyway nothing is asked.
   bool freeOfPockets(Cover& cover) {
-    const auto may_hold = [&](const Group& group) { return oracle_.mayHoldPocket(groups_->cappedHull(group)); };
-    Cover free, parts;
+    Cover proven, free, parts;
+    std::copy_if(cover.begin(), cover.end(), std::back_inserter(proven), [&](const Group& group) { return groups_->isProven(group); });
+    const std::vector<char> may_hold = mayHoldPockets(proven);
+    auto next = may_hold.begin();
     for (const Group& group : cover) {
-      if (groups_->isProven(group) && may_hold(group))
+      if (groups_->isProven(group) && *next++ != 0)
         for (Group& part : groups_->byLeaf(group.elements)) parts.push_back(std::move(part));
       else
         free.push_back(group);
     }
     if (parts.empty()) return true;
-    if (std::any_of(parts.begin(), parts.end(), may_hold)) return false;
+    const std::vector<char> of_parts = mayHoldPockets(parts);
+    if (std::any_of(of_parts.begin(), of_parts.end(), [](char may) { return may != 0; })) return false;
     oracle_.provePockets();
     groups_->keepProofsOf(free);
     free.insert(free.end(), parts.begin(), parts.end());
     cover = merged(std::move(free), *groups_, {MergeCost::kSquares, 0, 0}, Proof::kAtOnce);
     cover = improved(std::move(cover), *groups_, {plan_.evaluations, options_.seed}, [](double) {});
     return true;
+  }
+
+  std::vector<char> mayHoldPockets(const Cover& cover) {
+    std::vector<ConvexHull> hulls(cover.size());
+    forEach(cover.size(), [&](std::size_t i) { hulls[i] = groups_->cappedHull(cover[i]); });
+    return oracle_.mayHoldPockets(hulls);
   }
 
   Cover searched() {

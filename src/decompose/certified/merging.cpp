@@ -13,7 +13,8 @@
 //
 // Merges may also be accepted on trust (Proof::kLater) and settled afterwards: unions that are refuted fall back into their parts, and
 // merging goes on with the proven ones. Few groups are merged on trust by each kind of cost, and the best outcome is settled. With many
-// groups too much of it would be refuted, so each merge is proven before it is made, by one kind of cost.
+// groups too much of it would be refuted, so each merge is proven before it is made, by one kind of cost. The unions of some pairs that
+// come next are proven beside it, in parallel; they are of other groups, so nearly all of these proofs are needed.
 //
 // For K groups: O(K^2) pairs, O(K^2 log K) time for the queue, and as many hulls as pairs come out on top.
 #include "decompose/certified/merging.h"
@@ -33,7 +34,8 @@ namespace {
 
 constexpr std::size_t kMany = 1000;   // groups; with more, distant pairs are not tried, as time grows with their number squared
 constexpr std::size_t kSeveral = 40;  // groups; beyond this, the result of provisional merging says little about what can be proven
-constexpr double kTieBreak = 1e-3;    // as a share of the union's square, for squares that cancel out
+constexpr std::size_t kProvenAtOnce = 4, kLookedAt = 8;  // unions, and pairs that are looked at for them
+constexpr double kTieBreak = 1e-3;                       // as a share of the union's square, for squares that cancel out
 
 double costOf(const Group& a, const Group& b, const MergeCost& cost) {
   const double u = a.widths.merged(b.widths).mean(), wa = a.widths.mean(), wb = b.widths.mean();
@@ -139,11 +141,39 @@ class Merging {
 
   void tryMerge(int a, int b, Proof proof) {
     Group both = groups_.merged(group(a), group(b));
-    if (!both.hull || (proof == Proof::kAtOnce && !groups_.proven(both))) return setApart(a, b);
+    if (both.hull && proof == Proof::kAtOnce) proveWithNext(both, a, b);
+    if (!both.hull || (proof == Proof::kAtOnce && !groups_.isProven(both))) return setApart(a, b);
     live_.erase(std::remove_if(live_.begin(), live_.end(), [&](int i) { return i == a || i == b; }), live_.end());
     all_.push_back(std::move(both));
     parts_.push_back({a, b});
     pairWithEarlier(static_cast<int>(all_.size()) - 1, a, b);
+  }
+
+  /// Proves the union of a and b, in parallel with the unions that probably follow: of the cheapest pairs of other groups.
+  void proveWithNext(const Group& both, int a, int b) {
+    if (groups_.isProven(both)) return;
+    std::vector<int> taken{a, b};
+    std::vector<Group> unions{both};
+    std::vector<MergePair> looked_at;
+    const auto is_taken = [&](int i) { return std::find(taken.begin(), taken.end(), i) != taken.end(); };
+    while (unions.size() < kProvenAtOnce && looked_at.size() < kLookedAt) {
+      const auto pair = queue_.takeCheapest([&](int i) { return isLive(i); });
+      if (!pair) break;
+      if (!is_taken(pair->a) && !is_taken(pair->b)) {
+        Group next = groups_.merged(group(pair->a), group(pair->b));
+        if (!next.hull) {
+          setApart(pair->a, pair->b);
+          continue;
+        }
+        taken.insert(taken.end(), {pair->a, pair->b});
+        unions.push_back(std::move(next));
+      }
+      looked_at.push_back(*pair);
+    }
+    for (const MergePair& pair : looked_at) queue_.push(pair);
+    std::vector<const Group*> open;
+    for (const Group& group : unions) open.push_back(&group);
+    groups_.prove(open);
   }
 
   SurfaceGroups& groups_;

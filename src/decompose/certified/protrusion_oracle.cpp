@@ -21,11 +21,13 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 
 #include "base/at.h"
 #include "base/parallel.h"
 #include "decompose/dice.h"
 #include "geometry/hull_support.h"
+#include "measure/halves_by_place.h"
 #include "measure/surface_search.h"
 
 namespace collision_hulls {
@@ -33,13 +35,13 @@ namespace collision_hulls {
 namespace {
 
 // The following are shares of the tolerance.
-constexpr double kReserve = 0.004;       // reserved for the certificate, whose bounds refer to the hulls as written
-constexpr double kProofGap = 0.002;      // between the bounds of a proof,
+constexpr double kReserve = 0.0015;      // reserved for the certificate: more than kProofGap and its own gap together
+constexpr double kProofGap = 0.0004;     // between the bounds of a proof,
 constexpr double kQuickGap = 0.1;        // and of a quick answer
 constexpr double kQuickCell = 1;         // radius of the smallest octree cells: for a quick answer,
 constexpr double kFineCell = 0.42;       // before a proof (for leaves, whose share of the tolerance is smaller, this is a proof),
 constexpr double kIntruderCell = 0.125;  // and for intruders
-constexpr double kPocketCell = 0.002;    // where the search for pockets ends
+constexpr double kPocketCell = 0.001;    // where the search for pockets ends
 constexpr double kShallow = 0.9;         // to know that a hull's surface is nearer than this hardly helps that search
 constexpr double kLooseGap = 0.005;      // between the bounds of large protrusions
 
@@ -50,6 +52,8 @@ constexpr double kJoggle = 1e-6;      // most that points of a rough hull are mo
 constexpr std::size_t kJoggles = 3;   // attempts,
 constexpr std::size_t kMany = 3000;   // with more points than this, coplanar points hinder quickhull so often that all are moved right away
 constexpr std::size_t kMostKnown = 400;  // intruders remembered
+
+constexpr std::size_t kTogether = 16;  // hulls that are asked for pockets one by one
 
 // Visits to the octree's cells before a hull's surface is searched: for each facet that no earlier hull had, and for the others together.
 constexpr std::size_t kVisitsPerFacet = 1, kLeastVisits = 30;
@@ -267,6 +271,29 @@ bool ProtrusionOracle::mayHoldPocket(const ConvexHull& hull) {
     if (summit(hull, surface_bound, OutsideDistance::Query{}.most_visits).bound > tolerance_) return true;
   }
   return !holdsInRegions(hull, [](ProtrusionOracle& oracle, const ConvexHull& part) { return !oracle.mayHoldPocket(part); });
+}
+
+std::vector<char> ProtrusionOracle::mayHoldPockets(const std::vector<ConvexHull>& hulls) {
+  std::vector<std::size_t> all(hulls.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::vector<char> may_hold(hulls.size());
+  askForPockets(hulls, all, may_hold);
+  return may_hold;
+}
+
+/// In halves side by side, one of them with an oracle of its own. The halves do not depend on the number of threads.
+void ProtrusionOracle::askForPockets(const std::vector<ConvexHull>& hulls, const std::vector<std::size_t>& some,
+                                     std::vector<char>& may_hold) {
+  if (some.size() <= kTogether) {
+    for (const std::size_t i : some) may_hold[i] = mayHoldPocket(hulls[i]) ? 1 : 0;
+    return;
+  }
+  const auto [mine, theirs] = halvesByPlace(hulls, some);
+  Eigen::AlignedBox3d box;
+  for (const std::size_t i : theirs) box.extend(boundingBox(hulls[i]));
+  ProtrusionOracle oracle = forPart(box);
+  atOnce([&] { askForPockets(hulls, mine, may_hold); }, [&] { oracle.askForPockets(hulls, theirs, may_hold); });
+  learn(oracle);
 }
 
 void ProtrusionOracle::provePockets() {

@@ -62,7 +62,7 @@ class ProtrusionOracle {
   /// finest cells; infinite: the hull does not fit.
   double reach(const ConvexHull& hull);
 
-  /// True: no point of the hull's surface is further from the solid than 99.8 % of the tolerance,
+  /// True: no point of the hull's surface is further from the solid than 99.9 % of the tolerance,
   /// provably, and no pocket came to light. After provePockets(): no point of the hull is further
   /// than the tolerance, provably.
   bool fits(const ConvexHull& hull) { return fitsWithin(hull, reach(hull)); }
@@ -76,6 +76,9 @@ class ProtrusionOracle {
   /// Whether a hull that fits may still hold a pocket further from the solid than the tolerance, by
   /// a thorough search.
   bool mayHoldPocket(const ConvexHull& hull);
+
+  /// The same for several hulls, in parallel.
+  std::vector<char> mayHoldPockets(const std::vector<ConvexHull>& hulls);
 
   /// Makes fits(), fitsWithin() and fit() search each hull so. That takes long, and pockets that a
   /// glance does not find are rare: first do without, and ask about the hulls that remain.
@@ -123,6 +126,7 @@ class ProtrusionOracle {
   bool concluded(const ConvexHull& hull, const Protrusion& on_surface);
   OutsideDistance::Largest summit(const ConvexHull& hull, double surface_bound, std::size_t most_visits);
   bool isTooSmallForPockets(const ConvexHull& hull) const;
+  void askForPockets(const std::vector<ConvexHull>& hulls, const std::vector<std::size_t>& some, std::vector<char>& may_hold);
   void remember(const Eigen::Vector3d& intruder);
   void rememberOnSurface(const Eigen::Vector3d& intruder, const ConvexHull& hull);
   double intrusion() const;

@@ -218,6 +218,21 @@ TEST(Oracle, AGlanceMissesAPocketThatAProofFinds) {
   EXPECT_FALSE(proving.oracle.forPart(boundingBox(hull)).fits(hull));
 }
 
+TEST(Oracle, ManyHullsAreAskedForPocketsLikeEachAlone) {
+  std::vector<TriangleMesh> parts;
+  std::vector<ConvexHull> hulls;
+  std::vector<char> expected;
+  for (std::size_t i = 0; i < 40; ++i) {
+    const bool holds_one = i % 9 == 4;
+    parts.push_back(moved(holds_one ? flask() : box(1, 1, 1), {4.0 * static_cast<double>(i % 8), 4.0 * static_cast<double>(i / 8), 0}));
+    hulls.push_back(hullOf(parts.back()));
+    expected.push_back(holds_one ? 1 : 0);
+  }
+  Subject subject(merged(parts), 0.95);
+  EXPECT_EQ(subject.oracle.mayHoldPockets(hulls), expected);
+  EXPECT_TRUE(subject.oracle.mayHoldPockets({}).empty());
+}
+
 TEST(Oracle, IntrudersAreInTheHullAndBeyondTheTolerance) {
   for (const TriangleMesh& mesh : {uChannel(), openBox(), torus(1, 0.3, 16, 8)}) {
     const double tolerance = 0.02 * diagonal(mesh);

@@ -1,3 +1,5 @@
+// Sorts the hulls' centres along one axis: O(n log n). Hulls at one place keep their order. The halves depend on the hulls alone, never on
+// the number of threads, and so the results of whoever searches them in parallel do not either.
 #include "measure/halves_by_place.h"
 
 #include <Eigen/Geometry>

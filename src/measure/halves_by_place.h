@@ -10,6 +10,9 @@
 
 namespace collision_hulls {
 
+/// No more hulls than this are searched one by one: each gains from what the earlier ones found.
+constexpr std::size_t kTogether = 16;
+
 /// Some of the hulls, by their indices, in two halves on either side of a plane across the longest
 /// side of the box of their centres.
 std::pair<std::vector<std::size_t>, std::vector<std::size_t>> halvesByPlace(const std::vector<ConvexHull>& hulls,

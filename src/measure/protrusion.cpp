@@ -19,9 +19,8 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kLooseGap = 16;       // gap of the first passes, in gaps of the last
-constexpr std::size_t kTogether = 16;  // hulls whose summits are searched one by one
-constexpr int kGlance = 20;            // halvings
+constexpr double kLooseGap = 16;  // gap of the first passes, in gaps of the last
+constexpr int kGlance = 20;       // halvings
 // If the search does not converge on a surface, as in the plane of an opening, it keeps the bound after this many halvings.
 constexpr int kMostHalvings = 2'000'000;
 // A bound of only a few gaps is not worth more halvings than this.
@@ -59,7 +58,6 @@ class Summits {
 
   /// Adds those of some hulls to the worst; `spare`: visits beyond the usual, for all of them.
   void add(Protrusion& worst, const std::vector<std::size_t>& some, std::size_t spare) const {
-    if (some.empty()) return;
     if (some.size() <= kTogether) return addOneByOne(worst, some, spare);
     const auto [first, second] = halvesByPlace(hulls_, some);
     Protrusion other = worst;
@@ -71,6 +69,7 @@ class Summits {
   void addOneByOne(Protrusion& worst, const std::vector<std::size_t>& some, std::size_t spare) const {
     Eigen::AlignedBox3d box;
     for (const std::size_t i : some) box.extend(boundingBox(hulls_[i]));
+    if (box.isEmpty()) return;
     OutsideDistance outside(solid_, box);
     OutsideDistance::Query query;
     query.floor = worst.bound + gap_;

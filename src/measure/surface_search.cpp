@@ -60,8 +60,7 @@ struct Patch {
 class Search {
  public:
   /// `is_vain` is asked now and then: whether the result does not count any more.
-  Search(
-      const Solid& solid, const SurfaceQuery& query, std::function<bool()> is_vain = [] { return false; })
+  Search(const Solid& solid, const SurfaceQuery& query, std::function<bool()> is_vain)
       : solid_(solid), query_(query), is_vain_(std::move(is_vain)) {}
 
   /// Over the triangles from the first to before the second of `range`.
@@ -266,7 +265,7 @@ Protrusion largestOnSurface(const ConvexHull& hull, const Solid& solid, const Su
 
 Protrusion largestOnSurface(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Triangle>& triangles, const Solid& solid,
                             const SurfaceQuery& query, const RunControl& control) {
-  return Search(solid, query).run(vertices, triangles, {0, triangles.size()}, control);
+  return Search(solid, query, [] { return false; }).run(vertices, triangles, {0, triangles.size()}, control);
 }
 
 }  // namespace collision_hulls

@@ -141,8 +141,8 @@ class Merging {
 
   void tryMerge(int a, int b, Proof proof) {
     Group both = groups_.merged(group(a), group(b));
-    if (both.hull && proof == Proof::kAtOnce) proveWithNext(both, a, b);
-    if (!both.hull || (proof == Proof::kAtOnce && !groups_.isProven(both))) return setApart(a, b);
+    if (both.hull && proof == Proof::kAtOnce && !groups_.isProven(both)) proveWithNext(both, a, b);
+    if (!both.hull || (proof == Proof::kAtOnce && !groups_.proven(both))) return setApart(a, b);
     live_.erase(std::remove_if(live_.begin(), live_.end(), [&](int i) { return i == a || i == b; }), live_.end());
     all_.push_back(std::move(both));
     parts_.push_back({a, b});
@@ -151,7 +151,6 @@ class Merging {
 
   /// Proves the union of a and b, in parallel with the unions that probably follow: of the cheapest pairs of other groups.
   void proveWithNext(const Group& both, int a, int b) {
-    if (groups_.isProven(both)) return;
     std::vector<int> taken{a, b};
     std::vector<Group> unions{both};
     std::vector<MergePair> looked_at;

@@ -25,6 +25,7 @@
 
 #include "base/at.h"
 #include "base/parallel.h"
+#include "collision_hulls/decompose/certified_hulls.h"
 #include "decompose/dice.h"
 #include "geometry/hull_support.h"
 #include "measure/halves_by_place.h"
@@ -45,6 +46,8 @@ constexpr double kPocketCell = 0.001;    // where the search for pockets ends
 constexpr double kShallow = 0.9;         // to know that a hull's surface is nearer than this hardly helps that search
 constexpr double kLooseGap = 0.005;      // between the bounds of large protrusions
 
+static_assert(kReserve > kProofGap + kCertificateGap, "the certificate would need a second, closer search");
+
 constexpr double kLooseShare = 0.01;  // the same as a share of the protrusion itself
 constexpr double kInward = 1e-9;      // how far, on the way to a vertex, intruders on a hull's surface are moved into it
 constexpr double kGrowth = 1e-5;      // growth of a hull to allow for rounding when it is written
@@ -52,8 +55,6 @@ constexpr double kJoggle = 1e-6;      // most that points of a rough hull are mo
 constexpr std::size_t kJoggles = 3;   // attempts,
 constexpr std::size_t kMany = 3000;   // with more points than this, coplanar points hinder quickhull so often that all are moved right away
 constexpr std::size_t kMostKnown = 400;  // intruders remembered
-
-constexpr std::size_t kTogether = 16;  // hulls that are asked for pockets one by one
 
 // Visits to the octree's cells before a hull's surface is searched: for each facet that no earlier hull had, and for the others together.
 constexpr std::size_t kVisitsPerFacet = 1, kLeastVisits = 30;

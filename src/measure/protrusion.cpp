@@ -59,9 +59,9 @@ class Summits {
   /// Adds those of some hulls to the worst; `spare`: visits beyond the usual, for all of them.
   void add(Protrusion& worst, const std::vector<std::size_t>& some, std::size_t spare) const {
     if (some.size() <= kTogether) return addOneByOne(worst, some, spare);
-    const auto [first, second] = halvesByPlace(hulls_, some);
+    const auto halves = halvesByPlace(hulls_, some);
     Protrusion other = worst;
-    atOnce([&] { add(worst, first, spare / 2); }, [&] { add(other, second, spare / 2); });
+    atOnce([&] { add(worst, halves.first, spare / 2); }, [&] { add(other, halves.second, spare / 2); });
     collision_hulls::add(worst, other);
   }
 

@@ -289,11 +289,11 @@ void ProtrusionOracle::askForPockets(const std::vector<ConvexHull>& hulls, const
     for (const std::size_t i : some) may_hold[i] = mayHoldPocket(hulls[i]) ? 1 : 0;
     return;
   }
-  const auto [mine, theirs] = halvesByPlace(hulls, some);
+  const auto halves = halvesByPlace(hulls, some);
   Eigen::AlignedBox3d box;
-  for (const std::size_t i : theirs) box.extend(boundingBox(hulls[i]));
+  for (const std::size_t i : halves.second) box.extend(boundingBox(hulls[i]));
   ProtrusionOracle oracle = forPart(box);
-  atOnce([&] { askForPockets(hulls, mine, may_hold); }, [&] { oracle.askForPockets(hulls, theirs, may_hold); });
+  atOnce([&] { askForPockets(hulls, halves.first, may_hold); }, [&] { oracle.askForPockets(hulls, halves.second, may_hold); });
   learn(oracle);
 }
 

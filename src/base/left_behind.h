@@ -13,8 +13,8 @@
 namespace collision_hulls {
 
 /// What `work(control)` returns or throws, computed in a thread of its own. A cancelled caller leaves that thread behind, and throws what
-/// RunControl::check() throws: for single calls of libraries that take seconds. So `work` must own all that it uses. The control that it
-/// gets is cancelled when it is left behind.
+/// RunControl::check() throws: for single calls of libraries that take seconds. So `work` must own all that it uses, and use no static
+/// object that is destroyed when the program ends, which may be meanwhile. The control that it gets is cancelled when it is left behind.
 template <class Work>
 auto orLeftBehind(Work work, const RunControl& control) {
   constexpr std::chrono::milliseconds kLook{20};

@@ -202,7 +202,7 @@ void refuseLosingMeshes(const Report& report, const fs::path& folder) {
   throw Error(ErrorCode::kUnwritableOutput,
               "output '" + folder.string() + "' stays as it is: it has all meshes, and this run lacked memory or time for " +
                   counted(static_cast<std::size_t>(lacked), "mesh", "meshes") + ", such as '" + first->uri + "' of link '" + first->link +
-                  "'; run again with fewer jobs or a larger tolerance, choose another output, or replace it with --replace-complete");
+                  "'; run again with fewer jobs or a larger tolerance, choose another output, or run 'decompose --replace-complete'");
 }
 
 /// The report says what the folder loses: hulls are made again, what only a fit to a scene makes is not.

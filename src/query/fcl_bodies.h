@@ -14,6 +14,7 @@
 #include <Eigen/Geometry>
 #include <exception>
 #include <memory>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,7 +57,7 @@ class OwnBoxes : public fcl::detail::BVFitter<Box> {
 };
 
 /// FCL's tree over triangles, with the boxes of a Fitter made from (vertices, triangles, control). Throws kInternal if FCL refuses them,
-/// and kCancelled: of a large mesh even while FCL makes room for the tree, which it does in one go.
+/// std::bad_alloc, and kCancelled: of a large mesh even while FCL makes room for the tree, which it does in one go.
 template <typename Box, typename Fitter = OwnBoxes<Box>>
 std::shared_ptr<fcl::BVHModel<Box>> fclTree(const std::vector<Eigen::Vector3d>& vertices, std::vector<fcl::Triangle> triangles,
                                             double factor = kFclEnlarged, const RunControl& control = {}) {
@@ -65,13 +66,15 @@ std::shared_ptr<fcl::BVHModel<Box>> fclTree(const std::vector<Eigen::Vector3d>& 
   auto work = [points = enlarged(vertices, factor), triangles = std::move(triangles)](const RunControl& control) mutable {
     auto model = std::make_shared<fcl::BVHModel<Box>>();
     model->bv_fitter = std::make_shared<Fitter>(points, triangles, control);
-    model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(points.size()));
-    model->addSubModel(points, triangles);
-    const std::size_t count = triangles.size();
+    const auto expectOk = [count = triangles.size()](int answer) {
+      if (answer == fcl::BVH_ERR_MODEL_OUT_OF_MEMORY) throw std::bad_alloc();
+      if (answer != fcl::BVH_OK) throw Error(ErrorCode::kInternal, "FCL rejected a mesh of " + std::to_string(count) + " triangles");
+    };
+    expectOk(model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(points.size())));
+    expectOk(model->addSubModel(points, triangles));
     points = {}, triangles = {};  // FCL has its own copies, and the tree is large
     control.check();
-    if (model->endModel() != fcl::BVH_OK)
-      throw Error(ErrorCode::kInternal, "FCL rejected a mesh of " + std::to_string(count) + " triangles");
+    expectOk(model->endModel());
     model->bv_fitter.reset();  // which refers to the control
     return model;
   };

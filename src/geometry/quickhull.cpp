@@ -29,10 +29,11 @@ constexpr int kExtremes = 26;
 constexpr double kWorthwhile = 1e-3, kGoldenAngle = 2.399963229728653;
 constexpr std::size_t kUsualFaces = 4;  // created in all, per point, if most points are corners
 constexpr std::size_t kMostReserved = 10000;
-constexpr std::size_t kMostFaces = 100;  // created in all, per point; more means that rounding runs in circles
-constexpr double kDent = 1e-10;          // furthest that a vertex may lie beyond a neighbouring face, as a share of the extent
-constexpr double kSuspicious = 2e-12;    // kVisible does not explain dents deeper than this: compare all vertices with all faces
-constexpr double kFlat = 1e-11;          // an edge is flat if its faces' opposite corners lie no further than this from each other's planes
+constexpr std::size_t kFewFaces = 100'000;  // that replaced faces may stay among
+constexpr std::size_t kMostFaces = 100;     // created in all, per point; more means that rounding runs in circles
+constexpr double kDent = 1e-10;             // furthest that a vertex may lie beyond a neighbouring face, as a share of the extent
+constexpr double kSuspicious = 2e-12;       // kVisible does not explain dents deeper than this: compare all vertices with all faces
+constexpr double kFlat = 1e-11;  // an edge is flat if its faces' opposite corners lie no further than this from each other's planes
 
 struct Face {
   std::array<int, 3> vertex{};
@@ -68,9 +69,9 @@ class Builder {
     if (!tetrahedron() || (points_.size() > kMany && !addExtremes())) return std::nullopt;
     shareOut();
     control_.check();
-    for (std::size_t k = 0; k < faces_.size(); ++k)
-      while (isThere(faces_[k]) && faces_[k].furthest >= 0)
-        if (faces_.size() > kMostFaces * points_.size() || !add(faces_[k].furthest, static_cast<int>(k))) return std::nullopt;
+    for (std::size_t done = 0; done < faces_.size(); done = isCrowded() ? withoutReplaced(done + 1) : done + 1)
+      while (isThere(faces_[done]) && faces_[done].furthest >= 0)
+        if (created_ > kMostFaces * points_.size() || !add(faces_[done].furthest, static_cast<int>(done))) return std::nullopt;
     return result(sources);
   }
 
@@ -166,6 +167,7 @@ class Builder {
     f.offset = std::max({f.normal.dot(a), f.normal.dot(b), f.normal.dot(c)});
     if (faces_.size() == faces_.capacity()) makeRoom();
     faces_.push_back(f);
+    ++created_;
     return true;
   }
 
@@ -175,6 +177,33 @@ class Builder {
     larger.reserve(2 * faces_.size() + 1);
     for (const Face& each : faces_) look_(), larger.push_back(each);
     faces_ = std::move(larger);
+  }
+
+  /// Whether memory is worth the time that it takes to forget replaced faces.
+  bool isCrowded() const { return faces_.size() > kFewFaces && replaced_ > faces_.size() / 3; }
+
+  /// Forgets the faces that have been replaced; the others keep their order. Returns how many of the first `count` are left.
+  std::size_t withoutReplaced(std::size_t count) {
+    for (int& first : dropped_)
+      if (look_(); first >= 0) first = present(first);
+    std::vector<int> now(faces_.size(), -1);
+    int left = 0;
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      if (look_(); isThere(faces_[i])) now[i] = left++;
+    const auto moved = [&](int f) { return now[static_cast<std::size_t>(f)]; };
+    std::size_t result = 0;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      look_();
+      if (now[i] < 0) continue;
+      Face& f = faces_[static_cast<std::size_t>(now[i])] = faces_[i];
+      for (int& n : f.neighbour) n = moved(n);
+      if (i < count) ++result;
+    }
+    for (int& first : dropped_)
+      if (first >= 0) first = moved(first);
+    faces_.resize(static_cast<std::size_t>(left));
+    replaced_ = 0;
+    return result;
   }
 
   /// Gives a point to the first face in [from, to) that it sees; drops it if it sees none.
@@ -251,6 +280,7 @@ class Builder {
       faces_[first + i].neighbour = {horizon_[i].face, at(i + 1), at(i + n - 1)};
       face(horizon_[i].face).neighbour[static_cast<std::size_t>(horizon_[i].edge)] = at(i);
     }
+    replaced_ += patch_.size();
     for (const HorizonEdge& e : horizon_) settled_by_[static_cast<std::size_t>(e.from)] = p;
     for (int f : patch_) {
       face(f).replaced_by = static_cast<int>(first);
@@ -387,7 +417,9 @@ class Builder {
   std::vector<int> dropped_;     // per point: the first of the faces created when it was last dropped; -1: never dropped
   std::vector<int> settled_by_;  // per vertex: the last point that replaced some of its faces
   std::vector<Face> faces_;
-  struct Step {  // of the walk around a patch
+  std::size_t created_ = 0;   // faces, in all
+  std::size_t replaced_ = 0;  // of faces_
+  struct Step {               // of the walk around a patch
     int face, edge, left;
   };
   std::vector<Step> steps_;

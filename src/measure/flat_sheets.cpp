@@ -11,14 +11,22 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kFlat = 1e-6;            // largest deviation from the plane, as a share of the mesh's diagonal
-constexpr double kSameWay = 0.5;          // least cosine between the group's normal and its triangles'
-constexpr std::size_t kFewTriangles = 2;  // smaller groups are left to the search's other bounds
+constexpr double kFlat = 1e-6;     // largest deviation from the plane, as a share of the mesh's diagonal
+constexpr double kSameWay = 0.5;   // least cosine between the group's normal and its triangles'
+constexpr double kExtent = 0.01;   // of the mesh's diagonal; groups of less are left to the search's other bounds,
+constexpr std::size_t kLeast = 2;  // and so are single triangles
 
 /// The triangle across a half-edge if it runs along the edge in the opposite direction; -1: none.
 int neighbour(const RepairedMesh& mesh, const Edges& edges, int h) {
   const int twin = edges.twin[static_cast<std::size_t>(h)];
   return twin >= 0 && startOf(mesh.mesh.triangles, twin) == endOf(mesh.mesh.triangles, h) ? twin / 3 : -1;
+}
+
+double extentOf(const TriangleMesh& mesh, const std::vector<int>& triangles) {
+  Eigen::AlignedBox3d box;
+  for (const int t : triangles)
+    for (int k = 0; k < 3; ++k) box.extend(mesh.corner(t, k));
+  return box.diagonal().norm();
 }
 
 Eigen::Vector3d normalOf(const TriangleMesh& mesh, int t) {
@@ -30,12 +38,13 @@ Eigen::Vector3d normalOf(const TriangleMesh& mesh, int t) {
 FlatSheets::FlatSheets(const RepairedMesh& mesh, const Edges& edges, const std::vector<char>& two_sided, const RunControl& control)
     : flat_(kFlat * diagonal(mesh.mesh)), group_(mesh.mesh.triangles.size(), -1), rim_(TriangleMesh{}) {
   constexpr int kSmall = -2;
+  const double least = kExtent * diagonal(mesh.mesh);
   Looks look(control);
   for (std::size_t t = 0; t < group_.size(); ++t) {
     look();
     if (group_[t] != -1 || !two_sided[t]) continue;
     Group group = grownFrom(static_cast<int>(t), mesh, edges, two_sided, look);
-    const bool large = group.triangles.size() >= kFewTriangles;
+    const bool large = group.triangles.size() >= kLeast && extentOf(mesh.mesh, group.triangles) >= least;
     for (const int of_it : group.triangles) group_[static_cast<std::size_t>(of_it)] = large ? static_cast<int>(groups_.size()) : kSmall;
     if (large) groups_.push_back(std::move(group));
   }

@@ -73,6 +73,24 @@ TEST(Quickhull, RandomPointsOnASphereAreAllVertices) {
   EXPECT_EQ(hull->vertices.size(), points.size());
 }
 
+// So many faces that replaced ones are forgotten.
+TEST(Quickhull, AVeryLargeHull) {
+  constexpr std::size_t kCorners = 60'000;
+  test_shapes::RandomPoints random(3);
+  Points points;
+  while (points.size() < kCorners) points.push_back(random.onSphere());
+  while (points.size() < kCorners + 5000) points.push_back(0.9 * random.onSphere());
+  const auto hull = quickhull(points);
+  ASSERT_TRUE(hull);
+  EXPECT_EQ(hull->vertices.size(), kCorners);
+  EXPECT_EQ(hull->triangles.size(), 2 * kCorners - 4);
+  for (std::size_t i = 0; i < hull->faces.size(); i += 500) {
+    const HalfSpace& face = hull->faces[i];
+    EXPECT_TRUE(std::all_of(points.begin(), points.end(), [&](const Vector3d& p) { return face.distance(p) <= 1e-14; })) << i;
+    for (int v : hull->triangles[i]) EXPECT_NEAR(face.distance(hull->vertices[static_cast<std::size_t>(v)]), 0, 1e-10);
+  }
+}
+
 TEST(Quickhull, RandomCloudsOfAnySize) {
   for (std::uint32_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);

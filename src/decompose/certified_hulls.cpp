@@ -114,7 +114,8 @@ LowerBound boundOf(const PreparedMesh& mesh, const DecomposeOptions& options) {
 
 Decomposition decomposed(const PreparedMesh& mesh, const DecomposeOptions& aim, LowerBound& least, const RunControl& control) {
   if (mesh.tree) return hullsOfTree(*mesh.tree, aim);
-  return aim.method == Method::kCertified ? certified(mesh.repaired, aim, least, control) : decompose(mesh.repaired, aim, control);
+  return aim.method == Method::kCertified ? certified(mesh.repaired, mesh.solid, aim, least, control)
+                                          : decompose(mesh.repaired, aim, control);
 }
 
 Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, const DecomposeOptions& options, LowerBound& least,

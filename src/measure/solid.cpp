@@ -229,12 +229,14 @@ std::vector<char> onRim(const RepairedMesh& mesh, const Rim& rim, const RunContr
 }
 
 /// Per triangle of withLoose(): whether a point outside S may be nearest to its back. Not so where the winding number is proved not to be
-/// negative in front of it; with openings, which blur the winding number, that is not attempted.
-std::vector<char> twoSided(const RepairedMesh& mesh, const TriangleMesh& walls, const Rim& rim, const Lids& lids,
+/// negative in front of it; with openings, which blur the winding number, that is not attempted. `before`: null, or the solid of the same
+/// mesh elsewhere; what is a crack in one place may be an opening in the other.
+std::vector<char> twoSided(const RepairedMesh& mesh, const TriangleMesh& walls, const Rim& rim, const Lids& lids, const Solid* before,
                            const RunControl& control) {
   const std::size_t count = mesh.mesh.triangles.size();
   std::vector<char> result(count + mesh.loose.size(), 1);
   if (!lids.of_openings.empty()) return result;
+  if (before) return before->surface().twoSided();
   const std::vector<char> inverted = mayFaceInverted(joined(walls, lids), control), on_rim = onRim(mesh, rim, control);
   for (std::size_t t = 0, wall = 0; t < count; ++t)
     if (!mesh.sheet[t]) result[t] = inverted[wall++] || on_rim[t];
@@ -243,12 +245,12 @@ std::vector<char> twoSided(const RepairedMesh& mesh, const TriangleMesh& walls, 
 
 /// What the surface consists of.
 struct Anatomy {
-  Anatomy(const RepairedMesh& mesh, const RunControl& control)
+  Anatomy(const RepairedMesh& mesh, const Solid* before, const RunControl& control)
       : edges(findEdges(mesh.mesh.triangles, mesh.mesh.vertices.size(), control)),
         walls(wallsOf(mesh, control)),
         rim(rimOf(mesh, edges, control)),
         lids(lidsOf(mesh.mesh, rim, control)),
-        two_sided(twoSided(mesh, walls, rim, lids, control)) {}
+        two_sided(twoSided(mesh, walls, rim, lids, before, control)) {}
   Edges edges;
   TriangleMesh walls;
   Rim rim;
@@ -259,7 +261,7 @@ struct Anatomy {
 }  // namespace
 
 struct Solid::Impl {
-  Impl(const RepairedMesh& mesh, const RunControl& control) : Impl(mesh, Anatomy(mesh, control), control) {}
+  Impl(const RepairedMesh& mesh, const Solid* before, const RunControl& control) : Impl(mesh, Anatomy(mesh, before, control), control) {}
   Impl(const RepairedMesh& mesh, const Anatomy& anatomy, const RunControl& control)
       : surface(std::make_shared<TriangleBvh>(withLoose(mesh), anatomy.two_sided, control)),
         walls(anatomy.walls, anatomy.lids, mesh, surface, control),
@@ -279,7 +281,11 @@ struct Solid::Impl {
 
 Solid::Solid(const RepairedMesh& mesh, const RunControl& control) {
   control.check();
-  impl_ = std::make_unique<Impl>(mesh, control);
+  impl_ = std::make_unique<Impl>(mesh, nullptr, control);
+}
+Solid::Solid(const RepairedMesh& moved, const Solid& before, const RunControl& control) {
+  control.check();
+  impl_ = std::make_unique<Impl>(moved, &before, control);
 }
 Solid::~Solid() = default;
 Solid::Solid(Solid&&) noexcept = default;

@@ -30,6 +30,8 @@ class TriangleBvh {
   explicit TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_sided = {},
                        const RunControl& control = {});
 
+  const std::vector<char>& twoSided() const { return two_sided_; }
+
   struct Nearest {
     /// [m]; infinite if nothing lies within the limit
     double distance = std::numeric_limits<double>::infinity();

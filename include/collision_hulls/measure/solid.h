@@ -25,6 +25,9 @@ namespace collision_hulls {
 class Solid {
  public:
   explicit Solid(const RepairedMesh& mesh, const RunControl& control = {});
+  /// The same for a mesh that was moved and turned: `before` is its solid where it was. What was
+  /// proved of its triangles is not proved again.
+  Solid(const RepairedMesh& moved, const Solid& before, const RunControl& control = {});
   ~Solid();
   Solid(Solid&&) noexcept;
 

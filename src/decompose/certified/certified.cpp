@@ -153,14 +153,14 @@ std::function<void(double)> reporting(const RunControl& control, const Stretch& 
 /// One decomposition in progress, in a frame of its own. Hulls are returned in the mesh's frame.
 class Job {
  public:
-  Job(const RepairedMesh& original, const DecomposeOptions& options, LowerBound& least, const RunControl& control)
+  Job(const RepairedMesh& original, const Solid& solid, const DecomposeOptions& options, LowerBound& least, const RunControl& control)
       : place_(original),
         mesh_(place_.brought(original)),
         options_(place_.brought(options)),
         plan_(planFor(options.effort)),
         least_(least),
         control_(control),
-        solid_(mesh_, control),
+        solid_(mesh_, solid, control),
         oracle_(solid_, boundingBox(mesh_), options.tolerance, searching_, options_.regions) {
     searching_.whole = &control;
     searching_.stops_at_deadline = true;
@@ -348,22 +348,23 @@ class Job {
 };
 
 /// For the mesh as it is decomposed, where nobody knows how it was read.
-LowerBound boundOf(const RepairedMesh& mesh, const DecomposeOptions& options) {
+LowerBound boundOf(const RepairedMesh& mesh, const Solid& solid, const DecomposeOptions& options) {
   return LowerBound([&](const std::vector<ConvexHull>& cover, const RunControl& control) -> std::size_t {
-    if (mesh.mesh.triangles.empty()) return 1;
-    return leastHulls(mesh.mesh, Solid(mesh, control), options.tolerance, cover, options.effort, control);
+    return mesh.mesh.triangles.empty() ? 1 : leastHulls(mesh.mesh, solid, options.tolerance, cover, options.effort, control);
   });
 }
 
 }  // namespace
 
 Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
-  LowerBound least = boundOf(mesh, options);
-  return certified(mesh, options, least, control);
+  const Solid solid(mesh, control);
+  LowerBound least = boundOf(mesh, solid, options);
+  return certified(mesh, solid, options, least, control);
 }
 
-Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& options, LowerBound& least, const RunControl& control) {
-  Job job(mesh, options, least, control);
+Decomposition certified(const RepairedMesh& mesh, const Solid& solid, const DecomposeOptions& options, LowerBound& least,
+                        const RunControl& control) {
+  Job job(mesh, solid, options, least, control);
   Decomposition result;
   Cover cover = job.cover();
   result.untried = job.untried();
@@ -383,8 +384,9 @@ HullTree hullTree(const RepairedMesh& mesh, const DecomposeOptions& options, con
   check(options);
   if (mesh.mesh.triangles.empty() && mesh.loose.empty())
     throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangles; a hull tree needs at least one");
-  LowerBound least = boundOf(mesh, options);
-  Job job(mesh, options, least, control);
+  const Solid solid(mesh, control);
+  LowerBound least = boundOf(mesh, solid, options);
+  Job job(mesh, solid, options, least, control);
   return job.treeOver(job.cover());
 }
 

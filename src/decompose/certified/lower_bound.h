@@ -8,6 +8,7 @@
 
 #include "collision_hulls/control.h"
 #include "collision_hulls/decompose/certified.h"
+#include "collision_hulls/measure/solid.h"
 
 namespace collision_hulls {
 
@@ -32,8 +33,9 @@ class LowerBound {
   std::optional<std::size_t> known_;
 };
 
-/// As in certified.h, with a lower bound from outside: of the mesh as it was read, and for the
-/// whole tolerance.
-Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& options, LowerBound& least, const RunControl& control);
+/// As in certified.h, where the mesh's solid is known, with a lower bound from outside: of the mesh
+/// as it was read, and for the whole tolerance.
+Decomposition certified(const RepairedMesh& mesh, const Solid& solid, const DecomposeOptions& options, LowerBound& least,
+                        const RunControl& control);
 
 }  // namespace collision_hulls

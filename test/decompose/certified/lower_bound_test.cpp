@@ -23,7 +23,8 @@ Asked askedFor(const TriangleMesh& mesh, double tolerance, std::size_t answer) {
     asked.covers.push_back(cover);
     return answer;
   });
-  asked.hulls = certified(repair(mesh), within(tolerance), least, {}).hulls.size();
+  const RepairedMesh repaired = repair(mesh);
+  asked.hulls = certified(repaired, Solid(repaired), within(tolerance), least, {}).hulls.size();
   return asked;
 }
 

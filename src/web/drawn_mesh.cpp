@@ -25,34 +25,49 @@ bool isPoint(const Eigen::Vector3d& p) {
 /// The triangles that can be drawn.
 std::vector<Triangle> usable(const TriangleMesh& mesh, Looks& look) {
   const int count = static_cast<int>(mesh.vertices.size());
-  std::vector<bool> is_point;
-  for (const Eigen::Vector3d& vertex : mesh.vertices) look(), is_point.push_back(isPoint(vertex));
-  const auto fits = [&](int v) { return v >= 0 && v < count && is_point[static_cast<std::size_t>(v)]; };
+  std::vector<char> is_point;
+  for (const Eigen::Vector3d& vertex : mesh.vertices) look(), is_point.push_back(isPoint(vertex) ? 1 : 0);
+  const auto fits = [&](int v) { return v >= 0 && v < count && is_point[static_cast<std::size_t>(v)] != 0; };
   std::vector<Triangle> triangles;
   for (const Triangle& t : mesh.triangles)
     if (look(); std::all_of(t.begin(), t.end(), fits)) triangles.push_back(t);
   return triangles;
 }
 
+/// Ordered as the points are.
+std::uint64_t key(const GridPoint& p) {
+  return (std::uint64_t{p[0]} << 32U) | (std::uint64_t{p[1]} << 16U) | p[2];
+}
+
+/// The indices of some points, those that are equal side by side.
+using Order = std::vector<std::pair<std::uint64_t, int>>;
+
+void sort(Order& order, Looks& look) {
+  std::sort(order.begin(), order.end(), [&](const auto& a, const auto& b) { return look(), a < b; });
+}
+
 /// Joins equal points, and drops triangles with equal corners and points without triangles.
 void weld(const std::vector<GridPoint>& points, const std::vector<Triangle>& triangles, Looks& look, DrawnMesh& mesh) {
-  std::vector<GridPoint> used;
   const auto point = [&](int v) -> const GridPoint& { return points[static_cast<std::size_t>(v)]; };
   const auto has_area = [&](const Triangle& t) {
     return look(), point(t[0]) != point(t[1]) && point(t[1]) != point(t[2]) && point(t[2]) != point(t[0]);
   };
   std::vector<Triangle> kept;
   std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(kept), has_area);
-  std::vector<bool> is_used(points.size());
+  std::vector<char> is_used(points.size(), 0);
   for (const Triangle& t : kept)
-    for (const int v : t) look(), is_used[static_cast<std::size_t>(v)] = true;
+    for (const int v : t) look(), is_used[static_cast<std::size_t>(v)] = 1;
+  Order order;
   for (std::size_t v = 0; v < points.size(); ++v)
-    if (look(); is_used[v]) used.push_back(points[v]);
-  std::sort(used.begin(), used.end(), [&](const GridPoint& a, const GridPoint& b) { return look(), a < b; });
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+    if (look(); is_used[v]) order.emplace_back(key(points[v]), static_cast<int>(v));
+  sort(order, look);
+  std::vector<GridPoint> used;
   std::vector<int> index(points.size());
-  for (std::size_t v = 0; v < points.size(); ++v)
-    if (look(); is_used[v]) index[v] = static_cast<int>(std::lower_bound(used.begin(), used.end(), points[v]) - used.begin());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    look();
+    if (i == 0 || order[i].first != order[i - 1].first) used.push_back(point(order[i].second));
+    index[static_cast<std::size_t>(order[i].second)] = static_cast<int>(used.size()) - 1;
+  }
   for (Triangle& t : kept)
     for (int& v : t) v = index[static_cast<std::size_t>(v)];
   mesh.vertices = std::move(used);
@@ -96,15 +111,15 @@ DrawnMesh onFinestGrid(const TriangleMesh& mesh, Looks& look) {
 
 /// Leaves one vertex, the mean, of those in each of so many cells along an axis.
 void coarsen(double cells, Looks& look, DrawnMesh& mesh) {
-  std::vector<std::pair<GridPoint, int>> by_cell;
+  Order by_cell;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     look();
     GridPoint cell{};
     for (std::size_t k = 0; k < cell.size(); ++k)
       cell[k] = static_cast<std::uint16_t>(mesh.vertices[v][k] * cells / (DrawnMesh::kMostCells + 1.0));
-    by_cell.emplace_back(cell, static_cast<int>(v));
+    by_cell.emplace_back(key(cell), static_cast<int>(v));
   }
-  std::sort(by_cell.begin(), by_cell.end(), [&](const auto& a, const auto& b) { return look(), a < b; });
+  sort(by_cell, look);
   std::vector<GridPoint> means(mesh.vertices.size());  // by vertex
   for (auto first = by_cell.begin(), last = first; first != by_cell.end(); first = last) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();

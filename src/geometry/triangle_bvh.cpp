@@ -308,18 +308,30 @@ TriangleBvh::Nearest TriangleBvh::nearest(const Eigen::Vector3d& p, double limit
 }
 
 std::vector<int> TriangleBvh::trianglesNear(const Eigen::AlignedBox3d& box) const {
-  std::vector<int> found, open;
-  if (!nodes_.empty()) open.push_back(0);
-  while (!open.empty()) {
-    const Node& node = nodes_[static_cast<std::size_t>(open.back())];
-    open.pop_back();
-    if (!node.box.intersects(box)) continue;
-    for (int k = node.first; k < node.first + node.count; ++k) {
-      const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
-      const Eigen::AlignedBox3d own(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
-      if (own.intersects(box)) found.push_back(index_[static_cast<std::size_t>(k)]);
+  std::vector<int> found;
+  if (fours_.empty() || box.isEmpty()) return found;
+  const Eigen::Vector3f low = inUnits(box.min()), high = inUnits(box.max());
+  int stack[kDeepestFours];
+  int top = 0;
+  stack[top++] = 0;
+  while (top > 0) {
+    const FourBoxes& four = fours_[static_cast<std::size_t>(stack[--top])];
+    Eigen::Array4f away = Eigen::Array4f::Constant(-1);
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<std::size_t>(axis);
+      away = away.max(four.low[i] - high[axis]).max(low[axis] - four.high[i]);
     }
-    if (node.count == 0) open.insert(open.end(), {node.first, node.first + 1});
+    for (int i = 0; i < four.count; ++i) {
+      if (away[i] > 0) continue;
+      const int child = four.child[static_cast<std::size_t>(i)];
+      if (child >= 0) {
+        stack[top++] = child;
+        continue;
+      }
+      const auto& [a, b, c] = corners_[static_cast<std::size_t>(~child)];
+      const Eigen::AlignedBox3d own(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
+      if (own.intersects(box)) found.push_back(index_[static_cast<std::size_t>(~child)]);
+    }
   }
   std::sort(found.begin(), found.end());
   return found;

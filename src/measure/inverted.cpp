@@ -14,6 +14,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -36,7 +37,8 @@ constexpr double kLeastHeight = 4;     // of a probe, in widths of the blur
 constexpr double kParallel = 1e-6, kRounding = 1e-12;
 constexpr std::size_t kManyNormals = 40;
 
-constexpr std::size_t kTrianglesAtOnce = 256;  // that one thread compares with those nearby
+constexpr std::size_t kTrianglesAtOnce = 256;  // that one thread compares with those nearby, ...
+constexpr std::size_t kAsOne = 4;              // ... which are looked up for so many at a time
 
 Eigen::AlignedBox3d boxOf(const TriangleMesh& mesh, int t) {
   Eigen::AlignedBox3d box(mesh.corner(t, 0));
@@ -142,14 +144,24 @@ class Part {
 
   void findMeetings() {
     const double extent = boundingBox(mesh_).sizes().maxCoeff();
-    std::vector<Meetings> met((mesh_.triangles.size() + kTrianglesAtOnce - 1) / kTrianglesAtOnce);
+    const std::vector<int>& order = tree_.byPlace();
+    std::vector<Meetings> met((order.size() + kTrianglesAtOnce - 1) / kTrianglesAtOnce);
     forEach(met.size(), [&](std::size_t block) {
       control_.check();
       Looks look(control_);
-      const int begin = static_cast<int>(block * kTrianglesAtOnce), end = std::min(count(), begin + static_cast<int>(kTrianglesAtOnce));
-      for (int t = begin; t < end; ++t)
-        for (const int u : tree_.trianglesNear(boxOf(mesh_, t)))
-          if (look(); u > t && !meetOnlyAsNeighbours(mesh_, t, u, extent)) met[block].emplace_back(t, u);
+      const std::size_t end = std::min(order.size(), (block + 1) * kTrianglesAtOnce);
+      std::array<Eigen::AlignedBox3d, kAsOne> boxes;
+      for (std::size_t first = block * kTrianglesAtOnce; first < end; first += kAsOne) {
+        const std::size_t count = std::min(kAsOne, end - first);
+        Eigen::AlignedBox3d all;
+        for (std::size_t i = 0; i < count; ++i) all.extend(boxes[i] = boxOf(mesh_, order[first + i]));
+        for (const int u : tree_.trianglesNear(all)) {
+          const Eigen::AlignedBox3d box = boxOf(mesh_, u);
+          for (std::size_t i = 0; i < count; ++i)
+            if (const int t = order[first + i]; look(), u > t && boxes[i].intersects(box) && !meetOnlyAsNeighbours(mesh_, t, u, extent))
+              met[block].emplace_back(t, u);
+        }
+      }
     });
     for (const Meetings& of_block : met)
       for (const auto& [t, u] : of_block) {

@@ -85,6 +85,9 @@ class TriangleBvh {
     return corners_[static_cast<std::size_t>(position_[static_cast<std::size_t>(triangle)])];
   }
 
+  /// All triangles, near ones mostly close to one another.
+  const std::vector<int>& byPlace() const { return index_; }
+
   bool empty() const { return corners_.empty(); }
 
  private:

@@ -130,6 +130,8 @@ void subtract(const Polygon& polygon, const ConvexHull& hull, double tolerance, 
   const std::size_t before = rest.size();
   Polygon inside = polygon, outside;
   for (const HalfSpace& face : hull.faces) {
+    const auto isWithin = [&](const Eigen::Vector3d& p) { return face.distance(p) <= tolerance; };
+    if (std::all_of(inside.begin(), inside.end(), isWithin)) continue;
     inside = split(inside, face, tolerance, outside);
     if (outside.size() >= 3) rest.push_back(outside);
     if (inside.size() < 3) {  // nothing in common: keep the polygon whole

@@ -66,6 +66,29 @@ TEST(Solid, CracksWithinTheWeldToleranceAreNotOpenings) {
   EXPECT_TRUE(Solid(repair(cubeWithCracks(1e-4))).hasOpenings());
 }
 
+RepairedMesh turned(RepairedMesh mesh) {
+  const Eigen::AngleAxisd turn(0.6, Vector3d(1, 2, 3).normalized());
+  for (Vector3d& v : mesh.mesh.vertices) v = turn * v;
+  return mesh;
+}
+
+TEST(Solid, OfAMovedMeshTakesOverWhatWasProved) {
+  const RepairedMesh closed = repair(cubeWithCracks(0));
+  const Solid before(closed);
+  const std::vector<char>& proved = before.surface().twoSided();
+  EXPECT_GT(std::count(proved.begin(), proved.end(), 0), 0);
+  EXPECT_EQ(Solid(turned(closed), before).surface().twoSided(), proved);
+}
+
+// The largest extent of a cube is smaller when it stands upright, and so are the cracks that it may have.
+TEST(Solid, OfAMovedMeshTakesNothingOverIfACrackIsAnOpeningNow) {
+  const RepairedMesh upright = repair(cubeWithCracks(8e-6));
+  const Solid before(turned(upright)), now(upright, before);
+  ASSERT_FALSE(before.hasOpenings());
+  ASSERT_TRUE(now.hasOpenings());
+  EXPECT_EQ(now.surface().twoSided(), std::vector<char>(upright.mesh.triangles.size(), 1));
+}
+
 /// A box with a crack in its side at x = 0: the upper half ends at a point that is `off` above the lower half's edge.
 TriangleMesh boxWithCrackedSide(double off) {
   return {{{0, 0, -1}, {0, 0, 0}, {0, 1, 0}, {0, 1, -1}, {0, 0, 1}, {0, 1, 1}, {1, 0, -1}, {1, 0, 1}, {1, 1, 1}, {1, 1, -1}, {0, 0.5, off}},

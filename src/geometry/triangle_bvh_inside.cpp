@@ -4,8 +4,8 @@
 // |r|^3, and G's derivative has norm 2 / |r|^3. Moving all elements of a cluster (area A, within a radius R of its centre, which is at a
 // distance D) to its centre therefore changes the solid angle by at most 2 A R / (D - R)^3, the winding number by 1 / (4 pi) of that.
 // windingNumber() replaces a cluster if that is at most its area's share of kWindingError: the shares of disjoint clusters sum to no more
-// than 1. roughWindingNumber() replaces every cluster that is further away than its radius, and adds these errors up: they are small where
-// the triangles are, as the lids of small openings that are spread over a surface.
+// than 1. roughWindingNumber() replaces every cluster that is further away than some of its radii, and adds these errors up: they are small
+// where the triangles are, as the lids of small openings that are spread over a surface.
 #include <cmath>
 
 #include "collision_hulls/geometry/triangle_bvh.h"
@@ -136,10 +136,10 @@ double TriangleBvh::windingNumber(const Eigen::Vector3d& p) const {
   return windingNumber(p, [&](const Cluster& cluster, double gap) { return cluster.radius <= allowed * gap * gap * gap; });
 }
 
-TriangleBvh::RoughWinding TriangleBvh::roughWindingNumber(const Eigen::Vector3d& p) const {
+TriangleBvh::RoughWinding TriangleBvh::roughWindingNumber(const Eigen::Vector3d& p, double radii) const {
   RoughWinding rough;
   rough.number = windingNumber(p, [&](const Cluster& cluster, double gap) {
-    if (gap < cluster.radius) return false;
+    if (gap < radii * cluster.radius) return false;
     rough.error += cluster.area * cluster.radius / (2 * kPi * gap * gap * gap);
     return true;
   });

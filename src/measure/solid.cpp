@@ -146,6 +146,8 @@ struct Walls {
   /// there unnoticed.
   double inside() const { return lids.empty() ? 0.5 : kSurelyInside; }
 
+  bool hasOpenings() const { return !lids.empty(); }
+
   /// [m] How far cracks can mislead. A crack's lids are nowhere further from the surface than twice its width; the same holds for what lies
   /// behind them when they are crossed.
   double crackSlack() const { return 4 * crack_width; }
@@ -158,37 +160,64 @@ struct Walls {
     return closed->signedCrossings(p) - (lids.empty() ? 0 : lids.windingNumber(closed->aside(p)));
   }
 
-  /// The winding number of a point. With openings, a rough one tells as much of most points as windingNumber() would, which is asked where
-  /// it does not.
+  /// The winding number of a point. With openings, rough ones, ever finer, tell as much of most points as windingNumber() would, which is
+  /// asked where they do not.
   class Winding {
    public:
     Winding(const Walls& walls, const Eigen::Vector3d& p)
-        : walls_(walls),
-          p_(p),
-          crossings_(walls.closed->signedCrossings(p)),
-          lids_(walls.lids.roughWindingNumber(walls.closed->aside(p))) {}
+        : walls_(walls), p_(p), aside_(walls.closed->aside(p)), crossings_(walls.closed->signedCrossings(p)) {}
 
-    bool isInside() { return margin() > 0 ? crossings_ - lids_.number > kSurelyInside : exact() > kSurelyInside; }
+    bool isInside() {
+      for (std::size_t i = 0; i < kRough.size(); ++i)
+        if (margin(i) > 0) return rough(i).number > kSurelyInside;
+      return exact() > kSurelyInside;
+    }
 
     /// As below.
     double wayToBorder() {
-      const double least = walls_.wayTo(margin() - kReserve, p_);
-      return least > 0 ? least : walls_.wayToBorder(p_, exact());
+      for (std::size_t i = 0; i < kRough.size(); ++i)
+        if (const double way = walls_.wayTo(margin(i) - kReserve, p_); way > 0) return way;
+      return walls_.wayToBorder(p_, exact());
+    }
+
+    /// A lower bound on the length of any path from p to where the true winding number is 1/2.
+    double wayToHalf() { return walls_.wayTo(0.5 - exact() - (walls_.hasOpenings() ? TriangleBvh::kWindingError : 0), p_); }
+
+    /// Whether that is longer.
+    bool isHalfBeyond(double length) {
+      for (std::size_t i = 0; i < kRough.size() && walls_.hasOpenings(); ++i) {
+        const double margin = 0.5 - rough(i).number, error = rough(i).error;
+        if (walls_.wayTo(margin - error, p_) > length) return true;
+        if (walls_.wayTo(margin + error, p_) <= length) return false;
+      }
+      return wayToHalf() > length;
     }
 
    private:
+    static constexpr std::array<double, 2> kRough{1, 4};  // radii; see roughWindingNumber()
+
+    /// Differs from the true number by no more than `error`.
+    const TriangleBvh::RoughWinding& rough(std::size_t i) {
+      if (!rough_[i]) {
+        rough_[i] = walls_.lids.roughWindingNumber(aside_, kRough[i]);
+        rough_[i]->number = crossings_ - rough_[i]->number;
+      }
+      return *rough_[i];
+    }
+
     /// Not more than what exact() is from the border.
-    double margin() const { return std::abs(crossings_ - lids_.number - kSurelyInside) - lids_.error - TriangleBvh::kWindingError; }
+    double margin(std::size_t i) { return std::abs(rough(i).number - kSurelyInside) - rough(i).error - TriangleBvh::kWindingError; }
 
     double exact() {
-      if (!exact_) exact_ = crossings_ - walls_.lids.windingNumber(walls_.closed->aside(p_));
+      if (!exact_) exact_ = crossings_ - (walls_.hasOpenings() ? walls_.lids.windingNumber(aside_) : 0);
       return *exact_;
     }
 
     const Walls& walls_;
     const Eigen::Vector3d& p_;
+    const Eigen::Vector3d aside_;
     const int crossings_;
-    const TriangleBvh::RoughWinding lids_;
+    std::array<std::optional<TriangleBvh::RoughWinding>, kRough.size()> rough_;
     std::optional<double> exact_;
   };
 
@@ -302,8 +331,12 @@ double Solid::distance(const Eigen::Vector3d& p) const {
 /// A way from p to S ends at the surface, crosses the lid of a crack, or leads to where the winding number has risen to 1/2.
 double Solid::leastDistance(const Eigen::Vector3d& p, double to_surface) const {
   const Walls& walls = impl_->walls;
-  const double winding = walls.windingNumber(p) + (hasOpenings() ? TriangleBvh::kWindingError : 0);
-  return std::max(0.0, std::min(to_surface - walls.crackSlack(), walls.wayTo(0.5 - winding, p)) - 2 * walls.blur);
+  return std::max(0.0, std::min(to_surface - walls.crackSlack(), Walls::Winding(walls, p).wayToHalf()) - 2 * walls.blur);
+}
+bool Solid::isFurther(double distance, const Eigen::Vector3d& p, double to_surface) const {
+  const Walls& walls = impl_->walls;
+  const double length = distance + 2 * walls.blur;
+  return to_surface - walls.crackSlack() > length && Walls::Winding(walls, p).isHalfBeyond(length);
 }
 bool Solid::isWithin(double distance, const Eigen::Vector3d& p) const {
   return impl_->surface->nearest(p, distance).triangle >= 0 || contains(p);
@@ -342,7 +375,7 @@ double Solid::wayToBorder(const Eigen::Vector3d& p) const {
   return hasOpenings() ? impl_->walls.wayToBorder(p, impl_->walls.windingNumber(p)) : std::numeric_limits<double>::infinity();
 }
 bool Solid::hasOpenings() const {
-  return !impl_->walls.lids.empty();
+  return impl_->walls.hasOpenings();
 }
 double Solid::volume() const {
   return impl_->walls.volume;

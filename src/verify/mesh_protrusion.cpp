@@ -55,7 +55,7 @@ class Inside {
     cell.bound = solid_.distanceWithin(radius, outside, near.distance);
     if (cell.bound <= enough()) return settle(cell.bound);
     const double to_body = body_.distanceToSurface(c);
-    if (body_.leastDistance(c, to_body) > radius) return;
+    if (body_.isFurther(radius, c, to_body)) return;
     if (!all_counts_ && !solid_.mayHoldSummit(c, near.distance, radius)) return;
     const double found = body_.contains(c) ? outside : 0;
     if (found > best_.found) best_.found = found, best_.where = c, best_.nearest = near.point;

@@ -122,8 +122,10 @@ TEST(TriangleBvh, WindingNumberWithinAHundredth) {
       for (int i = 0; i < 60; ++i) {
         const Vector3d p = random.inCube(1.5);
         EXPECT_NEAR(bvh.windingNumber(p), winding(mesh, p), TriangleBvh::kWindingError);
-        const TriangleBvh::RoughWinding rough = bvh.roughWindingNumber(p);
+        const TriangleBvh::RoughWinding rough = bvh.roughWindingNumber(p), finer = bvh.roughWindingNumber(p, 4);
         EXPECT_NEAR(rough.number, winding(mesh, p), rough.error + 1e-12);
+        EXPECT_NEAR(finer.number, winding(mesh, p), finer.error + 1e-12);
+        EXPECT_LE(finer.error, rough.error);
       }
     }
   }

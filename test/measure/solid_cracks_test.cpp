@@ -141,7 +141,9 @@ TEST(Solid, TheLeastDistanceAllowsForTheLidsOfCracks) {
   RandomPoints random(3);
   for (int i = 0; i < 500; ++i) {
     const Vector3d p = Vector3d(0.5, 0.5, 0.5) + random.inCube(1);
-    EXPECT_LE(solid.leastDistance(p, solid.distanceToSurface(p)), std::max(0.0, solid.distanceToSurface(p) - 2 * off));
+    const double to_surface = solid.distanceToSurface(p);
+    EXPECT_LE(solid.leastDistance(p, to_surface), std::max(0.0, to_surface - 2 * off));
+    EXPECT_FALSE(to_surface > 2 * off && solid.isFurther(to_surface - 2 * off, p, to_surface));
   }
 }
 

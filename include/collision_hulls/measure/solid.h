@@ -42,6 +42,9 @@ class Solid {
   /// hull that holds p protrudes. Allows for cracks, openings, and the blur of the surface.
   /// `to_surface`: distanceToSurface(p).
   double leastDistance(const Eigen::Vector3d& p, double to_surface) const;
+  /// Whether p is proved to be further than `distance` [m, >= 0] from S: wherever
+  /// leastDistance() is larger, and hardly anywhere else, but much faster near openings.
+  bool isFurther(double distance, const Eigen::Vector3d& p, double to_surface) const;
   /// [m] Outside, distance(p). Inside, minus the radius of a ball about p that lies within S: the
   /// distance to the surface, less what cracks and rounding may hide; less than that near openings.
   /// `to_surface`: distanceToSurface(p).

@@ -61,7 +61,7 @@ bool Apart::search(const Corners<N>& points) const {
     near = nearest.triangle;
     if (nearest.distance + radius <= tolerance_) return false;
     const double distance = solid_.signedDistance(middle, nearest.distance);
-    if (distance > tolerance_ && solid_.leastDistance(middle, nearest.distance) > proved_) return true;
+    if (distance > tolerance_ && solid_.isFurther(proved_, middle, nearest.distance)) return true;
     if (distance + radius > tolerance_ && radius > kFinest * tolerance_) {
       queue.push_back({corners, distance + radius});
       std::push_heap(queue.begin(), queue.end());

@@ -218,5 +218,16 @@ inline TriangleMesh singleTriangle() {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
 }
 
+/// The solid angles of all triangles (Van Oosterom & Strackee), divided by 4 pi.
+inline double winding(const TriangleMesh& mesh, const Eigen::Vector3d& p) {
+  double sum = 0;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    const Eigen::Vector3d a = mesh.corner(t, 0) - p, b = mesh.corner(t, 1) - p, c = mesh.corner(t, 2) - p;
+    sum +=
+        2 * std::atan2(a.dot(b.cross(c)), a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() + b.dot(c) * a.norm() + c.dot(a) * b.norm());
+  }
+  return sum / (4 * kPi);
+}
+
 }  // namespace test_shapes
 }  // namespace collision_hulls

@@ -77,6 +77,24 @@ inline TriangleMesh boxWithWindow(double half = 0.2) {
   return moved(shell, {0.5, 0.5, 0});
 }
 
+struct OpenMesh {
+  TriangleMesh mesh;
+  double ball;  // surely inside there is a ball larger than this
+};
+
+/// Boxes with a window, and a ball full of holes.
+inline std::vector<OpenMesh> openMeshes() {
+  std::vector<OpenMesh> meshes;
+  for (const double half : {0.05, 0.1, 0.2}) meshes.push_back({boxWithWindow(half), 0.15});
+  TriangleMesh ball = sphere(0.5, 8);
+  std::vector<Triangle> kept;
+  for (std::size_t t = 0; t < ball.triangles.size(); ++t)
+    if (t % 20 != 0) kept.push_back(ball.triangles[t]);
+  ball.triangles = kept;
+  meshes.push_back({ball, 0.03});
+  return meshes;
+}
+
 inline Eigen::Vector3d inHull(const ConvexHull& hull, RandomPoints& random) {
   const Eigen::AlignedBox3d box = boundingBox(hull);
   for (int i = 0; i < 200; ++i) {

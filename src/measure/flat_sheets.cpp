@@ -22,10 +22,10 @@ int neighbour(const RepairedMesh& mesh, const Edges& edges, int h) {
   return twin >= 0 && startOf(mesh.mesh.triangles, twin) == endOf(mesh.mesh.triangles, h) ? twin / 3 : -1;
 }
 
-double extentOf(const TriangleMesh& mesh, const std::vector<int>& triangles) {
+double extentOf(const TriangleMesh& mesh, const std::vector<int>& triangles, Looks& look) {
   Eigen::AlignedBox3d box;
   for (const int t : triangles)
-    for (int k = 0; k < 3; ++k) box.extend(mesh.corner(t, k));
+    for (int k = 0; k < 3; ++k) look(), box.extend(mesh.corner(t, k));
   return box.diagonal().norm();
 }
 
@@ -44,7 +44,7 @@ FlatSheets::FlatSheets(const RepairedMesh& mesh, const Edges& edges, const std::
     look();
     if (group_[t] != -1 || !two_sided[t]) continue;
     Group group = grownFrom(static_cast<int>(t), mesh, edges, two_sided, look);
-    const bool large = group.triangles.size() >= kLeast && extentOf(mesh.mesh, group.triangles) >= least;
+    const bool large = group.triangles.size() >= kLeast && extentOf(mesh.mesh, group.triangles, look) >= least;
     for (const int of_it : group.triangles) group_[static_cast<std::size_t>(of_it)] = large ? static_cast<int>(groups_.size()) : kSmall;
     if (large) groups_.push_back(std::move(group));
   }

@@ -150,24 +150,30 @@ class Part {
       control_.check();
       Looks look(control_);
       const std::size_t end = std::min(order.size(), (block + 1) * kTrianglesAtOnce);
-      std::array<Eigen::AlignedBox3d, kAsOne> boxes;
-      for (std::size_t first = block * kTrianglesAtOnce; first < end; first += kAsOne) {
-        const std::size_t count = std::min(kAsOne, end - first);
-        Eigen::AlignedBox3d all;
-        for (std::size_t i = 0; i < count; ++i) all.extend(boxes[i] = boxOf(mesh_, order[first + i]));
-        for (const int u : tree_.trianglesNear(all)) {
-          const Eigen::AlignedBox3d box = boxOf(mesh_, u);
-          for (std::size_t i = 0; i < count; ++i)
-            if (const int t = order[first + i]; look(), u > t && boxes[i].intersects(box) && !meetOnlyAsNeighbours(mesh_, t, u, extent))
-              met[block].emplace_back(t, u);
-        }
-      }
+      for (std::size_t first = block * kTrianglesAtOnce; first < end; first += kAsOne)
+        addMeetings(&order[first], std::min(kAsOne, end - first), extent, look, met[block]);
     });
     for (const Meetings& of_block : met)
       for (const auto& [t, u] : of_block) {
         meetings_.emplace_back(t, u);
         marked_[static_cast<std::size_t>(t)] = marked_[static_cast<std::size_t>(u)] = 1;
       }
+  }
+
+  using Meetings = std::vector<std::pair<int, int>>;
+
+  /// Of up to kAsOne triangles, each with those of higher index.
+  void addMeetings(const int* triangles, std::size_t count, double extent, Looks& look, Meetings& met) const {
+    std::array<Eigen::AlignedBox3d, kAsOne> boxes;
+    Eigen::AlignedBox3d all;
+    for (std::size_t i = 0; i < count; ++i) all.extend(boxes[i] = boxOf(mesh_, triangles[i]));
+    for (const int u : tree_.trianglesNear(all)) {
+      const Eigen::AlignedBox3d box = boxOf(mesh_, u);
+      for (std::size_t i = 0; i < count; ++i) {
+        const int t = triangles[i];
+        if (look(); u > t && boxes[i].intersects(box) && !meetOnlyAsNeighbours(mesh_, t, u, extent)) met.emplace_back(t, u);
+      }
+    }
   }
 
   std::vector<int> patchFrom(int seed, const Edges& edges, std::vector<char>& seen, Looks& look) const {
@@ -196,8 +202,6 @@ class Part {
     }
     return false;
   }
-
-  using Meetings = std::vector<std::pair<int, int>>;
 
   const TriangleMesh mesh_;
   const RunControl& control_;

@@ -142,10 +142,6 @@ struct Walls {
         blur(std::max(closed->blur(), surface->blur())),
         volume(signedVolume(walls)) {}
 
-  /// Points with a larger winding number are inside. With openings, points that might be outside count as outside, so that no hull reaches
-  /// there unnoticed.
-  double inside() const { return lids.empty() ? 0.5 : kSurelyInside; }
-
   bool hasOpenings() const { return !lids.empty(); }
 
   /// [m] How far cracks can mislead. A crack's lids are nowhere further from the surface than twice its width; the same holds for what lies
@@ -156,39 +152,37 @@ struct Walls {
   /// `furthest` from the point. Never so little that rounding could leave it out.
   double reach(double radius, double furthest) const { return radius + furthest + crackSlack() + blur; }
 
-  double windingNumber(const Eigen::Vector3d& p) const {
-    return closed->signedCrossings(p) - (lids.empty() ? 0 : lids.windingNumber(closed->aside(p)));
-  }
-
-  /// The winding number of a point. With openings, rough ones, ever finer, tell as much of most points as windingNumber() would, which is
-  /// asked where they do not.
+  /// What the winding number of a point tells. With openings, rough numbers, ever finer, tell as much of most points as an exact one would,
+  /// which is asked where they do not.
   class Winding {
    public:
     Winding(const Walls& walls, const Eigen::Vector3d& p)
         : walls_(walls), p_(p), aside_(walls.closed->aside(p)), crossings_(walls.closed->signedCrossings(p)) {}
 
+    /// With openings, points that might be outside count as outside, so that no hull reaches there unnoticed.
     bool isInside() {
       for (std::size_t i = 0; i < kRough.size(); ++i)
         if (margin(i) > 0) return rough(i).number > kSurelyInside;
       return exact() > kSurelyInside;
     }
 
-    /// As below.
+    /// A lower bound on the length of any path from p to where isInside() changes that does not cross the surface.
     double wayToBorder() {
       for (std::size_t i = 0; i < kRough.size(); ++i)
-        if (const double way = walls_.wayTo(margin(i) - kReserve, p_); way > 0) return way;
-      return walls_.wayToBorder(p_, exact());
+        if (const double way = wayTo(margin(i) - kReserve); way > 0) return way;
+      return exactWayToBorder();
     }
+    double exactWayToBorder() { return wayTo(std::abs(exact() - kSurelyInside) - kReserve); }
 
-    /// A lower bound on the length of any path from p to where the true winding number is 1/2.
-    double wayToHalf() { return walls_.wayTo(0.5 - exact() - (walls_.hasOpenings() ? TriangleBvh::kWindingError : 0), p_); }
+    /// The same to where the true winding number is 1/2.
+    double wayToHalf() { return wayTo(0.5 - exact() - (walls_.hasOpenings() ? TriangleBvh::kWindingError : 0)); }
 
     /// Whether that is longer.
     bool isHalfBeyond(double length) {
       for (std::size_t i = 0; i < kRough.size() && walls_.hasOpenings(); ++i) {
         const double margin = 0.5 - rough(i).number, error = rough(i).error;
-        if (walls_.wayTo(margin - error, p_) > length) return true;
-        if (walls_.wayTo(margin + error, p_) <= length) return false;
+        if (wayTo(margin - error) > length) return true;
+        if (wayTo(margin + error) <= length) return false;
       }
       return wayToHalf() > length;
     }
@@ -213,26 +207,24 @@ struct Walls {
       return *exact_;
     }
 
+    /// A lower bound on the length of any path from p to where the winding number differs by `margin` that does not cross the surface. Away
+    /// from the surface the winding number's gradient depends only on the rim, like the magnetic field of a current (Biot-Savart): at a
+    /// distance d from the rim it is at most length / (4 pi d^2).
+    double wayTo(double margin) {
+      if (margin <= 0) return 0;
+      if (!walls_.hasOpenings()) return std::numeric_limits<double>::infinity();
+      if (!to_rim_) to_rim_ = walls_.rim.nearest(p_).distance;
+      const double d = *to_rim_, k = walls_.rim_length / (4 * kPi * margin), b = 2 * d + k;
+      return 2 * d * d / (b + std::sqrt(b * b - 4 * d * d));  // the r with k r = (d - r)^2
+    }
+
     const Walls& walls_;
     const Eigen::Vector3d& p_;
     const Eigen::Vector3d aside_;
     const int crossings_;
     std::array<std::optional<TriangleBvh::RoughWinding>, kRough.size()> rough_;
-    std::optional<double> exact_;
+    std::optional<double> exact_, to_rim_;
   };
-
-  /// A lower bound on the length of any path from p, where the winding number is `winding`, to the other side of inside() that does not
-  /// cross the surface. Away from the surface the winding number's gradient depends only on the rim, like the magnetic field of a current
-  /// (Biot-Savart): at a distance d from the rim it is at most length / (4 pi d^2).
-  double wayToBorder(const Eigen::Vector3d& p, double winding) const { return wayTo(std::abs(winding - inside()) - kReserve, p); }
-
-  /// The same for the nearest point where the winding number differs from that of p by `margin`.
-  double wayTo(double margin, const Eigen::Vector3d& p) const {
-    if (margin <= 0) return 0;
-    if (lids.empty()) return std::numeric_limits<double>::infinity();
-    const double d = rim.nearest(p).distance, k = rim_length / (4 * kPi * margin), b = 2 * d + k;
-    return 2 * d * d / (b + std::sqrt(b * b - 4 * d * d));  // the r with k r = (d - r)^2
-  }
 
   std::shared_ptr<const TriangleBvh> closed;
   TriangleBvh lids, rim;
@@ -372,7 +364,7 @@ double Solid::distanceWithin(double radius, double signed_distance, double to_su
   return std::signbit(signed_distance) && bound > 0 && hasOpenings() ? to_surface + radius : bound;  // the ball may be a point: -0
 }
 double Solid::wayToBorder(const Eigen::Vector3d& p) const {
-  return hasOpenings() ? impl_->walls.wayToBorder(p, impl_->walls.windingNumber(p)) : std::numeric_limits<double>::infinity();
+  return hasOpenings() ? Walls::Winding(impl_->walls, p).exactWayToBorder() : std::numeric_limits<double>::infinity();
 }
 bool Solid::hasOpenings() const {
   return impl_->walls.hasOpenings();

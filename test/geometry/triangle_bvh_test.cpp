@@ -16,6 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 using test_shapes::RandomPoints;
+using test_shapes::winding;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -99,17 +100,6 @@ TEST(TriangleBvh, NearestAgreesWithBruteForce) {
 }
 
 // Inside or outside
-
-/// The solid angles of all triangles (Van Oosterom & Strackee), divided by 4 pi.
-double winding(const TriangleMesh& mesh, const Vector3d& p) {
-  double sum = 0;
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    const Vector3d a = mesh.corner(t, 0) - p, b = mesh.corner(t, 1) - p, c = mesh.corner(t, 2) - p;
-    sum +=
-        2 * std::atan2(a.dot(b.cross(c)), a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() + b.dot(c) * a.norm() + c.dot(a) * b.norm());
-  }
-  return sum / (4 * test_shapes::kPi);
-}
 
 TEST(TriangleBvh, WindingNumberWithinAHundredth) {
   for (std::uint32_t seed = 0; seed < 8; ++seed) {

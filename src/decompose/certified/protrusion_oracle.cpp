@@ -1,6 +1,7 @@
 // Does this hull protrude further than the tolerance? Tests in order of cost; each may end the matter:
 //
-//   1. intruders remembered from earlier hulls: a hull that contains one does not fit. Useful ones move to the front;
+//   1. intruders remembered from earlier hulls: a hull that contains one does not fit. Useful ones move to the front, and the first of
+//      them are looked for before the hull is built;
 //   2. some steps down the octree of outside distances, shared by all hulls (measure/outside_distance.h): refutes by a point, or bounds
 //      the protrusion;
 //   3. if that bound is too coarse to prove that the hull fits: branch and bound over its surface (measure/surface_search.h), except for
@@ -27,6 +28,7 @@
 #include "base/parallel.h"
 #include "collision_hulls/decompose/certified_hulls.h"
 #include "decompose/dice.h"
+#include "geometry/hull_membership.h"
 #include "geometry/hull_support.h"
 #include "measure/halves_by_place.h"
 #include "measure/surface_search.h"
@@ -54,7 +56,8 @@ constexpr double kGrowth = 1e-5;      // growth of a hull to allow for rounding 
 constexpr double kJoggle = 1e-6;      // most that points of a rough hull are moved, as a share of their distance from the middle
 constexpr std::size_t kJoggles = 3;   // attempts,
 constexpr std::size_t kMany = 3000;   // with more points than this, coplanar points hinder quickhull so often that all are moved right away
-constexpr std::size_t kMostKnown = 400;  // intruders remembered
+constexpr std::size_t kMostKnown = 400;  // intruders remembered,
+constexpr std::size_t kUseful = 16;      // and those of them that are looked at before a hull is built
 
 // Visits to the octree's cells before a hull's surface is searched: for each facet that no earlier hull had, and for the others together.
 constexpr std::size_t kVisitsPerFacet = 1, kLeastVisits = 30;
@@ -351,15 +354,25 @@ ProtrusionOracle::Descent ProtrusionOracle::descend(const ConvexHull& hull, doub
   return {within.bound, within.visits == query.most_visits};
 }
 
-/// A useful intruder moves forward.
-bool ProtrusionOracle::holdsKnownIntruder(const ConvexHull& hull) {
-  const Eigen::AlignedBox3d box = boundingBox(hull);
-  for (std::size_t i = 0; i < known_.size(); ++i) {
-    if (!box.contains(known_[i]) || !holds(hull, known_[i])) continue;
+/// Whether something holds one of the first known intruders. A useful intruder moves forward.
+template <typename Holds>
+bool ProtrusionOracle::isKnownIntruder(std::size_t most, const Holds& holds) {
+  for (std::size_t i = 0; i < std::min(most, known_.size()); ++i) {
+    if (!holds(known_[i])) continue;
     std::swap(known_[i], known_[i / 2]);
     return true;
   }
   return false;
+}
+
+bool ProtrusionOracle::holdsKnownIntruder(const ConvexHull& hull) {
+  const Eigen::AlignedBox3d box = boundingBox(hull);
+  return isKnownIntruder(kMostKnown, [&](const Eigen::Vector3d& p) { return box.contains(p) && holds(hull, p); });
+}
+
+bool ProtrusionOracle::refutes(const std::vector<Eigen::Vector3d>& points) {
+  HullMembership hull(points);
+  return isKnownIntruder(kUseful, [&](const Eigen::Vector3d& p) { return hull.holds(p); });
 }
 
 void ProtrusionOracle::remember(const Eigen::Vector3d& intruder) {

@@ -52,6 +52,10 @@ class ProtrusionOracle {
   /// Takes over what an oracle for a part has learned.
   void learn(const ProtrusionOracle& part);
 
+  /// Whether the hull of the points, which is not built for that, holds one of the intruders that
+  /// refuted most hulls before. False says nothing.
+  bool refutes(const std::vector<Eigen::Vector3d>& points);
+
   /// False: the hull does not fit. True: it most likely does.
   bool mayFit(const ConvexHull& hull);
 
@@ -112,6 +116,8 @@ class ProtrusionOracle {
   bool holdsInRegions(const ConvexHull& hull, const Question& question);
   bool fitsInRegions(const ConvexHull& hull);
   bool holdsKnownIntruder(const ConvexHull& hull);
+  template <typename Holds>
+  bool isKnownIntruder(std::size_t most, const Holds& holds);
   std::optional<bool> fitsByOctree(const ConvexHull& hull, double reach) const;
   Protrusion onSurface(const ConvexHull& hull, double limit, double gap) const;
   Protrusion onSurfaceAsWritten(const ConvexHull& hull) const;

@@ -195,6 +195,7 @@ ConvexHull SurfaceGroups::cappedHull(const Group& group) const {
 void SurfaceGroups::ask(const std::vector<Eigen::Vector3d>& points, Known& known) {
   known.asked = true;
   ++evaluations_;
+  if (oracle_.refutes(points)) return;
   auto hull = std::make_shared<ConvexHull>(roughHull(points, Corners::kNeeded, control()));
   known.may_fit = oracle_.mayFit(*hull);
   if (known.may_fit) known.hull = std::move(hull);

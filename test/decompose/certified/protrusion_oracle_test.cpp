@@ -118,6 +118,15 @@ TEST(Oracle, AnswerChangesAtTheTolerance) {
   }
 }
 
+TEST(Oracle, WhatRefutedAHullRefutesPointsWithoutOne) {
+  Subject subject(uChannel(), 0.05);
+  const std::vector<Eigen::Vector3d>& all = subject.mesh.mesh.vertices;
+  EXPECT_FALSE(subject.oracle.refutes(all)) << "nothing is known yet";
+  EXPECT_FALSE(subject.oracle.mayFit(hullOf(subject.mesh.mesh)));
+  EXPECT_TRUE(subject.oracle.refutes(all));
+  EXPECT_FALSE(subject.oracle.refutes(boxHull({0, 0, 0}, {0.1, 1, 2}).vertices));
+}
+
 /// Slightly above the tolerance: only a proof finds it, or an oracle that remembers what a proof found.
 TEST(Oracle, IntrudersArePassedOn) {
   const ConvexHull raised = convexHull({{0.2, 0.2, 0}, {0.8, 0.2, 0}, {0.8, 0.8, 0}, {0.2, 0.8, 0}, {0.513, 0.471, 1.101}});

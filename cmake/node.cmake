@@ -13,6 +13,7 @@ set_target_properties(${PROJECT_NAME}_node PROPERTIES INSTALL_RPATH "$ORIGIN/.."
 
 # Reads bags for the node, in a process of its own.
 add_executable(${PROJECT_NAME}_bag_reader src/ros/bags/bag_reader.cpp)
+add_dependencies(${PROJECT_NAME}_bag_reader ${catkin_EXPORTED_TARGETS})
 target_include_directories(${PROJECT_NAME}_bag_reader PRIVATE src)
 target_include_directories(${PROJECT_NAME}_bag_reader SYSTEM PRIVATE ${catkin_INCLUDE_DIRS})
 target_link_libraries(${PROJECT_NAME}_bag_reader ${PROJECT_NAME}_core ${catkin_LIBRARIES})

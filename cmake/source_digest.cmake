@@ -23,10 +23,10 @@ const char* ${NAMESPACE}::sourceDigest() {
   return()
 endif()
 
-# The rooms that make hulls, and the one that keeps them; those after them change none.
-set(digested_rooms ${CORE_ROOMS} pipeline)
+# Hulls, their rows of the report, the bodies of primitives and the validation are remembered, so the whole library counts.
+set(digested_rooms ${CORE_ROOMS} ${ROBOT_ROOMS})
+room_sources(digested_sources ${digested_rooms})
 list(JOIN digested_rooms "," digested_rooms)
-room_sources(digested_sources ${CORE_ROOMS} pipeline)
 
 set(output "${CMAKE_CURRENT_BINARY_DIR}/source_digest.cpp")
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)

@@ -37,6 +37,16 @@ def at_once(cluster, jobs):
     return jobs or (len(os.sched_getaffinity(0)) if cluster == "local" else ANY_NUMBER)
 
 
+def check(cluster):
+    """A profile that Snakemake would not find."""
+    if cluster in ("local", "slurm") or os.path.isdir(cluster):
+        return
+    places = [os.environ.get("XDG_CONFIG_HOME") or os.path.expanduser("~/.config"), "/etc/xdg"]
+    if not any(os.path.isdir(os.path.join(place, "snakemake", cluster)) for place in places):
+        raise Failure(f"--cluster '{cluster}': there is no folder of that name, here or in {' or '.join(os.path.join(p, 'snakemake') for p in places)}; "
+                      "use local, slurm, or a folder with a config.yaml")
+
+
 def arguments_of(cluster, jobs):
     """What makes Snakemake run jobs in that place."""
     number = ["--jobs", str(at_once(cluster, jobs))]

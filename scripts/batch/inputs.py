@@ -13,7 +13,7 @@ import subprocess
 
 from files import sha256
 
-MESHES = {".stl", ".dae", ".obj", ".off", ".ply"}
+MESHES = {".stl", ".dae", ".obj", ".off", ".ply", ".glb", ".gltf"}
 DESCRIPTIONS = {".urdf", ".xacro"}
 PATH_OPTIONS = {"config", "package-path", "root"}
 OWN = {"help", "version", "output", "json", "quiet", "jobs", "package-name", "replace-complete"}  # of decompose, but the batch's to set
@@ -46,8 +46,10 @@ def absolute(name, value, folder):
     """A path that options name, seen from any folder."""
     if name not in PATH_OPTIONS:
         return value
-    package, equals, path = value.rpartition("=")
-    return package + equals + os.path.normpath(folder / path)
+    named = re.fullmatch(r"([A-Za-z0-9_.-]+)=(.*)", value)
+    if name != "package-path" or not named or (folder / value).is_dir():
+        return os.path.normpath(folder / value)
+    return named.group(1) + "=" + os.path.normpath(folder / named.group(2))
 
 
 def located(word, folder):
@@ -74,7 +76,7 @@ def of_word(word, folder, options, name=""):
 
 
 def of_list(path):
-    lines = [line.strip() for line in path.read_text(encoding="utf-8").splitlines()]
+    lines = [line.strip() for line in path.read_text(encoding="utf-8-sig").splitlines()]
     return [item for line in lines if line and not line.startswith("#") for item in of_word(line, path.parent, {})]
 
 

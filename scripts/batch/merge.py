@@ -27,9 +27,15 @@ def rows_of(entries, state):
         yield row_of(entry, state) or lost(entry, state)
 
 
+def report_of(row, output):
+    """Where it is read, relative to the output: the page, unless there is none."""
+    names = ("report.html", "report.json") if row["hash"] else ()
+    return next((os.path.join(row["folder"], name) for name in names if os.path.exists(os.path.join(output, row["folder"], name))), "")
+
+
 def lines_of(row):
     """The input's line, then one for each of its meshes."""
-    report = os.path.join(row["folder"], "report.html") if row["hash"] else ""
+    report = row["report"]
     sums = {name: sum(mesh[name] for mesh in row["meshes"]) for name in ("triangles", "hulls", "primitives", "least_hulls")} if row["meshes"] else {}
     sums["protrusion"] = max((mesh["protrusion"] for mesh in row["meshes"]), default="")
     yield {**row, **sums, "row": "input", "report": report}
@@ -61,6 +67,8 @@ def merge(state):
     entries, output = read_json(os.path.join(state, "plan.json")), os.path.dirname(state)
     remove_others(entries, output, state)
     rows = list(rows_of(entries, state))
+    for row in rows:
+        row["report"] = report_of(row, output)
     write(os.path.join(output, "batch.csv"), table_of(rows))
     write(os.path.join(output, "batch.html"), page.page_of(rows))
     return rows

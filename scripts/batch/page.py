@@ -74,7 +74,7 @@ def table(heads, rows):
 
 
 def report_of(row):
-    return os.path.join(row["folder"], "report.html") if row["hash"] else ""
+    return row["report"]
 
 
 def meshes_of(rows):

@@ -72,7 +72,7 @@ def kinds(rows):
 
 def summary(rows, done, output):
     """A few lines: how many of what, failures by reason, where it is."""
-    first = f"{done} inputs done" if done == len(rows) else f"{done} of {len(rows)} inputs done; all others are as they were"
+    first = f"{done} input{'s' * (done != 1)} done" if done == len(rows) else f"{done} of {len(rows)} inputs done; all others are as they were"
     lines = [first if done else f"nothing to do: all {len(rows)} inputs are as they were"]
     for what, items in (("inputs", rows), ("meshes", [mesh for row in rows for mesh in row["meshes"]])):
         counts = collections.Counter(item["status"] for item in items)

@@ -108,7 +108,7 @@ def mesh_rows(report):
     for model in [report, *report.get("models", [])]:
         for mesh in model["links"]:
             row = {name: mesh[name] for name in MESH_FIELDS}
-            yield {**row, "model": model.get("name", ""), "cause": cause_of(mesh), "seconds": round(sum(mesh["seconds"].values()), 3), "cached": mesh["cached"]}
+            yield {**row, "model": model.get("model", ""), "cause": cause_of(mesh), "seconds": round(sum(mesh["seconds"].values()), 3), "cached": mesh["cached"]}
 
 
 def status_of(meshes, written):

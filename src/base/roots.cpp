@@ -90,6 +90,10 @@ Confinement::~Confinement() {
   confined.reset();
 }
 
+bool isConfined() {
+  return state() != nullptr;
+}
+
 bool allowPackage(const std::string& folder) {
   const std::shared_ptr<State> now = state();
   if (!now) return false;

@@ -24,6 +24,8 @@ class Confinement {
   Confinement& operator=(const Confinement&) = delete;
 };
 
+bool isConfined();
+
 /// Lets a confined process read a folder that turned out to be a package's; whether that is news. Without confinement it does nothing, nor
 /// do the checks below.
 bool allowPackage(const std::string& folder);

@@ -19,6 +19,8 @@
 #include <system_error>
 #include <thread>
 
+#include "base/descriptor.h"
+
 extern char** environ;
 
 namespace collision_hulls {
@@ -35,8 +37,12 @@ class Output {
  public:
   Output() : file_(std::tmpfile(), &std::fclose) {
     if (!file_) fail(errno, "temporary file");
+    // Above the program's own three, whichever of these are closed here, and not for programs that start meanwhile.
+    descriptor_ = Descriptor(fcntl(fileno(file_.get()), F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+    if (descriptor_.number() < 0) fail(errno, "temporary file");
+    fcntl(fileno(file_.get()), F_SETFD, FD_CLOEXEC);
   }
-  int descriptor() const { return fileno(file_.get()); }
+  int descriptor() const { return descriptor_.number(); }
 
   std::uint64_t size() const {
     struct stat status {};
@@ -53,6 +59,7 @@ class Output {
 
  private:
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  Descriptor descriptor_;
 };
 
 /// How the program starts: its three files, and a process group of its own.

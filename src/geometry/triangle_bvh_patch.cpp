@@ -11,15 +11,19 @@ namespace collision_hulls {
 
 namespace {
 
-// As a share of the tree's extent: what is nearer than this counts as met. Larger than the rounding error of a sum of three products in
-// single precision, of coordinates that are at most 2 extents large, and of the boxes.
+// As a share of the tree's extent: what is nearer than this may be met. Larger than the rounding error of a sum of three products in
+// single precision, of coordinates that are at most 2 extents large, and of the boxes; and than the error of the point in which an edge
+// crosses a plane, by whose two sides its ends differ by more than this.
 constexpr double kTouch = 4e-6;
+// As a share of the extent: what is further than this from a triangle's plane lies on one side of it. More than the blur, and a thousand
+// times the rounding error in double precision, to which coordinates far from the origin add.
+constexpr double kOffPlane = 4e-9, kRounding = 1e-12;
 
 }  // namespace
 
 /// A patch's plane and its edges'.
 struct TriangleBvh::PatchPlanes {
-  PatchPlanes(const std::array<Eigen::Vector3d, 3>& patch, double extent) : corner(patch), margin(kTouch * extent) {
+  PatchPlanes(const std::array<Eigen::Vector3d, 3>& patch, double touch, double side) : corner(patch), margin(touch), off_plane(side) {
     const Eigen::Vector3d normal = (patch[1] - patch[0]).cross(patch[2] - patch[0]).normalized();
     plane = {normal, normal.dot(patch[0])};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -33,14 +37,14 @@ struct TriangleBvh::PatchPlanes {
     std::array<double, 3> height;
     for (std::size_t i = 0; i < 3; ++i) height[i] = plane.distance(other[i]);
     const auto [low, high] = std::minmax_element(height.begin(), height.end());
-    if (*low > margin || *high < -margin) return false;
+    if (*low > off_plane || *high < -off_plane) return false;
     const Eigen::Vector3d normal = (other[1] - other[0]).cross(other[2] - other[0]);
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
     for (const Eigen::Vector3d& p : corner) {
       const double above = normal.dot(p - other[0]);
       lowest = std::min(lowest, above), highest = std::max(highest, above);
     }
-    const double level = margin * normal.norm();
+    const double level = off_plane * normal.norm();
     if (lowest > level || highest < -level) return false;
     // The part in the patch's plane: a segment, or what lies in the plane.
     std::array<Eigen::Vector3d, 6> part;
@@ -58,14 +62,14 @@ struct TriangleBvh::PatchPlanes {
   }
 
   std::array<Eigen::Vector3d, 3> corner;
-  double margin;  // [m]
+  double margin, off_plane;  // [m]
   HalfSpace plane;
   std::array<HalfSpace, 3> edge;  // distances are positive outside the patch
 };
 
 const std::array<Eigen::Vector3d, 3>* TriangleBvh::metBy(const std::array<Eigen::Vector3d, 3>& patch) const {
   if (fours_.empty()) return nullptr;
-  const PatchPlanes planes(patch, unit_);
+  const PatchPlanes planes(patch, kTouch * unit_, kOffPlane * unit_ + kRounding * centre_.cwiseAbs().maxCoeff());
   const float touch = static_cast<float>(kTouch);
   const Eigen::Vector3f a = inUnits(patch[0]), b = inUnits(patch[1]), c = inUnits(patch[2]);
   const Eigen::Vector3f low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);

@@ -105,8 +105,14 @@ class NodeClient::Session {
     post([&] { job_ = job; });
   }
 
+  /// A job that waits is dropped.
   void cancel() {
-    post([&] { cancel_ = true; });
+    std::optional<NodeJob> dropped;
+    post([&] {
+      dropped = std::exchange(job_, std::nullopt);
+      cancel_ = true;
+    });
+    if (dropped) Q_EMIT client_.finished(dropped->kind, false, false, "cancelled");
   }
 
  private:

@@ -14,10 +14,10 @@
 #include <QItemSelectionModel>
 #include <QLabel>
 #include <QLineEdit>
+#include <QSaveFile>
 #include <QSortFilterProxyModel>
 #include <QTableView>
 #include <algorithm>
-#include <fstream>
 #include <utility>
 
 #include "collision_hulls/error.h"
@@ -202,11 +202,11 @@ void HullsPanel::saveConfiguration() {
   if (file.isEmpty()) return;
   if (QFileInfo(file).suffix().isEmpty()) file += ".yaml";
   try {
-    std::ofstream out(file.toStdString(), std::ios::binary);
-    out << table_.configuration(tree());
-    out.close();
-    file_ = file;
-    say(out ? "Saved " + file : "'" + file + "' cannot be written: choose another place");
+    const std::string text = table_.configuration(tree());
+    QSaveFile out(file);  // what it replaces stays until all is written
+    const bool saved = out.open(QIODevice::WriteOnly) && out.write(QByteArray::fromStdString(text)) >= 0 && out.commit();
+    if (saved) file_ = file;
+    say(saved ? "Saved " + file : "'" + file + "' cannot be written: choose another place");
   } catch (const Error& error) {
     say(QString::fromStdString(error.what()));
   }

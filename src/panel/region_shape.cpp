@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/number_text.h"
 #include "scene/reading.h"
 
 namespace collision_hulls {
@@ -24,12 +25,6 @@ Eigen::Isometry3d frameOf(const RegionBox& box) {
   frame.linear() = fromRollPitchYaw(box.rpy).toRotationMatrix();
   frame.translation() = box.center;
   return frame;
-}
-
-/// The inverse of fromRollPitchYaw().
-Eigen::Vector3d rollPitchYaw(const Eigen::Matrix3d& turn) {
-  return {std::atan2(turn(2, 1), turn(2, 2)), std::atan2(-turn(2, 0), std::hypot(turn(2, 1), turn(2, 2))),
-          std::atan2(turn(1, 0), turn(0, 0))};
 }
 
 RegionBox draggedWhole(RegionBox box, const Eigen::Isometry3d& pose) {

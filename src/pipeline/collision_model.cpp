@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "base/counted.h"
@@ -13,6 +14,7 @@
 #include "collision_hulls/pipeline/fit_scene.h"
 #include "pipeline/earlier_output.h"
 #include "pipeline/run.h"
+#include "report/earlier_report.h"
 #include "storage/names.h"
 #include "storage/replace_folder.h"
 
@@ -157,8 +159,20 @@ std::vector<std::string> notesOnKept(const RobotResult& result) {
   return notes;
 }
 
+/// On hulls that were decomposed as if they were the robot.
+std::vector<std::string> notesOnAgain(const RobotDescription& robot, const Report& report) {
+  const auto of_collision = [](const ElementReport& row) {
+    return !row.visual && (row.status == Status::kOk || row.status == Status::kDegraded);
+  };
+  if (robot.path.empty() || std::none_of(report.links.begin(), report.links.end(), of_collision)) return {};
+  if (!earlierSource(std::filesystem::path(robot.path).parent_path().parent_path())) return {};
+  return {"'" + robot.path + "' is the output of an earlier run: bounds count from its hulls, not from the meshes that these stand for; " +
+          "decompose the description that it was made from"};
+}
+
 /// On meshes that the new description still names relative to the old one's folder.
 std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::string& output, const RunControl& control) {
+  if (allFailed(result.report)) return {};  // nothing is written
   const std::string prefix = uriPrefix(result.report.options, output);
   std::set<std::string> hulls, kept;
   for (const auto& [file, content] : result.kept_files) hulls.insert(prefix + file);
@@ -168,7 +182,7 @@ std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::
   for (const LinkDescription& link : parseRobotDescription(result.urdf, "", control).links) {
     for (const auto* elements : {&link.visuals, &link.collisions}) {
       for (const GeometryElement& element : *elements) {
-        if (element.kind == GeometryElement::Kind::kMesh && element.fault.empty() && isRelativeUri(element.uri) &&
+        if (element.kind == GeometryElement::Kind::kMesh && element.fault.empty() && !element.uri.empty() && isRelativeUri(element.uri) &&
             !hulls.count(element.uri))
           kept.insert(element.uri);
       }
@@ -178,6 +192,24 @@ std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::
   return {counted(kept.size(), "mesh URI") + (kept.size() == 1 ? " is" : " are") + " relative to the folder of the input, such as '" +
           *kept.begin() + "', and will not be found from '" + (std::filesystem::path(output) / urdfFile(result.robot_name)).string() +
           "': use package:// URIs in the input, or copy the new description beside the input (with --uri package or file)"};
+}
+
+/// On what Gazebo called the collision of a link, `<link>_collision` and the like, where hulls with other names have taken its place.
+std::vector<std::string> notesOnContacts(const RobotResult& result) {
+  static const std::regex reference("<collision>\\s*([^<\\s]+)\\s*</collision>");  // elements of URDF hold no text
+  std::set<std::string> names;
+  for (std::sregex_iterator i(result.urdf.begin(), result.urdf.end(), reference), end; i != end; ++i) names.insert((*i)[1]);
+  std::vector<std::string> notes;
+  for (const std::string& name : names) {
+    const auto is_replaced = [&](const ElementReport& row) {
+      return !row.files.empty() && name.find(row.link + "_collision") != std::string::npos;
+    };
+    const auto row = std::find_if(result.report.links.begin(), result.report.links.end(), is_replaced);
+    if (row == result.report.links.end() || result.urdf.find("name=\"" + name + "\"") != std::string::npos) continue;
+    notes.push_back("a <gazebo> element names the collision '" + name + "', which hulls have replaced: let it name those of link '" +
+                    row->link + "' instead, or its contact sensor finds nothing");
+  }
+  return notes;
 }
 
 /// The surface of a mesh, for a page: empty where it cannot be read.
@@ -242,8 +274,9 @@ void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDec
     of.kept = keptElements(robot, find_package, reportOf(model, result.report), of, in_place[model], options, control);
   }
   std::vector<std::string>& all = result.report.notes;
-  for (const auto& more : {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options), notes, notesOnKept(result),
-                           notesOnCarried(result), notesOnRewritten(result, output, control)})
+  for (const auto& more : {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options),
+                           notesOnIdle(robot, decisions.front(), options), notes, notesOnAgain(robot, result.report), notesOnKept(result),
+                           notesOnCarried(result), notesOnRewritten(result, output, control), notesOnContacts(result)})
     all.insert(all.end(), more.begin(), more.end());
 }
 

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
 #include "base/read_file.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
+#include "report/link_pattern.h"
 #include "storage/sha256.h"
 
 namespace collision_hulls {
@@ -137,12 +139,14 @@ std::size_t decomposedUses(const std::vector<MeshUse>& uses) {
 
 std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options) {
   if (decomposedUses(meshUses(robot, {decisions})) > 0) return notesOnLeftOut(robot, decisions);
-  std::ptrdiff_t visuals = 0, collisions = 0;
+  std::ptrdiff_t visuals = 0, collisions = 0, chosen = 0;
   for (const LinkDescription& link : robot.links) {
     if (!isDecomposed(decisions.of(link.name))) continue;
+    ++chosen;
     visuals += std::count_if(link.visuals.begin(), link.visuals.end(), isMesh);
     collisions += std::count_if(link.collisions.begin(), link.collisions.end(), isMesh);
   }
+  if (chosen == 0) return {"there is no mesh to decompose: all links are kept or removed"};
   const auto others = [](std::ptrdiff_t count, const std::string& kind) {
     return count == 0 ? ""
                       : "; the <" + kind + "> elements have " + std::to_string(count) + " meshes, which --source " + kind + " decomposes";
@@ -152,6 +156,24 @@ std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDe
                                                                             : "the chosen links have no meshes";
   return {none + std::string("; boxes, spheres and cylinders stay as they are") + others(visuals, "visual") +
           others(collisions, "collision")};
+}
+
+std::vector<std::string> notesOnIdle(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options) {
+  if (!options.links.empty()) return {};  // then whatever is told of other links changes nothing, as was asked for
+  std::set<std::string> links;
+  for (const MeshUse& use : meshUses(robot, {decisions}))
+    if (isDecomposed(&use.options)) links.insert(use.link);
+  std::vector<std::string> notes;
+  const auto look = [&](const std::string& what, const std::string& expression, const std::string& place) {
+    const LinkPattern pattern(expression, what);
+    if (std::any_of(links.begin(), links.end(), [&](const std::string& link) { return pattern.matches(link); })) return;
+    notes.push_back((place.empty() ? "" : place + ": ") + what + " '" + expression +
+                    "' changes nothing: no link that it matches has a mesh to decompose");
+  };
+  for (const LinkRule& rule : options.rules)
+    if (rule.settings.action.value_or(Action::kDecompose) == Action::kDecompose) look("links", rule.pattern, rule.place);
+  for (const RegionRule& rule : options.region_rules) look("region '" + rule.name + "' of link", rule.pattern, rule.place);
+  return notes;
 }
 
 MeshTasks meshTasks(const std::vector<MeshUse>& uses, const UriResolver& resolve, const RunControl& control) {

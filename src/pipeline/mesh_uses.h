@@ -35,6 +35,9 @@ std::size_t decomposedUses(const std::vector<MeshUse>& uses);
 /// Notes on meshes that LinkOptions::source leaves out, and on a robot in which it finds none.
 std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options);
 
+/// On settings and regions that no mesh is left for.
+std::vector<std::string> notesOnIdle(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options);
+
 /// Uses (indices, ascending) of a mesh with the same options.
 struct MeshVariant {
   LinkOptions options;

@@ -56,6 +56,8 @@ void runStages(const RunInput& input, RobotResult& result, const std::function<v
   });
   cache.trim();
   result.report.notes = cache.notes();
+  if (options.cache && cacheFolder().empty())
+    result.report.notes.push_back("nothing is remembered for later runs: none of COLLISION_HULLS_CACHE, ROS_HOME and HOME is set");
   putTogether(input.uses, results, result, input.control);
 }
 

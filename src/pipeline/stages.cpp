@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/millimetres.h"
 #include "base/stopwatch.h"
 #include "collision_hulls/check/validate.h"
 #include "collision_hulls/decompose/certified.h"
@@ -19,6 +20,8 @@
 
 namespace collision_hulls {
 namespace {
+
+constexpr double kFinestTolerance = 1e-6;  // of the diagonal
 
 double toleranceFor(const TriangleMesh& mesh, const LinkOptions& options) {
   const double tolerance = options.tolerance.metres(diagonal(mesh));
@@ -40,10 +43,20 @@ void checkSize(const std::string& uri, double diagonal, const Length& tolerance)
                   "large, give the tolerance only as a percentage, such as 1%");
 }
 
-/// Once the original is known. Throws kTooLarge, see SharedMesh::read().
+/// Coordinates have single precision, and work that can never end would begin.
+void checkResolution(const std::string& uri, double diagonal, double tolerance) {
+  if (tolerance >= kFinestTolerance * diagonal) return;
+  throw Error(ErrorCode::kBadOption, "tolerance '" + toString(lengthOf(tolerance)) + "' is less than a millionth of '" + uri +
+                                         "', which is " + millimetres(diagonal) +
+                                         " across, and finer than its coordinates: a number without a unit is in metres; give " +
+                                         millimetres(kFinestTolerance * diagonal) + " or more");
+}
+
+/// Once the original is known. Throws kTooLarge and kBadOption, see SharedMesh::read().
 void setTolerance(const std::string& uri, const LinkOptions& options, MeshResult& result) {
   checkSize(uri, result.mesh.diagonal, options.tolerance);
   result.mesh.tolerance = toleranceFor(result.original, options);
+  checkResolution(uri, result.mesh.diagonal, result.mesh.tolerance);
 }
 
 }  // namespace
@@ -67,8 +80,8 @@ void checkForRobot(const Options& options) {
 
 void checkForMesh(const std::string& path, const Options& options) {
   const auto refuse = [&](const std::string& item, const std::string& place) {
-    throw Error(ErrorCode::kBadOption,
-                (place.empty() ? "" : place + ": ") + item + ": '" + path + "' is a mesh, which has no links and one model; leave it out");
+    throw Error(ErrorCode::kBadOption, (place.empty() ? "" : place + ": ") + item + ": '" + path +
+                                           "' is a single mesh, which has no links and one model; give a robot description");
   };
   if (!options.links.empty()) refuse("links '" + options.links + "'", options.links_place);
   if (!options.rules.empty()) refuse("links '" + options.rules.front().pattern + "'", options.rules.front().place);

@@ -117,11 +117,11 @@ std::string plain(double number, int digits = 6) {
 }
 
 /// 5 for 5 mm is the usual mistake.
-void checkUnit(const std::string& option, const Length& length) {
+void checkUnit(const std::string& option, const Length& length, const std::string& otherwise = "") {
   if (!isSet(length.limit) || length.limit <= kLargestTolerance) return;
   throw Error(ErrorCode::kBadOption, option + " '" + toString(length) + "' is more than " + plain(kLargestTolerance) +
                                          " m, the most that a robot's links take: a number without a unit is in metres; did you mean " +
-                                         toString(lengthOf(length.limit / 1000)) + "? For a larger machine give a percentage, such as 5%");
+                                         toString(lengthOf(length.limit / 1000)) + "?" + otherwise);
 }
 
 void checkLength(const std::string& option, const Length& length) {
@@ -129,7 +129,12 @@ void checkLength(const std::string& option, const Length& length) {
   if (!isSet(length.limit) && !isSet(length.share)) badOption(option, "inf", allowed);
   if (isSet(length.limit) && !(std::isfinite(length.limit) && length.limit > 0)) badOption(option, plain(length.limit) + "m", allowed);
   if (isSet(length.share) && !(length.share > 0 && length.share <= 1)) badOption(option, plain(100 * length.share) + "%", allowed);
-  checkUnit(option, length);
+  checkUnit(option, length, " For a larger machine give a percentage, such as 5%");
+}
+
+void checkPaddingAs(const std::string& option, double padding) {
+  if (!(std::isfinite(padding) && padding > 0)) badOption(option, plain(padding) + "m", "0 or a positive length");
+  checkUnit(option, lengthOf(padding));
 }
 
 /// Models become files of their own.
@@ -222,7 +227,7 @@ double parseSeconds(const std::string& text, const std::string& option) {
 
 double parsePadding(const std::string& text, const std::string& option) {
   const double metres = parseMetresOrZero(text, option);
-  if (metres > 0) checkLength(option, lengthOf(metres));
+  if (metres > 0) checkPaddingAs(option, metres);
   return metres;
 }
 
@@ -352,7 +357,7 @@ void checkTimeLimit(const Options& options) {
 void check(const Options& options) {
   checkTolerance(options.tolerance);
   checkShapes(options);
-  if (options.padding != 0) checkLength("padding", lengthOf(options.padding));
+  if (options.padding != 0) checkPaddingAs("padding", options.padding);
   checkMethod(options);
   checkLimits(options);
   checkModels(options.models);

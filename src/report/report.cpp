@@ -46,6 +46,7 @@ Totals totals(const ModelReport& report) {
     ++sum.meshes;
     sum.triangles += row.triangles;
     sum.hulls += row.hulls;
+    sum.primitives += row.primitives;
     sum.least_hulls += row.least_hulls;
     sum.hull_vertices += row.hull_vertices;
     sum.failed += row.status == Status::kFailed;

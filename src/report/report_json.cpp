@@ -177,10 +177,18 @@ json toJson(const FitReport& fit) {
 
 json totalsToJson(const ModelReport& report, double seconds) {
   const Totals sum = totals(report);
-  return {{"links", sum.links}, {"meshes", sum.meshes},           {"triangles", sum.triangles},
-          {"hulls", sum.hulls}, {"least_hulls", sum.least_hulls}, {"hull_vertices", sum.hull_vertices},
-          {"seconds", seconds}, {"failed", sum.failed},           {"degraded", sum.degraded},
-          {"kept", sum.kept},   {"removed", sum.removed}};
+  return {{"links", sum.links},
+          {"meshes", sum.meshes},
+          {"triangles", sum.triangles},
+          {"hulls", sum.hulls},
+          {"primitives", sum.primitives},
+          {"least_hulls", sum.least_hulls},
+          {"hull_vertices", sum.hull_vertices},
+          {"seconds", seconds},
+          {"failed", sum.failed},
+          {"degraded", sum.degraded},
+          {"kept", sum.kept},
+          {"removed", sum.removed}};
 }
 
 json validationToJson(const ModelReport& report, const Options& options) {

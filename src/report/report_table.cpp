@@ -25,10 +25,9 @@ std::string lastPart(const std::string& uri) {
 }
 
 /// "3", "1 primitive", "3, 1 primitive"
-std::string bodies(const ElementReport& row) {
-  const std::string hulls = std::to_string(row.hulls);
-  if (row.primitives == 0) return hulls;
-  return (row.hulls > 0 ? hulls + ", " : "") + counted(row.primitives, "primitive");
+std::string bodies(std::size_t hulls, std::size_t primitives) {
+  if (primitives == 0) return std::to_string(hulls);
+  return (hulls > 0 ? std::to_string(hulls) + ", " : "") + counted(primitives, "primitive");
 }
 
 Cells cells(const ElementReport& row) {
@@ -42,7 +41,7 @@ Cells cells(const ElementReport& row) {
   return {row.link,
           lastPart(row.uri),
           std::to_string(row.triangles),
-          bodies(row),
+          bodies(row.hulls, row.primitives),
           std::to_string(row.least_hulls),
           row.hulls > 0 ? std::to_string(row.hull_vertices) : "-",
           figureInMillimetres(row.protrusion),
@@ -72,7 +71,7 @@ Cells totalCells(const Report& report) {
   return {"total",
           counted(sum.meshes, "mesh", "meshes") + " of " + counted(sum.links, "link"),
           std::to_string(sum.triangles),
-          std::to_string(sum.hulls),
+          bodies(sum.hulls, sum.primitives),
           std::to_string(sum.least_hulls),
           std::to_string(sum.hull_vertices),
           figureInMillimetres(protrusion),

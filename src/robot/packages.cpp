@@ -16,6 +16,7 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/package_crawl.h"
+#include "robot/package_place.h"
 #include "robot/uri_checks.h"
 
 namespace fs = std::filesystem;
@@ -44,23 +45,6 @@ std::vector<fs::path> foldersAbove(const std::string& path) {
   return folders;
 }
 
-// An item of --package-path.
-struct Place {
-  std::string package;  // empty: of any package
-  fs::path folder;
-};
-
-Place placeOf(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  const bool named = equals != std::string::npos && isPackageName(text.substr(0, equals)) && !isFolder(text);
-  const std::string folder = named ? text.substr(equals + 1) : text;
-  if (folder.empty() || !isFolder(folder)) {
-    throw Error(ErrorCode::kBadOption,
-                "package path '" + text + "': there is no folder '" + folder + "'; give an existing folder, as DIR or NAME=DIR");
-  }
-  return {named ? text.substr(0, equals) : "", fs::absolute(folder + "/").lexically_normal().parent_path()};
-}
-
 // A path as a sequence of names below a folder; empty for one that leads out of it.
 fs::path within(const std::string& rest) {
   const fs::path normal = fs::path(rest).lexically_normal().relative_path();
@@ -69,12 +53,23 @@ fs::path within(const std::string& rest) {
 
 }  // namespace
 
+PackagePlace packagePlace(const std::string& item) {
+  const std::size_t equals = item.find('=');
+  const bool named = equals != std::string::npos && isPackageName(item.substr(0, equals)) && !isFolder(item);
+  const std::string folder = named ? item.substr(equals + 1) : item;
+  if (folder.empty() || !isFolder(folder)) {
+    throw Error(ErrorCode::kBadOption,
+                "package path '" + item + "': there is no folder '" + folder + "'; give an existing folder, as DIR or NAME=DIR");
+  }
+  return {named ? item.substr(0, equals) : "", fs::absolute(folder + "/").lexically_normal().parent_path()};
+}
+
 // What the copies of a finder share. The environment counts as it was when the finder was made; the crawls wait for their first use.
 class PackageFinder::Search {
  public:
   Search(const std::string& near, const std::vector<std::string>& package_path, bool with_environment) : above_(foldersAbove(near)) {
     for (const std::string& text : package_path) {
-      Place place = placeOf(text);
+      PackagePlace place = packagePlace(text);
       (place.package.empty() ? given_ : named_).push_back(std::move(place));
     }
     if (!with_environment) return;
@@ -84,18 +79,23 @@ class PackageFinder::Search {
   }
 
   std::optional<std::string> named(const std::string& package) const {
-    for (const Place& place : named_) {
+    for (const PackagePlace& place : named_) {
       if (place.package == package) return place.folder.string();
+    }
+    return std::nullopt;
+  }
+
+  // The package that the description itself is in.
+  std::optional<std::string> enclosing(const std::string& package) const {
+    for (const fs::path& folder : enclosing_) {
+      const auto found = packageAt(folder);
+      if (found && found->name == package) return folder.string();
     }
     return std::nullopt;
   }
 
   // A package as its manifest says, or as it is installed.
   std::optional<std::string> known(const std::string& package) {
-    for (const fs::path& folder : enclosing_) {
-      const auto enclosing = packageAt(folder);
-      if (enclosing && enclosing->name == package) return folder.string();
-    }
     std::call_once(crawled_, [this] { crawl(); });
     if (const auto found = ros_crawl_->find(package)) return found;
     for (const fs::path& prefix : prefixes_) {
@@ -106,7 +106,7 @@ class PackageFinder::Search {
 
   std::optional<std::string> byFolderName(const std::string& package) {
     std::vector<fs::path> candidates;
-    for (const Place& place : given_) candidates.insert(candidates.end(), {place.folder / package, place.folder});
+    for (const PackagePlace& place : given_) candidates.insert(candidates.end(), {place.folder / package, place.folder});
     for (const fs::path& folder : above_) candidates.insert(candidates.end(), {folder, folder / package});
     for (const fs::path& folder : candidates) {
       if (folder.filename() == package && isFolder(folder)) return remember(package, false, folder);
@@ -141,7 +141,7 @@ class PackageFinder::Search {
  private:
   void crawl() {
     std::vector<fs::path> folders;
-    for (const Place& place : given_) folders.push_back(place.folder);
+    for (const PackagePlace& place : given_) folders.push_back(place.folder);
     ros_crawl_ = std::make_unique<PackageCrawl>(ros_);
     given_crawl_ = std::make_unique<PackageCrawl>(folders);
     for (const PackageCrawl* each : {ros_crawl_.get(), given_crawl_.get()}) {
@@ -160,9 +160,9 @@ class PackageFinder::Search {
       if (std::find(above.begin(), above.end(), folder) == above.end()) above.push_back(folder);
     }
     std::vector<fs::path> folders;
-    for (const Place& place : given_) folders.insert(folders.end(), {place.folder / name, place.folder / kMeshes / name});
+    for (const PackagePlace& place : given_) folders.insert(folders.end(), {place.folder / name, place.folder / kMeshes / name});
     for (const fs::path& folder : above) folders.insert(folders.end(), {folder / name, folder / kMeshes / name});
-    for (const Place& place : given_) folders.insert(folders.end(), {place.folder, place.folder / kMeshes});
+    for (const PackagePlace& place : given_) folders.insert(folders.end(), {place.folder, place.folder / kMeshes});
     const bool bare = !path.has_parent_path();
     for (std::size_t i = 0; i < (bare ? near : above.size()); ++i) {
       folders.push_back(above[i]);
@@ -183,7 +183,7 @@ class PackageFinder::Search {
   }
 
   std::vector<fs::path> above_, enclosing_, ros_, prefixes_;
-  std::vector<Place> named_, given_;
+  std::vector<PackagePlace> named_, given_;
   std::once_flag crawled_;
   std::unique_ptr<const PackageCrawl> ros_crawl_, given_crawl_;
   mutable std::mutex mutex_;  // guards notes_
@@ -208,6 +208,7 @@ std::optional<std::string> PackageFinder::operator()(const std::string& package)
 std::optional<std::string> PackageFinder::knownPackage(const std::string& package) const {
   if (!isPackageName(package)) return std::nullopt;  // before `first_`, which may start a program
   std::optional<std::string> folder = search_->named(package);
+  if (!folder) folder = search_->enclosing(package);
   if (!folder && first_) folder = first_(package);
   if (!folder) folder = search_->known(package);
   if (folder && allowPackage(*folder))

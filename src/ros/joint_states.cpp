@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <sstream>
 #include <vector>
 
@@ -45,15 +46,28 @@ std::pair<std::string, std::string> bagAndTopic(const std::string& source) {
   return endsWith(file, kBag) ? std::pair(file, topic) : std::pair(std::string(), std::string());
 }
 
-ConfigurationSet collected(const JointStates& states, const std::string& source, const std::string& or_else, const Kinematics& kinematics,
-                           const ConfigurationOptions& options) {
-  if (states.empty())
-    throw Error(ErrorCode::kBadConfigurations, "'" + source + "' has no message of " + kType + "; give a source that has some" + or_else);
-  ConfigurationCollector collector(kinematics, options);
-  for (std::size_t i = 0; i < states.size(); ++i)
-    collector.add(states[i].names, states[i].positions, "'" + source + "', message " + std::to_string(i + 1));
-  return collector.take();
-}
+/// What messages of a source say, one after another.
+class Collection {
+ public:
+  Collection(const std::string& source, const Kinematics& kinematics, const ConfigurationOptions& options)
+      : source_(source), collector_(kinematics, options) {}
+
+  void add(const std::vector<std::string>& names, const std::vector<double>& positions) {
+    collector_.add(names, positions, "'" + source_ + "', message " + std::to_string(++messages_));
+  }
+
+  ConfigurationSet take(const std::string& or_else) {
+    if (messages_ == 0)
+      throw Error(ErrorCode::kBadConfigurations,
+                  "'" + source_ + "' has no message of " + kType + "; give a source that has some" + or_else);
+    return collector_.take();
+  }
+
+ private:
+  const std::string source_;
+  ConfigurationCollector collector_;
+  std::size_t messages_ = 0;
+};
 
 /// Of a bag with many other topics little is kept: its index, one chunk at a time, and the joint states.
 ReadingLimits limitsFor(std::uint64_t bag_bytes) {
@@ -101,22 +115,27 @@ void expectJointStates(const std::string& topic) {
     throw Error(ErrorCode::kBadOption, "configurations '" + topic + "' is a " + found->datatype + "; give a topic of " + kType);
 }
 
-JointStates fromTopic(const std::string& topic, double seconds, const RunControl& control) {
+/// Until time is over, or a message is wrong or one too many.
+void listen(const std::string& topic, double seconds, Collection& collection, const RunControl& control) {
   expectJointStates(topic);
-  JointStates states;
+  std::exception_ptr failure;
   ros::CallbackQueue queue;  // of its own: the node's threads may all be busy
   ros::NodeHandle node;
   node.setCallbackQueue(&queue);
   const boost::function<void(const sensor_msgs::JointStateConstPtr&)> keep = [&](const auto& state) {
-    states.push_back({state->name, state->position});
+    try {
+      if (!failure) collection.add(state->name, state->position);
+    } catch (...) {
+      failure = std::current_exception();
+    }
   };
   const ros::Subscriber subscriber = node.subscribe<sensor_msgs::JointState>(topic, kQueue, keep);
   const auto take = [&] {
     queue.callAvailable();
-    return false;
+    return failure != nullptr;
   };
   waitFor(take, seconds, control);
-  return states;
+  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace
@@ -127,10 +146,15 @@ bool areJointStates(const std::string& source) {
 
 ConfigurationSet readJointStates(const std::string& source, const std::function<std::string(const std::string&)>& path,
                                  const Kinematics& kinematics, const ConfigurationOptions& options, const RunControl& control) {
+  Collection collection(source, kinematics, options);
   const auto [file, bag_topic] = bagAndTopic(source);
-  if (!file.empty()) return collected(fromBag(path(file), bag_topic, control), source, "", kinematics, options);
+  if (!file.empty()) {
+    for (const RecordedState& state : fromBag(path(file), bag_topic, control)) collection.add(state.names, state.positions);
+    return collection.take("");
+  }
   const auto [topic, seconds] = parts(source.substr(kTopic.size()));
-  return collected(fromTopic(topic, secondsOf(seconds, source), control), source, ", or more seconds", kinematics, options);
+  listen(topic, secondsOf(seconds, source), collection, control);
+  return collection.take(", or more seconds");
 }
 
 }  // namespace collision_hulls

@@ -1,6 +1,7 @@
 // Reads a request and the parameters, runs the library, writes and shows the result. The doors (door.h) bring requests in and answers out.
 #include "node.h"
 
+#include <filesystem>
 #include <memory>
 
 #include "collision_hulls/pipeline/fit_scene.h"
@@ -11,6 +12,9 @@
 #include "preview/validation.h"
 
 namespace collision_hulls {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 /// The fields that both requests have.
@@ -97,11 +101,11 @@ DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunCont
   checkTexts(request);
   const Confinement confinement(places_.roots());
   const StatedJob job(preview_, "decompose");
-  const Input input = inputOf(request.robot_description, control);
+  const Input input = inputOf(request.robot_description, request.base, control);
   const Options options = requestedOptions(configured(private_, request.config, readOptions(private_)), request, input.robot);
   const std::string output = outputFor(request.output, input);
 
-  const ViewedRun view(view_, input.robot, options.source, input.find_package);
+  const ViewedRun view(view_, input.robot, input.find_package, options, control);
   RobotResult result = decomposeRobot(input.robot, input.find_package, options, output, control, job.stated(view.shown(logged(step))));
   DecomposeResponse response = written<DecomposeResponse>(result, output, request.brief, control);
   if (!response.urdf_path.empty()) show(input.robot, result);
@@ -112,7 +116,7 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
   checkTexts(request);
   const Confinement confinement(places_.roots());
   const StatedJob job(preview_, "fit_scene");
-  const Input input = inputOf(request.robot_description, control);
+  const Input input = inputOf(request.robot_description, request.base, control);
   Options own = readOptions(private_);
   own.method = Method::kCertified;  // ~method, ~tree and ~time_limit are for the other job
   own.tree.reset();
@@ -121,7 +125,7 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
   const std::string output = outputFor(request.output, input);
   const SceneRequest scene = requestedScene(request, input, options, control);
 
-  const ViewedRun view(view_, input.robot, options.source, input.find_package);
+  const ViewedRun view(view_, input.robot, input.find_package, options, control);
   RobotResult result =
       fitRobotToScene(input.robot, input.find_package, scene, options, output, control, job.stated(view.shown(logged(step))));
   FitSceneResponse response = written<FitSceneResponse>(result, output, request.brief, control);
@@ -135,10 +139,10 @@ BuildResponse Node::build(const BuildRequest& request, const RunControl& control
   checkTexts(request);
   const Confinement confinement(places_.roots());
   const StatedJob job(preview_, "build");
-  const Input input = inputOf(request.robot_description, control);
+  const Input input = inputOf(request.robot_description, "", control);
   const Options options = buildOptions(configured(private_, request.config, readOptions(private_)), request, input.robot);
   std::optional<ViewedRun> view;
-  if (request.only.empty() || preview_.isNews(input.robot)) view.emplace(view_, input.robot, options.source, input.find_package);
+  if (request.only.empty() || preview_.isNews(input.robot)) view.emplace(view_, input.robot, input.find_package, options, control);
   const StepCallback stated = job.stated(view ? view->shown(logged(step)) : step);
   const RobotResult result = preview_.trees().build(input.robot, input.find_package, options, control, stated);
   preview_.take(input.robot, LinkDecisions(options, input.robot), result);
@@ -168,9 +172,9 @@ ValidateResponse Node::validate(const ValidateRequest& request, const RunControl
   return response;
 }
 
-Input Node::inputOf(const std::string& robot_description, const RunControl& control) const {
+Input Node::inputOf(const std::string& robot_description, const std::string& base, const RunControl& control) const {
   Input input;
-  input.robot = readRobot(robot_description, control);
+  input.robot = readRobot(robot_description, base, control);
   input.find_package = places_.packageFinder(input.robot.path);
   return input;
 }
@@ -182,16 +186,21 @@ std::string Node::outputFor(const std::string& requested, const Input& input) co
   return output;
 }
 
-RobotDescription Node::readRobot(const std::string& text, const RunControl& control) const {
-  const std::string base = textParameter(private_, "base");
-  const std::string path = base.empty() ? "" : resolveUri(base, "", places_.packageFinder(""));
-  if (!text.empty()) return parseRobotDescription(text, path, control);
+/// ~base belongs to the parameter's text: what a request brings comes from elsewhere, where other meshes may have the same names.
+RobotDescription Node::readRobot(const std::string& text, const std::string& base, const RunControl& control) const {
   std::string key, parameter;
-  if (!node_.searchParam("robot_description", key) || !node_.getParam(key, parameter)) {
+  const bool has_parameter = node_.searchParam("robot_description", key) && node_.getParam(key, parameter);
+  if (!text.empty() && (!base.empty() || text != parameter)) {
+    if (!base.empty() && fs::path(base).is_relative())
+      throw Error(ErrorCode::kBadOption, "base '" + base + "' is relative; give an absolute path");
+    return parseRobotDescription(text, base, control);
+  }
+  if (!has_parameter) {
     throw Error(ErrorCode::kFileNotFound, "no robot description: the request has none and the parameter " +
                                               node_.resolveName("robot_description") + " is not set to a text; give either");
   }
-  return parseRobotDescription(parameter, path, control);
+  const std::string own = textParameter(private_, "base");
+  return parseRobotDescription(parameter, own.empty() ? "" : resolveUri(own, "", places_.packageFinder("")), control);
 }
 
 void Node::show(const RobotDescription& robot, const RobotResult& result, const Scene* scene) {

@@ -46,9 +46,9 @@ class Node {
   FitSceneResponse fit(const FitSceneRequest& request, const RunControl& control, const StepCallback& step);
   BuildResponse build(const BuildRequest& request, const RunControl& control, const StepCallback& step);
   ValidateResponse validate(const ValidateRequest& request, const RunControl& control, const StepCallback& step);
-  Input inputOf(const std::string& robot_description, const RunControl& control) const;
+  Input inputOf(const std::string& robot_description, const std::string& base, const RunControl& control) const;
   std::string outputFor(const std::string& requested, const Input& input) const;
-  RobotDescription readRobot(const std::string& text, const RunControl& control) const;
+  RobotDescription readRobot(const std::string& text, const std::string& base, const RunControl& control) const;
   void show(const RobotDescription& robot, const RobotResult& result, const Scene* scene = nullptr);
 
   ros::NodeHandle node_, private_{"~"};

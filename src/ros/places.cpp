@@ -5,9 +5,15 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
 
 #include "collision_hulls/error.h"
 #include "parameters.h"
+#include "robot/package_crawl.h"
+#include "robot/package_place.h"
 
 namespace fs = std::filesystem;
 
@@ -30,10 +36,11 @@ fs::path rosHome() {
   return fs::path(home ? home : "") / ".ros";
 }
 
-/// The folder of an item of ~package_path.
-std::string folderOf(const std::string& item) {
-  std::error_code error;
-  return fs::is_directory(item, error) ? item : item.substr(item.find('=') + 1);
+/// The folder of the package that a folder is in; the folder itself without one.
+std::string packageAround(const std::string& folder) {
+  for (fs::path above = folder; above.has_relative_path(); above = above.parent_path())
+    if (packageAt(above)) return above.string();
+  return folder;
 }
 
 }  // namespace
@@ -49,7 +56,16 @@ Places::Places(const ros::NodeHandle& node)
 }
 
 PackageFinder Places::packageFinder(const std::string& near) const {
-  return defaultPackageFinder(near, package_path_).askingFirst(rosPackage);
+  struct Answers {
+    std::mutex mutex;
+    std::map<std::string, std::optional<std::string>> known;
+  };
+  return defaultPackageFinder(near, package_path_).askingFirst([answers = std::make_shared<Answers>()](const std::string& package) {
+    const std::lock_guard<std::mutex> lock(answers->mutex);
+    const auto [answer, is_new] = answers->known.try_emplace(package);
+    if (is_new) answer->second = rosPackage(package);  // which crawls all packages where it finds none
+    return answer->second;
+  });
 }
 
 /// Empty without a description's file, and where that is missing.
@@ -65,9 +81,9 @@ Roots Places::roots() const {
   Roots roots;
   roots.read = read_roots_;
   roots.read.push_back(output_root_);
-  for (const std::string& item : package_path_) roots.read.push_back(folderOf(item));
+  for (const std::string& item : package_path_) roots.read.push_back(packagePlace(item).folder.string());
   const std::string base = baseFolder();
-  if (!base.empty()) roots.read.push_back(base);
+  if (!base.empty()) roots.read.push_back(packageAround(base));
   roots.write = {output_root_};
   if (!output_.empty()) roots.outputs = {(fs::path(output_root_) / output_).string()};
   roots.read.insert(roots.read.end(), roots.outputs.begin(), roots.outputs.end());

@@ -5,6 +5,7 @@
 
 #include "collision_hulls/error.h"
 #include "octomap_message.h"
+#include "scene/reading.h"
 
 namespace collision_hulls {
 namespace {
@@ -17,8 +18,8 @@ Eigen::Vector3d toVector(const geometry_msgs::Point& p) {
 
 /// A quaternion that was not set turns nothing.
 Eigen::Quaterniond toTurn(const geometry_msgs::Quaternion& q) {
-  const Eigen::Quaterniond turn(q.w, q.x, q.y, q.z);
-  return turn.norm() > 0 ? turn.normalized() : Eigen::Quaterniond::Identity();
+  const bool is_set = q.x != 0 || q.y != 0 || q.z != 0 || q.w != 0;  // so is nan
+  return is_set ? checkedQuaternion(q.x, q.y, q.z, q.w) : Eigen::Quaterniond::Identity();
 }
 
 Eigen::Isometry3d toTransform(const geometry_msgs::Pose& pose) {

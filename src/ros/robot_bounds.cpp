@@ -20,13 +20,14 @@ RobotBounds toBounds(const Eigen::AlignedBox3d& box) {
 }
 
 /// The box of a mesh or a primitive, in its own frame; its origin alone where the mesh cannot be read.
-Eigen::AlignedBox3d readBox(const GeometryElement& element, const MeshFile& file) {
+Eigen::AlignedBox3d readBox(const GeometryElement& element, const MeshReading& reading) {
   const Eigen::AlignedBox3d point(Eigen::Vector3d::Zero());
   if (isPrimitive(element)) return localBox(element);
   if (element.kind == GeometryElement::Kind::kNone || !element.fault.empty()) return point;
   try {
-    return boundingBox(scaled(readMesh(file(element.uri)).mesh, element.scale));
-  } catch (const Error&) {
+    return boundingBox(scaled(readMesh(reading.file(element.uri), reading.limits, reading.control).mesh, element.scale));
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::kCancelled) throw;
     return point;  // the run itself reports what is wrong with the mesh
   }
 }
@@ -72,7 +73,7 @@ Eigen::AlignedBox3d rootBox(const ElementResult& element) {
   return moved(boundingBox(element.original), element.pose);
 }
 
-RobotBounds robotBounds(const RobotDescription& robot, Source source, const MeshFile& file) {
+RobotBounds robotBounds(const RobotDescription& robot, Source source, const MeshReading& reading) {
   std::map<std::pair<std::string, std::vector<double>>, Eigen::AlignedBox3d> known;  // by mesh and scale
   Eigen::AlignedBox3d box;
   const std::vector<Eigen::Isometry3d> poses = firstPoses(robot);
@@ -83,7 +84,7 @@ RobotBounds robotBounds(const RobotDescription& robot, Source source, const Mesh
       numbers.insert(numbers.end(), element.size.data(), element.size.data() + 3);
       numbers.push_back(static_cast<double>(element.kind));
       const auto [entry, is_new] = known.try_emplace({element.uri, numbers});
-      if (is_new) entry->second = readBox(element, file);
+      if (is_new) entry->second = readBox(element, reading);
       box.extend(moved(entry->second, poses[i] * element.origin));
     }
   }

@@ -5,6 +5,8 @@
 #include <functional>
 #include <string>
 
+#include "collision_hulls/control.h"
+#include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/result.h"
 
 namespace collision_hulls {
@@ -19,9 +21,15 @@ struct RobotBounds {
 /// The file that the URI of a mesh means; throws Error where it means none.
 using MeshFile = std::function<std::string(const std::string& uri)>;
 
+struct MeshReading {
+  MeshFile file;
+  MeshLimits limits = {};
+  const RunControl& control;
+};
+
 /// The bounds of the elements that `source` selects, with joints where joint_state_publisher first puts them: at zero, or in the middle of
-/// limits that exclude it. Reads their meshes; a mesh that cannot be read counts as the point of its origin.
-RobotBounds robotBounds(const RobotDescription& robot, Source source, const MeshFile& file);
+/// limits that exclude it. Reads their meshes; a mesh that cannot be read counts as the point of its origin. Throws kCancelled.
+RobotBounds robotBounds(const RobotDescription& robot, Source source, const MeshReading& reading);
 
 /// The bounds of a result's original meshes, with all joints at zero.
 RobotBounds robotBounds(const RobotResult& result);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "annotations.h"
+#include "collision_hulls/pipeline/fit_scene.h"
 #include "collision_hulls/pipeline/progress_text.h"
 
 namespace collision_hulls {
@@ -87,16 +88,16 @@ View::View(const ros::NodeHandle& node) : node_(node) {
   static_transforms_ = node_.subscribe("/tf_static", 100, &View::transformed, this);
 }
 
-void View::begin(const RobotDescription& robot, Source source, const PackageFinder& find_package) {
+void View::begin(const RobotDescription& robot, const PackageFinder& find_package, const Options& options, const RunControl& control) {
   const MeshFile file = [&](const std::string& uri) { return resolveUri(uri, robot.path, find_package); };
-  Drawing original = drawOriginal(robot, source, file);
+  Drawing original = drawOriginal(robot, options.source, file);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     robot_ = robot;
     root_ = rootOf(robot);
     if (!has_result_) put(std::move(original));
   }
-  const RobotBounds bounds = robotBounds(robot, source, file);
+  const RobotBounds bounds = robotBounds(robot, options.source, {file, meshLimits(options), control});
   const std::lock_guard<std::mutex> lock(mutex_);
   bounds_ = bounds;
   announceBounds(robot.name);
@@ -230,7 +231,7 @@ void View::transformed(const tf2_msgs::TFMessageConstPtr& message) {
   bool is_news = false;
   for (const geometry_msgs::TransformStamped& transform : message->transforms) {
     for (const std::string& frame : {frameName(transform.child_frame_id), frameName(transform.header.frame_id)}) {
-      if (seen_.insert(frame).second && drawn_.count(frame)) is_news = true;
+      if (drawn_.count(frame) && seen_.insert(frame).second) is_news = true;  // others might be numbered without end
     }
   }
   if (is_news) repeatSoon();

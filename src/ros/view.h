@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/pipeline/result.h"
 #include "markers.h"
 
@@ -29,7 +30,7 @@ class View {
   explicit View(const ros::NodeHandle& node);
 
   /// A run begins: shows the original at once, unless an earlier result is shown, which stays until the next.
-  void begin(const RobotDescription& robot, Source source, const PackageFinder& find_package);
+  void begin(const RobotDescription& robot, const PackageFinder& find_package, const Options& options, const RunControl& control);
 
   /// How far it is; does nothing where that would change no character of the text.
   void progress(const Step& step);
@@ -85,8 +86,9 @@ class View {
 /// A run, for as long as it is shown as one.
 class ViewedRun {
  public:
-  ViewedRun(View& view, const RobotDescription& robot, Source source, const PackageFinder& find_package) : view_(view) {
-    view_.begin(robot, source, find_package);
+  ViewedRun(View& view, const RobotDescription& robot, const PackageFinder& find_package, const Options& options, const RunControl& control)
+      : view_(view) {
+    view_.begin(robot, find_package, options, control);
   }
   ~ViewedRun() { view_.end(); }
   ViewedRun(const ViewedRun&) = delete;

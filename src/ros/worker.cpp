@@ -66,7 +66,7 @@ std::string Worker::current() const {
 
 std::string Worker::refusal() const {
   const std::string job = current();
-  return "busy: working on " + (job.empty() ? "another request" : job) + "; try again when it is done, or cancel it";
+  return "busy: working on " + (job.empty() ? "another request" : job) + "; try again when it is done";
 }
 
 }  // namespace collision_hulls

@@ -139,7 +139,8 @@ void bindToParent(int parent) {
 }  // namespace
 
 std::string text(const Protection& protection) {
-  std::string result = std::string("a process of its own, ") + (protection.limits ? "with limits" : "some limits refused");
+  std::string result = std::string("a process of its own, confined by ") +
+                       (protection.limits ? "resource limits" : "some resource limits (others were refused)");
   result += protection.seccomp ? ", seccomp" : std::string(", no seccomp (") + kNoSeccomp + ")";
   return result + (protection.landlock ? ", Landlock" : ", no Landlock");
 }

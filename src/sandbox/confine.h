@@ -14,7 +14,7 @@ struct Protection {
   bool landlock = false;  ///< no access to any file by its path
 };
 
-/// In words: "a process of its own with limits, seccomp, Landlock".
+/// In words: "a process of its own, confined by resource limits, seccomp, Landlock".
 std::string text(const Protection& protection);
 
 /// For good: the process may compute, use the descriptors that it has open, and end, within `limits`. It cannot open or create files or

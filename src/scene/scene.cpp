@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "base/roots.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
@@ -59,6 +60,9 @@ void setPrimitive(SceneBody& body, const GeometryElement& element) {
 
 /// Each element of each link, at its rest pose.
 Scene readUrdfScene(const std::string& file, const SceneReading& how) {
+  if (isConfined() && lowerExtension(file) == ".xacro")
+    throw Error(ErrorCode::kOutsideRoots, "'" + file + "' is a xacro file, which is code, and includes files from any folder; run 'xacro " +
+                                              "FILE.xacro > FILE.urdf', and give the .urdf");
   const RobotDescription robot = readRobotDescription(file, how.control);
   MeshLibrary meshes(how);
   Scene scene;

@@ -5,13 +5,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <utility>
 
-#include "base/descriptor.h"
 #include "base/read_file.h"
+#include "base/roots.h"
 #include "collision_hulls/error.h"
 
 namespace collision_hulls {
@@ -27,6 +29,57 @@ void write(const fs::path& file, const std::string& text) {
   out.close();
   if (!out) throwUnwritable(file, errno ? std::strerror(errno) : "writing failed");
 }
+
+void writeTo(const Descriptor& out, const std::string& text, const fs::path& file) {
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t written = ::write(out.number(), text.data() + done, text.size() - done);
+    if (written < 0 && errno != EINTR) throwUnwritable(file, std::strerror(errno));
+    done += static_cast<std::size_t>(std::max<ssize_t>(written, 0));
+  }
+}
+
+/// Into a pipe or a device, never into what has taken its place.
+void writeInto(const fs::path& file, const std::string& text) {
+  const Descriptor out(open(file.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
+  struct stat status {};
+  if (out.number() < 0 || fstat(out.number(), &status) != 0) throwUnwritable(file, std::strerror(errno));
+  if (S_ISREG(status.st_mode)) throwUnwritable(file, "it was a pipe or a device, and is a plain file now");
+  writeTo(out, text, file);
+}
+
+/// A file of this process alone, beside the one that it is to replace.
+class NewFile {
+ public:
+  explicit NewFile(const fs::path& folder) {
+    constexpr int kMostTries = 1000;
+    for (int i = 0; open_.number() < 0 && i < kMostTries && (i == 0 || errno == EEXIST); ++i) {
+      path_ = folder / (".collision_hulls-file-" + std::to_string(getpid()) + "-" + std::to_string(i));
+      open_ = Descriptor(open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+    }
+    if (open_.number() < 0) throwUnwritable(path_, std::strerror(errno));
+  }
+  ~NewFile() {
+    if (!path_.empty()) unlink(path_.c_str());
+  }
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  /// Reads it back, because a full disk does not always report an error.
+  void fill(const std::string& text, const fs::path& file) const {
+    writeTo(open_, text, file);
+    if (fsync(open_.number()) != 0 && errno != EINVAL && errno != ENOSYS) throwUnwritable(file, std::strerror(errno));
+    if (contentOf(placeOf(open_), text.size()) != text) throwUnwritable(file, "it reads back differently from what was written");
+  }
+
+  void moveTo(const fs::path& target, const fs::path& file) {
+    if (std::rename(path_.c_str(), target.c_str()) != 0) throwUnwritable(file, std::strerror(errno));
+    path_.clear();
+  }
+
+ private:
+  fs::path path_;
+  Descriptor open_;
+};
 
 /// Where a name leads, through links; also where nothing is there yet.
 fs::path behindLinks(fs::path file) {
@@ -80,6 +133,17 @@ void checkFolderOf(const fs::path& path) {
   rmdir(trial.c_str());
 }
 
+void checkHoldsJson(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return;
+  std::ifstream in(file, std::ios::binary);
+  char first = '{';
+  in >> first;  // stays if the file is empty
+  if (first != '{')
+    throw Error(ErrorCode::kUnwritableOutput,
+                "'" + file.string() + "' is there already and is no report; choose another name, or remove it");
+}
+
 void checkNamedFile(const fs::path& file) {
   std::error_code error;
   if (fs::is_directory(file, error)) throwUnwritable(file, "it is a folder");
@@ -88,25 +152,32 @@ void checkNamedFile(const fs::path& file) {
   if (access(file.c_str(), W_OK) != 0) throwUnwritable(file, std::strerror(errno));
 }
 
+fs::path placeOf(const Descriptor& folder) {
+  return "/proc/self/fd/" + std::to_string(folder.number());
+}
+
+Descriptor openedAround(const fs::path& path) {
+  const fs::path folder = path.parent_path();
+  Descriptor around(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (around.number() < 0) throwUnwritable(folder, std::strerror(errno));
+  std::error_code error;
+  const fs::path real = fs::read_symlink(placeOf(around), error);
+  if (error) throwUnwritable(path, "/proc, which tells where an open folder lies, is missing: mount it");
+  writablePath((real / path.filename()).string());
+  return around;
+}
+
 void writeNamedFile(const fs::path& file, const std::string& text) {
   checkNamedFile(file);
   std::error_code error;
-  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) return write(file, text);
-  const fs::path target = behindLinks(file);
-  fs::path temporary = target;
-  temporary += ".part-" + std::to_string(getpid());
-  try {
-    writeText(temporary, text);
-    if (const int reason = syncPath(temporary, fsync)) throwUnwritable(file, std::strerror(reason));
-    fs::rename(temporary, target, error);
-  } catch (const Error&) {
-    fs::remove(temporary, error);
-    throw;
-  }
-  if (!error) return;
-  const std::string why = error.message();
-  fs::remove(temporary, error);
-  throwUnwritable(file, why);
+  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) return writeInto(file, text);
+  const fs::path target = behindLinks(fs::absolute(file));
+  fs::create_directories(target.parent_path(), error);
+  if (error) throwUnwritable(target.parent_path(), error.message());
+  const Descriptor around = openedAround(target);
+  NewFile made(placeOf(around));
+  made.fill(text, file);
+  made.moveTo(placeOf(around) / target.filename(), file);
 }
 
 int syncPath(const fs::path& path, int (*sync)(int)) {

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "base/descriptor.h"
+
 namespace collision_hulls {
 
 /// The content of a regular file; nullopt if it cannot be read, is something else or has more bytes. For the program's own files, wherever
@@ -15,12 +17,22 @@ std::optional<std::string> contentOf(const std::filesystem::path& file, std::uin
 /// Writes a file (and the folders above it), reads it back and compares. Throws kUnwritableOutput with the system's reason.
 void writeText(const std::filesystem::path& file, const std::string& text);
 
+/// A path to an open folder, wherever that is moved.
+std::filesystem::path placeOf(const Descriptor& folder);
+
+/// The folder around a path, opened. A part of the path may have become a link since it was checked, so what is checked against the roots
+/// is the path's place in the folder that is open now. Throws kUnwritableOutput, kOutsideRoots.
+Descriptor openedAround(const std::filesystem::path& path);
+
 /// Writes a file that a user names: in one rename if it is a plain file or does not exist yet, also behind symbolic links; straight into
-/// it if it is a pipe or a device. Throws kUnwritableOutput.
+/// it if it is a pipe or a device. Throws kUnwritableOutput, and kOutsideRoots if the path leads out of the roots by now.
 void writeNamedFile(const std::filesystem::path& file, const std::string& text);
 
 /// Throws kUnwritableOutput if that would fail. Leaves nothing behind.
 void checkNamedFile(const std::filesystem::path& file);
+
+/// Throws kUnwritableOutput if a file is there that is no JSON: whoever names it for a report most likely means another.
+void checkHoldsJson(const std::filesystem::path& file);
 
 /// Throws kUnwritableOutput unless something can be created in the nearest existing folder above an absolute path, and tries that.
 void checkFolderOf(const std::filesystem::path& path);

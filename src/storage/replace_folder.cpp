@@ -33,11 +33,6 @@ fs::path asideOf(const fs::path& target) {
   return target.parent_path() / (prefixOf(target) + "old");
 }
 
-/// A path to an open folder, wherever that is moved.
-fs::path placeOf(const Descriptor& folder) {
-  return "/proc/self/fd/" + std::to_string(folder.number());
-}
-
 /// Whether a path still leads to a folder that was opened by it.
 bool isAt(const fs::path& path, const Descriptor& folder) {
   struct stat there {};
@@ -81,7 +76,12 @@ void replaceByTwoRenames(const fs::path& folder, const fs::path& target) {
   std::error_code ignored;
   fs::remove_all(aside, ignored);
   move(target, aside);
-  move(folder, target);
+  try {
+    move(folder, target);
+  } catch (const Error&) {
+    move(aside, target);
+    throw;
+  }
   fs::remove_all(aside, ignored);
 }
 
@@ -95,23 +95,13 @@ FolderReplacement::FolderReplacement(const std::string& target) : named_(replace
   std::error_code error;
   fs::create_directories(named_.parent_path(), error);
   if (error) throwUnwritable(named_.parent_path(), error.message());
-  openAround();
+  around_ = openedAround(named_);
+  target_ = placeOf(around_) / named_.filename();
   restoreAside(target_);
   removeLeftovers(target_);
   const std::string stem = (target_.parent_path() / prefixOf(target_)).string() + std::to_string(getpid()) + "-";
   int number = 0;
   while (!makeLocked(stem + std::to_string(number))) ++number;
-}
-
-/// A part of the path may have become a link since it was checked, so what counts is where the folder that is open now really lies.
-void FolderReplacement::openAround() {
-  around_ = Descriptor(open(named_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (around_.number() < 0) throwUnwritable(named_.parent_path(), std::strerror(errno));
-  std::error_code error;
-  const fs::path real = fs::read_symlink(placeOf(around_), error);
-  if (error) throwUnwritable(named_, "/proc, which tells where an open folder lies, is missing: mount it");
-  writablePath((real / named_.filename()).string());
-  target_ = placeOf(around_) / named_.filename();
 }
 
 /// False if the name is taken, or if another process saw the folder before it was locked and removed it.
@@ -122,6 +112,11 @@ bool FolderReplacement::makeLocked(const fs::path& folder) {
   }
   folder_ = folder;
   lock_ = Descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  if (lock_.number() < 0 && errno != ENOENT) {
+    const std::string why = std::strerror(errno);
+    rmdir(folder.c_str());
+    throwUnwritable(folder, why);
+  }
   flock(lock_.number(), LOCK_EX);  // some file systems have no locks
   struct stat status {};
   if (!isAt(folder_, lock_) || fstat(lock_.number(), &status) != 0) return false;
@@ -136,7 +131,7 @@ fs::path FolderReplacement::folder() const {
 
 FolderReplacement::~FolderReplacement() {
   std::error_code ignored;
-  if (!folder_.empty()) fs::remove_all(folder_, ignored);
+  if (!folder_.empty() && rmdir(folder_.c_str()) != 0) fs::remove_all(folder_, ignored);  // an empty one takes no descriptor
 }
 
 /// Both folders must be where their paths lead.

@@ -33,7 +33,6 @@ class FolderReplacement {
   void commit();
 
  private:
-  void openAround();
   bool makeLocked(const std::filesystem::path& folder);
   void expectInPlace() const;
 

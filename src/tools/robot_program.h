@@ -21,6 +21,7 @@
 #include "command_line.h"
 #include "decompose_options.h"
 #include "progress_display.h"
+#include "robot/package_place.h"
 #include "scene/reading.h"
 #include "storage/files.h"
 
@@ -64,7 +65,7 @@ inline void addRobotOptions(CommandLine& app, const std::string& input, RobotCom
       ->group("Output");
   app.add_flag("--quiet", command.quiet, "Print errors only")->group("Output");
   app.add_option("--config", command.config,
-                 "Settings link by link (YAML), see doc/configuration.md; options given here count before its defaults")
+                 "Settings link by link (YAML), see doc/configuration.md; options given here override its defaults")
       ->type_name("FILE")
       ->check(notEmpty("a file"))
       ->group("Input");
@@ -76,8 +77,7 @@ inline void addRobotOptions(CommandLine& app, const std::string& input, RobotCom
 
 /// The option of programs that make several models.
 inline void addModelOption(CommandLine& app, RobotCommand& command) {
-  app.add_option("--model", command.models,
-                 "Make a model of this name with this tolerance; repeat it for several models from the same trees")
+  app.add_option("--model", command.models, "Make a model of this name with this tolerance; repeat it for several models from one run")
       ->type_name("NAME=LENGTH")
       ->check(notEmpty("a name and a tolerance, as in contact=2mm"))
       ->group("Accuracy");
@@ -224,7 +224,7 @@ inline void confine(const RobotCommand& command, std::optional<Confinement>& con
   if (command.roots.empty()) return;
   Roots roots;
   roots.read = roots.write = command.roots;
-  for (const std::string& item : command.package_path) roots.read.push_back(item.substr(item.find('=') + 1));
+  for (const std::string& item : command.package_path) roots.read.push_back(packagePlace(item).folder.string());
   roots.package_with = [finder = defaultPackageFinder("", command.package_path)](const std::string& path) {
     return finder.packageWith(path);
   };
@@ -249,7 +249,11 @@ inline MadeRobot make(RobotCommand& command, const RobotWork& work, const RunCon
   const std::string output = writablePath(command.output.empty() ? defaultOutput(input) : command.output);
   checkOutput(output);
   checkConfig(command, input, output);
-  if (isFile(command.json)) inContext("--json", [&] { checkBeside(command.json = writablePath(command.json), output); });
+  if (isFile(command.json))
+    inContext("--json", [&] {
+      checkBeside(command.json = writablePath(command.json), output);
+      checkHoldsJson(command.json);
+    });
   const std::string work_ahead = workOn(input, command.options);
   if (!command.quiet) std::cerr << "reading " << work_ahead << "\n";
   MadeRobot made{work(input, output, control, step), output};

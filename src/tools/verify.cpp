@@ -111,7 +111,7 @@ int run(Command& command) {
   static RunControl control;  // a signal may come until the program ends
   cancelOnSignals(control);
   interpret(command);
-  if (isFile(command.json)) inContext("--json", [&] { checkNamedFile(command.json); });
+  if (isFile(command.json)) inContext("--json", [&] { checkNamedFile(command.json), checkHoldsJson(command.json); });
   const Input original = openInput(command.original, command.package_path, "verify", control);
   const Input result = openInput(command.result, command.package_path, "verify", control);
   checkSameKind(original, result);

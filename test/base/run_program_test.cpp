@@ -1,6 +1,7 @@
 #include "base/run_program.h"
 
 #include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -23,6 +24,18 @@ TEST(RunProgram, GivesWhatItWrites) {
   EXPECT_EQ(result->errors, "err\n");
   EXPECT_EQ(runProgram(shell("kill -9 $$"))->status, 128 + SIGKILL);
   EXPECT_FALSE(runProgram({"no-such-program-anywhere"}));
+}
+
+TEST(RunProgram, WithoutAnyOpenFile) {
+  const pid_t child = fork();
+  if (child == 0) {
+    for (int i = 0; i < 3; ++i) close(i);
+    const auto result = runProgram(shell("cat; echo out; echo err >&2"));
+    _exit(result && result->status == 0 && result->out == "out\n" && result->errors == "err\n" ? 0 : 1);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
 }
 
 TEST(RunProgram, OutputWithoutEnd) {

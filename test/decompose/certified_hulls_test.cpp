@@ -109,6 +109,16 @@ TEST(CertifiedHulls, AreThreeForAChannel) {
 
 // A tolerance that the bound exceeds only by the search's gap must not count as exceeded: the gap is narrowed there. A single hull
 // protrudes by half the gap exactly, and by rounding.
+/// Where hulls lie in the faces of a part, all of its surface is nearly as far from them; the bound comes down to the gap all the same.
+TEST(CertifiedHulls, OfFlatCutsAreCertifiedClosely) {
+  for (const TriangleMesh& mesh : {test_shapes::lBracket(0.1, 0.012, 0.05), channel()}) {
+    const double tolerance = 0.001 * diagonal(mesh);
+    const CertifiedHulls result = certifiedHulls(mesh, within(tolerance));
+    EXPECT_LE(result.found, 0.001 * tolerance);
+    EXPECT_LE(result.bound, 0.003 * tolerance);
+  }
+}
+
 TEST(CertifiedHulls, NarrowTheGapWhereItDecides) {
   const double tolerance = kHalfGap * (1 + 0.3 * kCertificateGap);
   const CertifiedHulls result = certifiedHulls(channel(), within(tolerance, Method::kSingleHull));

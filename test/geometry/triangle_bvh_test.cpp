@@ -362,6 +362,8 @@ TEST(TriangleBvh, APatchThatTouchesTheSurfaceMeetsIt) {
     EXPECT_TRUE(bvh.metBy({on(1), on(1.5), on(1.5)})) << "a corner";
     EXPECT_TRUE(bvh.metBy({on(1), on(1), on(0.5)})) << "an edge";
     EXPECT_FALSE(bvh.metBy({on(0.999), on(0.999), on(0.001)})) << "inside";
+    EXPECT_FALSE(bvh.metBy({on(1 - 1e-7), on(1 - 1e-7), on(1 - 1e-7)})) << "closely below the face";
+    EXPECT_TRUE(bvh.metBy({on(1 - 1e-9), on(1 - 1e-9), on(1 - 1e-9)})) << "within the blur";
   }
 }
 

@@ -145,7 +145,7 @@ TEST(MeshQuestion, CancelEndsIt) {
 }
 
 TEST(MeshQuestion, SaysWhatProtects) {
-  EXPECT_EQ(readerProtection().rfind("a process of its own, with limits", 0), 0u) << readerProtection();
+  EXPECT_EQ(readerProtection().rfind("a process of its own, confined by resource limits", 0), 0u) << readerProtection();
 }
 
 }  // namespace

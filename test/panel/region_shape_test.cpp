@@ -84,7 +84,8 @@ TEST(RegionShape, ABoxMovesAndTurnsAsAWhole) {
 }
 
 TEST(RegionShape, AnyTurnComesBack) {
-  for (const Vector& rpy : {Vector(0.3, -0.4, 2), Vector(-3, 1.5, -1), Vector(0, 1.5708, 0)}) {
+  for (const Vector& rpy : {Vector(0.3, -0.4, 2), Vector(-3, 1.5, -1), Vector(0, 1.5708, 0), Vector(0.4, 1.5707963267948966, 0),
+                            Vector(1, -1.5707963267948966, 2)}) {
     const RegionBox turned = box({0, 0, 0}, {1, 1, 1}, rpy);
     const RegionBox back = asBox(dragged(box({0, 0, 0}, {1, 1, 1}), kWhole, poseOf(turned, kWhole, {})));
     EXPECT_TRUE(poseOf(back, kWhole, {}).isApprox(poseOf(turned, kWhole, {}), 3e-4)) << back.rpy.transpose();

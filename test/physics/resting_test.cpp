@@ -38,7 +38,9 @@ TEST(RestingPoses, ExcludesFacesThatTheCentreOfMassIsNotAbove) {
     for (const double x : {0.0, 0.1})
       for (const double y : {0.0, 0.1}) points.emplace_back(x + 2 * z, y, z);
   const ConvexHull hull = convexHull(points);
-  for (const RestingPose& pose : restingPoses(hull, massProperties(hull).center, 10))
+  const std::vector<RestingPose> poses = restingPoses(hull, massProperties(hull).center, 10);
+  EXPECT_FALSE(poses.empty());
+  for (const RestingPose& pose : poses)
     EXPECT_LT(std::abs(pose.rotation(2, 2)), 0.999) << "stands on a face that is horizontal in the drawing";
 }
 

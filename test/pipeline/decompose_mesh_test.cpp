@@ -53,5 +53,18 @@ TEST(DecomposeMesh, Degenerate) {
   EXPECT_EQ(decomposeMesh(missing, {}).report.links[0].error, "FileNotFound");
 }
 
+TEST(DecomposeMesh, NoToleranceFinerThanItsCoordinates) {
+  const TempFolder folder;
+  const std::string path = fixtures::write(folder / "part.obj", fixtures::obj(test_shapes::lBracket()));
+  const double size = diagonal(test_shapes::lBracket());
+  Options options;
+  options.tolerance = lengthOf(0.99e-6 * size);
+  const ElementReport row = decomposeMesh(path, options).report.links[0];
+  EXPECT_EQ(row.error, "BadOption");
+  EXPECT_NE(row.reason.find("part.obj"), std::string::npos) << row.reason;
+  options.tolerance = lengthOf(1.01e-6 * size);
+  EXPECT_EQ(decomposeMesh(path, options).report.links[0].status, Status::kOk);
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -69,6 +69,43 @@ class LinkSettingsTest : public ::testing::Test {
   TempFolder folder_;
 };
 
+/// The notes that hold a text.
+std::size_t notesWith(const RobotResult& result, const std::string& text) {
+  const std::vector<std::string>& notes = result.report.notes;
+  return static_cast<std::size_t>(
+      std::count_if(notes.begin(), notes.end(), [&](const std::string& note) { return note.find(text) != std::string::npos; }));
+}
+
+TEST_F(LinkSettingsTest, WhatChangesNothingIsNoted) {
+  const RobotResult result =
+      run("default: {method: bounding_box}\nlinks:\n  frame: {max_hulls: 1}\n  (frame|hand): {max_hulls: 2}\n  camera: keep\n");
+  EXPECT_EQ(notesWith(result, "changes nothing"), 1u);
+  EXPECT_EQ(notesWith(result, "'f.yaml', line 3: links 'frame' changes nothing"), 1u);
+  EXPECT_EQ(notesWith(run("regions: [{link: frame, half_space: {normal: [0, 0, 1], offset: 0}, tolerance: 1mm}]", "regions"),
+                      "region '1' of link 'frame' changes nothing"),
+            1u);
+  EXPECT_EQ(notesWith(run("links: {\".*\": keep}", "kept"), "all links are kept or removed"), 1u);
+}
+
+TEST_F(LinkSettingsTest, AnOutputThatIsDecomposedAgainIsNoted) {
+  EXPECT_EQ(notesWith(run("default: {method: bounding_box}"), "output of an earlier run"), 0u);
+  Options options;
+  options.method = Method::kBoundingBox;
+  EXPECT_EQ(notesWith(decompose(openInput(folder_ / "out"), options, folder_ / "again"), "output of an earlier run"), 1u);
+}
+
+TEST_F(LinkSettingsTest, ContactSensorsThatLoseTheirCollisionAreNoted) {
+  const std::string arm = fixtures::read(folder_ / "arm.urdf"), end = "</robot>";
+  const auto with = [&](const std::string& collision) {
+    fixtures::write(folder_ / "arm.urdf", arm.substr(0, arm.rfind(end)) + "<gazebo reference=\"hand\"><sensor><contact><collision> " +
+                                              collision + " </collision></contact></sensor></gazebo>" + end);
+    return run("default: {method: bounding_box}\nlinks: {camera: keep}");
+  };
+  EXPECT_EQ(notesWith(with("hand_collision"), "names the collision 'hand_collision'"), 1u);
+  EXPECT_EQ(notesWith(with("camera_collision"), "names the collision"), 0u) << "it is kept";
+  EXPECT_EQ(notesWith(with("other"), "names the collision"), 0u);
+}
+
 TEST_F(LinkSettingsTest, EachLinkHasItsOwn) {
   const RobotResult result = run("default: {tolerance: 1cm}\nlinks: {hand: {method: bounding_box}, base: {tolerance: 5cm, max_hulls: 1}}");
   const std::vector<ElementReport>& rows = result.report.links;
@@ -196,6 +233,7 @@ std::vector<std::string> sharedRobots() {
 
 // Boxes, since hulls would take minutes.
 TEST(LinkSettingsOfSharedRobots, ThreeLinksDifferFromTheOthers) {
+  if (sharedRobots().empty()) GTEST_SKIP() << "no ../shared/robots";
   for (const std::string& file : sharedRobots()) {
     const Input input = openInput(file);
     Options options;

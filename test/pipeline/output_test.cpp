@@ -184,6 +184,14 @@ TEST(HowToUse, AsTheUrisWantIt) {
   setenv("ROS_PACKAGE_PATH", folder.path().c_str(), 1);
   expect({in_package}, {export_line});
   unsetenv("ROS_PACKAGE_PATH");
+  fixtures::write(folder / "arm/package.xml", "<package><name>arm</name></package>");
+  writeOutput(result, folder / "arm/out/hulls");
+  EXPECT_NE(howToUse(result, folder / "arm/out/hulls").find("export ROS_PACKAGE_PATH=" + folder.path().string() + "/arm/out/hulls:$"),
+            std::string::npos)
+      << "ROS looks for no package within one";
+  writeOutput(result, folder / "my out/arm");
+  EXPECT_NE(howToUse(result, folder / "my out/arm").find("export ROS_PACKAGE_PATH='" + folder.path().string() + "/my out':$"),
+            std::string::npos);
   result.report.options.uri = UriStyle::kFile;
   expect({"textfile=\"" + urdf + "\"/>"}, {"ROS_PACKAGE_PATH"});
   result.report.options.uri = UriStyle::kRelative;

@@ -91,8 +91,8 @@ TEST(ReportJson, ValuesAreReadBack) {
   EXPECT_EQ(document["links"][2]["error"], "FileNotFound");
   EXPECT_EQ(document["options"]["tolerance"], "1cm,5%");
   EXPECT_EQ(document["options"]["format"], "stl");
-  const json totals = {{"links", 2},     {"meshes", 3}, {"triangles", 24}, {"hulls", 6}, {"least_hulls", 4}, {"hull_vertices", 48},
-                       {"seconds", 1.5}, {"failed", 1}, {"degraded", 1},   {"kept", 0},  {"removed", 0}};
+  const json totals = {{"links", 2},          {"meshes", 3},    {"triangles", 24}, {"hulls", 6},    {"primitives", 0}, {"least_hulls", 4},
+                       {"hull_vertices", 48}, {"seconds", 1.5}, {"failed", 1},     {"degraded", 1}, {"kept", 0},       {"removed", 0}};
   EXPECT_EQ(document["totals"], totals);
   EXPECT_EQ(document["notes"], json({"a note"}));
 }

@@ -141,6 +141,16 @@ TEST_F(Packages, AnotherLookupComesFirst) {
   EXPECT_EQ(finder("leg"), folder_.path("src"));
 }
 
+TEST_F(Packages, ThePackageAroundTheDescriptionComesBeforeAnyOther) {
+  folder_.write("src/arm/package.xml", manifest("arm"));
+  folder_.write("other/arm/package.xml", manifest("arm"));
+  const ScopedVariable path("ROS_PACKAGE_PATH", ros_path_);
+  const PackageFinder finder = defaultPackageFinder(folder_.path("other/arm/urdf/arm.urdf"));
+  const auto ros = [](const std::string& package) { return std::optional<std::string>("/ros/" + package); };
+  for (const PackageFinder& each : {finder, finder.askingFirst(ros)}) EXPECT_EQ(each("arm"), folder_.path("other/arm"));
+  EXPECT_EQ(defaultPackageFinder()("arm"), folder_.path("src/arm"));
+}
+
 TEST_F(Packages, CopiesShareOneCrawl) {
   folder_.write("src/arm/package.xml", manifest("arm"));
   const ScopedVariable path("ROS_PACKAGE_PATH", ros_path_);

@@ -52,9 +52,9 @@ class DoorsTest(unittest.TestCase):
     def said(self):
         return pathlib.Path(self.log).read_text(encoding="utf-8")
 
-    def decompose(self, uri, output=""):
+    def decompose(self, uri, output="", base=""):
         robot = robots.chain("small", [("base", robots.link("base", uri))])
-        return decompose(robot_description=robot, output=output, method="bounding_box", brief=True)
+        return decompose(robot_description=robot, output=output, base=base, method="bounding_box", brief=True)
 
     def assert_done(self, response, place):
         self.assertTrue(response.success, response.message)
@@ -99,12 +99,21 @@ class DoorsTest(unittest.TestCase):
             self.assert_refused(self.decompose(uri), "lies outside", self.folder.file("open"), "~read_roots")
 
     def test_reads_the_description_s_folder(self):
-        self.start("_base:=" + self.folder.file("shut/small.urdf"))
-        self.assertIn("does not exist", self.decompose("box.stl").message)
-        pathlib.Path(self.folder.file("shut/small.urdf")).write_text("<robot/>", encoding="utf-8")
+        base = self.folder.file("shut/small.urdf")
+        self.start("_base:=" + base)
+        self.assert_refused(self.decompose("box.stl", base=base))
+        pathlib.Path(base).write_text("<robot/>", encoding="utf-8")
         for uri in ("box.stl", self.folder.uri("shut/box.stl")):
-            self.assertTrue(self.decompose(uri).success)
-        self.assert_refused(self.decompose("../open/box.stl"))
+            self.assertTrue(self.decompose(uri, base=base).success)
+        self.assert_refused(self.decompose("../open/box.stl", base=base))
+
+    def test_a_request_s_text_is_not_from_the_launch_file_s_folder(self):
+        base = self.folder.file("shut/small.urdf")
+        pathlib.Path(base).write_text("<robot/>", encoding="utf-8")
+        self.start("_base:=" + base)
+        self.assertIn("came without a file name", self.decompose("box.stl").message)
+        self.assertIn("give an absolute path", self.decompose("box.stl", base="small.urdf").message)
+        self.assert_refused(self.decompose("box.stl", base=self.folder.file("open/small.urdf")))
 
     def test_reads_packages(self):
         self.start_confined()

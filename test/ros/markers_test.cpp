@@ -269,7 +269,7 @@ TEST(DrawOriginal, AMeshThatIsNotFoundLosesNothingElse) {
 
 TEST(Bounds, OfPrimitivesWhereNoMeshCanBeRead) {
   const auto nowhere = [](const std::string&) -> std::string { throw Error(ErrorCode::kFileNotFound, "no such file"); };
-  const RobotBounds bounds = robotBounds(parseRobotDescription(kUrdf), Source::kAuto, nowhere);
+  const RobotBounds bounds = robotBounds(parseRobotDescription(kUrdf), Source::kAuto, {nowhere, {}, RunControl()});
   EXPECT_DOUBLE_EQ(2.35, bounds.top);           // the cylinder ends at 2 + 0.3 + 0.05
   EXPECT_NEAR(1.175, bounds.centre.z(), 1e-9);  // from the arm's origin on
   EXPECT_NEAR(0.5 * std::hypot(0.1, 0.2, 2.35), bounds.radius, 1e-9);
@@ -281,7 +281,7 @@ TEST(Bounds, AJointWhoseLimitsExcludeZeroIsInTheirMiddle) {
         "<robot name='r'><link name='a'/><link name='b'><collision><geometry><box size='2 2 2'/></geometry></collision></link>"
         "<joint name='j' type='prismatic'><parent link='a'/><child link='b'/><axis xyz='1 0 0'/><limit lower='" +
         lower + "' upper='6' effort='1' velocity='1'/></joint></robot>";
-    return robotBounds(parseRobotDescription(urdf), Source::kAuto, [](const std::string& uri) { return uri; });
+    return robotBounds(parseRobotDescription(urdf), Source::kAuto, {[](const std::string& uri) { return uri; }, {}, RunControl()});
   };
   EXPECT_NEAR(0, bounds("-2").centre.x(), 1e-9);
   EXPECT_NEAR(4, bounds("2").centre.x(), 1e-9);
@@ -289,7 +289,8 @@ TEST(Bounds, AJointWhoseLimitsExcludeZeroIsInTheirMiddle) {
 
 TEST(Bounds, NeverEmpty) {
   const auto file = [](const std::string& uri) { return uri; };
-  EXPECT_GT(robotBounds(parseRobotDescription("<robot name='r'><link name='a'/></robot>"), Source::kAuto, file).radius, 0);
+  EXPECT_GT(robotBounds(parseRobotDescription("<robot name='r'><link name='a'/></robot>"), Source::kAuto, {file, {}, RunControl()}).radius,
+            0);
 }
 
 TEST(Colours, LinksDifferInHueAndHullsInShade) {

@@ -168,7 +168,11 @@ class ServiceTest(unittest.TestCase):
         self.set_parameter(NODE + "/base", self.folder.file("small.urdf"))
         with open(self.folder.file("small.urdf"), "w", encoding="utf-8") as file:
             file.write(self.folder.small_robot(relative=True))
-        self.decompose_well(robot_description=self.folder.small_robot(relative=True))
+        robot = self.folder.small_robot(relative=True)
+        self.assertFalse(decompose(robot_description=robot).success, "it may be from anywhere")
+        self.decompose_well(robot_description=robot, base=self.folder.file("small.urdf"))
+        self.set_parameter("/robot_description", robot)
+        self.decompose_well(robot_description="")
 
     def test_package_paths(self):
         robot = robots.chain("packaged", [("finger", robots.link("finger", "package://collision_hulls/meshes/finger.stl"))])

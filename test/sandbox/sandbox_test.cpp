@@ -87,7 +87,7 @@ TEST(Reader, AnswersByteForByte) {
 }
 
 TEST(Reader, SaysWhatProtectsIt) {
-  EXPECT_NE(reader().protection().find("with limits"), std::string::npos) << reader().protection();
+  EXPECT_NE(reader().protection().find("confined by resource limits"), std::string::npos) << reader().protection();
 }
 
 TEST(Reader, EachQuestionHasMemoryOfItsOwn) {

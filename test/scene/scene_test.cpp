@@ -1,5 +1,6 @@
 #include "collision_hulls/scene/scene.h"
 
+#include "base/roots.h"
 #include "scene/scene_tests.h"
 
 namespace collision_hulls {
@@ -83,6 +84,13 @@ TEST(ReadScene, CancelledAtOnce) {
   control.cancel();
   for (const char* name : {"a.yaml", "a.sdf", "a.scene", "a.bt", "a.urdf", "a.obj"})
     expectError(ErrorCode::kCancelled, {}, [&] { readScene(folder.write(name, "x"), noPackages(), {}, control); });
+}
+
+TEST(ReadScene, XacroIsCodeThatNoRequestMayBring) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("a.xacro", "<robot/>");
+  const Confinement confinement({{folder.path("")}, {}, {}, {}, "", ""});
+  expectError(ErrorCode::kOutsideRoots, {"a.xacro", "xacro FILE.xacro > FILE.urdf"}, [&] { readScene(file, noPackages()); });
 }
 
 }  // namespace

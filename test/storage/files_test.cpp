@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/roots.h"
 #include "collision_hulls/error.h"
 #include "pipeline/fixtures.h"
 #include "storage/text_file.h"
@@ -38,6 +43,66 @@ TEST(ReadTextFile, SaysWhatIsWrong) {
       EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
     }
   }
+}
+
+std::vector<std::string> namesIn(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.push_back(entry.path().filename());
+  return names;
+}
+
+TEST(WriteNamedFile, ReplacesAFileWholeAndLeavesNothingElse) {
+  const TempFolder folder;
+  const std::string longest(255, 'x');
+  for (const char* const text : {"first", ""}) {
+    writeNamedFile(folder / longest, text);
+    EXPECT_EQ(fixtures::read(folder / longest), text);
+  }
+  EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{longest});
+}
+
+TEST(CheckHoldsJson, OnlyReportsAreReplaced) {
+  const TempFolder folder;
+  for (const char* const text : {"", "{}", " \n{\"links\": []}"}) {
+    fixtures::write(folder / "file", text);
+    EXPECT_NO_THROW(checkHoldsJson(folder / "file")) << text;
+  }
+  EXPECT_NO_THROW(checkHoldsJson(folder / "none"));
+  EXPECT_NO_THROW(checkHoldsJson("/dev/null"));
+  for (const char* const text : {"<robot/>", "default: {}", "solid"}) {
+    fixtures::write(folder / "file", text);
+    EXPECT_THROW(checkHoldsJson(folder / "file"), Error) << text;
+  }
+}
+
+TEST(WriteNamedFile, FollowsALinkThatWasThere) {
+  const TempFolder folder;
+  fixtures::write(folder / "file", "old");
+  std::filesystem::create_symlink("file", folder / "link");
+  writeNamedFile(folder / "link", "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_EQ(fixtures::read(folder / "file"), "new");
+}
+
+TEST(WriteNamedFile, NeverThroughALinkOutOfTheRoots) {
+  const TempFolder folder;
+  for (const char* const name : {"in", "elsewhere"}) std::filesystem::create_directories(folder / name);
+  fixtures::write(folder / "elsewhere/report", "theirs");
+  Roots roots;
+  roots.write = {folder / "in"};
+  const Confinement confinement(roots);
+  std::filesystem::create_symlink(folder / "elsewhere/report", folder / "in/report");
+  std::filesystem::create_directory_symlink(folder / "elsewhere", folder / "in/sub");
+  for (const char* const name : {"in/report", "in/sub/report", "in/sub/new"}) {
+    try {
+      writeNamedFile(folder / name, "ours");
+      ADD_FAILURE() << name;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kOutsideRoots) << error.what();
+    }
+  }
+  EXPECT_EQ(fixtures::read(folder / "elsewhere/report"), "theirs");
+  EXPECT_EQ(namesIn(folder / "elsewhere"), std::vector<std::string>{"report"});
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include "storage/replace_folder.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,6 +14,7 @@
 #include "collision_hulls/error.h"
 #include "pipeline/fixtures.h"
 #include "storage/files.h"
+#include "storage/sha256.h"
 
 namespace collision_hulls {
 namespace {
@@ -92,6 +95,29 @@ TEST(FolderReplacement, UnwritablePlaces) {
   }
 }
 
+TEST(FolderReplacement, EndsWhereNothingMoreCanBeOpened) {
+  const TempFolder folder;
+  rlimit before{};
+  getrlimit(RLIMIT_NOFILE, &before);
+  const Descriptor next(open("/dev/null", O_RDONLY | O_CLOEXEC));
+  bool failed = false, worked = false;
+  for (rlim_t free = 0; free < 6; ++free) {
+    rlimit limit = before;
+    limit.rlim_cur = static_cast<rlim_t>(next.number()) + 1 + free;
+    setrlimit(RLIMIT_NOFILE, &limit);
+    try {
+      FolderReplacement replacement(folder / "out");
+      worked = true;
+    } catch (const Error& error) {
+      failed = true;
+      EXPECT_EQ(error.code(), ErrorCode::kUnwritableOutput) << error.what();
+    }
+    setrlimit(RLIMIT_NOFILE, &before);
+    EXPECT_EQ(entries(folder.path()), 0u) << free << " may be opened";
+  }
+  EXPECT_TRUE(failed && worked);
+}
+
 TEST(FolderReplacement, LeavesFoldersOfLiveProcessesAlone) {
   const TempFolder folder;
   FolderReplacement first(folder / "out");
@@ -133,9 +159,13 @@ TEST(ReplaceByTwoRenames, ReplacesAndCanBeResumed) {
   EXPECT_EQ(fixtures::read(target / "file"), "new");
   EXPECT_EQ(entries(folder.path()), 1u);
 
-  // The second rename fails, as if the process had been killed before it.
+  // Where the second rename fails, the first is undone.
   EXPECT_THROW(replaceByTwoRenames(folder / "missing", target), Error);
-  EXPECT_FALSE(fs::exists(target));
+  EXPECT_EQ(fixtures::read(target / "file"), "new");
+
+  // A process that was killed between the two.
+  const std::string aside = ".collision_hulls-" + sha256("out").substr(0, 16) + "-old";
+  fs::rename(target, folder / aside);
   restoreAside(target);
   EXPECT_EQ(fixtures::read(target / "file"), "new");
   EXPECT_EQ(entries(folder.path()), 1u);

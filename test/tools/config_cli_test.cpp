@@ -51,7 +51,7 @@ TEST_F(DecomposeConfig, WrongUse) {
   expectWrongUse("arm.urdf --config none.yaml", {"none.yaml", "does not exist"});
   expectWrongUse("arm.urdf --config .", {"configuration", "'.'"});
   expectWrongUse("arm.urdf --config hand.yaml -m hacd --links hand --effort best", {"effort", "'best'", "'hacd'"});
-  expectWrongUse("arm_description/bracket.obj --config hand.yaml", {"'hand.yaml', line 3", "links 'hand'", "is a mesh"});
+  expectWrongUse("arm_description/bracket.obj --config hand.yaml", {"'hand.yaml', line 3", "links 'hand'", "is a single mesh"});
   fixtures::write(folder_ / "fill.yaml", "links: {hand: {fill: true}}");
   expectWrongUse("arm.urdf --config fill.yaml -m acd", {"'fill.yaml', line 1", "'acd'", "'certified'"});
   fixtures::write(folder_ / "typo.yaml", "links:\n  hnad: keep");
@@ -89,7 +89,7 @@ TEST_F(DecomposeConfig, WrongModels) {
   expectWrongUse("arm.urdf --model ../x=1cm", {"model '../x'", "letters"});
   expectWrongUse("arm.urdf --model a=1cm --model a=2cm", {"model 'a' is given twice"});
   expectWrongUse("arm.urdf --model a=1cm -t 2cm", {"--tolerance contradicts --model"});
-  expectWrongUse("arm_description/bracket.obj --model a=1cm", {"model 'a'", "is a mesh"});
+  expectWrongUse("arm_description/bracket.obj --model a=1cm", {"model 'a'", "is a single mesh"});
 }
 
 class FitSceneConfig : public ConfigOfProgram {

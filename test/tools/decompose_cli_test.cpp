@@ -43,7 +43,7 @@ TEST_F(DecomposeProgram, Version) {
   const Finished result = run("--version");
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.out.rfind("decompose of collision_hulls ", 0), 0u) << result.out;
-  EXPECT_NE(result.out.find("\nMeshes are read in a process of its own, with limits"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("\nMeshes are read in a process of its own, confined by resource limits"), std::string::npos) << result.out;
 }
 
 TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {
@@ -52,6 +52,7 @@ TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {
   expectWrongUse("arm/urdf/arm.urdf another", {"another"});
   expectWrongUse("arm/urdf/arm.urdf -t 5furlongs", {"tolerance", "'5furlongs'", "5mm"});
   expectWrongUse("arm/urdf/arm.urdf -t 0", {"tolerance", "'0'"});
+  expectWrongUse("arm/urdf/arm.urdf --padding 2", {"--padding '2m'", "did you mean 2mm?\n"});
   expectWrongUse("arm/urdf/arm.urdf -t 101%", {"tolerance", "'101%'", "100%"});
   expectWrongUse("arm/urdf/arm.urdf -m vhacd", {"--method", "'vhacd'", "hacd", "bounding_box"});
   expectWrongUse("arm/urdf/arm.urdf -t 1% --tree 2%", {"tree", "'2%'", "1%"});

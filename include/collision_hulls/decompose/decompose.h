@@ -41,8 +41,8 @@ struct DecomposeOptions {
   Method method = Method::kCertified;
   /// [m] > 0: acceptable protrusion (hacd, acd: the papers' concavity epsilon)
   double tolerance = 0;
-  int max_hulls = 0;  ///< most hulls per mesh; 0: no cap
-  /// most vertices per hull, at least 8; 0: no cap. Reduction is outward only
+  int max_hulls = 0;  ///< most hulls per mesh; 0: no limit
+  /// most vertices per hull, at least 8; 0: no limit. Reduction is outward only
   int max_vertices = 64;
   std::uint64_t seed = 1;  ///< seeds everything random
   Effort effort = Effort::kQuick;
@@ -58,7 +58,7 @@ void check(const DecomposeOptions& options);  ///< throws kBadOption
 struct Decomposition {
   /// cover the mesh and its loose segments up to rounding; in a fixed order
   std::vector<ConvexHull> hulls;
-  /// a cap (on hulls or vertices) made the result coarser than the tolerance alone would
+  /// a limit (on hulls or vertices) made the result coarser than the tolerance alone would
   bool capped = false;
   /// what the control's deadline cut short or left out, for people; empty: nothing
   std::string untried;

@@ -42,8 +42,8 @@ struct FitMesh {
   std::shared_ptr<const Solid> solid;  ///< its solid
   HullTree tree;
   double margin = 0;     ///< [m] by which hulls grow when written, see roundOutward()
-  int max_vertices = 0;  ///< per hull as written; 0: no cap
-  int max_hulls = 0;     ///< per mesh; 0: no cap
+  int max_vertices = 0;  ///< per hull as written; 0: no limit
+  int max_hulls = 0;     ///< per mesh; 0: no limit
 };
 
 /// A mesh on a link.

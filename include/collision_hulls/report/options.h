@@ -98,8 +98,8 @@ struct LinkOptions {
   /// cut the hulls from a tree whose leaves are this fine, kept in the cache (certified)
   std::optional<Length> tree;
   bool fill = false;      ///< cover the inside of closed meshes as well (certified)
-  int max_hulls = 0;      ///< per mesh; 0: no cap
-  int max_vertices = 64;  ///< per hull; 0: no cap
+  int max_hulls = 0;      ///< per mesh; 0: no limit
+  int max_vertices = 64;  ///< per hull; 0: no limit
   Source source = Source::kAuto;
   /// [m] >= 0: the hulls hold everything this near to the surface, and may protrude further by it
   double padding = 0;
@@ -195,7 +195,7 @@ std::string shapesChoices();  ///< and for shapes
 /// Throws kBadOption for a tolerance that is not positive or above 1 m, a mistake in its unit.
 /// `option`: what the message calls it.
 void checkTolerance(const Length& tolerance, const std::string& option = "tolerance");
-void checkLimits(const LinkOptions& options);  ///< throws kBadOption for a cap out of range
+void checkLimits(const LinkOptions& options);  ///< throws kBadOption for a limit out of range
 /// Throws kBadOption where `shapes` contradicts another setting.
 void checkShapes(const LinkOptions& options);
 

@@ -47,7 +47,7 @@ struct HullFacts {
   /// Proved: no convex sets within the mesh's tolerance cover it with fewer; see leastHulls(). 1
   /// where it was not searched for, 0 for a failed mesh.
   std::size_t least_hulls = 0;
-  /// Spheres, boxes and cylinders in place of hulls, in a model that was fitted to a scene.
+  /// Spheres, boxes and cylinders in place of hulls, by Options::shapes or fitScene().
   std::size_t primitives = 0;
   double uncovered = 0;  ///< always 0: hulls that leave surface uncovered are a failure
   double protrusion = 0, protrusion_found = 0;      ///< proved bound; largest distance found

@@ -126,6 +126,11 @@ def decompose(
     return Result(**fields)
 
 
+def _several(items):
+    """A single path or name counts as a list of one."""
+    return [items] if isinstance(items, (str, os.PathLike)) else list(items)
+
+
 def decompose_robot(
     path: Path,
     output: Optional[Path] = None,
@@ -156,7 +161,7 @@ def decompose_robot(
     """
     from . import _core
 
-    named = {"output": output, "tolerance": tolerance, "config": config, "package_path": list(package_paths), "for": list(consumers)}
+    named = {"output": output, "tolerance": tolerance, "config": config, "package_path": _several(package_paths), "for": _several(consumers)}
     twice = sorted(named.keys() & options.keys())
     if twice:
         raise Error(f"there is no option '{twice[0]}' here: use package_paths or consumers", "BadOption")

@@ -18,9 +18,9 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <future>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "collision_hulls/error.h"
@@ -30,6 +30,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::chrono::milliseconds kLook{500};  // between looks at whether the node is there
+constexpr std::chrono::milliseconds kEnd{100};   // for a call in progress to end by itself
 constexpr double kServerWait = 5;                // [s] for an action server to notice us
 
 LinkRow toRow(const LinkPreview& message) {
@@ -67,7 +68,7 @@ BuildGoal toGoal(const NodeJob& job) {
 
 }  // namespace
 
-/// The conversation with one node; its end waits for the call in progress.
+/// The conversation with one node; its end ends the call in progress.
 class NodeClient::Session {
  public:
   Session(NodeClient& client, const std::string& name) : client_(client), name_(node_.resolveName(name)) {
@@ -78,7 +79,7 @@ class NodeClient::Session {
     fit_.emplace(node_, name_ + "/fit_scene_action", &queue_);
     validate_.emplace(node_, name_ + "/validate_action", &queue_);
     spinner_.start();
-    caller_ = std::thread([this] { call(); });
+    caller_ = std::async(std::launch::async, [this] { call(); });
   }
 
   ~Session() {
@@ -87,7 +88,10 @@ class NodeClient::Session {
       ended_ = true;
     }
     news_.notify_all();
-    caller_.join();
+    while (caller_.wait_for(kEnd) != std::future_status::ready) {  // a node that was stopped never answers
+      const std::lock_guard<std::mutex> lock(mutex_);
+      service_.shutdown();
+    }
     state_.shutdown();
     spinner_.stop();
     stopped_.clear();
@@ -181,13 +185,18 @@ class NodeClient::Session {
 
   /// Calls ~preview; `request` without links asks for all.
   void ask(PreviewRequest request) {
-    if (!service_.isValid()) service_ = node_.serviceClient<Preview>(name_ + "/preview", true);
+    if (!service_.isValid()) {
+      ros::ServiceClient service = node_.serviceClient<Preview>(name_ + "/preview", true);
+      post([&] { service_ = ended_ ? ros::ServiceClient() : service; });
+    }
     PreviewResponse response;
     const ros::WallTime begin = ros::WallTime::now();
     if (!service_.call(request, response)) {
-      service_.shutdown();
-      service_ = {};
-      post([this] { is_there_ = false, has_looked_ = false; });
+      post([this] {
+        service_.shutdown();
+        service_ = {};
+        is_there_ = has_looked_ = false;
+      });
       return;
     }
     const double milliseconds = (ros::WallTime::now() - begin).toSec() * 1000;
@@ -265,7 +274,6 @@ class NodeClient::Session {
   ros::NodeHandle node_;
   const std::string name_;
   ros::Subscriber state_;
-  ros::ServiceClient service_;
   std::optional<actionlib::ActionClient<BuildAction>> build_;
   std::optional<actionlib::ActionClient<DecomposeAction>> decompose_;
   std::optional<actionlib::ActionClient<FitSceneAction>> fit_;
@@ -277,12 +285,13 @@ class NodeClient::Session {
   std::vector<std::shared_ptr<void>> goals_;    // a handle that is gone gets no news
 
   std::mutex mutex_;  // of what follows
+  ros::ServiceClient service_;  // set by the calling thread alone
   std::condition_variable news_;
   std::optional<PreviewRequest> preview_;  // the latest
   std::optional<NodeJob> job_;
   bool cancel_ = false, all_wanted_ = false, is_there_ = false, has_looked_ = false, ended_ = false;
   std::uint32_t changes_ = 0;
-  std::thread caller_;
+  std::future<void> caller_;
 };
 
 NodeClient::NodeClient(QObject* parent) : QObject(parent) {

@@ -39,6 +39,7 @@ class SharedMesh {
 
   /// Its hull tree, with leaves for `tolerance` [m]: known already, or from the cache, or built and stored there. After read().
   std::shared_ptr<const HullTree> tree(const LinkOptions& options, double tolerance, const RunControl& control);
+  void letGo(const std::string& key) { trees_.erase(key); }  ///< of a treeKey()
   bool builtTree() const { return built_tree_; }
 
  private:

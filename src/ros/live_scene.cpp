@@ -92,7 +92,13 @@ Scene readService(const std::string& name, const std::string& root_link, const R
   const auto is_there = [&] { return ros::service::exists(name, false); };
   if (!waitFor(is_there, kPatience, control))
     fail(kService + name, "does not exist; start move_group, or give the full name (see 'rosservice list')");
-  if (!ros::service::call(name, call)) fail(kService + name, "gave no answer; it must be a moveit_msgs/GetPlanningScene");
+  ros::NodeHandle node;
+  ros::ServiceClient client = node.serviceClient<moveit_msgs::GetPlanningScene>(name, true);
+  switch (callInTime(client, call, kPatience, control)) {
+    case Called::kAnswered: break;
+    case Called::kFailed: fail(kService + name, "gave no answer; it must be a moveit_msgs/GetPlanningScene");
+    case Called::kLate: fail(kService + name, "did not answer within 10 s; see whether move_group is busy or stopped");
+  }
   return toScene(call.response.scene, root_link);
 }
 #else

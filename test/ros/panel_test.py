@@ -12,6 +12,7 @@ import json
 import os
 import re
 import shutil
+import signal
 import subprocess
 import tempfile
 import time
@@ -338,13 +339,33 @@ class PanelTest(unittest.TestCase):
         self.rviz("type", "node", "collision_hulls")
         self.rviz.wait("totals", "text", "^9 links")
 
-    def test_a_node_in_another_name_space_is_found(self):
+    @contextlib.contextmanager
+    def built_on_the_left(self):
+        """Another node, with the panel's hulls; its process."""
         program = os.path.join(SPACE, "lib", "collision_hulls", "collision_hulls_node")
-        with self.script.started([program, "__ns:=left", "__name:=hulls", f"_output_root:={self.home}"], stdout=subprocess.DEVNULL):
+        with self.script.started([program, "__ns:=left", "__name:=hulls", f"_output_root:={self.home}"], stdout=subprocess.DEVNULL) as node:
             self.rviz("type", "node", "/left/hulls")
             self.rviz.wait("advice", "text", "press Build")
             self.rviz("click", "build")
             self.rviz.wait("totals", "text", "^9 links", self.script.WAIT)
+            self.settle()
+            yield node
+
+    def test_a_node_that_never_answers_does_not_hold_the_panel(self):
+        with self.built_on_the_left() as node:
+            os.kill(node.pid, signal.SIGSTOP)
+            try:
+                self.rviz("choose", "shoulder_link")
+                self.rviz("key", "tolerance", "Right", 1)
+                time.sleep(1)  # it has been asked
+                self.rviz("type", "node", "collision_hulls")
+                self.rviz.wait("totals", "text", "^9 links")
+            finally:
+                os.kill(node.pid, signal.SIGCONT)
+
+    def test_a_node_in_another_name_space_is_found(self):
+        with self.built_on_the_left():
+            pass
         self.rviz.wait("advice", "text", "no node /left/hulls")
         self.rviz("type", "node", "collision_hulls")
         self.rviz.wait("totals", "text", "^9 links")

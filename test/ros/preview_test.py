@@ -96,10 +96,11 @@ class PreviewTest(unittest.TestCase):
         self.assertTrue(robots.wait_until(lambda: not self.hulls.seen("hulls", "base")))
 
     def test_what_no_tree_has_is_unbuilt(self):
-        for settings in ({"tolerance": "1mm"}, {"method": "single_hull"}, {"effort": "best"}):
+        for settings, reason in (({"tolerance": "1mm"}, "coarser leaves"), ({"method": "single_hull"}, "single_hull"), ({"effort": "best"}, "effort")):
             answer = self.cut(**settings)
             self.assertEqual("unbuilt", answer.status, settings)
-            self.assertIn("build", answer.reason)
+            self.assertIn(reason, answer.reason)
+            self.assertIn("build the link", answer.reason)
 
     def test_a_link_in_a_region_is_not_cut(self):
         region = "regions: [{link: base, half_space: {normal: [0, 0, 1], offset: 1}, keep_clear: true}]"

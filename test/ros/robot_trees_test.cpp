@@ -155,6 +155,43 @@ TEST_F(RobotTreesTest, ABuildOfSomeLinksKeepsTheTreesOfOthers) {
   EXPECT_TRUE(trees_.cut(robot_.links[0], at(0.02)));
 }
 
+TEST_F(RobotTreesTest, TreesThatTheLastBuildsDidNotAskForGo) {
+  const auto build_with = [&](double leaves) {
+    options_.tree = lengthOf(leaves);
+    build();
+  };
+  const auto is_held = [&](int link, double leaves) {
+    LinkOptions options = at(0.02);
+    options.tree = lengthOf(leaves);
+    return trees_.cut(robot_.links[static_cast<std::size_t>(link)], options).has_value();
+  };
+  build_with(0.005);
+  options_.links = "large";
+  for (const double leaves : {0.006, 0.007, 0.008, 0.009}) {
+    EXPECT_TRUE(is_held(1, 0.005)) << leaves;
+    build_with(leaves);
+  }
+  EXPECT_FALSE(is_held(1, 0.005));
+  EXPECT_TRUE(is_held(1, 0.006));
+  EXPECT_TRUE(is_held(0, 0.005));  // of the link that no build touched
+}
+
+TEST_F(RobotTreesTest, SaysWhyThereIsNoCut) {
+  const auto why = [&](const LinkOptions& options) { return trees_.whyNoCut(robot_.links[0], options); };
+  EXPECT_EQ("no hull tree of 'torus.obj' is held", why(at(0.02)));
+  build();
+  LinkOptions options = at(0.004);
+  EXPECT_EQ("its hull trees are of coarser leaves, or of another effort, fill or max_vertices", why(options));
+  options.padding = 0.01;
+  EXPECT_EQ("hulls with padding are not cut from hull trees", why(options));
+  options = at(0.02);
+  options.shapes = Shapes::kPrimitives;
+  EXPECT_EQ("shapes 'primitives' are not cut from hull trees", why(options));
+  options = at(0.02);
+  options.method = Method::kSingleHull;
+  EXPECT_EQ("method 'single_hull' has no hull tree", why(options));
+}
+
 TEST_F(RobotTreesTest, AMissingMeshIsAFailedRow) {
   fixtures::fs::remove(folder_ / "torus.obj");
   const RobotResult result = build();

@@ -246,7 +246,7 @@ LinkPreview LinkPreviews::unbuilt(const LinkChoice& settings) const {
   LinkPreview message;
   message.settings = settings;
   message.status = LinkPreview::UNBUILT;
-  message.reason = "no hull tree is held for these settings: build it";
+  message.reason = trees_.whyNoCut(described(settings.link), withTree(toOptions(settings))) + ": build the link";
   return message;
 }
 

@@ -22,6 +22,7 @@ namespace {
 constexpr double kTreeShare = 0.7;    // of the time of a mesh, approximately
 constexpr double kStepApart = 1.005;  // steps that are nearer to each other than this count as one
 constexpr double kMostTolerance = 1;  // [m] see checkTolerance()
+constexpr int kBuildsHeld = 4;        // of a mesh, so that a few settings can be compared and memory stays bounded
 
 std::string useKey(const GeometryElement& element) {
   std::ostringstream key;
@@ -38,7 +39,7 @@ double roundedUp(double value) {
 
 }  // namespace
 
-/// A tree with its reduced hulls.
+/// A tree with its reduced hulls, and the last of its mesh's builds that asked for it.
 struct RobotTrees::Tree {
   Tree(std::shared_ptr<const HullTree> built, int max_vertices) : tree(std::move(built)), cutter(*tree, max_vertices) {
     cutter.mergedBounds();  // reduces them all, so that no cut has to
@@ -46,6 +47,7 @@ struct RobotTrees::Tree {
   const std::shared_ptr<const HullTree> tree;
   TreeCutter cutter;
   std::mutex mutex;  // of the cutter
+  int build = 0;
 };
 
 /// A mesh that was read, with its trees by their keys.
@@ -59,6 +61,7 @@ struct RobotTrees::Mesh {
   const ReadMesh* read = nullptr;
   MeshResult known;  // once it is read
   std::map<std::string, std::shared_ptr<Tree>> trees;
+  int builds = 0;
 };
 
 /// A mesh of a link; without its tree where that is not held.
@@ -105,6 +108,20 @@ std::shared_ptr<RobotTrees::Mesh> RobotTrees::meshFor(const MeshTask& task, cons
   return mesh;
 }
 
+/// A build of a mesh begins: trees that none of its last builds asked for go.
+void RobotTrees::beginBuild(Mesh& mesh) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++mesh.builds;
+  for (auto tree = mesh.trees.begin(); tree != mesh.trees.end();) {
+    const auto next = std::next(tree);
+    if (tree->second->build + kBuildsHeld <= mesh.builds) {
+      mesh.shared.letGo(tree->first);
+      mesh.trees.erase(tree);
+    }
+    tree = next;
+  }
+}
+
 /// The tree that a link's options need, held from now on.
 std::shared_ptr<const HullTree> RobotTrees::hold(Mesh& mesh, const LinkOptions& options, const RunControl& control) {
   const double leaves = treeLeaves(options, mesh.known.mesh.diagonal);
@@ -112,10 +129,15 @@ std::shared_ptr<const HullTree> RobotTrees::hold(Mesh& mesh, const LinkOptions& 
   const std::string key = treeKey(mesh.task, options, mesh.options.seed, leaves);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (mesh.trees.count(key)) return tree;
+    const auto known = mesh.trees.find(key);
+    if (known != mesh.trees.end()) {
+      known->second->build = mesh.builds;
+      return tree;
+    }
   }
   auto held = std::make_shared<Tree>(tree, options.max_vertices);
   const std::lock_guard<std::mutex> lock(mutex_);
+  held->build = mesh.builds;
   mesh.trees.emplace(key, std::move(held));
   return tree;
 }
@@ -139,6 +161,7 @@ MeshResult RobotTrees::resultOf(Mesh& mesh, const LinkOptions& options, const Ru
 void RobotTrees::buildTask(std::size_t index, Run& run) {
   const MeshTask& task = run.tasks[index];
   const std::shared_ptr<Mesh> mesh = meshFor(task, run);
+  beginBuild(*mesh);
   const auto count = static_cast<double>(task.variants.size());
   for (std::size_t v = 0; v < task.variants.size(); ++v) {
     const double from = static_cast<double>(v) / count;
@@ -199,6 +222,16 @@ std::optional<LinkResult> RobotTrees::cut(const LinkDescription& link, const Lin
     result.rows.push_back(std::move(held.row));
   }
   return result;
+}
+
+std::string RobotTrees::whyNoCut(const LinkDescription& link, const LinkOptions& options) const {
+  if (options.padding > 0) return "hulls with padding are not cut from hull trees";
+  if (options.shapes != Shapes::kHulls) return "shapes '" + std::string(name(options.shapes)) + "' are not cut from hull trees";
+  if (options.method != Method::kCertified) return "method '" + std::string(name(options.method)) + "' has no hull tree";
+  if (!options.regions.empty()) return "a link in a region has no hull tree";
+  for (const Held& held : heldOf(link, options))
+    if (!held.mesh) return "no hull tree of '" + held.row.uri + "' is held";
+  return "its hull trees are of coarser leaves, or of another effort, fill or max_vertices";
 }
 
 void RobotTrees::cutThrough(Held& held, const LinkOptions& options) {

@@ -28,7 +28,8 @@ struct LinkResult {
   std::vector<ElementReport> rows;
 };
 
-/// Reads meshes and holds them, with the trees that were asked for, until the robot is another. Thread safe; one build() at a time.
+/// Reads meshes and holds them, with the trees that their last few builds asked for, until the robot is another. Thread safe; one build() at
+/// a time.
 class RobotTrees {
  public:
   RobotTrees();
@@ -45,6 +46,9 @@ class RobotTrees {
   /// micrometres.
   std::optional<LinkResult> cut(const LinkDescription& link, const LinkOptions& options) const;
 
+  /// Why cut() has nothing for these options.
+  std::string whyNoCut(const LinkDescription& link, const LinkOptions& options) const;
+
   /// [m] The tolerances, ascending, at which the number of a link's hulls changes, from the finest of its trees on. Empty as cut().
   std::vector<double> steps(const LinkDescription& link, const LinkOptions& options) const;
 
@@ -56,6 +60,7 @@ class RobotTrees {
   void buildTask(std::size_t task, Run& run);
   std::shared_ptr<Mesh> meshFor(const MeshTask& task, const Run& run);
   MeshResult resultOf(Mesh& mesh, const LinkOptions& options, const RunControl& preparing, const RunControl& certifying);
+  void beginBuild(Mesh& mesh);
   std::shared_ptr<const HullTree> hold(Mesh& mesh, const LinkOptions& options, const RunControl& control);
   std::shared_ptr<Tree> treeOf(const Mesh& mesh, const LinkOptions& options) const;
   std::vector<Held> heldOf(const LinkDescription& link, const LinkOptions& options) const;

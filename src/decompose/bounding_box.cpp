@@ -17,7 +17,6 @@ namespace {
 
 // Vertex projections that one search may spend; hulls of up to 2,000 vertices can try 500 faces or more.
 constexpr std::size_t kMostProjections = 1'000'000;
-constexpr double kSpare = 1e-6;  // of the size
 constexpr std::size_t kLeastDirections = 20;
 
 struct OrientedBox {
@@ -103,17 +102,14 @@ ConvexHull orientedBox(const ConvexHull& hull, const RunControl& control) {
   std::vector<Eigen::Vector3d> directions = faceNormals(hull, std::max(kLeastDirections, kMostProjections / points.size()));
   const Eigen::Matrix3d principal = principalAxes(points);
   for (int k = 0; k < 3; ++k) directions.insert(directions.end(), {Eigen::Vector3d::Unit(k), principal.col(k)});
-  OrientedBox best = boxAlong(points, Eigen::Matrix3d::Identity());
+  const OrientedBox along_axes = boxAlong(points, Eigen::Matrix3d::Identity());
+  OrientedBox best = along_axes;
   for (const Eigen::Vector3d& direction : directions) {
     control.check();
     const OrientedBox box = boxAcross(points, direction);
     if (box.volume() < best.volume()) best = box;
   }
-  // A box that is nearly flat may not hold the hull for rounding; one along the axes, a little larger than needed, then does.
-  OrientedBox along_axes = boxAlong(points, Eigen::Matrix3d::Identity());
-  const double spare = kSpare * (along_axes.high - along_axes.low).norm();
-  along_axes.low.array() -= spare;
-  along_axes.high.array() += spare;
+  // Around a hull that is hardly larger than what its coordinates are rounded by, only a box along the axes is sure to hold it.
   std::optional<ConvexHull> result = hullHolding(corners(best, middle), hull.vertices, control);
   if (!result) result = hullHolding(corners(along_axes, middle), hull.vertices, control);
   if (!result) throw Error(ErrorCode::kInternal, "an oriented box does not contain the hull it was built around");

@@ -32,6 +32,19 @@ TEST(OrientedBox, HoldsTheHullAndIsNoLargerThanTheBoxAlongTheAxes) {
   }
 }
 
+TEST(OrientedBox, HoldsAHullThatIsHardlyLargerThanRounding) {
+  RandomPoints random(14);
+  for (const double size : {1e-15, 1e-13, 1e-11, 1e-9}) {
+    for (int i = 0; i < 20; ++i) {
+      const Vector3d where = random.inCube();
+      std::vector<Vector3d> points = random.cloud(3);
+      for (Vector3d& p : points) p = where + size * p;
+      const ConvexHull hull = convexHull(points), box = orientedBox(hull);
+      for (const Vector3d& v : hull.vertices) EXPECT_LE(planeDistance(box, v), 0) << size;
+    }
+  }
+}
+
 TEST(PrincipalAxes, TheFirstHasTheLeastSpread) {
   RandomPoints random(13);
   std::vector<Vector3d> points = random.cloud(500);

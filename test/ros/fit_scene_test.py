@@ -4,6 +4,7 @@
 import importlib.util
 import json
 import os
+import threading
 import unittest
 
 import robots
@@ -107,6 +108,15 @@ class FitSceneTest(unittest.TestCase):
         response = self.fit(scene="service:/get_planning_scene")
         self.assertTrue(response.success, response.message)
         self.assertIn("against block", json.loads(response.report)["scene"]["links"][0]["reason"])
+
+    @unittest.skipUnless(importlib.util.find_spec("moveit_msgs"), "moveit_msgs is not installed")
+    def test_a_planning_scene_that_never_comes(self):
+        from moveit_msgs.srv import GetPlanningScene
+        ended = threading.Event()
+        service = rospy.Service("/silent_planning_scene", GetPlanningScene, lambda request: ended.wait(60) and None)
+        self.addCleanup(service.shutdown)
+        self.addCleanup(ended.set)
+        self.assert_refused("did not answer within 10 s", scene="service:/silent_planning_scene")
 
     def test_configurations_that_nobody_publishes(self):
         self.assert_refused("published by nobody", configurations="topic:/nowhere")

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "collision_hulls/pipeline/input.h"
 #include "decompose_options.h"
 #include "list_options.h"
 #include "measuring_program.h"
@@ -80,6 +81,7 @@ void gripAll(const Command& command) {
 
 int run(Command& command) {
   interpret(command);
+  if (!command.robot.empty()) openInput(command.robot);  // what cannot be read fails before the long work
   fs::create_directories(command.options.folder);
   if (!command.inputs.empty()) dropAll(command);
   if (!command.robot.empty()) gripAll(command);

@@ -12,10 +12,18 @@ namespace {
 
 constexpr std::size_t kShown = 60;  // characters of a value in a message
 
-[[noreturn]] void refuseKey(const YamlValue& key, const ConfigReaders& readers, const std::string& place) {
+/// Whether a key is rather the second half of a value: {tolerance: 1cm,5%}.
+bool isRestOfValue(const std::string& name, const YamlValue& value) {
+  return value.isNull() && !name.empty() && name.front() >= '0' && name.front() <= '9';
+}
+
+[[noreturn]] void refuseKey(const YamlValue& key, const YamlValue& value, const ConfigReaders& readers, const std::string& place) {
   std::vector<std::string> known;
   for (const auto& [of, reader] : readers) known.push_back(of);
   const std::string name = plainText(key, "a key");
+  if (isRestOfValue(name, value))
+    key.fail(shortQuoted(name) + " stands alone" + (place.empty() ? "" : " in " + place) +
+             ": put a value with a comma into quotes, as in {tolerance: '1cm,5%'}");
   key.fail(shortQuoted(name) + " is not known" + (place.empty() ? "" : " in " + place) + ": use one of " + joined(known) +
            didYouMean(name, known));
 }
@@ -68,7 +76,7 @@ void readMap(const ConfigItem& item, const ConfigReaders& readers, const std::st
   for (const auto& [key, value] : item.value.entries()) {
     const std::string name = plainText(key, "a key");
     const auto reader = std::find_if(readers.begin(), readers.end(), [&](const auto& r) { return r.first == name; });
-    if (reader == readers.end()) refuseKey(key, readers, item.name);
+    if (reader == readers.end()) refuseKey(key, value, readers, item.name);
     reader->second({value, item.name.empty() ? name : name + " of " + item.name});
   }
 }

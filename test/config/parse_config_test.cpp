@@ -79,6 +79,7 @@ TEST(ParseConfig, EveryWayToGetItWrong) {
       {"seed: 1\nregions:\n  - {link: hand}", {"line 3", "region 1 has neither box nor half_space", "give one of them"}},
       {"links:\n  arm: {tolerence: 2mm}", {"line 2", "'tolerence' is not known in links 'arm'", "did you mean 'tolerance'?"}},
       {"links:\n  arm: {regions: []}", {"'regions' is not known in links 'arm'"}},
+      {"default: {tolerance: 1cm,5%}", {"line 1", "'5%' stands alone in default", "'1cm,5%'"}},
       {"default: {action: keep}", {"'action' is not known in default"}},
       {"default: keep", {"line 1", "default is 'keep'", "only:"}},
       {"default: [1]", {"default is a list: use a map"}},

@@ -77,14 +77,15 @@ function(collision_hulls_generate robot)
   if(TARGET collision_hulls_reader)
     add_dependencies(${target} decompose collision_hulls_reader)
   endif()
-  set_target_properties(${target} PROPERTIES COLLISION_HULLS_OUTPUT "${output}")
+  set_property(DIRECTORY PROPERTY COLLISION_HULLS_OUTPUT_${robot_file} "${output}")
 endfunction()
 
 # collision_hulls_add_test(ROBOT [RESULT FILE] [NAME NAME] [MAX_UNCOVERED LENGTH] [MAX_PROTRUSION LENGTH] [PACKAGE_PATH DIR...]
 #                          [OPTIONS ARG...])
 #
 # A test that runs verify on the description and on RESULT: another description, or a package; by default what collision_hulls_generate(ROBOT)
-# makes. RESULT may be ROBOT itself. Without a gate it only fails if something cannot be read. OPTIONS are those of verify.
+# makes, which comes first and in the same CMakeLists.txt if it has an OUTPUT of its own. RESULT may be ROBOT itself. Without a gate it only fails
+# if something cannot be read. OPTIONS are those of verify.
 function(collision_hulls_add_test robot)
   cmake_parse_arguments(arg "" "RESULT;NAME;MAX_UNCOVERED;MAX_PROTRUSION" "PACKAGE_PATH;OPTIONS" ${ARGN})
   if(arg_UNPARSED_ARGUMENTS)
@@ -96,7 +97,10 @@ function(collision_hulls_add_test robot)
   if(arg_RESULT)
     get_filename_component(result "${arg_RESULT}" ABSOLUTE)
   else()
-    _collision_hulls_output(result "${robot}" "")
+    get_property(result DIRECTORY PROPERTY COLLISION_HULLS_OUTPUT_${robot_file})
+    if(NOT result)
+      _collision_hulls_output(result "${robot}" "")
+    endif()
     get_filename_component(folder "${result}" DIRECTORY)
     list(APPEND arg_PACKAGE_PATH "${folder}")
   endif()

@@ -6,6 +6,7 @@ or `config`; an empty cell leaves the option as the command line has it. Paths i
 import collections
 import csv
 import dataclasses
+import io
 import os
 import pathlib
 import re
@@ -75,25 +76,34 @@ def of_word(word, folder, options, name=""):
     return of_folder(path, options, name) if path.is_dir() else [Item(str(path), options, name)]
 
 
+def text_of(path):
+    try:
+        return path.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise Failure(f"'{path}' is not UTF-8 (byte {error.start}); save it as UTF-8") from error
+
+
 def of_list(path):
-    lines = [line.strip() for line in path.read_text(encoding="utf-8-sig").splitlines()]
+    lines = [line.strip() for line in text_of(path).splitlines()]
     return [item for line in lines if line and not line.startswith("#") for item in of_word(line, path.parent, {})]
 
 
 def of_manifest(path, known):
-    with open(path, encoding="utf-8-sig", newline="") as text:
-        rows = csv.DictReader(text)
+    rows = csv.DictReader(io.StringIO(text_of(path), newline=""), strict=True)
+    items = []
+    try:
         unknown = [column for column in rows.fieldnames or [] if column not in {"input", "name", *known}]
         if unknown or "input" not in (rows.fieldnames or []):
             what = f"has a column '{unknown[0]}', which is no option of decompose" if unknown else "has no column 'input'"
             raise Failure(f"'{path}' {what}; its columns are input, name, and options such as tolerance or config")
-        items = []
         for row in rows:
             if not row["input"]:
                 raise Failure(f"'{path}', line {rows.line_num}: no input")
             options = {name: [absolute(name, value, path.parent) if known[name][1] else ""]
                        for name, value in row.items() if name in known and value}
             items += of_word(row["input"], path.parent, options, row.get("name") or "")
+    except csv.Error as error:
+        raise Failure(f"'{path}', after line {rows.line_num}: {error}; write it as comma-separated values") from error
     return items
 
 

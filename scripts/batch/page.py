@@ -5,7 +5,6 @@ Totals, charts and the lists of the failed, slowest and worst are written here; 
 import html
 import json
 import math
-import os
 import pathlib
 import urllib.parse
 

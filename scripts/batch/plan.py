@@ -9,6 +9,7 @@ import os
 import pathlib
 import re
 import shutil
+import urllib.parse
 
 from files import read_json, sha256, write_json
 
@@ -21,9 +22,14 @@ SECONDS_A_MESH, SECONDS_A_MEGABYTE = 0.3, 4  # roughly what decompose takes with
 
 def packages(folders):
     """{name: folders} of all packages below, each by its folder's name and by its manifest's."""
-    found = {}
+    found, seen = {}, set()
     for top in folders:
         for folder, below, files in os.walk(top, followlinks=True):
+            place = os.path.realpath(folder)
+            if place in seen:  # links may lead round and round
+                below.clear()
+                continue
+            seen.add(place)
             if "package.xml" not in files:
                 below[:] = sorted(name for name in below if not name.startswith("."))
                 continue
@@ -52,7 +58,7 @@ class Sources:
         """Paths that a mesh's URI may mean."""
         near = pathlib.Path(description).parent
         if not uri.startswith("package://"):
-            path = re.sub(r"^file:(//)?", "", uri)
+            path = re.sub(r"^file:(//(localhost(?=/))?)?", "", uri)
             return [near / path]
         name, _, rest = uri[len("package://"):].partition("/")
         given = [pathlib.Path(item.partition("=")[2] or item) for item in package_path]
@@ -66,7 +72,8 @@ class Sources:
             text = pathlib.Path(path).read_text(encoding="utf-8", errors="replace")
         except OSError:
             return []
-        uris = {html.unescape(uri) for _, uri in re.findall(r"""filename\s*=\s*(["'])(.*?)\1""", text)}
+        written = {html.unescape(uri) for _, uri in re.findall(r"""filename\s*=\s*(["'])(.*?)\1""", text)}
+        uris = written | {urllib.parse.unquote(uri) for uri in written}
         return [path, *(file for uri in sorted(uris) for file in self.candidates(path, uri, package_path))]
 
     def of_package(self, path):

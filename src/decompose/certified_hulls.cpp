@@ -22,6 +22,7 @@
 #include "collision_hulls/decompose/round_outward.h"
 #include "collision_hulls/error.h"
 #include "decompose/certified/lower_bound.h"
+#include "decompose/finest_tolerance.h"
 #include "decompose/hulls_of_tree.h"
 #include "decompose/padding.h"
 #include "measure/protrusion.h"
@@ -255,6 +256,7 @@ void expectCovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hull
 
 CertifiedHulls certifiedHulls(const PreparedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
   checkTolerance(options);
+  expectResolvable(options.tolerance, diagonal(mesh.original), mesh.name);
   RunControl decomposing, certifying;
   follow(decomposing, control, 0, kDecomposeShare);
   follow(certifying, control, kDecomposeShare, 1);

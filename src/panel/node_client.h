@@ -1,4 +1,5 @@
-// The panel's side of ROS. Nothing here blocks the GUI's thread.
+// The panel's side of ROS. No answer of a node is waited for in the GUI's thread; another name waits for the master, to which topics are
+// told.
 #pragma once
 
 #include <QObject>

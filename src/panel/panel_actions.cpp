@@ -32,7 +32,7 @@ constexpr int kMostRefusals = 10, kRetry = 300;  // [ms]
 constexpr double kClearance = 0.01;              // [m] from a scene, if nobody changes it
 constexpr const char* kFilter = "Configurations (*.yaml *.yml);;All files (*)";
 constexpr const char* kScenes =
-    "Scenes (*.scene *.urdf *.xacro *.sdf *.world *.yaml *.bt *.ot *.stl *.obj *.dae *.ply *.glb);;All files (*)";
+    "Scenes (*.scene *.urdf *.xacro *.sdf *.world *.yaml *.yml *.bt *.ot *.stl *.obj *.dae *.off *.ply *.glb *.gltf);;All files (*)";
 
 }  // namespace
 
@@ -188,7 +188,9 @@ void HullsPanel::endJob(int kind, bool success, bool refused, const QString& mes
   if (refused && was_small) {
     settled_.start();  // once more, when the node is free
   } else if (refused && job_.isEmpty() && ++refusals_ < kMostRefusals) {
-    QTimer::singleShot(kRetry, this, [this] { begin(last_job_); });  // the job before is ending just now
+    QTimer::singleShot(kRetry, this, [this, job = last_job_] {  // the job before is ending just now
+      if (!is_own_) begin(job);
+    });
   } else {
     refusals_ = 0;
     const bool is_routine = success ? kind == NodeJob::kBuild : was_small && message.startsWith("cancelled");

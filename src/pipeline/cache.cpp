@@ -167,7 +167,7 @@ void Cache::storeValidation(const std::string& key, const Validation& validation
   if (validation.timeouts == 0) store(key + ".validation", validation);
 }
 
-std::optional<HullTree> Cache::findTree(const std::string& key) {
+std::optional<HullTree> Cache::findTree(const std::string& key) try {
   const std::string name = key + ".tree";
   const std::optional<std::string> bytes = find<std::string>(name);
   if (!bytes) return std::nullopt;
@@ -177,10 +177,13 @@ std::optional<HullTree> Cache::findTree(const std::string& key) {
     folder_.discard(name);
     return std::nullopt;
   }
+} catch (const std::bad_alloc&) {
+  return std::nullopt;
 }
 
-void Cache::storeTree(const std::string& key, const HullTree& tree) {
+void Cache::storeTree(const std::string& key, const HullTree& tree) try {
   store(key + ".tree", encodeHullTree(tree));
+} catch (const std::bad_alloc&) {
 }
 
 }  // namespace collision_hulls

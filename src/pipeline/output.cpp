@@ -44,14 +44,18 @@ void refuseForeign(const fs::path& folder) {
                     "' is not an earlier output (it has no report.json of collision_hulls) and is left alone; choose another output, or "
                     "remove it yourself");
   }
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error)) {
-    const fs::path file = entry.path().lexically_relative(folder);
-    if (entry.symlink_status(error).type() == fs::file_type::directory || known->files.count(file) > 0) continue;
+  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const fs::path file = entry->path().lexically_relative(folder);
+    std::error_code unknown;
+    if (entry->symlink_status(unknown).type() == fs::file_type::directory || known->files.count(file) > 0) continue;
     throw Error(ErrorCode::kNotOurOutput,
                 "'" + folder.string() + "' holds '" + file.string() +
                     "', which is not part of the earlier output there, and is left alone; choose another output, or "
                     "move that file away");
   }
+  if (error)
+    throw Error(ErrorCode::kUnwritableOutput, "the earlier output '" + folder.string() + "' cannot be looked through: " + error.message() +
+                                                  "; allow it, or choose another output");
 }
 
 std::string packageXml(const std::string& package) {

@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/millimetres.h"
 #include "base/stopwatch.h"
 #include "collision_hulls/check/validate.h"
 #include "collision_hulls/decompose/certified.h"
@@ -16,12 +15,11 @@
 #include "collision_hulls/measure/measures.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/fit_scene.h"
+#include "decompose/finest_tolerance.h"
 #include "pipeline/shapes/shapes.h"
 
 namespace collision_hulls {
 namespace {
-
-constexpr double kFinestTolerance = 1e-6;  // of the diagonal
 
 double toleranceFor(const TriangleMesh& mesh, const LinkOptions& options) {
   const double tolerance = options.tolerance.metres(diagonal(mesh));
@@ -43,20 +41,11 @@ void checkSize(const std::string& uri, double diagonal, const Length& tolerance)
                   "large, give the tolerance only as a percentage, such as 1%");
 }
 
-/// Coordinates have single precision, and work that can never end would begin.
-void checkResolution(const std::string& uri, double diagonal, double tolerance) {
-  if (tolerance >= kFinestTolerance * diagonal) return;
-  throw Error(ErrorCode::kBadOption, "tolerance '" + toString(lengthOf(tolerance)) + "' is less than a millionth of '" + uri +
-                                         "', which is " + millimetres(diagonal) +
-                                         " across, and finer than its coordinates: a number without a unit is in metres; give " +
-                                         millimetres(kFinestTolerance * diagonal) + " or more");
-}
-
 /// Once the original is known. Throws kTooLarge and kBadOption, see SharedMesh::read().
 void setTolerance(const std::string& uri, const LinkOptions& options, MeshResult& result) {
   checkSize(uri, result.mesh.diagonal, options.tolerance);
   result.mesh.tolerance = toleranceFor(result.original, options);
-  checkResolution(uri, result.mesh.diagonal, result.mesh.tolerance);
+  expectResolvable(result.mesh.tolerance, result.mesh.diagonal, uri);
 }
 
 }  // namespace

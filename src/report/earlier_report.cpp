@@ -22,9 +22,9 @@ constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;  // some half a 
 bool isOfUse(int depth, json::parse_event_t event, const json& parsed) {
   constexpr int kDeepest = 5;
   if (event != json::parse_event_t::key) return depth <= kDeepest;
-  const std::map<int, std::set<json>> keys = {{1, {"collision_hulls", "files", "input", "options", "links"}},
-                                              {2, {"sha256", "source"}},
-                                              {3, {"link", "source", "status", "files"}}};
+  static const std::map<int, std::set<json>> keys = {{1, {"collision_hulls", "files", "input", "options", "links"}},
+                                                     {2, {"sha256", "source"}},
+                                                     {3, {"link", "source", "status", "files"}}};
   const auto here = keys.find(depth);
   return here != keys.end() && here->second.count(parsed) > 0;
 }

@@ -3,7 +3,6 @@
 #include "joint_states.h"
 
 #include <ros/callback_queue.h>
-#include <ros/master.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/JointState.h>
 
@@ -105,14 +104,11 @@ double secondsOf(const std::string& word, const std::string& source) {
 }
 
 void expectJointStates(const std::string& topic) {
-  ros::master::V_TopicInfo topics;
-  ros::master::getTopics(topics);
-  const auto found = std::find_if(topics.begin(), topics.end(), [&](const auto& info) { return info.name == topic; });
-  if (found == topics.end())
+  const std::optional<std::string> type = typeOfTopic(topic);
+  if (!type)
     throw Error(ErrorCode::kBadOption,
                 "configurations '" + topic + "' is published by nobody; start its node, or give the full name (see 'rostopic list')");
-  if (found->datatype != kType)
-    throw Error(ErrorCode::kBadOption, "configurations '" + topic + "' is a " + found->datatype + "; give a topic of " + kType);
+  if (*type != kType) throw Error(ErrorCode::kBadOption, "configurations '" + topic + "' is a " + *type + "; give a topic of " + kType);
 }
 
 /// Until time is over, or a message is wrong or one too many.

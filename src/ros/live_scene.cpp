@@ -3,10 +3,8 @@
 #include "live_scene.h"
 
 #include <ros/callback_queue.h>
-#include <ros/master.h>
 #include <ros/service.h>
 
-#include <algorithm>
 #include <functional>
 #include <map>
 
@@ -52,7 +50,7 @@ Scene fromTopic(const std::string& name, const std::string& root_link, const Run
     return message != nullptr;
   };
   if (!waitFor(has_come, kPatience, control)) fail(kTopic + name, "sent no message within 10 s; make its node publish one, or latch it");
-  return toScene(*message, root_link);
+  return toScene(*message, root_link, control);
 }
 
 std::map<std::string, Kind> topicKinds() {
@@ -72,13 +70,11 @@ std::map<std::string, Kind> topicKinds() {
 }
 
 Scene readTopic(const std::string& name, const std::string& root_link, const RunControl& control) {
-  ros::master::V_TopicInfo topics;
-  ros::master::getTopics(topics);
-  const auto topic = std::find_if(topics.begin(), topics.end(), [&](const auto& info) { return info.name == name; });
-  if (topic == topics.end()) fail(kTopic + name, "is published by nobody; start its node, or give the full name (see 'rostopic list')");
+  const std::optional<std::string> type = typeOfTopic(name);
+  if (!type) fail(kTopic + name, "is published by nobody; start its node, or give the full name (see 'rostopic list')");
   const std::map<std::string, Kind> kinds = topicKinds();
-  const auto kind = kinds.find(topic->datatype);
-  if (kind == kinds.end()) fail(kTopic + name, "is a " + topic->datatype + "; give a moveit_msgs/PlanningScene or an octomap_msgs/Octomap");
+  const auto kind = kinds.find(*type);
+  if (kind == kinds.end()) fail(kTopic + name, "is a " + *type + "; give a moveit_msgs/PlanningScene or an octomap_msgs/Octomap");
   if (!kind->second.read) failWithout(kTopic + name, kind->second.package);
   return kind->second.read(name, root_link, control);
 }
@@ -99,7 +95,7 @@ Scene readService(const std::string& name, const std::string& root_link, const R
     case Called::kFailed: fail(kService + name, "gave no answer; it must be a moveit_msgs/GetPlanningScene");
     case Called::kLate: fail(kService + name, "did not answer within 10 s; see whether move_group is busy or stopped");
   }
-  return toScene(call.response.scene, root_link);
+  return toScene(call.response.scene, root_link, control);
 }
 #else
 Scene readService(const std::string& name, const std::string&, const RunControl&) {

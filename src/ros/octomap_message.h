@@ -13,6 +13,6 @@ namespace collision_hulls {
 Octomap toOctomap(const octomap_msgs::Octomap& message);
 
 /// Boxes named "octomap/1", ...; see octomap.h. Throws kBadScene if the message is not in the root link's frame.
-Scene toScene(const octomap_msgs::Octomap& message, const std::string& root_link);
+Scene toScene(const octomap_msgs::Octomap& message, const std::string& root_link, const RunControl& control = {});
 
 }  // namespace collision_hulls

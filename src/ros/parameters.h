@@ -14,9 +14,9 @@
 namespace collision_hulls {
 
 /// Options as the parameters ~profile, ~tolerance ("1cm,5%", "1%", "5mm" or a number of metres), ~method, ~effort, ~fill, ~padding,
-/// ~shapes, ~tree, ~max_hulls, ~max_vertices, ~links (regular expression), ~source, ~format, ~uri, ~package_name, ~jobs, ~reader_memory,
-/// ~reader_time, ~time_limit, ~validate, ~cache and ~seed say; those that are not set keep their defaults. Throws kBadOption for a value of
-/// the wrong type or range.
+/// ~shapes, ~tree, ~max_hulls, ~max_vertices, ~links (regular expression), ~source, ~format, ~uri, ~package_name, ~segments, ~html, ~jobs,
+/// ~reader_memory, ~reader_time, ~time_limit, ~validate, ~cache and ~seed say; those that are not set keep their defaults. Throws
+/// kBadOption for a value of the wrong type or range.
 Options readOptions(const ros::NodeHandle& node);
 
 /// `options` with what a configuration says in their place: `config`, the text in a request, or if that is empty the text of ~config.

@@ -127,7 +127,7 @@ class ObjectAdder {
 
 }  // namespace
 
-Scene toScene(const moveit_msgs::PlanningScene& message, const std::string& root_link) {
+Scene toScene(const moveit_msgs::PlanningScene& message, const std::string& root_link, const RunControl& control) {
   if (message.is_diff) fail("is a difference to another one, not a whole scene; ask for service:/get_planning_scene");
   const Frames frames(message, root_link);
   Scene scene;
@@ -137,7 +137,7 @@ Scene toScene(const moveit_msgs::PlanningScene& message, const std::string& root
     ObjectAdder(object, frames.inRoot(object.header.frame_id), builder).addAll();
   const octomap_msgs::OctomapWithPose& map = message.world.octomap;
   if (!map.octomap.data.empty())
-    addOctomap(scene, "octomap", toOctomap(map.octomap), frames.inRoot(map.header.frame_id) * toTransform(map.origin));
+    addOctomap(scene, "octomap", toOctomap(map.octomap), frames.inRoot(map.header.frame_id) * toTransform(map.origin), control);
   return scene;
 }
 

@@ -13,6 +13,6 @@ namespace collision_hulls {
 /// "object/2", ... Poses must be in that frame, in one of fixed_frame_transforms, or in the parent frame of the robot state's only floating
 /// joint. Ignores attached objects, padding and allowed collisions. Throws kBadScene, also for a message that is a difference to another
 /// scene.
-Scene toScene(const moveit_msgs::PlanningScene& message, const std::string& root_link);
+Scene toScene(const moveit_msgs::PlanningScene& message, const std::string& root_link, const RunControl& control = {});
 
 }  // namespace collision_hulls

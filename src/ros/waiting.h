@@ -3,11 +3,15 @@
 
 #include <ros/ros.h>
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <future>
+#include <optional>
+#include <string>
 
 #include "collision_hulls/control.h"
+#include "collision_hulls/error.h"
 
 namespace collision_hulls {
 
@@ -23,15 +27,27 @@ inline bool waitFor(const std::function<bool()>& done, double seconds, const Run
   return false;
 }
 
+/// The type of the topic's messages; nothing: nobody publishes it. Throws kBadOption where the master does not answer.
+inline std::optional<std::string> typeOfTopic(const std::string& name) {
+  ros::master::V_TopicInfo topics;
+  if (!ros::master::getTopics(topics))
+    throw Error(ErrorCode::kBadOption,
+                "the ROS master at " + ros::master::getURI() + " does not answer: start roscore, or set ROS_MASTER_URI");
+  const auto topic = std::find_if(topics.begin(), topics.end(), [&](const auto& info) { return info.name == name; });
+  return topic == topics.end() ? std::nullopt : std::optional(topic->datatype);
+}
+
 enum class Called { kAnswered, kFailed, kLate };
 
-/// Calls a service for at most `seconds`. `client` must be persistent: roscpp ends a call early only with its connection. Throws kCancelled.
+/// Calls a service for at most `seconds`. `client` must be persistent: roscpp ends a call early only with its connection. Throws
+/// kCancelled.
 template <class Service>
 Called callInTime(ros::ServiceClient& client, Service& call, double seconds, const RunControl& control) {
   std::future<bool> answer = std::async(std::launch::async, [&] { return client.call(call); });
   const auto has_ended = [&] { return answer.wait_for(std::chrono::milliseconds(0)) == std::future_status::ready; };
   const auto end = [&] {
-    while (answer.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) client.shutdown();  // once does not end one that is about to begin
+    while (answer.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready)
+      client.shutdown();  // once does not end one that is about to begin
   };
   try {
     if (waitFor(has_ended, seconds, control)) return answer.get() ? Called::kAnswered : Called::kFailed;

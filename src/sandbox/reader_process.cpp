@@ -171,7 +171,9 @@ class Exchange {
 /// A pipe: this end, from which reading never waits, and the worker's.
 Descriptors pipeForAnswer() {
   Numbers ends{-1, -1};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw Ended{ReaderOutcome::Kind::kReaderEnded};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0)
+    throw Error(ErrorCode::kReaderFailed,
+                std::string("there is no pipe for what a file holds: ") + std::strerror(errno) + "; close other files, or allow more");
   Descriptors result{Descriptor(ends[0]), Descriptor(ends[1])};
   fcntl(ends[0], F_SETFL, O_NONBLOCK);
   fcntl(ends[0], F_SETPIPE_SZ, static_cast<int>(kPipe));  // where that is not allowed, it takes more turns

@@ -137,7 +137,7 @@ class Messages {
     } else if (value.has("joint_names") && value.has("points")) {
       readTrajectory(value);
     } else if (value.isMap()) {
-      for (const std::string& key : value.keys()) read(value[key], depth + 1);
+      for (const auto& [key, below] : value.entries()) read(below, depth + 1);
     } else if (value.isSequence()) {
       for (const YamlValue& item : value.items()) read(item, depth + 1);
     }

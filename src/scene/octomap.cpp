@@ -10,6 +10,7 @@
 #include <cstring>
 #include <map>
 
+#include "base/looks.h"
 #include "collision_hulls/error.h"
 #include "scene/reading.h"
 #include "storage/text_file.h"
@@ -32,7 +33,7 @@ struct Cells {
 
 class Reader {
  public:
-  explicit Reader(const Octomap& map) : data_(map.data) {
+  Reader(const Octomap& map, const RunControl& control) : data_(map.data), look_(control) {
     static const std::map<std::string, std::size_t> kBeyondValue{{"OcTree", 0}, {"ColorOcTree", 3}};  // bytes per node
     const auto found = kBeyondValue.find(map.id);
     if (found == kBeyondValue.end()) fail("is of the unknown kind '" + map.id + "'; supported are OcTree and ColorOcTree");
@@ -51,6 +52,7 @@ class Reader {
   using Corner = std::array<int, 3>;
 
   const char* bytes(std::size_t count) {
+    look_();
     if (data_.size() - at_ < count) fail("ends in the middle of a node, after " + std::to_string(data_.size()) + " bytes; it is damaged");
     at_ += count;
     return data_.data() + at_ - count;
@@ -78,6 +80,7 @@ class Reader {
     std::memcpy(&log_odds, bytes(sizeof log_odds), sizeof log_odds);
     bytes(beyond_value_);
     const auto children = static_cast<unsigned char>(*bytes(1));
+    if (std::isnan(log_odds)) fail("has a node whose value is not a number; it is damaged");
     if (children == 0 && log_odds >= 0) add(corner, level);
     if (children != 0 && level == 0) fail("has nodes below its 16th level; it is damaged");
     for (int i = 0; i < 8; ++i)
@@ -94,17 +97,20 @@ class Reader {
   }
 
   const std::string_view data_;
+  Looks look_;
   std::size_t at_ = 0, beyond_value_ = 0;
   std::vector<Cells> occupied_;
 };
 
 /// Merges boxes that differ only along this axis and meet there.
-void joinAlong(std::size_t axis, std::vector<Cells>& boxes) {
+void joinAlong(std::size_t axis, std::vector<Cells>& boxes, const RunControl& control) {
+  Looks look(control);
   const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
   const auto place = [&](const Cells& c) { return std::array<int, 5>{c.low[u], c.high[u], c.low[v], c.high[v], c.low[axis]}; };
-  std::sort(boxes.begin(), boxes.end(), [&](const Cells& a, const Cells& b) { return place(a) < place(b); });
+  std::sort(boxes.begin(), boxes.end(), [&](const Cells& a, const Cells& b) { return look(), place(a) < place(b); });
   std::size_t last = 0;
   for (std::size_t i = 1; i < boxes.size(); ++i) {
+    look();
     std::array<int, 5> next = place(boxes[last]);
     next.back() = boxes[last].high[axis];
     if (place(boxes[i]) == next)
@@ -115,10 +121,10 @@ void joinAlong(std::size_t axis, std::vector<Cells>& boxes) {
   boxes.resize(std::min(boxes.size(), last + 1));
 }
 
-std::vector<Cells> joined(std::vector<Cells> boxes) {
+std::vector<Cells> joined(std::vector<Cells> boxes, const RunControl& control) {
   for (std::size_t before = boxes.size() + 1; boxes.size() < before;) {
     before = boxes.size();
-    for (std::size_t axis = 0; axis < 3; ++axis) joinAlong(axis, boxes);
+    for (std::size_t axis = 0; axis < 3; ++axis) joinAlong(axis, boxes, control);
   }
   return boxes;
 }
@@ -133,10 +139,10 @@ std::string headValue(std::string_view head, const std::string& key) {
 
 }  // namespace
 
-std::vector<Eigen::AlignedBox3d> occupiedBoxes(const Octomap& map) {
+std::vector<Eigen::AlignedBox3d> occupiedBoxes(const Octomap& map, const RunControl& control) {
   if (!(map.resolution > 0 && std::isfinite(map.resolution)))
     fail("has a resolution of " + std::to_string(map.resolution) + " m; it must be a positive length");
-  const std::vector<Cells> all = joined(Reader(map).take());
+  const std::vector<Cells> all = joined(Reader(map, control).take(), control);
   if (all.size() > kMostBoxes) {
     throw Error(ErrorCode::kTooLarge, "the map has " + std::to_string(all.size()) + " boxes of occupied cells, above the limit of " +
                                           std::to_string(kMostBoxes) + "; make a coarser one, or crop it to what the robot can reach");
@@ -149,8 +155,8 @@ std::vector<Eigen::AlignedBox3d> occupiedBoxes(const Octomap& map) {
   return boxes;
 }
 
-void addOctomap(Scene& scene, const std::string& name, const Octomap& map, const Eigen::Isometry3d& pose) {
-  const std::vector<Eigen::AlignedBox3d> boxes = occupiedBoxes(map);
+void addOctomap(Scene& scene, const std::string& name, const Octomap& map, const Eigen::Isometry3d& pose, const RunControl& control) {
+  const std::vector<Eigen::AlignedBox3d> boxes = occupiedBoxes(map, control);
   SceneBuilder builder(scene);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     SceneBody body{name + "/" + std::to_string(i + 1), {}, pose * Eigen::Translation3d(boxes[i].center())};
@@ -175,7 +181,7 @@ Scene readOctomapScene(const std::string& file, const RunControl& control) {
     if (!parseNumber(headValue(head, "res"), map.resolution))
       fail("has the resolution '" + headValue(head, "res") + "', which is not a number");
     scene.name = "octomap";
-    addOctomap(scene, scene.name, map);
+    addOctomap(scene, scene.name, map, Eigen::Isometry3d::Identity(), control);
   });
   return scene;
 }

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "base/looks.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "robot/number_text.h"
@@ -25,7 +26,8 @@ LinkPair inOrder(const std::string& a, const std::string& b) {
 
 class Reader {
  public:
-  Reader(const RobotDescription& robot, std::string label) : label_(std::move(label)) {
+  Reader(const RobotDescription& robot, std::string label, const RunControl& control)
+      : label_(std::move(label)), look_(control, kLargeItemsBetweenLooks) {
     for (const LinkDescription& link : robot.links) links_.push_back(link.name);
     known_.insert(links_.begin(), links_.end());
   }
@@ -38,6 +40,7 @@ class Reader {
         fail(*element, "more than " + std::to_string(kMostPairs) + " pairs are disabled by default; name those that touch instead");
     }
     for (const XmlNode* element : root.childrenNamed("enable_collisions")) enable(pairOf(*element));
+    dropEnabled();
     for (const XmlNode* element : root.childrenNamed("disable_collisions")) disable(pairOf(*element), element->attribute("reason"));
     if (left_out_ > 0) {
       result_.notes.push_back(label_ + ": " + std::to_string(left_out_) + " pairs name links that the robot does not have, first '" +
@@ -60,6 +63,7 @@ class Reader {
   LinkPair pairOf(const XmlNode& element) const { return {linkOf(element, "link1"), linkOf(element, "link2")}; }
 
   bool isKnown(const LinkPair& pair) {
+    look_();
     for (const std::string& link : {pair.first, pair.second}) {
       if (known_.count(link)) continue;
       if (left_out_++ == 0) first_unknown_ = shortened(link);
@@ -74,9 +78,12 @@ class Reader {
   }
 
   void enable(const LinkPair& pair) {
-    if (!isKnown(pair) || !disabled_.erase(inOrder(pair.first, pair.second))) return;
-    const auto is_pair = [&](const DisabledPair& p) { return inOrder(p.link1, p.link2) == inOrder(pair.first, pair.second); };
-    result_.pairs.erase(std::remove_if(result_.pairs.begin(), result_.pairs.end(), is_pair), result_.pairs.end());
+    if (isKnown(pair)) disabled_.erase(inOrder(pair.first, pair.second));
+  }
+
+  void dropEnabled() {
+    const auto is_enabled = [this](const DisabledPair& p) { return look_(), disabled_.count(inOrder(p.link1, p.link2)) == 0; };
+    result_.pairs.erase(std::remove_if(result_.pairs.begin(), result_.pairs.end(), is_enabled), result_.pairs.end());
   }
 
   void disableAllOf(const XmlNode& element) {
@@ -87,6 +94,7 @@ class Reader {
   }
 
   std::string label_;
+  Looks look_;
   std::vector<std::string> links_;
   std::set<std::string> known_;
   std::set<LinkPair> disabled_;
@@ -106,7 +114,7 @@ std::string commentText(std::string text) {
 DisabledPairs parseDisabledPairs(const std::string& srdf_text, const RobotDescription& robot, const std::string& path,
                                  const RunControl& control) {
   const std::string label = path.empty() ? "SRDF" : "'" + path + "'";
-  return Reader(robot, label).read(parseXml(srdf_text, label, control));
+  return Reader(robot, label, control).read(parseXml(srdf_text, label, control));
 }
 
 DisabledPairs readDisabledPairs(const std::string& srdf_file, const RobotDescription& robot, const RunControl& control) {

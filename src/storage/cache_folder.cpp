@@ -107,7 +107,7 @@ std::optional<std::string> CacheFolder::find(const std::string& name) {
   if (key.empty()) return std::nullopt;
   const fs::path file = folder_ / name;
   TrustedFile entry = readTrustedFile(file.string(), most_bytes_ / kLeastEntries + kSeal);
-  if (entry.missing) return std::nullopt;
+  if (entry.missing || entry.unopened) return std::nullopt;
   std::string& bytes = entry.content;
   const std::string_view content = std::string_view(bytes).substr(0, bytes.size() - std::min(bytes.size(), kSeal));
   if (!entry.fault.empty() || bytes.substr(content.size()) != sealOf(key, name, content)) {

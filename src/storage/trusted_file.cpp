@@ -24,6 +24,7 @@ TrustedFile readTrustedFile(const std::string& path, std::uintmax_t most_bytes) 
   result.missing = file.error() == ENOENT;
   result.status = file.status();
   if (file.error() != 0) {
+    result.unopened = file.error() != ELOOP;
     result.fault = file.error() == ELOOP ? "it is a symbolic link" : std::strerror(file.error());
     return result;
   }

@@ -14,8 +14,9 @@ std::string distrust(const struct stat& status);
 
 struct TrustedFile {
   bool missing = false;
-  std::string fault;    ///< why it was not read, as distrust() says it, or because it is a link, no regular file, too large, unreadable
-  std::string content;  ///< empty unless it could be read
+  bool unopened = false;  ///< for a reason that may pass, such as too many open files
+  std::string fault;      ///< why it was not read, as distrust() says it, or because it is a link, no regular file, too large, unreadable
+  std::string content;    ///< empty unless it could be read
   struct stat status {};
 };
 

@@ -59,6 +59,10 @@ TEST(CertifiedHulls, RefusesWhatItCannotCertify) {
   for (const Method method : allMethods())
     for (const double tolerance : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("")})
       expectError(ErrorCode::kBadOption, "tolerance", [&] { certifiedHulls(box, within(tolerance, method)); });
+  const double finest = 1e-6 * diagonal(box);
+  for (const Method method : allMethods())
+    expectError(ErrorCode::kBadOption, "millionth", [&] { certifiedHulls(box, within(0.99 * finest, method)); });
+  EXPECT_TRUE(certifiedHulls(box, within(1.01 * finest)).within_tolerance);
   TriangleMesh wrong = box;
   wrong.triangles[0][0] = 99;
   expectError(ErrorCode::kIndexOutOfRange, "", [&] { certifiedHulls(wrong, within(0.1)); });

@@ -1,4 +1,4 @@
-// Also tests src/geometry/triangle_bvh_inside.cpp and triangle_bvh_patch.cpp.
+// Also tests src/geometry/triangle_bvh_inside.cpp and src/geometry/triangle_bvh_patch.cpp.
 #include "collision_hulls/geometry/triangle_bvh.h"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "collision_hulls/error.h"
@@ -89,6 +90,33 @@ TEST(Octomap, FullMapOfAHalfSpace) {
   const Boxes boxes = occupiedBoxes({false, "OcTree", 1, data});
   ASSERT_EQ(boxes.size(), 1u);
   expectBox(boxes[0], {-32768, -32768, -32768}, {32768, 32768, 0});
+}
+
+TEST(Octomap, ANodeWithoutANumberIsDamage) {
+  const auto with = [](float value) { return node(3, 1) + node(value, 0); };
+  EXPECT_EQ(occupiedBoxes({false, "OcTree", 1, with(1)}).size(), 1u);
+  EXPECT_EQ(errorOf({false, "OcTree", 1, with(std::nanf(""))}), ErrorCode::kBadScene);
+}
+
+/// A full tree of this many levels.
+std::string fullTree(int levels) {
+  if (levels == 0) return node(1.0F, 0);
+  std::string bytes = node(0.0F, 255);
+  for (int i = 0; i < 8; ++i) bytes += fullTree(levels - 1);
+  return bytes;
+}
+
+TEST(Octomap, IsCancelled) {
+  const std::string data = fullTree(5);
+  RunControl control;
+  EXPECT_EQ(occupiedBoxes({false, "OcTree", 1, data}, control).size(), 1u);
+  control.cancel();
+  try {
+    occupiedBoxes({false, "OcTree", 1, data}, control);
+    ADD_FAILURE() << "not cancelled";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kCancelled);
+  }
 }
 
 TEST(Octomap, IgnoresColours) {

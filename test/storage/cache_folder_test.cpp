@@ -1,6 +1,7 @@
 #include "storage/cache_folder.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -48,6 +49,22 @@ TEST(CacheFolder, WithoutAFolderItStoresNothing) {
   cache.store(entry('a'), "content");
   EXPECT_EQ(cache.find(entry('a')), std::nullopt);
   cache.trim();
+  EXPECT_EQ(cache.notes(), Names());
+}
+
+TEST(CacheFolder, KeepsAnEntryThatCannotBeOpenedForNow) {
+  const TempFolder folder;
+  CacheFolder cache(folder / "cache", kPlenty);
+  cache.store(entry('a'), "content");
+  ASSERT_EQ(cache.find(entry('a')), "content");
+  rlimit limit{};
+  getrlimit(RLIMIT_NOFILE, &limit);
+  const rlimit none{0, limit.rlim_max};
+  setrlimit(RLIMIT_NOFILE, &none);
+  const std::optional<std::string> meanwhile = cache.find(entry('a'));
+  setrlimit(RLIMIT_NOFILE, &limit);
+  EXPECT_EQ(meanwhile, std::nullopt);
+  EXPECT_EQ(cache.find(entry('a')), "content");
   EXPECT_EQ(cache.notes(), Names());
 }
 

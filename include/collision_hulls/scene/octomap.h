@@ -30,12 +30,14 @@ struct Octomap {
 /// overlap; boxes that together form a larger box are merged, along x, y and z in turn, until none
 /// are left to merge. Throws kBadScene for an unknown kind of tree, a resolution that is not a
 /// positive length, nodes below the 16th level, and data that ends early or continues past the last
-/// node; kTooLarge for more than 20 million cells or 10,000 boxes.
-std::vector<Eigen::AlignedBox3d> occupiedBoxes(const Octomap& map);
+/// node, or holds values that are not numbers; kTooLarge for more than 20 million cells or 10,000
+/// boxes; kCancelled.
+std::vector<Eigen::AlignedBox3d> occupiedBoxes(const Octomap& map, const RunControl& control = {});
 
 /// Appends these boxes as bodies "name/1", "name/2", ...; `pose` places the map's frame in the
 /// scene. Throws as occupiedBoxes() and addBody() do.
 void addOctomap(Scene& scene, const std::string& name, const Octomap& map,
-                const Eigen::Isometry3d& pose = Eigen::Isometry3d::Identity());
+                const Eigen::Isometry3d& pose = Eigen::Isometry3d::Identity(),
+                const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -44,6 +44,7 @@
 #include "decompose/certified/lower_bound.h"
 #include "decompose/certified/merging.h"
 #include "decompose/certified/tree_building.h"
+#include "decompose/finest_tolerance.h"
 #include "geometry/own_axes.h"
 #include "mesh/loose_segments.h"
 
@@ -384,6 +385,7 @@ HullTree hullTree(const RepairedMesh& mesh, const DecomposeOptions& options, con
   check(options);
   if (mesh.mesh.triangles.empty() && mesh.loose.empty())
     throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangles; a hull tree needs at least one");
+  expectResolvable(options.tolerance, diagonal(mesh.mesh), "");
   const Solid solid(mesh, control);
   LowerBound least = boundOf(mesh, solid, options);
   Job job(mesh, solid, options, least, control);

@@ -17,6 +17,8 @@ namespace collision_hulls {
 namespace {
 
 constexpr int kExactDigits = 15;
+constexpr int kLargestExponent = 100'000,
+              kFarBelow = 10 * kLargestExponent;  // powers where counting ends, so far apart that no sum is small
 constexpr std::array<double, 23> kPowersOfTen{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                               1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
@@ -42,7 +44,7 @@ struct Decimal {
     std::size_t count = 0;
     for (; count < rest->size() && isDigit((*rest)[count]); ++count) {
       if (significant == 0 && (*rest)[count] == '0') {
-        if (power > -1000) power -= shift;
+        if (power > -kFarBelow) power -= shift;
         continue;
       }
       if (++significant > kExactDigits) significant = kExactDigits + 1;
@@ -61,7 +63,7 @@ struct Decimal {
     int exponent = 0;
     std::size_t count = 0;
     for (; count < rest->size() && isDigit((*rest)[count]); ++count)
-      if (exponent < 10'000) exponent = 10 * exponent + ((*rest)[count] - '0');
+      if (exponent < kLargestExponent / 10) exponent = 10 * exponent + ((*rest)[count] - '0');
     rest->remove_prefix(count);
     power += negative ? -exponent : exponent;
     return count > 0;

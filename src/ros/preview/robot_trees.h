@@ -28,8 +28,8 @@ struct LinkResult {
   std::vector<ElementReport> rows;
 };
 
-/// Reads meshes and holds them, with the trees that their last few builds asked for, until the robot is another. Thread safe; one build() at
-/// a time.
+/// Reads meshes and holds them, with the trees that their last few builds asked for, until the robot is another. Thread safe; one build()
+/// at a time.
 class RobotTrees {
  public:
   RobotTrees();
@@ -42,8 +42,8 @@ class RobotTrees {
                     const RunControl& control = {}, const StepCallback& step = {});
 
   /// A link's hulls as cuts of the trees, without reading or searching anything. Nothing where a tree that the options need is not held,
-  /// or where hulls are padded: build() it. `protrusion` is proved for the hulls as they are here; decomposeRobot() rounds them outward, by
-  /// micrometres.
+  /// where hulls are padded, and for shapes other than hulls: build() it. `protrusion` is proved for the hulls as they are here;
+  /// decomposeRobot() rounds them outward, by micrometres.
   std::optional<LinkResult> cut(const LinkDescription& link, const LinkOptions& options) const;
 
   /// Why cut() has nothing for these options.

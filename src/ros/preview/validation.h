@@ -15,7 +15,7 @@ namespace collision_hulls {
 Validation validateLinks(const RobotDescription& robot, const PackageFinder& find_package, const Options& options,
                          const std::map<std::string, LinkResult>& links, const RunControl& control, const StepCallback& step);
 
-/// "1,800 queries: nothing missed, no false collision; distances to the hulls are at most 4.8 mm too short".
+/// As in "1800 queries compared hulls and meshes: no collision missed, no false collision beyond the protrusion; ...".
 std::string summary(const Validation& validation);
 
 }  // namespace collision_hulls

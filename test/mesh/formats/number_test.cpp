@@ -58,6 +58,10 @@ TEST(ParseNumber, BeyondItsRangeIsInfinityOrZero) {
   for (const char* word : {"1e-5000", "2e-4294967295", "0e99999999999999999999"}) EXPECT_EQ(parsed(word), 0) << word;
   EXPECT_EQ(parsed("0." + std::string(2000, '0') + "1e2001"), 1);
   EXPECT_EQ(parsed(std::string(2000, '9') + "e-2000"), 1);
+  for (const int zeros : {990, 1010, 20'000}) {
+    EXPECT_EQ(parsed("0." + std::string(static_cast<std::size_t>(zeros), '0') + "1e" + std::to_string(zeros)), 0.1) << zeros;
+    EXPECT_EQ(parsed("0." + std::string(static_cast<std::size_t>(zeros), '0') + "1e" + std::to_string(zeros - 10)), 1e-11) << zeros;
+  }
   for (const char* word : {"nan", "NaN", "-nan"}) EXPECT_TRUE(std::isnan(parsed(word))) << word;
 }
 

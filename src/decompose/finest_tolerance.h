@@ -1,0 +1,22 @@
+// What tolerance a mesh's coordinates, which have single precision, can bear.
+#pragma once
+
+#include <string>
+
+#include "base/millimetres.h"
+#include "collision_hulls/error.h"
+
+namespace collision_hulls {
+
+constexpr double kFinestTolerance = 1e-6;  // of the diagonal
+
+/// Throws kBadOption for a tolerance that is finer, for which the work would never end. `mesh`: its name; both lengths in metres.
+inline void expectResolvable(double tolerance, double diagonal, const std::string& mesh) {
+  if (!(tolerance < kFinestTolerance * diagonal)) return;  // a diagonal that is not finite is for others to refuse
+  throw Error(ErrorCode::kBadOption, "the tolerance of " + millimetres(tolerance) + " is less than a millionth of " +
+                                         (mesh.empty() ? "the mesh" : "'" + mesh + "'") + ", which is " + millimetres(diagonal) +
+                                         " across, and finer than its coordinates: a number without a unit is in metres; give " +
+                                         millimetres(kFinestTolerance * diagonal) + " or more");
+}
+
+}  // namespace collision_hulls

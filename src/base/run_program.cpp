@@ -15,6 +15,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <system_error>
 #include <thread>
@@ -120,16 +121,33 @@ void expectLess(const Output& output, const ProgramLimits& limits, const std::st
               "'" + program + "' writes more than the limit of " + std::to_string(limits.output / 1'000'000) + " MB; does it call itself?");
 }
 
+/// Our environment with these variables, each NAME=VALUE.
+std::vector<char*> environmentWith(const std::vector<std::string>& variables) {
+  const auto is_replaced = [&](const char* ours) {
+    return std::any_of(variables.begin(), variables.end(), [&](const std::string& theirs) {
+      return theirs.compare(0, theirs.find('=') + 1, ours, std::strcspn(ours, "=") + 1) == 0;
+    });
+  };
+  std::vector<char*> result;
+  for (char** ours = environ; *ours; ++ours)
+    if (!is_replaced(*ours)) result.push_back(*ours);
+  for (const std::string& variable : variables) result.push_back(const_cast<char*>(variable.c_str()));
+  result.push_back(nullptr);
+  return result;
+}
+
 }  // namespace
 
-std::optional<ProgramResult> runProgram(const std::vector<std::string>& arguments, const RunControl& control, const ProgramLimits& limits) {
+std::optional<ProgramResult> runProgram(const std::vector<std::string>& arguments, const RunControl& control, const ProgramLimits& limits,
+                                        const std::vector<std::string>& variables) {
   const Output out, errors;
   const Preparation preparation(out, errors);
   std::vector<char*> argv;
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
+  const std::vector<char*> environment = environmentWith(variables);
   pid_t process = 0;
-  const int error = posix_spawnp(&process, argv[0], preparation.files(), preparation.attributes(), argv.data(), environ);
+  const int error = posix_spawnp(&process, argv[0], preparation.files(), preparation.attributes(), argv.data(), environment.data());
   if (error == ENOENT) return std::nullopt;
   if (error != 0) fail(error, arguments.front());
   Running running(process);

@@ -48,7 +48,8 @@ void refuseFormat(Consumer consumer, MeshFormat format, const std::string& reads
 
 /// What has to be known of a consumer's files, or in place of them.
 std::vector<std::string> notesFor(Consumer consumer, const WrittenModel& model) {
-  if (consumer == Consumer::kGazebo || consumer == Consumer::kMujoco) return model.notes();
+  if (consumer == Consumer::kMujoco) return model.notes();
+  if (consumer == Consumer::kGazebo) return gazeboNotes(model);
   if (consumer == Consumer::kDart) return dartNotes(model);
   if (consumer == Consumer::kBullet)
     return {"--for bullet: Bullet's URDF importer takes the description as it is, each hull as a convex shape; no other file is written"};

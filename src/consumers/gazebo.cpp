@@ -2,6 +2,8 @@
 // model:// URIs, found when the folder above is in GZ_SIM_RESOURCE_PATH. Links stand relative to their joints, joints relative to the
 // parent's link. Gazebo's engines take each <collision> by itself, so one a hull keeps the shape.
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "consumers/written_model.h"
 #include "robot/number_text.h"
@@ -28,7 +30,22 @@ std::string pose(const std::string& indent, const Eigen::Isometry3d& pose, const
 
 class Writer {
  public:
-  explicit Writer(const WrittenModel& model) : model_(model) {}
+  explicit Writer(const WrittenModel& model) : model_(model) {
+    // Links and joints share a name space in SDF, but not in URDF.
+    std::set<std::string> links{kWorld}, taken;
+    for (const LinkDescription& link : model_.robot().links) links.insert(nameOf(link.name));
+    taken = links;
+    for (const JointDescription& joint : model_.robot().joints) taken.insert(joint.name);
+    for (const JointDescription& joint : model_.robot().joints) {
+      std::string& name = joints_[joint.name] = joint.name;
+      if (links.count(name) == 0) continue;
+      do name += "_joint";
+      while (!taken.insert(name).second);
+    }
+  }
+
+  /// Joints' names here, by those in the description.
+  const std::map<std::string, std::string>& joints() const { return joints_; }
 
   std::string text() {
     std::string text = "<?xml version=\"1.0\"?>\n<sdf version=\"1.9\">\n  <model" + named(model_.robot().name) + ">\n";
@@ -54,7 +71,7 @@ class Writer {
   std::string linkText(const LinkDescription& link) {
     std::string text = "    <link" + named(nameOf(link.name)) + ">\n";
     for (const JointDescription& joint : model_.robot().joints)
-      if (joint.child == link.name) text += pose("      ", Eigen::Isometry3d::Identity(), joint.name);
+      if (joint.child == link.name) text += pose("      ", Eigen::Isometry3d::Identity(), joints_.at(joint.name));
     text += inertialText(link.name);
     UniqueNames names;
     for (std::size_t i = 0; i < link.visuals.size(); ++i)
@@ -109,7 +126,7 @@ class Writer {
   }
 
   std::string jointText(const JointDescription& joint) const {
-    std::string text = "    <joint" + named(joint.name) + " type=\"" + typeOf(joint.kind) + "\">\n" +
+    std::string text = "    <joint" + named(joints_.at(joint.name)) + " type=\"" + typeOf(joint.kind) + "\">\n" +
                        pose("      ", joint.origin, frameOf(joint.parent)) + tag("      ", "parent", nameOf(joint.parent)) +
                        tag("      ", "child", nameOf(joint.child));
     const bool is_limited = joint.kind == JointDescription::Kind::kRevolute || joint.kind == JointDescription::Kind::kPrismatic;
@@ -135,9 +152,20 @@ class Writer {
   }
 
   const WrittenModel& model_;
+  std::map<std::string, std::string> joints_;
 };
 
 }  // namespace
+
+std::vector<std::string> gazeboNotes(const WrittenModel& model) {
+  std::vector<std::string> notes = model.notes();
+  std::string renamed;
+  const Writer writer(model);
+  for (const auto& [name, here] : writer.joints())
+    if (name != here) renamed += (renamed.empty() ? "'" : ", '") + name + "' is '" + here + "'";
+  if (!renamed.empty()) notes.push_back("--for gazebo: SDF lets no joint have the name of a link, so in model.sdf the joint " + renamed);
+  return notes;
+}
 
 ConsumerFiles gazeboFiles(const WrittenModel& model) {
   const std::string config = "<?xml version=\"1.0\"?>\n<model>\n" + tag("  ", "name", model.robot().name) + tag("  ", "version", "1.0") +

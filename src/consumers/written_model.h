@@ -81,6 +81,9 @@ ConsumerFiles isaacFiles(const WrittenModel& model);
 ConsumerFiles mujocoFiles(const WrittenModel& model);
 ConsumerFiles gazeboFiles(const WrittenModel& model);
 ConsumerFiles dartFiles(const WrittenModel& model);
-std::vector<std::string> dartNotes(const WrittenModel& model);  ///< WrittenModel::notes(), and on what its format cannot say
+
+// WrittenModel::notes(), and on what their formats cannot say.
+std::vector<std::string> gazeboNotes(const WrittenModel& model);
+std::vector<std::string> dartNotes(const WrittenModel& model);
 
 }  // namespace collision_hulls

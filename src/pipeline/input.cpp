@@ -35,7 +35,7 @@ using PackagePath = std::vector<std::string>;
 Input robotInput(const std::string& path, const PackagePath& package_path, const RunControl& control) {
   Input input;
   input.find_package = defaultPackageFinder(path, package_path);
-  input.robot = readRobotDescription(path, control);
+  input.robot = readRobotDescription(path, control, package_path);
   return input;
 }
 

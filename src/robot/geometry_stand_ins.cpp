@@ -6,10 +6,9 @@
 
 #include <iterator>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
-#include "robot/urdf_model.h"
+#include "robot/element_alone.h"
 #include "robot/uri_checks.h"
 
 namespace collision_hulls {
@@ -31,27 +30,6 @@ void deleteChildren(XMLElement& parent, const char* name) {
 std::string attributeOf(const XMLElement& element, const char* name) {
   const char* value = element.Attribute(name);
   return value ? value : "";
-}
-
-/// Why urdfdom cannot read an element in a link of its own; empty if it can.
-std::string complaintAbout(const XMLElement& element, const std::string& link) {
-  tinyxml2::XMLDocument alone;
-  XMLElement* robot = alone.NewElement("robot");
-  robot->SetAttribute("name", "r");
-  alone.InsertEndChild(robot);
-  XMLElement* parent = alone.NewElement("link");
-  parent->SetAttribute("name", link.c_str());
-  robot->InsertEndChild(parent);
-  parent->InsertEndChild(element.DeepClone(&alone));
-  tinyxml2::XMLPrinter printer(nullptr, true);
-  alone.Print(&printer);
-  try {
-    const UrdfModel model = readUrdfModel(printer.CStr());
-    if (model.links.at(0).visuals.size() + model.links.at(0).collisions.size() == 1) return "";
-    return model.complaints.empty() ? "it gives no reason" : model.complaints;
-  } catch (const std::exception& error) {
-    return error.what();
-  }
 }
 
 }  // namespace

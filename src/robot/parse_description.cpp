@@ -13,6 +13,7 @@
 #include "robot/joint_graph.h"
 #include "robot/robot_question.h"
 #include "robot/urdf_model.h"
+#include "robot/urdfdom_losses.h"
 #include "robot/uri_checks.h"
 #include "xml/xml_source.h"
 
@@ -107,12 +108,17 @@ UrdfModel readWhatCanBeRead(const tinyxml2::XMLElement& root, GeometryStandIns& 
   return readModel(root);
 }
 
-UrdfModel loadModel(const XmlSource& subject, const tinyxml2::XMLElement& root, GeometryStandIns& stand_ins) {
+void checkGraph(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   try {
     checkJointGraph(root);
-    return readWhatCanBeRead(root, stand_ins);
   } catch (const JointGraphError& error) {
     subject.failAt(ErrorCode::kNotARobot, subject.lineFromRoot(error.line()), error.what());
+  }
+}
+
+UrdfModel loadModel(const XmlSource& subject, const tinyxml2::XMLElement& root, GeometryStandIns& stand_ins) {
+  try {
+    return readWhatCanBeRead(root, stand_ins);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
@@ -183,6 +189,8 @@ RobotDescription decodeRobotDescription(const std::string& urdf_text, const std:
   tinyxml2::XMLElement& robot = *document.RootElement();
   checkIsRobot(subject, robot);
   checkNames(subject, robot);
+  checkGraph(subject, robot);
+  const std::vector<std::string> losses = notesOnLosses(subject, robot);
   GeometryStandIns stand_ins(subject, robot);
   stand_ins.takeOutOtherThings();
   UrdfModel model = loadModel(subject, robot, stand_ins);
@@ -190,6 +198,7 @@ RobotDescription decodeRobotDescription(const std::string& urdf_text, const std:
   std::vector<LinkDescription> links = inDocumentOrder(subject, robot, model, stand_ins);
   shortenTexts(links);
   std::vector<std::string> notes = notesOn(subject, robot);
+  notes.insert(notes.end(), losses.begin(), losses.end());
   notes.insert(notes.end(), stand_ins.notes().begin(), stand_ins.notes().end());
   return {model.name, "", path, std::move(links), std::move(model.joints), std::move(notes)};
 }

@@ -1,5 +1,6 @@
 // Robot descriptions from files: .urdf as they are, .xacro through the user's xacro program.
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 
@@ -7,6 +8,7 @@
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
+#include "robot/package_place.h"
 #include "storage/text_file.h"
 
 namespace fs = std::filesystem;
@@ -16,10 +18,48 @@ namespace {
 
 // How much of xacro's own messages is quoted: the end, which has the reason.
 constexpr std::size_t kMostQuoted = 2000;
+constexpr std::size_t kLongestPath = 64'000;  // [bytes] of ROS_PACKAGE_PATH: the kernel takes twice as much
 
-std::string expandXacro(const std::string& path, const RunControl& control) {
-  // Absolute, so that no file's name looks like an option.
-  const std::optional<ProgramResult> xacro = runProgram({"xacro", fs::absolute(path).string()}, control);
+bool isPackage(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::exists(folder / "package.xml", ignored);
+}
+
+/// The package that a file lies in; empty: none.
+fs::path packageAround(const fs::path& file) {
+  for (fs::path folder = file.parent_path(); folder.has_relative_path(); folder = folder.parent_path())
+    if (isPackage(folder)) return folder;
+  return {};
+}
+
+/// ROS_PACKAGE_PATH for xacro: folders in the order in which package:// URIs are looked up.
+std::string packagePathFor(const fs::path& file, const std::vector<std::string>& given) {
+  std::vector<fs::path> named, around, any;
+  for (const std::string& item : given) {
+    const PackagePlace place = packagePlace(item);
+    (place.package.empty() ? any : named).push_back(fs::absolute(place.folder));
+  }
+  if (const fs::path package = packageAround(file); !package.empty()) {
+    around.push_back(package);
+    std::error_code error;
+    for (fs::directory_iterator beside(package.parent_path(), error), end; !error && beside != end; beside.increment(error))
+      if (isPackage(beside->path())) any.push_back(beside->path());
+  }
+  const char* const ours = std::getenv("ROS_PACKAGE_PATH");
+  std::string path;
+  const auto add = [&](const std::string& folders) { path += (path.empty() ? "" : ":") + folders; };
+  for (const fs::path& folder : named) add(folder.string());
+  for (const fs::path& folder : around) add(folder.string());
+  add(ours && *ours ? ours : "/usr/share");
+  for (const fs::path& folder : any)
+    if (path.size() < kLongestPath) add(folder.string());
+  return path;
+}
+
+std::string expandXacro(const std::string& path, const std::vector<std::string>& package_path, const RunControl& control) {
+  const fs::path file = fs::absolute(path);  // so that no file's name looks like an option
+  const std::optional<ProgramResult> xacro =
+      runProgram({"xacro", file.string()}, control, {}, {"ROS_PACKAGE_PATH=" + packagePathFor(file, package_path)});
   if (!xacro) {
     throw Error(ErrorCode::kXacroMissing, "'" + path + "' is a xacro file, but there is no program 'xacro' on PATH: install it " +
                                               "(ROS package xacro; or 'pip install xacro') and source your workspace's setup.bash, " +
@@ -27,13 +67,16 @@ std::string expandXacro(const std::string& path, const RunControl& control) {
   }
   if (xacro->status == 0) return xacro->out;
   const std::size_t skipped = xacro->errors.size() - std::min(xacro->errors.size(), kMostQuoted);
-  throw Error(ErrorCode::kNotARobot,
-              "'" + path + "': xacro failed with status " + std::to_string(xacro->status) + ": " + xacro->errors.substr(skipped));
+  throw Error(
+      ErrorCode::kNotARobot,
+      "'" + path + "': xacro failed with status " + std::to_string(xacro->status) + ": " + xacro->errors.substr(skipped) +
+          "(packages that it includes are found with --package-path DIR; arguments go to xacro itself: xacro FILE.xacro NAME:=VALUE > "
+          "FILE.urdf)");
 }
 
-std::string expanded(const std::string& path, const RunControl& control) {
+std::string expanded(const std::string& path, const std::vector<std::string>& package_path, const RunControl& control) {
   try {
-    return expandXacro(path, control);
+    return expandXacro(path, package_path, control);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::kTooLarge && error.code() != ErrorCode::kOutOfTime) throw;
     throw Error(error.code(), "'" + path + "': " + error.what());
@@ -44,10 +87,10 @@ std::string expanded(const std::string& path, const RunControl& control) {
 
 }  // namespace
 
-RobotDescription readRobotDescription(const std::string& path, const RunControl& control) {
+RobotDescription readRobotDescription(const std::string& path, const RunControl& control, const std::vector<std::string>& package_path) {
   // Read in any case: the message about an unreadable file is better than xacro's.
   const std::string text = readTextFile(path, ".urdf or .xacro file", control);
-  return parseRobotDescription(lowerExtension(path) == ".xacro" ? expanded(path, control) : text, path, control);
+  return parseRobotDescription(lowerExtension(path) == ".xacro" ? expanded(path, package_path, control) : text, path, control);
 }
 
 }  // namespace collision_hulls

@@ -244,6 +244,20 @@ TEST_F(Consumers, GazeboHasACollisionForEachHullAndTheLimits) {
   EXPECT_NE(sdf.find("<velocity>2</velocity>"), std::string::npos);
 }
 
+TEST_F(Consumers, GazeboHasAnotherNameForAJointThatIsCalledAsALink) {
+  std::string urdf = threeLinks(cube());
+  for (const std::string from : {"joint name=\"ab\"", "joint name=\"bc\""})
+    urdf.replace(urdf.find(from), from.size(), from == "joint name=\"ab\"" ? "joint name=\"b\"" : "joint name=\"b_joint\"");
+  RobotResult result = decomposed(urdf);
+  addConsumerFiles({Consumer::kGazebo}, folder_ / "three_c", result);
+  const std::string& sdf = result.extra_files["model.sdf"];
+  EXPECT_EQ(fixtures::count(sdf, "<joint name=\"b_joint_joint\" type=\"revolute\">"), 1u) << sdf;
+  EXPECT_EQ(fixtures::count(sdf, "<pose relative_to=\"b_joint_joint\">"), 1u) << sdf;
+  EXPECT_EQ(fixtures::count(sdf, "<joint name=\"b_joint\" type=\"revolute\">"), 1u) << sdf;
+  ASSERT_FALSE(result.report.notes.empty());
+  EXPECT_NE(result.report.notes.back().find("the joint 'b' is 'b_joint_joint'"), std::string::npos) << result.report.notes.back();
+}
+
 TEST_F(Consumers, AnImpossibleInertiaIsBalancedWithANote) {
   const std::string inertial =
       "<inertial><mass value=\"2\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"4\"/></inertial>";

@@ -106,7 +106,8 @@ TEST(ParseDescription, ElementsThatCannotBeReadHaveAFaultAndLeaveTheOthersAlone)
       EXPECT_NE(found.fault.find(part), std::string::npos) << found.fault;
     EXPECT_EQ(link.collisions.back().kind, GeometryElement::Kind::kBox);
     EXPECT_EQ(link.collisions.back().fault, "");
-    EXPECT_TRUE(robot.notes.empty());
+    ASSERT_EQ(robot.notes.size(), 1U);
+    EXPECT_NE(robot.notes[0].find("urdfdom"), std::string::npos) << robot.notes[0];
   };
   for (const char* kind : {"visual", "collision"}) {
     check(kind, "<geometry><capsule/></geometry>", "<capsule>", "capsule");
@@ -132,10 +133,27 @@ TEST(ParseDescription, ElementsWithoutGeometryAreNone) {
   }
 }
 
+// Nor are materials.
 TEST(ParseDescription, InertiaIsNoneOfItsBusiness) {
-  const RobotDescription robot =
-      parseRobotDescription(robotWith("<link name='a'><inertial/><collision><geometry><box size='1 1 1'/></geometry></collision></link>"));
-  EXPECT_EQ(robot.links.at(0).collisions.size(), 1U);
+  const std::string box = "<geometry><box size='1 1 1'/></geometry>", collision = "<collision>" + box + "</collision>";
+  for (const std::string bad : {"<inertial/>", "<inertial><mass value='1'/><inertia ixx='--0'/></inertial>"}) {
+    const RobotDescription robot = parseRobotDescription(robotWith("<link name='a'>" + bad + collision + collision + "</link>"));
+    EXPECT_EQ(robot.links.at(0).collisions.size(), 2U);
+    ASSERT_EQ(robot.notes.size(), 1U) << "urdfdom, and so rviz, sees no collision element";
+    for (const std::string part : {"line 2", "<inertial> of link 'a'", "0 of its 0 <visual> and 0 of its 2 <collision>"})
+      EXPECT_NE(robot.notes[0].find(part), std::string::npos) << robot.notes[0];
+  }
+  std::string links;
+  for (const char* name : {"a", "b", "c"})
+    links += "<link name='" + std::string(name) + "'><visual>" + box + "<material/></visual>" + collision + "</link>" +
+             (*name > 'a' ? joint(name, "fixed", "a", name, "") : "");
+  const RobotDescription robot = parseRobotDescription(robotWith(links));
+  EXPECT_EQ(robot.links.at(2).collisions.size(), 1U);
+  ASSERT_EQ(robot.notes.size(), 1U);
+  for (const std::string part : {"<visual> of link 'a'", "0 of its 1 <visual> and 0 of its 1 <collision>", "2 more links: 'b', 'c'"})
+    EXPECT_NE(robot.notes[0].find(part), std::string::npos) << robot.notes[0];
+  const std::string good = "<inertial><mass value='1'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>";
+  EXPECT_TRUE(parseRobotDescription(robotWith("<link name='a'>" + good + collision + "</link>")).notes.empty());
 }
 
 TEST(ParseDescription, KeepsUrdfdomQuiet) {

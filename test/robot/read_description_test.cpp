@@ -61,6 +61,21 @@ TEST(ReadDescription, XacroFails) {
   expectError(ErrorCode::kNotARobot, {"status 2", "undefined macro: wheel"}, [&] { readRobotDescription(folder.write("a.xacro", kUrdf)); });
 }
 
+TEST(ReadDescription, XacroFindsPackagesAroundAndGiven) {
+  const TemporaryFolder folder;
+  writeProgram(folder, "xacro", "echo \"path=$ROS_PACKAGE_PATH:\" >&2; exit 2");
+  for (const char* package : {"ws/arm", "ws/hand", "elsewhere/base"}) folder.write(std::string(package) + "/package.xml", "<package/>");
+  folder.write("ws/notes/readme", "");
+  const std::string file = folder.write("ws/arm/urdf/a.xacro", kUrdf);
+  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin"), ros("ROS_PACKAGE_PATH", "/ours");
+  expectError(ErrorCode::kNotARobot,
+              {"path=" + folder.path("elsewhere/base") + ":" + folder.path("ws/arm") + ":/ours:" + folder.path("elsewhere") + ":",
+               "/ws/hand:", "--package-path"},
+              [&] {
+                readRobotDescription(file, {}, {"base=" + folder.path("elsewhere/base"), folder.path("elsewhere")});
+              });
+}
+
 TEST(ReadDescription, XacroCannotBeRun) {
   const TemporaryFolder folder;
   folder.write("xacro", "not executable");

@@ -49,7 +49,7 @@ TEST(RobotQuestion, SameAsInThisProcess) {
   EXPECT_EQ(there.text, kRobot);
   EXPECT_EQ(there.path, "arm.urdf");
   EXPECT_EQ(there.notes, here.notes);
-  EXPECT_EQ(there.notes.size(), 1u);
+  EXPECT_EQ(there.notes.size(), 2u);
   ASSERT_EQ(there.links.size(), 3u);
   ASSERT_EQ(there.joints.size(), 2u);
   for (std::size_t i = 0; i < 3; ++i) expectSame(there.links[i], here.links[i]);

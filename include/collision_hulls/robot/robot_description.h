@@ -84,9 +84,11 @@ struct RobotDescription {
 RobotDescription parseRobotDescription(const std::string& urdf_text, const std::string& path = "",
                                        const RunControl& control = {});
 
-/// Reads a .urdf, or a .xacro through the user's xacro program (kXacroMissing where there is none).
-/// Also throws kFileNotFound.
-RobotDescription readRobotDescription(const std::string& path, const RunControl& control = {});
+/// Reads a .urdf, or a .xacro through the user's xacro program (kXacroMissing where there is none),
+/// which finds the package that the file lies in, those beside it, and those of `package_path`, as
+/// defaultPackageFinder() takes it. Also throws kFileNotFound.
+RobotDescription readRobotDescription(const std::string& path, const RunControl& control = {},
+                                      const std::vector<std::string>& package_path = {});
 
 /// Finds packages, and files of packages that are not where their URIs say. Copies share one search
 /// and its notes. Thread safe if the lookup is.

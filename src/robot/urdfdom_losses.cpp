@@ -1,0 +1,90 @@
+// The whole description is read by urdfdom as it is, and the elements of its links are counted. Where some are missing, each element of the
+// link is read in a link of its own, in urdfdom's order, to find the one at which it stopped.
+#include "robot/urdfdom_losses.h"
+
+#include <tinyxml2.h>
+
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "base/counted.h"
+#include "robot/element_alone.h"
+#include "robot/urdf_model.h"
+#include "xml/xml_source.h"
+
+namespace collision_hulls {
+namespace {
+
+using tinyxml2::XMLElement;
+
+constexpr std::size_t kMostNamed = 5;  // links of a note
+
+std::size_t count(const XMLElement& link, const char* name) {
+  std::size_t result = 0;
+  for (const XMLElement* child = link.FirstChildElement(name); child; child = child->NextSiblingElement(name)) ++result;
+  return result;
+}
+
+/// An element at which urdfdom stops reading its link, and why.
+struct Stop {
+  const XMLElement* element = nullptr;
+  std::string reason;
+};
+
+std::optional<Stop> stopIn(const XMLElement& link, const std::string& name) {
+  for (const char* kind : {"inertial", "visual", "collision"})
+    for (const XMLElement* element = link.FirstChildElement(kind); element; element = element->NextSiblingElement(kind))
+      if (std::string reason = complaintAbout(*element, name); !reason.empty()) return Stop{element, std::move(reason)};
+  return std::nullopt;
+}
+
+bool hasGeometry(const XMLElement& element) {
+  const XMLElement* geometry = element.FirstChildElement("geometry");
+  return geometry && geometry->FirstChildElement();
+}
+
+}  // namespace
+
+std::vector<std::string> notesOnLosses(const XmlSource& subject, const XMLElement& root) {
+  std::unordered_map<std::string, const LinkDescription*> by_name;
+  UrdfModel model;
+  try {
+    tinyxml2::XMLPrinter printer(nullptr, true);
+    root.Accept(&printer);
+    model = readUrdfModel(printer.CStr());
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return {subject.label + ": urdfdom, and so rviz and MoveIt, refuses it as it is: " + error.what()};
+  }
+  for (const LinkDescription& link : model.links) by_name[link.name] = &link;
+  std::string first, others;
+  std::size_t more = 0;
+  for (const XMLElement* link = root.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
+    const std::string name = link->Attribute("name");
+    const auto seen = by_name.find(name);
+    const std::size_t visuals = count(*link, "visual"), collisions = count(*link, "collision");
+    if (seen == by_name.end() || (seen->second->visuals.size() == visuals && seen->second->collisions.size() == collisions)) continue;
+    const std::optional<Stop> stop = stopIn(*link, name);
+    if (!stop || (stop->element->Name() != std::string("inertial") && !hasGeometry(*stop->element))) continue;
+    if (first.empty()) {
+      const auto share = [](std::size_t taken, std::size_t there, const char* kind) {
+        return std::to_string(taken) + " of its " + std::to_string(there) + " <" + kind + ">";
+      };
+      first = subject.label + ", line " + std::to_string(subject.lineFromRoot(stop->element->GetLineNum())) +
+              ": urdfdom cannot read this <" + stop->element->Name() + "> of link '" + name + "' (" + stop->reason +
+              "), and nothing behind it there: rviz, MoveIt and others see " + share(seen->second->visuals.size(), visuals, "visual") +
+              " and " + share(seen->second->collisions.size(), collisions, "collision") +
+              " elements, as they will in the output; correct it";
+    } else if (++more <= kMostNamed) {
+      others += (others.empty() ? "'" : ", '") + name + "'";
+    }
+  }
+  if (first.empty()) return {};
+  if (more > 0) first += ". So it is in " + counted(more, "more link") + ": " + others + (more > kMostNamed ? ", ..." : "");
+  return {first};
+}
+
+}  // namespace collision_hulls

@@ -284,7 +284,7 @@ class NodeClient::Session {
   std::vector<std::function<void()>> stopped_;  // what cancels the last goal
   std::vector<std::shared_ptr<void>> goals_;    // a handle that is gone gets no news
 
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;            // of what follows
   ros::ServiceClient service_;  // set by the calling thread alone
   std::condition_variable news_;
   std::optional<PreviewRequest> preview_;  // the latest

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "robot/element_alone.h"
+#include "robot/urdfdom/element_alone.h"
 #include "robot/uri_checks.h"
 
 namespace collision_hulls {

@@ -13,7 +13,7 @@
 #include "robot/joint_graph.h"
 #include "robot/robot_question.h"
 #include "robot/urdf_model.h"
-#include "robot/urdfdom_losses.h"
+#include "robot/urdfdom/urdfdom_losses.h"
 #include "robot/uri_checks.h"
 #include "xml/xml_source.h"
 

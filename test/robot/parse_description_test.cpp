@@ -1,4 +1,4 @@
-// Also tests src/robot/element_alone.cpp and src/robot/urdfdom_losses.cpp.
+// Also tests src/robot/urdfdom/element_alone.cpp and src/robot/urdfdom/urdfdom_losses.cpp.
 // Also tests src/robot/geometry_stand_ins.cpp and src/robot/urdf_model.cpp.
 #include <gtest/gtest.h>
 

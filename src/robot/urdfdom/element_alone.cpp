@@ -1,4 +1,4 @@
-#include "robot/element_alone.h"
+#include "robot/urdfdom/element_alone.h"
 
 #include <tinyxml2.h>
 

@@ -60,9 +60,10 @@ class Writer {
 
   /// SDF reserves the name "world": a link of that name is left out, or takes another name if it has geometry.
   std::string nameOf(const std::string& link) const {
+    if (link != kWorld) return link;
     const auto is_it = [&](const LinkDescription& other) { return other.name == link && hasShape(other); };
     const bool has_shape = std::any_of(model_.robot().links.begin(), model_.robot().links.end(), is_it);
-    return link == kWorld && has_shape ? "world_link" : link;
+    return has_shape ? "world_link" : link;
   }
 
   /// What a pose is relative to: the model itself for the world, which has no frame in it.
@@ -163,7 +164,8 @@ std::vector<std::string> gazeboNotes(const WrittenModel& model) {
   const Writer writer(model);
   for (const auto& [name, here] : writer.joints())
     if (name != here) renamed += (renamed.empty() ? "'" : ", '") + name + "' is '" + here + "'";
-  if (!renamed.empty()) notes.push_back("--for gazebo: SDF lets no joint have the name of a link, so in model.sdf the joint " + renamed);
+  if (!renamed.empty())
+    notes.push_back("--for gazebo: SDF lets no joint have the name of a link or of the world, so in model.sdf the joint " + renamed);
   return notes;
 }
 

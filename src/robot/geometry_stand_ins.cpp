@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "robot/urdfdom/element_alone.h"
+#include "robot/urdfdom/urdf_elements.h"
 #include "robot/uri_checks.h"
 
 namespace collision_hulls {
@@ -17,11 +17,6 @@ namespace {
 using tinyxml2::XMLElement;
 
 constexpr std::size_t kMostNotes = 20;
-
-const XMLElement* shapeOf(const XMLElement& element) {
-  const XMLElement* geometry = element.FirstChildElement("geometry");
-  return geometry ? geometry->FirstChildElement() : nullptr;
-}
 
 void deleteChildren(XMLElement& parent, const char* name) {
   while (XMLElement* child = parent.FirstChildElement(name)) parent.DeleteChild(child);

@@ -12,7 +12,7 @@
 #include "robot/geometry_stand_ins.h"
 #include "robot/joint_graph.h"
 #include "robot/robot_question.h"
-#include "robot/urdf_model.h"
+#include "robot/urdfdom/urdf_elements.h"
 #include "robot/urdfdom/urdfdom_losses.h"
 #include "robot/uri_checks.h"
 #include "xml/xml_source.h"
@@ -74,18 +74,6 @@ void checkNames(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   checkName(subject, root);
 }
 
-UrdfModel readModel(const tinyxml2::XMLElement& root) {
-  tinyxml2::XMLPrinter printer(nullptr, true);
-  root.Accept(&printer);
-  return readUrdfModel(printer.CStr());
-}
-
-std::size_t countChildren(const tinyxml2::XMLElement& link, const char* name) {
-  std::size_t count = 0;
-  for (const auto* child = link.FirstChildElement(name); child; child = child->NextSiblingElement(name)) ++count;
-  return count;
-}
-
 // Whether urdfdom kept all elements of all links.
 bool isWhole(const tinyxml2::XMLElement& root, const UrdfModel& model) {
   std::size_t there = 0, taken = 0;
@@ -98,14 +86,14 @@ bool isWhole(const tinyxml2::XMLElement& root, const UrdfModel& model) {
 // Leaves out the elements that urdfdom cannot read.
 UrdfModel readWhatCanBeRead(const tinyxml2::XMLElement& root, GeometryStandIns& stand_ins) {
   try {
-    UrdfModel model = readModel(root);
+    UrdfModel model = readUrdfModel(root);
     if (isWhole(root, model)) return model;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception&) {  // comes again below unless an element was the reason
   }
   stand_ins.takeOutUnreadable();
-  return readModel(root);
+  return readUrdfModel(root);
 }
 
 void checkGraph(const XmlSource& subject, const tinyxml2::XMLElement& root) {

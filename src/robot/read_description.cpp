@@ -8,6 +8,7 @@
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
+#include "robot/package_crawl.h"
 #include "robot/package_place.h"
 #include "storage/text_file.h"
 
@@ -21,8 +22,7 @@ constexpr std::size_t kMostQuoted = 2000;
 constexpr std::size_t kLongestPath = 64'000;  // [bytes] of ROS_PACKAGE_PATH: the kernel takes twice as much
 
 bool isPackage(const fs::path& folder) {
-  std::error_code ignored;
-  return fs::exists(folder / "package.xml", ignored);
+  return isFile(folder / "package.xml");
 }
 
 /// The package that a file lies in; empty: none.
@@ -34,22 +34,20 @@ fs::path packageAround(const fs::path& file) {
 
 /// ROS_PACKAGE_PATH for xacro: folders in the order in which package:// URIs are looked up.
 std::string packagePathFor(const fs::path& file, const std::vector<std::string>& given) {
-  std::vector<fs::path> named, around, any;
+  std::vector<fs::path> named, any;
   for (const std::string& item : given) {
     const PackagePlace place = packagePlace(item);
     (place.package.empty() ? any : named).push_back(fs::absolute(place.folder));
   }
-  if (const fs::path package = packageAround(file); !package.empty()) {
-    around.push_back(package);
-    std::error_code error;
-    for (fs::directory_iterator beside(package.parent_path(), error), end; !error && beside != end; beside.increment(error))
-      if (isPackage(beside->path())) any.push_back(beside->path());
-  }
+  const fs::path package = packageAround(file);
+  if (!package.empty())
+    for (const fs::path& beside : sortedEntries(package.parent_path()))
+      if (isPackage(beside)) any.push_back(beside);
   const char* const ours = std::getenv("ROS_PACKAGE_PATH");
   std::string path;
   const auto add = [&](const std::string& folders) { path += (path.empty() ? "" : ":") + folders; };
   for (const fs::path& folder : named) add(folder.string());
-  for (const fs::path& folder : around) add(folder.string());
+  if (!package.empty()) add(package.string());
   add(ours && *ours ? ours : "/usr/share");
   for (const fs::path& folder : any)
     if (path.size() < kLongestPath) add(folder.string());
@@ -70,7 +68,7 @@ std::string expandXacro(const std::string& path, const std::vector<std::string>&
   throw Error(
       ErrorCode::kNotARobot,
       "'" + path + "': xacro failed with status " + std::to_string(xacro->status) + ": " + xacro->errors.substr(skipped) +
-          "(packages that it includes are found with --package-path DIR; arguments go to xacro itself: xacro FILE.xacro NAME:=VALUE > "
+          " (packages that it includes are found with --package-path DIR; arguments go to xacro itself: xacro FILE.xacro NAME:=VALUE > "
           "FILE.urdf)");
 }
 

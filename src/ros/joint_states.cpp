@@ -16,6 +16,7 @@
 #include "base/read_file.h"
 #include "collision_hulls/error.h"
 #include "sandbox/reader_program.h"
+#include "topic_type.h"
 #include "waiting.h"
 
 namespace collision_hulls {

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "collision_hulls/error.h"
+#include "topic_type.h"
 #include "waiting.h"
 #ifdef COLLISION_HULLS_MOVEIT_MSGS
 #include <moveit_msgs/GetPlanningScene.h>

@@ -3,15 +3,11 @@
 
 #include <ros/ros.h>
 
-#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <future>
-#include <optional>
-#include <string>
 
 #include "collision_hulls/control.h"
-#include "collision_hulls/error.h"
 
 namespace collision_hulls {
 
@@ -25,16 +21,6 @@ inline bool waitFor(const std::function<bool()>& done, double seconds, const Run
     ros::WallDuration(0.02).sleep();
   }
   return false;
-}
-
-/// The type of the topic's messages; nothing: nobody publishes it. Throws kBadOption where the master does not answer.
-inline std::optional<std::string> typeOfTopic(const std::string& name) {
-  ros::master::V_TopicInfo topics;
-  if (!ros::master::getTopics(topics))
-    throw Error(ErrorCode::kBadOption,
-                "the ROS master at " + ros::master::getURI() + " does not answer: start roscore, or set ROS_MASTER_URI");
-  const auto topic = std::find_if(topics.begin(), topics.end(), [&](const auto& info) { return info.name == name; });
-  return topic == topics.end() ? std::nullopt : std::optional(topic->datatype);
 }
 
 enum class Called { kAnswered, kFailed, kLate };

@@ -17,8 +17,8 @@ namespace collision_hulls {
 namespace {
 
 constexpr int kExactDigits = 15;
-constexpr int kLargestExponent = 100'000,
-              kFarBelow = 10 * kLargestExponent;  // powers where counting ends, so far apart that no sum is small
+// Powers of ten where counting ends, so far apart that the sum of both stays far from kPowersOfTen.
+constexpr int kLargestExponent = 100'000, kFarBelow = 10 * kLargestExponent;
 constexpr std::array<double, 23> kPowersOfTen{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                               1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 

@@ -10,8 +10,7 @@
 #include <unordered_map>
 
 #include "base/counted.h"
-#include "robot/urdf_model.h"
-#include "robot/urdfdom/element_alone.h"
+#include "robot/urdfdom/urdf_elements.h"
 #include "xml/xml_source.h"
 
 namespace collision_hulls {
@@ -20,12 +19,6 @@ namespace {
 using tinyxml2::XMLElement;
 
 constexpr std::size_t kMostNamed = 5;  // links of a note
-
-std::size_t count(const XMLElement& link, const char* name) {
-  std::size_t result = 0;
-  for (const XMLElement* child = link.FirstChildElement(name); child; child = child->NextSiblingElement(name)) ++result;
-  return result;
-}
 
 /// An element at which urdfdom stops reading its link, and why.
 struct Stop {
@@ -40,20 +33,13 @@ std::optional<Stop> stopIn(const XMLElement& link, const std::string& name) {
   return std::nullopt;
 }
 
-bool hasGeometry(const XMLElement& element) {
-  const XMLElement* geometry = element.FirstChildElement("geometry");
-  return geometry && geometry->FirstChildElement();
-}
-
 }  // namespace
 
 std::vector<std::string> notesOnLosses(const XmlSource& subject, const XMLElement& root) {
   std::unordered_map<std::string, const LinkDescription*> by_name;
   UrdfModel model;
   try {
-    tinyxml2::XMLPrinter printer(nullptr, true);
-    root.Accept(&printer);
-    model = readUrdfModel(printer.CStr());
+    model = readUrdfModel(root);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
@@ -65,10 +51,10 @@ std::vector<std::string> notesOnLosses(const XmlSource& subject, const XMLElemen
   for (const XMLElement* link = root.FirstChildElement("link"); link; link = link->NextSiblingElement("link")) {
     const std::string name = link->Attribute("name");
     const auto seen = by_name.find(name);
-    const std::size_t visuals = count(*link, "visual"), collisions = count(*link, "collision");
+    const std::size_t visuals = countChildren(*link, "visual"), collisions = countChildren(*link, "collision");
     if (seen == by_name.end() || (seen->second->visuals.size() == visuals && seen->second->collisions.size() == collisions)) continue;
     const std::optional<Stop> stop = stopIn(*link, name);
-    if (!stop || (stop->element->Name() != std::string("inertial") && !hasGeometry(*stop->element))) continue;
+    if (!stop || (stop->element->Name() != std::string("inertial") && !shapeOf(*stop->element))) continue;
     if (first.empty()) {
       const auto share = [](std::size_t taken, std::size_t there, const char* kind) {
         return std::to_string(taken) + " of its " + std::to_string(there) + " <" + kind + ">";

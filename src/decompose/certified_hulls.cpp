@@ -7,7 +7,8 @@
 // aim at the protrusion, so another attempt would only cost time.
 //
 // The certificate is a search between two bounds (measure/protrusion.h). Closing the gap costs more the narrower it is, so it stays at
-// kCertificateGap of the tolerance, and is narrowed only where the gap alone decides that the tolerance is exceeded.
+// kCertificateGap of the tolerance, or of the protrusion where that is more, and is narrowed only where the gap alone decides that the
+// tolerance is exceeded.
 #include "collision_hulls/decompose/certified_hulls.h"
 
 #include <algorithm>
@@ -143,7 +144,7 @@ Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, const D
   result.nearest = proof.nearest;
   result.nudge = rounded.nudge;
   result.untried = parts.untried;
-  if (certifying.late() && proof.bound - mesh.margin - proof.found > kCertificateGap * options.tolerance)
+  if (certifying.late() && proof.bound - mesh.margin - proof.found > kCertificateGap * std::max(options.tolerance, proof.found))
     result.untried += std::string(result.untried.empty() ? "" : ", ") + "a tight bound";
   attempt.capped = parts.capped;
   attempt.blunted = rounded.blunted;
@@ -194,7 +195,8 @@ std::string excuse(const DecomposeOptions& options, const Attempt& made) {
   const std::string vertices = "max-vertices " + std::to_string(options.max_vertices);
   if (!made.result.untried.empty()) return "time ended before " + made.result.untried + "; raise the time limit or the tolerance";
   if (made.capped && (options.max_hulls > 0 || options.method == Method::kCertified))
-    return "the limits (max-hulls " + std::to_string(options.max_hulls) + ", " + vertices + ") made the hulls coarser; raise them";
+    return "the limits (max-hulls " + std::to_string(options.max_hulls) + ", " + vertices +
+           ") made the hulls coarser; raise them, or the tolerance";
   if (options.method == Method::kHacd)
     return "hacd measures concavity along rays, which does not bound the protrusion; give a smaller tolerance, which makes more hulls";
   if (options.method == Method::kAcd)
@@ -239,10 +241,10 @@ void expectPadded(const std::vector<ConvexHull>& hulls, const std::vector<Convex
 Protrusion certificate(const std::vector<ConvexHull>& hulls, const Solid& solid, double margin, double tolerance,
                        const RunControl& control) {
   const double gap = kCertificateGap * tolerance;
-  Protrusion result = protrusion(hulls, solid, gap, control);
+  Protrusion result = protrusion(hulls, solid, {gap, kCertificateGap, 0}, control);
   const double room = tolerance - margin - result.found;
   if (result.bound + margin > tolerance && room > kLeastGap * gap)
-    result = protrusion(hulls, solid, {std::min(gap, room / 2), kSpareVisits}, control);
+    result = protrusion(hulls, solid, {std::min(gap, room / 2), 0, kSpareVisits}, control);
   result.bound += margin;
   return result;
 }

@@ -107,11 +107,10 @@ class Summits {
 }  // namespace
 
 Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, double gap, const RunControl& control) {
-  return protrusion(hulls, solid, {gap, 0}, control);
+  return protrusion(hulls, solid, {gap, 0, 0}, control);
 }
 
 Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, const ProtrusionSearch& search, const RunControl& control) {
-  const double gap = search.gap;
   // Vertices first: the distance they reach is a floor that spares the other hulls most of the search.
   double floor = 0;
   Looks look(control, kLargeItemsBetweenLooks);
@@ -124,14 +123,16 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
     int halvings;
   };
   std::vector<Protrusion> each(hulls.size());
+  const auto gap = [&] { return std::max(search.gap, search.share * floor); };
   for (const Pass pass : {Pass{kLooseGap, kGlance}, Pass{kLooseGap, kMostHalvings}, Pass{1, kMostHalvings}}) {
+    const double wide = gap();
     forEach(hulls.size(), [&](std::size_t i) {
       SurfaceQuery query;
       query.floor = floor * (1 - 1e-9);
-      query.gap = pass.gap * gap / 2;
+      query.gap = pass.gap * wide / 2;
       query.halvings = pass.halvings;
       query.patience = kPatience;
-      query.low = kFewGaps * gap;
+      query.low = kFewGaps * wide;
       if (each[i].hull >= 0 && each[i].bound <= floor + query.gap) return;
       Protrusion found = largestOnSurface(hulls[i], solid, query, control);
       found.hull = static_cast<int>(i);
@@ -147,7 +148,7 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
   for (const Protrusion& p : each) add(worst, p);
   std::vector<std::size_t> all(hulls.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  Summits(hulls, each, solid, gap / 2, control).add(worst, all, search.spare_visits);
+  Summits(hulls, each, solid, gap() / 2, control).add(worst, all, search.spare_visits);
   worst.bound += rounding(hulls, solid, control);
   return worst;
 }

@@ -121,7 +121,7 @@ Largest LinkPair::hullProtrusion(const LinkBodies& bodies, double gap, double ga
   if (around.empty()) return {};
   Protrusion far = collision_hulls::protrusion(around, *solid_, gap, control);
   const auto look_closer = [&](double close) {
-    const Protrusion again = collision_hulls::protrusion(around, *solid_, {close, kSpareVisits}, control);
+    const Protrusion again = collision_hulls::protrusion(around, *solid_, {close, 0, kSpareVisits}, control);
     far.bound = std::min(far.bound, again.bound);
     if (again.found > far.found) far.found = again.found, far.where = again.where, far.hull = again.hull;
   };

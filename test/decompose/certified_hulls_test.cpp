@@ -98,7 +98,7 @@ TEST(CertifiedHulls, SayHowFarASingleHullProtrudes) {
   EXPECT_LE(result.bound, kHalfGap + 2e-4);
   EXPECT_FALSE(result.within_tolerance);
   EXPECT_EQ(result.reason,
-            "the hulls protrude by up to 80.01 mm, more than the tolerance of 10 mm: single_hull ignores the tolerance; "
+            "the hulls protrude by up to 80.04 mm, more than the tolerance of 10 mm: single_hull ignores the tolerance; "
             "use another method");
 }
 

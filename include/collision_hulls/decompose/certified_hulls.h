@@ -97,13 +97,14 @@ struct PreparedMesh {
 CertifiedHulls certifiedHulls(const PreparedMesh& mesh, const DecomposeOptions& options,
                               const RunControl& control = {});
 
-/// The gap that certificate() leaves between bound and found value, as a share of the tolerance.
+/// The gap that certificate() leaves between bound and found value, as a share of the tolerance or
+/// of the protrusion, whichever is more.
 constexpr double kCertificateGap = 0.001;
 
 /// The proof alone, for hulls from anywhere: their protrusion, with the margin [m] included in its
 /// bound. Apart from the margin, bound and found value differ by at most kCertificateGap of the
-/// tolerance [m], > 0, unless the search gives up (see protrusion()); by less where only this gap
-/// would take the bound above the tolerance.
+/// tolerance [m], > 0, or of the protrusion where that is more, unless the search gives up (see
+/// protrusion()); by less where only this gap would take the bound above the tolerance.
 Protrusion certificate(const std::vector<ConvexHull>& hulls, const Solid& solid, double margin,
                        double tolerance, const RunControl& control = {});
 

@@ -11,7 +11,8 @@
 //   cover = improved(best cover)             local_search.h
 //   if a hull of the cover may hold a pocket: merge its leaves anew, with a search for pockets in each hull that is tried;
 //     if a leaf may hold one: all this once more, with that search
-//   if a cap on hulls asks for fewer: treeAbove(cover) and a cut of that tree                        tree_building.h
+//   if a limit on hulls asks for fewer: a cut of treeAbove(cover), if it is near                     tree_building.h
+//     or all of this at larger tolerances, whichever protrudes less                                  hull_limit.h
 //
 // All of this is done about the origin and along axes that turn with the mesh, where coordinates are finest and results hardly depend on
 // how the mesh lies.
@@ -38,6 +39,7 @@
 #include "base/parallel.h"
 #include "collision_hulls/decompose/least_hulls.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
+#include "decompose/certified/hull_limit.h"
 #include "decompose/certified/in_time.h"
 #include "decompose/certified/largest_side.h"
 #include "decompose/certified/local_search.h"
@@ -67,6 +69,8 @@ constexpr double kCoarsest = 16, kCoarser = 4;
 constexpr long kQuickEvaluations = 400, kBestEvaluations = 10'000, kFirstEvaluations = 200;
 constexpr std::size_t kBestElements = 150;
 constexpr std::size_t kMostToProve = 8;  // hulls; of covers with more, it can hardly ever be proved that none has fewer
+// A tree over more hulls than this, times the limit, is a worse cover than one at a larger tolerance, and takes longer.
+constexpr std::size_t kFewForTree = 4;
 // Progress: splitting and merging take up to the first share of the whole, the search up to the second, the tree the rest. Of each way,
 // splitting takes kSplitting.
 constexpr double kCovered = 0.7, kSearched = 0.9, kSplitting = 0.8;
@@ -147,10 +151,6 @@ struct Stretch {
   double at(double share) const { return from + (to - from) * share; }
 };
 
-std::function<void(double)> reporting(const RunControl& control, const Stretch& stretch) {
-  return [&control, stretch](double share) { control.report(stretch.at(share)); };
-}
-
 /// One decomposition in progress, in a frame of its own. Hulls are returned in the mesh's frame.
 class Job {
  public:
@@ -159,6 +159,7 @@ class Job {
         mesh_(place_.brought(original)),
         options_(place_.brought(options)),
         plan_(planFor(options.effort)),
+        tolerance_(options.tolerance),
         least_(least),
         control_(control),
         solid_(mesh_, solid, control),
@@ -186,21 +187,75 @@ class Job {
   const std::string& untried() const { return untried_; }
 
   std::vector<ConvexHull> hullsOf(const Cover& cover) const {
-    std::vector<ConvexHull> hulls(cover.size());
-    forEach(cover.size(), [&](std::size_t i) { hulls[i] = place_.takenBack(groups_->cappedHull(cover[i])); });
+    std::vector<ConvexHull> hulls = cappedHulls(cover);
+    for (ConvexHull& hull : hulls) hull = place_.takenBack(hull);
     return hulls;
   }
 
+  /// At most `limit` hulls in place of a cover of more: those that protrude least, of a cut of the tree above it and of covers at larger
+  /// tolerances, which divide the surface anew, in one way each. After the deadline only the tree is cut.
+  std::vector<ConvexHull> limited(const Cover& cover, std::size_t limit) {
+    const std::string untried = untried_;
+    const double most = boundingBox(mesh_).diagonal().norm();
+    BoundedHulls best;
+    if (limit > 1 && cover.size() <= kFewForTree * limit) best = cutOfTree(cover, limit);
+    searching_.stops_at_deadline = true;
+    if (!searching_.late()) {
+      std::unique_ptr<SurfaceGroups> groups = std::move(groups_);
+      best = withinLimit(tolerance_, cover.size(), limit, most, std::move(best), [&](double at) { return hullsAt(at, limit); });
+      groups_ = std::move(groups);
+      setTolerance(options_.tolerance);
+      untried_ = untried;
+      note("covers at larger tolerances");
+    }
+    if (best.hulls.empty()) best = cutOfTree(cover, limit);
+    for (ConvexHull& hull : best.hulls) hull = place_.takenBack(hull);
+    return std::move(best.hulls);
+  }
+
   /// After the deadline its bounds are loose.
-  HullTree treeOver(Cover cover) {
-    searching_.stops_at_deadline = false;
-    forEach(cover.size(), [&](std::size_t i) { cover[i].hull = std::make_shared<ConvexHull>(groups_->exactHull(cover[i])); });
-    HullTree tree = treeAbove(cover, oracle_, reporting(control_, {kSearched, 1}));
+  HullTree treeOver(const Cover& cover) {
+    HullTree tree = treeHere(cover);
     for (HullNode& node : tree.nodes) node.hull = place_.takenBack(node.hull);
     return tree;
   }
 
  private:
+  /// The tree, in the job's frame.
+  HullTree treeHere(Cover cover) {
+    searching_.stops_at_deadline = false;
+    forEach(cover.size(), [&](std::size_t i) { cover[i].hull = std::make_shared<ConvexHull>(groups_->exactHull(cover[i])); });
+    return treeAbove(cover, oracle_, reporting({kSearched, 1}));
+  }
+
+  BoundedHulls cutOfTree(const Cover& cover, std::size_t limit) {
+    const HullTree tree = treeHere(cover);
+    std::vector<ConvexHull> hulls = tree.hullsOf(tree.cutTo(static_cast<int>(limit)));
+    forEach(hulls.size(), [&](std::size_t i) { hulls[i] = capped(hulls[i], options_.max_vertices, control_); });
+    const double bound = boundOf(hulls);
+    return {std::move(hulls), bound};
+  }
+
+  BoundedHulls hullsAt(double tolerance, std::size_t limit) {
+    setTolerance(tolerance);
+    groups_.reset();
+    const Cover cover = this->cover();
+    BoundedHulls result{cappedHulls(cover)};
+    if (result.hulls.size() <= limit) inTime([&] { result.bound = boundOf(result.hulls); });
+    return result;
+  }
+
+  double boundOf(const std::vector<ConvexHull>& hulls) {
+    double bound = 0;
+    for (const ConvexHull& hull : hulls) bound = std::max(bound, oracle_.bound(hull));
+    return bound;
+  }
+
+  void setTolerance(double tolerance) {
+    tolerance_ = tolerance;
+    oracle_.setTolerance(tolerance);
+  }
+
   /// Dissolves the hulls that may hold pockets and merges them anew, proving that those hold none. False: some leaf may hold one, so the
   /// surface has to be divided in another way. Of hulls that do not fit anyway nothing is asked.
   bool freeOfPockets(Cover& cover) {
@@ -225,11 +280,13 @@ class Job {
     return true;
   }
 
-  std::vector<char> mayHoldPockets(const Cover& cover) {
+  std::vector<ConvexHull> cappedHulls(const Cover& cover) const {
     std::vector<ConvexHull> hulls(cover.size());
     forEach(cover.size(), [&](std::size_t i) { hulls[i] = groups_->cappedHull(cover[i]); });
-    return oracle_.mayHoldPockets(hulls);
+    return hulls;
   }
+
+  std::vector<char> mayHoldPockets(const Cover& cover) { return oracle_.mayHoldPockets(cappedHulls(cover)); }
 
   Cover searched() {
     Coarse coarse;
@@ -238,7 +295,7 @@ class Job {
     const double step = kCovered / static_cast<double>(plan_.ways.size());
     Stretch stretch{0, step};
     for (const Way& way : plan_.ways) {
-      if (groups_ && searching_.late()) break;
+      if (groups_ && (searching_.late() || !isAtOwnTolerance())) break;
       const bool is_better = best.size() <= way.few && tryWay(way, stretch, best);
       if (is_better && untried_.empty() && isMinimal(best)) return best;
       stretch = {stretch.to, stretch.to + step};
@@ -248,7 +305,7 @@ class Job {
       return coarse.cover;
     }
     if (plan_.ways.size() > 1) note("other ways to divide it");
-    best = improved(std::move(best), *groups_, {plan_.evaluations, options_.seed}, reporting(control_, {kCovered, kSearched}));
+    best = improved(std::move(best), *groups_, {plan_.evaluations, options_.seed}, reporting({kCovered, kSearched}));
     if (plan_.evaluations > 0) note("the search for fewer hulls");
     return best;
   }
@@ -263,14 +320,14 @@ class Job {
   Coarse coarseCover() {
     Coarse finest;
     for (const double factor : {kCoarsest, kCoarser}) {
-      oracle_.setTolerance(factor * options_.tolerance);
+      oracle_.setTolerance(factor * tolerance_);
       Coarse next;
       tryWay(plan_.ways.front(), {0, 0}, next.cover);
       next.groups = std::move(groups_);
       if (searching_.late() && finest.groups) break;
       finest = std::move(next);
     }
-    oracle_.setTolerance(options_.tolerance);
+    oracle_.setTolerance(tolerance_);
     untried_.clear();
     return finest;
   }
@@ -281,7 +338,7 @@ class Job {
         groups_ ? 1 + static_cast<std::size_t>(kMoreLeaves * static_cast<double>(leaves_)) : SplitOptions{}.most_leaves;
     const std::optional<HalfSpace> largest_side = way.largest_side_first ? largestSideOfAll() : std::nullopt;
     if (way.largest_side_first && !largest_side) return false;
-    const std::vector<Leaf> parts = leaves(way, largest_side, most, reporting(control_, stretch.part(0, kSplitting)));
+    const std::vector<Leaf> parts = leaves(way, largest_side, most, reporting(stretch.part(0, kSplitting)));
     if (groups_ && (parts.size() >= most || searching_.late())) return false;  // what is left whole would pass for few hulls
     divided_ = !searching_.late();
     note("dividing all of the surface within the tolerance");
@@ -290,7 +347,7 @@ class Job {
     note("merging hulls");
     if (plan_.first_evaluations > 0) {
       const SearchOptions search{plan_.first_evaluations, options_.seed};
-      cover = improved(std::move(cover), *groups, search, reporting(control_, stretch.part(kSplitting, 1)));
+      cover = improved(std::move(cover), *groups, search, reporting(stretch.part(kSplitting, 1)));
     }
     if (groups_ && cover.size() >= best.size()) return false;
     best = std::move(cover);
@@ -300,7 +357,11 @@ class Job {
   }
 
   /// Whether it is proved that no cover has fewer hulls. Two hulls are what merging leaves where one, that of everything, was refused.
-  bool isMinimal(const Cover& cover) { return cover.size() <= 2 || (cover.size() <= kMostToProve && cover.size() <= least(cover)); }
+  bool isMinimal(const Cover& cover) {
+    return cover.size() <= 2 || (isAtOwnTolerance() && cover.size() <= kMostToProve && cover.size() <= least(cover));
+  }
+
+  bool isAtOwnTolerance() const { return tolerance_ == options_.tolerance; }
 
   /// 0: time ended.
   std::size_t least(const Cover& cover) {
@@ -328,6 +389,12 @@ class Job {
     return leaves;
   }
 
+  /// Covers at larger tolerances come when all is done but the tree, and take little time.
+  std::function<void(double)> reporting(const Stretch& stretch) const {
+    if (!isAtOwnTolerance()) return [](double) {};
+    return [this, stretch](double share) { control_.report(stretch.at(share)); };
+  }
+
   /// After a stage: all that is named after the deadline is untried, be it only in part.
   void note(const std::string& stage) {
     if (searching_.late()) untried_ += (untried_.empty() ? "" : ", ") + stage;
@@ -337,6 +404,7 @@ class Job {
   const RepairedMesh mesh_;
   const DecomposeOptions options_;
   const Plan plan_;
+  double tolerance_;  // [m] of the cover that is made
   LowerBound& least_;
   const RunControl& control_;
   RunControl searching_;  // ends at the deadline
@@ -367,16 +435,11 @@ Decomposition certified(const RepairedMesh& mesh, const Solid& solid, const Deco
                         const RunControl& control) {
   Job job(mesh, solid, options, least, control);
   Decomposition result;
-  Cover cover = job.cover();
+  const Cover cover = job.cover();
+  const auto limit = static_cast<std::size_t>(options.max_hulls);
+  result.capped = limit > 0 && cover.size() > limit;
+  result.hulls = result.capped ? job.limited(cover, limit) : job.hullsOf(cover);
   result.untried = job.untried();
-  result.capped = options.max_hulls > 0 && cover.size() > static_cast<std::size_t>(options.max_hulls);
-  if (result.capped) {
-    const HullTree tree = job.treeOver(std::move(cover));
-    result.hulls = tree.hullsOf(tree.cutTo(options.max_hulls));
-    for (ConvexHull& hull : result.hulls) hull = capped(hull, options.max_vertices, control);
-  } else {
-    result.hulls = job.hullsOf(cover);
-  }
   control.report(1);
   return result;
 }

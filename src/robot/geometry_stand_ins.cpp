@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "base/uri_text.h"
 #include "robot/urdfdom/urdf_elements.h"
-#include "robot/uri_checks.h"
 
 namespace collision_hulls {
 namespace {

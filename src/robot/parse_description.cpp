@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "base/string_parts.h"
+#include "base/uri_text.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/geometry_stand_ins.h"
@@ -14,7 +15,6 @@
 #include "robot/robot_question.h"
 #include "robot/urdfdom/urdf_elements.h"
 #include "robot/urdfdom/urdfdom_losses.h"
-#include "robot/uri_checks.h"
 #include "xml/xml_source.h"
 
 namespace collision_hulls {

@@ -1,5 +1,5 @@
 // The file that a URI of a description means. A '%' is ambiguous: many tools write paths into URIs unescaped, so the literal name is
-// tried before the decoded one. Both have to pass the checks of uri_checks.h first, and the file those of the roots.
+// tried before the decoded one. Both have to pass the checks of uri_text.h and uri_checks.h first, and the file those of the roots.
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/roots.h"
+#include "base/uri_text.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/uri_checks.h"

@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/uri_text.h"
 #include "collision_hulls/config/config.h"
 #include "collision_hulls/config/link_decisions.h"
 #include "collision_hulls/error.h"
@@ -15,7 +16,6 @@
 #include "joint_states.h"
 #include "live_scene.h"
 #include "preview/robot_trees.h"
-#include "robot/uri_checks.h"
 
 namespace collision_hulls {
 namespace {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/roots.h"
+#include "base/uri_text.h"
 #include "collision_hulls/error.h"
 #include "robot/uri_checks.h"
 

@@ -4,6 +4,7 @@
 usage: seeds.py FOLDER
 """
 import pathlib
+import re
 import struct
 import sys
 
@@ -27,6 +28,7 @@ GLTF = """{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], 
 "type": "VEC3", "sparse": {"count": 3, "indices": {"bufferView": 1, "componentType": 5121}, "values": {"bufferView": 0}}}],
 "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 3}], "buffers": [{"byteLength": 39,
 "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAEC"}]}"""
+GLTF_PART = bytes(12) + struct.pack("<6f", 1, 0, 0, 0, 1, 0) + b"\0\1\2"  # of GLTF, the buffer
 SRDF = """<robot name="r"><group name="g"/><disable_default_collisions link="c"/><enable_collisions link1="a" link2="c"/>
 <disable_collisions link1="a" link2="b" reason="Adjacent"/><disable_collisions link1="x" link2="b"/></robot>
 """
@@ -92,6 +94,12 @@ def glb(json):
     return struct.pack("<4sIIII", b"glTF", 2, 20 + len(json), len(json), 0x4E4F534A) + json
 
 
+def packed_gltf(json, *files):
+    """A .gltf file and the files of its buffers, as the library packs them."""
+    chunks = struct.pack("<II", len(json), 0x4E4F534A) + json + b"".join(struct.pack("<II", len(file), 0x004E4942) + file for file in files)
+    return struct.pack("<4sII", b"glTP", 2, 12 + len(chunks)) + chunks
+
+
 def value(kind, content, *children):
     """Of YAML: kind, line, text, and what it holds."""
     return struct.pack("<BQ", kind, 0) + text(content) + struct.pack(f"<Q{len(children)}I", len(children), *children)
@@ -103,7 +111,8 @@ def seeds():
     for extension, content in hostile.seed_meshes(PACKAGE / "meshes"):
         if len(content) < 10000:
             meshes["gltf" if extension == ".glb" else extension[1:]].append(content)
-    meshes["gltf"] += [GLTF.encode(), glb(GLTF.encode())]
+    beside = re.sub('"data:[^"]*"', '"part.bin"', GLTF).encode()
+    meshes["gltf"] += [GLTF.encode(), glb(GLTF.encode()), packed_gltf(beside, GLTF_PART)]
     scenes = [b"\0" + SCENE_YAML.encode(), b"\1" + SCENE_SDF.encode(), b"\2" + SCENE_MOVEIT.encode(), *(b"\3" + map_ for map_ in OCTOMAP)]
     scenes += [b"\0" + file.read_bytes() for file in sorted((PACKAGE / "test/data/scenes").glob("*.yaml"))]
     points, triangle = [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]
@@ -122,6 +131,7 @@ def seeds():
                  b"\1m" + text(b"a.obj") + struct.pack("<QQ", 1000, 1000),
                  b"\3" + struct.pack("<Q", 2) + element(0, b"a") + element(1, b"b"),
                  b"\4" + struct.pack("<QQ", 1, 2) + value(1, b"a") + value(2, b"", 0),
+                 b"\5" + struct.pack("<QQ", 1, 0) + text(b"part.bin"),
                  b"\2" + text(b"r") + struct.pack("<Q", 1) + text(b"a") + struct.pack("<QQ12dQQQ", 0, 0, *12 * [0], 0, 0, 0)],
     }
 

@@ -1,5 +1,6 @@
-// glTF 2.0 (ISO/IEC 12113). A .glb file holds a chunk of JSON and one of bytes; a .gltf file is the JSON, with its bytes in data: URIs.
-// Buffers in other files are refused: a mesh is one file, by whose bytes it is known.
+// glTF 2.0 (ISO/IEC 12113). A .glb file holds a chunk of JSON and one of bytes; a .gltf file is the JSON, with its bytes in data: URIs or
+// in files beside it. Nothing here opens a file: buffersInFiles() says which are needed, and whoever may read them packs them with the JSON
+// (gltf_container.h), so that a mesh is still one byte string, by which it is known. Buffers in other files are refused elsewhere.
 //
 // The JSON names byte ranges (buffers, and views of them) and says what numbers they hold (accessors). A sparse accessor changes some of
 // the numbers of another range. Nothing is taken on trust: each offset, length and count is checked before a byte is read.
@@ -18,16 +19,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
-constexpr std::size_t kHeaderBytes = 12, kChunkHeaderBytes = 8;
 constexpr int kInt8 = 5120, kUint8 = 5121, kInt16 = 5122, kUint16 = 5123, kUint32 = 5125, kFloat = 5126;  // componentType
 constexpr int kDeepest = 64;                                                                              // of JSON: the format needs seven
-
-std::uint32_t littleEndian(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<std::uint8_t>(bytes[at + i]);
-  return value;
-}
 
 std::size_t bytesOf(int type) {
   switch (type) {
@@ -81,6 +74,17 @@ std::optional<std::string> fromBase64(std::string_view text) {
   return bytes;
 }
 
+bool isData(const std::string& uri) {
+  return uri.rfind("data:", 0) == 0;
+}
+
+/// nullopt for any other encoding.
+std::optional<std::string> fromDataUri(const std::string& uri) {
+  constexpr std::string_view kBase64 = ";base64,";
+  const std::size_t data = uri.find(kBase64);
+  return data == std::string::npos ? std::nullopt : fromBase64(std::string_view(uri).substr(data + kBase64.size()));
+}
+
 std::string named(const char* list, std::size_t index) {
   return std::string(list) + "[" + std::to_string(index) + "]";
 }
@@ -99,37 +103,12 @@ struct GltfDocument::Elements {
   }
 };
 
-GltfDocument::GltfDocument(const std::string& bytes, const std::string& path) : path_(path) {
-  if (bytes.size() >= kHeaderBytes && littleEndian(bytes, 0) == kMagic)
-    readContainer(bytes);
-  else
-    parse(checkedText(bytes, path));
-  readBuffers();
+GltfDocument::GltfDocument(const std::string& bytes, const std::string& path) : path_(path), parts_(gltfParts(bytes, path)) {
+  parse(parts_.json);
 }
 
 void GltfDocument::fail(const std::string& reason) const {
   failNotAMesh(path_, reason);
-}
-
-void GltfDocument::readContainer(std::string_view bytes) {
-  if (littleEndian(bytes, 4) != 2) fail("is glTF " + std::to_string(littleEndian(bytes, 4)) + "; export it as glTF 2");
-  if (littleEndian(bytes, 8) != bytes.size())
-    fail("announces " + std::to_string(littleEndian(bytes, 8)) + " bytes, but has " + std::to_string(bytes.size()));
-  std::string_view rest = bytes.substr(kHeaderBytes);
-  for (int chunk = 0; !rest.empty(); ++chunk) {
-    if (rest.size() < kChunkHeaderBytes) fail("ends within the header of a chunk");
-    const std::size_t length = littleEndian(rest, 0);
-    const std::uint32_t type = littleEndian(rest, 4);
-    rest.remove_prefix(kChunkHeaderBytes);
-    if (length > rest.size())
-      fail("announces a chunk of " + std::to_string(length) + " bytes, of which " + std::to_string(rest.size()) + " are there");
-    const std::string_view content = rest.substr(0, length);
-    rest.remove_prefix(length);
-    if ((chunk == 0) != (type == kJsonChunk)) fail("has its JSON in another chunk than the first");
-    if (chunk == 0) parse(content);
-    if (chunk == 1 && type == kBinaryChunk) binary_ = content;
-  }
-  if (root_.is_null()) fail("has no chunk of JSON");
 }
 
 /// Names within an object must differ: readers do not agree on which of two counts.
@@ -153,29 +132,56 @@ void GltfDocument::parse(std::string_view text) {
   if (!root_.is_object()) fail("is no glTF: its JSON is no object");
 }
 
-void GltfDocument::readBuffers() {
-  decoded_.resize(count("buffers"));
-  for (std::size_t i = 0; i < decoded_.size(); ++i) {
-    const std::string name = named("buffers", i);
-    const Json& buffer = item("buffers", i);
-    const std::optional<std::size_t> length = index(buffer, "byteLength", name);
-    if (!length) fail(name + " has no byteLength");
-    std::string_view content;
-    if (!buffer.contains("uri")) {
-      if (i == 0 && binary_) content = *binary_;
-    } else {
-      const std::string uri = buffer["uri"].is_string() ? buffer["uri"].get<std::string>() : "";
-      const std::size_t data = uri.find(";base64,");
-      if (uri.rfind("data:", 0) != 0 || data == std::string::npos)
-        fail(name + " is in another file, " + inQuotes(uri) + "; export the mesh as .glb, which holds everything");
-      const std::optional<std::string> bytes = fromBase64(std::string_view(uri).substr(data + 8));
-      if (!bytes) fail(name + " is no base64");
-      content = decoded_[i] = *bytes;
-    }
-    if (*length > content.size())
-      fail(name + " announces " + std::to_string(*length) + " bytes, of which " + std::to_string(content.size()) + " are there");
-    buffers_.push_back(content.substr(0, *length));
+const std::string* GltfDocument::bufferUri(std::size_t buffer) const {
+  const Json& object = item("buffers", buffer);
+  if (!object.contains("uri")) return nullptr;
+  if (!object["uri"].is_string()) fail(named("buffers", buffer) + ".uri is no text");
+  return object["uri"].get_ptr<const std::string*>();
+}
+
+std::vector<BufferFile> GltfDocument::bufferFiles() const {
+  std::vector<BufferFile> files;
+  std::set<std::string> known;
+  for (std::size_t i = 0; i < count("buffers"); ++i) {
+    const std::string* const uri = bufferUri(i);
+    if (uri && !isData(*uri) && known.insert(*uri).second) files.push_back({i, *uri});
   }
+  return files;
+}
+
+void GltfDocument::readBuffers() {
+  const std::vector<BufferFile> files = bufferFiles();
+  if (!parts_.packed && !files.empty())
+    fail(named("buffers", files[0].buffer) + " is in another file, " + inQuotes(files[0].uri) +
+         "; export the mesh as .glb, which holds everything");
+  if (parts_.packed && files.size() != parts_.binaries.size())
+    fail("names " + std::to_string(files.size()) + " files of buffers, but is packed with " + std::to_string(parts_.binaries.size()));
+  Contents contents;
+  for (std::size_t i = 0; i < files.size(); ++i) contents[files[i].uri] = parts_.binaries[i];
+  decoded_.resize(count("buffers"));
+  for (std::size_t i = 0; i < decoded_.size(); ++i) readBuffer(i, contents);
+}
+
+void GltfDocument::readBuffer(std::size_t buffer, const Contents& files) {
+  const std::string name = named("buffers", buffer);
+  const std::optional<std::size_t> length = index(item("buffers", buffer), "byteLength", name);
+  if (!length) fail(name + " has no byteLength");
+  const std::string* const uri = bufferUri(buffer);
+  std::string_view content;
+  std::string place = "there";
+  if (uri && isData(*uri)) {
+    const std::optional<std::string> bytes = fromDataUri(*uri);
+    if (!bytes) fail(name + " is no base64");
+    content = decoded_[buffer] = *bytes;
+  } else if (uri) {
+    content = files.at(*uri);
+    place = "in " + inQuotes(*uri);
+  } else if (buffer == 0 && !parts_.packed && !parts_.binaries.empty()) {
+    content = parts_.binaries[0];
+  }
+  if (*length > content.size())
+    fail(name + " announces " + std::to_string(*length) + " bytes, of which " + std::to_string(content.size()) + " are " + place);
+  buffers_.push_back(content.substr(0, *length));
 }
 
 std::size_t GltfDocument::count(const char* list) const {
@@ -302,6 +308,10 @@ std::vector<std::uint32_t> GltfDocument::wholeNumbers(std::size_t index, std::si
   std::vector<std::uint32_t> result;
   for (const double number : accessor(index, 1, most)) result.push_back(static_cast<std::uint32_t>(number));
   return result;
+}
+
+std::vector<BufferFile> buffersInFiles(const std::string& bytes, const std::string& path) {
+  return GltfDocument(bytes, path).bufferFiles();
 }
 
 }  // namespace collision_hulls

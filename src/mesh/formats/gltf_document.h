@@ -3,11 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "mesh/formats/gltf_container.h"
 
 namespace collision_hulls {
 
@@ -16,8 +19,14 @@ class GltfDocument {
  public:
   using Json = nlohmann::json;
 
-  /// A .glb or .gltf file, told apart by its first bytes. Keeps references.
+  /// A .glb or .gltf file, or one that is packed (gltf_container.h), told apart by the first bytes. Keeps references.
   GltfDocument(const std::string& bytes, const std::string& path);
+
+  /// The files that hold buffers, each once, by their first buffers.
+  std::vector<BufferFile> bufferFiles() const;
+
+  /// Comes before any number. Refuses buffers in files that are not packed.
+  void readBuffers();
 
   /// An element of one of the document's lists, such as "nodes".
   const Json& item(const char* list, std::size_t index) const;
@@ -38,18 +47,22 @@ class GltfDocument {
 
  private:
   struct Elements;
+  using Contents = std::map<std::string, std::string_view>;  // of files, by their URIs
 
-  void readContainer(std::string_view bytes);
   void parse(std::string_view text);
-  void readBuffers();
+  const std::string* bufferUri(std::size_t buffer) const;  // null for a buffer without one
+  void readBuffer(std::size_t buffer, const Contents& files);
   std::string_view view(std::size_t index, std::size_t* stride) const;
   Elements elements(const Json& object, const std::string& name, std::size_t components, std::size_t count, int type) const;
 
   const std::string& path_;
+  const GltfParts parts_;
   Json root_;
-  std::optional<std::string_view> binary_;  // the second chunk of a .glb
-  std::vector<std::string> decoded_;        // from data: URIs
+  std::vector<std::string> decoded_;  // from data: URIs
   std::vector<std::string_view> buffers_;
 };
+
+/// What GltfDocument::bufferFiles() says of some bytes.
+std::vector<BufferFile> buffersInFiles(const std::string& bytes, const std::string& path);
 
 }  // namespace collision_hulls

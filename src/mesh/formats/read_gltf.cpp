@@ -182,7 +182,8 @@ class GltfReader {
 }  // namespace
 
 LoadedMesh readGltf(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control) {
-  const GltfDocument document(bytes, path);
+  GltfDocument document(bytes, path);
+  document.readBuffers();
   return GltfReader(document, path, limits, control).read();
 }
 

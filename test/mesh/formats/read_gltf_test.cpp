@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "../reading.h"
+#include "mesh/formats/gltf_container.h"
 
 namespace collision_hulls {
 namespace {
@@ -176,6 +177,36 @@ TEST(ReadGltf, BrokenFilesNameTheItem) {
        {withPrimitives(R"([{"attributes": {"POSITION": 3}}])", R"(, {"bufferView": 0, "componentType": 5126, "count": 900719925474099,
                   "type": "VEC3"})"),
         "accessors[3] has 900719925474099 elements", ErrorCode::kTooLarge}});
+}
+
+/// A packed file: this JSON, whose first buffer is in part.bin, with these files.
+std::string packed(const std::string& buffer, const std::vector<std::string>& files) {
+  std::string text = json({});
+  text.replace(text.find(R"("byteLength": 58)"), 16, buffer);
+  return packedGltf(text, files);
+}
+
+TEST(ReadGltf, PackedWithItsFiles) {
+  const std::string part = R"("byteLength": 58, "uri": "part.bin")";
+  expectMesh("a.gltf", packed(part, {someBytes()}), kCorners, {{0, 1, 2}});
+  expectMesh("a.gltf",
+             packed(part + R"(}, {"byteLength": 1, "uri": "part.bin"}, {"byteLength": 4, "uri": "other.bin")", {someBytes(), "1234"}),
+             kCorners, {{0, 1, 2}});
+  expectRefused("a.gltf", {{packed(part, {someBytes().substr(3)}), "buffers[0] announces 58 bytes, of which 57 are in 'part.bin'"},
+                           {packed(part, {}), "names 1 files of buffers, but is packed with 0"},
+                           {packed(part, {someBytes(), someBytes()}), "names 1 files of buffers, but is packed with 2"},
+                           {packed(R"("byteLength": 58)", {someBytes()}), "names 0 files of buffers, but is packed with 1"},
+                           {packed(R"("byteLength": 58)", {}), "buffers[0] announces 58 bytes, of which 0 are there"}});
+}
+
+TEST(ReadGltf, BuffersAreTextsOfBase64OrFiles) {
+  const auto with = [](const std::string& uri) {
+    std::string text = json({});
+    return text.replace(text.find(R"("byteLength": 58)"), 16, R"("byteLength": 58, "uri": )" + uri);
+  };
+  expectRefused("a.gltf", {{with(R"("data:,abc")"), "buffers[0] is no base64"},
+                           {with(R"("data:;base64,A")"), "buffers[0] is no base64"},
+                           {with("7"), "buffers[0].uri is no text"}});
 }
 
 TEST(ReadGltf, MessagesArePrintable) {

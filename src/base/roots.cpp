@@ -117,6 +117,11 @@ void checkRead(const std::string& path, int descriptor) {
   expectReadable(path, place, *now);
 }
 
+bool liesBeside(const std::string& path, const std::string& beside) {
+  const fs::path place = real(path);
+  return holds(real(fs::absolute(beside).parent_path()), place) || holds(real(beside).parent_path(), place);
+}
+
 std::string writablePath(const std::string& path) {
   const auto now = state();
   if (!now) return path;

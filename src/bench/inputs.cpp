@@ -20,7 +20,7 @@ namespace {
 void addRobot(const Input& input, BenchmarkInputs& all) {
   const std::vector<MeshUse> uses = meshUses(input.robot, modelDecisions({}, input.robot));
   const auto resolve = [&](const std::string& uri) { return resolveUri(uri, input.robot.path, input.find_package); };
-  auto [tasks, failed] = meshTasks(uses, resolve, RunControl());
+  auto [tasks, failed] = meshTasks(uses, resolve, MeshLimits(), RunControl());
   const auto uses_of = [](const MeshTask& task) { return task.variants.front().uses; };  // all links have the same options
   std::sort(tasks.begin(), tasks.end(), [&](const MeshTask& a, const MeshTask& b) { return uses_of(a).front() < uses_of(b).front(); });
   std::map<std::string, std::size_t> link_index;

@@ -12,6 +12,7 @@
 #include "collision_hulls/error.h"
 #include "geometry/bytes.h"
 #include "mesh/decode_mesh.h"
+#include "mesh/formats/gltf_document.h"
 #include "sandbox/file_reader.h"
 
 namespace collision_hulls {
@@ -21,13 +22,22 @@ void fields(Archive& archive, LoadedMesh& loaded) {
   archive(loaded.mesh, loaded.submeshes, loaded.skipped_primitives, loaded.resolution);
 }
 
+template <typename Archive>
+void fields(Archive& archive, BufferFile& file) {
+  archive(file.buffer, file.uri);
+}
+
 namespace {
 
 constexpr std::uint64_t kMemoryPerByte = 40;  // [bytes]
 constexpr double kSecondsPerByte = 1e-6;      // [s] of computing
 constexpr double kClockPerComputing = 10;     // on a machine with much else to do
 
+constexpr const char* kReplace = "the file is damaged, or made to do harm: replace it";
+constexpr const char* kSimplify = "simplify the mesh, or raise reader-memory or reader-time if it is to be trusted";
+
 constexpr std::uint64_t kBytesPerTriangle = sizeof(Triangle) + 3 * sizeof(Eigen::Vector3d), kLongestError = 1 << 16;
+constexpr std::uint64_t kLongestList = 1 << 23;  // [bytes] of files that hold buffers: a thousand of the longest names are half of it
 
 /// A quarter of the memory is enough for any answer, and no mesh within the limits takes more than so many bytes per triangle.
 ReadingLimits readingLimits(const MeshLimits& limits, std::size_t bytes) {
@@ -56,7 +66,7 @@ void expectSound(const LoadedMesh& loaded, const MeshLimits& limits) {
 }  // namespace
 
 LoadedMesh meshIn(const std::string& answer, const std::string& name, const MeshLimits& limits) {
-  return madeOfAnswer(name, "the file is damaged, or made to do harm: replace it", [&] {
+  return madeOfAnswer(name, kReplace, [&] {
     LoadedMesh loaded;
     fromBytes(answer, loaded);
     expectSound(loaded, limits);
@@ -64,11 +74,25 @@ LoadedMesh meshIn(const std::string& answer, const std::string& name, const Mesh
   });
 }
 
+std::vector<BufferFile> bufferFilesIn(const std::string& answer, const std::string& name) {
+  return madeOfAnswer(name, kReplace, [&] {
+    std::vector<BufferFile> files;
+    fromBytes(answer, files);
+    return files;
+  });
+}
+
 LoadedMesh decodeInWorker(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control) {
   const std::string head = toBytes(Reading::kMesh, name, limits.max_bytes, limits.max_triangles);
-  const std::string answer = fileReader().ask({head, bytes, -1}, readingLimits(limits, bytes.size()), name,
-                                              "simplify the mesh, or raise reader-memory or reader-time if it is to be trusted", control);
-  return meshIn(answer, name, limits);
+  return meshIn(fileReader().ask({head, bytes, -1}, readingLimits(limits, bytes.size()), name, kSimplify, control), name, limits);
+}
+
+std::vector<BufferFile> askForBufferFiles(const std::string& bytes, const std::string& name, const MeshLimits& limits,
+                                          const RunControl& control) {
+  const std::string head = toBytes(Reading::kBufferFiles, name);
+  ReadingLimits reading = readingLimits(limits, bytes.size());
+  reading.answer = kLongestList;
+  return bufferFilesIn(fileReader().ask({head, bytes, -1}, reading, name, kSimplify, control), name);
 }
 
 std::string answerMeshQuestion(const Question& question) {
@@ -77,6 +101,14 @@ std::string answerMeshQuestion(const Question& question) {
   MeshLimits limits;
   fromBytes(question.head, kind, name, limits.max_bytes, limits.max_triangles);
   return toBytes(decodeMesh(question.body, name, limits, {}));
+}
+
+std::string answerBufferQuestion(const Question& question) {
+  auto kind = Reading::kBufferFiles;
+  std::string name;
+  fromBytes(question.head, kind, name);
+  expectMeshFile(question.body, name);
+  return toBytes(buffersInFiles(question.body, name));
 }
 
 std::string readerProtection() {

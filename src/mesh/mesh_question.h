@@ -1,9 +1,11 @@
-// Reads a mesh's bytes in a process of its own: both ends of the question that the library asks the program collision_hulls_reader.
+// Reads a mesh's bytes in a process of its own: both ends of the questions that the library asks the program collision_hulls_reader.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "collision_hulls/mesh/mesh_io.h"
+#include "mesh/formats/gltf_container.h"
 #include "sandbox/serve.h"
 
 namespace collision_hulls {
@@ -11,10 +13,19 @@ namespace collision_hulls {
 /// The library's end: decodeMesh() in a worker, with its result checked again. Throws what decodeMesh() and ReaderProgram::ask() throw.
 LoadedMesh decodeInWorker(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control);
 
+/// The files that hold buffers of a .gltf file, each once; `bytes` are that file's alone. Throws what decodeInWorker() throws. The URIs are
+/// foreign, and not looked at.
+std::vector<BufferFile> askForBufferFiles(const std::string& bytes, const std::string& name, const MeshLimits& limits,
+                                          const RunControl& control);
+
 /// The mesh in an answer, which is believed nothing: throws kReaderFailed for numbers that no mesh within the limits has.
 LoadedMesh meshIn(const std::string& answer, const std::string& name, const MeshLimits& limits);
 
-/// The worker's end.
+/// The files in an answer. Throws kReaderFailed.
+std::vector<BufferFile> bufferFilesIn(const std::string& answer, const std::string& name);
+
+/// The worker's ends.
 std::string answerMeshQuestion(const Question& question);
+std::string answerBufferQuestion(const Question& question);
 
 }  // namespace collision_hulls

@@ -5,12 +5,12 @@
 // on.
 #include <algorithm>
 
-#include "base/read_file.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "mesh/decode_mesh.h"
 #include "mesh/formats/readers.h"
+#include "mesh/mesh_bytes.h"
 #include "mesh/mesh_question.h"
 
 namespace collision_hulls {
@@ -38,7 +38,7 @@ bool isMeshFile(const std::string& path) {
 
 LoadedMesh readMesh(const std::string& path, const MeshLimits& limits, const RunControl& control) {
   checkExtension(path);
-  return parseMesh(readFile(path, "mesh", limits.max_bytes, control), path, limits, control);
+  return parseMesh(readMeshBytes(path, limits, control), path, limits, control);
 }
 
 LoadedMesh parseMesh(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control) {

@@ -9,9 +9,8 @@
 #include <tuple>
 #include <utility>
 
-#include "base/read_file.h"
 #include "collision_hulls/error.h"
-#include "collision_hulls/mesh/mesh_io.h"
+#include "mesh/mesh_bytes.h"
 #include "report/link_pattern.h"
 #include "storage/sha256.h"
 
@@ -90,7 +89,7 @@ Sameness sameness(const MeshTask& task) {
 /// The files that were looked at so far: each is read once for all its uses.
 class KnownFiles {
  public:
-  explicit KnownFiles(const RunControl& control) : control_(control) {}
+  KnownFiles(const MeshLimits& limits, const RunControl& control) : limits_(limits), control_(control) {}
 
   /// The task of one use, without its index. Throws Error.
   MeshTask taskFor(const GeometryElement& source, const UriResolver& resolve) {
@@ -113,10 +112,11 @@ class KnownFiles {
   };
 
   File look(const std::string& file) const {
-    const std::string content = readFile(file, "mesh", MeshLimits().max_bytes, control_);
+    const std::string content = readMeshBytes(file, limits_, control_);
     return {sha256(content, control_), content.size()};
   }
 
+  const MeshLimits& limits_;
   const RunControl& control_;
   std::map<std::string, File> files_;
 };
@@ -176,10 +176,10 @@ std::vector<std::string> notesOnIdle(const RobotDescription& robot, const LinkDe
   return notes;
 }
 
-MeshTasks meshTasks(const std::vector<MeshUse>& uses, const UriResolver& resolve, const RunControl& control) {
+MeshTasks meshTasks(const std::vector<MeshUse>& uses, const UriResolver& resolve, const MeshLimits& limits, const RunControl& control) {
   MeshTasks result;
   result.done.resize(uses.size());
-  KnownFiles files(control);
+  KnownFiles files(limits, control);
   std::map<Sameness, std::size_t> known;  // index of the task
   for (std::size_t i = 0; i < uses.size(); ++i) {
     if (!isDecomposed(&uses[i].options)) {
@@ -207,8 +207,8 @@ std::vector<double> expectedCosts(const std::vector<MeshTask>& tasks) {
   return costs;
 }
 
-std::string contentOf(const MeshTask& task, const RunControl& control) {
-  std::string content = readFile(task.file, "mesh", MeshLimits().max_bytes, control);
+std::string contentOf(const MeshTask& task, const MeshLimits& limits, const RunControl& control) {
+  std::string content = readMeshBytes(task.file, limits, control);
   if (sha256(content, control) == task.sha256) return content;
   throw Error(ErrorCode::kFileNotFound, "'" + task.file + "' changed while it was being read; run again when it is complete");
 }

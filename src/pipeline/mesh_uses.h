@@ -8,6 +8,7 @@
 
 #include "collision_hulls/config/link_decisions.h"
 #include "collision_hulls/control.h"
+#include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/report/options.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "pipeline/mesh_result.h"
@@ -63,13 +64,13 @@ struct MeshTasks {
 using UriResolver = std::function<std::string(const std::string& uri)>;
 
 /// Finds and hashes the files of the meshes, and joins equal ones.
-MeshTasks meshTasks(const std::vector<MeshUse>& uses, const UriResolver& resolve, const RunControl& control);
+MeshTasks meshTasks(const std::vector<MeshUse>& uses, const UriResolver& resolve, const MeshLimits& limits, const RunControl& control);
 
 /// In proportion to the time that the tasks take, roughly: the time spreads much less than the files' sizes.
 std::vector<double> expectedCosts(const std::vector<MeshTask>& tasks);
 
-/// The content of a task's file. Throws what readFile() throws, and kFileNotFound if it is no longer what was hashed: the cache would keep
-/// the result under a wrong key.
-std::string contentOf(const MeshTask& task, const RunControl& control);
+/// The content of a task's file, for parseMesh(). Throws what readMeshBytes() throws, and kFileNotFound if it is no longer what was hashed:
+/// the cache would keep the result under a wrong key.
+std::string contentOf(const MeshTask& task, const MeshLimits& limits, const RunControl& control);
 
 }  // namespace collision_hulls

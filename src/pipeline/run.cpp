@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "collision_hulls/pipeline/fit_scene.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/rows.h"
 #include "storage/sha256.h"
@@ -44,7 +45,7 @@ void runStages(const RunInput& input, RobotResult& result, const std::function<v
   MeshResults results;
   withJobs(options.jobs, [&] {
     Progress progress(input.control, input.step, decomposedUses(input.uses));
-    MeshTasks found = meshTasks(input.uses, input.resolve, input.control);
+    MeshTasks found = meshTasks(input.uses, input.resolve, meshLimits(options), input.control);
     progress.begin("decompose", input.meshes_end, expectedCosts(found.tasks));
     for (std::size_t i = 0; i < input.uses.size(); ++i)
       if (found.done[i] && found.done[i]->status == Status::kFailed) progress.finishElement(input.uses[i].link, 0);

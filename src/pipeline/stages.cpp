@@ -93,7 +93,8 @@ const ReadMesh& SharedMesh::read(const LinkOptions& options, const RunControl& c
 
   // 1. Read, and scale as the description says.
   facts.sha256 = task_.sha256;
-  LoadedMesh loaded = parseMesh(contentOf(task_, control), task_.file, meshLimits(options_), control);
+  const MeshLimits limits = meshLimits(options_);
+  LoadedMesh loaded = parseMesh(contentOf(task_, limits, control), task_.file, limits, control);
   facts.triangles = loaded.mesh.triangles.size();
   facts.skipped_primitives = loaded.skipped_primitives;
   result.original = scaled(std::move(loaded.mesh), task_.scale);

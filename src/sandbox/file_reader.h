@@ -6,7 +6,7 @@
 namespace collision_hulls {
 
 /// The first value of a question's head.
-enum class Reading : char { kMesh = 'm', kRobot = 'r', kXml = 'x', kYaml = 'y' };
+enum class Reading : char { kMesh = 'm', kBufferFiles = 'b', kRobot = 'r', kXml = 'x', kYaml = 'y' };
 
 /// Never destroyed: threads may outlive main().
 ReaderProgram& fileReader();

@@ -15,7 +15,7 @@
 namespace collision_hulls {
 
 /// Differs between programs that would misunderstand each other.
-constexpr std::array<char, 8> kWireVersion{'c', 'h', 'r', 'e', 'a', 'd', '0', '1'};
+constexpr std::array<char, 8> kWireVersion{'c', 'h', 'r', 'e', 'a', 'd', '0', '2'};
 
 /// What a worker may use.
 struct WorkerLimits {

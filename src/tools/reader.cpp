@@ -13,6 +13,7 @@ using namespace collision_hulls;
 std::string answer(const Question& question) {
   switch (static_cast<Reading>(kindOf(question.head))) {
     case Reading::kMesh: return answerMeshQuestion(question);
+    case Reading::kBufferFiles: return answerBufferQuestion(question);
     case Reading::kRobot: return answerRobotQuestion(question);
     case Reading::kXml: return answerXmlQuestion(question);
     case Reading::kYaml: return answerYamlQuestion(question);

@@ -112,6 +112,18 @@ TEST_F(RootsTest, PackagesCanBeRead) {
   EXPECT_NE(writeRefusal("shut/new"), "");
 }
 
+TEST_F(RootsTest, FilesBesideAnother) {
+  fs::create_directories(folder_ / "open/sub");
+  fs::create_symlink(folder_ / "shut", folder_ / "open/way_out");
+  fs::create_symlink(folder_ / "open/mesh", folder_ / "shut/link");
+  for (const char* beside : {"open/mesh", "open/other", "open/none/../mesh", "open/sub/mesh", "open/way_out/link"})
+    EXPECT_TRUE(liesBeside(path(beside), path("open/mesh"))) << beside;
+  for (const char* elsewhere : {"openly/mesh", "shut/mesh", "open/../mesh", "open/way_out/mesh"})
+    EXPECT_FALSE(liesBeside(path(elsewhere), path("open/mesh"))) << elsewhere;
+  for (const char* beside : {"shut/mesh", "open/other"}) EXPECT_TRUE(liesBeside(path(beside), path("shut/link"))) << beside;
+  EXPECT_FALSE(liesBeside(path("openly/mesh"), path("shut/link")));
+}
+
 TEST_F(RootsTest, WritingStaysBelow) {
   Roots with_output = roots();
   with_output.outputs = {path("shut/output")};

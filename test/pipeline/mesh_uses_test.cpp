@@ -32,7 +32,7 @@ class MeshTaskTest : public ::testing::Test {
   /// The uses of each variant of each task, in their order.
   std::vector<std::vector<std::size_t>> groups(const std::vector<MeshUse>& uses) {
     found_ = meshTasks(
-        uses, [&](const std::string& uri) { return folder_ / uri; }, RunControl());
+        uses, [&](const std::string& uri) { return folder_ / uri; }, MeshLimits(), RunControl());
     std::vector<std::vector<std::size_t>> groups;
     for (const MeshTask& task : found_.tasks)
       for (const MeshVariant& variant : task.variants) groups.push_back(variant.uses);
@@ -51,6 +51,18 @@ TEST_F(MeshTaskTest, ContentKindOfFileAndScaleMakeATask) {
   EXPECT_EQ(found_.tasks[2].scale, Eigen::Vector3d(1, 1, -1));
   EXPECT_EQ(found_.tasks[0].sha256, found_.tasks[1].sha256);
   EXPECT_TRUE(std::none_of(found_.done.begin(), found_.done.end(), [](const auto& failed) { return failed; }));
+}
+
+TEST_F(MeshTaskTest, FilesOfBuffersAreContentToo) {
+  const std::string text = R"({"buffers": [{"uri": "part.bin", "byteLength": 4}]})";
+  for (const char* folder : {"a/", "b/", "c/"}) {
+    fixtures::write(folder_ / (std::string(folder) + "part.gltf"), text);
+    fixtures::write(folder_ / (std::string(folder) + "part.bin"), *folder == 'c' ? "4321" : "1234");
+  }
+  EXPECT_EQ(groups({use("a/part.gltf"), use("b/part.gltf"), use("c/part.gltf")}), (Groups{{0, 1}, {2}}));
+  EXPECT_NO_THROW(contentOf(found_.tasks[0], {}, {}));
+  fixtures::write(folder_ / "a/part.bin", "4321");
+  EXPECT_THROW(contentOf(found_.tasks[0], {}, {}), Error) << "it is no longer what was hashed";
 }
 
 TEST_F(MeshTaskTest, RegionsMakeVariantsOfATask) {

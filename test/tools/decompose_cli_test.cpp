@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "geometry/bytes.h"
 #include "shapes.h"
 #include "tools/program_test.h"
 
@@ -224,6 +225,44 @@ TEST_F(DecomposeProgram, AMesh) {
   EXPECT_NE(loud.out.find("Written to " + (folder_ / "bracket_collision") + "\n"), std::string::npos) << loud.out;
   for (const char* file : {"hull_0.stl", "bracket_hulls.obj", "report.json"})
     EXPECT_TRUE(fs::exists(folder_.path() / "bracket_collision" / file)) << file;
+}
+
+/// part.gltf in a folder, with its points in a file beside it and its corners in one below.
+void writeGltf(const TriangleMesh& mesh, const std::string& folder) {
+  std::string points, corners;
+  for (const Eigen::Vector3d& v : mesh.vertices)
+    for (const double x : v) points += toBytes(static_cast<float>(x));
+  for (const Triangle& t : mesh.triangles)
+    for (const int corner : t) corners += toBytes(corner);
+  const std::string of_points = R"("byteLength": )" + std::to_string(points.size()),
+                    of_corners = R"("byteLength": )" + std::to_string(corners.size());
+  fixtures::write(
+      folder + "/part.gltf",
+      R"({"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": )" +
+          std::to_string(mesh.vertices.size()) + R"(}, {"bufferView": 1, "componentType": 5125, "type": "SCALAR", "count": )" +
+          std::to_string(3 * mesh.triangles.size()) + R"(}], "bufferViews": [{"buffer": 0, )" + of_points + R"(}, {"buffer": 1, )" +
+          of_corners + R"(}], "buffers": [{"uri": "points.bin", )" + of_points + R"(}, {"uri": "sub/corners.bin", )" + of_corners + "}]}");
+  fixtures::write(folder + "/points.bin", points);
+  fixtures::write(folder + "/sub/corners.bin", corners);
+}
+
+TEST_F(DecomposeProgram, AMeshWithItsBuffersInFiles) {
+  writeGltf(test_shapes::lBracket(0.2, 0.03, 0.1), folder_ / "mesh");
+  const auto row = [&] { return json::parse(fixtures::read(folder_ / "part_collision/report.json"))["links"][0]; };
+  EXPECT_EQ(run("mesh/part.gltf --quiet").status, 0);
+  const json first = row();
+  EXPECT_EQ(first["hulls"], 2);
+  EXPECT_EQ(run("mesh/part.gltf --quiet").status, 0);
+  EXPECT_TRUE(row()["cached"]);
+  writeGltf(test_shapes::lBracket(0.2, 0.04, 0.1), folder_ / "mesh");
+  EXPECT_EQ(run("mesh/part.gltf --quiet").status, 0);
+  EXPECT_FALSE(row()["cached"]) << "other buffers are another mesh";
+  EXPECT_NE(row()["sha256"], first["sha256"]);
+  fs::remove(folder_ / "mesh/sub/corners.bin");
+  const Finished missing = run("mesh/part.gltf --quiet");
+  EXPECT_NE(missing.status, 0);
+  EXPECT_NE((missing.out + missing.err).find("part.gltf: buffers[1]: '"), std::string::npos) << missing.out << missing.err;
 }
 
 TEST_F(DecomposeProgram, AMeshInMillimetres) {

@@ -21,7 +21,7 @@
 namespace collision_hulls {
 
 struct MeshLimits {
-  std::uintmax_t max_bytes = std::uintmax_t{1} << 30;  ///< largest file [bytes]
+  std::uintmax_t max_bytes = std::uintmax_t{1} << 30;  ///< largest file, with its buffers [bytes]
   std::size_t max_triangles = 20'000'000;              ///< most triangles in a file
   /// What the process that reads a file may use, beside 40 bytes of memory for each byte of the
   /// file and 1 s for each of its megabytes.
@@ -54,10 +54,11 @@ bool isMeshFile(const std::string& path);
 /// Polygons are triangulated without loss, in two ways if their surface is in doubt (see
 /// doc/limits.md); materials and textures are ignored; vertices that no triangle uses are dropped.
 /// A truncated or inconsistent file is an error, never half a mesh, and so is one with anything
-/// that may carry surface and is not understood. Throws kFileNotFound, kUnsupportedFormat,
-/// kNotAMesh, kEmptyMesh, kTooLarge, kNonFiniteCoordinate, kIndexOutOfRange, kTooFarFromOrigin
-/// (single precision cannot resolve a thousandth of the mesh's diagonal), kReaderFailed,
-/// kOutOfMemory, kOutOfTime, kCancelled. Thread safe.
+/// that may carry surface and is not understood. Buffers of a .gltf file may be in other files, in
+/// its folder or below. Throws kFileNotFound, kOutsideRoots (such a buffer lies elsewhere),
+/// kUnsupportedFormat, kNotAMesh, kEmptyMesh, kTooLarge, kNonFiniteCoordinate, kIndexOutOfRange,
+/// kTooFarFromOrigin (single precision cannot resolve a thousandth of the mesh's diagonal),
+/// kReaderFailed, kOutOfMemory, kOutOfTime, kCancelled. Thread safe.
 ///
 /// Except for binary STL, bytes are decoded in another process, `collision_hulls_reader`, which is
 /// started as needed and can do nothing else. A file that crashes it is kReaderFailed, and one that
@@ -66,7 +67,8 @@ LoadedMesh readMesh(const std::string& path, const MeshLimits& limits = {},
                     const RunControl& control = {});
 
 /// The same from the content of a mesh file. `name` stands in messages; its extension says how the
-/// bytes are read. Throws what readMesh() throws, except kFileNotFound.
+/// bytes are read. Buffers in other files are refused, with kNotAMesh. Throws what readMesh()
+/// throws, except kFileNotFound and kOutsideRoots.
 LoadedMesh parseMesh(const std::string& bytes, const std::string& name,
                      const MeshLimits& limits = {}, const RunControl& control = {});
 

@@ -33,7 +33,7 @@ struct StageSeconds {
 
 /// What is known of a mesh once it is read and repaired. Lengths in metres, after scaling.
 struct MeshFacts {
-  std::string sha256;  ///< of its file
+  std::string sha256;  ///< of its file; of a .gltf file with buffers in others, of all of them
   std::size_t triangles = 0, skipped_primitives = 0;
   RepairCounts repair;
   std::string interior;  ///< see Interior

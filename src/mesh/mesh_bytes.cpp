@@ -35,9 +35,12 @@ bool hasScheme(const std::string& uri) {
 std::string pathOf(const std::string& uri, const std::string& mesh) {
   checkCharacters(uri);
   const std::string name = percentDecoded(uri), path = (fs::path(mesh).parent_path() / fs::path(name).lexically_normal()).string();
-  if (name.empty() || hasScheme(uri) || leadsOut(name) || !liesBeside(path, mesh))
+  if (name.empty() || hasScheme(uri) || leadsOut(name))
     throw Error(ErrorCode::kOutsideRoots,
                 "'" + shown(uri) + "' is no file in the mesh's folder; put the file there and name it relative to the mesh, or " + kRemedy);
+  if (!liesBeside(path, mesh))
+    throw Error(ErrorCode::kOutsideRoots,
+                "'" + path + "' leads out of the mesh's folder by a link; put the file itself there, or " + kRemedy);
   return path;
 }
 

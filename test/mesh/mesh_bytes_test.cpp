@@ -177,8 +177,10 @@ TEST_F(MeshBytes, LinksThatLeadOutOfTheFolder) {
   fs::create_symlink("loop.bin", path("mesh/loop.bin"));
   write("mesh/a.gltf", gltf(buffer("within.bin")));
   expectTriangle("mesh/a.gltf");
-  for (const char* uri : {"out.bin", "way_out/part.bin", "loop.bin"})
-    EXPECT_NE(refusal(uri, ErrorCode::kOutsideRoots).find("buffers[0]: '"), std::string::npos);
+  for (const char* uri : {"out.bin", "way_out/part.bin"})
+    EXPECT_NE(refusal(uri, ErrorCode::kOutsideRoots).find(uri + std::string("' leads out of the mesh's folder by a link")),
+              std::string::npos);
+  EXPECT_NE(refusal("loop.bin", ErrorCode::kOutsideRoots).find("check its links"), std::string::npos);
 }
 
 TEST_F(MeshBytes, AMeshThatIsALink) {
@@ -235,7 +237,7 @@ TEST_F(MeshBytes, AllFilesAreWithinTheLimitTogether) {
 
 TEST_F(MeshBytes, LengthsHave32Bits) {
   write("part.bin", "");
-  fs::resize_file(path("part.bin"), std::uintmax_t{0xFFFF0000});  // a hole, which takes no space
+  fs::resize_file(path("part.bin"), std::uintmax_t{1} << 32);  // a hole, which takes no space
   MeshLimits limits;
   limits.max_bytes = std::uintmax_t{1} << 40;
   EXPECT_NE(refusalOf(write("a.gltf", gltf(buffer("part.bin"))), ErrorCode::kTooLarge, limits).find("limit of 4294901760"),

@@ -1,7 +1,7 @@
 // Two points whose segment leaves the solid by more than the tolerance cannot share a hull: they are apart. So are three whose triangle
 // does. Points that cannot be shared out to n sets without any that are apart need more than n hulls.
 //
-//   points = one that only it holds for each hull of a known cover, and others spread over the surface     least/witnesses.h
+//   points = one that only it holds for each of many hulls of a known cover, and others spread over the surface  least/witnesses.h
 //   pairs  = the graph of those that are apart                                                            least/apart.h, least/pairs.h
 //   n      = size of the largest clique found: each of its points needs a hull of its own                 least/clique.h
 //   while n colours provably do not suffice for the graph: n + 1                                          least/colouring.h
@@ -34,14 +34,15 @@ namespace {
 /// How hard to look.
 struct Plan {
   std::size_t candidates;  // half of them vertices; points are chosen from these
-  std::size_t spread;      // points in the graph, beside one for each known hull
+  std::size_t own;         // points in the graph, one for each known hull, at most
+  std::size_t spread;      // points in the graph beside those
   std::size_t more;        // points beside the graph's that may be shared out
   std::size_t shared;      // points that are shared out, at most
   long steps;              // of each search in the graph
   Sharing::Limits sharing;
 };
-constexpr Plan kQuickPlan{600, 48, 0, 24, 1'000, {200, 1'000}};
-constexpr Plan kBestPlan{4'000, 320, 600, Sharing::kMostPoints, 20'000, {10'000, 20'000}};
+constexpr Plan kQuickPlan{600, 96, 48, 0, 24, 1'000, {200, 1'000}};
+constexpr Plan kBestPlan{4'000, 1'000, 320, 600, Sharing::kMostPoints, 20'000, {10'000, 20'000}};
 
 /// [m] Of the coordinates.
 double sizeOf(const Points& points) {
@@ -77,7 +78,7 @@ std::size_t leastHulls(const TriangleMesh& mesh, const Solid& solid, double tole
   const std::size_t enough = known.empty() ? std::numeric_limits<std::size_t>::max() : known.size();
   const Plan& plan = effort == Effort::kBest ? kBestPlan : kQuickPlan;
   const SurfacePoints candidates = surfacePoints(mesh, plan.candidates / 2);
-  Points points = ownPoints(candidates.all, known);
+  Points points = spreadOf(ownPoints(candidates.all, known), plan.own);
   addSpread(candidates, plan.spread, points);
   const std::size_t in_graph = points.size();
   addSpread(candidates, plan.more, points);

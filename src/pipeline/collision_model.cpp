@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <regex>
 #include <set>
 
 #include "base/counted.h"
@@ -15,11 +14,14 @@
 #include "pipeline/earlier_output.h"
 #include "pipeline/run.h"
 #include "report/earlier_report.h"
+#include "robot/contact_sensors.h"
 #include "storage/names.h"
 #include "storage/replace_folder.h"
 
 namespace collision_hulls {
 namespace {
+
+constexpr std::size_t kMostNotes = 20;  // of a kind
 
 /// A mesh with new hulls: its files, and the primitives in place of others.
 struct Model {
@@ -58,8 +60,7 @@ LinkCollisions linkCollisions(const std::string& link, const SourceElements& sou
     const std::string base = baseName(link, index, source);
     const auto model = models.find(index);
     if (model == models.end()) {
-      const bool is_primitive = source.elements[i].kind != GeometryElement::Kind::kNone;
-      if (source.visual && is_primitive) result.elements.push_back({names.take(base), source.elements[i]});
+      if (source.visual && isSolidPrimitive(source.elements[i])) result.elements.push_back({names.take(base), source.elements[i]});
       continue;
     }
     const auto& [files, mesh] = model->second;
@@ -109,7 +110,8 @@ NewCollisions newCollisions(const RobotDescription& robot, const LinkDecisions& 
       continue;
     }
     const SourceElements source = sourceElements(link, options->source);
-    const bool has_new_ones = models.count(link.name) || (source.visual && !source.elements.empty());
+    const bool has_solid = std::any_of(source.elements.begin(), source.elements.end(), isSolidPrimitive);
+    const bool has_new_ones = models.count(link.name) || (source.visual && has_solid);
     if (has_new_ones) links[link.name] = linkCollisions(link.name, source, models[link.name], prefix, names, in_place);
   }
   return links;
@@ -194,21 +196,22 @@ std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::
           "': use package:// URIs in the input, or copy the new description beside the input (with --uri package or file)"};
 }
 
-/// On what Gazebo called the collision of a link, `<link>_collision` and the like, where hulls with other names have taken its place.
+/// On what Gazebo called the collision of a link, where hulls with other names have taken its place.
 std::vector<std::string> notesOnContacts(const RobotResult& result) {
-  static const std::regex reference("<collision>\\s*([^<\\s]+)\\s*</collision>");  // elements of URDF hold no text
-  std::set<std::string> names;
-  for (std::sregex_iterator i(result.urdf.begin(), result.urdf.end(), reference), end; i != end; ++i) names.insert((*i)[1]);
+  std::set<std::string> replaced;
+  for (const ElementReport& row : result.report.links)
+    if (!row.files.empty()) replaced.insert(row.link);
   std::vector<std::string> notes;
-  for (const std::string& name : names) {
-    const auto is_replaced = [&](const ElementReport& row) {
-      return !row.files.empty() && name.find(row.link + "_collision") != std::string::npos;
-    };
-    const auto row = std::find_if(result.report.links.begin(), result.report.links.end(), is_replaced);
-    if (row == result.report.links.end() || result.urdf.find("name=\"" + name + "\"") != std::string::npos) continue;
+  std::size_t found = 0;
+  for (const std::string& name : unnamedContacts(result.urdf)) {
+    const std::vector<std::string> links = linksOfCollision(name);
+    const auto link = std::find_if(links.begin(), links.end(), [&](const std::string& one) { return replaced.count(one) > 0; });
+    if (link == links.end() || ++found > kMostNotes) continue;
     notes.push_back("a <gazebo> element names the collision '" + name + "', which hulls have replaced: let it name those of link '" +
-                    row->link + "' instead, or its contact sensor finds nothing");
+                    *link + "' instead, or its contact sensor finds nothing");
   }
+  if (found > kMostNotes)
+    notes.push_back("<gazebo> elements name " + std::to_string(found - kMostNotes) + " more collisions that hulls have replaced");
   return notes;
 }
 
@@ -274,9 +277,10 @@ void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDec
     of.kept = keptElements(robot, find_package, reportOf(model, result.report), of, in_place[model], options, control);
   }
   std::vector<std::string>& all = result.report.notes;
-  for (const auto& more : {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options),
-                           notesOnIdle(robot, decisions.front(), options), notes, notesOnAgain(robot, result.report), notesOnKept(result),
-                           notesOnCarried(result), notesOnRewritten(result, output, control), notesOnContacts(result)})
+  for (const auto& more :
+       {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options), notesOnFlat(robot, decisions.front()),
+        notesOnIdle(robot, decisions.front(), options), notes, notesOnAgain(robot, result.report), notesOnKept(result),
+        notesOnCarried(result), notesOnRewritten(result, output, control), notesOnContacts(result)})
     all.insert(all.end(), more.begin(), more.end());
 }
 

@@ -158,6 +158,31 @@ std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDe
           others(collisions, "collision")};
 }
 
+bool isSolidPrimitive(const GeometryElement& element) {
+  switch (element.kind) {
+    case GeometryElement::Kind::kBox: return element.size.minCoeff() > 0;
+    case GeometryElement::Kind::kSphere: return element.size.x() > 0;
+    case GeometryElement::Kind::kCylinder: return element.size.head<2>().minCoeff() > 0;
+    default: return false;
+  }
+}
+
+std::vector<std::string> notesOnFlat(const RobotDescription& robot, const LinkDecisions& decisions) {
+  std::string links;
+  for (const LinkDescription& link : robot.links) {
+    const LinkOptions* const options = decisions.of(link.name);
+    if (!isDecomposed(options)) continue;
+    const SourceElements source = sourceElements(link, options->source);
+    const auto is_flat = [](const GeometryElement& element) {
+      return !isMesh(element) && element.kind != GeometryElement::Kind::kNone && !isSolidPrimitive(element);
+    };
+    if (source.visual && std::any_of(source.elements.begin(), source.elements.end(), is_flat))
+      links += (links.empty() ? "" : ", ") + link.name;
+  }
+  if (links.empty()) return {};
+  return {"visual boxes, spheres and cylinders with a size of 0 become no collision elements, in links: " + links};
+}
+
 std::vector<std::string> notesOnIdle(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options) {
   if (!options.links.empty()) return {};  // then whatever is told of other links changes nothing, as was asked for
   std::set<std::string> links;

@@ -36,6 +36,12 @@ std::size_t decomposedUses(const std::vector<MeshUse>& uses);
 /// Notes on meshes that LinkOptions::source leaves out, and on a robot in which it finds none.
 std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options);
 
+/// Whether an element is a primitive that encloses something: with --source visual it becomes a <collision> element.
+bool isSolidPrimitive(const GeometryElement& element);
+
+/// On visual primitives that are not, and become none.
+std::vector<std::string> notesOnFlat(const RobotDescription& robot, const LinkDecisions& decisions);
+
 /// On settings and regions that no mesh is left for.
 std::vector<std::string> notesOnIdle(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options);
 

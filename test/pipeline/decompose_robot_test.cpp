@@ -80,6 +80,26 @@ TEST_F(DecomposeRobot, VisualWithOnlyAMaterialIsIgnored) {
   EXPECT_EQ(count(result.urdf, paint.substr(4, paint.size() - 5)), 2u);
 }
 
+// Some descriptions mark places with them; a collision element without a size is one that simulators refuse.
+TEST_F(DecomposeRobot, VisualPrimitivesWithoutASizeBecomeNoCollisions) {
+  options_.source = Source::kVisual;
+  const auto shape = [](const std::string& element, const std::string& tag) {
+    return "    <" + tag + "><geometry>" + element + "</geometry></" + tag + ">\n";
+  };
+  std::string flat;
+  for (const char* element : {"<box size=\"1 0 1\"/>", "<sphere radius=\"0\"/>", "<cylinder radius=\"0.1\" length=\"0\"/>",
+                              "<cylinder radius=\"0\" length=\"1\"/>"})
+    flat += shape(element, "visual");
+  const RobotResult result = run(link("base", visual("box.obj") + flat + shape("<sphere radius=\"0.5\"/>", "visual")) +
+                                 link("tip", flat + shape("<sphere radius=\"0.1\"/>", "collision"), "base"));
+  ASSERT_EQ(result.report.links.size(), 1u);
+  EXPECT_EQ(count(result.urdf, "<collision"), 3u) << "the box's hull, the sphere, and what the tip had";
+  EXPECT_EQ(count(result.urdf, "<sphere radius=\"0\"/>"), 2u) << "as visual elements alone";
+  EXPECT_NE(std::find(result.report.notes.begin(), result.report.notes.end(),
+                      "visual boxes, spheres and cylinders with a size of 0 become no collision elements, in links: base, tip"),
+            result.report.notes.end());
+}
+
 TEST_F(DecomposeRobot, NotesCollisionMeshesIgnoredBySourceVisual) {
   options_.source = Source::kVisual;
   const RobotResult result = run(link("base", visual("box.obj")) + link("tip", collision("bracket.obj"), "base"));

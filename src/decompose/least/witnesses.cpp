@@ -93,6 +93,19 @@ Points ownPoints(const Points& points, const std::vector<ConvexHull>& hulls) {
   return result;
 }
 
+Points spreadOf(const Points& points, std::size_t most) {
+  if (points.size() <= most) return points;
+  Spreading others(points);
+  Points chosen;
+  while (chosen.size() < most) {
+    const Eigen::Vector3d* const next = others.furthest();
+    if (!next) break;
+    chosen.push_back(*next);
+    others.tell(chosen.back());
+  }
+  return chosen;
+}
+
 void addSpread(const SurfacePoints& points, std::size_t count, Points& chosen) {
   Spreading vertices({points.all.begin(), points.all.begin() + static_cast<std::ptrdiff_t>(points.vertices)}), everywhere(points.all);
   const auto tell = [&](const Eigen::Vector3d& p) { vertices.tell(p), everywhere.tell(p); };

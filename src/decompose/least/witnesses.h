@@ -24,6 +24,9 @@ SurfacePoints surfacePoints(const TriangleMesh& mesh, std::size_t count);
 /// For each of several hulls the point that is furthest from all others, unless all its points are in others, too.
 Points ownPoints(const Points& points, const std::vector<ConvexHull>& hulls);
 
+/// At most so many of some points, each as far as possible from those before it.
+Points spreadOf(const Points& points, std::size_t most);
+
 /// Adds up to `count` points, each as far as possible from those before it: by turns a vertex and any of them.
 void addSpread(const SurfacePoints& points, std::size_t count, Points& chosen);
 

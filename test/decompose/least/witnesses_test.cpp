@@ -44,6 +44,13 @@ TEST(OwnPoints, AreFurthestFromAllOtherHulls) {
   EXPECT_TRUE(ownPoints(points, {hulls[0]}).empty());
 }
 
+TEST(SpreadOf, KeepsThoseThatAreFarApart) {
+  const Points points{{0, 0, 0}, {0.1, 0, 0}, {5, 0, 0}, {5.1, 0, 0}, {2, 0, 0}, {5.1, 0, 0}};
+  EXPECT_EQ(spreadOf(points, 3), (Points{points[0], points[3], points[4]}));
+  EXPECT_EQ(spreadOf(points, 6), points);
+  EXPECT_EQ(spreadOf(points, 5).size(), 5u);  // one place is there twice
+}
+
 TEST(AddSpread, EndsOfABarComeFirst) {
   const SurfacePoints points = surfacePoints(box(10, 1, 1), 50);
   Points chosen{Eigen::Vector3d(5, 0.5, 1)};

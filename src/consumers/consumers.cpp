@@ -30,7 +30,7 @@ ConsumerFiles filesFor(Consumer consumer, const WrittenModel& model, const RunCo
   switch (consumer) {
     case Consumer::kMoveit: return moveitFiles(model, control);
     case Consumer::kGazebo: return gazeboFiles(model);
-    case Consumer::kMujoco: return mujocoFiles(model);
+    case Consumer::kMujoco: return mujocoFiles(model, control);
     case Consumer::kDrake: return drakeFiles(model);
     case Consumer::kIsaac: return isaacFiles(model);
     case Consumer::kTesseract: return tesseractFiles(model);

@@ -1,9 +1,14 @@
 // MoveIt takes the URDF as it is: several <collision> elements a link, a mesh each (a tree of triangles with FCL, a btConvexHullShape with
 // Bullet). What it needs beside that is an SRDF, so that neighbours are not checked, nor pairs that can never meet. The latter are proved
 // (reach/), where MoveIt's Setup Assistant samples. A link of which some geometry is not from this output is only judged by its joints.
+#include <atomic>
+#include <cstdint>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 #include "base/parallel.h"
+#include "collision_hulls/error.h"
 #include "collision_hulls/reach/reach.h"
 #include "collision_hulls/scene/srdf.h"
 #include "consumers/written_model.h"
@@ -28,10 +33,7 @@ std::optional<ConvexHull> hullOfLink(const LinkDescription& link, const WrittenM
   return points.empty() ? ConvexHull() : convexHull(points);
 }
 
-struct Pair {
-  std::size_t a, b;
-  DisabledPair disabled;  // without a reason: it stays enabled
-};
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;  // of all pairs: as much as may be read again
 
 /// For planners and distance fields that take spheres (moveit_core's collision_distance_field): where a link has nothing but them.
 std::vector<SphereApproximation> spheresOf(const RobotDescription& robot) {
@@ -58,29 +60,34 @@ std::vector<DisabledPair> pairsWithoutCheck(const WrittenModel& model, const Run
   std::vector<std::optional<ConvexHull>> known;
   std::vector<ConvexHull> hulls;
   for (const LinkDescription& link : robot.links) {
+    control.check();
     known.push_back(hullOfLink(link, model));
     hulls.push_back(known.back().value_or(ConvexHull()));
   }
   const auto has_geometry = [&](std::size_t i) { return !known[i] || !known[i]->vertices.empty(); };
   const ReachProver prover(kinematics, hulls, Scene());
-  std::vector<Pair> pairs;
-  for (std::size_t a = 0; a < robot.links.size(); ++a)
-    for (std::size_t b = a + 1; b < robot.links.size(); ++b)
-      if (has_geometry(a) && has_geometry(b)) pairs.push_back({a, b, {robot.links[a].name, robot.links[b].name, "", ""}});
-  forEach(pairs.size(), [&](std::size_t i) {
-    Pair& pair = pairs[i];
-    if (kinematics.adjacent(pair.a, pair.b)) {
-      pair.disabled.reason = "Adjacent";
-    } else if (known[pair.a] && known[pair.b] && kinematics.settled(pair.a, pair.b)) {
-      const Reach reach = prover.betweenLinks(pair.a, pair.b, 0, {}, control);
-      if (reach.outcome != Reach::Outcome::kProved) return;
-      pair.disabled.reason = "Never";
-      pair.disabled.known = "never within " + leastLengthText(reach.bound) + ", proved";
+  std::vector<std::vector<DisabledPair>> of_links(robot.links.size());
+  std::atomic<std::uintmax_t> bytes{0};
+  forEach(robot.links.size(), [&](std::size_t a) {
+    const auto disable = [&](std::size_t b, const std::string& reason, const std::string& known_of_it) {
+      of_links[a].push_back({robot.links[a].name, robot.links[b].name, reason, known_of_it});
+      bytes += sizeof(DisabledPair) + robot.links[a].name.size() + robot.links[b].name.size();
+      if (bytes > kMostBytes)
+        throw Error(ErrorCode::kTooLarge, "more pairs of links need no check than 256 MiB hold; join links that are fixed to each other");
+    };
+    for (std::size_t b = a + 1; b < robot.links.size(); ++b) {
+      control.check();
+      if (!has_geometry(a) || !has_geometry(b)) continue;
+      if (kinematics.adjacent(a, b)) {
+        disable(b, "Adjacent", "");
+      } else if (known[a] && known[b] && kinematics.settled(a, b)) {
+        const Reach reach = prover.betweenLinks(a, b, 0, {}, control);
+        if (reach.outcome == Reach::Outcome::kProved) disable(b, "Never", "never within " + leastLengthText(reach.bound) + ", proved");
+      }
     }
   });
   std::vector<DisabledPair> disabled;
-  for (const Pair& pair : pairs)
-    if (!pair.disabled.reason.empty()) disabled.push_back(pair.disabled);
+  for (std::vector<DisabledPair>& some : of_links) std::move(some.begin(), some.end(), std::back_inserter(disabled));
   return disabled;
 }
 

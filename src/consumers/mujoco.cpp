@@ -1,6 +1,8 @@
 // MuJoCo collides a mesh as its convex hull, and welds nothing of a body's geoms together: one <mesh> and one <geom> a hull keep the shape.
 // Bodies nest as the links do, each with the frame of its joint. Links without mass get next to none from their geoms, as MuJoCo wants
 // every moving body to have some. Visual meshes are left out: MuJoCo reads neither Collada nor package:// URIs.
+#include <algorithm>
+
 #include "consumers/written_model.h"
 #include "robot/number_text.h"
 #include "storage/names.h"
@@ -9,6 +11,8 @@ namespace collision_hulls {
 namespace {
 
 using Kind = GeometryElement::Kind;
+
+constexpr int kMostIndented = 20;  // levels: with more, the text would grow with the square of the depth
 
 std::string attribute(const std::string& name, const std::string& value) {
   return " " + name + "=\"" + xmlEscaped(value) + "\"";
@@ -21,34 +25,33 @@ std::string poseText(const Eigen::Isometry3d& pose) {
 
 class Writer {
  public:
-  explicit Writer(const WrittenModel& model) : model_(model) {}
+  Writer(const WrittenModel& model, const RunControl& control) : model_(model), control_(control) {
+    for (const LinkDescription& link : model.robot().links) links_[link.name] = &link;
+  }
 
   std::string text() {
-    std::string bodies;
-    for (const std::string& root : model_.roots()) bodies += body(root, nullptr, 2);
+    for (const std::string& root : model_.roots()) addBody(root, nullptr, 2);
     return "<mujoco" + attribute("model", model_.robot().name) + ">\n" +
            "  <compiler angle=\"radian\" meshdir=\"..\" boundmass=\"1e-6\" boundinertia=\"1e-9\"/>\n" + "  <asset>\n" + assets_ +
-           "  </asset>\n  <worldbody>\n" + bodies + "  </worldbody>\n" + equalities() + "</mujoco>\n";
+           "  </asset>\n  <worldbody>\n" + bodies_ + "  </worldbody>\n" + equalities() + "</mujoco>\n";
   }
 
  private:
-  std::string body(const std::string& link, const JointDescription* joint, int depth) {
-    const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
-    if (!joint && link == kWorld) return contents(link, indent, depth - 1);
-    std::string text = indent + "<body" + attribute("name", link) + (joint ? poseText(joint->origin) : "") + ">\n";
-    text += inertialText(link, indent + "  ");
-    if (joint) text += jointText(*joint, indent + "  ");
-    text += contents(link, indent + "  ", depth);
-    return text + indent + "</body>\n";
+  void addBody(const std::string& link, const JointDescription* joint, int depth) {
+    control_.check();
+    const std::string indent(static_cast<std::size_t>(2 * std::min(depth, kMostIndented)), ' ');
+    if (!joint && link == kWorld) return addContents(link, indent, depth - 1);
+    bodies_ += indent + "<body" + attribute("name", link) + (joint ? poseText(joint->origin) : "") + ">\n";
+    bodies_ += inertialText(link, indent + "  ");
+    if (joint) bodies_ += jointText(*joint, indent + "  ");
+    addContents(link, indent + "  ", depth);
+    bodies_ += indent + "</body>\n";
   }
 
   /// The geoms of a link, and the bodies below it.
-  std::string contents(const std::string& link, const std::string& indent, int depth) {
-    std::string text;
-    for (const LinkDescription& described : model_.robot().links)
-      if (described.name == link) text += geoms(described, indent);
-    for (const JointDescription* below : model_.jointsBelow(link)) text += body(below->child, below, depth + 1);
-    return text;
+  void addContents(const std::string& link, const std::string& indent, int depth) {
+    bodies_ += geoms(*links_.at(link), indent);
+    for (const JointDescription* below : model_.jointsBelow(link)) addBody(below->child, below, depth + 1);
   }
 
   std::string inertialText(const std::string& link, const std::string& indent) const {
@@ -116,6 +119,9 @@ class Writer {
   }
 
   const WrittenModel& model_;
+  const RunControl& control_;
+  std::map<std::string, const LinkDescription*> links_;
+  std::string bodies_;
   UniqueNames names_, mesh_names_;
   std::map<std::string, std::string> meshes_;  // by file: the asset's name
   std::string assets_;
@@ -123,8 +129,8 @@ class Writer {
 
 }  // namespace
 
-ConsumerFiles mujocoFiles(const WrittenModel& model) {
-  return {{"mjcf/" + fileName(model.robot().name) + ".xml", Writer(model).text()}};
+ConsumerFiles mujocoFiles(const WrittenModel& model, const RunControl& control) {
+  return {{"mjcf/" + fileName(model.robot().name) + ".xml", Writer(model, control).text()}};
 }
 
 }  // namespace collision_hulls

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "base/counted.h"
 #include "robot/number_text.h"
 
 namespace collision_hulls {
@@ -75,10 +76,12 @@ WrittenModel::WrittenModel(const RobotResult& result, const std::string& package
     const std::vector<std::string>& files = result.report.links[i].files;
     for (std::size_t m = 0; m < files.size(); ++m) hulls_[files[m]] = &result.elements[i].hulls[m];
   }
+  for (const JointDescription& joint : robot_.joints) below_[joint.parent].push_back(&joint);
   readDynamics(parseXml(result.urdf, "the rewritten description", control));
 }
 
 void WrittenModel::readDynamics(const XmlNode& robot) {
+  std::size_t changed = 0;
   for (const XmlNode* link : robot.childrenNamed("link")) {
     const XmlNode* const given = link->child("inertial");
     if (!given) continue;
@@ -87,10 +90,11 @@ void WrittenModel::readDynamics(const XmlNode& robot) {
     if (!(inertial.mass > 0)) continue;
     const std::string name = link->attribute("name");
     inertials_[name] = inertial;
-    if (moments != inertial.moments)
+    if (moments != inertial.moments && ++changed == 1)
       notes_.push_back("link '" + name + "': no body has the moments of inertia that the description gives (" + vectorText(moments) +
                        "); the files of --for have their mean");
   }
+  if (changed > 1) notes_.front() += "; so it is with " + counted(changed - 1, "more link");
   for (const XmlNode* joint : robot.childrenNamed("joint")) {
     const XmlNode *const limit = joint->child("limit"), *const dynamics = joint->child("dynamics");
     dynamics_[joint->attribute("name")] = {numberOf(limit, "effort", -1), numberOf(limit, "velocity", -1),
@@ -122,11 +126,10 @@ JointDynamics WrittenModel::dynamicsOf(const std::string& joint) const {
   return found == dynamics_.end() ? JointDynamics() : found->second;
 }
 
-std::vector<const JointDescription*> WrittenModel::jointsBelow(const std::string& link) const {
-  std::vector<const JointDescription*> below;
-  for (const JointDescription& joint : robot_.joints)
-    if (joint.parent == link) below.push_back(&joint);
-  return below;
+const std::vector<const JointDescription*>& WrittenModel::jointsBelow(const std::string& link) const {
+  static const std::vector<const JointDescription*> none;
+  const auto found = below_.find(link);
+  return found == below_.end() ? none : found->second;
 }
 
 std::vector<std::string> WrittenModel::roots() const {

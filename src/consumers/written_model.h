@@ -39,9 +39,9 @@ class WrittenModel {
 
   const Inertial* inertialOf(const std::string& link) const;  ///< null: none is given
   JointDynamics dynamicsOf(const std::string& joint) const;
-  std::vector<const JointDescription*> jointsBelow(const std::string& link) const;  ///< in document order
-  const std::vector<std::string>& notes() const { return notes_; }                  ///< on what had to be changed
-  std::vector<std::string> roots() const;                                           ///< links without a parent
+  const std::vector<const JointDescription*>& jointsBelow(const std::string& link) const;  ///< in document order
+  const std::vector<std::string>& notes() const { return notes_; }                         ///< on what had to be changed
+  std::vector<std::string> roots() const;                                                  ///< links without a parent
 
  private:
   void readDynamics(const XmlNode& robot);
@@ -52,6 +52,7 @@ class WrittenModel {
   std::map<std::string, const ConvexHull*> hulls_;  // by path in the output
   std::map<std::string, Inertial> inertials_;
   std::map<std::string, JointDynamics> dynamics_;
+  std::map<std::string, std::vector<const JointDescription*>> below_;  // by parent
   std::vector<std::string> notes_;
 };
 
@@ -78,7 +79,7 @@ ConsumerFiles tesseractFiles(const WrittenModel& model);
 ConsumerFiles moveitFiles(const WrittenModel& model, const RunControl& control);
 ConsumerFiles drakeFiles(const WrittenModel& model);
 ConsumerFiles isaacFiles(const WrittenModel& model);
-ConsumerFiles mujocoFiles(const WrittenModel& model);
+ConsumerFiles mujocoFiles(const WrittenModel& model, const RunControl& control);
 ConsumerFiles gazeboFiles(const WrittenModel& model);
 ConsumerFiles dartFiles(const WrittenModel& model);
 

@@ -16,6 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr int kMostParts = 8;  // of a path below an output
+
 bool isUsableMesh(const GeometryElement& element) {
   return element.kind == GeometryElement::Kind::kMesh && element.fault.empty();
 }
@@ -53,10 +55,12 @@ class MeshFiles {
   /// A file of the folder to be replaced, by the end of its path: the folder, or the description, may have moved since.
   std::optional<fs::path> findOwn(const std::string& uri) const {
     if (!own_ || uri.rfind("package://", 0) == 0) return std::nullopt;
-    for (const fs::path& file : own_->files) {
-      const std::string end = "/" + file.string();
-      if (file.has_parent_path() && uri.size() > end.size() && uri.compare(uri.size() - end.size(), end.size(), end) == 0)
-        return folder_ / file;
+    std::size_t slash = uri.size();
+    for (int parts = 0; parts < kMostParts && slash > 0; ++parts) {
+      slash = uri.rfind('/', slash - 1);
+      if (slash == std::string::npos) break;
+      const fs::path file = uri.substr(slash + 1);
+      if (slash > 0 && file.has_parent_path() && own_->files.count(file)) return folder_ / file;
     }
     return std::nullopt;
   }

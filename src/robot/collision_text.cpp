@@ -8,6 +8,8 @@
 namespace collision_hulls {
 namespace {
 
+constexpr std::size_t kLongestIndent = 100;  // [bytes] that new elements take over: each has it six times
+
 std::string attribute(const char* name, const std::string& value) {
   return std::string(" ") + name + "=\"" + xmlEscaped(value) + "\"";
 }
@@ -39,7 +41,7 @@ bool hasLineEnd(const std::string& space) {
 }
 
 std::string indentIn(const std::string& space) {
-  return space.substr(space.find_last_of("\r\n") + 1);
+  return space.substr(space.find_last_of("\r\n") + 1, kLongestIndent);
 }
 
 std::string lineEndIn(const std::string& space) {

@@ -15,6 +15,7 @@ using Kind = JointDescription::Kind;
 constexpr double kBeyondLimit = 1e-6;  // of the limits' size: what decimal text may have rounded away
 constexpr double kFurthest = 1e6;      // [m] that something may be away
 constexpr std::size_t kMostMasters = 1000;
+constexpr std::size_t kMostUnsettled = 1'000'000;  // joints above links, in all
 
 bool canMove(const JointDescription& joint) {
   return joint.kind == Kind::kRevolute || joint.kind == Kind::kContinuous || joint.kind == Kind::kPrismatic;
@@ -88,6 +89,7 @@ Kinematics::Kinematics(const RobotDescription& robot) : links_(robot.links.size(
   std::iota(body_.begin(), body_.end(), std::size_t{0});
   std::iota(parent_body_.begin(), parent_body_.end(), std::size_t{0});
   unsettled_.resize(links_);
+  std::size_t unsettled = 0;
   for (const JointDescription& description : robot.joints) {
     check(description);
     Joint joint{description, link_index.at(description.parent), link_index.at(description.child)};
@@ -102,6 +104,11 @@ Kinematics::Kinematics(const RobotDescription& robot) : links_(robot.links.size(
     (canMove(description) || placesRobot(description) ? parent_body_ : body_)[joint.child] = body_[joint.parent];
     unsettled_[joint.child] = unsettled_[joint.parent];
     if (joint.paced || placesRobot(description)) unsettled_[joint.child].push_back(joints_.size());
+    unsettled += unsettled_[joint.child].size();
+    if (unsettled > kMostUnsettled)
+      throw Error(ErrorCode::kNotARobot,
+                  "so many joints that float or lie in a plane are above so many links that a million pairs do not "
+                  "hold them; fix some of these joints");
     joints_.push_back(std::move(joint));
   }
 }

@@ -1,8 +1,6 @@
 // Finds packages without ROS: rospack itself gives up on the whole search at the first package.xml that it cannot read.
 #include "robot/package_crawl.h"
 
-#include <tinyxml2.h>
-
 #include <algorithm>
 
 #include "base/string_parts.h"
@@ -14,7 +12,7 @@ namespace fs = std::filesystem;
 namespace collision_hulls {
 namespace {
 
-constexpr std::uintmax_t kMostManifest = std::uintmax_t{1} << 20;  // [bytes] of a package.xml
+constexpr std::uintmax_t kMostManifest = std::uintmax_t{1} << 16;  // [bytes] of a package.xml
 
 }  // namespace
 
@@ -36,16 +34,27 @@ std::vector<fs::path> sortedEntries(const fs::path& folder) {
   return entries;
 }
 
+/// What the <name> of a package.xml says; empty: nothing. Throws XmlSyntaxError.
+std::string nameIn(const std::string& manifest) {
+  const std::vector<XmlElement> elements = scanXml(manifest).elements;
+  const std::vector<std::size_t> names = childrenNamed(elements, 0, "name");
+  if (names.empty()) return "";
+  const std::size_t begin = elements[names.front()].tag_end;
+  return trimmed(std::string_view(manifest).substr(begin, manifest.find('<', begin) - begin), kXmlSpace);
+}
+
 std::optional<PackageFolder> packageAt(const fs::path& folder) {
   const std::string folder_name = folder.filename().string();
   if (isFile(folder / "manifest.xml")) return PackageFolder{folder_name};
   if (!isFile(folder / "package.xml")) return std::nullopt;
   const std::optional<std::string> text = contentOf(folder / "package.xml", kMostManifest);
-  tinyxml2::XMLDocument manifest;
-  if (!text || manifest.Parse(text->data(), text->size()) != tinyxml2::XML_SUCCESS) return PackageFolder{folder_name, true};
-  const tinyxml2::XMLElement* root = manifest.RootElement();
-  const tinyxml2::XMLElement* name = root ? root->FirstChildElement("name") : nullptr;
-  return PackageFolder{name && name->GetText() ? trimmed(name->GetText(), kXmlSpace) : folder_name};
+  if (!text) return PackageFolder{folder_name, true};
+  try {
+    const std::string name = nameIn(*text);
+    return PackageFolder{name.empty() ? folder_name : name};
+  } catch (const XmlSyntaxError&) {
+    return PackageFolder{folder_name, true};
+  }
 }
 
 std::vector<fs::path> realFolders(const fs::path& folder, const std::string& package) {

@@ -1,6 +1,7 @@
 // A robot description from text: elements by tinyxml2, meaning by urdfdom.
 #include <tinyxml2.h>
 
+#include <algorithm>
 #include <cstring>
 #include <new>
 #include <stdexcept>
@@ -55,9 +56,18 @@ void checkIsRobot(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   }
 }
 
+/// What may move the cursor of a terminal that prints a name, or worse.
+bool isTerminalControl(char c) {
+  return (static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0x7F;
+}
+
 void checkName(const XmlSource& subject, const tinyxml2::XMLElement& element) {
   const char* name = element.Attribute("name");
-  if (!name || std::strlen(name) <= kLongestName) return;
+  if (!name) return;
+  if (const char* c = std::find_if(name, name + std::strlen(name), isTerminalControl); *c != 0)
+    subject.failAt(ErrorCode::kNotARobot, subject.lineFromRoot(element.GetLineNum()),
+                   std::string("the name of this <") + element.Name() + "> holds a control character; remove it");
+  if (std::strlen(name) <= kLongestName) return;
   subject.failAt(
       ErrorCode::kNotARobot, subject.lineFromRoot(element.GetLineNum()),
       std::string("the name of this <") + element.Name() + "> is longer than " + std::to_string(kLongestName) + " bytes; shorten it");

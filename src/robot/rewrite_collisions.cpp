@@ -16,6 +16,8 @@
 namespace collision_hulls {
 namespace {
 
+constexpr std::size_t kLongestOrigin = 300;  // [bytes] of an <origin> that new elements repeat: there may be many
+
 bool replaced(const GeometryElement& collision, const LinkCollisions& by) {
   return !by.keep_primitives || collision.kind == GeometryElement::Kind::kMesh;
 }
@@ -102,6 +104,7 @@ std::vector<KnownOrigin> knownOrigins(const LinkText& at) {
       const std::vector<std::size_t> origins = childrenNamed(at.elements, children[i], "origin");
       if (origins.empty() || !at.elements[origins.front()].self_closing) continue;
       const XmlElement& origin = at.elements[origins.front()];
+      if (origin.end - origin.begin > kLongestOrigin) continue;
       known.push_back({meaning.at(i).origin, at.text.substr(origin.begin, origin.end - origin.begin)});
     }
   };

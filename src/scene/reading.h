@@ -34,13 +34,15 @@ struct SceneReading {
 class MeshLibrary {
  public:
   explicit MeshLibrary(const SceneReading& how) : how_(how) {}
-  /// Relative URIs are resolved against the folder of `base` (a file). Throws the errors of resolveUri(), readMesh() and scaled().
+  /// Relative URIs are resolved against the folder of `base` (a file). Throws the errors of resolveUri(), readMesh() and scaled(),
+  /// and kTooLarge where all meshes together have more triangles than one may have.
   TriangleMesh read(const std::string& uri, const Eigen::Vector3d& scale, const std::string& base);
   std::vector<std::string> files() const;
 
  private:
   const SceneReading& how_;
   std::map<std::string, TriangleMesh> by_path_;
+  std::size_t triangles_ = 0;  // of all that were returned
 };
 
 // One reader per format; see readScene(). They may return an empty scene, which the caller judges.

@@ -57,6 +57,14 @@ Eigen::Isometry3d sdfPose(const std::string& file, const XmlNode& pose) {
   return result;
 }
 
+struct SdfFrames::Nested {
+  std::vector<SdfModel> models;
+  SdfFrames frames;
+
+  Nested(const SdfModel& model, const ModelsWithin& models_within)
+      : models(models_within(model)), frames(*model.element, model.file, models, models_within) {}
+};
+
 SdfFrames::SdfFrames(const XmlNode& scope, const std::string& file, const std::vector<SdfModel>& models, const ModelsWithin& models_within)
     : file_(file), models_(models), models_within_(models_within) {
   for (const XmlNode& element : scope.children) {
@@ -77,10 +85,10 @@ void SdfFrames::add(const std::string& name, const XmlNode& element, const std::
 }
 
 Eigen::Isometry3d SdfFrames::poseOf(const XmlNode& element, const std::string& frame) const {
-  return poseOf(element, frame, 0);
+  return poseOf(element, frame, Steps());
 }
 
-Eigen::Isometry3d SdfFrames::poseOf(const XmlNode& element, const std::string& frame, std::size_t steps) const {
+Eigen::Isometry3d SdfFrames::poseOf(const XmlNode& element, const std::string& frame, const Steps& steps) const {
   const XmlNode* pose = element.child("pose");
   if (!pose) return frameNamed(frame, element, steps);
   const std::string relative_to = pose->attribute("relative_to");
@@ -89,26 +97,38 @@ Eigen::Isometry3d SdfFrames::poseOf(const XmlNode& element, const std::string& f
   return frameNamed(given.empty() ? frame : given, *pose, steps) * sdfPose(file_, *pose);
 }
 
-Eigen::Isometry3d SdfFrames::frameNamed(const std::string& name, const XmlNode& asked_by, std::size_t steps) const {
+Eigen::Isometry3d SdfFrames::frameNamed(const std::string& name, const XmlNode& asked_by, const Steps& steps) const {
   if (name.empty() || name == "__model__" || name == "world") return Eigen::Isometry3d::Identity();
-  if (steps > frames_.size())
+  if (steps.here > frames_.size())
     failSdf(file_, asked_by, "frame '" + name + "' is relative to itself, by way of other frames; break the cycle");
-  if (steps > kMostFrames)
+  if (steps.all > kMostFrames)
     failSdf(file_, asked_by, "frame '" + name + "' ends a chain of more than " + std::to_string(kMostFrames) + " frames; shorten it");
-  const auto found = frames_.find(name);
-  if (found != frames_.end()) return poseOf(*found->second.element, found->second.relative_to, steps + 1);
+  const auto known = found_.find(name);
+  if (known != found_.end()) return known->second;
+  const auto frame = frames_.find(name);
   const std::size_t end = name.find(kWithin);
-  if (end != std::string::npos) return frameWithin(name.substr(0, end), name.substr(end + kWithin.size()), asked_by, steps);
-  failSdf(file_, asked_by, "this model or world has no frame '" + name + "'");
+  Eigen::Isometry3d place;
+  if (frame != frames_.end()) {
+    place = poseOf(*frame->second.element, frame->second.relative_to, steps.next());
+  } else if (end != std::string::npos) {
+    const std::string model = name.substr(0, end), within = name.substr(end + kWithin.size());
+    const SdfFrames& frames = framesIn(model, within, asked_by);
+    place = frameNamed(model, asked_by, steps) * frames.frameNamed(within, asked_by, {0, steps.all + 1});
+  } else {
+    failSdf(file_, asked_by, "this model or world has no frame '" + name + "'");
+  }
+  return found_[name] = place;
 }
 
-Eigen::Isometry3d SdfFrames::frameWithin(const std::string& model, const std::string& name, const XmlNode& asked_by,
-                                         std::size_t steps) const {
+SdfFrames::~SdfFrames() = default;
+
+const SdfFrames& SdfFrames::framesIn(const std::string& model, const std::string& name, const XmlNode& asked_by) const {
+  std::unique_ptr<Nested>& nested = nested_[model];
+  if (nested) return nested->frames;
   const auto found = std::find_if(models_.begin(), models_.end(), [&](const SdfModel& m) { return m.name == model; });
   if (found == models_.end()) failSdf(file_, asked_by, "this model or world has no model '" + model + "', in which to find '" + name + "'");
-  const std::vector<SdfModel> within = models_within_(*found);
-  const SdfFrames frames(*found->element, found->file, within, models_within_);
-  return frameNamed(model, asked_by, steps) * frames.frameNamed(name, asked_by, 0);
+  nested = std::make_unique<Nested>(*found, models_within_);
+  return nested->frames;
 }
 
 }  // namespace collision_hulls

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ using ModelsWithin = std::function<std::vector<SdfModel>(const SdfModel&)>;
 class SdfFrames {
  public:
   SdfFrames(const XmlNode& scope, const std::string& file, const std::vector<SdfModel>& models, const ModelsWithin& models_within);
+  ~SdfFrames();
 
   /// The <pose> of an element, relative to `frame` unless it names another; empty: the scope's own frame. Throws kBadScene for missing
   /// frames, cycles of frames, and an invalid pose.
@@ -47,16 +49,23 @@ class SdfFrames {
     const XmlNode* element;
     std::string relative_to;
   };
+  /// Frames followed so far: in this scope, and in those around it as well.
+  struct Steps {
+    std::size_t here = 0, all = 0;
+    Steps next() const { return {here + 1, all + 1}; }
+  };
+  struct Nested;
   void add(const std::string& name, const XmlNode& element, const std::string& relative_to);
-  Eigen::Isometry3d poseOf(const XmlNode& element, const std::string& frame, std::size_t steps) const;
-  Eigen::Isometry3d frameNamed(const std::string& name, const XmlNode& asked_by, std::size_t steps) const;
-
-  Eigen::Isometry3d frameWithin(const std::string& model, const std::string& name, const XmlNode& asked_by, std::size_t steps) const;
+  Eigen::Isometry3d poseOf(const XmlNode& element, const std::string& frame, const Steps& steps) const;
+  Eigen::Isometry3d frameNamed(const std::string& name, const XmlNode& asked_by, const Steps& steps) const;
+  const SdfFrames& framesIn(const std::string& model, const std::string& name, const XmlNode& asked_by) const;
 
   const std::string& file_;
   const std::vector<SdfModel>& models_;
   const ModelsWithin& models_within_;
   std::map<std::string, Frame> frames_;
+  mutable std::map<std::string, Eigen::Isometry3d> found_;         // that were asked for
+  mutable std::map<std::string, std::unique_ptr<Nested>> nested_;  // by model
 };
 
 }  // namespace collision_hulls

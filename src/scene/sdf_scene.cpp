@@ -20,6 +20,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr int kDeepestInclude = 20, kMostIncludes = 10'000;
+constexpr std::size_t kMostFollowed = 10'000;
 
 /// The hull of equal ellipsoids at several heights.
 ConvexHull roundShape(const Eigen::Vector3d& radii, std::initializer_list<double> heights) {
@@ -127,7 +128,7 @@ class Reader {
     const std::vector<SdfModel> models = modelsWithin(scope);
     includes_ += std::count_if(models.begin(), models.end(), [&](const SdfModel& model) { return model.depth > scope.depth; });
     if (includes_ > kMostIncludes) failSdf(scope.file, *scope.element, "more than 10,000 includes; split the world");
-    const ModelsWithin within = [this](const SdfModel& model) { return modelsWithin(model); };
+    const ModelsWithin within = [this](const SdfModel& model) { return modelsForFrames(model); };
     const SdfFrames frames(*scope.element, scope.file, models, within);
     for (const XmlNode* link : scope.element->childrenNamed("link")) {
       const Eigen::Isometry3d in_scope = frames.poseOf(*link, "");
@@ -157,6 +158,16 @@ class Reader {
         if (setShape(*collision, file, body)) builder_.add(std::move(body));
       });
     }
+  }
+
+  /// For frames of models that are included, which are followed before these models are read.
+  std::vector<SdfModel> modelsForFrames(const SdfModel& scope) {
+    control_.check();
+    std::vector<SdfModel> models = modelsWithin(scope);
+    followed_ += models.size();
+    if (followed_ > kMostFollowed)
+      failSdf(scope.file, *scope.element, "more than 10,000 models that frames of others are relative to; split the world");
+    return models;
   }
 
   std::vector<SdfModel> modelsWithin(const SdfModel& scope) {
@@ -236,6 +247,7 @@ class Reader {
   MeshLibrary meshes_;
   std::map<std::string, XmlNode> documents_;  // by path; models point into them
   std::ptrdiff_t includes_ = 0;
+  std::size_t followed_ = 0;
   Scene scene_;
   SceneBuilder builder_{scene_};
 };

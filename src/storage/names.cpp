@@ -46,7 +46,8 @@ std::string packageName(const std::string& text) {
 
 std::string UniqueNames::take(const std::string& wanted) {
   std::string name = wanted;
-  for (int number = 2; !taken_.insert(lowerCase(name)).second; ++number) name = wanted + "_" + std::to_string(number);
+  for (int& number = last_.try_emplace(lowerCase(wanted), 1).first->second; !taken_.insert(lowerCase(name)).second;)
+    name = wanted + "_" + std::to_string(++number);
   return name;
 }
 

@@ -1,6 +1,7 @@
 // Names that a file system, a ROS package and a robot description accept, each given out once.
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 
@@ -20,6 +21,7 @@ class UniqueNames {
 
  private:
   std::set<std::string> taken_;
+  std::map<std::string, int> last_;  // number tried, by the name that was wanted
 };
 
 }  // namespace collision_hulls

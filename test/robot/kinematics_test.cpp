@@ -221,6 +221,18 @@ TEST(Kinematics, NumbersBeyondAllMeasure) {
   EXPECT_TRUE(endless.variables()[0].continuous) << "what converters write where there is no limit";
 }
 
+TEST(Kinematics, ManyFloatingJointsAboveManyLinks) {
+  std::string text = links(3000);
+  for (int i = 0; i < 1000; ++i) text += joint(i, "floating");
+  for (int i = 1001; i < 2900; ++i)
+    text += "<joint name=\"j" + std::to_string(i) + "\" type=\"fixed\"><parent link=\"l1000\"/><child link=\"l" + std::to_string(i) +
+            "\"/></joint>";
+  for (int i = 2900; i < 3000; ++i)
+    text += "<joint name=\"j" + std::to_string(i) + "\" type=\"fixed\"><parent link=\"l0\"/><child link=\"l" + std::to_string(i) +
+            "\"/></joint>";
+  expectError(ErrorCode::kNotARobot, {"a million pairs"}, [&] { Kinematics{robot(text)}; });
+}
+
 TEST(Kinematics, MimicsRestWhereTheirMasterPutsThem) {
   const RobotDescription description = robot(links(3) + joint(0, "revolute", limit(0.5, 1)) +
                                              joint(1, "revolute", limit(-1, 1) + "<mimic joint=\"j0\" multiplier=\"2\" offset=\"0.25\"/>"));

@@ -286,6 +286,12 @@ TEST(ParseDescription, ThreadsDoNotMixTheirMessages) {
   other.join();
 }
 
+TEST(ParseDescription, ANameThatATerminalWouldObey) {
+  expectError(ErrorCode::kNotARobot, {"line 1", "the name of this <link> holds a control character"},
+              [] { parseRobotDescription("<robot name='r'><link name='a\033]0;b\007'/></robot>"); });
+  EXPECT_NO_THROW(parseRobotDescription("<robot name='r'><link name='a\u00e9 b'/></robot>"));
+}
+
 TEST(ParseDescription, ALinkNameThatIsTooLong) {
   const auto robot = [](std::size_t length) { return "<robot name='r'><link name='" + std::string(length, 'a') + "'/></robot>"; };
   EXPECT_NO_THROW(parseRobotDescription(robot(1000)));

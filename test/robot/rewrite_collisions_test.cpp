@@ -123,6 +123,19 @@ TEST(RewriteCollisions, ReplacesInPlaceAndKeepsPrimitives) {
     </collision>)"));
 }
 
+// What one element has, thousands of new ones would repeat.
+TEST(RewriteCollisions, LongIndentationsAndOriginsAreNotRepeated) {
+  const std::string blanks(5000, ' '), junk(5000, 'j');
+  const std::string text = "<robot name=\"r\">\n<link name=\"a\">\n" + blanks + "<collision><origin xyz=\"1 0 0\" junk=\"" + junk +
+                           "\"/><geometry><mesh filename=\"a.stl\"/></geometry></collision>\n</link>\n</robot>";
+  CollisionElement hull = mesh("a_0", "x.stl");
+  hull.geometry.origin = parseRobotDescription(text).links[0].collisions[0].origin;
+  const std::string result = rewritten(text, {{"a", {{hull, hull, hull}, true}}});
+  EXPECT_LT(result.size(), 6000u);
+  EXPECT_EQ(result.find("junk"), std::string::npos);
+  EXPECT_EQ(parseRobotDescription(result).links[0].collisions[2].origin.translation().x(), 1);
+}
+
 TEST(RewriteCollisions, ReplacesAll) {
   const std::string without = replacedOnce(kArm, kCylinder, "");
   expectRewritten(kArm, {{"a", {{mesh("n", "n.stl")}, false}}}, replacedOnce(without, kShell, R"(

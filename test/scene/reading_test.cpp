@@ -47,5 +47,20 @@ TEST(MeshLibrary, ReadsAFileOnce) {
   EXPECT_EQ(boundingBox(again).max().x(), 2) << "scaled, from memory";
 }
 
+// A short scene may use a large mesh many times, and each body has a copy.
+TEST(MeshLibrary, AllMeshesTogetherAreNoLargerThanOneMayBe) {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.scene");
+  folder.write("a.obj", kTriangleObj);
+  const PackageFinder find_package = noPackages();
+  MeshLimits limits;
+  limits.max_triangles = 3;
+  const RunControl control;
+  const SceneReading how{find_package, limits, control};
+  MeshLibrary library(how);
+  for (int i = 0; i < 3; ++i) library.read("a.obj", Vector3d::Ones(), scene);
+  expectError(ErrorCode::kTooLarge, {"more than 3 triangles in all", "a.obj"}, [&] { library.read("a.obj", Vector3d::Ones(), scene); });
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -207,5 +207,47 @@ TEST(ReadSdf, ALongChainOfFramesTakesNoStack) {
   expectError(ErrorCode::kBadScene, {"chain of more than 1000 frames"}, [&] { sceneOf(folder, "a.sdf", text); });
 }
 
+/// A model with a chain of frames, whose last one is relative to the first of a model within, and so on.
+std::string chains(int level, int levels, int frames) {
+  std::string text = "<model name='m" + std::to_string(level) + "'><link name='l'/>";
+  for (int i = 0; i < frames; ++i) {
+    const bool last = i + 1 == frames;
+    const std::string next = !last ? "f" + std::to_string(i + 1) : level + 1 < levels ? "m" + std::to_string(level + 1) + "::f0" : "";
+    text += "<frame name='f" + std::to_string(i) + "'><pose relative_to='" + next + "'>0 0 0 0 0 0</pose></frame>";
+  }
+  return text + (level + 1 < levels ? chains(level + 1, levels, frames) : "") + "</model>";
+}
+
+TEST(ReadSdf, AChainThroughNestedModelsTakesNoStack) {
+  const TemporaryFolder folder;
+  const auto load = [&](int levels) {
+    return sceneOf(folder, "a.sdf",
+                   "<sdf version='1.9'><world name='w'>" + chains(0, levels, 400) +
+                       "<model name='z'><pose relative_to='m0::f0'>0 0 0 0 0 0</pose><link name='l'><collision name='c'><geometry><sphere>"
+                       "<radius>1</radius></sphere></geometry></collision></link></model></world></sdf>");
+  };
+  EXPECT_EQ(load(2).bodies.size(), 1u);
+  expectError(ErrorCode::kBadScene, {"chain of more than 1000 frames"}, [&] { load(40); });
+}
+
+// Each file includes the next three times, and each include is relative to a frame of the one before it: 3^12 ways lead to the last file.
+TEST(ReadSdf, FramesOfIncludedModelsAreFollowedOnce) {
+  const TemporaryFolder folder;
+  const auto include = [](int file, int copy) {
+    return "<include><uri>f" + std::to_string(file) + ".sdf</uri><name>s" + std::to_string(copy) + "</name><pose" +
+           (copy < 2 ? " relative_to='s" + std::to_string(copy + 1) + "::x'" : "") + ">0 0 0 0 0 0</pose></include>";
+  };
+  const int files = 12;
+  for (int file = 1; file <= files; ++file) {
+    std::string text = "<sdf version='1.9'><model name='m'><link name='l'/>";
+    for (int copy = 0; file < files && copy < 3; ++copy) text += include(file + 1, copy);
+    folder.write("f" + std::to_string(file) + ".sdf", text + "<frame name='x'><pose" + (file < files ? " relative_to='s0::x'" : "") +
+                                                          ">0 0 0 0 0 0</pose></frame></model></sdf>");
+  }
+  std::string world = "<sdf version='1.9'><world name='w'>";
+  for (int copy = 0; copy < 3; ++copy) world += include(1, copy);
+  expectError(ErrorCode::kBadScene, {"more than 10,000", "split the world"}, [&] { sceneOf(folder, "a.sdf", world + "</world></sdf>"); });
+}
+
 }  // namespace
 }  // namespace collision_hulls

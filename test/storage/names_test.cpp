@@ -29,5 +29,12 @@ TEST(UniqueNames, AddsANumberToTakenNames) {
   EXPECT_EQ(names.take("ARM"), "ARM_3");  // the same file on case-insensitive systems
 }
 
+// With a count from 2 on for each, these take minutes.
+TEST(UniqueNames, OfManyThatAreEqual) {
+  UniqueNames names;
+  for (int i = 0; i < 100'000; ++i) names.take("arm");
+  EXPECT_EQ(names.take("Arm"), "Arm_100001");
+}
+
 }  // namespace
 }  // namespace collision_hulls

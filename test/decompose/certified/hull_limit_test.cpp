@@ -63,6 +63,16 @@ TEST(HullLimit, WhatIsKnownIsKeptUnlessLessProtrudes) {
   EXPECT_LT(worse.bound, 12);
 }
 
+TEST(HullLimit, LaterHullsThatProtrudeFurtherAreNotTaken) {
+  std::vector<double> asked;
+  const BoundedHulls few = withinLimit(1, 100, 10, 1000, {}, [&](double tolerance) {
+    asked.push_back(tolerance);
+    return BoundedHulls{std::vector<ConvexHull>(5), 10 / tolerance};  // as where time ends
+  });
+  EXPECT_GT(asked.size(), 1u);
+  EXPECT_EQ(few.bound, 10 / asked.front());
+}
+
 TEST(HullLimit, OneHullIsAskedForOnce) {
   Curve curve;
   EXPECT_EQ(curve.within(1, 200).hulls.size(), 1u);

@@ -27,9 +27,11 @@ PR_SET_PDEATHSIG = 1
 MESH_FIELDS = ("link", "element", "uri", "status", "reason", "triangles", "hulls", "primitives", "least_hulls", "protrusion", "tolerance", "sha256")
 
 
-def die_with_parent(number=signal.SIGTERM):
-    """The calling process gets this signal when the one that started it ends in whatever way."""
+def die_with_parent(number=signal.SIGTERM, parent=None):
+    """The calling process gets this signal when the one that started it ends in whatever way; also where `parent`, its number, has ended before."""
     ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, number)
+    if parent not in (None, os.getppid()):
+        os.kill(os.getpid(), number)
 
 
 def limited(settings, attempt):
@@ -51,8 +53,10 @@ class Run:
     """One run of decompose: how it ended, and what it took."""
 
     def __init__(self, words, errors, memory, seconds):
+        parent = os.getpid()
+
         def prepare():
-            die_with_parent()
+            die_with_parent(parent=parent)
             resource.setrlimit(resource.RLIMIT_DATA, (memory * MEGABYTE, memory * MEGABYTE))
 
         start = time.monotonic()

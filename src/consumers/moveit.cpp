@@ -69,8 +69,8 @@ std::vector<DisabledPair> pairsWithoutCheck(const WrittenModel& model, const Run
   std::vector<std::vector<DisabledPair>> of_links(robot.links.size());
   std::atomic<std::uintmax_t> bytes{0};
   forEach(robot.links.size(), [&](std::size_t a) {
-    const auto disable = [&](std::size_t b, const std::string& reason, const std::string& known_of_it) {
-      of_links[a].push_back({robot.links[a].name, robot.links[b].name, reason, known_of_it});
+    const auto disable = [&](std::size_t b, const std::string& reason, const std::string& proof) {
+      of_links[a].push_back({robot.links[a].name, robot.links[b].name, reason, proof});
       bytes += sizeof(DisabledPair) + robot.links[a].name.size() + robot.links[b].name.size();
       if (bytes > kMostBytes)
         throw Error(ErrorCode::kTooLarge, "more pairs of links need no check than 256 MiB hold; join links that are fixed to each other");

@@ -1,7 +1,7 @@
 // Two points whose segment leaves the solid by more than the tolerance cannot share a hull: they are apart. So are three whose triangle
 // does. Points that cannot be shared out to n sets without any that are apart need more than n hulls.
 //
-//   points = one that only it holds for each of many hulls of a known cover, and others spread over the surface  least/witnesses.h
+//   points = one that only it holds for hulls of a known cover, and others spread over the surface         least/witnesses.h
 //   pairs  = the graph of those that are apart                                                            least/apart.h, least/pairs.h
 //   n      = size of the largest clique found: each of its points needs a hull of its own                 least/clique.h
 //   while n colours provably do not suffice for the graph: n + 1                                          least/colouring.h

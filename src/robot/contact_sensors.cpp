@@ -1,44 +1,35 @@
-// URDF's own <collision> elements hold elements; those of a sensor hold a name. So the text tells them apart, and nothing has to be parsed.
+// URDF's own <collision> elements hold elements; those of a sensor hold a name.
 #include "robot/contact_sensors.h"
 
 #include <cstddef>
 #include <string_view>
 
+#include "base/string_parts.h"
+#include "xml/xml_spans.h"
+
 namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kLongest = 3000;  // [bytes]: names of two links, which have a thousand at most, and what is between and behind them
-constexpr std::string_view kBlanks = " \t\r\n";
 
-/// Calls `use` with what follows each mark, up to the first `end`: the end must be within what a name takes.
-template <typename Use>
-void forEachBetween(std::string_view text, std::string_view mark, char end, const Use& use) {
-  for (std::size_t at = text.find(mark); at != std::string_view::npos; at = text.find(mark, at)) {
-    at += mark.size();
-    const std::string_view rest = text.substr(at, kLongest);
-    const std::size_t size = rest.find(end);
-    if (size != std::string_view::npos) use(rest.substr(0, size), text.substr(at + size));
-  }
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
+/// What an element without children holds before the first comment.
+std::string textOf(const XmlElement& element, const std::string& text) {
+  return trimmed(std::string_view(text).substr(element.tag_end, text.find('<', element.tag_end) - element.tag_end), kXmlSpace);
 }
 
 }  // namespace
 
 std::set<std::string> unnamedContacts(const std::string& urdf) {
-  constexpr std::string_view kClose = "</collision>";
+  const std::vector<XmlElement> elements = scanXml(urdf).elements;
   std::set<std::string> names;
-  forEachBetween(urdf, "<collision>", '<', [&](std::string_view name, std::string_view rest) {
-    name = trimmed(name);
-    if (!name.empty() && rest.substr(0, kClose.size()) == kClose) names.emplace(name);
-  });
-  if (names.empty()) return names;
-  const auto drop = [&names](std::string_view name, std::string_view) { names.erase(std::string(name)); };
-  forEachBetween(urdf, "name=\"", '"', drop);
-  forEachBetween(urdf, "name='", '\'', drop);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const XmlElement& element = elements[i];
+    if (element.name != "collision" || element.self_closing || element.subtree_end > i + 1) continue;
+    const std::string name = textOf(element, urdf);
+    if (!name.empty() && name.size() <= kLongest) names.insert(name);
+  }
+  for (auto element = elements.begin(); element != elements.end() && !names.empty(); ++element)
+    if (const auto value = attributeValue(urdf, *element, "name")) names.erase(urdf.substr(value->begin, value->end - value->begin));
   return names;
 }
 

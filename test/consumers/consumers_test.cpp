@@ -72,6 +72,31 @@ TEST_F(Consumers, AFormatThatAConsumerCannotReadIsRefusedWithARemedy) {
   EXPECT_THROW(check({Consumer::kMujoco}, options), Error);
 }
 
+// A search to the end of the text for each comment takes minutes.
+TEST_F(Consumers, ManyCommentsBeforeTheRoot) {
+  std::string comments;
+  for (int i = 0; i < 300'000; ++i) comments += "<!---->";
+  std::string text = threeLinks(cube());
+  text.insert(text.find("<!-- <robot> -->"), comments);
+  options_.format = MeshFormat::kObj;
+  const std::string urdf = fileOf(Consumer::kDrake, text, "urdf/three_drake.urdf");
+  EXPECT_EQ(fixtures::count(urdf, "<drake:declare_convex/>"), 3u);
+  EXPECT_EQ(fixtures::count(urdf, "<robot xmlns:drake"), 1u);
+}
+
+// Indented by each level, the text would grow with the square of the depth.
+TEST_F(Consumers, ADeepRobotHasALongTextAndNoMore) {
+  std::string text = "<robot name=\"deep\"><link name=\"l0\">" + cube() + "</link>";
+  for (int i = 1; i < 1500; ++i) {
+    const std::string link = "l" + std::to_string(i);
+    text += "<link name=\"" + link + "\"/><joint name=\"j" + std::to_string(i) + "\" type=\"fixed\"><parent link=\"l" +
+            std::to_string(i - 1) + "\"/><child link=\"" + link + "\"/></joint>";
+  }
+  const std::string model = fileOf(Consumer::kMujoco, text + "</robot>", "mjcf/deep.xml");
+  EXPECT_EQ(fixtures::count(model, "<body "), 1500u);
+  EXPECT_LT(model.size(), 1500u * 150);
+}
+
 TEST_F(Consumers, ASingleMeshHasNoSuchForm) {
   RobotResult result = decomposeMesh(mesh_, options_);
   EXPECT_THROW(addConsumerFiles({Consumer::kMoveit}, folder_ / "out", result), Error);

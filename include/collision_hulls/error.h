@@ -51,7 +51,7 @@ const char* name(ErrorCode code);
 
 /// Thrown for every expected failure. what() names the item, its value, the limit and the remedy;
 /// of a text beyond 4,000 bytes, which only quotes of a hostile file make, it has the start and the
-/// end.
+/// end, and '?' for control characters other than line ends and tabs, which a terminal would obey.
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& text);

@@ -1,11 +1,27 @@
 // The names of the error codes, as used in reports.
 #include "collision_hulls/error.h"
 
+#include <algorithm>
+
 #include "base/string_parts.h"
+#include "base/uri_text.h"
 
 namespace collision_hulls {
 
-Error::Error(ErrorCode code, const std::string& text) : std::runtime_error(shortened(text, 4000)), code_(code) {}
+namespace {
+
+constexpr std::size_t kLongestText = 4000;  // [bytes]
+
+// Quotes of a hostile file go to terminals, which obey escape sequences.
+std::string plain(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return isControl(c) && c != '\n' && c != '\t'; }, '?');
+  return text;
+}
+
+}  // namespace
+
+Error::Error(ErrorCode code, const std::string& text) : std::runtime_error(plain(shortened(text, kLongestText))), code_(code) {}
 
 const char* name(ErrorCode code) {
   switch (code) {

@@ -71,6 +71,14 @@ bool mayRead(const fs::path& path, const State& state) {
                                             "); " + remedy);
 }
 
+/// Where the file lies that was opened under a path.
+fs::path placeOf(const std::string& path, int descriptor) {
+  std::error_code error;
+  fs::path place = fs::read_symlink("/proc/self/fd/" + std::to_string(descriptor), error);
+  if (error) throw Error(ErrorCode::kOutsideRoots, "'" + path + "': /proc, which tells where an open file lies, is missing; mount it");
+  return place;
+}
+
 void expectReadable(const std::string& path, const fs::path& place, const State& state) {
   if (!mayRead(place, state)) fail(path, place, state.roots.read, "read, and of packages", state.roots.more_read);
 }
@@ -109,16 +117,11 @@ void checkRead(const std::string& path) {
 }
 
 void checkRead(const std::string& path, int descriptor) {
-  const auto now = state();
-  if (!now) return;
-  std::error_code error;
-  const fs::path place = fs::read_symlink("/proc/self/fd/" + std::to_string(descriptor), error);
-  if (error) throw Error(ErrorCode::kOutsideRoots, "'" + path + "': /proc, which tells where an open file lies, is missing; mount it");
-  expectReadable(path, place, *now);
+  if (const auto now = state()) expectReadable(path, placeOf(path, descriptor), *now);
 }
 
-bool liesBeside(const std::string& path, const std::string& beside) {
-  const fs::path place = real(path);
+bool liesBeside(const std::string& path, int descriptor, const std::string& beside) {
+  const fs::path place = placeOf(path, descriptor);
   return holds(real(fs::absolute(beside).parent_path()), place) || holds(real(beside).parent_path(), place);
 }
 

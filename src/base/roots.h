@@ -36,8 +36,9 @@ void checkRead(const std::string& path);
 /// The same for a file that was opened under that path: what a link led to then is what counts.
 void checkRead(const std::string& path, int descriptor);
 
-/// Whether a file lies in the folder of another or below it, all links resolved: in that by which `beside` is named, or that where it is.
-bool liesBeside(const std::string& path, const std::string& beside);
+/// Whether a file that was opened under `path` lies in the folder of another or below it, all links resolved: in that by which `beside` is
+/// named, or that where it is.
+bool liesBeside(const std::string& path, int descriptor, const std::string& beside);
 
 /// The path of what is to be written, its links resolved, so that a link that changes later changes nothing. Throws kOutsideRoots.
 std::string writablePath(const std::string& path);

@@ -9,13 +9,10 @@
 #include "collision_hulls/error.h"
 
 namespace collision_hulls {
-namespace {
 
 bool isControl(char c) {
   return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
 }
-
-}  // namespace
 
 std::string shown(const std::string& text) {
   std::string result = shortened(text);

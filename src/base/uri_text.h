@@ -9,6 +9,9 @@ namespace collision_hulls {
 /// The most bytes that a path can have.
 constexpr std::size_t kLongestUri = 4096;
 
+/// ASCII's control characters, line ends and tabs among them.
+bool isControl(char c);
+
 /// A text for messages: control characters as "?", and shortened().
 std::string shown(const std::string& text);
 

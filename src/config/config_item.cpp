@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/nearest_name.h"
+#include "base/uri_text.h"
 
 namespace collision_hulls {
 namespace {
@@ -42,8 +43,7 @@ std::string shortQuoted(const std::string& text) {
 
 std::string plainText(const YamlValue& value, const std::string& item) {
   std::string text = value.text();
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
-  if (std::any_of(text.begin(), text.end(), is_control)) value.fail(item + " holds a control character; leave it out");
+  if (std::any_of(text.begin(), text.end(), isControl)) value.fail(item + " holds a control character; leave it out");
   return text;
 }
 

@@ -38,9 +38,11 @@ class Writer {
     for (const JointDescription& joint : model_.robot().joints) taken.insert(joint.name);
     for (const JointDescription& joint : model_.robot().joints) {
       std::string& name = joints_[joint.name] = joint.name;
-      if (links.count(name) == 0) continue;
-      do name += "_joint";
-      while (!taken.insert(name).second);
+      if (links.count(name) > 0) {
+        do name += "_joint";
+        while (!taken.insert(name).second);
+      }
+      joint_above_[joint.child] = name;
     }
   }
 
@@ -71,8 +73,8 @@ class Writer {
 
   std::string linkText(const LinkDescription& link) {
     std::string text = "    <link" + named(nameOf(link.name)) + ">\n";
-    for (const JointDescription& joint : model_.robot().joints)
-      if (joint.child == link.name) text += pose("      ", Eigen::Isometry3d::Identity(), joints_.at(joint.name));
+    if (const auto joint = joint_above_.find(link.name); joint != joint_above_.end())
+      text += pose("      ", Eigen::Isometry3d::Identity(), joint->second);
     text += inertialText(link.name);
     UniqueNames names;
     for (std::size_t i = 0; i < link.visuals.size(); ++i)
@@ -153,7 +155,7 @@ class Writer {
   }
 
   const WrittenModel& model_;
-  std::map<std::string, std::string> joints_;
+  std::map<std::string, std::string> joints_, joint_above_;  // the latter by links
 };
 
 }  // namespace

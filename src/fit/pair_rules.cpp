@@ -10,6 +10,7 @@
 
 #include "base/median.h"
 #include "base/parallel.h"
+#include "collision_hulls/error.h"
 #include "collision_hulls/reach/reach.h"
 #include "scene/text.h"
 
@@ -19,6 +20,7 @@ namespace {
 constexpr std::size_t kSurveyed = 400;  // samples
 constexpr double kNearlyAll = 0.95;     // of them; MoveIt's Setup Assistant uses the same share
 constexpr std::size_t kEvaluations = 300;
+constexpr std::size_t kMostPairs = 2'000'000;
 
 /// What the survey saw of a pair.
 struct Sighting {
@@ -33,7 +35,7 @@ bool nearlyAll(std::size_t part, std::size_t whole) {
   return static_cast<double>(part) >= kNearlyAll * static_cast<double>(whole);
 }
 
-/// All pairs of parts with pieces, except two bodies of the scene.
+/// All pairs of parts with pieces, except two bodies of the scene. Throws kTooLarge.
 std::vector<Sighting> allPairs(const Assembly& assembly) {
   std::vector<Sighting> pairs;
   for (std::size_t a = 0; a < assembly.links(); ++a) {
@@ -41,6 +43,9 @@ std::vector<Sighting> allPairs(const Assembly& assembly) {
     for (std::size_t b = a + 1; b < assembly.parts(); ++b) {
       const bool links = assembly.isLink(b);
       if (!assembly.piecesOf(a).empty() && !assembly.piecesOf(b).empty()) pairs.push_back({a, b, links, links || moves});
+      if (pairs.size() > kMostPairs)
+        throw Error(ErrorCode::kTooLarge, "links with geometry and bodies of the scene form more than " + std::to_string(kMostPairs) +
+                                              " pairs; leave out bodies that the robot cannot reach, or join some into meshes");
     }
   }
   return pairs;

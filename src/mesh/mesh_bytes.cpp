@@ -1,6 +1,6 @@
 // Which files a .gltf file needs is for a worker to find out, and what it answers is as foreign as the file: names that lead to other
-// folders are refused here, as spelled and with all links resolved. Beyond that, the roots of base/roots.h count for each file that is
-// opened.
+// folders are refused here, as spelled and, once a file is open, by where it lies. Beyond that, the roots of base/roots.h count for each
+// file that is opened.
 #include "mesh/mesh_bytes.h"
 
 #include <algorithm>
@@ -38,9 +38,6 @@ std::string pathOf(const std::string& uri, const std::string& mesh) {
   if (name.empty() || hasScheme(uri) || leadsOut(name))
     throw Error(ErrorCode::kOutsideRoots,
                 "'" + shown(uri) + "' is no file in the mesh's folder; put the file there and name it relative to the mesh, or " + kRemedy);
-  if (!liesBeside(path, mesh))
-    throw Error(ErrorCode::kOutsideRoots,
-                "'" + path + "' leads out of the mesh's folder by a link; put the file itself there, or " + kRemedy);
   return path;
 }
 
@@ -65,6 +62,9 @@ class MeshFiles {
     const OpenFile file(path);
     if (file.error() == ENOENT) throw Error(ErrorCode::kFileNotFound, "'" + path + "' does not exist; put the file there, or " + kRemedy);
     file.expectAllowed();
+    if (file.error() == 0 && !liesBeside(path, file.number(), mesh_))
+      throw Error(ErrorCode::kOutsideRoots,
+                  "'" + path + "' leads out of the mesh's folder by a link; put the file itself there, or " + kRemedy);
     file.expectRegular("file of the buffer");
     count(path, static_cast<std::uintmax_t>(file.status().st_size));
     std::string bytes = file.content("mesh", most_, control_);

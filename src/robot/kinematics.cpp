@@ -12,9 +12,8 @@ namespace {
 
 using Kind = JointDescription::Kind;
 
-constexpr double kBeyondLimit = 1e-6;  // of the limits' size: what decimal text may have rounded away
-constexpr double kFurthest = 1e6;      // [m] that something may be away
-constexpr std::size_t kMostMasters = 1000;
+constexpr double kBeyondLimit = 1e-6;              // of the limits' size: what decimal text may have rounded away
+constexpr double kFurthest = 1e6;                  // [m] that something may be away
 constexpr std::size_t kMostUnsettled = 1'000'000;  // joints above links, in all
 
 bool canMove(const JointDescription& joint) {
@@ -27,27 +26,54 @@ bool placesRobot(const JointDescription& joint) {
 
 /// The joint that moves another one, and how.
 struct Drive {
-  const JointDescription* master;
+  const JointDescription* master = nullptr;
   double multiplier = 1, offset = 0;
 };
 
-Drive driveOf(const JointDescription& joint, const std::map<std::string, const JointDescription*>& by_name) {
-  Drive drive{&joint};
-  const auto fail = [&](const std::string& reason) {
-    throw Error(ErrorCode::kNotARobot, "joint '" + joint.name + "' mimics '" + drive.master->mimic + "', which " + reason);
-  };
-  for (std::size_t steps = 0; !drive.master->mimic.empty(); ++steps) {
-    const auto found = by_name.find(drive.master->mimic);
-    if (found == by_name.end()) fail("the robot does not have; correct its <mimic>");
-    if (!canMove(*found->second)) fail("does not move; correct its <mimic>");
-    if (steps > by_name.size()) fail("leads back to itself; correct one of their <mimic> elements");
-    if (steps > kMostMasters) fail("follows more than " + std::to_string(kMostMasters) + " joints; let it mimic the first of them");
-    drive.offset += drive.multiplier * drive.master->mimic_offset;
-    drive.multiplier *= drive.master->mimic_multiplier;
-    drive.master = found->second;
+/// What moves each joint of a robot.
+class Drives {
+ public:
+  explicit Drives(const std::vector<JointDescription>& joints) {
+    for (const JointDescription& joint : joints) by_name_[joint.name] = {&joint, {}};
   }
-  return drive;
-}
+
+  /// The drive of a joint that can move. Throws kNotARobot for a <mimic> that leads nowhere, or back to the joint.
+  const Drive& of(const JointDescription& joint) {
+    std::vector<Known*> mimics;  // from `joint` towards its master
+    Known* at = &by_name_.at(joint.name);
+    for (; !at->drive.master && !at->joint->mimic.empty(); at = &mimicked(*at->joint)) {
+      mimics.push_back(at);
+      if (mimics.size() > by_name_.size()) fail(*at->joint, "leads back to itself; correct one of their <mimic> elements");
+    }
+    if (!at->drive.master) at->drive.master = at->joint;
+    for (; !mimics.empty(); mimics.pop_back()) {
+      const Drive& above = at->drive;
+      at = mimics.back();
+      const double multiplier = at->joint->mimic_multiplier;
+      at->drive = {above.master, multiplier * above.multiplier, at->joint->mimic_offset + multiplier * above.offset};
+    }
+    return at->drive;
+  }
+
+ private:
+  struct Known {
+    const JointDescription* joint = nullptr;
+    Drive drive;  ///< without a master until it is asked for
+  };
+
+  [[noreturn]] static void fail(const JointDescription& joint, const std::string& reason) {
+    throw Error(ErrorCode::kNotARobot, "joint '" + joint.name + "' mimics '" + joint.mimic + "', which " + reason);
+  }
+
+  Known& mimicked(const JointDescription& joint) {
+    const auto found = by_name_.find(joint.mimic);
+    if (found == by_name_.end()) fail(joint, "the robot does not have; correct its <mimic>");
+    if (!canMove(*found->second.joint)) fail(joint, "does not move; correct its <mimic>");
+    return found->second;
+  }
+
+  std::map<std::string, Known> by_name_;
+};
 
 }  // namespace
 
@@ -78,10 +104,9 @@ double restValue(const JointDescription& joint) {
 Kinematics::Kinematics(const RobotDescription& robot) : links_(robot.links.size()), body_(links_), parent_body_(links_) {
   std::map<std::string, std::size_t> link_index;
   for (std::size_t i = 0; i < links_; ++i) link_index[robot.links[i].name] = i;
-  std::map<std::string, const JointDescription*> by_name;
+  Drives drives(robot.joints);
   std::map<std::string, int> variable_index;
   for (const JointDescription& joint : robot.joints) {
-    by_name[joint.name] = &joint;
     if (!canMove(joint) || !joint.mimic.empty()) continue;
     variable_index[joint.name] = static_cast<int>(variables_.size());
     variables_.push_back({joint.name, joint.lower, joint.upper, joint.kind == Kind::kContinuous});
@@ -94,7 +119,7 @@ Kinematics::Kinematics(const RobotDescription& robot) : links_(robot.links.size(
     check(description);
     Joint joint{description, link_index.at(description.parent), link_index.at(description.child)};
     if (canMove(description)) {
-      const Drive drive = driveOf(description, by_name);
+      const Drive& drive = drives.of(description);
       joint.variable = variable_index.at(drive.master->name);
       joint.multiplier = drive.multiplier;
       joint.offset = drive.offset;

@@ -14,6 +14,7 @@
 #include "robot/geometry_stand_ins.h"
 #include "robot/joint_graph.h"
 #include "robot/robot_question.h"
+#include "robot/urdfdom/refusal.h"
 #include "robot/urdfdom/urdf_elements.h"
 #include "robot/urdfdom/urdfdom_losses.h"
 #include "xml/xml_source.h"
@@ -120,7 +121,10 @@ UrdfModel loadModel(const XmlSource& subject, const tinyxml2::XMLElement& root, 
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    subject.fail(ErrorCode::kNotARobot, std::string("urdfdom refuses it: ") + error.what() + xacroHint(subject, root));
+    const Refusal refusal = refusalOf(root, error.what());
+    const std::string hint = xacroHint(subject, root);
+    subject.failAt(ErrorCode::kNotARobot, subject.lineFromRoot(refusal.line),
+                   std::string("urdfdom refuses it: ") + error.what() + (hint.empty() ? "; " + refusal.remedy : hint));
   }
 }
 

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace collision_hulls {
 namespace {
 
-constexpr std::string_view kPackageScheme = "package://", kFileScheme = "file://";
+constexpr std::string_view kPackageScheme = "package://", kModelScheme = "model://", kFileScheme = "file://";
 
 bool startsWith(std::string_view text, std::string_view prefix) {
   return text.substr(0, prefix.size()) == prefix;
@@ -33,8 +33,9 @@ struct PackageUri {
 };
 
 std::optional<PackageUri> packageUri(const std::string& uri) {
-  if (!startsWith(uri, kPackageScheme)) return std::nullopt;
-  const std::string path = withoutLeadingSlashes(uri.substr(kPackageScheme.size()));
+  const std::string_view scheme = startsWith(uri, kModelScheme) ? kModelScheme : kPackageScheme;
+  if (!startsWith(uri, scheme)) return std::nullopt;
+  const std::string path = withoutLeadingSlashes(uri.substr(scheme.size()));
   const std::size_t slash = std::min(path.find('/'), path.size());
   return PackageUri{path.substr(0, slash), withoutLeadingSlashes(path.substr(slash))};
 }
@@ -53,7 +54,7 @@ std::optional<fs::path> pathOf(const std::string& uri, const std::string& base, 
   }
   const bool is_file = startsWith(uri, kFileScheme);
   if (!is_file && uri.find("://") != std::string::npos) {
-    throw Error(ErrorCode::kFileNotFound, "'" + uri + "' has a scheme that is not supported; use package://, file:// or a path");
+    throw Error(ErrorCode::kFileNotFound, "'" + uri + "' has a scheme that is not supported; use package://, model://, file:// or a path");
   }
   return fs::path(base).parent_path() / (is_file ? filePath(uri) : uri);  // an absolute path replaces what stands before it
 }

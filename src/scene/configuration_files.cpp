@@ -130,7 +130,7 @@ class Messages {
   explicit Messages(ConfigurationCollector& collector) : collector_(collector) {}
 
   void read(const YamlValue& value, int depth = 0) {
-    if (depth > kDeepest || ++looked_at_ > kMostValues) value.fail("the document is too large once its aliases are expanded; split it");
+    if (depth > kDeepest) value.fail("more than " + std::to_string(kDeepest) + " levels stand above this value; nest less");
     if (value.has("name") && value.has("position")) {
       const Cells names = textsOf(value["name"]);
       if (!names.empty()) collector_.add(names, value["position"].numbers(), value.where());  // skips empty messages
@@ -145,7 +145,6 @@ class Messages {
 
  private:
   static constexpr int kDeepest = 50;
-  static constexpr std::size_t kMostValues = 1'000'000;  // per document, not counting joint messages
 
   static Cells textsOf(const YamlValue& list) {
     Cells texts;
@@ -162,7 +161,6 @@ class Messages {
   }
 
   ConfigurationCollector& collector_;
-  std::size_t looked_at_ = 0;
 };
 
 /// Some documents at a time, so that a long recording needs little more memory than its text.

@@ -9,6 +9,7 @@
 
 #include "base/roots.h"
 #include "base/string_parts.h"
+#include "base/uri_text.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "scene/reading.h"
@@ -18,15 +19,17 @@ namespace {
 
 constexpr double kFurthest = 1e6;           // [m] from the origin
 constexpr std::size_t kLongestName = 1000;  // [bytes] of a scene and its bodies: messages and reports repeat them
+constexpr std::size_t kMostBodies = 100'000;
 
 [[noreturn]] void fail(const std::string& body, const std::string& reason) {
   throw Error(ErrorCode::kBadScene, "body '" + body + "' " + reason);
 }
 
-void checkLength(const std::string& name, const std::string& whose) {
+void checkName(const std::string& name, const std::string& whose) {
+  const std::string subject = "the name of " + whose + ", '" + shown(name) + "', ";
   if (name.size() > kLongestName)
-    throw Error(ErrorCode::kBadScene, "the name of " + whose + ", '" + shortened(name) + "', is longer than " +
-                                          std::to_string(kLongestName) + " bytes; shorten it");
+    throw Error(ErrorCode::kBadScene, subject + "is longer than " + std::to_string(kLongestName) + " bytes; shorten it");
+  if (std::any_of(name.begin(), name.end(), isControl)) throw Error(ErrorCode::kBadScene, subject + "holds a control character; remove it");
 }
 
 void checkPlace(const std::string& name, const Eigen::Isometry3d& pose) {
@@ -117,10 +120,13 @@ SceneBuilder::SceneBuilder(Scene& scene) : scene_(scene) {
 
 void SceneBuilder::add(SceneBody body) {
   if (body.name.empty()) throw Error(ErrorCode::kBadScene, "a body has no name; give it one");
-  checkLength(body.name, "a body");
+  checkName(body.name, "a body");
   checkPlace(body.name, body.pose);
   if (const auto* mesh = std::get_if<TriangleMesh>(&body.shape)) checkMesh(body.name, *mesh);
   if (!names_.insert(body.name).second) fail(body.name, "appears twice in the scene; rename one of them");
+  if (scene_.bodies.size() == kMostBodies)
+    throw Error(ErrorCode::kTooLarge, "the scene has more than " + std::to_string(kMostBodies) +
+                                          " bodies; leave out those that the robot cannot reach, or join them into meshes");
   scene_.bodies.push_back(std::move(body));
 }
 
@@ -135,7 +141,7 @@ Scene readScene(const std::string& file, const PackageFinder& find_package, cons
                 "'" + file + "': unknown scene format; supported are .scene (MoveIt), .urdf, .xacro, .sdf, .world, .yaml, .bt and .ot " +
                     "(OctoMap), and mesh files (.stl .dae .obj .off .ply .glb .gltf)");
   }
-  inContext("'" + file + "'", [&] { checkLength(scene->name, "the scene"); });
+  inContext("'" + file + "'", [&] { checkName(scene->name, "the scene"); });
   const std::string extension = lowerExtension(file);
   if (scene->bodies.empty() && extension != ".yaml" && extension != ".yml") {
     throw Error(ErrorCode::kBadScene,

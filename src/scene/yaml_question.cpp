@@ -16,6 +16,8 @@
 namespace collision_hulls {
 namespace {
 
+constexpr std::size_t kMostRepeated = 4'000'000;
+
 /// yaml-cpp before 0.7 (Ubuntu 20.04) recurses once per bracket and overflows the stack.
 bool nestsTooDeep(const std::string& text) {
   constexpr int kDeepest = 500;
@@ -25,6 +27,19 @@ bool nestsTooDeep(const std::string& text) {
     if (depth > kDeepest) return true;
   }
   return false;
+}
+
+/// How many values and characters the aliases of a document add to what is written out; counted no further than to the limit.
+std::size_t repeatedByAliases(const YamlTree& tree) {
+  std::vector<std::size_t> sizes;  // of the values, with what they hold
+  std::size_t written = 0;
+  for (const YamlTree::Node& node : tree.nodes) {
+    std::size_t size = 1 + node.text.size();
+    written += size;
+    for (const std::uint32_t child : node.children) size = std::min(size + sizes[child], written + kMostRepeated + 1);
+    sizes.push_back(size);
+  }
+  return sizes.back() - std::min(sizes.back(), written);
 }
 
 /// Not YAML; where, and why.
@@ -128,7 +143,11 @@ YamlTree treeOf(const YamlText& document, const std::string& file, ErrorCode cod
   };
   if (nestsTooDeep(document.text)) fail({}, "more than 500 brackets are open at once; close them, or nest less");
   try {
-    return onlyDocument(document.text);
+    YamlTree tree = onlyDocument(document.text);
+    if (repeatedByAliases(tree) > kMostRepeated)
+      fail({},
+           "aliases repeat more than " + std::to_string(kMostRepeated) + " values and characters; write the document with fewer of them");
+    return tree;
   } catch (const YamlFault& fault) {
     fail(fault.mark, fault.reason);
   } catch (const YAML::Exception& error) {
@@ -146,6 +165,7 @@ void expectSound(const YamlTree& tree) {
     for (const std::uint32_t child : node.children)
       if (child >= i) throw ByteFault("a value does not precede what holds it");
   }
+  if (repeatedByAliases(tree) > kMostRepeated) throw ByteFault("its aliases repeat too much");
 }
 
 }  // namespace

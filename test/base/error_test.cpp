@@ -23,6 +23,11 @@ TEST(Error, KeepsItsCodeAndText) {
   EXPECT_STREQ(name(error.code()), "BadScale");
 }
 
+TEST(Error, HoldsNothingThatATerminalObeys) {
+  EXPECT_STREQ(Error(ErrorCode::kBadScene, "body '\x1b]0;x\x07\r\x7f' is odd;\n\tremove it, \u00fc").what(),
+               "body '?]0;x???' is odd;\n\tremove it, \u00fc");
+}
+
 TEST(Error, NeverRepeatsAWholeFile) {
   const std::string usual(4000, 'a');
   EXPECT_EQ(Error(ErrorCode::kBadScale, usual).what(), usual);

@@ -114,24 +114,29 @@ TEST_F(RootsTest, PackagesCanBeRead) {
 
 TEST_F(RootsTest, FilesBesideAnother) {
   fs::create_directories(folder_ / "open/sub");
+  fs::copy_file(folder_ / "open/mesh", folder_ / "open/sub/mesh");
   fs::create_symlink(folder_ / "shut", folder_ / "open/way_out");
   fs::create_symlink(folder_ / "open/mesh", folder_ / "shut/link");
-  for (const char* beside : {"open/mesh", "open/other", "open/none/../mesh", "open/sub/mesh", "open/way_out/link"})
-    EXPECT_TRUE(liesBeside(path(beside), path("open/mesh"))) << beside;
-  for (const char* elsewhere : {"openly/mesh", "shut/mesh", "open/../mesh", "open/way_out/mesh"})
-    EXPECT_FALSE(liesBeside(path(elsewhere), path("open/mesh"))) << elsewhere;
-  for (const char* beside : {"shut/mesh", "open/other"}) EXPECT_TRUE(liesBeside(path(beside), path("shut/link"))) << beside;
-  EXPECT_FALSE(liesBeside(path("openly/mesh"), path("shut/link")));
+  const auto beside = [this](const char* file, const char* mesh) {
+    const OpenFile open(path(file));
+    return liesBeside(path(file), open.number(), path(mesh));
+  };
+  for (const char* file : {"open/mesh", "open/sub/../mesh", "open/sub/mesh", "open/way_out/link"})
+    EXPECT_TRUE(beside(file, "open/mesh")) << file;
+  for (const char* file : {"openly/mesh", "shut/mesh", "open/way_out/mesh"}) EXPECT_FALSE(beside(file, "open/mesh")) << file;
+  for (const char* file : {"shut/mesh", "open/sub/mesh"}) EXPECT_TRUE(beside(file, "shut/link")) << file;
+  EXPECT_FALSE(beside("openly/mesh", "shut/link"));
 }
 
-TEST_F(RootsTest, WritingStaysBelow) {
-  Roots with_output = roots();
-  with_output.outputs = {path("shut/output")};
-  const Confinement confinement(with_output);
-  for (const char* inside : {"open/new", "open/a/b/c", "shut/output"}) EXPECT_EQ(writeRefusal(inside), "") << inside;
-  for (const char* outside : {"open", "open/", "shut", "shut/new", "shut/output/below", "open/../new"})
-    EXPECT_NE(writeRefusal(outside), "") << outside;
-  EXPECT_NE(writeRefusal("new").find("set ~output_root"), std::string::npos);
+TEST_F(RootsTest, AnOpenFileLiesWhereItWasOpened) {
+  const std::string link = path("open/link");
+  fs::create_symlink(folder_ / "shut/mesh", link);
+  const OpenFile elsewhere(link);
+  fs::remove(link);
+  fs::create_symlink(folder_ / "open/mesh", link);
+  const OpenFile beside(link);
+  EXPECT_TRUE(liesBeside(link, beside.number(), path("open/mesh")));
+  EXPECT_FALSE(liesBeside(link, elsewhere.number(), path("open/mesh")));
 }
 
 }  // namespace

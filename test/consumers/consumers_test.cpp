@@ -84,6 +84,24 @@ TEST_F(Consumers, ManyCommentsBeforeTheRoot) {
   EXPECT_EQ(fixtures::count(urdf, "<robot xmlns:drake"), 1u);
 }
 
+// All links are fixed to each other: 245,000 pairs of names of some 900 bytes.
+TEST_F(Consumers, PairsThatNoMemoryHolds) {
+  std::string text = "<robot name=\"star\"><link name=\"base\">" + cube() + "</link>";
+  for (int i = 0; i < 700; ++i) {
+    const std::string number = std::to_string(i), link = std::string(900, 'l') + number;
+    text += "<link name=\"" + link + "\"><collision><geometry><sphere radius=\"1\"/></geometry></collision></link><joint name=\"j" +
+            number + "\" type=\"fixed\"><parent link=\"base\"/><child link=\"" + link + "\"/></joint>";
+  }
+  RobotResult result = decomposed(text + "</robot>");
+  try {
+    addConsumerFiles({Consumer::kMoveit}, folder_ / "three_c", result);
+    FAIL() << "all pairs were written";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::kTooLarge);
+    EXPECT_NE(std::string(e.what()).find("join links that are fixed"), std::string::npos) << e.what();
+  }
+}
+
 // Indented by each level, the text would grow with the square of the depth.
 TEST_F(Consumers, ADeepRobotHasALongTextAndNoMore) {
   std::string text = "<robot name=\"deep\"><link name=\"l0\">" + cube() + "</link>";

@@ -35,6 +35,14 @@ TEST(FitScene, RejectsInvalidOptionsAndProblems) {
   EXPECT_EQ(errorOf(problem, fitOptions()), ErrorCode::kBadOption);
 }
 
+TEST(FitScene, RefusesMorePairsThanItCanHold) {
+  FitProblem problem;
+  problem.robot = carriages(2001);
+  for (std::size_t link = 1; link <= 2001; ++link)
+    problem.elements.push_back({"c" + std::to_string(link), link, Eigen::Isometry3d::Identity(), channelMesh()});
+  EXPECT_EQ(errorOf(problem, fitOptions()), ErrorCode::kTooLarge);
+}
+
 TEST(FitScene, CancelledAtOnce) {
   RunControl control;
   control.cancel();

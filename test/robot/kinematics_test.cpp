@@ -118,6 +118,20 @@ TEST(Kinematics, JointsByName) {
   EXPECT_TRUE(kinematics.variables()[0].continuous);
 }
 
+TEST(Kinematics, MimicsOfMimics) {
+  const std::vector<NamedJoint> joints =
+      Kinematics(robot(links(4) + joint(0, "prismatic", limit(0, 1) + "<mimic joint=\"j1\" multiplier=\"3\" offset=\"1\"/>") +
+                       joint(1, "prismatic", limit(0, 1) + "<mimic joint=\"j2\" multiplier=\"-2\" offset=\"0.5\"/>") +
+                       joint(2, "prismatic", limit(0, 1))))
+          .joints();
+  const double multipliers[] = {-6, -2, 1}, offsets[] = {2.5, 0.5, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(joints[i].variable, 0) << i;
+    EXPECT_EQ(joints[i].multiplier, multipliers[i]) << i;
+    EXPECT_EQ(joints[i].offset, offsets[i]) << i;
+  }
+}
+
 TEST(Kinematics, MimicsOfNothing) {
   const auto mimic = [](int i, const std::string& master) {
     return joint(i, "prismatic", limit(0, 1) + "<mimic joint=\"" + master + "\"/>");

@@ -32,6 +32,14 @@ TEST_F(ResolveUri, UnknownPackage) {
   expectError(ErrorCode::kPackageNotFound, {"'arm'"}, [&] { resolveUri("package://arm/meshes/a b.stl", "", nullptr); });
 }
 
+TEST_F(ResolveUri, AModelIsAPackage) {
+  EXPECT_EQ(resolve("model://arm/meshes/a%20b.stl"), mesh_);
+  EXPECT_EQ(packageOf("model://arm/meshes/a.stl"), std::optional<std::string>("arm"));
+  EXPECT_FALSE(isRelativeUri("model://arm/meshes/a.stl"));
+  expectError(ErrorCode::kPackageNotFound, {"model://leg/x.stl", "--package-path leg=DIR"}, [&] { resolve("model://leg/x.stl"); });
+  expectError(ErrorCode::kOutsideRoots, {"leads out of 'arm'"}, [&] { resolve("model://arm/../x.stl"); });
+}
+
 TEST_F(ResolveUri, MissingFile) {
   expectError(ErrorCode::kFileNotFound, {"package://arm/no.stl", folder_.path("arm/no.stl")}, [&] { resolve("package://arm/no.stl"); });
   expectError(ErrorCode::kFileNotFound, {folder_.path("arm/meshes")}, [&] { resolve("package://arm/meshes"); });

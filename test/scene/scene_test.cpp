@@ -78,6 +78,25 @@ TEST(ReadScene, NamesTheFilesThatItWasReadFrom) {
             std::vector<std::string>{mesh});
 }
 
+TEST(ReadScene, NamesThatMessagesCannotRepeat) {
+  const TemporaryFolder folder;
+  const auto body = [](const std::string& name) { return "bodies:\n- {name: \"" + name + "\", sphere: 1}\n"; };
+  expectError(ErrorCode::kBadScene, {"a body", "'a?[2Jb'", "control character"}, [&] { sceneOf(folder, "a.yaml", body("a\\e[2Jb")); });
+  expectError(ErrorCode::kBadScene, {"a body", "longer than 1000"}, [&] { sceneOf(folder, "a.yaml", body(std::string(1001, 'a'))); });
+  expectError(ErrorCode::kBadScene, {"the scene", "control character"},
+              [&] { sceneOf(folder, "a.scene", "a\x1b[2Jb\n* s\n1\nsphere\n1\n0 0 0\n0 0 0 1\n0 0 0 0\n.\n"); });
+}
+
+TEST(AddBody, RefusesMoreThanASceneCanUse) {
+  Scene scene;
+  scene.bodies.resize(100'000);
+  expectError(ErrorCode::kTooLarge, {"more than 100000 bodies"}, [&] {
+    SceneBody body{"one", {}, {}};
+    setShape(body, "sphere", {1});
+    addBody(scene, body);
+  });
+}
+
 TEST(ReadScene, CancelledAtOnce) {
   const TemporaryFolder folder;
   RunControl control;

@@ -34,6 +34,22 @@ TEST(YamlQuestion, TextsThatAreNoYaml) {
   expectError(ErrorCode::kBadScene, {"500 brackets"}, [] { parsed(std::string(501, '[')); });
 }
 
+// Each of the lists is a thousand names of one character: 2,001 values and characters.
+TEST(YamlQuestion, AliasesThatRepeatTooMuch) {
+  const auto text = [](int lists) {
+    std::string names = "- &names [", repeated;
+    for (int i = 0; i < 1000; ++i) names += "a, ";
+    for (int i = 0; i < lists; ++i) repeated += "- *names\n";
+    return names + "]\n" + repeated;
+  };
+  EXPECT_NO_THROW(parsed(text(1900)));
+  expectError(ErrorCode::kBadScene, {"'a.yaml', line 1", "aliases repeat more than 4000000", "fewer"}, [&] { parsed(text(2100)); });
+  const std::string scalar = "- &long " + std::string(10'000, 'a') + "\n";
+  std::string repeated;
+  for (int i = 0; i < 410; ++i) repeated += "- *long\n";
+  expectError(ErrorCode::kBadScene, {"aliases"}, [&] { parsed(scalar + repeated); });
+}
+
 TEST(YamlQuestion, SeveralDocumentsAtOnce) {
   const std::vector<YamlTree> trees = parseYaml({{"a: 1", 1}, {"[2]", 5}}, "a.yaml", ErrorCode::kBadScene, {});
   ASSERT_EQ(trees.size(), 2u);
@@ -52,6 +68,9 @@ TEST(YamlQuestion, AnAnswerThatIsNoTree) {
   EXPECT_THROW(yamlIn(answer(2, scalar + node(YamlTree::Kind::kSequence, {1}))), ByteFault);
   EXPECT_THROW(yamlIn(answer(2, scalar + node(YamlTree::Kind::kMap, {0}))), ByteFault);
   EXPECT_THROW(yamlIn(answer(1, node(static_cast<YamlTree::Kind>(9), {}))), ByteFault);
+  std::string doubling = scalar;
+  for (std::uint32_t i = 0; i < 40; ++i) doubling += node(YamlTree::Kind::kSequence, {i, i});
+  EXPECT_THROW(yamlIn(answer(41, doubling)), ByteFault);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST(YamlScene, AliasesAndBracketsDoNotBlowUp) {
     const std::string before = "*x" + std::to_string(i - 1);
     text += "x" + std::to_string(i) + ": &x" + std::to_string(i) + " [" + before + ", " + before + "]\n";
   }
-  expectError(ErrorCode::kBadScene, {"not known"}, [&] { sceneOf(folder, "a.yaml", text + "bodies: *x39"); });
+  expectError(ErrorCode::kBadScene, {"aliases"}, [&] { sceneOf(folder, "a.yaml", text + "bodies: *x39"); });
   expectError(ErrorCode::kBadScene, {"a.yaml", "brackets"}, [&] { sceneOf(folder, "a.yaml", "bodies: " + std::string(100000, '[')); });
 }
 

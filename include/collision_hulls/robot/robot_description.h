@@ -146,10 +146,11 @@ class PackageFinder {
 PackageFinder defaultPackageFinder(const std::string& near = "",
                                    const std::vector<std::string>& package_path = {});
 
-/// The file that a URI means: package://, file://, an absolute path, or one relative to the folder
-/// of `base` (a file). A file of a package that is not where its URI says may be one nearby: see
-/// PackageFinder::fileNearby(), which leaves a note. Throws kPackageNotFound (names the package and
-/// how to make it known) and kFileNotFound.
+/// The file that a URI means: package://, model:// (Gazebo's and Drake's word, taken for
+/// package://), file://, an absolute path, or one relative to the folder of `base` (a file). A file
+/// of a package that is not where its URI says may be one nearby: see PackageFinder::fileNearby(),
+/// which leaves a note. Throws kPackageNotFound (names the package and how to make it known) and
+/// kFileNotFound.
 std::string resolveUri(const std::string& uri, const std::string& base,
                        const PackageFinder& find_package);
 
@@ -157,7 +158,7 @@ std::string resolveUri(const std::string& uri, const std::string& base,
 /// its like, bytes beyond ASCII as they are.
 std::string fileUri(const std::string& path);
 
-/// The NAME of package://NAME/...; nullopt for other URIs.
+/// The NAME of package://NAME/... or model://NAME/...; nullopt for other URIs.
 std::optional<std::string> packageOf(const std::string& uri);
 
 /// Whether resolveUri's answer depends on `base`.

@@ -160,7 +160,7 @@ class DecomposeOptionAdder {
         ->check(notEmpty("a name"));
     addFlag(
         "Output", "--segments", [](Options& options) { options.segments = true; },
-        "Also write the mesh with a colour for each cluster (segments.ply), and the number of clusters for every tolerance "
+        "Also write the mesh with a colour for each cluster (segments.ply), and the number of clusters at every concavity "
         "(hierarchy.csv); method hacd");
     addFlag(
         "Output", "--no-html", [](Options& options) { options.html = false; },

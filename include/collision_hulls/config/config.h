@@ -56,8 +56,8 @@ void apply(const LinkSettings& settings, LinkOptions& options);
 /// gives the same options, and the same text.
 std::string configText(const Options& options);
 
-/// For each of `given`, options by their names on the command line, that the configuration names as
-/// well: a note that the command line counts.
+/// A note for each of `given` (options by their names on the command line) that the configuration
+/// sets as well: the command line counts.
 std::vector<std::string> overridingNotes(const Config& config, const std::set<std::string>& given);
 
 }  // namespace collision_hulls

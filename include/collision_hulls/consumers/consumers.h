@@ -33,8 +33,8 @@ const char* name(Consumer consumer);  ///< "moveit", "gazebo", "mujoco", ...
 std::optional<Consumer> consumerNamed(const std::string& name);
 std::string consumerChoices();  ///< the names of all, for messages
 
-/// The format that suits them all, where nobody asks for one: `usual`, unless one of them reads it
-/// not.
+/// The format that suits them all, where nobody asks for one: `usual`, unless one of them cannot
+/// read it.
 MeshFormat formatFor(const std::vector<Consumer>& consumers, MeshFormat usual);
 
 /// The shapes that suit them all, where nobody asks for some: spheres if one of them takes nothing

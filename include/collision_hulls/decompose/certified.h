@@ -4,7 +4,7 @@
 //   1. split the surface by planes until each piece's hull stays within the tolerance   (leaves);
 //      if this gives few hulls, split in other ways as well and keep the best result
 //   2. merge hulls, cheapest first, while their common hull stays within it, also after its
-//      vertices are capped (outward)
+//      vertices are reduced (outward)
 //   3. search: dissolve some hulls and merge again
 //   4. on request, keep merging up to a single root                                   (hull tree)
 //
@@ -20,16 +20,16 @@
 
 namespace collision_hulls {
 
-/// The hulls of steps 1 to 3, or of a cut of the tree if their number is capped. A hull exceeds the
-/// tolerance only if its piece could not be split or a cap forces it to. Runs on all threads of the
-/// caller's TBB arena; their number does not affect the result. See decompose().
+/// The hulls of steps 1 to 3, or of a cut of the tree if their number is limited. A hull exceeds
+/// the tolerance only if its piece could not be split or a limit forces it to. Runs on all threads
+/// of the caller's TBB arena; their number does not affect the result. See decompose().
 Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& options,
                         const RunControl& control = {});
 
 /// The hulls of certified() as leaves, merged up to a single root. A cut of the tree at a larger
 /// tolerance, or with any number of hulls, then takes microseconds. The tree's hulls are not
-/// capped, neither in vertices nor in number (but its leaves stay within the tolerance even after
-/// their vertices are capped); `method` is ignored. Bounds are within a few per cent of the truth.
+/// limited, neither in vertices nor in number (but its leaves stay within the tolerance even after
+/// their vertices are reduced); `method` is ignored. Bounds are within a few per cent of the truth.
 /// Deterministic. Throws kEmptyMesh, kBadOption, kCancelled.
 HullTree hullTree(const RepairedMesh& mesh, const DecomposeOptions& options,
                   const RunControl& control = {});

@@ -27,9 +27,9 @@ const std::vector<Method>& allMethods();
 
 /// How hard certified looks for fewer hulls; either way it stays within the tolerance.
 enum class Effort {
-  kInstant,  ///< cut and merge once: for previews
-  kQuick,    ///< up to three ways of cutting, merge, and a short search
-  kBest      ///< several ways of cutting, and a long search
+  kInstant,  ///< split and merge once: for previews
+  kQuick,    ///< up to three ways of splitting, merge, and a short search
+  kBest      ///< several ways of splitting, and a long search
 };
 const char* name(Effort effort);  ///< "instant", "quick", "best"
 std::optional<Effort> effortNamed(const std::string& name);

@@ -8,7 +8,7 @@
 //
 // What is proved: let convex sets of any kind, hulls of pieces or not, with any number of vertices,
 // hold every point of the mesh's triangles, and let no point of them be further than the tolerance
-// from S, the solid that the mesh represents (see Solid). Then there are at least so many sets.
+// from S, the solid that the mesh represents (see Solid). Then there are at least that many sets.
 // doc/certified.md, part 2, has the proof.
 #pragma once
 

@@ -45,7 +45,7 @@ Region transformed(const Region& region, const Eigen::Isometry3d& pose);
 /// Whether they are the same work: all but their names.
 bool equal(const std::vector<Region>& a, const std::vector<Region>& b);
 
-/// What of the hull lies in the region but for its rim, and a little more; nullopt: nothing.
+/// The part of the hull in the region without its rim, and a little more; nullopt if none is.
 std::optional<ConvexHull> partIn(const ConvexHull& hull, const Region& region);
 
 }  // namespace collision_hulls

@@ -13,7 +13,7 @@ struct RoundedHulls {
   std::vector<ConvexHull> hulls;  ///< their vertices are single-precision numbers
   double nudge = 0;               ///< [m] distance by which every hull was grown to absorb rounding
   std::size_t completed = 0;      ///< triangles that no hull covered and that were added to one
-  /// [m] furthest distance that a hull too sharp for its vertex cap was extended
+  /// [m] furthest distance that a hull too sharp for its limit on vertices was extended
   double blunted = 0;
 };
 

@@ -3,7 +3,7 @@
 //
 // A model is adequate for a clearance c if it is free in every configuration in which the original
 // robot keeps at least c from the scene and from itself. Every cut covers its mesh, so no model
-// misses a collision; a coarse one has phantoms.
+// misses a collision; a coarse one has false collisions.
 //
 //   1. prove which pairs of bodies can never come within c of each other; leave out the pairs that
 //      self-collision checking skips

@@ -1,4 +1,4 @@
-// Reading and writing mesh files. No other room sees Assimp.
+// Reading and writing mesh files. No other room of the libraries sees Assimp.
 //
 // For example:
 //

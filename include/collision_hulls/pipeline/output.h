@@ -12,10 +12,10 @@ namespace collision_hulls {
 /// compared, then put in place with one rename (exchange) so that a kill at any moment leaves the
 /// old or the new. Replaces an earlier output, whose files are taken over where they have the same
 /// content; refuses (kNotOurOutput) a folder that is not one. Fills seconds.write in the report.
-/// Where all meshes failed nothing is written, as an earlier output may be of use: then false.
-/// Throws kUnwritableOutput, also where the options do not allow that an output in which no mesh
-/// failed gives way to one without meshes that memory or time did not suffice for; and kCancelled.
-/// Both leave everything as it was.
+/// If all meshes failed, writes nothing, since an earlier output may still be of use, and returns
+/// false. Throws kCancelled, and kUnwritableOutput, also where this run lacked memory or time for
+/// some meshes, the earlier output has them all, and Options::replace_complete is not set. Both
+/// leave everything as it was.
 bool writeOutput(RobotResult& result, const std::string& output, const RunControl& control = {});
 
 /// Throws what writeOutput would throw for such a folder, before the long work. Leaves nothing

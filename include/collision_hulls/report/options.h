@@ -178,9 +178,9 @@ struct Options : LinkOptions {
   std::uint64_t seed = 1;
   int reader_memory = 512;  ///< [MiB] of MeshLimits, for the robot's meshes
   int reader_time = 4;      ///< [s] of MeshLimits
-  /// [s] for making hulls by certified, of all meshes together, which share it; 0: no limit.
-  /// Reading, validating and writing come on top. Other shapes than hulls and mixed, and trees,
-  /// ignore it
+  /// [s] for reading all meshes and making their hulls by certified, which share it; 0: no limit.
+  /// Validating and writing come on top. Refused with a tree, another method, and shapes other
+  /// than hulls and mixed; links that have such settings of their own ignore it
   double time_limit = 0;
 };
 
@@ -203,8 +203,9 @@ void checkShapes(const LinkOptions& options);
 /// in its unit.
 void check(const Options& options);
 
-/// Sets both caps to what a consumer of the hulls documents: "fcl", "moveit", "bullet", "physx" or
-/// "gazebo"; the source has each value and where it comes from. Throws kBadOption for another name.
+/// Sets both limits to what a consumer of the hulls documents: "fcl", "moveit", "bullet", "physx"
+/// or "gazebo"; the source has each value and where it comes from. Throws kBadOption for another
+/// name.
 void applyProfile(const std::string& profile, Options& options);
 
 }  // namespace collision_hulls

@@ -61,9 +61,9 @@ struct Chain {
 /// planar joints, which place a robot in the world, stay at their origin. Immutable, thread safe.
 class Kinematics {
  public:
-  /// Throws kNotARobot for a mimic joint whose master is not there or cannot move, for such that
-  /// follow each other in a circle, and for an origin or a limit of a sliding joint that is further
-  /// than 1e6 m away.
+  /// Throws kNotARobot for a mimic joint whose master is not there or cannot move, for mimic
+  /// joints that follow one another in a circle, and for an origin or a limit of a sliding joint
+  /// that is further than 1e6 m away.
   explicit Kinematics(const RobotDescription& robot);
 
   const std::vector<JointVariable>& variables() const { return variables_; }

@@ -1,4 +1,4 @@
-// Robot descriptions in and out. The only room that sees urdfdom and tinyxml2.
+// Robot descriptions in and out. The only room that sees urdfdom.
 //
 // For example:
 //
@@ -154,8 +154,8 @@ PackageFinder defaultPackageFinder(const std::string& near = "",
 std::string resolveUri(const std::string& uri, const std::string& base,
                        const PackageFinder& find_package);
 
-/// The file:// URI of an absolute path: what may not stand in one by itself (RFC 3986) as "%20" and
-/// its like, bytes beyond ASCII as they are.
+/// The file:// URI of an absolute path. Characters that a URI may not hold (RFC 3986) are written
+/// like "%20"; bytes beyond ASCII stay as they are.
 std::string fileUri(const std::string& path);
 
 /// The NAME of package://NAME/... or model://NAME/...; nullopt for other URIs.

@@ -134,6 +134,7 @@ Primitive barAbout(Kind kind, const ConvexHull& hull, const RunControl& control)
     if (bar.size < best.size) best = bar;
   }
   best = turned(hull.vertices, best, along, control);
+  if (best.axis.z() < 0) best.axis = -best.axis;  // a rotation by nearly half a turn would be imprecise
   return primitiveOf(kind, {best.radius, best.length, 0}, best.centre,
                      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), best.axis));
 }

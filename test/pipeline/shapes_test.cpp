@@ -111,15 +111,25 @@ TEST_F(ShapesTest, PrimitivesAlone) {
   EXPECT_LE(result.report.links.at(0).protrusion, 0.005);
 }
 
-TEST_F(ShapesTest, AHullThatNoPrimitiveStandsForIsHalved) {
+TEST_F(ShapesTest, WhereNoPrimitiveStandsForAHullTheSurfaceInItIsDivided) {
   TriangleMesh wedge = test_shapes::box(0.2, 0.2, 0.2);
   for (Eigen::Vector3d& v : wedge.vertices)
     if (v.z() > 0.1) v.x() = 0;
-  options_.tolerance = lengthOf(0.03);
-  const RobotResult result = run(wedge, Shapes::kPrimitives);
+  for (const double tolerance : {0.03, 0.01}) {
+    options_.tolerance = lengthOf(tolerance);
+    const RobotResult result = run(wedge, Shapes::kPrimitives);
+    EXPECT_EQ(result.report.links.at(0).status, Status::kOk) << result.report.links.at(0).reason;
+    EXPECT_GT(result.report.links.at(0).primitives, 2u);
+    EXPECT_LE(result.report.links.at(0).primitives, 60u);
+    EXPECT_EQ(kinds(result).size(), result.report.links.at(0).primitives);
+  }
+}
+
+// A part of the surface on both sides of which there is none takes a body that reaches half the tolerance beyond it.
+TEST_F(ShapesTest, ASheetThatIsBentTakesPrimitives) {
+  const RobotResult result = run(test_shapes::openBox(0.2, 0.15, 0.1, 0.001), Shapes::kPrimitives);
   EXPECT_EQ(result.report.links.at(0).status, Status::kOk) << result.report.links.at(0).reason;
-  EXPECT_GT(result.report.links.at(0).primitives, 2u);
-  EXPECT_EQ(kinds(result).size(), result.report.links.at(0).primitives);
+  EXPECT_EQ(kinds(result), std::vector<Kind>(5, Kind::kBox));
 }
 
 TEST_F(ShapesTest, OneOfAKindHasTheBoundThatItHas) {

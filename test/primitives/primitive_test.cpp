@@ -117,6 +117,19 @@ TEST(EnclosingPrimitive, OfItsOwnShapeIsThatShape) {
   }
 }
 
+// Half a turn to an axis that is nearly that of -z has to be as precise as any other.
+TEST(EnclosingPrimitive, OfBarsNearlyAlongZ) {
+  for (const double tilt : {1e-8, 1e-7, 1e-6, 2e-6, 1e-5})
+    for (int way = 0; way < 24; ++way) {
+      const Eigen::AngleAxisd turn(tilt, Eigen::Vector3d(std::cos(way), std::sin(way), 0));
+      std::vector<Eigen::Vector3d> points;
+      for (int k = 0; k < 16; ++k)
+        for (const double z : {-0.3, 0.3})
+          points.push_back(turn * Eigen::Vector3d(std::cos(k * M_PI / 8 + way), std::sin(k * M_PI / 8 + way), z));
+      EXPECT_NO_THROW(enclosingPrimitive(Kind::kCylinder, convexHull(points))) << tilt << " " << way;
+    }
+}
+
 TEST(EnclosingPrimitive, OfDegeneratePoints) {
   const std::vector<std::vector<Eigen::Vector3d>> sets{
       {{3, -2, 1}}, {{0, 0, 0}, {0, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {1, 0, 0}, {0.5, 1e-9, 0}}};

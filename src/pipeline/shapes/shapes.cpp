@@ -2,8 +2,8 @@
 // - a single one encloses the hull of the mesh, and has the bound that it has;
 // - mixed: one primitive for the whole mesh if that keeps the tolerance; otherwise hulls as always, each of which gives way to a primitive
 //   that encloses it and keeps the tolerance, too;
-// - primitives: the same through the hull tree, from its root down: what no primitive can stand for is left to the children, and a leaf is
-//   halved;
+// - primitives: the same through the hull tree, from its root down: what no primitive can stand for is left to the children, and of a leaf
+//   the surface in it is divided;
 // - spheres: see spheres.h.
 //
 // Primitives enclose hulls that cover the mesh, so they cover it as well. The bound of a cylinder includes what the polyhedron about it
@@ -11,8 +11,8 @@
 #include "pipeline/shapes/shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -26,12 +26,15 @@
 #include "collision_hulls/primitives/spheres.h"
 #include "fit/enclosing.h"
 #include "pipeline/shapes/bodies.h"
+#include "primitives/surface_patch.h"
 
 namespace collision_hulls {
 namespace {
 
-constexpr int kMostHalvings = 8;  // of a hull that no primitive stands for
 constexpr double kLeaves = 0.25;  // of the tolerance: that of the leaves of trees that are built for primitives
+// Of the tolerance: how deep primitives for parts of the surface reach below it, and what is taken for flat.
+constexpr double kDepth = 0.5, kFlatness = 0.5;
+constexpr std::size_t kMostPrimitives = 10'000;  // of a mesh
 
 /// What the stages of one mesh work with.
 struct Work {
@@ -99,49 +102,6 @@ Body leastPrimitive(const ConvexHull& hull, const Work& work) {
   return *std::move(best);
 }
 
-/// The parts of a hull on both sides of a plane through its middle, which share the points in the plane: both have to keep some volume.
-std::vector<ConvexHull> halves(const ConvexHull& hull, const HalfSpace& plane) {
-  std::vector<Eigen::Vector3d> below, above;
-  for (const Eigen::Vector3d& v : hull.vertices) (plane.distance(v) <= 0 ? below : above).push_back(v);
-  for (const Triangle& t : hull.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Eigen::Vector3d &a = hull.vertices[static_cast<std::size_t>(t[k])],
-                            &b = hull.vertices[static_cast<std::size_t>(t[(k + 1) % 3])];
-      const double da = plane.distance(a), db = plane.distance(b);
-      if (da > 0 || db <= 0) continue;
-      const Eigen::Vector3d cut = a + (b - a) * (da / (da - db));
-      below.push_back(cut);
-      above.push_back(cut);
-    }
-  }
-  return {convexHull(below), convexHull(above)};
-}
-
-/// The halves across an axis of the hull's box whose own boxes are smallest.
-std::vector<ConvexHull> bestHalves(const ConvexHull& hull) {
-  const Eigen::Isometry3d frame = enclosingPrimitive(PrimitiveKind::kBox, hull).pose;
-  std::vector<ConvexHull> best;
-  double least = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::Vector3d normal = frame.linear().col(axis);
-    std::vector<ConvexHull> parts = halves(hull, {normal, normal.dot(frame.translation())});
-    double size = 0;
-    for (const ConvexHull& part : parts) size += volume(enclosingPrimitive(PrimitiveKind::kBox, part));
-    if (size < least) least = size, best = std::move(parts);
-  }
-  return best;
-}
-
-/// Primitives that cover a hull: it is halved until they keep the tolerance, or `halvings` times.
-void addPrimitives(const ConvexHull& hull, int halvings, const Work& work, std::vector<Body>& bodies) {
-  if (std::optional<Body> body = primitiveFor(hull, work))
-    bodies.push_back(*std::move(body));
-  else if (halvings == 0)
-    bodies.push_back(leastPrimitive(hull, work));
-  else
-    for (const ConvexHull& half : bestHalves(hull)) addPrimitives(half, halvings - 1, work, bodies);
-}
-
 /// The coarsest cut through the tree whose hulls have primitives, but for leaves that have none.
 std::vector<ConvexHull> hullsWithPrimitives(const Work& work) {
   const std::vector<HullNode>& nodes = work.tree->nodes;
@@ -162,15 +122,50 @@ std::vector<ConvexHull> hullsWithPrimitives(const Work& work) {
   return chosen;
 }
 
+/// Bodies for the surface in hulls that no primitive stands for: it is divided until primitives about the parts keep the tolerance, or are
+/// too many.
+void addPrimitives(const std::vector<ConvexHull>& hulls, const Work& work, std::vector<Body>& bodies) {
+  const double depth = kDepth * work.tolerance(), flatness = kFlatness * work.tolerance();
+  std::vector<SurfacePatch> patches, next;
+  for (const ConvexHull& hull : hulls) patches.emplace_back(work.result.original, hull);
+  std::size_t seen = 0;  // bodies that no patch holds anything of
+  for (; !patches.empty(); patches = std::exchange(next, {})) {
+    std::vector<std::optional<Body>> found(patches.size());
+    std::vector<std::array<SurfacePatch, 2>> parts(patches.size(), {SurfacePatch(), SurfacePatch()});
+    const bool too_many = bodies.size() + patches.size() > kMostPrimitives;
+    forEach(patches.size(), [&](std::size_t i) {
+      work.control.check();
+      for (std::size_t body = seen; body < bodies.size(); ++body) patches[i].dropWithin(*bodies[body].primitive);
+      if (patches[i].empty()) return;
+      const ConvexHull hull = patches[i].hull(depth);
+      found[i] = primitiveFor(hull, work);
+      if (!found[i] && too_many) found[i] = leastPrimitive(hull, work);
+      if (!found[i]) parts[i] = patches[i].parts(flatness, depth);
+    });
+    seen = bodies.size();
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+      if (found[i]) bodies.push_back(*std::move(found[i]));
+      for (SurfacePatch& part : parts[i])
+        if (!part.empty()) next.push_back(std::move(part));
+    }
+  }
+}
+
 /// Primitives about hulls that cover the mesh as it was read.
 std::vector<Body> primitives(const Work& work) {
   const std::vector<ConvexHull> hulls =
       roundOutward(hullsWithPrimitives(work), work.result.original, work.read.margin, 0, work.control).hulls;
   expectCovered(work.result.original, hulls, work.uri, work.control);
-  std::vector<std::vector<Body>> of_hulls(hulls.size());
-  forEach(hulls.size(), [&](std::size_t i) { addPrimitives(hulls[i], kMostHalvings, work, of_hulls[i]); });
   std::vector<Body> bodies;
-  for (std::vector<Body>& some : of_hulls) std::move(some.begin(), some.end(), std::back_inserter(bodies));
+  std::vector<ConvexHull> others;
+  const std::vector<std::optional<Body>> found = primitivesFor(hulls, work);
+  for (std::size_t i = 0; i < hulls.size(); ++i) {
+    if (found[i])
+      bodies.push_back(*found[i]);
+    else
+      others.push_back(hulls[i]);
+  }
+  addPrimitives(others, work, bodies);
   return bodies;
 }
 

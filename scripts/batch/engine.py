@@ -24,7 +24,7 @@ def find():
 
 def name_of(output):
     """Of the jobs of a batch in a cluster's queue."""
-    return "batch-" + sha256(str(output).encode())[:10]
+    return "batch-" + sha256(str(output))[:10]
 
 
 def memory_here():

@@ -5,14 +5,40 @@ import os
 import pathlib
 
 
+MOST_MESH, MOST_TEXT = 1 << 30, 1 << 28  # [bytes] larger ones decompose does not read
+PIECE = 1 << 20  # [bytes]
+
+
+def encoded(text):
+    """Names of files may hold any bytes."""
+    return text.encode("utf-8", "surrogateescape")
+
+
 def sha256(data):
-    return hashlib.sha256(data).hexdigest()
+    return hashlib.sha256(encoded(data) if isinstance(data, str) else data).hexdigest()
+
+
+def pieces(path, size):
+    """The first bytes of a file: some of the kernel's have no end."""
+    with open(path, "rb") as file:
+        while size > 0 and (piece := file.read(min(size, PIECE))):
+            size -= len(piece)
+            yield piece
+
+
+def read_text(path):
+    """Empty for what decompose would not read as text either: no regular file, or one that is too large."""
+    try:
+        size = os.path.getsize(path) if os.path.isfile(path) else 0
+        return b"".join(pieces(path, size)).decode(errors="replace") if 0 < size <= MOST_TEXT else ""
+    except OSError:
+        return ""
 
 
 def write(path, text):
     """Leaves a file alone that holds this text already: its date tells when something last changed."""
     path = pathlib.Path(path)
-    data = text.encode("utf-8", "surrogateescape")
+    data = encoded(text)
     if path.exists() and path.read_bytes() == data:
         return
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -33,8 +59,18 @@ def read_json(path):
         return None
 
 
+def digest(path, state):
+    """SHA-256 of a file. One that is too large for decompose is not read: its size and date tell of a change."""
+    if state.st_size > MOST_MESH:
+        return sha256(f"{state.st_size} {state.st_mtime_ns}")
+    whole = hashlib.sha256()
+    for piece in pieces(path, state.st_size):
+        whole.update(piece)
+    return whole.hexdigest()
+
+
 class Digests:
-    """SHA-256 of files. A file of the same size and date as before is not read again."""
+    """Of files. A file of the same size and date as before is not read again."""
 
     def __init__(self, memory):
         self.memory, self.before, self.now = memory, read_json(memory) or {}, {}
@@ -48,8 +84,8 @@ class Digests:
                 return None
             known = self.now.get(path) or self.before.get(path)
             if not known or known[:2] != [state.st_size, state.st_mtime_ns]:
-                known = [state.st_size, state.st_mtime_ns, sha256(pathlib.Path(path).read_bytes())]
-        except OSError:
+                known = [state.st_size, state.st_mtime_ns, digest(path, state)]
+        except (OSError, ValueError):  # a name with a zero in it is none
             return None
         self.now[path] = known
         return known[2]

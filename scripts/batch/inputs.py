@@ -56,16 +56,16 @@ def absolute(name, value, folder):
 def located(word, folder):
     """The input as a path, or the name of a package for decompose to find."""
     path = folder / word
-    return str(path) if path.exists() or "/" in word or path.suffix.lower() in MESHES | DESCRIPTIONS else word
+    return str(path) if os.path.exists(path) or "/" in word or path.suffix.lower() in MESHES | DESCRIPTIONS else word
 
 
 def of_folder(folder, options, name):
     """The descriptions in a folder; without any, the package that it is; else its meshes."""
-    files = sorted(file for file in folder.rglob("*") if file.is_file() and not any(part.startswith(".") for part in file.relative_to(folder).parts))
+    files = sorted(file for file in folder.rglob("*") if os.path.isfile(file) and not any(part.startswith(".") for part in file.relative_to(folder).parts))
     urdfs = [file for file in files if file.suffix.lower() == ".urdf"]
     if urdfs:
         return [Item(str(file), options, name if len(urdfs) == 1 else "") for file in urdfs]
-    if (folder / "package.xml").exists():
+    if os.path.exists(folder / "package.xml"):
         return [Item(str(folder), options, name)]
     meshes = [Item(str(file), options) for file in files if file.suffix.lower() in MESHES]
     return meshes or [Item(str(folder), options, name)]
@@ -73,14 +73,17 @@ def of_folder(folder, options, name):
 
 def of_word(word, folder, options, name=""):
     path = pathlib.Path(located(word, folder))
-    return of_folder(path, options, name) if path.is_dir() else [Item(str(path), options, name)]
+    return of_folder(path, options, name) if os.path.isdir(path) else [Item(str(path), options, name)]
 
 
 def text_of(path):
     try:
-        return path.read_text(encoding="utf-8-sig")
+        text = path.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError as error:
         raise Failure(f"'{path}' is not UTF-8 (byte {error.start}); save it as UTF-8") from error
+    if "\0" in text:
+        raise Failure(f"'{path}' has a zero (character {text.index(chr(0))}), as no text has; save it as UTF-8")
+    return text
 
 
 def of_list(path):
@@ -121,7 +124,7 @@ def named(items):
     names = [name_of(item) for item in items]
     count = collections.Counter(names)
     for item, name in zip(items, names):
-        item.name = name if count[name] == 1 else f"{name}_{sha256((item.path + str(item.options)).encode())[:8]}"
+        item.name = name if count[name] == 1 else f"{name}_{sha256(item.path + str(item.options))[:8]}"
     return items
 
 

@@ -6,6 +6,7 @@ import html
 import json
 import math
 import pathlib
+import re
 import urllib.parse
 
 import progress
@@ -140,8 +141,7 @@ def page_of(rows):
     meshes = [mesh for _, mesh in meshes_of(rows)]
     charts = "".join([histogram("Hulls and primitives of a mesh", [bodies(mesh) for mesh in meshes]), histogram("Time of an input [s]", [row["seconds"] for row in rows]),
                       histogram("Bound of a mesh [mm]", [1000 * mesh["protrusion"] for mesh in meshes]), histogram("Memory of an input [MB]", [row["memory"] for row in rows])])
-    text = (HERE / "page.html").read_text(encoding="utf-8")
-    for name, part in (("style", style()), ("summary", summary(rows)), ("charts", charts), ("failures", failures(rows)), ("slowest", slowest(rows)),
-                       ("worst", worst(rows)), ("script", (HERE / "page.js").read_text(encoding="utf-8")), ("data", data_of(rows))):
-        text = text.replace("{{" + name + "}}", part, 1)
-    return text
+    parts = {"style": style(), "summary": summary(rows), "charts": charts, "failures": failures(rows), "slowest": slowest(rows), "worst": worst(rows),
+             "script": (HERE / "page.js").read_text(encoding="utf-8"), "data": data_of(rows)}
+    # All at once: a link may be called {{data}}.
+    return re.sub(r"{{(\w+)}}", lambda place: parts[place.group(1)], (HERE / "page.html").read_text(encoding="utf-8"))

@@ -11,7 +11,7 @@ import re
 import shutil
 import urllib.parse
 
-from files import read_json, sha256, write_json
+from files import read_json, read_text, sha256, write_json
 
 JOB_SECONDS = 180  # about what a job of meshes takes
 JOB_MESHES = 200  # at most
@@ -34,8 +34,7 @@ def packages(folders):
                 below[:] = sorted(name for name in below if not name.startswith("."))
                 continue
             below.clear()
-            text = pathlib.Path(folder, "package.xml").read_text(encoding="utf-8", errors="replace")
-            name = re.search(r"<name>\s*([^<\s]+)", text)
+            name = re.search(r"<name>\s*([^<\s]+)", read_text(pathlib.Path(folder, "package.xml")))
             for each in {os.path.basename(folder), name.group(1) if name else ""}:
                 found.setdefault(each, []).append(folder)
     return found
@@ -68,20 +67,16 @@ class Sources:
         return [base / part / rest for base in bases for part in ("", name, "meshes", f"meshes/{name}")]
 
     def of_description(self, path, package_path):
-        try:
-            text = pathlib.Path(path).read_text(encoding="utf-8", errors="replace")
-        except OSError:
-            return []
-        written = {html.unescape(uri) for _, uri in re.findall(r"""filename\s*=\s*(["'])(.*?)\1""", text)}
+        written = {html.unescape(uri) for _, uri in re.findall(r"""filename\s*=\s*(["'])(.*?)\1""", read_text(path))}
         uris = written | {urllib.parse.unquote(uri) for uri in written}
         return [path, *(file for uri in sorted(uris) for file in self.candidates(path, uri, package_path))]
 
     def of_package(self, path):
         """Of a package or a .xacro file, which may read any file of its package."""
         start = pathlib.Path(path)
-        above = [folder for folder in [start, *start.parents] if (folder / "package.xml").exists()]
+        above = [folder for folder in [start, *start.parents] if os.path.exists(folder / "package.xml")]
         top = above[0] if above else start.parent
-        return sorted(file for file in top.rglob("*") if file.is_file())
+        return sorted(file for file in top.rglob("*") if os.path.isfile(file))
 
     def of(self, item, options):
         if "/" not in item.path:  # a package, for ROS to find
@@ -99,7 +94,7 @@ class Sources:
             return ""
         files = [*files, *options.get("config", [])]
         held = sorted((str(file), digest) for file in {os.path.normpath(file) for file in files} if (digest := self.digests.of(file)))
-        return sha256(json.dumps([version, item.path, options, held], sort_keys=True).encode())
+        return sha256(json.dumps([version, item.path, options, held], sort_keys=True))
 
 
 def seconds(item):
@@ -112,7 +107,7 @@ def seconds(item):
 
 def folder_of(item):
     """Where its results go: below 256 folders, as decompose lists the folder around its output each time."""
-    return os.path.join("results", sha256(item.name.encode())[:2], item.name)
+    return os.path.join("results", sha256(item.name)[:2], item.name)
 
 
 def plan_of(items, given, digests, version):
@@ -168,7 +163,7 @@ def jobs_of(entries, at_once):
 
 def write_jobs(jobs, state):
     """A file each; returns their names, which what they do decides: a job of an earlier start that ends late stands for no other."""
-    names = ["job_" + sha256(json.dumps(entries, sort_keys=True).encode())[:16] for entries in jobs]
+    names = ["job_" + sha256(json.dumps(entries, sort_keys=True))[:16] for entries in jobs]
     shutil.rmtree(os.path.join(state, "jobs"), ignore_errors=True)
     for name, entries in zip(names, jobs):
         write_json(pathlib.Path(state, "jobs", name + ".json"), entries)

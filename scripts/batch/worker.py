@@ -98,7 +98,7 @@ class Run:
 def hash_of(folder):
     """Of a result: of all its files but those with times in them."""
     files = sorted(file for file in pathlib.Path(folder).rglob("*") if file.is_file() and file.name not in MEASURED)
-    return sha256("".join(f"{file.relative_to(folder)} {sha256(file.read_bytes())}\n" for file in files).encode()) if files else ""
+    return sha256("".join(f"{file.relative_to(folder)} {sha256(file.read_bytes())}\n" for file in files)) if files else ""
 
 
 def cause_of(mesh):

@@ -3,7 +3,8 @@
 #include "collision_hulls/config/link_decisions.h"
 
 #include <algorithm>
-#include <optional>
+#include <cstddef>
+#include <unordered_map>
 #include <utility>
 
 #include "base/nearest_name.h"
@@ -31,23 +32,65 @@ std::string linkNames(const RobotDescription& robot) {
   return text;
 }
 
-/// An expression, compiled once, that has to match at least one link.
-class Matcher {
+/// For a name that was misspelt. Looks at nothing long, as comparing takes the product of two lengths.
+std::string suggestion(const std::string& expression, const RobotDescription& robot) {
+  constexpr std::size_t kLongest = 60;
+  if (expression.size() > kLongest) return "";
+  std::vector<std::string> names;
+  for (const LinkDescription& link : robot.links)
+    if (link.name.size() <= 2 * kLongest) names.push_back(link.name);
+  return didYouMean(expression, names);
+}
+
+/// The expressions of a list of rules, each of which has to match at least one link. Names are looked up: a program writes a rule for each
+/// link. Other expressions are tried on every link, with a look at the control.
+class Matchers {
  public:
-  Matcher(const std::string& expression, const std::string& option, const std::string& place, const RobotDescription& robot)
-      : pattern_(expression, at(place) + option) {
-    const auto chosen = [this](const LinkDescription& link) { return pattern_.matches(link.name); };
-    if (std::any_of(robot.links.begin(), robot.links.end(), chosen)) return;
-    std::vector<std::string> names;
-    for (const LinkDescription& link : robot.links) names.push_back(link.name);
-    throw Error(ErrorCode::kBadOption, at(place) + option + " '" + expression + "' matches no link of robot '" + robot.name +
-                                           "' (the expression has to match the whole name). Its links are " + linkNames(robot) +
-                                           didYouMean(expression, names));
+  Matchers(const RobotDescription& robot, const RunControl& control) : robot_(robot), control_(control) {
+    for (const LinkDescription& link : robot.links) by_link_[link.name];
   }
-  bool operator()(const std::string& link) const { return pattern_.matches(link); }
+
+  void add(const std::string& expression, const std::string& option, const std::string& place) {
+    LinkPattern pattern(expression, at(place) + option);
+    const std::size_t index = count_++;
+    bool matches = false;
+    if (pattern.names()) {
+      for (const std::string& name : *pattern.names()) {
+        const auto link = by_link_.find(name);
+        if (link == by_link_.end()) continue;
+        link->second.push_back(index);
+        matches = true;
+      }
+    } else {
+      matches = std::any_of(robot_.links.begin(), robot_.links.end(), [&](const auto& link) { return isMatch(pattern, link.name); });
+      others_.emplace_back(index, std::move(pattern));
+    }
+    if (!matches)
+      throw Error(ErrorCode::kBadOption, at(place) + option + " '" + expression + "' matches no link of robot '" + robot_.name +
+                                             "' (the expression has to match the whole name). Its links are " + linkNames(robot_) +
+                                             suggestion(expression, robot_));
+  }
+
+  /// The expressions that match a link, by their places in the list, ascending.
+  std::vector<std::size_t> of(const std::string& link) const {
+    std::vector<std::size_t> matching = by_link_.at(link);
+    for (const auto& [index, pattern] : others_)
+      if (isMatch(pattern, link)) matching.push_back(index);
+    std::sort(matching.begin(), matching.end());
+    return matching;
+  }
 
  private:
-  LinkPattern pattern_;
+  bool isMatch(const LinkPattern& pattern, const std::string& link) const {
+    control_.check();
+    return pattern.matches(link);
+  }
+
+  const RobotDescription& robot_;
+  const RunControl& control_;
+  std::size_t count_ = 0;
+  std::unordered_map<std::string, std::vector<std::size_t>> by_link_;  // lists of names that have it
+  std::vector<std::pair<std::size_t, LinkPattern>> others_;
 };
 
 /// The first setting but the action; empty: there is none.
@@ -123,25 +166,22 @@ class Decision {
 
 }  // namespace
 
-LinkDecisions::LinkDecisions(const Options& options, const RobotDescription& robot) {
-  std::optional<Matcher> only;
-  if (!options.links.empty()) only.emplace(options.links, options.links_place.empty() ? "links" : "only", options.links_place, robot);
-  std::vector<Matcher> matchers;
-  for (const LinkRule& rule : options.rules) matchers.emplace_back(rule.pattern, "links", rule.place, robot);
-  std::vector<Matcher> in_region;
+LinkDecisions::LinkDecisions(const Options& options, const RobotDescription& robot, const RunControl& control) {
+  Matchers only(robot, control), rules(robot, control), regions(robot, control);
+  if (!options.links.empty()) only.add(options.links, options.links_place.empty() ? "links" : "only", options.links_place);
+  for (const LinkRule& rule : options.rules) rules.add(rule.pattern, "links", rule.place);
   for (const RegionRule& rule : options.region_rules) {
     if (rule.pattern.empty())
       throw Error(ErrorCode::kBadOption, at(rule.place) + "region '" + rule.name + "' names no link of robot '" + robot.name +
                                              "': add one, as in link: " + (robot.links.empty() ? "base" : robot.links.front().name));
-    in_region.emplace_back(rule.pattern, "link of region '" + rule.name + "'", rule.place, robot);
+    regions.add(rule.pattern, "link of region '" + rule.name + "'", rule.place);
   }
   for (const LinkDescription& link : robot.links) {
-    if (only && !(*only)(link.name)) continue;
+    control.check();
+    if (!options.links.empty() && only.of(link.name).empty()) continue;
     Decision decision(link.name, options);
-    for (std::size_t i = 0; i < matchers.size(); ++i)
-      if (matchers[i](link.name)) decision.apply(options.rules[i]);
-    for (std::size_t i = 0; i < in_region.size(); ++i)
-      if (in_region[i](link.name)) decision.add(options.region_rules[i]);
+    for (const std::size_t rule : rules.of(link.name)) decision.apply(options.rules[rule]);
+    for (const std::size_t region : regions.of(link.name)) decision.add(options.region_rules[region]);
     const LinkOptions& decided = links_[link.name] = decision.options();
     if (other_method_.empty() && decided.action == Action::kDecompose && decided.method != Method::kCertified) {
       other_method_ = link.name;
@@ -170,13 +210,13 @@ Region regionOf(const RegionRule& rule) {
   return region;
 }
 
-std::vector<LinkDecisions> modelDecisions(const Options& options, const RobotDescription& robot) {
-  if (options.models.empty()) return {LinkDecisions(options, robot)};
+std::vector<LinkDecisions> modelDecisions(const Options& options, const RobotDescription& robot, const RunControl& control) {
+  if (options.models.empty()) return {LinkDecisions(options, robot, control)};
   std::vector<LinkDecisions> decisions;
   for (const ModelOptions& model : options.models) {
     Options of_model = options;
     of_model.tolerance = model.tolerance;
-    decisions.emplace_back(of_model, robot);
+    decisions.emplace_back(of_model, robot, control);
   }
   return decisions;
 }

@@ -130,12 +130,12 @@ std::set<std::string> replacedLinks(const std::vector<NewCollisions>& models) {
 /// The hulls of earlier outputs that stay in use come along; their URIs lead to their new place.
 std::map<std::string, std::string> carryHulls(const RobotDescription& robot, const std::vector<NewCollisions>& models,
                                               const PackageFinder& find_package, const std::string& output, const std::string& prefix,
-                                              RobotResult& result) {
+                                              RobotResult& result, const RunControl& control) {
   std::vector<std::string> taken;
   for (std::size_t model = 0; model < models.size(); ++model) {
     for (const ElementReport& row : reportOf(model, result.report).links) taken.insert(taken.end(), row.files.begin(), row.files.end());
   }
-  KeptHulls kept = keptHulls(robot, replacedLinks(models), taken, output, find_package);
+  KeptHulls kept = keptHulls(robot, replacedLinks(models), taken, output, find_package, control);
   result.kept_files = std::move(kept.contents);
   std::map<std::string, std::string> moved;
   for (const auto& [uri, place] : kept.places) moved[uri] = prefix + place;
@@ -162,12 +162,12 @@ std::vector<std::string> notesOnKept(const RobotResult& result) {
 }
 
 /// On hulls that were decomposed as if they were the robot.
-std::vector<std::string> notesOnAgain(const RobotDescription& robot, const Report& report) {
+std::vector<std::string> notesOnAgain(const RobotDescription& robot, const Report& report, const RunControl& control) {
   const auto of_collision = [](const ElementReport& row) {
     return !row.visual && (row.status == Status::kOk || row.status == Status::kDegraded);
   };
   if (robot.path.empty() || std::none_of(report.links.begin(), report.links.end(), of_collision)) return {};
-  if (!earlierSource(std::filesystem::path(robot.path).parent_path().parent_path())) return {};
+  if (!earlierSource(std::filesystem::path(robot.path).parent_path().parent_path(), control)) return {};
   return {"'" + robot.path + "' is the output of an earlier run: bounds count from its hulls, not from the meshes that these stand for; " +
           "decompose the description that it was made from"};
 }
@@ -269,7 +269,7 @@ void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDec
     const std::vector<ElementResult>& elements = modelOf(model, result).elements;
     links.push_back(newCollisions(robot, decisions[model], reportOf(model, result.report), elements, prefix, in_place[model]));
   }
-  const std::map<std::string, std::string> moved = carryHulls(robot, links, find_package, output, prefix, result);
+  const std::map<std::string, std::string> moved = carryHulls(robot, links, find_package, output, prefix, result, control);
   for (std::size_t model = 0; model < links.size(); ++model)
     modelOf(model, result).urdf = rewriteCollisions(robot, links[model], moved, control);
   for (std::size_t model = 0; options.html && model < links.size(); ++model) {
@@ -279,7 +279,7 @@ void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDec
   std::vector<std::string>& all = result.report.notes;
   for (const auto& more :
        {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options), notesOnFlat(robot, decisions.front()),
-        notesOnIdle(robot, decisions.front(), options), notes, notesOnAgain(robot, result.report), notesOnKept(result),
+        notesOnIdle(robot, decisions.front(), options), notes, notesOnAgain(robot, result.report, control), notesOnKept(result),
         notesOnCarried(result), notesOnRewritten(result, output, control), notesOnContacts(result)})
     all.insert(all.end(), more.begin(), more.end());
 }

@@ -195,7 +195,7 @@ RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& f
   check(options);
   checkForRobot(options);
   Stopwatch run;
-  refuseLosingVisuals(robot, output, find_package);
+  refuseLosingVisuals(robot, output, find_package, control);
   RobotResult result = emptyResult(robot, options, control);
   const std::vector<LinkDecisions> decisions = modelDecisions(options, robot);
   const std::vector<MeshUse> uses = meshUses(robot, decisions);

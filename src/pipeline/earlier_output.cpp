@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMostParts = 8;  // of a path below an output
+constexpr int kMostParts = 8;                                  // of a path below an output
+constexpr std::uintmax_t kMostKept = std::uintmax_t{1} << 30;  // [bytes] of all kept hulls: they are in memory until they are written
 
 bool isUsableMesh(const GeometryElement& element) {
   return element.kind == GeometryElement::Kind::kMesh && element.fault.empty();
@@ -30,8 +31,8 @@ fs::path inRealFolder(const fs::path& file) {
 /// The files that a description means.
 class MeshFiles {
  public:
-  MeshFiles(const RobotDescription& robot, const std::string& output, const PackageFinder& find_package)
-      : base_(robot.path), folder_(replacedFolder(output)), own_(earlierOutput(folder_)), finders_{find_package} {
+  MeshFiles(const RobotDescription& robot, const std::string& output, const PackageFinder& find_package, const RunControl& control)
+      : base_(robot.path), folder_(replacedFolder(output)), own_(earlierOutput(folder_, control)), finders_{find_package} {
     // The folder to be replaced may hold a package that nobody else knows, such as one that was made a minute ago.
     if (const auto package = packageAt(folder_)) {
       finders_.emplace_back([name = package->name, folder = folder_.string()](const std::string& wanted) {
@@ -74,11 +75,13 @@ class MeshFiles {
 /// Finds the earlier output that holds a file. Remembers the folders that it has looked into.
 class EarlierOutputs {
  public:
+  explicit EarlierOutputs(const RunControl& control) : control_(control) {}
+
   /// The file's path within that output; nullopt if no earlier output holds it.
   std::optional<fs::path> pathWithin(const fs::path& file) {
     for (fs::path folder = file.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
       const auto [known, is_new] = outputs_.try_emplace(folder);
-      if (is_new) known->second = earlierOutput(folder);
+      if (is_new) known->second = earlierOutput(folder, control_);
       const fs::path within = file.lexically_relative(folder);
       if (known->second && known->second->files.count(within)) return within;
     }
@@ -86,6 +89,7 @@ class EarlierOutputs {
   }
 
  private:
+  const RunControl& control_;
   std::map<fs::path, std::optional<EarlierOutput>> outputs_;
 };
 
@@ -108,6 +112,29 @@ class Places {
   std::map<fs::path, std::string> places_;
 };
 
+/// Reads kept files, as long as they do not fill the memory: a file with holes is large, though hardly any of it is on the disk.
+class KeptFiles {
+ public:
+  explicit KeptFiles(const RunControl& control) : control_(control) {}
+
+  std::string read(const std::string& file) {
+    const OpenFile open(file);
+    open.expectAllowed();
+    const std::string kind = "hull that the description keeps";
+    open.expectRegular(kind);
+    bytes_ += static_cast<std::uintmax_t>(open.status().st_size);
+    if (bytes_ > kMostKept)
+      throw Error(ErrorCode::kTooLarge, "the hulls of earlier runs that the description keeps have " + std::to_string(bytes_) +
+                                            " bytes up to '" + file + "', above the limit of " + std::to_string(kMostKept) +
+                                            " in all; decompose their links too, or give smaller ones");
+    return open.content(kind, MeshLimits().max_bytes, control_);
+  }
+
+ private:
+  const RunControl& control_;
+  std::uintmax_t bytes_ = 0;  // of all so far
+};
+
 bool liesIn(const fs::path& file, const fs::path& folder) {
   return *file.lexically_relative(folder).begin() != "..";
 }
@@ -120,33 +147,37 @@ bool liesIn(const fs::path& file, const fs::path& folder) {
 }  // namespace
 
 KeptHulls keptHulls(const RobotDescription& robot, const std::set<std::string>& replaced, const std::vector<std::string>& taken,
-                    const std::string& output, const PackageFinder& find_package) {
+                    const std::string& output, const PackageFinder& find_package, const RunControl& control) {
   KeptHulls kept;
-  const MeshFiles files(robot, output, find_package);
-  EarlierOutputs outputs;
+  const MeshFiles files(robot, output, find_package, control);
+  EarlierOutputs outputs(control);
   Places places(taken);
+  KeptFiles reader(control);
   for (const LinkDescription& link : robot.links) {
     if (replaced.count(link.name)) continue;
     for (const GeometryElement& collision : link.collisions) {
+      control.check();
       if (!isUsableMesh(collision) || kept.places.count(collision.uri)) continue;
       const auto file = files.find(collision.uri);
       const auto within = file ? outputs.pathWithin(*file) : std::nullopt;
       if (!within) continue;
       const std::string place = places.of(*file, *within);
       kept.places[collision.uri] = place;
-      kept.contents[place] = readFile(file->string(), "hull that the description keeps", MeshLimits().max_bytes);
+      if (!kept.contents.count(place)) kept.contents[place] = reader.read(file->string());
     }
   }
   return kept;
 }
 
-void refuseLosingVisuals(const RobotDescription& robot, const std::string& output, const PackageFinder& find_package) {
+void refuseLosingVisuals(const RobotDescription& robot, const std::string& output, const PackageFinder& find_package,
+                         const RunControl& control) {
   const fs::path folder = replacedFolder(output);
   std::error_code error;
   if (!fs::exists(folder, error)) return;
-  const MeshFiles files(robot, output, find_package);
+  const MeshFiles files(robot, output, find_package, control);
   for (const LinkDescription& link : robot.links) {
     for (const GeometryElement& visual : link.visuals) {
+      control.check();
       const auto file = isUsableMesh(visual) ? files.find(visual.uri) : std::nullopt;
       if (file && liesIn(*file, folder)) refuseLosing(visual.uri, "which a <visual> of link '" + link.name + "' uses", output);
     }

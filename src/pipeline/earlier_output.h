@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/robot/robot_description.h"
 
 namespace collision_hulls {
@@ -17,13 +18,15 @@ struct KeptHulls {
 };
 
 /// The meshes in earlier outputs that the <collision> elements of all links but `replaced` name; `output` is the folder of the new
-/// output, where an earlier one may be. Their paths in the new output differ from those in `taken`.
+/// output, where an earlier one may be. Their paths in the new output differ from those in `taken`. Throws kTooLarge if they have more
+/// than 1 GiB in all, what readFile() throws (base/read_file.h), and kCancelled.
 KeptHulls keptHulls(const RobotDescription& robot, const std::set<std::string>& replaced, const std::vector<std::string>& taken,
-                    const std::string& output, const PackageFinder& find_package);
+                    const std::string& output, const PackageFinder& find_package, const RunControl& control = {});
 
 /// Throws kUnwritableOutput if a <visual> element names a mesh in the folder that `output` replaces: visuals stay as they are, so
-/// the mesh would be lost.
-void refuseLosingVisuals(const RobotDescription& robot, const std::string& output, const PackageFinder& find_package);
+/// the mesh would be lost. Throws kCancelled.
+void refuseLosingVisuals(const RobotDescription& robot, const std::string& output, const PackageFinder& find_package,
+                         const RunControl& control = {});
 
 /// The same for a file that is itself an input.
 void refuseLosingInput(const std::string& input, const std::string& output);

@@ -21,6 +21,7 @@
 #include "storage/files.h"
 #include "storage/names.h"
 #include "storage/replace_folder.h"
+#include "storage/trusted_file.h"
 #include "web/report_page.h"
 #include "web/three_js.h"
 
@@ -126,16 +127,13 @@ std::string pageOf(const RobotResult& result, const RunControl& control) {
 struct Folders {
   fs::path next, earlier;
 
-  /// A file that the earlier output has, byte for byte, becomes a hard link to it: nothing to write or to flush.
+  /// A file that the earlier output has, byte for byte, becomes a hard link to it: nothing to write or to flush. Not one of another user's
+  /// output, who could write to it later.
   void write(const fs::path& name, const std::string& text) const {
-    const fs::path file = next / name, same = earlier / name;
-    std::error_code error;
-    if (fs::is_regular_file(fs::symlink_status(same, error)) && contentOf(same, text.size()) == text) {
-      fs::create_directories(file.parent_path(), error);
-      fs::create_hard_link(same, file, error);
-      if (!error) return;
-    }
-    writeText(file, text);
+    const fs::path file = next / name;
+    std::error_code ignored;
+    fs::create_directories(file.parent_path(), ignored);
+    if (!linkTrustedFile((earlier / name).string(), text, file.string())) writeText(file, text);
   }
 };
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/robot/robot_description.h"
 
 namespace collision_hulls {
@@ -19,8 +20,9 @@ struct EarlierOutput {
   bool complete = true;                   ///< no row of it failed
 };
 
-/// nullopt if the folder is no earlier output: if its report is missing, of another program, above 16 MiB, or no regular file.
-std::optional<EarlierOutput> earlierOutput(const std::filesystem::path& folder);
+/// nullopt if the folder is no earlier output: if its report is missing, of another program, above 16 MiB, no regular file, or may not be
+/// read (base/roots.h). Time is near-linear. Throws kCancelled.
+std::optional<EarlierOutput> earlierOutput(const std::filesystem::path& folder, const RunControl& control = {});
 
 /// What an earlier run made its model from.
 struct EarlierSource {
@@ -30,6 +32,6 @@ struct EarlierSource {
 };
 
 /// nullopt as above.
-std::optional<EarlierSource> earlierSource(const std::filesystem::path& folder);
+std::optional<EarlierSource> earlierSource(const std::filesystem::path& folder, const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -2,20 +2,29 @@
 #pragma once
 
 #include <regex>
+#include <set>
 #include <string>
+#include <variant>
 
 namespace collision_hulls {
 
-/// Matches whole names (ECMAScript, without back-references). The time grows with the lengths of expression and name, whatever they say.
+/// Matches whole names (ECMAScript, without back-references). An expression that is a list of names, "left_arm|right_arm", may have any
+/// length and is no slower for it. Others take less than a second for a name of 1,000 bytes, whatever they say.
 class LinkPattern {
  public:
-  /// Throws kBadOption for what is no regular expression, and for one of more than 50,000 characters or with more than 100 groups in each
-  /// other. `option`: what it is called.
+  /// Throws kBadOption for what is no regular expression, and, unless it is a list of names, for one that has more than 1,000 characters
+  /// with its repetitions written out, or more than 100 groups in each other. `option`: what it is called.
   LinkPattern(const std::string& expression, const std::string& option);
-  bool matches(const std::string& link) const { return std::regex_match(link, compiled_); }
+
+  /// Throws kBadOption where look-aheads would read a name too often.
+  bool matches(const std::string& link) const;
+
+  /// All that a list of names matches; nullptr for another expression.
+  const std::set<std::string>* names() const { return std::get_if<std::set<std::string>>(&compiled_); }
 
  private:
-  std::regex compiled_;
+  std::string expression_, option_;
+  std::variant<std::set<std::string>, std::regex> compiled_;
 };
 
 }  // namespace collision_hulls

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "base/roots.h"
+#include "base/uri_text.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/package_crawl.h"
@@ -24,6 +25,8 @@ namespace fs = std::filesystem;
 namespace collision_hulls {
 namespace {
 
+constexpr std::size_t kMostAbove = 100;  // folders above a description that are searched: each has a path of its own, for every mesh
+
 std::vector<fs::path> foldersInVariable(const char* name) {
   const char* value = std::getenv(name);
   std::istringstream list(value ? value : "");
@@ -34,12 +37,16 @@ std::vector<fs::path> foldersInVariable(const char* name) {
   return folders;
 }
 
-// Innermost first, without the root of the file system. `path` is a file or a folder.
+// Innermost first, without the root of the file system, and kMostAbove at most. `path` is a file or a folder.
 std::vector<fs::path> foldersAbove(const std::string& path) {
   std::vector<fs::path> folders;
   if (path.empty()) return folders;
+  if (path.size() > kLongestUri)
+    throw Error(ErrorCode::kBadOption, "packages near '" + shown(path) + "': this path has " + std::to_string(path.size()) +
+                                           " bytes, and a path has " + std::to_string(kLongestUri) + " at most; give a shorter one");
   const fs::path start = fs::absolute(path).lexically_normal();
-  for (fs::path folder = isFolder(start) ? start : start.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
+  for (fs::path folder = isFolder(start) ? start : start.parent_path(); folder.has_relative_path() && folders.size() < kMostAbove;
+       folder = folder.parent_path()) {
     if (!folder.filename().empty()) folders.push_back(folder);
   }
   return folders;

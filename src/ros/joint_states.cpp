@@ -52,8 +52,8 @@ class Collection {
   Collection(const std::string& source, const Kinematics& kinematics, const ConfigurationOptions& options)
       : source_(source), collector_(kinematics, options) {}
 
-  void add(const std::vector<std::string>& names, const std::vector<double>& positions) {
-    collector_.add(names, positions, "'" + source_ + "', message " + std::to_string(++messages_));
+  void add(const std::vector<std::string>& names, const std::vector<double>& positions, const RunControl& control) {
+    collector_.add(names, positions, "'" + source_ + "', message " + std::to_string(++messages_), control);
   }
 
   ConfigurationSet take(const std::string& or_else) {
@@ -121,7 +121,7 @@ void listen(const std::string& topic, double seconds, Collection& collection, co
   node.setCallbackQueue(&queue);
   const boost::function<void(const sensor_msgs::JointStateConstPtr&)> keep = [&](const auto& state) {
     try {
-      if (!failure) collection.add(state->name, state->position);
+      if (!failure) collection.add(state->name, state->position, control);
     } catch (...) {
       failure = std::current_exception();
     }
@@ -146,7 +146,7 @@ ConfigurationSet readJointStates(const std::string& source, const std::function<
   Collection collection(source, kinematics, options);
   const auto [file, bag_topic] = bagAndTopic(source);
   if (!file.empty()) {
-    for (const RecordedState& state : fromBag(path(file), bag_topic, control)) collection.add(state.names, state.positions);
+    for (const RecordedState& state : fromBag(path(file), bag_topic, control)) collection.add(state.names, state.positions, control);
     return collection.take("");
   }
   const auto [topic, seconds] = parts(source.substr(kTopic.size()));

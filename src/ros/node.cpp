@@ -140,7 +140,7 @@ BuildResponse Node::build(const BuildRequest& request, const RunControl& control
   const Confinement confinement(places_.roots());
   const StatedJob job(preview_, "build");
   const Input input = inputOf(request.robot_description, "", control);
-  const Options options = buildOptions(configured(private_, request.config, readOptions(private_)), request, input.robot);
+  const Options options = buildOptions(configured(private_, request.config, readOptions(private_)), request, input.robot, control);
   std::optional<ViewedRun> view;
   if (request.only.empty() || preview_.isNews(input.robot)) view.emplace(view_, input.robot, input.find_package, options, control);
   const StepCallback stated = job.stated(view ? view->shown(logged(step)) : step);
@@ -205,7 +205,7 @@ RobotDescription Node::readRobot(const std::string& text, const std::string& bas
 
 void Node::show(const RobotDescription& robot, const RobotResult& result, const Scene* scene) {
   view_.show(result, scene);
-  preview_.take(robot, modelDecisions(result.report.options, robot).front(), result);
+  preview_.take(robot, firstModelDecisions(result.report.options, robot), result);
   private_.setParam("robot_description", result.urdf);
 }
 

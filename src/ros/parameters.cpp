@@ -10,7 +10,6 @@
 
 #include "base/uri_text.h"
 #include "collision_hulls/config/config.h"
-#include "collision_hulls/config/link_decisions.h"
 #include "collision_hulls/error.h"
 #include "config/link_rule.h"
 #include "joint_states.h"
@@ -161,12 +160,14 @@ std::vector<std::string> readFolders(const ros::NodeHandle& node, const std::str
 }
 
 void checkTexts(const DecomposeRequest& request) {
+  checkText("base", request.base);
   checkText("output", request.output);
   checkText("method", request.method);
   for (const std::string& link : request.links) checkText("links", link);
 }
 
 void checkTexts(const FitSceneRequest& request) {
+  checkText("base", request.base);
   checkText("output", request.output);
   checkText("scene", request.scene);
   checkText("configurations", request.configurations);
@@ -197,8 +198,8 @@ Options requestedOptions(Options options, const DecomposeRequest& request, const
   return options;
 }
 
-Options buildOptions(const Options& options, const BuildRequest& request, const RobotDescription& robot) {
-  const LinkDecisions decisions = modelDecisions(options, robot).front();
+Options buildOptions(const Options& options, const BuildRequest& request, const RobotDescription& robot, const RunControl& control) {
+  const LinkDecisions decisions = firstModelDecisions(options, robot, control);
   Options result = options;
   result.rules.clear();
   for (const LinkDescription& link : robot.links)
@@ -214,6 +215,11 @@ Options buildOptions(const Options& options, const BuildRequest& request, const 
   }
   check(result);
   return result;
+}
+
+LinkDecisions firstModelDecisions(Options options, const RobotDescription& robot, const RunControl& control) {
+  options.models.resize(std::min<std::size_t>(options.models.size(), 1));
+  return modelDecisions(options, robot, control).front();
 }
 
 SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, const Options& options, const RunControl& control) {

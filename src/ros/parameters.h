@@ -7,6 +7,7 @@
 #include <collision_hulls/ValidateRequest.h>
 #include <ros/node_handle.h>
 
+#include "collision_hulls/config/link_decisions.h"
 #include "collision_hulls/pipeline/fit_scene.h"
 #include "collision_hulls/report/options.h"
 #include "collision_hulls/robot/robot_description.h"
@@ -41,8 +42,11 @@ void checkTexts(const ValidateRequest& request);
 /// `options` with the request's own in their place. Throws kBadOption, also for a link that the robot does not have.
 Options requestedOptions(Options options, const DecomposeRequest& request, const RobotDescription& robot);
 
-/// Options with a tree, for the first model, of the links that the request chooses. Throws as requestedOptions().
-Options buildOptions(const Options& options, const BuildRequest& request, const RobotDescription& robot);
+/// Options with a tree, for the first model, of the links that the request chooses. Throws as requestedOptions(), and kCancelled.
+Options buildOptions(const Options& options, const BuildRequest& request, const RobotDescription& robot, const RunControl& control);
+
+/// modelDecisions() of the first model alone.
+LinkDecisions firstModelDecisions(Options options, const RobotDescription& robot, const RunControl& control = {});
 
 /// The scene and the configurations that a request names, read from files or from what is published now (live_scene.h, joint_states.h).
 /// Throws kBadOption, kCancelled, and the readers' errors.

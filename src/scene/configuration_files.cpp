@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/looks.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/scene/configurations.h"
@@ -18,7 +19,10 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 constexpr std::string_view kDocument = "---";  // starts a YAML document
 
-using Cells = std::vector<std::string>;
+constexpr std::ptrdiff_t kMostColumns = 100'000;
+
+using Names = std::vector<std::string>;
+using Cells = std::vector<std::string_view>;  // of the file's text
 
 std::string place(const std::string& file, std::size_t line) {
   return "'" + file + "', line " + std::to_string(line);
@@ -47,11 +51,18 @@ std::string_view takeLine(std::string_view& rest) {
   return line;
 }
 
-Cells split(std::string_view line, char separator) {
+Cells split(std::string_view line, char separator, const std::string& where, const RunControl& control) {
+  const std::ptrdiff_t columns = 1 + std::count(line.begin(), line.end(), separator);
+  if (columns > kMostColumns) {
+    throw Error(ErrorCode::kTooLarge, where + ": " + std::to_string(columns) + " columns, above the limit of " +
+                                          std::to_string(kMostColumns) + "; leave out those that are no joints");
+  }
   Cells cells;
+  Looks look(control);
   while (true) {
+    look();
     const std::size_t length = std::min(line.find(separator), line.size());
-    cells.emplace_back(stripped(line.substr(0, length)));
+    cells.push_back(stripped(line.substr(0, length)));
     if (length == line.size()) return cells;
     line.remove_prefix(length + 1);
   }
@@ -69,7 +80,7 @@ Columns columnsOf(const Cells& header, const std::string& where) {
   columns.header = header;
   const bool of_rostopic = header.front() == "%time";
   for (std::size_t i = 0; i < header.size(); ++i) {
-    const std::string& cell = header[i];
+    const std::string_view cell = header[i];
     if (of_rostopic) {
       if (cell.rfind("field.name", 0) == 0) columns.names.push_back(i);
       if (cell.rfind("field.position", 0) == 0) columns.positions.push_back(i);
@@ -83,26 +94,27 @@ Columns columnsOf(const Cells& header, const std::string& where) {
   double number = 0;
   for (const std::size_t i : columns.positions) {
     if (parseNumber(header[i], number))
-      fail(where, "expected a joint name, found '" + header[i] + "'; the first line must hold the names of the joints");
+      fail(where, "expected a joint name, found '" + std::string(header[i]) + "'; the first line must hold the names of the joints");
   }
   return columns;
 }
 
-void addRow(const Columns& columns, const Cells& cells, const std::string& where, ConfigurationCollector& collector) {
+void addRow(const Columns& columns, const Cells& cells, const std::string& where, ConfigurationCollector& collector,
+            const RunControl& control) {
   if (cells.size() != columns.header.size()) {
     fail(where, std::to_string(cells.size()) + " cells, but the first line has " + std::to_string(columns.header.size()) +
                     "; give each column a value");
   }
-  Cells names;
+  Names names;
   std::vector<double> positions;
   for (std::size_t i = 0; i < columns.positions.size(); ++i) {
     const std::size_t column = columns.positions[i];
-    names.push_back(columns.names.empty() ? columns.header[column] : cells[columns.names[i]]);
+    names.emplace_back(columns.names.empty() ? columns.header[column] : cells[columns.names[i]]);
     if (!parseNumber(cells[column], positions.emplace_back())) {
-      fail(where, "the position of joint '" + names.back() + "' is '" + cells[column] + "'; it must be a finite number");
+      fail(where, "the position of joint '" + names.back() + "' is '" + std::string(cells[column]) + "'; it must be a finite number");
     }
   }
-  collector.add(names, positions, where);
+  collector.add(names, positions, where, control);
 }
 
 void readCsv(const std::string& text, const std::string& file, ConfigurationCollector& collector, const RunControl& control) {
@@ -114,12 +126,13 @@ void readCsv(const std::string& text, const std::string& file, ConfigurationColl
     control.check();
     const std::string_view line = stripped(takeLine(rest));
     if (line.empty() || line.front() == '#') continue;
+    const std::string where = place(file, number);
     if (columns.header.empty()) {
       const std::size_t first = line.find_first_of(",;\t");
       if (first != std::string_view::npos) separator = line[first];
-      columns = columnsOf(split(line, separator), place(file, number));
+      columns = columnsOf(split(line, separator, where, control), where);
     } else {
-      addRow(columns, split(line, separator), place(file, number), collector);
+      addRow(columns, split(line, separator, where, control), where, collector, control);
     }
   }
 }
@@ -127,13 +140,13 @@ void readCsv(const std::string& text, const std::string& file, ConfigurationColl
 /// Finds joint messages anywhere in a document.
 class Messages {
  public:
-  explicit Messages(ConfigurationCollector& collector) : collector_(collector) {}
+  Messages(ConfigurationCollector& collector, const RunControl& control) : collector_(collector), control_(control) {}
 
   void read(const YamlValue& value, int depth = 0) {
     if (depth > kDeepest) value.fail("more than " + std::to_string(kDeepest) + " levels stand above this value; nest less");
     if (value.has("name") && value.has("position")) {
-      const Cells names = textsOf(value["name"]);
-      if (!names.empty()) collector_.add(names, value["position"].numbers(), value.where());  // skips empty messages
+      const Names names = textsOf(value["name"]);
+      if (!names.empty()) collector_.add(names, value["position"].numbers(), value.where(), control_);  // skips empty messages
     } else if (value.has("joint_names") && value.has("points")) {
       readTrajectory(value);
     } else if (value.isMap()) {
@@ -146,21 +159,23 @@ class Messages {
  private:
   static constexpr int kDeepest = 50;
 
-  static Cells textsOf(const YamlValue& list) {
-    Cells texts;
+  static Names textsOf(const YamlValue& list) {
+    Names texts;
     for (const YamlValue& item : list.items()) texts.push_back(item.text());
     return texts;
   }
 
   void readTrajectory(const YamlValue& trajectory) {
-    const Cells names = textsOf(trajectory["joint_names"]);
+    const Names names = textsOf(trajectory["joint_names"]);
     collector_.endTrajectory();
     for (const YamlValue& point : trajectory["points"].items())
-      if (!point.has("transforms")) collector_.add(names, point["positions"].numbers(), point.where());  // else it is of a multi-DOF joint
+      if (!point.has("transforms"))  // else it is of a multi-DOF joint
+        collector_.add(names, point["positions"].numbers(), point.where(), control_);
     collector_.endTrajectory();
   }
 
   ConfigurationCollector& collector_;
+  const RunControl& control_;
 };
 
 /// Some documents at a time, so that a long recording needs little more memory than its text.
@@ -194,7 +209,7 @@ class YamlReader {
   void readAdded() {
     for (const YamlValue& value : YamlValue::parse(added_, file_, ErrorCode::kBadConfigurations, control_)) {
       control_.check();
-      Messages(collector_).read(value);
+      Messages(collector_, control_).read(value);
     }
     added_.clear();
     size_ = 0;

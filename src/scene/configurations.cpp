@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/looks.h"
 #include "collision_hulls/error.h"
 #include "geometry/pi.h"
 #include "scene/low_discrepancy.h"
@@ -14,11 +15,23 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kTurn = 2 * kPi;
-constexpr double kBeyondLimit = 1e-6;   // of the limits' size: allows for rounding in decimal text
-constexpr double kMimicDiffers = 1e-3;  // [rad or m]
+constexpr double kBeyondLimit = 1e-6;            // of the limits' size: allows for rounding in decimal text
+constexpr double kMimicDiffers = 1e-3;           // [rad or m]
+constexpr std::size_t kMostValues = 50'000'000;  // of all configurations: 400 MB
 
 [[noreturn]] void fail(const std::string& where, const std::string& reason) {
   throw Error(ErrorCode::kBadConfigurations, where + ": " + reason);
+}
+
+/// Before they take memory, which they do by their number and by the robot's joints.
+void expectRoom(double configurations, std::size_t variables, const ConfigurationOptions& options, const std::string& where) {
+  const double values = configurations * static_cast<double>(variables);
+  if (configurations <= static_cast<double>(options.most) && values <= static_cast<double>(kMostValues)) return;
+  const auto count = static_cast<std::uint64_t>(std::min(configurations, 1e18));  // a tiny step makes more than fit
+  throw Error(ErrorCode::kTooLarge, where + ": that makes " + std::to_string(count) + " configurations of " + std::to_string(variables) +
+                                        " variables, above the limit of " + std::to_string(options.most) + " configurations and " +
+                                        std::to_string(kMostValues) + " values in all; give fewer" +
+                                        (options.max_step > 0 ? ", or a larger step" : ""));
 }
 
 }  // namespace
@@ -45,7 +58,9 @@ ConfigurationCollector::ConfigurationCollector(const Kinematics& kinematics, con
   for (const NamedJoint& joint : kinematics.joints()) joints_[joint.name] = joint;
 }
 
-void ConfigurationCollector::add(const std::vector<std::string>& names, const std::vector<double>& positions, const std::string& where) {
+void ConfigurationCollector::add(const std::vector<std::string>& names, const std::vector<double>& positions, const std::string& where,
+                                 const RunControl& control) {
+  control.check();
   if (names.size() != positions.size()) {
     fail(where, std::to_string(positions.size()) + " positions for " + std::to_string(names.size()) + " joints");
   }
@@ -62,7 +77,7 @@ void ConfigurationCollector::add(const std::vector<std::string>& names, const st
     put(joint->second, positions[i], where);
   }
   compareMimics(names, positions, where);
-  append(current_);
+  append(current_, where, control);
   ++set_.given;
 }
 
@@ -95,7 +110,7 @@ void ConfigurationCollector::compareMimics(const std::vector<std::string>& names
   }
 }
 
-void ConfigurationCollector::append(const Configuration& next) {
+void ConfigurationCollector::append(const Configuration& next, const std::string& where, const RunControl& control) {
   std::vector<Configuration>& all = set_.configurations;
   double steps = 1;
   Configuration way(next.size(), 0);
@@ -107,12 +122,11 @@ void ConfigurationCollector::append(const Configuration& next) {
       steps = std::max(steps, std::ceil(std::abs(way[i]) / options_.max_step));
     }
   }
-  if (static_cast<double>(all.size()) + steps > static_cast<double>(options_.most)) {
-    throw Error(ErrorCode::kTooLarge,
-                "more than " + std::to_string(options_.most) + " configurations after interpolation; give fewer, or a larger step");
-  }
+  expectRoom(static_cast<double>(all.size()) + steps, next.size(), options_, where);
   const Configuration begin = follows_ ? all.back() : next;
+  Looks look(control, kLargeItemsBetweenLooks);
   for (double k = 1; k < steps; ++k) {
+    look();
     Configuration between = begin;
     for (std::size_t i = 0; i < between.size(); ++i) between[i] += way[i] * k / steps;
     all.push_back(std::move(between));

@@ -66,10 +66,15 @@ class Reader {
     look_();
     for (const std::string& link : {pair.first, pair.second}) {
       if (known_.count(link)) continue;
-      if (left_out_++ == 0) first_unknown_ = shortened(link);
+      leaveOut(link, 1);
       return false;
     }
     return true;
+  }
+
+  void leaveOut(const std::string& unknown, std::size_t pairs) {
+    if (left_out_ == 0) first_unknown_ = shortened(unknown);
+    left_out_ += pairs;
   }
 
   void disable(const LinkPair& pair, const std::string& reason) {
@@ -88,6 +93,9 @@ class Reader {
 
   void disableAllOf(const XmlNode& element) {
     const std::string link = linkOf(element, "link");
+    look_();
+    if (!by_default_.insert(link).second) return;  // all pairs of it are disabled already
+    if (known_.count(link) == 0) return leaveOut(link, links_.size());
     for (const std::string& other : links_) {
       if (other != link) disable({link, other}, "Default");
     }
@@ -97,6 +105,7 @@ class Reader {
   Looks look_;
   std::vector<std::string> links_;
   std::set<std::string> known_;
+  std::set<std::string> by_default_;
   std::set<LinkPair> disabled_;
   std::size_t left_out_ = 0;
   std::string first_unknown_;

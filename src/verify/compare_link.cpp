@@ -75,7 +75,7 @@ LinkPair::LinkPair(const LinkBodies& original, const LinkBodies& result, const R
 
 /// A round primitive's points are within the polyhedron's error of the polyhedron's.
 Largest LinkPair::uncovered(double gap, const RunControl& control) const {
-  const LinkBodies left = without(original_, result_);
+  const LinkBodies left = without(original_, result_, control);
   TriangleMesh flat;
   for (const MeshBody& body : left.meshes) append(flat, body.mesh);
   Largest worst;
@@ -133,7 +133,7 @@ Largest LinkPair::hullProtrusion(const LinkBodies& bodies, double gap, double ga
 }
 
 Largest LinkPair::protrusion(double gap, double gate, const RunControl& control) const {
-  const LinkBodies left = without(result_, original_);
+  const LinkBodies left = without(result_, original_, control);
   if (left.empty()) return {};
   const double margin = solid_->weldDistance() + original_.resolution;  // between the mesh as it was repaired, as it was read, and as it is
   std::vector<Sphere> spheres;

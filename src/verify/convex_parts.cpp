@@ -8,8 +8,10 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 
 #include "base/looks.h"
+#include "collision_hulls/geometry/triangle_bvh.h"
 #include "collision_hulls/mesh/repair.h"
 #include "geometry/hull_support.h"
 #include "mesh/loose_segments.h"
@@ -58,16 +60,41 @@ bool isConvex(const TriangleMesh& part, const ConvexHull& hull, const RunControl
   return overhang(compared, control) <= slackOf(hull);
 }
 
-/// Whether a segment lies in one of the hulls, up to rounding.
-bool isHeld(const Segment& segment, const std::vector<ConvexHull>& hulls) {
-  const auto holds_both = [&](const ConvexHull& hull) {
-    return planeDistance(hull, segment[0]) <= slackOf(hull) && planeDistance(hull, segment[1]) <= slackOf(hull);
-  };
-  return std::any_of(hulls.begin(), hulls.end(), holds_both);
-}
+/// Tells whether a segment lies in one of some hulls, up to rounding, and compares it with those alone whose boxes it meets. Keeps
+/// references.
+class HullsByPlace {
+ public:
+  HullsByPlace(const std::vector<ConvexHull>& hulls, const RunControl& control) : hulls_(hulls), control_(control) {
+    TriangleMesh diagonals;  // a box as the triangle that has it
+    for (const ConvexHull& hull : hulls) {
+      control.check();
+      const Eigen::AlignedBox3d box = boundingBox(hull);
+      slack_.push_back(slackOf(hull));
+      addSegment(diagonals, {box.min().array() - slack_.back(), box.max().array() + slack_.back()});
+    }
+    boxes_ = std::make_unique<TriangleBvh>(diagonals, std::vector<char>(), control);
+  }
 
-/// Sorts the components of a mesh into hulls and the rest.
-void addParts(const TriangleMesh& mesh, ConvexParts& parts, const RunControl& control) {
+  bool hold(const Segment& segment) const {
+    control_.check();
+    const auto near = boxes_->trianglesNear({segment[0].cwiseMin(segment[1]), segment[0].cwiseMax(segment[1])});
+    return std::any_of(near.begin(), near.end(), [&](int hull) { return holds(static_cast<std::size_t>(hull), segment); });
+  }
+
+ private:
+  bool holds(std::size_t hull, const Segment& segment) const {
+    control_.check();
+    return planeDistance(hulls_[hull], segment[0]) <= slack_[hull] && planeDistance(hulls_[hull], segment[1]) <= slack_[hull];
+  }
+
+  const std::vector<ConvexHull>& hulls_;
+  const RunControl& control_;
+  std::vector<double> slack_;
+  std::unique_ptr<const TriangleBvh> boxes_;
+};
+
+/// Sorts the components of a mesh into hulls, the rest, and what belongs to none.
+void addParts(const TriangleMesh& mesh, ConvexParts& parts, std::vector<Segment>& loose, const RunControl& control) {
   const RepairedMesh repaired = repair(mesh, {0}, control);
   std::vector<std::vector<std::size_t>> components(repaired.counts.components);
   for (std::size_t t = 0; t < repaired.mesh.triangles.size(); ++t) components[static_cast<std::size_t>(repaired.component[t])].push_back(t);
@@ -83,8 +110,7 @@ void addParts(const TriangleMesh& mesh, ConvexParts& parts, const RunControl& co
     append(parts.rest, part);
     ++parts.rest_parts;
   }
-  for (const Segment& segment : repaired.loose)
-    if (!isHeld(segment, parts.hulls)) addSegment(parts.rest, segment);
+  loose.insert(loose.end(), repaired.loose.begin(), repaired.loose.end());
 }
 
 /// Runs of triangles, in the file's order, that are closed: each edge occurs equally often in both directions. The last run need not be.
@@ -115,8 +141,13 @@ std::vector<std::vector<std::size_t>> closedRuns(const TriangleMesh& mesh, const
 
 ConvexParts convexParts(const TriangleMesh& mesh, const RunControl& control) {
   ConvexParts parts;
+  std::vector<Segment> loose;
   for (const std::vector<std::size_t>& run : closedRuns(mesh, control))
-    if (!run.empty()) addParts(componentOf(mesh, run, control), parts, control);
+    if (!run.empty()) addParts(componentOf(mesh, run, control), parts, loose, control);
+  if (loose.empty()) return parts;
+  const HullsByPlace hulls(parts.hulls, control);
+  for (const Segment& segment : loose)
+    if (!hulls.hold(segment)) addSegment(parts.rest, segment);
   return parts;
 }
 

@@ -2,6 +2,7 @@
 #include "verify/link_bodies.h"
 
 #include <algorithm>
+#include <set>
 
 #include "collision_hulls/error.h"
 #include "verify/round_shapes.h"
@@ -21,19 +22,43 @@ bool equalMeshes(const TriangleMesh& a, const TriangleMesh& b) {
   return a.triangles == b.triangles && a.vertices == b.vertices;
 }
 
+/// An order of meshes. Those at different places differ in their first vertex, so few are compared as a whole.
+struct Before {
+  bool operator()(const TriangleMesh* a, const TriangleMesh* b) const {
+    if (a->vertices.size() != b->vertices.size()) return a->vertices.size() < b->vertices.size();
+    const auto [u, v] = std::mismatch(a->vertices.begin(), a->vertices.end(), b->vertices.begin());
+    if (u != a->vertices.end()) return std::lexicographical_compare(u->data(), u->data() + 3, v->data(), v->data() + 3);
+    return a->triangles < b->triangles;
+  }
+};
+
 }  // namespace
 
 std::shared_ptr<const MeshFiles::File> MeshFiles::read(const GeometryElement& element) {
   const std::string path = resolveUri(element.uri, description_.robot.path, description_.find_package);
   const Key key{path, {element.scale.x(), element.scale.y(), element.scale.z()}};
   const auto known = files_.find(key);
-  if (known != files_.end()) return known->second;
+  if (known != files_.end()) {
+    count(known->second->body.mesh.triangles.size(), path);
+    return known->second;
+  }
   const LoadedMesh loaded = readMesh(path, limits_, control_);
+  count(loaded.mesh.triangles.size(), path);
   const auto file = std::make_shared<File>();
   file->body.mesh = scaled(loaded.mesh, element.scale);
   file->resolution = loaded.resolution * element.scale.cwiseAbs().maxCoeff();
   if (split_) file->body.parts = convexParts(file->body.mesh, control_);
   return files_[key] = file;
+}
+
+/// What is refused does not count: a smaller mesh may still fit.
+void MeshFiles::count(std::size_t triangles, const std::string& path) {
+  if (triangles > limits_.max_triangles - triangles_)
+    throw Error(ErrorCode::kTooLarge, "'" + path + "' has " + std::to_string(triangles) + " triangles, and the elements before it " +
+                                          std::to_string(triangles_) + ", above the limit of " + std::to_string(limits_.max_triangles) +
+                                          " for all elements of a description, a mesh that is used twice counted twice; simplify it, or "
+                                          "compare fewer links at once (--links)");
+  triangles_ += triangles;
 }
 
 void MeshFiles::add(LinkBodies& bodies, const GeometryElement& element) {
@@ -48,6 +73,7 @@ void MeshFiles::add(LinkBodies& bodies, const GeometryElement& element) {
 LinkBodies MeshFiles::bodiesOf(const std::vector<GeometryElement>& elements) {
   LinkBodies bodies;
   for (const GeometryElement& element : elements) {
+    control_.check();
     try {
       add(bodies, element);
     } catch (const Error& e) {
@@ -77,16 +103,21 @@ std::size_t LinkBodies::restParts() const {
   return sum;
 }
 
-LinkBodies without(const LinkBodies& bodies, const LinkBodies& others) {
+LinkBodies without(const LinkBodies& bodies, const LinkBodies& others, const RunControl& control) {
   LinkBodies result;
   result.resolution = bodies.resolution;
   for (const GeometryElement& primitive : bodies.primitives) {
+    control.check();
     const auto is_equal = [&](const GeometryElement& other) { return equalBodies(other, primitive); };
     if (std::none_of(others.primitives.begin(), others.primitives.end(), is_equal)) result.primitives.push_back(primitive);
   }
+  std::set<const TriangleMesh*, Before> meshes;
+  for (const MeshBody& other : others.meshes) control.check(), meshes.insert(&other.mesh);
   for (const MeshBody& body : bodies.meshes) {
-    const auto is_equal = [&](const MeshBody& other) { return equalMeshes(other.mesh, body.mesh); };
-    if (std::none_of(others.meshes.begin(), others.meshes.end(), is_equal)) result.meshes.push_back(body);
+    control.check();
+    const auto known = meshes.find(&body.mesh);
+    // What overflowed has no order, so the order alone proves nothing.
+    if (known == meshes.end() || !equalMeshes(**known, body.mesh)) result.meshes.push_back(body);
   }
   return result;
 }

@@ -31,13 +31,14 @@ struct LinkBodies {
   std::size_t restParts() const;
 };
 
-/// Reads mesh files, each once.
+/// Reads the mesh files of a description, each once. Each element has a copy of its mesh, so all together may have as many triangles as
+/// `limits` allows to one file.
 class MeshFiles {
  public:
   MeshFiles(const Description& description, const MeshLimits& limits, bool split, const RunControl& control)
       : description_(description), limits_(limits), split_(split), control_(control) {}
 
-  /// The bodies of a link: a mesh that cannot be read is a fault.
+  /// The bodies of a link: a mesh that cannot be read, or is too large with all others, is a fault. Throws kCancelled.
   LinkBodies bodiesOf(const std::vector<GeometryElement>& elements);
 
  private:
@@ -48,6 +49,7 @@ class MeshFiles {
   using Key = std::pair<std::string, std::vector<double>>;  // file and scale
 
   std::shared_ptr<const File> read(const GeometryElement& element);
+  void count(std::size_t triangles, const std::string& path);
   void add(LinkBodies& bodies, const GeometryElement& element);
 
   const Description& description_;
@@ -55,9 +57,10 @@ class MeshFiles {
   const bool split_;  // find convex parts
   const RunControl& control_;
   std::map<Key, std::shared_ptr<const File>> files_;
+  std::size_t triangles_ = 0;  // of all elements so far
 };
 
-/// The elements of a link that another list does not hold equally, at the same place.
-LinkBodies without(const LinkBodies& bodies, const LinkBodies& others);
+/// The elements of a link that another list does not hold equally, at the same place. Throws kCancelled.
+LinkBodies without(const LinkBodies& bodies, const LinkBodies& others, const RunControl& control = {});
 
 }  // namespace collision_hulls

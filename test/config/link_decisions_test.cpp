@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "collision_hulls/config/config.h"
 #include "collision_hulls/error.h"
+#include "counted_looks.h"
 
 namespace collision_hulls {
 namespace {
@@ -67,6 +70,69 @@ links:
   EXPECT_EQ(all.of("panda_link1")->tolerance.limit, 0.03);
   EXPECT_EQ(all.of("panda_link1")->source, Source::kVisual);
   EXPECT_EQ(all.of("camera_mount")->tolerance.limit, 0.01);
+}
+
+TEST(LinkDecisions, NamesAndExpressionsKeepTheirOrder) {
+  const LinkDecisions all = decisions(R"(
+links:
+  "panda_hand": {max_hulls: 2, tolerance: 1mm}
+  ".*": {max_hulls: 3}
+  "panda_link0|panda_hand": {tolerance: 2mm}
+  "panda_link.": {max_hulls: 4}
+)");
+  EXPECT_EQ(all.of("panda_hand")->max_hulls, 3);
+  EXPECT_EQ(all.of("panda_hand")->tolerance.limit, 0.002);
+  EXPECT_EQ(all.of("panda_link0")->max_hulls, 4);
+  EXPECT_EQ(all.of("panda_link0")->tolerance.limit, 0.002);
+}
+
+/// A robot of many links, and a rule for each.
+std::pair<RobotDescription, Options> manyRules(const std::string& suffix) {
+  RobotDescription robot;
+  Options options;
+  for (int i = 0; i < 100; ++i) {
+    LinkDescription link;
+    link.name = "link" + std::to_string(i);
+    robot.links.push_back(link);
+    options.rules.push_back({link.name + suffix, {}, ""});
+    options.rules.back().settings.max_hulls = i;
+  }
+  return {robot, options};
+}
+
+TEST(LinkDecisions, RulesForNamesAreLookedUp) {
+  const auto [robot, options] = manyRules("|none");
+  const CountedLooks looks;
+  const LinkDecisions all(options, robot, looks.control());
+  EXPECT_EQ(looks.count(), robot.links.size()) << "one for each link, whatever the number of rules";
+  EXPECT_EQ(all.of("link99")->max_hulls, 99);
+}
+
+TEST(LinkDecisions, ACancelWaitsForOneExpression) {
+  const auto [robot, options] = manyRules("[a-z]*");
+  for (const std::size_t at : {5, 5'100, 12'000})
+    EXPECT_EQ(looksAfterCancel(
+                  at, [&, robot = &robot, options = &options](const RunControl& control) { modelDecisions(*options, *robot, control); }),
+              1u);
+}
+
+TEST(LinkDecisions, NamesThatAreLongHaveNoSuggestion) {
+  RobotDescription robot;
+  robot.links.resize(1);
+  robot.links.front().name = std::string(61, 'a');
+  const auto message = [&](std::size_t length) {
+    Options options;
+    options.links = std::string(length, 'a');
+    try {
+      const LinkDecisions all(options, robot);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(message(60).find("did you mean"), std::string::npos);
+  EXPECT_NE(message(62).find("matches no link"), std::string::npos);
+  EXPECT_EQ(message(62).find("did you mean"), std::string::npos);
 }
 
 TEST(LinkDecisions, ExpressionsMatchWholeNames) {

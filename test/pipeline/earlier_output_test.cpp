@@ -5,9 +5,11 @@
 
 #include <regex>
 
+#include "base/roots.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "collision_hulls/pipeline/output.h"
+#include "counted_looks.h"
 #include "pipeline/fixtures.h"
 #include "shapes.h"
 
@@ -161,6 +163,71 @@ TEST_P(TwoRuns, RefusesToLoseAVisual) {
   }
   EXPECT_TRUE(fs::exists(hull));
   EXPECT_NO_THROW(run(urdf, "second"));
+}
+
+/// A description that names two hulls of an earlier output.
+class KeptHullsTest : public ::testing::Test {
+ protected:
+  KeptHullsTest() {
+    for (const std::string file : {"a", "b"}) fixtures::write(hull(file), file);
+    writeReport("out/report.json", "");
+    std::string collisions;
+    for (const std::string& uri : {hull("a"), "file://" + hull("a"), hull("b")})
+      collisions += "<collision>" + meshTag(uri) + "</collision>";
+    robot_ = readRobotDescription(fixtures::write(folder_ / "arm.urdf", fixtures::robot("arm", link("base", collisions))));
+  }
+
+  std::string hull(const std::string& name) const { return folder_ / ("out/meshes/" + name + ".stl"); }
+  void writeReport(const std::string& file, const std::string& above) {
+    fixtures::write(folder_ / file,
+                    R"({"collision_hulls": "1", "links": [], "files": [")" + above + R"(meshes/a.stl", ")" + above + R"(meshes/b.stl"]})");
+  }
+  KeptHulls kept(const RunControl& control = {}) const { return keptHulls(robot_, {}, {}, folder_ / "new", PackageFinder(), control); }
+
+  const fixtures::TempFolder folder_;
+  RobotDescription robot_;
+};
+
+TEST_F(KeptHullsTest, AFileOfTwoNamesIsKeptOnce) {
+  const KeptHulls all = kept();
+  EXPECT_EQ(all.places.size(), 3u);
+  EXPECT_EQ(all.contents, (std::map<std::string, std::string>{{"meshes/a.stl", "a"}, {"meshes/b.stl", "b"}}));
+}
+
+TEST_F(KeptHullsTest, TheirSumIsLimited) {
+  constexpr std::uintmax_t kMost = std::uintmax_t{1} << 30;
+  fs::resize_file(hull("b"), kMost);  // with a hole; alone it would do
+  try {
+    kept();
+    ADD_FAILURE() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kTooLarge);
+    for (const std::string& part : {hull("b"), std::to_string(kMost), std::to_string(kMost + 1), std::string("decompose their links")})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(KeptHullsTest, ACancelIsHeededAtEachElementAndFile) {
+  const auto work = [&](const RunControl& control) { kept(control); };
+  EXPECT_GE(looksOf(work), 6u) << "three elements, two hulls, a report";
+  for (const std::size_t at : {1, 3, 5}) EXPECT_EQ(looksAfterCancel(at, work), 1u);
+  EXPECT_EQ(looksAfterCancel(1,
+                             [&](const RunControl& control) {
+                               fs::create_directory(folder_ / "new");
+                               RobotDescription robot = robot_;
+                               robot.links[0].visuals = robot.links[0].collisions;
+                               refuseLosingVisuals(robot, folder_ / "new", PackageFinder(), control);
+                             }),
+            1u);
+}
+
+TEST_F(KeptHullsTest, AReportAboveTheRootCountsForNothing) {
+  fs::remove(folder_ / "out/report.json");
+  writeReport("report.json", "out/");
+  EXPECT_EQ(kept().contents.size(), 2u);
+  const std::string root = folder_ / "out";
+  const Confinement confinement({{root}, {root}, {}, {}, "", ""});
+  EXPECT_TRUE(kept().places.empty());
 }
 
 TEST(RefuseLosingInput, AMeshInTheOutput) {

@@ -259,6 +259,7 @@ TEST(WriteOutput, ReusesIdenticalFiles) {
   const TempFolder folder;
   RobotResult result = sample();
   writeOutput(result, folder / "out");
+  for (const auto& [name, place] : places(folder / "out")) chmod((folder / ("out/" + name)).c_str(), 0644);  // whatever the umask
   const auto first = fixtures::contents(folder / "out");
   const auto before = places(folder / "out");
   fixtures::write(folder / "out/meshes/a/0_0.stl", "changed by someone");
@@ -275,6 +276,20 @@ TEST(WriteOutput, ReusesIdenticalFiles) {
   EXPECT_EQ(files["meshes/a/0_1.stl"], first.at("meshes/a/0_1.stl"));
   EXPECT_NE(files["meshes/b/0_0.stl"], first.at("meshes/b/0_0.stl"));
   EXPECT_FALSE(fs::is_symlink(folder / "out/meshes/a/0_1.stl"));
+}
+
+TEST(WriteOutput, WritesAnewWhatOthersCouldChangeLater) {
+  const TempFolder folder;
+  RobotResult result = sample();
+  writeOutput(result, folder / "out");
+  const std::string open = folder / "out/meshes/a/0_0.stl", of_another = folder / "out/package.xml";
+  chmod(open.c_str(), 0666);
+  const bool gave = chown(of_another.c_str(), 12345, static_cast<gid_t>(-1)) == 0;  // which only root can
+  const auto before = places(folder / "out");
+  writeOutput(result, folder / "out");
+  const auto after = places(folder / "out");
+  EXPECT_NE(after.at("meshes/a/0_0.stl"), before.at("meshes/a/0_0.stl"));
+  EXPECT_EQ(after.at("package.xml") != before.at("package.xml"), gave);
 }
 
 TEST(WriteOutput, CancelLeavesTheOldOutput) {
@@ -333,7 +348,7 @@ TEST(WriteOutput, OtherFailuresReplaceACompleteOutput) {
 // The node may write to its ~output wherever that lies, and has to find there what it wrote.
 TEST(WriteOutput, WhereOnlyTheOutputMayBeWritten) {
   const TempFolder folder;
-  const Confinement confinement({{folder / "in"}, {folder / "in"}, {folder / "out"}, {}, "", ""});
+  const Confinement confinement({{folder / "in", folder / "out"}, {folder / "in"}, {folder / "out"}, {}, "", ""});
   RobotResult result = sample();
   EXPECT_TRUE(writeOutput(result, folder / "out"));
   EXPECT_TRUE(writeOutput(result, folder / "out")) << "over the first";

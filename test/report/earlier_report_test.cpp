@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include "base/roots.h"
+#include "counted_looks.h"
 #include "pipeline/fixtures.h"
 
 namespace collision_hulls {
@@ -63,9 +65,49 @@ TEST_F(EarlierReport, WhatIsNone) {
   EXPECT_FALSE(earlierOutput(folder_.path()));
   for (const char* text :
        {"", "{", "[]", "5", "{}", R"({"collision_hulls": "1"})", R"({"collision_hulls": "1", "files": [], "links": [5]})",
-        R"({"collision_hulls": "1", "files": [5], "links": []})", R"({"files": [], "links": []})"})
+        R"({"collision_hulls": "1", "files": [5], "links": []})", R"({"files": [], "links": []})",
+        R"({"collision_hulls": "1", "files": {"a": "b"}, "links": []})", R"({"collision_hulls": "1", "files": []})",
+        R"({"collision_hulls": "1", "files": [], "links": [{"files": []}, {}]})",
+        R"({"collision_hulls": "1", "files": [], "links": [{"files": [], "status": 5}]})",
+        R"({"collision_hulls": "1", "files": [], "links": []} 5)"})
     EXPECT_FALSE(read(text)) << text;
   EXPECT_FALSE(read(std::string(1'000'000, '['))) << "nested deeply";
+}
+
+// A tree of JSON that is filtered while it grows takes a time that grows with the square of this.
+TEST_F(EarlierReport, EachValueIsLookedAtOnce) {
+  constexpr std::size_t kRows = 100'000, kPasses = 2 * kRows / kLargeItemsBetweenLooks;  // two values in each row
+  std::string rows = R"({"files": []})";
+  for (std::size_t i = 1; i < kRows; ++i) rows += R"(,{"files": []})";
+  ASSERT_TRUE(read(R"({"collision_hulls": "1", "files": [], "links": [)" + rows + "]}"));
+  const auto work = [&](const RunControl& control) { earlierOutput(folder_.path(), control); };
+  const std::size_t looks = looksOf(work);
+  EXPECT_GE(looks, kPasses);
+  EXPECT_LE(looks, kPasses + 10) << "while the file is read";
+  EXPECT_EQ(looksAfterCancel(kPasses / 2, work), 1u);
+  EXPECT_EQ(looksAfterCancel(kPasses / 2, [&](const RunControl& control) { earlierSource(folder_.path(), control); }), 1u);
+}
+
+TEST_F(EarlierReport, APathThatNoFileHasIsNoFile) {
+  std::string deep = "a";
+  while (deep.size() < 5000) deep += "/a";
+  const auto output = read(R"({"collision_hulls": "1", "links": [], "files": ["b", ")" + deep + "\"]}");
+  ASSERT_TRUE(output);
+  EXPECT_EQ(output->files, (Files{"report.json", "b"}));
+}
+
+TEST_F(EarlierReport, WhatMayNotBeReadIsNone) {
+  ASSERT_TRUE(read(R"({"collision_hulls": "1", "files": [], "links": []})"));
+  fs::create_directory(folder_ / "root");
+  const auto readable = [&](const std::string& root) {
+    const Confinement confinement({{root}, {root}, {}, {}, "", ""});
+    return earlierOutput(folder_.path()).has_value();
+  };
+  EXPECT_TRUE(readable(folder_.path()));
+  EXPECT_FALSE(readable(folder_ / "root"));
+  fs::rename(file(), folder_ / "root/other");
+  fs::create_symlink(folder_ / "root/other", file());
+  EXPECT_TRUE(readable(folder_ / "root")) << "it lies below the root";
 }
 
 // Looked at before anything is read: these would wait, or fill the memory.

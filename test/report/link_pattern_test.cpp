@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
 #include "collision_hulls/error.h"
 
 namespace collision_hulls {
@@ -26,15 +29,43 @@ TEST(LinkPattern, HostileExpressionsEnd) {
   EXPECT_TRUE(LinkPattern(".*", "links").matches(std::string(1'000'000, 'a')));
 }
 
+// A look-ahead in a repeated group reads the name once for each place, and those within it once for each of these.
+TEST(LinkPattern, HostileLookAheadsAreRefused) {
+  const LinkPattern hostile("((?=((?=((?=x*y|).)*y|).)*y|).)*", "only");
+  EXPECT_TRUE(hostile.matches("xxxxx"));
+  try {
+    hostile.matches(std::string(1000, 'x'));
+    ADD_FAILURE() << "matched";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadOption);
+    for (const char* part : {"only '((?=", "looks ahead too often", "'xxx", "look ahead at the beginning alone"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+  EXPECT_TRUE(LinkPattern("((?!finger).)*", "links").matches(std::string(1000, 'x'))) << "usual ones are not";
+  EXPECT_TRUE(LinkPattern("(?!.*finger).*", "links").matches(std::string(1000, 'x')));
+}
+
 TEST(LinkPattern, ManyNames) {
   std::string names;
-  for (int i = 0; i < 2000; ++i) names += (i ? "|" : "") + std::string("my_robot_link_") + std::to_string(i);
-  EXPECT_TRUE(LinkPattern(names, "links").matches("my_robot_link_1999"));
-  EXPECT_FALSE(LinkPattern(names, "links").matches("my_robot_link_2000"));
+  for (int i = 0; i < 100'000; ++i) names += (i ? "|" : "") + std::string("my_robot_link_") + std::to_string(i);
+  const LinkPattern pattern(names, "links");
+  EXPECT_TRUE(pattern.matches("my_robot_link_99999"));
+  EXPECT_FALSE(pattern.matches("my_robot_link_100000"));
+  ASSERT_TRUE(pattern.names());
+  EXPECT_EQ(pattern.names()->size(), 100'000u);
+}
+
+TEST(LinkPattern, ListsOfNamesMeanWhatTheExpressionDoes) {
+  EXPECT_EQ(*LinkPattern("left_arm|tool\\.0|a-b/c d||tool\\.0", "links").names(),
+            (std::set<std::string>{"", "a-b/c d", "left_arm", "tool.0"}));
+  EXPECT_EQ(*LinkPattern("", "links").names(), std::set<std::string>{""});
+  for (const char* expression : {"a.", "a*", "a|(b)", "^a", "a$", "[a]", "a{2}", "a+", "a?", "\\d", "\\ba"})
+    EXPECT_FALSE(LinkPattern(expression, "links").names()) << expression;
+  EXPECT_FALSE(LinkPattern(std::string("a\0b", 3), "links").names());
 }
 
 TEST(LinkPattern, RefusesWhatIsNoExpression) {
-  for (const char* expression : {"(", "a{2", "[z-a]", "*", "(a)\\1", "(a?){99999}"}) {
+  for (const char* expression : {"(", "a{2", "[z-a]", "*", "(a)\\1", "a\\"}) {
     try {
       const LinkPattern pattern(expression, "links");
       ADD_FAILURE() << expression;
@@ -43,9 +74,28 @@ TEST(LinkPattern, RefusesWhatIsNoExpression) {
       EXPECT_EQ(std::string(error.what()).find("links '" + std::string(expression) + "' is invalid"), 0u) << error.what();
     }
   }
-  EXPECT_THROW(LinkPattern(std::string(50'001, 'a'), "links"), Error);
-  EXPECT_THROW(LinkPattern(std::string(20'000, '(') + "a" + std::string(20'000, ')'), "links"), Error)
-      << "its compiler would overflow the stack";
+}
+
+// Memory and time would grow with the number of states, for each character of a name.
+TEST(LinkPattern, RefusesWhatIsTooLong) {
+  std::string groups;
+  for (int i = 0; i < 300; ++i) groups += "(x*)";
+  const std::string nested = std::string(101, '(') + "a" + std::string(101, ')');
+  for (const std::string& expression : {groups, std::string(1000, 'a') + ".", std::string("(a?){99999}"), std::string("((a{20}){20}){20}"),
+                                        std::string("a{7,99999999999999999999}")}) {
+    try {
+      const LinkPattern pattern(expression, "links");
+      ADD_FAILURE() << expression;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kBadOption);
+      for (const std::string& part : {"of " + std::to_string(expression.size()) + " characters",
+                                      "begins '" + expression.substr(0, 40) + "'", std::string("may have 1000; divide it")})
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_THROW(LinkPattern(nested, "links"), Error) << "its compiler would overflow the stack";
+  EXPECT_TRUE(LinkPattern(groups.substr(0, 1000), "links").matches(std::string(1000, 'x')));
+  EXPECT_TRUE(LinkPattern("link_[0-9]{1,3}_[0-9]{1,3}", "links").matches("link_12_345"));
 }
 
 }  // namespace

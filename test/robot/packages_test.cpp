@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
 #include <thread>
 
 #include "collision_hulls/robot/robot_description.h"
@@ -83,6 +84,24 @@ TEST_F(Packages, EnclosingPackageComesFirst) {
   EXPECT_EQ(find("arm", urdf), folder_.path("mine/checkout"));
   EXPECT_EQ(find("arm", folder_.path("mine/checkout/urdf")), folder_.path("mine/checkout"));
   EXPECT_EQ(find("arm", folder_.path("mine")), folder_.path("src/arm"));
+}
+
+TEST_F(Packages, APathThatIsTooLongIsRefused) {
+  const auto expectRefused = [](const std::function<void()>& action) {
+    expectError(ErrorCode::kBadOption, {"packages near '/a/a/a/", "4098 bytes", "4096 at most", "give a shorter one"}, action);
+  };
+  std::string near;
+  while (near.size() <= 4096) near += "/a";
+  expectRefused([&] { defaultPackageFinder(near); });
+  expectRefused([&] { defaultPackageFinder().fileNearby("arm", "meshes/a.stl", near); });
+}
+
+TEST_F(Packages, OfADeepPathTheInnermostFoldersAreSearched) {
+  std::string below = "mine";
+  for (int i = 0; i < 99; ++i) below += "/a";
+  folder_.write("mine/package.xml", manifest("arm"));
+  EXPECT_EQ(find("arm", folder_.path(below + "/arm.urdf")), folder_.path("mine"));
+  EXPECT_EQ(find("arm", folder_.path(below + "/a/arm.urdf")), std::nullopt);
 }
 
 TEST_F(Packages, InstalledOnesComeAfterTheCrawl) {

@@ -62,6 +62,9 @@ class FitSceneTest(unittest.TestCase):
         self.assertEqual(["ok", "kept"], [row.status for row in response.links])
         self.assertIn("<robot", response.srdf)
 
+    def test_base_that_is_longer_than_a_path(self):
+        self.assert_refused("base: ", base="/a" * 2049)
+
     def test_negative_samples(self):
         self.assert_refused("samples", samples=-1)
 

@@ -134,6 +134,12 @@ class PreviewTest(unittest.TestCase):
             self.assertFalse(answer.success)
             self.assertIn(word, answer.message)
 
+    def test_a_link_is_asked_for_once(self):
+        choice = LinkChoice(link="base", tolerance="1cm", max_vertices=64)
+        for answer in (self.preview(links=[choice, choice]), self.validate(only=["arm", "base", "base"])):
+            self.assertFalse(answer.success)
+            self.assertIn("link 'base' is named twice; name it once", answer.message)
+
     def test_a_build_of_one_link_leaves_the_others(self):
         self.cut(link="arm", tolerance="10cm", show=True)
         built = self.build(robot_description=self.robot, config="default: {method: bounding_box}", only=["base"])

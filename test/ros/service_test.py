@@ -70,6 +70,9 @@ class ServiceTest(unittest.TestCase):
     def test_link_names_are_no_expressions(self):
         self.assert_refused(["'b.*'"], links=["b.*"])
 
+    def test_base_that_is_longer_than_a_path(self):
+        self.assert_refused(["base: ", "4096"], base="/a" * 2049)
+
     def test_output_below_a_file(self):
         self.assert_refused(["bracket.obj"], output=self.folder.file("bracket.obj/made"))
 

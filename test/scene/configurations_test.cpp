@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "counted_looks.h"
 #include "scene/scene_tests.h"
 
 namespace collision_hulls {
@@ -216,7 +217,7 @@ TEST(Configurations, YamlErrorsNameTheFaultAndTheLine) {
     const std::string before = "*x" + std::to_string(i - 1);
     bomb += "x" + std::to_string(i) + ": &x" + std::to_string(i) + " [" + before + ", " + before + "]\n";
   }
-  expectBadYaml({"too large"}, bomb);
+  expectBadYaml({"aliases repeat more than", "fewer"}, bomb);
 }
 
 TEST(Configurations, InterpolatesWithinTheLargestStep) {
@@ -251,6 +252,46 @@ TEST(Configurations, TooManySteps) {
   ConfigurationOptions options;
   options.max_step = 1e-12;
   expectBad(ErrorCode::kTooLarge, {"larger step"}, "a.csv", "a\n0\n1\n", options);
+}
+
+TEST(Configurations, TooManyValuesOfManyJoints) {
+  std::string text = "<robot name='r'><link name='base'/>";
+  for (int i = 0; i < 60; ++i) {
+    const std::string number = std::to_string(i);
+    text += "<link name='l" + number + "'/><joint name='j" + number + "' type='revolute'><parent link='base'/><child link='l" + number +
+            "'/><axis xyz='0 0 1'/><limit lower='-1' upper='1' effort='1' velocity='1'/></joint>";
+  }
+  const Kinematics kinematics(parseRobotDescription(text + "</robot>"));
+  ConfigurationOptions options;
+  options.max_step = 1e-6;  // 1,000,001 configurations, below the limit of their own
+  ConfigurationCollector collector(kinematics, options);
+  collector.add({"j0"}, {0}, "row 1");
+  expectError(ErrorCode::kTooLarge, {"row 2", " configurations of 60 variables", "50000000 values", "larger step"},
+              [&] { collector.add({"j0"}, {1}, "row 2"); });
+}
+
+TEST(Configurations, ACsvOfVeryManyColumns) {
+  expectBad(ErrorCode::kTooLarge, {"a.csv", "line 1", "100001 columns", "limit of 100000", "leave out"}, "a.csv",
+            "a" + std::string(100'000, ',') + "\n0\n");
+  const TemporaryFolder folder;
+  const Kinematics kinematics = arm();
+  const std::string file = folder.write("a.csv", "a" + std::string(99'999, ',') + "\n");
+  const CountedLooks looks;
+  expectError(ErrorCode::kBadConfigurations, {"no line"}, [&] { readConfigurations(file, kinematics, {}, looks.control()); });
+  EXPECT_GE(looks.count(), 2 + looksFor(100'000)) << "within a line";
+}
+
+TEST(ConfigurationCollector, IsCancelledAtEachRowAndWithinSteps) {
+  const Kinematics kinematics = arm();
+  ConfigurationOptions options;
+  options.max_step = 1e-4;
+  const auto rows = [&](const RunControl& control) {
+    ConfigurationCollector collector(kinematics, options);
+    for (const double position : {0, 1, 1}) collector.add({"a"}, {position}, "row", control);
+  };
+  EXPECT_GE(looksOf(rows), 3 + 10'000 / kLargeItemsBetweenLooks);
+  EXPECT_EQ(looksAfterCancel(1, rows), 1u) << "in the first row";
+  EXPECT_EQ(looksAfterCancel(10, rows), 1u) << "on the way to the second";
 }
 
 TEST(ConfigurationCollector, IsReusableAfterTake) {

@@ -1,5 +1,6 @@
 #include "collision_hulls/scene/srdf.h"
 
+#include "counted_looks.h"
 #include "scene/scene_tests.h"
 
 namespace collision_hulls {
@@ -39,6 +40,27 @@ TEST(Srdf, DisablesAllPairsOfALinkExceptEnabledOnes) {
   ASSERT_EQ(read.pairs.size(), 2u);
   EXPECT_EQ(read.pairs[0].link2, "b");
   EXPECT_EQ(read.pairs[1].link2, "d");
+}
+
+TEST(Srdf, ALinkThatIsDisabledAgainOrUnknownCostsNoLookAtAllLinks) {
+  constexpr std::size_t kNumber = 2000;
+  RobotDescription large;
+  large.links.resize(kNumber);
+  for (std::size_t i = 0; i < kNumber; ++i) large.links[i].name = "l" + std::to_string(i);
+  std::string known, unknown;
+  for (std::size_t i = 0; i < kNumber; ++i) {
+    known += "<disable_default_collisions link='l0'/>";
+    unknown += "<disable_default_collisions link='x" + std::to_string(i) + "'/>";
+  }
+  for (const std::string& text : {known, unknown}) {
+    const std::size_t looks =
+        looksOf([&](const RunControl& control) { parseDisabledPairs("<robot name='r'>" + text + "</robot>", large, "", control); });
+    EXPECT_LT(looks, kNumber * kNumber / kLargeItemsBetweenLooks / 4) << text.substr(0, 50);
+  }
+  const DisabledPairs read = parseDisabledPairs("<robot name='r'>" + known + unknown + "</robot>", large);
+  EXPECT_EQ(read.pairs.size(), kNumber - 1);
+  ASSERT_EQ(read.notes.size(), 1u);
+  EXPECT_NE(read.notes[0].find("first 'x0'"), std::string::npos) << read.notes[0];
 }
 
 TEST(Srdf, OrderOfElementsDoesNotMatter) {

@@ -7,8 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "collision_hulls/error.h"
+#include "counted_looks.h"
 #include "pipeline/fixtures.h"
 #include "shapes.h"
+#include "verify/link_bodies.h"
 
 namespace collision_hulls {
 namespace {
@@ -203,6 +205,73 @@ TEST_F(Verify, AMeshThatCannotBeReadFailsItsLinkAlone) {
   EXPECT_EQ(seen.links[1].status, LinkStatus::kOk);
   EXPECT_FALSE(passed(seen, {}));
   EXPECT_TRUE(nlohmann::json::parse(toJson(seen, {}, "", ""))["links"][0]["uncovered"].is_null());
+}
+
+// Each element has a copy of its mesh: a short description could ask for any amount of memory.
+TEST_F(Verify, TheTrianglesOfAllElementsAreLimited) {
+  const std::string cube = mesh("cube.obj", box(1, 1, 1)), sheet = mesh("sheet.obj", test_shapes::sheet());
+  std::string links = fixtures::link("a", collision(cube));
+  links += fixtures::link("b", collision(cube), "a") + fixtures::link("c", collision(sheet), "b");
+  const Description both = robot(links);
+  VerifyOptions options;
+  options.configurations = 0;
+  options.mesh_limits.max_triangles = 23;
+  const Verification seen = verify(both, both, options);
+  ASSERT_EQ(seen.links.size(), 3u);
+  EXPECT_EQ(seen.links[0].status, LinkStatus::kOk) << seen.links[0].reason;
+  EXPECT_EQ(seen.links[1].status, LinkStatus::kFailed);
+  for (const std::string& part : {folder_ / "cube.obj", std::string("12 triangles"), std::string("limit of 23"), std::string("--links")})
+    EXPECT_NE(seen.links[1].reason.find(part), std::string::npos) << seen.links[1].reason;
+  EXPECT_EQ(seen.links[2].status, LinkStatus::kOk) << "it is small enough: " << seen.links[2].reason;
+  options.mesh_limits.max_triangles = 26;
+  EXPECT_EQ(verify(both, both, options).links[1].status, LinkStatus::kOk);
+}
+
+TEST_F(Verify, EachElementIsALookAtTheControl) {
+  GeometryElement element;
+  element.kind = GeometryElement::Kind::kMesh;
+  element.uri = fixtures::write(folder_ / "cube.obj", fixtures::obj(box(1, 1, 1)));
+  const std::vector<GeometryElement> elements(1000, element);
+  const Description description = robot(fixtures::link("a", ""));
+  const auto read = [&](std::size_t count, const RunControl& control) {
+    MeshFiles(description, {}, true, control).bodiesOf({elements.begin(), elements.begin() + static_cast<std::ptrdiff_t>(count)});
+  };
+  const std::size_t of_one = looksOf([&](const RunControl& control) { read(1, control); });
+  const auto all = [&](const RunControl& control) { read(elements.size(), control); };
+  EXPECT_GE(looksOf(all), elements.size());
+  EXPECT_EQ(looksAfterCancel(elements.size() / 2, all), 1u);
+  EXPECT_GT(elements.size() / 2, of_one) << "the file has been read by then";
+}
+
+TEST(Without, OnlyAnEqualMeshAtTheSamePlaceIsLeftOut) {
+  const TriangleMesh cube = box(1, 1, 1);
+  TriangleMesh turned = cube, opened = cube, endless = cube, signed_zero = cube;
+  std::swap(turned.triangles[0][1], turned.triangles[0][2]);
+  opened.triangles.pop_back();
+  endless.vertices[0].x() = std::numeric_limits<double>::quiet_NaN();
+  for (Eigen::Vector3d& v : signed_zero.vertices)
+    if (v.x() == 0) v.x() = -0.0;
+  LinkBodies bodies, others;
+  for (const TriangleMesh& mesh : {cube, moved(cube, {1, 0, 0}), turned, opened, endless, signed_zero}) bodies.meshes.push_back({mesh, {}});
+  for (const TriangleMesh& mesh : {moved(cube, {2, 0, 0}), cube, endless, cube}) others.meshes.push_back({mesh, {}});
+  const LinkBodies left = without(bodies, others);
+  ASSERT_EQ(left.meshes.size(), 4u);
+  EXPECT_EQ(left.meshes[0].mesh.vertices, moved(cube, {1, 0, 0}).vertices);
+  EXPECT_EQ(left.meshes[1].mesh.triangles, turned.triangles);
+  EXPECT_EQ(left.meshes[2].mesh.triangles, opened.triangles);
+  EXPECT_TRUE(std::isnan(left.meshes[3].mesh.vertices[0].x()));
+  EXPECT_EQ(without(others, bodies).meshes.size(), 2u) << "the moved one and the one that equals nothing, not even itself";
+}
+
+TEST(Without, EachElementIsALookAtTheControl) {
+  LinkBodies bodies;
+  bodies.meshes.assign(500, {box(1, 1, 1), {}});
+  GeometryElement cube;
+  cube.kind = GeometryElement::Kind::kBox;
+  bodies.primitives.assign(500, cube);
+  const auto work = [&](const RunControl& control) { without(bodies, bodies, control); };
+  EXPECT_GE(looksOf(work), 1500u) << "of the boxes, of one side's meshes, and of the other's";
+  for (const std::size_t at : {1, 600, 1400}) EXPECT_EQ(looksAfterCancel(at, work), 1u);
 }
 
 TEST_F(Verify, SourceSaysWhatCountsOfTheOriginal) {

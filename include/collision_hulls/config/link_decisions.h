@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/report/options.h"
 #include "collision_hulls/robot/robot_description.h"
 
@@ -17,8 +18,9 @@ class LinkDecisions {
  public:
   /// Throws kBadOption for an expression that matches no link, and for rules that contradict each
   /// other on a link: a setting or a region for one that is kept or removed, or a setting of method
-  /// certified for a link with another method.
-  LinkDecisions(const Options& options, const RobotDescription& robot);
+  /// certified for a link with another method. Throws kCancelled.
+  LinkDecisions(const Options& options, const RobotDescription& robot,
+                const RunControl& control = {});
 
   /// nullptr: Options::links leaves the link alone.
   const LinkOptions* of(const std::string& link) const;
@@ -38,6 +40,7 @@ Region regionOf(const RegionRule& rule);
 
 /// The decisions of each of Options::models, or else of the only one. A tolerance that a rule gives
 /// holds in every model.
-std::vector<LinkDecisions> modelDecisions(const Options& options, const RobotDescription& robot);
+std::vector<LinkDecisions> modelDecisions(const Options& options, const RobotDescription& robot,
+                                          const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/robot/kinematics.h"
 
 namespace collision_hulls {
@@ -47,7 +48,8 @@ struct ConfigurationOptions {
   double max_step = 0;
   /// a value beyond its limits throws kBadConfigurations; otherwise it is used and counted
   bool refuse_beyond_limits = false;
-  std::size_t most = 10'000'000;  ///< more configurations throw kTooLarge
+  /// more configurations throw kTooLarge, and so do more than 50 million values in all of them
+  std::size_t most = 10'000'000;
 };
 
 /// Configurations given by the user. None is clamped. Proofs for all values within the limits (see
@@ -75,9 +77,10 @@ class ConfigurationCollector {
   /// those that their masters imply; positions of fixed joints are ignored. `where` appears in
   /// messages: "'a.csv', line 3". Throws kBadConfigurations for a name that the robot does not have
   /// (the message lists its joints) or that appears twice, for a number of positions that differs
-  /// from the number of names, and for values that are not finite.
+  /// from the number of names, and for values that are not finite; kTooLarge, see
+  /// ConfigurationOptions; kCancelled.
   void add(const std::vector<std::string>& names, const std::vector<double>& positions,
-           const std::string& where);
+           const std::string& where, const RunControl& control = {});
 
   /// Ends a trajectory: nothing is interpolated between its last configuration and the next one
   /// added.
@@ -94,7 +97,7 @@ class ConfigurationCollector {
   void put(const NamedJoint& joint, double position, const std::string& where);
   void compareMimics(const std::vector<std::string>& names, const std::vector<double>& positions,
                      const std::string& where);
-  void append(const Configuration& next);
+  void append(const Configuration& next, const std::string& where, const RunControl& control);
 
   const Kinematics& kinematics_;
   const ConfigurationOptions options_;

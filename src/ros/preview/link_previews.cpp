@@ -32,6 +32,11 @@ bool isSomething(const GeometryElement& element) {
   return isOfMesh(element) || isPrimitive(element);
 }
 
+/// No link chosen: all are.
+bool isAmong(const std::set<std::string>& chosen, const std::string& link) {
+  return chosen.empty() || chosen.count(link) > 0;
+}
+
 /// By link, as drawResult() gives them.
 std::map<std::string, double> huesOf(const RobotDescription& robot, const LinkDecisions& decisions) {
   std::map<std::string, double> hues;
@@ -131,6 +136,8 @@ void LinkPreviews::take(const RobotDescription& robot, const LinkDecisions& deci
   if (!config_ || options.links.empty()) config_ = options;
   config_->region_rules = options.region_rules;
   robot_ = robot;
+  places_.clear();
+  for (std::size_t i = 0; i < robot_.links.size(); ++i) places_.emplace(robot_.links[i].name, i);
   std::map<std::string, Known> news;
   for (std::size_t i = 0; i < result.elements.size(); ++i) {
     const std::string& link = result.elements[i].link;
@@ -147,22 +154,22 @@ void LinkPreviews::take(const RobotDescription& robot, const LinkDecisions& deci
 }
 
 std::vector<LinkPreview> LinkPreviews::messages(const std::vector<std::string>& links) const {
+  const std::set<std::string> wanted(links.begin(), links.end());
   const std::lock_guard<std::mutex> lock(mutex_);
   std::vector<LinkPreview> messages;
   for (const LinkDescription& link : robot_.links) {
     const auto known = known_.find(link.name);
-    const bool wanted = links.empty() || std::find(links.begin(), links.end(), link.name) != links.end();
-    if (wanted && known != known_.end()) messages.push_back(message(link.name, known->second));
+    if (isAmong(wanted, link.name) && known != known_.end()) messages.push_back(message(link.name, known->second));
   }
   return messages;
 }
 
 std::map<std::string, LinkResult> LinkPreviews::results(const std::vector<std::string>& links) const {
   const std::lock_guard<std::mutex> lock(mutex_);
+  const std::set<std::string> wanted = chosen("only", links);
   std::map<std::string, LinkResult> results;
-  for (const std::string& link : links) described(link);
   for (const auto& [link, known] : known_)
-    if (links.empty() || std::find(links.begin(), links.end(), link) != links.end()) results[link] = known.result;
+    if (isAmong(wanted, link)) results[link] = known.result;
   return results;
 }
 
@@ -172,10 +179,11 @@ RobotDescription LinkPreviews::robot() const {
 }
 
 void LinkPreviews::show(const std::vector<std::string>& links) {
+  const std::set<std::string> wanted(links.begin(), links.end());
   const std::lock_guard<std::mutex> lock(mutex_);
   std::vector<ShownLink> drawn;
   for (const auto& [link, known] : known_)
-    if (links.empty() || std::find(links.begin(), links.end(), link) != links.end()) drawn.push_back(shown(link, known));
+    if (isAmong(wanted, link)) drawn.push_back(shown(link, known));
   view_.replace(drawn, {!links.empty(), true});
 }
 
@@ -213,6 +221,9 @@ bool LinkPreviews::serve(PreviewRequest& request, PreviewResponse& response) {
 }
 
 void LinkPreviews::cutAll(const PreviewRequest& request, PreviewResponse& response) {
+  std::vector<std::string> links;
+  for (const LinkChoice& settings : request.links) links.push_back(settings.link);
+  chosen("links", links);  // refuses them before anything is cut
   std::vector<ShownLink> drawn;
   for (const LinkChoice& settings : request.links) {
     const std::optional<Known> made = cut(settings);
@@ -257,10 +268,19 @@ LinkOptions LinkPreviews::withTree(LinkOptions options) const {
 }
 
 const LinkDescription& LinkPreviews::described(const std::string& name) const {
-  const auto link = std::find_if(robot_.links.begin(), robot_.links.end(), [&](const LinkDescription& l) { return l.name == name; });
-  if (link != robot_.links.end()) return *link;
+  const auto place = places_.find(name);
+  if (place != places_.end()) return robot_.links[place->second];
   throw Error(ErrorCode::kBadOption, robot_.links.empty() ? "no robot is known yet: call ~build or ~decompose first"
                                                           : "robot '" + robot_.name + "' has no link '" + name + "'");
+}
+
+/// Links of a request as a set. As each is named once, a request asks for no more links than the robot has.
+std::set<std::string> LinkPreviews::chosen(const std::string& field, const std::vector<std::string>& links) const {
+  std::set<std::string> names;
+  for (const std::string& link : links)
+    if (!names.insert(described(link).name).second)
+      throw Error(ErrorCode::kBadOption, field + ": link '" + link + "' is named twice; name it once");
+  return names;
 }
 
 ShownLink LinkPreviews::shown(const std::string& link, const Known& known) const {

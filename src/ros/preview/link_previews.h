@@ -6,9 +6,11 @@
 #include <collision_hulls/Preview.h>
 #include <ros/ros.h>
 
+#include <cstddef>
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,7 +39,8 @@ class LinkPreviews {
   /// The results of these links as messages; empty: of all.
   std::vector<LinkPreview> messages(const std::vector<std::string>& links) const;
 
-  /// The last results of these links, empty: of all, and the robot that has them. Throws kBadOption for a link that it does not have.
+  /// The last results of these links, empty: of all, and the robot that has them. Throws kBadOption for a link that it does not have, or
+  /// that is named twice.
   std::map<std::string, LinkResult> results(const std::vector<std::string>& links) const;
   RobotDescription robot() const;
 
@@ -62,6 +65,7 @@ class LinkPreviews {
   LinkPreview unbuilt(const LinkChoice& settings) const;
   LinkOptions withTree(LinkOptions options) const;
   const LinkDescription& described(const std::string& link) const;
+  std::set<std::string> chosen(const std::string& field, const std::vector<std::string>& links) const;
   ShownLink shown(const std::string& link, const Known& known) const;
   LinkPreview message(const std::string& link, const Known& known) const;
   void publish();
@@ -70,6 +74,7 @@ class LinkPreviews {
   RobotTrees trees_;
   mutable std::mutex mutex_;
   RobotDescription robot_;
+  std::map<std::string, std::size_t> places_;  // of its links, by name
   std::map<std::string, Known> known_;
   std::map<std::string, double> hues_;  // by link
   std::optional<Length> tree_;          // of the last build

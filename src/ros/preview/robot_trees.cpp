@@ -79,7 +79,7 @@ RobotResult RobotTrees::build(const RobotDescription& robot, const PackageFinder
                               const RunControl& control, const StepCallback& step) {
   check(options);
   RobotResult result = emptyResult(robot, options, control);
-  const std::vector<MeshUse> uses = meshUses(robot, {LinkDecisions(options, robot)});
+  const std::vector<MeshUse> uses = meshUses(robot, {LinkDecisions(options, robot, control)});
   const auto resolve = [&](const std::string& uri) {
     control.check();
     return resolveUri(uri, robot.path, find_package);

@@ -123,13 +123,14 @@ std::array<SurfacePatch, 2> SurfacePatch::parts(double flatness, double depth) c
   std::array<SurfacePatch, 2> best = flatPartAndRest(flatness);
   if (!best[0].empty() && !best[1].empty()) return best;
   const Eigen::Isometry3d frame = enclosingPrimitive(PrimitiveKind::kBox, hull(depth)).pose;
+  const Eigen::Vector3d middle = frame * boxIn(frame, 0).center();
   double least = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d normal = frame.linear().col(axis);
-    std::array<SurfacePatch, 2> sides = halves({normal, normal.dot(frame.translation())});
+    std::array<SurfacePatch, 2> sides = halves({normal, normal.dot(middle)});
+    if (sides[0].empty() || sides[1].empty()) continue;  // across what is flat
     double size = 0;
-    for (const SurfacePatch& side : sides)
-      if (!side.empty()) size += side.boxIn(frame, depth).volume();
+    for (const SurfacePatch& side : sides) size += side.boxIn(frame, depth).volume();
     if (size < least) least = size, best = std::move(sides);
   }
   return best;

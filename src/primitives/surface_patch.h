@@ -25,7 +25,8 @@ class SurfacePatch {
   void dropWithin(const Primitive& primitive);
 
   /// Two parts that together are the patch: its largest flat part and the rest, if that part is of some size and keeps within `flatness` of
-  /// a plane; otherwise the halves on both sides of a plane across its hull's box, those with the smallest boxes. `depth`: of the hull.
+  /// a plane; otherwise the halves on both sides of a plane across its hull's box, those with the smallest boxes. One is empty where
+  /// rounding leaves nothing to divide. `depth`: of the hull.
   std::array<SurfacePatch, 2> parts(double flatness, double depth) const;
 
  private:

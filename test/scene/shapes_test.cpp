@@ -82,16 +82,16 @@ TEST(AddBody, RejectsInvalidBodies) {
   EXPECT_EQ(scene.bodies.size(), 1u);
 }
 
-// With a look at every other body for each, this would take 5e10 comparisons: minutes.
+// With a look at every other body for each, this would take 5e9 comparisons: half a minute.
 TEST(SceneBuilder, AddsManyBodies) {
   Scene scene;
   addBody(scene, {"first", boxShape({1, 1, 1})});
   SceneBuilder builder(scene);
   const TriangleMesh triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-  for (int i = 0; i < 300'000; ++i) builder.add({"body " + std::to_string(i), triangle});
-  EXPECT_EQ(scene.bodies.size(), 300'001u);
+  for (int i = 0; i < 99'999; ++i) builder.add({"body " + std::to_string(i), triangle});
+  EXPECT_EQ(scene.bodies.size(), 100'000u);
   for (const char* name : {"first", "body 7"}) expectError(ErrorCode::kBadScene, {name, "twice"}, [&] { builder.add({name, triangle}); });
-  EXPECT_EQ(scene.bodies.size(), 300'001u);
+  EXPECT_EQ(scene.bodies.size(), 100'000u);
 }
 
 }  // namespace

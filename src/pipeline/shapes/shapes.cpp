@@ -140,7 +140,9 @@ void addPrimitives(const std::vector<ConvexHull>& hulls, const Work& work, std::
       const ConvexHull hull = patches[i].hull(depth);
       found[i] = primitiveFor(hull, work);
       if (!found[i] && too_many) found[i] = leastPrimitive(hull, work);
-      if (!found[i]) parts[i] = patches[i].parts(flatness, depth);
+      if (found[i]) return;
+      parts[i] = patches[i].parts(flatness, depth);
+      if (parts[i][0].empty() || parts[i][1].empty()) found[i] = leastPrimitive(hull, work), parts[i] = {};
     });
     seen = bodies.size();
     for (std::size_t i = 0; i < patches.size(); ++i) {

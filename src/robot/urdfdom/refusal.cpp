@@ -3,7 +3,7 @@
 
 #include <tinyxml2.h>
 
-#include <string_view>
+#include <algorithm>
 #include <unordered_set>
 
 namespace collision_hulls {
@@ -43,7 +43,7 @@ std::string remedyFor(const std::string& complaints) {
 Names namesAfter(const std::string& word, const std::string& complaints) {
   Names names;
   for (std::size_t at = 0; (at = complaints.find(word + " ", at)) != std::string::npos;) {
-    at += word.size() + 1;
+    at = std::min(complaints.find_first_not_of(' ', at + word.size()), complaints.size());
     const char opening = at < complaints.size() ? complaints[at] : ' ';
     if (opening != '[' && opening != '\'') continue;
     const std::size_t begin = at + 1, end = complaints.find(opening == '[' ? ']' : '\'', begin);

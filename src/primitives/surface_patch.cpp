@@ -123,15 +123,18 @@ std::array<SurfacePatch, 2> SurfacePatch::parts(double flatness, double depth) c
   std::array<SurfacePatch, 2> best = flatPartAndRest(flatness);
   if (!best[0].empty() && !best[1].empty()) return best;
   const Eigen::Isometry3d frame = enclosingPrimitive(PrimitiveKind::kBox, hull(depth)).pose;
-  const Eigen::Vector3d middle = frame * boxIn(frame, 0).center();
+  const Eigen::AlignedBox3d box = boxIn(frame, 0);
+  const Eigen::Vector3d middle = frame * box.center(), lengths = box.sizes();
+  std::array<int, 3> axes{0, 1, 2};  // the longest first: of equal ways it counts
+  std::sort(axes.begin(), axes.end(), [&](int a, int b) { return lengths[a] > lengths[b]; });
   double least = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
+  for (const int axis : axes) {
     const Eigen::Vector3d normal = frame.linear().col(axis);
     std::array<SurfacePatch, 2> sides = halves({normal, normal.dot(middle)});
     if (sides[0].empty() || sides[1].empty()) continue;  // across what is flat
     double size = 0;
     for (const SurfacePatch& side : sides) size += side.boxIn(frame, depth).volume();
-    if (size < least) least = size, best = std::move(sides);
+    if (size < (1 - kRounding) * least) least = size, best = std::move(sides);
   }
   return best;
 }

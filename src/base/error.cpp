@@ -14,8 +14,7 @@ constexpr std::size_t kLongestText = 4000;  // [bytes]
 
 // Quotes of a hostile file go to terminals, which obey escape sequences.
 std::string plain(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return isControl(c) && c != '\n' && c != '\t'; }, '?');
+  std::replace_if(text.begin(), text.end(), isTerminalControl, '?');
   return text;
 }
 

@@ -14,6 +14,10 @@ bool isControl(char c) {
   return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
 }
 
+bool isTerminalControl(char c) {
+  return isControl(c) && c != '\n' && c != '\t';
+}
+
 std::string shown(const std::string& text) {
   std::string result = shortened(text);
   std::replace_if(result.begin(), result.end(), isControl, '?');

@@ -12,6 +12,9 @@ constexpr std::size_t kLongestUri = 4096;
 /// ASCII's control characters, line ends and tabs among them.
 bool isControl(char c);
 
+/// Those that a terminal obeys: all but line ends and tabs.
+bool isTerminalControl(char c);
+
 /// A text for messages: control characters as "?", and shortened().
 std::string shown(const std::string& text);
 

@@ -1,4 +1,4 @@
-// A convex polygon in 3D, clipped by half-planes: the two-dimensional step of small linear programs.
+// A convex polygon in 3D, clipped by half-planes, as in the two-dimensional step of small linear programs.
 #pragma once
 
 #include <Eigen/Core>

@@ -197,7 +197,7 @@ RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& f
   Stopwatch run;
   refuseLosingVisuals(robot, output, find_package, control);
   RobotResult result = emptyResult(robot, options, control);
-  const std::vector<LinkDecisions> decisions = modelDecisions(options, robot);
+  const std::vector<LinkDecisions> decisions = modelDecisions(options, robot, control);
   const std::vector<MeshUse> uses = meshUses(robot, decisions);
   const auto resolve = [&](const std::string& uri) {
     control.check();

@@ -356,7 +356,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
                             const Options& options, const std::string& output, const RunControl& control, const StepCallback& step) {
   check(options);
   checkForRobot(options);
-  const std::vector<LinkDecisions> decisions{LinkDecisions(options, robot)};
+  const std::vector<LinkDecisions> decisions{LinkDecisions(options, robot, control)};
   refuseOtherWays(robot, options, decisions.front());
   const FitOptions fit_options{request.clearance, request.samples, options.seed, request.compare, request.primitives};
   check(fit_options);

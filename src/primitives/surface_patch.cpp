@@ -9,51 +9,30 @@
 namespace collision_hulls {
 namespace {
 
-using Points = std::vector<Eigen::Vector3d>;
-
 constexpr double kRounding = 1e-9;     // of the size of a hull: what is cut off may lie in no other
 constexpr double kWithin = 1e-6;       // of a primitive's size: what lies this far within it does so when its numbers are rounded
 constexpr double kFlatShare = 1. / 8;  // of the area: a smaller flat part is not worth a body of its own
-
-/// A convex polygon on both sides of a plane; where it does not reach, no points.
-struct Cut {
-  Points below, above;
-};
-
-Cut cut(const Points& points, const HalfSpace& plane) {
-  Cut result;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3d &a = points[i], &b = points[(i + 1) % points.size()];
-    const double da = plane.distance(a), db = plane.distance(b);
-    if (da <= 0) result.below.push_back(a);
-    if (da > 0) result.above.push_back(a);
-    if ((da <= 0) == (db <= 0)) continue;
-    const Eigen::Vector3d between = a + (b - a) * (da / (da - db));
-    result.below.push_back(between);
-    result.above.push_back(between);
-  }
-  return result;
-}
 
 }  // namespace
 
 SurfacePatch::SurfacePatch(const TriangleMesh& mesh, const ConvexHull& within) {
   const Eigen::AlignedBox3d box = boundingBox(within);
   const double margin = kRounding * (box.diagonal().norm() + box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff());
+  ConvexPolygon scratch;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto corner = [&](int k) -> const Eigen::Vector3d& { return mesh.corner(static_cast<int>(i), k); };
     Polygon polygon{{corner(0), corner(1), corner(2)}, (corner(1) - corner(0)).cross(corner(2) - corner(0)).stableNormalized()};
-    for (HalfSpace face : within.faces) {
-      face.offset += margin;
+    for (const HalfSpace& face : within.faces) {
       if (polygon.points.empty()) break;
-      polygon.points = cut(polygon.points, face).below;
+      clip(
+          polygon.points, [&](const Eigen::Vector3d& p) { return margin - face.distance(p); }, scratch);
     }
     if (!polygon.points.empty()) polygons_.push_back(std::move(polygon));
   }
 }
 
 ConvexHull SurfacePatch::hull(double depth) const {
-  Points points;
+  std::vector<Eigen::Vector3d> points;
   for (const Polygon& polygon : polygons_)
     for (const Eigen::Vector3d& p : polygon.points) {
       points.push_back(p);
@@ -72,7 +51,7 @@ void SurfacePatch::dropWithin(const Primitive& primitive) {
 
 double SurfacePatch::area(const Polygon& polygon) {
   Eigen::Vector3d twice = Eigen::Vector3d::Zero();
-  const Points& p = polygon.points;
+  const ConvexPolygon& p = polygon.points;
   for (std::size_t i = 2; i < p.size(); ++i) twice += (p[i - 1] - p[0]).cross(p[i] - p[0]);
   return twice.norm() / 2;
 }
@@ -98,12 +77,25 @@ std::array<SurfacePatch, 2> SurfacePatch::flatPartAndRest(double flatness) const
   return parts;
 }
 
+/// What lies in the plane is below it.
 std::array<SurfacePatch, 2> SurfacePatch::halves(const HalfSpace& plane) const {
   std::array<SurfacePatch, 2> result;
+  ConvexPolygon scratch;
+  const auto is_above = [&](const Eigen::Vector3d& p) { return plane.distance(p) > 0; };
+  const auto is_below = [&](const Eigen::Vector3d& p) { return plane.distance(p) < 0; };
   for (const Polygon& polygon : polygons_) {
-    Cut both = cut(polygon.points, plane);
-    if (!both.below.empty()) result[0].polygons_.push_back({std::move(both.below), polygon.normal});
-    if (!both.above.empty()) result[1].polygons_.push_back({std::move(both.above), polygon.normal});
+    const ConvexPolygon& points = polygon.points;
+    Polygon below = polygon, above = polygon;
+    const bool any_above = std::any_of(points.begin(), points.end(), is_above),
+               any_below = std::any_of(points.begin(), points.end(), is_below);
+    if (any_above && any_below) {
+      clip(
+          below.points, [&](const Eigen::Vector3d& p) { return -plane.distance(p); }, scratch);
+      clip(
+          above.points, [&](const Eigen::Vector3d& p) { return plane.distance(p); }, scratch);
+    }
+    if (any_below || !any_above) result[0].polygons_.push_back(std::move(below));
+    if (any_above) result[1].polygons_.push_back(std::move(above));
   }
   return result;
 }

@@ -6,6 +6,7 @@
 
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/primitives/primitive.h"
+#include "decompose/convex_polygon.h"
 
 namespace collision_hulls {
 
@@ -31,7 +32,7 @@ class SurfacePatch {
 
  private:
   struct Polygon {
-    std::vector<Eigen::Vector3d> points;
+    ConvexPolygon points;
     Eigen::Vector3d normal;  ///< of the triangle; 0 for one without area
   };
 

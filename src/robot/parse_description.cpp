@@ -57,11 +57,6 @@ void checkIsRobot(const XmlSource& subject, const tinyxml2::XMLElement& root) {
   }
 }
 
-/// What may move the cursor of a terminal that prints a name, or worse.
-bool isTerminalControl(char c) {
-  return (static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0x7F;
-}
-
 void checkName(const XmlSource& subject, const tinyxml2::XMLElement& element) {
   const char* name = element.Attribute("name");
   if (!name) return;

@@ -11,6 +11,7 @@
 #include "collision_hulls/verify/verify.h"
 #include "geometry/pi.h"
 #include "pipeline/fixtures.h"
+#include "random_points.h"
 #include "solids.h"
 
 namespace collision_hulls {
@@ -56,10 +57,26 @@ class ShapesTest : public ::testing::Test {
                                      {written, defaultPackageFinder(written.path, {"out=" + (folder_ / "out")})}, verifying);
     EXPECT_EQ(seen.links.at(0).uncovered.bound, 0) << seen.links.at(0).uncovered.found;
     EXPECT_LE(seen.links.at(0).protrusion.found, row.protrusion);
+    EXPECT_EQ(seen.contradictions, 0u) << "a body inside the original is inside the result";
     std::vector<Kind> kinds;
     for (const GeometryElement& element : written.links.at(0).collisions) kinds.push_back(element.kind);
     std::sort(kinds.begin(), kinds.end());
     return kinds;
+  }
+
+  /// How much of a convex body's inside lies in the bodies of the result.
+  static double shareWithin(const RobotResult& result, const TriangleMesh& body) {
+    const ConvexHull hull = convexHull(body.vertices);
+    test_shapes::RandomPoints random(3);
+    int inside = 0, held = 0;
+    while (inside < 1000) {
+      const Eigen::Vector3d p = random.inBox(boundingBox(body));
+      if (!holds(hull, p)) continue;
+      const std::vector<ConvexHull>& bodies = result.elements.at(0).hulls;
+      ++inside;
+      held += std::any_of(bodies.begin(), bodies.end(), [&](const ConvexHull& one) { return holds(one, p); });
+    }
+    return held / 1000.;
   }
 
   std::string message(const TriangleMesh& mesh, Shapes shapes) {
@@ -122,6 +139,7 @@ TEST_F(ShapesTest, WhereNoPrimitiveStandsForAHullTheSurfaceInItIsDivided) {
     EXPECT_GT(result.report.links.at(0).primitives, 2u);
     EXPECT_LE(result.report.links.at(0).primitives, 60u);
     EXPECT_EQ(kinds(result).size(), result.report.links.at(0).primitives);
+    EXPECT_GT(shareWithin(result, wedge), 0.95) << "a body inside would not be seen";
   }
 }
 

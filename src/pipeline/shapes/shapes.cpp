@@ -32,7 +32,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kLeaves = 0.25;  // of the tolerance: that of the leaves of trees that are built for primitives
-// Of the tolerance: how deep primitives for parts of the surface reach below it, and what is taken for flat.
+// Of the tolerance: how deep at least primitives for parts of the surface reach below it, and what is taken for flat.
 constexpr double kDepth = 0.5, kFlatness = 0.5;
 constexpr std::size_t kMostPrimitives = 10'000;  // of a mesh
 
@@ -122,6 +122,14 @@ std::vector<ConvexHull> hullsWithPrimitives(const Work& work) {
   return chosen;
 }
 
+/// A primitive about a patch, as deep as the tolerance allows: what stays empty below it, a body could lie in unseen.
+std::optional<Body> primitiveFor(const SurfacePatch& patch, double depth, const Work& work) {
+  std::optional<Body> deepest = primitiveFor(patch.hull(depth), work);
+  const double most = diagonal(work.result.original);
+  for (std::optional<Body> deeper = deepest; deeper && depth < most; deeper = primitiveFor(patch.hull(depth *= 2), work)) deepest = deeper;
+  return deepest;
+}
+
 /// Bodies for the surface in hulls that no primitive stands for: it is divided until primitives about the parts keep the tolerance, or are
 /// too many.
 void addPrimitives(const std::vector<ConvexHull>& hulls, const Work& work, std::vector<Body>& bodies) {
@@ -131,18 +139,17 @@ void addPrimitives(const std::vector<ConvexHull>& hulls, const Work& work, std::
   std::size_t seen = 0;  // bodies that no patch holds anything of
   for (; !patches.empty(); patches = std::exchange(next, {})) {
     std::vector<std::optional<Body>> found(patches.size());
-    std::vector<std::array<SurfacePatch, 2>> parts(patches.size(), {SurfacePatch(), SurfacePatch()});
+    std::vector<std::array<SurfacePatch, 2>> parts(patches.size());
     const bool too_many = bodies.size() + patches.size() > kMostPrimitives;
     forEach(patches.size(), [&](std::size_t i) {
       work.control.check();
       for (std::size_t body = seen; body < bodies.size(); ++body) patches[i].dropWithin(*bodies[body].primitive);
       if (patches[i].empty()) return;
-      const ConvexHull hull = patches[i].hull(depth);
-      found[i] = primitiveFor(hull, work);
-      if (!found[i] && too_many) found[i] = leastPrimitive(hull, work);
+      found[i] = primitiveFor(patches[i], depth, work);
+      if (!found[i] && too_many) found[i] = leastPrimitive(patches[i].hull(depth), work);
       if (found[i]) return;
       parts[i] = patches[i].parts(flatness, depth);
-      if (parts[i][0].empty() || parts[i][1].empty()) found[i] = leastPrimitive(hull, work), parts[i] = {};
+      if (parts[i][0].empty() || parts[i][1].empty()) found[i] = leastPrimitive(patches[i].hull(depth), work), parts[i] = {};
     });
     seen = bodies.size();
     for (std::size_t i = 0; i < patches.size(); ++i) {

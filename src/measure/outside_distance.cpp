@@ -126,17 +126,16 @@ Eigen::AlignedBox3d OutsideDistance::turned(const Eigen::AlignedBox3d& box, cons
 
 OutsideDistance::OutsideDistance(const Solid& solid, const Eigen::AlignedBox3d& world_box) : solid_(solid) {
   const Eigen::AlignedBox3d box = turned(world_box, solid.axes());
-  Cell root;
+  families_.emplace_back();
+  Cell& root = at(0);
   root.centre = box.center();
   root.half = box.sizes().maxCoeff() / 2 * (1 + kBoxMargin);
   measure(root, nullptr);
-  cells_.push_back(root);
 }
 
 bool OutsideDistance::reaches(const ConvexHull& hull) const {
-  return std::all_of(hull.vertices.begin(), hull.vertices.end(), [&](const Eigen::Vector3d& v) {
-    return (solid_.axes() * v - cells_[0].centre).cwiseAbs().maxCoeff() <= cells_[0].half;
-  });
+  return std::all_of(hull.vertices.begin(), hull.vertices.end(),
+                     [&](const Eigen::Vector3d& v) { return (solid_.axes() * v - at(0).centre).cwiseAbs().maxCoeff() <= at(0).half; });
 }
 
 double OutsideDistance::radius(const Cell& cell) const {
@@ -157,7 +156,7 @@ void OutsideDistance::measure(Cell& cell, const Cell* parent) const {
 
 /// An upper bound over a cell on the distance to S as a set; infinite if the cell was not measured yet.
 double OutsideDistance::knownBound(int id) const {
-  const Cell& cell = cells_[static_cast<std::size_t>(id)];
+  const Cell& cell = at(id);
   return cell.triangle < 0 ? std::numeric_limits<double>::infinity() : std::min(cell.distance + radius(cell), cell.level);
 }
 
@@ -168,33 +167,33 @@ std::optional<Eigen::Vector3d> OutsideDistance::outsidePoint(const Cell& cell, c
 }
 
 bool OutsideDistance::canDivide(int id) const {
-  return cells_.size() < kMostCellsInAll || cells_[static_cast<std::size_t>(id)].children >= 0;
+  return 8 * families_.size() < kMostCellsInAll || at(id).children >= 0;
 }
 
 /// Does not measure them yet: the hull in question may meet only few of them.
 int OutsideDistance::children(int id) {
-  if (cells_[static_cast<std::size_t>(id)].children >= 0) return cells_[static_cast<std::size_t>(id)].children;
-  const Cell parent = cells_[static_cast<std::size_t>(id)];
-  const int first = static_cast<int>(cells_.size());
+  Cell& parent = at(id);
+  if (parent.children >= 0) return parent.children;
+  parent.children = static_cast<int>(8 * families_.size());
+  std::array<Cell, 8>& family = families_.emplace_back();
   for (int k = 0; k < 8; ++k) {
-    Cell cell;
-    cell.half = parent.half / 2;
-    cell.centre = parent.centre + cell.half * Eigen::Vector3d(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
-    if (parent.summit == 0) cell.summit = 0, cell.summits = 0;
-    cells_.push_back(cell);
+    Cell& child = family[static_cast<std::size_t>(k)];
+    child.half = parent.half / 2;
+    child.centre = parent.centre + child.half * Eigen::Vector3d(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+    if (parent.summit == 0) child.summit = 0, child.summits = 0;
   }
-  return cells_[static_cast<std::size_t>(id)].children = first;
+  return parent.children;
 }
 
 const OutsideDistance::Cell& OutsideDistance::measuredChild(int id, int parent) {
-  Cell& cell = cells_[static_cast<std::size_t>(id)];
-  if (cell.triangle < 0) measure(cell, &cells_[static_cast<std::size_t>(parent)]);
+  Cell& cell = at(id);
+  if (cell.triangle < 0) measure(cell, &at(parent));
   return cell;
 }
 
 void OutsideDistance::learn(int id, const OutsideDistance& other, int known_id, const Eigen::AlignedBox3d& part) {
-  const Cell& known = other.cells_[static_cast<std::size_t>(known_id)];
-  Cell& cell = cells_[static_cast<std::size_t>(id)];
+  const Cell& known = other.at(known_id);
+  Cell& cell = at(id);
   if (cell.triangle < 0) cell.to_surface = known.to_surface, cell.distance = known.distance, cell.triangle = known.triangle;
   if (cell.summit < 0) cell.summit = known.summit;
   cell.level = std::min(cell.level, known.level);
@@ -206,22 +205,27 @@ void OutsideDistance::learn(int id, const OutsideDistance& other, int known_id, 
 }
 
 bool OutsideDistance::mayHoldSummit(int id) {
-  Cell& cell = cells_[static_cast<std::size_t>(id)];
+  Cell& cell = at(id);
   if (cell.summit < 0) cell.summit = solid_.mayHoldSummit(inWorld(cell.centre), cell.to_surface, radius(cell));
   if (cell.summit == 0) cell.summits = 0;
   return cell.summit != 0;
 }
 
-/// Bounds the distance over a divided cell by the triangles nearest to its own and its children's centres.
+/// Bounds the distance over a divided cell by the triangles nearest to its own and its children's centres. Where one of these is further
+/// away than `distance` no such bound can be within it.
 bool OutsideDistance::isLevelWithin(double distance, int id) {
-  for (int k = 0; k < 8; ++k) measuredChild(cells_[static_cast<std::size_t>(id)].children + k, id);
-  Cell& cell = cells_[static_cast<std::size_t>(id)];
-  const auto child = [&](int k) -> const Cell& { return cells_[static_cast<std::size_t>(cell.children + k)]; };
+  Cell& cell = at(id);
+  if (cell.to_surface > distance) return false;
   std::array<Eigen::Vector3d, 8> corners;
-  for (int k = 0; k < 8; ++k) corners[static_cast<std::size_t>(k)] = inWorld(cell.centre + 2 * (child(k).centre - cell.centre));
+  for (int k = 0; k < 8; ++k)
+    corners[static_cast<std::size_t>(k)] = inWorld(cell.centre + 2 * (at(cell.children + k).centre - cell.centre));
   LevelBound<8, 9> bound(corners, solid_.surface());
   bound.add(cell.triangle);
-  for (int k = 0; k < 8 && !bound.reaches(distance); ++k) bound.add(child(k).triangle);
+  for (int k = 0; k < 8 && !bound.reaches(distance); ++k) {
+    const Cell& child = measuredChild(cell.children + k, id);
+    if (child.to_surface > distance) return false;
+    bound.add(child.triangle);
+  }
   cell.level = std::min(cell.level, bound.reaches(distance) ? distance : bound.value());
   return cell.level <= distance;
 }
@@ -229,12 +233,12 @@ bool OutsideDistance::isLevelWithin(double distance, int id) {
 /// What is known about its children may bound a cell more tightly; later queries then need not divide it.
 void OutsideDistance::boundByChildren(int id) {
   double most = 0, summits = 0;
-  const int first = cells_[static_cast<std::size_t>(id)].children;
+  const int first = at(id).children;
   for (int k = first; k < first + 8; ++k) {
     most = std::max(most, knownBound(k));
     summits = std::max(summits, summitBound(k));
   }
-  Cell& cell = cells_[static_cast<std::size_t>(id)];
+  Cell& cell = at(id);
   cell.level = std::min(cell.level, most);
   cell.summits = std::min(cell.summits, summits);
 }
@@ -255,7 +259,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
   std::vector<int> divided;
   const auto look = [&](int cell, int parent, const Faces::List& candidates) {
     if ((query.summits_only ? summitBound(cell) : knownBound(cell)) <= enough()) return;
-    View view(cells_[static_cast<std::size_t>(cell)], faces, candidates);
+    View view(at(cell), faces, candidates);
     if (view.outside) return;
     measuredChild(cell, parent);
     const double bound = std::min(knownBound(cell), query.surface_bound + std::min(view.depth, query.depth));
@@ -273,7 +277,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
       break;
     }
     queue.pop();
-    const Cell cell = cells_[static_cast<std::size_t>(open.cell)];
+    const Cell& cell = at(open.cell);
     const View view = views[open.view];
     const auto outside = cell.distance - view.offset > result.found ? outsidePoint(cell, faces, view) : std::nullopt;
     if (outside) {
@@ -305,7 +309,7 @@ bool OutsideDistance::isWithin(const std::array<Eigen::Vector3d, 3>& in_world, d
   const Eigen::Vector3d low = triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]);
   const Eigen::Vector3d high = triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]);
   const Eigen::Vector3d middle = (low + high) / 2, half = (high - low) / 2;
-  if (((cells_[0].centre - middle).cwiseAbs() + half).maxCoeff() > cells_[0].half) return false;
+  if (((at(0).centre - middle).cwiseAbs() + half).maxCoeff() > at(0).half) return false;
   const Eigen::Vector3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
   const double offset = normal.dot(triangle[0]), width = normal.lpNorm<1>();
   int stack[8 * kDeepest];
@@ -313,7 +317,7 @@ bool OutsideDistance::isWithin(const std::array<Eigen::Vector3d, 3>& in_world, d
   stack[top++] = 0;
   while (top > 0) {
     const int id = stack[--top];
-    const Cell& cell = cells_[static_cast<std::size_t>(id)];
+    const Cell& cell = at(id);
     if (((cell.centre - middle).cwiseAbs() - half).maxCoeff() > cell.half) continue;
     if (std::abs(normal.dot(cell.centre) - offset) > cell.half * width) continue;
     if (cell.triangle >= 0 && solid_.distanceWithin(radius(cell), cell.distance, cell.to_surface) <= distance) continue;
@@ -333,7 +337,7 @@ std::vector<OutsideDistance::Intruder> OutsideDistance::intruders(const ConvexHu
   std::vector<Open> level, divided;
   const auto look = [&](int cell, int parent, const Faces::List& candidates) {
     if (knownBound(cell) <= tolerance) return;
-    View view(cells_[static_cast<std::size_t>(cell)], faces, candidates);
+    View view(at(cell), faces, candidates);
     if (view.outside) return;
     measuredChild(cell, parent);
     if (knownBound(cell) > tolerance) level.push_back({cell, std::move(view)});
@@ -344,7 +348,7 @@ std::vector<OutsideDistance::Intruder> OutsideDistance::intruders(const ConvexHu
     found.clear();
     divided.clear();
     for (Open& open : level) {
-      const Cell& cell = cells_[static_cast<std::size_t>(open.cell)];
+      const Cell& cell = at(open.cell);
       const auto outside = cell.distance - open.view.offset > tolerance ? outsidePoint(cell, faces, open.view) : std::nullopt;
       if (outside) found.push_back({inWorld(*outside), cell.distance - open.view.offset, 8 * cell.half * cell.half * cell.half});
       if (radius(cell) >= resolution && canDivide(open.cell)) divided.push_back(std::move(open));

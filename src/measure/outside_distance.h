@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <deque>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -97,13 +98,17 @@ class OutsideDistance {
   const Cell& measuredChild(int cell, int parent);
   bool mayHoldSummit(int cell);
   bool isLevelWithin(double distance, int cell);
-  double summitBound(int cell) const { return std::min(knownBound(cell), cells_[static_cast<std::size_t>(cell)].summits); }
+  double summitBound(int cell) const { return std::min(knownBound(cell), at(cell).summits); }
   void boundByChildren(int cell);
   void learn(int cell, const OutsideDistance& other, int known, const Eigen::AlignedBox3d& part);
 
+  /// Cells are numbered in the order of their families.
+  Cell& at(int id) { return families_[static_cast<std::size_t>(id) / 8][static_cast<std::size_t>(id) % 8]; }
+  const Cell& at(int id) const { return families_[static_cast<std::size_t>(id) / 8][static_cast<std::size_t>(id) % 8]; }
+
   const Solid& solid_;
-  std::vector<Cell> cells_;
-  Memory memory_;  // for the current query
+  std::deque<std::array<Cell, 8>> families_;  // of siblings; the first is the root, alone. A deque, as cells must not move
+  Memory memory_;                             // for the current query
 };
 
 }  // namespace collision_hulls

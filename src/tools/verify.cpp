@@ -1,6 +1,10 @@
 // verify ORIGINAL RESULT: whether one description is a collision model of the other, whoever made it.
 #include "collision_hulls/verify/verify.h"
 
+#include <map>
+
+#include "base/counted.h"
+#include "base/shell_word.h"
 #include "robot_program.h"
 
 namespace collision_hulls {
@@ -91,29 +95,55 @@ void checkSameKind(const Input& original, const Input& result) {
   throw Error(ErrorCode::kBadOption, "'" + mesh + "' is a mesh, and the other is a robot; give two robots or two meshes");
 }
 
+bool isFailure(const LinkVerification& row) {
+  return row.status == LinkStatus::kOver || row.status == LinkStatus::kFailed;
+}
+
+/// The table, without what printFailures() says.
+std::string tableOf(Verification seen) {
+  for (LinkVerification& row : seen.links)
+    if (isFailure(row)) row.reason.clear();
+  return toTable(seen);
+}
+
+/// A line for each reason: links that lack the same package share one.
+void printFailures(const Verification& seen) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> links_by_reason;
+  std::map<std::string, std::size_t> places;  // in it
+  for (const LinkVerification& row : seen.links) {
+    if (!isFailure(row)) continue;
+    const auto [known, is_new] = places.emplace(row.reason, links_by_reason.size());
+    if (is_new) links_by_reason.push_back({row.reason, {}});
+    links_by_reason[known->second].second.push_back(row.link);
+  }
+  for (const auto& [reason, links] : links_by_reason) {
+    const std::string others = links.size() > 1 ? " and " + counted(links.size() - 1, "more link") : "";
+    std::cerr << "verify: " << links.front() << others << ": " << reason << "\n";
+  }
+}
+
 void print(const Verification& seen, const Command& command) {
   const std::string json = toJson(seen, command.options, command.original, command.result);
   if (isFile(command.json)) writeNamedFile(command.json, json);
   if (command.json == "-") {
     std::cout << json;
   } else if (!command.quiet) {
-    std::cout << toTable(seen);
+    std::cout << tableOf(seen);
   }
   if (!std::cout.flush()) throw Error(ErrorCode::kUnwritableOutput, "cannot write to standard output; --json FILE keeps the figures");
-  for (const LinkVerification& row : seen.links)
-    if (row.status == LinkStatus::kOver || row.status == LinkStatus::kFailed)
-      std::cerr << "verify: " << row.link << ": " << row.reason << "\n";
+  printFailures(seen);
   if (seen.contradictions > 0)
     std::cerr << "verify: " << seen.contradictions << " collision queries contradict the bounds; the notes name some\n";
 }
 
-int run(Command& command) {
+int run(Command& command, const std::string& given) {
   static RunControl control;  // a signal may come until the program ends
   cancelOnSignals(control);
   interpret(command);
   if (isFile(command.json)) inContext("--json", [&] { checkNamedFile(command.json), checkHoldsJson(command.json); });
-  const Input original = openInput(command.original, command.package_path, "verify", control);
-  const Input result = openInput(command.result, command.package_path, "verify", control);
+  const std::string before = "verify " + shellWord(command.original), after = shellWord(command.result) + " " + given;
+  const Input original = openInput(command.original, command.package_path, "verify", control, after);
+  const Input result = openInput(command.result, command.package_path, before, control, given);
   checkSameKind(original, result);
   if (!command.quiet) std::cerr << "comparing '" << command.original << "' with '" << command.result << "'\n";
   const Description of_original = described(original), of_result = described(result);
@@ -128,7 +158,7 @@ int main(int argc, char** argv) {
   CommandLine app("Measures how well one description's collision geometry covers another's shape, whoever made it.", "verify");
   app.footer(kFooter);
   addOptions(app, command);
-  return runRobotProgram(app, argc, argv, [&] { return run(command); });
+  return runRobotProgram(app, argc, argv, [&] { return run(command, app.given()); });
 }
 
 }  // namespace

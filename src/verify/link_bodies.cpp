@@ -32,6 +32,33 @@ struct Before {
   }
 };
 
+/// Primitives by a number in which equal ones differ by rounding alone. Of others few are that near: its weights have no common measure.
+class KnownPrimitives {
+ public:
+  explicit KnownPrimitives(const std::vector<GeometryElement>& primitives) {
+    for (const GeometryElement& primitive : primitives) by_number_.emplace(number(primitive), &primitive);
+  }
+
+  bool has(const GeometryElement& primitive, const RunControl& control) const {
+    constexpr double kSlack = 1e-8, kRounding = 1e-14;  // of size and place; equalBodies() allows a tenth of it, in each coordinate
+    const double at = number(primitive);
+    const double reach = kSlack * primitive.size.maxCoeff() + kRounding * primitive.origin.translation().cwiseAbs().maxCoeff();
+    for (auto other = by_number_.lower_bound(at - reach); other != by_number_.end() && other->first <= at + reach; ++other) {
+      control.check();
+      if (equalBodies(*other->second, primitive)) return true;
+    }
+    return false;
+  }
+
+ private:
+  static double number(const GeometryElement& primitive) {
+    return primitive.size.dot(Eigen::Vector3d(0.9129, 0.7071, 0.3717)) +
+           primitive.origin.translation().dot(Eigen::Vector3d(0.8312, 0.5477, 0.2887));
+  }
+
+  std::multimap<double, const GeometryElement*> by_number_;
+};
+
 }  // namespace
 
 std::shared_ptr<const MeshFiles::File> MeshFiles::read(const GeometryElement& element) {
@@ -106,10 +133,10 @@ std::size_t LinkBodies::restParts() const {
 LinkBodies without(const LinkBodies& bodies, const LinkBodies& others, const RunControl& control) {
   LinkBodies result;
   result.resolution = bodies.resolution;
+  const KnownPrimitives known_ones(others.primitives);
   for (const GeometryElement& primitive : bodies.primitives) {
     control.check();
-    const auto is_equal = [&](const GeometryElement& other) { return equalBodies(other, primitive); };
-    if (std::none_of(others.primitives.begin(), others.primitives.end(), is_equal)) result.primitives.push_back(primitive);
+    if (!known_ones.has(primitive, control)) result.primitives.push_back(primitive);
   }
   std::set<const TriangleMesh*, Before> meshes;
   for (const MeshBody& other : others.meshes) control.check(), meshes.insert(&other.mesh);

@@ -11,7 +11,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <optional>
+#include <utility>
 
 #include "base/parallel.h"
 #include "check/validate_probes.h"
@@ -26,7 +29,8 @@ constexpr double kNearest = 1e-3, kFarthest = 0.3;   // offset of a box, in diag
 constexpr double kThinnest = 0.02, kThickest = 0.5;  // its sides, in diagonals of the link
 constexpr double kRounding = 1e-6;                   // [m] by which a contradiction must exceed its bound
 constexpr std::size_t kMostRemarks = 10;
-constexpr int kTurns = 8;  // of nearness()
+constexpr std::size_t kMostLinks = 2000;  // whose pairs are counted: two million take 200 MB
+constexpr int kTurns = 8;                 // of nearness()
 
 /// One link of one side, or a box.
 struct Model {
@@ -193,6 +197,31 @@ void add(TrialCounts& sum, const TrialCounts& more) {
   sum.phantom += more.phantom;
 }
 
+/// The pairs of links that collide on either side, in any configuration. Thread safe; the sums do not depend on the order.
+class PairCounts {
+ public:
+  void add(std::size_t first, std::size_t second, Outcome outcome) {
+    if (outcome == Outcome::kFree) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    count(outcome, counts_[{first, second}]);
+  }
+
+  /// Those with a missed or a phantom query, each of which was asked in every configuration.
+  std::vector<TrialPair> differing(std::size_t configurations) const {
+    std::vector<TrialPair> pairs;
+    for (const auto& [links, counts] : counts_) {
+      if (counts.missed + counts.phantom == 0) continue;
+      pairs.push_back({links.first, links.second, counts});
+      pairs.back().counts.queries = configurations;
+    }
+    return pairs;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::pair<std::size_t, std::size_t>, TrialCounts> counts_;
+};
+
 /// The links of a robot, and the queries of one configuration.
 class Trial {
  public:
@@ -204,7 +233,7 @@ class Trial {
     }
   }
 
-  Trials run(std::uint64_t seed, std::size_t configuration) const {
+  Trials run(std::uint64_t seed, std::size_t configuration, PairCounts& pairs) const {
     Random random(seed, 0, configuration);
     const std::vector<Eigen::Isometry3d> poses = kinematics_.poses(kinematics_.sample([&] { return random.uniform(0, 1); }));
     Trials trials;
@@ -215,6 +244,7 @@ class Trial {
         const Eigen::Isometry3d pose = poses[links_[i].link].inverse() * poses[links_[j].link];
         const Outcome outcome = outcomeOf(sides(i), sides(j), pose);
         record(outcome, {i, j}, configuration, links_[j].bounds->link, trials);
+        if (links_.size() <= kMostLinks) pairs.add(i, j, outcome);
       }
     }
     queryBox(random, poses, configuration, trials);
@@ -282,10 +312,12 @@ Trials tryConfigurations(const Kinematics& kinematics, const std::vector<TrialLi
   if (links.empty()) return sum;
   const Trial trial(kinematics, links, control);
   std::vector<Trials> each(configurations);
+  PairCounts pairs;
   forEach(configurations, [&](std::size_t i) {
     control.check();
-    each[i] = trial.run(seed, i);
+    each[i] = trial.run(seed, i, pairs);
   });
+  sum.pairs = pairs.differing(configurations);
   for (const Trials& one : each) {
     add(sum.all, one.all);
     for (std::size_t i = 0; i < links.size(); ++i) add(sum.of_link[i], one.of_link[i]);

@@ -21,9 +21,16 @@ struct TrialCounts {
   std::size_t queries = 0, hits = 0, missed = 0, phantom = 0;
 };
 
+/// Two links, by their indices as they were given, first < second.
+struct TrialPair {
+  std::size_t first = 0, second = 0;
+  TrialCounts counts;
+};
+
 struct Trials {
   TrialCounts all;
   std::vector<TrialCounts> of_link;  ///< as the links were given
+  std::vector<TrialPair> pairs;      ///< with a missed or a phantom query, in the links' order; none of more than 2,000 links
   std::size_t contradictions = 0;
   std::vector<std::string> remarks;  ///< on contradictions; a few
 };

@@ -21,7 +21,8 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kElsewhere = 1e-6;  // [m, and of rotation matrices] by which a link's place may differ between the descriptions
+constexpr std::size_t kMostPairs = 1000;  // of links, in a report
+constexpr double kElsewhere = 1e-6;       // [m, and of rotation matrices] by which a link's place may differ between the descriptions
 
 std::vector<GeometryElement> elementsOf(const LinkDescription& link, const VerifyOptions& options) {
   if (options.made_from) {
@@ -50,6 +51,15 @@ bool exceeds(const std::optional<double>& gate, const Largest& largest, const st
   return true;
 }
 
+/// Those that differ in most configurations come first; leaves out those beyond the most.
+void rank(std::vector<PairVerification>& pairs) {
+  const auto differs_more = [](const PairVerification& a, const PairVerification& b) {
+    return a.missed + a.phantom > b.missed + b.phantom;
+  };
+  std::stable_sort(pairs.begin(), pairs.end(), differs_more);
+  if (pairs.size() > kMostPairs) pairs.resize(kMostPairs);
+}
+
 class Verifier {
  public:
   Verifier(const Description& original, const Description& result, const VerifyOptions& options, const RunControl& control)
@@ -76,6 +86,7 @@ class Verifier {
     for (const LinkDescription& link : result_.robot.links) of_result[link.name] = &link;
     MeshFiles originals(original_, options_.mesh_limits, false, control_), results(result_, options_.mesh_limits, true, control_);
     for (std::size_t i = 0; i < original_.robot.links.size(); ++i) {
+      control_.check();
       const LinkDescription& link = original_.robot.links[i];
       const auto other = of_result.find(link.name);
       const LinkDescription* const result = other == of_result.end() ? nullptr : other->second;
@@ -85,9 +96,11 @@ class Verifier {
             !result);
       if (result) of_result.erase(other);
     }
-    for (const LinkDescription& link : result_.robot.links)
+    for (const LinkDescription& link : result_.robot.links) {
+      control_.check();
       if (of_result.count(link.name) && pattern.matches(link.name))
         add(0, link.name, LinkBodies(), results.bodiesOf(link.collisions), false);
+    }
   }
 
   void add(std::size_t index, const std::string& name, LinkBodies original, LinkBodies result, bool no_link) {
@@ -152,6 +165,10 @@ class Verifier {
       row.queries = counts.queries, row.hits = counts.hits, row.missed = counts.missed, row.phantom = counts.phantom;
     }
     done.queries = trials.all.queries, done.hits = trials.all.hits, done.missed = trials.all.missed, done.phantom = trials.all.phantom;
+    for (const TrialPair& pair : trials.pairs)
+      done.pairs.push_back({rows_[index[pair.first]].link, rows_[index[pair.second]].link, pair.counts.queries, pair.counts.hits,
+                            pair.counts.missed, pair.counts.phantom});
+    rank(done.pairs);
     done.contradictions = trials.contradictions;
     done.notes = trials.remarks;
   }

@@ -1,4 +1,5 @@
 // What was verified, for people and for programs. Field names are a contract with other tools: add fields, but never rename or remove one.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -14,6 +15,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kTextColumns = 1;  // link
+constexpr std::size_t kMostLines = 10;   // of pairs of links, for each kind of difference
 
 json toJson(const Largest& largest) {
   return {{"bound", largest.bound}, {"found", largest.found}, {"where", {largest.where.x(), largest.where.y(), largest.where.z()}}};
@@ -30,6 +32,11 @@ json toJson(const LinkVerification& row) {
   object["uncovered_share"] = failed || row.status == LinkStatus::kAdded ? json() : json(row.uncovered_share);
   object["protrusion"] = failed || row.status == LinkStatus::kMissing ? json() : toJson(row.protrusion);
   return object;
+}
+
+json toJson(const PairVerification& pair) {
+  return {{"first", pair.first}, {"second", pair.second}, {"queries", pair.queries},
+          {"hits", pair.hits},   {"missed", pair.missed}, {"phantom", pair.phantom}};
 }
 
 std::string lengthCell(double metres) {
@@ -56,6 +63,33 @@ Cells cells(const LinkVerification& row) {
           name(row.status)};
 }
 
+/// A line for each of the pairs with the most missed or phantom queries, those with most first. `line`: of a pair, after its names.
+template <typename Line>
+std::string pairLines(std::vector<PairVerification> pairs, const std::string& kind, std::size_t PairVerification::*number,
+                      const Line& line) {
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), [&](const PairVerification& pair) { return pair.*number == 0; }), pairs.end());
+  std::stable_sort(pairs.begin(), pairs.end(), [&](const PairVerification& a, const PairVerification& b) { return a.*number > b.*number; });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(pairs.size(), kMostLines); ++i)
+    text += kind + ": '" + pairs[i].first + "' and '" + pairs[i].second + "' " + line(pairs[i]) + "\n";
+  if (pairs.size() > kMostLines) text += kind + ": " + counted(pairs.size() - kMostLines, "more pair") + " of links, which --json lists\n";
+  return text;
+}
+
+/// The pairs of links that differ most, and what to do about them.
+std::string pairLines(const Verification& verification) {
+  const std::string missed = pairLines(verification.pairs, "missed", &PairVerification::missed, [](const PairVerification& pair) {
+    return "do not collide in " + std::to_string(pair.missed) + " of the " + counted(pair.hits, "configuration") +
+           " in which they do in ORIGINAL";
+  });
+  const std::string phantom = pairLines(verification.pairs, "phantom", &PairVerification::phantom, [](const PairVerification& pair) {
+    return "collide in " + std::to_string(pair.phantom) + " of the " + counted(pair.queries - pair.hits, "configuration") +
+           " in which they do not in ORIGINAL";
+  });
+  if (phantom.empty()) return missed;
+  return missed + phantom + "phantom: lower the tolerance of these links; or disable a pair, if it never collides in ORIGINAL\n";
+}
+
 /// Why rows are not ok, one a line.
 std::string reasons(const Verification& verification) {
   std::string text;
@@ -77,13 +111,15 @@ std::string toTable(const Verification& verification) {
          "Uncovered: the furthest that ORIGINAL's surface is from RESULT. Protrusion: the furthest that RESULT is from ORIGINAL's solid. "
          "Both "
          "are proved not to be larger; \"found\" is reached.\n" +
-         reasons(verification);
+         pairLines(verification) + reasons(verification);
 }
 
 std::string toJson(const Verification& verification, const VerifyOptions& options, const std::string& original, const std::string& result) {
   const auto gate = [](const std::optional<double>& value) { return value ? json(*value) : json(); };
   json links = json::array();
   for (const LinkVerification& row : verification.links) links.push_back(toJson(row));
+  json pairs = json::array();
+  for (const PairVerification& pair : verification.pairs) pairs.push_back(toJson(pair));
   const json document = {{"collision_hulls", version()},
                          {"original", original},
                          {"result", result},
@@ -96,6 +132,7 @@ std::string toJson(const Verification& verification, const VerifyOptions& option
                            {"configurations", options.configurations}}},
                          {"seed", options.seed},
                          {"links", links},
+                         {"pairs", pairs},
                          {"queries",
                           {{"configurations", verification.configurations},
                            {"queries", verification.queries},

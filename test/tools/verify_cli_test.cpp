@@ -83,7 +83,27 @@ TEST_F(VerifyProgram, AMeshThatCannotBeReadIsStatusOne) {
   const Finished result = run("r.urdf r.urdf");
   EXPECT_EQ(result.status, 1);
   EXPECT_NE(result.err.find("lost.stl"), std::string::npos) << result.err;
-  EXPECT_NE(result.out.find("failed: a: "), std::string::npos) << result.out;
+  EXPECT_EQ(result.out.find("lost.stl"), std::string::npos) << "said twice\n" << result.out;
+}
+
+TEST_F(VerifyProgram, AMissingPackageIsSaidOnce) {
+  const auto link = [](const std::string& name, const std::string& parent) {
+    return fixtures::link(name, "<collision>" + fixtures::meshTag("package://lost/" + name + ".stl") + "</collision>", parent);
+  };
+  fixtures::write(folder_ / "r.urdf", fixtures::robot("r", link("a", "") + link("b", "a") + link("c", "a")));
+  const Finished result = run("r.urdf r.urdf --quiet");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.err,
+            "verify: a and 2 more links: ORIGINAL: package 'lost' was not found: install it and source its workspace, or say where it is "
+            "with --package-path lost=DIR\n");
+}
+
+TEST_F(VerifyProgram, ProposesCommandsWithBothDescriptions) {
+  fixtures::write(folder_ / "two/package.xml", "<package><name>two</name></package>");
+  for (const char* name : {"a", "b"})
+    fixtures::write(folder_ / ("two/urdf/" + std::string(name) + ".urdf"), fixtures::robot(name, fixtures::link("l", "")));
+  expectWrongUse("two bracket.obj --max-uncovered 0", {"\n  verify two/urdf/b.urdf bracket.obj --max-uncovered 0"});
+  expectWrongUse("two/urdf/a.urdf two --quiet", {"\n  verify two/urdf/a.urdf two/urdf/b.urdf --quiet"});
 }
 
 /// Its collision box is larger than its visual one, and decompose prefers the former.

@@ -85,6 +85,24 @@ TEST(Trials, ASmallerModelMissesAndALargerOneIsHitTooOften) {
   EXPECT_GT(small.all.hits, small.all.missed);
 }
 
+TEST(Trials, CountsEachPairOfLinksWithoutTheBoxes) {
+  const Trials small = trialsOf(Cube(0.9)), large = trialsOf(Cube(1.1)), same = trialsOf(Cube(1));
+  EXPECT_TRUE(same.pairs.empty());
+  ASSERT_EQ(small.pairs.size(), 1u);
+  ASSERT_EQ(large.pairs.size(), 1u);
+  EXPECT_EQ(large.pairs[0].first, 0u);
+  EXPECT_EQ(large.pairs[0].second, 1u);
+  const TrialCounts &missed = small.pairs[0].counts, &phantom = large.pairs[0].counts;
+  EXPECT_EQ(phantom.queries, 400u);
+  EXPECT_EQ(phantom.hits, missed.hits) << "of the same original, in the same configurations";
+  EXPECT_EQ(phantom.missed + missed.phantom, 0u);
+  // A link's counts hold its pair's and those with the boxes, of which there is one in each configuration.
+  EXPECT_GT(phantom.phantom, 0u);
+  EXPECT_LT(phantom.phantom, large.of_link[0].phantom);
+  EXPECT_GT(missed.missed, 0u);
+  EXPECT_LT(missed.missed, small.of_link[0].missed);
+}
+
 TEST(Trials, BoundsThatAreTooSmallAreContradicted) {
   Cube small(0.9), large(1.1);
   small.row.uncovered.bound /= 10;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "collision_hulls/error.h"
@@ -83,6 +84,62 @@ TEST_F(Verify, ALargerBoxProtrudesByItsCorner) {
   expectNear(row.protrusion, 0.01 * std::sqrt(3.0), 3e-4);
   EXPECT_EQ(row.missed, 0u);
   EXPECT_GT(row.phantom, 0u);
+}
+
+/// Cubes of 0.2 m in a row; the gap between their middles is `apart`. Links next to each other are joined.
+std::string rowOfLinks(const std::string& visual, const std::string& collision, const std::vector<std::string>& names, double apart) {
+  std::string links;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    links += "<link name='" + names[i] + "'>" + visual + collision + "</link>";
+    if (i == 0) continue;
+    links += "<joint name='to_" + names[i] + "' type='prismatic'><parent link='" + names[i - 1] + "'/><child link='" + names[i] +
+             "'/><origin xyz='" + std::to_string(apart) + " 0 0'/><axis xyz='0 0 1'/>" +
+             "<limit lower='-0.01' upper='0.01' effort='1' velocity='1'/></joint>";
+  }
+  return links;
+}
+
+TEST_F(Verify, NamesThePairsOfLinksThatTouchWhereTheOriginalsDoNot) {
+  const std::string look = visual(primitive("box size='0.2 0.2 0.2'")), model = collision(primitive("box size='0.22 0.22 0.22'"));
+  VerifyOptions options;
+  options.configurations = 50;
+  const Description row = robot(rowOfLinks(look, model, {"a", "b", "c", "d"}, 0.105));
+  const Verification seen = verify(row, row, options);
+  ASSERT_EQ(seen.pairs.size(), 2u) << "those next but one to each other; a and d are far apart, the others are joined";
+  EXPECT_EQ(seen.pairs[0].first + seen.pairs[0].second + seen.pairs[1].first + seen.pairs[1].second, "acbd");
+  EXPECT_EQ(seen.pairs[0].queries, 50u);
+  EXPECT_EQ(seen.pairs[0].hits, 0u);
+  EXPECT_EQ(seen.pairs[0].phantom, 50u);
+  const std::string table = toTable(seen);
+  for (const char* part : {"phantom: 'a' and 'c' collide in 50 of the 50 configurations in which they do not in ORIGINAL\n",
+                           "phantom: lower the tolerance of these links; or disable a pair, if it never collides in ORIGINAL\n"})
+    EXPECT_NE(table.find(part), std::string::npos) << table;
+  EXPECT_EQ(table.find("missed: "), std::string::npos) << table;
+  const nlohmann::json json = nlohmann::json::parse(toJson(seen, options, "", ""));
+  const nlohmann::json expected = {{"first", "a"}, {"second", "c"}, {"queries", 50}, {"hits", 0}, {"missed", 0}, {"phantom", 50}};
+  EXPECT_EQ(json["pairs"][0], expected);
+}
+
+TEST_F(Verify, NamesThePairsOfLinksThatDoNotTouchWhereTheOriginalsDo) {
+  const std::string look = visual(primitive("box size='0.22 0.22 0.22'")), model = collision(primitive("box size='0.2 0.2 0.2'"));
+  VerifyOptions options;
+  options.configurations = 50;
+  const Description row = robot(rowOfLinks(look, model, {"a", "b", "c"}, 0.105));
+  const std::string table = toTable(verify(row, row, options));
+  EXPECT_NE(table.find("missed: 'a' and 'c' do not collide in 50 of the 50 configurations in which they do in ORIGINAL\n"),
+            std::string::npos)
+      << table;
+  EXPECT_EQ(table.find("phantom: "), std::string::npos) << table;
+}
+
+TEST(VerifyTable, NamesTenPairsThoseWithMostFirst) {
+  Verification seen;
+  for (std::size_t i = 0; i < 12; ++i) seen.pairs.push_back({"a", "b" + std::to_string(i), 100, i, 0, i + 1});
+  const std::string table = toTable(seen);
+  EXPECT_EQ(fixtures::count(table, " collide in "), 10u) << table;
+  EXPECT_LT(table.find("'b11' collide in 12 of the 89 configurations"), table.find("'b10' collide in 11 of the 90 configurations"));
+  EXPECT_EQ(table.find("'b1' "), std::string::npos) << table;
+  EXPECT_NE(table.find("phantom: 2 more pairs of links, which --json lists\n"), std::string::npos) << table;
 }
 
 TEST_F(Verify, GatesAreInclusiveAndEachIsItsOwn) {
@@ -272,6 +329,35 @@ TEST(Without, EachElementIsALookAtTheControl) {
   const auto work = [&](const RunControl& control) { without(bodies, bodies, control); };
   EXPECT_GE(looksOf(work), 1500u) << "of the boxes, of one side's meshes, and of the other's";
   for (const std::size_t at : {1, 600, 1400}) EXPECT_EQ(looksAfterCancel(at, work), 1u);
+}
+
+TEST(Without, APrimitiveIsComparedWithFewOthers) {
+  constexpr std::size_t kSide = 20;
+  LinkBodies balls;
+  for (std::size_t i = 0; i < kSide * kSide; ++i) {
+    GeometryElement ball;
+    ball.kind = GeometryElement::Kind::kSphere;
+    ball.size = {0.1, 0, 0};
+    ball.origin.translation() = Eigen::Vector3d(static_cast<double>(i % kSide), static_cast<double>(i / kSide), 0);
+    balls.primitives.push_back(ball);
+  }
+  LinkBodies others = balls;
+  std::reverse(others.primitives.begin(), others.primitives.end());
+  others.primitives.front().origin.translation().z() = 1e-3;
+  std::size_t left = 0;
+  const std::size_t looks = looksOf([&](const RunControl& control) { left = without(balls, others, control).primitives.size(); });
+  EXPECT_EQ(left, 1u);
+  EXPECT_GE(looks, 2 * balls.primitives.size() - 1) << "each, and each with its like";
+  EXPECT_LE(looks, 3 * balls.primitives.size());
+  for (GeometryElement& ball : others.primitives) ball.origin.translation() *= 1 + 1e-12;
+  EXPECT_EQ(without(balls, others).primitives.size(), 1u) << "rounding makes no difference";
+}
+
+TEST_F(Verify, LinksThatAreNotChosenAreLooksAtTheControl) {
+  const Description both = robot(fixtures::link("a", collision(primitive("box size='1 1 1'"))));
+  VerifyOptions options;
+  options.links = "other[a-z]*";
+  EXPECT_EQ(looksAfterCancel(1, [&](const RunControl& control) { verify(both, both, options, control); }), 1u);
 }
 
 TEST_F(Verify, SourceSaysWhatCountsOfTheOriginal) {

@@ -96,8 +96,19 @@ struct LinkVerification {
   double seconds = 0;
 };
 
+/// Two links, and the sampled configurations in which RESULT answers unlike ORIGINAL.
+struct PairVerification {
+  std::string first, second;  ///< names
+  /// configurations: all, those in which ORIGINAL's links collide, those in which RESULT misses
+  /// that, and those in which RESULT's alone collide
+  std::size_t queries = 0, hits = 0, missed = 0, phantom = 0;
+};
+
 struct Verification {
   std::vector<LinkVerification> links;  ///< with geometry on either side, in ORIGINAL's order
+  /// pairs of links with a missed or a phantom query, those with most of them first; at most
+  /// 1,000, and none for more than 2,000 links
+  std::vector<PairVerification> pairs;
   std::size_t configurations = 0;
   std::size_t queries = 0, hits = 0, missed = 0, phantom = 0;  ///< of all links, each query once
   /// Queries that the bounds rule out: a miss by more than `uncovered`, a phantom further away than

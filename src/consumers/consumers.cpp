@@ -26,15 +26,19 @@ constexpr std::array<Entry, 9> kConsumers = {{{Consumer::kMoveit, "moveit"},
                                               {Consumer::kDart, "dart"},
                                               {Consumer::kBullet, "bullet"}}};
 
-ConsumerFiles filesFor(Consumer consumer, const WrittenModel& model, const RunControl& control) {
+bool takesPairs(Consumer consumer) {
+  return consumer == Consumer::kMoveit || consumer == Consumer::kMujoco || consumer == Consumer::kCurobo;
+}
+
+ConsumerFiles filesFor(Consumer consumer, const WrittenModel& model, const std::vector<DisabledPair>& pairs, const RunControl& control) {
   switch (consumer) {
-    case Consumer::kMoveit: return moveitFiles(model, control);
+    case Consumer::kMoveit: return moveitFiles(model, pairs);
     case Consumer::kGazebo: return gazeboFiles(model);
-    case Consumer::kMujoco: return mujocoFiles(model, control);
+    case Consumer::kMujoco: return mujocoFiles(model, pairs, control);
     case Consumer::kDrake: return drakeFiles(model);
     case Consumer::kIsaac: return isaacFiles(model);
     case Consumer::kTesseract: return tesseractFiles(model);
-    case Consumer::kCurobo: return curoboFiles(model, control);
+    case Consumer::kCurobo: return curoboFiles(model, pairs);
     case Consumer::kDart: return dartFiles(model);
     case Consumer::kBullet: return {};
   }
@@ -48,7 +52,7 @@ void refuseFormat(Consumer consumer, MeshFormat format, const std::string& reads
 
 /// What has to be known of a consumer's files, or in place of them.
 std::vector<std::string> notesFor(Consumer consumer, const WrittenModel& model) {
-  if (consumer == Consumer::kMujoco) return model.notes();
+  if (consumer == Consumer::kMujoco) return mujocoNotes(model);
   if (consumer == Consumer::kGazebo) return gazeboNotes(model);
   if (consumer == Consumer::kDart) return dartNotes(model);
   if (consumer == Consumer::kBullet)
@@ -102,11 +106,17 @@ void addConsumerFiles(const std::vector<Consumer>& consumers, const std::string&
     throw Error(ErrorCode::kBadOption, std::string("--for ") + name(consumers.front()) + ": '" + result.robot_name +
                                            "' is a mesh, and only a robot's description has a form for it; leave the option out");
   const WrittenModel model(result, outputPackage(result.report.options, output), control);
+  const bool take_pairs = std::any_of(consumers.begin(), consumers.end(), takesPairs);
+  const std::vector<DisabledPair> pairs = take_pairs ? pairsWithoutCheck(model, control) : std::vector<DisabledPair>();
   std::vector<std::string>& notes = result.report.notes;
-  for (const Consumer consumer : consumers) {
-    for (auto& [file, text] : filesFor(consumer, model, control)) result.extra_files[file] = text;
-    for (const std::string& note : notesFor(consumer, model))
+  const auto add = [&](const std::vector<std::string>& more) {
+    for (const std::string& note : more)
       if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+  };
+  add(notesOn(pairs));
+  for (const Consumer consumer : consumers) {
+    for (auto& [file, text] : filesFor(consumer, model, pairs, control)) result.extra_files[file] = text;
+    add(notesFor(consumer, model));
   }
 }
 

@@ -1,6 +1,7 @@
 // What a cuRobo robot configuration says of collisions, to be merged into its `kinematics`: the links with spheres, the spheres in the
 // links' frames, and the pairs of links that are not checked against each other, which are proved never to meet where cuRobo's own tools
 // sample. Links that have anything else, such as a box that was kept, have no spheres for it: cuRobo would miss it, so that is refused.
+#include <algorithm>
 #include <map>
 
 #include "collision_hulls/error.h"
@@ -24,22 +25,30 @@ std::string sphereText(const GeometryElement& sphere) {
          "], radius: " + numberText(sphere.size.x()) + "}\n";
 }
 
-void refuseOthers(const LinkDescription& link) {
-  for (const GeometryElement& element : link.collisions)
-    if (element.kind != GeometryElement::Kind::kSphere && element.kind != GeometryElement::Kind::kNone)
-      throw Error(ErrorCode::kBadOption,
-                  "--for curobo: link '" + link.name +
-                      "' has other collision elements than spheres, which cuRobo would miss; choose --source visual, "
-                      "remove the link, or leave --for curobo out");
+bool hasOthers(const LinkDescription& link) {
+  return std::any_of(link.collisions.begin(), link.collisions.end(), [](const GeometryElement& element) {
+    return element.kind != GeometryElement::Kind::kSphere && element.kind != GeometryElement::Kind::kNone;
+  });
+}
+
+void refuseOthers(const WrittenModel& model) {
+  std::vector<std::string> links;
+  for (const LinkDescription& link : model.robot().links)
+    if (hasOthers(link)) links.push_back(link.name);
+  if (links.empty()) return;
+  const std::string choose = model.result().report.options.source == Source::kVisual ? "" : "choose --source visual, ";
+  throw Error(ErrorCode::kBadOption, "--for curobo: " + someHave(links) +
+                                         " other collision elements than spheres, which cuRobo would miss; " + choose +
+                                         "remove them by --config, or leave --for curobo out");
 }
 
 }  // namespace
 
-ConsumerFiles curoboFiles(const WrittenModel& model, const RunControl& control) {
+ConsumerFiles curoboFiles(const WrittenModel& model, const std::vector<DisabledPair>& pairs) {
+  refuseOthers(model);
   std::vector<std::string> links;
   std::string spheres;
   for (const LinkDescription& link : model.robot().links) {
-    refuseOthers(link);
     std::string of_link;
     for (const GeometryElement& element : link.collisions)
       if (element.kind == GeometryElement::Kind::kSphere) of_link += sphereText(element);
@@ -48,13 +57,13 @@ ConsumerFiles curoboFiles(const WrittenModel& model, const RunControl& control) 
     spheres += "  " + quoted(link.name) + ":\n" + of_link;
   }
   std::map<std::string, std::vector<std::string>> ignored;
-  for (const DisabledPair& pair : pairsWithoutCheck(model, control)) ignored[pair.link1].push_back(pair.link2);
-  std::string pairs;
-  for (const auto& [link, others] : ignored) pairs += "  " + quoted(link) + ": " + listOf(others) + "\n";
+  for (const DisabledPair& pair : pairs) ignored[pair.link1].push_back(pair.link2);
+  std::string ignore;
+  for (const auto& [link, others] : ignored) ignore += "  " + quoted(link) + ": " + listOf(others) + "\n";
   const std::string text =
       "# For the kinematics section of a cuRobo robot configuration. Metres, in the links' frames.\ncollision_link_names: " +
       listOf(links) + "\ncollision_spheres:" + (spheres.empty() ? " {}\n" : "\n" + spheres) +
-      "self_collision_ignore:" + (pairs.empty() ? " {}\n" : "\n" + pairs);
+      "self_collision_ignore:" + (ignore.empty() ? " {}\n" : "\n" + ignore);
   return {{"config/" + fileName(model.robot().name) + "_spheres.yml", text}};
 }
 

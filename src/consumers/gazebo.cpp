@@ -49,15 +49,23 @@ class Writer {
   /// Joints' names here, by those in the description.
   const std::map<std::string, std::string>& joints() const { return joints_; }
 
+  std::vector<std::string> linksWithoutInertial() const {
+    std::vector<std::string> links;
+    for (const LinkDescription& link : model_.robot().links)
+      if (isWritten(link) && !model_.inertialOf(link.name)) links.push_back(link.name);
+    return links;
+  }
+
   std::string text() {
     std::string text = "<?xml version=\"1.0\"?>\n<sdf version=\"1.9\">\n  <model" + named(model_.robot().name) + ">\n";
     for (const LinkDescription& link : model_.robot().links)
-      if (link.name != kWorld || hasShape(link)) text += linkText(link);
+      if (isWritten(link)) text += linkText(link);
     for (const JointDescription& joint : model_.robot().joints) text += jointText(joint);
     return text + "  </model>\n</sdf>\n";
   }
 
  private:
+  static bool isWritten(const LinkDescription& link) { return link.name != kWorld || hasShape(link); }
   static bool hasShape(const LinkDescription& link) { return !link.visuals.empty() || !link.collisions.empty(); }
 
   /// SDF reserves the name "world": a link of that name is left out, or takes another name if it has geometry.
@@ -162,8 +170,12 @@ class Writer {
 
 std::vector<std::string> gazeboNotes(const WrittenModel& model) {
   std::vector<std::string> notes = model.notes();
-  std::string renamed;
   const Writer writer(model);
+  const std::vector<std::string> links = writer.linksWithoutInertial();
+  if (!links.empty())
+    notes.push_back("--for gazebo: " + someHave(links) +
+                    " no <inertial>: SDF assumes a mass of 1 kg and moments of inertia of 1 kg m^2; add <inertial>");
+  std::string renamed;
   for (const auto& [name, here] : writer.joints())
     if (name != here) renamed += (renamed.empty() ? "'" : ", '") + name + "' is '" + here + "'";
   if (!renamed.empty())

@@ -1,6 +1,7 @@
 // MuJoCo collides a mesh as its convex hull, and welds nothing of a body's geoms together: one <mesh> and one <geom> a hull keep the shape.
 // Bodies nest as the links do, each with the frame of its joint. Links without mass get next to none from their geoms, as MuJoCo wants
-// every moving body to have some. Visual meshes are left out: MuJoCo reads neither Collada nor package:// URIs.
+// every moving body to have some. Pairs that need no check are excluded: MuJoCo itself leaves out a body and its parent, but not where the
+// parent stands still. Visual meshes are left out: MuJoCo reads neither Collada nor package:// URIs.
 #include <algorithm>
 
 #include "consumers/written_model.h"
@@ -14,6 +15,8 @@ using Kind = GeometryElement::Kind;
 
 constexpr int kMostIndented = 20;  // levels: with more, the text would grow with the square of the depth
 
+constexpr double kDensity = 1;  // [kg/m^3] of links without mass
+
 std::string attribute(const std::string& name, const std::string& value) {
   return " " + name + "=\"" + xmlEscaped(value) + "\"";
 }
@@ -25,7 +28,8 @@ std::string poseText(const Eigen::Isometry3d& pose) {
 
 class Writer {
  public:
-  Writer(const WrittenModel& model, const RunControl& control) : model_(model), control_(control) {
+  Writer(const WrittenModel& model, const std::vector<DisabledPair>& pairs, const RunControl& control)
+      : model_(model), pairs_(pairs), control_(control) {
     for (const LinkDescription& link : model.robot().links) links_[link.name] = &link;
   }
 
@@ -33,7 +37,7 @@ class Writer {
     for (const std::string& root : model_.roots()) addBody(root, nullptr, 2);
     return "<mujoco" + attribute("model", model_.robot().name) + ">\n" +
            "  <compiler angle=\"radian\" meshdir=\"..\" boundmass=\"1e-6\" boundinertia=\"1e-9\"/>\n" + "  <asset>\n" + assets_ +
-           "  </asset>\n  <worldbody>\n" + bodies_ + "  </worldbody>\n" + equalities() + "</mujoco>\n";
+           "  </asset>\n  <worldbody>\n" + bodies_ + "  </worldbody>\n" + exclusions() + equalities() + "</mujoco>\n";
   }
 
  private:
@@ -81,7 +85,8 @@ class Writer {
       const std::string shape = shapeText(element);
       if (shape.empty()) continue;
       const std::string name = element.name.empty() ? "" : attribute("name", names_.take(element.name));
-      text += indent + "<geom" + name + shape + poseText(element.origin) + (has_mass ? "" : attribute("density", "1")) + "/>\n";
+      text += indent + "<geom" + name + shape + poseText(element.origin) + (has_mass ? "" : attribute("density", numberText(kDensity))) +
+              "/>\n";
     }
     return text;
   }
@@ -107,6 +112,13 @@ class Writer {
     return attribute("type", "mesh") + attribute("mesh", name);
   }
 
+  std::string exclusions() const {
+    std::string text;
+    for (const DisabledPair& pair : pairs_)
+      text += "    <exclude" + attribute("body1", pair.link1) + attribute("body2", pair.link2) + "/>\n";
+    return text.empty() ? "" : "  <contact>\n" + text + "  </contact>\n";
+  }
+
   /// Joints that mimic others: offset and multiplier of the master's position.
   std::string equalities() const {
     std::string text;
@@ -119,6 +131,7 @@ class Writer {
   }
 
   const WrittenModel& model_;
+  const std::vector<DisabledPair>& pairs_;
   const RunControl& control_;
   std::map<std::string, const LinkDescription*> links_;
   std::string bodies_;
@@ -129,8 +142,18 @@ class Writer {
 
 }  // namespace
 
-ConsumerFiles mujocoFiles(const WrittenModel& model, const RunControl& control) {
-  return {{"mjcf/" + fileName(model.robot().name) + ".xml", Writer(model, control).text()}};
+std::vector<std::string> mujocoNotes(const WrittenModel& model) {
+  std::vector<std::string> notes = model.notes(), links;
+  for (const LinkDescription& link : model.robot().links)
+    if (!link.parent.empty() && !link.collisions.empty() && !model.inertialOf(link.name)) links.push_back(link.name);
+  if (!links.empty())
+    notes.push_back("--for mujoco: " + someHave(links) + " no <inertial>: the file gives such links a density of " + numberText(kDensity) +
+                    " kg/m^3, so that they weigh next to nothing, and a simulation may diverge; add <inertial>, or change the density");
+  return notes;
+}
+
+ConsumerFiles mujocoFiles(const WrittenModel& model, const std::vector<DisabledPair>& pairs, const RunControl& control) {
+  return {{"mjcf/" + fileName(model.robot().name) + ".xml", Writer(model, pairs, control).text()}};
 }
 
 }  // namespace collision_hulls

@@ -7,10 +7,14 @@
 #include <sstream>
 
 #include "base/counted.h"
+#include "base/string_parts.h"
 #include "robot/number_text.h"
 
 namespace collision_hulls {
 namespace {
+
+constexpr double kLeastMoment = 1e-9;  // [kg m^2], as the note says
+constexpr std::size_t kMostNamed = 3;  // links of a message
 
 double numberOf(const XmlNode* node, const std::string& attribute, double otherwise) {
   if (!node) return otherwise;
@@ -42,9 +46,8 @@ Eigen::Isometry3d originOf(const XmlNode* node) {
 /// Moments that a body may have: all positive, and none larger than the sum of the others. Where they are not, their mean stands for all
 /// three, as MuJoCo's balanceinertia has it; simulators refuse other tensors.
 Eigen::Vector3d balanced(const Eigen::Vector3d& moments) {
-  constexpr double kLeast = 1e-9;  // [kg m^2]
   const bool possible = moments.minCoeff() > 0 && 2 * moments.maxCoeff() < moments.sum();
-  return possible ? moments : Eigen::Vector3d(Eigen::Vector3d::Constant(std::max(kLeast, moments.sum() / 3)));
+  return possible ? moments : Eigen::Vector3d(Eigen::Vector3d::Constant(std::max(kLeastMoment, moments.sum() / 3)));
 }
 
 /// `given` [kg m^2]: the moments as the description has them.
@@ -91,8 +94,8 @@ void WrittenModel::readDynamics(const XmlNode& robot) {
     const std::string name = link->attribute("name");
     inertials_[name] = inertial;
     if (moments != inertial.moments && ++changed == 1)
-      notes_.push_back("link '" + name + "': no body has the moments of inertia that the description gives (" + vectorText(moments) +
-                       "); the files of --for have their mean");
+      notes_.push_back("link '" + name + "': moments of inertia of " + vectorText(moments) +
+                       " are impossible; the files of --for use their mean instead, but at least 1e-9");
   }
   if (changed > 1) notes_.front() += "; so it is with " + counted(changed - 1, "more link");
   for (const XmlNode* joint : robot.childrenNamed("joint")) {
@@ -137,6 +140,14 @@ std::vector<std::string> WrittenModel::roots() const {
   for (const LinkDescription& link : robot_.links)
     if (link.parent.empty()) roots.push_back(link.name);
   return roots;
+}
+
+std::string someHave(const std::vector<std::string>& links) {
+  if (links.size() == 1) return "link '" + shortened(links.front()) + "' has";
+  std::string names;
+  for (std::size_t i = 0; i < std::min(links.size(), kMostNamed); ++i) names += (i == 0 ? "'" : ", '") + shortened(links[i]) + "'";
+  const std::string more = links.size() > kMostNamed ? " and " + std::to_string(links.size() - kMostNamed) + " more" : "";
+  return "links " + names + more + " have";
 }
 
 std::string positionText(const Eigen::Isometry3d& pose) {

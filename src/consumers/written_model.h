@@ -64,26 +64,32 @@ std::string positionText(const Eigen::Isometry3d& pose);
 std::string rpyText(const Eigen::Isometry3d& pose);
 std::string quaternionText(const Eigen::Isometry3d& pose);
 
-/// The pairs of links that need no check: neighbours, and those of which it is proved that they never meet, whatever the joints do.
+/// The pairs of links that need no check: neighbours; those that touch at rest, as their original meshes do; and those of which it is
+/// proved that they never meet, whatever the joints do.
 std::vector<DisabledPair> pairsWithoutCheck(const WrittenModel& model, const RunControl& control);
+std::vector<std::string> notesOn(const std::vector<DisabledPair>& pairs);  ///< on those that touch at rest
 
 /// The rewritten description with a change to the <mesh> of each hull: `attributes` in it (each with a space before it), `content` between
 /// its tags; and `of_root` among the attributes of <robot>, unless it has one that begins like it up to the '='.
 std::string withMarkedHulls(const WrittenModel& model, const std::string& attributes, const std::string& content,
                             const std::string& of_root);
 
-// The writers: path in the output, content.
+/// For messages: "link 'a' has", "links 'a', 'b', 'c' and 4 more have".
+std::string someHave(const std::vector<std::string>& links);
+
+// The writers: path in the output, content. `pairs`: pairsWithoutCheck().
 using ConsumerFiles = std::map<std::string, std::string>;
-ConsumerFiles curoboFiles(const WrittenModel& model, const RunControl& control);
+ConsumerFiles curoboFiles(const WrittenModel& model, const std::vector<DisabledPair>& pairs);
 ConsumerFiles tesseractFiles(const WrittenModel& model);
-ConsumerFiles moveitFiles(const WrittenModel& model, const RunControl& control);
+ConsumerFiles moveitFiles(const WrittenModel& model, const std::vector<DisabledPair>& pairs);
 ConsumerFiles drakeFiles(const WrittenModel& model);
 ConsumerFiles isaacFiles(const WrittenModel& model);
-ConsumerFiles mujocoFiles(const WrittenModel& model, const RunControl& control);
+ConsumerFiles mujocoFiles(const WrittenModel& model, const std::vector<DisabledPair>& pairs, const RunControl& control);
 ConsumerFiles gazeboFiles(const WrittenModel& model);
 ConsumerFiles dartFiles(const WrittenModel& model);
 
 // WrittenModel::notes(), and on what their formats cannot say.
+std::vector<std::string> mujocoNotes(const WrittenModel& model);
 std::vector<std::string> gazeboNotes(const WrittenModel& model);
 std::vector<std::string> dartNotes(const WrittenModel& model);
 

@@ -1,7 +1,7 @@
 // The files of each consumer, as text; test/with_packages loads them with the consumers themselves.
-// Also tests src/consumers/curobo.cpp, src/consumers/dart.cpp, src/consumers/drake.cpp, src/consumers/gazebo.cpp, src/consumers/isaac.cpp,
-// src/consumers/marked_hulls.cpp, src/consumers/moveit.cpp, src/consumers/mujoco.cpp, src/consumers/tesseract.cpp and
-// src/consumers/written_model.cpp.
+// Also tests src/consumers/curobo.cpp, src/consumers/dart.cpp, src/consumers/drake.cpp, src/consumers/gazebo.cpp,
+// src/consumers/how_to_load.cpp, src/consumers/isaac.cpp, src/consumers/marked_hulls.cpp, src/consumers/moveit.cpp,
+// src/consumers/pairs_without_check.cpp, src/consumers/mujoco.cpp, src/consumers/tesseract.cpp and src/consumers/written_model.cpp.
 #include "collision_hulls/consumers/consumers.h"
 
 #include <gtest/gtest.h>
@@ -56,6 +56,30 @@ TEST_F(Consumers, NamesAreReadBack) {
     EXPECT_NE(consumerChoices().find(each), std::string::npos);
   }
   EXPECT_FALSE(consumerNamed("moveit3"));
+}
+
+TEST_F(Consumers, EachIsToldWhichFileToLoad) {
+  options_.shapes = Shapes::kSpheres;  // which all of them take
+  options_.tolerance = lengthOf(0.05);
+  options_.format = MeshFormat::kObj;
+  RobotResult result = decomposed(threeLinks(cube()));
+  const std::string out = folder_ / "three_c";
+  for (const char* each : {"moveit", "gazebo", "mujoco", "drake", "isaac", "tesseract", "curobo", "dart"}) {
+    const Consumer consumer = *consumerNamed(each);
+    result.extra_files.clear();
+    addConsumerFiles({consumer}, out, result);
+    const std::string text = howToLoad({consumer}, result, out), start = "For " + std::string(each) + ": " + out + "/";
+    ASSERT_EQ(text.substr(0, start.size()), start);
+    const std::string file = text.substr(start.size(), text.find_first_of(" ,", start.size()) - start.size());
+    EXPECT_EQ(result.extra_files.count(file), 1u) << text;
+    EXPECT_EQ(fixtures::count(text, "\n"), 1u) << text;
+  }
+  EXPECT_NE(howToLoad({Consumer::kBullet}, result, out).find("/three_c/urdf/three.urdf, by loadURDF()"), std::string::npos);
+  const std::string both = howToLoad({Consumer::kGazebo, Consumer::kDrake}, result, out);
+  EXPECT_NE(both.find("as model://three_c with " + folder_.path().string() + " in GZ_SIM_RESOURCE_PATH\nFor drake:"), std::string::npos);
+  EXPECT_NE(both.find("_drake.urdf in place of urdf/three.urdf"), std::string::npos) << both;
+  EXPECT_NE(both.find("AddPackageXml(\"" + out + "/package.xml\")"), std::string::npos) << both;
+  EXPECT_EQ(howToLoad({}, result, out), "");
 }
 
 TEST_F(Consumers, AFormatThatAConsumerCannotReadIsRefusedWithARemedy) {
@@ -121,12 +145,19 @@ TEST_F(Consumers, ASingleMeshHasNoSuchForm) {
   EXPECT_NO_THROW(addConsumerFiles({}, folder_ / "out", result));
 }
 
-TEST_F(Consumers, MoveitSkipsNeighboursAndWhatIsProvedApart) {
-  const std::string urdf = threeLinks(cube());
-  const std::string srdf = fileOf(Consumer::kMoveit, urdf, "config/three.srdf");
-  std::map<std::pair<std::string, std::string>, std::string> reasons;
+/// Of each pair of links, as --for moveit has it.
+using Reasons = std::map<std::pair<std::string, std::string>, std::string>;
+
+Reasons reasonsIn(const std::string& srdf, const std::string& urdf) {
+  Reasons reasons;
   for (const DisabledPair& pair : parseDisabledPairs(srdf, parseRobotDescription(urdf)).pairs)
     reasons[{pair.link1, pair.link2}] = pair.reason;
+  return reasons;
+}
+
+TEST_F(Consumers, MoveitSkipsNeighboursAndWhatIsProvedApart) {
+  const std::string urdf = threeLinks(cube());
+  Reasons reasons = reasonsIn(fileOf(Consumer::kMoveit, urdf, "config/three.srdf"), urdf);
   EXPECT_EQ((reasons[{"a", "b"}]), "Adjacent");
   EXPECT_EQ((reasons[{"b", "c"}]), "Adjacent");
   EXPECT_EQ((reasons[{"a", "c"}]), "Never");  // turned by 1 rad at most, the last is 0.77 m away
@@ -139,6 +170,42 @@ TEST_F(Consumers, MoveitChecksWhatMayMeetOrIsNotKnown) {
   EXPECT_EQ(fileOf(Consumer::kMoveit, near, "config/three.srdf").find("Never"), std::string::npos);
   const std::string lost = threeLinks("<collision>" + fixtures::meshTag("/nowhere/lost.stl") + "</collision>");
   EXPECT_EQ(fileOf(Consumer::kMoveit, lost, "config/three.srdf").find("Never"), std::string::npos);
+}
+
+TEST_F(Consumers, MoveitSkipsWhatTouchesAtRestInTheOriginal) {
+  const std::string far = "<collision><origin xyz=\"0.95 0 0\"/>" + fixtures::meshTag(mesh_) + "</collision>";
+  std::string urdf = threeLinks(far);
+  EXPECT_NE((reasonsIn(fileOf(Consumer::kMoveit, urdf, "config/three.srdf"), urdf)[{"a", "c"}]), "Default") << "0.9 m behind b";
+  urdf.replace(urdf.find("lower=\"-1\"", urdf.find("\"bc\"")), 20, "lower=\"3.1\" upper=\"3.2\"");
+  RobotResult result = decomposed(urdf);
+  addConsumerFiles({Consumer::kMoveit}, folder_ / "three_c", result);
+  EXPECT_EQ((reasonsIn(result.extra_files["config/three.srdf"], urdf)[{"a", "c"}]), "Default") << "rest is where the limits allow it";
+  ASSERT_FALSE(result.report.notes.empty());
+  EXPECT_NE(result.report.notes.back().find("by the files of --for: 'a' and 'c'; delete"), std::string::npos) << result.report.notes.back();
+}
+
+TEST_F(Consumers, MoveitSkipsAKeptBoxThatTouchesAtRest) {
+  const auto reason = [&](const std::string& x) {
+    const std::string urdf =
+        threeLinks("<collision><origin xyz=\"" + x + " 0 0\"/><geometry><box size=\"0.1 0.1 0.1\"/></geometry></collision>");
+    return reasonsIn(fileOf(Consumer::kMoveit, urdf, "config/three.srdf"), urdf)[{"a", "c"}];
+  };
+  EXPECT_EQ(reason("-1"), "Default");
+  EXPECT_NE(reason("-0.5"), "Default");
+}
+
+TEST_F(Consumers, MoveitChecksWhatTouchesAtRestByItsHullsAlone) {
+  // Two cubes on either side of a's, and one body for both.
+  const TriangleMesh cube = test_shapes::box(0.1, 0.1, 0.1);
+  const TriangleMesh two = test_shapes::merged({test_shapes::moved(cube, {-1, 0.5, 0}), test_shapes::moved(cube, {-1, -0.5, 0})});
+  const std::string urdf =
+      threeLinks("<collision>" + fixtures::meshTag(fixtures::write(folder_ / "two.obj", fixtures::obj(two))) + "</collision>");
+  options_.method = Method::kSingleHull;
+  EXPECT_EQ((reasonsIn(fileOf(Consumer::kMoveit, urdf, "config/three.srdf"), urdf).count({"a", "c"})), 0u);
+  options_.method = Method::kCertified;
+  options_.shapes = Shapes::kBox;
+  EXPECT_EQ((reasonsIn(fileOf(Consumer::kMoveit, urdf, "config/three.srdf"), urdf).count({"a", "c"})), 0u)
+      << "the box stands in place of the hull";
 }
 
 TEST_F(Consumers, DrakeChoosesTheFormatThatNobodyAskedFor) {
@@ -254,6 +321,25 @@ TEST_F(Consumers, CuroboWouldMissWhatIsNoSphere) {
     FAIL() << "the box is missing";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("link 'c' has other collision elements than spheres"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("choose --source visual, remove"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(Consumers, CuroboIsRefusedForAllLinksAtOnce) {
+  options_.shapes = Shapes::kSpheres;
+  options_.source = Source::kVisual;
+  std::string text = "<robot name=\"star\"><link name=\"base\"><visual>" + fixtures::meshTag(mesh_) + "</visual></link>";
+  for (const std::string link : {"l0", "l1", "l2", "l3", "l4"})
+    text += "<link name=\"" + link + "\"><visual><geometry><box size=\"1 1 1\"/></geometry></visual></link><joint name=\"j" + link +
+            "\" type=\"fixed\"><parent link=\"base\"/><child link=\"" + link + "\"/></joint>";
+  RobotResult result = decomposed(text + "</robot>");
+  try {
+    addConsumerFiles({Consumer::kCurobo}, folder_ / "three_c", result);
+    FAIL() << "the boxes are missing";
+  } catch (const Error& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("links 'l0', 'l1', 'l2' and 2 more have other collision elements"), std::string::npos) << said;
+    EXPECT_EQ(said.find("--source"), std::string::npos) << "that is chosen: " << said;
   }
 }
 
@@ -276,6 +362,37 @@ TEST_F(Consumers, MujocoHasAGeomForEachHull) {
   EXPECT_NE(xml.find("name=\"&lt;cube&gt;_0\""), std::string::npos) << xml;
   EXPECT_NE(xml.find("type=\"cylinder\" size=\"0.1 0.2\""), std::string::npos);
   EXPECT_NE(xml.find("<joint name=\"bc\" type=\"hinge\" axis=\"0 0 1\" limited=\"true\" range=\"-1 1\"/>"), std::string::npos) << xml;
+}
+
+TEST_F(Consumers, MujocoLeavesOutThePairsThatMoveitDoes) {
+  const std::string xml = fileOf(Consumer::kMujoco, threeLinks(cube()), "mjcf/three.xml");
+  EXPECT_NE(xml.find("  <contact>\n    <exclude body1=\"a\" body2=\"b\"/>\n    <exclude body1=\"a\" body2=\"c\"/>\n"
+                     "    <exclude body1=\"b\" body2=\"c\"/>\n  </contact>\n"),
+            std::string::npos)
+      << xml;
+}
+
+TEST_F(Consumers, SimulatorsSayWhatTheyTakeLinksWithoutInertialToWeigh) {
+  const auto noted = [&](Consumer consumer, const std::string& urdf) {
+    RobotResult result = decomposed(urdf);
+    addConsumerFiles({consumer}, folder_ / "three_c", result);
+    std::string all;
+    for (const std::string& note : result.report.notes) all += note + "\n";
+    return all;
+  };
+  std::string urdf = threeLinks(cube());
+  EXPECT_NE(noted(Consumer::kMujoco, urdf).find("links 'b', 'c' have no <inertial>: the file gives such links a density of 1 kg/m^3"),
+            std::string::npos)
+      << "a stands still: " << noted(Consumer::kMujoco, urdf);
+  EXPECT_NE(noted(Consumer::kGazebo, urdf).find("links 'a', 'b', 'c' have no <inertial>: SDF assumes a mass of 1 kg"), std::string::npos)
+      << noted(Consumer::kGazebo, urdf);
+  EXPECT_EQ(noted(Consumer::kMoveit, urdf).find("<inertial>"), std::string::npos);
+  const std::string inertial =
+      "<inertial><mass value=\"2\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial>";
+  for (const std::string link : {"<link name=\"a\">", "<link name=\"b\">", "<link name=\"c\">"})
+    urdf.insert(urdf.find(link) + link.size(), inertial);
+  for (const Consumer consumer : {Consumer::kMujoco, Consumer::kGazebo})
+    EXPECT_EQ(noted(consumer, urdf).find("<inertial>"), std::string::npos) << noted(consumer, urdf);
 }
 
 TEST_F(Consumers, GazeboHasACollisionForEachHullAndTheLimits) {
@@ -308,8 +425,19 @@ TEST_F(Consumers, AnImpossibleInertiaIsBalancedWithANote) {
   addConsumerFiles({Consumer::kGazebo}, folder_ / "three_c", result);
   EXPECT_EQ(fixtures::count(result.extra_files["model.sdf"], "<izz>2</izz>"), 1u);
   ASSERT_FALSE(result.report.notes.empty());
-  EXPECT_NE(result.report.notes.back().find("link 'c': no body has the moments of inertia"), std::string::npos)
-      << result.report.notes.back();
+  const std::string all = ::testing::PrintToString(result.report.notes);
+  EXPECT_NE(all.find("link 'c': moments of inertia of 1 1 4 are impossible; the files of --for use their mean instead"), std::string::npos)
+      << all;
+}
+
+TEST_F(Consumers, NoInertiaIsTheLeast) {
+  const std::string inertial =
+      "<inertial><mass value=\"2\"/><inertia ixx=\"0\" ixy=\"0\" ixz=\"0\" iyy=\"0\" iyz=\"0\" izz=\"0\"/></inertial>";
+  RobotResult result = decomposed(threeLinks(inertial + cube()));
+  addConsumerFiles({Consumer::kGazebo}, folder_ / "three_c", result);
+  EXPECT_EQ(fixtures::count(result.extra_files["model.sdf"], "<izz>0.000000001</izz>"), 1u) << result.extra_files["model.sdf"];
+  const std::string all = ::testing::PrintToString(result.report.notes);
+  EXPECT_NE(all.find("of 0 0 0 are impossible; the files of --for use their mean instead, but at least 1e-9"), std::string::npos) << all;
 }
 
 }  // namespace

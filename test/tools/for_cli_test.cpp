@@ -22,6 +22,15 @@ TEST_F(ForOption, WrongUse) {
   expectWrongUse("cube.obj --for gazebo", {"--for gazebo", "is a mesh"});
 }
 
+TEST_F(ForOption, SaysWhichFileEachConsumerLoads) {
+  const std::string out = run("r.urdf --for mujoco --for drake --no-validate -o out").out;
+  const std::size_t ros = out.find("urdf/r.urdf"), mujoco = out.find("\nFor mujoco: /"), drake = out.find("\nFor drake: /");
+  ASSERT_NE(ros, std::string::npos) << out;
+  EXPECT_LT(ros, mujoco) << out;
+  EXPECT_LT(mujoco, drake) << out;
+  EXPECT_NE(out.find("/out/urdf/r_drake.urdf", drake), std::string::npos) << out;
+}
+
 TEST_F(ForOption, WritesAndReplacesTheFiles) {
   const std::string rest = " --no-validate --quiet -o out";
   ASSERT_EQ(run("r.urdf --for mujoco --for gazebo" + rest).status, 0);

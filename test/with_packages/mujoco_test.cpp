@@ -66,6 +66,10 @@ TEST_F(Mujoco, LoadsTheDemoRobotAsItIsDescribed) {
   EXPECT_NEAR(model->body_mass[base], 2.7, 1e-9);
   EXPECT_NEAR(model->jnt_range[2 * joint + 1], 2.96, 1e-9);
   EXPECT_GE(mj_name2id(model.get(), mjOBJ_GEOM, "base_0"), 0);
+  EXPECT_GT(model->nexclude, 0);
+  const std::unique_ptr<mjData, Free> data(mj_makeData(model.get()));
+  mj_forward(model.get(), data.get());
+  EXPECT_EQ(data->ncon, 0) << "neighbours touch, but that is no contact";
 }
 
 TEST_F(Mujoco, LoadsTheSharedRobots) {

@@ -52,4 +52,8 @@ void check(const std::vector<Consumer>& consumers, const Options& options);
 void addConsumerFiles(const std::vector<Consumer>& consumers, const std::string& output,
                       RobotResult& result, const RunControl& control = {});
 
+/// A line for each consumer, for a terminal: its file in a written output, and how it is loaded.
+std::string howToLoad(const std::vector<Consumer>& consumers, const RobotResult& result,
+                      const std::string& output);
+
 }  // namespace collision_hulls

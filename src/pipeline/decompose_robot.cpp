@@ -3,6 +3,7 @@
 #include "collision_hulls/pipeline/decompose_robot.h"
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "collision_hulls/decompose/certified_hulls.h"
 #include "collision_hulls/decompose/least_hulls.h"
 #include "pipeline/collision_model.h"
+#include "pipeline/contacts/rest_contacts.h"
 #include "pipeline/earlier_output.h"
 #include "pipeline/run.h"
 #include "pipeline/shapes/shapes.h"
@@ -23,6 +25,29 @@ namespace {
 
 constexpr double kMeshesShare = 0.9;  // of a run's time, approximately; the rest is the validation
 constexpr double kTreeShare = 0.7;    // of a mesh's time, approximately, if a tree is built first
+
+constexpr std::size_t kMostHulls = 33'333;  // of a model: each takes three elements of its description, which may have 100,000
+
+/// The hulls that a robot's models have so far, so that too many end the run at once: nobody could read their description. Thread safe.
+class HullCount {
+ public:
+  explicit HullCount(const Run& run) : run_(run), of_model_(1 + run.report.models.size()) {}
+
+  /// Throws kTooLarge.
+  void add(const MeshVariant& variant, std::size_t hulls) {
+    if (run_.report.urdf.empty()) return;  // a single mesh, which has no description
+    for (const std::size_t use : variant.uses) {
+      if ((of_model_[run_.uses[use].model] += hulls) <= kMostHulls) continue;
+      throw Error(ErrorCode::kTooLarge, "the robot has more than " + std::to_string(kMostHulls) + " hulls with those of link '" +
+                                            run_.uses[use].link +
+                                            "', above the limit of a model; give a larger tolerance, fewer max-hulls or fewer links");
+    }
+  }
+
+ private:
+  const Run& run_;
+  std::vector<std::atomic<std::size_t>> of_model_;
+};
 
 /// The work on one variant of a task.
 struct VariantWork {
@@ -127,7 +152,7 @@ std::vector<std::optional<MeshResult>> rememberedVariants(const MeshTask& task, 
   return known;
 }
 
-void decomposeTask(std::size_t index, Run& run) {
+void decomposeTask(std::size_t index, HullCount& written, Run& run) {
   const MeshTask& task = run.tasks[index];
   std::vector<std::optional<MeshResult>> results = rememberedVariants(task, run);
   if (std::all_of(results.begin(), results.end(), [](const auto& known) { return known.has_value(); })) run.progress.skip(index);
@@ -144,6 +169,7 @@ void decomposeTask(std::size_t index, Run& run) {
   run.progress.finish(index);
   for (std::size_t v = 0; v < results.size(); ++v) {
     const auto result = std::make_shared<const MeshResult>(std::move(*results[v]));
+    written.add(task.variants[v], result->hulls.size());
     finishVariant(task.variants[v], result, result->hulls.size(), run);
   }
 }
@@ -176,12 +202,26 @@ void validateOrRemember(std::size_t model, const std::vector<std::string>& keys,
 
 /// Steps 1 to 4, once per mesh; then step 5, once per model.
 void decomposeAll(Run& run) {
-  forEachInTurn(run.tasks.size(), [&](std::size_t i) { decomposeTask(i, run); });
+  HullCount written(run);
+  forEachInTurn(run.tasks.size(), [&](std::size_t i) { decomposeTask(i, written, run); });
   if (!run.options.validate) return;
   const std::size_t models = 1 + run.report.models.size();
   run.progress.begin("validate", 1, std::vector<double>(models, 1));
   const std::vector<std::string> keys = keysOf(run);
   for (std::size_t model = 0; model < models; ++model) validateOrRemember(model, keys, run);
+}
+
+/// On links whose hulls touch though their meshes do not, of each model.
+std::vector<std::string> notesOnContactsOf(const RobotDescription& robot, Run& run) {
+  std::vector<std::string> notes;
+  for (std::size_t model = 0; model <= run.report.models.size(); ++model) {
+    RunControl control;
+    run.progress.follow(control, model, 1, 1);
+    const std::string& name = reportOf(model, run.report).model;
+    for (const std::string& note : notesOnRestContacts(robot, run.uses, run.results, model, control))
+      notes.push_back((name.empty() ? "" : "model '" + name + "': ") + note);
+  }
+  return notes;
 }
 
 double meshesEnd(const Options& options) {
@@ -199,12 +239,13 @@ RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& f
   RobotResult result = emptyResult(robot, options, control);
   const std::vector<LinkDecisions> decisions = modelDecisions(options, robot, control);
   const std::vector<MeshUse> uses = meshUses(robot, decisions);
-  const auto resolve = [&](const std::string& uri) {
-    control.check();
-    return resolveUri(uri, robot.path, find_package);
+  std::vector<std::string> notes;
+  const auto stages = [&](Run& run) {
+    decomposeAll(run);
+    if (options.validate) notes = notesOnContactsOf(robot, run);
   };
-  runStages({uses, resolve, meshesEnd(options), control, step}, result, decomposeAll);
-  rewriteDescription(robot, decisions, find_package, output, {}, result, control);
+  runStages({uses, resolverFor(robot, find_package, control), meshesEnd(options), control, step}, result, stages);
+  rewriteDescription(robot, decisions, find_package, output, notes, result, control);
   result.report.seconds = run.lap();
   return result;
 }

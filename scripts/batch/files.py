@@ -18,6 +18,26 @@ def sha256(data):
     return hashlib.sha256(encoded(data) if isinstance(data, str) else data).hexdigest()
 
 
+def entries_of(folder):
+    """The names of its folders, links to some among them, and of all else. A folder that cannot be read has none."""
+    try:
+        names = os.listdir(folder)
+    except OSError:
+        return [], []
+    folders = {name for name in names if os.path.isdir(os.path.join(folder, name))}
+    return sorted(folders), sorted(set(names) - folders)
+
+
+def files_below(folder):
+    """Regular ones, links to some among them, in no order. Links to folders are not followed. Python's own ways call themselves for each level."""
+    folders = [str(folder)]
+    while folders:
+        top = folders.pop()
+        below, others = entries_of(top)
+        folders += [path for path in (os.path.join(top, name) for name in below) if not os.path.islink(path)]
+        yield from (pathlib.Path(top, name) for name in others if os.path.isfile(os.path.join(top, name)))
+
+
 def pieces(path, size):
     """The first bytes of a file: some of the kernel's have no end."""
     with open(path, "rb") as file:

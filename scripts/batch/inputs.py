@@ -12,11 +12,12 @@ import pathlib
 import re
 import subprocess
 
-from files import sha256
+from files import files_below, sha256
 
 MESHES = {".stl", ".dae", ".obj", ".off", ".ply", ".glb", ".gltf"}
 DESCRIPTIONS = {".urdf", ".xacro"}
 PATH_OPTIONS = {"config", "package-path", "root"}
+MOST_PATH = 4096  # [bytes] that Linux takes
 OWN = {"help", "version", "output", "json", "quiet", "jobs", "package-name", "replace-complete"}  # of decompose, but the batch's to set
 
 
@@ -61,7 +62,7 @@ def located(word, folder):
 
 def of_folder(folder, options, name):
     """The descriptions in a folder; without any, the package that it is; else its meshes."""
-    files = sorted(file for file in folder.rglob("*") if os.path.isfile(file) and not any(part.startswith(".") for part in file.relative_to(folder).parts))
+    files = sorted(file for file in files_below(folder) if not any(part.startswith(".") for part in file.relative_to(folder).parts))
     urdfs = [file for file in files if file.suffix.lower() == ".urdf"]
     if urdfs:
         return [Item(str(file), options, name if len(urdfs) == 1 else "") for file in urdfs]
@@ -72,6 +73,8 @@ def of_folder(folder, options, name):
 
 
 def of_word(word, folder, options, name=""):
+    if len(os.fsencode(word)) >= MOST_PATH:
+        raise Failure(f"the input '{word[:60]}...' has {len(word)} characters; a path has less than {MOST_PATH}: give one, as a line of its own in a list")
     path = pathlib.Path(located(word, folder))
     return of_folder(path, options, name) if os.path.isdir(path) else [Item(str(path), options, name)]
 

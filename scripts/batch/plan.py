@@ -11,7 +11,7 @@ import re
 import shutil
 import urllib.parse
 
-from files import read_json, read_text, sha256, write_json
+from files import entries_of, files_below, read_json, read_text, sha256, write_json
 
 JOB_SECONDS = 180  # about what a job of meshes takes
 JOB_MESHES = 200  # at most
@@ -22,21 +22,23 @@ SECONDS_A_MESH, SECONDS_A_MEGABYTE = 0.3, 4  # roughly what decompose takes with
 
 def packages(folders):
     """{name: folders} of all packages below, each by its folder's name and by its manifest's."""
-    found, seen = {}, set()
-    for top in folders:
-        for folder, below, files in os.walk(top, followlinks=True):
-            place = os.path.realpath(folder)
-            if place in seen:  # links may lead round and round
-                below.clear()
-                continue
-            seen.add(place)
-            if "package.xml" not in files:
-                below[:] = sorted(name for name in below if not name.startswith("."))
-                continue
-            below.clear()
-            name = re.search(r"<name>\s*([^<\s]+)", read_text(pathlib.Path(folder, "package.xml")))
-            for each in {os.path.basename(folder), name.group(1) if name else ""}:
-                found.setdefault(each, []).append(folder)
+    found, seen, following = {}, set(), list(reversed(folders))
+    while following:
+        folder = following.pop()
+        try:
+            state = os.stat(folder)
+        except OSError:
+            continue
+        if (state.st_dev, state.st_ino) in seen:  # links may lead round and round
+            continue
+        seen.add((state.st_dev, state.st_ino))
+        below, files = entries_of(folder)
+        if "package.xml" not in files:
+            following += [os.path.join(folder, name) for name in reversed(below) if not name.startswith(".")]
+            continue
+        name = re.search(r"<name>\s*([^<\s]+)", read_text(pathlib.Path(folder, "package.xml")))
+        for each in {os.path.basename(folder), name.group(1) if name else ""}:
+            found.setdefault(each, []).append(folder)
     return found
 
 
@@ -76,7 +78,7 @@ class Sources:
         start = pathlib.Path(path)
         above = [folder for folder in [start, *start.parents] if os.path.exists(folder / "package.xml")]
         top = above[0] if above else start.parent
-        return sorted(file for file in top.rglob("*") if os.path.isfile(file))
+        return sorted(files_below(top))
 
     def of(self, item, options):
         if "/" not in item.path:  # a package, for ROS to find

@@ -18,6 +18,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kNamesShown = 12;
+constexpr std::size_t kMostRegionUses = 100'000;  // regions of each link, once for each of its elements
 
 /// In front of a message.
 std::string at(const std::string& place) {
@@ -176,12 +177,22 @@ LinkDecisions::LinkDecisions(const Options& options, const RobotDescription& rob
                                              "': add one, as in link: " + (robot.links.empty() ? "base" : robot.links.front().name));
     regions.add(rule.pattern, "link of region '" + rule.name + "'", rule.place);
   }
+  std::size_t region_uses = 0;
   for (const LinkDescription& link : robot.links) {
     control.check();
     if (!options.links.empty() && only.of(link.name).empty()) continue;
     Decision decision(link.name, options);
     for (const std::size_t rule : rules.of(link.name)) decision.apply(options.rules[rule]);
-    for (const std::size_t region : regions.of(link.name)) decision.add(options.region_rules[region]);
+    for (const std::size_t region : regions.of(link.name)) {
+      const RegionRule& rule = options.region_rules[region];
+      region_uses += std::max<std::size_t>(1, link.visuals.size() + link.collisions.size());
+      if (region_uses > kMostRegionUses)
+        throw Error(ErrorCode::kBadOption, at(rule.place) + "with region '" + rule.name + "' of link '" + link.name +
+                                               "', regions are used " + std::to_string(region_uses) +
+                                               " times, once for each element of their links; at most " + std::to_string(kMostRegionUses) +
+                                               " uses are allowed: let regions hold for fewer links");
+      decision.add(rule);
+    }
     const LinkOptions& decided = links_[link.name] = decision.options();
     if (other_method_.empty() && decided.action == Action::kDecompose && decided.method != Method::kCertified) {
       other_method_ = link.name;
@@ -219,6 +230,11 @@ std::vector<LinkDecisions> modelDecisions(const Options& options, const RobotDes
     decisions.emplace_back(of_model, robot, control);
   }
   return decisions;
+}
+
+LinkDecisions firstModelDecisions(Options options, const RobotDescription& robot, const RunControl& control) {
+  options.models.resize(std::min<std::size_t>(options.models.size(), 1));
+  return modelDecisions(options, robot, control).front();
 }
 
 }  // namespace collision_hulls

@@ -164,7 +164,7 @@ LinkSettings readRule(const ConfigItem& item) {
 
 class Reader {
  public:
-  explicit Reader(const std::string& file) { result_.file = file; }
+  Reader(const std::string& file, const RunControl& control) : control_(control) { result_.file = file; }
 
   Config read(const YamlValue& root) {
     if (root.isNull()) return result_;
@@ -174,7 +174,7 @@ class Reader {
                                    {"models", [this](const ConfigItem& item) { readModels(item); }},
                                    {"output", [this](const ConfigItem& item) { readOutput(item); }},
                                    {"seed", [this](const ConfigItem& item) { readSeed(item); }},
-                                   {"regions", [this](const ConfigItem& item) { result_.regions = readRegions(item); }}};
+                                   {"regions", [this](const ConfigItem& item) { result_.regions = readRegions(item, control_); }}};
     if (!root.isMap()) root.fail("a configuration is a map: use keys such as default: and links:");
     readMap({root, ""}, readers, "");
     return result_;
@@ -219,6 +219,7 @@ class Reader {
     if (!item.value.isMap()) item.refuse("a map from regular expressions to settings, as in {arm_.*: {tolerance: 2mm}}");
     expectDifferentKeys(item.value, "links");
     for (const auto& [key, value] : item.value.entries()) {
+      control_.check();  // an expression may take milliseconds
       const std::string pattern = plainText(key, "a key");
       inContext(key.where(), [&] { LinkPattern(pattern, "links"); });
       result_.rules.push_back({pattern, readRule({value, "links " + shortQuoted(pattern)}), key.where()});
@@ -230,6 +231,7 @@ class Reader {
     if (!item.value.isMap()) item.refuse(expected);
     expectDifferentKeys(item.value, "models");
     for (const auto& [key, value] : item.value.entries()) {
+      control_.check();
       ModelOptions model{plainText(key, "a key"), {}};
       collision_hulls::read({value, "tolerance of model " + shortQuoted(model.name)}, model.tolerance);
       result_.models.push_back(model);
@@ -237,6 +239,9 @@ class Reader {
       alone.models = {model};
       inContext(key.where(), [&] { check(alone); });
     }
+    Options all;
+    all.models = result_.models;
+    inContext(item.value.where(), [&] { check(all); });
     result_.named.insert("model");
   }
 
@@ -269,22 +274,23 @@ class Reader {
     result_.named.insert("seed");
   }
 
+  const RunControl& control_;
   Config result_;
 };
 
 }  // namespace
 
-Config parseConfig(const std::string& text, const std::string& file) {
+Config parseConfig(const std::string& text, const std::string& file, const RunControl& control) {
   if (text.size() > kMostBytes)
     throw Error(ErrorCode::kBadOption, "'" + file + "' has " + std::to_string(text.size()) + " bytes; a configuration has at most " +
                                            std::to_string(kMostBytes) + ": use one expression for many links");
-  Config config = Reader(file).read(YamlValue::parse(text, file, ErrorCode::kBadOption));
+  Config config = Reader(file, control).read(YamlValue::parse(text, file, ErrorCode::kBadOption, 1, control));
   config.text = text;
   return config;
 }
 
-Config readConfig(const std::string& file) {
-  return parseConfig(readFile(file, "configuration", kMostBytes), file);
+Config readConfig(const std::string& file, const RunControl& control) {
+  return parseConfig(readFile(file, "configuration", kMostBytes, control), file, control);
 }
 
 }  // namespace collision_hulls

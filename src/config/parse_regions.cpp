@@ -111,7 +111,7 @@ class RegionReader {
 
 }  // namespace
 
-std::vector<RegionRule> readRegions(const ConfigItem& list) {
+std::vector<RegionRule> readRegions(const ConfigItem& list, const RunControl& control) {
   if (!list.value.isSequence()) list.refuse(std::string("a list of entries such as ") + kExample);
   const std::vector<YamlValue> items = list.value.items();
   if (items.size() > kMostRegions)
@@ -119,6 +119,7 @@ std::vector<RegionRule> readRegions(const ConfigItem& list) {
   std::vector<RegionRule> rules;
   std::map<std::string, std::string> places;
   for (const YamlValue& item : items) {
+    control.check();
     const std::string number = std::to_string(rules.size() + 1);
     RegionRule rule = RegionReader().read({item, "region " + number});
     if (rule.name.empty()) rule.name = number;

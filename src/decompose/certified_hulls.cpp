@@ -194,9 +194,11 @@ std::string excuse(const DecomposeOptions& options, const Attempt& made) {
     return std::string(name(options.method)) + " ignores the tolerance; use another method";
   const std::string vertices = "max-vertices " + std::to_string(options.max_vertices);
   if (!made.result.untried.empty()) return "time ended before " + made.result.untried + "; raise the time limit or the tolerance";
-  if (made.capped && (options.max_hulls > 0 || options.method == Method::kCertified))
-    return "the limits (max-hulls " + std::to_string(options.max_hulls) + ", " + vertices +
-           ") made the hulls coarser; raise them, or the tolerance";
+  const std::string hulls = "max-hulls " + std::to_string(options.max_hulls);
+  if (made.capped && options.method == Method::kCertified)
+    return "the limit (" + hulls + ") made the hulls coarser; raise it, or the tolerance";
+  if (made.capped && options.max_hulls > 0)
+    return "the limits (" + hulls + ", " + vertices + ") made the hulls coarser; raise them, or the tolerance";
   if (options.method == Method::kHacd)
     return "hacd measures concavity along rays, which does not bound the protrusion; give a smaller tolerance, which makes more hulls";
   if (options.method == Method::kAcd)
@@ -205,7 +207,7 @@ std::string excuse(const DecomposeOptions& options, const Attempt& made) {
     return "padded hulls of few vertices (" + vertices + ") reach further than the padding; raise the tolerance or that limit";
   if (made.blunted > kMuch * made.result.bound)
     return "with so few vertices (" + vertices + ") thin hulls protrude up to " + millimetres(made.blunted) + " further; raise that limit";
-  return "the surface has details there that no plane divided; repair the mesh or accept it";
+  return "the surface has details there that no plane divided; raise the tolerance above it, or repair the mesh";
 }
 
 /// The same for the region whose tolerance is exceeded.

@@ -10,11 +10,15 @@ namespace collision_hulls {
 namespace {
 
 std::string withoutVisuals(const std::string& urdf, const std::string& path) try {
-  std::string text = urdf;
-  const std::vector<XmlElement> elements = scanXml(urdf).elements;
-  for (auto element = elements.rbegin(); element != elements.rend(); ++element)
-    if (element->name == "visual") text.erase(element->begin, element->end - element->begin);
-  return text;
+  const XmlOutline outline = scanXml(urdf);
+  std::string text;
+  std::size_t done = 0;  // up to where the text is copied or left out
+  for (const XmlElement& element : outline.elements) {
+    if (element.name != "visual" || element.begin < done) continue;  // the latter lies in another
+    text.append(urdf, done, element.begin - done);
+    done = element.end;
+  }
+  return text.append(urdf, done, std::string::npos);
 } catch (const XmlSyntaxError& error) {
   throw Error(ErrorCode::kNotARobot, "'" + path + "', line " + std::to_string(lineOf(urdf, error.offset())) + ": " + error.what());
 }

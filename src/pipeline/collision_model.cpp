@@ -279,7 +279,7 @@ void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDec
   std::vector<std::string>& all = result.report.notes;
   for (const auto& more :
        {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options), notesOnFlat(robot, decisions.front()),
-        notesOnIdle(robot, decisions.front(), options), notes, notesOnAgain(robot, result.report, control), notesOnKept(result),
+        notesOnIdle(robot, decisions.front(), options, control), notes, notesOnAgain(robot, result.report, control), notesOnKept(result),
         notesOnCarried(result), notesOnRewritten(result, output, control), notesOnContacts(result)})
     all.insert(all.end(), more.begin(), more.end());
 }

@@ -370,12 +370,8 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   if (decomposedUses(uses) == 0) throw Error(ErrorCode::kBadOption, notesOnUses(robot, decisions.front(), options).front());
   std::vector<std::string> notes = request.notes;
   for (const std::string& note : joints.notes()) notes.push_back(note);
-  const auto resolve = [&](const std::string& uri) {
-    control.check();
-    return resolveUri(uri, robot.path, find_package);
-  };
   std::vector<DisabledPair> disabled;
-  runStages({uses, resolve, kTreesEnd, control, step}, result,
+  runStages({uses, resolverFor(robot, find_package, control), kTreesEnd, control, step}, result,
             [&](Run& run) { disabled = fitAll(robot, decisions.front(), request, fit_options, notes, run); });
   std::optional<FitReport>& scene = result.report.scene;
   if (scene) {

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "base/counted.h"
+#include "base/shell_word.h"
 #include "collision_hulls/pipeline/output.h"
 #include "pipeline/collision_model.h"
 #include "storage/replace_folder.h"
@@ -24,15 +25,6 @@ std::string loadedBy(const std::string& file) {
   return "in your launch file:  <param name=\"robot_description\" textfile=\"" + xmlEscaped(file) + "\"/>\n";
 }
 
-/// As one word of a command, whatever its letters.
-std::string quoted(const std::string& path) {
-  const char* const kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+,@%";
-  if (path.find_first_not_of(kPlain) == std::string::npos) return path;
-  std::string word = "'";
-  for (const char c : path) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
-}
-
 /// ROS looks for no packages within a package.
 bool isWithinPackage(const fs::path& place) {
   std::error_code error;
@@ -44,7 +36,7 @@ bool isWithinPackage(const fs::path& place) {
 std::string asPackage(const std::string& package, const fs::path& place, const std::string& urdf) {
   const fs::path folder = isWithinPackage(place) ? place : place.parent_path();
   const std::string path = isOnRosPath(package, place) ? ""
-                                                       : "export ROS_PACKAGE_PATH=" + quoted(folder.string()) +
+                                                       : "export ROS_PACKAGE_PATH=" + shellWord(folder.string()) +
                                                              ":$ROS_PACKAGE_PATH   # or move the folder into the src of your workspace\n";
   return "To use package '" + package + "':\n  " + (path.empty() ? "" : path + "  ") + loadedBy("$(find " + package + ")/" + urdf);
 }

@@ -1,12 +1,14 @@
 // What INPUT means: a package, a robot description or a mesh.
 #include "collision_hulls/pipeline/input.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <set>
 
 #include "base/counted.h"
+#include "base/shell_word.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
@@ -52,24 +54,42 @@ Input fileInput(const std::string& path, const PackagePath& package_path, const 
   return input;
 }
 
-Input packageInput(const std::string& name, const std::string& folder, const PackagePath& package_path, const std::string& program,
-                   const RunControl& control) {
-  const std::vector<std::string> found = robotDescriptionsIn(folder);
-  if (found.size() == 1) return robotInput(found.front(), package_path, control);
-  if (found.empty()) {
-    throw Error(ErrorCode::kFileNotFound,
-                "package '" + name + "' (" + folder + ") has no .urdf or .xacro file in its folders urdf and robots; give the file itself");
-  }
-  throw Error(ErrorCode::kNotARobot, "package '" + name + "' has " + std::to_string(found.size()) + " robot descriptions; run one of\n  " +
-                                         program + " " + joined(found, "\n  " + program + " "));
+/// A command, but for its INPUT.
+struct CommandAround {
+  std::string program, options;
+};
+
+/// One of them is to be chosen.
+std::string commandsFor(const std::vector<std::string>& descriptions, const CommandAround& command) {
+  constexpr std::size_t kMostListed = 12;
+  std::string text = counted(descriptions.size(), "robot description") + "; run one of";
+  for (std::size_t i = 0; i < std::min(descriptions.size(), kMostListed); ++i)
+    text += "\n  " + command.program + " " + shellWord(descriptions[i]) + (command.options.empty() ? "" : " " + command.options);
+  if (descriptions.size() > kMostListed) text += "\n  or with one of " + std::to_string(descriptions.size() - kMostListed) + " more";
+  return text;
 }
 
-[[noreturn]] void throwNotFound(const std::string& input, bool package_tried) {
+Input packageInput(const std::string& name, const std::string& folder, const PackagePath& package_path, const CommandAround& command,
+                   const RunControl& control) {
+  std::vector<std::string> found = robotDescriptionsIn(folder);
+  if (found.empty()) found = robotDescriptionsBelow(folder);
+  if (found.size() == 1) return robotInput(found.front(), package_path, control);
+  if (found.empty()) {
+    throw Error(ErrorCode::kFileNotFound, "package '" + name + "' (" + folder +
+                                              ") has no .urdf or .xacro file; give the package or the file that describes the robot");
+  }
+  throw Error(ErrorCode::kNotARobot, "package '" + name + "' has " + commandsFor(found, command));
+}
+
+[[noreturn]] void throwNotFound(const std::string& input, bool package_tried, const CommandAround& command) {
   std::error_code error;
   const std::string place = fs::absolute(fs::path(".") / input, error).lexically_normal().string();  // empty: the working folder is gone
-  if (!input.empty() && fs::is_directory(input, error))
-    throw Error(ErrorCode::kFileNotFound, "folder '" + input + "' is not a package: '" + place + "' has no package.xml; give a package, " +
-                                              "a .urdf or .xacro file, or a mesh");
+  if (!input.empty() && fs::is_directory(input, error)) {
+    const std::vector<std::string> below = robotDescriptionsBelow(input);
+    throw Error(ErrorCode::kFileNotFound,
+                "folder '" + input + "' is not a package: '" + place + "' has no package.xml; " +
+                    (below.empty() ? "give a package, a .urdf or .xacro file, or a mesh" : "it has " + commandsFor(below, command)));
+  }
   if (isRobotFile(input) || isMeshFile(input))
     throw Error(
         ErrorCode::kFileNotFound,
@@ -85,25 +105,27 @@ Input packageInput(const std::string& name, const std::string& folder, const Pac
 
 }  // namespace
 
-Input openInput(const std::string& input, const PackagePath& package_path, const std::string& program, const RunControl& control) {
+Input openInput(const std::string& input, const PackagePath& package_path, const std::string& program, const RunControl& control,
+                const std::string& options) {
+  const CommandAround command{program, options};
   std::error_code error;
   if (!input.empty() && fs::exists(fs::path(input) / "package.xml", error))
-    return packageInput(input, input, package_path, program, control);
+    return packageInput(input, input, package_path, command, control);
   if (fs::exists(input, error) && !fs::is_directory(input, error)) return fileInput(input, package_path, control);
   const bool file_meant = input.empty() || input.find('/') != std::string::npos || isRobotFile(input) || isMeshFile(input);
-  if (file_meant) throwNotFound(input, false);
+  if (file_meant) throwNotFound(input, false, command);
   const std::optional<std::string> folder = defaultPackageFinder("", package_path)(input);
-  if (!folder) throwNotFound(input, true);
-  return packageInput(input, *folder, package_path, program, control);
+  if (!folder) throwNotFound(input, true, command);
+  return packageInput(input, *folder, package_path, command, control);
 }
 
-std::string workOn(const Input& input, const Options& options) {
+std::string workOn(const Input& input, const Options& options, const RunControl& control) {
   if (input.kind == Input::Kind::kMesh) return "'" + input.path + "'";
-  const std::vector<MeshUse> uses = meshUses(input.robot, {modelDecisions(options, input.robot).front()});
+  const std::vector<MeshUse> uses = meshUses(input.robot, {firstModelDecisions(options, input.robot, control)});
   std::set<std::string> links;
   for (const MeshUse& use : uses)
     if (use.options.action == Action::kDecompose) links.insert(use.link);
-  return counted(decomposedUses(uses), "mesh", "meshes") + " of " + counted(links.size(), "link");
+  return links.empty() ? "" : counted(decomposedUses(uses), "mesh", "meshes") + " of " + counted(links.size(), "link");
 }
 
 std::string defaultOutput(const Input& input) {

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/counted.h"
 #include "collision_hulls/error.h"
 #include "mesh/mesh_bytes.h"
 #include "report/link_pattern.h"
@@ -36,6 +37,10 @@ std::vector<std::string> notesOnLeftOut(const RobotDescription& robot, const Lin
   }
   if (links.empty()) return {};
   return {"links without a visual element keep their collision meshes as they are: " + links + "; --source auto decomposes them"};
+}
+
+bool haveCommon(const std::set<std::string>& a, const std::set<std::string>& b) {
+  return std::any_of(a.begin(), a.end(), [&](const std::string& item) { return b.count(item) > 0; });
 }
 
 /// The uses of one link in one model.
@@ -140,22 +145,29 @@ std::size_t decomposedUses(const std::vector<MeshUse>& uses) {
 std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options) {
   if (decomposedUses(meshUses(robot, {decisions})) > 0) return notesOnLeftOut(robot, decisions);
   std::ptrdiff_t visuals = 0, collisions = 0, chosen = 0;
+  bool is_new = false;  // visual primitives become collision elements
   for (const LinkDescription& link : robot.links) {
     if (!isDecomposed(decisions.of(link.name))) continue;
     ++chosen;
     visuals += std::count_if(link.visuals.begin(), link.visuals.end(), isMesh);
     collisions += std::count_if(link.collisions.begin(), link.collisions.end(), isMesh);
+    const SourceElements source = sourceElements(link, decisions.of(link.name)->source);
+    is_new = is_new || (source.visual && !source.elements.empty());
   }
   if (chosen == 0) return {"there is no mesh to decompose: all links are kept or removed"};
   const auto others = [](std::ptrdiff_t count, const std::string& kind) {
     return count == 0 ? ""
-                      : "; the <" + kind + "> elements have " + std::to_string(count) + " meshes, which --source " + kind + " decomposes";
+                      : "; the <" + kind + "> elements have " + counted(static_cast<std::size_t>(count), "mesh", "meshes") +
+                            ", which --source " + kind + " decomposes";
   };
   const char* const none = visuals + collisions > 0                         ? "there is no mesh to decompose"
                            : options.links.empty() && options.rules.empty() ? "the robot has no meshes"
                                                                             : "the chosen links have no meshes";
-  return {none + std::string("; boxes, spheres and cylinders stay as they are") + others(visuals, "visual") +
-          others(collisions, "collision")};
+  const std::string stays = is_new ? "" : ", and the output's collision model is the input's";
+  const std::string how_well =
+      visuals > 0 && collisions == 0 && !is_new ? "; 'verify INPUT INPUT' tells how far they are from the primitives" : "";
+  return {none + std::string("; boxes, spheres and cylinders stay as they are") + stays + others(visuals, "visual") +
+          others(collisions, "collision") + how_well};
 }
 
 bool isSolidPrimitive(const GeometryElement& element) {
@@ -183,15 +195,21 @@ std::vector<std::string> notesOnFlat(const RobotDescription& robot, const LinkDe
   return {"visual boxes, spheres and cylinders with a size of 0 become no collision elements, in links: " + links};
 }
 
-std::vector<std::string> notesOnIdle(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options) {
+std::vector<std::string> notesOnIdle(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options,
+                                     const RunControl& control) {
   if (!options.links.empty()) return {};  // then whatever is told of other links changes nothing, as was asked for
   std::set<std::string> links;
   for (const MeshUse& use : meshUses(robot, {decisions}))
     if (isDecomposed(&use.options)) links.insert(use.link);
   std::vector<std::string> notes;
   const auto look = [&](const std::string& what, const std::string& expression, const std::string& place) {
+    control.check();
     const LinkPattern pattern(expression, what);
-    if (std::any_of(links.begin(), links.end(), [&](const std::string& link) { return pattern.matches(link); })) return;
+    const auto matches = [&](const std::string& link) {
+      control.check();
+      return pattern.matches(link);
+    };
+    if (pattern.names() ? haveCommon(*pattern.names(), links) : std::any_of(links.begin(), links.end(), matches)) return;
     notes.push_back((place.empty() ? "" : place + ": ") + what + " '" + expression +
                     "' changes nothing: no link that it matches has a mesh to decompose");
   };
@@ -199,6 +217,13 @@ std::vector<std::string> notesOnIdle(const RobotDescription& robot, const LinkDe
     if (rule.settings.action.value_or(Action::kDecompose) == Action::kDecompose) look("links", rule.pattern, rule.place);
   for (const RegionRule& rule : options.region_rules) look("region '" + rule.name + "' of link", rule.pattern, rule.place);
   return notes;
+}
+
+UriResolver resolverFor(const RobotDescription& robot, const PackageFinder& find_package, const RunControl& control) {
+  return [&](const std::string& uri) {
+    control.check();
+    return resolveUri(uri, robot.path, find_package);
+  };
 }
 
 MeshTasks meshTasks(const std::vector<MeshUse>& uses, const UriResolver& resolve, const MeshLimits& limits, const RunControl& control) {

@@ -43,7 +43,8 @@ bool isSolidPrimitive(const GeometryElement& element);
 std::vector<std::string> notesOnFlat(const RobotDescription& robot, const LinkDecisions& decisions);
 
 /// On settings and regions that no mesh is left for.
-std::vector<std::string> notesOnIdle(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options);
+std::vector<std::string> notesOnIdle(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options,
+                                     const RunControl& control = {});
 
 /// Uses (indices, ascending) of a mesh with the same options.
 struct MeshVariant {
@@ -68,6 +69,9 @@ struct MeshTasks {
 
 /// Where a mesh's file is. Throws Error.
 using UriResolver = std::function<std::string(const std::string& uri)>;
+
+/// resolveUri() for the meshes of a robot, with a look at the control for each. All three must outlive it.
+UriResolver resolverFor(const RobotDescription& robot, const PackageFinder& find_package, const RunControl& control);
 
 /// Finds and hashes the files of the meshes, and joins equal ones.
 MeshTasks meshTasks(const std::vector<MeshUse>& uses, const UriResolver& resolve, const MeshLimits& limits, const RunControl& control);

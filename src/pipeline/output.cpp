@@ -31,14 +31,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void refuseForeign(const fs::path& folder) {
+void refuseForeign(const fs::path& folder, const RunControl& control) {
   std::error_code error;
   if (!fs::exists(folder, error)) return;
   if (!fs::is_directory(folder, error)) {
     throw Error(ErrorCode::kNotOurOutput, "'" + folder.string() + "' is not a folder; choose another output");
   }
   if (fs::is_empty(folder, error)) return;
-  const std::optional<EarlierOutput> known = earlierOutput(folder);
+  const std::optional<EarlierOutput> known = earlierOutput(folder, control);
   if (!known) {
     throw Error(ErrorCode::kNotOurOutput,
                 "'" + folder.string() +
@@ -46,6 +46,7 @@ void refuseForeign(const fs::path& folder) {
                     "remove it yourself");
   }
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    control.check();
     const fs::path file = entry->path().lexically_relative(folder);
     std::error_code unknown;
     if (entry->symlink_status(unknown).type() == fs::file_type::directory || known->files.count(file) > 0) continue;
@@ -195,10 +196,10 @@ bool lackedMeans(const ElementReport& row) {
 }
 
 /// An output with all meshes is worth more than one without those that memory or time did not suffice for.
-void refuseLosingMeshes(const Report& report, const fs::path& folder) {
+void refuseLosingMeshes(const Report& report, const fs::path& folder, const RunControl& control) {
   if (report.options.replace_complete) return;
   const auto lacked = std::count_if(report.links.begin(), report.links.end(), lackedMeans);
-  const std::optional<EarlierOutput> earlier = lacked > 0 ? earlierOutput(folder) : std::nullopt;
+  const std::optional<EarlierOutput> earlier = lacked > 0 ? earlierOutput(folder, control) : std::nullopt;
   if (!earlier || !earlier->complete) return;
   const auto first = std::find_if(report.links.begin(), report.links.end(), lackedMeans);
   throw Error(ErrorCode::kUnwritableOutput,
@@ -208,8 +209,8 @@ void refuseLosingMeshes(const Report& report, const fs::path& folder) {
 }
 
 /// The report says what the folder loses: hulls are made again, what only a fit to a scene makes is not.
-void noteLost(const fs::path& folder, const std::map<std::string, std::string>& files, Report& report) {
-  const std::optional<EarlierOutput> earlier = earlierOutput(folder);
+void noteLost(const fs::path& folder, const std::map<std::string, std::string>& files, Report& report, const RunControl& control) {
+  const std::optional<EarlierOutput> earlier = earlierOutput(folder, control);
   if (!earlier) return;
   for (const fs::path& file : earlier->files) {
     if (file.extension() != ".srdf" || files.count(file.string()) > 0) continue;
@@ -220,10 +221,10 @@ void noteLost(const fs::path& folder, const std::map<std::string, std::string>& 
 
 }  // namespace
 
-void checkOutput(const std::string& output) {
+void checkOutput(const std::string& output, const RunControl& control) {
   const fs::path folder = replacedFolder(output);
   refuseInUse(folder);
-  refuseForeign(folder);
+  refuseForeign(folder, control);
   checkFolderOf(folder);
 }
 
@@ -231,8 +232,8 @@ void checkOutput(const std::string& output) {
 bool writeOutput(RobotResult& result, const std::string& output, const RunControl& control) {
   if (allFailed(result.report)) return false;
   Stopwatch run;
-  checkOutput(output);
-  refuseLosingMeshes(result.report, replacedFolder(output));
+  checkOutput(output, control);
+  refuseLosingMeshes(result.report, replacedFolder(output), control);
   FolderReplacement replacement(output);
   const Folders folders{replacement.folder(), replacedFolder(output)};
   std::set<std::string> written;
@@ -244,14 +245,14 @@ bool writeOutput(RobotResult& result, const std::string& output, const RunContro
     folders.write(file, text);
     result.report.files.push_back(file);
   }
-  noteLost(folders.earlier, others, result.report);
+  noteLost(folders.earlier, others, result.report, control);
   if (result.report.options.html) {
     folders.write(kPageFile, pageOf(result, control));
     result.report.files.emplace_back(kPageFile);
   }
   result.report.seconds += run.lap();
   folders.write(kReportFile, toJson(result.report, control));
-  refuseForeign(replacedFolder(output));
+  refuseForeign(replacedFolder(output), control);
   control.check();
   replacement.commit();
   return true;

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/millimetres.h"
 #include "geometry/bytes.h"
 #include "pipeline/run.h"
@@ -16,6 +17,8 @@
 
 namespace collision_hulls {
 namespace {
+
+constexpr std::size_t kManyHulls = 100;  // of a mesh
 
 /// Names the files of hulls. Where there are several models, equal hulls of an element share a file.
 class HullFiles {
@@ -102,6 +105,31 @@ void noteHugeMeshes(Report& report) {
                          ": if its numbers are millimetres, scale it by 0.001 (scale=\"0.001 0.001 0.001\" in a description)");
 }
 
+/// Whether a row has the hulls that a tolerance asked for.
+bool followsTolerance(const ElementReport& row) {
+  return (row.status == Status::kOk || row.status == Status::kDegraded) && row.method == Method::kCertified && row.shapes == Shapes::kHulls;
+}
+
+/// A length alone, though finer than the default's, makes small meshes coarser than the default, which has a share as well. Links whose
+/// rules say otherwise do not count.
+void noteCoarserThanDefault(Report& report) {
+  const Length& tolerance = report.options.models.empty() ? report.options.tolerance : report.options.models.front().tolerance;
+  const Length usual = Options().tolerance;
+  if (tolerance.share != Length::kUnset || tolerance.limit >= usual.limit) return;
+  const auto by_default = [&](const ElementReport& row) { return usual.metres(row.diagonal); };
+  const ElementReport* finest = nullptr;
+  std::size_t coarser = 0;
+  for (const ElementReport& row : report.links) {
+    if (!followsTolerance(row) || row.tolerance != tolerance.limit || by_default(row) >= tolerance.limit) continue;
+    ++coarser;
+    if (!finest || by_default(row) < by_default(*finest)) finest = &row;
+  }
+  if (!finest) return;
+  report.notes.push_back("a tolerance of " + toString(tolerance) + " is coarser than the default for " +
+                         counted(coarser, "small mesh", "small meshes") + ", such as '" + finest->uri + "' with " +
+                         millimetres(by_default(*finest)) + ": '" + toString({tolerance.limit, usual.share}) + "' is as fine for all");
+}
+
 /// One hull is enough for a mesh that is smaller than the tolerance.
 void noteSmallMeshes(Report& report) {
   const auto is_small = [](const ElementReport& row) { return row.status != Status::kFailed && row.tolerance > row.diagonal; };
@@ -112,6 +140,21 @@ void noteSmallMeshes(Report& report) {
                          millimetres(first->diagonal) + " across" +
                          (others > 0 ? ", and than " + std::to_string(others) + " other meshes" : "") +
                          ": one hull covers each; for more detail give a smaller tolerance, or one with a share, as in 1cm,5%");
+}
+
+/// More hulls than planners and simulators like for a whole robot.
+void noteManyHulls(Report& report) {
+  const auto has_many = [](const ElementReport& row) { return followsTolerance(row) && row.hulls > kManyHulls; };
+  const auto fewer = [&](const ElementReport& a, const ElementReport& b) {
+    return (has_many(a) ? a.hulls : 0) < (has_many(b) ? b.hulls : 0);
+  };
+  const auto most = std::max_element(report.links.begin(), report.links.end(), fewer);
+  if (most == report.links.end() || !has_many(*most)) return;
+  const auto others = static_cast<std::size_t>(std::count_if(report.links.begin(), report.links.end(), has_many)) - 1;
+  report.notes.push_back(
+      "'" + most->uri + "' took " + std::to_string(most->hulls) + " hulls at a tolerance of " + millimetres(most->tolerance) +
+      (others > 0 ? ", and " + counted(others, "other mesh", "other meshes") + " over " + std::to_string(kManyHulls) : "") +
+      ": a larger tolerance makes fewer; so does a limit, as in --max-hulls 16");
 }
 
 /// The hulls are what could be found in time.
@@ -144,6 +187,10 @@ void putTogether(const std::vector<MeshUse>& uses, const MeshResults& results, R
   }
   addSegmentFiles(result);
   noteHugeMeshes(result.report);
+  if (!result.report.scene) {  // a fit chooses how fine each link has to be
+    noteCoarserThanDefault(result.report);
+    noteManyHulls(result.report);
+  }
   noteSmallMeshes(result.report);
   noteTimeLimit(result.report);
 }

@@ -30,7 +30,7 @@ constexpr std::array<Unit, 7> kLengthUnits = {
 constexpr int kMostHulls = 1'000'000;     // of a mesh
 constexpr int kMostVertices = 1'000'000;  // of a hull
 constexpr int kMostJobs = 1024;
-constexpr std::size_t kLongestModelName = 64;
+constexpr std::size_t kLongestModelName = 64, kMostModels = 20;
 constexpr int kMostReading = 1'000'000;  // [MiB] or [s]
 constexpr double kLargestTolerance = 1;  // [m] hulls that protrude further no longer resemble a robot
 
@@ -139,6 +139,10 @@ void checkPaddingAs(const std::string& option, double padding) {
 
 /// Models become files of their own.
 void checkModels(const std::vector<ModelOptions>& models) {
+  if (models.size() > kMostModels)
+    throw Error(ErrorCode::kBadOption, "there are " + std::to_string(models.size()) + " models, beginning with '" + models.front().name +
+                                           "'; at most " + std::to_string(kMostModels) +
+                                           " are allowed: make the others in a run of their own");
   std::set<std::string> names;
   for (const ModelOptions& model : models) {
     const bool is_name =

@@ -30,6 +30,13 @@ std::string bodies(std::size_t hulls, std::size_t primitives) {
   return (hulls > 0 ? std::to_string(hulls) + ", " : "") + counted(primitives, "primitive");
 }
 
+/// What a model consists of; "bodies": of both.
+std::string kindOfBodies(const Report& report) {
+  const Totals sum = totals(report);
+  if (sum.primitives == 0) return "hulls";
+  return sum.hulls == 0 ? "primitives" : "bodies";
+}
+
 Cells cells(const ElementReport& row) {
   const StageSeconds& s = row.seconds;
   const std::string seconds = figure(s.read + s.repair + s.decompose + s.certify + s.write);
@@ -82,8 +89,8 @@ Cells totalCells(const Report& report) {
 
 std::string meshTable(const Report& report) {
   if (report.links.empty()) return "";
-  std::vector<Cells> rows = {
-      {"link", "mesh", "triangles", "hulls", "at least", "vertices", "protrusion [mm]", "tolerance [mm]", "time [s]", "status"}};
+  std::vector<Cells> rows = {{"link", "mesh", "triangles", kindOfBodies(report), "at least", "vertices", "protrusion [mm]",
+                              "tolerance [mm]", "time [s]", "status"}};
   for (const ElementReport& row : report.links) rows.push_back(cells(row));
   rows.push_back(totalCells(report));
   return aligned(rows, kTextColumns);
@@ -98,9 +105,11 @@ std::string modelHeading(const Report& report) {
 std::string legend(const Report& report) {
   if (totals(report).meshes == totals(report).failed) return "";
   const auto cached = std::count_if(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.cached; });
-  std::string text =
-      "The hulls cover the whole surface of each mesh, and no hull point is further from its solid than the protrusion.\n"
-      "\"at least\": proved, no cover within the tolerance has fewer hulls.\n";
+  const bool some_needed =
+      std::any_of(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.least_hulls > 1; });
+  std::string text = "The " + kindOfBodies(report) +
+                     " cover the whole surface of each mesh, and no point of them is further from its solid than the protrusion.\n";
+  if (some_needed) text += "\"at least\": proved, no cover within the tolerance has fewer hulls; 1 where nobody looked.\n";
   if (report.links.size() > 1) text += "Meshes run in parallel; the total time is wall-clock time.\n";
   if (cached > 0) text += counted(static_cast<std::size_t>(cached), "mesh", "meshes") + " came from the cache.\n";
   return text;
@@ -135,13 +144,13 @@ std::string validationLines(const Report& report) {
   if (!report.options.validate) return "check" + of_what + "skipped (--no-validate)\n";
   const Validation& v = report.validation;
   if (v.queries == 0) return "check" + of_what + "nothing to compare\n";
-  std::string text = "check" + of_what + counted(v.queries, "query", "queries") +
-                     " compared hulls and meshes: " + number(v.missed, "collision") + " missed, " + number(v.phantom, "false collision") +
+  std::string text = "check" + of_what + counted(v.queries, "query", "queries") + " compared " + kindOfBodies(report) +
+                     " and meshes: " + number(v.missed, "collision") + " missed, " + number(v.phantom, "false collision") +
                      " beyond the protrusion; distances at most " + figureInMillimetres(v.max_underestimate) + " mm too short\n" +
                      troubleLine(v);
   for (const std::string& remark : v.remarks) text += "  " + remark + "\n";
-  return text + "speed" + of_what + "a distance query between one mesh and a probe takes " + figure(v.hull_query_us) +
-         " us with its hulls, " + figure(v.mesh_query_us) + " us with the mesh\n";
+  return text + "speed" + of_what + "a distance query between one mesh and a probe takes " + figure(v.hull_query_us) + " us with its " +
+         kindOfBodies(report) + ", " + figure(v.mesh_query_us) + " us with the mesh\n";
 }
 
 std::string share(std::size_t part, std::size_t whole) {
@@ -218,7 +227,7 @@ struct Missing {
 std::string line(const std::string& package, const Missing& missing) {
   return "package '" + package + "' was not found (" + counted(missing.meshes, "mesh", "meshes") + " of " +
          counted(missing.links.size(), "link") + "): install it and source its workspace, or say where it is with --package-path " +
-         package + "=DIR (parameter ~package_path of the node)";
+         package + "=DIR";
 }
 
 }  // namespace

@@ -1,6 +1,10 @@
-// The robot descriptions that a package offers, without the xacro files that hold nothing but macros for others.
+// The robot descriptions that a package offers, without files that hold nothing but macros, materials and properties for others.
+//
+// Xacro files are judged as they are written, since expanding them takes a second each, and other packages. A file that consists of
+// includes is a robot if one of the files that it includes adds parts to it.
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <set>
 
 #include "collision_hulls/error.h"
@@ -15,24 +19,94 @@ namespace collision_hulls {
 namespace {
 
 constexpr const char* kXacro = "xacro:";
+constexpr std::size_t kMostEntries = 20'000;               // files and folders of a package that are looked at
+constexpr int kDeepest = 6;                                // folders between a package and a description
+constexpr int kMostIncludes = 50;                          // files that lead from one to the next,
+constexpr std::size_t kMostBytes = std::size_t{32} << 20;  // and what is read of all: more files count as robots unread
 
-/// Whether an element of a xacro file adds a part to a robot: a link, or a macro call.
+bool isCondition(const XmlNode& element) {
+  return element.name == "xacro:if" || element.name == "xacro:unless";
+}
+
+/// Whether an element adds a part to a robot: a link, or a macro call.
 bool makesParts(const XmlNode& element) {
   static const std::set<std::string> others{"xacro:include", "xacro:macro", "xacro:property", "xacro:arg", "xacro:insert_block"};
-  if (element.name == "xacro:if" || element.name == "xacro:unless")
-    return std::any_of(element.children.begin(), element.children.end(), makesParts);
+  if (isCondition(element)) return std::any_of(element.children.begin(), element.children.end(), makesParts);
   return element.name == "link" || (element.name.rfind(kXacro, 0) == 0 && others.count(element.name) == 0);
 }
 
-/// False for a xacro file of macros and properties only. True for an unreadable file, so that its reader can say what is wrong.
-bool isDescription(const std::string& file) {
-  if (fs::path(file).extension() != ".xacro") return true;
-  try {
-    const XmlNode root = parseXml(readTextFile(file, ".xacro file"), "'" + file + "'");
-    return std::any_of(root.children.begin(), root.children.end(), makesParts);
+/// What the elements include, as it is written.
+std::vector<std::string> includedNames(const XmlNode& parent) {
+  std::vector<std::string> names;
+  for (const XmlNode& element : parent.children) {
+    if (element.name == "xacro:include" || element.name == "include") names.push_back(element.attribute("filename"));
+    if (!isCondition(element)) continue;
+    const std::vector<std::string> more = includedNames(element);
+    names.insert(names.end(), more.begin(), more.end());
+  }
+  return names;
+}
+
+/// Files of one package, judged by what is in them.
+class Judge {
+ public:
+  explicit Judge(const fs::path& package) : package_(package.lexically_normal()) {
+    const std::optional<PackageFolder> known = packageAt(package_);
+    find_ = "$(find " + (known ? known->name : fs::absolute(package_ / "").parent_path().filename().string()) + ")/";
+  }
+
+  /// True for an unreadable file, so that its reader can say what is wrong.
+  bool isDescription(const fs::path& path) {
+    const fs::path file = path.lexically_normal();
+    const auto [known, is_new] = descriptions_.emplace(file, false);  // of files that include each other, the first is asked
+    if (!is_new) return known->second;
+    ++depth_;
+    const bool is_robot = depth_ > kMostIncludes || bytes_ > kMostBytes || holdsRobot(file);
+    --depth_;
+    return descriptions_[file] = is_robot;
+  }
+
+  bool isIncluded(const fs::path& path) const { return included_.count(path.lexically_normal()) > 0; }
+
+ private:
+  bool holdsRobot(const fs::path& file) try {
+    const std::string text = readTextFile(file.string(), "robot description");
+    bytes_ += text.size();
+    const XmlNode root = parseXml(text, "'" + file.string() + "'");
+    bool holds = std::any_of(root.children.begin(), root.children.end(), makesParts);
+    const bool is_robot = !root.attribute("name").empty() && root.child("xacro:macro") == nullptr;
+    for (const std::string& name : includedNames(root)) {
+      const fs::path included = fileNamed(name, file);
+      const bool is_here = isFile(included);
+      if (is_here) included_.insert(included);
+      if (is_here ? isDescription(included) : is_robot) holds = true;  // a file of another package adds parts, presumably
+    }
+    return holds;
   } catch (const Error&) {
     return true;
   }
+
+  fs::path fileNamed(const std::string& name, const fs::path& includer) const {
+    const bool in_package = name.rfind(find_, 0) == 0;
+    return (in_package ? package_ / name.substr(find_.size()) : includer.parent_path() / name).lexically_normal();
+  }
+
+  fs::path package_;
+  std::string find_;  // what an include of a file of this package begins with
+  int depth_ = 0;
+  std::size_t bytes_ = 0;
+  std::map<fs::path, bool> descriptions_;
+  std::set<fs::path> included_;
+};
+
+/// Without files that are no robots, unless there is nothing else. Those that others include come last.
+std::vector<std::string> judged(const std::vector<std::string>& files, const fs::path& package) {
+  Judge judge(package);
+  std::vector<std::string> descriptions;
+  std::copy_if(files.begin(), files.end(), std::back_inserter(descriptions),
+               [&](const std::string& file) { return judge.isDescription(file); });
+  std::stable_partition(descriptions.begin(), descriptions.end(), [&](const std::string& file) { return !judge.isIncluded(file); });
+  return descriptions.empty() ? files : descriptions;
 }
 
 }  // namespace
@@ -46,9 +120,24 @@ std::vector<std::string> robotDescriptionsIn(const std::string& package_folder) 
       }
     }
   }
-  std::vector<std::string> descriptions;
-  std::copy_if(found.begin(), found.end(), std::back_inserter(descriptions), isDescription);
-  return descriptions.empty() ? found : descriptions;
+  return judged(found, package_folder);
+}
+
+std::vector<std::string> robotDescriptionsBelow(const std::string& folder) {
+  std::vector<std::string> urdf, xacro;
+  std::error_code error;
+  std::size_t entries = 0;
+  const auto options = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator at(folder, options, error), end; !error && at != end && ++entries < kMostEntries;
+       at.increment(error)) {
+    const fs::path& path = at->path();
+    if (path.filename().string().front() == '.' || at.depth() == kDeepest) at.disable_recursion_pending();
+    if (path.extension() == ".urdf" && isFile(path)) urdf.push_back(path.string());
+    if (path.extension() == ".xacro" && isFile(path)) xacro.push_back(path.string());
+  }
+  for (std::vector<std::string>* files : {&urdf, &xacro}) std::sort(files->begin(), files->end());
+  urdf.insert(urdf.end(), xacro.begin(), xacro.end());
+  return judged(urdf, folder);
 }
 
 }  // namespace collision_hulls

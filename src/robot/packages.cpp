@@ -71,7 +71,7 @@ PackagePlace packagePlace(const std::string& item) {
   return {named ? item.substr(0, equals) : "", fs::absolute(folder + "/").lexically_normal().parent_path()};
 }
 
-// What the copies of a finder share. The environment counts as it was when the finder was made; the crawls wait for their first use.
+// What the copies of a finder share. The environment counts as it was when the finder was made; manifests are read at their first use.
 class PackageFinder::Search {
  public:
   Search(const std::string& near, const std::vector<std::string>& package_path, bool with_environment) : above_(foldersAbove(near)) {
@@ -92,13 +92,14 @@ class PackageFinder::Search {
     return std::nullopt;
   }
 
-  // The package that the description itself is in.
-  std::optional<std::string> enclosing(const std::string& package) const {
-    for (const fs::path& folder : enclosing_) {
-      const auto found = packageAt(folder);
-      if (found && found->name == package) return folder.string();
-    }
-    return std::nullopt;
+  // The package that the description itself is in; of several with the same name the innermost.
+  std::optional<std::string> enclosing(const std::string& package) {
+    std::call_once(enclosing_read_, [this] {
+      for (const fs::path& folder : enclosing_)
+        if (const auto found = packageAt(folder)) enclosing_packages_.emplace(found->name, folder.string());
+    });
+    const auto found = enclosing_packages_.find(package);
+    return found == enclosing_packages_.end() ? std::nullopt : std::optional(found->second);
   }
 
   // A package as its manifest says, or as it is installed.
@@ -191,7 +192,8 @@ class PackageFinder::Search {
 
   std::vector<fs::path> above_, enclosing_, ros_, prefixes_;
   std::vector<PackagePlace> named_, given_;
-  std::once_flag crawled_;
+  std::once_flag enclosing_read_, crawled_;
+  std::map<std::string, std::string> enclosing_packages_;  // by name
   std::unique_ptr<const PackageCrawl> ros_crawl_, given_crawl_;
   mutable std::mutex mutex_;  // guards notes_
   std::vector<std::string> notes_;

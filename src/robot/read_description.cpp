@@ -54,6 +54,30 @@ std::string packagePathFor(const fs::path& file, const std::vector<std::string>&
   return path;
 }
 
+/// What stands after `words` in a text, up to the end of its line; empty: nothing.
+std::string restOfLine(const std::string& text, const std::string& words) {
+  const std::size_t found = text.find(words);
+  if (found == std::string::npos) return "";
+  const std::size_t begin = found + words.size();
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+/// The error of a file that xacro did not expand, and what helps against it.
+[[noreturn]] void throwFailed(const std::string& path, const ProgramResult& xacro) {
+  const std::string package = restOfLine(xacro.errors, "resource not found: ");
+  if (!package.empty()) {
+    const std::string processed = restOfLine(xacro.errors, "when processing file: ");
+    throw Error(ErrorCode::kPackageNotFound, "package '" + package + "', which '" + (processed.empty() ? path : processed) +
+                                                 "' includes, was not found: install it and source its workspace, or give its folder, " +
+                                                 "or the one above, with --package-path DIR");
+  }
+  const std::size_t skipped = xacro.errors.size() - std::min(xacro.errors.size(), kMostQuoted);
+  throw Error(ErrorCode::kNotARobot, "'" + path + "': xacro failed with status " + std::to_string(xacro.status) +
+                                         " (packages that it includes are found with --package-path DIR; arguments go to xacro " +
+                                         "itself: xacro FILE.xacro NAME:=VALUE > FILE.urdf):\n" +
+                                         trimmed(xacro.errors.substr(skipped), " \n"));
+}
+
 std::string expandXacro(const std::string& path, const std::vector<std::string>& package_path, const RunControl& control) {
   const fs::path file = fs::absolute(path);  // so that no file's name looks like an option
   const std::optional<ProgramResult> xacro =
@@ -64,12 +88,7 @@ std::string expandXacro(const std::string& path, const std::vector<std::string>&
                                               "or run 'xacro FILE.xacro > FILE.urdf' on a machine that has it, and give the .urdf");
   }
   if (xacro->status == 0) return xacro->out;
-  const std::size_t skipped = xacro->errors.size() - std::min(xacro->errors.size(), kMostQuoted);
-  throw Error(
-      ErrorCode::kNotARobot,
-      "'" + path + "': xacro failed with status " + std::to_string(xacro->status) + ": " + xacro->errors.substr(skipped) +
-          " (packages that it includes are found with --package-path DIR; arguments go to xacro itself: xacro FILE.xacro NAME:=VALUE > "
-          "FILE.urdf)");
+  throwFailed(path, *xacro);
 }
 
 std::string expanded(const std::string& path, const std::vector<std::string>& package_path, const RunControl& control) {

@@ -100,9 +100,9 @@ std::string hostOf(const std::string& uri) {
   const std::optional<fs::path> path = pathOf(percentDecoded(uri), base, find_package);
   if (!path) {
     const std::string package = *packageOf(uri);
-    throw Error(ErrorCode::kPackageNotFound, "package '" + package + "' of '" + uri +
-                                                 "' was not found: install it and source its workspace, or say where it is with " +
-                                                 "--package-path " + package + "=DIR (parameter ~package_path of the node)");
+    // Without the URI: links that lack the same package then fail for the same reason, which is said once.
+    throw Error(ErrorCode::kPackageNotFound, "package '" + package + "' was not found: install it and source its workspace, or say " +
+                                                 "where it is with --package-path " + package + "=DIR");
   }
   const bool has_no_place = base.empty() && isRelativeUri(uri);
   const std::string file = fs::absolute(*path).lexically_normal().string(), host = hostOf(uri);

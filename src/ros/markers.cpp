@@ -139,11 +139,6 @@ void drawOriginalPrimitives(const LinkDescription& link, Source source, Pen& pen
   }
 }
 
-std::string rootLink(const RobotDescription& robot) {
-  const auto root = std::find_if(robot.links.begin(), robot.links.end(), [](const LinkDescription& l) { return l.parent.empty(); });
-  return root == robot.links.end() ? "" : root->name;
-}
-
 std::size_t triangleCount(const Scene& scene) {
   std::size_t triangles = 0;
   for (const SceneBody& body : scene.bodies) triangles += std::visit([](const auto& shape) { return shape.triangles.size(); }, body.shape);

@@ -102,13 +102,14 @@ DecomposeResponse Node::decompose(const DecomposeRequest& request, const RunCont
   const Confinement confinement(places_.roots());
   const StatedJob job(preview_, "decompose");
   const Input input = inputOf(request.robot_description, request.base, control);
-  const Options options = requestedOptions(configured(private_, request.config, readOptions(private_)), request, input.robot);
-  const std::string output = outputFor(request.output, input);
+  const Options options = requestedOptions(configured(private_, request.config, readOptions(private_), control), request, input.robot);
+  const LinkDecisions decisions = firstModelDecisions(options, input.robot, control);  // before anything is written: it may take long
+  const std::string output = outputFor(request.output, input, control);
 
   const ViewedRun view(view_, input.robot, input.find_package, options, control);
   RobotResult result = decomposeRobot(input.robot, input.find_package, options, output, control, job.stated(view.shown(logged(step))));
   DecomposeResponse response = written<DecomposeResponse>(result, output, request.brief, control);
-  if (!response.urdf_path.empty()) show(input.robot, result);
+  if (!response.urdf_path.empty()) show(input.robot, decisions, result);
   return response;
 }
 
@@ -121,15 +122,16 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
   own.method = Method::kCertified;  // ~method, ~tree and ~time_limit are for the other job
   own.tree.reset();
   own.time_limit = 0;
-  const Options options = requestedOptions(configured(private_, request.config, own), toRequest(request), input.robot);
-  const std::string output = outputFor(request.output, input);
+  const Options options = requestedOptions(configured(private_, request.config, own, control), toRequest(request), input.robot);
+  const LinkDecisions decisions = firstModelDecisions(options, input.robot, control);
+  const std::string output = outputFor(request.output, input, control);
   const SceneRequest scene = requestedScene(request, input, options, control);
 
   const ViewedRun view(view_, input.robot, input.find_package, options, control);
   RobotResult result =
       fitRobotToScene(input.robot, input.find_package, scene, options, output, control, job.stated(view.shown(logged(step))));
   FitSceneResponse response = written<FitSceneResponse>(result, output, request.brief, control);
-  if (!response.urdf_path.empty()) show(input.robot, result, &scene.scene);
+  if (!response.urdf_path.empty()) show(input.robot, decisions, result, &scene.scene);
   if (!result.extra_files.empty()) response.srdf = result.extra_files.begin()->second;
   return response;
 }
@@ -140,17 +142,17 @@ BuildResponse Node::build(const BuildRequest& request, const RunControl& control
   const Confinement confinement(places_.roots());
   const StatedJob job(preview_, "build");
   const Input input = inputOf(request.robot_description, "", control);
-  const Options options = buildOptions(configured(private_, request.config, readOptions(private_)), request, input.robot, control);
+  const Options options = buildOptions(configured(private_, request.config, readOptions(private_), control), request, input.robot, control);
   std::optional<ViewedRun> view;
   if (request.only.empty() || preview_.isNews(input.robot)) view.emplace(view_, input.robot, input.find_package, options, control);
   const StepCallback stated = job.stated(view ? view->shown(logged(step)) : step);
   const RobotResult result = preview_.trees().build(input.robot, input.find_package, options, control, stated);
-  preview_.take(input.robot, LinkDecisions(options, input.robot), result);
+  preview_.take(input.robot, LinkDecisions(options, input.robot, control), result);
   BuildResponse response;
   response.success = !anyFailed(result.report);
   response.message = summary(result.report);
-  response.links = preview_.messages(request.only);
-  preview_.show(request.only);
+  response.links = preview_.messages(request.only, control);
+  preview_.show(request.only, control);
   return response;
 }
 
@@ -179,10 +181,10 @@ Input Node::inputOf(const std::string& robot_description, const std::string& bas
   return input;
 }
 
-std::string Node::outputFor(const std::string& requested, const Input& input) const {
+std::string Node::outputFor(const std::string& requested, const Input& input, const RunControl& control) const {
   const std::string wanted = requested.empty() ? textParameter(private_, "output") : requested;
   const std::string output = places_.output(wanted.empty() ? defaultOutput(input) : wanted);
-  checkOutput(output);
+  checkOutput(output, control);
   return output;
 }
 
@@ -203,9 +205,9 @@ RobotDescription Node::readRobot(const std::string& text, const std::string& bas
   return parseRobotDescription(parameter, own.empty() ? "" : resolveUri(own, "", places_.packageFinder("")), control);
 }
 
-void Node::show(const RobotDescription& robot, const RobotResult& result, const Scene* scene) {
+void Node::show(const RobotDescription& robot, const LinkDecisions& decisions, const RobotResult& result, const Scene* scene) {
   view_.show(result, scene);
-  preview_.take(robot, firstModelDecisions(result.report.options, robot), result);
+  preview_.take(robot, decisions, result);
   private_.setParam("robot_description", result.urdf);
 }
 

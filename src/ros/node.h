@@ -31,8 +31,11 @@ class Node {
   /// Throws kBadOption for a parameter of places.h that has the wrong type.
   Node();
 
-  /// For the way out: cancels the running job and refuses further requests.
-  void stop() { worker_.stop(); }
+  /// For the way out: cancels the running job and previews, and refuses further requests.
+  void stop() {
+    worker_.stop();
+    preview_.stop();
+  }
 
   /// Whether no job runs.
   bool idle() const { return worker_.current().empty(); }
@@ -47,9 +50,9 @@ class Node {
   BuildResponse build(const BuildRequest& request, const RunControl& control, const StepCallback& step);
   ValidateResponse validate(const ValidateRequest& request, const RunControl& control, const StepCallback& step);
   Input inputOf(const std::string& robot_description, const std::string& base, const RunControl& control) const;
-  std::string outputFor(const std::string& requested, const Input& input) const;
+  std::string outputFor(const std::string& requested, const Input& input, const RunControl& control) const;
   RobotDescription readRobot(const std::string& text, const std::string& base, const RunControl& control) const;
-  void show(const RobotDescription& robot, const RobotResult& result, const Scene* scene = nullptr);
+  void show(const RobotDescription& robot, const LinkDecisions& decisions, const RobotResult& result, const Scene* scene = nullptr);
 
   ros::NodeHandle node_, private_{"~"};
   const Places places_{private_};

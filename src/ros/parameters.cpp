@@ -10,11 +10,13 @@
 
 #include "base/uri_text.h"
 #include "collision_hulls/config/config.h"
+#include "collision_hulls/config/link_decisions.h"
 #include "collision_hulls/error.h"
 #include "config/link_rule.h"
 #include "joint_states.h"
 #include "live_scene.h"
 #include "preview/robot_trees.h"
+#include "robot_bounds.h"
 
 namespace collision_hulls {
 namespace {
@@ -93,11 +95,6 @@ void checkText(const std::string& field, const std::string& text) {
   }
 }
 
-std::string rootLink(const RobotDescription& robot) {
-  const auto is_root = [](const LinkDescription& link) { return link.parent.empty(); };
-  return std::find_if(robot.links.begin(), robot.links.end(), is_root)->name;
-}
-
 }  // namespace
 
 std::string textParameter(const ros::NodeHandle& node, const std::string& name, const std::string& fallback) {
@@ -143,9 +140,9 @@ Options readOptions(const ros::NodeHandle& node) {
   return options;
 }
 
-Options configured(const ros::NodeHandle& node, const std::string& config, Options options) {
+Options configured(const ros::NodeHandle& node, const std::string& config, Options options, const RunControl& control) {
   const std::string text = config.empty() ? textParameter(node, "config") : config;
-  if (!text.empty()) apply(parseConfig(text, config.empty() ? node.resolveName("config") : "config"), options);
+  if (!text.empty()) apply(parseConfig(text, config.empty() ? node.resolveName("config") : "config", control), options);
   return options;
 }
 
@@ -215,11 +212,6 @@ Options buildOptions(const Options& options, const BuildRequest& request, const 
   }
   check(result);
   return result;
-}
-
-LinkDecisions firstModelDecisions(Options options, const RobotDescription& robot, const RunControl& control) {
-  options.models.resize(std::min<std::size_t>(options.models.size(), 1));
-  return modelDecisions(options, robot, control).front();
 }
 
 SceneRequest requestedScene(const FitSceneRequest& request, const Input& input, const Options& options, const RunControl& control) {

@@ -7,7 +7,7 @@
 #include <collision_hulls/ValidateRequest.h>
 #include <ros/node_handle.h>
 
-#include "collision_hulls/config/link_decisions.h"
+#include "collision_hulls/control.h"
 #include "collision_hulls/pipeline/fit_scene.h"
 #include "collision_hulls/report/options.h"
 #include "collision_hulls/robot/robot_description.h"
@@ -22,7 +22,7 @@ Options readOptions(const ros::NodeHandle& node);
 
 /// `options` with what a configuration says in their place: `config`, the text in a request, or if that is empty the text of ~config.
 /// Throws as parseConfig().
-Options configured(const ros::NodeHandle& node, const std::string& config, Options options);
+Options configured(const ros::NodeHandle& node, const std::string& config, Options options, const RunControl& control);
 
 /// A list, or a text with colons between its items, such as ~package_path. Throws kBadOption for anything else.
 std::vector<std::string> readFolders(const ros::NodeHandle& node, const std::string& name);
@@ -44,9 +44,6 @@ Options requestedOptions(Options options, const DecomposeRequest& request, const
 
 /// Options with a tree, for the first model, of the links that the request chooses. Throws as requestedOptions(), and kCancelled.
 Options buildOptions(const Options& options, const BuildRequest& request, const RobotDescription& robot, const RunControl& control);
-
-/// modelDecisions() of the first model alone.
-LinkDecisions firstModelDecisions(Options options, const RobotDescription& robot, const RunControl& control = {});
 
 /// The scene and the configurations that a request names, read from files or from what is published now (live_scene.h, joint_states.h).
 /// Throws kBadOption, kCancelled, and the readers' errors.

@@ -49,6 +49,11 @@ std::vector<Eigen::Isometry3d> firstPoses(const RobotDescription& robot) {
 
 }  // namespace
 
+std::string rootLink(const RobotDescription& robot) {
+  const auto root = std::find_if(robot.links.begin(), robot.links.end(), [](const LinkDescription& link) { return link.parent.empty(); });
+  return root == robot.links.end() ? "" : root->name;
+}
+
 bool isPrimitive(const GeometryElement& element) {
   return element.fault.empty() && element.kind != GeometryElement::Kind::kMesh && element.kind != GeometryElement::Kind::kNone;
 }

@@ -34,6 +34,9 @@ RobotBounds robotBounds(const RobotDescription& robot, Source source, const Mesh
 /// The bounds of a result's original meshes, with all joints at zero.
 RobotBounds robotBounds(const RobotResult& result);
 
+/// The name of the link without a parent; empty: there is none.
+std::string rootLink(const RobotDescription& robot);
+
 /// Whether an element is a box, a sphere or a cylinder.
 bool isPrimitive(const GeometryElement& element);
 

@@ -60,12 +60,6 @@ std::string frameName(const std::string& name) {
   return name.substr(std::min(name.find_first_not_of('/'), name.size()));
 }
 
-std::string rootOf(const RobotDescription& robot) {
-  for (const LinkDescription& link : robot.links)
-    if (link.parent.empty()) return link.name;
-  return "";
-}
-
 }  // namespace
 
 StepCallback ViewedRun::shown(StepCallback step) const {
@@ -94,7 +88,7 @@ void View::begin(const RobotDescription& robot, const PackageFinder& find_packag
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     robot_ = robot;
-    root_ = rootOf(robot);
+    root_ = rootLink(robot);
     if (!has_result_) put(std::move(original));
   }
   const RobotBounds bounds = robotBounds(robot, options.source, {file, meshLimits(options), control});
@@ -154,11 +148,12 @@ void View::put(Drawing drawing) {
   repeatSoon();
 }
 
-void View::replace(const std::vector<ShownLink>& links, Redraw redraw) {
+void View::replace(const std::vector<ShownLink>& links, Redraw redraw, const RunControl& control) {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::set<std::string> names;
   Drawing all;
   for (const ShownLink& link : links) {
+    control.check();
     names.insert(link.link.name);
     const Drawing drawing = drawLink(link, bounds_.radius, opacity_);
     for (const auto list : {&Drawing::hulls, &Drawing::protrusion, &Drawing::chosen})

@@ -43,8 +43,8 @@ class View {
     bool settled = false;  ///< no other change is about to follow
   };
   /// Draws these links anew, as far as hulls and protrusion go. Subscribers get only what changes; those that come later get all, as after
-  /// each new subscriber.
-  void replace(const std::vector<ShownLink>& links, Redraw redraw);
+  /// each new subscriber. Throws kCancelled; nothing is drawn then.
+  void replace(const std::vector<ShownLink>& links, Redraw redraw, const RunControl& control);
 
   /// It is over, whether with a result or not.
   void end();

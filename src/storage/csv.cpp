@@ -2,6 +2,7 @@
 #include "storage/csv.h"
 
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstring>
 
@@ -10,7 +11,15 @@
 namespace collision_hulls {
 namespace {
 
-std::string csvField(const std::string& text) {
+/// Whether a spreadsheet would take a text for a formula, and run what a robot of that name says.
+bool looksLikeFormula(const std::string& text) {
+  if (text.empty() || std::strchr("=+-@\t\r", text[0]) == nullptr) return false;
+  double number = 0;
+  return std::from_chars(text.data(), text.data() + text.size(), number).ptr != text.data() + text.size();
+}
+
+std::string csvField(const std::string& field) {
+  const std::string text = looksLikeFormula(field) ? "'" + field : field;
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);

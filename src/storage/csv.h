@@ -9,7 +9,8 @@
 
 namespace collision_hulls {
 
-/// A line of CSV; fields with a comma, quote or line break are quoted.
+/// A line of CSV; fields with a comma, quote or line break are quoted. A text that a spreadsheet would take for a formula, "=...", gets an
+/// apostrophe before it, as OWASP advises.
 std::string csvLine(const std::vector<std::string>& fields);
 
 /// A number with nine significant digits; empty if there is none.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/nearest_name.h"
+#include "base/shell_word.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/report/report.h"
@@ -128,18 +129,30 @@ CommandLine::Option* CommandLine::add_flag_callback(const std::string& names, co
 }
 
 bool CommandLine::parse(int argc, const char* const* argv) {
-  const std::map<std::string, Texts> given = split(argc, argv);
-  if (given.count("help")) return std::cout << help(), false;
-  if (given.count("version")) return printVersion(program_), false;
+  given_ = split(argc, argv);
+  if (given_.count("help")) return std::cout << help(), false;
+  if (given_.count("version")) return printVersion(program_), false;
   for (const auto& option : options_) {
-    const auto found = given.find(option->name_);
-    if (found != given.end()) {
+    const auto found = given_.find(option->name_);
+    if (found != given_.end()) {
       apply(*option, found->second);
     } else if (option->required_) {
       refuse((option->positional_ ? "" : "--") + option->name_ + " is required");
     }
   }
   return true;
+}
+
+std::string CommandLine::given() const {
+  std::string words;
+  const auto add = [&](const std::string& word) { words += (words.empty() ? "" : " ") + word; };
+  for (const auto& option : options_) {
+    const auto found = given_.find(option->name_);
+    if (option->positional_ || found == given_.end()) continue;
+    if (!option->takes_value_) add("--" + option->name_);
+    for (const std::string& text : found->second) add("--" + option->name_ + (text.rfind('-', 0) == 0 ? "=" : " ") + shellWord(text));
+  }
+  return words;
 }
 
 /// Whether a word is one of the long options. Boost would take it for the value of the option before.

@@ -66,6 +66,9 @@ class CommandLine {
   /// The text of --help.
   std::string help() const;
 
+  /// The options given to parse(), as words of a shell: "--output out --quiet". Arguments without a dash are left out.
+  std::string given() const;
+
   const std::string& get_name() const { return program_; }
 
  private:
@@ -85,6 +88,7 @@ class CommandLine {
 
   std::string purpose_, program_, footer_;
   std::vector<std::unique_ptr<Option>> options_;
+  std::map<std::string, Texts> given_;
 };
 
 template <typename T>

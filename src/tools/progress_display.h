@@ -19,6 +19,7 @@ class ProgressDisplay {
   ~ProgressDisplay() { clear(); }
 
   void step(const Step& step) {
+    if (step.total == 0) return;  // no mesh: a note says why
     if (bar_) {
       drawn_ = true;
       draw(step);

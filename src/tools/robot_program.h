@@ -24,6 +24,8 @@
 #include "robot/package_place.h"
 #include "scene/reading.h"
 #include "storage/files.h"
+#include "storage/names.h"
+#include "storage/replace_folder.h"
 
 namespace collision_hulls {
 
@@ -39,8 +41,9 @@ struct RobotCommand {
   std::vector<std::string> consumer_names;
   std::vector<Consumer> consumers;  // once they are known
   GivenOptions given;
-  Options options;                 // once they are known: the defaults, then the file, then what is given
-  std::vector<std::string> notes;  // on them
+  Options options;                    // once they are known: the defaults, then the file, then what is given
+  std::vector<std::string> notes;     // on them
+  const CommandLine* line = nullptr;  // that fills it
 };
 
 /// Input, output, report and the options of a decomposition.
@@ -73,6 +76,7 @@ inline void addRobotOptions(CommandLine& app, const std::string& input, RobotCom
       ->type_name("NAME")
       ->group("Output");
   DecomposeOptionAdder(app, command.given).addAll();
+  command.line = &app;
 }
 
 /// The option of programs that make several models.
@@ -163,11 +167,11 @@ inline ModelOptions modelOf(const std::string& text) {
 }
 
 /// Fills command.options.
-inline void configure(RobotCommand& command) {
+inline void configure(RobotCommand& command, const RunControl& control) {
   bool has_format = command.given.names.count("format") > 0;
   bool has_shapes = command.given.names.count("shapes") + command.given.names.count("spheres") > 0;
   if (!command.config.empty()) {
-    const Config config = readConfig(command.config);
+    const Config config = readConfig(command.config, control);
     has_format = has_format || config.format;
     has_shapes = has_shapes || config.defaults.shapes;
     apply(config, command.options);
@@ -214,7 +218,7 @@ inline void checkSuits(const Input& input, const RobotCommand& command) {
 inline Input opened(const RobotCommand& command, const RunControl& control) {
   const bool is_quick = lowerExtension(command.input) == ".urdf" || isMeshFile(command.input);
   if (!command.quiet && !is_quick) std::cerr << "opening '" << command.input << "'\n";
-  Input input = openInput(command.input, command.package_path, command.program, control);
+  Input input = openInput(command.input, command.package_path, command.program, control, command.line->given());
   checkSuits(input, command);
   return input;
 }
@@ -241,25 +245,36 @@ struct MadeRobot {
   std::string output;
 };
 
+/// On a package that some consumers do not find; empty: all do.
+inline std::string noteOnFolder(const Options& options, const Input& input, const std::string& output) {
+  const std::filesystem::path folder = std::filesystem::path(replacedFolder(output)).filename();
+  const std::string package = packageName(folder.string());
+  if (input.kind == Input::Kind::kMesh || options.uri != UriStyle::kPackage || !options.package_name.empty() || folder == package)
+    return "";
+  return "the package is called '" + package + "', as ROS takes no '" + folder.string() +
+         "'; Bullet and Gazebo look for a folder of the package's name: give one with --output";
+}
+
 /// Everything but writing: checks the command, reads the input, and works.
 inline MadeRobot make(RobotCommand& command, const RobotWork& work, const RunControl& control, const StepCallback& step) {
-  configure(command);
+  configure(command, control);
   checkCommand(command);
   const Input input = opened(command, control);
   const std::string output = writablePath(command.output.empty() ? defaultOutput(input) : command.output);
-  checkOutput(output);
+  checkOutput(output, control);
   checkConfig(command, input, output);
   if (isFile(command.json))
     inContext("--json", [&] {
       checkBeside(command.json = writablePath(command.json), output);
       checkHoldsJson(command.json);
     });
-  const std::string work_ahead = workOn(input, command.options);
-  if (!command.quiet) std::cerr << "reading " << work_ahead << "\n";
+  const std::string work_ahead = workOn(input, command.options, control);
+  if (!command.quiet && !work_ahead.empty()) std::cerr << "reading " << work_ahead << "\n";
   MadeRobot made{work(input, output, control, step), output};
   addConsumerFiles(command.consumers, output, made.result, control);
   std::vector<std::string>& notes = made.result.report.notes;
   notes.insert(notes.begin(), command.notes.begin(), command.notes.end());
+  if (const std::string note = noteOnFolder(command.options, input, output); !note.empty()) notes.push_back(note);
   return made;
 }
 
@@ -277,7 +292,7 @@ inline int runRobotCommand(RobotCommand& command, const RobotWork& work) {
   display.clear();
   const bool written = writeEverything(result, command, output, control);
 
-  printReport(result, command, written ? howToUse(result, output) : "");
+  printReport(result, command, written ? howToUse(result, output) + howToLoad(command.consumers, result, output) : "");
   if (!anyFailed(result.report)) return kDone;
   return result.single_mesh ? kWrongUse : kSomeFailed;
 }

@@ -229,6 +229,21 @@ TEST(LinkDecisions, RegionsThatCannotHold) {
   expect("links: {panda_hand: remove}\nregions:\n  - {link: panda_hand" + shape, {"which is removed by"});
 }
 
+TEST(LinkDecisions, RegionsAreCountedOnceForEachElement) {
+  const Options options = optionsOf("regions: [{name: floor, link: .*, box: {size: [1, 1, 1]}, keep_clear: true}]");
+  RobotDescription large = robot();
+  large.links[0].visuals.resize(50'000), large.links[0].collisions.resize(49'996);
+  EXPECT_EQ(LinkDecisions(options, large).of("camera_mount")->regions.size(), 1u) << "100,000 uses, with those of links without elements";
+  large.links[0].visuals.emplace_back();
+  try {
+    LinkDecisions(options, large);
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("region 'floor' of link 'camera_mount', regions are used 100001 times"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(LinkDecisions, ARegionAsItsRuleSays) {
   RegionRule rule;
   rule.name = "r";
@@ -268,6 +283,8 @@ TEST(ModelDecisions, EachModelHasItsTolerance) {
   EXPECT_EQ(toString(models[0].of("panda_link1")->tolerance), "1cm,5%");
   EXPECT_EQ(toString(models[1].of("panda_link1")->tolerance), "2mm");
   for (const LinkDecisions& model : models) EXPECT_EQ(model.of("panda_hand")->tolerance.limit, 0.001) << "a rule holds in all models";
+  const LinkDecisions first = firstModelDecisions(optionsOf("models: {planning: 5mm, contact: 2mm}"), robot());
+  EXPECT_EQ(toString(first.of("panda_link1")->tolerance), "5mm");
 }
 
 }  // namespace

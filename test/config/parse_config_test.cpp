@@ -2,6 +2,7 @@
 
 #include "collision_hulls/config/config.h"
 #include "collision_hulls/error.h"
+#include "counted_looks.h"
 
 namespace collision_hulls {
 namespace {
@@ -168,6 +169,31 @@ TEST(ParseConfig, HugeAndDeepTexts) {
   std::string many = "links:\n";
   for (int i = 0; i < 10'000; ++i) many += "  arm_" + std::to_string(i) + ": {tolerance: 2mm}\n";
   EXPECT_EQ(parseConfig(many, "f").rules.size(), 10'000u);
+}
+
+TEST(ParseConfig, LooksAtTheControlForEachExpression) {
+  constexpr int kMany = 900;
+  std::string links = "links:\n", regions = "regions:\n";
+  for (int i = 0; i < kMany; ++i) {
+    links += "  arm_" + std::to_string(i) + "[a-z]*: keep\n";
+    regions += "  - {link: \"arm_[a-z]*\", half_space: {normal: [0, 0, 1], offset: 1}, keep_clear: true}\n";
+  }
+  for (const std::string& text : {links, regions})
+    EXPECT_GE(looksOf([&](const RunControl& control) { parseConfig(text, "f", control); }), static_cast<std::size_t>(kMany));
+}
+
+TEST(ParseConfig, TwentyModelsAreEnough) {
+  std::string text = "models: {m0: 1cm";
+  for (int i = 1; i < 20; ++i) text += ", m" + std::to_string(i) + ": 1cm";
+  EXPECT_EQ(parseConfig(text + "}", "f").models.size(), 20u);
+  try {
+    parseConfig(text + ", more: 1cm}", "f");
+    ADD_FAILURE() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadOption);
+    for (const char* part : {"'f', line 1", "21 models", "'m0'", "at most 20", "run of their own"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
 }
 
 TEST(ReadConfig, NamesAFileThatIsMissing) {

@@ -138,10 +138,10 @@ TEST(CertifiedHulls, ReasonsNameTheCause) {
     return certifiedHulls(mesh, options).reason;
   };
   EXPECT_NE(reason(Method::kBoundingBox, 0).find("bounding_box ignores the tolerance"), std::string::npos);
-  EXPECT_NE(reason(Method::kCertified, 1).find("the limits (max-hulls 1, max-vertices 64) made the hulls coarser; raise them"),
-            std::string::npos);
+  EXPECT_NE(reason(Method::kCertified, 1).find("the limit (max-hulls 1) made the hulls coarser; raise it"), std::string::npos);
   EXPECT_NE(reason(Method::kHacd, 0).find("hacd measures concavity along rays"), std::string::npos);
-  EXPECT_NE(reason(Method::kAcd, 1).find("the limits (max-hulls 1"), std::string::npos);
+  EXPECT_NE(reason(Method::kAcd, 1).find("the limits (max-hulls 1, max-vertices 64) made the hulls coarser; raise them"),
+            std::string::npos);
 }
 
 // Welding moves points: the hulls must cover them where they were, and the bound must include by how much the solid is uncertain.

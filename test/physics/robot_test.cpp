@@ -99,6 +99,14 @@ TEST(LoadRobot, LeavesOutVisualsAndNothingElse) {
   }
 }
 
+TEST(LoadRobot, LeavesOutAVisualWithinAnotherOnce) {
+  const auto robot = loadRobot(
+      "<robot name='r'><link name='a'><visual><visual name='inner'/></visual></link><link name='b'/>"
+      "<joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint></robot>",
+      "/r.urdf", [](const std::string&) { return std::nullopt; });
+  EXPECT_EQ(robot->getNumBodyNodes(), 2u);
+}
+
 TEST(LoadRobot, RejectsTextThatIsNoDescription) {
   EXPECT_THROW(loadRobot("rubbish", "/r.urdf", [](const std::string&) { return std::nullopt; }), Error);
 }

@@ -61,6 +61,20 @@ TEST_F(DecomposeRobot, NoMeshAtAll) {
   EXPECT_EQ(result.urdf, fixtures::read(folder_ / "urdf/arm.urdf"));
 }
 
+TEST_F(DecomposeRobot, MoreHullsThanADescriptionMayHoldEndTheRun) {
+  std::string visuals;
+  for (int i = 0; i < 17'000; ++i) visuals += visual("channel.obj");  // of three hulls
+  options_.validate = false;
+  try {
+    run(link("base", visuals));
+    ADD_FAILURE() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kTooLarge);
+    for (const char* part : {"more than 33333 hulls", "link 'base'", "larger tolerance"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
 TEST_F(DecomposeRobot, UnreadableElementHasItsOwnRow) {
   const std::string bad = "    <visual>\n      " + meshTag("../meshes/box.obj", " scale=\"0.001\"") + "\n    </visual>\n";
   const RobotResult result = run(link("base", visual("bracket.obj")) + link("tip", bad, "base"));
@@ -203,14 +217,18 @@ TEST_F(DecomposeRobot, NamesTheSourceWithMeshesIfTheChosenOneHasNone) {
   const std::string robot = link("base", visual("file:///box.obj") + sphere) + link("tip", sphere, "base");
   const auto notes = [&] { return run(robot).report.notes; };
   ASSERT_EQ(notes().size(), 1u);
-  for (const std::string part : {"no mesh", "<visual>", "1 meshes", "--source visual"})
-    EXPECT_NE(notes()[0].find(part), std::string::npos) << notes()[0];
-  EXPECT_EQ(notes()[0].find("--source collision"), std::string::npos) << "there are no collision meshes either";
+  const std::string stay = "; boxes, spheres and cylinders stay as they are", equal = ", and the output's collision model is the input's";
+  EXPECT_EQ(notes()[0],
+            "there is no mesh to decompose" + stay + equal +
+                "; the <visual> elements have 1 mesh, which --source visual decomposes; 'verify INPUT INPUT' tells how far they "
+                "are from the primitives");
   options_.links = "tip";
   ASSERT_EQ(notes().size(), 1u);
-  EXPECT_EQ(notes()[0], "the chosen links have no meshes; boxes, spheres and cylinders stay as they are");
+  EXPECT_EQ(notes()[0], "the chosen links have no meshes" + stay + equal);
   options_.links = "";
-  EXPECT_EQ(run(link("tip", sphere)).report.notes[0], "the robot has no meshes; boxes, spheres and cylinders stay as they are");
+  EXPECT_EQ(run(link("tip", sphere)).report.notes[0], "the robot has no meshes" + stay + equal);
+  const std::string seen = "    <visual><geometry><sphere radius=\"1\"/></geometry></visual>\n";
+  EXPECT_EQ(run(link("tip", seen)).report.notes[0], "the robot has no meshes" + stay) << "it becomes a <collision>";
 }
 
 TEST_F(DecomposeRobot, PassesOnNotesAboutTheDescription) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "collision_hulls/error.h"
+#include "counted_looks.h"
 #include "pipeline/fixtures.h"
 
 namespace collision_hulls {
@@ -100,16 +101,50 @@ TEST_F(OpenInput, SaysWhatWorkThereIs) {
   EXPECT_EQ(workOn(robot, options), "3 meshes of 2 links");
   options.links = "tip";
   EXPECT_EQ(workOn(robot, options), "1 mesh of 1 link");
+  options.source = Source::kCollision;
+  EXPECT_EQ(workOn(robot, options), "");
   EXPECT_EQ(workOn(openInput(fixtures::write(folder_ / "a.stl", "")), options), "'" + (folder_ / "a.stl") + "'");
+}
+
+TEST_F(OpenInput, WhatWorkThereIsCanBeCancelled) {
+  addRobot("arm.urdf");
+  const Input robot = openInput(folder_ / "arm.urdf");
+  EXPECT_EQ(looksAfterCancel(1, [&](const RunControl& control) { workOn(robot, Options(), control); }), 1u);
 }
 
 TEST_F(OpenInput, APackageWithNoneOrSeveralRobots) {
   addPackage("two_description");
-  expectError("two_description", ErrorCode::kFileNotFound, {"two_description", ".urdf", "give the file"});
+  expectError("two_description", ErrorCode::kFileNotFound, {"two_description", ".urdf", "or the file"});
   addRobot("two_description/urdf/left.urdf");
   addRobot("two_description/urdf/right.urdf");
   expectError("two_description", ErrorCode::kNotARobot,
               {"2 robot descriptions; run one of", "\n  decompose ", "urdf/left.urdf", "urdf/right.urdf"});
+}
+
+TEST_F(OpenInput, RobotsInOtherFolders) {
+  addPackage("hands_description");
+  addRobot("hands_description/arm.urdf");
+  EXPECT_EQ(openInput("hands_description").robot.path, folder_ / "hands_description/arm.urdf");
+  addRobot("hands_description/v2/model.urdf");
+  expectError("hands_description", ErrorCode::kNotARobot, {"2 robot descriptions", "hands_description/v2/model.urdf"});
+  addRobot("loose/model 1.urdf");
+  expectError(folder_ / "loose", ErrorCode::kFileNotFound,
+              {"no package.xml; it has 1 robot description; run one of\n  decompose '" + (folder_ / "loose/model 1.urdf") + "'"});
+}
+
+TEST_F(OpenInput, CommandsKeepTheUsersOptionsAndAreADozen) {
+  addPackage("many_description");
+  for (int i = 10; i < 25; ++i) addRobot("many_description/urdf/r" + std::to_string(i) + ".urdf");
+  try {
+    openInput("many_description", {}, "verify a.urdf", {}, "--quiet --json -");
+    ADD_FAILURE();
+  } catch (const Error& e) {
+    const std::string text = e.what(), folder = folder_ / "many_description/urdf/";
+    EXPECT_NE(text.find("\n  verify a.urdf " + folder + "r10.urdf --quiet --json -\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("r21.urdf"), std::string::npos) << text;
+    EXPECT_EQ(text.find("r22.urdf"), std::string::npos) << text;
+    EXPECT_NE(text.find("\n  or with one of 3 more"), std::string::npos) << text;
+  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "collision_hulls/error.h"
+#include "counted_looks.h"
 #include "pipeline/fixtures.h"
 
 namespace collision_hulls {
@@ -118,6 +119,35 @@ TEST_F(MeshTaskTest, AMeshWithoutAFileFailsAlone) {
   EXPECT_EQ(found_.done[1], nullptr);
   EXPECT_EQ(found_.done[2]->error, "BadGeometry");
   EXPECT_EQ(found_.done[2]->reason, "line 7: no");
+}
+
+TEST(NotesOnIdle, ACancelWaitsForOneExpression) {
+  RobotDescription robot;
+  Options options;
+  for (int i = 0; i < 20; ++i) {
+    LinkDescription link;
+    link.name = "link" + std::to_string(i);
+    link.visuals.push_back(use("a.stl").source);
+    link.visuals.back().kind = GeometryElement::Kind::kMesh;
+    robot.links.push_back(link);
+    options.rules.push_back({link.name + "[a-z]*", {}, ""});
+  }
+  const LinkDecisions decisions(options, robot);
+  EXPECT_EQ(looksAfterCancel(30, [&](const RunControl& control) { notesOnIdle(robot, decisions, options, control); }), 1u);
+}
+
+TEST(NotesOnIdle, AListOfNamesIsLookedUp) {
+  RobotDescription robot;
+  robot.links.resize(2);
+  robot.links[0].name = "arm";
+  robot.links[1].name = "hand";
+  robot.links[0].visuals = {use("a.stl").source};
+  robot.links[0].visuals[0].kind = GeometryElement::Kind::kMesh;
+  Options options;
+  options.rules = {{"hand|arm", {}, ""}, {"hand", {}, ""}};
+  const std::vector<std::string> notes = notesOnIdle(robot, LinkDecisions(options, robot), options);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0].substr(0, 28), "links 'hand' changes nothing");
 }
 
 TEST(Fail, DropsWhatWasMadeAndKeepsWhatWasRead) {

@@ -10,6 +10,7 @@
 
 #include "base/roots.h"
 #include "collision_hulls/error.h"
+#include "counted_looks.h"
 #include "pipeline/fixtures.h"
 #include "shapes.h"
 
@@ -227,6 +228,15 @@ TEST(WriteOutput, RefusesAnEarlierOutputWithAddedFiles) {
     fs::remove(folder / ("out/" + std::string(added)));
   }
   writeOutput(result, folder / "out");
+}
+
+TEST(WriteOutput, LooksAtTheControlForEachFileOfAnEarlierOutput) {
+  const TempFolder folder;
+  RobotResult result = sample();
+  writeOutput(result, folder / "out");
+  const auto check = [&](const RunControl& control) { checkOutput(folder / "out", control); };
+  EXPECT_GE(looksOf(check), fixtures::contents(folder / "out").size());
+  EXPECT_EQ(looksAfterCancel(3, check), 1u);
 }
 
 TEST(WriteOutput, RefusesAnEarlierOutputWithALinkToAFolder) {

@@ -106,6 +106,46 @@ TEST(PutTogether, ModelsShareEqualHullsOfAnElement) {
   EXPECT_EQ(result.models[0].elements.at(0).hulls.size(), 2u);
 }
 
+TEST(PutTogether, NotesMeshesThatALengthAloneMakesCoarser) {
+  MeshResult large = boxes(1), small = boxes(1), smaller = boxes(1), failed = boxes(0), other = boxes(1);
+  for (MeshResult* mesh : {&large, &small, &smaller, &failed}) mesh->mesh.tolerance = 0.005;
+  large.mesh.diagonal = 0.1;  // 5 % of it is the tolerance
+  small.mesh.diagonal = 0.08;
+  smaller.mesh.diagonal = other.mesh.diagonal = 0.04;
+  failed.status = Status::kFailed;
+  other.mesh.tolerance = 0.003;  // by a rule of its own
+  const auto notes = [&](const Length& tolerance) {
+    RobotResult result;
+    result.report.options.tolerance = tolerance;
+    putTogether({use("a"), use("b"), use("c"), use("d"), use("e")},
+                {shared(large), shared(small), shared(smaller), shared(failed), shared(other)}, result);
+    return result.report.notes;
+  };
+  EXPECT_EQ(notes(lengthOf(0.005)),
+            std::vector<std::string>{"a tolerance of 5mm is coarser than the default for 2 small meshes, such as 'c.stl' "
+                                     "with 2 mm: '5mm,5%' is as fine for all"});
+  EXPECT_TRUE(notes({0.005, 0.5}).empty()) << "the share was chosen";
+  large.mesh.tolerance = small.mesh.tolerance = smaller.mesh.tolerance = 0.02;
+  EXPECT_TRUE(notes(lengthOf(0.02)).empty()) << "coarse on purpose";
+}
+
+TEST(PutTogether, NotesMeshesOfVeryManyHulls) {
+  const auto notes = [](std::size_t first, std::size_t second, bool fits) {
+    RobotResult result;
+    if (fits) result.report.scene.emplace();
+    putTogether({use("a"), use("b")}, {shared(boxes(first)), shared(boxes(second))}, result);
+    return result.report.notes;
+  };
+  EXPECT_TRUE(notes(100, 100, false).empty());
+  EXPECT_EQ(
+      notes(101, 100, false),
+      std::vector<std::string>{"'a.stl' took 101 hulls at a tolerance of 10 mm: a larger tolerance makes fewer; so does a limit, as in "
+                               "--max-hulls 16"});
+  EXPECT_NE(notes(101, 102, false).at(0).find("'b.stl' took 102 hulls at a tolerance of 10 mm, and 1 other mesh over 100:"),
+            std::string::npos);
+  EXPECT_TRUE(notes(101, 100, true).empty()) << "a fit to a scene chose them";
+}
+
 TEST(PutTogether, NotesSuspiciousSizesOfMeshesThatDidNotFail) {
   MeshResult huge = boxes(1), small = boxes(1), failed = boxes(0);
   huge.mesh.diagonal = 21.4;

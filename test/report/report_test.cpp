@@ -142,7 +142,7 @@ TEST(ReportTable, ARowForEveryMeshAndTheirTotal) {
             "total  3 meshes of 2 links         24      6         4        48              333                      1.50  1 ok, 1 "
             "degraded, 1 failed");
   EXPECT_EQ(table[5].rfind("The hulls cover the whole surface", 0), 0u);
-  EXPECT_EQ(table[6], "\"at least\": proved, no cover within the tolerance has fewer hulls.");
+  EXPECT_EQ(table[6], "\"at least\": proved, no cover within the tolerance has fewer hulls; 1 where nobody looked.");
   EXPECT_EQ(table[8], "degraded: upper, upper.stl: too far");
   EXPECT_EQ(table[9],
             "check: 400 queries compared hulls and meshes: 1 collision missed, no false collision beyond the protrusion; "
@@ -164,6 +164,19 @@ TEST(ReportTable, AModelForASceneHasItsOwnCheckAndPrimitives) {
        {"  3, 1 primitive         2        24  ", "  2 primitives         2         -  ", "check of single meshes: 400 queries",
         "speed of single meshes: ", "check in the scene: ", "speed in the scene: ", "collisions  false, single hulls  false, fitted hulls"})
     EXPECT_NE(table.find(part), std::string::npos) << part << "\n" << table;
+}
+
+TEST(ReportTable, SaysWhatTheModelConsistsOf) {
+  Report report = sample();
+  for (ElementReport& row : report.links)
+    row.primitives = row.hulls, row.hulls = 0, row.least_hulls = std::min<std::size_t>(row.least_hulls, 1);
+  const std::string spheres = toTable(report);
+  for (const char* part :
+       {"  primitives  at least  ", "\nThe primitives cover", " compared primitives and meshes", " us with its primitives, "})
+    EXPECT_NE(spheres.find(part), std::string::npos) << part << "\n" << spheres;
+  EXPECT_EQ(spheres.find("proved, no cover"), std::string::npos) << "nobody looked\n" << spheres;
+  report.links[0].hulls = 1;
+  EXPECT_NE(toTable(report).find("\nThe bodies cover"), std::string::npos) << toTable(report);
 }
 
 TEST(ReportTable, NoCheckWhereThereIsNothingToCheck) {
@@ -201,8 +214,9 @@ TEST(Report, OneLineForAMissingPackage) {
   }
   const std::vector<std::string> all = failures(report);
   ASSERT_EQ(all.size(), 2u);
-  EXPECT_EQ(all[0].rfind("package 'foo' was not found (3 meshes of 2 links): ", 0), 0u) << all[0];
-  EXPECT_NE(all[0].find("--package-path foo=DIR"), std::string::npos) << all[0];
+  EXPECT_EQ(all[0],
+            "package 'foo' was not found (3 meshes of 2 links): install it and source its workspace, or say where it is with "
+            "--package-path foo=DIR");
   EXPECT_EQ(all[1], "link lower: no file");
 }
 

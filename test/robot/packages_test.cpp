@@ -104,6 +104,16 @@ TEST_F(Packages, OfADeepPathTheInnermostFoldersAreSearched) {
   EXPECT_EQ(find("arm", folder_.path(below + "/a/arm.urdf")), std::nullopt);
 }
 
+TEST_F(Packages, AFinderReadsEachManifestOnce) {
+  folder_.write("mine/package.xml", manifest("arm"));
+  const ScopedVariable path("ROS_PACKAGE_PATH", ""), prefix("CMAKE_PREFIX_PATH", "");
+  const PackageFinder finder = defaultPackageFinder(folder_.path("mine/arm.urdf"));
+  EXPECT_EQ(finder("hand"), std::nullopt);
+  folder_.write("mine/package.xml", manifest("hand"));
+  EXPECT_EQ(finder("hand"), std::nullopt);
+  EXPECT_EQ(finder("arm"), folder_.path("mine"));
+}
+
 TEST_F(Packages, InstalledOnesComeAfterTheCrawl) {
   prefix_path_ = folder_.path("p") + ":" + folder_.path("q");
   folder_.write("q/share/arm/package.xml", manifest("arm"));
@@ -206,6 +216,58 @@ TEST_F(Packages, MacrosAreNoDescriptionOfTheirOwn) {
   const std::string plain = folder_.write("hand/urdf/plain.xacro", xacro("<xacro:if value='1'><link name='l'/></xacro:if>"));
   const std::string broken = folder_.write("hand/urdf/broken.xacro", "<robot");
   EXPECT_EQ(robotDescriptionsIn(folder_.path("hand")), (std::vector<std::string>{broken, hand, plain}));
+}
+
+TEST_F(Packages, WithoutLinksThereIsNoDescription) {
+  folder_.write("arm/urdf/colours.urdf", "<robot name='properties'><material name='grey'/></robot>");
+  folder_.write("arm/urdf/empty.urdf", "<robot/>");
+  EXPECT_EQ(robotDescriptionsIn(folder_.path("arm")).size(), 2u) << "there is nothing else";
+  const std::string arm = folder_.write("arm/urdf/arm.urdf", "<robot name='arm'><link name='base'/></robot>");
+  EXPECT_EQ(robotDescriptionsIn(folder_.path("arm")), std::vector<std::string>{arm});
+}
+
+/// As sawyer_description has it: the robot is made of includes, and each of these adds links.
+TEST_F(Packages, ARobotMayBeIncludesAlone) {
+  const auto including = [](const std::string& attributes, const std::string& file, const std::string& more = "") {
+    return "<robot xmlns:xacro='http://www.ros.org/wiki/xacro'" + attributes + "><xacro:if value='1'><xacro:include filename='" + file +
+           "'/></xacro:if>" + more + "</robot>";
+  };
+  folder_.write("saw/package.xml", manifest("saw_description"));
+  const std::string base = folder_.write("saw/urdf/base.urdf.xacro", "<robot><link name='base'/></robot>");
+  const std::string saw = folder_.write("saw/urdf/saw.urdf.xacro", including("", "$(find saw_description)/urdf/base.urdf.xacro"));
+  const std::string twin = folder_.write("saw/urdf/twin.urdf.xacro", including("", "saw.urdf.xacro"));
+  folder_.write("saw/urdf/colours.xacro", "<robot><material name='grey'/></robot>");
+  folder_.write("saw/urdf/only_colours.xacro", including(" name='colours'", "colours.xacro"));
+  folder_.write("saw/urdf/ring_1.xacro", including("", "ring_2.xacro"));
+  folder_.write("saw/urdf/ring_2.xacro", including("", "ring_1.xacro"));
+  const std::string other = folder_.write("saw/urdf/other.xacro", including(" name='other'", "$(find other)/urdf/base.urdf.xacro"));
+  folder_.write("saw/urdf/nameless.xacro", including("", "$(find other)/urdf/base.urdf.xacro"));
+  folder_.write("saw/urdf/macros.xacro",
+                including(" name='macros'", "$(find other)/urdf/base.urdf.xacro", "<xacro:macro name='m'><link name='l'/></xacro:macro>"));
+  EXPECT_EQ(robotDescriptionsIn(folder_.path("saw")), (std::vector<std::string>{other, twin, base, saw})) << "included ones come last";
+}
+
+TEST_F(Packages, IncludesAreNotFollowedForEver) {
+  folder_.write("chain/package.xml", manifest("chain"));
+  const std::string base = folder_.write("chain/robots/base.xacro", "<robot><link name='base'/></robot>");
+  constexpr int kFiles = 60;
+  const auto name = [](int i) { return std::to_string(100 + i) + ".xacro"; };
+  for (int i = 0; i < kFiles; ++i)
+    folder_.write("chain/urdf/" + name(i), "<robot><xacro:include xmlns:xacro='x' filename='" + name(i + 1) + "'/></robot>");
+  folder_.write("chain/urdf/" + name(kFiles), "<robot/>");
+  EXPECT_EQ(robotDescriptionsIn(folder_.path("chain")).size(), 52u) << "the base, 50 files that lead too far, and the one where they do";
+}
+
+TEST_F(Packages, DescriptionsInOtherFolders) {
+  const std::string robot = "<robot name='r'><link name='l'/></robot>";
+  const std::string top = folder_.write("hands/left.urdf", robot), deep = folder_.write("hands/robots/v2/model.urdf", robot),
+                    xacro = folder_.write("hands/a.xacro", robot);
+  folder_.write("hands/.git/old.urdf", robot);
+  folder_.write("hands/world.sdf", robot);
+  folder_.write("hands/1/2/3/4/5/6/7/far.urdf", robot);
+  EXPECT_TRUE(robotDescriptionsIn(folder_.path("hands")).empty());
+  EXPECT_EQ(robotDescriptionsBelow(folder_.path("hands")), (std::vector<std::string>{top, deep, xacro}));
+  EXPECT_TRUE(robotDescriptionsBelow(folder_.path("nowhere")).empty());
 }
 
 }  // namespace

@@ -61,6 +61,27 @@ TEST(ReadDescription, XacroFails) {
   expectError(ErrorCode::kNotARobot, {"status 2", "undefined macro: wheel"}, [&] { readRobotDescription(folder.write("a.xacro", kUrdf)); });
 }
 
+TEST(ReadDescription, XacroLacksAPackage) {
+  const TemporaryFolder folder;
+  writeProgram(folder, "xacro",
+               "printf 'error: resource not found: sick\\nROS path [0]=/opt\\nwhen processing file: /ws/laser.xacro\\nincluded from: "
+               "/ws/a' >&2; exit 2");
+  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
+  const std::string file = folder.write("a.xacro", kUrdf);
+  try {
+    readRobotDescription(file);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kPackageNotFound);
+    EXPECT_STREQ(
+        error.what(),
+        "package 'sick', which '/ws/laser.xacro' includes, was not found: install it and source its workspace, or give its folder, "
+        "or the one above, with --package-path DIR");
+  }
+  writeProgram(folder, "xacro", "echo 'resource not found: sick' >&2; exit 2");
+  expectError(ErrorCode::kPackageNotFound, {"package 'sick', which '" + file + "' includes"}, [&] { readRobotDescription(file); });
+}
+
 TEST(ReadDescription, XacroFindsPackagesAroundAndGiven) {
   const TemporaryFolder folder;
   writeProgram(folder, "xacro", "echo \"path=$ROS_PACKAGE_PATH:\" >&2; exit 2");

@@ -6,6 +6,7 @@
 #include "collision_hulls/measure/measures.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
+#include "counted_looks.h"
 #include "pipeline/fixtures.h"
 #include "shapes.h"
 
@@ -90,6 +91,12 @@ TEST_F(RobotTreesTest, ACutHasAsManyHullsAsARunWithThatTolerance) {
     for (int link = 0; link < 2; ++link)
       EXPECT_EQ(run.elements[static_cast<std::size_t>(link)].hulls.size(), cut(link, tolerance).rows.at(0).hulls);
   }
+}
+
+TEST_F(RobotTreesTest, EachMeshOfACutIsALookAtTheControl) {
+  build();
+  EXPECT_EQ(looksAfterCancel(1, [&](const RunControl& control) { trees_.cut(robot_.links[0], at(0.02), control); }), 1u);
+  EXPECT_EQ(looksAfterCancel(1, [&](const RunControl& control) { trees_.steps(robot_.links[0], at(0.02), control); }), 1u);
 }
 
 TEST_F(RobotTreesTest, TheBoundOfACutHoldsAndIsTight) {

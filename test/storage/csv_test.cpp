@@ -11,6 +11,12 @@ TEST(Csv, QuotesFieldsThatNeedIt) {
   EXPECT_EQ(csvLine({"a,b", "say \"x\"", "two\nlines", "cr\r"}), "\"a,b\",\"say \"\"x\"\"\",\"two\nlines\",\"cr\r\"\n");
 }
 
+TEST(Csv, WhatASpreadsheetWouldComputeBecomesText) {
+  EXPECT_EQ(csvLine({"=1+1", "+a", "-a", "@a", "\ta"}), "'=1+1,'+a,'-a,'@a,'\ta\n");
+  EXPECT_EQ(csvLine({"=A1,B1"}), "\"'=A1,B1\"\n");
+  EXPECT_EQ(csvLine({"-0.5", "-1e-09", "-inf", "a=b", "'"}), "-0.5,-1e-09,-inf,a=b,'\n");
+}
+
 TEST(Csv, Numbers) {
   EXPECT_EQ(csvNumber({}), "");
   EXPECT_EQ(csvNumber(0), "0");

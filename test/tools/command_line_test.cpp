@@ -56,6 +56,13 @@ TEST_F(CommandLineTest, OptionsFillTheirVariables) {
   EXPECT_TRUE(quiet_);
 }
 
+TEST_F(CommandLineTest, WhatWasGivenIsWordsOfAShell) {
+  parse({"--quiet", "in", "--peer", "it's", "-o", "out dir", "--factor=-2", "--peer=b"});
+  EXPECT_EQ(line_.given(), "--output 'out dir' --factor=-2 --peer 'it'\\''s' --peer b --quiet");
+  parse({"in"});
+  EXPECT_EQ(line_.given(), "");
+}
+
 TEST_F(CommandLineTest, FunctionsAreCalledInTheOrderOfDeclaration) {
   EXPECT_TRUE(parse({"--second", "2", "in", "--first", "1"}));
   EXPECT_EQ(calls_, "first 1 second 2 ");

@@ -130,6 +130,31 @@ TEST_F(DecomposeProgram, ARobotByItsPackageName) {
   for (const std::string file : report["links"][0]["files"]) EXPECT_TRUE(fs::exists(folder_ / ("arm_collision/" + file))) << file;
 }
 
+TEST_F(DecomposeProgram, ARobotWithoutMeshesHasANoteAndNoProgress) {
+  const std::string box = "<geometry><box size=\"1 1 1\"/></geometry>";
+  fixtures::write(folder_ / "boxes.urdf", fixtures::robot("boxes", fixtures::link("base", "<collision>" + box + "</collision>")));
+  const Finished result = run("boxes.urdf");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.out.rfind("note: the robot has no meshes; boxes, spheres and cylinders stay as they are, and the output's", 0), 0u)
+      << result.out;
+}
+
+TEST_F(DecomposeProgram, AFolderThatIsNoPackageNameHasANote) {
+  const std::string note = "note: the package is called 'go2_def', as ROS takes no 'go2.def'; Bullet and Gazebo look for a folder";
+  EXPECT_NE(run("arm_description -o go2.def").out.find(note), std::string::npos);
+  for (const char* fine : {" -o go2_def/", " -o go2.def --uri relative", " -o go2.def --package-name go2"}) {
+    const Finished result = run(std::string("arm_description") + fine);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.out.find("note: the package"), std::string::npos) << fine << "\n" << result.out;
+  }
+}
+
+TEST_F(DecomposeProgram, ProposedCommandsKeepTheOptions) {
+  fs::copy_file(folder_ / "arm/urdf/arm.urdf", folder_ / "arm/urdf/twin.urdf");
+  expectWrongUse("-t 5mm arm_description -o 'my arm'", {"/arm/urdf/twin.urdf", "--tolerance 5mm", "--output 'my arm'"});
+}
+
 TEST_F(DecomposeProgram, ThePackageIsCalledAsItsFolder) {
   EXPECT_EQ(run("arm_description --quiet -o cell/my_robot").status, 0);
   EXPECT_NE(fixtures::read(folder_ / "cell/my_robot/package.xml").find("<name>my_robot</name>"), std::string::npos);

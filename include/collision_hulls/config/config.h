@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_hulls/control.h"
 #include "collision_hulls/report/options.h"
 
 namespace collision_hulls {
@@ -42,11 +43,12 @@ struct Config {
 
 /// Reads a text of at most 1 MiB. `file`: what messages call it. Throws kBadOption; the message has
 /// the file, the line, the item, its value and the remedy. Whether rules suit a robot is known only
-/// to LinkDecisions.
-Config parseConfig(const std::string& text, const std::string& file);
+/// to LinkDecisions. Throws kCancelled.
+Config parseConfig(const std::string& text, const std::string& file,
+                   const RunControl& control = {});
 
 /// Reads a file. Throws kFileNotFound, kTooLarge, and as parseConfig().
-Config readConfig(const std::string& file);
+Config readConfig(const std::string& file, const RunControl& control = {});
 
 /// Sets what the configuration says. Its rules, regions and models take the place of those there.
 void apply(const Config& config, Options& options);

@@ -43,4 +43,8 @@ Region regionOf(const RegionRule& rule);
 std::vector<LinkDecisions> modelDecisions(const Options& options, const RobotDescription& robot,
                                           const RunControl& control = {});
 
+/// Those of the first model alone.
+LinkDecisions firstModelDecisions(Options options, const RobotDescription& robot,
+                                  const RunControl& control = {});
+
 }  // namespace collision_hulls

@@ -20,7 +20,7 @@ bool writeOutput(RobotResult& result, const std::string& output, const RunContro
 
 /// Throws what writeOutput would throw for such a folder, before the long work. Leaves nothing
 /// behind.
-void checkOutput(const std::string& output);
+void checkOutput(const std::string& output, const RunControl& control = {});
 
 /// How to use a written output, in lines for a terminal: where it is, how ROS finds it, and what
 /// loads it.

@@ -164,10 +164,13 @@ std::optional<std::string> packageOf(const std::string& uri);
 /// Whether resolveUri's answer depends on `base`.
 bool isRelativeUri(const std::string& uri);
 
-/// The robot descriptions in a package's urdf/ and robots/ folders (.urdf before .xacro, sorted),
-/// without .xacro files that hold nothing but what others include, macros and properties, unless
-/// there is nothing else; for INPUT given as a package.
+/// The robot descriptions in a package's urdf/ and robots/ folders (.urdf before .xacro, sorted;
+/// those that others include last), without files that hold nothing but what others include, such
+/// as macros, properties and materials, unless there is nothing else; for INPUT given as a package.
 std::vector<std::string> robotDescriptionsIn(const std::string& package_folder);
+
+/// The same of all folders below one, hidden ones aside; for packages that keep them elsewhere.
+std::vector<std::string> robotDescriptionsBelow(const std::string& folder);
 
 /// auto: a link's collision elements if it has any, else its visual ones
 enum class Source { kAuto, kVisual, kCollision };

@@ -153,13 +153,14 @@ void LinkPreviews::take(const RobotDescription& robot, const LinkDecisions& deci
   publish();
 }
 
-std::vector<LinkPreview> LinkPreviews::messages(const std::vector<std::string>& links) const {
+std::vector<LinkPreview> LinkPreviews::messages(const std::vector<std::string>& links, const RunControl& control) const {
   const std::set<std::string> wanted(links.begin(), links.end());
   const std::lock_guard<std::mutex> lock(mutex_);
   std::vector<LinkPreview> messages;
   for (const LinkDescription& link : robot_.links) {
+    control.check();
     const auto known = known_.find(link.name);
-    if (isAmong(wanted, link.name) && known != known_.end()) messages.push_back(message(link.name, known->second));
+    if (isAmong(wanted, link.name) && known != known_.end()) messages.push_back(message(link.name, known->second, control));
   }
   return messages;
 }
@@ -178,13 +179,13 @@ RobotDescription LinkPreviews::robot() const {
   return robot_;
 }
 
-void LinkPreviews::show(const std::vector<std::string>& links) {
+void LinkPreviews::show(const std::vector<std::string>& links, const RunControl& control) {
   const std::set<std::string> wanted(links.begin(), links.end());
   const std::lock_guard<std::mutex> lock(mutex_);
   std::vector<ShownLink> drawn;
   for (const auto& [link, known] : known_)
     if (isAmong(wanted, link)) drawn.push_back(shown(link, known));
-  view_.replace(drawn, {!links.empty(), true});
+  view_.replace(drawn, {!links.empty(), true}, control);
 }
 
 void LinkPreviews::working(const std::string& job) {
@@ -204,8 +205,10 @@ void LinkPreviews::progress(const Step& step) {
 
 bool LinkPreviews::serve(PreviewRequest& request, PreviewResponse& response) {
   try {
+    if (request.links.empty()) response.links = messages({}, stopping_);
     const std::lock_guard<std::mutex> lock(mutex_);
     response.robot = robot_.name;
+    if (request.links.empty() && config_) response.config = configText(*config_);
     Stopwatch time;
     cutAll(request, response);
     response.seconds = time.lap();
@@ -213,10 +216,6 @@ bool LinkPreviews::serve(PreviewRequest& request, PreviewResponse& response) {
   } catch (const Error& error) {
     response.message = error.what();
   }
-  if (!request.links.empty()) return true;
-  response.links = messages({});
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (config_) response.config = configText(*config_);
   return true;
 }
 
@@ -226,13 +225,15 @@ void LinkPreviews::cutAll(const PreviewRequest& request, PreviewResponse& respon
   chosen("links", links);  // refuses them before anything is cut
   std::vector<ShownLink> drawn;
   for (const LinkChoice& settings : request.links) {
+    stopping_.check();
     const std::optional<Known> made = cut(settings);
-    response.links.push_back(made ? message(settings.link, *made) : unbuilt(settings));
+    response.links.push_back(made ? message(settings.link, *made, stopping_) : unbuilt(settings));
+    if (!request.show) continue;
     const auto known = known_.find(settings.link);
     if (made || known != known_.end()) drawn.push_back(shown(settings.link, made ? *made : known->second));
-    if (request.show && made) known_[settings.link] = *made;
+    if (made) known_[settings.link] = *made;
   }
-  if (request.show) view_.replace(drawn, {true, false});
+  if (request.show) view_.replace(drawn, {true, false}, stopping_);
 }
 
 /// What a link becomes with these settings; nothing where that has to be built.
@@ -247,7 +248,7 @@ std::optional<LinkPreviews::Known> LinkPreviews::cut(const LinkChoice& settings)
     made.proved = true;
     return made;
   }
-  std::optional<LinkResult> result = trees_.cut(link, made.options);
+  std::optional<LinkResult> result = trees_.cut(link, made.options, stopping_);
   if (!result) return std::nullopt;
   made.result = std::move(*result);
   return made;
@@ -296,13 +297,13 @@ ShownLink LinkPreviews::shown(const std::string& link, const Known& known) const
   return result;
 }
 
-LinkPreview LinkPreviews::message(const std::string& link, const Known& known) const {
+LinkPreview LinkPreviews::message(const std::string& link, const Known& known, const RunControl& control) const {
   LinkPreview message;
   message.settings = toMessage(link, known.options);
   message.proved = known.proved;
   addRows(known.result, message);
   addBounds(known.result, message);
-  if (known.options.action == Action::kDecompose) message.steps = trees_.steps(described(link), withTree(known.options));
+  if (known.options.action == Action::kDecompose) message.steps = trees_.steps(described(link), withTree(known.options), control);
   return message;
 }
 

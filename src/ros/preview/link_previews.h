@@ -36,16 +36,19 @@ class LinkPreviews {
   /// What a run made: the results of its links take the place of earlier ones. Those of other links stay if the robot is the same.
   void take(const RobotDescription& robot, const LinkDecisions& decisions, const RobotResult& result);
 
-  /// The results of these links as messages; empty: of all.
-  std::vector<LinkPreview> messages(const std::vector<std::string>& links) const;
+  /// The results of these links as messages; empty: of all. Throws kCancelled.
+  std::vector<LinkPreview> messages(const std::vector<std::string>& links, const RunControl& control) const;
 
   /// The last results of these links, empty: of all, and the robot that has them. Throws kBadOption for a link that it does not have, or
   /// that is named twice.
   std::map<std::string, LinkResult> results(const std::vector<std::string>& links) const;
   RobotDescription robot() const;
 
-  /// Draws the last results of these links, with their edges; empty: of all, without.
-  void show(const std::vector<std::string>& links);
+  /// Draws the last results of these links, with their edges; empty: of all, without. Throws kCancelled.
+  void show(const std::vector<std::string>& links, const RunControl& control);
+
+  /// For the way out: cancels the call in progress and those to come.
+  void stop() { stopping_.cancel(); }
 
   /// The state while the node works on a job, and when it ends (empty).
   void working(const std::string& job);
@@ -67,11 +70,12 @@ class LinkPreviews {
   const LinkDescription& described(const std::string& link) const;
   std::set<std::string> chosen(const std::string& field, const std::vector<std::string>& links) const;
   ShownLink shown(const std::string& link, const Known& known) const;
-  LinkPreview message(const std::string& link, const Known& known) const;
+  LinkPreview message(const std::string& link, const Known& known, const RunControl& control) const;
   void publish();
 
   View& view_;
   RobotTrees trees_;
+  RunControl stopping_;  // of calls of ~preview
   mutable std::mutex mutex_;
   RobotDescription robot_;
   std::map<std::string, std::size_t> places_;  // of its links, by name

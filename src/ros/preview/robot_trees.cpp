@@ -80,16 +80,12 @@ RobotResult RobotTrees::build(const RobotDescription& robot, const PackageFinder
   check(options);
   RobotResult result = emptyResult(robot, options, control);
   const std::vector<MeshUse> uses = meshUses(robot, {LinkDecisions(options, robot, control)});
-  const auto resolve = [&](const std::string& uri) {
-    control.check();
-    return resolveUri(uri, robot.path, find_package);
-  };
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (robot_ != robot.text) meshes_.clear(), by_use_.clear();
     robot_ = robot.text;
   }
-  runStages({uses, resolve, 1, control, step}, result,
+  runStages({uses, resolverFor(robot, find_package, control), 1, control, step}, result,
             [&](Run& run) { forEachInTurn(run.tasks.size(), [&](std::size_t task) { buildTask(task, run); }); });
   return result;
 }
@@ -212,10 +208,11 @@ std::vector<RobotTrees::Held> RobotTrees::heldOf(const LinkDescription& link, co
   return held;
 }
 
-std::optional<LinkResult> RobotTrees::cut(const LinkDescription& link, const LinkOptions& options) const {
+std::optional<LinkResult> RobotTrees::cut(const LinkDescription& link, const LinkOptions& options, const RunControl& control) const {
   LinkResult result;
   if (options.padding > 0 || options.shapes != Shapes::kHulls) return std::nullopt;
   for (Held& held : heldOf(link, options)) {
+    control.check();
     if (!held.tree) return std::nullopt;
     cutThrough(held, options);
     result.elements.push_back(std::move(held.element));
@@ -252,11 +249,12 @@ void RobotTrees::cutThrough(Held& held, const LinkOptions& options) {
                (cut.capped ? ": raise max_hulls" : ": give the tree finer leaves");
 }
 
-std::vector<double> RobotTrees::steps(const LinkDescription& link, const LinkOptions& options) const {
+std::vector<double> RobotTrees::steps(const LinkDescription& link, const LinkOptions& options, const RunControl& control) const {
   if (options.padding > 0 || options.shapes != Shapes::kHulls) return {};
   double finest = 0;
   std::set<double> offered;
   for (const Held& held : heldOf(link, options)) {
+    control.check();
     if (!held.tree) return {};
     finest = std::max(finest, treeLeaves(options, held.mesh->known.mesh.diagonal));
     const std::lock_guard<std::mutex> lock(held.tree->mutex);

@@ -43,14 +43,15 @@ class RobotTrees {
 
   /// A link's hulls as cuts of the trees, without reading or searching anything. Nothing where a tree that the options need is not held,
   /// where hulls are padded, and for shapes other than hulls: build() it. `protrusion` is proved for the hulls as they are here;
-  /// decomposeRobot() rounds them outward, by micrometres.
-  std::optional<LinkResult> cut(const LinkDescription& link, const LinkOptions& options) const;
+  /// decomposeRobot() rounds them outward, by micrometres. Throws kCancelled.
+  std::optional<LinkResult> cut(const LinkDescription& link, const LinkOptions& options, const RunControl& control = {}) const;
 
   /// Why cut() has nothing for these options.
   std::string whyNoCut(const LinkDescription& link, const LinkOptions& options) const;
 
-  /// [m] The tolerances, ascending, at which the number of a link's hulls changes, from the finest of its trees on. Empty as cut().
-  std::vector<double> steps(const LinkDescription& link, const LinkOptions& options) const;
+  /// [m] The tolerances, ascending, at which the number of a link's hulls changes, from the finest of its trees on. Empty as cut(). Throws
+  /// kCancelled.
+  std::vector<double> steps(const LinkDescription& link, const LinkOptions& options, const RunControl& control = {}) const;
 
  private:
   struct Tree;

@@ -80,13 +80,9 @@ Validation validateLinks(const RobotDescription& robot, const PackageFinder& fin
   const Places places(robot, links);
   if (places.uses.empty())
     throw Error(ErrorCode::kBadOption, "no hulls are known that could be compared with their meshes: call ~build or ~decompose first");
-  const auto resolve = [&](const std::string& uri) {
-    control.check();
-    return resolveUri(uri, robot.path, find_package);
-  };
   Validation validation;
   RobotResult rows = emptyResult(robot, options, control);  // of no use here
-  runStages({places.uses, resolve, kReadShare, control, step}, rows, [&](Run& run) {
+  runStages({places.uses, resolverFor(robot, find_package, control), kReadShare, control, step}, rows, [&](Run& run) {
     expectRead(run);
     forEachInTurn(run.tasks.size(), [&](std::size_t task) { readTask(task, places, run); });
     run.progress.begin("validate", 1);

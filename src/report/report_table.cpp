@@ -109,7 +109,7 @@ std::string legend(const Report& report) {
       std::any_of(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.least_hulls > 1; });
   std::string text = "The " + kindOfBodies(report) +
                      " cover the whole surface of each mesh, and no point of them is further from its solid than the protrusion.\n";
-  if (some_needed) text += "\"at least\": proved, no cover within the tolerance has fewer hulls; 1 where nobody looked.\n";
+  if (some_needed) text += "\"at least\": proved, no cover within the tolerance has fewer hulls; 1 where none was sought.\n";
   if (report.links.size() > 1) text += "Meshes run in parallel; the total time is wall-clock time.\n";
   if (cached > 0) text += counted(static_cast<std::size_t>(cached), "mesh", "meshes") + " came from the cache.\n";
   return text;

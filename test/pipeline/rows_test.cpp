@@ -27,6 +27,7 @@ MeshResult boxes(std::size_t count) {
   result.status = Status::kDegraded;
   result.reason = "why";
   result.seconds.decompose = 7;
+  result.model.hulls = count;
   result.hulls.assign(count, convexHull(test_shapes::box(1, 1, 1).vertices));
   return result;
 }

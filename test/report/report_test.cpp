@@ -142,7 +142,7 @@ TEST(ReportTable, ARowForEveryMeshAndTheirTotal) {
             "total  3 meshes of 2 links         24      6         4        48              333                      1.50  1 ok, 1 "
             "degraded, 1 failed");
   EXPECT_EQ(table[5].rfind("The hulls cover the whole surface", 0), 0u);
-  EXPECT_EQ(table[6], "\"at least\": proved, no cover within the tolerance has fewer hulls; 1 where nobody looked.");
+  EXPECT_EQ(table[6], "\"at least\": proved, no cover within the tolerance has fewer hulls; 1 where none was sought.");
   EXPECT_EQ(table[8], "degraded: upper, upper.stl: too far");
   EXPECT_EQ(table[9],
             "check: 400 queries compared hulls and meshes: 1 collision missed, no false collision beyond the protrusion; "
@@ -174,7 +174,7 @@ TEST(ReportTable, SaysWhatTheModelConsistsOf) {
   for (const char* part :
        {"  primitives  at least  ", "\nThe primitives cover", " compared primitives and meshes", " us with its primitives, "})
     EXPECT_NE(spheres.find(part), std::string::npos) << part << "\n" << spheres;
-  EXPECT_EQ(spheres.find("proved, no cover"), std::string::npos) << "nobody looked\n" << spheres;
+  EXPECT_EQ(spheres.find("proved, no cover"), std::string::npos) << "none was sought\n" << spheres;
   report.links[0].hulls = 1;
   EXPECT_NE(toTable(report).find("\nThe bodies cover"), std::string::npos) << toTable(report);
 }

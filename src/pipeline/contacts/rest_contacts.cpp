@@ -186,7 +186,7 @@ std::vector<std::string> notesOnRestContacts(const RobotDescription& robot, cons
             (one ? "the pair" : "the pairs")};
   } catch (const Error& error) {
     if (error.code() == ErrorCode::kCancelled) throw;
-    return {std::string("nobody looked whether hulls of links touch where meshes do not: ") + error.what()};
+    return {std::string("hulls of links were not compared at rest: ") + error.what()};
   }
 }
 

@@ -126,8 +126,9 @@ void noteCoarserThanDefault(Report& report) {
   }
   if (!finest) return;
   report.notes.push_back("a tolerance of " + toString(tolerance) + " is coarser than the default for " +
-                         counted(coarser, "small mesh", "small meshes") + ", such as '" + finest->uri + "' with " +
-                         millimetres(by_default(*finest)) + ": '" + toString({tolerance.limit, usual.share}) + "' is as fine for all");
+                         counted(coarser, "small mesh", "small meshes") + ", such as '" + finest->uri + "' (" +
+                         millimetres(by_default(*finest)) + " by default): '" + toString({tolerance.limit, usual.share}) +
+                         "' is at least as fine for all");
 }
 
 /// One hull is enough for a mesh that is smaller than the tolerance.

@@ -124,7 +124,7 @@ TEST(PutTogether, NotesMeshesThatALengthAloneMakesCoarser) {
   };
   EXPECT_EQ(notes(lengthOf(0.005)),
             std::vector<std::string>{"a tolerance of 5mm is coarser than the default for 2 small meshes, such as 'c.stl' "
-                                     "with 2 mm: '5mm,5%' is as fine for all"});
+                                     "(2 mm by default): '5mm,5%' is at least as fine for all"});
   EXPECT_TRUE(notes({0.005, 0.5}).empty()) << "the share was chosen";
   large.mesh.tolerance = small.mesh.tolerance = smaller.mesh.tolerance = 0.02;
   EXPECT_TRUE(notes(lengthOf(0.02)).empty()) << "coarse on purpose";

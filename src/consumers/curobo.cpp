@@ -1,6 +1,7 @@
 // What a cuRobo robot configuration says of collisions, to be merged into its `kinematics`: the links with spheres, the spheres in the
-// links' frames, and the pairs of links that are not checked against each other, which are proved never to meet where cuRobo's own tools
-// sample. Links that have anything else, such as a box that was kept, have no spheres for it: cuRobo would miss it, so that is refused.
+// links' frames, and the pairs of links that are not checked against each other (pairs_without_check.cpp); where it is said that they never
+// meet, that is proved, while cuRobo's own tools sample. Links that have anything else, such as a box that was kept, have no spheres for
+// it: cuRobo would miss it, so that is refused.
 #include <algorithm>
 #include <map>
 

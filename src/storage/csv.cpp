@@ -2,7 +2,6 @@
 #include "storage/csv.h"
 
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 
@@ -11,11 +10,11 @@
 namespace collision_hulls {
 namespace {
 
-/// Whether a spreadsheet would take a text for a formula, and run what a robot of that name says.
+/// Whether a spreadsheet would take a text for a formula, and run what a robot of that name says. Of the letters of numbers alone, among
+/// them -inf, no formula calls anything.
 bool looksLikeFormula(const std::string& text) {
-  if (text.empty() || std::strchr("=+-@\t\r", text[0]) == nullptr) return false;
-  double number = 0;
-  return std::from_chars(text.data(), text.data() + text.size(), number).ptr != text.data() + text.size();
+  constexpr const char* kOfNumbers = "+-.0123456789einf";
+  return !text.empty() && std::strchr("=+-@\t\r", text[0]) != nullptr && text.find_first_not_of(kOfNumbers) != std::string::npos;
 }
 
 std::string csvField(const std::string& field) {

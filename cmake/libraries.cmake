@@ -9,6 +9,27 @@ function(set_up_library name)
     target_precompile_headers(${name} PRIVATE
       <Eigen/Core> <Eigen/Geometry> <algorithm> <cmath> <filesystem> <functional> <map> <optional> <sstream> <string> <vector>)
   endif()
+  set_up_unity(${name})
+endfunction()
+
+# By folder, so that a file's private names have to differ from those of its folder alone.
+function(set_up_unity name)
+  if(NOT COLLISION_HULLS_UNITY OR CMAKE_VERSION VERSION_LESS 3.18)
+    return()
+  endif()
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # GCC takes what is private to a file for a header's.
+  target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  get_target_property(sources ${name} SOURCES)
+  foreach(source ${sources})
+    get_filename_component(folder "${source}" DIRECTORY)
+    get_filename_component(folder "${folder}" ABSOLUTE)
+    file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}/src" "${folder}")
+    if(NOT folder MATCHES "^\\.\\.")
+      string(MAKE_C_IDENTIFIER "${folder}" folder)
+      set_source_files_properties("${source}" PROPERTIES UNITY_GROUP ${folder})
+    endif()
+  endforeach()
 endfunction()
 
 room_sources(CORE_SOURCES ${CORE_ROOMS})

@@ -10,6 +10,7 @@ target_include_directories(${PROJECT_NAME}_node SYSTEM PRIVATE ${catkin_INCLUDE_
 target_compile_definitions(${PROJECT_NAME}_node PRIVATE ${SCENE_MESSAGE_DEFINITIONS})
 target_link_libraries(${PROJECT_NAME}_node ${PROJECT_NAME} ${catkin_LIBRARIES})
 set_target_properties(${PROJECT_NAME}_node PROPERTIES INSTALL_RPATH "$ORIGIN/..")
+set_up_unity(${PROJECT_NAME}_node)
 
 # Reads bags for the node, in a process of its own.
 add_executable(${PROJECT_NAME}_bag_reader src/ros/bags/bag_reader.cpp)

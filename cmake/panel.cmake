@@ -21,6 +21,7 @@ if(rviz_FOUND AND Qt5_FOUND AND pluginlib_FOUND AND interactive_markers_FOUND)
   target_link_libraries(${PROJECT_NAME}_panel ${PROJECT_NAME} ${catkin_LIBRARIES} ${rviz_LIBRARIES} ${pluginlib_LIBRARIES}
     ${interactive_markers_LIBRARIES} Qt5::Widgets)
   set_target_properties(${PROJECT_NAME}_panel PROPERTIES INSTALL_RPATH "$ORIGIN")
+  set_up_unity(${PROJECT_NAME}_panel)
 else()
   message(STATUS "No rviz panel, as rviz's headers or Qt's are missing: scripts/install_dependencies view installs them.")
 endif()

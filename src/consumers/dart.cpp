@@ -29,9 +29,9 @@ std::string named(const std::string& name) {
   return " name=\"" + xmlEscaped(name) + "\"";
 }
 
-class Writer {
+class SkelWriter {
  public:
-  explicit Writer(const WrittenModel& model) : model_(model) {}
+  explicit SkelWriter(const WrittenModel& model) : model_(model) {}
 
   std::string text() {
     std::map<std::string, Eigen::Isometry3d> places;
@@ -133,7 +133,7 @@ class Writer {
 }  // namespace
 
 ConsumerFiles dartFiles(const WrittenModel& model) {
-  return {{"skel/" + fileName(model.robot().name) + ".skel", Writer(model).text()}};
+  return {{"skel/" + fileName(model.robot().name) + ".skel", SkelWriter(model).text()}};
 }
 
 std::vector<std::string> dartNotes(const WrittenModel& model) {

@@ -18,7 +18,7 @@ std::string tag(const std::string& indent, const std::string& name, const std::s
   return indent + "<" + name + attributes + ">" + xmlEscaped(text) + "</" + name + ">\n";
 }
 
-std::string named(const std::string& name) {
+std::string nameAttribute(const std::string& name) {
   return " name=\"" + xmlEscaped(name) + "\"";
 }
 
@@ -28,9 +28,9 @@ std::string pose(const std::string& indent, const Eigen::Isometry3d& pose, const
   return tag(indent, "pose", positionText(pose) + " " + rpyText(pose), relative);
 }
 
-class Writer {
+class SdfWriter {
  public:
-  explicit Writer(const WrittenModel& model) : model_(model) {
+  explicit SdfWriter(const WrittenModel& model) : model_(model) {
     // Links and joints share a name space in SDF, but not in URDF.
     std::set<std::string> links{kWorld}, taken;
     for (const LinkDescription& link : model_.robot().links) links.insert(nameOf(link.name));
@@ -57,7 +57,7 @@ class Writer {
   }
 
   std::string text() {
-    std::string text = "<?xml version=\"1.0\"?>\n<sdf version=\"1.9\">\n  <model" + named(model_.robot().name) + ">\n";
+    std::string text = "<?xml version=\"1.0\"?>\n<sdf version=\"1.9\">\n  <model" + nameAttribute(model_.robot().name) + ">\n";
     for (const LinkDescription& link : model_.robot().links)
       if (isWritten(link)) text += linkText(link);
     for (const JointDescription& joint : model_.robot().joints) text += jointText(joint);
@@ -80,7 +80,7 @@ class Writer {
   std::string frameOf(const std::string& link) const { return nameOf(link) == kWorld ? "__model__" : nameOf(link); }
 
   std::string linkText(const LinkDescription& link) {
-    std::string text = "    <link" + named(nameOf(link.name)) + ">\n";
+    std::string text = "    <link" + nameAttribute(nameOf(link.name)) + ">\n";
     if (const auto joint = joint_above_.find(link.name); joint != joint_above_.end())
       text += pose("      ", Eigen::Isometry3d::Identity(), joint->second);
     text += inertialText(link.name);
@@ -108,7 +108,7 @@ class Writer {
   std::string elementText(const std::string& kind, const std::string& name, const GeometryElement& element) const {
     const std::string geometry = element.fault.empty() ? shapeText(element) : "";
     if (geometry.empty()) return "";
-    return "      <" + kind + named(name) + ">\n" + pose("        ", element.origin) + "        <geometry>\n" + geometry +
+    return "      <" + kind + nameAttribute(name) + ">\n" + pose("        ", element.origin) + "        <geometry>\n" + geometry +
            "        </geometry>\n      </" + kind + ">\n";
   }
 
@@ -137,7 +137,7 @@ class Writer {
   }
 
   std::string jointText(const JointDescription& joint) const {
-    std::string text = "    <joint" + named(joints_.at(joint.name)) + " type=\"" + typeOf(joint.kind) + "\">\n" +
+    std::string text = "    <joint" + nameAttribute(joints_.at(joint.name)) + " type=\"" + typeOf(joint.kind) + "\">\n" +
                        pose("      ", joint.origin, frameOf(joint.parent)) + tag("      ", "parent", nameOf(joint.parent)) +
                        tag("      ", "child", nameOf(joint.child));
     const bool is_limited = joint.kind == JointDescription::Kind::kRevolute || joint.kind == JointDescription::Kind::kPrismatic;
@@ -170,7 +170,7 @@ class Writer {
 
 std::vector<std::string> gazeboNotes(const WrittenModel& model) {
   std::vector<std::string> notes = model.notes();
-  const Writer writer(model);
+  const SdfWriter writer(model);
   const std::vector<std::string> links = writer.linksWithoutInertial();
   if (!links.empty())
     notes.push_back("--for gazebo: " + someHave(links) +
@@ -186,7 +186,7 @@ std::vector<std::string> gazeboNotes(const WrittenModel& model) {
 ConsumerFiles gazeboFiles(const WrittenModel& model) {
   const std::string config = "<?xml version=\"1.0\"?>\n<model>\n" + tag("  ", "name", model.robot().name) + tag("  ", "version", "1.0") +
                              tag("  ", "sdf", "model.sdf", " version=\"1.9\"") + "</model>\n";
-  return {{"model.config", config}, {"model.sdf", Writer(model).text()}};
+  return {{"model.config", config}, {"model.sdf", SdfWriter(model).text()}};
 }
 
 }  // namespace collision_hulls

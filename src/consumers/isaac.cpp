@@ -55,9 +55,9 @@ std::string meshText(const std::string& indent, const ConvexHull& hull) {
          "int[] faceVertexIndices = " + list(hull.triangles, indices) + "\n";
 }
 
-class Writer {
+class UsdWriter {
  public:
-  explicit Writer(const WrittenModel& model) : model_(model), kinematics_(model.robot()) {}
+  explicit UsdWriter(const WrittenModel& model) : model_(model), kinematics_(model.robot()) {}
 
   std::string text() {
     const std::string name = primName(model_.robot().name);
@@ -110,7 +110,7 @@ class Writer {
 }  // namespace
 
 ConsumerFiles isaacFiles(const WrittenModel& model) {
-  return {{"usd/" + fileName(model.robot().name) + ".usda", Writer(model).text()}};
+  return {{"usd/" + fileName(model.robot().name) + ".usda", UsdWriter(model).text()}};
 }
 
 }  // namespace collision_hulls

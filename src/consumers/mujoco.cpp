@@ -26,9 +26,9 @@ std::string poseText(const Eigen::Isometry3d& pose) {
   return attribute("pos", positionText(pose)) + attribute("quat", quaternionText(pose));
 }
 
-class Writer {
+class MjcfWriter {
  public:
-  Writer(const WrittenModel& model, const std::vector<DisabledPair>& pairs, const RunControl& control)
+  MjcfWriter(const WrittenModel& model, const std::vector<DisabledPair>& pairs, const RunControl& control)
       : model_(model), pairs_(pairs), control_(control) {
     for (const LinkDescription& link : model.robot().links) links_[link.name] = &link;
   }
@@ -153,7 +153,7 @@ std::vector<std::string> mujocoNotes(const WrittenModel& model) {
 }
 
 ConsumerFiles mujocoFiles(const WrittenModel& model, const std::vector<DisabledPair>& pairs, const RunControl& control) {
-  return {{"mjcf/" + fileName(model.robot().name) + ".xml", Writer(model, pairs, control).text()}};
+  return {{"mjcf/" + fileName(model.robot().name) + ".xml", MjcfWriter(model, pairs, control).text()}};
 }
 
 }  // namespace collision_hulls

@@ -62,11 +62,11 @@ void visitContacts(const Assembly& assembly, const Cuts& cuts, const std::vector
   }
 }
 
-QueryBody bodyOf(const ConvexHull& hull, const RunControl&) {
+QueryBody queryBodyOf(const ConvexHull& hull, const RunControl&) {
   return QueryBody(hull);
 }
 
-QueryBody bodyOf(const TriangleMesh& mesh, const RunControl& control) {
+QueryBody queryBodyOf(const TriangleMesh& mesh, const RunControl& control) {
   return QueryBody(mesh, control);
 }
 
@@ -89,7 +89,7 @@ Assembly::Assembly(const FitProblem& problem, std::uint64_t seed, const RunContr
   };
   for (const KeptBody& kept : problem.kept) add(kept.link, QueryBody(kept.hull));
   for (std::size_t i = 0; i < problem.scene.bodies.size(); ++i)
-    add(links() + i, std::visit([&](const auto& shape) { return bodyOf(shape, control); }, problem.scene.bodies[i].shape));
+    add(links() + i, std::visit([&](const auto& shape) { return queryBodyOf(shape, control); }, problem.scene.bodies[i].shape));
   for (std::size_t i = 0; i < pieces_.size(); ++i) of_part_[pieces_[i].part].push_back(static_cast<int>(i));
 }
 

@@ -17,7 +17,7 @@ namespace {
 constexpr double kTouch = 4e-6;
 // As a share of the extent: what is further than this from a triangle's plane lies on one side of it. More than the blur, and a thousand
 // times the rounding error in double precision, to which coordinates far from the origin add.
-constexpr double kOffPlane = 4e-9, kRounding = 1e-12;
+constexpr double kOffPlane = 4e-9, kCoordinateRounding = 1e-12;
 
 }  // namespace
 
@@ -69,7 +69,7 @@ struct TriangleBvh::PatchPlanes {
 
 const std::array<Eigen::Vector3d, 3>* TriangleBvh::metBy(const std::array<Eigen::Vector3d, 3>& patch) const {
   if (fours_.empty()) return nullptr;
-  const PatchPlanes planes(patch, kTouch * unit_, kOffPlane * unit_ + kRounding * centre_.cwiseAbs().maxCoeff());
+  const PatchPlanes planes(patch, kTouch * unit_, kOffPlane * unit_ + kCoordinateRounding * centre_.cwiseAbs().maxCoeff());
   const float touch = static_cast<float>(kTouch);
   const Eigen::Vector3f a = inUnits(patch[0]), b = inUnits(patch[1]), c = inUnits(patch[2]);
   const Eigen::Vector3f low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);

@@ -21,7 +21,7 @@ namespace collision_hulls {
 namespace {
 
 // Rounding error of the distance between a plane and a point, as a share of the coordinates' size.
-constexpr double kRounding = 1e-12;
+constexpr double kPlaneRounding = 1e-12;
 
 // This many triangles share a selection of the hulls and faces to compare them with.
 constexpr int kTrianglesAtOnce = 256;
@@ -36,7 +36,7 @@ class Hulls {
  public:
   Hulls(const TriangleMesh& mesh, const std::vector<ConvexHull>& set) : hulls_(set) {
     const Eigen::AlignedBox3d box = boundingBox(mesh);
-    if (!box.isEmpty()) tolerance_ = kRounding * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+    if (!box.isEmpty()) tolerance_ = kPlaneRounding * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
     for (const ConvexHull& hull : hulls_) {
       const Eigen::AlignedBox3d box = boundingBox(hull);
       boxes_.emplace_back(box.min().array() - tolerance_, box.max().array() + tolerance_);

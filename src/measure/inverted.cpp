@@ -34,11 +34,11 @@ constexpr int kProbes = 12;            // each half as high as the one before
 constexpr double kLeastHeight = 4;     // of a probe, in widths of the blur
 
 // Normals more nearly parallel than this do not give a direction across both; larger clusters are not examined; a cosine this small is 0.
-constexpr double kParallel = 1e-6, kRounding = 1e-12;
+constexpr double kParallel = 1e-6, kCosineRounding = 1e-12;
 constexpr std::size_t kManyNormals = 40;
 
-constexpr std::size_t kTrianglesAtOnce = 256;  // that one thread compares with those nearby, ...
-constexpr std::size_t kAsOne = 4;              // ... which are looked up for so many at a time
+constexpr std::size_t kTrianglesOfBlock = 256;  // that one thread compares with those nearby, ...
+constexpr std::size_t kAsOne = 4;               // ... which are looked up for so many at a time
 
 Eigen::AlignedBox3d boxOf(const TriangleMesh& mesh, int t) {
   Eigen::AlignedBox3d box(mesh.corner(t, 0));
@@ -50,7 +50,7 @@ Eigen::AlignedBox3d boxOf(const TriangleMesh& mesh, int t) {
 /// parallel, to one.
 bool mayEnclose(const std::vector<Eigen::Vector3d>& normals) {
   const auto isLeftOut = [&](const Eigen::Vector3d& direction) {
-    const double most = kRounding * direction.norm();
+    const double most = kCosineRounding * direction.norm();
     return most > 0 && std::all_of(normals.begin(), normals.end(), [&](const auto& n) { return n.dot(direction) <= most; });
   };
   if (normals.size() > kManyNormals) return true;
@@ -145,12 +145,12 @@ class Part {
   void findMeetings() {
     const double extent = boundingBox(mesh_).sizes().maxCoeff();
     const std::vector<int>& order = tree_.byPlace();
-    std::vector<Meetings> met((order.size() + kTrianglesAtOnce - 1) / kTrianglesAtOnce);
+    std::vector<Meetings> met((order.size() + kTrianglesOfBlock - 1) / kTrianglesOfBlock);
     forEach(met.size(), [&](std::size_t block) {
       control_.check();
       Looks look(control_);
-      const std::size_t end = std::min(order.size(), (block + 1) * kTrianglesAtOnce);
-      for (std::size_t first = block * kTrianglesAtOnce; first < end; first += kAsOne)
+      const std::size_t end = std::min(order.size(), (block + 1) * kTrianglesOfBlock);
+      for (std::size_t first = block * kTrianglesOfBlock; first < end; first += kAsOne)
         addMeetings(&order[first], std::min(kAsOne, end - first), extent, look, met[block]);
     });
     for (const Meetings& of_block : met)

@@ -26,7 +26,7 @@ constexpr double kUnit = 100;                                     // per metre
 const Eigen::Vector3d kBox(0.030, 0.040, 0.020);                  // [m] 40 mm wide between the fingers, at the arms behind the hooks
 const Eigen::Vector3d kBoxPlace(0.082, 0, 0);                     // [m] in the gripper's frame
 constexpr double kBoxMass = 1.5, kFingerMass = 0.115;             // [kg]
-constexpr double kForce = 20, kFriction = 0.2;                    // [N] per finger; friction alone holds 0.8 kg
+constexpr double kForce = 20, kFingerFriction = 0.2;              // [N] per finger; friction alone holds 0.8 kg
 constexpr double kClosing = 1, kHolding = 2;                      // [s]
 constexpr double kLost = 0.015;                                   // [m] half the box
 constexpr double kDamping = 20, kEven = 4e4, kEvenDamping = 400;  // [1/s], [1/s^2], [1/s]; kEven couples the fingers
@@ -63,7 +63,7 @@ dd::DegreeOfFreedom* addFinger(const dd::SkeletonPtr& robot, const std::string& 
   body->setInertia(dd::Inertia(kFingerMass, Eigen::Vector3d::Zero(), kFingerMass * Eigen::Matrix3d::Identity()));
   body->setGravityMode(false);
   for (dd::ShapeNode* const node : finger->getShapeNodesWith<dd::CollisionAspect>()) {
-    addShape(convexShape(pointsOf(*node, pose)), kFriction, *body);
+    addShape(convexShape(pointsOf(*node, pose)), kFingerFriction, *body);
     ++hulls;
   }
   world.addSkeleton(skeleton);
@@ -76,7 +76,7 @@ dd::BodyNode* addBox(dart::simulation::World& world) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = kUnit * kBoxPlace;
   dd::BodyNode* const box = addBody(world, "box", mass, kBoxMass, pose);
-  addShape(shape, kFriction, *box);
+  addShape(shape, kFingerFriction, *box);
   box->setGravityMode(false);
   return box;
 }

@@ -18,7 +18,7 @@ std::string namesOf(const std::vector<JointVariable>& variables) {
 }
 
 /// Joints that agree in all this, and in those before them, move what hangs on them alike.
-bool equal(const ChainJoint& a, const ChainJoint& b) {
+bool equalJoints(const ChainJoint& a, const ChainJoint& b) {
   return a.variable == b.variable && a.turns == b.turns && a.multiplier == b.multiplier && a.offset == b.offset && a.axis == b.axis &&
          a.origin.matrix() == b.origin.matrix();
 }
@@ -70,7 +70,7 @@ std::vector<ChainJoint> JointSpace::way(std::size_t link) const {
 
 bool JointSpace::moves(std::size_t link, std::size_t other) const {
   const std::vector<ChainJoint> one = way(link), two = way(other);
-  return !std::equal(one.begin(), one.end(), two.begin(), two.end(), equal);
+  return !std::equal(one.begin(), one.end(), two.begin(), two.end(), equalJoints);
 }
 
 JointValues between(const std::vector<JointVariable>& joints, const JointValues& from, const JointValues& to, double share) {

@@ -17,7 +17,7 @@ namespace {
 using Kind = PrimitiveKind;
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr double kRounding = 1e-7;                    // of a hull's size and distance from its origin: how much larger primitives are made
+constexpr double kSizeRounding = 1e-7;                // of a hull's size and distance from its origin: how much larger primitives are made
 constexpr std::size_t kLongestEdges = 8;              // tried as an axis
 constexpr double kFirstTurn = 0.1, kLastTurn = 1e-3;  // [rad] steps in the search for an axis
 
@@ -143,7 +143,7 @@ Primitive barAbout(Kind kind, const ConvexHull& hull, const RunControl& control)
 
 Primitive enclosingPrimitive(PrimitiveKind kind, const ConvexHull& hull, const RunControl& control) {
   const Eigen::AlignedBox3d bounds = boundingBox(hull);
-  const double more = kRounding * (bounds.diagonal().norm() + bounds.center().norm());
+  const double more = kSizeRounding * (bounds.diagonal().norm() + bounds.center().norm());
   Primitive result = kind == Kind::kSphere ? sphereAbout(hull, control)
                      : kind == Kind::kBox  ? boxAbout(hull, control)
                                            : barAbout(kind, hull, control);

@@ -14,9 +14,9 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr int kTrianglesAtOnce = 64;                       // consecutive ones share a selection of spheres
+constexpr int kTrianglesOfBlock = 64;                      // consecutive ones share a selection of spheres
 constexpr std::size_t kMostGaps = 20'000, kLeastGaps = 4;  // in all, and of some triangles: no more are sought
-constexpr double kRounding = 1e-12;                        // of the coordinates' size: by how much radii are lowered
+constexpr double kRadiusRounding = 1e-12;                  // of the coordinates' size: by how much radii are lowered
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
@@ -83,12 +83,12 @@ class Gaps {
 std::vector<Eigen::Vector3d> gapsIn(const TriangleMesh& mesh, const std::vector<Sphere>& spheres, const CoverSearch& search,
                                     const RunControl& control) {
   const Eigen::AlignedBox3d all = boundingBox(mesh);
-  const double rounding = all.isEmpty() ? 0 : kRounding * all.min().cwiseAbs().cwiseMax(all.max().cwiseAbs()).maxCoeff();
-  const int triangles = static_cast<int>(mesh.triangles.size()), blocks = (triangles + kTrianglesAtOnce - 1) / kTrianglesAtOnce;
+  const double rounding = all.isEmpty() ? 0 : kRadiusRounding * all.min().cwiseAbs().cwiseMax(all.max().cwiseAbs()).maxCoeff();
+  const int triangles = static_cast<int>(mesh.triangles.size()), blocks = (triangles + kTrianglesOfBlock - 1) / kTrianglesOfBlock;
   std::vector<std::vector<Eigen::Vector3d>> found(static_cast<std::size_t>(blocks));
   forEach(found.size(), [&](std::size_t block) {
     control.check();
-    const int begin = static_cast<int>(block) * kTrianglesAtOnce, end = std::min(begin + kTrianglesAtOnce, triangles);
+    const int begin = static_cast<int>(block) * kTrianglesOfBlock, end = std::min(begin + kTrianglesOfBlock, triangles);
     Eigen::AlignedBox3d box;
     for (int t = begin; t < end; ++t) box.extend(mesh.corner(t, 0)).extend(mesh.corner(t, 1)).extend(mesh.corner(t, 2));
     Gaps gaps(spheres, search, rounding, std::max(kLeastGaps, kMostGaps / found.size()));

@@ -9,7 +9,7 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kRounding = 1e-9;     // of the size of a hull: what is cut off may lie in no other
+constexpr double kCutRounding = 1e-9;  // of the size of a hull: what is cut off may lie in no other
 constexpr double kWithin = 1e-6;       // of a primitive's size: what lies this far within it does so when its numbers are rounded
 constexpr double kFlatShare = 1. / 8;  // of the area: a smaller flat part is not worth a body of its own
 
@@ -17,7 +17,7 @@ constexpr double kFlatShare = 1. / 8;  // of the area: a smaller flat part is no
 
 SurfacePatch::SurfacePatch(const TriangleMesh& mesh, const ConvexHull& within) {
   const Eigen::AlignedBox3d box = boundingBox(within);
-  const double margin = kRounding * (box.diagonal().norm() + box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff());
+  const double margin = kCutRounding * (box.diagonal().norm() + box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff());
   ConvexPolygon scratch;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto corner = [&](int k) -> const Eigen::Vector3d& { return mesh.corner(static_cast<int>(i), k); };
@@ -126,7 +126,7 @@ std::array<SurfacePatch, 2> SurfacePatch::parts(double flatness, double depth) c
     if (sides[0].empty() || sides[1].empty()) continue;  // across what is flat
     double size = 0;
     for (const SurfacePatch& side : sides) size += side.boxIn(frame, depth).volume();
-    if (size < (1 - kRounding) * least) least = size, best = std::move(sides);
+    if (size < (1 - kCutRounding) * least) least = size, best = std::move(sides);
   }
   return best;
 }

@@ -114,7 +114,7 @@ void sortIntoGroups(const Boxes& boxes, std::size_t size, std::vector<std::size_
   sortIntoGroups(boxes, size, middle, last);
 }
 
-struct LinkPair {
+struct TwoLinks {
   std::size_t a, b;
 };
 
@@ -132,7 +132,7 @@ struct BoxedModel::Impl {
 
   // For queries on the model itself.
   bool paired = false;
-  std::vector<LinkPair> pairs;  // of links, without ignored ones
+  std::vector<TwoLinks> pairs;  // of links, without ignored ones
 
   // For queries against this model as a scene, once it is placed.
   bool grouped = false;
@@ -226,7 +226,7 @@ void BoxedModel::place(const std::vector<Eigen::Isometry3d>& links) {
 bool BoxedModel::collides() {
   const Impl& own = *impl_;
   impl_->pairUp();
-  return std::any_of(own.pairs.begin(), own.pairs.end(), [&](const LinkPair& pair) {
+  return std::any_of(own.pairs.begin(), own.pairs.end(), [&](const TwoLinks& pair) {
     return own.boxes[pair.a].intersects(own.boxes[pair.b]) && own.touches(pair.a, own, pair.b);
   });
 }
@@ -235,7 +235,7 @@ double BoxedModel::distance(double limit) {
   const Impl& own = *impl_;
   impl_->pairUp();
   std::vector<Near> near;
-  for (const LinkPair& pair : own.pairs) {
+  for (const TwoLinks& pair : own.pairs) {
     const double bound = own.boxes[pair.a].exteriorDistance(own.boxes[pair.b]);
     if (bound < limit) near.push_back({pair.a, pair.b, bound});
   }

@@ -18,7 +18,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kLongest = 1000;        // characters: 0.3 s for a name of 1,000 bytes
-constexpr int kDeepest = 100;                 // groups in each other: libstdc++ calls itself for each
+constexpr int kDeepestGroup = 100;            // groups in each other: libstdc++ calls itself for each
 constexpr std::size_t kMostWork = 1'000'000;  // steps of look-aheads through a name, times characters of the expression
 
 /// Nothing for an expression that says more than names.
@@ -61,7 +61,7 @@ bool nestsTooDeep(const std::string& expression) {
   int depth = 0;
   for (const char c : expression) {
     depth += (c == '(') - (c == ')');
-    if (depth > kDeepest) return true;
+    if (depth > kDeepestGroup) return true;
   }
   return false;
 }
@@ -77,7 +77,7 @@ std::regex compiled(const std::string& expression, const std::string& option) {
                                            "': with repetitions written out it may have " + std::to_string(kLongest) +
                                            "; divide it, repeat less, or list names alone, as in a|b, which may be any number");
   if (nestsTooDeep(expression))
-    throw Error(ErrorCode::kBadOption, option + " has an expression with more than " + std::to_string(kDeepest) +
+    throw Error(ErrorCode::kBadOption, option + " has an expression with more than " + std::to_string(kDeepestGroup) +
                                            " groups in each other, which begins '" + expression.substr(0, 40) + "'; nest less");
   try {
     return std::regex(expression, syntax);

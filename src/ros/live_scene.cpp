@@ -23,7 +23,7 @@
 namespace collision_hulls {
 namespace {
 
-const std::string kTopic = "topic:", kService = "service:";
+const std::string kTopicPrefix = "topic:", kService = "service:";
 constexpr double kPatience = 10;  // [s]
 
 using Reader = std::function<Scene(const std::string& name, const std::string& root_link, const RunControl& control)>;
@@ -50,7 +50,8 @@ Scene fromTopic(const std::string& name, const std::string& root_link, const Run
     queue.callAvailable();
     return message != nullptr;
   };
-  if (!waitFor(has_come, kPatience, control)) fail(kTopic + name, "sent no message within 10 s; make its node publish one, or latch it");
+  if (!waitFor(has_come, kPatience, control))
+    fail(kTopicPrefix + name, "sent no message within 10 s; make its node publish one, or latch it");
   return toScene(*message, root_link, control);
 }
 
@@ -72,11 +73,11 @@ std::map<std::string, Kind> topicKinds() {
 
 Scene readTopic(const std::string& name, const std::string& root_link, const RunControl& control) {
   const std::optional<std::string> type = typeOfTopic(name);
-  if (!type) fail(kTopic + name, "is published by nobody; start its node, or give the full name (see 'rostopic list')");
+  if (!type) fail(kTopicPrefix + name, "is published by nobody; start its node, or give the full name (see 'rostopic list')");
   const std::map<std::string, Kind> kinds = topicKinds();
   const auto kind = kinds.find(*type);
-  if (kind == kinds.end()) fail(kTopic + name, "is a " + *type + "; give a moveit_msgs/PlanningScene or an octomap_msgs/Octomap");
-  if (!kind->second.read) failWithout(kTopic + name, kind->second.package);
+  if (kind == kinds.end()) fail(kTopicPrefix + name, "is a " + *type + "; give a moveit_msgs/PlanningScene or an octomap_msgs/Octomap");
+  if (!kind->second.read) failWithout(kTopicPrefix + name, kind->second.package);
   return kind->second.read(name, root_link, control);
 }
 
@@ -111,12 +112,12 @@ bool beginsWith(const std::string& text, const std::string& start) {
 }  // namespace
 
 bool isLive(const std::string& source) {
-  return beginsWith(source, kTopic) || beginsWith(source, kService);
+  return beginsWith(source, kTopicPrefix) || beginsWith(source, kService);
 }
 
 Scene liveScene(const std::string& source, const std::string& root_link, const RunControl& control) {
-  const bool topic = beginsWith(source, kTopic);
-  const std::string name = source.substr((topic ? kTopic : kService).size());
+  const bool topic = beginsWith(source, kTopicPrefix);
+  const std::string name = source.substr((topic ? kTopicPrefix : kService).size());
   Scene scene = topic ? readTopic(name, root_link, control) : readService(name, root_link, control);
   if (scene.name.empty()) scene.name = name;
   return scene;

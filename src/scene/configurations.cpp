@@ -19,7 +19,7 @@ constexpr double kBeyondLimit = 1e-6;            // of the limits' size: allows 
 constexpr double kMimicDiffers = 1e-3;           // [rad or m]
 constexpr std::size_t kMostValues = 50'000'000;  // of all configurations: 400 MB
 
-[[noreturn]] void fail(const std::string& where, const std::string& reason) {
+[[noreturn]] void failAt(const std::string& where, const std::string& reason) {
   throw Error(ErrorCode::kBadConfigurations, where + ": " + reason);
 }
 
@@ -62,7 +62,7 @@ void ConfigurationCollector::add(const std::vector<std::string>& names, const st
                                  const RunControl& control) {
   control.check();
   if (names.size() != positions.size()) {
-    fail(where, std::to_string(positions.size()) + " positions for " + std::to_string(names.size()) + " joints");
+    failAt(where, std::to_string(positions.size()) + " positions for " + std::to_string(names.size()) + " joints");
   }
   std::set<std::string> seen;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -70,10 +70,10 @@ void ConfigurationCollector::add(const std::vector<std::string>& names, const st
     if (joint == joints_.end()) {
       std::string known;
       for (const auto& [name, unused] : joints_) known += (known.empty() ? "" : ", ") + name;
-      fail(where, "the robot has no joint '" + names[i] + "'; " + (known.empty() ? "it has no joints" : "its joints are " + known));
+      failAt(where, "the robot has no joint '" + names[i] + "'; " + (known.empty() ? "it has no joints" : "its joints are " + known));
     }
-    if (!seen.insert(names[i]).second) fail(where, "joint '" + names[i] + "' appears twice; remove one");
-    if (!std::isfinite(positions[i])) fail(where, "joint '" + names[i] + "' has a position that is not finite");
+    if (!seen.insert(names[i]).second) failAt(where, "joint '" + names[i] + "' appears twice; remove one");
+    if (!std::isfinite(positions[i])) failAt(where, "joint '" + names[i] + "' has a position that is not finite");
     put(joint->second, positions[i], where);
   }
   compareMimics(names, positions, where);
@@ -92,7 +92,7 @@ void ConfigurationCollector::put(const NamedJoint& joint, double position, const
   if (variable.continuous || (position >= variable.lower - slack && position <= variable.upper + slack)) return;
   const std::string text = "joint '" + joint.name + "' at " + std::to_string(position) + " is beyond its limits, " +
                            std::to_string(variable.lower) + " to " + std::to_string(variable.upper);
-  if (options_.refuse_beyond_limits) fail(where, text);
+  if (options_.refuse_beyond_limits) failAt(where, text);
   if (set_.beyond_limits++ == 0) first_beyond_ = where + ": " + text;
 }
 

@@ -22,18 +22,18 @@
 namespace collision_hulls {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n\f\v";
+constexpr std::string_view kSpaces = " \t\r\n\f\v";
 constexpr double kMostItems = 20'000'000;  // of a kind: shapes, vertices, triangles
 
-class Reader {
+class MoveitReader {
  public:
-  Reader(const std::string& file, const RunControl& control)
+  MoveitReader(const std::string& file, const RunControl& control)
       : file_(file), control_(control), text_(readTextFile(file, ".scene file", control)), rest_(text_) {}
 
   Scene read() {
     Scene scene;
     SceneBuilder builder(scene);
-    scene.name = trimmed(line(), kBlanks);
+    scene.name = trimmed(line(), kSpaces);
     for (std::string marker = word("an object, '*', or the end, '.'"); marker != "."; marker = word("an object, '*', or the end, '.'")) {
       if (marker != "*") fail("expected an object ('*') or the end of the scene ('.'), found '" + marker + "'");
       object(builder);
@@ -56,11 +56,11 @@ class Reader {
 
   std::string word(const std::string& what) {
     control_.check();
-    while (!rest_.empty() && kBlanks.find(rest_.front()) != std::string_view::npos) {
+    while (!rest_.empty() && kSpaces.find(rest_.front()) != std::string_view::npos) {
       line_ += rest_.front() == '\n';
       rest_.remove_prefix(1);
     }
-    const std::string result(rest_.substr(0, rest_.find_first_of(kBlanks)));
+    const std::string result(rest_.substr(0, rest_.find_first_of(kSpaces)));
     if (result.empty()) fail("the file ends early: expected " + what + "; save the scene again");
     rest_.remove_prefix(result.size());
     return result;
@@ -98,12 +98,12 @@ class Reader {
 
   /// Looks at the line after the name of the first object, as MoveIt does.
   bool hasObjectPoses() {
-    if (!has_object_poses_) has_object_poses_ = trimmed(rest_.substr(0, rest_.find('\n')), kBlanks).find(' ') != std::string::npos;
+    if (!has_object_poses_) has_object_poses_ = trimmed(rest_.substr(0, rest_.find('\n')), kSpaces).find(' ') != std::string::npos;
     return *has_object_poses_;
   }
 
   void object(SceneBuilder& builder) {
-    const std::string name = trimmed(rest_.substr(0, rest_.find('\n')), kBlanks);
+    const std::string name = trimmed(rest_.substr(0, rest_.find('\n')), kSpaces);
     if (name.empty()) fail("an object has no name; give it one");
     line();
     const bool with_pose = hasObjectPoses();
@@ -122,7 +122,7 @@ class Reader {
   void subframes() {
     const std::size_t frames = count("subframes");
     for (std::size_t i = 0; i < frames; ++i) {
-      if (trimmed(line(), kBlanks).empty()) line();  // the rest of the last line; then the name, which may contain blanks
+      if (trimmed(line(), kSpaces).empty()) line();  // the rest of the last line; then the name, which may contain blanks
       pose();
     }
   }
@@ -170,7 +170,7 @@ class Reader {
 }  // namespace
 
 Scene readMoveItScene(const std::string& file, const RunControl& control) {
-  return Reader(file, control).read();
+  return MoveitReader(file, control).read();
 }
 
 }  // namespace collision_hulls

@@ -27,13 +27,13 @@ constexpr std::size_t kMostCells = 20'000'000;
 }
 
 /// A box of cells, in integer multiples of the smallest cell from the map's middle.
-struct Cells {
+struct CellRange {
   std::array<int, 3> low, high;
 };
 
-class Reader {
+class OctomapReader {
  public:
-  Reader(const Octomap& map, const RunControl& control) : data_(map.data), look_(control) {
+  OctomapReader(const Octomap& map, const RunControl& control) : data_(map.data), look_(control) {
     static const std::map<std::string, std::size_t> kBeyondValue{{"OcTree", 0}, {"ColorOcTree", 3}};  // bytes per node
     const auto found = kBeyondValue.find(map.id);
     if (found == kBeyondValue.end()) fail("is of the unknown kind '" + map.id + "'; supported are OcTree and ColorOcTree");
@@ -46,7 +46,7 @@ class Reader {
     if (at_ != data_.size()) fail("has " + std::to_string(data_.size() - at_) + " bytes after its last node; it is damaged");
   }
 
-  std::vector<Cells> take() { return std::move(occupied_); }
+  std::vector<CellRange> take() { return std::move(occupied_); }
 
  private:
   using Corner = std::array<int, 3>;
@@ -91,7 +91,7 @@ class Reader {
     constexpr int kMiddle = 1 << (kDepth - 1);
     if (occupied_.size() == kMostCells)
       throw Error(ErrorCode::kTooLarge, "the map has more than 20 million occupied cells; make a coarser one");
-    Cells cells;
+    CellRange cells;
     for (std::size_t k = 0; k < 3; ++k) cells.low[k] = corner[k] - kMiddle, cells.high[k] = cells.low[k] + (1 << level);
     occupied_.push_back(cells);
   }
@@ -99,15 +99,15 @@ class Reader {
   const std::string_view data_;
   Looks look_;
   std::size_t at_ = 0, beyond_value_ = 0;
-  std::vector<Cells> occupied_;
+  std::vector<CellRange> occupied_;
 };
 
 /// Merges boxes that differ only along this axis and meet there.
-void joinAlong(std::size_t axis, std::vector<Cells>& boxes, const RunControl& control) {
+void joinAlong(std::size_t axis, std::vector<CellRange>& boxes, const RunControl& control) {
   Looks look(control);
   const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-  const auto place = [&](const Cells& c) { return std::array<int, 5>{c.low[u], c.high[u], c.low[v], c.high[v], c.low[axis]}; };
-  std::sort(boxes.begin(), boxes.end(), [&](const Cells& a, const Cells& b) { return look(), place(a) < place(b); });
+  const auto place = [&](const CellRange& c) { return std::array<int, 5>{c.low[u], c.high[u], c.low[v], c.high[v], c.low[axis]}; };
+  std::sort(boxes.begin(), boxes.end(), [&](const CellRange& a, const CellRange& b) { return look(), place(a) < place(b); });
   std::size_t last = 0;
   for (std::size_t i = 1; i < boxes.size(); ++i) {
     look();
@@ -121,7 +121,7 @@ void joinAlong(std::size_t axis, std::vector<Cells>& boxes, const RunControl& co
   boxes.resize(std::min(boxes.size(), last + 1));
 }
 
-std::vector<Cells> joined(std::vector<Cells> boxes, const RunControl& control) {
+std::vector<CellRange> joined(std::vector<CellRange> boxes, const RunControl& control) {
   for (std::size_t before = boxes.size() + 1; boxes.size() < before;) {
     before = boxes.size();
     for (std::size_t axis = 0; axis < 3; ++axis) joinAlong(axis, boxes, control);
@@ -142,13 +142,13 @@ std::string headValue(std::string_view head, const std::string& key) {
 std::vector<Eigen::AlignedBox3d> occupiedBoxes(const Octomap& map, const RunControl& control) {
   if (!(map.resolution > 0 && std::isfinite(map.resolution)))
     fail("has a resolution of " + std::to_string(map.resolution) + " m; it must be a positive length");
-  const std::vector<Cells> all = joined(Reader(map, control).take(), control);
+  const std::vector<CellRange> all = joined(OctomapReader(map, control).take(), control);
   if (all.size() > kMostBoxes) {
     throw Error(ErrorCode::kTooLarge, "the map has " + std::to_string(all.size()) + " boxes of occupied cells, above the limit of " +
                                           std::to_string(kMostBoxes) + "; make a coarser one, or crop it to what the robot can reach");
   }
   std::vector<Eigen::AlignedBox3d> boxes;
-  for (const Cells& c : all) {
+  for (const CellRange& c : all) {
     const Eigen::Vector3d low(c.low[0], c.low[1], c.low[2]), high(c.high[0], c.high[1], c.high[2]);
     boxes.emplace_back(map.resolution * low, map.resolution * high);
   }

@@ -21,7 +21,7 @@ constexpr double kFurthest = 1e6;           // [m] from the origin
 constexpr std::size_t kLongestName = 1000;  // [bytes] of a scene and its bodies: messages and reports repeat them
 constexpr std::size_t kMostBodies = 100'000;
 
-[[noreturn]] void fail(const std::string& body, const std::string& reason) {
+[[noreturn]] void failBody(const std::string& body, const std::string& reason) {
   throw Error(ErrorCode::kBadScene, "body '" + body + "' " + reason);
 }
 
@@ -33,22 +33,22 @@ void checkName(const std::string& name, const std::string& whose) {
 }
 
 void checkPlace(const std::string& name, const Eigen::Isometry3d& pose) {
-  if (!pose.matrix().allFinite()) fail(name, "has a pose that is not finite; correct its numbers");
-  if (pose.translation().cwiseAbs().maxCoeff() > kFurthest) fail(name, "is more than 1e6 m from the origin; lengths are in metres");
+  if (!pose.matrix().allFinite()) failBody(name, "has a pose that is not finite; correct its numbers");
+  if (pose.translation().cwiseAbs().maxCoeff() > kFurthest) failBody(name, "is more than 1e6 m from the origin; lengths are in metres");
 }
 
 void checkMesh(const std::string& name, const TriangleMesh& mesh) {
-  if (mesh.triangles.empty()) fail(name, "is a mesh without triangles; remove it, or give it triangles");
+  if (mesh.triangles.empty()) failBody(name, "is a mesh without triangles; remove it, or give it triangles");
   const auto count = static_cast<int>(mesh.vertices.size());
   for (const Triangle& t : mesh.triangles) {
     for (const int v : t) {
       if (v < 0 || v >= count)
-        fail(name, "has a triangle with vertex " + std::to_string(v) + " of " + std::to_string(count) + "; indices start at 0");
+        failBody(name, "has a triangle with vertex " + std::to_string(v) + " of " + std::to_string(count) + "; indices start at 0");
     }
   }
   for (const Eigen::Vector3d& v : mesh.vertices) {
     if (!(v.cwiseAbs().maxCoeff() <= kFurthest))
-      fail(name, "has a vertex that is not finite, or more than 1e6 m from the origin; lengths are in metres");
+      failBody(name, "has a vertex that is not finite, or more than 1e6 m from the origin; lengths are in metres");
   }
 }
 
@@ -123,7 +123,7 @@ void SceneBuilder::add(SceneBody body) {
   checkName(body.name, "a body");
   checkPlace(body.name, body.pose);
   if (const auto* mesh = std::get_if<TriangleMesh>(&body.shape)) checkMesh(body.name, *mesh);
-  if (!names_.insert(body.name).second) fail(body.name, "appears twice in the scene; rename one of them");
+  if (!names_.insert(body.name).second) failBody(body.name, "appears twice in the scene; rename one of them");
   if (scene_.bodies.size() == kMostBodies)
     throw Error(ErrorCode::kTooLarge, "the scene has more than " + std::to_string(kMostBodies) +
                                           " bodies; leave out those that the robot cannot reach, or join them into meshes");

@@ -70,9 +70,9 @@ void setConvexShape(const Shape& shape, SceneBody& body) {
           "<" + kind + "> is not supported; use box, sphere, cylinder, cone, capsule, ellipsoid, plane or mesh, or export it as a mesh");
 }
 
-class Reader {
+class SdfReader {
  public:
-  explicit Reader(const SceneReading& how) : find_package_(how.find_package), control_(how.control), meshes_(how) {}
+  explicit SdfReader(const SceneReading& how) : find_package_(how.find_package), control_(how.control), meshes_(how) {}
 
   Scene read(const std::string& file) {
     const XmlNode& root = open(file);
@@ -255,7 +255,7 @@ class Reader {
 }  // namespace
 
 Scene readSdfScene(const std::string& file, const SceneReading& how) {
-  return Reader(how).read(file);
+  return SdfReader(how).read(file);
 }
 
 }  // namespace collision_hulls

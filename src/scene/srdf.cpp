@@ -24,9 +24,9 @@ LinkPair inOrder(const std::string& a, const std::string& b) {
   return std::minmax(a, b);
 }
 
-class Reader {
+class SrdfReader {
  public:
-  Reader(const RobotDescription& robot, std::string label, const RunControl& control)
+  SrdfReader(const RobotDescription& robot, std::string label, const RunControl& control)
       : label_(std::move(label)), look_(control, kLargeItemsBetweenLooks) {
     for (const LinkDescription& link : robot.links) links_.push_back(link.name);
     known_.insert(links_.begin(), links_.end());
@@ -123,7 +123,7 @@ std::string commentText(std::string text) {
 DisabledPairs parseDisabledPairs(const std::string& srdf_text, const RobotDescription& robot, const std::string& path,
                                  const RunControl& control) {
   const std::string label = path.empty() ? "SRDF" : "'" + path + "'";
-  return Reader(robot, label, control).read(parseXml(srdf_text, label, control));
+  return SrdfReader(robot, label, control).read(parseXml(srdf_text, label, control));
 }
 
 DisabledPairs readDisabledPairs(const std::string& srdf_file, const RobotDescription& robot, const RunControl& control) {

@@ -52,9 +52,9 @@ std::string shapeOf(const YamlValue& body) {
   return found.front();
 }
 
-class Reader {
+class YamlSceneReader {
  public:
-  Reader(const std::string& file, const SceneReading& how) : file_(file), control_(how.control), meshes_(how) {}
+  YamlSceneReader(const std::string& file, const SceneReading& how) : file_(file), control_(how.control), meshes_(how) {}
 
   Scene read() {
     const YamlValue root = YamlValue::parse(readTextFile(file_, ".yaml file", control_), file_, ErrorCode::kBadScene, 1, control_);
@@ -106,7 +106,7 @@ class Reader {
 }  // namespace
 
 Scene readYamlScene(const std::string& file, const SceneReading& how) {
-  return Reader(file, how).read();
+  return YamlSceneReader(file, how).read();
 }
 
 }  // namespace collision_hulls

@@ -22,11 +22,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kDigits = 16;  // of the hash that stands for the target: its name with an addition might be too long
+constexpr std::size_t kDigitsOfTarget = 16;  // of the hash that stands for the target: its name with an addition might be too long
 
 /// The beginning of the names of a target's hidden folders.
 std::string prefixOf(const fs::path& target) {
-  return ".collision_hulls-" + sha256(target.filename().string()).substr(0, kDigits) + "-";
+  return ".collision_hulls-" + sha256(target.filename().string()).substr(0, kDigitsOfTarget) + "-";
 }
 
 fs::path asideOf(const fs::path& target) {

@@ -13,11 +13,11 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kGap = 0.01;     // of what was found
-constexpr double kLooseGap = 16;  // gap of the first pass, in gaps of the second
+constexpr double kGapShare = 0.01;  // of what was found
+constexpr double kLooseGap = 16;    // gap of the first pass, in gaps of the second
 constexpr int kMostHalvings = 400'000, kMostCells = 200'000, kCellsBetweenChecks = 64;
-constexpr double kRounding = 1e-12;  // of the coordinates' size, as in measure/protrusion.cpp
-constexpr double kMargin = 1.0001;   // of the root, so that rounding leaves nothing outside
+constexpr double kCoordinateRounding = 1e-12;  // of the coordinates' size, as in measure/protrusion.cpp
+constexpr double kMargin = 1.0001;             // of the root, so that rounding leaves nothing outside
 
 struct Cell {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
@@ -45,7 +45,7 @@ class Inside {
 
  private:
   /// Cells up to this do not matter.
-  double enough() const { return std::max(limit_, best_.found + std::max(gap_, kGap * best_.found)); }
+  double enough() const { return std::max(limit_, best_.found + std::max(gap_, kGapShare * best_.found)); }
 
   void push(Cell cell) {
     const Eigen::Vector3d& c = cell.centre;
@@ -86,7 +86,7 @@ Protrusion largestOnMesh(const TriangleMesh& mesh, const Solid& solid, double ga
   query.halvings = kMostHalvings;
   query.gap = kLooseGap * gap;
   const Protrusion first = largestOnSurface(mesh.vertices, mesh.triangles, solid, query, control);
-  query.gap = std::max(gap, kGap * first.found);
+  query.gap = std::max(gap, kGapShare * first.found);
   if (first.bound <= first.found + query.gap) return first;
   query.floor = first.found * (1 - 1e-9);
   Protrusion second = largestOnSurface(mesh.vertices, mesh.triangles, solid, query, control);
@@ -99,7 +99,7 @@ Protrusion meshProtrusion(const TriangleMesh& mesh, const Solid& body, const Sol
   const Eigen::AlignedBox3d box = boundingBox(mesh);
   if (body.interior() != Interior::kSurface) result = Inside(body, solid, result, gap).run(box, control);
   const double size = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  result.bound += kRounding * (size + solid.surface().extent()) + solid.sideError() + body.sideError();
+  result.bound += kCoordinateRounding * (size + solid.surface().extent()) + solid.sideError() + body.sideError();
   return result;
 }
 

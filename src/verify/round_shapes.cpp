@@ -12,8 +12,8 @@ namespace {
 
 using Kind = GeometryElement::Kind;
 
-constexpr double kSamePlace = 1e-9;  // of the size: two primitives this close are one
-constexpr double kRounding = 1e-12;  // of the size
+constexpr double kSamePlace = 1e-9;      // of the size: two primitives this close are one
+constexpr double kSizeRounding = 1e-12;  // of the size
 
 /// The element at the origin of its own frame.
 GeometryElement centred(GeometryElement element) {
@@ -61,7 +61,7 @@ Approximation circumscribed(const GeometryElement& round) {
 
 /// By the support point in the direction of each face.
 bool holds(const ConvexHull& hull, const GeometryElement& round) {
-  const double radius = round.size.x(), slack = kRounding * (radius + round.origin.translation().cwiseAbs().maxCoeff());
+  const double radius = round.size.x(), slack = kSizeRounding * (radius + round.origin.translation().cwiseAbs().maxCoeff());
   return std::all_of(hull.faces.begin(), hull.faces.end(), [&](const HalfSpace& face) {
     const Eigen::Vector3d n = round.origin.linear().transpose() * face.normal;
     const double reach = round.kind == Kind::kSphere ? radius : radius * n.head<2>().norm() + round.size.y() / 2 * std::abs(n.z());

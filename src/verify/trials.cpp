@@ -27,7 +27,7 @@ namespace {
 
 constexpr double kNearest = 1e-3, kFarthest = 0.3;   // offset of a box, in diagonals of the link
 constexpr double kThinnest = 0.02, kThickest = 0.5;  // its sides, in diagonals of the link
-constexpr double kRounding = 1e-6;                   // [m] by which a contradiction must exceed its bound
+constexpr double kLeastContradiction = 1e-6;         // [m] by which a contradiction must exceed its bound
 constexpr std::size_t kMostRemarks = 10;
 constexpr std::size_t kMostLinks = 2000;  // whose pairs are counted: two million take 200 MB
 constexpr int kTurns = 8;                 // of nearness()
@@ -176,7 +176,7 @@ enum class Outcome { kFree, kHit, kMissed, kPhantom, kContradiction };
 Outcome outcomeOf(const Sides& a, const Sides& b, const Eigen::Isometry3d& pose) {
   const auto hit = collision(*a.original, *b.original, pose), seen = collision(*a.result, *b.result, pose);
   if (hit.has_value() == seen.has_value()) return hit ? Outcome::kHit : Outcome::kFree;
-  const double allowed = (hit ? a.uncovered + b.uncovered : a.protrusion + b.protrusion) + kRounding;
+  const double allowed = (hit ? a.uncovered + b.uncovered : a.protrusion + b.protrusion) + kLeastContradiction;
   if (seen && nearness(*a.original, *b.original, pose, *seen, allowed) <= allowed) return Outcome::kPhantom;
   const double away = hit ? distanceOf(*a.result, *b.result, pose, 2 * allowed) : distanceOf(*a.original, *b.original, pose, 2 * allowed);
   if (away > allowed) return Outcome::kContradiction;

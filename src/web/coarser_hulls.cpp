@@ -20,10 +20,10 @@
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kMostParts = 6;         // that a merged hull is compared with
-constexpr std::size_t kMostDistances = 1000;  // computed for a merged hull, beyond those of its vertices
-constexpr double kGap = 0.03;                 // of the distance: a bound this close is close enough
-constexpr double kRounding = 1e-12;           // of the coordinates
+constexpr std::size_t kMostParts = 6;          // that a merged hull is compared with
+constexpr std::size_t kMostDistances = 1000;   // computed for a merged hull, beyond those of its vertices
+constexpr double kGap = 0.03;                  // of the distance: a bound this close is close enough
+constexpr double kCoordinateRounding = 1e-12;  // of the coordinates
 
 /// A cell's corners (indices), and what no point in it exceeds.
 struct Cell {
@@ -174,8 +174,8 @@ class Merging {
 }  // namespace
 
 double furthestFrom(const std::vector<const ConvexHull*>& parts, const ConvexHull& hull) {
-  double rounding = hull.slack + kRounding * extentOf(hull);
-  for (const ConvexHull* part : parts) rounding = std::max(rounding, part->slack + kRounding * extentOf(hull));
+  double rounding = hull.slack + kCoordinateRounding * extentOf(hull);
+  for (const ConvexHull* part : parts) rounding = std::max(rounding, part->slack + kCoordinateRounding * extentOf(hull));
   return Search(parts).furthest(hull) + rounding;
 }
 

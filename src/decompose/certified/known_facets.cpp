@@ -12,7 +12,7 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr std::size_t kMost = 1'000'000;  // triangles remembered; then all are forgotten
+constexpr std::size_t kMostRemembered = 1'000'000;  // triangles remembered; then all are forgotten
 
 std::uint64_t keyOf(const Eigen::Vector3d& p) {
   std::uint64_t key = 0;
@@ -59,7 +59,7 @@ void KnownFacets::learn(std::uint64_t key, double bound) {
 }
 
 void KnownFacets::learn(const ConvexHull& hull, double bound) {
-  if (bounds_.size() > kMost) bounds_.clear();
+  if (bounds_.size() > kMostRemembered) bounds_.clear();
   for (const std::uint64_t key : keysOf(hull)) learn(key, bound);
 }
 

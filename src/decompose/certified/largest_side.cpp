@@ -15,7 +15,7 @@ namespace collision_hulls {
 namespace {
 
 // Largest piece to try: larger ones take long, and simplifying them would blur where the hull stops fitting.
-constexpr std::size_t kVertices = 4000;
+constexpr std::size_t kMostVertices = 4000;
 constexpr double kLeast = 0.15, kMost = 0.95;  // shares of the area that make a split worthwhile
 constexpr int kAreaHalvings = 20;              // bisections to reach a given share of the area,
 constexpr int kHalvings = 8;                   // and from there on
@@ -109,7 +109,7 @@ std::vector<Eigen::Vector3d> directions() {
 }  // namespace
 
 std::optional<HalfSpace> largestSide(const SurfacePiece& piece, ProtrusionOracle& oracle) {
-  if (piece.vertices.size() > kVertices) return std::nullopt;
+  if (piece.vertices.size() > kMostVertices) return std::nullopt;
   Beneath beneath(piece);
   if (!(beneath.area() > 0)) return std::nullopt;
   std::optional<HalfSpace> best;

@@ -29,9 +29,9 @@ constexpr double kInHalves = 0.4, kSingly = 0.2;  // probability that dissolved 
 constexpr int kNoiseLevels = 4;                   // 0, 0.1, ...
 constexpr double kNoiseStep = 0.1;
 constexpr long kIdleMovesPerGroup = 20, kIdleMoves = 200;  // moves without gain before the search ends
-constexpr long kIdleWork = 2'000'000;    // the same as a limit on groups looked at: with thousands of them each move takes long
-constexpr std::size_t kMostToProve = 8;  // most groups to prove minimal: with more it hardly ever succeeds
-constexpr double kRounding = 1e-12;
+constexpr long kIdleWork = 2'000'000;   // the same as a limit on groups looked at: with thousands of them each move takes long
+constexpr std::size_t kMostGroups = 8;  // most groups to prove minimal: with more it hardly ever succeeds
+constexpr double kAreaRounding = 1e-12;
 
 double squaredAreas(const Cover& cover) {
   double sum = 0;
@@ -140,7 +140,7 @@ class Search {
 
 /// Whether each group has an element such that no two of these elements may share a hull: no cover then has fewer groups.
 bool leastPossible(const Cover& cover, SurfaceGroups& groups) {
-  if (cover.size() > kMostToProve) return false;
+  if (cover.size() > kMostGroups) return false;
   std::vector<int> chosen;
   const auto apart_from_all = [&](int e) {
     return std::all_of(chosen.begin(), chosen.end(), [&](int c) { return !groups.merged(groups.single(c), groups.single(e)).hull; });
@@ -176,7 +176,7 @@ void improve(Cover& cover, SurfaceGroups& groups, const SearchOptions& options, 
     ++idle;
     Cover next = search.moved(current);
     if (next.size() >= cover.size()) {
-      if (next.size() == cover.size() && squaredAreas(next) >= squaredAreas(current) * (1 - kRounding)) current = std::move(next);
+      if (next.size() == cover.size() && squaredAreas(next) >= squaredAreas(current) * (1 - kAreaRounding)) current = std::move(next);
     } else if (groups.proven(next)) {
       cover = current = std::move(next);
       idle = 0;

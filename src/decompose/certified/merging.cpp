@@ -32,8 +32,8 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr std::size_t kMany = 1000;   // groups; with more, distant pairs are not tried, as time grows with their number squared
-constexpr std::size_t kSeveral = 40;  // groups; beyond this, the result of provisional merging says little about what can be proven
+constexpr std::size_t kManyGroups = 1000;  // groups; with more, distant pairs are not tried, as time grows with their number squared
+constexpr std::size_t kSeveral = 40;       // groups; beyond this, the result of provisional merging says little about what can be proven
 constexpr std::size_t kProvenAtOnce = 4, kLookedAt = 8;  // unions, and pairs that are looked at for them
 constexpr double kTieBreak = 1e-3;                       // as a share of the union's square, for squares that cancel out
 
@@ -71,7 +71,7 @@ class Merging {
     }
     groups_.control().check();
     mergeQueued(proof);
-    if (live_.size() > kMany) return;
+    if (live_.size() > kManyGroups) return;
     all_pairs_ = true;
     for (const int b : live_)
       for (const int a : live_)

@@ -23,8 +23,8 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 constexpr double kUseless = std::numeric_limits<double>::infinity();
-constexpr double kOnPlane = 1e-3;        // in extents of the piece
-constexpr double kLean = 1e-3;           // most that position counts in a score
+constexpr double kNearPlane = 1e-3;      // in extents of the piece
+constexpr double kLeanOfScore = 1e-3;    // most that position counts in a score
 constexpr double kOutward = 1e-3;        // how far intruders are moved, as a share of their distance from the middle
 constexpr double kAside = 0.1;           // how far that middle is from the middle of the box, in extents of the piece
 constexpr std::size_t kLeastPoints = 4;  // per side
@@ -78,7 +78,7 @@ PlaneScore::PlaneScore(const SurfacePiece& piece, std::size_t vertices, std::vec
     weight_ += i.weight;
     i.p += kOutward * (i.p - middle);
   }
-  on_plane_ = kOnPlane * size;
+  on_plane_ = kNearPlane * size;
 }
 
 /// Lower is better.
@@ -103,7 +103,7 @@ double PlaneScore::operator()(const HalfSpace& plane) const {
 std::vector<HalfSpace> PlaneScore::best(const std::vector<HalfSpace>& planes, std::size_t most) const {
   std::vector<double> scores(planes.size());
   const double size = boundingBox(piece_).diagonal().norm();
-  forEach(planes.size(), [&](std::size_t i) { scores[i] = (*this)(planes[i]) - kLean * lean(planes[i], size); });
+  forEach(planes.size(), [&](std::size_t i) { scores[i] = (*this)(planes[i]) - kLeanOfScore * lean(planes[i], size); });
   std::vector<std::size_t> order(planes.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return scores[a] < scores[b]; });

@@ -51,11 +51,12 @@ constexpr double kLooseGap = 0.005;      // between the bounds of large protrusi
 static_assert(kReserve > kProofGap + kCertificateGap, "the certificate would need a second, closer search");
 
 constexpr double kLooseShare = 0.01;  // the same as a share of the protrusion itself
-constexpr double kInward = 1e-9;      // how far, on the way to a vertex, intruders on a hull's surface are moved into it
+constexpr double kIntoHull = 1e-9;    // how far, on the way to a vertex, intruders on a hull's surface are moved into it
 constexpr double kGrowth = 1e-5;      // growth of a hull to allow for rounding when it is written
 constexpr double kJoggle = 1e-6;      // most that points of a rough hull are moved, as a share of their distance from the middle
 constexpr std::size_t kJoggles = 3;   // attempts,
-constexpr std::size_t kMany = 3000;   // with more points than this, coplanar points hinder quickhull so often that all are moved right away
+constexpr std::size_t kManyPoints =
+    3000;  // with more points than this, coplanar points hinder quickhull so often that all are moved right away
 constexpr std::size_t kMostKnown = 400;  // intruders remembered,
 constexpr std::size_t kUseful = 16;      // and those of them that are looked at before a hull is built
 
@@ -88,7 +89,7 @@ ConvexHull roughHull(const std::vector<Eigen::Vector3d>& points, Corners corners
   for (const Eigen::Vector3d& p : points) centred.push_back(p - middle);
   std::optional<ConvexHull> hull;
   std::vector<int> sources;
-  if (points.size() <= kMany) hull = quickhull(centred, control, corners, &sources);
+  if (points.size() <= kManyPoints) hull = quickhull(centred, control, corners, &sources);
   for (std::size_t trial = 0; !hull && trial < kJoggles; ++trial) hull = quickhull(joggled(centred, trial), control, corners, &sources);
   if (!hull) return convexHull(points, control);
   for (std::size_t i = 0; i < sources.size(); ++i) hull->vertices[i] = points[at(sources[i])];  // bit by bit, for KnownFacets
@@ -382,7 +383,7 @@ void ProtrusionOracle::remember(const Eigen::Vector3d& intruder) {
 }
 
 void ProtrusionOracle::rememberOnSurface(const Eigen::Vector3d& intruder, const ConvexHull& hull) {
-  remember(intruder + kInward * (hull.vertices[0] - intruder));
+  remember(intruder + kIntoHull * (hull.vertices[0] - intruder));
 }
 
 std::vector<OutsideDistance::Intruder> ProtrusionOracle::intruders(const ConvexHull& hull, std::size_t wanted) {

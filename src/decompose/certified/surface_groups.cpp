@@ -21,9 +21,9 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kOnPlane = 1e-9;      // as a share of the largest extent
-constexpr double kSmallest = 1e-6;     // the same: smaller pieces are not halved
-constexpr std::ptrdiff_t kAtOnce = 2;  // groups proven in parallel: if the first is refuted, work on the other is wasted
+constexpr double kOnHalvingPlane = 1e-9;  // as a share of the largest extent
+constexpr double kSmallest = 1e-6;        // the same: smaller pieces are not halved
+constexpr std::ptrdiff_t kAtOnce = 2;     // groups proven in parallel: if the first is refuted, work on the other is wasted
 
 Eigen::Vector3d meanOf(const std::vector<Eigen::Vector3d>& points) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -76,7 +76,7 @@ std::vector<Element> elementsOf(const std::vector<Leaf>& leaves, std::size_t cou
     std::vector<Block> blocks;
     const double extent = box.sizes().maxCoeff();
     const bool large_enough = boundingBox(part.block.surface).sizes().maxCoeff() > kSmallest * extent;
-    if (large_enough && large.size() + done.size() + 1 < count) blocks = halves(part.block, kOnPlane * extent, control);
+    if (large_enough && large.size() + done.size() + 1 < count) blocks = halves(part.block, kOnHalvingPlane * extent, control);
     if (blocks.size() < 2) {
       done.push_back(std::move(part));
       continue;

@@ -21,7 +21,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kStage = 1.25;  // ratio of successive stages' tolerances
-constexpr double kNear = 2;      // in tolerances: pairs further apart wait for a later stage
+constexpr double kNearPair = 2;  // in tolerances: pairs further apart wait for a later stage
 constexpr double kAmple = 2;     // in mean widths of the whole: at such a tolerance anything merges
 
 class Building {
@@ -66,7 +66,7 @@ class Building {
   void mergeWithin(double tolerance, bool anything) {
     PairQueue queue;
     apart_.clear();
-    const double reach = anything ? std::numeric_limits<double>::infinity() : kNear * tolerance;
+    const double reach = anything ? std::numeric_limits<double>::infinity() : kNearPair * tolerance;
     for (int b = 0; b < static_cast<int>(tree_.nodes.size()); ++b)
       if (isRoot(b)) pairWithEarlier(b, reach, queue);
     while (const auto pair = queue.takeCheapest([&](int i) { return isRoot(i); })) {

@@ -22,9 +22,9 @@ constexpr double kBoundsMeet = 1e-9;
 // Most faces that a cutting-plane search examines: far more than it needs, a guard against cycling due to rounding.
 constexpr int kMostCuts = 100;
 // More than the rounding error of a point's distance to a plane, as a share of the coordinates.
-constexpr double kRounding = 1e-13;
+constexpr double kPlaneRounding = 1e-13;
 
-const double kInfinity = std::numeric_limits<double>::infinity();
+const double kUnbounded = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -32,7 +32,7 @@ ExitFaces::ExitFaces(const ConvexHull& hull) : hull_(hull) {
   const Eigen::AlignedBox3d box = boundingBox(hull);
   centre_ = box.center();
   scale_ = box.diagonal().norm();
-  rounding_ = kRounding * (1 + centre_.cwiseAbs().maxCoeff() / scale_);
+  rounding_ = kPlaneRounding * (1 + centre_.cwiseAbs().maxCoeff() / scale_);
   std::vector<Eigen::Vector4d> planes;
   planes.reserve(hull.faces.size());
   for (const HalfSpace& face : hull.faces)
@@ -47,11 +47,11 @@ int ExitFaces::firstExit(const Eigen::Vector3d& origin, const Eigen::Vector3d& m
   };
   const auto bound = [&](const Eigen::AlignedBox<double, 4>& box) {
     const double facing = most(box, along), height = box.min()[3] - most(box, start) - rounding_;
-    if (facing < kParallel / 2) return kInfinity;
-    return height > 0 ? scale_ * height / facing : -kInfinity;
+    if (facing < kParallel / 2) return kUnbounded;
+    return height > 0 ? scale_ * height / facing : -kUnbounded;
   };
   int first = -1;
-  double least = kInfinity;
+  double least = kUnbounded;
   const auto visit = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const int f = tree_.order()[i];
@@ -78,7 +78,7 @@ double concavityOfTriangle(const ExitFaces& faces, const std::array<Eigen::Vecto
   ConvexPolygon polygon, scratch;
   std::vector<ExitFunction> cuts;
   Eigen::Vector3d m = (whole[1] + whole[2]) / 3;
-  double lower = 0, upper = kInfinity;
+  double lower = 0, upper = kUnbounded;
   for (int cut = 0; cut < kMostCuts && upper > known; ++cut) {
     const int f = faces.firstExit(origin, m, normal);
     if (f < 0) return 0;

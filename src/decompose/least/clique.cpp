@@ -35,9 +35,9 @@ void NodeSet::removeAll(const NodeSet& others) {
 
 namespace {
 
-class Search {
+class CliqueSearch {
  public:
-  Search(const Graph& graph, std::size_t enough, long most_steps) : graph_(graph), enough_(enough), most_steps_(most_steps) {}
+  CliqueSearch(const Graph& graph, std::size_t enough, long most_steps) : graph_(graph), enough_(enough), most_steps_(most_steps) {}
 
   /// Adds nodes of `candidates`, all neighbours of the chosen ones, in every way that may lead to a larger clique.
   void extend(NodeSet candidates) {
@@ -88,7 +88,7 @@ class Search {
 }  // namespace
 
 std::vector<std::size_t> largestClique(const Graph& graph, std::size_t enough, long most_steps) {
-  Search search(graph, enough, most_steps);
+  CliqueSearch search(graph, enough, most_steps);
   NodeSet all(graph.size());
   for (std::size_t i = 0; i < graph.size(); ++i) all.add(i);
   search.extend(all);

@@ -9,9 +9,9 @@ namespace collision_hulls {
 
 namespace {
 
-class Search {
+class ColouringSearch {
  public:
-  Search(const Graph& graph, std::size_t colours, long most_steps)
+  ColouringSearch(const Graph& graph, std::size_t colours, long most_steps)
       : graph_(graph),
         steps_left_(most_steps),
         colour_(graph.size(), kNone),
@@ -73,7 +73,7 @@ class Search {
 
 bool needsMoreColours(const Graph& graph, const std::vector<std::size_t>& clique, std::size_t colours, long most_steps) {
   if (clique.size() > colours) return true;
-  Search search(graph, colours, most_steps);
+  ColouringSearch search(graph, colours, most_steps);
   for (std::size_t i = 0; i < clique.size(); ++i) search.paint(clique[i], i);
   return !search.canPaintRest(clique.size());
 }

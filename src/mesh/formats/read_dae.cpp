@@ -79,9 +79,9 @@ struct Totals {
 };
 
 /// Collects the triangles of a scene's nodes; each instance of a mesh contributes its own, and each corner of a polygon its own vertex.
-class SceneReader {
+class AssimpReader {
  public:
-  SceneReader(const aiScene& scene, const Totals& totals, const std::string& path, std::size_t max_triangles, const RunControl& control)
+  AssimpReader(const aiScene& scene, const Totals& totals, const std::string& path, std::size_t max_triangles, const RunControl& control)
       : scene_(scene), path_(path), sink_(&result_, path, max_triangles, control) {
     result_.mesh.vertices.reserve(totals.corners);
     result_.mesh.triangles.reserve(totals.triangles);
@@ -151,7 +151,7 @@ LoadedMesh readDae(const std::string& bytes, const std::string& path, const Mesh
   const Totals totals(scene);
   if (totals.triangles == 0) failNoTriangle(path, totals.skipped);
   Assimp::Importer importer;
-  LoadedMesh result = SceneReader(import(&importer, scene.canonical, path), totals, path, limits.max_triangles, control).read();
+  LoadedMesh result = AssimpReader(import(&importer, scene.canonical, path), totals, path, limits.max_triangles, control).read();
   expectTheSame(scene, totals, result, path);
   result.skipped_primitives = totals.skipped;
   return result;

@@ -17,7 +17,7 @@ namespace {
 
 using Json = GltfDocument::Json;
 
-constexpr int kDeepest = 1000;                            // chain of nodes
+constexpr int kMostNodesOfChain = 1000;                   // chain of nodes
 constexpr double kUnitQuaternion = 0.01;                  // how far the length of a rotation may be from 1
 constexpr double kSameRow = 1e-6;                         // how far the last row of a matrix may be from 0 0 0 1
 constexpr int kFirstTriangles = 4, kStrip = 5, kFan = 6;  // primitive.mode; below: points and lines
@@ -96,7 +96,7 @@ class GltfReader {
     const std::string name = "nodes[" + std::to_string(index) + "]";
     const Json& node = document_.item("nodes", index);
     if (seen_[index]) document_.fail(name + " is placed twice; each node has one parent");
-    if (depth > kDeepest) document_.fail("has a chain of more than " + std::to_string(kDeepest) + " nodes");
+    if (depth > kMostNodesOfChain) document_.fail("has a chain of more than " + std::to_string(kMostNodesOfChain) + " nodes");
     seen_[index] = true;
     const Eigen::Affine3d placement = parent * placementOf(node, name);
     if (const std::optional<std::size_t> mesh = document_.index(node, "mesh", name)) {

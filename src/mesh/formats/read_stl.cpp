@@ -12,27 +12,27 @@
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 84;  // including the number of triangles
-constexpr std::size_t kFacetBytes = 50;   // normal, three corners, two bytes
+constexpr std::size_t kStlHeaderBytes = 84;  // including the number of triangles
+constexpr std::size_t kFacetBytes = 50;      // normal, three corners, two bytes
 constexpr std::size_t kFacetsBetweenChecks = 1 << 16;
 
 std::uint64_t announcedTriangles(std::string_view bytes) {
   std::uint32_t count = 0;  // little-endian, like the machines this runs on
-  std::memcpy(&count, bytes.data() + kHeaderBytes - sizeof count, sizeof count);
+  std::memcpy(&count, bytes.data() + kStlHeaderBytes - sizeof count, sizeof count);
   return count;
 }
 
 LoadedMesh readBinary(const std::string& bytes, const std::string& path, const RunControl& control) {
   LoadedMesh result;
   result.submeshes = 1;
-  const std::size_t count = (bytes.size() - kHeaderBytes) / kFacetBytes;
+  const std::size_t count = (bytes.size() - kStlHeaderBytes) / kFacetBytes;
   result.mesh.vertices.reserve(3 * count);
   result.mesh.triangles.reserve(count);
   float largest = 0;
   for (std::size_t f = 0; f < count; ++f) {
     if (f % kFacetsBetweenChecks == 0) control.check();
     std::array<float, 9> corners;  // they follow the normal
-    std::memcpy(corners.data(), bytes.data() + kHeaderBytes + kFacetBytes * f + 3 * sizeof(float), sizeof corners);
+    std::memcpy(corners.data(), bytes.data() + kStlHeaderBytes + kFacetBytes * f + 3 * sizeof(float), sizeof corners);
     const int first = static_cast<int>(3 * f);
     result.mesh.triangles.push_back({first, first + 1, first + 2});
     for (std::size_t k = 0; k < corners.size(); k += 3) {
@@ -120,7 +120,7 @@ bool isText(std::string_view bytes) {
 }  // namespace
 
 bool isBinaryStl(std::string_view bytes) {
-  return bytes.size() >= kHeaderBytes && bytes.size() == kHeaderBytes + kFacetBytes * announcedTriangles(bytes);
+  return bytes.size() >= kStlHeaderBytes && bytes.size() == kStlHeaderBytes + kFacetBytes * announcedTriangles(bytes);
 }
 
 LoadedMesh readStl(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control) {
@@ -130,12 +130,12 @@ LoadedMesh readStl(const std::string& bytes, const std::string& path, const Mesh
     return readBinary(bytes, path, control);
   }
   if (isText(bytes)) return TextReader(bytes, path, limits, control).read();
-  if (bytes.size() < kHeaderBytes)
+  if (bytes.size() < kStlHeaderBytes)
     failNotAMesh(path, "neither a text STL (no 'solid' at its start) nor a binary one (" + std::to_string(bytes.size()) +
-                           " bytes, less than its header of " + std::to_string(kHeaderBytes) + ")");
+                           " bytes, less than its header of " + std::to_string(kStlHeaderBytes) + ")");
   const std::uint64_t count = announcedTriangles(bytes);
   failNotAMesh(path, "read as binary STL, it announces " + std::to_string(count) + " triangles, which take " +
-                         std::to_string(kHeaderBytes + kFacetBytes * count) + " bytes, but it has " + std::to_string(bytes.size()));
+                         std::to_string(kStlHeaderBytes + kFacetBytes * count) + " bytes, but it has " + std::to_string(bytes.size()));
 }
 
 }  // namespace collision_hulls

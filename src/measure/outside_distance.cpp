@@ -74,7 +74,7 @@ struct OutsideDistance::View {
   double offset = 0;                                       // upper bound on how far the centre lies beyond a face
 
   /// `candidates`: the faces that may cut a cell around this one.
-  View(const Cell& cell, Faces& hull, const Faces::List& candidates) : faces{hull.lists.size(), 0} {
+  View(const Cube& cell, Faces& hull, const Faces::List& candidates) : faces{hull.lists.size(), 0} {
     outside = ((cell.centre - hull.middle).cwiseAbs() - hull.half).maxCoeff() > cell.half;
     if (outside) return;
     const Eigen::Vector3f centre = ((cell.centre - hull.middle) / hull.unit).cast<float>();
@@ -102,7 +102,7 @@ struct OutsideDistance::View {
   }
 
   /// Roughly the point of the hull in the cell that is nearest to the cell's centre; nullopt if it is hard to find.
-  std::optional<Eigen::Vector3d> point(const Cell& cell, const Faces& hull) const {
+  std::optional<Eigen::Vector3d> point(const Cube& cell, const Faces& hull) const {
     if (offset <= 0) return cell.centre;
     std::vector<HalfSpace> mine;
     for (std::size_t i = 0; i < faces.count; ++i) {
@@ -126,43 +126,50 @@ Eigen::AlignedBox3d OutsideDistance::turned(const Eigen::AlignedBox3d& box, cons
 
 OutsideDistance::OutsideDistance(const Solid& solid, const Eigen::AlignedBox3d& world_box) : solid_(solid) {
   const Eigen::AlignedBox3d box = turned(world_box, solid.axes());
-  families_.emplace_back();
-  Cell& root = at(0);
-  root.centre = box.center();
+  Family& root = families_.emplace_back();
   root.half = box.sizes().maxCoeff() / 2 * (1 + kBoxMargin);
-  measure(root, nullptr);
+  root.middle = box.center() + Eigen::Vector3d::Constant(root.half);
+  measure(0, -1);
+}
+
+OutsideDistance::Cube OutsideDistance::cube(int id) const {
+  const Family& all = family(id);
+  return {all.middle + all.half * Eigen::Vector3d(id & 1 ? 1 : -1, id & 2 ? 1 : -1, id & 4 ? 1 : -1), all.half};
+}
+
+double OutsideDistance::radius(int id) const {
+  return family(id).half * kSqrt3;
 }
 
 bool OutsideDistance::reaches(const ConvexHull& hull) const {
+  const Cube root = cube(0);
   return std::all_of(hull.vertices.begin(), hull.vertices.end(),
-                     [&](const Eigen::Vector3d& v) { return (solid_.axes() * v - at(0).centre).cwiseAbs().maxCoeff() <= at(0).half; });
+                     [&](const Eigen::Vector3d& v) { return (solid_.axes() * v - root.centre).cwiseAbs().maxCoeff() <= root.half; });
 }
 
-double OutsideDistance::radius(const Cell& cell) const {
-  return cell.half * kSqrt3;
-}
-
-/// A child near its parent's centre is on the same side of the surface, which saves telling the side anew.
-void OutsideDistance::measure(Cell& cell, const Cell* parent) const {
-  const TriangleBvh::Nearest n =
-      solid_.surface().nearest(inWorld(cell.centre), std::numeric_limits<double>::infinity(), parent ? parent->triangle : -1);
+/// A child near its parent's centre is on the same side of the surface, which saves telling the side anew. -1: no parent.
+void OutsideDistance::measure(int id, int parent_id) {
+  const Cell* const parent = parent_id < 0 ? nullptr : &at(parent_id);
+  const Eigen::Vector3d centre = cube(id).centre, p = inWorld(centre);
+  const TriangleBvh::Nearest n = solid_.surface().nearest(p, std::numeric_limits<double>::infinity(), parent ? parent->triangle : -1);
+  Cell& cell = at(id);
   cell.triangle = n.triangle;
   cell.to_surface = n.distance;
-  if (parent && solid_.isOneSide(parent->to_surface, (parent->centre - cell.centre).norm()))
+  if (parent && solid_.isOneSide(parent->to_surface, (cube(parent_id).centre - centre).norm()))
     cell.distance = solid_.signedDistance(std::signbit(parent->distance), n.distance);
   else
-    cell.distance = solid_.signedDistance(inWorld(cell.centre), n.distance);
+    cell.distance = solid_.signedDistance(p, n.distance);
 }
 
 /// An upper bound over a cell on the distance to S as a set; infinite if the cell was not measured yet.
 double OutsideDistance::knownBound(int id) const {
   const Cell& cell = at(id);
-  return cell.triangle < 0 ? std::numeric_limits<double>::infinity() : std::min(cell.distance + radius(cell), cell.level);
+  return cell.triangle < 0 ? std::numeric_limits<double>::infinity() : std::min(cell.distance + radius(id), cell.level);
 }
 
 /// A point of the hull in a cell whose centre is outside the solid; nullopt if that point may not be outside, too.
-std::optional<Eigen::Vector3d> OutsideDistance::outsidePoint(const Cell& cell, const Faces& hull, const View& view) const {
-  const std::optional<Eigen::Vector3d> p = view.point(cell, hull);
+std::optional<Eigen::Vector3d> OutsideDistance::outsidePoint(int cell, const Faces& hull, const View& view) const {
+  const std::optional<Eigen::Vector3d> p = view.point(cube(cell), hull);
   return p && view.offset > 0 && solid_.hasOpenings() && solid_.contains(inWorld(*p)) ? std::nullopt : p;
 }
 
@@ -175,40 +182,41 @@ int OutsideDistance::children(int id) {
   Cell& parent = at(id);
   if (parent.children >= 0) return parent.children;
   parent.children = static_cast<int>(8 * families_.size());
-  std::array<Cell, 8>& family = families_.emplace_back();
-  for (int k = 0; k < 8; ++k) {
-    Cell& child = family[static_cast<std::size_t>(k)];
-    child.half = parent.half / 2;
-    child.centre = parent.centre + child.half * Eigen::Vector3d(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
-    if (parent.summit == 0) child.summit = 0, child.summits = 0;
+  const Cube whole = cube(id);
+  Family& all = families_.emplace_back();
+  all.middle = whole.centre;
+  all.half = whole.half / 2;
+  if (summit(id) == 0) {
+    all.summit.fill(0);
+    for (Cell& cell : all.cells) cell.summits = 0;
   }
   return parent.children;
 }
 
 const OutsideDistance::Cell& OutsideDistance::measuredChild(int id, int parent) {
-  Cell& cell = at(id);
-  if (cell.triangle < 0) measure(cell, &at(parent));
-  return cell;
+  if (at(id).triangle < 0) measure(id, parent);
+  return at(id);
 }
 
 void OutsideDistance::learn(int id, const OutsideDistance& other, int known_id, const Eigen::AlignedBox3d& part) {
   const Cell& known = other.at(known_id);
   Cell& cell = at(id);
   if (cell.triangle < 0) cell.to_surface = known.to_surface, cell.distance = known.distance, cell.triangle = known.triangle;
-  if (cell.summit < 0) cell.summit = known.summit;
+  if (summit(id) < 0) summit(id) = other.family(known_id).summit[static_cast<std::size_t>(known_id) % 8];
   cell.level = std::min(cell.level, known.level);
   cell.summits = std::min(cell.summits, known.summits);
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(cell.half);
-  if (known.children < 0 || !canDivide(id) || !part.intersects({cell.centre - reach, cell.centre + reach})) return;
+  if (known.children < 0 || !canDivide(id)) return;
+  const Cube place = cube(id);
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(place.half);
+  if (!part.intersects({place.centre - reach, place.centre + reach})) return;
   const int first = children(id);
   for (int k = 0; k < 8; ++k) learn(first + k, other, known.children + k, part);
 }
 
 bool OutsideDistance::mayHoldSummit(int id) {
-  Cell& cell = at(id);
-  if (cell.summit < 0) cell.summit = solid_.mayHoldSummit(inWorld(cell.centre), cell.to_surface, radius(cell));
-  if (cell.summit == 0) cell.summits = 0;
-  return cell.summit != 0;
+  if (summit(id) < 0) summit(id) = solid_.mayHoldSummit(inWorld(cube(id).centre), at(id).to_surface, radius(id));
+  if (summit(id) == 0) at(id).summits = 0;
+  return summit(id) != 0;
 }
 
 /// Bounds the distance over a divided cell by the triangles nearest to its own and its children's centres. Where one of these is further
@@ -216,9 +224,9 @@ bool OutsideDistance::mayHoldSummit(int id) {
 bool OutsideDistance::isLevelWithin(double distance, int id) {
   Cell& cell = at(id);
   if (cell.to_surface > distance) return false;
+  const Eigen::Vector3d centre = cube(id).centre;
   std::array<Eigen::Vector3d, 8> corners;
-  for (int k = 0; k < 8; ++k)
-    corners[static_cast<std::size_t>(k)] = inWorld(cell.centre + 2 * (at(cell.children + k).centre - cell.centre));
+  for (int k = 0; k < 8; ++k) corners[static_cast<std::size_t>(k)] = inWorld(centre + 2 * (cube(cell.children + k).centre - centre));
   LevelBound<8, 9> bound(corners, solid_.surface());
   bound.add(cell.triangle);
   for (int k = 0; k < 8 && !bound.reaches(distance); ++k) {
@@ -259,7 +267,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
   std::vector<int> divided;
   const auto look = [&](int cell, int parent, const Faces::List& candidates) {
     if ((query.summits_only ? summitBound(cell) : knownBound(cell)) <= enough()) return;
-    View view(at(cell), faces, candidates);
+    View view(cube(cell), faces, candidates);
     if (view.outside) return;
     measuredChild(cell, parent);
     const double bound = std::min(knownBound(cell), query.surface_bound + std::min(view.depth, query.depth));
@@ -279,7 +287,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
     queue.pop();
     const Cell& cell = at(open.cell);
     const View view = views[open.view];
-    const auto outside = cell.distance - view.offset > result.found ? outsidePoint(cell, faces, view) : std::nullopt;
+    const auto outside = cell.distance - view.offset > result.found ? outsidePoint(open.cell, faces, view) : std::nullopt;
     if (outside) {
       result.found = cell.distance - view.offset;
       result.where = inWorld(*outside);
@@ -289,7 +297,7 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
       }
     }
     if (open.bound <= enough() || (query.summits_only && !mayHoldSummit(open.cell))) continue;
-    if (radius(cell) < query.resolution || !canDivide(open.cell)) {
+    if (radius(open.cell) < query.resolution || !canDivide(open.cell)) {
       result.bound = std::max(result.bound, open.bound);
       continue;
     }
@@ -309,7 +317,8 @@ bool OutsideDistance::isWithin(const std::array<Eigen::Vector3d, 3>& in_world, d
   const Eigen::Vector3d low = triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]);
   const Eigen::Vector3d high = triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]);
   const Eigen::Vector3d middle = (low + high) / 2, half = (high - low) / 2;
-  if (((at(0).centre - middle).cwiseAbs() + half).maxCoeff() > at(0).half) return false;
+  const Cube root = cube(0);
+  if (((root.centre - middle).cwiseAbs() + half).maxCoeff() > root.half) return false;
   const Eigen::Vector3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
   const double offset = normal.dot(triangle[0]), width = normal.lpNorm<1>();
   int stack[8 * kDeepest];
@@ -318,9 +327,10 @@ bool OutsideDistance::isWithin(const std::array<Eigen::Vector3d, 3>& in_world, d
   while (top > 0) {
     const int id = stack[--top];
     const Cell& cell = at(id);
-    if (((cell.centre - middle).cwiseAbs() - half).maxCoeff() > cell.half) continue;
-    if (std::abs(normal.dot(cell.centre) - offset) > cell.half * width) continue;
-    if (cell.triangle >= 0 && solid_.distanceWithin(radius(cell), cell.distance, cell.to_surface) <= distance) continue;
+    const Cube place = cube(id);
+    if (((place.centre - middle).cwiseAbs() - half).maxCoeff() > place.half) continue;
+    if (std::abs(normal.dot(place.centre) - offset) > place.half * width) continue;
+    if (cell.triangle >= 0 && solid_.distanceWithin(radius(id), cell.distance, cell.to_surface) <= distance) continue;
     if (cell.children < 0 || top + 8 > 8 * kDeepest) return false;
     for (int k = 0; k < 8; ++k) stack[top++] = cell.children + k;
   }
@@ -337,7 +347,7 @@ std::vector<OutsideDistance::Intruder> OutsideDistance::intruders(const ConvexHu
   std::vector<Open> level, divided;
   const auto look = [&](int cell, int parent, const Faces::List& candidates) {
     if (knownBound(cell) <= tolerance) return;
-    View view(at(cell), faces, candidates);
+    View view(cube(cell), faces, candidates);
     if (view.outside) return;
     measuredChild(cell, parent);
     if (knownBound(cell) > tolerance) level.push_back({cell, std::move(view)});
@@ -349,9 +359,10 @@ std::vector<OutsideDistance::Intruder> OutsideDistance::intruders(const ConvexHu
     divided.clear();
     for (Open& open : level) {
       const Cell& cell = at(open.cell);
-      const auto outside = cell.distance - open.view.offset > tolerance ? outsidePoint(cell, faces, open.view) : std::nullopt;
-      if (outside) found.push_back({inWorld(*outside), cell.distance - open.view.offset, 8 * cell.half * cell.half * cell.half});
-      if (radius(cell) >= resolution && canDivide(open.cell)) divided.push_back(std::move(open));
+      const auto outside = cell.distance - open.view.offset > tolerance ? outsidePoint(open.cell, faces, open.view) : std::nullopt;
+      const double side = 2 * family(open.cell).half;
+      if (outside) found.push_back({inWorld(*outside), cell.distance - open.view.offset, side * side * side});
+      if (radius(open.cell) >= resolution && canDivide(open.cell)) divided.push_back(std::move(open));
     }
     if (found.size() >= wanted || divided.size() > kMostCells / 8) break;
     level.clear();

@@ -61,16 +61,26 @@ class OutsideDistance {
   std::vector<Intruder> intruders(const ConvexHull& hull, double tolerance, std::size_t wanted, double resolution);
 
  private:
+  /// A cell's place is its family's: memory is what limits such a tree.
   struct Cell {
-    Eigen::Vector3d centre;                                    // in the frame of the solid's axes
-    double half = 0;                                           // side / 2
     double to_surface = 0;                                     // [m] from the centre
     double distance = 0;                                       // [m] the same, signed: see Solid::signedDistance()
     double level = std::numeric_limits<double>::infinity();    // [m] another upper bound on the distance of its points, if known,
     double summits = std::numeric_limits<double>::infinity();  // [m] and one on the distance of its local maxima
     int triangle = -1;                                         // the nearest one; -1: not measured yet
     int children = -1;                                         // first of eight
-    signed char summit = -1;                                   // whether it may contain a local maximum; -1: not determined yet
+  };
+  /// Eight siblings; the root has none, and is the first of its family.
+  struct Family {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();  // where they meet, in the frame of the solid's axes
+    double half = 0;                                   // of a cell's side
+    std::array<Cell, 8> cells;
+    std::array<signed char, 8> summit{-1, -1, -1, -1, -1, -1, -1, -1};  // whether each may contain a local maximum; -1: not determined yet
+  };
+  /// Where a cell is.
+  struct Cube {
+    Eigen::Vector3d centre;
+    double half = 0;
   };
   /// Four faces of a hull. Missing ones are placed far above.
   struct Four {
@@ -88,11 +98,10 @@ class OutsideDistance {
 
   /// The box along `axes` around a box along the world's axes.
   static Eigen::AlignedBox3d turned(const Eigen::AlignedBox3d& box, const Eigen::Matrix3d& axes);
-  double radius(const Cell& cell) const;
   Eigen::Vector3d inWorld(const Eigen::Vector3d& p) const { return solid_.axes().transpose() * p; }
-  void measure(Cell& cell, const Cell* parent) const;
+  void measure(int cell, int parent);
   double knownBound(int cell) const;
-  std::optional<Eigen::Vector3d> outsidePoint(const Cell& cell, const Faces& hull, const View& view) const;
+  std::optional<Eigen::Vector3d> outsidePoint(int cell, const Faces& hull, const View& view) const;
   bool canDivide(int cell) const;  // bounds the memory
   int children(int cell);
   const Cell& measuredChild(int cell, int parent);
@@ -103,12 +112,17 @@ class OutsideDistance {
   void learn(int cell, const OutsideDistance& other, int known, const Eigen::AlignedBox3d& part);
 
   /// Cells are numbered in the order of their families.
-  Cell& at(int id) { return families_[static_cast<std::size_t>(id) / 8][static_cast<std::size_t>(id) % 8]; }
-  const Cell& at(int id) const { return families_[static_cast<std::size_t>(id) / 8][static_cast<std::size_t>(id) % 8]; }
+  Family& family(int id) { return families_[static_cast<std::size_t>(id) / 8]; }
+  const Family& family(int id) const { return families_[static_cast<std::size_t>(id) / 8]; }
+  Cell& at(int id) { return family(id).cells[static_cast<std::size_t>(id) % 8]; }
+  const Cell& at(int id) const { return family(id).cells[static_cast<std::size_t>(id) % 8]; }
+  signed char& summit(int id) { return family(id).summit[static_cast<std::size_t>(id) % 8]; }
+  Cube cube(int id) const;
+  double radius(int id) const;
 
   const Solid& solid_;
-  std::deque<std::array<Cell, 8>> families_;  // of siblings; the first is the root, alone. A deque, as cells must not move
-  Memory memory_;                             // for the current query
+  std::deque<Family> families_;  // a deque, as cells must not move
+  Memory memory_;                // for the current query
 };
 
 }  // namespace collision_hulls

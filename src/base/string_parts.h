@@ -1,4 +1,4 @@
-// Trimming, shortening, and extensions of file names.
+// Trimming, shortening, listing, and extensions of file names.
 #pragma once
 
 #include <string>
@@ -11,6 +11,14 @@ std::string trimmed(std::string_view text, std::string_view blanks);
 
 /// `text` for a message: of one that is longer than `most` bytes, the start, the length and the end. Never cuts a character of UTF-8.
 std::string shortened(const std::string& text, std::size_t most = 200);
+
+/// "a, b, c".
+template <class Texts>
+std::string listed(const Texts& texts, const std::string& between = ", ") {
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "" : between) + text;
+  return list;
+}
 
 /// A path's extension in lower case (ASCII), with the dot; empty if it has none.
 std::string lowerExtension(const std::string& path);

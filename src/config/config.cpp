@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/string_parts.h"
 #include "config/link_fields.h"
 #include "config/parse_regions.h"
 #include "config/quoted.h"
@@ -37,9 +38,7 @@ std::string yaml(T named) {
 }
 
 std::string braced(const std::vector<std::string>& entries) {
-  std::string text;
-  for (const std::string& entry : entries) text += (text.empty() ? "" : ", ") + entry;
-  return "{" + text + "}";
+  return "{" + listed(entries) + "}";
 }
 
 std::vector<std::string> entriesOf(const LinkSettings& settings) {

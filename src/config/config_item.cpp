@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/nearest_name.h"
+#include "base/string_parts.h"
 #include "base/uri_text.h"
 
 namespace collision_hulls {
@@ -25,17 +26,11 @@ bool isRestOfValue(const std::string& name, const YamlValue& value) {
   if (isRestOfValue(name, value))
     key.fail(shortQuoted(name) + " stands alone" + (place.empty() ? "" : " in " + place) +
              ": put a value with a comma into quotes, as in {tolerance: '1cm,5%'}");
-  key.fail(shortQuoted(name) + " is not known" + (place.empty() ? "" : " in " + place) + ": use one of " + joined(known) +
+  key.fail(shortQuoted(name) + " is not known" + (place.empty() ? "" : " in " + place) + ": use one of " + listed(known) +
            didYouMean(name, known));
 }
 
 }  // namespace
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
 
 std::string shortQuoted(const std::string& text) {
   return "'" + (text.size() > kShown ? text.substr(0, kShown) + "..." : text) + "'";

@@ -14,7 +14,6 @@ namespace collision_hulls {
 std::string shortQuoted(const std::string& text);
 
 /// "a, b, c"
-std::string joined(const std::vector<std::string>& names);
 
 /// A text that messages may quote: a terminal would obey control characters. Throws at one.
 std::string plainText(const YamlValue& value, const std::string& item);

@@ -5,6 +5,7 @@
 
 #include "base/nearest_name.h"
 #include "base/read_file.h"
+#include "base/string_parts.h"
 #include "collision_hulls/config/config.h"
 #include "collision_hulls/error.h"
 #include "config/config_item.h"
@@ -51,7 +52,7 @@ void read(const ConfigItem& item, double& metres) {
 
 template <typename T>
 void readChoice(const ConfigItem& item, std::optional<T> (*parse)(const std::string&), const std::vector<std::string>& choices, T& value) {
-  const std::string expected = "one of " + joined(choices);
+  const std::string expected = "one of " + listed(choices);
   const std::string text = item.text(expected);
   const std::optional<T> found = parse(text);
   if (!found) item.refuse(expected + didYouMean(text, choices));
@@ -85,7 +86,7 @@ void read(const ConfigItem& item, Shapes& shapes) {
 void readShape(const ConfigItem& item, Shapes& shape) {
   std::vector<Shapes> single = allShapes();
   single.erase(std::remove_if(single.begin(), single.end(), [](Shapes each) { return !isSingle(each); }), single.end());
-  const std::string expected = "one of " + joined(namesOf(single));
+  const std::string expected = "one of " + listed(namesOf(single));
   const std::string text = item.text(expected);
   const std::optional<Shapes> found = shapesNamed(text);
   if (!found || !isSingle(*found)) item.refuse(expected + didYouMean(text, namesOf(single)));

@@ -1,10 +1,12 @@
 // SDF 1.9 in a model folder of its own: model.config and model.sdf stand at the output's root, so that the output is the model. Meshes are
 // model:// URIs, found when the folder above is in GZ_SIM_RESOURCE_PATH. Links stand relative to their joints, joints relative to the
-// parent's link. Gazebo's engines take each <collision> by itself, so one a hull keeps the shape.
+// parent's link. Gazebo's engines take each <collision> by itself, so one a hull keeps the shape. An SDF link without <inertial> weighs
+// 1 kg: a URDF link with neither that nor a shape, such as base_footprint or tool0, is a <frame> of the link that it is fixed to.
 #include <algorithm>
 #include <map>
 #include <set>
 
+#include "base/string_parts.h"
 #include "consumers/written_model.h"
 #include "robot/number_text.h"
 #include "storage/names.h"
@@ -42,30 +44,68 @@ class SdfWriter {
         do name += "_joint";
         while (!taken.insert(name).second);
       }
-      joint_above_[joint.child] = name;
     }
+    for (const JointDescription& joint : model_.robot().joints) above_[joint.child] = &joint;
+    findCarriers();
   }
 
-  /// Joints' names here, by those in the description.
-  const std::map<std::string, std::string>& joints() const { return joints_; }
+  /// Where a joint has another name here: "'name' is 'other'".
+  std::vector<std::string> renamedJoints() const {
+    std::vector<std::string> renamed;
+    for (const JointDescription& joint : model_.robot().joints)
+      if (const std::string& here = joints_.at(joint.name); isWritten(joint) && here != joint.name)
+        renamed.push_back("'" + joint.name + "' is '" + here + "'");
+    return renamed;
+  }
 
   std::vector<std::string> linksWithoutInertial() const {
     std::vector<std::string> links;
     for (const LinkDescription& link : model_.robot().links)
-      if (isWritten(link) && !model_.inertialOf(link.name)) links.push_back(link.name);
+      if (carrierOf(link.name) == link.name && !model_.inertialOf(link.name)) links.push_back(link.name);
     return links;
   }
 
   std::string text() {
     std::string text = "<?xml version=\"1.0\"?>\n<sdf version=\"1.9\">\n  <model" + nameAttribute(model_.robot().name) + ">\n";
-    for (const LinkDescription& link : model_.robot().links)
-      if (isWritten(link)) text += linkText(link);
-    for (const JointDescription& joint : model_.robot().joints) text += jointText(joint);
+    for (const LinkDescription& link : model_.robot().links) {
+      const std::string& carrier = carrierOf(link.name);
+      if (!carrier.empty()) text += carrier == link.name ? linkText(link) : frameText(link.name, carrier);
+    }
+    for (const JointDescription& joint : model_.robot().joints)
+      if (isWritten(joint)) text += jointText(joint);
     return text + "  </model>\n</sdf>\n";
   }
 
  private:
-  static bool isWritten(const LinkDescription& link) { return link.name != kWorld || hasShape(link); }
+  /// The link that a link is part of here: itself, or the one that it is a frame of. Empty for the world.
+  const std::string& carrierOf(const std::string& link) const { return carriers_.at(link); }
+  /// A joint between frames of one link is none.
+  bool isWritten(const JointDescription& joint) const { return carrierOf(joint.parent) != carrierOf(joint.child); }
+
+  void findCarriers() {
+    using Joint = JointDescription::Kind;
+    std::set<std::string> bare;  // links
+    for (const LinkDescription& link : model_.robot().links) {
+      carriers_[link.name] = link.name != kWorld || hasShape(link) ? link.name : "";
+      if (link.name != kWorld && !hasShape(link) && !model_.inertialOf(link.name)) bare.insert(link.name);
+    }
+    for (const std::string& root : model_.roots()) {
+      if (bare.count(root) == 0) continue;
+      std::set<std::string> fixed{root};  // to it, by bare links alone
+      for (const JointDescription& joint : model_.robot().joints) {
+        if (joint.kind != Joint::kFixed || fixed.count(joint.parent) == 0) continue;
+        if (bare.count(joint.child) == 0) {
+          carriers_[root] = joint.child;
+          break;
+        }
+        fixed.insert(joint.child);
+      }
+    }
+    for (const JointDescription& joint : model_.robot().joints)
+      if (joint.kind == Joint::kFixed && bare.count(joint.child) > 0 && !carrierOf(joint.parent).empty())
+        carriers_[joint.child] = carrierOf(joint.parent);
+  }
+
   static bool hasShape(const LinkDescription& link) { return !link.visuals.empty() || !link.collisions.empty(); }
 
   /// SDF reserves the name "world": a link of that name is left out, or takes another name if it has geometry.
@@ -79,10 +119,23 @@ class SdfWriter {
   /// What a pose is relative to: the model itself for the world, which has no frame in it.
   std::string frameOf(const std::string& link) const { return nameOf(link) == kWorld ? "__model__" : nameOf(link); }
 
-  std::string linkText(const LinkDescription& link) {
-    std::string text = "    <link" + nameAttribute(nameOf(link.name)) + ">\n";
-    if (const auto joint = joint_above_.find(link.name); joint != joint_above_.end())
-      text += pose("      ", Eigen::Isometry3d::Identity(), joint->second);
+  /// A link's or frame's pose: at the joint above, or where that one stands.
+  std::string placeText(const std::string& link) const {
+    const auto found = above_.find(link);
+    if (found == above_.end()) return "";
+    const JointDescription& joint = *found->second;
+    return isWritten(joint) ? pose("      ", Eigen::Isometry3d::Identity(), joints_.at(joint.name))
+                            : pose("      ", joint.origin, frameOf(joint.parent));
+  }
+
+  std::string frameText(const std::string& name, const std::string& carrier) const {
+    const std::string place = placeText(name);
+    return "    <frame" + nameAttribute(name) + " attached_to=\"" + xmlEscaped(nameOf(carrier)) + "\">\n" +
+           (place.empty() ? pose("      ", Eigen::Isometry3d::Identity(), "__model__") : place) + "    </frame>\n";
+  }
+
+  std::string linkText(const LinkDescription& link) const {
+    std::string text = "    <link" + nameAttribute(nameOf(link.name)) + ">\n" + placeText(link.name);
     text += inertialText(link.name);
     UniqueNames names;
     for (std::size_t i = 0; i < link.visuals.size(); ++i)
@@ -136,9 +189,14 @@ class SdfWriter {
     return element.uri.compare(0, scheme.size(), scheme) == 0 ? "model://" + element.uri.substr(scheme.size()) : element.uri;
   }
 
+  std::string parentOf(const JointDescription& joint) const {
+    const std::string& carrier = carrierOf(joint.parent);
+    return nameOf(carrier.empty() ? joint.parent : carrier);
+  }
+
   std::string jointText(const JointDescription& joint) const {
     std::string text = "    <joint" + nameAttribute(joints_.at(joint.name)) + " type=\"" + typeOf(joint.kind) + "\">\n" +
-                       pose("      ", joint.origin, frameOf(joint.parent)) + tag("      ", "parent", nameOf(joint.parent)) +
+                       pose("      ", joint.origin, frameOf(joint.parent)) + tag("      ", "parent", parentOf(joint)) +
                        tag("      ", "child", nameOf(joint.child));
     const bool is_limited = joint.kind == JointDescription::Kind::kRevolute || joint.kind == JointDescription::Kind::kPrismatic;
     if (!is_limited && joint.kind != JointDescription::Kind::kContinuous) return text + "    </joint>\n";
@@ -163,7 +221,9 @@ class SdfWriter {
   }
 
   const WrittenModel& model_;
-  std::map<std::string, std::string> joints_, joint_above_;  // the latter by links
+  std::map<std::string, std::string> joints_;             // names here, by those in the description
+  std::map<std::string, const JointDescription*> above_;  // by child
+  std::map<std::string, std::string> carriers_;           // by links
 };
 
 }  // namespace
@@ -175,11 +235,10 @@ std::vector<std::string> gazeboNotes(const WrittenModel& model) {
   if (!links.empty())
     notes.push_back("--for gazebo: " + someHave(links) +
                     " no <inertial>: SDF assumes a mass of 1 kg and moments of inertia of 1 kg m^2; add <inertial>");
-  std::string renamed;
-  for (const auto& [name, here] : writer.joints())
-    if (name != here) renamed += (renamed.empty() ? "'" : ", '") + name + "' is '" + here + "'";
+  const std::vector<std::string> renamed = writer.renamedJoints();
   if (!renamed.empty())
-    notes.push_back("--for gazebo: SDF lets no joint have the name of a link or of the world, so in model.sdf the joint " + renamed);
+    notes.push_back("--for gazebo: SDF lets no joint have the name of a link or of the world, so in model.sdf the joint " +
+                    listed(renamed));
   return notes;
 }
 

@@ -21,12 +21,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string joined(const std::vector<std::string>& items, const std::string& between) {
-  std::string text;
-  for (const std::string& item : items) text += (text.empty() ? "" : between) + item;
-  return text;
-}
-
 bool isRobotFile(const std::string& path) {
   const std::string extension = lowerExtension(path);
   return extension == ".urdf" || extension == ".xacro";
@@ -46,7 +40,7 @@ Input fileInput(const std::string& path, const PackagePath& package_path, const 
   if (!isMeshFile(path)) {
     throw Error(ErrorCode::kUnsupportedFormat, "'" + path + "' has the extension '" + lowerExtension(path) +
                                                    "', which is not supported; give a .urdf or .xacro file for a robot, or a mesh (" +
-                                                   joined(meshExtensions(), " ") + ")");
+                                                   listed(meshExtensions(), " ") + ")");
   }
   Input input;
   input.kind = Input::Kind::kMesh;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 
 namespace collision_hulls {
@@ -64,9 +65,7 @@ void checkModels(const std::vector<std::string>& names) {
   const std::vector<std::string> known = allModels();
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    std::string choices;
-    for (const std::string& model : known) choices += (choices.empty() ? "" : ", ") + model;
-    throw Error(ErrorCode::kBadOption, "model '" + name + "' is unknown: use some of " + choices);
+    throw Error(ErrorCode::kBadOption, "model '" + name + "' is unknown: use some of " + listed(known));
   }
 }
 

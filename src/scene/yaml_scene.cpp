@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "scene/reading.h"
 #include "scene/yaml_node.h"
@@ -13,11 +14,9 @@ namespace {
 const std::set<std::string> kShapes{"box", "sphere", "cylinder", "cone", "plane", "mesh"};
 
 void expectKeys(const YamlValue& map, const std::set<std::string>& known) {
-  std::string list;
-  for (const std::string& key : known) list += (list.empty() ? "" : ", ") + key;
   std::set<std::string> seen;
   for (const std::string& key : map.keys()) {
-    if (!known.count(key)) map.fail("'" + key + "' is not known here; expected one of " + list);
+    if (!known.count(key)) map.fail("'" + key + "' is not known here; expected one of " + listed(known));
     if (!seen.insert(key).second) map.fail("'" + key + "' appears twice; remove one");
   }
 }

@@ -25,6 +25,13 @@ TEST(Shortened, CutsNoCharacter) {
   EXPECT_EQ(shortened(std::string(20, '\x80'), 10), "\x80\x80... (20 bytes) ...\x80\x80");
 }
 
+TEST(Listed, PutsAWordBetweenTwo) {
+  EXPECT_EQ(listed(std::vector<std::string>{"a", "b", "c"}), "a, b, c");
+  EXPECT_EQ(listed(std::vector<std::string>{"a", "b"}, " and "), "a and b");
+  EXPECT_EQ(listed(std::vector<std::string>{"a"}), "a");
+  EXPECT_EQ(listed(std::vector<std::string>{}), "");
+}
+
 TEST(LowerExtension, IsThatOfTheFile) {
   EXPECT_EQ(lowerExtension("a/b.STL"), ".stl");
   EXPECT_EQ(lowerExtension("arm.urdf.Xacro"), ".xacro");

@@ -404,6 +404,39 @@ TEST_F(Consumers, GazeboHasACollisionForEachHullAndTheLimits) {
   EXPECT_NE(sdf.find("<velocity>2</velocity>"), std::string::npos);
 }
 
+// footprint - stand - base = moved - a - tool - tip = b = c, where - is fixed and = turns.
+TEST_F(Consumers, GazeboHasAFrameForALinkWithoutMassAndShape) {
+  std::string urdf = threeLinks(cube());
+  const auto joint = [](const std::string& type, const std::string& parent, const std::string& child) {
+    return "<joint name=\"" + parent + "_" + child + "\" type=\"" + type + "\"><parent link=\"" + parent + "\"/><child link=\"" + child +
+           "\"/><origin xyz=\"0 0 0.25\"/><axis xyz=\"0 0 1\"/></joint>\n";
+  };
+  const std::string parent = "<parent link=\"a\"/>";
+  urdf.replace(urdf.find(parent), parent.size(), "<parent link=\"tip\"/>");
+  std::string more;
+  for (const std::string link : {"footprint", "stand", "moved", "tool", "tip"}) more += "<link name=\"" + link + "\"/>\n";
+  more += "<link name=\"base\">" + cube() + "</link>\n";
+  more += joint("fixed", "footprint", "stand") + joint("fixed", "stand", "base") + joint("continuous", "base", "moved") +
+          joint("fixed", "moved", "a") + joint("fixed", "a", "tool") + joint("fixed", "tool", "tip");
+  urdf.insert(urdf.find("</robot>"), more);
+  RobotResult result = decomposed(urdf);
+  addConsumerFiles({Consumer::kGazebo}, folder_ / "three_c", result);
+  const std::string& sdf = result.extra_files["model.sdf"];
+  for (const char* frame : {"<frame name=\"footprint\" attached_to=\"base\">\n      <pose relative_to=\"__model__\">0 0 0 0 0 0</pose>",
+                            "<frame name=\"stand\" attached_to=\"base\">\n      <pose relative_to=\"footprint\">0 0 0.25 0 0 0</pose>",
+                            "<frame name=\"tool\" attached_to=\"a\">\n      <pose relative_to=\"a\">0 0 0.25 0 0 0</pose>",
+                            "<frame name=\"tip\" attached_to=\"a\">\n      <pose relative_to=\"tool\">0 0 0.25 0 0 0</pose>"})
+    EXPECT_NE(sdf.find(frame), std::string::npos) << frame << " in\n" << sdf;
+  EXPECT_EQ(fixtures::count(sdf, "<frame "), 4u);
+  EXPECT_NE(sdf.find("<link name=\"base\">\n      <pose relative_to=\"stand\">0 0 0.25 0 0 0</pose>"), std::string::npos) << sdf;
+  EXPECT_NE(sdf.find("<pose relative_to=\"tip\">0.5 0 0 0 0 0</pose>\n      <parent>a</parent>\n      <child>b</child>"), std::string::npos)
+      << "a joint holds links: " << sdf;
+  EXPECT_NE(sdf.find("<link name=\"moved\">"), std::string::npos) << "what moves by itself needs a mass";
+  EXPECT_EQ(fixtures::count(sdf, "<joint "), 4u) << sdf;
+  const std::string notes = ::testing::PrintToString(result.report.notes);
+  EXPECT_NE(notes.find("links 'a', 'b', 'c' and 2 more have no <inertial>"), std::string::npos) << notes;
+}
+
 TEST_F(Consumers, GazeboHasAnotherNameForAJointThatIsCalledAsALink) {
   std::string urdf = threeLinks(cube());
   for (const std::string from : {"joint name=\"ab\"", "joint name=\"bc\""})

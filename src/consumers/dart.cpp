@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/string_parts.h"
 #include "consumers/written_model.h"
 #include "robot/number_text.h"
 #include "storage/names.h"
@@ -137,12 +138,16 @@ ConsumerFiles dartFiles(const WrittenModel& model) {
 }
 
 std::vector<std::string> dartNotes(const WrittenModel& model) {
-  std::vector<std::string> notes = model.notes();
-  std::string followers;
+  std::vector<std::string> notes = model.notes(), links, followers;
+  for (const LinkDescription& link : model.robot().links)
+    if (link.name != kWorld && !model.inertialOf(link.name)) links.push_back(link.name);
+  if (!links.empty())
+    notes.push_back("--for dart: " + someHave(links) +
+                    " no <inertial>: DART assumes a mass of 1 kg and moments of inertia of 1 kg m^2; add <inertial>");
   for (const JointDescription& joint : model.robot().joints)
-    if (!joint.mimic.empty()) followers += (followers.empty() ? "'" : ", '") + joint.name + "'";
+    if (!joint.mimic.empty()) followers.push_back("'" + joint.name + "'");
   if (!followers.empty())
-    notes.push_back("--for dart: joints that mimic others (" + followers +
+    notes.push_back("--for dart: joints that mimic others (" + listed(followers) +
                     ") move by themselves, as a SKEL file cannot say that they follow");
   return notes;
 }

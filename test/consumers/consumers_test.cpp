@@ -386,12 +386,14 @@ TEST_F(Consumers, SimulatorsSayWhatTheyTakeLinksWithoutInertialToWeigh) {
       << "a stands still: " << noted(Consumer::kMujoco, urdf);
   EXPECT_NE(noted(Consumer::kGazebo, urdf).find("links 'a', 'b', 'c' have no <inertial>: SDF assumes a mass of 1 kg"), std::string::npos)
       << noted(Consumer::kGazebo, urdf);
+  EXPECT_NE(noted(Consumer::kDart, urdf).find("links 'a', 'b', 'c' have no <inertial>: DART assumes a mass of 1 kg"), std::string::npos)
+      << noted(Consumer::kDart, urdf);
   EXPECT_EQ(noted(Consumer::kMoveit, urdf).find("<inertial>"), std::string::npos);
   const std::string inertial =
       "<inertial><mass value=\"2\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial>";
   for (const std::string link : {"<link name=\"a\">", "<link name=\"b\">", "<link name=\"c\">"})
     urdf.insert(urdf.find(link) + link.size(), inertial);
-  for (const Consumer consumer : {Consumer::kMujoco, Consumer::kGazebo})
+  for (const Consumer consumer : {Consumer::kMujoco, Consumer::kGazebo, Consumer::kDart})
     EXPECT_EQ(noted(consumer, urdf).find("<inertial>"), std::string::npos) << noted(consumer, urdf);
 }
 

@@ -50,15 +50,15 @@ constexpr double kLooseGap = 0.005;      // between the bounds of large protrusi
 
 static_assert(kReserve > kProofGap + kCertificateGap, "the certificate would need a second, closer search");
 
-constexpr double kLooseShare = 0.01;  // the same as a share of the protrusion itself
-constexpr double kIntoHull = 1e-9;    // how far, on the way to a vertex, intruders on a hull's surface are moved into it
-constexpr double kGrowth = 1e-5;      // growth of a hull to allow for rounding when it is written
-constexpr double kJoggle = 1e-6;      // most that points of a rough hull are moved, as a share of their distance from the middle
-constexpr std::size_t kJoggles = 3;   // attempts,
-constexpr std::size_t kManyPoints =
-    3000;  // with more points than this, coplanar points hinder quickhull so often that all are moved right away
-constexpr std::size_t kMostKnown = 400;  // intruders remembered,
-constexpr std::size_t kUseful = 16;      // and those of them that are looked at before a hull is built
+constexpr double kLooseShare = 0.01;        // the same as a share of the protrusion itself
+constexpr double kIntoHull = 1e-9;          // how far, on the way to a vertex, intruders on a hull's surface are moved into it
+constexpr double kGrowth = 1e-5;            // growth of a hull to allow for rounding when it is written
+constexpr double kJoggle = 1e-6;            // most that points of a rough hull are moved, as a share of their distance from the middle
+constexpr std::size_t kJoggles = 3;         // attempts,
+constexpr std::size_t kSharesOfHulls = 16;  // at most, that are searched side by side: each copies what is known of its space
+constexpr std::size_t kManyPoints = 3000;   // with more, coplanar points hinder quickhull so often that all are moved right away
+constexpr std::size_t kMostKnown = 400;     // intruders remembered,
+constexpr std::size_t kUseful = 16;         // and those of them that are looked at before a hull is built
 
 // Visits to the octree's cells before a hull's surface is searched: for each facet that no earlier hull had, and for the others together.
 constexpr std::size_t kVisitsPerFacet = 1, kLeastVisits = 30;
@@ -289,7 +289,7 @@ std::vector<char> ProtrusionOracle::mayHoldPockets(const std::vector<ConvexHull>
 /// In halves side by side, one of them with an oracle of its own. The halves do not depend on the number of threads.
 void ProtrusionOracle::askForPockets(const std::vector<ConvexHull>& hulls, const std::vector<std::size_t>& some,
                                      std::vector<char>& may_hold) {
-  if (some.size() <= kTogether) {
+  if (some.size() <= std::max(kTogether, hulls.size() / kSharesOfHulls)) {
     for (const std::size_t i : some) may_hold[i] = mayHoldPocket(hulls[i]) ? 1 : 0;
     return;
   }

@@ -16,8 +16,8 @@ constexpr std::size_t kMostRemembered = 1'000'000;  // triangles remembered; the
 
 std::uint64_t keyOf(const Eigen::Vector3d& p) {
   std::uint64_t key = 0;
-  for (const double c : p) {
-    const double value = c == 0 ? 0 : c;  // -0 is 0
+  for (int axis = 0; axis < 3; ++axis) {
+    const double value = p[axis] == 0 ? 0 : p[axis];  // -0 is 0
     std::uint64_t bits = 0;
     std::memcpy(&bits, &value, sizeof bits);
     key = mixed(key ^ bits);

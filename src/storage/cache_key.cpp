@@ -60,7 +60,7 @@ CacheKey readCacheKey(const fs::path& folder) {
 std::string makeCacheKey(const fs::path& folder) {
   std::error_code error;
   const fs::path above = folder.parent_path();
-  fs::create_directories(folder.has_filename() ? above : above.parent_path(), error);  // "cache/" is cache in the current folder
+  makeFolders(folder.has_filename() ? above : above.parent_path(), error);  // "cache/" is cache in the current folder
   if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) return std::strerror(errno);
   if (fs::exists(fs::symlink_status(folder / kKeyFile, error))) return "";
   std::string bytes(kKeySize, '\0');

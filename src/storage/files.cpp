@@ -98,7 +98,8 @@ fs::path named(const fs::path& path) {
   for (int i = 0; i < kParts && part != path.end(); ++i) open /= *part++;
   std::error_code error;
   fs::path result = fs::read_symlink(open, error);
-  for (; part != path.end(); ++part) result /= *part;
+  for (; part != path.end(); ++part)
+    if (*part != ".") result /= *part;
   return error ? path : result;
 }
 
@@ -152,6 +153,11 @@ void checkNamedFile(const fs::path& file) {
   if (access(file.c_str(), W_OK) != 0) throwUnwritable(file, std::strerror(errno));
 }
 
+void makeFolders(const fs::path& folder, std::error_code& error) {
+  const fs::path place = fs::weakly_canonical(folder, error);
+  if (!error) fs::create_directories(place, error);
+}
+
 fs::path placeOf(const Descriptor& folder) {
   return "/proc/self/fd/" + std::to_string(folder.number());
 }
@@ -172,7 +178,7 @@ void writeNamedFile(const fs::path& file, const std::string& text) {
   std::error_code error;
   if (fs::exists(file, error) && !fs::is_regular_file(file, error)) return writeInto(file, text);
   const fs::path target = behindLinks(fs::absolute(file));
-  fs::create_directories(target.parent_path(), error);
+  makeFolders(target.parent_path(), error);
   if (error) throwUnwritable(target.parent_path(), error.message());
   const Descriptor around = openedAround(target);
   NewFile made(placeOf(around));

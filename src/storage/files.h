@@ -17,6 +17,9 @@ std::optional<std::string> contentOf(const std::filesystem::path& file, std::uin
 /// Writes a file (and the folders above it), reads it back and compares. Throws kUnwritableOutput with the system's reason.
 void writeText(const std::filesystem::path& file, const std::string& text);
 
+/// create_directories(), but below links as well, where that of GCC before 11.3 fails.
+void makeFolders(const std::filesystem::path& folder, std::error_code& error);
+
 /// A path to an open folder, wherever that is moved.
 std::filesystem::path placeOf(const Descriptor& folder);
 

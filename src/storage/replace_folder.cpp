@@ -125,8 +125,9 @@ bool FolderReplacement::makeLocked(const fs::path& folder) {
   return true;
 }
 
+/// With "/.", as create_directories() of GCC before 11.3 refuses links to folders.
 fs::path FolderReplacement::folder() const {
-  return placeOf(lock_);
+  return placeOf(lock_) / ".";
 }
 
 FolderReplacement::~FolderReplacement() {

@@ -84,6 +84,16 @@ TEST(WriteNamedFile, FollowsALinkThatWasThere) {
   EXPECT_EQ(fixtures::read(folder / "file"), "new");
 }
 
+TEST(WriteNamedFile, MakesFoldersBelowALink) {
+  const fixtures::TempFolder folder;
+  std::filesystem::create_directory(folder / "real");
+  std::filesystem::create_directory_symlink(folder / "real", folder / "link");
+  writeNamedFile(folder / "link/beside", "one");
+  writeNamedFile(folder / "link/a/b/below", "two");
+  EXPECT_EQ(fixtures::read(folder / "real/beside"), "one");
+  EXPECT_EQ(fixtures::read(folder / "real/a/b/below"), "two");
+}
+
 TEST(WriteNamedFile, NeverThroughALinkOutOfTheRoots) {
   const TempFolder folder;
   for (const char* const name : {"in", "elsewhere"}) std::filesystem::create_directories(folder / name);

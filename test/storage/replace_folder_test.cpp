@@ -54,6 +54,20 @@ TEST(FolderReplacement, CreatesAndReplaces) {
   EXPECT_EQ(entries(folder / "a/b"), 1u) << "something is left";
 }
 
+// With GCC before 11.3, create_directories() refuses what symlink_status() takes for a link.
+TEST(FolderReplacement, IsNoLinkToAFolder) {
+  const TempFolder folder;
+  FolderReplacement replacement(folder / "out");
+  EXPECT_TRUE(fs::is_directory(fs::symlink_status(replacement.folder()))) << replacement.folder();
+  writeText(replacement.folder() / "file", "");
+  try {
+    writeText(replacement.folder() / "file/below", "");
+    FAIL() << "a file is no folder";
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()).find("/./"), std::string::npos) << error.what();
+  }
+}
+
 TEST(FolderReplacement, AcceptsAnEmptyFolder) {
   const TempFolder folder;
   fs::create_directory(folder / "out");

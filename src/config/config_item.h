@@ -13,8 +13,6 @@ namespace collision_hulls {
 /// In quotes, cut where it is long.
 std::string shortQuoted(const std::string& text);
 
-/// "a, b, c"
-
 /// A text that messages may quote: a terminal would obey control characters. Throws at one.
 std::string plainText(const YamlValue& value, const std::string& item);
 

@@ -26,10 +26,6 @@ std::string transformation(const Eigen::Isometry3d& pose) {
   return tag("transformation", positionText(pose) + " " + vectorText(-rollPitchYaw(pose.linear().transpose())));
 }
 
-std::string named(const std::string& name) {
-  return " name=\"" + xmlEscaped(name) + "\"";
-}
-
 class SkelWriter {
  public:
   explicit SkelWriter(const WrittenModel& model) : model_(model) {}
@@ -38,9 +34,9 @@ class SkelWriter {
     std::map<std::string, Eigen::Isometry3d> places;
     for (const LinkDescription& link : model_.robot().links) places[link.name] = Eigen::Isometry3d::Identity();
     for (const JointDescription& joint : model_.robot().joints) places[joint.child] = places[joint.parent] * joint.origin;
-    std::string text = "<?xml version=\"1.0\"?>\n<skel version=\"1.0\">\n  <world" + named(model_.robot().name) +
+    std::string text = "<?xml version=\"1.0\"?>\n<skel version=\"1.0\">\n  <world" + nameAttribute(model_.robot().name) +
                        ">\n    <physics>\n      <time_step>0.001</time_step>\n      <gravity>0 0 -9.81</gravity>\n    </physics>\n" +
-                       "    <skeleton" + named(model_.robot().name) + ">\n";
+                       "    <skeleton" + nameAttribute(model_.robot().name) + ">\n";
     for (const LinkDescription& link : model_.robot().links)
       if (!isTheWorld(link.name)) text += bodyText(link, places[link.name]);
     for (const std::string& root : model_.roots())
@@ -59,7 +55,8 @@ class SkelWriter {
   std::string nameOf(const std::string& link) const { return link == kWorld && !isTheWorld(link) ? "world_link" : link; }
 
   std::string bodyText(const LinkDescription& link, const Eigen::Isometry3d& place) const {
-    std::string text = "      <body" + named(nameOf(link.name)) + ">\n        " + transformation(place) + "\n" + inertiaText(link.name);
+    std::string text =
+        "      <body" + nameAttribute(nameOf(link.name)) + ">\n        " + transformation(place) + "\n" + inertiaText(link.name);
     for (const GeometryElement& element : link.collisions) text += shapeText(element);
     return text + "      </body>\n";
   }
@@ -79,7 +76,7 @@ class SkelWriter {
   std::string shapeText(const GeometryElement& element) const {
     const std::string geometry = element.fault.empty() ? geometryText(element) : "";
     if (geometry.empty()) return "";
-    const std::string name = element.name.empty() ? "" : named(element.name);
+    const std::string name = element.name.empty() ? "" : nameAttribute(element.name);
     return "        <collision_shape" + name + ">" + transformation(element.origin) + "<geometry>" + geometry +
            "</geometry></collision_shape>\n";
   }
@@ -104,8 +101,8 @@ class SkelWriter {
   }
 
   std::string jointText(const JointDescription& joint) const {
-    return "      <joint type=\"" + std::string(typeOf(joint.kind)) + "\"" + named(joint.name) + ">" + tag("parent", nameOf(joint.parent)) +
-           tag("child", nameOf(joint.child)) + axisText(joint) + "</joint>\n";
+    return "      <joint type=\"" + std::string(typeOf(joint.kind)) + "\"" + nameAttribute(joint.name) + ">" +
+           tag("parent", nameOf(joint.parent)) + tag("child", nameOf(joint.child)) + axisText(joint) + "</joint>\n";
   }
 
   std::string axisText(const JointDescription& joint) const {

@@ -20,10 +20,6 @@ std::string tag(const std::string& indent, const std::string& name, const std::s
   return indent + "<" + name + attributes + ">" + xmlEscaped(text) + "</" + name + ">\n";
 }
 
-std::string nameAttribute(const std::string& name) {
-  return " name=\"" + xmlEscaped(name) + "\"";
-}
-
 std::string pose(const std::string& indent, const Eigen::Isometry3d& pose, const std::string& frame = "") {
   const std::string relative = frame.empty() ? "" : " relative_to=\"" + xmlEscaped(frame) + "\"";
   if (relative.empty() && pose.matrix() == Eigen::Matrix4d::Identity()) return "";

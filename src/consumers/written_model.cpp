@@ -158,6 +158,10 @@ std::string rpyText(const Eigen::Isometry3d& pose) {
   return vectorText(rollPitchYaw(pose.linear()));
 }
 
+std::string nameAttribute(const std::string& name) {
+  return " name=\"" + xmlEscaped(name) + "\"";
+}
+
 std::string quaternionText(const Eigen::Isometry3d& pose) {
   const Eigen::Quaterniond q(pose.linear());
   return numberText(q.w()) + " " + vectorText(q.vec());

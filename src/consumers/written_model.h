@@ -63,6 +63,7 @@ constexpr const char* kWorld = "world";
 std::string positionText(const Eigen::Isometry3d& pose);
 std::string rpyText(const Eigen::Isometry3d& pose);
 std::string quaternionText(const Eigen::Isometry3d& pose);
+std::string nameAttribute(const std::string& name);  ///< of an XML element: ` name="..."`, escaped
 
 /// The pairs of links that need no check: neighbours; those that touch at rest, as their original meshes do; and those of which it is
 /// proved that they never meet, whatever the joints do.

@@ -12,9 +12,8 @@ namespace {
 
 constexpr std::size_t kLeaf = 4;  // triangles
 constexpr double kClose = 1e-3;   // of the distance: smaller improvements are not searched for
-constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 
-const Gap kFar{kEverywhere, kEverywhere, Eigen::Vector3d::Zero()};
+const Gap kFar{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), Eigen::Vector3d::Zero()};
 
 /// The gap to the nearer of two bodies.
 Gap nearer(const Gap& a, const Gap& b) {

@@ -22,7 +22,7 @@
 namespace collision_hulls {
 namespace {
 
-const std::string kTopic = "topic:", kBag = ".bag", kType = kJointStateType;
+const std::string kBag = ".bag", kType = kJointStateType;
 constexpr double kUsualSeconds = 10, kMostSeconds = 3600;
 constexpr std::uint32_t kQueue = 10'000;  // messages
 
@@ -138,7 +138,7 @@ void listen(const std::string& topic, double seconds, Collection& collection, co
 }  // namespace
 
 bool areJointStates(const std::string& source) {
-  return source.compare(0, kTopic.size(), kTopic) == 0 || !bagAndTopic(source).first.empty();
+  return source.compare(0, kTopicPrefix.size(), kTopicPrefix) == 0 || !bagAndTopic(source).first.empty();
 }
 
 ConfigurationSet readJointStates(const std::string& source, const std::function<std::string(const std::string&)>& path,
@@ -149,7 +149,7 @@ ConfigurationSet readJointStates(const std::string& source, const std::function<
     for (const RecordedState& state : fromBag(path(file), bag_topic, control)) collection.add(state.names, state.positions, control);
     return collection.take("");
   }
-  const auto [topic, seconds] = parts(source.substr(kTopic.size()));
+  const auto [topic, seconds] = parts(source.substr(kTopicPrefix.size()));
   listen(topic, secondsOf(seconds, source), collection, control);
   return collection.take(", or more seconds");
 }

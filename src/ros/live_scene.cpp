@@ -23,7 +23,7 @@
 namespace collision_hulls {
 namespace {
 
-const std::string kTopicPrefix = "topic:", kService = "service:";
+const std::string kService = "service:";
 constexpr double kPatience = 10;  // [s]
 
 using Reader = std::function<Scene(const std::string& name, const std::string& root_link, const RunControl& control)>;

@@ -11,6 +11,9 @@
 
 namespace collision_hulls {
 
+/// Before a topic's name, where the source of something may be a topic.
+inline const std::string kTopicPrefix = "topic:";
+
 /// The type of the topic's messages; nothing: nobody publishes it. Throws kBadOption where the master does not answer.
 inline std::optional<std::string> typeOfTopic(const std::string& name) {
   ros::master::V_TopicInfo topics;

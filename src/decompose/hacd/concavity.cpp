@@ -20,7 +20,6 @@ namespace {
 
 // More than the rounding error of a dot product with a unit vector, as a share of the coordinates.
 constexpr double kRounding = 1e-14;
-const double kInfinity = std::numeric_limits<double>::infinity();
 
 const Eigen::Vector3d kUnaligned = Eigen::Vector3d(0.5477, 0.6245, 0.5568).normalized();
 
@@ -44,7 +43,7 @@ class SupportFunction {
 
   /// The largest n . p, where it exceeds `least`; otherwise any value up to `least`. n: a unit vector.
   double operator()(const Eigen::Vector3d& n, double least) const {
-    double most = -kInfinity;
+    double most = -std::numeric_limits<double>::infinity();
     const auto bound = [&](const Eigen::AlignedBox3d& box) { return -support(box, n) - slack_; };
     const auto visit = [&](std::size_t first, std::size_t last) {
       const auto block = coordinates_.middleRows(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(last - first)).array();

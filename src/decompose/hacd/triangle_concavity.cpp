@@ -24,7 +24,7 @@ constexpr int kMostCuts = 100;
 // More than the rounding error of a point's distance to a plane, as a share of the coordinates.
 constexpr double kPlaneRounding = 1e-13;
 
-const double kUnbounded = std::numeric_limits<double>::infinity();
+const double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -47,11 +47,11 @@ int ExitFaces::firstExit(const Eigen::Vector3d& origin, const Eigen::Vector3d& m
   };
   const auto bound = [&](const Eigen::AlignedBox<double, 4>& box) {
     const double facing = most(box, along), height = box.min()[3] - most(box, start) - rounding_;
-    if (facing < kParallel / 2) return kUnbounded;
-    return height > 0 ? scale_ * height / facing : -kUnbounded;
+    if (facing < kParallel / 2) return kInfinity;
+    return height > 0 ? scale_ * height / facing : -kInfinity;
   };
   int first = -1;
-  double least = kUnbounded;
+  double least = kInfinity;
   const auto visit = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const int f = tree_.order()[i];
@@ -78,7 +78,7 @@ double concavityOfTriangle(const ExitFaces& faces, const std::array<Eigen::Vecto
   ConvexPolygon polygon, scratch;
   std::vector<ExitFunction> cuts;
   Eigen::Vector3d m = (whole[1] + whole[2]) / 3;
-  double lower = 0, upper = kUnbounded;
+  double lower = 0, upper = kInfinity;
   for (int cut = 0; cut < kMostCuts && upper > known; ++cut) {
     const int f = faces.firstExit(origin, m, normal);
     if (f < 0) return 0;

@@ -148,9 +148,7 @@ struct NothingMade {
 
 /// Writes a result. Throws NothingMade.
 void write(MadeRobot& made, const RobotCommand& command, const RunControl& control) {
-  const bool written = writeOutput(made.result, made.output, control);
-  if (isFile(command.json)) writeReport(made.result.report, command.json);
-  if (written) return;
+  if (writeOutputAndReport(made.result, command, made.output, control)) return;
   const std::vector<ElementReport>& rows = made.result.report.links;
   const auto first = std::find_if(rows.begin(), rows.end(), [](const ElementReport& row) { return row.status == Status::kFailed; });
   NothingMade nothing{"no mesh could be decomposed; nothing was written to '" + made.output + "'", first->error};

@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "base/large_pages.h"
 #include "bench/child_process.h"
 #include "command_line.h"
 
@@ -25,6 +26,7 @@ struct MeasuringProgram {
 /// Returns the exit status: that of run(), 0 for a job and --help, 2 for an error, which goes to stderr with the program's name.
 template <typename Command>
 int runProgram(const MeasuringProgram<Command>& program, int argc, char** argv) {
+  takeLargePages(argv);
   CommandLine app(program.purpose, program.name);
   app.footer(program.footer);
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is then an error like a full disk

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/large_pages.h"
 #include "base/roots.h"
 #include "base/string_parts.h"
 #include "collision_hulls/config/config.h"
@@ -132,20 +133,31 @@ inline void checkBeside(const std::string& file, const std::string& output) {
 }
 
 /// Writes the output, and the file of --json even if the output fails. False if there was nothing to write.
-inline bool writeEverything(RobotResult& result, const RobotCommand& command, const std::string& output, const RunControl& control) {
-  const bool to_file = isFile(command.json);
+inline bool writeOutputAndReport(RobotResult& result, const RobotCommand& command, const std::string& output, const RunControl& control) {
+  const auto report = [&] {
+    if (isFile(command.json)) writeReport(result.report, command.json);
+  };
   bool written = false;
   try {
     written = writeOutput(result, output, control);
   } catch (const Error& e) {
-    if (e.code() == ErrorCode::kCancelled) throw;
-    printFailures(result.report, command);
-    if (to_file) writeReport(result.report, command.json);
+    if (e.code() != ErrorCode::kCancelled) report();
     throw;
   }
-  if (!written) std::cerr << command.program << ": no mesh could be decomposed; nothing was written to '" << output << "'\n";
-  if (to_file) writeReport(result.report, command.json);
+  report();
   return written;
+}
+
+/// The same for a terminal.
+inline bool writeEverything(RobotResult& result, const RobotCommand& command, const std::string& output, const RunControl& control) {
+  try {
+    const bool written = writeOutputAndReport(result, command, output, control);
+    if (!written) std::cerr << command.program << ": no mesh could be decomposed; nothing was written to '" << output << "'\n";
+    return written;
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kCancelled) printFailures(result.report, command);
+    throw;
+  }
 }
 
 /// Refuses options that do not go together, before anything is read.
@@ -299,6 +311,7 @@ inline int runRobotCommand(RobotCommand& command, const RobotWork& work) {
 
 /// Parses and runs; errors become messages on standard error and exit statuses.
 inline int runRobotProgram(CommandLine& app, int argc, char** argv, const std::function<int()>& run) {
+  takeLargePages(argv);
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is then an error like a full disk
   try {
     return app.parse(argc, argv) ? run() : kDone;

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <map>
 
-#include "base/string_parts.h"
 #include "consumers/written_model.h"
 #include "robot/number_text.h"
 #include "storage/names.h"
@@ -106,8 +105,8 @@ class SkelWriter {
   }
 
   std::string axisText(const JointDescription& joint) const {
-    const bool is_limited = joint.kind == JointKind::kRevolute || joint.kind == JointKind::kPrismatic;
-    if (!is_limited && joint.kind != JointKind::kContinuous) return "";
+    if (!turnsOrSlides(joint)) return "";
+    const bool is_limited = joint.kind != JointKind::kContinuous;
     const JointDynamics dynamics = model_.dynamicsOf(joint.name);
     std::string text = "<axis>" + tag("xyz", vectorText(joint.axis));
     if (is_limited) text += "<limit>" + tag("lower", numberText(joint.lower)) + tag("upper", numberText(joint.upper)) + "</limit>";
@@ -135,17 +134,15 @@ ConsumerFiles dartFiles(const WrittenModel& model) {
 }
 
 std::vector<std::string> dartNotes(const WrittenModel& model) {
-  std::vector<std::string> notes = model.notes(), links, followers;
+  std::vector<std::string> notes = model.notes(), links;
   for (const LinkDescription& link : model.robot().links)
     if (link.name != kWorld && !model.inertialOf(link.name)) links.push_back(link.name);
   if (!links.empty())
     notes.push_back("--for dart: " + someHave(links) +
                     " no <inertial>: DART assumes a mass of 1 kg and moments of inertia of 1 kg m^2; add <inertial>");
-  for (const JointDescription& joint : model.robot().joints)
-    if (!joint.mimic.empty()) followers.push_back("'" + joint.name + "'");
-  if (!followers.empty())
-    notes.push_back("--for dart: joints that mimic others (" + listed(followers) +
-                    ") move by themselves, as a SKEL file cannot say that they follow");
+  const std::string planar = jointsThat(model, [](const auto& joint) { return joint.kind == JointKind::kPlanar; });
+  if (!planar.empty()) notes.push_back("--for dart: planar joints (" + planar + ") are fixed: in a SKEL file they have other axes");
+  noteFollowers(model, "dart", "a SKEL file", notes);
   return notes;
 }
 

@@ -194,8 +194,8 @@ class SdfWriter {
     std::string text = "    <joint" + nameAttribute(joints_.at(joint.name)) + " type=\"" + typeOf(joint.kind) + "\">\n" +
                        pose("      ", joint.origin, frameOf(joint.parent)) + tag("      ", "parent", parentOf(joint)) +
                        tag("      ", "child", nameOf(joint.child));
-    const bool is_limited = joint.kind == JointDescription::Kind::kRevolute || joint.kind == JointDescription::Kind::kPrismatic;
-    if (!is_limited && joint.kind != JointDescription::Kind::kContinuous) return text + "    </joint>\n";
+    if (!turnsOrSlides(joint)) return text + "    </joint>\n";
+    const bool is_limited = joint.kind != JointDescription::Kind::kContinuous;
     const JointDynamics dynamics = model_.dynamicsOf(joint.name);
     text += "      <axis>\n" + tag("        ", "xyz", vectorText(joint.axis)) + "        <limit>\n";
     if (is_limited) text += tag("          ", "lower", numberText(joint.lower)) + tag("          ", "upper", numberText(joint.upper));
@@ -235,6 +235,11 @@ std::vector<std::string> gazeboNotes(const WrittenModel& model) {
   if (!renamed.empty())
     notes.push_back("--for gazebo: SDF lets no joint have the name of a link or of the world, so in model.sdf the joint " +
                     listed(renamed));
+  const std::string fixed = jointsThat(model, [](const auto& joint) {
+    return joint.kind == JointDescription::Kind::kFloating || joint.kind == JointDescription::Kind::kPlanar;
+  });
+  if (!fixed.empty()) notes.push_back("--for gazebo: floating and planar joints (" + fixed + ") are fixed, as SDF has none");
+  noteFollowers(model, "gazebo", "SDF 1.9", notes);
   return notes;
 }
 

@@ -113,4 +113,10 @@ ConsumerFiles isaacFiles(const WrittenModel& model) {
   return {{"usd/" + fileName(model.robot().name) + ".usda", UsdWriter(model).text()}};
 }
 
+std::vector<std::string> isaacNotes(const WrittenModel& model) {
+  std::vector<std::string> notes;
+  noteLeftOut(model, "isaac", notes);
+  return notes;
+}
+
 }  // namespace collision_hulls

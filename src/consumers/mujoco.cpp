@@ -1,9 +1,11 @@
 // MuJoCo collides a mesh as its convex hull, and welds nothing of a body's geoms together: one <mesh> and one <geom> a hull keep the shape.
 // Bodies nest as the links do, each with the frame of its joint. Links without mass get next to none from their geoms, as MuJoCo wants
 // every moving body to have some. Pairs that need no check are excluded: MuJoCo itself leaves out a body and its parent, but not where the
-// parent stands still. Visual meshes are left out: MuJoCo reads neither Collada nor package:// URIs.
+// parent stands still. What floats is a body of the world, as MuJoCo lets no other be free. Visual meshes are left out: MuJoCo reads
+// neither Collada nor package:// URIs.
 #include <algorithm>
 
+#include "collision_hulls/robot/kinematics.h"
 #include "consumers/written_model.h"
 #include "robot/number_text.h"
 #include "storage/names.h"
@@ -30,11 +32,18 @@ class MjcfWriter {
  public:
   MjcfWriter(const WrittenModel& model, const std::vector<DisabledPair>& pairs, const RunControl& control)
       : model_(model), pairs_(pairs), control_(control) {
-    for (const LinkDescription& link : model.robot().links) links_[link.name] = &link;
+    const Kinematics kinematics(model.robot());
+    const std::vector<Eigen::Isometry3d> places = kinematics.poses(kinematics.rest());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const LinkDescription& link = model.robot().links[i];
+      links_[link.name] = &link;
+      places_[link.name] = places[i];
+    }
   }
 
   std::string text() {
     for (const std::string& root : model_.roots()) addBody(root, nullptr, 2);
+    for (std::size_t i = 0; i < floating_.size(); ++i) addBody(floating_[i]->child, floating_[i], 2);  // and maybe adds others
     return "<mujoco" + attribute("model", model_.robot().name) + ">\n" +
            "  <compiler angle=\"radian\" meshdir=\"..\" boundmass=\"1e-6\" boundinertia=\"1e-9\"/>\n" + "  <asset>\n" + assets_ +
            "  </asset>\n  <worldbody>\n" + bodies_ + "  </worldbody>\n" + exclusions() + equalities() + "</mujoco>\n";
@@ -45,7 +54,9 @@ class MjcfWriter {
     control_.check();
     const std::string indent(static_cast<std::size_t>(2 * std::min(depth, kMostIndented)), ' ');
     if (!joint && link == kWorld) return addContents(link, indent, depth - 1);
-    bodies_ += indent + "<body" + attribute("name", link) + (joint ? poseText(joint->origin) : "") + ">\n";
+    const bool floats = joint && joint->kind == JointDescription::Kind::kFloating;
+    const std::string place = !joint ? "" : poseText(floats ? places_.at(link) : joint->origin);
+    bodies_ += indent + "<body" + attribute("name", link) + place + ">\n";
     bodies_ += inertialText(link, indent + "  ");
     if (joint) bodies_ += jointText(*joint, indent + "  ");
     addContents(link, indent + "  ", depth);
@@ -55,7 +66,11 @@ class MjcfWriter {
   /// The geoms of a link, and the bodies below it.
   void addContents(const std::string& link, const std::string& indent, int depth) {
     bodies_ += geoms(*links_.at(link), indent);
-    for (const JointDescription* below : model_.jointsBelow(link)) addBody(below->child, below, depth + 1);
+    for (const JointDescription* below : model_.jointsBelow(link))
+      if (below->kind == JointDescription::Kind::kFloating)
+        floating_.push_back(below);
+      else
+        addBody(below->child, below, depth + 1);
   }
 
   std::string inertialText(const std::string& link, const std::string& indent) const {
@@ -69,7 +84,7 @@ class MjcfWriter {
     const JointDynamics dynamics = model_.dynamicsOf(joint.name);
     const bool slides = joint.kind == JointDescription::Kind::kPrismatic, turns = joint.kind == JointDescription::Kind::kRevolute;
     if (joint.kind == JointDescription::Kind::kFloating) return indent + "<freejoint" + attribute("name", joint.name) + "/>\n";
-    if (!slides && !turns && joint.kind != JointDescription::Kind::kContinuous) return "";
+    if (!turnsOrSlides(joint)) return "";
     std::string text = indent + "<joint" + attribute("name", joint.name) + attribute("type", slides ? "slide" : "hinge") +
                        attribute("axis", vectorText(joint.axis));
     if (slides || turns) text += attribute("limited", "true") + attribute("range", numberText(joint.lower) + " " + numberText(joint.upper));
@@ -123,7 +138,7 @@ class MjcfWriter {
   std::string equalities() const {
     std::string text;
     for (const JointDescription& joint : model_.robot().joints) {
-      if (joint.mimic.empty()) continue;
+      if (joint.mimic.empty() || !turnsOrSlides(joint)) continue;
       text += "    <joint" + attribute("joint1", joint.name) + attribute("joint2", joint.mimic) +
               attribute("polycoef", numberText(joint.mimic_offset) + " " + numberText(joint.mimic_multiplier) + " 0 0 0") + "/>\n";
     }
@@ -134,6 +149,8 @@ class MjcfWriter {
   const std::vector<DisabledPair>& pairs_;
   const RunControl& control_;
   std::map<std::string, const LinkDescription*> links_;
+  std::map<std::string, Eigen::Isometry3d> places_;  // of links, in the world, with the robot at rest
+  std::vector<const JointDescription*> floating_;
   std::string bodies_;
   UniqueNames names_, mesh_names_;
   std::map<std::string, std::string> meshes_;  // by file: the asset's name
@@ -149,6 +166,9 @@ std::vector<std::string> mujocoNotes(const WrittenModel& model) {
   if (!links.empty())
     notes.push_back("--for mujoco: " + someHave(links) + " no <inertial>: the file gives such links a density of " + numberText(kDensity) +
                     " kg/m^3, so that they weigh next to nothing, and a simulation may diverge; add <inertial>, or change the density");
+  const std::string planar = jointsThat(model, [](const auto& joint) { return joint.kind == JointDescription::Kind::kPlanar; });
+  if (!planar.empty()) notes.push_back("--for mujoco: planar joints (" + planar + ") are fixed, as MJCF has none");
+  noteLeftOut(model, "mujoco", notes);
   return notes;
 }
 

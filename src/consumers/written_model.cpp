@@ -142,6 +142,43 @@ std::vector<std::string> WrittenModel::roots() const {
   return roots;
 }
 
+std::vector<std::string> WrittenModel::linksWithOtherMeshes() const {
+  std::vector<std::string> links;
+  const auto is_other = [&](const GeometryElement& element) {
+    return element.kind == GeometryElement::Kind::kMesh && fileOf(element).empty();
+  };
+  for (const LinkDescription& link : robot_.links)
+    if (std::any_of(link.collisions.begin(), link.collisions.end(), is_other)) links.push_back(link.name);
+  return links;
+}
+
+bool turnsOrSlides(const JointDescription& joint) {
+  using Joint = JointDescription::Kind;
+  return joint.kind == Joint::kRevolute || joint.kind == Joint::kContinuous || joint.kind == Joint::kPrismatic;
+}
+
+std::string jointsThat(const WrittenModel& model, const std::function<bool(const JointDescription&)>& is_so) {
+  std::vector<std::string> names;
+  for (const JointDescription& joint : model.robot().joints)
+    if (is_so(joint)) names.push_back("'" + joint.name + "'");
+  return listed(names);
+}
+
+void noteLeftOut(const WrittenModel& model, const std::string& consumer, std::vector<std::string>& notes) {
+  const std::vector<std::string> links = model.linksWithOtherMeshes();
+  if (links.empty()) return;
+  notes.push_back("--for " + consumer + ": " + someHave(links) +
+                  " a mesh that is no hull of this output; the file leaves it out, so that collisions with it are missed. Decompose it "
+                  "as well (--links, action hulls)");
+}
+
+void noteFollowers(const WrittenModel& model, const std::string& consumer, const std::string& format, std::vector<std::string>& notes) {
+  const std::string joints = jointsThat(model, [](const auto& joint) { return !joint.mimic.empty() && turnsOrSlides(joint); });
+  if (joints.empty()) return;
+  notes.push_back("--for " + consumer + ": joints that mimic others (" + joints + ") move by themselves, as " + format +
+                  " cannot say that they follow");
+}
+
 std::string someHave(const std::vector<std::string>& links) {
   if (links.size() == 1) return "link '" + shortened(links.front()) + "' has";
   std::string names;

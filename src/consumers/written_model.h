@@ -1,6 +1,7 @@
 // What was decomposed, as the writers need it: the rewritten description, and which of its meshes are hulls of this output.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -42,6 +43,7 @@ class WrittenModel {
   const std::vector<const JointDescription*>& jointsBelow(const std::string& link) const;  ///< in document order
   const std::vector<std::string>& notes() const { return notes_; }                         ///< on what had to be changed
   std::vector<std::string> roots() const;                                                  ///< links without a parent
+  std::vector<std::string> linksWithOtherMeshes() const;  ///< than hulls of this output, such as those that were kept or failed
 
  private:
   void readDynamics(const XmlNode& robot);
@@ -75,8 +77,18 @@ std::vector<std::string> notesOn(const std::vector<DisabledPair>& pairs);  ///< 
 std::string withMarkedHulls(const WrittenModel& model, const std::string& attributes, const std::string& content,
                             const std::string& of_root);
 
+/// Whether a joint has a position of its own, or one that it takes from another: revolute, continuous and prismatic ones.
+bool turnsOrSlides(const JointDescription& joint);
+
 /// For messages: "link 'a' has", "links 'a', 'b', 'c' and 4 more have".
 std::string someHave(const std::vector<std::string>& links);
+
+/// For messages: those joints of which something is true, each in quotes; empty if there are none.
+std::string jointsThat(const WrittenModel& model, const std::function<bool(const JointDescription&)>& is_so);
+
+// Notes, if there is something to say. `consumer`: its name in --for; `format`: "a SKEL file".
+void noteLeftOut(const WrittenModel& model, const std::string& consumer, std::vector<std::string>& notes);
+void noteFollowers(const WrittenModel& model, const std::string& consumer, const std::string& format, std::vector<std::string>& notes);
 
 // The writers: path in the output, content. `pairs`: pairsWithoutCheck().
 using ConsumerFiles = std::map<std::string, std::string>;
@@ -89,7 +101,8 @@ ConsumerFiles mujocoFiles(const WrittenModel& model, const std::vector<DisabledP
 ConsumerFiles gazeboFiles(const WrittenModel& model);
 ConsumerFiles dartFiles(const WrittenModel& model);
 
-// WrittenModel::notes(), and on what their formats cannot say.
+// On what their formats cannot say; for those with masses, WrittenModel::notes() as well.
+std::vector<std::string> isaacNotes(const WrittenModel& model);
 std::vector<std::string> mujocoNotes(const WrittenModel& model);
 std::vector<std::string> gazeboNotes(const WrittenModel& model);
 std::vector<std::string> dartNotes(const WrittenModel& model);

@@ -44,6 +44,16 @@ class Consumers : public ::testing::Test {
   }
   std::string cube() const { return "<collision>" + fixtures::meshTag(mesh_) + "</collision>"; }
 
+  /// What is noted on a consumer's files.
+  std::string notesOf(Consumer consumer, const std::string& urdf) {
+    RobotResult result = decomposed(urdf);
+    addConsumerFiles({consumer}, folder_ / "three_c", result);
+    std::string all;
+    for (const std::string& note : result.report.notes)
+      if (note.rfind("--for ", 0) == 0) all += note + "\n";
+    return all;
+  }
+
   fixtures::TempFolder folder_;
   const std::string mesh_;
   Options options_;
@@ -373,13 +383,7 @@ TEST_F(Consumers, MujocoLeavesOutThePairsThatMoveitDoes) {
 }
 
 TEST_F(Consumers, SimulatorsSayWhatTheyTakeLinksWithoutInertialToWeigh) {
-  const auto noted = [&](Consumer consumer, const std::string& urdf) {
-    RobotResult result = decomposed(urdf);
-    addConsumerFiles({consumer}, folder_ / "three_c", result);
-    std::string all;
-    for (const std::string& note : result.report.notes) all += note + "\n";
-    return all;
-  };
+  const auto noted = [&](Consumer consumer, const std::string& urdf) { return notesOf(consumer, urdf); };
   std::string urdf = threeLinks(cube());
   EXPECT_NE(noted(Consumer::kMujoco, urdf).find("links 'b', 'c' have no <inertial>: the file gives such links a density of 1 kg/m^3"),
             std::string::npos)
@@ -395,6 +399,66 @@ TEST_F(Consumers, SimulatorsSayWhatTheyTakeLinksWithoutInertialToWeigh) {
     urdf.insert(urdf.find(link) + link.size(), inertial);
   for (const Consumer consumer : {Consumer::kMujoco, Consumer::kGazebo, Consumer::kDart})
     EXPECT_EQ(noted(consumer, urdf).find("<inertial>"), std::string::npos) << noted(consumer, urdf);
+}
+
+// MuJoCo and Isaac Sim would take the convex hull of a mesh that was kept, or read none of its formats.
+TEST_F(Consumers, SayWhatTheyLeaveOut) {
+  options_.links = "[ac]";
+  const std::string urdf = threeLinks(cube());
+  for (const Consumer consumer : {Consumer::kMujoco, Consumer::kIsaac})
+    EXPECT_NE(notesOf(consumer, urdf).find("link 'b' has a mesh that is no hull of this output; the file leaves it out"), std::string::npos)
+        << notesOf(consumer, urdf);
+  for (const Consumer consumer : {Consumer::kGazebo, Consumer::kDart})
+    EXPECT_EQ(notesOf(consumer, urdf).find("leaves it out"), std::string::npos) << "it has the mesh";
+  options_.links.clear();
+  for (const Consumer consumer : {Consumer::kMujoco, Consumer::kIsaac})
+    EXPECT_EQ(notesOf(consumer, urdf).find("leaves it out"), std::string::npos);
+}
+
+TEST_F(Consumers, SayWhichJointsTheyHaveNot) {
+  const auto with = [&](const std::string& joints) {
+    std::string text = threeLinks(cube());
+    for (const char* name : {"d", "e", "f"}) text.insert(text.find("</robot>"), "<link name=\"" + std::string(name) + "\"/>");
+    return text.insert(text.rfind("</robot>"), joints);
+  };
+  const auto joint = [](const std::string& child, const std::string& type, const std::string& more = "") {
+    return "<joint name=\"j" + child + "\" type=\"" + type + "\"><parent link=\"c\"/><child link=\"" + child +
+           "\"/><limit lower=\"-1\" upper=\"1\" effort=\"5\" velocity=\"2\"/>" + more + "</joint>";
+  };
+  const std::string mimic = "<mimic joint=\"ab\"/>";
+  const std::string urdf = with(joint("d", "planar") + joint("e", "floating") + joint("f", "revolute", mimic));
+  const std::string mujoco = notesOf(Consumer::kMujoco, urdf), gazebo = notesOf(Consumer::kGazebo, urdf),
+                    dart = notesOf(Consumer::kDart, urdf), follows = "joints that mimic others ('jf') move by themselves, as ";
+  EXPECT_NE(mujoco.find("planar joints ('jd') are fixed"), std::string::npos) << mujoco;
+  EXPECT_EQ(mujoco.find("mimic"), std::string::npos) << "it has them";
+  EXPECT_NE(gazebo.find("floating and planar joints ('jd', 'je') are fixed"), std::string::npos) << gazebo;
+  EXPECT_NE(gazebo.find(follows + "SDF 1.9"), std::string::npos) << gazebo;
+  EXPECT_NE(dart.find("planar joints ('jd') are fixed"), std::string::npos) << dart;
+  EXPECT_NE(dart.find(follows + "a SKEL file"), std::string::npos) << dart;
+  const std::string locked = with(joint("d", "fixed", mimic) + joint("e", "fixed") + joint("f", "fixed"));
+  for (const Consumer consumer : {Consumer::kMujoco, Consumer::kGazebo, Consumer::kDart})
+    EXPECT_EQ(notesOf(consumer, locked).find("joint"), std::string::npos) << notesOf(consumer, locked);
+}
+
+// "unknown element in equality constraint", and "free joint can only be used on top level", MuJoCo says otherwise.
+TEST_F(Consumers, MujocoHasNoEqualityForALockedJointAndNoFreeJointBelowABody) {
+  std::string urdf = threeLinks(cube());
+  const std::string end =
+      "<link name=\"d\"/><link name=\"e\"/><joint name=\"cd\" type=\"floating\"><parent link=\"c\"/>"
+      "<child link=\"d\"/><origin xyz=\"0 0 2\"/></joint><joint name=\"de\" type=\"fixed\"><parent link=\"d\"/>"
+      "<child link=\"e\"/><mimic joint=\"ab\"/></joint></robot>";
+  urdf.replace(urdf.rfind("</robot>"), std::string::npos, end);
+  const std::string xml = fileOf(Consumer::kMujoco, urdf, "mjcf/three.xml");
+  EXPECT_EQ(xml.find("<equality>"), std::string::npos) << xml;
+  EXPECT_NE(xml.find("\n    <body name=\"d\" pos=\"1 0 2\" quat=\"1 0 0 0\">\n      <freejoint name=\"cd\"/>\n      <body name=\"e\">"),
+            std::string::npos)
+      << "a body of the world, where it is at rest: " << xml;
+  EXPECT_EQ(fixtures::count(xml, "<body "), 5u);
+  const std::string mimics = "<mimic joint=\"ab\"/></joint>\n</robot>";
+  std::string follows = threeLinks(cube());
+  follows.replace(follows.rfind("</joint>"), std::string::npos, mimics);
+  EXPECT_NE(fileOf(Consumer::kMujoco, follows, "mjcf/three.xml").find("<joint joint1=\"bc\" joint2=\"ab\" polycoef=\"0 1 0 0 0\"/>"),
+            std::string::npos);
 }
 
 TEST_F(Consumers, GazeboHasACollisionForEachHullAndTheLimits) {

@@ -144,8 +144,13 @@ Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, const D
   result.nearest = proof.nearest;
   result.nudge = rounded.nudge;
   result.untried = parts.untried;
-  if (certifying.late() && proof.bound - mesh.margin - proof.found > kCertificateGap * std::max(options.tolerance, proof.found))
-    result.untried += std::string(result.untried.empty() ? "" : ", ") + "a tight bound";
+  const auto is_loose = [&](double bound, double found, double tolerance) {
+    return bound - mesh.margin - found > kCertificateGap * std::max(tolerance, found);
+  };
+  bool loose = is_loose(proof.bound, proof.found, options.tolerance);
+  for (std::size_t i = 0; i < result.regions.size(); ++i)
+    loose = loose || is_loose(result.regions[i].bound, result.regions[i].found, options.regions[i].tolerance);
+  if (loose && certifying.late()) result.untried += std::string(result.untried.empty() ? "" : ", ") + "a tight bound";
   attempt.capped = parts.capped;
   attempt.blunted = rounded.blunted;
   return attempt;
@@ -200,9 +205,11 @@ std::string excuse(const DecomposeOptions& options, const Attempt& made) {
   if (made.capped && options.max_hulls > 0)
     return "the limits (" + hulls + ", " + vertices + ") made the hulls coarser; raise them, or the tolerance";
   if (options.method == Method::kHacd)
-    return "hacd measures concavity along rays, which does not bound the protrusion; give a smaller tolerance, which makes more hulls";
+    return "hacd measures concavity along rays, which does not bound the protrusion, so that a smaller tolerance need not help; use "
+           "certified";
   if (options.method == Method::kAcd)
-    return "acd measures concavity at reflex edges, which does not bound the protrusion; give a smaller tolerance, which makes more hulls";
+    return "acd measures concavity at reflex edges, which does not bound the protrusion, so that a smaller tolerance need not help; use "
+           "certified";
   if (options.padding > 0)
     return "padded hulls of few vertices (" + vertices + ") reach further than the padding; raise the tolerance or that limit";
   if (made.blunted > kMuch * made.result.bound)

@@ -69,14 +69,18 @@ std::shared_ptr<const HullTree> treeFor(const VariantWork& work, const MeshFacts
   return mesh.tree(work.options, treeLeaves(work.options, facts.diagonal), building);
 }
 
-/// The search may have found the bound already. For other methods, which take a fraction of the time, for padded hulls and other shapes,
-/// and without time left, nobody looks for one.
-std::size_t leastHullsOf(const MeshResult& mesh, const LinkOptions& options, const RunControl& control) {
-  if (options.method != Method::kCertified || options.padding > 0 || options.shapes != Shapes::kHulls || control.late()) return 1;
+/// The search may have found the bound already. For other methods, which take a fraction of the time, and for padded hulls and other shapes
+/// nobody looks for one; nor without time left, which is then told.
+std::size_t leastHullsOf(const LinkOptions& options, const RunControl& control, MeshResult& mesh) {
+  if (options.method != Method::kCertified || options.padding > 0 || options.shapes != Shapes::kHulls) return 1;
   if (mesh.model.least_hulls > 1) return mesh.model.least_hulls;
   const std::vector<ConvexHull> none;
-  return leastHulls(mesh.original, *mesh.solid, mesh.mesh.tolerance, mesh.status == Status::kOk ? mesh.hulls : none, options.effort,
-                    control);
+  const std::vector<ConvexHull>& hulls = mesh.status == Status::kOk ? mesh.hulls : none;
+  if (hulls.size() == 1) return 1;
+  const std::size_t least =
+      control.late() ? 1 : leastHulls(mesh.original, *mesh.solid, mesh.mesh.tolerance, hulls, options.effort, control);
+  if (control.late()) mesh.untried += std::string(mesh.untried.empty() ? "" : ", ") + "a lower bound on hulls";
+  return least;
 }
 
 /// When one of `count` equal pieces of work that end at `end` should be done.
@@ -103,7 +107,7 @@ void makeHulls(const VariantWork& work, const ReadMesh& read, SharedMesh& mesh, 
     result.coarser = coarserCuts(*tree, {result.hulls, result.model.protrusion, result.mesh.tolerance, work.options.max_hulls,
                                          work.options.max_vertices, read.margin, result.model.nudge});
   stage.lap();
-  result.model.least_hulls = leastHullsOf(result, work.options, control);
+  result.model.least_hulls = leastHullsOf(work.options, control, result);
   result.seconds.certify += stage.lap();
 }
 

@@ -99,9 +99,9 @@ void noteHugeMeshes(Report& report) {
   const auto is_huge = [](const ElementReport& row) { return row.status != Status::kFailed && row.diagonal > kLargestLink; };
   const auto first = std::find_if(report.links.begin(), report.links.end(), is_huge);
   if (first == report.links.end()) return;
-  const auto others = std::count_if(first, report.links.end(), is_huge) - 1;
+  const auto others = static_cast<std::size_t>(std::count_if(first, report.links.end(), is_huge)) - 1;
   report.notes.push_back("'" + first->uri + "' is " + std::to_string(std::lround(first->diagonal)) + " m across" +
-                         (others > 0 ? ", and " + std::to_string(others) + " others are over 20 m" : "") +
+                         (others > 0 ? ", and " + counted(others, "other mesh", "other meshes") + " over 20 m" : "") +
                          ": if its numbers are millimetres, scale it by 0.001 (scale=\"0.001 0.001 0.001\" in a description)");
 }
 
@@ -136,10 +136,10 @@ void noteSmallMeshes(Report& report) {
   const auto is_small = [](const ElementReport& row) { return row.status != Status::kFailed && row.tolerance > row.diagonal; };
   const auto first = std::find_if(report.links.begin(), report.links.end(), is_small);
   if (first == report.links.end()) return;
-  const auto others = std::count_if(first, report.links.end(), is_small) - 1;
+  const auto others = static_cast<std::size_t>(std::count_if(first, report.links.end(), is_small)) - 1;
   report.notes.push_back("the tolerance of " + millimetres(first->tolerance) + " is larger than '" + first->uri + "', which is " +
                          millimetres(first->diagonal) + " across" +
-                         (others > 0 ? ", and than " + std::to_string(others) + " other meshes" : "") +
+                         (others > 0 ? ", and than " + counted(others, "other mesh", "other meshes") : "") +
                          ": one hull covers each; for more detail give a smaller tolerance, or one with a share, as in 1cm,5%");
 }
 

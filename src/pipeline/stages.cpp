@@ -41,14 +41,13 @@ void checkSize(const std::string& uri, double diagonal, const Length& tolerance)
                   "large, give the tolerance only as a percentage, such as 1%");
 }
 
-/// Once the original is known. Throws kTooLarge and kBadOption, see SharedMesh::read().
+}  // namespace
+
 void setTolerance(const std::string& uri, const LinkOptions& options, MeshResult& result) {
   checkSize(uri, result.mesh.diagonal, options.tolerance);
   result.mesh.tolerance = toleranceFor(result.original, options);
   expectResolvable(result.mesh.tolerance, result.mesh.diagonal, uri);
 }
-
-}  // namespace
 
 MeshLimits meshLimits(const Options& options) {
   MeshLimits limits;

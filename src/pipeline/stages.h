@@ -21,6 +21,10 @@ void checkForRobot(const Options& options);
 /// Throws kBadOption for options that only a robot takes.
 void checkForMesh(const std::string& path, const Options& options);
 
+/// The tolerance of a mesh whose original is known. Throws kTooLarge for one above 20 m where the tolerance has a length: its numbers are
+/// probably millimetres, and the work would take minutes; kEmptyMesh and kBadOption for a tolerance that is none for it.
+void setTolerance(const std::string& uri, const LinkOptions& options, MeshResult& result);
+
 /// A mesh after stages 1 and 2, for the stages that follow.
 struct ReadMesh {
   RepairedMesh repaired;
@@ -33,8 +37,7 @@ class SharedMesh {
   SharedMesh(const MeshTask& task, const Options& options, Cache& cache) : task_(task), options_(options), cache_(cache) {}
 
   /// Stages 1 and 2. `result` gets the original, its solid and what is known of it, as far as the work goes: a mesh that fails keeps it.
-  /// Throws kTooLarge for a mesh above 20 m where the tolerance has a length: its numbers are probably millimetres, and the work would take
-  /// minutes.
+  /// Throws as setTolerance() does.
   const ReadMesh& read(const LinkOptions& options, const RunControl& control, MeshResult& result);
 
   /// Its hull tree, with leaves for `tolerance` [m]: known already, or from the cache, or built and stored there. After read().

@@ -83,9 +83,11 @@ std::string expandXacro(const std::string& path, const std::vector<std::string>&
   const std::optional<ProgramResult> xacro =
       runProgram({"xacro", file.string()}, control, {}, {"ROS_PACKAGE_PATH=" + packagePathFor(file, package_path)});
   if (!xacro) {
-    throw Error(ErrorCode::kXacroMissing, "'" + path + "' is a xacro file, but there is no program 'xacro' on PATH: install it " +
-                                              "(ROS package xacro; or 'pip install xacro') and source your workspace's setup.bash, " +
-                                              "or run 'xacro FILE.xacro > FILE.urdf' on a machine that has it, and give the .urdf");
+    throw Error(ErrorCode::kXacroMissing,
+                "'" + path + "' is a xacro file, but there is no program 'xacro' on PATH: install it " +
+                    "(ROS package xacro; on Debian build the branch noetic-devel of https://github.com/ros/xacro, and " +
+                    "https://github.com/ros/roslint, in your workspace) and source your workspace's setup.bash, " +
+                    "or run 'xacro FILE.xacro > FILE.urdf' on a machine that has it, and give the .urdf");
   }
   if (xacro->status == 0) return xacro->out;
   throwFailed(path, *xacro);

@@ -147,19 +147,24 @@ std::vector<Edit> editsOf(const LinkText& at, Names& names) {
   return edits;
 }
 
+// The new file name of a mesh that moved; null for all else, which stays as it is.
+const std::string* movedTo(const GeometryElement& element, const std::map<std::string, std::string>& moved) {
+  if (element.kind != GeometryElement::Kind::kMesh || !element.fault.empty()) return nullptr;
+  const auto found = moved.find(element.uri);
+  return found == moved.end() ? nullptr : &found->second;
+}
+
 // The new file names of meshes that moved, in a link whose elements stay.
 std::vector<Edit> movedMeshes(const std::string& text, const std::vector<XmlElement>& elements, std::size_t span,
                               const LinkDescription& link, const std::map<std::string, std::string>& moved) {
   std::vector<Edit> edits;
   const std::vector<std::size_t> collisions = childrenNamed(elements, span, "collision");
   for (std::size_t i = 0; i < collisions.size(); ++i) {
-    const GeometryElement& meaning = link.collisions.at(i);
-    const auto uri = meaning.kind == GeometryElement::Kind::kMesh && meaning.fault.empty() ? moved.find(meaning.uri) : moved.end();
-    if (uri == moved.end()) continue;
+    const std::string* const uri = movedTo(link.collisions.at(i), moved);
+    if (!uri) continue;
     const std::size_t geometry = childrenNamed(elements, collisions[i], "geometry").at(0);
     const std::size_t mesh = childrenNamed(elements, geometry, "mesh").at(0);
-    if (const auto value = attributeValue(text, elements[mesh], "filename"))
-      edits.push_back({value->begin, value->end, xmlEscaped(uri->second)});
+    if (const auto value = attributeValue(text, elements[mesh], "filename")) edits.push_back({value->begin, value->end, xmlEscaped(*uri)});
   }
   return edits;
 }
@@ -187,8 +192,8 @@ void checkWritten(const RobotDescription& before, const std::map<std::string, Li
     const auto by = links.find(old_link.name);
     std::vector<std::string> expected, found;
     for (const GeometryElement& collision : old_link.collisions) {
-      const auto now = by == links.end() ? moved.find(collision.uri) : moved.end();
-      if (by == links.end() || !replaced(collision, by->second)) expected.push_back(now == moved.end() ? collision.uri : now->second);
+      const std::string* const now = by == links.end() ? movedTo(collision, moved) : nullptr;
+      if (by == links.end() || !replaced(collision, by->second)) expected.push_back(now ? *now : collision.uri);
     }
     if (by != links.end()) {
       for (const CollisionElement& element : by->second.elements) expected.push_back(element.geometry.uri);

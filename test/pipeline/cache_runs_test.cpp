@@ -398,5 +398,24 @@ TEST_F(CachedRun, NothingThatTimeCutShort) {
   EXPECT_EQ(says(known), 0);
 }
 
+// Whenever time ends: a row that lacks nothing is that of a run without a limit.
+TEST_F(CachedRun, WhatLacksNothingIsWhole) {
+  options_.cache = false;
+  const RobotResult free = run();
+  const auto all = [](const ElementReport& row) {
+    return std::make_tuple(row.hulls, row.least_hulls, row.protrusion, row.status, row.hull_vertices);
+  };
+  double seconds = 0;
+  for (const ElementReport& row : free.report.links) seconds += row.seconds.decompose + row.seconds.certify;
+  for (int i = 1; i <= 20; ++i) {
+    options_.time_limit = seconds * i / 20;
+    const RobotResult cut = run();
+    for (std::size_t row = 0; row < cut.report.links.size(); ++row) {
+      if (!cut.report.links[row].untried.empty()) continue;
+      EXPECT_EQ(all(cut.report.links[row]), all(free.report.links[row])) << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -161,5 +161,20 @@ TEST(PutTogether, NotesSuspiciousSizesOfMeshesThatDidNotFail) {
       << result.report.notes[1];
 }
 
+TEST(PutTogether, CountsTheOthersOfSuspiciousSize) {
+  MeshResult huge = boxes(1);
+  huge.mesh.diagonal = 30;
+  const auto noteOn = [&](std::size_t count) {
+    RobotResult result;
+    std::vector<MeshUse> uses;
+    for (std::size_t i = 0; i < count; ++i) uses.push_back(use(std::string(1, static_cast<char>('a' + i))));
+    putTogether(uses, MeshResults(count, shared(huge)), result);
+    return result.report.notes.at(0);
+  };
+  EXPECT_EQ(noteOn(1).substr(0, 26), "'a.stl' is 30 m across: if");
+  EXPECT_EQ(noteOn(2).substr(0, 51), "'a.stl' is 30 m across, and 1 other mesh over 20 m:");
+  EXPECT_EQ(noteOn(3).substr(0, 53), "'a.stl' is 30 m across, and 2 other meshes over 20 m:");
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -51,6 +51,15 @@ TEST(RewriteCollisions, MovedMeshesOfLinksThatStay) {
   EXPECT_EQ(other.find("y.stl"), std::string::npos) << "new elements are as given";
 }
 
+// An element that cannot be understood stays as it is, beside one that names the same mesh.
+TEST(RewriteCollisions, MovedMeshesOfElementsWithAFault) {
+  const std::string faulty =
+      "<robot name='r'><link name='a'><collision><origin xyz='a b c'/><geometry><mesh filename='x.stl'/></geometry>"
+      "</collision><collision><geometry><mesh filename='";
+  const std::string end = "'/></geometry></collision></link></robot>";
+  EXPECT_EQ(rewriteCollisions(parseRobotDescription(faulty + "x.stl" + end), {}, {{"x.stl", "y.stl"}}), faulty + "y.stl" + end);
+}
+
 TEST(RewriteCollisions, UnknownLink) {
   expectError(ErrorCode::kInternal, {"no link 'b'"}, [] { rewritten("<robot name='r'><link name='a'/></robot>", {{"b", {}}}); });
 }

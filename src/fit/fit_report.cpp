@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "base/counted.h"
 #include "base/parallel.h"
 #include "fit/planner_model.h"
 #include "scene/text.h"
@@ -72,10 +73,6 @@ std::string leftOut(const FittedModel& model, std::size_t link) {
   return count <= kMostNamed ? names : names + " and " + std::to_string(count - kMostNamed) + " more";
 }
 
-std::string plural(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : noun.back() == 'x' ? "es" : "s");
-}
-
 /// The bodies of a link, by kind.
 struct Bodies {
   std::size_t hulls = 0, all = 0;
@@ -83,8 +80,9 @@ struct Bodies {
 
   /// "3 hulls, 2 boxes, 1 sphere"; or only the primitives.
   std::string text(bool with_hulls) const {
-    std::string result = with_hulls && hulls > 0 ? plural(hulls, "hull") : "";
-    for (const auto& [kind, count] : primitives) result += (result.empty() ? "" : ", ") + plural(count, kind);
+    std::string result = with_hulls && hulls > 0 ? counted(hulls, "hull") : "";
+    for (const auto& [kind, count] : primitives)
+      result += (result.empty() ? "" : ", ") + counted(count, kind, kind == "box" ? "boxes" : "");
     return result;
   }
 };
@@ -115,7 +113,7 @@ std::string reasonOf(const FittedModel& model, const Bodies& bodies, std::size_t
     return what + "never within " + leastLengthText(*proved) + " of anything" + (except.empty() ? "" : " but " + except) + ", proved";
   }
   const auto found = tightest.find(index);
-  if (found == tightest.end()) return what + "no false collision in " + plural(model.fitting.asked(), "sample");
+  if (found == tightest.end()) return what + "no false collision in " + counted(model.fitting.asked(), "sample");
   return what + "against " + model.assembly.name(found->second.other) + " at " + lengthText(found->second.distance);
 }
 

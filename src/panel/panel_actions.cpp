@@ -32,7 +32,7 @@ constexpr int kMostRefusals = 10, kRetry = 300;  // [ms]
 constexpr double kClearance = 0.01;              // [m] from a scene, if nobody changes it
 constexpr const char* kFilter = "Configurations (*.yaml *.yml);;All files (*)";
 constexpr const char* kScenes =
-    "Scenes (*.scene *.urdf *.xacro *.sdf *.world *.yaml *.yml *.bt *.ot *.stl *.obj *.dae *.off *.ply *.glb *.gltf);;All files (*)";
+    "Scenes (*.scene *.urdf *.sdf *.world *.yaml *.yml *.bt *.ot *.stl *.obj *.dae *.off *.ply *.glb *.gltf);;All files (*)";
 
 }  // namespace
 

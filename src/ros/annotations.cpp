@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/counted.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -21,10 +23,6 @@ std::string millimetres(double metres) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g mm", 1000 * metres);
   return text;
-}
-
-std::string count(std::size_t number, const std::string& thing) {
-  return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
 }
 
 Marker& addText(const std::string& text, double height, const std::string& kind, const std::string& link, const Eigen::Isometry3d& pose,
@@ -63,8 +61,8 @@ std::string labelText(const Link& link) {
   double protrusion = 0;
   for (const LinkMesh& mesh : link.meshes) protrusion = std::max(protrusion, mesh.row.protrusion);
   std::string text = link.name + ": ";
-  if (link.hulls > 0 || link.primitives == 0) text += count(link.hulls, "hull");
-  if (link.primitives > 0) text += (link.hulls > 0 ? ", " : "") + count(link.primitives, "primitive");
+  if (link.hulls > 0 || link.primitives == 0) text += counted(link.hulls, "hull");
+  if (link.primitives > 0) text += (link.hulls > 0 ? ", " : "") + counted(link.primitives, "primitive");
   if (protrusion > 0) text += ", " + millimetres(protrusion);
   return text;
 }

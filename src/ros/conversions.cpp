@@ -1,6 +1,7 @@
 // Field by field: the messages repeat the core's types.
 #include "conversions.h"
 
+#include "base/counted.h"
 #include "collision_hulls/pipeline/progress_text.h"
 #include "collision_hulls/report/totals.h"
 #include "pen.h"
@@ -70,11 +71,10 @@ DecomposeFeedback toMessage(const Step& step) {
 }
 
 std::string summary(const Report& report) {
-  const auto count = [](std::size_t n, const char* one, const char* many) { return std::to_string(n) + " " + (n == 1 ? one : many); };
   const Totals sums = totals(report);
   std::string text;
   for (const std::string& failure : failures(report)) text += failure + "\n";
-  return text + count(sums.hulls, "hull", "hulls") + " for " + count(sums.meshes - sums.failed, "mesh", "meshes") +
+  return text + counted(sums.hulls, "hull") + " for " + counted(sums.meshes - sums.failed, "mesh", "meshes") +
          (sums.failed > 0 ? ", " + std::to_string(sums.failed) + " failed" : "");
 }
 

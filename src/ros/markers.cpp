@@ -48,11 +48,12 @@ Marker& addPrimitive(const GeometryElement& element, const std::string& kind, co
   return marker;
 }
 
-/// The links of a result that have something to draw, with the hues of their order in the description.
+/// The links of a result that have something to draw.
 std::vector<Link> linksOf(const RobotResult& result, const RobotDescription& rewritten) {
   std::vector<Link> links;
-  for (const LinkDescription& description : rewritten.links) {
-    Link link{description.name, linkHue(links.size()), {}, 0, 0};
+  for (std::size_t place = 0; place < rewritten.links.size(); ++place) {
+    const LinkDescription& description = rewritten.links[place];
+    Link link{description.name, linkHue(place), {}, 0, 0};
     for (std::size_t i = 0; i < result.elements.size(); ++i) {
       if (result.elements[i].link == link.name) link.meshes.push_back({result.elements[i], result.report.links[i]});
     }

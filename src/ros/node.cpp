@@ -205,10 +205,12 @@ RobotDescription Node::readRobot(const std::string& text, const std::string& bas
   return parseRobotDescription(parameter, own.empty() ? "" : resolveUri(own, "", places_.packageFinder("")), control);
 }
 
-void Node::show(const RobotDescription& robot, const LinkDecisions& decisions, const RobotResult& result, const Scene* scene) {
+void Node::show(const RobotDescription& robot, const LinkDecisions& decisions, const RobotResult& result, const Scene* scene) try {
+  private_.setParam("robot_description", result.urdf);
   view_.show(result, scene);
   preview_.take(robot, decisions, result);
-  private_.setParam("robot_description", result.urdf);
+} catch (const std::exception& error) {  // such as the end of memory
+  ROS_WARN("the output is written, but cannot be shown: %s", error.what());
 }
 
 }  // namespace collision_hulls

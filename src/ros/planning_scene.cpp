@@ -35,25 +35,29 @@ Eigen::Isometry3d toTransform(const geometry_msgs::Transform& transform) {
   throw Error(ErrorCode::kBadScene, "the planning scene " + reason);
 }
 
+/// A frame's name without the slash that ROS once put before it.
+std::string bare(const std::string& frame) {
+  return frame.substr(!frame.empty() && frame.front() == '/');
+}
+
 /// Where frames are in the root link's.
 class Frames {
  public:
   Frames(const moveit_msgs::PlanningScene& message, const std::string& root_link) : message_(message), root_(root_link) {}
 
-  Eigen::Isometry3d inRoot(const std::string& frame) const { return inRoot(frame, 0); }
+  Eigen::Isometry3d inRoot(const std::string& frame) const { return inRoot(bare(frame), 0); }
 
  private:
   /// `steps`: that led here; more than there are transforms lead round and round.
-  Eigen::Isometry3d inRoot(std::string frame, std::size_t steps) const {
-    if (!frame.empty() && frame.front() == '/') frame.erase(0, 1);
+  Eigen::Isometry3d inRoot(const std::string& frame, std::size_t steps) const {
     if (frame.empty() || frame == root_) return Eigen::Isometry3d::Identity();
     const sensor_msgs::MultiDOFJointState& floating = message_.robot_state.multi_dof_joint_state;
-    if (frame == floating.header.frame_id && floating.transforms.size() == 1) return toTransform(floating.transforms[0]).inverse();
+    if (frame == bare(floating.header.frame_id) && floating.transforms.size() == 1) return toTransform(floating.transforms[0]).inverse();
     for (const geometry_msgs::TransformStamped& known : message_.fixed_frame_transforms) {
       if (steps > message_.fixed_frame_transforms.size()) break;
-      if (known.child_frame_id == frame && known.header.frame_id != frame)
-        return inRoot(known.header.frame_id, steps + 1) * toTransform(known.transform);
-      if (known.header.frame_id == frame && known.child_frame_id == root_) return toTransform(known.transform).inverse();
+      const std::string parent = bare(known.header.frame_id), child = bare(known.child_frame_id);
+      if (child == frame && parent != frame) return inRoot(parent, steps + 1) * toTransform(known.transform);
+      if (parent == frame && child == root_) return toTransform(known.transform).inverse();
     }
     fail("has poses in the frame '" + frame + "', which it does not tell from the root link's, '" + root_ +
          "'; add it to fixed_frame_transforms, or give poses in '" + root_ + "'");

@@ -108,6 +108,9 @@ TEST(PlanningScene, Frames) {
   fixed.fixed_frame_transforms[0].child_frame_id = "table";
   fixed.fixed_frame_transforms[0].transform.translation.y = 2;
   EXPECT_TRUE(placeOf(toScene(fixed, "base")).isApprox(Eigen::Vector3d(1, 2, 0)));
+  fixed.fixed_frame_transforms[0].header.frame_id = "/base";
+  fixed.fixed_frame_transforms[0].child_frame_id = "/table";
+  EXPECT_TRUE(placeOf(toScene(fixed, "base")).isApprox(Eigen::Vector3d(1, 2, 0))) << "as ROS once named frames";
 
   moveit_msgs::PlanningScene round = ballIn("a");
   round.fixed_frame_transforms.resize(2);
@@ -120,6 +123,8 @@ TEST(PlanningScene, Frames) {
   floating.robot_state.multi_dof_joint_state.header.frame_id = "world";
   floating.robot_state.multi_dof_joint_state.transforms.resize(1);
   floating.robot_state.multi_dof_joint_state.transforms[0].translation.z = 1;
+  EXPECT_TRUE(placeOf(toScene(floating, "base")).isApprox(Eigen::Vector3d(1, 0, -1)));
+  floating.robot_state.multi_dof_joint_state.header.frame_id = "/world";
   EXPECT_TRUE(placeOf(toScene(floating, "base")).isApprox(Eigen::Vector3d(1, 0, -1)));
 }
 

@@ -82,6 +82,18 @@ TEST_F(RobotTreesTest, ABuildKeepsRegionsAsARunDoes) {
   expectTheHullsOfARun();
 }
 
+// Its numbers are probably millimetres. A mesh that is held already is looked at like a new one.
+TEST_F(RobotTreesTest, ABuildRefusesALengthForAHugeMeshAsARunDoes) {
+  robot_ = parseRobotDescription(
+      R"(<robot name="r"><link name="huge"><visual><geometry><mesh filename="torus.obj" scale="1000 1000 1000"/></geometry></visual></link></robot>)",
+      folder_ / "r.urdf");
+  options_.tree.reset();
+  options_.tolerance = shareOf(0.1);
+  EXPECT_EQ(build().report.links.at(0).status, Status::kOk);
+  options_.tolerance = lengthOf(20);
+  EXPECT_EQ(build().report.links.at(0).error, "TooLarge");
+}
+
 TEST_F(RobotTreesTest, ACutHasAsManyHullsAsARunWithThatTolerance) {
   build();
   for (const double tolerance : {0.006, 0.02, 0.08}) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "mesh/formats/gltf_document.h"
 #include "mesh/formats/readers.h"
@@ -103,6 +104,7 @@ class GltfReader {
       if (node.contains("skin")) document_.fail(name + " is skinned, so its shape depends on a pose; export it without its armature");
       if (node.contains("extensions") && node["extensions"].contains("EXT_mesh_gpu_instancing"))
         document_.fail(name + " is placed many times by EXT_mesh_gpu_instancing; export it as plain nodes");
+      points_of_node_.clear();
       addMesh(*mesh, placement, isInUse(node));
     }
     for (const std::size_t child : document_.indices(node, "children", name)) visit(child, placement, depth + 1);
@@ -134,7 +136,7 @@ class GltfReader {
       document_.fail(name + " has a primitive without attributes");
     const std::optional<std::size_t> positions = document_.index(primitive["attributes"], "POSITION", name);
     if (!positions) document_.fail(name + " has a primitive without positions; if it is compressed, export the mesh without compression");
-    const std::size_t first = addPoints(*positions, placement), points = polygons_.points() - first;
+    const auto [first, points] = pointsOf(*positions, placement);
     std::vector<std::uint32_t> corners;
     if (const std::optional<std::size_t> indices = document_.index(primitive, "indices", name))
       corners = document_.wholeNumbers(*indices, 3 * most_);
@@ -148,14 +150,25 @@ class GltfReader {
     addTriangles(mode, corners, first, name);
   }
 
+  struct Points {
+    std::size_t first, count;
+  };
+
+  /// Where an accessor's points are; primitives of a node may share them.
+  Points pointsOf(std::size_t accessor, const Eigen::Affine3d& placement) {
+    const auto [known, is_new] = points_of_node_.emplace(accessor, Points{polygons_.points(), 0});
+    if (is_new) known->second.count = addPoints(accessor, placement);
+    return known->second;
+  }
+
+  /// Returns how many.
   std::size_t addPoints(std::size_t accessor, const Eigen::Affine3d& placement) {
-    const std::size_t first = polygons_.points();
     const std::vector<double> numbers = document_.accessor(accessor, 3, 3 * most_);
     for (std::size_t i = 0; i < numbers.size(); i += 3) {
       const Eigen::Vector3d p = placement * Eigen::Vector3d(numbers[i], numbers[i + 1], numbers[i + 2]);
       polygons_.addPoint(p.x(), p.y(), p.z());
     }
-    return first;
+    return numbers.size() / 3;
   }
 
   void addTriangles(std::size_t mode, const std::vector<std::uint32_t>& corners, std::size_t first, const std::string& name) {
@@ -177,6 +190,7 @@ class GltfReader {
   const std::size_t most_;
   Polygons polygons_;
   std::vector<bool> seen_;
+  std::map<std::size_t, Points> points_of_node_;  // by accessor
 };
 
 }  // namespace

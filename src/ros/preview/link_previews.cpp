@@ -17,34 +17,16 @@
 namespace collision_hulls {
 namespace {
 
-bool isOfMesh(const GeometryElement& element) {
-  return element.kind == GeometryElement::Kind::kMesh;
-}
-
-/// The elements that a link has once it has hulls: they decide whether it has a colour of its own.
+/// The elements that a link has once it has hulls.
 std::vector<GeometryElement> elementsOf(const LinkDescription& link, const LinkOptions* options) {
   if (!options || options->action == Action::kKeep) return link.collisions;
   if (options->action == Action::kRemove) return {};
   return sourceElements(link, options->source).elements;
 }
 
-bool isSomething(const GeometryElement& element) {
-  return isOfMesh(element) || isPrimitive(element);
-}
-
 /// No link chosen: all are.
 bool isAmong(const std::set<std::string>& chosen, const std::string& link) {
   return chosen.empty() || chosen.count(link) > 0;
-}
-
-/// By link, as drawResult() gives them.
-std::map<std::string, double> huesOf(const RobotDescription& robot, const LinkDecisions& decisions) {
-  std::map<std::string, double> hues;
-  for (const LinkDescription& link : robot.links) {
-    const std::vector<GeometryElement> elements = elementsOf(link, decisions.of(link.name));
-    if (std::any_of(elements.begin(), elements.end(), isSomething)) hues.emplace(link.name, linkHue(hues.size()));
-  }
-  return hues;
 }
 
 Status worse(Status a, Status b) {
@@ -131,7 +113,6 @@ void LinkPreviews::take(const RobotDescription& robot, const LinkDecisions& deci
   const Options& options = result.report.options;
   const bool is_other = robot_.text != robot.text;
   if (is_other) known_.clear(), config_.reset();
-  if (is_other || options.links.empty()) hues_ = huesOf(robot, decisions);
   if (options.tree) tree_ = options.tree;
   if (!config_ || options.links.empty()) config_ = options;
   config_->region_rules = options.region_rules;
@@ -285,8 +266,7 @@ std::set<std::string> LinkPreviews::chosen(const std::string& field, const std::
 }
 
 ShownLink LinkPreviews::shown(const std::string& link, const Known& known) const {
-  const auto hue = hues_.find(link);
-  ShownLink result{described(link), hue == hues_.end() ? 0 : hue->second, known.result.elements, known.result.rows};
+  ShownLink result{described(link), linkHue(places_.at(link)), known.result.elements, known.result.rows};
   result.link.collisions = elementsOf(result.link, &known.options);
   for (const ElementResult& element : known.result.elements) {
     for (GeometryElement primitive : element.primitives) {  // of a model that was fitted to a scene

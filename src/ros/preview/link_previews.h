@@ -80,9 +80,8 @@ class LinkPreviews {
   RobotDescription robot_;
   std::map<std::string, std::size_t> places_;  // of its links, by name
   std::map<std::string, Known> known_;
-  std::map<std::string, double> hues_;  // by link
-  std::optional<Length> tree_;          // of the last build
-  std::optional<Options> config_;       // of the last run on all links, with the regions of the last one
+  std::optional<Length> tree_;     // of the last build
+  std::optional<Options> config_;  // of the last run on all links, with the regions of the last one
   NodeState state_;
   ros::NodeHandle node_;
   ros::Publisher publisher_;

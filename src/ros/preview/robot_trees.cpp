@@ -147,7 +147,7 @@ MeshResult RobotTrees::resultOf(Mesh& mesh, const LinkOptions& options, const Ru
     mesh.known = std::move(known);
   }
   MeshResult result = mesh.known;
-  result.mesh.tolerance = options.tolerance.metres(result.mesh.diagonal);
+  setTolerance(mesh.task.uri, options, result);
   const bool needs_tree = options.tree || options.shapes == Shapes::kPrimitives;
   const std::shared_ptr<const HullTree> tree = needs_tree ? hold(mesh, options, preparing) : nullptr;
   decomposeAndCertify(*mesh.read, options, tree.get(), mesh.task.uri, mesh.options.seed, certifying, result);

@@ -81,6 +81,16 @@ TEST(ReadGltf, NodesPlaceTheirMeshes) {
   EXPECT_EQ(twice.submeshes, 2u);
 }
 
+TEST(ReadGltf, PrimitivesThatShareTheirPointsStandWhereTheirNodesDo) {
+  Parts twice;
+  twice.nodes = R"([{"mesh": 0, "children": [1]}, {"mesh": 0, "translation": [0, 0, 1]}])";
+  twice.primitives = R"([{"attributes": {"POSITION": 0}}, {"attributes": {"POSITION": 0}, "indices": 1}])";
+  std::vector<Eigen::Vector3d> corners;
+  for (const double z : {0, 0, 1, 1})
+    for (const Eigen::Vector3d& corner : kCorners) corners.emplace_back(corner.x(), corner.y(), z);
+  expectMesh("twice.glb", file(twice), corners, {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}});
+}
+
 TEST(ReadGltf, OnlyTheDefaultScene) {
   Parts parts;
   parts.nodes = R"([{"mesh": 0}, {"mesh": 0, "translation": [0, 0, 9]}])";

@@ -118,17 +118,17 @@ class DecomposeOptionAdder {
               "best searches longer for fewer hulls (method certified)");
     addFlag(
         "Accuracy", "--fill", [](Options& options) { options.fill = true; },
-        "Cover the inside of closed meshes as well, not their surface alone");
+        "Cover the inside of closed meshes as well, not their surface alone (method certified)");
     add("Accuracy", "--padding", "LENGTH", "0",
-        "Make the hulls hold everything this near to the surface; they may then protrude by the padding and the tolerance",
+        "Make the hulls hold everything within this distance of the surface; they may then protrude by the padding and the tolerance",
         [](Options& options, const std::string& option, const std::string& text) { options.padding = parsePadding(text, option); });
     addChoice("Accuracy", "--shapes", &Options::shapes, shapesNamed, shapesChoices(), name(defaults.shapes),
               "Bodies that the model consists of: a primitive where it does as well as hulls (mixed), primitives or spheres alone, or a "
-              "single one");
+              "single one (method certified)");
     addFlag(
         "Accuracy", "--spheres", [](Options& options) { options.shapes = Shapes::kSpheres; }, "The same as --shapes spheres");
     add("Accuracy", "--tree", "LENGTH", "",
-        "Build and cache a hull tree at this finer tolerance; later runs at coarser tolerances reuse it",
+        "Build and cache a hull tree at this finer tolerance; later runs at coarser tolerances reuse it (method certified)",
         [](Options& options, const std::string&, const std::string& text) { options.tree = parseLength(text, "--tree"); });
   }
 

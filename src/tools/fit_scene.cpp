@@ -31,6 +31,9 @@ Wherever the original robot keeps the clearance from the scene and from itself, 
 never misses a collision. The report says what each link needed, what is proved, and gives an upper bound on the share of
 configurations in which the model still collides although the original keeps the clearance.
 
+The model is of certified hulls: other methods, --padding, --scale, --segments, --shapes, --spheres, --time-limit, --tree and --for curobo
+are refused.
+
 Exit status: as for decompose; 130 interrupted: nothing was written.
 
 Examples:

@@ -14,8 +14,9 @@ constexpr const char* kFooter = R"(
 Compares <collision> of RESULT with <visual> of ORIGINAL, so that one file can be both; but output of decompose with what it was made from,
 as its report says (--source chooses otherwise). A mesh of RESULT counts as what it is, even if some consumers take its convex hull.
 
-Exit status: 0 every link was measured and is within the gates; 1 some link is not (each is named), or lacks all geometry on one side while
-there is a gate on it; 2 wrong use or unreadable input; 130 interrupted.
+Exit status: 0 every link was measured and is within the gates; 1 some link is not, or a mesh of it cannot be read (each is named), or it
+lacks all geometry on one side while there is a gate on it, or a query contradicts a bound; 2 wrong use or unreadable input; 130
+interrupted.
 
 Examples:
   verify arm.urdf arm_collision/urdf/arm.urdf --max-uncovered 0 --max-protrusion 1cm

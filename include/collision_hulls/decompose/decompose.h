@@ -49,7 +49,8 @@ struct DecomposeOptions {
   bool fill = false;  ///< certified: also cover the inside of closed meshes, not only their surface
   /// certified: where the hulls protrude less, in the mesh's frame; other methods ignore them
   std::vector<Region> regions;
-  /// [m] >= 0: certifiedHulls() makes the hulls hold everything this near to the surface
+  /// [m] >= 0: certifiedHulls() makes the hulls hold everything within this distance of the
+  /// surface
   double padding = 0;
 };
 

@@ -101,7 +101,8 @@ struct LinkOptions {
   int max_hulls = 0;      ///< per mesh; 0: no limit
   int max_vertices = 64;  ///< per hull; 0: no limit
   Source source = Source::kAuto;
-  /// [m] >= 0: the hulls hold everything this near to the surface, and may protrude further by it
+  /// [m] >= 0: the hulls hold everything within this distance of the surface, and may protrude
+  /// further by it
   double padding = 0;
   Shapes shapes = Shapes::kHulls;
   std::vector<Region> regions;  ///< in the frame of what the options are for: the link, or its mesh

@@ -6,6 +6,7 @@ import pathlib
 
 
 MOST_MESH, MOST_TEXT = 1 << 30, 1 << 28  # [bytes] larger ones decompose does not read
+MOST_PATH = 4096  # [bytes] that Linux takes
 PIECE = 1 << 20  # [bytes]
 
 

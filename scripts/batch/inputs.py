@@ -12,12 +12,11 @@ import pathlib
 import re
 import subprocess
 
-from files import files_below, sha256
+from files import MOST_PATH, files_below, sha256
 
 MESHES = {".stl", ".dae", ".obj", ".off", ".ply", ".glb", ".gltf"}
 DESCRIPTIONS = {".urdf", ".xacro"}
 PATH_OPTIONS = {"config", "package-path", "root"}
-MOST_PATH = 4096  # [bytes] that Linux takes
 OWN = {"help", "version", "output", "json", "quiet", "jobs", "package-name", "replace-complete"}  # of decompose, but the batch's to set
 
 

@@ -40,7 +40,7 @@ def edges(low, high):
 
 
 def histogram(title, values):
-    """Bars over steps of 1, 2, 5, 10..., as SVG. Values below a thousandth of the largest are in its first bar."""
+    """Bars over steps of 1, 2, 5, 10..., as SVG. Values below a ten-thousandth of the largest are in its first bar."""
     values = [value for value in values if value > 0]
     if not values:
         return ""

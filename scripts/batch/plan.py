@@ -1,9 +1,11 @@
 """What is to be done: each item with a fingerprint of all that its result depends on, and jobs of those whose row is missing or of another one.
 
-The fingerprint of a description takes in every file that a mesh URI of it could lead to, as decompose looks for them: more than the files that
-it reads, so that it changes whenever one of those does.
+The fingerprint of a description takes in every file that a mesh URI of it could lead to, as decompose looks for them, and that of a .gltf mesh
+every file that it names, its textures, too: more than the files that decompose reads, so that it changes whenever one of those does. Meshes of
+other formats lie in one file each.
 """
 import html
+import itertools
 import json
 import os
 import pathlib
@@ -11,12 +13,15 @@ import re
 import shutil
 import urllib.parse
 
-from files import entries_of, files_below, read_json, read_text, sha256, write_json
+from files import MOST_PATH, encoded, entries_of, files_below, read_json, read_text, sha256, write_json
 
 JOB_SECONDS = 180  # about what a job of meshes takes
 JOB_MESHES = 200  # at most
 JOBS_A_CORE = 4  # so that the last ones end about together
 FAILED = ("failed", "incomplete")  # states of inputs
+UNWRITABLE = "UnwritableOutput"  # the cause of a failure that is not the input's fault: the next start does it again
+MOST_NAMED = 10_000  # files of a .gltf that are looked for: decompose reads at most a thousand, but textures may stand before them
+MOST_ESCAPED = 6 * MOST_PATH  # characters of a path in JSON
 SECONDS_A_MESH, SECONDS_A_MEGABYTE = 0.3, 4  # roughly what decompose takes with default options
 
 
@@ -42,11 +47,29 @@ def packages(folders):
     return found
 
 
+def decoded(uri):
+    """Without percent-encoding, which may stand for any bytes."""
+    return os.fsdecode(urllib.parse.unquote_to_bytes(encoded(uri)))
+
+
+def named_by(mesh):
+    """Paths that a .gltf file names, in its folder or below: decompose takes no others. Searching the text costs little whatever it holds, parsing
+    it may take any memory."""
+    found = re.finditer(rf'"uri"\s*:\s*("(?!data:)[^"]{{1,{MOST_ESCAPED}}}")', read_text(mesh))
+    for text in {match.group(1) for match in itertools.islice(found, MOST_NAMED)}:
+        try:
+            path = os.path.normpath(decoded(json.loads(text)))
+        except ValueError:  # it is no string of JSON
+            continue
+        if not os.path.isabs(path) and path.split("/")[0] != "..":
+            yield os.path.join(os.path.dirname(mesh), path)
+
+
 class Sources:
     """Where files may come from."""
 
     def __init__(self, digests):
-        self.digests, self.crawls = digests, {}
+        self.digests, self.crawls, self.named = digests, {}, {}
 
     def ros(self, given):
         """Packages on ROS's path and below --package-path."""
@@ -58,10 +81,10 @@ class Sources:
     def candidates(self, description, uri, package_path):
         """Paths that a mesh's URI may mean."""
         near = pathlib.Path(description).parent
-        if not uri.startswith("package://"):
-            path = re.sub(r"^file:(//(localhost(?=/))?)?", "", uri)
-            return [near / path]
-        name, _, rest = uri[len("package://"):].partition("/")
+        in_package = re.fullmatch(r"(?:package|model)://+([^/]*)/*(.*)", uri, flags=re.S)
+        if not in_package:
+            return [near / re.sub(r"^file://(localhost(?=/))?", "", uri)]
+        name, rest = in_package.groups()
         given = [pathlib.Path(item.partition("=")[2] or item) for item in package_path]
         prefixes = [pathlib.Path(prefix, "share") for prefix in os.environ.get("CMAKE_PREFIX_PATH", "").split(":") if prefix]
         known = [pathlib.Path(folder) for folder in self.ros(map(str, given)).get(name, [])]
@@ -69,9 +92,19 @@ class Sources:
         return [base / part / rest for base in bases for part in ("", name, "meshes", f"meshes/{name}")]
 
     def of_description(self, path, package_path):
-        written = {html.unescape(uri) for _, uri in re.findall(r"""filename\s*=\s*(["'])(.*?)\1""", read_text(path))}
-        uris = written | {urllib.parse.unquote(uri) for uri in written}
+        found = re.findall(r"""filename\s*=\s*(["'])(.*?)\1""", read_text(path))
+        written = {uri for uri in (html.unescape(text) for _, text in found) if len(uri) <= MOST_PATH}
+        uris = written | set(map(decoded, written))
         return [path, *(file for uri in sorted(uris) for file in self.candidates(path, uri, package_path))]
+
+    def with_named(self, files):
+        """These and those that .gltf files among them name."""
+        for file in map(str, files):
+            yield file
+            if file.lower().endswith(".gltf"):
+                if file not in self.named:
+                    self.named[file] = list(named_by(file))
+                yield from self.named[file]
 
     def of_package(self, path):
         """Of a package or a .xacro file, which may read any file of its package."""
@@ -84,9 +117,9 @@ class Sources:
         if "/" not in item.path:  # a package, for ROS to find
             return None
         if item.is_mesh() or not os.path.exists(item.path):
-            return [item.path]
+            return self.with_named([item.path])
         if item.path.lower().endswith(".urdf"):
-            return self.of_description(item.path, options.get("package-path", []))
+            return self.with_named(self.of_description(item.path, options.get("package-path", [])))
         return self.of_package(item.path)
 
     def fingerprint(self, item, options, version):
@@ -95,7 +128,7 @@ class Sources:
         if files is None:
             return ""
         files = [*files, *options.get("config", [])]
-        held = sorted((str(file), digest) for file in {os.path.normpath(file) for file in files} if (digest := self.digests.of(file)))
+        held = sorted((file, digest) for file in {*map(str, files), *map(os.path.normpath, files)} if (digest := self.digests.of(file)))
         return sha256(json.dumps([version, item.path, options, held], sort_keys=True))
 
 
@@ -134,8 +167,9 @@ def row_of(entry, state):
 
 
 def missing(entries, state):
-    """Those without a row, and those of which nobody knows what they depend on."""
-    return [entry for entry in entries if not (entry["fingerprint"] and row_of(entry, state))]
+    """Those without a row, those whose result could not be written, and those of which nobody knows what they depend on."""
+    rows = [(entry, row_of(entry, state)) for entry in entries]
+    return [entry for entry, row in rows if not (entry["fingerprint"] and row and row["cause"] != UNWRITABLE)]
 
 
 def forget(entries, state):

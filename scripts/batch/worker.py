@@ -15,11 +15,12 @@ import threading
 import time
 
 from files import read_json, sha256, write_json
-from plan import row_file
+from plan import UNWRITABLE, row_file
 
 MEGABYTE = 1 << 20
 READER = {"reader-memory": 512, "reader-time": 4}  # defaults of decompose, which an attempt doubles like its own limits
 SCARCE = {"OutOfMemory", "OutOfTime"}  # causes that more of it may mend
+NOT_WRITTEN = 2  # status of decompose for a refused input, a single mesh that failed, and an output that cannot be written
 INTERRUPTED = {130, -signal.SIGINT, -signal.SIGTERM}  # statuses of decompose
 GRACE = 10  # [s] to end in order
 MEASURED = ("report.json", "report.html")  # files with times in them
@@ -81,16 +82,19 @@ class Run:
         self.child.terminate()
 
     def cause(self):
-        """Why there is no report, as the name of an error."""
+        """Why there is no result, as the name of an error."""
         if self.late:
             return "OutOfTime"
+        if self.status == NOT_WRITTEN and re.search("^decompose: (--json: )?cannot write '", self.text, flags=re.M):
+            return UNWRITABLE
         if self.status in (-signal.SIGKILL, 127) or re.search(r"out of memory|memory did not suffice|bad_alloc", self.text, flags=re.I):
             return "OutOfMemory"
         return f"Crashed ({signal.Signals(-self.status).name})" if self.status < 0 else "Refused"
 
     def reason(self, memory, seconds):
         said = " ".join(line.partition("decompose: ")[2] or line for line in self.text.splitlines() if "; nothing was written to" not in line)
-        by_cause = {"OutOfTime": f"not done after {seconds / 60:g} min; --minutes allows more",
+        by_cause = {UNWRITABLE: f"{said.strip()}. The next start tries again",
+                    "OutOfTime": f"not done after {seconds / 60:g} min; --minutes allows more",
                     "OutOfMemory": f"{memory} MB of memory did not suffice; --memory allows more"}
         return by_cause.get(self.cause(), said.strip() or f"ended with status {self.status} and said nothing")
 
@@ -122,13 +126,19 @@ def status_of(meshes, written):
     return "degraded" if "degraded" in states else "ok"
 
 
+def is_complete(run, meshes, written):
+    """Whether decompose has written what its report says: a result, or none where all meshes failed."""
+    all_failed = bool(meshes) and all(mesh["status"] == "failed" for mesh in meshes)
+    return run.status in (0, 1) or (run.status == NOT_WRITTEN and (written or all_failed))
+
+
 def row_of(entry, run, report, settings, limits):
     folder = os.path.join(settings["output"], entry["folder"])
     row = {"name": entry["name"], "input": entry["input"], "fingerprint": entry["fingerprint"], "folder": entry["folder"], "reason": "", "cause": "",
            "hash": hash_of(folder), **run.measured}
-    if report is None or run.status not in (0, 1, 2):
+    meshes = list(mesh_rows(report or {"links": []}))
+    if report is None or not is_complete(run, meshes, bool(row["hash"])):
         return {**row, "status": "failed", "cause": run.cause(), "reason": run.reason(*limits), "meshes": []}
-    meshes = list(mesh_rows(report))
     failed = sum(mesh["status"] == "failed" for mesh in meshes)
     row["reason"] = f"{failed} of {len(meshes)} meshes failed" if failed else ""
     return {**row, "status": status_of(meshes, bool(row["hash"])), "meshes": meshes}

@@ -2,6 +2,7 @@
 #include "base/large_pages.h"
 
 #include <limits.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -14,9 +15,10 @@ namespace collision_hulls {
 namespace {
 
 constexpr const char* kVariable = "GLIBC_TUNABLES";
-// Pages of 2 MB; memory taken in pieces of 16 MB, blocks up to 32 MB from it, and none of it given back.
+// Pages of 2 MB; memory taken in pieces of 4 MB, blocks up to 32 MB from it, and none of it given back.
 constexpr const char* kValue =
-    "glibc.malloc.hugetlb=1:glibc.malloc.top_pad=16777216:glibc.malloc.mmap_threshold=33554432:glibc.malloc.trim_threshold=1000000000";
+    "glibc.malloc.hugetlb=1:glibc.malloc.top_pad=4194304:glibc.malloc.mmap_threshold=33554432:glibc.malloc.trim_threshold=1000000000";
+constexpr rlim_t kLittle = 1 << 30;  // [bytes] a smaller limit may leave too little for these pieces
 
 bool kernelWantsToBeAsked() {
   std::ifstream file("/sys/kernel/mm/transparent_hugepage/enabled");
@@ -24,11 +26,19 @@ bool kernelWantsToBeAsked() {
   return std::getline(file, choices) && choices.find("[madvise]") != std::string::npos;
 }
 
+bool isMemoryScarce() {
+  const auto is_low = [](auto resource) {
+    rlimit limit{};
+    return getrlimit(resource, &limit) == 0 && limit.rlim_cur < kLittle;
+  };
+  return is_low(RLIMIT_DATA) || is_low(RLIMIT_AS);
+}
+
 }  // namespace
 
 void takeLargePages(char** arguments) {
 #ifdef __GLIBC__
-  if (kSanitized || std::getenv(kVariable) || !kernelWantsToBeAsked()) return;
+  if (kSanitized || std::getenv(kVariable) || isMemoryScarce() || !kernelWantsToBeAsked()) return;
   char program[PATH_MAX];
   const ssize_t length = readlink("/proc/self/exe", program, sizeof program);
   if (length <= 0 || length == sizeof program) return;

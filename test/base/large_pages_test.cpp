@@ -2,6 +2,7 @@
 #include "base/large_pages.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -49,6 +50,15 @@ TEST(LargePages, StartTheProgramAgainWhereTheKernelWantsToBeAsked) {
   std::getline(file, choices);
   const bool of_use = !kSanitized && choices.find("[madvise]") != std::string::npos;
   EXPECT_EQ(taken(nullptr), of_use ? kStartedAgain : kStayed) << choices;
+}
+
+TEST(LargePages, StartNothingWithLittleMemory) {
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_DATA, &before), 0);
+  const rlimit little{1 << 29, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_DATA, &little), 0);
+  EXPECT_EQ(taken(nullptr), kStayed);
+  setrlimit(RLIMIT_DATA, &before);
 }
 
 TEST(LargePages, StartNothingForWhoHasSetTheVariable) {

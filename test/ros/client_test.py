@@ -106,7 +106,7 @@ class ClientTest(unittest.TestCase):
 
     def test_wrong_use(self):
         urdf = self.urdf(self.folder.small_robot())
-        for arguments, word in (([urdf, "-t", "5x"], "'5x'"), ([urdf, "-t", "1%,2%"], "'1%,2%'"), ([urdf, "-t", "0"], "'0'"),
+        for arguments, word in (([urdf, "-t", "5x"], "'5x'"), ([urdf, "-t", "1%,2%"], "'1%,2%'"), ([urdf, "-t", "1,5%"], "'1,5%'"), ([urdf, "-t", "0"], "'0'"),
                                 ([urdf, "-t", "-1mm"], "-t"), ([urdf, "-t", ""], "''"), ([urdf, "--scene", "x.yaml"], "--clearance"),
                                 ([urdf, "--scene", "x.yaml", "--clearance", "5%"], "'5%'"), ([urdf, "-m", "magic"], "'magic'"),
                                 (["nowhere.urdf"], "'nowhere.urdf'"), ([urdf, "--links", "leg"], "'leg'")):

@@ -20,11 +20,14 @@ std::string shortened(const std::string& text, std::size_t most) {
   return text.substr(0, head) + "... (" + std::to_string(text.size()) + " bytes) ..." + text.substr(tail);
 }
 
-std::string lowerExtension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
+std::string inLowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return extension;
+  return text;
+}
+
+std::string lowerExtension(const std::string& path) {
+  return inLowerCase(std::filesystem::path(path).extension().string());
 }
 
 }  // namespace collision_hulls

@@ -20,6 +20,8 @@ std::string listed(const Texts& texts, const std::string& between = ", ") {
   return list;
 }
 
+std::string inLowerCase(std::string text);  ///< ASCII letters
+
 /// A path's extension in lower case (ASCII), with the dot; empty if it has none.
 std::string lowerExtension(const std::string& path);
 

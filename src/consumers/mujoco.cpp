@@ -28,6 +28,15 @@ std::string poseText(const Eigen::Isometry3d& pose) {
   return attribute("pos", positionText(pose)) + attribute("quat", quaternionText(pose));
 }
 
+/// MuJoCo refuses a range of nothing: such a joint is fixed.
+bool isLocked(const JointDescription& joint) {
+  return turnsOrSlides(joint) && joint.kind != JointDescription::Kind::kContinuous && !(joint.lower < joint.upper);
+}
+
+bool moves(const JointDescription& joint) {
+  return turnsOrSlides(joint) && !isLocked(joint);
+}
+
 class MjcfWriter {
  public:
   MjcfWriter(const WrittenModel& model, const std::vector<DisabledPair>& pairs, const RunControl& control)
@@ -54,13 +63,17 @@ class MjcfWriter {
     control_.check();
     const std::string indent(static_cast<std::size_t>(2 * std::min(depth, kMostIndented)), ' ');
     if (!joint && link == kWorld) return addContents(link, indent, depth - 1);
-    const bool floats = joint && joint->kind == JointDescription::Kind::kFloating;
-    const std::string place = !joint ? "" : poseText(floats ? places_.at(link) : joint->origin);
-    bodies_ += indent + "<body" + attribute("name", link) + place + ">\n";
+    bodies_ += indent + "<body" + attribute("name", link) + (joint ? poseText(placeAt(*joint)) : "") + ">\n";
     bodies_ += inertialText(link, indent + "  ");
     if (joint) bodies_ += jointText(*joint, indent + "  ");
     addContents(link, indent + "  ", depth);
     bodies_ += indent + "</body>\n";
+  }
+
+  /// Of the body below a joint, in the one above it.
+  Eigen::Isometry3d placeAt(const JointDescription& joint) const {
+    if (joint.kind == JointDescription::Kind::kFloating) return places_.at(joint.child);
+    return isLocked(joint) ? places_.at(joint.parent).inverse() * places_.at(joint.child) : joint.origin;
   }
 
   /// The geoms of a link, and the bodies below it.
@@ -84,7 +97,7 @@ class MjcfWriter {
     const JointDynamics dynamics = model_.dynamicsOf(joint.name);
     const bool slides = joint.kind == JointDescription::Kind::kPrismatic, turns = joint.kind == JointDescription::Kind::kRevolute;
     if (joint.kind == JointDescription::Kind::kFloating) return indent + "<freejoint" + attribute("name", joint.name) + "/>\n";
-    if (!turnsOrSlides(joint)) return "";
+    if (!moves(joint)) return "";
     std::string text = indent + "<joint" + attribute("name", joint.name) + attribute("type", slides ? "slide" : "hinge") +
                        attribute("axis", vectorText(joint.axis));
     if (slides || turns) text += attribute("limited", "true") + attribute("range", numberText(joint.lower) + " " + numberText(joint.upper));
@@ -134,13 +147,19 @@ class MjcfWriter {
     return text.empty() ? "" : "  <contact>\n" + text + "  </contact>\n";
   }
 
-  /// Joints that mimic others: offset and multiplier of the master's position.
+  /// Joints that mimic others: offset and multiplier of the master's position, or the one position that a locked master leaves them.
   std::string equalities() const {
+    std::map<std::string, double> locked;
+    for (const JointDescription& joint : model_.robot().joints)
+      if (isLocked(joint)) locked[joint.name] = joint.lower;
     std::string text;
     for (const JointDescription& joint : model_.robot().joints) {
-      if (joint.mimic.empty() || !turnsOrSlides(joint)) continue;
-      text += "    <joint" + attribute("joint1", joint.name) + attribute("joint2", joint.mimic) +
-              attribute("polycoef", numberText(joint.mimic_offset) + " " + numberText(joint.mimic_multiplier) + " 0 0 0") + "/>\n";
+      if (joint.mimic.empty() || !moves(joint)) continue;
+      const auto at = locked.find(joint.mimic);
+      const bool is_free = at == locked.end();
+      const double offset = joint.mimic_offset + (is_free ? 0 : joint.mimic_multiplier * at->second);
+      text += "    <joint" + attribute("joint1", joint.name) + (is_free ? attribute("joint2", joint.mimic) : "") +
+              attribute("polycoef", numberText(offset) + " " + numberText(is_free ? joint.mimic_multiplier : 0) + " 0 0 0") + "/>\n";
     }
     return text.empty() ? "" : "  <equality>\n" + text + "  </equality>\n";
   }
@@ -168,6 +187,8 @@ std::vector<std::string> mujocoNotes(const WrittenModel& model) {
                     " kg/m^3, so that they weigh next to nothing, and a simulation may diverge; add <inertial>, or change the density");
   const std::string planar = jointsThat(model, [](const auto& joint) { return joint.kind == JointDescription::Kind::kPlanar; });
   if (!planar.empty()) notes.push_back("--for mujoco: planar joints (" + planar + ") are fixed, as MJCF has none");
+  const std::string locked = jointsThat(model, isLocked);
+  if (!locked.empty()) notes.push_back("--for mujoco: joints whose range is nothing (" + locked + ") are fixed, as MuJoCo refuses them");
   noteLeftOut(model, "mujoco", notes);
   return notes;
 }

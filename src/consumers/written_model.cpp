@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cstdio>
 #include <sstream>
 
 #include "base/counted.h"
@@ -50,6 +51,13 @@ Eigen::Vector3d balanced(const Eigen::Vector3d& moments) {
   return possible ? moments : Eigen::Vector3d(Eigen::Vector3d::Constant(std::max(kLeastMoment, moments.sum() / 3)));
 }
 
+/// "1.234e-07 0.5 2", for messages.
+std::string figures(const Eigen::Vector3d& v) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%.4g %.4g %.4g", v.x(), v.y(), v.z());
+  return text;
+}
+
 /// `given` [kg m^2]: the moments as the description has them.
 Inertial inertialOf(const XmlNode& element, Eigen::Vector3d& given) {
   const XmlNode* const entries = element.child("inertia");
@@ -94,8 +102,9 @@ void WrittenModel::readDynamics(const XmlNode& robot) {
     const std::string name = link->attribute("name");
     inertials_[name] = inertial;
     if (moments != inertial.moments && ++changed == 1)
-      notes_.push_back("link '" + name + "': moments of inertia of " + vectorText(moments) +
-                       " are impossible; the files of --for use their mean instead, but at least 1e-9");
+      notes_.push_back("link '" + name + "': moments of inertia of " + figures(moments) +
+                       " are impossible (one is not positive, or larger than the sum of the others); the files of --for use their mean "
+                       "instead, but at least 1e-9");
   }
   if (changed > 1) notes_.front() += "; so it is with " + counted(changed - 1, "more link");
   for (const XmlNode* joint : robot.childrenNamed("joint")) {

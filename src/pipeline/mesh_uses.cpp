@@ -145,14 +145,14 @@ std::size_t decomposedUses(const std::vector<MeshUse>& uses) {
 std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options) {
   if (decomposedUses(meshUses(robot, {decisions})) > 0) return notesOnLeftOut(robot, decisions);
   std::ptrdiff_t visuals = 0, collisions = 0, chosen = 0;
-  bool is_new = false;  // visual primitives become collision elements
+  std::size_t is_new = 0;  // links whose visual primitives become collision elements
   for (const LinkDescription& link : robot.links) {
     if (!isDecomposed(decisions.of(link.name))) continue;
     ++chosen;
     visuals += std::count_if(link.visuals.begin(), link.visuals.end(), isMesh);
     collisions += std::count_if(link.collisions.begin(), link.collisions.end(), isMesh);
     const SourceElements source = sourceElements(link, decisions.of(link.name)->source);
-    is_new = is_new || (source.visual && !source.elements.empty());
+    is_new += source.visual && !source.elements.empty();
   }
   if (chosen == 0) return {"there is no mesh to decompose: all links are kept or removed"};
   const auto others = [](std::ptrdiff_t count, const std::string& kind) {
@@ -163,9 +163,11 @@ std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDe
   const char* const none = visuals + collisions > 0                         ? "there is no mesh to decompose"
                            : options.links.empty() && options.rules.empty() ? "the robot has no meshes"
                                                                             : "the chosen links have no meshes";
-  const std::string stays = is_new ? "" : ", and the output's collision model is the input's";
+  const std::string stays =
+      is_new == 0 ? ", and the output's collision model is the input's"
+                  : ", and those of the <visual> elements become <collision> elements of " + counted(is_new, "link") + " without any";
   const std::string how_well =
-      visuals > 0 && collisions == 0 && !is_new ? "; 'verify INPUT INPUT' tells how far they are from the primitives" : "";
+      visuals > 0 && collisions == 0 && is_new == 0 ? "; 'verify INPUT INPUT' tells how far they are from the primitives" : "";
   return {none + std::string("; boxes, spheres and cylinders stay as they are") + stays + others(visuals, "visual") +
           others(collisions, "collision") + how_well};
 }

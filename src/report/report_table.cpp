@@ -103,12 +103,14 @@ std::string modelHeading(const Report& report) {
 
 /// What the columns mean. A row whose hulls left surface uncovered would have failed.
 std::string legend(const Report& report) {
-  if (totals(report).meshes == totals(report).failed) return "";
+  const Totals sums = totals(report);
+  if (sums.meshes == sums.failed) return "";
   const auto cached = std::count_if(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.cached; });
   const bool some_needed =
       std::any_of(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.least_hulls > 1; });
-  std::string text = "The " + kindOfBodies(report) +
-                     " cover the whole surface of each mesh, and no point of them is further from its solid than the protrusion.\n";
+  std::string text = "The " + kindOfBodies(report) + " cover the whole surface of each mesh" +
+                     (sums.failed > 0 ? " that has not failed" : "") +
+                     ", and no point of them is further from its solid than the protrusion.\n";
   if (some_needed) text += "\"at least\": proved, no cover within the tolerance has fewer hulls; 1 where none was sought.\n";
   if (report.links.size() > 1) text += "Meshes run in parallel; the total time is wall-clock time.\n";
   if (cached > 0) text += counted(static_cast<std::size_t>(cached), "mesh", "meshes") + " came from the cache.\n";

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "robot/package_crawl.h"
@@ -109,6 +110,19 @@ std::vector<std::string> judged(const std::vector<std::string>& files, const fs:
   return descriptions.empty() ? files : descriptions;
 }
 
+/// In an output of ours: without the copies of a description that --for writes for consumers with tags of their own.
+void removeVariants(std::vector<std::string>& files) {
+  const std::set<std::string> all(files.begin(), files.end());
+  const auto is_variant = [&](const std::string& file) {
+    const std::string stem = file.substr(0, file.rfind('.'));
+    for (const std::string end : {"_drake", "_tesseract"})
+      if (stem.size() > end.size() && stem.compare(stem.size() - end.size(), end.size(), end) == 0)
+        return all.count(stem.substr(0, stem.size() - end.size()) + ".urdf") > 0;
+    return false;
+  };
+  files.erase(std::remove_if(files.begin(), files.end(), is_variant), files.end());
+}
+
 }  // namespace
 
 std::vector<std::string> robotDescriptionsIn(const std::string& package_folder) {
@@ -116,10 +130,11 @@ std::vector<std::string> robotDescriptionsIn(const std::string& package_folder) 
   for (const char* extension : {".urdf", ".xacro"}) {
     for (const char* folder : {"robots", "urdf"}) {
       for (const fs::path& entry : sortedEntries(fs::path(package_folder) / folder)) {
-        if (entry.extension() == extension && isFile(entry)) found.push_back(entry.string());
+        if (lowerExtension(entry.string()) == extension && isFile(entry)) found.push_back(entry.string());
       }
     }
   }
+  if (isFile(fs::path(package_folder) / "report.json")) removeVariants(found);
   return judged(found, package_folder);
 }
 
@@ -132,8 +147,9 @@ std::vector<std::string> robotDescriptionsBelow(const std::string& folder) {
        at.increment(error)) {
     const fs::path& path = at->path();
     if (path.filename().string().front() == '.' || at.depth() == kDeepest) at.disable_recursion_pending();
-    if (path.extension() == ".urdf" && isFile(path)) urdf.push_back(path.string());
-    if (path.extension() == ".xacro" && isFile(path)) xacro.push_back(path.string());
+    const std::string extension = lowerExtension(path.string());
+    if (extension == ".urdf" && isFile(path)) urdf.push_back(path.string());
+    if (extension == ".xacro" && isFile(path)) xacro.push_back(path.string());
   }
   for (std::vector<std::string>* files : {&urdf, &xacro}) std::sort(files->begin(), files->end());
   urdf.insert(urdf.end(), xacro.begin(), xacro.end());

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "base/roots.h"
+#include "base/string_parts.h"
 #include "base/uri_text.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
@@ -25,7 +26,8 @@ namespace fs = std::filesystem;
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kMostAbove = 100;  // folders above a description that are searched: each has a path of its own, for every mesh
+constexpr std::size_t kMostEntries = 20'000;  // of a folder in which a name in another case is looked for
+constexpr std::size_t kMostAbove = 100;       // folders above a description that are searched: each has a path of its own, for every mesh
 
 std::vector<fs::path> foldersInVariable(const char* name) {
   const char* value = std::getenv(name);
@@ -50,6 +52,13 @@ std::vector<fs::path> foldersAbove(const std::string& path) {
     if (!folder.filename().empty()) folders.push_back(folder);
   }
   return folders;
+}
+
+bool mayBeRead(const std::string& folder) try {
+  checkRead(folder);
+  return true;
+} catch (const Error&) {
+  return false;
 }
 
 // A path as a sequence of names below a folder; empty for one that leads out of it.
@@ -132,6 +141,29 @@ class PackageFinder::Search {
     return std::nullopt;
   }
 
+  std::optional<std::string> inOtherCase(const fs::path& path) {
+    fs::path found = path.root_path();
+    for (const fs::path& part : path.relative_path()) {
+      fs::path next = found / part;
+      std::error_code error;
+      if (!fs::exists(next, error)) {
+        const std::string name = nameInOtherCase(found.empty() ? "." : found, part.string());
+        if (name.empty()) return std::nullopt;
+        next = found / name;
+      }
+      found = std::move(next);
+    }
+    return isFile(found) ? std::optional(found.string()) : std::nullopt;
+  }
+
+  std::optional<std::string> nearbyInOtherCase(const std::string& package, const std::string& rest, const std::string& base) {
+    const fs::path path = within(rest), name = within(package);
+    if (path.empty() || name.empty()) return std::nullopt;
+    for (const fs::path& folder : standIns(name, path, base))
+      if (const auto file = isFolder(folder) ? inOtherCase(folder / path) : std::nullopt) return file;
+    return std::nullopt;
+  }
+
   // Of those that ROS knows or the package path has.
   std::string packageWith(const fs::path& path) {
     std::call_once(crawled_, [this] { crawl(); });
@@ -179,6 +211,23 @@ class PackageFinder::Search {
     return folders;
   }
 
+  // Each folder is read once, however many files are missed in it. Empty: there is no such name.
+  std::string nameInOtherCase(const fs::path& folder, const std::string& name) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto [known, is_new] = names_.try_emplace(folder.string());
+    if (is_new && mayBeRead(folder.string())) {
+      std::error_code error;
+      std::size_t entries = 0;
+      for (fs::directory_iterator at(folder, error), end; !error && at != end && ++entries < kMostEntries; at.increment(error)) {
+        const std::string entry = at->path().filename().string();
+        std::string& first = known->second[inLowerCase(entry)];
+        if (first.empty() || entry < first) first = entry;
+      }
+    }
+    const auto found = known->second.find(inLowerCase(name));
+    return found == known->second.end() ? "" : found->second;
+  }
+
   std::string remember(const std::string& package, bool known_package, const fs::path& folder) {
     note("package '" + package + (known_package ? "' lacks some of its files: " : "' was not found: ") + "the folder '" + folder.string() +
          "' was used in its place");
@@ -195,8 +244,9 @@ class PackageFinder::Search {
   std::once_flag enclosing_read_, crawled_;
   std::map<std::string, std::string> enclosing_packages_;  // by name
   std::unique_ptr<const PackageCrawl> ros_crawl_, given_crawl_;
-  mutable std::mutex mutex_;  // guards notes_
+  mutable std::mutex mutex_;  // guards all below
   std::vector<std::string> notes_;
+  std::map<std::string, std::map<std::string, std::string>> names_;  // by folder and in lower case: of its entries
 };
 
 PackageFinder::PackageFinder() : PackageFinder(std::make_shared<Search>("", std::vector<std::string>(), false)) {}
@@ -228,6 +278,15 @@ std::optional<std::string> PackageFinder::knownPackage(const std::string& packag
 std::optional<std::string> PackageFinder::fileNearby(const std::string& package, const std::string& rest, const std::string& base) const {
   if (search_->named(package)) return std::nullopt;
   return search_->file(package, knownPackage(package).has_value(), rest, base);
+}
+
+std::optional<std::string> PackageFinder::inOtherCase(const std::string& path) const {
+  return search_->inOtherCase(path);
+}
+
+std::optional<std::string> PackageFinder::nearbyInOtherCase(const std::string& package, const std::string& rest,
+                                                            const std::string& base) const {
+  return search_->nearbyInOtherCase(package, rest, base);
 }
 
 std::string PackageFinder::packageWith(const std::string& path) const {

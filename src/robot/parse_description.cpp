@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 #include <unordered_map>
@@ -197,7 +198,8 @@ RobotDescription decodeRobotDescription(const std::string& urdf_text, const std:
   std::vector<std::string> notes = notesOn(subject, robot);
   notes.insert(notes.end(), losses.begin(), losses.end());
   notes.insert(notes.end(), stand_ins.notes().begin(), stand_ins.notes().end());
-  return {model.name, "", path, std::move(links), std::move(model.joints), std::move(notes)};
+  const std::string name = model.name.empty() ? std::filesystem::path(path).stem().string() : model.name;
+  return {name.empty() ? "robot" : name, "", path, std::move(links), std::move(model.joints), std::move(notes)};
 }
 
 }  // namespace collision_hulls

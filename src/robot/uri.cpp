@@ -98,8 +98,12 @@ std::string hostOf(const std::string& uri) {
 
 [[noreturn]] void throwMissing(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
   const std::optional<fs::path> path = pathOf(percentDecoded(uri), base, find_package);
+  const std::string remedy = "; rename it, or correct the case of letters in the URI";
   if (!path) {
-    const std::string package = *packageOf(uri);
+    const auto in_package = packageUri(percentDecoded(uri));
+    const std::string package = in_package->package;
+    if (const auto other = find_package.nearbyInOtherCase(package, in_package->rest, base))
+      throw Error(ErrorCode::kFileNotFound, "'" + uri + "' was not found, but '" + *other + "' was" + remedy);
     // Without the URI: links that lack the same package then fail for the same reason, which is said once.
     throw Error(ErrorCode::kPackageNotFound, "package '" + package + "' was not found: install it and source its workspace, or say " +
                                                  "where it is with --package-path " + package + "=DIR");
@@ -109,6 +113,9 @@ std::string hostOf(const std::string& uri) {
   if (!host.empty())
     throw Error(ErrorCode::kFileNotFound, "'" + uri + "' names the host '" + host + "', and '" + file +
                                               "' does not exist; files are read from this machine alone: give file:///PATH");
+  if (const auto other = find_package.inOtherCase(file))
+    throw Error(ErrorCode::kFileNotFound,
+                "'" + uri + "' resolves to '" + file + "', which does not exist, but '" + *other + "' does" + remedy);
   if (file == uri) throw Error(ErrorCode::kFileNotFound, "'" + uri + "' does not exist; check the path");
   throw Error(ErrorCode::kFileNotFound,
               "'" + uri + "' resolves to '" + file + "', which does not exist" +

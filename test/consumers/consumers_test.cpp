@@ -461,6 +461,28 @@ TEST_F(Consumers, MujocoHasNoEqualityForALockedJointAndNoFreeJointBelowABody) {
             std::string::npos);
 }
 
+// "range[0] should be smaller than range[1]", it says otherwise.
+TEST_F(Consumers, MujocoHasNoJointThatCannotMove) {
+  std::string urdf = threeLinks(cube());
+  const std::string limits = "lower=\"-1\" upper=\"1\"", locked = "lower=\"0.5\" upper=\"0.5\"";
+  urdf.replace(urdf.find(limits), limits.size(), locked);
+  urdf.replace(urdf.rfind("</joint>"), std::string::npos, "<mimic joint=\"ab\" multiplier=\"2\" offset=\"0.25\"/></joint>\n</robot>");
+  const std::string xml = fileOf(Consumer::kMujoco, urdf, "mjcf/three.xml");
+  EXPECT_EQ(xml.find("<joint name=\"ab\""), std::string::npos) << xml;
+  EXPECT_NE(xml.find("<joint joint1=\"bc\" polycoef=\"1.25 0 0 0 0\"/>"), std::string::npos) << "where its master is for good: " << xml;
+  const std::string turned = "<body name=\"b\" pos=\"0.5 0 0\" quat=\"0.96891242171064";  // cos 0.25
+  EXPECT_NE(xml.find(turned), std::string::npos) << xml;
+  EXPECT_NE(notesOf(Consumer::kMujoco, urdf).find("joints whose range is nothing ('ab') are fixed"), std::string::npos);
+}
+
+TEST_F(Consumers, ARobotWithoutANameHasThatOfItsFile) {
+  std::string urdf = threeLinks(cube());
+  urdf.replace(urdf.find("\"three\""), 7, "\"\"");
+  EXPECT_EQ(parseRobotDescription(urdf).name, "robot");
+  EXPECT_EQ(parseRobotDescription(urdf, "/tmp/arm.urdf").name, "arm");
+  EXPECT_NE(fileOf(Consumer::kGazebo, urdf, "model.sdf").find("<model name=\"robot\">"), std::string::npos);
+}
+
 TEST_F(Consumers, GazeboHasACollisionForEachHullAndTheLimits) {
   const std::string sdf = fileOf(Consumer::kGazebo, threeLinks(cube()), "model.sdf");
   EXPECT_EQ(fixtures::count(sdf, "<collision "), 3u);

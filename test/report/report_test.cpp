@@ -141,7 +141,7 @@ TEST(ReportTable, ARowForEveryMeshAndTheirTotal) {
   EXPECT_EQ(table[4],
             "total  3 meshes of 2 links         24      6         4        48              333                      1.50  1 ok, 1 "
             "degraded, 1 failed");
-  EXPECT_EQ(table[5].rfind("The hulls cover the whole surface", 0), 0u);
+  EXPECT_EQ(table[5].rfind("The hulls cover the whole surface of each mesh that has not failed, and no point", 0), 0u) << table[5];
   EXPECT_EQ(table[6], "\"at least\": proved, no cover within the tolerance has fewer hulls; 1 where none was sought.");
   EXPECT_EQ(table[8], "degraded: upper, upper.stl: too far");
   EXPECT_EQ(table[9],

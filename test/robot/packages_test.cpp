@@ -193,6 +193,17 @@ TEST_F(Packages, CopiesShareOneCrawl) {
   EXPECT_TRUE(defaultPackageFinder()("late"));
 }
 
+// The output of --for drake and --for tesseract is one robot.
+TEST_F(Packages, ADescriptionForAConsumerIsNoOther) {
+  const std::string robot = "<robot name='arm'><link name='a'/></robot>", arm = folder_.write("out/urdf/arm.urdf", robot);
+  const std::string drake = folder_.write("out/urdf/arm_drake.urdf", robot),
+                    tesseract = folder_.write("out/urdf/arm_tesseract.urdf", robot);
+  const std::string alone = folder_.write("out/urdf/hand_drake.urdf", robot);
+  EXPECT_EQ(robotDescriptionsIn(folder_.path("out")), (std::vector<std::string>{arm, drake, tesseract, alone})) << "no output of ours";
+  folder_.write("out/report.json", "{}");
+  EXPECT_EQ(robotDescriptionsIn(folder_.path("out")), (std::vector<std::string>{arm, alone}));
+}
+
 TEST_F(Packages, DescriptionsInAPackage) {
   for (const char* name : {"urdf/b.urdf", "urdf/a.urdf.xacro", "urdf/readme.txt", "robots/z.urdf", "robots/c.xacro", "meshes/no.urdf"}) {
     folder_.write(std::string("arm/") + name);
@@ -202,6 +213,9 @@ TEST_F(Packages, DescriptionsInAPackage) {
                                           folder_.path("arm/robots/c.xacro"), folder_.path("arm/urdf/a.urdf.xacro")};
   EXPECT_EQ(robotDescriptionsIn(folder_.path("arm")), expected);
   EXPECT_TRUE(robotDescriptionsIn(folder_.path("nowhere")).empty());
+  const std::string loud = folder_.write("loud/urdf/arm.URDF", "<robot name='loud'><link name='a'/></robot>");
+  EXPECT_EQ(robotDescriptionsIn(folder_.path("loud")), std::vector<std::string>{loud});
+  EXPECT_EQ(robotDescriptionsBelow(folder_.path("loud")).size(), 1u);
 }
 
 TEST_F(Packages, MacrosAreNoDescriptionOfTheirOwn) {

@@ -40,6 +40,20 @@ TEST_F(ResolveUri, UnknownPackage) {
   expectError(ErrorCode::kPackageNotFound, {"'arm'"}, [&] { resolveUri("package://arm/meshes/a b.stl", "", nullptr); });
 }
 
+// As on a system that does not tell them apart.
+TEST_F(ResolveUri, AFileInOtherLettersIsNamed) {
+  for (const char* uri : {"package://arm/meshes/A b.STL", "package://arm/Meshes/a b.stl", "../MESHES/a b.stl"})
+    expectError(ErrorCode::kFileNotFound, {"'" + std::string(uri) + "'", "but '" + mesh_ + "' does; rename it, or correct the case"},
+                [&] { resolve(uri); });
+  expectError(ErrorCode::kFileNotFound, {"which does not exist; check the URI"}, [&] { resolve("package://arm/meshes/ab.stl"); });
+  const PackageFinder near = defaultPackageFinder(base_);  // a folder stands in for the package
+  const std::string other = folder_.write("arm/parts/Leg.stl");
+  expectError(ErrorCode::kFileNotFound, {"'package://parts/leg.STL' was not found, but '" + other + "' was; rename it"},
+              [&] { resolveUri("package://parts/leg.STL", base_, near); });
+  const Confinement confinement({{folder_.path("arm/urdf")}, {}, {}, {}, "", ""});
+  expectError(ErrorCode::kFileNotFound, {"which does not exist; check the URI"}, [&] { resolve("package://arm/meshes/A b.STL"); });
+}
+
 TEST_F(ResolveUri, AModelIsAPackage) {
   EXPECT_EQ(resolve("model://arm/meshes/a%20b.stl"), mesh_);
   EXPECT_EQ(packageOf("model://arm/meshes/a.stl"), std::optional<std::string>("arm"));

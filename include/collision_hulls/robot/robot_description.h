@@ -120,6 +120,12 @@ class PackageFinder {
   std::optional<std::string> fileNearby(const std::string& package, const std::string& rest,
                                         const std::string& base) const;
 
+  /// For messages: the file whose path differs from this one in the case of letters (ASCII), and
+  /// that where fileNearby() looks. nullopt: there is none, or its folder may not be read.
+  std::optional<std::string> inOtherCase(const std::string& path) const;
+  std::optional<std::string> nearbyInOtherCase(const std::string& package, const std::string& rest,
+                                               const std::string& base) const;
+
   /// The real folder of the package in ROS_PACKAGE_PATH or the package path that holds a path
   /// without links; empty if none does.
   std::string packageWith(const std::string& path) const;

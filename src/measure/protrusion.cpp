@@ -1,7 +1,7 @@
 // The largest distance over a hull is either on its surface or at a summit, a local maximum of the distance in the hull's interior. The
 // surface is searched patch by patch (surface_search.h). Summits depend only on the solid: they lie in pockets between walls that face each
 // other, and an octree shared by all hulls excludes the rest of space (outside_distance.h). The search runs in passes with a shrinking gap,
-// so most hulls are dismissed by a floor that another hull sets.
+// so most hulls are dismissed by a floor that another hull sets. Convex parts need no octree: see boundInFreeHull().
 #include "measure/protrusion.h"
 
 #include <algorithm>
@@ -47,14 +47,46 @@ double rounding(const std::vector<ConvexHull>& hulls, const Solid& solid, const 
   return hulls.empty() ? 0 : kRounding * size + beyond + solid.sideError();
 }
 
+/// [m] An upper bound on the distance to S of all points of a hull that the surface leaves free, and whose middle lies in S; infinite for
+/// other hulls, and if it is more than `most`.
+///
+/// Why: let no triangle reach deeper than e into the hull, and the middle c be deeper, by r. All that is deeper than e is connected and
+/// free of surface, so it lies in S, as c does. Any other point gets there by e / r of its way to c, since the depth is concave.
+double boundInFreeHull(const ConvexHull& hull, const Solid& solid, double most, const RunControl& control) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  if (solid.hasOpenings() || solid.sideError() > 0) return kNone;  // S may end where there is no surface
+  const Eigen::AlignedBox3d box = boundingBox(hull);
+  const auto depth = [](const HalfSpace& face, const Eigen::Vector3d& p) { return -face.distance(p); };
+  Eigen::Vector3d c = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& v : hull.vertices) c += v / static_cast<double>(hull.vertices.size());
+  double r = kNone, e = kRounding * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  for (const HalfSpace& face : hull.faces) r = std::min(r, depth(face, c));
+  const double way = box.sizes().norm();  // to c at most
+  Looks look(control);
+  for (const int t : solid.surface().trianglesNear(box)) {
+    double reach = kNone;
+    for (const HalfSpace& face : hull.faces) {
+      look();
+      double deepest = -kNone;
+      for (const Eigen::Vector3d& corner : solid.surface().corners(t)) deepest = std::max(deepest, depth(face, corner));
+      reach = std::min(reach, deepest);
+      if (reach <= e) break;
+    }
+    e = std::max(e, reach);
+    if (!(e * way <= most * r) || e >= r) return kNone;
+  }
+  return e < r && solid.contains(c) ? e / r * way : kNone;
+}
+
 /// Searches hulls for summits. Many are searched in parallel, in halves that lie side by side; the halves do not depend on the number of
 /// threads, and so neither does the result.
 class Summits {
  public:
   /// `on_surface`: per hull, the result of searching its surface.
-  Summits(const std::vector<ConvexHull>& hulls, const std::vector<Protrusion>& on_surface, const Solid& solid, double gap,
+  /// `enough`: a bound that is no more than this need not be closer.
+  Summits(const std::vector<ConvexHull>& hulls, const std::vector<Protrusion>& on_surface, const Solid& solid, double gap, double enough,
           const RunControl& control)
-      : hulls_(hulls), on_surface_(on_surface), solid_(solid), gap_(gap), control_(control) {}
+      : hulls_(hulls), on_surface_(on_surface), solid_(solid), gap_(gap), enough_(enough), control_(control) {}
 
   /// Adds those of some hulls to the worst; `spare`: visits beyond the usual, for all of them.
   void add(Protrusion& worst, const std::vector<std::size_t>& some, std::size_t spare) const {
@@ -78,6 +110,10 @@ class Summits {
     query.summits_only = true;
     const std::size_t usual = query.most_visits;
     for (const std::size_t i : some) {
+      if (const double bound = boundInFreeHull(hulls_[i], solid_, enough_, control_); bound <= enough_) {
+        worst.bound = std::max(worst.bound, bound);
+        continue;
+      }
       query.most_visits = usual + spare;
       query.floor = std::max(query.floor, worst.found);
       query.surface_bound = on_surface_[i].bound;
@@ -100,7 +136,7 @@ class Summits {
   const std::vector<ConvexHull>& hulls_;
   const std::vector<Protrusion>& on_surface_;
   const Solid& solid_;
-  const double gap_;
+  const double gap_, enough_;
   const RunControl& control_;
 };
 
@@ -148,7 +184,8 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
   for (const Protrusion& p : each) add(worst, p);
   std::vector<std::size_t> all(hulls.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  Summits(hulls, each, solid, gap() / 2, control).add(worst, all, search.spare_visits);
+  const double enough = search.share > 0 ? kFewGaps * gap() : gap() / 2;
+  Summits(hulls, each, solid, gap() / 2, enough, control).add(worst, all, search.spare_visits);
   worst.bound += rounding(hulls, solid, control);
   return worst;
 }

@@ -1,3 +1,5 @@
+#include "measure/protrusion.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -104,6 +106,18 @@ TEST(Protrusion, ABoxInsideAHull) {
   expectProtrusion(std::sqrt(3.0), {boxHull({0, 0, 0}, {3, 3, 3})}, solid, 0.001);
   expectProtrusion(1, {boxHull({1, 1, 0}, {2, 2, 2})}, solid, 0.001);
   expectProtrusion(std::sqrt(2.0), {boxHull({1, 0, 0}, {2, 2, 2})}, solid, 0.001);
+}
+
+// A search takes cells as small as the plate is thin, all over it, and does not come to its end.
+TEST(Protrusion, AThinPlateTakesNoSearch) {
+  const TriangleMesh plate = test_shapes::box(1, 1, 0.001, 2);
+  const Solid solid = solidOf(plate);
+  EXPECT_LE(protrusion({hullOf(plate)}, solid, 1e-5).bound, 1e-5);
+  const double e = 1e-8;  // larger by that all around, as by rounding: what is near an edge may be further
+  const std::vector<ConvexHull> around{boxHull({-e, -e, -e}, {1 + e, 1 + e, 0.001 + e})};
+  const Protrusion p = protrusion(around, solid, {1e-5, 1e-3, 0}, {});
+  EXPECT_GE(p.bound, std::sqrt(3) * e);
+  EXPECT_LE(p.bound, 1e-4);
 }
 
 TEST(Protrusion, AHullApartFromTheSolid) {

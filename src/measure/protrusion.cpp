@@ -26,6 +26,7 @@ constexpr int kMostHalvings = 2'000'000;
 // A bound of only a few gaps is not worth more halvings than this.
 constexpr int kPatience = 100'000;
 constexpr double kFewGaps = 12;
+constexpr double kEnough = 2;  // gaps: a search would hardly come closer than a bound that takes none
 // Rounding error of a distance, as a share of the coordinates and of the mesh's extent: a hundred times what sums of a few products err by.
 constexpr double kRounding = 1e-12;
 
@@ -184,7 +185,7 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
   for (const Protrusion& p : each) add(worst, p);
   std::vector<std::size_t> all(hulls.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const double enough = search.share > 0 ? kFewGaps * gap() : gap() / 2;
+  const double enough = search.share > 0 ? kEnough * gap() : gap() / 2;
   Summits(hulls, each, solid, gap() / 2, enough, control).add(worst, all, search.spare_visits);
   worst.bound += rounding(hulls, solid, control);
   return worst;

@@ -9,7 +9,7 @@ namespace collision_hulls {
 
 struct ProtrusionSearch {
   double gap = 0;    ///< [m] as in measures.h
-  double share = 0;  ///< of the protrusion: the gap where that is more than `gap`. Above 0, a bound of few gaps is also enough at once.
+  double share = 0;  ///< of the protrusion: the gap where that is more than `gap`. Above 0, a bound of two gaps is also enough.
   /// Cells that the search for summits may visit beyond its usual number, for all hulls together. It may need them along a narrow gap of
   /// constant width, as between a shaft and its bore, where nearly every point is a summit.
   std::size_t spare_visits = 0;

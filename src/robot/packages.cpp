@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kMostEntries = 20'000;  // of a folder in which a name in another case is looked for
+constexpr std::size_t kMostNames = 20'000;  // of a folder in which a name in another case is looked for
 constexpr std::size_t kMostAbove = 100;       // folders above a description that are searched: each has a path of its own, for every mesh
 
 std::vector<fs::path> foldersInVariable(const char* name) {
@@ -218,7 +218,7 @@ class PackageFinder::Search {
     if (is_new && mayBeRead(folder.string())) {
       std::error_code error;
       std::size_t entries = 0;
-      for (fs::directory_iterator at(folder, error), end; !error && at != end && ++entries < kMostEntries; at.increment(error)) {
+      for (fs::directory_iterator at(folder, error), end; !error && at != end && ++entries < kMostNames; at.increment(error)) {
         const std::string entry = at->path().filename().string();
         std::string& first = known->second[inLowerCase(entry)];
         if (first.empty() || entry < first) first = entry;

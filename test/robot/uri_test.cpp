@@ -51,7 +51,8 @@ TEST_F(ResolveUri, AFileInOtherLettersIsNamed) {
   expectError(ErrorCode::kFileNotFound, {"'package://parts/leg.STL' was not found, but '" + other + "' was; rename it"},
               [&] { resolveUri("package://parts/leg.STL", base_, near); });
   const Confinement confinement({{folder_.path("arm/urdf")}, {}, {}, {}, "", ""});
-  expectError(ErrorCode::kFileNotFound, {"which does not exist; check the URI"}, [&] { resolve("package://arm/meshes/A b.STL"); });
+  expectError(ErrorCode::kFileNotFound, {"which does not exist; check the URI"},
+              [&] { resolveUri("../meshes/A b.STL", base_, defaultPackageFinder(base_)); });
 }
 
 TEST_F(ResolveUri, AModelIsAPackage) {

@@ -90,7 +90,7 @@ TEST_F(RobotTreesTest, ABuildRefusesALengthForAHugeMeshAsARunDoes) {
   options_.tree.reset();
   options_.tolerance = shareOf(0.1);
   EXPECT_EQ(build().report.links.at(0).status, Status::kOk);
-  options_.tolerance = lengthOf(20);
+  options_.tolerance = lengthOf(0.5);
   EXPECT_EQ(build().report.links.at(0).error, "TooLarge");
 }
 

@@ -27,7 +27,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kMostNames = 20'000;  // of a folder in which a name in another case is looked for
-constexpr std::size_t kMostAbove = 100;       // folders above a description that are searched: each has a path of its own, for every mesh
+constexpr std::size_t kMostAbove = 100;     // folders above a description that are searched: each has a path of its own, for every mesh
 
 std::vector<fs::path> foldersInVariable(const char* name) {
   const char* value = std::getenv(name);

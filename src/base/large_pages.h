@@ -5,8 +5,8 @@ namespace collision_hulls {
 
 /// To be called first in main(), with its arguments. Where the kernel gives large pages to those who ask for them (Linux; "madvise" in
 /// /sys/kernel/mm/transparent_hugepage/enabled), the C library (glibc) has to be told before the program starts: this starts it again,
-/// once, with GLIBC_TUNABLES set, and keeps memory that was freed. Does nothing if the variable is set, to whatever, or if the kernel gives
-/// large pages to everyone or to nobody.
+/// once, with GLIBC_TUNABLES set, and keeps memory that was freed. Does nothing if the variable is set, to whatever, if memory is limited
+/// to less than 1 GiB, or if the kernel gives large pages to everyone or to nobody.
 void takeLargePages(char** arguments);
 
 }  // namespace collision_hulls

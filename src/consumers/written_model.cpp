@@ -15,7 +15,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kLeastMoment = 1e-9;  // [kg m^2], as the note says
-constexpr std::size_t kMostNamed = 3;  // links of a message
+constexpr std::size_t kMostNamed = 3;  // links or joints of a message
 
 double numberOf(const XmlNode* node, const std::string& attribute, double otherwise) {
   if (!node) return otherwise;
@@ -49,6 +49,13 @@ Eigen::Isometry3d originOf(const XmlNode* node) {
 Eigen::Vector3d balanced(const Eigen::Vector3d& moments) {
   const bool possible = moments.minCoeff() > 0 && 2 * moments.maxCoeff() < moments.sum();
   return possible ? moments : Eigen::Vector3d(Eigen::Vector3d::Constant(std::max(kLeastMoment, moments.sum() / 3)));
+}
+
+/// "'a', 'b', 'c' and 4 more", for messages.
+std::string fewOf(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i) text += (i == 0 ? "'" : ", '") + shortened(names[i]) + "'";
+  return text + (names.size() > kMostNamed ? " and " + std::to_string(names.size() - kMostNamed) + " more" : "");
 }
 
 /// "1.234e-07 0.5 2", for messages.
@@ -169,8 +176,8 @@ bool turnsOrSlides(const JointDescription& joint) {
 std::string jointsThat(const WrittenModel& model, const std::function<bool(const JointDescription&)>& is_so) {
   std::vector<std::string> names;
   for (const JointDescription& joint : model.robot().joints)
-    if (is_so(joint)) names.push_back("'" + joint.name + "'");
-  return listed(names);
+    if (is_so(joint)) names.push_back(joint.name);
+  return fewOf(names);
 }
 
 void noteLeftOut(const WrittenModel& model, const std::string& consumer, std::vector<std::string>& notes) {
@@ -190,10 +197,7 @@ void noteFollowers(const WrittenModel& model, const std::string& consumer, const
 
 std::string someHave(const std::vector<std::string>& links) {
   if (links.size() == 1) return "link '" + shortened(links.front()) + "' has";
-  std::string names;
-  for (std::size_t i = 0; i < std::min(links.size(), kMostNamed); ++i) names += (i == 0 ? "'" : ", '") + shortened(links[i]) + "'";
-  const std::string more = links.size() > kMostNamed ? " and " + std::to_string(links.size() - kMostNamed) + " more" : "";
-  return "links " + names + more + " have";
+  return "links " + fewOf(links) + " have";
 }
 
 std::string positionText(const Eigen::Isometry3d& pose) {

@@ -83,7 +83,7 @@ bool turnsOrSlides(const JointDescription& joint);
 /// For messages: "link 'a' has", "links 'a', 'b', 'c' and 4 more have".
 std::string someHave(const std::vector<std::string>& links);
 
-/// For messages: those joints of which something is true, each in quotes; empty if there are none.
+/// For messages: the joints of which something is true, as "'a', 'b', 'c' and 4 more"; empty if there are none.
 std::string jointsThat(const WrittenModel& model, const std::function<bool(const JointDescription&)>& is_so);
 
 // Notes, if there is something to say. `consumer`: its name in --for; `format`: "a SKEL file".

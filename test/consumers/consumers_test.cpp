@@ -440,6 +440,18 @@ TEST_F(Consumers, SayWhichJointsTheyHaveNot) {
     EXPECT_EQ(notesOf(consumer, locked).find("joint"), std::string::npos) << notesOf(consumer, locked);
 }
 
+// A hostile description has joints by the thousand.
+TEST_F(Consumers, FewOfManyJointsAreNamed) {
+  std::string urdf = threeLinks(cube());
+  for (int i = 0; i < 9; ++i) {
+    const std::string number = std::to_string(i);
+    urdf.insert(urdf.rfind("</robot>"), "<link name=\"l" + number + "\"/><joint name=\"j" + number +
+                                            "\" type=\"planar\"><parent link=\"c\"/><child link=\"l" + number + "\"/></joint>");
+  }
+  EXPECT_NE(notesOf(Consumer::kMujoco, urdf).find("planar joints ('j0', 'j1', 'j2' and 6 more) are fixed"), std::string::npos)
+      << notesOf(Consumer::kMujoco, urdf);
+}
+
 // "unknown element in equality constraint", and "free joint can only be used on top level", MuJoCo says otherwise.
 TEST_F(Consumers, MujocoHasNoEqualityForALockedJointAndNoFreeJointBelowABody) {
   std::string urdf = threeLinks(cube());

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "check/validate_exact.h"
+#include "geometry/hull_support.h"
 
 namespace collision_hulls {
 
@@ -102,7 +103,7 @@ Probe placed(const ProbeShape& shape, const Eigen::Isometry3d& pose) {
   probe.shape = &shape;
   probe.pose = pose;
   probe.body = transformed(shape.hull, pose);
-  for (const Eigen::Vector3d& v : probe.body.vertices) probe.centre += v / static_cast<double>(probe.body.vertices.size());
+  probe.centre = meanOfVertices(probe.body);
   for (const Eigen::Vector3d& v : probe.body.vertices) probe.radius = std::max(probe.radius, (v - probe.centre).norm());
   probe.box = boundingBox(probe.body);
   return probe;

@@ -67,11 +67,16 @@ double leastWidth(const ConvexHull& hull, const RunControl& control) {
   return least;
 }
 
+Eigen::Vector3d meanOfVertices(const ConvexHull& hull) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& v : hull.vertices) mean += v / static_cast<double>(hull.vertices.size());
+  return mean;
+}
+
 double overhang(const ConvexHull& hull, const RunControl& control) {
   if (hull.vertices.empty()) return 0;
   Looks look(control);
-  Eigen::Vector3d c = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& v : hull.vertices) c += v / static_cast<double>(hull.vertices.size());
+  const Eigen::Vector3d c = meanOfVertices(hull);
   double radius = 0, excess = 0;
   for (const Eigen::Vector3d& v : hull.vertices) {
     control.check();

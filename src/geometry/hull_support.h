@@ -23,6 +23,8 @@ class HullSupport {
   std::vector<int> neighbours_;     // vertices joined to it by an edge
 };
 
+Eigen::Vector3d meanOfVertices(const ConvexHull& hull);
+
 /// [m] An upper bound on the diameter of any ball in the hull: the least width across its faces, each compared with all vertices. Throws
 /// kCancelled.
 double leastWidth(const ConvexHull& hull, const RunControl& control = {});

@@ -58,8 +58,7 @@ double boundInFreeHull(const ConvexHull& hull, const Solid& solid, double most, 
   if (solid.hasOpenings() || solid.sideError() > 0) return kNone;  // S may end where there is no surface
   const Eigen::AlignedBox3d box = boundingBox(hull);
   const auto depth = [](const HalfSpace& face, const Eigen::Vector3d& p) { return -face.distance(p); };
-  Eigen::Vector3d c = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& v : hull.vertices) c += v / static_cast<double>(hull.vertices.size());
+  const Eigen::Vector3d c = meanOfVertices(hull);
   double r = kNone, e = kRounding * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   for (const HalfSpace& face : hull.faces) r = std::min(r, depth(face, c));
   const double way = box.sizes().norm();  // to c at most

@@ -8,6 +8,7 @@
 
 #include "check/validate_exact.h"
 #include "check/validate_probes.h"
+#include "geometry/hull_support.h"
 
 namespace collision_hulls {
 
@@ -86,9 +87,7 @@ void placeWithin(double offset, Random& random, BodyPair& pair) {
 }
 
 void placeInMiddle(Random& random, BodyPair& pair) {
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& v : pair.first.vertices) middle += v / static_cast<double>(pair.first.vertices.size());
-  pair.pose = Eigen::Translation3d(middle) * random.rotation();
+  pair.pose = Eigen::Translation3d(meanOfVertices(pair.first)) * random.rotation();
 }
 
 /// Two boxes, one standing on the other, with parallel edges.

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "base/parallel.h"
 #include "collision_hulls/error.h"
+#include "collision_hulls/report/totals.h"
 #include "consumers/written_model.h"
 #include "pipeline/collision_model.h"
 
@@ -100,25 +102,32 @@ void check(const std::vector<Consumer>& consumers, const Options& options) {
   }
 }
 
-void addConsumerFiles(const std::vector<Consumer>& consumers, const std::string& output, RobotResult& result, const RunControl& control) {
+void addConsumerFiles(const std::vector<Consumer>& consumers, const std::string& output, RobotResult& result, const RunControl& control,
+                      const StepCallback& step) {
   if (consumers.empty()) return;
   check(consumers, result.report.options);
   if (result.single_mesh)
     throw Error(ErrorCode::kBadOption, std::string("--for ") + name(consumers.front()) + ": '" + result.robot_name +
                                            "' is a mesh, and only a robot's description has a form for it; leave the option out");
-  const WrittenModel model(result, outputPackage(result.report.options, output), control);
-  const bool take_pairs = std::any_of(consumers.begin(), consumers.end(), takesPairs);
-  const std::vector<DisabledPair> pairs = take_pairs ? pairsWithoutCheck(model, control) : std::vector<DisabledPair>();
-  std::vector<std::string>& notes = result.report.notes;
-  const auto add = [&](const std::vector<std::string>& more) {
-    for (const std::string& note : more)
-      if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
-  };
-  add(notesOn(pairs));
-  for (const Consumer consumer : consumers) {
-    for (auto& [file, text] : filesFor(consumer, model, pairs, control)) result.extra_files[file] = text;
-    add(notesFor(consumer, model));
-  }
+  withJobs(result.report.options.jobs, [&] {
+    const WrittenModel model(result, outputPackage(result.report.options, output), control);
+    std::vector<DisabledPair> pairs;
+    if (std::any_of(consumers.begin(), consumers.end(), takesPairs)) {
+      const std::size_t meshes = result.elements.size();
+      if (step) step({"pairs", "", meshes, meshes, totals(result.report).hulls, 1, -1});
+      pairs = pairsWithoutCheck(model, control);
+    }
+    std::vector<std::string>& notes = result.report.notes;
+    const auto add = [&](const std::vector<std::string>& more) {
+      for (const std::string& note : more)
+        if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+    };
+    add(notesOn(pairs));
+    for (const Consumer consumer : consumers) {
+      for (auto& [file, text] : filesFor(consumer, model, pairs, control)) result.extra_files[file] = text;
+      add(notesFor(consumer, model));
+    }
+  });
 }
 
 }  // namespace collision_hulls

@@ -28,6 +28,7 @@ std::string activity(const Step& step) {
   if (step.stage == "fit") return "fitting to the scene";
   if (step.stage == "certify") return "certifying the fitted hulls";
   if (step.stage == "validate") return "validating";
+  if (step.stage == "pairs") return "proving which links never meet";
   return std::to_string(step.done) + " of " + counted(step.total, "mesh", "meshes") + ", " + counted(step.hulls, "hull");
 }
 
@@ -42,7 +43,7 @@ int percent(const Step& step) {
 }
 
 std::string progressLine(const Step& step) {
-  return step.stage == "read" ? stepText(step) : std::to_string(percent(step)) + " %, " + stepText(step);
+  return step.stage == "read" || step.stage == "pairs" ? stepText(step) : std::to_string(percent(step)) + " %, " + stepText(step);
 }
 
 }  // namespace collision_hulls

@@ -283,7 +283,7 @@ inline MadeRobot make(RobotCommand& command, const RobotWork& work, const RunCon
   const std::string work_ahead = workOn(input, command.options, control);
   if (!command.quiet && !work_ahead.empty()) std::cerr << "reading " << work_ahead << "\n";
   MadeRobot made{work(input, output, control, step), output};
-  addConsumerFiles(command.consumers, output, made.result, control);
+  addConsumerFiles(command.consumers, output, made.result, control, step);
   std::vector<std::string>& notes = made.result.report.notes;
   notes.insert(notes.begin(), command.notes.begin(), command.notes.end());
   if (const std::string note = noteOnFolder(command.options, input, output); !note.empty()) notes.push_back(note);

@@ -46,7 +46,7 @@ struct Work {
 /// Whether there is a gate and the bound is beyond it; adds why.
 bool exceeds(const std::optional<double>& gate, const Largest& largest, const std::string& what, std::string& reason) {
   if (!gate || largest.bound <= *gate) return false;
-  reason += (reason.empty() ? "" : "; ") + what + " by up to " + millimetres(largest.bound) + " (found " + millimetres(largest.found) +
+  reason += (reason.empty() ? "" : "; ") + what + " by up to " + millimetresBeyond(largest.bound, *gate) + " (found " + millimetres(largest.found) +
             "), more than the allowed " + millimetres(*gate);
   return true;
 }

@@ -1,63 +1,17 @@
 // The files of each consumer, as text; test/with_packages loads them with the consumers themselves.
 // Also tests src/consumers/curobo.cpp, src/consumers/dart.cpp, src/consumers/drake.cpp, src/consumers/gazebo.cpp,
 // src/consumers/how_to_load.cpp, src/consumers/isaac.cpp, src/consumers/marked_hulls.cpp, src/consumers/moveit.cpp,
-// src/consumers/pairs_without_check.cpp, src/consumers/mujoco.cpp, src/consumers/tesseract.cpp and src/consumers/written_model.cpp.
+// src/consumers/mujoco.cpp, src/consumers/tesseract.cpp and src/consumers/written_model.cpp.
 #include "collision_hulls/consumers/consumers.h"
 
-#include <gtest/gtest.h>
+#include <map>
 
 #include "collision_hulls/error.h"
-#include "collision_hulls/pipeline/decompose_robot.h"
-#include "collision_hulls/scene/srdf.h"
-#include "pipeline/fixtures.h"
+#include "consumers/fixture.h"
 #include "scene/yaml_node.h"
-#include "shapes.h"
 
 namespace collision_hulls {
 namespace {
-
-class Consumers : public ::testing::Test {
- protected:
-  Consumers() : mesh_(fixtures::write(folder_ / "cube.obj", fixtures::obj(test_shapes::box(0.1, 0.1, 0.1)))) { options_.validate = false; }
-
-  /// Three links in a row, 0.5 m apart, that turn about z.
-  std::string threeLinks(const std::string& last) const {
-    const std::string cube = "<collision name=\"&lt;cube&gt;\">" + fixtures::meshTag(mesh_) + "</collision>";
-    std::string text = "<?xml version=\"1.0\"?>\n<!-- <robot> -->\n<robot name=\"three\">\n";
-    for (const char* name : {"a", "b"}) text += "  <link name=\"" + std::string(name) + "\">" + cube + "</link>\n";
-    text += "  <link name=\"c\">" + last + "</link>\n";
-    for (const std::string pair : {"ab", "bc"})
-      text += "  <joint name=\"" + pair + "\" type=\"revolute\"><parent link=\"" + pair[0] + "\"/><child link=\"" + pair[1] +
-              "\"/><origin xyz=\"0.5 0 0\"/><axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\" effort=\"5\" velocity=\"2\"/></joint>\n";
-    return text + "</robot>\n";
-  }
-
-  RobotResult decomposed(const std::string& urdf) const {
-    return decomposeRobot(parseRobotDescription(urdf), PackageFinder(), options_, folder_ / "three_c");
-  }
-
-  std::string fileOf(Consumer consumer, const std::string& urdf, const std::string& file) {
-    RobotResult result = decomposed(urdf);
-    addConsumerFiles({consumer}, folder_ / "three_c", result);
-    EXPECT_EQ(result.extra_files.count(file), 1u) << file;
-    return result.extra_files[file];
-  }
-  std::string cube() const { return "<collision>" + fixtures::meshTag(mesh_) + "</collision>"; }
-
-  /// What is noted on a consumer's files.
-  std::string notesOf(Consumer consumer, const std::string& urdf) {
-    RobotResult result = decomposed(urdf);
-    addConsumerFiles({consumer}, folder_ / "three_c", result);
-    std::string all;
-    for (const std::string& note : result.report.notes)
-      if (note.rfind("--for ", 0) == 0) all += note + "\n";
-    return all;
-  }
-
-  fixtures::TempFolder folder_;
-  const std::string mesh_;
-  Options options_;
-};
 
 TEST_F(Consumers, NamesAreReadBack) {
   for (const char* each : {"moveit", "gazebo", "mujoco", "drake", "isaac", "tesseract", "curobo", "dart", "bullet"}) {
@@ -118,24 +72,6 @@ TEST_F(Consumers, ManyCommentsBeforeTheRoot) {
   EXPECT_EQ(fixtures::count(urdf, "<robot xmlns:drake"), 1u);
 }
 
-// All links are fixed to each other: 245,000 pairs of names of some 900 bytes.
-TEST_F(Consumers, PairsThatNoMemoryHolds) {
-  std::string text = "<robot name=\"star\"><link name=\"base\">" + cube() + "</link>";
-  for (int i = 0; i < 700; ++i) {
-    const std::string number = std::to_string(i), link = std::string(900, 'l') + number;
-    text += "<link name=\"" + link + "\"><collision><geometry><sphere radius=\"1\"/></geometry></collision></link><joint name=\"j" +
-            number + "\" type=\"fixed\"><parent link=\"base\"/><child link=\"" + link + "\"/></joint>";
-  }
-  RobotResult result = decomposed(text + "</robot>");
-  try {
-    addConsumerFiles({Consumer::kMoveit}, folder_ / "three_c", result);
-    FAIL() << "all pairs were written";
-  } catch (const Error& e) {
-    EXPECT_EQ(e.code(), ErrorCode::kTooLarge);
-    EXPECT_NE(std::string(e.what()).find("join links that are fixed"), std::string::npos) << e.what();
-  }
-}
-
 // Indented by each level, the text would grow with the square of the depth.
 TEST_F(Consumers, ADeepRobotHasALongTextAndNoMore) {
   std::string text = "<robot name=\"deep\"><link name=\"l0\">" + cube() + "</link>";
@@ -153,69 +89,6 @@ TEST_F(Consumers, ASingleMeshHasNoSuchForm) {
   RobotResult result = decomposeMesh(mesh_, options_);
   EXPECT_THROW(addConsumerFiles({Consumer::kMoveit}, folder_ / "out", result), Error);
   EXPECT_NO_THROW(addConsumerFiles({}, folder_ / "out", result));
-}
-
-/// Of each pair of links, as --for moveit has it.
-using Reasons = std::map<std::pair<std::string, std::string>, std::string>;
-
-Reasons reasonsIn(const std::string& srdf, const std::string& urdf) {
-  Reasons reasons;
-  for (const DisabledPair& pair : parseDisabledPairs(srdf, parseRobotDescription(urdf)).pairs)
-    reasons[{pair.link1, pair.link2}] = pair.reason;
-  return reasons;
-}
-
-TEST_F(Consumers, MoveitSkipsNeighboursAndWhatIsProvedApart) {
-  const std::string urdf = threeLinks(cube());
-  Reasons reasons = reasonsIn(fileOf(Consumer::kMoveit, urdf, "config/three.srdf"), urdf);
-  EXPECT_EQ((reasons[{"a", "b"}]), "Adjacent");
-  EXPECT_EQ((reasons[{"b", "c"}]), "Adjacent");
-  EXPECT_EQ((reasons[{"a", "c"}]), "Never");  // turned by 1 rad at most, the last is 0.77 m away
-}
-
-TEST_F(Consumers, MoveitChecksWhatMayMeetOrIsNotKnown) {
-  std::string near = threeLinks(cube());
-  for (std::size_t at = near.find("\"-1\" upper=\"1\""); at != std::string::npos; at = near.find("\"-1\" upper=\"1\""))
-    near.replace(at, 14, "\"-3.1\" upper=\"3.1\"");
-  EXPECT_EQ(fileOf(Consumer::kMoveit, near, "config/three.srdf").find("Never"), std::string::npos);
-  const std::string lost = threeLinks("<collision>" + fixtures::meshTag("/nowhere/lost.stl") + "</collision>");
-  EXPECT_EQ(fileOf(Consumer::kMoveit, lost, "config/three.srdf").find("Never"), std::string::npos);
-}
-
-TEST_F(Consumers, MoveitSkipsWhatTouchesAtRestInTheOriginal) {
-  const std::string far = "<collision><origin xyz=\"0.95 0 0\"/>" + fixtures::meshTag(mesh_) + "</collision>";
-  std::string urdf = threeLinks(far);
-  EXPECT_NE((reasonsIn(fileOf(Consumer::kMoveit, urdf, "config/three.srdf"), urdf)[{"a", "c"}]), "Default") << "0.9 m behind b";
-  urdf.replace(urdf.find("lower=\"-1\"", urdf.find("\"bc\"")), 20, "lower=\"3.1\" upper=\"3.2\"");
-  RobotResult result = decomposed(urdf);
-  addConsumerFiles({Consumer::kMoveit}, folder_ / "three_c", result);
-  EXPECT_EQ((reasonsIn(result.extra_files["config/three.srdf"], urdf)[{"a", "c"}]), "Default") << "rest is where the limits allow it";
-  ASSERT_FALSE(result.report.notes.empty());
-  EXPECT_NE(result.report.notes.back().find("by the files of --for: 'a' and 'c'; delete"), std::string::npos) << result.report.notes.back();
-}
-
-TEST_F(Consumers, MoveitSkipsAKeptBoxThatTouchesAtRest) {
-  const auto reason = [&](const std::string& x) {
-    const std::string urdf =
-        threeLinks("<collision><origin xyz=\"" + x + " 0 0\"/><geometry><box size=\"0.1 0.1 0.1\"/></geometry></collision>");
-    return reasonsIn(fileOf(Consumer::kMoveit, urdf, "config/three.srdf"), urdf)[{"a", "c"}];
-  };
-  EXPECT_EQ(reason("-1"), "Default");
-  EXPECT_NE(reason("-0.5"), "Default");
-}
-
-TEST_F(Consumers, MoveitChecksWhatTouchesAtRestByItsHullsAlone) {
-  // Two cubes on either side of a's, and one body for both.
-  const TriangleMesh cube = test_shapes::box(0.1, 0.1, 0.1);
-  const TriangleMesh two = test_shapes::merged({test_shapes::moved(cube, {-1, 0.5, 0}), test_shapes::moved(cube, {-1, -0.5, 0})});
-  const std::string urdf =
-      threeLinks("<collision>" + fixtures::meshTag(fixtures::write(folder_ / "two.obj", fixtures::obj(two))) + "</collision>");
-  options_.method = Method::kSingleHull;
-  EXPECT_EQ((reasonsIn(fileOf(Consumer::kMoveit, urdf, "config/three.srdf"), urdf).count({"a", "c"})), 0u);
-  options_.method = Method::kCertified;
-  options_.shapes = Shapes::kBox;
-  EXPECT_EQ((reasonsIn(fileOf(Consumer::kMoveit, urdf, "config/three.srdf"), urdf).count({"a", "c"})), 0u)
-      << "the box stands in place of the hull";
 }
 
 TEST_F(Consumers, DrakeChoosesTheFormatThatNobodyAskedFor) {
@@ -374,84 +247,6 @@ TEST_F(Consumers, MujocoHasAGeomForEachHull) {
   EXPECT_NE(xml.find("<joint name=\"bc\" type=\"hinge\" axis=\"0 0 1\" limited=\"true\" range=\"-1 1\"/>"), std::string::npos) << xml;
 }
 
-TEST_F(Consumers, MujocoLeavesOutThePairsThatMoveitDoes) {
-  const std::string xml = fileOf(Consumer::kMujoco, threeLinks(cube()), "mjcf/three.xml");
-  EXPECT_NE(xml.find("  <contact>\n    <exclude body1=\"a\" body2=\"b\"/>\n    <exclude body1=\"a\" body2=\"c\"/>\n"
-                     "    <exclude body1=\"b\" body2=\"c\"/>\n  </contact>\n"),
-            std::string::npos)
-      << xml;
-}
-
-TEST_F(Consumers, SimulatorsSayWhatTheyTakeLinksWithoutInertialToWeigh) {
-  const auto noted = [&](Consumer consumer, const std::string& urdf) { return notesOf(consumer, urdf); };
-  std::string urdf = threeLinks(cube());
-  EXPECT_NE(noted(Consumer::kMujoco, urdf).find("links 'b', 'c' have no <inertial>: the file gives such links a density of 1 kg/m^3"),
-            std::string::npos)
-      << "a stands still: " << noted(Consumer::kMujoco, urdf);
-  EXPECT_NE(noted(Consumer::kGazebo, urdf).find("links 'a', 'b', 'c' have no <inertial>: SDF assumes a mass of 1 kg"), std::string::npos)
-      << noted(Consumer::kGazebo, urdf);
-  EXPECT_NE(noted(Consumer::kDart, urdf).find("links 'a', 'b', 'c' have no <inertial>: DART assumes a mass of 1 kg"), std::string::npos)
-      << noted(Consumer::kDart, urdf);
-  EXPECT_EQ(noted(Consumer::kMoveit, urdf).find("<inertial>"), std::string::npos);
-  const std::string inertial =
-      "<inertial><mass value=\"2\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial>";
-  for (const std::string link : {"<link name=\"a\">", "<link name=\"b\">", "<link name=\"c\">"})
-    urdf.insert(urdf.find(link) + link.size(), inertial);
-  for (const Consumer consumer : {Consumer::kMujoco, Consumer::kGazebo, Consumer::kDart})
-    EXPECT_EQ(noted(consumer, urdf).find("<inertial>"), std::string::npos) << noted(consumer, urdf);
-}
-
-// MuJoCo and Isaac Sim would take the convex hull of a mesh that was kept, or read none of its formats.
-TEST_F(Consumers, SayWhatTheyLeaveOut) {
-  options_.links = "[ac]";
-  const std::string urdf = threeLinks(cube());
-  for (const Consumer consumer : {Consumer::kMujoco, Consumer::kIsaac})
-    EXPECT_NE(notesOf(consumer, urdf).find("link 'b' has a mesh that is no hull of this output; the file leaves it out"), std::string::npos)
-        << notesOf(consumer, urdf);
-  for (const Consumer consumer : {Consumer::kGazebo, Consumer::kDart})
-    EXPECT_EQ(notesOf(consumer, urdf).find("leaves it out"), std::string::npos) << "it has the mesh";
-  options_.links.clear();
-  for (const Consumer consumer : {Consumer::kMujoco, Consumer::kIsaac})
-    EXPECT_EQ(notesOf(consumer, urdf).find("leaves it out"), std::string::npos);
-}
-
-TEST_F(Consumers, SayWhichJointsTheyHaveNot) {
-  const auto with = [&](const std::string& joints) {
-    std::string text = threeLinks(cube());
-    for (const char* name : {"d", "e", "f"}) text.insert(text.find("</robot>"), "<link name=\"" + std::string(name) + "\"/>");
-    return text.insert(text.rfind("</robot>"), joints);
-  };
-  const auto joint = [](const std::string& child, const std::string& type, const std::string& more = "") {
-    return "<joint name=\"j" + child + "\" type=\"" + type + "\"><parent link=\"c\"/><child link=\"" + child +
-           "\"/><limit lower=\"-1\" upper=\"1\" effort=\"5\" velocity=\"2\"/>" + more + "</joint>";
-  };
-  const std::string mimic = "<mimic joint=\"ab\"/>";
-  const std::string urdf = with(joint("d", "planar") + joint("e", "floating") + joint("f", "revolute", mimic));
-  const std::string mujoco = notesOf(Consumer::kMujoco, urdf), gazebo = notesOf(Consumer::kGazebo, urdf),
-                    dart = notesOf(Consumer::kDart, urdf), follows = "joints that mimic others ('jf') move by themselves, as ";
-  EXPECT_NE(mujoco.find("planar joints ('jd') are fixed"), std::string::npos) << mujoco;
-  EXPECT_EQ(mujoco.find("mimic"), std::string::npos) << "it has them";
-  EXPECT_NE(gazebo.find("floating and planar joints ('jd', 'je') are fixed"), std::string::npos) << gazebo;
-  EXPECT_NE(gazebo.find(follows + "SDF 1.9"), std::string::npos) << gazebo;
-  EXPECT_NE(dart.find("planar joints ('jd') are fixed"), std::string::npos) << dart;
-  EXPECT_NE(dart.find(follows + "a SKEL file"), std::string::npos) << dart;
-  const std::string locked = with(joint("d", "fixed", mimic) + joint("e", "fixed") + joint("f", "fixed"));
-  for (const Consumer consumer : {Consumer::kMujoco, Consumer::kGazebo, Consumer::kDart})
-    EXPECT_EQ(notesOf(consumer, locked).find("joint"), std::string::npos) << notesOf(consumer, locked);
-}
-
-// A hostile description has joints by the thousand.
-TEST_F(Consumers, FewOfManyJointsAreNamed) {
-  std::string urdf = threeLinks(cube());
-  for (int i = 0; i < 9; ++i) {
-    const std::string number = std::to_string(i);
-    urdf.insert(urdf.rfind("</robot>"), "<link name=\"l" + number + "\"/><joint name=\"j" + number +
-                                            "\" type=\"planar\"><parent link=\"c\"/><child link=\"l" + number + "\"/></joint>");
-  }
-  EXPECT_NE(notesOf(Consumer::kMujoco, urdf).find("planar joints ('j0', 'j1', 'j2' and 6 more) are fixed"), std::string::npos)
-      << notesOf(Consumer::kMujoco, urdf);
-}
-
 // "unknown element in equality constraint", and "free joint can only be used on top level", MuJoCo says otherwise.
 TEST_F(Consumers, MujocoHasNoEqualityForALockedJointAndNoFreeJointBelowABody) {
   std::string urdf = threeLinks(cube());
@@ -551,33 +346,7 @@ TEST_F(Consumers, GazeboHasAnotherNameForAJointThatIsCalledAsALink) {
   EXPECT_NE(result.report.notes.back().find("the joint 'b' is 'b_joint_joint'"), std::string::npos) << result.report.notes.back();
 }
 
-TEST_F(Consumers, AnImpossibleInertiaIsBalancedWithANote) {
-  const std::string inertial =
-      "<inertial><mass value=\"2\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"4\"/></inertial>";
-  RobotResult result = decomposed(threeLinks(inertial + cube()));
-  addConsumerFiles({Consumer::kGazebo}, folder_ / "three_c", result);
-  EXPECT_EQ(fixtures::count(result.extra_files["model.sdf"], "<izz>2</izz>"), 1u);
-  ASSERT_FALSE(result.report.notes.empty());
-  const std::string all = ::testing::PrintToString(result.report.notes);
-  EXPECT_NE(
-      all.find(
-          "link 'c': moments of inertia of 1 1 4 are impossible (one is not positive, or larger than the sum of the others); the files"),
-      std::string::npos)
-      << all;
-}
 
-TEST_F(Consumers, NoInertiaIsTheLeast) {
-  const std::string inertial =
-      "<inertial><mass value=\"2\"/><inertia ixx=\"0\" ixy=\"0\" ixz=\"0\" iyy=\"0\" iyz=\"0\" izz=\"0\"/></inertial>";
-  RobotResult result = decomposed(threeLinks(inertial + cube()));
-  addConsumerFiles({Consumer::kGazebo}, folder_ / "three_c", result);
-  EXPECT_EQ(fixtures::count(result.extra_files["model.sdf"], "<izz>0.000000001</izz>"), 1u) << result.extra_files["model.sdf"];
-  const std::string all = ::testing::PrintToString(result.report.notes);
-  EXPECT_NE(all.find("of 0 0 0 are impossible (one is not positive, or larger than the sum of the others); the files of --for use their "
-                     "mean instead, but at least 1e-9"),
-            std::string::npos)
-      << all;
-}
 
 }  // namespace
 }  // namespace collision_hulls

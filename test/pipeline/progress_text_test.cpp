@@ -14,6 +14,7 @@ TEST(ProgressText, SaysWhatGoesOn) {
   EXPECT_EQ(progressLine({"certify", "", 42, 42, 99, 0.85, 3}), "85 %, certifying the fitted hulls, about 3 s left");
   EXPECT_EQ(stepText({"validate", "", 42, 42, 99, 0.97, 0.2}), "validating, about 1 s left");
   EXPECT_EQ(progressLine({"validate", "", 42, 42, 99, 1, 0}), "100 %, validating");
+  EXPECT_EQ(progressLine({"pairs", "", 42, 42, 99, 1, -1}), "proving which links never meet");
 }
 
 TEST(ProgressText, LongTimesAreRough) {

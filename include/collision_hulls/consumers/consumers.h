@@ -46,11 +46,13 @@ Shapes shapesFor(const std::vector<Consumer>& consumers, Shapes usual);
 void check(const std::vector<Consumer>& consumers, const Options& options);
 
 /// Adds each consumer's files to the result's `extra_files`. `output`: the folder that will be
-/// written, whose name is the package's. They describe the first model. Throws as check(),
-/// kBadOption for a single mesh, kCancelled, and the errors of parseRobotDescription() and
-/// Kinematics.
+/// written, whose name is the package's. They describe the first model. Works on as many threads as
+/// the result's options allow. `step` is called before the pairs of links that never meet are
+/// proved, which takes seconds for a robot of many links. Throws as check(), kBadOption for a single
+/// mesh, kCancelled, and the errors of parseRobotDescription() and Kinematics.
 void addConsumerFiles(const std::vector<Consumer>& consumers, const std::string& output,
-                      RobotResult& result, const RunControl& control = {});
+                      RobotResult& result, const RunControl& control = {},
+                      const StepCallback& step = {});
 
 /// A line for each consumer, for a terminal: its file in a written output, and how it is loaded.
 std::string howToLoad(const std::vector<Consumer>& consumers, const RobotResult& result,

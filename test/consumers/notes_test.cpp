@@ -1,0 +1,108 @@
+// What consumers cannot take, or assume, is said in notes.
+#include "consumers/fixture.h"
+
+namespace collision_hulls {
+namespace {
+
+using ConsumerNotes = Consumers;
+
+TEST_F(ConsumerNotes, SimulatorsSayWhatTheyTakeLinksWithoutInertialToWeigh) {
+  const auto noted = [&](Consumer consumer, const std::string& urdf) { return notesOf(consumer, urdf); };
+  std::string urdf = threeLinks(cube());
+  EXPECT_NE(noted(Consumer::kMujoco, urdf).find("links 'b', 'c' have no <inertial>: the file gives such links a density of 1 kg/m^3"),
+            std::string::npos)
+      << "a stands still: " << noted(Consumer::kMujoco, urdf);
+  EXPECT_NE(noted(Consumer::kGazebo, urdf).find("links 'a', 'b', 'c' have no <inertial>: SDF assumes a mass of 1 kg"), std::string::npos)
+      << noted(Consumer::kGazebo, urdf);
+  EXPECT_NE(noted(Consumer::kDart, urdf).find("links 'a', 'b', 'c' have no <inertial>: DART assumes a mass of 1 kg"), std::string::npos)
+      << noted(Consumer::kDart, urdf);
+  EXPECT_EQ(noted(Consumer::kMoveit, urdf).find("<inertial>"), std::string::npos);
+  const std::string inertial =
+      "<inertial><mass value=\"2\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial>";
+  for (const std::string link : {"<link name=\"a\">", "<link name=\"b\">", "<link name=\"c\">"})
+    urdf.insert(urdf.find(link) + link.size(), inertial);
+  for (const Consumer consumer : {Consumer::kMujoco, Consumer::kGazebo, Consumer::kDart})
+    EXPECT_EQ(noted(consumer, urdf).find("<inertial>"), std::string::npos) << noted(consumer, urdf);
+}
+
+// MuJoCo and Isaac Sim would take the convex hull of a mesh that was kept, or read none of its formats.
+TEST_F(ConsumerNotes, SayWhatTheyLeaveOut) {
+  options_.links = "[ac]";
+  const std::string urdf = threeLinks(cube());
+  for (const Consumer consumer : {Consumer::kMujoco, Consumer::kIsaac})
+    EXPECT_NE(notesOf(consumer, urdf).find("link 'b' has a mesh that is no hull of this output; the file leaves it out"), std::string::npos)
+        << notesOf(consumer, urdf);
+  for (const Consumer consumer : {Consumer::kGazebo, Consumer::kDart})
+    EXPECT_EQ(notesOf(consumer, urdf).find("leaves it out"), std::string::npos) << "it has the mesh";
+  options_.links.clear();
+  for (const Consumer consumer : {Consumer::kMujoco, Consumer::kIsaac})
+    EXPECT_EQ(notesOf(consumer, urdf).find("leaves it out"), std::string::npos);
+}
+
+TEST_F(ConsumerNotes, SayWhichJointsTheyHaveNot) {
+  const auto with = [&](const std::string& joints) {
+    std::string text = threeLinks(cube());
+    for (const char* name : {"d", "e", "f"}) text.insert(text.find("</robot>"), "<link name=\"" + std::string(name) + "\"/>");
+    return text.insert(text.rfind("</robot>"), joints);
+  };
+  const auto joint = [](const std::string& child, const std::string& type, const std::string& more = "") {
+    return "<joint name=\"j" + child + "\" type=\"" + type + "\"><parent link=\"c\"/><child link=\"" + child +
+           "\"/><limit lower=\"-1\" upper=\"1\" effort=\"5\" velocity=\"2\"/>" + more + "</joint>";
+  };
+  const std::string mimic = "<mimic joint=\"ab\"/>";
+  const std::string urdf = with(joint("d", "planar") + joint("e", "floating") + joint("f", "revolute", mimic));
+  const std::string mujoco = notesOf(Consumer::kMujoco, urdf), gazebo = notesOf(Consumer::kGazebo, urdf),
+                    dart = notesOf(Consumer::kDart, urdf), follows = "joints that mimic others ('jf') move by themselves, as ";
+  EXPECT_NE(mujoco.find("planar joints ('jd') are fixed"), std::string::npos) << mujoco;
+  EXPECT_EQ(mujoco.find("mimic"), std::string::npos) << "it has them";
+  EXPECT_NE(gazebo.find("floating and planar joints ('jd', 'je') are fixed"), std::string::npos) << gazebo;
+  EXPECT_NE(gazebo.find(follows + "SDF 1.9"), std::string::npos) << gazebo;
+  EXPECT_NE(dart.find("planar joints ('jd') are fixed"), std::string::npos) << dart;
+  EXPECT_NE(dart.find(follows + "a SKEL file"), std::string::npos) << dart;
+  const std::string locked = with(joint("d", "fixed", mimic) + joint("e", "fixed") + joint("f", "fixed"));
+  for (const Consumer consumer : {Consumer::kMujoco, Consumer::kGazebo, Consumer::kDart})
+    EXPECT_EQ(notesOf(consumer, locked).find("joint"), std::string::npos) << notesOf(consumer, locked);
+}
+
+// A hostile description has joints by the thousand.
+TEST_F(ConsumerNotes, FewOfManyJointsAreNamed) {
+  std::string urdf = threeLinks(cube());
+  for (int i = 0; i < 9; ++i) {
+    const std::string number = std::to_string(i);
+    urdf.insert(urdf.rfind("</robot>"), "<link name=\"l" + number + "\"/><joint name=\"j" + number +
+                                            "\" type=\"planar\"><parent link=\"c\"/><child link=\"l" + number + "\"/></joint>");
+  }
+  EXPECT_NE(notesOf(Consumer::kMujoco, urdf).find("planar joints ('j0', 'j1', 'j2' and 6 more) are fixed"), std::string::npos)
+      << notesOf(Consumer::kMujoco, urdf);
+}
+
+TEST_F(ConsumerNotes, AnImpossibleInertiaIsBalancedWithANote) {
+  const std::string inertial =
+      "<inertial><mass value=\"2\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"4\"/></inertial>";
+  RobotResult result = decomposed(threeLinks(inertial + cube()));
+  addConsumerFiles({Consumer::kGazebo}, folder_ / "three_c", result);
+  EXPECT_EQ(fixtures::count(result.extra_files["model.sdf"], "<izz>2</izz>"), 1u);
+  ASSERT_FALSE(result.report.notes.empty());
+  const std::string all = ::testing::PrintToString(result.report.notes);
+  EXPECT_NE(
+      all.find(
+          "link 'c': moments of inertia of 1 1 4 are impossible (one is not positive, or larger than the sum of the others); the files"),
+      std::string::npos)
+      << all;
+}
+
+TEST_F(ConsumerNotes, NoInertiaIsTheLeast) {
+  const std::string inertial =
+      "<inertial><mass value=\"2\"/><inertia ixx=\"0\" ixy=\"0\" ixz=\"0\" iyy=\"0\" iyz=\"0\" izz=\"0\"/></inertial>";
+  RobotResult result = decomposed(threeLinks(inertial + cube()));
+  addConsumerFiles({Consumer::kGazebo}, folder_ / "three_c", result);
+  EXPECT_EQ(fixtures::count(result.extra_files["model.sdf"], "<izz>0.000000001</izz>"), 1u) << result.extra_files["model.sdf"];
+  const std::string all = ::testing::PrintToString(result.report.notes);
+  EXPECT_NE(all.find("of 0 0 0 are impossible (one is not positive, or larger than the sum of the others); the files of --for use their "
+                     "mean instead, but at least 1e-9"),
+            std::string::npos)
+      << all;
+}
+
+}  // namespace
+}  // namespace collision_hulls

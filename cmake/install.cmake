@@ -14,8 +14,9 @@ install(DIRECTORY include/${PROJECT_NAME}/ DESTINATION ${INCLUDE_DESTINATION})
 # The modules and the workflow of scripts/batch/batch, which finds them from its own place.
 install(FILES scripts/batch/Snakefile scripts/batch/slurm_status src/web/page/style.css DESTINATION ${SHARE_DESTINATION}/batch)
 install(DIRECTORY scripts/batch/ DESTINATION ${SHARE_DESTINATION}/batch FILES_MATCHING PATTERN "*.py" PATTERN "page.*")
+install(FILES scripts/charts.py DESTINATION ${PROGRAM_DESTINATION})  # beside the scripts that import it
 if(NOT COLLISION_HULLS_ROS)
-  install(PROGRAMS scripts/batch/batch scripts/benchmark_charts scripts/physics_charts scripts/plan_charts scripts/stability_charts
+  install(PROGRAMS scripts/batch/batch scripts/benchmark_charts scripts/physics_charts scripts/plan_charts scripts/scene_charts scripts/stability_charts
     DESTINATION ${PROGRAM_DESTINATION})
   install_cmake_package()
   return()

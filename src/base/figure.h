@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
+
+#include "base/decimal.h"
 
 namespace collision_hulls {
 
@@ -15,9 +16,7 @@ inline std::string figure(double value) {
   if (std::abs(value) < kLeast) return "0";
   const double magnitude = std::floor(std::log10(std::abs(value)));
   const int decimals = std::isfinite(magnitude) ? std::clamp(2 - static_cast<int>(magnitude), 0, kMostDecimals) : 0;
-  char text[400];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
+  return fixedDecimal(value, decimals);
 }
 
 }  // namespace collision_hulls

@@ -1,16 +1,15 @@
 // Lengths for messages.
 #pragma once
 
-#include <cstdio>
 #include <string>
+
+#include "base/decimal.h"
 
 namespace collision_hulls {
 
 /// "12.5 mm" for 0.0125 m.
 inline std::string millimetres(double metres, int digits = 4) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*g mm", digits, 1000 * metres);
-  return text;
+  return decimal(1000 * metres, digits) + " mm";
 }
 
 /// The same for a length that is more than `limit`, with enough digits to show it: "10.0004 mm" beside "10 mm".

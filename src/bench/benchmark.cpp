@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/median.h"
+#include "bench/original.h"
 
 namespace collision_hulls {
 
@@ -24,7 +25,7 @@ class Bench {
   }
 
   void run(const BenchmarkMesh& mesh, const std::function<void(const BenchmarkRow&)>& take) {
-    mesh_ = {{"file", mesh.file}, {"scale", {mesh.scale.x(), mesh.scale.y(), mesh.scale.z()}}};
+    mesh_ = toJob(mesh);
     least_hulls_.clear();
     BenchmarkRow row;
     row.mesh = mesh.name;

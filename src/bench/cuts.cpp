@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "base/random.h"
 #include "bench/job_runner.h"
 #include "bench/original.h"
 #include "bench/table.h"
@@ -14,7 +15,6 @@
 #include "collision_hulls/decompose/certified_hulls.h"
 #include "collision_hulls/decompose/round_outward.h"
 #include "collision_hulls/measure/measures.h"
-#include "decompose/dice.h"
 #include "storage/csv.h"
 
 namespace collision_hulls {
@@ -135,13 +135,8 @@ void runCuts(const std::vector<BenchmarkMesh>& meshes, const BenchmarkOptions& o
   const JobRunner runner(options.program, options.folder);
   for (const BenchmarkMesh& mesh : meshes) {
     JobOutcome outcome;
-    const json found = runner.result({{"job", "cuts"},
-                                      {"file", mesh.file},
-                                      {"scale", {mesh.scale.x(), mesh.scale.y(), mesh.scale.z()}},
-                                      {"tolerance", toString(leaves)},
-                                      {"seed", options.seed},
-                                      {"cuts", cuts}},
-                                     outcome);
+    const json job{{"job", "cuts"}, {"tolerance", toString(leaves)}, {"seed", options.seed}, {"cuts", cuts}};
+    const json found = runner.result(toJob(mesh, job), outcome);
     CutRow common;
     common.mesh = mesh.name;
     common.status = outcome.status;

@@ -8,6 +8,7 @@
 #include "base/read_file.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
+#include "mesh/formats/number.h"
 #include "storage/sha256.h"
 
 namespace collision_hulls {
@@ -42,9 +43,9 @@ class Reader {
     for (int k = 0; k < 3; ++k) {
       std::string word;
       words >> word;
-      char* end = nullptr;
-      v[k] = std::strtof(word.c_str(), &end);  // a stream would stop reading at "nan"
-      if (word.empty() || *end) fail("'" + word + "' is not a coordinate");
+      double number = 0;
+      if (!parseNumber(word, &number)) fail("'" + word + "' is not a coordinate");
+      v[k] = toSingle(number);
     }
     if (!v.allFinite()) fail("a coordinate is not finite");
     vertices_.push_back(v);

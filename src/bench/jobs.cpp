@@ -2,10 +2,10 @@
 // other program.
 #include "bench/jobs.h"
 
-#include <cstdio>
 #include <ctime>
 #include <fstream>
 
+#include "base/decimal.h"
 #include "bench/cuts.h"
 #include "bench/hull_objects.h"
 #include "bench/json_file.h"
@@ -24,17 +24,10 @@ namespace collision_hulls {
 using nlohmann::json;
 
 std::string toObj(const TriangleMesh& mesh) {
-  std::string text;
-  char line[128];
-  for (const Eigen::Vector3d& v : mesh.vertices) {
-    std::snprintf(line, sizeof line, "v %.17g %.17g %.17g\n", v.x(), v.y(), v.z());
-    text += line;
-  }
-  for (const Triangle& t : mesh.triangles) {
-    std::snprintf(line, sizeof line, "f %d %d %d\n", t[0] + 1, t[1] + 1, t[2] + 1);
-    text += line;
-  }
-  return text;
+  std::ostringstream text = decimalStream(17);
+  for (const Eigen::Vector3d& v : mesh.vertices) text << "v " << v.x() << ' ' << v.y() << ' ' << v.z() << '\n';
+  for (const Triangle& t : mesh.triangles) text << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+  return text.str();
 }
 
 namespace {
@@ -135,7 +128,8 @@ void doJob(const std::string& job_file, const std::string& result_file) {
                       : kind == "decide"    ? decide(job)
                       : kind == "query"     ? query(job)
                       : kind == "cuts"      ? measureCuts(job)
-                                            : score(job);
+                      : kind == "score"     ? score(job)
+                                            : throw Error(ErrorCode::kInternal, "there is no job '" + kind + "'");
   writeText(result_file, result.dump());
 }
 

@@ -34,6 +34,7 @@ class PairCheck {
   std::vector<std::pair<double, std::size_t>> hullsByBox(const Eigen::AlignedBox3d& box) const;
   double toHulls(const Probe& probe);
   FclAnswer fclToHull(const Probe& probe, std::size_t hull) const;
+  void countTimeOf(const FclAnswer& answer);
   double toHull(const Probe& probe, std::size_t hull, const FclAnswer& answer);
   double toPoint(std::size_t hull, const Eigen::Vector3d& p) const;
   double toOriginal(const Probe& probe);
@@ -135,7 +136,13 @@ double PairCheck::toPoint(std::size_t hull, const Eigen::Vector3d& p) const {
   return sphere ? std::max(0.0, (p - sphere->centre).norm() - sphere->radius) : pointDistance(model_.hulls[hull], p);
 }
 
+/// Whatever FCL answered, and whether it was needed.
+void PairCheck::countTimeOf(const FclAnswer& answer) {
+  if (answer.microseconds > kTimeout) ++result.counts.timeouts;
+}
+
 double PairCheck::toHull(const Probe& probe, std::size_t hull, const FclAnswer& answer) {
+  countTimeOf(answer);
   if (!probe.shape) return settled(probe, answer, std::max(0.0, toPoint(hull, probe.centre) - probe.radius), "hulls");
   if (const Sphere* const sphere = model_.sphereAt(hull))
     return settled(probe, answer, std::max(0.0, pointDistance(probe.body, sphere->centre) - sphere->radius), "hulls");
@@ -151,6 +158,7 @@ double PairCheck::toOriginal(const Probe& probe) {
   const FclAnswer answer =
       probe.shape ? fclDistance(*model_.fcl_original, probe.shape->mesh, probe.pose) : fclDistance(*model_.fcl_original, probe.centre);
   result.mesh_us.push_back(answer.microseconds);
+  countTimeOf(answer);
   return std::min(without_area, toSurface(probe, answer));
 }
 
@@ -183,7 +191,6 @@ bool PairCheck::holdsAComponent(const Probe& probe) const {
 /// Compares FCL's answer with our own distance, counts any fault, and returns our own.
 double PairCheck::settled(const Probe& probe, FclAnswer answer, double ours, const char* against) {
   if (!probe.shape) answer.distance = std::max(0.0, answer.distance - probe.radius);
-  if (answer.microseconds > kTimeout) ++result.counts.timeouts;
   std::ostringstream text;
   if (answer.status == FclAnswer::Status::kException) {
     ++result.counts.exceptions;
@@ -243,9 +250,12 @@ void PairCheck::judge(const Probe& probe, double original, double hulls) {
   result.counts.max_underestimate = std::max(result.counts.max_underestimate, model_.frame.metres(solid - hulls));
   if (solid - hulls > model_.allowed) {
     if (hulls == 0) ++result.counts.phantom;
-    text << (hulls == 0 ? "false collision: the hulls are hit" : "underestimate: the hulls are ")
-         << (hulls == 0 ? "" : std::to_string(model_.frame.metres(hulls)) + " m away") << ", the original is " << model_.frame.metres(solid)
-         << " m away, but the protrusion is at most " << model_.frame.metres(model_.allowed) << " m";
+    if (hulls == 0)
+      text << "false collision: the hulls are hit";
+    else
+      text << "underestimate: the hulls are " << model_.frame.metres(hulls) << " m away";
+    text << ", the original is " << model_.frame.metres(solid) << " m away, but the protrusion is at most "
+         << model_.frame.metres(model_.allowed) << " m";
   }
   if (!text.str().empty()) remark(probe, text.str());
 }

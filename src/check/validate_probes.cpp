@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "check/validate_exact.h"
+#include "geometry/box_hull.h"
 #include "geometry/hull_support.h"
 
 namespace collision_hulls {
@@ -36,57 +37,12 @@ Eigen::Vector3d pointOf(const TriangleMesh& mesh, std::size_t triangle, Random& 
 
 }  // namespace
 
-Random::Random(std::uint64_t seed, std::uint64_t pair, std::uint64_t query) : state_(seed) {
-  state_ = bits() ^ pair;
-  state_ = bits() ^ query;
-}
-
-std::uint64_t Random::bits() {
-  std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
-
-std::size_t Random::below(std::size_t n) {
-  return static_cast<std::size_t>(bits() % n);
-}
-
-double Random::uniform(double low, double high) {
-  return low + (high - low) * std::ldexp(static_cast<double>(bits() >> 11), -53);
-}
-
-double Random::logUniform(double low, double high) {
-  return low * std::exp(uniform(0, std::log(high / low)));
-}
-
-Eigen::Vector3d Random::direction() {
-  for (;;) {
-    const Eigen::Vector3d v{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};  // braces: evaluated in this order
-    const double n = v.squaredNorm();
-    if (n > 0.01 && n <= 1) return v.normalized();
-  }
-}
-
-Eigen::Quaterniond Random::rotation() {
-  for (;;) {
-    const Eigen::Vector4d v{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
-    const double n = v.squaredNorm();
-    if (n > 0.01 && n <= 1) return Eigen::Quaterniond(Eigen::Vector4d(v.normalized()));
-  }
-}
-
 ProbeShape::ProbeShape(std::string probe_name, const ConvexHull& probe_hull)
     : name(std::move(probe_name)), hull(probe_hull), convex(probe_hull), mesh(surface(probe_hull)) {}
 
 std::vector<ProbeShape> boxShapes() {
   std::vector<ProbeShape> shapes;
-  for (const auto& sides : kBoxSides) {
-    std::vector<Eigen::Vector3d> corners;
-    for (int corner = 0; corner < 8; ++corner)
-      corners.emplace_back(((corner & 1) - 0.5) * sides[0], ((corner >> 1 & 1) - 0.5) * sides[1], ((corner >> 2) - 0.5) * sides[2]);
-    shapes.emplace_back("box", convexHull(corners));
-  }
+  for (const auto& sides : kBoxSides) shapes.emplace_back("box", hullOfBox({sides[0], sides[1], sides[2]}));
   return shapes;
 }
 

@@ -2,30 +2,15 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "collision_hulls/geometry/convex_hull.h"
 #include "collision_hulls/geometry/triangle_mesh.h"
+#include "geometry/random_stream.h"
 #include "query/fcl_queries.h"
 
 namespace collision_hulls {
-
-/// Random numbers that are the same on every platform (SplitMix64, Steele et al. 2014); one stream per query.
-class Random {
- public:
-  Random(std::uint64_t seed, std::uint64_t pair, std::uint64_t query);
-  std::uint64_t bits();
-  std::size_t below(std::size_t n);  ///< 0 .. n - 1; n > 0
-  double uniform(double low, double high);
-  double logUniform(double low, double high);  ///< 0 < low < high
-  Eigen::Vector3d direction();                 ///< of unit length
-  Eigen::Quaterniond rotation();
-
- private:
-  std::uint64_t state_;
-};
 
 /// A polyhedral probe, for FCL and for our own computation.
 struct ProbeShape {

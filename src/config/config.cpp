@@ -141,6 +141,10 @@ std::vector<std::string> overridingNotes(const Config& config, const std::set<st
     notes.push_back("--" + option + " counts in place of '" + key + "' in '" + config.file + "'");
   };
   for (const std::string& option : given) note(option, option);
+  for (const char* const option : {"shapes", "spheres"}) {  // of a link's settings, too
+    note(option, "shape");
+    if (option != std::string("shapes") && !given.count("shapes")) note(option, "shapes");
+  }
   for (const char* const cap : {"max-hulls", "max-vertices"})
     if (!given.count(cap)) note("profile", cap);
   return notes;

@@ -17,10 +17,6 @@ namespace {
 using Kind = GeometryElement::Kind;
 using JointKind = JointDescription::Kind;
 
-std::string tag(const std::string& name, const std::string& text) {
-  return "<" + name + ">" + xmlEscaped(text) + "</" + name + ">";
-}
-
 std::string transformation(const Eigen::Isometry3d& pose) {
   return tag("transformation", positionText(pose) + " " + vectorText(-rollPitchYaw(pose.linear().transpose())));
 }
@@ -46,12 +42,11 @@ class SkelWriter {
 
  private:
   /// The surroundings have no body, but one of their name may have geometry.
-  bool isTheWorld(const std::string& link) const {
-    const auto is_it = [&](const LinkDescription& other) { return other.name == link && !other.collisions.empty(); };
-    return link == kWorld && std::none_of(model_.robot().links.begin(), model_.robot().links.end(), is_it);
-  }
+  bool isTheWorld(const std::string& link) const { return nameOf(link) == kWorld; }
 
-  std::string nameOf(const std::string& link) const { return link == kWorld && !isTheWorld(link) ? "world_link" : link; }
+  std::string nameOf(const std::string& link) const {
+    return model_.nameBesideWorld(link, [](const LinkDescription& named) { return !named.collisions.empty(); });
+  }
 
   std::string bodyText(const LinkDescription& link, const Eigen::Isometry3d& place) const {
     std::string text =
@@ -137,9 +132,7 @@ std::vector<std::string> dartNotes(const WrittenModel& model) {
   std::vector<std::string> notes = model.notes(), links;
   for (const LinkDescription& link : model.robot().links)
     if (link.name != kWorld && !model.inertialOf(link.name)) links.push_back(link.name);
-  if (!links.empty())
-    notes.push_back("--for dart: " + someHave(links) +
-                    " no <inertial>: DART assumes a mass of 1 kg and moments of inertia of 1 kg m^2; add <inertial>");
+  noteWithoutInertial(links, "dart", "DART", notes);
   const std::string planar = jointsThat(model, [](const auto& joint) { return joint.kind == JointKind::kPlanar; });
   if (!planar.empty()) notes.push_back("--for dart: planar joints (" + planar + ") are fixed: in a SKEL file they have other axes");
   noteFollowers(model, "dart", "a SKEL file", notes);

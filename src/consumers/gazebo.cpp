@@ -16,14 +16,14 @@ namespace {
 
 using Kind = GeometryElement::Kind;
 
-std::string tag(const std::string& indent, const std::string& name, const std::string& text, const std::string& attributes = "") {
-  return indent + "<" + name + attributes + ">" + xmlEscaped(text) + "</" + name + ">\n";
+std::string tagLine(const std::string& indent, const std::string& name, const std::string& text, const std::string& attributes = "") {
+  return indent + tag(name, text, attributes) + "\n";
 }
 
 std::string pose(const std::string& indent, const Eigen::Isometry3d& pose, const std::string& frame = "") {
   const std::string relative = frame.empty() ? "" : " relative_to=\"" + xmlEscaped(frame) + "\"";
   if (relative.empty() && pose.matrix() == Eigen::Matrix4d::Identity()) return "";
-  return tag(indent, "pose", positionText(pose) + " " + rpyText(pose), relative);
+  return tagLine(indent, "pose", positionText(pose) + " " + rpyText(pose), relative);
 }
 
 class SdfWriter {
@@ -105,12 +105,7 @@ class SdfWriter {
   static bool hasShape(const LinkDescription& link) { return !link.visuals.empty() || !link.collisions.empty(); }
 
   /// SDF reserves the name "world": a link of that name is left out, or takes another name if it has geometry.
-  std::string nameOf(const std::string& link) const {
-    if (link != kWorld) return link;
-    const auto is_it = [&](const LinkDescription& other) { return other.name == link && hasShape(other); };
-    const bool has_shape = std::any_of(model_.robot().links.begin(), model_.robot().links.end(), is_it);
-    return has_shape ? "world_link" : link;
-  }
+  std::string nameOf(const std::string& link) const { return model_.nameBesideWorld(link, hasShape); }
 
   /// What a pose is relative to: the model itself for the world, which has no frame in it.
   std::string frameOf(const std::string& link) const { return nameOf(link) == kWorld ? "__model__" : nameOf(link); }
@@ -146,11 +141,11 @@ class SdfWriter {
   std::string inertialText(const std::string& link) const {
     const Inertial* const given = model_.inertialOf(link);
     if (!given) return "";
-    std::string text = "      <inertial>\n" + pose("        ", given->principal) + tag("        ", "mass", numberText(given->mass)) +
+    std::string text = "      <inertial>\n" + pose("        ", given->principal) + tagLine("        ", "mass", numberText(given->mass)) +
                        "        <inertia>\n";
     const std::pair<const char*, double> entries[] = {
         {"ixx", given->moments.x()}, {"iyy", given->moments.y()}, {"izz", given->moments.z()}, {"ixy", 0.0}, {"ixz", 0.0}, {"iyz", 0.0}};
-    for (const auto& entry : entries) text += tag("          ", entry.first, numberText(entry.second));
+    for (const auto& entry : entries) text += tagLine("          ", entry.first, numberText(entry.second));
     return text + "        </inertia>\n      </inertial>\n";
   }
 
@@ -167,15 +162,15 @@ class SdfWriter {
       return "          <" + name + ">\n" + content + "          </" + name + ">\n";
     };
     switch (element.kind) {
-      case Kind::kBox: return shape("box", tag(in, "size", vectorText(element.size)));
-      case Kind::kSphere: return shape("sphere", tag(in, "radius", numberText(element.size.x())));
+      case Kind::kBox: return shape("box", tagLine(in, "size", vectorText(element.size)));
+      case Kind::kSphere: return shape("sphere", tagLine(in, "radius", numberText(element.size.x())));
       case Kind::kCylinder:
-        return shape("cylinder", tag(in, "radius", numberText(element.size.x())) + tag(in, "length", numberText(element.size.y())));
+        return shape("cylinder", tagLine(in, "radius", numberText(element.size.x())) + tagLine(in, "length", numberText(element.size.y())));
       case Kind::kNone: return "";
       case Kind::kMesh: break;
     }
     const bool is_scaled = element.scale != Eigen::Vector3d::Ones();
-    return shape("mesh", tag(in, "uri", uriOf(element)) + (is_scaled ? tag(in, "scale", vectorText(element.scale)) : ""));
+    return shape("mesh", tagLine(in, "uri", uriOf(element)) + (is_scaled ? tagLine(in, "scale", vectorText(element.scale)) : ""));
   }
 
   /// A package is a folder, as a model is.
@@ -192,17 +187,18 @@ class SdfWriter {
 
   std::string jointText(const JointDescription& joint) const {
     std::string text = "    <joint" + nameAttribute(joints_.at(joint.name)) + " type=\"" + typeOf(joint.kind) + "\">\n" +
-                       pose("      ", joint.origin, frameOf(joint.parent)) + tag("      ", "parent", parentOf(joint)) +
-                       tag("      ", "child", nameOf(joint.child));
+                       pose("      ", joint.origin, frameOf(joint.parent)) + tagLine("      ", "parent", parentOf(joint)) +
+                       tagLine("      ", "child", nameOf(joint.child));
     if (!turnsOrSlides(joint)) return text + "    </joint>\n";
     const bool is_limited = joint.kind != JointDescription::Kind::kContinuous;
     const JointDynamics dynamics = model_.dynamicsOf(joint.name);
-    text += "      <axis>\n" + tag("        ", "xyz", vectorText(joint.axis)) + "        <limit>\n";
-    if (is_limited) text += tag("          ", "lower", numberText(joint.lower)) + tag("          ", "upper", numberText(joint.upper));
-    if (dynamics.effort >= 0) text += tag("          ", "effort", numberText(dynamics.effort));
-    if (dynamics.velocity >= 0) text += tag("          ", "velocity", numberText(dynamics.velocity));
-    text += "        </limit>\n        <dynamics>\n" + tag("          ", "damping", numberText(std::max(0.0, dynamics.damping))) +
-            tag("          ", "friction", numberText(std::max(0.0, dynamics.friction))) + "        </dynamics>\n";
+    text += "      <axis>\n" + tagLine("        ", "xyz", vectorText(joint.axis)) + "        <limit>\n";
+    if (is_limited)
+      text += tagLine("          ", "lower", numberText(joint.lower)) + tagLine("          ", "upper", numberText(joint.upper));
+    if (dynamics.effort >= 0) text += tagLine("          ", "effort", numberText(dynamics.effort));
+    if (dynamics.velocity >= 0) text += tagLine("          ", "velocity", numberText(dynamics.velocity));
+    text += "        </limit>\n        <dynamics>\n" + tagLine("          ", "damping", numberText(std::max(0.0, dynamics.damping))) +
+            tagLine("          ", "friction", numberText(std::max(0.0, dynamics.friction))) + "        </dynamics>\n";
     return text + "      </axis>\n    </joint>\n";
   }
 
@@ -227,10 +223,7 @@ class SdfWriter {
 std::vector<std::string> gazeboNotes(const WrittenModel& model) {
   std::vector<std::string> notes = model.notes();
   const SdfWriter writer(model);
-  const std::vector<std::string> links = writer.linksWithoutInertial();
-  if (!links.empty())
-    notes.push_back("--for gazebo: " + someHave(links) +
-                    " no <inertial>: SDF assumes a mass of 1 kg and moments of inertia of 1 kg m^2; add <inertial>");
+  noteWithoutInertial(writer.linksWithoutInertial(), "gazebo", "SDF", notes);
   const std::vector<std::string> renamed = writer.renamedJoints();
   if (!renamed.empty())
     notes.push_back("--for gazebo: SDF lets no joint have the name of a link or of the world, so in model.sdf the joint " +
@@ -244,8 +237,8 @@ std::vector<std::string> gazeboNotes(const WrittenModel& model) {
 }
 
 ConsumerFiles gazeboFiles(const WrittenModel& model) {
-  const std::string config = "<?xml version=\"1.0\"?>\n<model>\n" + tag("  ", "name", model.robot().name) + tag("  ", "version", "1.0") +
-                             tag("  ", "sdf", "model.sdf", " version=\"1.9\"") + "</model>\n";
+  const std::string config = "<?xml version=\"1.0\"?>\n<model>\n" + tagLine("  ", "name", model.robot().name) +
+                             tagLine("  ", "version", "1.0") + tagLine("  ", "sdf", "model.sdf", " version=\"1.9\"") + "</model>\n";
   return {{"model.config", config}, {"model.sdf", SdfWriter(model).text()}};
 }
 

@@ -4,10 +4,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 
 #include "base/counted.h"
+#include "base/decimal.h"
 #include "base/string_parts.h"
 #include "robot/number_text.h"
 
@@ -60,9 +60,7 @@ std::string fewOf(const std::vector<std::string>& names) {
 
 /// "1.234e-07 0.5 2", for messages.
 std::string figures(const Eigen::Vector3d& v) {
-  char text[96];
-  std::snprintf(text, sizeof text, "%.4g %.4g %.4g", v.x(), v.y(), v.z());
-  return text;
+  return decimal(v.x(), 4) + " " + decimal(v.y(), 4) + " " + decimal(v.z(), 4);
 }
 
 /// `given` [kg m^2]: the moments as the description has them.
@@ -158,6 +156,11 @@ std::vector<std::string> WrittenModel::roots() const {
   return roots;
 }
 
+std::string WrittenModel::nameBesideWorld(const std::string& link, const std::function<bool(const LinkDescription&)>& is_body) const {
+  const auto is_it = [&](const LinkDescription& other) { return other.name == link && is_body(other); };
+  return link == kWorld && std::any_of(robot_.links.begin(), robot_.links.end(), is_it) ? "world_link" : link;
+}
+
 std::vector<std::string> WrittenModel::linksWithOtherMeshes() const {
   std::vector<std::string> links;
   const auto is_other = [&](const GeometryElement& element) {
@@ -185,7 +188,7 @@ void noteLeftOut(const WrittenModel& model, const std::string& consumer, std::ve
   if (links.empty()) return;
   notes.push_back("--for " + consumer + ": " + someHave(links) +
                   " a mesh that is no hull of this output; the file leaves it out, so that collisions with it are missed. Decompose it "
-                  "as well (--links, action hulls)");
+                  "as well (its action is decompose, and --links, if given, matches it)");
 }
 
 void noteFollowers(const WrittenModel& model, const std::string& consumer, const std::string& format, std::vector<std::string>& notes) {
@@ -193,6 +196,13 @@ void noteFollowers(const WrittenModel& model, const std::string& consumer, const
   if (joints.empty()) return;
   notes.push_back("--for " + consumer + ": joints that mimic others (" + joints + ") move by themselves, as " + format +
                   " cannot say that they follow");
+}
+
+void noteWithoutInertial(const std::vector<std::string>& links, const std::string& consumer, const std::string& who,
+                         std::vector<std::string>& notes) {
+  if (!links.empty())
+    notes.push_back("--for " + consumer + ": " + someHave(links) + " no <inertial>: " + who +
+                    " assumes a mass of 1 kg and moments of inertia of 1 kg m^2; add <inertial>");
 }
 
 std::string someHave(const std::vector<std::string>& links) {
@@ -210,6 +220,10 @@ std::string rpyText(const Eigen::Isometry3d& pose) {
 
 std::string nameAttribute(const std::string& name) {
   return " name=\"" + xmlEscaped(name) + "\"";
+}
+
+std::string tag(const std::string& name, const std::string& text, const std::string& attributes) {
+  return "<" + name + attributes + ">" + xmlEscaped(text) + "</" + name + ">";
 }
 
 std::string quaternionText(const Eigen::Isometry3d& pose) {

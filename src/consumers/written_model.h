@@ -43,6 +43,9 @@ class WrittenModel {
   const std::vector<const JointDescription*>& jointsBelow(const std::string& link) const;  ///< in document order
   const std::vector<std::string>& notes() const { return notes_; }                         ///< on what had to be changed
   std::vector<std::string> roots() const;                                                  ///< links without a parent
+  /// A link's name where a format reserves that of the world: its own, or "world_link" for a link called "world" of which `is_body` is
+  /// true.
+  std::string nameBesideWorld(const std::string& link, const std::function<bool(const LinkDescription&)>& is_body) const;
   std::vector<std::string> linksWithOtherMeshes() const;  ///< than hulls of this output, such as those that were kept or failed
 
  private:
@@ -66,6 +69,8 @@ std::string positionText(const Eigen::Isometry3d& pose);
 std::string rpyText(const Eigen::Isometry3d& pose);
 std::string quaternionText(const Eigen::Isometry3d& pose);
 std::string nameAttribute(const std::string& name);  ///< of an XML element: ` name="..."`, escaped
+/// An XML element that holds text, which is escaped; each of `attributes` has a space before it.
+std::string tag(const std::string& name, const std::string& text, const std::string& attributes = "");
 
 /// The pairs of links that need no check: neighbours; those that touch at rest, as their original meshes do; and those of which it is
 /// proved that they never meet, whatever the joints do.
@@ -89,6 +94,9 @@ std::string jointsThat(const WrittenModel& model, const std::function<bool(const
 // Notes, if there is something to say. `consumer`: its name in --for; `format`: "a SKEL file".
 void noteLeftOut(const WrittenModel& model, const std::string& consumer, std::vector<std::string>& notes);
 void noteFollowers(const WrittenModel& model, const std::string& consumer, const std::string& format, std::vector<std::string>& notes);
+/// For consumers that give links without <inertial> 1 kg. `links`: these; `who`: "DART".
+void noteWithoutInertial(const std::vector<std::string>& links, const std::string& consumer, const std::string& who,
+                         std::vector<std::string>& notes);
 
 // The writers: path in the output, content. `pairs`: pairsWithoutCheck().
 using ConsumerFiles = std::map<std::string, std::string>;

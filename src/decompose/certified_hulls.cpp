@@ -16,6 +16,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/decimal.h"
 #include "base/millimetres.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
@@ -55,7 +56,7 @@ void checkTolerance(const DecomposeOptions& options) {
   check(options);
   if (options.tolerance > 0 && std::isfinite(options.tolerance)) return;
   throw Error(ErrorCode::kBadOption,
-              "tolerance is " + std::to_string(options.tolerance) + " m; it must be a positive length, which hulls are certified against");
+              "tolerance is " + fixedDecimal(options.tolerance) + " m; it must be a positive length, which hulls are certified against");
 }
 
 std::vector<RegionProof> regionProofs(const std::vector<ConvexHull>& hulls, const PreparedMesh& mesh, const std::vector<Region>& regions,
@@ -147,7 +148,7 @@ Attempt attemptAt(const PreparedMesh& mesh, const DecomposeOptions& aim, const D
   const auto is_loose = [&](double bound, double found, double tolerance) {
     return bound - mesh.margin - found > kCertificateGap * std::max(tolerance, found);
   };
-  bool loose = is_loose(proof.bound, proof.found, options.tolerance);
+  bool loose = is_loose(proof.bound, proof.found, limit(options));
   for (std::size_t i = 0; i < result.regions.size(); ++i)
     loose = loose || is_loose(result.regions[i].bound, result.regions[i].found, options.regions[i].tolerance);
   if (loose && certifying.late()) result.untried += std::string(result.untried.empty() ? "" : ", ") + "a tight bound";

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <string>
 
+#include "base/decimal.h"
 #include "collision_hulls/decompose/acd.h"
 #include "collision_hulls/decompose/certified.h"
 #include "collision_hulls/decompose/hacd.h"
@@ -19,12 +20,13 @@ void check(const DecomposeOptions& options) {
   const auto refuse = [](const std::string& text) { throw Error(ErrorCode::kBadOption, text); };
   const bool needs_tolerance = options.method != Method::kSingleHull && options.method != Method::kBoundingBox;
   if (needs_tolerance && !(options.tolerance > 0 && std::isfinite(options.tolerance)))
-    refuse("tolerance is " + std::to_string(options.tolerance) + " m; it must be a positive length");
+    refuse("tolerance is " + fixedDecimal(options.tolerance) + " m; it must be a positive length");
   if (options.max_hulls < 0) refuse("max_hulls is " + std::to_string(options.max_hulls) + "; it must be at least 1, or 0 for no limit");
   if (options.max_vertices != 0 && options.max_vertices < kLeastVertices)
-    refuse("max_vertices is " + std::to_string(options.max_vertices) + "; it must be at least 8, or 0 for no limit");
+    refuse("max_vertices is " + std::to_string(options.max_vertices) + "; it must be at least " + std::to_string(kLeastVertices) +
+           ", or 0 for no limit");
   if (!(options.padding >= 0) || !std::isfinite(options.padding))
-    refuse("padding is " + std::to_string(options.padding) + " m; it must be 0 or a positive length");
+    refuse("padding is " + fixedDecimal(options.padding) + " m; it must be 0 or a positive length");
   if (options.fill && options.method != Method::kCertified)
     refuse(std::string("fill is set but the method is ") + name(options.method) + "; only certified can fill: drop one of the two");
 }

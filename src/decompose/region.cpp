@@ -7,26 +7,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "base/decimal.h"
 #include "collision_hulls/error.h"
 
 namespace collision_hulls {
 namespace {
 
-std::string textOf(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", number);
-  return text;
-}
-
 std::string textOf(const Eigen::Vector3d& v) {
-  return "[" + textOf(v.x()) + ", " + textOf(v.y()) + ", " + textOf(v.z()) + "]";
+  return "[" + decimal(v.x()) + ", " + decimal(v.y()) + ", " + decimal(v.z()) + "]";
 }
 
 void checkTolerance(double tolerance) {
   if (tolerance > 0 && std::isfinite(tolerance)) return;
-  throw Error(ErrorCode::kBadOption, "a region's tolerance is " + textOf(tolerance) + " m; it must be a positive length");
+  throw Error(ErrorCode::kBadOption, "a region's tolerance is " + decimal(tolerance) + " m; it must be a positive length");
 }
 
 /// The part of the hull below the plane; nullopt: it has none.
@@ -66,7 +60,7 @@ Region halfSpaceRegion(const Eigen::Vector3d& normal, double offset, double tole
   checkTolerance(tolerance);
   const double length = normal.norm();
   if (!(length > 0) || !std::isfinite(length) || !std::isfinite(offset))
-    throw Error(ErrorCode::kBadOption, "a region's half-space has the normal " + textOf(normal) + " and the offset " + textOf(offset) +
+    throw Error(ErrorCode::kBadOption, "a region's half-space has the normal " + textOf(normal) + " and the offset " + decimal(offset) +
                                            "; the normal needs a direction, and both must be finite");
   return {{{-normal / length, -offset / length}}, tolerance, ""};
 }

@@ -13,6 +13,7 @@
 #include <string>
 #include <utility>
 
+#include "base/decimal.h"
 #include "base/looks.h"
 #include "base/parallel.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
@@ -197,7 +198,7 @@ Rounded roundOutward(const ConvexHull& hull, double margin, int max_vertices, co
     return *std::move(best);
   }
   throw Error(ErrorCode::kInternal, "a hull of " + std::to_string(hull.vertices.size()) + " vertices about " +
-                                        std::to_string(hull.vertices.front().x()) + " m cannot be rounded outward to single precision");
+                                        fixedDecimal(hull.vertices.front().x()) + " m cannot be rounded outward to single precision");
 }
 
 /// The hull that a triangle's corners stick out of least.

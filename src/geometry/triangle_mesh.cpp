@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "base/decimal.h"
 #include "collision_hulls/error.h"
 
 namespace collision_hulls {
@@ -44,8 +45,8 @@ double signedVolume(const std::vector<Eigen::Vector3d>& vertices, const std::vec
 
 TriangleMesh scaled(TriangleMesh mesh, const Eigen::Vector3d& scale) {
   if (!scale.allFinite() || (scale.array() == 0).any())
-    throw Error(ErrorCode::kBadScale, "mesh scale [" + std::to_string(scale.x()) + " " + std::to_string(scale.y()) + " " +
-                                          std::to_string(scale.z()) +
+    throw Error(ErrorCode::kBadScale, "mesh scale [" + fixedDecimal(scale.x()) + " " + fixedDecimal(scale.y()) + " " +
+                                          fixedDecimal(scale.z()) +
                                           "]: each factor must be finite and non-zero; correct the scale in the URDF");
   for (Eigen::Vector3d& v : mesh.vertices) v = v.cwiseProduct(scale);
   if (scale.prod() < 0)

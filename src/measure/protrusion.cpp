@@ -30,13 +30,6 @@ constexpr double kEnough = 2;  // gaps: a search would hardly come closer than a
 // Rounding error of a distance, as a share of the coordinates and of the mesh's extent: a hundred times what sums of a few products err by.
 constexpr double kRounding = 1e-12;
 
-/// Keeps the further of two places and the larger of two bounds.
-void add(Protrusion& worst, const Protrusion& other) {
-  const double bound = std::max({worst.bound, other.bound, other.found});
-  if (other.found > worst.found) worst = other;
-  worst.bound = bound;
-}
-
 /// [m] What rounding may hide. Points are rounded with the coordinates of the hulls, distances with the mesh's extent as well; hulls may
 /// reach beyond their triangles, which are searched; and beside cracks and openings points may be taken for inside.
 double rounding(const std::vector<ConvexHull>& hulls, const Solid& solid, const RunControl& control) {
@@ -94,7 +87,7 @@ class Summits {
     const auto halves = halvesByPlace(hulls_, some);
     Protrusion other = worst;
     atOnce([&] { add(worst, halves.first, spare / 2); }, [&] { add(other, halves.second, spare / 2); });
-    collision_hulls::add(worst, other);
+    takeWorse(worst, other);
   }
 
  private:
@@ -129,7 +122,7 @@ class Summits {
         summit.nearest = n.point;
         summit.hull = static_cast<int>(i);
       }
-      collision_hulls::add(worst, summit);
+      takeWorse(worst, summit);
     }
   }
 
@@ -181,7 +174,7 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
     for (const Protrusion& p : each) floor = std::max(floor, p.found);
   }
   Protrusion worst;
-  for (const Protrusion& p : each) add(worst, p);
+  for (const Protrusion& p : each) takeWorse(worst, p);
   std::vector<std::size_t> all(hulls.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   const double enough = search.share > 0 ? kEnough * gap() : gap() / 2;

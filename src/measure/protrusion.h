@@ -1,6 +1,7 @@
 // Settings of the search for protrusion().
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "collision_hulls/measure/measures.h"
@@ -15,5 +16,14 @@ struct ProtrusionSearch {
   std::size_t spare_visits = 0;
 };
 Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, const ProtrusionSearch& search, const RunControl& control);
+
+/// The larger of two bounds, and the further of two places: `worst` becomes what is known of both. For Protrusion and what has its `bound`,
+/// `found` and place.
+template <typename Measured>
+void takeWorse(Measured& worst, const Measured& other) {
+  const double bound = std::max({worst.bound, other.bound, other.found});
+  if (other.found > worst.found) worst = other;
+  worst.bound = bound;
+}
 
 }  // namespace collision_hulls

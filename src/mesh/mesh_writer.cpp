@@ -3,11 +3,11 @@
 #include <cmath>
 #include <cstring>
 #include <iomanip>
-#include <locale>
 #include <map>
 #include <sstream>
 #include <string_view>
 
+#include "base/decimal.h"
 #include "collision_hulls/mesh/mesh_io.h"
 
 namespace collision_hulls {
@@ -47,8 +47,6 @@ std::string stl(const ConvexHull& hull) {
 /// ten, so small numbers are written without an exponent as far as Assimp reads digits.
 class Decimals {
  public:
-  Decimals() { text_.imbue(std::locale::classic()); }
-
   std::string text() const { return text_.str(); }
   Decimals& operator<<(const std::string& text) {
     text_ << text;
@@ -62,7 +60,7 @@ class Decimals {
   }
 
  private:
-  std::ostringstream text_;
+  std::ostringstream text_ = decimalStream();
 };
 
 /// A name as one word that needs no escaping in XML.

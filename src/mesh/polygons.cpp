@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
 #include "base/at.h"
+#include "base/decimal.h"
 #include "collision_hulls/error.h"
 #include "mesh/formats/number.h"
 #include "mesh/triangulate.h"
@@ -24,12 +23,6 @@ constexpr std::size_t kCallsBetweenChecks = 1 << 16;
 /// Cutting ears off a polygon takes time with the square of its corners: a second for these.
 constexpr std::size_t kMostCorners = 20'000;
 
-std::string digits(double number) {
-  std::ostringstream text;
-  text << std::setprecision(4) << number;
-  return text.str();
-}
-
 [[noreturn]] void failTooLarge(const std::string& path, std::size_t most) {
   throw Error(ErrorCode::kTooLarge,
               path + ": more triangles than the limit of " + std::to_string(most) + "; simplify the mesh or raise the limit");
@@ -43,8 +36,8 @@ double singlePrecisionResolution(const TriangleMesh& mesh, double largest, const
       std::ldexp(1.0, std::max(std::ilogb(largest), std::numeric_limits<float>::min_exponent - 1) - std::numeric_limits<float>::digits);
   const double size = diagonal(mesh);
   if (size > 0 && result > kCoarsestResolution * size)
-    throw Error(ErrorCode::kTooFarFromOrigin, path + ": the mesh is " + digits(size) + " m across and up to " + digits(largest) +
-                                                  " m away from its origin, where single precision resolves only " + digits(result) +
+    throw Error(ErrorCode::kTooFarFromOrigin, path + ": the mesh is " + decimal(size, 4) + " m across and up to " + decimal(largest, 4) +
+                                                  " m away from its origin, where single precision resolves only " + decimal(result, 4) +
                                                   " m; move the mesh to its origin");
   return result;
 }

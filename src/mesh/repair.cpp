@@ -4,16 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <string>
 #include <utility>
 
 #include "base/at.h"
+#include "base/decimal.h"
 #include "base/looks.h"
 #include "collision_hulls/error.h"
 #include "mesh/boundary.h"
 #include "mesh/edges.h"
 #include "mesh/fins.h"
+#include "mesh/hash.h"
 #include "mesh/orient.h"
 #include "mesh/weld.h"
 
@@ -28,9 +29,9 @@ constexpr double kLargestWeldTolerance = 0.1;
 
 void check(const TriangleMesh& mesh, const RepairOptions& options, const RunControl& control) {
   if (!(options.weld_tolerance >= 0 && options.weld_tolerance <= kLargestWeldTolerance))
-    throw Error(ErrorCode::kBadOption, "weld tolerance " + std::to_string(options.weld_tolerance) +
+    throw Error(ErrorCode::kBadOption, "weld tolerance " + fixedDecimal(options.weld_tolerance) +
                                            " is out of range; give a share of the mesh's extent from 0 to " +
-                                           std::to_string(kLargestWeldTolerance));
+                                           fixedDecimal(kLargestWeldTolerance));
   Looks look(control);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     look();
@@ -64,9 +65,7 @@ class TriangleSet {
   /// Inserts triangle `t` of the list unless one with the same corners is present; returns that one, or `t`.
   int insert(int t) {
     const Triangle key = sorted(t);
-    std::uint64_t hash = 0;
-    for (const int v : key) hash = (hash ^ static_cast<std::uint64_t>(v)) * 0x9E3779B97F4A7C15u + (hash >> 29);
-    for (std::size_t place = (hash ^ (hash >> 32)) & (table_.size() - 1);; place = (place + 1) & (table_.size() - 1)) {
+    for (std::size_t place = bucketOf(key, table_.size());; place = (place + 1) & (table_.size() - 1)) {
       if (table_[place] < 0) {
         table_[place] = t;
         return t;

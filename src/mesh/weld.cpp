@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "base/looks.h"
+#include "mesh/hash.h"
 
 namespace collision_hulls {
 namespace {
@@ -55,11 +56,7 @@ class Grid {
     return {static_cast<std::int64_t>(cell.x()), static_cast<std::int64_t>(cell.y()), static_cast<std::int64_t>(cell.z())};
   }
 
-  std::size_t bucket(const Cell& cell) const {
-    std::uint64_t hash = 0;
-    for (const std::int64_t c : cell) hash = (hash ^ static_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15u + (hash >> 29);
-    return (hash ^ (hash >> 32)) & (head_.size() - 1);
-  }
+  std::size_t bucket(const Cell& cell) const { return bucketOf(cell, head_.size()); }
 
   void search(std::size_t bucket, const Eigen::Vector3d& p, int* best, double* best_squared) const {
     for (int v = head_[bucket]; v >= 0; v = next_[static_cast<std::size_t>(v)]) {

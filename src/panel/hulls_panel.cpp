@@ -254,7 +254,7 @@ void HullsPanel::connectNode() {
 
 void HullsPanel::showNode(bool is_there, const QString& advice) {
   is_there_ = is_there;
-  if (!is_there) job_.clear(), is_own_ = false;
+  if (!is_there) job_.clear(), is_own_ = is_own_build_ = false;
   advice_->setText(advice);
   advice_->setVisible(!is_there);
   job_row_->setVisible(!job_.isEmpty());

@@ -57,6 +57,7 @@ class HullsPanel : public rviz::Panel {
   void choose();
   void change(const SettingsForm::Change& change, bool goes_on);
   void follow(const std::vector<int>& rows);
+  void endOwnBuild();
   void changed(const std::vector<int>& rows);
   std::vector<int> uncertifiedRows() const;
   void sendPreview(const std::vector<int>& rows);

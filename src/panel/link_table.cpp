@@ -26,6 +26,11 @@ void markUnbuilt(LinkRow& row) {
   row.facts = std::move(unbuilt);
 }
 
+void markChanged(LinkRow& row) {
+  markUnbuilt(row);
+  row.changed = true;
+}
+
 bool holdsFor(const RegionRule& region, const std::string& link) {
   return !region.pattern.empty() && LinkPattern(region.pattern, "link of region '" + region.name + "'").matches(link);
 }
@@ -66,7 +71,9 @@ void LinkTable::take(std::vector<LinkRow> rows, std::vector<RegionRule> regions)
   if (!is_same) history_.clear(), has_own_regions_ = false;
   if (!has_own_regions_) regions_ = std::move(regions);
   for (std::size_t i = 0; is_same && i < rows.size(); ++i) {
-    if (rows_[i].facts.status != "unbuilt" || equalSettings(rows_[i].options, rows[i].options)) continue;
+    const bool is_equal = equalSettings(rows_[i].options, rows[i].options);
+    rows[i].changed = rows_[i].changed && !(is_equal && rows[i].facts.proved);  // a cut is not built
+    if (!rows[i].changed || is_equal) continue;
     rows[i].options = rows_[i].options;
     markUnbuilt(rows[i]);
   }
@@ -84,6 +91,7 @@ std::vector<int> LinkTable::applyRegions() {
       rows_[i].options.regions.push_back(regionOf(regions_[static_cast<std::size_t>(region)]));
     if (equalSettings(before, rows_[i].options)) continue;
     markUnbuilt(rows_[i]);
+    if (has_own_regions_) rows_[i].changed = true;
     changed.push_back(static_cast<int>(i));
   }
   return changed;
@@ -143,7 +151,7 @@ void LinkTable::change(const std::vector<int>& rows, const std::function<void(Li
     const LinkOptions before = row.options;
     change(row.options);
     if (row.options.method != Method::kCertified) row.options.effort = Effort::kQuick, row.options.fill = false;
-    if (!equalSettings(before, row.options)) markUnbuilt(row);
+    if (!equalSettings(before, row.options)) markChanged(row);
   }
 }
 
@@ -157,7 +165,7 @@ std::vector<int> LinkTable::undo() {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     if (equalSettings(rows_[i].options, before.options[i])) continue;
     rows_[i].options = before.options[i];
-    markUnbuilt(rows_[i]);
+    markChanged(rows_[i]);
     changed.push_back(static_cast<int>(i));
   }
   return changed;

@@ -29,6 +29,7 @@ struct LinkRow {
   std::string link;
   LinkOptions options;
   LinkFacts facts;
+  bool changed = false;  ///< its settings, here, since the node built it
 };
 
 struct TableTotals {

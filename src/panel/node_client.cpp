@@ -190,7 +190,7 @@ class NodeClient::Session {
       post([&] { service_ = ended_ ? ros::ServiceClient() : service; });
     }
     PreviewResponse response;
-    const ros::WallTime begin = ros::WallTime::now();
+    const ros::SteadyTime begin = ros::SteadyTime::now();
     if (!service_.call(request, response)) {
       post([this] {
         service_.shutdown();
@@ -199,7 +199,7 @@ class NodeClient::Session {
       });
       return;
     }
-    const double milliseconds = (ros::WallTime::now() - begin).toSec() * 1000;
+    const double milliseconds = (ros::SteadyTime::now() - begin).toSec() * 1000;
     if (!response.success) {
       Q_EMIT client_.failed(QString::fromStdString(response.message));
     } else if (request.links.empty()) {
@@ -234,8 +234,8 @@ class NodeClient::Session {
 
   template <typename Client, typename Goal>
   void sendGoal(Client& client, const Goal& goal, NodeJob::Kind kind) {
-    const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kServerWait);
-    while (!hasEnded() && ros::WallTime::now() < end && !client.waitForActionServerToStart(ros::Duration(0.1))) {
+    const ros::SteadyTime end = ros::SteadyTime::now() + ros::WallDuration(kServerWait);
+    while (!hasEnded() && ros::SteadyTime::now() < end && !client.waitForActionServerToStart(ros::Duration(0.1))) {
     }
     if (!client.isServerConnected()) {
       Q_EMIT client_.finished(kind, false, false, "The node does not take jobs: it may have been stopped.");

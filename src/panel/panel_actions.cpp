@@ -66,11 +66,11 @@ void HullsPanel::change(const SettingsForm::Change& change, bool goes_on) {
   follow(rows);
 }
 
-/// Of rows that were changed.
+/// Of rows that were changed; without any, what is going on stays as it is.
 void HullsPanel::follow(const std::vector<int>& rows) {
+  if (rows.empty()) return;
   changed(rows);
-  settled_.stop();
-  if (is_own_build_) client_.cancel();
+  endOwnBuild();
   if (is_there_) {
     sendPreview(rows);
   } else {
@@ -78,11 +78,15 @@ void HullsPanel::follow(const std::vector<int>& rows) {
   }
 }
 
+/// Of earlier settings, also one that is about to begin.
+void HullsPanel::endOwnBuild() {
+  settled_.stop();
+  if (is_own_build_) client_.cancel();
+}
+
 void HullsPanel::undo() {
-  const std::vector<int> rows = table_.undo();
-  changed(rows);
-  refresh();
-  sendPreview(rows);
+  follow(table_.undo());
+  refresh();  // regions may have changed that hold for no link
 }
 
 Length HullsPanel::tree() const {
@@ -219,6 +223,7 @@ void HullsPanel::loadConfiguration() {
   if (file.isEmpty()) return;
   try {
     if (const std::optional<Length> leaves = table_.load(file.toStdString())) tree_->setText(QString::fromStdString(toString(*leaves)));
+    endOwnBuild();
     file_ = file;
     say("Loaded " + file + "; press Build to see its hulls.");
   } catch (const Error& error) {

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "ros/pen.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -17,55 +19,21 @@ using visualization_msgs::Marker;
 constexpr double kControls = 1.35;                     // of what is drawn: arrows and rings are beyond the handles on the faces
 constexpr double kHandle = 0.1, kLeastHandle = 0.004;  // of a box's longest side; [m]
 constexpr double kThin = 0.004, kArrow = 0.3;          // of the piece of a plane
-constexpr float kAxisColors[3][3] = {{0.85F, 0.1F, 0.1F}, {0.1F, 0.65F, 0.1F}, {0.15F, 0.3F, 0.9F}};
-
-std_msgs::ColorRGBA color(float red, float green, float blue, float opacity) {
-  std_msgs::ColorRGBA color;
-  color.r = red;
-  color.g = green;
-  color.b = blue;
-  color.a = opacity;
-  return color;
-}
-
-geometry_msgs::Vector3 toVector(const Eigen::Vector3d& v) {
-  geometry_msgs::Vector3 vector;
-  vector.x = v.x();
-  vector.y = v.y();
-  vector.z = v.z();
-  return vector;
-}
-
-geometry_msgs::Pose toPose(const Eigen::Isometry3d& pose) {
-  const Eigen::Quaterniond turn(pose.linear());
-  geometry_msgs::Pose message;
-  message.position.x = pose.translation().x();
-  message.position.y = pose.translation().y();
-  message.position.z = pose.translation().z();
-  message.orientation.w = turn.w();
-  message.orientation.x = turn.x();
-  message.orientation.y = turn.y();
-  message.orientation.z = turn.z();
-  return message;
-}
+constexpr double kAxisColors[3][3] = {{0.85, 0.1, 0.1}, {0.1, 0.65, 0.1}, {0.15, 0.3, 0.9}};
 
 Marker body(int type, const Eigen::Vector3d& scale, const std_msgs::ColorRGBA& color) {
   Marker marker;
   marker.type = type;
   marker.pose.orientation.w = 1;
-  marker.scale = toVector(scale);
+  marker.scale = toScale(scale);
   marker.color = color;
   return marker;
 }
 
 Marker edges(const Eigen::Vector3d& size) {
-  Marker lines = body(Marker::LINE_LIST, {size.maxCoeff() / 150, 0, 0}, color(0.7F, 0.4F, 0, 1));
+  Marker lines = body(Marker::LINE_LIST, {size.maxCoeff() / 150, 0, 0}, colour(0.7, 0.4, 0, 1));
   const auto corner = [&](int bits) {
-    geometry_msgs::Point point;
-    point.x = (bits & 1 ? 0.5 : -0.5) * size.x();
-    point.y = (bits & 2 ? 0.5 : -0.5) * size.y();
-    point.z = (bits & 4 ? 0.5 : -0.5) * size.z();
-    return point;
+    return toPoint(size.cwiseProduct(Eigen::Vector3d(bits & 1 ? 0.5 : -0.5, bits & 2 ? 0.5 : -0.5, bits & 4 ? 0.5 : -0.5)));
   };
   for (int from = 0; from < 8; ++from)
     for (const int bit : {1, 2, 4})
@@ -87,13 +55,13 @@ InteractiveMarkerControl control(int mode, int axis) {
 }
 
 void draw(const RegionShape& shape, double size, InteractiveMarkerControl& drawn) {
-  const std_msgs::ColorRGBA fill = color(1, 0.65F, 0.1F, 0.35F);
+  const std_msgs::ColorRGBA fill = colour(1, 0.65, 0.1, 0.35);
   if (const auto* const box = std::get_if<RegionBox>(&shape)) {
     drawn.markers = {body(Marker::CUBE, box->size, fill), edges(box->size)};
     return;
   }
   drawn.markers = {body(Marker::CUBE, {kThin * size, size, size}, fill),
-                   body(Marker::ARROW, {kArrow * size, kArrow * size / 12, kArrow * size / 8}, color(0.9F, 0.5F, 0, 1))};
+                   body(Marker::ARROW, {kArrow * size, kArrow * size / 12, kArrow * size / 8}, colour(0.9, 0.5, 0, 1))};
 }
 
 /// A box moves and turns along and about all axes, a plane along its normal and about the others.
@@ -124,7 +92,7 @@ void addFace(const ShownRegion& shown, int axis, InteractiveMarker& marker) {
   marker.scale = static_cast<float>(size);
   InteractiveMarkerControl face = control(InteractiveMarkerControl::MOVE_AXIS, axis);
   face.always_visible = 1;
-  face.markers.push_back(body(Marker::SPHERE, Eigen::Vector3d::Constant(size), color(rgb[0], rgb[1], rgb[2], 1)));
+  face.markers.push_back(body(Marker::SPHERE, Eigen::Vector3d::Constant(size), colour(rgb[0], rgb[1], rgb[2], 1)));
   marker.controls.push_back(face);
 }
 

@@ -8,6 +8,8 @@
 #include <dart/collision/CollisionResult.hpp>
 #include <dart/dynamics/BodyNode.hpp>
 
+#include "base/median.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -92,11 +94,7 @@ class Drop {
     }
   }
 
-  double medianStep() const {
-    std::vector<double> last(steps_.begin() + static_cast<std::ptrdiff_t>(steps_.size() / 2), steps_.end());
-    std::nth_element(last.begin(), last.begin() + static_cast<std::ptrdiff_t>(last.size() / 2), last.end());
-    return last[last.size() / 2];
-  }
+  double medianStep() const { return median({steps_.begin() + static_cast<std::ptrdiff_t>(steps_.size() / 2), steps_.end()}); }
 
   std::string outcome() const {
     if (!std::isfinite(result_.energy) || !place().allFinite() || result_.energy > kWorstEnergy) return "unstable";

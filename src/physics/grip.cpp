@@ -4,7 +4,6 @@
 
 #include <assimp/scene.h>
 
-#include <algorithm>
 #include <chrono>
 #include <dart/constraint/ContactConstraint.hpp>
 #include <dart/dynamics/BodyNode.hpp>
@@ -13,6 +12,7 @@
 #include <dart/dynamics/MeshShape.hpp>
 #include <dart/dynamics/PrismaticJoint.hpp>
 
+#include "base/median.h"
 #include "collision_hulls/error.h"
 #include "physics/engine.h"
 
@@ -115,8 +115,7 @@ GripResult grip(const dd::SkeletonPtr& robot) {
   result.slip = moved.translation().norm() / kUnit;
   result.turn = Eigen::AngleAxisd(moved.linear()).angle();
   if (!(result.slip < kLost)) result.outcome = "lost";
-  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
-  result.step_us = steps[steps.size() / 2];
+  result.step_us = median(steps);
   return result;
 }
 

@@ -5,8 +5,8 @@
 
 #include "bench/hull_objects.h"
 #include "bench/json_file.h"
+#include "bench/original.h"
 #include "collision_hulls/error.h"
-#include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "collision_hulls/pipeline/output.h"
 #include "physics/physics.h"
@@ -26,9 +26,8 @@ struct Subject {
 };
 
 Subject readSubject(const json& job) {
-  const Eigen::Vector3d scale(job["scale"][0], job["scale"][1], job["scale"][2]);
   Subject subject;
-  subject.mesh = scaled(readMesh(job["file"]).mesh, scale);
+  subject.mesh = meshOf(job);
   subject.hull = convexHull(subject.mesh.vertices);
   subject.mass = massProperties(subject.hull);
   subject.poses = restingPoses(subject.hull, subject.mass.center, job["most"]);

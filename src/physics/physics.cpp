@@ -6,6 +6,7 @@
 
 #include "bench/hull_objects.h"
 #include "bench/json_file.h"
+#include "bench/original.h"
 #include "geometry/pi.h"
 #include "storage/csv.h"
 
@@ -32,7 +33,7 @@ class Drops {
   explicit Drops(const PhysicsOptions& options) : options_(options), runner_(options.program, options.folder) {}
 
   void run(const BenchmarkMesh& mesh, const std::function<void(const PhysicsRow&)>& take) {
-    mesh_ = {{"file", mesh.file}, {"scale", {mesh.scale.x(), mesh.scale.y(), mesh.scale.z()}}, {"most", options_.poses}};
+    mesh_ = toJob(mesh, {{"most", options_.poses}});
     PhysicsRow start;
     start.mesh = mesh.name;
     JobOutcome outcome;

@@ -30,7 +30,8 @@ void fields(Archive& archive, MeshFacts& facts) {
 
 template <typename Archive>
 void fields(Archive& archive, RegionProof& proof) {
-  archive(proof.bound, proof.found);
+  auto& [bound, found] = proof;
+  archive(bound, found);
 }
 
 template <typename Archive>
@@ -79,7 +80,8 @@ void fields(Archive& archive, Validation& validation) {
 
 template <typename Archive>
 void fields(Archive& archive, Length& length) {
-  archive(length.limit, length.share);
+  auto& [limit, share] = length;
+  archive(limit, share);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 // What a robot is fitted to, read from the files and texts that a user gives.
 #include <utility>
 
+#include "base/decimal.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/pipeline/fit_scene.h"
 
@@ -9,7 +10,7 @@ namespace collision_hulls {
 SceneRequest readSceneRequest(const Input& input, const SceneSources& sources, const RunControl& control) {
   if (sources.max_step != 0 && sources.configurations.empty())
     throw Error(ErrorCode::kBadOption,
-                "max-step '" + std::to_string(sources.max_step) + "' interpolates between given configurations; give some, or omit it");
+                "max-step '" + fixedDecimal(sources.max_step) + "' interpolates between given configurations; give some, or omit it");
   SceneRequest request;
   for (const std::string& file : {sources.scene, sources.srdf_file, sources.configurations})
     if (!file.empty()) request.files.push_back(file);

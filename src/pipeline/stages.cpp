@@ -3,10 +3,10 @@
 // A mesh's size is checked as soon as it is read: in the wrong unit it would keep the later stages busy for minutes, for nothing.
 #include "pipeline/stages.h"
 
-#include <cstdio>
 #include <optional>
 #include <utility>
 
+#include "base/decimal.h"
 #include "base/stopwatch.h"
 #include "collision_hulls/check/validate.h"
 #include "collision_hulls/decompose/certified.h"
@@ -32,11 +32,9 @@ double toleranceFor(const TriangleMesh& mesh, const LinkOptions& options) {
 /// A percentage of the diagonal takes the same work in every unit, so it stays allowed: for the link that really is that large.
 void checkSize(const std::string& uri, double diagonal, const Length& tolerance) {
   if (diagonal <= kLargestLink || tolerance.limit == Length::kUnset) return;
-  char size[64];
-  std::snprintf(size, sizeof size, "%.3g m", diagonal);
   throw Error(ErrorCode::kTooLarge,
-              "'" + uri + "' is " + size +
-                  " across, larger than any robot link: if its numbers are millimetres, scale it by 0.001 (--scale "
+              "'" + uri + "' is " + decimal(diagonal, 3) +
+                  " m across, larger than any robot link: if its numbers are millimetres, scale it by 0.001 (--scale "
                   "0.001 for a mesh file, scale=\"0.001 0.001 0.001\" in a description's <mesh>); if it really is that "
                   "large, give the tolerance only as a percentage, such as 1%");
 }
@@ -58,9 +56,7 @@ MeshLimits meshLimits(const Options& options) {
 
 void checkForRobot(const Options& options) {
   if (options.scale == 1) return;
-  char scale[64];
-  std::snprintf(scale, sizeof scale, "%g", options.scale);
-  const std::string s = scale;
+  const std::string s = decimal(options.scale);
   throw Error(ErrorCode::kBadOption, "scale '" + s +
                                          "' is for a single mesh; a robot's description scales its meshes itself: write scale=\"" + s +
                                          " " + s + " " + s + "\" in its <mesh> elements");
@@ -104,7 +100,7 @@ const ReadMesh& SharedMesh::read(const LinkOptions& options, const RunControl& c
   // 2. Repair: a mesh with topology, and the solid that it stands for.
   ReadMesh read{repair(result.original, {}, control)};
   facts.repair = read.repaired.counts;
-  read.margin = loaded.resolution * task_.scale.cwiseAbs().maxCoeff() + read.repaired.counts.weld_distance;
+  read.margin = readingError(loaded.resolution) * task_.scale.cwiseAbs().maxCoeff() + read.repaired.counts.weld_distance;
   result.solid = std::make_shared<const Solid>(read.repaired, control);
   facts.interior = name(result.solid->interior());
   facts.volume = result.solid->volume();

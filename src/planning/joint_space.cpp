@@ -17,12 +17,6 @@ std::string namesOf(const std::vector<JointVariable>& variables) {
   return names;
 }
 
-/// Joints that agree in all this, and in those before them, move what hangs on them alike.
-bool equalJoints(const ChainJoint& a, const ChainJoint& b) {
-  return a.variable == b.variable && a.turns == b.turns && a.multiplier == b.multiplier && a.offset == b.offset && a.axis == b.axis &&
-         a.origin.matrix() == b.origin.matrix();
-}
-
 /// How far a joint moves, with a sign.
 double travel(const JointVariable& joint, double from, double to) {
   const double straight = to - from;

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "base/decimal.h"
 #include "base/stopwatch.h"
 #include "collision_hulls/error.h"
 #include "planning/plan_queries.h"
@@ -127,8 +128,8 @@ class SceneRun {
 
 void expectBetween(const std::string& option, double value, double least, double most) {
   if (value >= least && value <= most) return;
-  throw Error(ErrorCode::kBadOption, option + " " + std::to_string(value) + " is out of range: use a number from " + std::to_string(least) +
-                                         " to " + std::to_string(most));
+  throw Error(ErrorCode::kBadOption, option + " " + fixedDecimal(value) + " is out of range: use a number from " + fixedDecimal(least) +
+                                         " to " + fixedDecimal(most));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 
+#include "base/decimal.h"
 #include "collision_hulls/decompose/certified_hulls.h"
 
 namespace collision_hulls {
@@ -54,7 +55,7 @@ void prove(CertifiedPrimitive& result, const Solid& solid, const PrimitiveOption
 
 void check(const PrimitiveOptions& options) {
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance))
-    throw Error(ErrorCode::kBadOption, "the tolerance of a primitive is " + std::to_string(options.tolerance) + "; it must be above 0");
+    throw Error(ErrorCode::kBadOption, "the tolerance of a primitive is " + fixedDecimal(options.tolerance) + "; it must be above 0");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/counted.h"
+#include "base/decimal.h"
 #include "base/millimetres.h"
 #include "primitives/sphere_choice.h"
 #include "primitives/sphere_cover.h"
@@ -32,7 +33,7 @@ double sizeOf(const TriangleMesh& mesh) {
 
 void check(const SphereOptions& options) {
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance))
-    throw Error(ErrorCode::kBadOption, "the tolerance of spheres is " + std::to_string(options.tolerance) + " m; it must be above 0");
+    throw Error(ErrorCode::kBadOption, "the tolerance of spheres is " + fixedDecimal(options.tolerance) + " m; it must be above 0");
   if (options.max_spheres < 1) throw Error(ErrorCode::kBadOption, "a limit of 0 spheres; a mesh needs at least 1");
 }
 

@@ -67,7 +67,7 @@ CertifiedHulls hullsOf(const TriangleMesh& mesh, const DecomposeOptions& options
   const double resolution = singlePrecisionResolution(mesh, largest, "vertices");
   const RepairedMesh repaired = repair(mesh, {}, control);
   const Solid solid(repaired, control);
-  return certifiedHulls({mesh, repaired, solid, resolution + repaired.counts.weld_distance, nullptr, ""}, options, control);
+  return certifiedHulls({mesh, repaired, solid, readingError(resolution) + repaired.counts.weld_distance, nullptr, ""}, options, control);
 }
 
 /// A copy as an array of rows of three.

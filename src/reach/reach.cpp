@@ -14,6 +14,8 @@
 #include <mutex>
 #include <queue>
 
+#include "base/decimal.h"
+#include "base/random.h"
 #include "reach/box_movement.h"
 #include "reach/obstacle.h"
 #include "reach/sweep.h"
@@ -66,11 +68,6 @@ struct Later {
 
 double middle(const JointRange& range) {
   return (range.lower + range.upper) / 2;
-}
-
-bool same(const ChainJoint& a, const ChainJoint& b) {
-  return a.turns == b.turns && a.variable == b.variable && a.multiplier == b.multiplier && a.offset == b.offset && a.axis == b.axis &&
-         a.origin.matrix() == b.origin.matrix();
 }
 
 /// The search for one pair.
@@ -138,7 +135,7 @@ class PairSearch {
       for (std::size_t s = 0; s < sides_.size(); ++s) point.levels[s] = sides_[s].joints();
       for (std::size_t v = 0; v < variables_.size(); ++v) {
         const JointRange& range = whole.variables[v];
-        const double share = toUnit(steps[v] * i + kMiddle), length = range.upper - range.lower;
+        const double share = unitInterval(steps[v] * i + kMiddle), length = range.upper - range.lower;
         const double at = all_over ? range.lower + share * length : result_.witness[variables_[v]] + radius * (share - 0.5) * length;
         point.variables[v].lower = point.variables[v].upper = std::clamp(at, range.lower, range.upper);
       }
@@ -307,11 +304,11 @@ Reach neverNear() {
 /// Throws kBadOption.
 void check(double clearance, const ReachOptions& options) {
   if (!(clearance >= 0 && clearance < kInfinity)) {
-    throw Error(ErrorCode::kBadOption, "the clearance is " + std::to_string(clearance) + " m; it must be finite and at least 0");
+    throw Error(ErrorCode::kBadOption, "the clearance is " + fixedDecimal(clearance) + " m; it must be finite and at least 0");
   }
   if (options.evaluations < 1 || !(options.tightness > 0 && options.tightness < 1)) {
     throw Error(ErrorCode::kBadOption, "evaluations is " + std::to_string(options.evaluations) + " and tightness is " +
-                                           std::to_string(options.tightness) +
+                                           fixedDecimal(options.tightness) +
                                            "; evaluations must be at least 1, and tightness between 0 and 1");
   }
 }
@@ -325,7 +322,7 @@ Reach ReachProver::betweenLinks(std::size_t link, std::size_t other, double clea
   if (!first || !second) return neverNear();
   const std::vector<ChainJoint>&a = first->chain.joints, &b = second->chain.joints;
   std::size_t common = 0;  // joints shared by both chains do not move the pair
-  while (common < std::min(a.size(), b.size()) && same(a[common], b[common])) ++common;
+  while (common < std::min(a.size(), b.size()) && equalJoints(a[common], b[common])) ++common;
   return PairSearch(impl_->kinematics, {{first, common}, {second, common}}, nullptr, clearance, options, control).run();
 }
 

@@ -12,6 +12,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/decimal.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "collision_hulls/error.h"
 #include "report/link_pattern.h"
@@ -86,14 +87,10 @@ std::optional<Length> pairOf(const std::optional<Quantity>& first, const std::op
 /// The fewest digits that are read back as the same value; nothing where 17 do not suffice in this unit.
 std::optional<std::string> shortest(double value, const char* unit) {
   const auto known = std::find_if(kLengthUnits.begin(), kLengthUnits.end(), [&](const Unit& u) { return std::string(unit) == u.name; });
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
   for (int digits = 3; digits <= 17; ++digits) {
-    out.str("");
-    out.precision(digits);
-    out << value * known->denominator / known->numerator << unit;
-    const std::optional<Quantity> back = parseQuantity(out.str());
-    if (back && back->value == value) return out.str();
+    const std::string text = decimal(value * known->denominator / known->numerator, digits) + unit;
+    const std::optional<Quantity> back = parseQuantity(text);
+    if (back && back->value == value) return text;
   }
   return std::nullopt;
 }
@@ -108,18 +105,10 @@ std::string shortestLength(double metres) {
   return best;
 }
 
-std::string plain(double number, int digits = 6) {
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out.precision(digits);
-  out << number;
-  return out.str();
-}
-
 /// 5 for 5 mm is the usual mistake.
 void checkUnit(const std::string& option, const Length& length, const std::string& otherwise = "") {
   if (!isSet(length.limit) || length.limit <= kLargestTolerance) return;
-  throw Error(ErrorCode::kBadOption, option + " '" + toString(length) + "' is more than " + plain(kLargestTolerance) +
+  throw Error(ErrorCode::kBadOption, option + " '" + toString(length) + "' is more than " + decimal(kLargestTolerance) +
                                          " m, the most that a robot's links take: a number without a unit is in metres; did you mean " +
                                          toString(lengthOf(length.limit / 1000)) + "?" + otherwise);
 }
@@ -127,13 +116,13 @@ void checkUnit(const std::string& option, const Length& length, const std::strin
 void checkLength(const std::string& option, const Length& length) {
   const char* const allowed = "a length above 0, a percentage above 0% and up to 100%, or both";
   if (!isSet(length.limit) && !isSet(length.share)) badOption(option, "inf", allowed);
-  if (isSet(length.limit) && !(std::isfinite(length.limit) && length.limit > 0)) badOption(option, plain(length.limit) + "m", allowed);
-  if (isSet(length.share) && !(length.share > 0 && length.share <= 1)) badOption(option, plain(100 * length.share) + "%", allowed);
+  if (isSet(length.limit) && !(std::isfinite(length.limit) && length.limit > 0)) badOption(option, decimal(length.limit) + "m", allowed);
+  if (isSet(length.share) && !(length.share > 0 && length.share <= 1)) badOption(option, decimal(100 * length.share) + "%", allowed);
   checkUnit(option, length, " For a larger machine give a percentage, such as 5%");
 }
 
 void checkPaddingAs(const std::string& option, double padding) {
-  if (!(std::isfinite(padding) && padding > 0)) badOption(option, plain(padding) + "m", "0 or a positive length");
+  if (!(std::isfinite(padding) && padding > 0)) badOption(option, decimal(padding) + "m", "0 or a positive length");
   checkUnit(option, lengthOf(padding));
 }
 
@@ -165,6 +154,9 @@ bool alwaysLarger(const Length& tree, const Length& tolerance) {
 /// What goes with some methods alone.
 void checkMethod(const Options& options) {
   if (options.tree) checkLength("tree", *options.tree);
+  if (needsCertified(options.effort) && options.method != Method::kCertified)
+    throw Error(ErrorCode::kBadOption, std::string("effort '") + name(options.effort) +
+                                           "' needs method 'certified'; leave it out with method '" + name(options.method) + "'");
   if (options.fill && options.method != Method::kCertified)
     throw Error(ErrorCode::kBadOption,
                 std::string("fill needs method 'certified'; leave it out with method '") + name(options.method) + "'");
@@ -237,7 +229,7 @@ double parsePadding(const std::string& text, const std::string& option) {
 
 std::string toString(const Length& length) {
   const std::string limit = isSet(length.limit) ? shortestLength(length.limit) : "";
-  const std::string share = isSet(length.share) ? shortest(length.share, "%").value_or(plain(100 * length.share, 17) + "%") : "";
+  const std::string share = isSet(length.share) ? shortest(length.share, "%").value_or(decimal(100 * length.share, 17) + "%") : "";
   return limit + (limit.empty() || share.empty() ? "" : ",") + share;
 }
 
@@ -347,7 +339,7 @@ void checkShapes(const LinkOptions& options) {
 /// Where the limit would be ignored.
 void checkTimeLimit(const Options& options) {
   if (options.time_limit == 0) return;
-  const std::string limit = plain(options.time_limit) + " s";
+  const std::string limit = decimal(options.time_limit) + " s";
   if (!(std::isfinite(options.time_limit) && options.time_limit > 0)) badOption("time-limit", limit, "0 (no limit) or a time above it");
   const auto refuse = [&](const std::string& setting, const std::string& why) {
     throw Error(ErrorCode::kBadOption, "time-limit '" + limit + "' contradicts " + setting + ", which " + why + "; leave one of them out");
@@ -370,7 +362,7 @@ void check(const Options& options) {
   checkTimeLimit(options);
   checkRange("jobs", options.jobs, 1, kMostJobs, "as many threads as cores");
   if (!(std::isfinite(options.scale) && options.scale > 0))
-    badOption("scale", plain(options.scale), "a number above 0, as in 0.001 for a mesh in millimetres");
+    badOption("scale", decimal(options.scale), "a number above 0, as in 0.001 for a mesh in millimetres");
   if (!options.package_name.empty() && packageName(options.package_name) != options.package_name)
     badOption("package-name", options.package_name,
               "a lower-case letter, then lower-case letters, digits and '_', such as '" + packageName(options.package_name) + "'");

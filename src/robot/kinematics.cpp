@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/decimal.h"
 #include "collision_hulls/error.h"
 
 namespace collision_hulls {
@@ -76,6 +77,21 @@ class Drives {
 };
 
 }  // namespace
+
+bool withinLimits(const JointVariable& variable, double value) {
+  const double slack = kBeyondLimit * std::max(std::abs(variable.lower), std::abs(variable.upper));
+  return value >= variable.lower - slack && value <= variable.upper + slack;
+}
+
+std::string beyondLimits(const JointVariable& variable, double value) {
+  return "joint '" + variable.name + "' at " + fixedDecimal(value) + " is beyond its limits, " + fixedDecimal(variable.lower) + " to " +
+         fixedDecimal(variable.upper);
+}
+
+bool equalJoints(const ChainJoint& a, const ChainJoint& b) {
+  return a.turns == b.turns && a.variable == b.variable && a.multiplier == b.multiplier && a.offset == b.offset && a.axis == b.axis &&
+         a.origin.matrix() == b.origin.matrix();
+}
 
 Eigen::Isometry3d motion(const JointDescription& joint, double value) {
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
@@ -159,11 +175,7 @@ Configuration Kinematics::configuration(const std::map<std::string, double>& val
       throw Error(ErrorCode::kBadOption,
                   "joint '" + name + "' cannot be set: the robot has no such joint, or it is fixed or mimics another");
     }
-    const double slack = kBeyondLimit * std::max(std::abs(found->lower), std::abs(found->upper));
-    if (!(value >= found->lower - slack && value <= found->upper + slack)) {
-      throw Error(ErrorCode::kBadOption, "joint '" + name + "' at " + std::to_string(value) + " is beyond its limits, " +
-                                             std::to_string(found->lower) + " to " + std::to_string(found->upper));
-    }
+    if (!withinLimits(*found, value)) throw Error(ErrorCode::kBadOption, beyondLimits(*found, value));
     result[static_cast<std::size_t>(found - variables_.begin())] = value;
   }
   return result;
@@ -231,7 +243,7 @@ std::vector<std::string> Kinematics::notes() const {
       notes.push_back(who + "follows the continuous joint '" + variables_[static_cast<std::size_t>(joint.variable)].name +
                       "' at another pace: one turn of that is looked at, and nothing is proved of what it moves");
     } else if (canMove(what) && what.mimic.empty() && what.kind != Kind::kContinuous && !(what.lower < what.upper)) {
-      notes.push_back(who + "stays at " + std::to_string(what.lower) + ": its limits are missing, equal or crossed");
+      notes.push_back(who + "stays at " + fixedDecimal(what.lower) + ": its limits are missing, equal or crossed");
     }
   }
   return notes;

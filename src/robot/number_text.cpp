@@ -7,15 +7,14 @@
 #include <locale>
 #include <sstream>
 
+#include "base/decimal.h"
+
 namespace collision_hulls {
 namespace {
 
-std::string formatted(double value, int digits, bool scientific) {
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out << (scientific ? std::scientific : std::fixed);
-  out.precision(digits);
-  out << value;
+std::string scientific(double value, int decimals) {
+  std::ostringstream out = decimalStream(decimals);
+  out << std::scientific << value;
   return out.str();
 }
 
@@ -33,7 +32,7 @@ int decimalsNeeded(double value) {
   std::string text;
   int digits = 0;
   do {
-    text = formatted(value, digits++, true);
+    text = scientific(value, digits++);
   } while (digits < kMostDigits && parsed(text) != value);
   const int exponent = std::stoi(text.substr(text.find('e') + 1));
   return digits - 1 - exponent;
@@ -43,7 +42,7 @@ int decimalsNeeded(double value) {
 
 std::string numberText(double value) {
   if (value == 0) return "0";
-  return formatted(value, std::max(0, decimalsNeeded(value)), false);
+  return fixedDecimal(value, std::max(0, decimalsNeeded(value)));
 }
 
 std::string vectorText(const Eigen::Vector3d& vector) {

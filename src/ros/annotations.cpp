@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "base/counted.h"
+#include "base/millimetres.h"
 
 namespace collision_hulls {
 namespace {
@@ -17,13 +17,7 @@ constexpr double kTextHeight = 0.035;  // of the robot's radius
 constexpr double kLineSpacing = 1.7;   // of labels, in their height
 constexpr double kColumn = 0.75;       // of the robot's radius: from its middle to the labels
 constexpr double kArrowLength = 0.16;  // of the robot's radius
-
-/// The text of a length: "4.8 mm", three digits at most.
-std::string millimetres(double metres) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g mm", 1000 * metres);
-  return text;
-}
+constexpr int kDigits = 3;             // of a length
 
 Marker& addText(const std::string& text, double height, const std::string& kind, const std::string& link, const Eigen::Isometry3d& pose,
                 Pen& pen, MarkerList& list) {
@@ -63,7 +57,7 @@ std::string labelText(const Link& link) {
   std::string text = link.name + ": ";
   if (link.hulls > 0 || link.primitives == 0) text += counted(link.hulls, "hull");
   if (link.primitives > 0) text += (link.hulls > 0 ? ", " : "") + counted(link.primitives, "primitive");
-  if (protrusion > 0) text += ", " + millimetres(protrusion);
+  if (protrusion > 0) text += ", " + millimetres(protrusion, kDigits);
   return text;
 }
 
@@ -116,7 +110,8 @@ void drawWorst(const Link& link, double radius, const std::vector<ConvexHull>& h
   arrow.points = {toPoint(row.worst + length * away), toPoint(row.worst)};
   arrow.color = red;
   const Eigen::Isometry3d end(origin * Eigen::Translation3d(row.worst + 1.25 * length * away));
-  addText(millimetres(row.protrusion_found), kTextHeight * radius * std::max(length / most, 0.7), "worst", link.name, end, pen, list)
+  addText(millimetres(row.protrusion_found, kDigits), kTextHeight * radius * std::max(length / most, 0.7), "worst", link.name, end, pen,
+          list)
       .color = red;
 }
 

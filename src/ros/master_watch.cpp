@@ -34,7 +34,7 @@ MasterWatch::MasterWatch() {
 }
 
 bool MasterWatch::forgotten() {
-  const double now = ros::WallTime::now().toSec();
+  const double now = ros::SteadyTime::now().toSec();
   if (now < next_) return times_ > 1;
   next_ = now + kPeriod;
   times_ = ros::master::check() && !masterKnowsThisNode() ? times_ + 1 : 0;

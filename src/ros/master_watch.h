@@ -22,7 +22,7 @@ class MasterWatch {
 
  private:
   std::map<std::string, XmlRpc::XmlRpcValue> parameters_;  // by name
-  double next_ = 0;                                        // [s] when to ask again
+  double next_ = 0;                                        // [s] when to ask again, by the steady clock
   int times_ = 0;                                          // that the answer was no, in a row
 };
 

@@ -55,7 +55,7 @@ class Node {
   void show(const RobotDescription& robot, const LinkDecisions& decisions, const RobotResult& result, const Scene* scene = nullptr);
 
   ros::NodeHandle node_, private_{"~"};
-  const Places places_{private_};
+  const NodePlaces places_{private_};
   View view_{private_};
   LinkPreviews preview_{private_, view_};
   Door<Decompose, DecomposeAction> decompose_door_;

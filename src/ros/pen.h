@@ -1,4 +1,4 @@
-// Single markers and what they are made of; the ground on which markers.h and annotations.h draw.
+// Single markers and what they are made of; the ground on which markers.h, annotations.h and the panel's region_markers.h draw.
 #pragma once
 
 #include <std_msgs/ColorRGBA.h>

@@ -45,7 +45,7 @@ std::string packageAround(const std::string& folder) {
 
 }  // namespace
 
-Places::Places(const ros::NodeHandle& node)
+NodePlaces::NodePlaces(const ros::NodeHandle& node)
     : output_root_(textParameter(node, "output_root")),
       base_(textParameter(node, "base")),
       output_(textParameter(node, "output")),
@@ -55,7 +55,7 @@ Places::Places(const ros::NodeHandle& node)
   output_root_ = fs::absolute(output_root_).lexically_normal().string();
 }
 
-PackageFinder Places::packageFinder(const std::string& near) const {
+PackageFinder NodePlaces::packageFinder(const std::string& near) const {
   struct Answers {
     std::mutex mutex;
     std::map<std::string, std::optional<std::string>> known;
@@ -69,7 +69,7 @@ PackageFinder Places::packageFinder(const std::string& near) const {
 }
 
 /// Empty without a description's file, and where that is missing.
-std::string Places::baseFolder() const {
+std::string NodePlaces::baseFolder() const {
   try {
     return base_.empty() ? "" : fs::path(resolveUri(base_, "", packageFinder(""))).parent_path().string();
   } catch (const Error&) {
@@ -77,7 +77,7 @@ std::string Places::baseFolder() const {
   }
 }
 
-Roots Places::roots() const {
+Roots NodePlaces::roots() const {
   Roots roots;
   roots.read = read_roots_;
   roots.read.push_back(output_root_);
@@ -93,7 +93,7 @@ Roots Places::roots() const {
   return roots;
 }
 
-std::string Places::output(const std::string& wanted) const {
+std::string NodePlaces::output(const std::string& wanted) const {
   return writablePath((fs::path(output_root_) / wanted).lexically_normal().string());
 }
 

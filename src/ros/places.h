@@ -13,10 +13,10 @@ namespace collision_hulls {
 
 /// The parameters that open doors: ~output_root, ~read_roots, ~package_path, ~base and ~output as they were at the node's start. Who sends
 /// a request can set parameters, too: what changes later opens nothing.
-class Places {
+class NodePlaces {
  public:
   /// Throws kBadOption for a value of the wrong type.
-  explicit Places(const ros::NodeHandle& node);
+  explicit NodePlaces(const ros::NodeHandle& node);
 
   /// Asks ROS for a package first, then looks near a description and in ~package_path. Throws kBadOption for a folder there that is none.
   PackageFinder packageFinder(const std::string& near) const;

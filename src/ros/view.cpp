@@ -77,7 +77,7 @@ View::View(const ros::NodeHandle& node) : node_(node) {
   for (std::size_t i = 0; i < kTopics; ++i)
     displays_[i].publisher = node_.advertise<visualization_msgs::MarkerArray>(names[i], 1, connected, {}, ros::VoidConstPtr(), true);
   for (std::size_t i = 0; i < kTopics; ++i) put(static_cast<Topic>(i), {});  // what an earlier node of this name left in rviz goes
-  timer_ = node_.createWallTimer(ros::WallDuration(kTick), [this](const ros::WallTimerEvent&) { repeat(); });
+  timer_ = node_.createSteadyTimer(ros::WallDuration(kTick), [this](const ros::SteadyTimerEvent&) { repeat(); });
   transforms_ = node_.subscribe("/tf", 100, &View::transformed, this);
   static_transforms_ = node_.subscribe("/tf_static", 100, &View::transformed, this);
 }
@@ -234,16 +234,16 @@ void View::transformed(const tf2_msgs::TFMessageConstPtr& message) {
 
 void View::repeatSoon() {
   repeats_ = 0;
-  due_ = ros::WallTime::now() + ros::WallDuration(kRepeats[0]);
+  due_ = ros::SteadyTime::now() + ros::WallDuration(kRepeats[0]);
 }
 
 void View::repeat() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (due_.isZero() || ros::WallTime::now() < due_) return;
+  if (due_.isZero() || ros::SteadyTime::now() < due_) return;
   for (const Display& display : displays_) {
     if (display.publisher.getNumSubscribers() > 0 && !display.markers.markers.empty()) display.publisher.publish(display.markers);
   }
-  due_ = ++repeats_ == std::size(kRepeats) ? ros::WallTime() : ros::WallTime::now() + ros::WallDuration(kRepeats[repeats_]);
+  due_ = ++repeats_ == std::size(kRepeats) ? ros::SteadyTime() : ros::SteadyTime::now() + ros::WallDuration(kRepeats[repeats_]);
 }
 
 }  // namespace collision_hulls

@@ -78,8 +78,8 @@ class View {
   std::array<Display, kTopics> displays_;
   std::set<std::string> drawn_, seen_;              // frames: of markers, and with a transform
   std::size_t repeats_ = 0;                         // since the last event
-  ros::WallTime due_;                               // when to publish again; zero: not until something happens
-  ros::WallTimer timer_;                            // never stops: stopping it under the lock that its callback waits for may hang
+  ros::SteadyTime due_;                             // when to publish again; zero: not until something happens
+  ros::SteadyTimer timer_;                          // never stops: stopping it under the lock that its callback waits for may hang
   ros::Subscriber transforms_, static_transforms_;  // last, so that no call comes to a half-built or half-gone view
 };
 

@@ -1,4 +1,4 @@
-// Waits for ROS by the wall clock, as simulated time may stand still.
+// Waits for ROS by the steady clock: simulated time may stand still, and the wall clock may be set.
 #pragma once
 
 #include <ros/ros.h>
@@ -13,10 +13,10 @@ namespace collision_hulls {
 
 /// Polls `done` for at most `seconds`. Returns whether it became true; false also when ROS shuts down. Throws kCancelled.
 inline bool waitFor(const std::function<bool()>& done, double seconds, const RunControl& control) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
+  const ros::SteadyTime end = ros::SteadyTime::now() + ros::WallDuration(seconds);
   while (ros::ok()) {
     if (done()) return true;
-    if (ros::WallTime::now() >= end) return false;
+    if (ros::SteadyTime::now() >= end) return false;
     control.check();
     ros::WallDuration(0.02).sleep();
   }

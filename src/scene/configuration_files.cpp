@@ -14,7 +14,6 @@
 namespace collision_hulls {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n\f\v";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 constexpr std::string_view kDocument = "---";  // starts a YAML document
@@ -26,10 +25,6 @@ using Cells = std::vector<std::string_view>;  // of the file's text
 
 std::string place(const std::string& file, std::size_t line) {
   return "'" + file + "', line " + std::to_string(line);
-}
-
-[[noreturn]] void fail(const std::string& where, const std::string& reason) {
-  throw Error(ErrorCode::kBadConfigurations, where + ": " + reason);
 }
 
 /// Without surrounding blanks and quotes.
@@ -89,12 +84,14 @@ Columns columnsOf(const Cells& header, const std::string& where) {
     }
   }
   if (of_rostopic && (columns.names.empty() || columns.names.size() != columns.positions.size())) {
-    fail(where, "these are not the columns of a sensor_msgs/JointState; record other messages as .yaml, by `rostopic echo` without -p");
+    failConfigurations(
+        where, "these are not the columns of a sensor_msgs/JointState; record other messages as .yaml, by `rostopic echo` without -p");
   }
   double number = 0;
   for (const std::size_t i : columns.positions) {
     if (parseNumber(header[i], number))
-      fail(where, "expected a joint name, found '" + std::string(header[i]) + "'; the first line must hold the names of the joints");
+      failConfigurations(where,
+                         "expected a joint name, found '" + std::string(header[i]) + "'; the first line must hold the names of the joints");
   }
   return columns;
 }
@@ -102,8 +99,8 @@ Columns columnsOf(const Cells& header, const std::string& where) {
 void addRow(const Columns& columns, const Cells& cells, const std::string& where, ConfigurationCollector& collector,
             const RunControl& control) {
   if (cells.size() != columns.header.size()) {
-    fail(where, std::to_string(cells.size()) + " cells, but the first line has " + std::to_string(columns.header.size()) +
-                    "; give each column a value");
+    failConfigurations(where, std::to_string(cells.size()) + " cells, but the first line has " + std::to_string(columns.header.size()) +
+                                  "; give each column a value");
   }
   Names names;
   std::vector<double> positions;
@@ -111,7 +108,8 @@ void addRow(const Columns& columns, const Cells& cells, const std::string& where
     const std::size_t column = columns.positions[i];
     names.emplace_back(columns.names.empty() ? columns.header[column] : cells[columns.names[i]]);
     if (!parseNumber(cells[column], positions.emplace_back())) {
-      fail(where, "the position of joint '" + names.back() + "' is '" + std::string(cells[column]) + "'; it must be a finite number");
+      failConfigurations(
+          where, "the position of joint '" + names.back() + "' is '" + std::string(cells[column]) + "'; it must be a finite number");
     }
   }
   collector.add(names, positions, where, control);
@@ -237,8 +235,8 @@ ConfigurationSet readConfigurations(const std::string& file, const Kinematics& k
   yaml ? YamlReader(file, collector, control).read(text) : readCsv(text, file, collector, control);
   ConfigurationSet set = collector.take();
   if (set.configurations.empty()) {
-    fail("'" + file + "'",
-         yaml ? "no message with name and position, or with joint_names and points" : "no line of positions after the line of joint names");
+    failConfigurations("'" + file + "'", yaml ? "no message with name and position, or with joint_names and points"
+                                              : "no line of positions after the line of joint names");
   }
   return set;
 }

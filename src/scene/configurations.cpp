@@ -6,22 +6,20 @@
 #include <cmath>
 #include <set>
 
+#include "base/decimal.h"
 #include "base/looks.h"
+#include "base/random.h"
 #include "collision_hulls/error.h"
 #include "geometry/pi.h"
 #include "scene/low_discrepancy.h"
+#include "scene/reading.h"
 
 namespace collision_hulls {
 namespace {
 
 constexpr double kTurn = 2 * kPi;
-constexpr double kBeyondLimit = 1e-6;            // of the limits' size: allows for rounding in decimal text
 constexpr double kMimicDiffers = 1e-3;           // [rad or m]
 constexpr std::size_t kMostValues = 50'000'000;  // of all configurations: 400 MB
-
-[[noreturn]] void failAt(const std::string& where, const std::string& reason) {
-  throw Error(ErrorCode::kBadConfigurations, where + ": " + reason);
-}
 
 /// Before they take memory, which they do by their number and by the robot's joints.
 void expectRoom(double configurations, std::size_t variables, const ConfigurationOptions& options, const std::string& where) {
@@ -45,7 +43,7 @@ Configuration ConfigurationSequence::operator()(std::uint64_t index) const {
   Configuration result;
   for (std::size_t i = 0; i < variables_.size(); ++i) {
     const std::uint64_t fraction = sampling_ == Sampling::kEven ? start_[i] + index * step_[i] : mixed(start_[i] ^ mixed(index));
-    result.push_back(variables_[i].lower + toUnit(fraction) * (variables_[i].upper - variables_[i].lower));
+    result.push_back(variables_[i].lower + unitInterval(fraction) * (variables_[i].upper - variables_[i].lower));
   }
   return result;
 }
@@ -53,7 +51,7 @@ Configuration ConfigurationSequence::operator()(std::uint64_t index) const {
 ConfigurationCollector::ConfigurationCollector(const Kinematics& kinematics, const ConfigurationOptions& options)
     : kinematics_(kinematics), options_(options), current_(kinematics.rest()), named_(kinematics.variables().size(), 0) {
   if (!(options.max_step >= 0 && std::isfinite(options.max_step))) {
-    throw Error(ErrorCode::kBadOption, "the largest step is " + std::to_string(options.max_step) + "; it must be finite and at least 0");
+    throw Error(ErrorCode::kBadOption, "the largest step is " + fixedDecimal(options.max_step) + "; it must be finite and at least 0");
   }
   for (const NamedJoint& joint : kinematics.joints()) joints_[joint.name] = joint;
 }
@@ -62,7 +60,7 @@ void ConfigurationCollector::add(const std::vector<std::string>& names, const st
                                  const RunControl& control) {
   control.check();
   if (names.size() != positions.size()) {
-    failAt(where, std::to_string(positions.size()) + " positions for " + std::to_string(names.size()) + " joints");
+    failConfigurations(where, std::to_string(positions.size()) + " positions for " + std::to_string(names.size()) + " joints");
   }
   std::set<std::string> seen;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -70,10 +68,11 @@ void ConfigurationCollector::add(const std::vector<std::string>& names, const st
     if (joint == joints_.end()) {
       std::string known;
       for (const auto& [name, unused] : joints_) known += (known.empty() ? "" : ", ") + name;
-      failAt(where, "the robot has no joint '" + names[i] + "'; " + (known.empty() ? "it has no joints" : "its joints are " + known));
+      failConfigurations(where,
+                         "the robot has no joint '" + names[i] + "'; " + (known.empty() ? "it has no joints" : "its joints are " + known));
     }
-    if (!seen.insert(names[i]).second) failAt(where, "joint '" + names[i] + "' appears twice; remove one");
-    if (!std::isfinite(positions[i])) failAt(where, "joint '" + names[i] + "' has a position that is not finite");
+    if (!seen.insert(names[i]).second) failConfigurations(where, "joint '" + names[i] + "' appears twice; remove one");
+    if (!std::isfinite(positions[i])) failConfigurations(where, "joint '" + names[i] + "' has a position that is not finite");
     put(joint->second, positions[i], where);
   }
   compareMimics(names, positions, where);
@@ -88,11 +87,9 @@ void ConfigurationCollector::put(const NamedJoint& joint, double position, const
   if (variable.name != joint.name) return;  // a mimic
   current_[index] = position;
   named_[index] = 1;
-  const double slack = kBeyondLimit * std::max(std::abs(variable.lower), std::abs(variable.upper));
-  if (variable.continuous || (position >= variable.lower - slack && position <= variable.upper + slack)) return;
-  const std::string text = "joint '" + joint.name + "' at " + std::to_string(position) + " is beyond its limits, " +
-                           std::to_string(variable.lower) + " to " + std::to_string(variable.upper);
-  if (options_.refuse_beyond_limits) failAt(where, text);
+  if (variable.continuous || withinLimits(variable, position)) return;
+  const std::string text = beyondLimits(variable, position);
+  if (options_.refuse_beyond_limits) failConfigurations(where, text);
   if (set_.beyond_limits++ == 0) first_beyond_ = where + ": " + text;
 }
 
@@ -141,7 +138,7 @@ ConfigurationSet ConfigurationCollector::take() {
                          " values are beyond their limits and used unchanged; the first: " + first_beyond_);
   }
   for (const auto& [name, difference] : differences_) {
-    set_.notes.push_back("mimic joint '" + name + "' is up to " + std::to_string(difference.largest) +
+    set_.notes.push_back("mimic joint '" + name + "' is up to " + fixedDecimal(difference.largest) +
                          " away from where its master puts it, first in " + difference.where + "; the master's value is used");
   }
   std::string resting;

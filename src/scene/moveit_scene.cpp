@@ -14,6 +14,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/decimal.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "scene/reading.h"
@@ -22,7 +23,6 @@
 namespace collision_hulls {
 namespace {
 
-constexpr std::string_view kSpaces = " \t\r\n\f\v";
 constexpr double kMostItems = 20'000'000;  // of a kind: shapes, vertices, triangles
 
 class MoveitReader {
@@ -33,7 +33,7 @@ class MoveitReader {
   Scene read() {
     Scene scene;
     SceneBuilder builder(scene);
-    scene.name = trimmed(line(), kSpaces);
+    scene.name = trimmed(line(), kBlanks);
     for (std::string marker = word("an object, '*', or the end, '.'"); marker != "."; marker = word("an object, '*', or the end, '.'")) {
       if (marker != "*") fail("expected an object ('*') or the end of the scene ('.'), found '" + marker + "'");
       object(builder);
@@ -56,11 +56,11 @@ class MoveitReader {
 
   std::string word(const std::string& what) {
     control_.check();
-    while (!rest_.empty() && kSpaces.find(rest_.front()) != std::string_view::npos) {
+    while (!rest_.empty() && kBlanks.find(rest_.front()) != std::string_view::npos) {
       line_ += rest_.front() == '\n';
       rest_.remove_prefix(1);
     }
-    const std::string result(rest_.substr(0, rest_.find_first_of(kSpaces)));
+    const std::string result(rest_.substr(0, rest_.find_first_of(kBlanks)));
     if (result.empty()) fail("the file ends early: expected " + what + "; save the scene again");
     rest_.remove_prefix(result.size());
     return result;
@@ -76,7 +76,7 @@ class MoveitReader {
   std::size_t count(const std::string& what) {
     const double value = number("the number of " + what);
     if (!(value >= 0 && value <= kMostItems && value == static_cast<double>(static_cast<std::size_t>(value)))) {
-      fail("the number of " + what + " is " + std::to_string(value) + "; it must be an integer from 0 to 20 million");
+      fail("the number of " + what + " is " + fixedDecimal(value) + "; it must be an integer from 0 to 20 million");
     }
     return static_cast<std::size_t>(value);
   }
@@ -98,12 +98,12 @@ class MoveitReader {
 
   /// Looks at the line after the name of the first object, as MoveIt does.
   bool hasObjectPoses() {
-    if (!has_object_poses_) has_object_poses_ = trimmed(rest_.substr(0, rest_.find('\n')), kSpaces).find(' ') != std::string::npos;
+    if (!has_object_poses_) has_object_poses_ = trimmed(rest_.substr(0, rest_.find('\n')), kBlanks).find(' ') != std::string::npos;
     return *has_object_poses_;
   }
 
   void object(SceneBuilder& builder) {
-    const std::string name = trimmed(rest_.substr(0, rest_.find('\n')), kSpaces);
+    const std::string name = trimmed(rest_.substr(0, rest_.find('\n')), kBlanks);
     if (name.empty()) fail("an object has no name; give it one");
     line();
     const bool with_pose = hasObjectPoses();
@@ -122,7 +122,7 @@ class MoveitReader {
   void subframes() {
     const std::size_t frames = count("subframes");
     for (std::size_t i = 0; i < frames; ++i) {
-      if (trimmed(line(), kSpaces).empty()) line();  // the rest of the last line; then the name, which may contain blanks
+      if (trimmed(line(), kBlanks).empty()) line();  // the rest of the last line; then the name, which may contain blanks
       pose();
     }
   }
@@ -151,7 +151,7 @@ class MoveitReader {
       for (int& corner : triangle) {
         const double index = number("a triangle");
         if (!(index >= 0 && index < static_cast<double>(vertices) && index == std::floor(index))) {
-          fail("a triangle refers to vertex " + std::to_string(index) + ", but the mesh has " + std::to_string(vertices) + " vertices");
+          fail("a triangle refers to vertex " + fixedDecimal(index) + ", but the mesh has " + std::to_string(vertices) + " vertices");
         }
         corner = static_cast<int>(index);
       }

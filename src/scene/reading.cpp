@@ -5,10 +5,15 @@
 #include <locale>
 #include <sstream>
 
+#include "base/decimal.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 
 namespace collision_hulls {
+
+void failConfigurations(const std::string& where, const std::string& reason) {
+  throw Error(ErrorCode::kBadConfigurations, where + ": " + reason);
+}
 
 bool parseNumber(std::string_view word, double& value) {
   std::istringstream in{std::string(word)};
@@ -33,7 +38,7 @@ Eigen::Quaterniond checkedQuaternion(double x, double y, double z, double w) {
   constexpr double kRounded = 1e-2;  // allows for decimal text with few digits
   const Eigen::Quaterniond q(w, x, y, z);
   if (!(std::abs(q.norm() - 1) <= kRounded)) {
-    throw Error(ErrorCode::kBadScene, "a quaternion of length " + std::to_string(q.norm()) + "; a rotation needs length 1");
+    throw Error(ErrorCode::kBadScene, "a quaternion of length " + fixedDecimal(q.norm()) + "; a rotation needs length 1");
   }
   return q.normalized();
 }

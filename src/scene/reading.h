@@ -1,4 +1,4 @@
-// Helpers shared by the readers of scenes.
+// Helpers shared by the readers of scenes and configurations.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -10,6 +10,12 @@
 #include "collision_hulls/scene/scene.h"
 
 namespace collision_hulls {
+
+/// What readers of text take for blank.
+constexpr std::string_view kBlanks = " \t\r\n\f\v";
+
+/// Throws kBadConfigurations. `where`: a file, and a line or document of it.
+[[noreturn]] void failConfigurations(const std::string& where, const std::string& reason);
 
 /// Parses a number with a decimal point, whatever the locale; false if the word is not a finite number.
 bool parseNumber(std::string_view word, double& value);

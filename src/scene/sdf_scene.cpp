@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "base/decimal.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "scene/model_uri.h"
@@ -62,7 +63,7 @@ void setConvexShape(const Shape& shape, SceneBody& body) {
   }
   if (kind == "capsule") {
     const double radius = shape.number("radius"), length = shape.number("length");
-    if (!(length >= 0)) failSdf(shape.file, shape.element, "a capsule of length " + std::to_string(length) + " m; it must be at least 0");
+    if (!(length >= 0)) failSdf(shape.file, shape.element, "a capsule of length " + fixedDecimal(length) + " m; it must be at least 0");
     body.shape = roundShape(Eigen::Vector3d::Constant(radius), {-length / 2, length / 2});
     return;
   }
@@ -114,11 +115,11 @@ class SdfReader {
     const std::vector<const XmlNode*> all = state->childrenNamed(kind);
     const auto found = std::find_if(all.begin(), all.end(), [&](const XmlNode* one) { return one->attribute("name") == name; });
     state = found == all.end() ? nullptr : *found;
-    if (!state || !state->child("pose")) return std::nullopt;
+    if (!state) return std::nullopt;
     const XmlNode* scale = state->child("scale");
     if (scale && Eigen::Vector3d(sdfNumbers(file, *scale, 3).data()) != Eigen::Vector3d::Ones())
       failSdf(file, *scale, "a <scale> other than 1 1 1 is not supported; scale the shapes of '" + name + "' themselves");
-    return sdfPose(file, *state->child("pose"));
+    return state->child("pose") ? std::optional<Eigen::Isometry3d>(sdfPose(file, *state->child("pose"))) : std::nullopt;
   }
 
   /// Reads a world, a model, or the root element of a file without a world, at `pose`.

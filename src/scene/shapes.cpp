@@ -6,8 +6,10 @@
 #include <initializer_list>
 #include <map>
 
+#include "base/decimal.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/scene/scene.h"
+#include "geometry/box_hull.h"
 #include "geometry/pi.h"
 
 namespace collision_hulls {
@@ -19,7 +21,7 @@ constexpr double kLargest = 1e6;  // [m]
 
 void expectSizes(const char* shape, std::initializer_list<double> sizes) {
   std::string text;
-  for (const double size : sizes) text += (text.empty() ? "" : " x ") + std::to_string(size);
+  for (const double size : sizes) text += (text.empty() ? "" : " x ") + fixedDecimal(size);
   for (const double size : sizes) {
     if (size > 0 && size <= kLargest) continue;
     throw Error(ErrorCode::kBadScene, std::string(shape) + " of " + text + " m; sizes must be above 0 and at most 1e6 m");
@@ -77,10 +79,7 @@ ConvexHull aboutUnitSphere() {
 
 ConvexHull boxShape(const Eigen::Vector3d& sides) {
   expectSizes("a box", {sides.x(), sides.y(), sides.z()});
-  Points corners;
-  for (int i = 0; i < 8; ++i)
-    corners.push_back(sides.cwiseProduct(Eigen::Vector3d(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 0.5 : -0.5)));
-  return convexHull(corners);
+  return hullOfBox(sides);
 }
 
 ConvexHull sphereShape(double radius) {
@@ -109,8 +108,8 @@ ConvexHull coneShape(double radius, double length) {
 PlacedShape planeShape(const Eigen::Vector3d& normal, double d) {
   const double length = normal.norm();
   if (!(length > 0 && std::isfinite(length) && std::abs(d) <= kLargest * length)) {
-    throw Error(ErrorCode::kBadScene, "a plane with the normal (" + std::to_string(normal.x()) + ", " + std::to_string(normal.y()) + ", " +
-                                          std::to_string(normal.z()) + ") and d = " + std::to_string(d) +
+    throw Error(ErrorCode::kBadScene, "a plane with the normal (" + fixedDecimal(normal.x()) + ", " + fixedDecimal(normal.y()) + ", " +
+                                          fixedDecimal(normal.z()) + ") and d = " + fixedDecimal(d) +
                                           "; the normal must not be zero, and the plane must pass within 1e6 m of the origin");
   }
   const Eigen::Vector3d up = normal / length;

@@ -2,16 +2,15 @@
 #pragma once
 
 #include <cmath>
-#include <cstdio>
 #include <string>
+
+#include "base/decimal.h"
 
 namespace collision_hulls {
 
 /// "12.5 mm", "0.31 m"
 inline std::string lengthText(double metres) {
-  char text[64];
-  std::snprintf(text, sizeof text, metres < 0.1 ? "%.3g mm" : "%.3g m", metres < 0.1 ? 1000 * metres : metres);
-  return text;
+  return metres < 0.1 ? decimal(1000 * metres, 3) + " mm" : decimal(metres, 3) + " m";
 }
 
 /// The same for a proved lower bound: rounded down.

@@ -2,9 +2,9 @@
 #include "storage/csv.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 
+#include "base/decimal.h"
 #include "storage/files.h"
 
 namespace collision_hulls {
@@ -34,10 +34,7 @@ std::string csvLine(const std::vector<std::string>& fields) {
 }
 
 std::string csvNumber(const std::optional<double>& value) {
-  if (!value) return "";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.9g", *value);
-  return text;
+  return value ? decimal(*value, 9) : "";
 }
 
 std::string csvCount(const std::optional<std::size_t>& value) {

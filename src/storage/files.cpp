@@ -71,7 +71,10 @@ class NewFile {
     if (contentOf(placeOf(open_), text.size()) != text) throwUnwritable(file, "it reads back differently from what was written");
   }
 
+  /// With the permissions of what was there.
   void moveTo(const fs::path& target, const fs::path& file) {
+    struct stat before {};
+    if (stat(target.c_str(), &before) == 0) fchmod(open_.number(), before.st_mode & 0777);
     if (std::rename(path_.c_str(), target.c_str()) != 0) throwUnwritable(file, std::strerror(errno));
     path_.clear();
   }

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/decimal.h"
 #include "base/nearest_name.h"
 #include "base/shell_word.h"
 #include "collision_hulls/error.h"
@@ -26,12 +27,6 @@ void printVersion(const std::string& program) {
   } catch (const Error& error) {
     std::cout << "Meshes cannot be read: " << error.what() << ".\n";
   }
-}
-
-std::string shortest(double number) {
-  std::ostringstream out;
-  out << number;
-  return out.str();
 }
 
 /// The words of a text in lines of `width` characters, those after the first indented.
@@ -64,7 +59,7 @@ Check range(double least, double most) {
     std::istringstream in(text);
     double value = 0;
     const bool within = in >> value && in.eof() && value >= least && value <= most;
-    return within ? "" : "a number from " + shortest(least) + " to " + shortest(most);
+    return within ? "" : "a number from " + decimal(least) + " to " + decimal(most);
   };
 }
 

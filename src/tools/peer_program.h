@@ -4,14 +4,15 @@
 #include <string.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "base/decimal.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/mesh/repair.h"
+#include "mesh/formats/number.h"
 #include "storage/files.h"
 
 namespace collision_hulls {
@@ -21,27 +22,25 @@ using PeerDecompose = std::function<std::vector<TriangleMesh>(const TriangleMesh
 
 /// OBJ with one object per part; a part without triangles gets one face of all its points, so that it is not lost.
 inline std::string toObj(const std::vector<TriangleMesh>& parts) {
-  std::string text;
-  char line[128];
+  std::ostringstream text = decimalStream(9);
   std::size_t first = 1;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    text += "o part_" + std::to_string(i) + "\n";
+    text << "o part_" << i << '\n';
     std::string all = "f";
     for (std::size_t v = 0; v < parts[i].vertices.size(); ++v) {
       const Eigen::Vector3d& p = parts[i].vertices[v];
-      std::snprintf(line, sizeof line, "v %.9g %.9g %.9g\n", p.x(), p.y(), p.z());
-      text += line;
+      text << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
       all += " " + std::to_string(first + v);
     }
     for (const Triangle& t : parts[i].triangles) {
-      text += "f";
-      for (const int corner : t) text += " " + std::to_string(first + static_cast<std::size_t>(corner));
-      text += "\n";
+      text << 'f';
+      for (const int corner : t) text << ' ' << first + static_cast<std::size_t>(corner);
+      text << '\n';
     }
-    if (parts[i].triangles.empty() && !parts[i].vertices.empty()) text += all + "\n";
+    if (parts[i].triangles.empty() && !parts[i].vertices.empty()) text << all << '\n';
     first += parts[i].vertices.size();
   }
-  return text;
+  return text.str();
 }
 
 /// The program's main. Exit status: 0 done, 1 no result, 2 wrong use or unreadable input.
@@ -51,9 +50,8 @@ inline int peerMain(int argc, char** argv, const char* help, const PeerDecompose
     std::printf("usage: %s in.obj out.obj tolerance\n\n%s", argv[0], help);
     return 0;
   }
-  char* end = nullptr;
-  const double tolerance = argc == 4 ? std::strtod(argv[3], &end) : 0;
-  if (argc != 4 || *end != '\0' || !(tolerance > 0)) {
+  double tolerance = 0;
+  if (argc != 4 || !parseNumber(argv[3], &tolerance) || !(tolerance > 0)) {
     std::fprintf(stderr, "usage: %s in.obj out.obj tolerance; the tolerance is a positive length in metres\n", argv[0]);
     return 2;
   }

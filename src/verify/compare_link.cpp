@@ -19,21 +19,15 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kGap = 1e-4;                  // of the diagonal: how far bound and found may be apart where both are small
-constexpr double kCloseGap = 0.001;            // of what was found: how far apart they may be otherwise, as in decompose's certificate
+constexpr double kCloseGap = 0.001;            // of what was found: how far apart they may be otherwise, as kCertificateGap in decompose
 constexpr double kLeastGap = 0.01;             // of the gap before
 constexpr double kGapsOfCertificate = 20;      // that make a tolerance of which a certificate leaves a few hundredths
-constexpr std::size_t kSpareVisits = 500'000;  // as there
+constexpr std::size_t kSpareVisits = 500'000;  // as in decompose/certified_hulls.cpp
 constexpr double kCovered = 1e-6;              // of the diagonal: samples that are this near count as covered
 constexpr std::size_t kSamples = 2000;
 
-/// The larger of both bounds, and the further of both places.
-void add(Largest& worst, const Largest& other) {
-  const double bound = std::max({worst.bound, other.bound, other.found});
-  if (other.found > worst.found) worst = other;
-  worst.bound = bound;
-}
-
-/// A point of a triangle mesh: `i` counts along the area, and the sequence spreads points over the triangles (as in measure/cover.cpp).
+/// A point of a triangle mesh: `i` counts along the area, and the R2 sequence, which is in two dimensions what R3 in measure/cover.cpp is
+/// in three, spreads points over the triangles.
 class AreaSamples {
  public:
   explicit AreaSamples(const TriangleMesh& mesh) : mesh_(mesh) {
@@ -90,9 +84,9 @@ Largest LinkPair::uncovered(double gap, const RunControl& control) const {
     Largest largest = furthestFrom(bodies_, collision_hulls::surface(round.hull), gap, control);
     largest.bound += round.error;
     largest.found = std::max(0.0, largest.found - round.error);
-    add(worst, largest);
+    takeWorse(worst, largest);
   }
-  if (!flat.triangles.empty()) add(worst, furthestFrom(bodies_, flat, gap, control));
+  if (!flat.triangles.empty()) takeWorse(worst, furthestFrom(bodies_, flat, gap, control));
   return worst;
 }
 
@@ -105,7 +99,7 @@ Largest LinkPair::sphereProtrusion(const std::vector<Sphere>& spheres, double ga
     all[i] = {seen.bound, std::max(0.0, seen.found - surface_error_), seen.where};
   });
   Largest worst;
-  for (const Largest& each : all) add(worst, each);
+  for (const Largest& each : all) takeWorse(worst, each);
   return worst;
 }
 
@@ -140,11 +134,11 @@ Largest LinkPair::protrusion(double gap, double gate, const RunControl& control)
   for (const GeometryElement& primitive : left.primitives)
     if (primitive.kind == GeometryElement::Kind::kSphere) spheres.push_back({primitive.origin.translation(), primitive.size.x()});
   Largest worst = hullProtrusion(left, gap, gate - margin, control);
-  add(worst, sphereProtrusion(spheres, gap, control));
+  takeWorse(worst, sphereProtrusion(spheres, gap, control));
   const TriangleMesh rest = left.rest();
   if (!rest.triangles.empty()) {
     const Protrusion far = meshProtrusion(rest, Solid(repair(rest, {}, control), control), *solid_, gap, control);
-    add(worst, {far.bound, std::max(0.0, far.found - surface_error_), far.where});
+    takeWorse(worst, {far.bound, std::max(0.0, far.found - surface_error_), far.where});
   }
   worst.bound += margin;
   return worst;

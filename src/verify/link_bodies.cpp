@@ -73,7 +73,7 @@ std::shared_ptr<const MeshFiles::File> MeshFiles::read(const GeometryElement& el
   count(loaded.mesh.triangles.size(), path);
   const auto file = std::make_shared<File>();
   file->body.mesh = scaled(loaded.mesh, element.scale);
-  file->resolution = loaded.resolution * element.scale.cwiseAbs().maxCoeff();
+  file->resolution = readingError(loaded.resolution) * element.scale.cwiseAbs().maxCoeff();
   if (split_) file->body.parts = convexParts(file->body.mesh, control_);
   return files_[key] = file;
 }

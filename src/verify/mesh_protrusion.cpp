@@ -16,7 +16,7 @@ namespace {
 constexpr double kGapShare = 0.01;  // of what was found
 constexpr double kLooseGap = 16;    // gap of the first pass, in gaps of the second
 constexpr int kMostHalvings = 400'000, kMostCells = 200'000, kCellsBetweenChecks = 64;
-constexpr double kCoordinateRounding = 1e-12;  // of the coordinates' size, as in measure/protrusion.cpp
+constexpr double kCoordinateRounding = 1e-12;  // of the coordinates' size, as kRounding in measure/protrusion.cpp
 constexpr double kMargin = 1.0001;             // of the root, so that rounding leaves nothing outside
 
 struct Cell {

@@ -8,7 +8,6 @@
 #include "verify/trials.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -17,9 +16,10 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "check/validate_probes.h"
 #include "collision_hulls/query/query_body.h"
 #include "fit/enclosing.h"
+#include "geometry/box_hull.h"
+#include "geometry/random_stream.h"
 #include "verify/round_shapes.h"
 
 namespace collision_hulls {
@@ -261,9 +261,9 @@ class Trial {
     const TriangleMesh& surface = links_[chosen].pair->surface();
     const double size = links_[chosen].bounds->diagonal;
     if (surface.triangles.empty() || !(size > 0)) return;
-    std::array<double, 3> sides_of_box{};
-    for (double& side : sides_of_box) side = random.logUniform(kThinnest, kThickest) * size;
-    const ConvexHull hull = boxHull(sides_of_box);
+    Eigen::Vector3d sides_of_box;
+    for (int axis = 0; axis < 3; ++axis) sides_of_box[axis] = random.logUniform(kThinnest, kThickest) * size;
+    const ConvexHull hull = hullOfBox(sides_of_box);
     Model box;
     addHull(box, hull);
     box.surface = std::make_shared<TriangleBvh>(collision_hulls::surface(hull));
@@ -279,13 +279,6 @@ class Trial {
       const Outcome outcome = outcomeOf(sides(i), same, poses[links_[i].link].inverse() * poses[links_[chosen].link] * place);
       record(outcome, {i}, configuration, "a box", trials);
     }
-  }
-
-  static ConvexHull boxHull(const std::array<double, 3>& sides) {
-    std::vector<Eigen::Vector3d> corners;
-    for (int i = 0; i < 8; ++i)
-      corners.emplace_back(((i & 1) - 0.5) * sides[0], ((i >> 1 & 1) - 0.5) * sides[1], ((i >> 2) - 0.5) * sides[2]);
-    return convexHull(corners);
   }
 
   void record(Outcome outcome, const std::vector<std::size_t>& links, std::size_t configuration, const std::string& other,

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/counted.h"
+#include "base/decimal.h"
 #include "base/millimetres.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
@@ -46,8 +47,8 @@ struct Work {
 /// Whether there is a gate and the bound is beyond it; adds why.
 bool exceeds(const std::optional<double>& gate, const Largest& largest, const std::string& what, std::string& reason) {
   if (!gate || largest.bound <= *gate) return false;
-  reason += (reason.empty() ? "" : "; ") + what + " by up to " + millimetresBeyond(largest.bound, *gate) + " (found " + millimetres(largest.found) +
-            "), more than the allowed " + millimetres(*gate);
+  reason += (reason.empty() ? "" : "; ") + what + " by up to " + millimetresBeyond(largest.bound, *gate) + " (found " +
+            millimetres(largest.found) + "), more than the allowed " + millimetres(*gate);
   return true;
 }
 
@@ -125,13 +126,13 @@ class Verifier {
   }
 
   void measure(std::size_t i) {
-    Stopwatch watch;
     LinkVerification& row = rows_[i];
     Work& work = works_[i];
     row.hulls = work.result.hulls().size();
     row.meshes = work.result.restParts();
     row.primitives = work.result.primitives.size();
     if (row.status != LinkStatus::kOk) return;
+    Stopwatch watch;
     try {
       work.pair = std::make_unique<LinkPair>(work.original, work.result, control_);
       row.triangles = work.pair->surface().triangles.size();
@@ -142,11 +143,11 @@ class Verifier {
       work.pair.reset();
       row.status = LinkStatus::kFailed;
       row.reason = e.what();
-      return;
     }
+    row.seconds = watch.lap();
+    if (row.status != LinkStatus::kOk) return;
     const bool bare = exceeds(options_.max_uncovered, row.uncovered, "uncovered", row.reason);
     if (exceeds(options_.max_protrusion, row.protrusion, "protrudes", row.reason) || bare) row.status = LinkStatus::kOver;
-    row.seconds = watch.lap();
   }
 
   void query(Verification& done) {
@@ -200,7 +201,7 @@ class Verifier {
 
 void check(const VerifyOptions& options) {
   const auto refuse = [](const std::string& option, double value) {
-    throw Error(ErrorCode::kBadOption, option + " '" + std::to_string(value) + "' is invalid: use a length of 0 or more");
+    throw Error(ErrorCode::kBadOption, option + " '" + fixedDecimal(value) + "' is invalid: use a length of 0 or more");
   };
   if (options.max_uncovered && !(*options.max_uncovered >= 0)) refuse("max-uncovered", *options.max_uncovered);
   if (options.max_protrusion && !(*options.max_protrusion >= 0)) refuse("max-protrusion", *options.max_protrusion);

@@ -16,6 +16,7 @@
 #include <queue>
 
 #include "decompose/pair_queue.h"
+#include "geometry/hull_support.h"
 
 namespace collision_hulls {
 namespace {
@@ -47,10 +48,8 @@ class Search {
  private:
   /// Tetrahedra from the middle of the hull to its triangles.
   void start(const ConvexHull& hull) {
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& vertex : hull.vertices) middle += vertex / static_cast<double>(hull.vertices.size());
     for (const Eigen::Vector3d& vertex : hull.vertices) addCorner(vertex);
-    const int centre = addCorner(middle);
+    const int centre = addCorner(meanOfVertices(hull));
     for (const Triangle& t : hull.triangles) addCell({t[0], t[1], t[2], centre});
   }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "base/decimal.h"
 #include "base/figure.h"
 #include "base/looks.h"
 #include "web/html_text.h"
@@ -35,7 +36,7 @@ std::string lastPart(const std::string& uri) {
 
 /// What is not known sorts below everything.
 std::string numberCell(double value, const std::string& text, bool known) {
-  return "<td class=\"number\" data-value=\"" + (known ? std::to_string(value) : "-1") + "\">" + (known ? text : "\xE2\x80\x93") + "</td>";
+  return "<td class=\"number\" data-value=\"" + (known ? fixedDecimal(value) : "-1") + "\">" + (known ? text : "\xE2\x80\x93") + "</td>";
 }
 
 std::string countCell(std::size_t count, bool known) {

@@ -16,6 +16,7 @@
 #include "base/parallel.h"
 #include "collision_hulls/decompose/region.h"
 #include "collision_hulls/error.h"
+#include "geometry/box_hull.h"
 #include "geometry/bytes.h"
 #include "web/coarser_hulls.h"
 #include "web/drawn_mesh.h"
@@ -152,21 +153,14 @@ json meshJson(const SharedMeshView& mesh, std::string& geometry) {
           {"nodes", nodes}};
 }
 
-ConvexHull boxAround(const Eigen::AlignedBox3d& box, double margin) {
-  const Eigen::Vector3d more = Eigen::Vector3d::Constant(margin);
-  const Eigen::AlignedBox3d larger(box.min() - more, box.max() + more);
-  std::vector<Eigen::Vector3d> corners;
-  for (int i = 0; i < 8; ++i) corners.push_back(larger.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
-  return convexHull(corners);
-}
-
 /// What is near the mesh of its regions: a half-space has no end.
 json regionsJson(const ElementReport& row, const PageElement& element, std::string& geometry) {
   Eigen::AlignedBox3d box = boundingBox(element.original);
   for (const ConvexHull& hull : element.hulls) box.extend(boundingBox(hull));
   json regions = json::array();
   if (box.isEmpty()) return regions;
-  const ConvexHull around = boxAround(box, kAround * box.diagonal().norm());
+  const Eigen::Vector3d more = Eigen::Vector3d::Constant(kAround * box.diagonal().norm());
+  const ConvexHull around = hullOfBox(box.min() - more, box.max() + more);
   for (const Region& region : row.regions_given)
     if (const std::optional<ConvexHull> part = partIn(around, region)) regions.push_back(block(*part, geometry));
   return regions;

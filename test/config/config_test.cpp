@@ -75,5 +75,18 @@ TEST(OverridingNotes, NameWhatTheCommandLineReplaces) {
   EXPECT_EQ(overridingNotes(config, {"max-hulls"}), std::vector<std::string>{"--max-hulls counts in place of 'max_hulls' in 'f.yaml'"});
 }
 
+TEST(OverridingNotes, NameShapesHoweverTheyAreGiven) {
+  const auto notes = [](const std::string& text, const std::set<std::string>& given) {
+    return overridingNotes(parseConfig("default: {" + text + "}", "f.yaml"), given);
+  };
+  const auto counts = [](const std::string& option, const std::string& key) {
+    return std::vector<std::string>{"--" + option + " counts in place of '" + key + "' in 'f.yaml'"};
+  };
+  EXPECT_EQ(notes("shape: box", {"shapes"}), counts("shapes", "shape"));
+  EXPECT_EQ(notes("shape: box", {"spheres"}), counts("spheres", "shape"));
+  EXPECT_EQ(notes("shapes: mixed", {"spheres"}), counts("spheres", "shapes"));
+  EXPECT_EQ(notes("shapes: mixed", {"shapes", "spheres"}), counts("shapes", "shapes"));
+}
+
 }  // namespace
 }  // namespace collision_hulls

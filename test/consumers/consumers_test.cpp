@@ -346,7 +346,5 @@ TEST_F(Consumers, GazeboHasAnotherNameForAJointThatIsCalledAsALink) {
   EXPECT_NE(result.report.notes.back().find("the joint 'b' is 'b_joint_joint'"), std::string::npos) << result.report.notes.back();
 }
 
-
-
 }  // namespace
 }  // namespace collision_hulls

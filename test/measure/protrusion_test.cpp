@@ -54,6 +54,30 @@ TEST(Protrusion, NoHulls) {
   EXPECT_EQ(p.hull, -1);
 }
 
+/// A room [0, 1]^3 of six crossing slabs, much larger than it.
+Solid roomOfSlabs() {
+  constexpr double kFar = 20, kThick = 9;
+  std::vector<TriangleMesh> slabs;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double from : {-kThick, 1.0}) {
+      Vector3d low = Vector3d::Constant(-kFar), size = Vector3d::Constant(2 * kFar);
+      low[axis] = from, size[axis] = from < 0 ? -from : kThick - from;
+      slabs.push_back(test_shapes::moved(test_shapes::box(size.x(), size.y(), size.z()), low));
+    }
+  }
+  return solidOf(test_shapes::merged(slabs));
+}
+
+// The hull's surface is deep in the slabs, and so is the mean of its vertices; its furthest point is the middle of the room.
+TEST(Protrusion, ARoomWithinTheHull) {
+  const Solid room = roomOfSlabs();
+  expectProtrusion(0.5, {boxHull({-0.1, -0.1, -5}, {1.1, 1.1, 1.1})}, room);
+  expectProtrusion(0.5, {boxHull({-1.2, -1.1, -2.3}, {2, 2.3, 1})}, room, 0.001);
+  std::vector<Vector3d> corners = boxHull({0, 0, 0}, {1, 1, 1}).vertices;
+  corners.emplace_back(1.37, 0.5, 0.5);
+  expectProtrusion(0.5, {convexHull(corners)}, room);
+}
+
 TEST(Protrusion, APlateAroundASheet) {
   const TriangleMesh sheet = test_shapes::sheet(1, 1, 3);
   const ConvexHull plate = hullOf(sheet);

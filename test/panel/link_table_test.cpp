@@ -47,6 +47,13 @@ class LinkTableTest : public testing::Test {
     return table_.changeRegions([&](std::vector<RegionRule>& all) { all.push_back(region); });
   }
   const LinkRow& at(int index) const { return table_.rows()[static_cast<std::size_t>(index)]; }
+  /// A node's answer on a link, with the settings it has now.
+  LinkRow cutOf(int index) const {
+    LinkRow cut = row(at(index).link, 4, 0.003);
+    cut.options = at(index).options;
+    cut.facts.proved = false;
+    return cut;
+  }
 
   LinkTable table_;
 };
@@ -110,6 +117,38 @@ TEST_F(LinkTableTest, NewsFromTheNodeKeepWhatIsNotBuiltYet) {
   EXPECT_DOUBLE_EQ(0.003, at(1).options.tolerance.limit);
   EXPECT_EQ("unbuilt", at(1).facts.status);
   EXPECT_EQ(3u, at(0).facts.hulls);
+}
+
+TEST_F(LinkTableTest, NewsFromTheNodeKeepWhatIsOnlyCut) {
+  table_.change({1}, setTolerance);
+  ASSERT_TRUE(table_.answer(cutOf(1)));
+  table_.take(threeLinks());
+  EXPECT_DOUBLE_EQ(0.003, at(1).options.tolerance.limit);
+  std::vector<LinkRow> rows = threeLinks();
+  rows[1] = cutOf(1);
+  table_.take(rows);  // the node knows the cut, too, and has still not built it
+  table_.take(threeLinks());
+  EXPECT_DOUBLE_EQ(0.003, at(1).options.tolerance.limit);
+}
+
+TEST_F(LinkTableTest, NewsFromTheNodeKeepWhatWasUndone) {
+  std::vector<LinkRow> built = threeLinks();
+  setTolerance(built[1].options);
+  table_.change({1}, setTolerance);
+  table_.undo();
+  ASSERT_TRUE(table_.answer(cutOf(1)));
+  table_.take(built);
+  EXPECT_DOUBLE_EQ(0.01, at(1).options.tolerance.limit);
+}
+
+TEST_F(LinkTableTest, OnceBuiltALinkFollowsTheNode) {
+  std::vector<LinkRow> built = threeLinks();
+  setTolerance(built[1].options);
+  table_.change({1}, setTolerance);
+  table_.take(built);
+  EXPECT_EQ("ok", at(1).facts.status);
+  table_.take(threeLinks());
+  EXPECT_DOUBLE_EQ(0.01, at(1).options.tolerance.limit);
 }
 
 TEST_F(LinkTableTest, AnotherRobotReplacesAllAndNothingCanBeUndone) {

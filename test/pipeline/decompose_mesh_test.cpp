@@ -53,6 +53,26 @@ TEST(DecomposeMesh, Degenerate) {
   EXPECT_EQ(decomposeMesh(missing, {}).report.links[0].error, "FileNotFound");
 }
 
+// All three coordinates of each corner are rounded outward by half a unit in the last place, nearly: the corner moves by more than that.
+TEST(DecomposeMesh, TheBoundHoldsForTheNumbersInTheFile) {
+  constexpr double kUnit = 0x1p-9, kFrom = 16384;  // single precision's, from there on
+  const double low = kFrom + 0.4999 * kUnit, high = kFrom + 6 - 0.4999 * kUnit;
+  TriangleMesh box = test_shapes::box(1, 1, 1);
+  for (Eigen::Vector3d& v : box.vertices) v = (v.array() > 0.5).select(Eigen::Vector3d::Constant(high), Eigen::Vector3d::Constant(low));
+  const TempFolder folder;
+  Options options;
+  options.tolerance = lengthOf(0.05);
+  const RobotResult result = decomposeMesh(fixtures::write(folder / "far.obj", fixtures::obj(box)), options);
+  const ElementReport& row = result.report.links.at(0);
+  ASSERT_EQ(row.status, Status::kOk) << row.reason;
+  double furthest = 0;
+  for (const ConvexHull& hull : result.elements.at(0).hulls)
+    for (const Eigen::Vector3d& v : hull.vertices)
+      furthest = std::max(furthest, (v.array() - high).max(low - v.array()).max(0).matrix().norm());
+  EXPECT_GT(furthest, kUnit) << "or it tells nothing";
+  EXPECT_LE(furthest, row.protrusion);
+}
+
 TEST(DecomposeMesh, NoToleranceFinerThanItsCoordinates) {
   const TempFolder folder;
   const std::string path = fixtures::write(folder / "part.obj", fixtures::obj(test_shapes::lBracket()));

@@ -179,6 +179,9 @@ TEST(RestContactsOfHulls, OfAMeshInsideAnotherTheLeastDistanceIsKnown) {
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0].apart, 0.003, 1e-9);
   EXPECT_TRUE(found[0].at_least);
+  EXPECT_EQ(notesOnRestContacts(made.robot, made.uses, made.results, 0),
+            std::vector<std::string>{"hulls of 'link0' and 'link1' touch with all joints at rest, where their meshes are at least 3 mm "
+                                     "apart, one inside the other: disable the pair"});
 }
 
 TEST(RestContactsOfHulls, BoxesThatDoNotMeetCostNothing) {

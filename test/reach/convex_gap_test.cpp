@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/stability/fcl_pairs.h"
-#include "check/validate_probes.h"
+#include "geometry/random_stream.h"
 
 namespace collision_hulls {
 namespace {

@@ -1,6 +1,6 @@
 #include "reach/obstacle.h"
 
-#include "check/validate_probes.h"
+#include "geometry/random_stream.h"
 #include "scene/scene_tests.h"
 
 namespace collision_hulls {

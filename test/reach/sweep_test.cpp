@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "check/validate_probes.h"
+#include "geometry/random_stream.h"
 #include "scene/scene_tests.h"
 
 namespace collision_hulls {

@@ -157,6 +157,36 @@ TEST(Kinematics, NamedValues) {
   expectError(ErrorCode::kBadOption, {"1 values", "2 joints"}, [&] { kinematics.poses({0}); });
 }
 
+TEST(Kinematics, LimitsAllowForDecimalText) {
+  const JointVariable joint{"elbow", -1, 2};
+  EXPECT_TRUE(withinLimits(joint, 2 + 1e-6) && withinLimits(joint, -1 - 1e-6));
+  EXPECT_FALSE(withinLimits(joint, 2 + 3e-6) || withinLimits(joint, -1 - 3e-6) || withinLimits(joint, std::nan("")));
+  EXPECT_EQ(beyondLimits(joint, 3), "joint 'elbow' at 3.000000 is beyond its limits, -1.000000 to 2.000000");
+}
+
+TEST(Kinematics, EqualJointsAgreeInAll) {
+  const ChainJoint joint;
+  EXPECT_TRUE(equalJoints(joint, joint));
+  ChainJoint other = joint;
+  other.turns = false;
+  EXPECT_FALSE(equalJoints(joint, other));
+  other = joint;
+  other.variable = 1;
+  EXPECT_FALSE(equalJoints(joint, other));
+  other = joint;
+  other.multiplier = 2;
+  EXPECT_FALSE(equalJoints(joint, other));
+  other = joint;
+  other.offset = 1;
+  EXPECT_FALSE(equalJoints(joint, other));
+  other = joint;
+  other.axis = Eigen::Vector3d::UnitY();
+  EXPECT_FALSE(equalJoints(joint, other));
+  other = joint;
+  other.origin.translation().x() = 1;
+  EXPECT_FALSE(equalJoints(joint, other));
+}
+
 TEST(Kinematics, CrossedLimitsKeepTheJointAtZero) {
   const Kinematics kinematics(robot(links(2) + joint(0, "revolute", limit(1, -1))));
   EXPECT_EQ(kinematics.sample([] { return 0.7; }), (Configuration{0}));

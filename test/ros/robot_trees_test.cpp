@@ -195,6 +195,38 @@ TEST_F(RobotTreesTest, TreesThatTheLastBuildsDidNotAskForGo) {
   EXPECT_TRUE(is_held(0, 0.005));  // of the link that no build touched
 }
 
+TEST_F(RobotTreesTest, TreesOfAFileThatWasEditedGo) {
+  const auto write = [&](double radius) {
+    fixtures::write(folder_ / "torus.obj", fixtures::obj(test_shapes::torus(radius, 0.03, 24, 12)));
+  };
+  build();
+  write(0.11);
+  build();
+  write(0.1);
+  options_.tree = lengthOf(0.006);
+  build();
+  EXPECT_TRUE(trees_.cut(robot_.links[0], at(0.02)));
+  options_.tree = lengthOf(0.005);
+  EXPECT_FALSE(trees_.cut(robot_.links[0], at(0.02))) << "of the first build";
+}
+
+TEST_F(RobotTreesTest, AMeshThatCouldNotBeReadIsReadWhereItIsNow) {
+  fixtures::fs::create_directory(folder_ / "old");
+  fixtures::fs::rename(folder_ / "torus.obj", folder_ / "old/torus.obj");
+  robot_ = parseRobotDescription(
+      R"(<robot name="r"><link name="l"><visual><geometry><mesh filename="package://p/torus.obj"/></geometry></visual></link></robot>)",
+      folder_ / "r.urdf");
+  const auto build_in = [&](const std::string& package, const StepCallback& step) {
+    const PackageFinder finder([&](const std::string&) { return std::optional<std::string>(folder_ / package); });
+    return trees_.build(robot_, finder, options_, {}, step).report.links.at(0).status;
+  };
+  const auto move = [&](const Step& step) {
+    if (step.stage == "decompose" && fixtures::fs::exists(folder_ / "old")) fixtures::fs::rename(folder_ / "old", folder_ / "new");
+  };
+  EXPECT_EQ(Status::kFailed, build_in("old", move)) << "it has moved since it was found";
+  EXPECT_EQ(Status::kOk, build_in("new", {}));
+}
+
 TEST_F(RobotTreesTest, SaysWhyThereIsNoCut) {
   const auto why = [&](const LinkOptions& options) { return trees_.whyNoCut(robot_.links[0], options); };
   EXPECT_EQ("no hull tree of 'torus.obj' is held", why(at(0.02)));

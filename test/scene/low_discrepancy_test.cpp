@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "base/random.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -13,7 +15,7 @@ TEST(Richtmyer, LeavesOnlySmallGaps) {
   ASSERT_EQ(steps.size(), 8u);
   for (const std::uint64_t step : steps) {
     std::vector<double> points{0, 1};
-    for (std::uint64_t i = 1; i <= 1000; ++i) points.push_back(toUnit(i * step));
+    for (std::uint64_t i = 1; i <= 1000; ++i) points.push_back(unitInterval(i * step));
     std::sort(points.begin(), points.end());
     double widest = 0;
     for (std::size_t i = 1; i < points.size(); ++i) widest = std::max(widest, points[i] - points[i - 1]);
@@ -24,12 +26,6 @@ TEST(Richtmyer, LeavesOnlySmallGaps) {
 TEST(Richtmyer, DimensionsDiffer) {
   const std::vector<std::uint64_t> steps = richtmyerSteps(40);
   EXPECT_EQ(std::set<std::uint64_t>(steps.begin(), steps.end()).size(), 40u);
-}
-
-TEST(ToUnit, StaysBelowOne) {
-  EXPECT_EQ(toUnit(0), 0);
-  EXPECT_LT(toUnit(~std::uint64_t{0}), 1);
-  EXPECT_EQ(toUnit(std::uint64_t{1} << 63), 0.5);
 }
 
 }  // namespace

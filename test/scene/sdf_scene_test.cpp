@@ -154,6 +154,7 @@ TEST(SdfScene, StateOfASavedWorld) {
     expectError(ErrorCode::kBadScene, {part}, [&] { scene(state); });
   };
   expectBad("<scale>", "<model name='m'><scale>2 1 1</scale><pose>0 5 0 0 0 0</pose></model>");
+  expectBad("<scale>", "<model name='m'><scale>2 1 1</scale></model>");
   expectBad("<insertions>", "<insertions/>");
   expectBad("second <state>", "</state><state>");
 }

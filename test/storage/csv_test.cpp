@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "comma_locale.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -23,6 +25,11 @@ TEST(Csv, Numbers) {
   EXPECT_EQ(csvNumber(0.1), "0.1");
   EXPECT_EQ(csvNumber(1.0 / 3), "0.333333333");
   EXPECT_EQ(csvNumber(1e-12), "1e-12");
+}
+
+TEST(Csv, NumbersHaveAPointWhateverTheLocale) {
+  const CommaLocale locale;
+  EXPECT_EQ(csvLine({csvNumber(1234.5), csvCount(1234567)}), "1234.5,1234567\n");
 }
 
 }  // namespace

@@ -61,6 +61,15 @@ TEST(WriteNamedFile, ReplacesAFileWholeAndLeavesNothingElse) {
   EXPECT_EQ(namesIn(folder.path()), std::vector<std::string>{longest});
 }
 
+TEST(WriteNamedFile, KeepsThePermissionsOfWhatItReplaces) {
+  using std::filesystem::perms;
+  const TempFolder folder;
+  fixtures::write(folder / "file", "old");
+  std::filesystem::permissions(folder / "file", perms::owner_read | perms::owner_write);
+  writeNamedFile(folder / "file", "new");
+  EXPECT_EQ(std::filesystem::status(folder / "file").permissions(), perms::owner_read | perms::owner_write);
+}
+
 TEST(CheckHoldsJson, OnlyReportsAreReplaced) {
   const TempFolder folder;
   for (const char* const text : {"", "{}", " \n{\"links\": []}"}) {

@@ -42,6 +42,13 @@ struct LoadedMesh {
   double resolution = 0;
 };
 
+/// [m] How far a point of the surface may lie from where the file has it: each of its three
+/// coordinates errs by up to 1.25 times the LoadedMesh::resolution.
+inline double readingError(double resolution) {
+  constexpr double kDiagonal = 1.7320508075688772;  // of a cube
+  return 1.25 * kDiagonal * resolution;
+}
+
 /// The extensions that readMesh supports, in lower case with the dot (file names may use any
 /// case): .stl .dae .obj .off .ply .glb .gltf
 const std::vector<std::string>& meshExtensions();

@@ -71,7 +71,7 @@ struct Step {
   /// "read", "decompose", "fit" and "certify" (to a scene), "validate"; after it
   /// addConsumerFiles() has "pairs"
   std::string stage;
-  std::string item;   ///< link of the mesh finished last; empty where the stage has none
+  std::string item;  ///< link of the mesh finished last; empty where the stage has none
   std::size_t done = 0, total = 0, hulls = 0;  ///< meshes finished, all meshes, hulls so far
   double fraction = 0;  ///< share of the whole run done, in [0, 1], never decreasing; 1 at the end
   double seconds_left = -1;  ///< a rough estimate; negative where there is none yet

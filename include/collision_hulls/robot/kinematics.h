@@ -24,6 +24,13 @@ struct JointVariable {
   bool continuous = false;  ///< turns all the way round
 };
 
+/// Whether a value [rad or m] is within the limits, or beyond them by no more than 1e-6 of their
+/// size, which decimal text may have rounded away. NaN is not.
+bool withinLimits(const JointVariable& variable, double value);
+
+/// For messages: "joint 'elbow' at 3.000000 is beyond its limits, -1.000000 to 1.000000".
+std::string beyondLimits(const JointVariable& variable, double value);
+
 /// A joint of the robot by its name, and what moves it.
 struct NamedJoint {
   std::string name;
@@ -47,6 +54,9 @@ struct ChainJoint {
   /// it stands at multiplier * variable + offset [rad or m]
   double multiplier = 1, offset = 0;
 };
+
+/// Whether all of this is equal. Such joints move what hangs on them alike if those before them do.
+bool equalJoints(const ChainJoint& a, const ChainJoint& b);
 
 /// The joints that move a link, those nearest to the root first.
 struct Chain {

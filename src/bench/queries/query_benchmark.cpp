@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "bench/job_runner.h"
+#include "bench/original.h"
 #include "storage/csv.h"
 #include "storage/files.h"
 
@@ -111,11 +112,8 @@ class SubjectQueries {
     json parts = json::array();
     for (const QuerySubject::Part& part : subject_.parts) {
       const BenchmarkMesh& mesh = inputs_.meshes[part.mesh];
-      parts.push_back({{"link", part.link},
-                       {"origin", toJson(part.origin)},
-                       {"file", mesh.file},
-                       {"scale", {mesh.scale.x(), mesh.scale.y(), mesh.scale.z()}},
-                       {"hulls", original ? "" : model.hulls.at(mesh.name)}});
+      parts.push_back(
+          toJob(mesh, {{"link", part.link}, {"origin", toJson(part.origin)}, {"hulls", original ? "" : model.hulls.at(mesh.name)}}));
     }
     return {{"job", "query"},        {"workload", workload},     {"urdf", single ? "" : runner_.file("robot.urdf")},
             {"parts", parts},        {"original", original},     {"answers", runner_.file("answers.json")},

@@ -9,11 +9,11 @@
 #include "base/stopwatch.h"
 #include "bench/hull_objects.h"
 #include "bench/json_file.h"
+#include "bench/original.h"
 #include "bench/queries/query_scene.h"
-#include "check/validate_probes.h"
-#include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/query/boxed_model.h"
 #include "collision_hulls/robot/kinematics.h"
+#include "geometry/random_stream.h"
 #include "query/query_model.h"
 #include "storage/files.h"
 
@@ -37,11 +37,6 @@ Eigen::Isometry3d toPose(const json& rows) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   for (int i = 0; i < 12; ++i) pose.matrix()(i / 4, i % 4) = rows[static_cast<std::size_t>(i)];
   return pose;
-}
-
-TriangleMesh meshOf(const json& part) {
-  const Eigen::Vector3d scale(part["scale"][0], part["scale"][1], part["scale"][2]);
-  return transformed(scaled(readMesh(part["file"]).mesh, scale), toPose(part["origin"]));
 }
 
 /// A body of the model to query, in its link's frame.
@@ -68,8 +63,8 @@ std::vector<LinkBody> bodiesOf(const json& job, const std::vector<Part>& parts) 
 }
 
 /// How far the parts reach in these states.
-Reach reachOf(const std::vector<Part>& parts, const std::vector<State>& states) {
-  Reach reach{0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+Surroundings reachOf(const std::vector<Part>& parts, const std::vector<State>& states) {
+  Surroundings reach{0, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const Part& part : parts) {
     const Eigen::AlignedBox3d box = boundingBox(part.mesh);
     for (std::size_t s = 0; s < std::min(states.size(), kReachStates); ++s) {
@@ -85,7 +80,7 @@ Reach reachOf(const std::vector<Part>& parts, const std::vector<State>& states) 
 }
 
 /// A part that moves freely gets a scene a few times its own size.
-Reach roomFor(const std::vector<Part>& parts) {
+Surroundings roomFor(const std::vector<Part>& parts) {
   const double size = 1.5 * diagonal(parts.front().mesh);
   return {size, -size, size};
 }
@@ -194,7 +189,7 @@ Answers askItself(const std::vector<LinkBody>& bodies, const std::vector<Part>& 
   return answers;
 }
 
-Answers askScene(const std::vector<LinkBody>& bodies, const Reach& reach, const std::vector<State>& states, std::uint64_t seed) {
+Answers askScene(const std::vector<LinkBody>& bodies, const Surroundings& reach, const std::vector<State>& states, std::uint64_t seed) {
   const std::vector<ConvexHull> things = clutteredScene(reach, seed);
   const State places(things.size(), Eigen::Isometry3d::Identity());
   BoxedModel model, scene;
@@ -218,7 +213,7 @@ json query(const json& job) {
   const std::uint64_t seed = job["seed"];
   const bool original = job["original"], single = job["urdf"].get<std::string>().empty();
   std::vector<Part> parts;
-  for (const json& part : job["parts"]) parts.push_back({part["link"], meshOf(part)});
+  for (const json& part : job["parts"]) parts.push_back({part["link"], transformed(meshOf(part), toPose(part["origin"]))});
   const std::vector<LinkBody> bodies = bodiesOf(job, parts);
 
   const RobotDescription robot = single ? RobotDescription() : readRobotDescription(job["urdf"]);

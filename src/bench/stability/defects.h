@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bench/stability/trouble.h"
-#include "check/validate_probes.h"
+#include "geometry/random_stream.h"
 
 namespace collision_hulls {
 

@@ -7,8 +7,9 @@
 #include <utility>
 
 #include "check/validate_exact.h"
-#include "check/validate_probes.h"
+#include "geometry/box_hull.h"
 #include "geometry/hull_support.h"
+#include "geometry/random_stream.h"
 
 namespace collision_hulls {
 
@@ -25,14 +26,6 @@ ConvexHull roundBody(double size, Random& random) {
   const Eigen::Quaterniond turn = random.rotation();
   Points points;
   for (int i = 0; i < kVertices; ++i) points.push_back(turn * radii.cwiseProduct(random.direction()));
-  return convexHull(points);
-}
-
-ConvexHull boxBody(const Eigen::Vector3d& sides) {
-  Points points;
-  for (int corner = 0; corner < 8; ++corner)
-    points.emplace_back(corner & 1 ? sides.x() / 2 : -sides.x() / 2, corner & 2 ? sides.y() / 2 : -sides.y() / 2,
-                        corner & 4 ? sides.z() / 2 : -sides.z() / 2);
   return convexHull(points);
 }
 
@@ -93,7 +86,7 @@ void placeInMiddle(Random& random, BodyPair& pair) {
 /// Two boxes, one standing on the other, with parallel edges.
 BodyPair stacked(Random& random) {
   const Eigen::Vector3d a(1, random.uniform(0.2, 1), random.uniform(0.2, 1)), b(0.5, random.uniform(0.2, 1), random.uniform(0.2, 1));
-  BodyPair pair{boxBody(a), boxBody(b)};
+  BodyPair pair{hullOfBox(a), hullOfBox(b)};
   pair.pose.translation() = Eigen::Vector3d(random.uniform(-0.4, 0.4), random.uniform(-0.1, 0.1), (a.z() + b.z()) / 2);
   return pair;
 }
@@ -142,7 +135,7 @@ BodyPair pairOf(PairKind kind, bool other_time, Random& random) {
     case PairKind::kContained: bodies(1, 0.1), placeInMiddle(random, pair); break;
     case PairKind::kFlat: pair.first = plate(random), pair.second = roundBody(1, random), placeApart(kLargestGap, random, pair); break;
     case PairKind::kNeedle:
-      pair.first = pair.second = boxBody({1, 1e-3, 1e-3});
+      pair.first = pair.second = hullOfBox({1, 1e-3, 1e-3});
       placeApart(kLargestGap, random, pair);
       break;
     case PairKind::kMillimetre:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <locale>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -37,6 +38,7 @@ using Tallies = std::map<std::string, Tally>;
 /// Adds the trials that a process wrote; returns how many there were.
 int addTrials(const std::string& file, Tallies& tallies) {
   std::ifstream in(file);
+  in.imbue(std::locale::classic());
   int trials = 0;
   std::string outcome;
   for (double error = 0; in >> outcome >> error; ++trials) tallies[outcome].add(error);
@@ -70,6 +72,7 @@ void doFclTrials(const std::string& job_file, const std::string& result_file) {
   const FclSetting& setting = fclSettings().at(job["setting"]);
   const PairKind pair = allPairKinds().at(job["pair"]);
   std::ofstream out(result_file);
+  out.imbue(std::locale::classic());
   for (int number = job["first"]; number < job["last"]; ++number) {
     const FclTrial trial = tryFcl(setting, bodyPair(pair, job["seed"], static_cast<std::uint64_t>(number)));
     out << name(trial.outcome) << ' ' << trial.error << std::endl;  // flushed: the next trial may be the last

@@ -11,9 +11,8 @@
 #include "base/parallel.h"
 #include "bench/jobs.h"
 #include "bench/json_file.h"
+#include "bench/original.h"
 #include "collision_hulls/error.h"
-#include "collision_hulls/mesh/mesh_io.h"
-#include "collision_hulls/mesh/repair.h"
 #include "storage/csv.h"
 #include "storage/files.h"
 
@@ -27,13 +26,8 @@ namespace {
 constexpr double kChange = 0.1;          // share of the number of hulls; a larger difference counts as a change if it is also more than one
 constexpr double kPeersRounding = 1e-6;  // in diagonals: how far uncovered a peer may leave the surface, since it writes decimal numbers
 
-TriangleMesh meshOf(const json& job) {
-  const Eigen::Vector3d scale(job["scale"][0], job["scale"][1], job["scale"][2]);
-  return repair(scaled(readMesh(job["file"]).mesh, scale)).mesh;
-}
-
 json putInTrouble(const json& job) {
-  const TriangleMesh mesh = meshOf(job);
+  const TriangleMesh mesh = repair(meshOf(job)).mesh;
   if (mesh.triangles.empty())
     throw Error(ErrorCode::kEmptyMesh, "'" + job["file"].get<std::string>() + "': no triangle has an area; give another mesh");
   const Trouble trouble{*troubleNamed(job["kind"]), job["amount"]};
@@ -81,16 +75,16 @@ class Runs {
   }
 
  private:
+  BenchmarkMesh troubledMesh() const { return {"", runner_.file("mesh.obj")}; }
+
   void putInTrouble(const BenchmarkMesh& mesh, StabilityRow& row) {
     JobOutcome outcome;
-    const json done = runner_.result({{"job", "trouble"},
-                                      {"file", mesh.file},
-                                      {"scale", {mesh.scale.x(), mesh.scale.y(), mesh.scale.z()}},
-                                      {"kind", name(row.trouble.kind)},
-                                      {"amount", row.trouble.amount},
-                                      {"seed", row.seed},
-                                      {"troubled", runner_.file("mesh.obj")}},
-                                     outcome);
+    const json job{{"job", "trouble"},
+                   {"kind", name(row.trouble.kind)},
+                   {"amount", row.trouble.amount},
+                   {"seed", row.seed},
+                   {"troubled", troubledMesh().file}};
+    const json done = runner_.result(toJob(mesh, job), outcome);
     enter(outcome, row);
     if (!outcome.ok()) return;
     diagonal_ = done["diagonal"].get<double>() * lengthFactor(row.trouble);
@@ -100,8 +94,8 @@ class Runs {
   StabilityRow rowOf(const Contender& contender, StabilityRow row, const std::string& hulls) const {
     row.method = contender.name;
     if (row.outcome != "ok") return row;
-    const json mesh = {{"file", runner_.file("mesh.obj")}, {"scale", {1, 1, 1}}};
-    const HullsMade made = makeHulls(runner_, contender, {mesh, *row.tolerance, options_.seed, hulls, options_.time_limit});
+    const HullsMade made =
+        makeHulls(runner_, contender, {toJob(troubledMesh()), *row.tolerance, options_.seed, hulls, options_.time_limit});
     row.cpu_seconds = made.used.cpu_seconds;
     enter(made.outcome, row);
     if (!contender.command.empty()) row.allowed_uncovered = kPeersRounding * diagonal_;
@@ -124,12 +118,8 @@ class Runs {
     json files = json::array();
     for (const std::size_t i : which) files.push_back(hullsFile(i));
     JobOutcome outcome;
-    const json decided = runner_.result({{"job", "decide"},
-                                         {"file", runner_.file("mesh.obj")},
-                                         {"scale", {1, 1, 1}},
-                                         {"tolerance", *rows[which[0]].tolerance},
-                                         {"hulls", files}},
-                                        outcome);
+    const json job{{"job", "decide"}, {"tolerance", *rows[which[0]].tolerance}, {"hulls", files}};
+    const json decided = runner_.result(toJob(troubledMesh(), job), outcome);
     if (!outcome.ok() && which.size() == 1) enterUnscored(outcome.status + ": " + outcome.message, rows[which[0]]);
     for (std::size_t k = 0; outcome.ok() && k < which.size(); ++k) enterScore(decided["results"][k], rows[which[k]]);
     return outcome.ok();

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstring>
 
-#include "decompose/dice.h"
+#include "base/random.h"
 
 namespace collision_hulls {
 

@@ -16,9 +16,9 @@
 
 #include <algorithm>
 
+#include "base/random.h"
 #include "decompose/certified/in_time.h"
 #include "decompose/certified/merging.h"
-#include "decompose/dice.h"
 
 namespace collision_hulls {
 

@@ -24,8 +24,8 @@
 #include <utility>
 
 #include "base/at.h"
+#include "base/random.h"
 #include "decompose/certified/in_time.h"
-#include "decompose/dice.h"
 #include "decompose/pair_queue.h"
 
 namespace collision_hulls {

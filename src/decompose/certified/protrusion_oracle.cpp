@@ -26,8 +26,8 @@
 
 #include "base/at.h"
 #include "base/parallel.h"
+#include "base/random.h"
 #include "collision_hulls/decompose/certified_hulls.h"
-#include "decompose/dice.h"
 #include "geometry/hull_membership.h"
 #include "geometry/hull_support.h"
 #include "measure/halves_by_place.h"

@@ -14,8 +14,8 @@
 
 #include "base/at.h"
 #include "base/parallel.h"
+#include "base/random.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
-#include "decompose/dice.h"
 
 namespace collision_hulls {
 

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <locale>
-#include <sstream>
 
+#include "base/decimal.h"
 #include "collision_hulls/mesh/repair.h"
 
 namespace collision_hulls {
@@ -50,9 +49,7 @@ std::string segmentsPly(const Segments& segments) {
 
 std::string hierarchyCsv(const Segments& segments) {
   const std::vector<double>& merges = segments.segmentation.merges;
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(9);
+  std::ostringstream text = decimalStream(9);
   text << "concavity,clusters\n";
   for (std::size_t i = 0; i < merges.size(); ++i) {
     const bool is_last_at_its_height = i + 1 == merges.size() || merges[i + 1] > merges[i] * (1 + kSame);

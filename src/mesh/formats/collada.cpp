@@ -10,6 +10,7 @@
 #include <map>
 #include <numeric>
 
+#include "base/decimal.h"
 #include "collision_hulls/error.h"
 #include "geometry/pi.h"
 #include "mesh/formats/collada_shape.h"
@@ -193,7 +194,7 @@ class SceneReader {
     constexpr double kMostError = 1e-3;
     const double length = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]).norm();
     if (numbers[3] != 0 && std::abs(length - 1) > kMostError)
-      failElement(path_, element, "has an axis of length " + std::to_string(length) + "; it must be 1");
+      failElement(path_, element, "has an axis of length " + fixedDecimal(length) + "; it must be 1");
   }
 
   void readInstance(const ColladaElement& element, const Placement& placement) {

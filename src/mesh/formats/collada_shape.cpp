@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/at.h"
+#include "base/decimal.h"
 #include "collision_hulls/error.h"
 #include "mesh/formats/number.h"
 #include "mesh/formats/scan.h"
@@ -283,9 +284,7 @@ void appendColladaNumber(std::string_view word, double value, std::string* text)
   if (isPlain(word)) {
     text->append(word);
   } else {
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "%.9g", static_cast<double>(toSingle(value)));
-    text->append(digits);
+    text->append(decimal(static_cast<double>(toSingle(value)), 9));
   }
   text->push_back(' ');
 }

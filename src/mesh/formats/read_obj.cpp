@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "base/decimal.h"
 #include "mesh/formats/number.h"
 #include "mesh/formats/readers.h"
 #include "mesh/formats/scan.h"
@@ -81,7 +82,7 @@ class ObjReader {
       failNotAMesh(path_, line_, "a vertex of " + std::to_string(count) + " numbers; it needs 3, 4 (with w) or 6 (with a colour)");
     if (count == 4 && numbers[3] != 1)
       failNotAMesh(path_, line_,
-                   "a vertex with w = " + std::to_string(numbers[3]) +
+                   "a vertex with w = " + fixedDecimal(numbers[3]) +
                        ", by which some programs divide and others do not; write the coordinates alone");
     polygons_.addPoint(numbers[0], numbers[1], numbers[2]);
   }

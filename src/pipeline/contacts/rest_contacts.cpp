@@ -128,6 +128,7 @@ RestContact contact(const Part& a, const Part& b, const RunControl& control) {
     return Eigen::AlignedBox3d(box.min().array() - most, box.max().array() + most);
   };
   const QueryBody of_a = meshNear(a.mesh->original, around(placed(b.box, pose)), control);
+  if (of_a.empty()) return {std::min(a.link, b.link), std::max(a.link, b.link), most, true};
   const QueryBody of_b = meshNear(b.mesh->original, around(placed(of_a.box(), pose.inverse())), control);
   const double apart = touch(of_a, of_b, pose) ? 0 : distanceBelow(most, of_a, of_b, pose);
   return {std::min(a.link, b.link), std::max(a.link, b.link), apart, apart >= most};
@@ -179,11 +180,11 @@ std::vector<std::string> notesOnRestContacts(const RobotDescription& robot, cons
   try {
     const std::vector<RestContact> contacts = restContacts(robot, uses, results, model, control);
     if (contacts.empty()) return {};
-    const bool one = contacts.size() == 1;
+    const bool one = contacts.size() == 1, inside = contacts.front().at_least;
     return {"hulls of " + names(robot, contacts.front()) + others(robot, contacts) + " touch with all joints at rest, where " +
-            (one ? "their meshes are " : "the meshes of the first are ") + (contacts.front().at_least ? "at least " : "") +
-            millimetres(contacts.front().apart) + " apart: lower the tolerance of these links, or disable " +
-            (one ? "the pair" : "the pairs")};
+            (one ? "their meshes are " : "the meshes of the first are ") + (inside ? "at least " : "") +
+            millimetres(contacts.front().apart) + " apart" + (inside ? ", one inside the other: " : ": ") +
+            (one && inside ? "" : "lower the tolerance of these links, or ") + "disable " + (one ? "the pair" : "the pairs")};
   } catch (const Error& error) {
     if (error.code() == ErrorCode::kCancelled) throw;
     return {std::string("hulls of links were not compared at rest: ") + error.what()};

@@ -135,8 +135,13 @@ void LinkPreviews::take(const RobotDescription& robot, const LinkDecisions& deci
 }
 
 std::vector<LinkPreview> LinkPreviews::messages(const std::vector<std::string>& links, const RunControl& control) const {
-  const std::set<std::string> wanted(links.begin(), links.end());
   const std::lock_guard<std::mutex> lock(mutex_);
+  return messagesLocked(links, control);
+}
+
+/// While the mutex is held.
+std::vector<LinkPreview> LinkPreviews::messagesLocked(const std::vector<std::string>& links, const RunControl& control) const {
+  const std::set<std::string> wanted(links.begin(), links.end());
   std::vector<LinkPreview> messages;
   for (const LinkDescription& link : robot_.links) {
     control.check();
@@ -186,8 +191,8 @@ void LinkPreviews::progress(const Step& step) {
 
 bool LinkPreviews::serve(PreviewRequest& request, PreviewResponse& response) {
   try {
-    if (request.links.empty()) response.links = messages({}, stopping_);
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<std::mutex> lock(mutex_);  // once, so that all of an answer is of one robot
+    if (request.links.empty()) response.links = messagesLocked({}, stopping_);
     response.robot = robot_.name;
     if (request.links.empty() && config_) response.config = configText(*config_);
     Stopwatch time;

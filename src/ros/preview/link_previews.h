@@ -63,6 +63,7 @@ class LinkPreviews {
   };
 
   bool serve(PreviewRequest& request, PreviewResponse& response);
+  std::vector<LinkPreview> messagesLocked(const std::vector<std::string>& links, const RunControl& control) const;
   void cutAll(const PreviewRequest& request, PreviewResponse& response);
   std::optional<Known> cut(const LinkChoice& settings) const;
   LinkPreview unbuilt(const LinkChoice& settings) const;

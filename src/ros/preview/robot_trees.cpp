@@ -54,7 +54,7 @@ struct RobotTrees::Tree {
 struct RobotTrees::Mesh {
   Mesh(const MeshTask& of, const Options& with)
       : task(of), options(with), cache(options.cache ? cacheFolder() : std::filesystem::path()), shared(task, options, cache) {}
-  const MeshTask task;
+  MeshTask task;
   const Options options;
   Cache cache;
   SharedMesh shared;
@@ -87,7 +87,16 @@ RobotResult RobotTrees::build(const RobotDescription& robot, const PackageFinder
   }
   runStages({uses, resolverFor(robot, find_package, control), 1, control, step}, result,
             [&](Run& run) { forEachInTurn(run.tasks.size(), [&](std::size_t task) { buildTask(task, run); }); });
+  dropUnused();
   return result;
+}
+
+/// Lets go of meshes whose file has other content by now.
+void RobotTrees::dropUnused() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::set<std::shared_ptr<Mesh>> used;
+  for (const auto& [use, mesh] : by_use_) used.insert(mesh);
+  for (auto mesh = meshes_.begin(); mesh != meshes_.end();) mesh = used.count(mesh->second) > 0 ? std::next(mesh) : meshes_.erase(mesh);
 }
 
 /// The held mesh of a task's content; a new one where there is none. Its uses are known from now on.
@@ -99,6 +108,7 @@ std::shared_ptr<RobotTrees::Mesh> RobotTrees::meshFor(const MeshTask& task, cons
   const std::lock_guard<std::mutex> lock(mutex_);
   std::shared_ptr<Mesh>& mesh = meshes_[key.str()];
   if (!mesh) mesh = std::make_shared<Mesh>(task, run.options);
+  if (!mesh->read) mesh->task = task;  // its file may have moved since a read that failed
   for (const MeshVariant& variant : task.variants)
     for (const std::size_t use : variant.uses) by_use_[useKey(run.uses[use].source)] = mesh;
   return mesh;

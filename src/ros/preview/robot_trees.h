@@ -28,8 +28,8 @@ struct LinkResult {
   std::vector<ElementReport> rows;
 };
 
-/// Reads meshes and holds them, with the trees that their last few builds asked for, until the robot is another. Thread safe; one build()
-/// at a time.
+/// Reads meshes and holds them, with the trees that their last few builds asked for, until the robot or their file is another. Thread safe;
+/// one build() at a time.
 class RobotTrees {
  public:
   RobotTrees();
@@ -60,6 +60,7 @@ class RobotTrees {
 
   void buildTask(std::size_t task, Run& run);
   std::shared_ptr<Mesh> meshFor(const MeshTask& task, const Run& run);
+  void dropUnused();
   MeshResult resultOf(Mesh& mesh, const LinkOptions& options, const RunControl& preparing, const RunControl& certifying);
   void beginBuild(Mesh& mesh);
   std::shared_ptr<const HullTree> hold(Mesh& mesh, const LinkOptions& options, const RunControl& control);

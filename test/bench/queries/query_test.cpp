@@ -101,7 +101,7 @@ TEST_F(Query, RobotAgainstItself) {
 }
 
 TEST(QueryScene, IsWithinReachAndRepeatable) {
-  const Reach reach{2, -1, 1};
+  const Surroundings reach{2, -1, 1};
   const std::vector<ConvexHull> scene = clutteredScene(reach, 1), again = clutteredScene(reach, 1), other = clutteredScene(reach, 2);
   ASSERT_EQ(scene.size(), again.size());
   bool differs = false;

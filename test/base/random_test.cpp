@@ -1,4 +1,4 @@
-#include "decompose/dice.h"
+#include "base/random.h"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,12 @@
 namespace collision_hulls {
 namespace {
 
-TEST(Dice, SplitmixAsPublished) {
+TEST(Mixed, IsSplitmixAsPublished) {
   EXPECT_EQ(mixed(0), 0xe220a8397b1dcdafu);
   EXPECT_EQ(mixed(0x9e3779b97f4a7c15u), 0x6e789e6aa1b965f4u);
 }
 
-TEST(Dice, UnitIntervalIsHalfOpen) {
+TEST(UnitInterval, IsHalfOpen) {
   EXPECT_EQ(unitInterval(0), 0);
   EXPECT_LT(unitInterval(~std::uint64_t{0}), 1);
   EXPECT_EQ(unitInterval(std::uint64_t{1} << 63), 0.5);

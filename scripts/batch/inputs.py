@@ -143,4 +143,6 @@ def items_of(words, known):
             items += of_list(path.resolve())
         else:
             items += of_word(word, pathlib.Path.cwd(), {})
+        if not items:
+            raise Failure(f"'{word}' names no input; an empty list would remove all earlier results: check it, or remove the output folder")
     return named(items)

@@ -2,7 +2,9 @@
 #include "base/large_pages.h"
 
 #include <limits.h>
+#include <sys/auxv.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -34,11 +36,20 @@ bool isMemoryScarce() {
   return is_low(RLIMIT_DATA) || is_low(RLIMIT_AS);
 }
 
+/// Whether the program was started as such, and not by a dynamic loader that was given its name: what runs is the loader then.
+bool isItself() {
+  struct stat running {
+  }, named{};
+  const auto* const name = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
+  return name && stat("/proc/self/exe", &running) == 0 && stat(name, &named) == 0 && running.st_dev == named.st_dev &&
+         running.st_ino == named.st_ino;
+}
+
 }  // namespace
 
 void takeLargePages(char** arguments) {
 #ifdef __GLIBC__
-  if (kSanitized || std::getenv(kVariable) || isMemoryScarce() || !kernelWantsToBeAsked()) return;
+  if (kSanitized || std::getenv(kVariable) || isMemoryScarce() || !kernelWantsToBeAsked() || !isItself()) return;
   char program[PATH_MAX];
   const ssize_t length = readlink("/proc/self/exe", program, sizeof program);
   if (length <= 0 || length == sizeof program) return;

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/decimal.h"
 #include "base/parallel.h"
 #include "check/validate_exact.h"
 
@@ -303,7 +304,7 @@ std::string fault(const ValidationPair& pair) {
   for (const Sphere& sphere : pair.spheres)
     if (!sphere.centre.allFinite() || !std::isfinite(sphere.radius)) return "a sphere is not finite";
   if (!std::isfinite(pair.protrusion) || pair.protrusion < 0)
-    return "its protrusion of " + std::to_string(pair.protrusion) + " m is not a valid bound";
+    return "its protrusion of " + fixedDecimal(pair.protrusion) + " m is not a valid bound";
   return "";
 }
 

@@ -102,6 +102,10 @@ void check(const std::vector<Consumer>& consumers, const Options& options) {
   }
 }
 
+void check(const std::vector<Consumer>& consumers, const Options& options, const RobotDescription& robot, const RunControl& control) {
+  if (std::count(consumers.begin(), consumers.end(), Consumer::kCurobo) > 0) checkForCurobo(robot, options, control);
+}
+
 void addConsumerFiles(const std::vector<Consumer>& consumers, const std::string& output, RobotResult& result, const RunControl& control,
                       const StepCallback& step) {
   if (consumers.empty()) return;

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <map>
 
+#include "collision_hulls/config/link_decisions.h"
 #include "collision_hulls/error.h"
 #include "config/quoted.h"
 #include "consumers/written_model.h"
+#include "pipeline/mesh_uses.h"
 #include "robot/number_text.h"
 #include "storage/names.h"
 
@@ -26,27 +28,56 @@ std::string sphereText(const GeometryElement& sphere) {
          "], radius: " + numberText(sphere.size.x()) + "}\n";
 }
 
-bool hasOthers(const LinkDescription& link) {
-  return std::any_of(link.collisions.begin(), link.collisions.end(), [](const GeometryElement& element) {
-    return element.kind != GeometryElement::Kind::kSphere && element.kind != GeometryElement::Kind::kNone;
-  });
+bool isOther(const GeometryElement& element) {
+  return element.kind != GeometryElement::Kind::kSphere && element.kind != GeometryElement::Kind::kNone;
 }
 
-void refuseOthers(const WrittenModel& model) {
+bool hasOthers(const std::vector<GeometryElement>& elements) {
+  return std::any_of(elements.begin(), elements.end(), isOther);
+}
+
+/// Links that will have other elements than spheres, whatever becomes of their meshes.
+std::vector<std::string> linksWithOthers(const RobotDescription& robot, const Options& options, const RunControl& control) {
+  const LinkDecisions decisions = firstModelDecisions(options, robot, control);
   std::vector<std::string> links;
-  for (const LinkDescription& link : model.robot().links)
-    if (hasOthers(link)) links.push_back(link.name);
-  if (links.empty()) return;
-  const std::string choose = model.result().report.options.source == Source::kVisual ? "" : "choose --source visual, ";
+  for (const LinkDescription& link : robot.links) {
+    const LinkOptions* const of_link = decisions.of(link.name);
+    if (of_link && of_link->action == Action::kRemove) continue;
+    bool has_others = hasOthers(link.collisions);
+    if (of_link && of_link->action == Action::kDecompose) {
+      const SourceElements source = sourceElements(link, of_link->source);
+      const auto is_mesh = [](const GeometryElement& element) { return element.kind == GeometryElement::Kind::kMesh; };
+      const auto is_kept = [](const GeometryElement& element) { return isOther(element) && isSolidPrimitive(element); };
+      const auto any = [&](const auto& is_so) { return std::any_of(source.elements.begin(), source.elements.end(), is_so); };
+      if (any(is_mesh) || (source.visual && any(isSolidPrimitive))) has_others = any(is_kept);
+    }
+    if (has_others) links.push_back(link.name);
+  }
+  return links;
+}
+
+[[noreturn]] void refuse(const std::vector<std::string>& links, const std::string& remedy) {
   throw Error(ErrorCode::kBadOption, "--for curobo: " + someHave(links) +
-                                         " other collision elements than spheres, which cuRobo would miss; " + choose +
+                                         " other collision elements than spheres, which cuRobo would miss; " + remedy +
                                          "remove them by --config, or leave --for curobo out");
 }
 
 }  // namespace
 
+void checkForCurobo(const RobotDescription& robot, const Options& options, const RunControl& control) {
+  const std::vector<std::string> links = linksWithOthers(robot, options, control);
+  if (links.empty()) return;
+  Options of_visuals = options;
+  of_visuals.source = Source::kVisual;
+  const bool visuals_do = options.source != Source::kVisual && linksWithOthers(robot, of_visuals, control).empty();
+  refuse(links, visuals_do ? "choose --source visual, " : "");
+}
+
 ConsumerFiles curoboFiles(const WrittenModel& model, const std::vector<DisabledPair>& pairs) {
-  refuseOthers(model);
+  std::vector<std::string> others;
+  for (const LinkDescription& link : model.robot().links)
+    if (hasOthers(link.collisions)) others.push_back(link.name);
+  if (!others.empty()) refuse(others, "");
   std::vector<std::string> links;
   std::string spheres;
   for (const LinkDescription& link : model.robot().links) {

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "base/counted.h"
@@ -51,13 +52,12 @@ class OriginalsAtRest {
     std::map<std::string, std::size_t> index;
     for (std::size_t i = 0; i < links.size(); ++i) index[links[i].name] = i;
     const std::vector<ElementResult>& elements = model.result().elements;
-    std::vector<std::optional<QueryBody>> meshes(elements.size());
-    forEach(elements.size(), [&](std::size_t i) { meshes[i].emplace(elements[i].original, control); });
+    const std::vector<QueryBody> meshes = bodiesOf(model, control);
     std::vector<char> has_new_primitives(links.size());
     for (std::size_t i = 0; i < elements.size(); ++i) {
-      if (meshes[i]->empty()) continue;
+      if (meshes[i].empty()) continue;
       const std::size_t link = index.at(elements[i].link);
-      of_link_[link].push_back({*meshes[i], elements[i].source.origin});
+      of_link_[link].push_back({meshes[i], elements[i].source.origin});
       if (!elements[i].primitives.empty()) has_new_primitives[link] = 1;
     }
     for (std::size_t i = 0; i < links.size(); ++i)
@@ -77,6 +77,24 @@ class OriginalsAtRest {
   }
 
  private:
+  /// Of each element; a mesh that is used many times has one tree.
+  static std::vector<QueryBody> bodiesOf(const WrittenModel& model, const RunControl& control) {
+    const std::vector<ElementResult>& elements = model.result().elements;
+    std::map<std::tuple<std::string, double, double, double>, std::size_t> first;  // by content and scale
+    std::vector<std::size_t> like(elements.size()), own;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const Eigen::Vector3d& scale = elements[i].source.scale;
+      const auto [known, is_new] =
+          first.emplace(std::make_tuple(model.result().report.links[i].sha256, scale.x(), scale.y(), scale.z()), i);
+      like[i] = known->second;
+      if (is_new) own.push_back(i);
+    }
+    std::vector<QueryBody> bodies(elements.size(), QueryBody(TriangleMesh()));
+    forEach(own.size(), [&](std::size_t k) { bodies[own[k]] = QueryBody(elements[own[k]].original, control); });
+    for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i] = bodies[like[i]];
+    return bodies;
+  }
+
   struct Body {
     QueryBody body;
     Eigen::Isometry3d origin;  // in the link's frame

@@ -98,6 +98,9 @@ void noteFollowers(const WrittenModel& model, const std::string& consumer, const
 void noteWithoutInertial(const std::vector<std::string>& links, const std::string& consumer, const std::string& who,
                          std::vector<std::string>& notes);
 
+/// Throws kBadOption if elements that stay as they are would be missed by cuRobo.
+void checkForCurobo(const RobotDescription& robot, const Options& options, const RunControl& control);
+
 // The writers: path in the output, content. `pairs`: pairsWithoutCheck().
 using ConsumerFiles = std::map<std::string, std::string>;
 ConsumerFiles curoboFiles(const WrittenModel& model, const std::vector<DisabledPair>& pairs);

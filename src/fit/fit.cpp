@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/decimal.h"
 #include "collision_hulls/error.h"
 #include "fit/comparison.h"
 #include "fit/enclosing.h"
@@ -42,7 +43,7 @@ std::vector<FittedElement> fittedElements(const FitProblem& problem, const Assem
 
 void check(const FitOptions& options) {
   if (!(options.clearance > 0 && std::isfinite(options.clearance)))
-    throw Error(ErrorCode::kBadOption, "clearance is " + std::to_string(options.clearance) + " m; it must be a positive length");
+    throw Error(ErrorCode::kBadOption, "clearance is " + fixedDecimal(options.clearance) + " m; it must be a positive length");
   if (options.samples == 0) throw Error(ErrorCode::kBadOption, "samples is 0; give at least 1");
 }
 

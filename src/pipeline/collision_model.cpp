@@ -277,10 +277,10 @@ void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDec
     of.kept = keptElements(robot, find_package, reportOf(model, result.report), of, in_place[model], options, control);
   }
   std::vector<std::string>& all = result.report.notes;
-  for (const auto& more :
-       {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options), notesOnFlat(robot, decisions.front()),
-        notesOnIdle(robot, decisions.front(), options, control), notes, notesOnAgain(robot, result.report, control), notesOnKept(result),
-        notesOnCarried(result), notesOnRewritten(result, output, control), notesOnContacts(result)})
+  for (const auto& more : {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options),
+                           notesOnBare(robot, decisions.front()), notesOnFlat(robot, decisions.front()),
+                           notesOnIdle(robot, decisions.front(), options, control), notes, notesOnAgain(robot, result.report, control),
+                           notesOnKept(result), notesOnCarried(result), notesOnRewritten(result, output, control), notesOnContacts(result)})
     all.insert(all.end(), more.begin(), more.end());
 }
 

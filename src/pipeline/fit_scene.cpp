@@ -269,8 +269,8 @@ std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options
                     " sampled configurations, and a fit learns from the others alone; if the robot does not stand there, move the " +
                     "scene, or give the configurations that matter");
   if (fit.leaf_contacts > 0) {
-    notes.push_back(std::to_string(fit.leaf_contacts) + " counterexamples remain even with the finest hulls, such as " + fit.leaf_contact +
-                    "; use a smaller tolerance");
+    notes.push_back(counted(fit.leaf_contacts, "counterexample") + (fit.leaf_contacts == 1 ? " remains" : " remain") +
+                    " even with the finest hulls, such as " + fit.leaf_contact + "; use a smaller tolerance");
   }
   return notes;
 }

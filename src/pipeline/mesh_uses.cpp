@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/counted.h"
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "mesh/mesh_bytes.h"
 #include "report/link_pattern.h"
@@ -179,6 +180,19 @@ bool isSolidPrimitive(const GeometryElement& element) {
     case GeometryElement::Kind::kCylinder: return element.size.head<2>().minCoeff() > 0;
     default: return false;
   }
+}
+
+std::vector<std::string> notesOnBare(const RobotDescription& robot, const LinkDecisions& decisions) {
+  std::vector<std::string> links;
+  for (const LinkDescription& link : robot.links) {
+    const LinkOptions* const options = decisions.of(link.name);
+    if (options && options->action == Action::kKeep && link.collisions.empty() && !link.visuals.empty()) links.push_back(link.name);
+  }
+  if (links.empty()) return {};
+  const std::string others = links.size() > 1 ? " and " + counted(links.size() - 1, "more link") : "";
+  return {"link '" + shortened(links.front()) + "'" + others + (links.size() > 1 ? " are" : " is") +
+          " kept, but without <collision> elements: nothing collides there. Decompose " + (links.size() > 1 ? "them" : "it") +
+          ", or add some"};
 }
 
 std::vector<std::string> notesOnFlat(const RobotDescription& robot, const LinkDecisions& decisions) {

@@ -39,6 +39,9 @@ std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDe
 /// Whether an element is a primitive that encloses something: with --source visual it becomes a <collision> element.
 bool isSolidPrimitive(const GeometryElement& element);
 
+/// On links that are kept and have nothing that collides.
+std::vector<std::string> notesOnBare(const RobotDescription& robot, const LinkDecisions& decisions);
+
 /// On visual primitives that are not, and become none.
 std::vector<std::string> notesOnFlat(const RobotDescription& robot, const LinkDecisions& decisions);
 

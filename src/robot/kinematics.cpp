@@ -7,6 +7,7 @@
 
 #include "base/decimal.h"
 #include "collision_hulls/error.h"
+#include "robot/far_away.h"
 
 namespace collision_hulls {
 namespace {
@@ -14,7 +15,6 @@ namespace {
 using Kind = JointDescription::Kind;
 
 constexpr double kBeyondLimit = 1e-6;              // of the limits' size: what decimal text may have rounded away
-constexpr double kFurthest = 1e6;                  // [m] that something may be away
 constexpr std::size_t kMostUnsettled = 1'000'000;  // joints above links, in all
 
 bool canMove(const JointDescription& joint) {
@@ -250,9 +250,9 @@ std::vector<std::string> Kinematics::notes() const {
 }
 
 void Kinematics::check(const JointDescription& joint) const {
-  const auto isNear = [](double metres) { return std::abs(metres) <= kFurthest; };
+  const auto isNear = [](double metres) { return std::abs(metres) <= kFurthestOrigin; };
   const std::string who = "joint '" + joint.name + "' ";
-  if (!(joint.origin.translation().array().abs() <= kFurthest).all())
+  if (isFarAway(joint.origin.translation()))
     throw Error(ErrorCode::kNotARobot, who + "has an origin more than 1000 km away; correct its <origin>");
   if (joint.kind == Kind::kPrismatic && joint.mimic.empty() && !(isNear(joint.lower) && isNear(joint.upper)))
     throw Error(ErrorCode::kNotARobot, who + "slides more than 1000 km; give it limits");

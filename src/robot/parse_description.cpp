@@ -12,6 +12,7 @@
 #include "base/uri_text.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
+#include "robot/far_away.h"
 #include "robot/geometry_stand_ins.h"
 #include "robot/joint_graph.h"
 #include "robot/robot_question.h"
@@ -167,6 +168,18 @@ void shortenTexts(std::vector<LinkDescription>& links) {
   }
 }
 
+// Coordinates of such a size overflow in products, of which FCL and others do not expect it.
+void checkOrigins(const XmlSource& subject, const std::vector<JointDescription>& joints, std::vector<LinkDescription>& links) {
+  for (const JointDescription& joint : joints)
+    if (isFarAway(joint.origin.translation()))
+      subject.fail(ErrorCode::kNotARobot, "joint '" + joint.name + "' has an origin more than 1000 km away; correct its <origin>");
+  for (LinkDescription& link : links)
+    for (auto* const elements : {&link.visuals, &link.collisions})
+      for (GeometryElement& element : *elements)
+        if (element.fault.empty() && isFarAway(element.origin.translation()))
+          element.fault = "it is more than 1000 km away from its link's frame; correct its <origin>";
+}
+
 void checkAxes(const XmlSource& subject, const std::vector<JointDescription>& joints) {
   for (const JointDescription& joint : joints) {
     if (joint.kind == JointDescription::Kind::kFixed || joint.kind == JointDescription::Kind::kFloating || joint.axis.norm() > 0) continue;
@@ -194,6 +207,7 @@ RobotDescription decodeRobotDescription(const std::string& urdf_text, const std:
   UrdfModel model = loadModel(subject, robot, stand_ins);
   checkAxes(subject, model.joints);
   std::vector<LinkDescription> links = inDocumentOrder(subject, robot, model, stand_ins);
+  checkOrigins(subject, model.joints, links);
   shortenTexts(links);
   std::vector<std::string> notes = notesOn(subject, robot);
   notes.insert(notes.end(), losses.begin(), losses.end());

@@ -6,6 +6,7 @@
 
 #include "collision_hulls/error.h"
 #include "geometry/bytes.h"
+#include "robot/far_away.h"
 #include "sandbox/file_reader.h"
 
 namespace collision_hulls {
@@ -44,11 +45,14 @@ void fields(Archive& archive, RobotDescription& robot) {
 
 namespace {
 
-void expectKinds(const LinkDescription& link) {
-  for (const auto* const elements : {&link.visuals, &link.collisions})
-    for (const GeometryElement& element : *elements)
+void expectElements(const LinkDescription& link) {
+  for (const auto* const elements : {&link.visuals, &link.collisions}) {
+    for (const GeometryElement& element : *elements) {
       if (element.kind < GeometryElement::Kind::kMesh || element.kind > GeometryElement::Kind::kNone)
         throw ByteFault("a geometry is of no known kind");
+      if (element.fault.empty() && isFarAway(element.origin.translation())) throw ByteFault("a geometry is too far away");
+    }
+  }
 }
 
 /// Each joint leads from the root, or from a link that an earlier joint leads to, to another link.
@@ -57,12 +61,13 @@ void expectTree(const RobotDescription& robot) {
   for (const LinkDescription& link : robot.links) {
     if (!links.insert(link.name).second) throw ByteFault("two links have the same name");
     if (link.parent.empty()) reached.insert(link.name);
-    expectKinds(link);
+    expectElements(link);
   }
   if (reached.size() != 1) throw ByteFault("it has no root, or several");
   for (const JointDescription& joint : robot.joints) {
     if (joint.kind < JointDescription::Kind::kFixed || joint.kind > JointDescription::Kind::kPlanar)
       throw ByteFault("a joint is of no known kind");
+    if (isFarAway(joint.origin.translation())) throw ByteFault("a joint is too far away");
     if (reached.count(joint.parent) == 0 || links.count(joint.child) == 0 || !reached.insert(joint.child).second)
       throw ByteFault("its joints form no tree");
   }

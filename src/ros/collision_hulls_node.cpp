@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "base/standard_files.h"
 #include "master_watch.h"
 #include "node.h"
 
@@ -89,6 +90,7 @@ int serve() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  collision_hulls::holdStandardFiles();
   ros::init(argc, argv, "collision_hulls", ros::init_options::NoSigintHandler);
   handleSignals();
   if (!waitForMaster()) return 0;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/large_pages.h"
+#include "base/standard_files.h"
 #include "bench/child_process.h"
 #include "command_line.h"
 
@@ -26,6 +27,7 @@ struct MeasuringProgram {
 /// Returns the exit status: that of run(), 0 for a job and --help, 2 for an error, which goes to stderr with the program's name.
 template <typename Command>
 int runProgram(const MeasuringProgram<Command>& program, int argc, char** argv) {
+  holdStandardFiles();
   takeLargePages(argv);
   CommandLine app(program.purpose, program.name);
   app.footer(program.footer);

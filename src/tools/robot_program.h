@@ -13,6 +13,7 @@
 
 #include "base/large_pages.h"
 #include "base/roots.h"
+#include "base/standard_files.h"
 #include "base/string_parts.h"
 #include "collision_hulls/config/config.h"
 #include "collision_hulls/consumers/consumers.h"
@@ -96,7 +97,11 @@ inline void cancelOnSignals(const RunControl& control) {
   struct sigaction action {};
   action.sa_handler = [](int) { interrupted_run->cancel(); };  // an atomic store, which a handler may do
   action.sa_flags = static_cast<int>(SA_RESETHAND);
-  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;  // in the background, or by nohup
+    sigaction(signal, &action, nullptr);
+  }
 }
 
 inline void printFailures(const Report& report, const RobotCommand& command) {
@@ -271,6 +276,7 @@ inline MadeRobot make(RobotCommand& command, const RobotWork& work, const RunCon
   const std::string output = writablePath(command.output.empty() ? defaultOutput(input) : command.output);
   checkOutput(output, control);
   checkConfig(command, input, output);
+  if (input.kind == Input::Kind::kRobot) check(command.consumers, command.options, input.robot, control);
   if (isFile(command.json))
     inContext("--json", [&] {
       checkBeside(command.json = writablePath(command.json), output);
@@ -307,6 +313,7 @@ inline int runRobotCommand(RobotCommand& command, const RobotWork& work) {
 
 /// Parses and runs; errors become messages on standard error and exit statuses.
 inline int runRobotProgram(CommandLine& app, int argc, char** argv, const std::function<int()>& run) {
+  holdStandardFiles();
   takeLargePages(argv);
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is then an error like a full disk
   try {

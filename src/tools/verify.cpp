@@ -96,23 +96,26 @@ void checkSameKind(const Input& original, const Input& result) {
   throw Error(ErrorCode::kBadOption, "'" + mesh + "' is a mesh, and the other is a robot; give two robots or two meshes");
 }
 
-bool isFailure(const LinkVerification& row) {
-  return row.status == LinkStatus::kOver || row.status == LinkStatus::kFailed;
+/// Whether a row is the reason for an exit status other than 0.
+bool isFailure(const LinkVerification& row, const VerifyOptions& options) {
+  if (row.status == LinkStatus::kMissing) return options.max_uncovered.has_value();
+  if (row.status == LinkStatus::kAdded) return options.max_protrusion.has_value();
+  return row.status != LinkStatus::kOk;
 }
 
 /// The table, without what printFailures() says.
-std::string tableOf(Verification seen) {
+std::string tableOf(Verification seen, const VerifyOptions& options) {
   for (LinkVerification& row : seen.links)
-    if (isFailure(row)) row.reason.clear();
+    if (isFailure(row, options)) row.reason.clear();
   return toTable(seen);
 }
 
 /// A line for each reason: links that lack the same package share one.
-void printFailures(const Verification& seen) {
+void printFailures(const Verification& seen, const VerifyOptions& options) {
   std::vector<std::pair<std::string, std::vector<std::string>>> links_by_reason;
   std::map<std::string, std::size_t> places;  // in it
   for (const LinkVerification& row : seen.links) {
-    if (!isFailure(row)) continue;
+    if (!isFailure(row, options)) continue;
     const auto [known, is_new] = places.emplace(row.reason, links_by_reason.size());
     if (is_new) links_by_reason.push_back({row.reason, {}});
     links_by_reason[known->second].second.push_back(row.link);
@@ -129,10 +132,10 @@ void print(const Verification& seen, const Command& command) {
   if (command.json == "-") {
     std::cout << json;
   } else if (!command.quiet) {
-    std::cout << tableOf(seen);
+    std::cout << tableOf(seen, command.options);
   }
   if (!std::cout.flush()) throw Error(ErrorCode::kUnwritableOutput, "cannot write to standard output; --json FILE keeps the figures");
-  printFailures(seen);
+  printFailures(seen, command.options);
   if (seen.contradictions > 0)
     std::cerr << "verify: " << seen.contradictions << " collision queries contradict the bounds; the notes name some\n";
 }

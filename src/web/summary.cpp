@@ -59,13 +59,24 @@ std::string totalsSentence(const ModelReport& model, const Report& report) {
   const Totals sum = totals(model);
   const std::string before = many(sum.triangles, "triangle") + " in " + many(sum.meshes, "mesh", "meshes");
   if (sum.meshes == sum.failed) return before + ": no hulls.";
-  std::vector<std::string> claims{"never miss a collision", "are at most " + figure(1000 * largestBound(model)) + " mm too large"};
+  const bool of_all = sum.failed + sum.kept + sum.removed == 0;
+  std::vector<std::string> claims{of_all ? "never miss a collision" : "never miss a collision with the surface that they cover",
+                                  "are at most " + figure(1000 * largestBound(model)) + " mm too large"};
   const std::string quick = speed(model, report);
   if (!quick.empty()) claims.push_back(quick);
   std::string text = before + " \xE2\x86\x92 " + bodies(model) + ". They ";
   for (std::size_t i = 0; i < claims.size(); ++i)
     text += (i == 0 ? "" : i + 1 < claims.size() ? ", " : claims.size() > 2 ? ", and " : " and ") + claims[i];
   return text + ".";
+}
+
+/// What the configuration leaves out, whatever collides there.
+std::string linksSentence(const ModelReport& model) {
+  const Totals sum = totals(model);
+  const auto links = [](std::size_t n, const std::string& done) { return many(n, "link") + (n == 1 ? " is " : " are ") + done; };
+  if (sum.kept + sum.removed == 0) return "";
+  return (sum.kept > 0 ? links(sum.kept, "kept as described") : "") + (sum.kept > 0 && sum.removed > 0 ? ", and " : "") +
+         (sum.removed > 0 ? links(sum.removed, "left without collision elements") : "") + ", as configured.";
 }
 
 std::string checkSentence(const ModelReport& model, const Report& report) {
@@ -91,7 +102,8 @@ std::string sceneSentence(const Report& report) {
 
 std::vector<std::string> summary(const ModelReport& model, const Report& report) {
   std::vector<std::string> sentences;
-  for (const std::string& sentence : {totalsSentence(model, report), sceneSentence(report), checkSentence(model, report)})
+  for (const std::string& sentence :
+       {totalsSentence(model, report), linksSentence(model), sceneSentence(report), checkSentence(model, report)})
     if (!sentence.empty()) sentences.push_back(sentence);
   return sentences;
 }

@@ -195,17 +195,44 @@ TEST_F(Consumers, CuroboTakesSpheresInTheLinksFrames) {
   EXPECT_EQ(ignored[0].second.items().at(0).text(), "b") << "the neighbour of a";
 }
 
+/// What check() says of a description before any work, and addConsumerFiles() after it; empty: nothing.
+template <typename F>
+std::string refusal(F&& act) {
+  try {
+    act();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadOption);
+    return error.what();
+  }
+  return "";
+}
+
 TEST_F(Consumers, CuroboWouldMissWhatIsNoSphere) {
   EXPECT_THROW(check({Consumer::kCurobo}, Options()), Error) << "these are hulls";
   options_.shapes = Shapes::kSpheres;
-  RobotResult result = decomposed(threeLinks("<collision><geometry><box size=\"1 1 1\"/></geometry></collision>"));
-  try {
-    addConsumerFiles({Consumer::kCurobo}, folder_ / "three_c", result);
-    FAIL() << "the box is missing";
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("link 'c' has other collision elements than spheres"), std::string::npos) << error.what();
-    EXPECT_NE(std::string(error.what()).find("choose --source visual, remove"), std::string::npos) << error.what();
+  const std::string box = "<geometry><box size=\"1 1 1\"/></geometry>",
+                    ball = "<collision><geometry><sphere radius=\"1\"/></geometry></collision>";
+  const std::string alone = "<collision>" + box + "</collision>", mesh = "<visual>" + fixtures::meshTag(mesh_) + "</visual>";
+  const auto before = [&](const std::string& content) {
+    return refusal([&] { check({Consumer::kMoveit, Consumer::kCurobo}, options_, parseRobotDescription(threeLinks(content))); });
+  };
+  const auto after = [&](const std::string& content) {
+    RobotResult result = decomposed(threeLinks(content));
+    return refusal([&] { addConsumerFiles({Consumer::kCurobo}, folder_ / "three_c", result); });
+  };
+  for (const std::string& missed : {alone, alone + mesh, "<visual>" + box + "</visual>", cube() + alone})
+    for (const std::string& said : {before(missed), after(missed)})
+      EXPECT_NE(said.find("link 'c' has other collision elements than spheres"), std::string::npos) << missed << ": " << said;
+  for (const std::string& taken : {cube(), ball, mesh, mesh + ball, std::string()}) {
+    EXPECT_EQ(before(taken), "") << taken;
+    EXPECT_EQ(after(taken), "") << taken;
   }
+  options_.source = Source::kCollision;
+  EXPECT_NE(before(alone + mesh).find("choose --source visual, remove"), std::string::npos) << before(alone + mesh);
+  EXPECT_EQ(before(alone).find("--source visual"), std::string::npos) << "it does not help: " << before(alone);
+  options_.source = Source::kVisual;
+  EXPECT_EQ(before(alone + mesh), "");
+  EXPECT_EQ(after(alone + mesh), "");
 }
 
 TEST_F(Consumers, CuroboIsRefusedForAllLinksAtOnce) {

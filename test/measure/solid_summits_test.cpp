@@ -45,8 +45,8 @@ TEST(Solid, ASummitInFrontOfABackIsNotRuledOut) {
 // Between two plates the distance has its summit half way. A ball that just holds it may have all of one plate and none of the other within
 // its radius of what is nearest to its middle: a point of it may be nearer to the other by its own way from there.
 TEST(Solid, ASummitHalfWayBetweenPlatesIsNotRuledOut) {
-  const TriangleMesh plate = test_shapes::box(20, 20, 0.1);
-  const Solid solid = solidOf(test_shapes::merged({test_shapes::moved(plate, {-10, -10, -0.1}), test_shapes::moved(plate, {-10, -10, 1})}));
+  const TriangleMesh plate = test_shapes::box(20, 20, 5);
+  const Solid solid = solidOf(test_shapes::merged({test_shapes::moved(plate, {-10, -10, -5}), test_shapes::moved(plate, {-10, -10, 1})}));
   const Vector3d p(0.1, 0.2, 0.3);
   for (const double radius : {0.201, 0.25, 0.3}) EXPECT_FALSE(withoutSummit(solid, p, radius)) << radius;
   EXPECT_TRUE(withoutSummit(solid, p, 0.199)) << "so that the test can tell";

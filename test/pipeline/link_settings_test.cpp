@@ -8,6 +8,7 @@
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "collision_hulls/pipeline/output.h"
 #include "pipeline/fixtures.h"
+#include "pipeline/mesh_uses.h"
 #include "shapes.h"
 
 namespace collision_hulls {
@@ -85,6 +86,22 @@ TEST_F(LinkSettingsTest, WhatChangesNothingIsNoted) {
                       "region '1' of link 'frame' changes nothing"),
             1u);
   EXPECT_EQ(notesWith(run("links: {\".*\": keep}", "kept"), "all links are kept or removed"), 1u);
+}
+
+TEST_F(LinkSettingsTest, AKeptLinkThatCollidesWithNothingIsNoted) {
+  const auto bare = [](const std::string& links) {
+    const RobotDescription robot = parseRobotDescription(fixtures::robot("r", links));
+    Options options;
+    apply(parseConfig("links: {.*: keep}", "f"), options);
+    return notesOnBare(robot, firstModelDecisions(options, robot));
+  };
+  const std::string ball = "<geometry><sphere radius='1'/></geometry>", visual = "<visual>" + ball + "</visual>",
+                    collision = "<collision>" + ball + "</collision>";
+  EXPECT_TRUE(bare(fixtures::link("a", visual + collision) + fixtures::link("b", "", "a")).empty());
+  EXPECT_EQ(
+      bare(fixtures::link("a", visual)),
+      std::vector<std::string>{"link 'a' is kept, but without <collision> elements: nothing collides there. Decompose it, or add some"});
+  EXPECT_EQ(bare(fixtures::link("a", visual) + fixtures::link("b", visual, "a"))[0].find("link 'a' and 1 more link are kept, but"), 0u);
 }
 
 TEST_F(LinkSettingsTest, AnOutputThatIsDecomposedAgainIsNoted) {

@@ -334,5 +334,23 @@ TEST(ParseDescription, ALongChainOfMimics) {
   EXPECT_DOUBLE_EQ(robot.links.back().pose.translation().x(), 0.5 * (kJoints - 1));
 }
 
+// Products of such coordinates overflow, of which FCL knows nothing: it ends the program.
+TEST(ParseDescription, NothingIsAThousandKilometresAway) {
+  for (const std::string far : {"1.001e6 0 0", "0 -1e308 0", "0 0 1e300"}) {
+    const std::string origin = "<origin xyz='" + far + "'/>";
+    expectError(ErrorCode::kNotARobot, {"joint 'j'", "1000 km", "<origin>"},
+                [&] { parseRobotDescription(robotWith("<link name='a'/><link name='b'/>" + joint("j", "fixed", "a", "b", origin))); });
+    for (const std::string kind : {"visual", "collision"}) {
+      const std::string element = "<" + kind + ">" + origin + "<geometry><mesh filename='a.stl'/></geometry></" + kind + ">";
+      const RobotDescription robot = parseRobotDescription(robotWith("<link name='a'>" + element + "</link>"));
+      const LinkDescription& link = robot.links.at(0);
+      const GeometryElement& read = (kind == "visual" ? link.visuals : link.collisions).at(0);
+      EXPECT_NE(read.fault.find("1000 km away from its link's frame; correct its <origin>"), std::string::npos) << read.fault;
+    }
+  }
+  EXPECT_NO_THROW(
+      parseRobotDescription(robotWith("<link name='a'/><link name='b'/>" + joint("j", "fixed", "a", "b", "<origin xyz='9e5 0 0'/>"))));
+}
+
 }  // namespace
 }  // namespace collision_hulls

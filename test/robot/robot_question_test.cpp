@@ -109,6 +109,7 @@ TEST(RobotQuestion, AnAnswerThatIsNoRobot) {
                  bytes.replace(root, link("a").size(), link("a"));
                })),
                ByteFault);
+  EXPECT_THROW(robotIn(changed([](std::string& bytes) { replaceAll(bytes, toBytes(3.0), toBytes(1e300)); })), ByteFault) << "far away";
   EXPECT_THROW(robotIn(""), ByteFault);
 }
 

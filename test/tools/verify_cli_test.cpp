@@ -86,6 +86,21 @@ TEST_F(VerifyProgram, AMeshThatCannotBeReadIsStatusOne) {
   EXPECT_EQ(result.out.find("lost.stl"), std::string::npos) << "said twice\n" << result.out;
 }
 
+TEST_F(VerifyProgram, LinksThatAGateRefusesAreSaidQuietly) {
+  const std::string mesh = fixtures::write(folder_ / "box.obj", fixtures::obj(test_shapes::box(1, 1, 1)));
+  const std::string collision = "<collision>" + fixtures::meshTag(mesh) + "</collision>";
+  fixtures::write(folder_ / "all.urdf", fixtures::robot("r", fixtures::link("a", collision) + fixtures::link("b", collision, "a")));
+  fixtures::write(folder_ / "less.urdf", fixtures::robot("r", fixtures::link("a", collision) + fixtures::link("b", "", "a")));
+  const auto said = [&](const std::string& arguments, int status) {
+    const Finished result = run(arguments + " --quiet --configurations 0");
+    EXPECT_EQ(result.status, status) << arguments << result.err;
+    return result.err;
+  };
+  EXPECT_EQ(said("all.urdf less.urdf --max-uncovered 1mm", 1), "verify: b: RESULT has no collision geometry here\n");
+  EXPECT_EQ(said("less.urdf all.urdf --max-protrusion 1mm", 1), "verify: b: ORIGINAL has no geometry here to compare with\n");
+  EXPECT_EQ(said("all.urdf less.urdf --max-protrusion 1mm", 0), "");
+}
+
 TEST_F(VerifyProgram, AMissingPackageIsSaidOnce) {
   const auto link = [](const std::string& name, const std::string& parent) {
     return fixtures::link(name, "<collision>" + fixtures::meshTag("package://lost/" + name + ".stl") + "</collision>", parent);

@@ -68,6 +68,17 @@ TEST(Summary, AFitIsMeasuredOnTheWholeRobot) {
       "confidence in at most 0.0300 % of all configurations).");
 }
 
+TEST(Summary, NothingIsClaimedOfWhatHasNoHulls) {
+  const Sample failed({row("arm"), row("hand", Status::kFailed)});
+  EXPECT_NE(summary(failed.report, failed.report)[0].find("They never miss a collision with the surface that they cover, are at most"),
+            std::string::npos)
+      << summary(failed.report, failed.report)[0];
+  const Sample left({row("arm"), row("base", Status::kKept), row("camera", Status::kRemoved), row("lamp", Status::kRemoved)});
+  const std::vector<std::string> said = summary(left.report, left.report);
+  EXPECT_NE(said[0].find("with the surface that they cover"), std::string::npos) << said[0];
+  EXPECT_EQ(said[1], "1 link is kept as described, and 2 links are left without collision elements, as configured.");
+}
+
 TEST(Summary, NothingIsClaimedWithoutHulls) {
   const Sample sample({row("arm", Status::kFailed)});
   EXPECT_EQ(all(summary(sample.report, sample.report)), "1,234 triangles in 1 mesh: no hulls.|");

@@ -1,0 +1,14 @@
+// A file that is opened takes the least number that is free, so they are looked at in their order.
+#include "base/standard_files.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace collision_hulls {
+
+void holdStandardFiles() {
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(number, F_GETFD) < 0) open("/dev/null", number == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+}  // namespace collision_hulls

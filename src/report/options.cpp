@@ -154,9 +154,6 @@ bool alwaysLarger(const Length& tree, const Length& tolerance) {
 /// What goes with some methods alone.
 void checkMethod(const Options& options) {
   if (options.tree) checkLength("tree", *options.tree);
-  if (needsCertified(options.effort) && options.method != Method::kCertified)
-    throw Error(ErrorCode::kBadOption, std::string("effort '") + name(options.effort) +
-                                           "' needs method 'certified'; leave it out with method '" + name(options.method) + "'");
   if (options.fill && options.method != Method::kCertified)
     throw Error(ErrorCode::kBadOption,
                 std::string("fill needs method 'certified'; leave it out with method '") + name(options.method) + "'");

@@ -167,8 +167,12 @@ inline bool writeEverything(RobotResult& result, const RobotCommand& command, co
 
 /// Refuses options that do not go together, before anything is read.
 inline void checkCommand(const RobotCommand& command) {
-  check(command.options);
-  check(command.consumers, command.options);
+  const Options& options = command.options;
+  check(options);
+  check(command.consumers, options);
+  if (needsCertified(options.effort) && options.method != Method::kCertified)  // the node's parameters hold for requests of any method
+    throw Error(ErrorCode::kBadOption, std::string("effort '") + name(options.effort) +
+                                           "' needs method 'certified'; leave it out with method '" + name(options.method) + "'");
 }
 
 /// A model's name and tolerance.

@@ -227,12 +227,15 @@ TEST_F(Consumers, CuroboWouldMissWhatIsNoSphere) {
     EXPECT_EQ(before(taken), "") << taken;
     EXPECT_EQ(after(taken), "") << taken;
   }
-  options_.source = Source::kCollision;
-  EXPECT_NE(before(alone + mesh).find("choose --source visual, remove"), std::string::npos) << before(alone + mesh);
-  EXPECT_EQ(before(alone).find("--source visual"), std::string::npos) << "it does not help: " << before(alone);
-  options_.source = Source::kVisual;
-  EXPECT_EQ(before(alone + mesh), "");
-  EXPECT_EQ(after(alone + mesh), "");
+  const auto of_one = [&](const std::string& content, Source source) {
+    options_.source = source;
+    const std::string urdf = fixtures::robot("one", fixtures::link("c", content));
+    return refusal([&] { check({Consumer::kCurobo}, options_, parseRobotDescription(urdf)); });
+  };
+  EXPECT_NE(of_one(alone + mesh, Source::kCollision).find("choose --source visual, remove"), std::string::npos);
+  EXPECT_EQ(of_one(alone, Source::kCollision).find("--source visual"), std::string::npos) << "it does not help";
+  EXPECT_NE(of_one(alone, Source::kCollision), "");
+  EXPECT_EQ(of_one(alone + mesh, Source::kVisual), "");
 }
 
 TEST_F(Consumers, CuroboIsRefusedForAllLinksAtOnce) {

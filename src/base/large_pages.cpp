@@ -38,8 +38,8 @@ bool isMemoryScarce() {
 
 /// Whether the program was started as such, and not by a dynamic loader that was given its name: what runs is the loader then.
 bool isItself() {
-  struct stat running {
-  }, named{};
+  struct stat running {};
+  struct stat named {};
   const auto* const name = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
   return name && stat("/proc/self/exe", &running) == 0 && stat(name, &named) == 0 && running.st_dev == named.st_dev &&
          running.st_ino == named.st_ino;

@@ -213,6 +213,17 @@ inline TriangleMesh sheet(double x = 1, double y = 1, int n = 1) {
   return subdivided(builder.mesh(), n);
 }
 
+/// A pipe without thickness along z: the side of a cylinder, without its ends.
+inline TriangleMesh pipe(double radius, double length, int segments) {
+  MeshBuilder builder;
+  const auto at = [&](int i, double z) {
+    const double angle = 2 * kPi * (i % segments) / segments;
+    return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), z);
+  };
+  for (int i = 0; i < segments; ++i) builder.quad(at(i, 0), at(i + 1, 0), at(i + 1, length), at(i, length));
+  return builder.mesh();
+}
+
 /// One triangle in the plane z = 0, facing +z, of area 1/2.
 inline TriangleMesh singleTriangle() {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};

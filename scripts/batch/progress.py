@@ -1,5 +1,6 @@
 """What a terminal shows of a batch: done, failed, rate, time left; and at its end what came of it."""
 import collections
+import contextlib
 import re
 import sys
 import time
@@ -14,6 +15,12 @@ def duration(seconds):
     if seconds < 90:
         return f"{seconds:.0f} s"
     return f"{seconds / 60:.0f} min" if seconds < 5400 else f"{seconds / 3600:.1f} h"
+
+
+def tell(text, end="\n"):
+    """On standard error. That nobody reads it any more is no reason to stop."""
+    with contextlib.suppress(BrokenPipeError):
+        print(text, end=end, file=sys.stderr, flush=True)
 
 
 class Display:
@@ -40,14 +47,14 @@ class Display:
 
     def show(self):
         if self.terminal:
-            print(f"\r\x1b[K{self.text()}", end="", file=sys.stderr, flush=True)
+            tell(f"\r\x1b[K{self.text()}", end="")
         elif time.monotonic() - self.told > LINE_PERIOD:
             self.told = time.monotonic()
-            print(self.text(), file=sys.stderr, flush=True)
+            tell(self.text())
 
     def end(self):
         if self.terminal:
-            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+            tell("\r\x1b[K", end="")
 
 
 def watch(process, entries, state):

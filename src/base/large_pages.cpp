@@ -17,9 +17,6 @@ namespace collision_hulls {
 namespace {
 
 constexpr const char* kVariable = "GLIBC_TUNABLES";
-// Pages of 2 MB; memory taken in pieces of 4 MB, blocks up to 32 MB from it, and none of it given back.
-constexpr const char* kValue =
-    "glibc.malloc.hugetlb=1:glibc.malloc.top_pad=4194304:glibc.malloc.mmap_threshold=33554432:glibc.malloc.trim_threshold=1000000000";
 constexpr rlim_t kLittle = 1 << 30;  // [bytes] a smaller limit may leave too little for these pieces
 
 bool kernelWantsToBeAsked() {
@@ -54,7 +51,7 @@ void takeLargePages(char** arguments) {
   const ssize_t length = readlink("/proc/self/exe", program, sizeof program);
   if (length <= 0 || length == sizeof program) return;
   program[length] = '\0';
-  setenv(kVariable, kValue, 1);
+  putenv(const_cast<char*>(kLargePages));  // which keeps the text itself
   execv(program, arguments);
   unsetenv(kVariable);  // as it is still here
 #else

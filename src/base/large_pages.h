@@ -3,6 +3,12 @@
 
 namespace collision_hulls {
 
+/// The environment variable by which takeLargePages() asks: pages of 2 MB; memory taken in pieces of 4 MB, blocks up to 32 MB from it, and
+/// none of it given back. That suits our programs; others are started without it.
+constexpr char kLargePages[] =
+    "GLIBC_TUNABLES=glibc.malloc.hugetlb=1:glibc.malloc.top_pad=4194304:glibc.malloc.mmap_threshold=33554432:"
+    "glibc.malloc.trim_threshold=1000000000";
+
 /// To be called first in main(), with its arguments. Where the kernel gives large pages to those who ask for them (Linux; "madvise" in
 /// /sys/kernel/mm/transparent_hugepage/enabled), the C library (glibc) has to be told before the program starts: this starts it again,
 /// once, with GLIBC_TUNABLES set, and keeps memory that was freed. Does nothing if the variable is set, to whatever, if memory is limited

@@ -1,11 +1,13 @@
 // Runs a program without a shell, so that no file name can turn into a command. The program leads a process group of its own, so that it
-// ends with all that it has started, and a Ctrl-C in the terminal reaches it through us alone. prlimit() bounds its memory just after its
-// start, before it can have read anything.
+// ends with all that it has started, and a Ctrl-C in the terminal reaches it through us alone. If we are killed, the kernel kills it. That
+// covers the program itself, not what it has started, nor one that runs as another user (set-user-ID); and posix_spawn() has no way to
+// ask for it, hence fork(). prlimit() bounds its memory just after its start, before it can have read anything: bounded before, a copy of
+// a large process might not get as far as that.
 #include "base/run_program.h"
 
 #include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -21,6 +23,7 @@
 #include <thread>
 
 #include "base/descriptor.h"
+#include "base/large_pages.h"
 
 extern char** environ;
 
@@ -63,31 +66,48 @@ class Output {
   Descriptor descriptor_;
 };
 
-/// How the program starts: its three files, and a process group of its own.
-class Preparation {
- public:
-  Preparation(const Output& out, const Output& errors) {
-    posix_spawn_file_actions_init(&actions_);
-    posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions_, out.descriptor(), STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions_, errors.descriptor(), STDERR_FILENO);
-    posix_spawnattr_init(&attributes_);
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
-    posix_spawnattr_setpgroup(&attributes_, 0);
-  }
-  ~Preparation() {
-    posix_spawn_file_actions_destroy(&actions_);
-    posix_spawnattr_destroy(&attributes_);
-  }
-  Preparation(const Preparation&) = delete;
-  Preparation& operator=(const Preparation&) = delete;
-  const posix_spawn_file_actions_t* files() const { return &actions_; }
-  const posix_spawnattr_t* attributes() const { return &attributes_; }
-
- private:
-  posix_spawn_file_actions_t actions_;
-  posix_spawnattr_t attributes_;
+/// What the new process needs, since it may do nothing but async-signal-safe calls. The lists end with a null pointer.
+struct Start {
+  std::vector<char*> arguments, environment;
+  int out, errors;  ///< where it writes
+  int failure;      ///< where errno goes if it cannot become the program
+  pid_t parent;
 };
+
+/// Turns the forked process into the program. It dies with the thread that forked it, which waits for it.
+[[noreturn]] void become(const Start& start) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != start.parent) _exit(0);  // which died before it could take the program along
+  for (const int ignored_by_us : {SIGPIPE, SIGXFSZ}) signal(ignored_by_us, SIG_DFL);
+  close(STDIN_FILENO);
+  open("/dev/null", O_RDONLY);  // takes the number that is free
+  dup2(start.out, STDOUT_FILENO);
+  dup2(start.errors, STDERR_FILENO);
+  execvpe(start.arguments[0], start.arguments.data(), start.environment.data());
+  const int error = errno;
+  _exit(write(start.failure, &error, sizeof error) < 0);
+}
+
+/// The process, once it is the program; nullopt where there is no such program.
+std::optional<pid_t> started(Start start) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) fail(errno, "a pipe");
+  const Descriptor ours(ends[0]);
+  Descriptor theirs(ends[1]);  // above the program's own three: the outputs and `ours` have taken those that were free
+  start.failure = theirs.number();
+  start.parent = getpid();
+  const pid_t process = fork();
+  if (process == 0) become(start);
+  if (process < 0) fail(errno, start.arguments[0]);
+  theirs.reset();
+  int error = 0;
+  while (read(ours.number(), &error, sizeof error) < 0 && errno == EINTR) continue;
+  if (error == 0) return process;
+  while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) continue;
+  if (error == ENOENT) return std::nullopt;
+  fail(error, start.arguments[0]);
+}
 
 /// A program that runs. Its group ends with this object at the latest.
 class Running {
@@ -121,7 +141,7 @@ void expectLess(const Output& output, const ProgramLimits& limits, const std::st
               "'" + program + "' writes more than the limit of " + std::to_string(limits.output / 1'000'000) + " MB; does it call itself?");
 }
 
-/// Our environment with these variables, each NAME=VALUE.
+/// What the caller of our program had in its environment, with these variables, each NAME=VALUE.
 std::vector<char*> environmentWith(const std::vector<std::string>& variables) {
   const auto is_replaced = [&](const char* ours) {
     return std::any_of(variables.begin(), variables.end(), [&](const std::string& theirs) {
@@ -130,8 +150,15 @@ std::vector<char*> environmentWith(const std::vector<std::string>& variables) {
   };
   std::vector<char*> result;
   for (char** ours = environ; *ours; ++ours)
-    if (!is_replaced(*ours)) result.push_back(*ours);
+    if (!is_replaced(*ours) && std::strcmp(*ours, kLargePages) != 0) result.push_back(*ours);
   for (const std::string& variable : variables) result.push_back(const_cast<char*>(variable.c_str()));
+  result.push_back(nullptr);
+  return result;
+}
+
+std::vector<char*> pointersTo(const std::vector<std::string>& texts) {
+  std::vector<char*> result;
+  for (const std::string& text : texts) result.push_back(const_cast<char*>(text.c_str()));
   result.push_back(nullptr);
   return result;
 }
@@ -141,18 +168,12 @@ std::vector<char*> environmentWith(const std::vector<std::string>& variables) {
 std::optional<ProgramResult> runProgram(const std::vector<std::string>& arguments, const RunControl& control, const ProgramLimits& limits,
                                         const std::vector<std::string>& variables) {
   const Output out, errors;
-  const Preparation preparation(out, errors);
-  std::vector<char*> argv;
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-  argv.push_back(nullptr);
-  const std::vector<char*> environment = environmentWith(variables);
-  pid_t process = 0;
-  const int error = posix_spawnp(&process, argv[0], preparation.files(), preparation.attributes(), argv.data(), environment.data());
-  if (error == ENOENT) return std::nullopt;
-  if (error != 0) fail(error, arguments.front());
-  Running running(process);
+  const std::optional<pid_t> process =
+      started({pointersTo(arguments), environmentWith(variables), out.descriptor(), errors.descriptor(), -1, 0});
+  if (!process) return std::nullopt;
+  Running running(*process);
   const rlimit memory{limits.memory, limits.memory};
-  prlimit(process, RLIMIT_AS, &memory, nullptr);
+  prlimit(*process, RLIMIT_AS, &memory, nullptr);
   const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.seconds));
   for (auto pause = std::chrono::milliseconds(1);; pause = std::min(2 * pause, std::chrono::milliseconds(50))) {
     const std::optional<int> status = running.status();

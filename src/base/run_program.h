@@ -24,8 +24,8 @@ struct ProgramLimits {
 
 /// Runs arguments[0], looked up on PATH, with an empty stdin, and waits for it. `variables`, as "NAME=VALUE", are added to its environment,
 /// or replaced there. nullopt where there is no such program. When it has ended, is cancelled or has reached a limit, so does every process
-/// of its group. Throws kTooLarge for too much output, kOutOfTime, kCancelled; std::system_error where it cannot be run for another reason.
-/// A program that needs more memory fails by itself.
+/// of its group; when we are killed, the program itself does. Throws kTooLarge for too much output, kOutOfTime, kCancelled;
+/// std::system_error where it cannot be run for another reason. A program that needs more memory fails by itself.
 std::optional<ProgramResult> runProgram(const std::vector<std::string>& arguments, const RunControl& control = {},
                                         const ProgramLimits& limits = {}, const std::vector<std::string>& variables = {});
 

@@ -21,7 +21,7 @@ std::string yaml(int value) {
   return std::to_string(value);
 }
 
-/// Of a padding.
+/// Of a padding or an opening.
 std::string yaml(double metres) {
   return metres > 0 ? toString(lengthOf(metres)) : "0";
 }
@@ -115,6 +115,7 @@ void apply(const Config& config, Options& options) {
   }
   set(config.format, options.format);
   set(config.uri, options.uri);
+  set(config.rebase, options.rebase);
   set(config.segments, options.segments);
   set(config.package_name, options.package_name);
   set(config.seed, options.seed);
@@ -127,7 +128,7 @@ std::string configText(const Options& options) {
          regionsText(options.region_rules) +
          section("models", options.models, [](const ModelOptions& model) { return quoted(model.name) + ": " + yaml(model.tolerance); }) +
          "output: " +
-         braced({"format: " + std::string(extension(options.format) + 1), "uri: " + yaml(options.uri),
+         braced({"format: " + std::string(extension(options.format) + 1), "uri: " + yaml(options.uri), "rebase: " + yaml(options.rebase),
                  "segments: " + yaml(options.segments), "package_name: " + quoted(options.package_name)}) +
          "\nseed: " + std::to_string(options.seed) + "\n";
 }

@@ -8,6 +8,7 @@
 #include "base/nearest_name.h"
 #include "base/string_parts.h"
 #include "base/uri_text.h"
+#include "scene/reading.h"
 
 namespace collision_hulls {
 namespace {
@@ -37,6 +38,10 @@ std::string shortQuoted(const std::string& text) {
 }
 
 std::string plainText(const YamlValue& value, const std::string& item) {
+  const bool is_list = value.isSequence();
+  if (is_list || value.isMap())
+    value.fail(item + " is a " + (is_list ? "list" : "map") + ": use a single word, in quotes if it has brackets");
+  if (value.isNull()) value.fail(item + " is nothing: use a single word");
   std::string text = value.text();
   if (std::any_of(text.begin(), text.end(), isControl)) value.fail(item + " holds a control character; leave it out");
   return text;
@@ -55,13 +60,19 @@ std::string ConfigItem::text(const std::string& expected) const {
   return plainText(value, name);
 }
 
+double ConfigItem::number(const std::string& expected) const {
+  double result = 0;
+  if (!parseNumber(text(expected), result)) refuse(expected);
+  return result;
+}
+
 void expectDifferentKeys(const YamlValue& map, const std::string& place) {
   std::map<std::string, std::size_t> lines;
   for (const auto& [key, value] : map.entries()) {
-    const auto [first, is_new] = lines.emplace(plainText(key, "a key"), key.line());
+    const std::string of_place = place.empty() ? "" : " of " + place;
+    const auto [first, is_new] = lines.emplace(plainText(key, "a key" + of_place), key.line());
     if (!is_new)
-      key.fail(shortQuoted(plainText(key, "a key")) + (place.empty() ? "" : " of " + place) + " is already in line " +
-               std::to_string(first->second) + "; remove one of them");
+      key.fail(shortQuoted(first->first) + of_place + " is already in line " + std::to_string(first->second) + "; remove one of them");
   }
 }
 

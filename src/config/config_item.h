@@ -26,6 +26,9 @@ struct ConfigItem {
 
   /// Of a single value that is there.
   std::string text(const std::string& expected) const;
+
+  /// The same, where it is a finite number.
+  double number(const std::string& expected) const;
 };
 
 /// What may stand in a map, by key.

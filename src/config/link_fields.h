@@ -17,6 +17,7 @@ void forEachLinkField(const Visit& visit) {
   visit("max_vertices", &LinkOptions::max_vertices, &LinkSettings::max_vertices);
   visit("source", &LinkOptions::source, &LinkSettings::source);
   visit("padding", &LinkOptions::padding, &LinkSettings::padding);
+  visit("close_openings", &LinkOptions::close_openings, &LinkSettings::close_openings);
   visit("shapes", &LinkOptions::shapes, &LinkSettings::shapes);
 }
 

@@ -44,7 +44,7 @@ void read(const ConfigItem& item, Length& length) {
   });
 }
 
-/// A padding.
+/// A padding, or the width of openings.
 void read(const ConfigItem& item, double& metres) {
   const std::string text = item.text("a length, as in 2cm, or 0");
   inContext(item.value.where(), [&] { metres = parsePadding(text, item.name); });
@@ -263,6 +263,7 @@ class Reader {
     readMap(item,
             {{"format", take("format", result_.format)},
              {"uri", take("uri", result_.uri)},
+             {"rebase", take("rebase", result_.rebase)},
              {"segments", take("segments", result_.segments)},
              {"package_name", readName}},
             "a map such as {format: obj}");

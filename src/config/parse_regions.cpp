@@ -21,8 +21,9 @@ constexpr char kExample[] = "{link: hand, box: {center: [0, 0, 0.1], size: [0.1,
 
 void readVector(const ConfigItem& item, Eigen::Vector3d& vector) {
   if (!item.value.isSequence() || item.value.items().size() != 3) item.refuse("a list of three numbers, as in [0, 0, 0.1]");
-  const std::vector<double> numbers = item.value.numbers(3);
-  vector = {numbers[0], numbers[1], numbers[2]};
+  int i = 0;
+  for (const YamlValue& entry : item.value.items())
+    vector[i++] = ConfigItem{entry, "an entry of " + item.name}.number("a finite number, as in 0.1");
 }
 
 /// 0 means clear.
@@ -91,7 +92,7 @@ class RegionReader {
     RegionHalfSpace half_space;
     readMap(item,
             {{"normal", [&](const ConfigItem& of) { readVector(of, half_space.normal); }},
-             {"offset", [&](const ConfigItem& of) { half_space.offset = of.value.number(); }}},
+             {"offset", [&](const ConfigItem& of) { half_space.offset = of.number("a finite number of metres, as in 0.1"); }}},
             "a map such as {normal: [0, 0, -1], offset: 0}, which points into the region");
     if (!item.value.has("normal")) item.value.fail(item.name + " has no normal: add one that points into the region, as in [0, 0, -1]");
     rule_.shape = half_space;

@@ -3,6 +3,7 @@
 // parent's link. Gazebo's engines take each <collision> by itself, so one a hull keeps the shape. An SDF link without <inertial> weighs
 // 1 kg: a URDF link with neither that nor a shape, such as base_footprint or tool0, is a <frame> of the link that it is fixed to.
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 
@@ -173,10 +174,12 @@ class SdfWriter {
     return shape("mesh", tagLine(in, "uri", uriOf(element)) + (is_scaled ? tagLine(in, "scale", vectorText(element.scale)) : ""));
   }
 
-  /// A package is a folder, as a model is.
+  /// A package is a folder, as a model is. What is relative counts from model.sdf here, and from urdf/ in the description.
   std::string uriOf(const GeometryElement& element) const {
     const std::string file = model_.fileOf(element), scheme = "package://";
     if (!file.empty()) return "model://" + model_.package() + "/" + file;
+    if (isRelativeUri(element.uri) && element.uri.find("://") == std::string::npos)
+      return (std::filesystem::path("urdf") / element.uri).lexically_normal().string();
     return element.uri.compare(0, scheme.size(), scheme) == 0 ? "model://" + element.uri.substr(scheme.size()) : element.uri;
   }
 

@@ -4,8 +4,8 @@
 //     until there are max_vertices points, add the hull's vertices furthest outside the inner hull, as quickhull does
 //   rise: move each vertex of the inner hull out, beyond the hull's supporting planes parallel to the faces around it
 //   sink: lower each again as far as the faces around it can turn before they cut into the hull
-//   relax, a few times, unless the result is already close: move the vertices half way to the mean of their neighbours, rise and
-//     sink again; keep the result that protrudes least
+//   relax, unless the result is already close and for as long as it helps: move the vertices half way to the mean of their neighbours,
+//     rise and sink again; keep the result that protrudes least
 //
 // All corners of a moved face lie beyond a supporting plane, so no face meets the hull's interior, and the hull stays inside. Collapsing
 // edges outward (progressive hulls) was tried instead: it protruded nearly twice as far on round hulls.
@@ -38,7 +38,8 @@ constexpr double kShareOfFurthest = 0.5;
 constexpr double kNegligible = 1e-9;
 // Attempts to space the vertices more evenly, unless all are closer to the hull than this share of its extent: it is round hulls that gain,
 // and those of few vertices are further away than that.
-constexpr int kRelaxations = 3;
+constexpr int kRelaxations = 12;
+constexpr int kPatience = 3;  // attempts in a row that bring nothing closer
 constexpr double kNearEnough = 0.02;
 
 Eigen::Vector3d areaVector(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
@@ -242,14 +243,15 @@ std::optional<Points> outerPoints(const ConvexHull& hull, std::size_t max_vertic
   Points best = outer->vertices;
   double least = largestDistance(*outer, held);
   const double enough = kNearEnough * boundingBox(hull).sizes().maxCoeff();
-  for (int k = 0; k < kRelaxations && least > enough; ++k) {
+  int best_attempt = 0;
+  for (int attempt = 1; attempt <= kRelaxations && attempt <= best_attempt + kPatience && least > enough; ++attempt) {
     control.check();
     OuterSurface relaxed(*outer, held);
     relaxed.relax();
     outer = risenAndSunk(relaxed.hull(), held);
     if (!outer || outer->vertices.size() > max_vertices) break;
     const double most = largestDistance(*outer, held);
-    if (most < least) least = most, best = outer->vertices;
+    if (most < least) least = most, best = outer->vertices, best_attempt = attempt;
   }
   return best;
 }

@@ -43,7 +43,7 @@ std::vector<FittedElement> fittedElements(const FitProblem& problem, const Assem
 
 void check(const FitOptions& options) {
   if (!(options.clearance > 0 && std::isfinite(options.clearance)))
-    throw Error(ErrorCode::kBadOption, "clearance is " + fixedDecimal(options.clearance) + " m; it must be a positive length");
+    throw Error(ErrorCode::kBadOption, "clearance is " + decimal(options.clearance) + " m; it must be a positive length");
   if (options.samples == 0) throw Error(ErrorCode::kBadOption, "samples is 0; give at least 1");
 }
 

@@ -1,11 +1,12 @@
-// Closes open surfaces by fans. Opposite boundary edges cancel first; what remains splits into simple loops, and each loop gets a fan about
-// its mean vertex. Near-linear: two sorts and one walk over the edges.
+// Opposite boundary edges cancel first; what remains splits into simple loops, and each loop gets a fan about its mean vertex. Near-linear:
+// two sorts and one walk over the edges.
 #include "mesh/boundary.h"
 
 #include <algorithm>
 #include <tuple>
 #include <utility>
 
+#include "base/at.h"
 #include "base/looks.h"
 #include "mesh/edges.h"
 
@@ -37,22 +38,22 @@ Boundary withoutOpposites(Boundary edges, const RunControl& control) {
   return kept;
 }
 
-/// Splits each surface's edges into simple loops and sums up their fans. A walk follows unused edges; whenever it reaches a vertex of its
-/// own path, the path since that vertex is a loop and is taken off.
+/// Splits each surface's edges into simple loops. A walk follows unused edges; whenever it reaches a vertex of its own path, the path since
+/// that vertex is a loop and is taken off.
 class LoopWalk {
  public:
   /// `edges`: sorted by surface, then by start vertex.
-  LoopWalk(const std::vector<Eigen::Vector3d>& vertices, const Boundary& edges, const Eigen::Vector3d& origin, const RunControl& control)
-      : vertices_(vertices), edges_(edges), origin_(origin), look_(control), next_(vertices.size(), 0), place_(vertices.size(), kNowhere) {}
+  LoopWalk(std::size_t vertices, const Boundary& edges, const RunControl& control)
+      : edges_(edges), look_(control), next_(vertices, 0), place_(vertices, kNowhere) {}
 
-  /// Closes the surface with the edges [begin, end).
-  Closure close(std::size_t begin, std::size_t end) {
-    closure_ = {};
+  /// Adds the loops of the surface with the edges [begin, end).
+  void split(std::size_t begin, std::size_t end, std::vector<BoundaryLoop>& loops) {
+    loops_ = &loops;
+    surface_ = edges_[begin].surface;
     end_ = end;
     for (std::size_t e = end; e-- > begin;) next_[start(e)] = e;
     for (std::size_t e = begin; e < end; ++e)
       while (hasNext(start(e))) walk(start(e));
-    return closure_;
   }
 
  private:
@@ -64,40 +65,52 @@ class LoopWalk {
   void walk(std::size_t v) {
     while (true) {
       look_();
-      if (place_[v] != kNowhere) cut(place_[v]);
+      if (place_[v] != kNowhere) cut(place_[v], true);
       place_[v] = path_.size();
-      path_.push_back(v);
+      path_.push_back(static_cast<int>(v));
       if (!hasNext(v)) break;
       v = static_cast<std::size_t>(edges_[next_[v]++].to);
     }
-    cut(0);
+    if (path_.size() > 1) {
+      cut(0, false);
+    } else {
+      drop(0);
+    }
   }
 
-  /// Adds the fan over the path from place `first` on and removes that part from the path.
-  void cut(std::size_t first) {
-    Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    for (std::size_t i = first; i < path_.size(); ++i) center += vertices_[path_[i]] - origin_;
-    center /= static_cast<double>(path_.size() - first);
-    for (std::size_t i = first; i < path_.size(); ++i) {
-      const Eigen::Vector3d a = vertices_[path_[i]] - origin_;
-      const Eigen::Vector3d b = vertices_[path_[i + 1 < path_.size() ? i + 1 : first]] - origin_;
-      closure_.area += (a - center).cross(b - center).norm() / 2;
-      closure_.volume += b.cross(a).dot(center) / 6;
-      place_[path_[i]] = kNowhere;
-    }
+  /// Takes the path from place `first` on as a loop.
+  void cut(std::size_t first, bool returns) {
+    loops_->push_back({surface_, {path_.begin() + static_cast<std::ptrdiff_t>(first), path_.end()}, returns});
+    drop(first);
+  }
+
+  void drop(std::size_t first) {
+    for (std::size_t i = first; i < path_.size(); ++i) place_[static_cast<std::size_t>(path_[i])] = kNowhere;
     path_.resize(first);
   }
 
-  const std::vector<Eigen::Vector3d>& vertices_;
   const Boundary& edges_;
-  Eigen::Vector3d origin_;
   Looks look_;
+  std::vector<BoundaryLoop>* loops_ = nullptr;
+  int surface_ = 0;
   std::size_t end_ = 0;             // end of the current surface's edges
   std::vector<std::size_t> next_;   // per vertex: the first unused edge that starts there
   std::vector<std::size_t> place_;  // per vertex: its place on the path, or kNowhere
-  std::vector<std::size_t> path_;
-  Closure closure_;
+  std::vector<int> path_;
 };
+
+/// Adds the fan over a loop about its mean vertex.
+void addFan(const std::vector<Eigen::Vector3d>& vertices, const std::vector<int>& loop, const Eigen::Vector3d& origin, Closure& closure) {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  for (const int v : loop) center += vertices[at(v)] - origin;
+  center /= static_cast<double>(loop.size());
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Eigen::Vector3d a = vertices[at(loop[i])] - origin;
+    const Eigen::Vector3d b = vertices[at(loop[i + 1 < loop.size() ? i + 1 : 0])] - origin;
+    closure.area += (a - center).cross(b - center).norm() / 2;
+    closure.volume += b.cross(a).dot(center) / 6;
+  }
+}
 
 }  // namespace
 
@@ -113,21 +126,31 @@ BoundaryEdge boundaryEdge(const TriangleMesh& mesh, int half_edge, const std::ve
   return edge;
 }
 
-std::vector<Closure> closures(const std::vector<Eigen::Vector3d>& vertices, std::vector<BoundaryEdge> boundary, std::size_t surfaces,
-                              const Eigen::Vector3d& origin, const RunControl& control) {
+std::vector<BoundaryLoop> boundaryLoops(std::size_t vertices, std::vector<BoundaryEdge> boundary, const RunControl& control) {
   Boundary edges = withoutOpposites(std::move(boundary), control);
   Looks look(control);
   std::sort(edges.begin(), edges.end(), [&](const BoundaryEdge& a, const BoundaryEdge& b) {
     look();
     return std::tie(a.surface, a.from, a.to) < std::tie(b.surface, b.from, b.to);
   });
-  std::vector<Closure> result(surfaces);
-  LoopWalk walk(vertices, edges, origin, control);
+  std::vector<BoundaryLoop> loops;
+  LoopWalk walk(vertices, edges, control);
   for (std::size_t begin = 0; begin < edges.size();) {
     std::size_t end = begin;
     while (end < edges.size() && edges[end].surface == edges[begin].surface) ++end;
-    result[static_cast<std::size_t>(edges[begin].surface)] = walk.close(begin, end);
+    walk.split(begin, end, loops);
     begin = end;
+  }
+  return loops;
+}
+
+std::vector<Closure> closures(const std::vector<Eigen::Vector3d>& vertices, std::vector<BoundaryEdge> boundary, std::size_t surfaces,
+                              const Eigen::Vector3d& origin, const RunControl& control) {
+  Looks look(control);
+  std::vector<Closure> result(surfaces);
+  for (const BoundaryLoop& loop : boundaryLoops(vertices.size(), std::move(boundary), control)) {
+    look();
+    addFan(vertices, loop.vertices, origin, result[at(loop.surface)]);
   }
   return result;
 }

@@ -22,14 +22,24 @@ struct BoundaryEdge {
 /// of its surface.
 BoundaryEdge boundaryEdge(const TriangleMesh& mesh, int half_edge, const std::vector<char>& turn, const std::vector<int>& surface);
 
+/// A simple loop of boundary edges of a surface: its vertices, in the edges' direction.
+struct BoundaryLoop {
+  int surface;
+  std::vector<int> vertices;
+  bool returns = true;  ///< false for a chain that does not (the boundary of a non-orientable surface): its ends are not joined by an edge
+};
+
+/// The loops of `boundary`. Opposite edges of a surface cancel and are ignored. Loops that touch at a vertex are separate ones. `vertices`:
+/// of the mesh.
+std::vector<BoundaryLoop> boundaryLoops(std::size_t vertices, std::vector<BoundaryEdge> boundary, const RunControl& control);
+
 /// The fans that close a surface, one over each boundary loop about its mean vertex.
 struct Closure {
   double area = 0;    ///< [m^2]
   double volume = 0;  ///< [m^3] of the tetrahedra from the fans to the origin: what the surface's own tetrahedra lack
 };
 
-/// The closures of `surfaces` surfaces. Opposite edges of a surface cancel and are ignored. Loops that touch at a vertex are closed
-/// separately. A chain that does not return (the boundary of a non-orientable surface) counts as a loop.
+/// The closures of `surfaces` surfaces, over their boundaryLoops(). A chain that does not return counts as a loop.
 std::vector<Closure> closures(const std::vector<Eigen::Vector3d>& vertices, std::vector<BoundaryEdge> boundary, std::size_t surfaces,
                               const Eigen::Vector3d& origin, const RunControl& control);
 

@@ -11,9 +11,6 @@
 namespace collision_hulls {
 namespace {
 
-/// A volume below this share of area^1.5 is negligible: a plate that thin is thinner than any the weld tolerance leaves.
-constexpr double kNilVolume = 1e-6;
-
 struct Patch {
   int component = 0;
   double area = 0;

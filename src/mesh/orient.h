@@ -26,5 +26,7 @@ OrientedPatches orient(const TriangleMesh& mesh, const Edges& edges, const RunCo
 
 /// A surface whose fans are below this share of its area counts as closed.
 constexpr double kSmallOpening = 0.1;
+/// A volume below this share of area^1.5 is negligible: a plate that thin is thinner than any the weld tolerance leaves.
+constexpr double kNilVolume = 1e-6;
 
 }  // namespace collision_hulls

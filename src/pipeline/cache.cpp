@@ -24,8 +24,9 @@ void fields(Archive& archive, RepairCounts& counts) {
 
 template <typename Archive>
 void fields(Archive& archive, MeshFacts& facts) {
-  auto& [sha256, triangles, skipped_primitives, repair, interior, volume, diagonal, tolerance] = facts;
-  archive(sha256, triangles, skipped_primitives, repair, interior, volume, diagonal, tolerance);
+  auto& [sha256, triangles, skipped_primitives, closed_openings, openings, widest_opening, repair, interior, volume, diagonal, tolerance] =
+      facts;
+  archive(sha256, triangles, skipped_primitives, closed_openings, openings, widest_opening, repair, interior, volume, diagonal, tolerance);
 }
 
 template <typename Archive>
@@ -93,15 +94,16 @@ std::string keyOf(const std::string& kind, const Values&... values) {
   return sha256(toBytes(kind, kFormat, std::string(version()), std::string(sourceDigest()), values...));
 }
 
-/// Identifies the mesh. The file's extension is included, since it determines how the content is read.
+/// Identifies the mesh, with its openings closed. The file's extension is included, since it determines how the content is read.
 std::string meshBytes(const MeshTask& task) {
-  return toBytes(task.sha256, std::filesystem::path(task.file).extension().string(), task.scale);
+  return toBytes(task.sha256, std::filesystem::path(task.file).extension().string(), task.scale, task.close_openings);
 }
 
 }  // namespace
 
 std::string meshKey(const MeshTask& task, const LinkOptions& options, std::uint64_t seed) {
-  const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source, padding, shapes, regions] = options;
+  const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source, padding, close_openings, shapes, regions] =
+      options;
   ByteWriter places;
   for (const Region& region : regions) {
     places(region.tolerance, region.sides.size());

@@ -12,6 +12,7 @@
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/pipeline/fit_scene.h"
 #include "pipeline/earlier_output.h"
+#include "pipeline/package/rebase.h"
 #include "pipeline/run.h"
 #include "report/earlier_report.h"
 #include "robot/contact_sensors.h"
@@ -172,11 +173,17 @@ std::vector<std::string> notesOnAgain(const RobotDescription& robot, const Repor
           "decompose the description that it was made from"};
 }
 
-/// On meshes that the new description still names relative to the old one's folder.
-std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::string& output, const RunControl& control) {
+std::string newDescription(const RobotResult& result, const std::string& output) {
+  return (replacedFolder(output) / urdfFile(result.robot_name)).string();
+}
+
+/// On meshes that the new description still names relative to the old one's folder; `rebased`: URIs that are relative to the new one's.
+std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::string& output, const std::set<std::string>& rebased,
+                                          const RunControl& control) {
   if (allFailed(result.report)) return {};  // nothing is written
-  const std::string prefix = uriPrefix(result.report.options, output);
-  std::set<std::string> hulls, kept;
+  const Options& options = result.report.options;
+  const std::string prefix = uriPrefix(options, output);
+  std::set<std::string> hulls = rebased, kept;
   for (const auto& [file, content] : result.kept_files) hulls.insert(prefix + file);
   for (const ElementReport& row : result.report.links) {
     for (const std::string& file : row.files) hulls.insert(prefix + file);
@@ -191,9 +198,10 @@ std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::
     }
   }
   if (kept.empty()) return {};
-  return {counted(kept.size(), "mesh URI") + (kept.size() == 1 ? " is" : " are") + " relative to the folder of the input, such as '" +
-          *kept.begin() + "', and will not be found from '" + (std::filesystem::path(output) / urdfFile(result.robot_name)).string() +
-          "': use package:// URIs in the input, or copy the new description beside the input (with --uri package or file)"};
+  const std::string are = kept.size() == 1 ? " is" : " are";
+  return {counted(kept.size(), "mesh URI") + are + " relative to the folder of the input, such as '" + *kept.begin() + "', and " +
+          (options.rebase ? "stayed so, as no such file was found there: correct the input"
+                          : "will not be found from '" + newDescription(result, output) + "': add --rebase")};
 }
 
 /// On what Gazebo called the collision of a link, where hulls with other names have taken its place.
@@ -215,11 +223,11 @@ std::vector<std::string> notesOnContacts(const RobotResult& result) {
   return notes;
 }
 
-/// The surface of a mesh, for a page: empty where it cannot be read.
-TriangleMesh surfaceOf(const GeometryElement& mesh, const RobotDescription& robot, const PackageFinder& find_package,
-                       const Options& options, const RunControl& control) {
+/// The surface of a mesh, for a page: empty where it cannot be read. `base`: the file that its URI is in.
+TriangleMesh surfaceOf(const GeometryElement& mesh, const std::string& base, const PackageFinder& find_package, const Options& options,
+                       const RunControl& control) {
   try {
-    const std::string file = resolveUri(mesh.uri, robot.path, find_package);
+    const std::string file = resolveUri(mesh.uri, base, find_package);
     return scaled(readMesh(file, meshLimits(options), control).mesh, mesh.scale);
   } catch (const Error& error) {
     if (error.code() == ErrorCode::kCancelled) throw;
@@ -228,7 +236,7 @@ TriangleMesh surfaceOf(const GeometryElement& mesh, const RobotDescription& robo
 }
 
 /// The primitives that stay, and the meshes of links that are kept.
-std::vector<KeptElement> keptElements(const RobotDescription& robot, const PackageFinder& find_package, const ModelReport& report,
+std::vector<KeptElement> keptElements(const std::string& base, const PackageFinder& find_package, const ModelReport& report,
                                       const ModelResult& model, const ElementNames& in_place, const Options& options,
                                       const RunControl& control) {
   std::set<std::string> kept_links;
@@ -240,7 +248,7 @@ std::vector<KeptElement> keptElements(const RobotDescription& robot, const Packa
       const bool is_mesh = element.kind == GeometryElement::Kind::kMesh, is_empty = element.kind == GeometryElement::Kind::kNone;
       if (is_mesh ? !kept_links.count(link.name) : is_empty || in_place.count({link.name, element.name})) continue;
       kept.push_back({element, {}, link.pose * element.origin});
-      if (is_mesh) kept.back().surface = surfaceOf(element, robot, find_package, options, control);
+      if (is_mesh) kept.back().surface = surfaceOf(element, base, find_package, options, control);
     }
   }
   return kept;
@@ -270,17 +278,19 @@ void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDec
     links.push_back(newCollisions(robot, decisions[model], reportOf(model, result.report), elements, prefix, in_place[model]));
   }
   const std::map<std::string, std::string> moved = carryHulls(robot, links, find_package, output, prefix, result, control);
+  const RebasedDescription source = rebased(robot, find_package, options, newDescription(result, output), moved, control);
   for (std::size_t model = 0; model < links.size(); ++model)
-    modelOf(model, result).urdf = rewriteCollisions(robot, links[model], moved, control);
+    modelOf(model, result).urdf = rewriteCollisions(source.robot, links[model], moved, control);
   for (std::size_t model = 0; options.html && model < links.size(); ++model) {
     ModelResult& of = modelOf(model, result);
-    of.kept = keptElements(robot, find_package, reportOf(model, result.report), of, in_place[model], options, control);
+    of.kept = keptElements(source.base, find_package, reportOf(model, result.report), of, in_place[model], options, control);
   }
   std::vector<std::string>& all = result.report.notes;
-  for (const auto& more : {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options),
-                           notesOnBare(robot, decisions.front()), notesOnFlat(robot, decisions.front()),
-                           notesOnIdle(robot, decisions.front(), options, control), notes, notesOnAgain(robot, result.report, control),
-                           notesOnKept(result), notesOnCarried(result), notesOnRewritten(result, output, control), notesOnContacts(result)})
+  for (const auto& more :
+       {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options), notesOnBare(robot, decisions.front()),
+        notesOnFlat(robot, decisions.front()), notesOnIdle(robot, decisions.front(), options, control), notes,
+        notesOnAgain(robot, result.report, control), notesOnKept(result), notesOnCarried(result),
+        notesOnRewritten(result, output, source.uris, control), notesOnContacts(result)})
     all.insert(all.end(), more.begin(), more.end());
 }
 

@@ -8,10 +8,12 @@
 #include <optional>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "collision_hulls/decompose/certified_hulls.h"
 #include "collision_hulls/decompose/least_hulls.h"
+#include "collision_hulls/report/totals.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/contacts/rest_contacts.h"
 #include "pipeline/earlier_output.h"
@@ -228,6 +230,14 @@ std::vector<std::string> notesOnContactsOf(const RobotDescription& robot, Run& r
   return notes;
 }
 
+/// On an output without a single hull.
+std::vector<std::string> notesOnPrimitives(const Report& report) {
+  const Totals sums = totals(report);
+  if (sums.failed == 0 || sums.failed < sums.meshes || allFailed(report)) return {};
+  return {"no mesh could be decomposed: " + counted(report.primitive_links, "link") + " with primitives " +
+          (report.primitive_links == 1 ? "has its" : "have their") + " collision model, and the others keep their elements"};
+}
+
 double meshesEnd(const Options& options) {
   return options.validate ? kMeshesShare : 1;
 }
@@ -239,6 +249,7 @@ RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& f
   check(options);
   checkForRobot(options);
   Stopwatch run;
+  refuseLosingCache(options, output);
   refuseLosingVisuals(robot, output, find_package, control);
   RobotResult result = emptyResult(robot, options, control);
   const std::vector<LinkDecisions> decisions = modelDecisions(options, robot, control);
@@ -249,6 +260,8 @@ RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& f
     if (options.validate) notes = notesOnContactsOf(robot, run);
   };
   runStages({uses, resolverFor(robot, find_package, control), meshesEnd(options), control, step}, result, stages);
+  result.report.primitive_links = primitiveLinks(robot, decisions.front());
+  for (const std::string& note : notesOnPrimitives(result.report)) notes.push_back(note);
   rewriteDescription(robot, decisions, find_package, output, notes, result, control);
   result.report.seconds = run.lap();
   return result;
@@ -281,6 +294,7 @@ RobotResult decomposeMesh(const std::string& path, const Options& options, const
 RobotResult decompose(const Input& input, const Options& options, const std::string& output, const RunControl& control,
                       const StepCallback& step) {
   if (input.kind == Input::Kind::kRobot) return decomposeRobot(input.robot, input.find_package, options, output, control, step);
+  refuseLosingCache(options, output);
   refuseLosingInput(input.path, output);
   return decomposeMesh(input.path, options, control, step);
 }

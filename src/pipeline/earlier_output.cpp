@@ -7,6 +7,7 @@
 #include "collision_hulls/mesh/mesh_io.h"
 #include "report/earlier_report.h"
 #include "robot/package_crawl.h"
+#include "storage/cache_folder.h"
 #include "storage/names.h"
 #include "storage/replace_folder.h"
 
@@ -182,6 +183,16 @@ void refuseLosingVisuals(const RobotDescription& robot, const std::string& outpu
       if (file && liesIn(*file, folder)) refuseLosing(visual.uri, "which a <visual> of link '" + link.name + "' uses", output);
     }
   }
+}
+
+void refuseLosingCache(const Options& options, const std::string& output) {
+  if (!options.cache || cacheFolder().empty()) return;
+  std::error_code error;
+  const fs::path cache = fs::weakly_canonical(fs::absolute(cacheFolder()), error);
+  if (error || !liesIn(cache, replacedFolder(output))) return;
+  throw Error(ErrorCode::kUnwritableOutput, "the cache '" + cache.string() + "' lies in output '" + output +
+                                                "', which is replaced as a whole; set COLLISION_HULLS_CACHE to a folder outside of it, "
+                                                "turn the cache off, or choose another output");
 }
 
 void refuseLosingInput(const std::string& input, const std::string& output) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "collision_hulls/control.h"
+#include "collision_hulls/report/options.h"
 #include "collision_hulls/robot/robot_description.h"
 
 namespace collision_hulls {
@@ -28,7 +29,11 @@ KeptHulls keptHulls(const RobotDescription& robot, const std::set<std::string>& 
 void refuseLosingVisuals(const RobotDescription& robot, const std::string& output, const PackageFinder& find_package,
                          const RunControl& control = {});
 
-/// The same for a file that is itself an input.
+/// Throws kUnwritableOutput if the cache is on and lies in the folder that `output` replaces: it would be lost, and before that each of its
+/// files would keep the next run from replacing the folder.
+void refuseLosingCache(const Options& options, const std::string& output);
+
+/// As refuseLosingVisuals(), for a file that is itself an input.
 void refuseLosingInput(const std::string& input, const std::string& output);
 
 }  // namespace collision_hulls

@@ -363,6 +363,7 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   checkClearance(request.clearance, robot);
   const Kinematics joints(robot);
   Stopwatch clock;
+  refuseLosingCache(options, output);
   refuseLosingVisuals(robot, output, find_package, control);
   for (const std::string& file : request.files) refuseLosingInput(file, output);
   RobotResult result = emptyResult(robot, options, control);

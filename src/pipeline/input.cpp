@@ -56,7 +56,7 @@ struct CommandAround {
 /// One of them is to be chosen.
 std::string commandsFor(const std::vector<std::string>& descriptions, const CommandAround& command) {
   constexpr std::size_t kMostListed = 12;
-  std::string text = counted(descriptions.size(), "robot description") + "; run one of";
+  std::string text = counted(descriptions.size(), "robot description") + "; run" + (descriptions.size() > 1 ? " one of" : "");
   for (std::size_t i = 0; i < std::min(descriptions.size(), kMostListed); ++i)
     text += "\n  " + command.program + " " + shellWord(descriptions[i]) + (command.options.empty() ? "" : " " + command.options);
   if (descriptions.size() > kMostListed) text += "\n  or with one of " + std::to_string(descriptions.size() - kMostListed) + " more";

@@ -66,10 +66,11 @@ MeshResult undecomposed(const MeshUse& use) {
   return result;
 }
 
-/// Whether the same mesh becomes the same hulls. The action and the source chose the mesh.
+/// Whether the same mesh becomes the same hulls. The action, the source and the openings to close chose the mesh.
 bool equalWork(const LinkOptions& a, const LinkOptions& b) {
   const auto values = [](const LinkOptions& options) {
-    const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source, padding, shapes, regions] = options;
+    const auto& [action, tolerance, method, effort, tree, fill, max_hulls, max_vertices, source, padding, close_openings, shapes, regions] =
+        options;
     return std::make_tuple(tolerance, method, effort, tree, fill, max_hulls, max_vertices, padding, shapes);
   };
   return values(a) == values(b) && equal(a.regions, b.regions);
@@ -86,10 +87,11 @@ void addVariant(const LinkOptions& options, std::size_t use, std::vector<MeshVar
 }
 
 /// Tasks with equal values are the same work. The extension counts because it says how to read the content.
-using Sameness = std::tuple<std::string, std::string, double, double, double>;
+using Sameness = std::tuple<std::string, std::string, double, double, double, double>;
 
 Sameness sameness(const MeshTask& task) {
-  return {task.sha256, std::filesystem::path(task.file).extension().string(), task.scale.x(), task.scale.y(), task.scale.z()};
+  return {task.sha256,        std::filesystem::path(task.file).extension().string(), task.scale.x(), task.scale.y(), task.scale.z(),
+          task.close_openings};
 }
 
 /// The files that were looked at so far: each is read once for all its uses.
@@ -182,6 +184,15 @@ bool isSolidPrimitive(const GeometryElement& element) {
   }
 }
 
+std::size_t primitiveLinks(const RobotDescription& robot, const LinkDecisions& decisions) {
+  return static_cast<std::size_t>(std::count_if(robot.links.begin(), robot.links.end(), [&](const LinkDescription& link) {
+    const LinkOptions* const options = decisions.of(link.name);
+    if (!isDecomposed(options)) return false;
+    const std::vector<GeometryElement> elements = sourceElements(link, options->source).elements;
+    return std::none_of(elements.begin(), elements.end(), isMesh) && std::any_of(elements.begin(), elements.end(), isSolidPrimitive);
+  }));
+}
+
 std::vector<std::string> notesOnBare(const RobotDescription& robot, const LinkDecisions& decisions) {
   std::vector<std::string> links;
   for (const LinkDescription& link : robot.links) {
@@ -254,6 +265,7 @@ MeshTasks meshTasks(const std::vector<MeshUse>& uses, const UriResolver& resolve
     }
     try {
       MeshTask task = files.taskFor(uses[i].source, resolve);
+      task.close_openings = uses[i].options.close_openings;
       const auto [place, is_new] = known.emplace(sameness(task), result.tasks.size());
       if (is_new) result.tasks.push_back(std::move(task));
       addVariant(uses[i].options, i, result.tasks[place->second].variants);

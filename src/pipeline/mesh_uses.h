@@ -39,6 +39,9 @@ std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDe
 /// Whether an element is a primitive that encloses something: with --source visual it becomes a <collision> element.
 bool isSolidPrimitive(const GeometryElement& element);
 
+/// How many links have primitives that become, or stay, their collision model, and no mesh.
+std::size_t primitiveLinks(const RobotDescription& robot, const LinkDecisions& decisions);
+
 /// On links that are kept and have nothing that collides.
 std::vector<std::string> notesOnBare(const RobotDescription& robot, const LinkDecisions& decisions);
 
@@ -55,11 +58,12 @@ struct MeshVariant {
   std::vector<std::size_t> uses;
 };
 
-/// A mesh to work on, with the same content, kind of file and scale.
+/// A mesh to work on, with the same content, kind of file, scale and openings to close.
 struct MeshTask {
   std::string file;
   std::string uri;  ///< as its first use names it
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
+  double close_openings = 0;  ///< see LinkOptions
   std::string sha256;
   std::uintmax_t bytes = 0;
   std::vector<MeshVariant> variants;  ///< in the order of their first uses

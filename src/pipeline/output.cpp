@@ -16,6 +16,7 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "pipeline/collision_model.h"
+#include "pipeline/package/manifest.h"
 #include "pipeline/run.h"
 #include "report/earlier_report.h"
 #include "storage/files.h"
@@ -60,35 +61,8 @@ void refuseForeign(const fs::path& folder, const RunControl& control) {
                                                   "; allow it, or choose another output");
 }
 
-std::string packageXml(const std::string& package) {
-  return "<?xml version=\"1.0\"?>\n<package format=\"2\">\n  <name>" + package +
-         "</name>\n  <version>0.0.0</version>\n"
-         "  <description>Convex collision model of a robot, made by collision_hulls " +
-         version() +
-         "; report.json says from what and how well it fits.</description>\n"
-         "  <maintainer email=\"nobody@example.com\">nobody</maintainer>\n"
-         "  <license>as the robot description that it was made from</license>\n"
-         "  <buildtool_depend>catkin</buildtool_depend>\n"
-         "  <export>\n    <architecture_independent/>\n  </export>\n</package>\n";
-}
-
-/// Lets the package lie in the source folder of a workspace.
-std::string cmakeLists(const std::string& package, const RobotResult& result) {
-  std::set<std::string> folders{"config", "meshes", "urdf"};
-  for (const auto& [file, text] : result.extra_files) folders.insert(fs::path(file).begin()->string());
-  std::string names;
-  for (const std::string& folder : folders) names += folder + " ";
-  return "cmake_minimum_required(VERSION 3.0.2)\nproject(" + package +
-         ")\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
-         "install(DIRECTORY " +
-         names +
-         "DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION} OPTIONAL)\n"
-         "install(FILES " +
-         std::string(result.report.options.html ? "report.html " : "") + "report.json DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})\n";
-}
-
 /// Everything but the hulls and the report.
-std::map<std::string, std::string> otherFiles(const RobotResult& result, const std::string& package) {
+std::map<std::string, std::string> otherFiles(const RobotResult& result, const std::string& package, const RunControl& control) {
   std::map<std::string, std::string> files = result.extra_files;
   files.insert(result.kept_files.begin(), result.kept_files.end());
   if (result.single_mesh) return files;
@@ -96,7 +70,7 @@ std::map<std::string, std::string> otherFiles(const RobotResult& result, const s
   for (std::size_t i = 0; i < result.models.size(); ++i)
     files[urdfFile(result.robot_name, result.report.models[i].model)] = result.models[i].urdf;
   files["config/" + fileName(result.robot_name) + "_hulls.yaml"] = configText(result.report.options);
-  files["package.xml"] = packageXml(package);
+  files["package.xml"] = packageXml(package, result, control);
   files["CMakeLists.txt"] = cmakeLists(package, result);
   return files;
 }
@@ -239,7 +213,7 @@ bool writeOutput(RobotResult& result, const std::string& output, const RunContro
   std::set<std::string> written;
   for (std::size_t model = 0; model <= result.models.size(); ++model)
     writeModel(modelOf(model, result), result.report.options.format, folders, written, reportOf(model, result.report), control);
-  const std::map<std::string, std::string> others = otherFiles(result, outputPackage(result.report.options, output));
+  const std::map<std::string, std::string> others = otherFiles(result, outputPackage(result.report.options, output), control);
   result.report.files = filesOfOthers(result.report);
   for (const auto& [file, text] : others) {
     folders.write(file, text);

@@ -19,6 +19,8 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kManyHulls = 100;  // of a mesh
+constexpr std::size_t kHullsOfShell = 8;
+constexpr std::size_t kManyParts = 20;  // of a mesh, with as many hulls
 
 /// Names the files of hulls. Where there are several models, equal hulls of an element share a file.
 class HullFiles {
@@ -70,6 +72,7 @@ ElementReport rowOf(const MeshUse& use, const MeshResult& mesh) {
   row.method = use.options.method;
   row.regions_given = use.options.regions;
   row.padding = use.options.padding;
+  row.close_openings = use.options.close_openings;
   row.shapes = use.options.shapes;
   row.status = mesh.status;
   row.reason = mesh.reason;
@@ -102,7 +105,8 @@ void noteHugeMeshes(Report& report) {
   const auto others = static_cast<std::size_t>(std::count_if(first, report.links.end(), is_huge)) - 1;
   report.notes.push_back("'" + first->uri + "' is " + std::to_string(std::lround(first->diagonal)) + " m across" +
                          (others > 0 ? ", and " + counted(others, "other mesh", "other meshes") + " over 20 m" : "") +
-                         ": if its numbers are millimetres, scale it by 0.001 (scale=\"0.001 0.001 0.001\" in a description)");
+                         ": if its numbers are millimetres, scale it by 0.001 " +
+                         (report.urdf.empty() ? "(--scale 0.001)" : "(scale=\"0.001 0.001 0.001\" in the description's <mesh>)"));
 }
 
 /// Whether a row has the hulls that a tolerance asked for.
@@ -158,6 +162,46 @@ void noteManyHulls(Report& report) {
       ": a larger tolerance makes fewer; so does a limit, as in --max-hulls 16");
 }
 
+/// Parts that nothing can reach are solid inside a watertight housing. Inside an open one they have to be covered, each by hulls of its
+/// own.
+void noteLooseParts(Report& report) {
+  const auto is_loose = [](const ElementReport& row) {
+    return followsTolerance(row) && row.repair.components >= kManyParts && row.hulls >= kManyParts;
+  };
+  const auto first = std::find_if(report.links.begin(), report.links.end(), is_loose);
+  if (first == report.links.end()) return;
+  const auto others = static_cast<std::size_t>(std::count_if(first, report.links.end(), is_loose)) - 1;
+  report.notes.push_back("'" + first->uri + "' consists of " + std::to_string(first->repair.components) + " loose parts and took " +
+                         std::to_string(first->hulls) + " hulls" +
+                         (others > 0 ? "; so it is with " + counted(others, "other mesh", "other meshes") : "") +
+                         ": if parts lie in a housing with openings, --close-openings makes it solid, and they take no hulls; or remove "
+                         "parts that nothing can touch");
+}
+
+/// A shell without thickness has no inside, so hulls have to follow its skin; a robot's covers stand for solids all the same.
+void noteOpenShells(Report& report) {
+  const auto is_open = [](const ElementReport& row) { return followsTolerance(row) && row.openings > 0 && row.hulls >= kHullsOfShell; };
+  const auto fewer = [&](const ElementReport& a, const ElementReport& b) {
+    return (is_open(a) ? a.hulls : 0) < (is_open(b) ? b.hulls : 0);
+  };
+  const auto most = std::max_element(report.links.begin(), report.links.end(), fewer);
+  if (most == report.links.end() || !is_open(*most)) return;
+  const auto others = static_cast<std::size_t>(std::count_if(report.links.begin(), report.links.end(), is_open)) - 1;
+  const double width = std::ceil(100 * most->widest_opening) / 100;
+  report.notes.push_back("'" + most->uri + "' has " + counted(most->openings, "opening") + ", and its " + std::to_string(most->hulls) +
+                         " hulls follow its skin" + (others > 0 ? "; so it is with " + counted(others, "other mesh", "other meshes") : "") +
+                         ": if it stands for a solid, --close-openings " + toString(lengthOf(width)) +
+                         " makes it one, which usually takes far fewer");
+}
+
+void noteClosedOpenings(Report& report) {
+  std::size_t openings = 0, meshes = 0;
+  for (const ElementReport& row : report.links) openings += row.closed_openings, meshes += row.closed_openings > 0;
+  if (openings == 0) return;
+  report.notes.push_back(counted(openings, "opening") + " of " + counted(meshes, "mesh", "meshes") + (openings == 1 ? " was" : " were") +
+                         " closed: the hulls cover the lids, too, and protrusion counts from the closed meshes");
+}
+
 /// The hulls are what could be found in time.
 void noteTimeLimit(Report& report) {
   const auto is_cut = [](const ElementReport& row) { return !row.untried.empty(); };
@@ -191,7 +235,10 @@ void putTogether(const std::vector<MeshUse>& uses, const MeshResults& results, R
   if (!result.report.scene) {  // a fit chooses how fine each link has to be
     noteCoarserThanDefault(result.report);
     noteManyHulls(result.report);
+    noteLooseParts(result.report);
+    noteOpenShells(result.report);
   }
+  noteClosedOpenings(result.report);
   noteSmallMeshes(result.report);
   noteTimeLimit(result.report);
 }

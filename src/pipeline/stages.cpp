@@ -3,6 +3,7 @@
 // A mesh's size is checked as soon as it is read: in the wrong unit it would keep the later stages busy for minutes, for nothing.
 #include "pipeline/stages.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/measure/measures.h"
 #include "collision_hulls/mesh/mesh_io.h"
+#include "collision_hulls/mesh/openings.h"
 #include "collision_hulls/pipeline/fit_scene.h"
 #include "decompose/finest_tolerance.h"
 #include "pipeline/shapes/shapes.h"
@@ -37,6 +39,21 @@ void checkSize(const std::string& uri, double diagonal, const Length& tolerance)
                   " m across, larger than any robot link: if its numbers are millimetres, scale it by 0.001 (--scale "
                   "0.001 for a mesh file, scale=\"0.001 0.001 0.001\" in a description's <mesh>); if it really is that "
                   "large, give the tolerance only as a percentage, such as 1%");
+}
+
+/// Closes openings of a mesh up to a width [m] and tells what it finds. Whether it closed any.
+bool closeAsAsked(const RepairedMesh& repaired, double width, const RunControl& control, MeshResult& result) {
+  MeshFacts& facts = result.mesh;
+  for (const Opening& opening : openingsOf(repaired, control)) {
+    if (opening.width <= width) {
+      ++facts.closed_openings;
+      addLid(opening, result.original);
+    } else {
+      ++facts.openings;
+      facts.widest_opening = std::max(facts.widest_opening, opening.width);
+    }
+  }
+  return facts.closed_openings > 0;
 }
 
 }  // namespace
@@ -97,8 +114,9 @@ const ReadMesh& SharedMesh::read(const LinkOptions& options, const RunControl& c
   setTolerance(task_.uri, options, result);
   result.seconds.read = stage.lap();
 
-  // 2. Repair: a mesh with topology, and the solid that it stands for.
+  // 2. Repair: a mesh with topology, closed if that is asked for, and the solid that it stands for.
   ReadMesh read{repair(result.original, {}, control)};
+  if (closeAsAsked(read.repaired, task_.close_openings, control, result)) read.repaired = repair(result.original, {}, control);
   facts.repair = read.repaired.counts;
   read.margin = readingError(loaded.resolution) * task_.scale.cwiseAbs().maxCoeff() + read.repaired.counts.weld_distance;
   result.solid = std::make_shared<const Solid>(read.repaired, control);

@@ -16,6 +16,7 @@
 #include "base/figure.h"
 #include "base/parallel.h"
 #include "collision_hulls/decompose/certified_hulls.h"
+#include "collision_hulls/mesh/openings.h"
 #include "collision_hulls/report/report.h"
 #include "interruptible.h"
 #include "mesh/polygons.h"
@@ -61,7 +62,8 @@ TriangleMesh meshOf(const Numbers& vertices, const Indices& faces) {
 }
 
 /// The stages of `decompose` for one mesh, with the margin of a mesh that was read from a file: the same hulls.
-CertifiedHulls hullsOf(const TriangleMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
+CertifiedHulls hullsOf(const TriangleMesh& given, double close_openings, const DecomposeOptions& options, const RunControl& control) {
+  const TriangleMesh mesh = close_openings > 0 ? closeOpenings(given, close_openings, control) : given;
   double largest = 0;
   for (const Eigen::Vector3d& v : mesh.vertices) largest = std::max(largest, v.cwiseAbs().maxCoeff());
   const double resolution = singlePrecisionResolution(mesh, largest, "vertices");
@@ -136,7 +138,9 @@ py::dict decomposeArrays(const Numbers& vertices, const Indices& faces, const Wo
   const TriangleMesh mesh = meshOf(vertices, faces);
   const DecomposeOptions how = optionsFor(mesh, options);
   CertifiedHulls made;
-  const auto work = [&](const RunControl& control) { withJobs(options.jobs, [&] { made = hullsOf(mesh, how, control); }); };
+  const auto work = [&](const RunControl& control) {
+    withJobs(options.jobs, [&] { made = hullsOf(mesh, options.close_openings, how, control); });
+  };
   runInterruptibly(work, progress);
   return fieldsOf(made, how);
 }

@@ -121,9 +121,10 @@ void checkLength(const std::string& option, const Length& length) {
   checkUnit(option, length, " For a larger machine give a percentage, such as 5%");
 }
 
-void checkPaddingAs(const std::string& option, double padding) {
-  if (!(std::isfinite(padding) && padding > 0)) badOption(option, decimal(padding) + "m", "0 or a positive length");
-  checkUnit(option, lengthOf(padding));
+/// Of a padding or an opening.
+void checkPositiveLength(const std::string& option, double metres) {
+  if (!(std::isfinite(metres) && metres > 0)) badOption(option, decimal(metres) + "m", "0 or a positive length");
+  checkUnit(option, lengthOf(metres));
 }
 
 /// Models become files of their own.
@@ -220,7 +221,7 @@ double parseSeconds(const std::string& text, const std::string& option) {
 
 double parsePadding(const std::string& text, const std::string& option) {
   const double metres = parseMetresOrZero(text, option);
-  if (metres > 0) checkPaddingAs(option, metres);
+  if (metres > 0) checkPositiveLength(option, metres);
   return metres;
 }
 
@@ -350,7 +351,8 @@ void checkTimeLimit(const Options& options) {
 void check(const Options& options) {
   checkTolerance(options.tolerance);
   checkShapes(options);
-  if (options.padding != 0) checkPaddingAs("padding", options.padding);
+  if (options.padding != 0) checkPositiveLength("padding", options.padding);
+  if (options.close_openings != 0) checkPositiveLength("close-openings", options.close_openings);
   checkMethod(options);
   checkLimits(options);
   checkModels(options.models);

@@ -29,7 +29,7 @@ bool anyFailed(const Report& report) {
 
 bool allFailed(const Report& report) {
   const auto failed = [](const ModelReport& model) { return totals(model).failed > 0 && totals(model).failed == totals(model).meshes; };
-  return failed(report) && std::all_of(report.models.begin(), report.models.end(), failed);
+  return failed(report) && std::all_of(report.models.begin(), report.models.end(), failed) && report.primitive_links < totals(report).links;
 }
 
 Totals totals(const ModelReport& report) {

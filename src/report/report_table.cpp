@@ -111,6 +111,7 @@ std::string legend(const Report& report) {
   std::string text = "The " + kindOfBodies(report) + " cover the whole surface of each mesh" +
                      (sums.failed > 0 ? " that has not failed" : "") +
                      ", and no point of them is further from its solid than the protrusion.\n";
+  if (report.scene) text += "The tolerance is that of the finest hulls: coarser ones, where the scene allows them, protrude further.\n";
   if (some_needed) text += "\"at least\": proved, no cover within the tolerance has fewer hulls; 1 where none was sought.\n";
   if (report.links.size() > 1) text += "Meshes run in parallel; the total time is wall-clock time.\n";
   if (cached > 0) text += counted(static_cast<std::size_t>(cached), "mesh", "meshes") + " came from the cache.\n";
@@ -159,13 +160,14 @@ std::string share(std::size_t part, std::size_t whole) {
   return std::to_string(part) + " of " + std::to_string(whole);
 }
 
-/// How often the hulls of two links hit each other where the links do not.
+/// How often the hulls of two links hit each other where the links do not, however near these are to each other.
 std::string selfTable(const FitReport& fit) {
   if (fit.self.empty()) return "";
-  std::vector<Cells> rows = {{"link", "link", "collisions", "false, single hulls", "false, fitted hulls"}};
+  std::vector<Cells> rows = {{"link", "link", "collisions", "false with single hulls", "false with fitted hulls"}};
   for (const PairHits& pair : fit.self)
     rows.push_back({pair.first, pair.second, std::to_string(pair.original), std::to_string(pair.before), std::to_string(pair.after)});
-  return "self-collisions in " + std::to_string(fit.samples) + " configurations:\n" + aligned(rows, kTextColumns);
+  return "self-collisions in " + counted(fit.samples, "configuration") +
+         "; false ones count at any distance, also within the clearance:\n" + aligned(rows, kTextColumns);
 }
 
 /// "19 of 549 hulls", "14 hulls and 5 primitives in place of 549 hulls", "2 primitives in place of 3 hulls".
@@ -184,7 +186,7 @@ std::string sceneLines(const Report& report) {
   text += selfTable(fit);
   text += "scene '" + fit.scene + "': " + bodies(fit) + " for a clearance of " + figureInMillimetres(fit.clearance) + " mm\n";
   text += "check in the scene: " + counted(fit.samples, fit.given ? "given configuration" : "random configuration") + ": " +
-          number(fit.missed, "collision") + " missed, " + number(fit.phantom, "false collision");
+          number(fit.missed, "collision") + " missed, " + number(fit.phantom, "false collision") + " beyond the clearance";
   if (!fit.given) text += " (at 95 % confidence in at most " + figure(100 * fit.phantom_rate_bound) + " % of all configurations)";
   text += "; " + share(fit.proved_pairs, fit.pairs) + " pairs proved to stay clear of each other\n";
   return text + "speed in the scene: a collision query takes " + figure(fit.query_us) + " us with the model, " +
@@ -203,6 +205,26 @@ std::string failure(const Report& report, const ElementReport& row) {
   const bool single_mesh = row.uri == report.input_path;
   const bool named = row.reason.find(lastPart(row.uri)) != std::string::npos;
   return (single_mesh ? "" : "link " + row.link + ": ") + (named ? "" : row.uri + ": ") + row.reason;
+}
+
+/// What failures that are said once have in common: the folder, and the reason but for the file's name.
+std::string cause(const ElementReport& row) {
+  const std::string file = lastPart(row.uri);
+  std::string reason = row.reason;
+  for (std::size_t at = 0; !file.empty() && (at = reason.find(file, at)) != std::string::npos;) reason.erase(at, file.size());
+  return row.error + "\n" + row.uri.substr(0, row.uri.size() - file.size()) + "\n" + reason;
+}
+
+/// Lines for failures with the same cause: one for all of them, if they are many.
+std::vector<std::string> linesFor(const Report& report, const std::vector<const ElementReport*>& rows) {
+  constexpr std::size_t kFew = 3;
+  std::vector<std::string> lines;
+  for (const ElementReport* row : rows) lines.push_back(failure(report, *row));
+  if (rows.size() <= kFew) return lines;
+  std::set<std::string> links;
+  for (const ElementReport* row : rows) links.insert(row->link);
+  return {lines.front() + " (the same for " + counted(rows.size() - 1, "more mesh", "more meshes") + " of this folder, in all of " +
+          counted(links.size(), "link") + ")"};
 }
 
 /// A mesh that fails for the same reason in several models is named once.
@@ -246,19 +268,25 @@ std::string toTable(const Report& report) {
 
 std::vector<std::string> failures(const Report& report) {
   std::map<std::string, Missing> packages;
-  std::vector<std::string> lines;
+  std::vector<std::vector<const ElementReport*>> others;  // with the same cause
+  std::map<std::string, std::size_t> known;               // by cause
   for (const ElementReport* row : failedRows(report)) {
     const std::optional<std::string> package = row->error == name(ErrorCode::kPackageNotFound) ? packageOf(row->uri) : std::nullopt;
     if (package) {
       ++packages[*package].meshes;
       packages[*package].links.insert(row->link);
     } else {
-      lines.push_back(failure(report, *row));
+      const auto [place, is_new] = known.emplace(cause(*row), others.size());
+      if (is_new) others.emplace_back();
+      others[place->second].push_back(row);
     }
   }
   std::vector<std::string> all;
   for (const auto& [package, missing] : packages) all.push_back(line(package, missing));
-  all.insert(all.end(), lines.begin(), lines.end());
+  for (const auto& rows : others) {
+    const std::vector<std::string> lines = linesFor(report, rows);
+    all.insert(all.end(), lines.begin(), lines.end());
+  }
   return all;
 }
 

@@ -110,6 +110,25 @@ std::vector<std::string> judged(const std::vector<std::string>& files, const fs:
   return descriptions.empty() ? files : descriptions;
 }
 
+/// The package that a file below `folder` lies in; `folder` itself where there is none.
+fs::path packageBelow(const fs::path& folder, const fs::path& file) {
+  for (fs::path above = file.parent_path(); above != folder && above.has_relative_path(); above = above.parent_path())
+    if (isFile(above / "package.xml")) return above;
+  return folder;
+}
+
+/// The same for files of several packages, package by package: what "$(find NAME)" means depends on it.
+std::vector<std::string> judgedByPackage(const std::vector<std::string>& files, const fs::path& folder) {
+  std::map<fs::path, std::vector<std::string>> by_package;
+  for (const std::string& file : files) by_package[packageBelow(folder, file)].push_back(file);
+  std::vector<std::string> all;
+  for (const auto& [package, of_package] : by_package) {
+    const std::vector<std::string> descriptions = judged(of_package, package);
+    all.insert(all.end(), descriptions.begin(), descriptions.end());
+  }
+  return all;
+}
+
 /// In an output of ours: without the copies of a description that --for writes for consumers with tags of their own.
 void removeVariants(std::vector<std::string>& files) {
   const std::set<std::string> all(files.begin(), files.end());
@@ -153,7 +172,7 @@ std::vector<std::string> robotDescriptionsBelow(const std::string& folder) {
   }
   for (std::vector<std::string>* files : {&urdf, &xacro}) std::sort(files->begin(), files->end());
   urdf.insert(urdf.end(), xacro.begin(), xacro.end());
-  return judged(urdf, folder);
+  return judgedByPackage(urdf, folder);
 }
 
 }  // namespace collision_hulls

@@ -190,7 +190,7 @@ void checkAxes(const XmlSource& subject, const std::vector<JointDescription>& jo
 }  // namespace
 
 RobotDescription decodeRobotDescription(const std::string& urdf_text, const std::string& path) {
-  XmlSource subject{urdf_text, path.empty() ? "robot description" : "'" + path + "'"};
+  XmlSource subject{urdf_text, descriptionLabel(path)};
   tinyxml2::XMLDocument document;
   loadRoot(subject, document);
   if (subject.elements > kMostElements)

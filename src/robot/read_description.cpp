@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "base/run_program.h"
+#include "base/shell_word.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
@@ -62,14 +63,27 @@ std::string restOfLine(const std::string& text, const std::string& words) {
   return text.substr(begin, text.find('\n', begin) - begin);
 }
 
+/// The command that expands a file with a value for an argument, beside the file: relative paths then still lead to its meshes.
+std::string commandWith(const std::string& argument, const fs::path& file) {
+  const fs::path stem = fs::path(file).replace_extension();  // "arm" or "arm.urdf"
+  const std::string urdf = stem.string() + (lowerExtension(stem.string()) == ".urdf" ? "" : ".urdf");
+  return "xacro " + shellWord(file.string()) + " " + shellWord(argument + ":=VALUE") + " > " + shellWord(urdf);
+}
+
 /// The error of a file that xacro did not expand, and what helps against it.
 [[noreturn]] void throwFailed(const std::string& path, const ProgramResult& xacro) {
+  const std::string processed = restOfLine(xacro.errors, "when processing file: "), source = processed.empty() ? path : processed;
   const std::string package = restOfLine(xacro.errors, "resource not found: ");
   if (!package.empty()) {
-    const std::string processed = restOfLine(xacro.errors, "when processing file: ");
-    throw Error(ErrorCode::kPackageNotFound, "package '" + package + "', which '" + (processed.empty() ? path : processed) +
+    throw Error(ErrorCode::kPackageNotFound, "package '" + package + "', which '" + source +
                                                  "' includes, was not found: install it and source its workspace, or give its folder, " +
                                                  "or the one above, with --package-path DIR");
+  }
+  const std::string argument = restOfLine(xacro.errors, "Undefined substitution argument ");
+  if (!argument.empty()) {
+    throw Error(ErrorCode::kNotARobot, "'" + path + "' needs a value for the argument '" + argument + "', which '" + source +
+                                           "' uses and which has no default: run\n  " + commandWith(argument, fs::absolute(path)) +
+                                           "\nand give the .urdf");
   }
   const std::size_t skipped = xacro.errors.size() - std::min(xacro.errors.size(), kMostQuoted);
   throw Error(ErrorCode::kNotARobot, "'" + path + "': xacro failed with status " + std::to_string(xacro.status) +
@@ -104,12 +118,55 @@ std::string expanded(const std::string& path, const std::vector<std::string>& pa
   }
 }
 
+/// Whether a file's text names another file, as one does that includes it.
+bool mentions(const std::string& file, const std::string& name) try {
+  return readTextFile(file, "robot description").find(name) != std::string::npos;
+} catch (const Error&) {
+  return false;
+}
+
+/// The other descriptions of the package that a file lies in, those that include the file first.
+std::vector<std::string> descriptionsBeside(const fs::path& file) {
+  const fs::path package = packageAround(file);
+  if (package.empty()) return {};
+  std::vector<std::string> found = robotDescriptionsIn(package.string());
+  if (found.empty()) found = robotDescriptionsBelow(package.string());
+  if (std::find(found.begin(), found.end(), file.string()) != found.end()) return {};  // none of them is more of a robot
+  std::stable_partition(found.begin(), found.end(), [&](const std::string& other) { return mentions(other, file.filename().string()); });
+  return found;
+}
+
+/// What to give in place of a file that expands to no robot.
+std::string insteadOf(const std::string& path) {
+  constexpr std::size_t kMostNamed = 3;
+  std::vector<std::string> found = descriptionsBeside(fs::absolute(path).lexically_normal());
+  if (found.empty()) return "often urdf/ROBOT.urdf.xacro";
+  const std::size_t more = found.size() - std::min(found.size(), kMostNamed);
+  found.resize(found.size() - more);
+  return "such as '" + listed(found, "', '") + "'" + (more > 0 ? " or one of " + std::to_string(more) + " more" : "");
+}
+
+RobotDescription readXacro(const std::string& path, const std::string& text, const RunControl& control,
+                           const std::vector<std::string>& package_path) {
+  try {
+    return parseRobotDescription(expanded(path, package_path, control), path, control);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::kNoLinks) throw;
+    const bool has_macros = text.find("<xacro:macro") != std::string::npos;
+    throw Error(ErrorCode::kNoLinks, "'" + path + "' expands to a <robot> without a <link>" +
+                                         (has_macros ? ": it defines macros for other files; give one that calls them, "
+                                                     : "; give a file that describes a robot, ") +
+                                         insteadOf(path));
+  }
+}
+
 }  // namespace
 
 RobotDescription readRobotDescription(const std::string& path, const RunControl& control, const std::vector<std::string>& package_path) {
   // Read in any case: the message about an unreadable file is better than xacro's.
   const std::string text = readTextFile(path, ".urdf or .xacro file", control);
-  return parseRobotDescription(lowerExtension(path) == ".xacro" ? expanded(path, package_path, control) : text, path, control);
+  if (lowerExtension(path) == ".xacro") return readXacro(path, text, control, package_path);
+  return parseRobotDescription(text, path, control);
 }
 
 }  // namespace collision_hulls

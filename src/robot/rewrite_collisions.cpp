@@ -184,13 +184,14 @@ std::string applied(const std::string& text, const std::vector<Edit>& edits) {
   throw Error(ErrorCode::kInternal, "rewriting <collision> elements: " + reason);
 }
 
-// Reads back what was written: the same links, each with the expected elements.
+// Reads back what was written: the same links, each with the expected elements, and with its visuals as they were.
 void checkWritten(const RobotDescription& before, const std::map<std::string, LinkCollisions>& links,
                   const std::map<std::string, std::string>& moved, const RobotDescription& after) {
   for (std::size_t i = 0; i < before.links.size(); ++i) {
     const LinkDescription& old_link = before.links[i];
     const auto by = links.find(old_link.name);
     std::vector<std::string> expected, found;
+    for (const GeometryElement& visual : old_link.visuals) expected.push_back(visual.uri);
     for (const GeometryElement& collision : old_link.collisions) {
       const std::string* const now = by == links.end() ? movedTo(collision, moved) : nullptr;
       if (by == links.end() || !replaced(collision, by->second)) expected.push_back(now ? *now : collision.uri);
@@ -198,7 +199,8 @@ void checkWritten(const RobotDescription& before, const std::map<std::string, Li
     if (by != links.end()) {
       for (const CollisionElement& element : by->second.elements) expected.push_back(element.geometry.uri);
     }
-    for (const GeometryElement& collision : after.links.at(i).collisions) found.push_back(collision.uri);
+    for (const auto* elements : {&after.links.at(i).visuals, &after.links[i].collisions})
+      for (const GeometryElement& element : *elements) found.push_back(element.uri);
     std::sort(expected.begin(), expected.end());
     std::sort(found.begin(), found.end());
     if (found != expected) failInternal("link '" + old_link.name + "' reads back with other elements than were written");

@@ -4,6 +4,7 @@
 
 #include <unordered_set>
 
+#include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "geometry/bytes.h"
 #include "robot/far_away.h"
@@ -82,6 +83,11 @@ RobotDescription robotIn(const std::string& answer) {
   return robot;
 }
 
+std::string descriptionLabel(const std::string& path) {
+  if (path.empty()) return "robot description";
+  return "'" + path + "'" + (lowerExtension(path) == ".xacro" ? " as xacro expands it" : "");
+}
+
 std::string answerRobotQuestion(const Question& question) {
   auto kind = Reading::kRobot;
   std::string path;
@@ -90,7 +96,7 @@ std::string answerRobotQuestion(const Question& question) {
 }
 
 RobotDescription parseRobotDescription(const std::string& urdf_text, const std::string& path, const RunControl& control) {
-  const std::string label = path.empty() ? "robot description" : "'" + path + "'";
+  const std::string label = descriptionLabel(path);
   const std::string answer = askAboutText(toBytes(Reading::kRobot, path), urdf_text, label, control);
   RobotDescription robot = madeOfAnswer(label, "replace the description", [&] { return robotIn(answer); });
   robot.text = urdf_text;

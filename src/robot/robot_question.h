@@ -8,6 +8,9 @@
 
 namespace collision_hulls {
 
+/// How messages name a description. Lines of a .xacro file are those of its expansion, and the name says so.
+std::string descriptionLabel(const std::string& path);
+
 /// What parseRobotDescription() does, in this process.
 RobotDescription decodeRobotDescription(const std::string& urdf_text, const std::string& path);
 

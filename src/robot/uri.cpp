@@ -96,6 +96,20 @@ std::string hostOf(const std::string& uri) {
   return name.size() == rest.size() || name == "." || name == ".." ? "" : name;
 }
 
+// ", nor does the folder 'D'" for the first folder of a missing file's path that is missing too; empty: its folder exists, or may not be
+// looked for.
+std::string missingFolder(const fs::path& file) try {
+  std::error_code error;
+  fs::path missing;
+  for (fs::path folder = file.parent_path(); !fs::exists(folder, error) && folder.has_relative_path(); folder = folder.parent_path())
+    missing = folder;
+  if (missing.empty()) return "";
+  checkRead(missing.parent_path().string());
+  return ", nor does the folder '" + missing.string() + "'";
+} catch (const Error&) {
+  return "";
+}
+
 [[noreturn]] void throwMissing(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
   const std::optional<fs::path> path = pathOf(percentDecoded(uri), base, find_package);
   const std::string remedy = "; rename it, or correct the case of letters in the URI";
@@ -116,9 +130,10 @@ std::string hostOf(const std::string& uri) {
   if (const auto other = find_package.inOtherCase(file))
     throw Error(ErrorCode::kFileNotFound,
                 "'" + uri + "' resolves to '" + file + "', which does not exist, but '" + *other + "' does" + remedy);
-  if (file == uri) throw Error(ErrorCode::kFileNotFound, "'" + uri + "' does not exist; check the path");
+  const std::string nor = missingFolder(file);
+  if (file == uri) throw Error(ErrorCode::kFileNotFound, "'" + uri + "' does not exist" + nor + "; check the path");
   throw Error(ErrorCode::kFileNotFound,
-              "'" + uri + "' resolves to '" + file + "', which does not exist" +
+              "'" + uri + "' resolves to '" + file + "', which does not exist" + nor +
                   (has_no_place ? "; it is relative, and the description came without a file name that it could be relative to "
                                   "(parameter ~base of the node)"
                                 : "; check the URI or the location of the file"));

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cstdio>
 #include <exception>
 #include <thread>
 #include <vector>
@@ -91,6 +92,7 @@ int serve() {
 
 int main(int argc, char** argv) {
   collision_hulls::holdStandardFiles();
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // or a log in a file or pipe would say nothing before the node ends
   ros::init(argc, argv, "collision_hulls", ros::init_options::NoSigintHandler);
   handleSignals();
   if (!waitForMaster()) return 0;

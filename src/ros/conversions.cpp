@@ -2,11 +2,22 @@
 #include "conversions.h"
 
 #include "base/counted.h"
+#include "base/figure.h"
 #include "collision_hulls/pipeline/progress_text.h"
 #include "collision_hulls/report/totals.h"
 #include "pen.h"
 
 namespace collision_hulls {
+namespace {
+
+/// "7 hulls", "7 hulls and 2 primitives", "2 primitives"
+std::string bodiesOf(const Report& report) {
+  const Totals sums = totals(report);
+  if (sums.primitives == 0) return counted(sums.hulls, "hull");
+  return (sums.hulls > 0 ? counted(sums.hulls, "hull") + " and " : "") + counted(sums.primitives, "primitive");
+}
+
+}  // namespace
 
 LinkReport toMessage(const ElementReport& row, const Eigen::Isometry3d& origin) {
   LinkReport message;
@@ -70,12 +81,14 @@ DecomposeFeedback toMessage(const Step& step) {
   return feedback;
 }
 
-std::string summary(const Report& report) {
-  const Totals sums = totals(report);
+std::string summary(const std::string& robot, const Report& report) {
+  const RunTotals sums = toTotals(report);
   std::string text;
   for (const std::string& failure : failures(report)) text += failure + "\n";
-  return text + counted(sums.hulls, "hull") + " for " + counted(sums.meshes - sums.failed, "mesh", "meshes") +
-         (sums.failed > 0 ? ", " + std::to_string(sums.failed) + " failed" : "");
+  text += "robot '" + robot + "': " + bodiesOf(report) + " for " + counted(sums.meshes - sums.failed, "mesh", "meshes");
+  if (sums.failed > 0) text += ", " + std::to_string(sums.failed) + " failed";
+  if (!sums.worst_link.empty()) text += "; largest protrusion " + figure(1000 * sums.protrusion) + " mm (" + sums.worst_link + ")";
+  return text;
 }
 
 }  // namespace collision_hulls

@@ -18,7 +18,8 @@ std::vector<LinkReport> toMessages(const RobotResult& result);
 RunTotals toTotals(const Report& report);
 DecomposeFeedback toMessage(const Step& step);
 
-/// A line for each mesh that failed, then what was made: "7 hulls for 3 meshes".
-std::string summary(const Report& report);
+/// A line for each mesh that failed, then what was made: "robot 'arm': 7 hulls and 2 primitives for 3 meshes, 1 failed; largest protrusion
+/// 4.91 mm (hand)".
+std::string summary(const std::string& robot, const Report& report);
 
 }  // namespace collision_hulls

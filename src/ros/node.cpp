@@ -33,11 +33,10 @@ template <typename Response>
 Response written(RobotResult& result, const std::string& output, bool brief, const RunControl& control) {
   Response response;
   response.success = !anyFailed(result.report);
-  response.message = summary(result.report);
-  std::string how_to_use;
+  response.message = summary(result.robot_name, result.report);
   if (writeOutput(result, output, control)) {
-    how_to_use = "\n" + howToUse(result, output);
-    how_to_use.pop_back();  // its last line's end
+    response.message += howToUse(result, output);
+    response.message.pop_back();  // its last line's end
     response.urdf_path = output + "/" + result.report.urdf;
   } else {
     response.message += "; nothing was written";
@@ -51,7 +50,6 @@ Response written(RobotResult& result, const std::string& output, bool brief, con
   response.links = toMessages(result);
   ROS_LOG(response.success ? ros::console::levels::Info : ros::console::levels::Warn, ROSCONSOLE_DEFAULT_NAME, "%s",
           response.message.c_str());
-  response.message += how_to_use;
   return response;
 }
 
@@ -132,7 +130,7 @@ FitSceneResponse Node::fit(const FitSceneRequest& request, const RunControl& con
       fitRobotToScene(input.robot, input.find_package, scene, options, output, control, job.stated(view.shown(logged(step))));
   FitSceneResponse response = written<FitSceneResponse>(result, output, request.brief, control);
   if (!response.urdf_path.empty()) show(input.robot, decisions, result, &scene.scene);
-  if (!result.extra_files.empty()) response.srdf = result.extra_files.begin()->second;
+  if (!request.brief && !result.extra_files.empty()) response.srdf = result.extra_files.begin()->second;
   return response;
 }
 
@@ -150,7 +148,7 @@ BuildResponse Node::build(const BuildRequest& request, const RunControl& control
   preview_.take(input.robot, LinkDecisions(options, input.robot, control), result);
   BuildResponse response;
   response.success = !anyFailed(result.report);
-  response.message = summary(result.report);
+  response.message = summary(result.robot_name, result.report);
   response.links = preview_.messages(request.only, control);
   preview_.show(request.only, control);
   return response;

@@ -74,15 +74,13 @@ double readQuantity(const ros::NodeHandle& node, const std::string& name, double
 }
 
 /// The regular expression that matches these names alone; empty for all.
-std::string linksExpression(const std::vector<std::string>& names, const RobotDescription& robot) {
+std::string linksExpression(const std::string& field, const std::vector<std::string>& names, const RobotDescription& robot) {
   std::set<std::string> known;
   for (const LinkDescription& link : robot.links) known.insert(link.name);
   const std::set<std::string> wanted(names.begin(), names.end());
   for (const std::string& name : wanted) {
     if (known.count(name)) continue;
-    std::string list;
-    for (const LinkDescription& link : robot.links) list += (list.empty() ? "" : ", ") + link.name;
-    throw Error(ErrorCode::kBadOption, "links: robot '" + robot.name + "' has no link '" + name + "': use some of " + list);
+    throw Error(ErrorCode::kBadOption, field + ": " + noSuchLink(robot, name));
   }
   return wanted == known ? "" : expressionFor({wanted.begin(), wanted.end()});
 }
@@ -96,6 +94,14 @@ void checkText(const std::string& field, const std::string& text) {
 }
 
 }  // namespace
+
+std::string noSuchLink(const RobotDescription& robot, const std::string& name) {
+  std::string list;
+  for (const LinkDescription& link : robot.links) list += (list.empty() ? "" : ", ") + link.name;
+  const bool is_expression = name.find_first_of("*+?|^$()[]{}\\") != std::string::npos;
+  return "robot '" + robot.name + "' has no link '" + name +
+         "': " + (is_expression ? "this field takes whole names, and no expressions as ~links does; " : "") + "use some of " + list;
+}
 
 std::string textParameter(const ros::NodeHandle& node, const std::string& name, const std::string& fallback) {
   return read<std::string>(node, name, "a text").value_or(fallback);
@@ -114,6 +120,7 @@ Options readOptions(const ros::NodeHandle& node) {
   readNamed(node, "effort", effortNamed, effortChoices(), options.effort);
   readFlag(node, "fill", options.fill);
   options.padding = readQuantity(node, "padding", parsePadding);
+  options.close_openings = readQuantity(node, "close_openings", parsePadding);
   readNamed(node, "shapes", shapesNamed, shapesChoices(), options.shapes);
   readFlag(node, "segments", options.segments);
   options.tree = readLength(node, "tree");
@@ -124,6 +131,7 @@ Options readOptions(const ros::NodeHandle& node) {
   readNamed(node, "source", sourceNamed, "auto, visual, collision", options.source);
   readNamed(node, "format", meshFormatNamed, "stl, obj, dae", options.format);
   readNamed(node, "uri", uriStyleNamed, "package, file, relative", options.uri);
+  readFlag(node, "rebase", options.rebase);
   options.package_name = textParameter(node, "package_name");
   readNumber(node, "jobs", options.jobs);
   readNumber(node, "reader_memory", options.reader_memory);
@@ -188,7 +196,7 @@ Options requestedOptions(Options options, const DecomposeRequest& request, const
   if (request.time_limit != 0) options.time_limit = request.time_limit;
   if (!request.method.empty()) options.method = named(methodNamed, "method", request.method, methodChoices());
   if (!request.links.empty()) {
-    options.links = linksExpression(request.links, robot);
+    options.links = linksExpression("links", request.links, robot);
     options.links_place.clear();
   }
   check(options);
@@ -207,7 +215,7 @@ Options buildOptions(const Options& options, const BuildRequest& request, const 
   if (!result.tree) result.tree = previewTree(options.tolerance);
   result.time_limit = 0;  // trees are built whole
   if (!request.only.empty()) {
-    result.links = linksExpression(request.only, robot);
+    result.links = linksExpression("only", request.only, robot);
     result.links_place.clear();
   }
   check(result);

@@ -15,9 +15,9 @@
 namespace collision_hulls {
 
 /// Options as the parameters ~profile, ~tolerance ("1cm,5%", "1%", "5mm" or a number of metres), ~method, ~effort, ~fill, ~padding,
-/// ~shapes, ~tree, ~max_hulls, ~max_vertices, ~links (regular expression), ~source, ~format, ~uri, ~package_name, ~segments, ~html, ~jobs,
-/// ~reader_memory, ~reader_time, ~time_limit, ~validate, ~cache and ~seed say; those that are not set keep their defaults. Throws
-/// kBadOption for a value of the wrong type or range.
+/// ~close_openings, ~shapes, ~tree, ~max_hulls, ~max_vertices, ~links (regular expression), ~source, ~format, ~uri, ~rebase, ~package_name,
+/// ~segments, ~html, ~jobs, ~reader_memory, ~reader_time, ~time_limit, ~validate, ~cache and ~seed say; those that are not set keep their
+/// defaults. Throws kBadOption for a value of the wrong type or range.
 Options readOptions(const ros::NodeHandle& node);
 
 /// `options` with what a configuration says in their place: `config`, the text in a request, or if that is empty the text of ~config.
@@ -26,6 +26,9 @@ Options configured(const ros::NodeHandle& node, const std::string& config, Optio
 
 /// A list, or a text with colons between its items, such as ~package_path. Throws kBadOption for anything else.
 std::vector<std::string> readFolders(const ros::NodeHandle& node, const std::string& name);
+
+/// What is wrong with a name in a request that no link has, and which names there are.
+std::string noSuchLink(const RobotDescription& robot, const std::string& name);
 
 /// A text parameter; `fallback` if it is not set. Throws kBadOption if it is not a text.
 std::string textParameter(const ros::NodeHandle& node, const std::string& name, const std::string& fallback = "");

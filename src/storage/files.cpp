@@ -38,12 +38,18 @@ void writeTo(const Descriptor& out, const std::string& text, const fs::path& fil
   }
 }
 
-/// Into a pipe or a device, never into what has taken its place.
+/// Into a pipe or a device, never into what has taken its place. Opened without O_NONBLOCK, a pipe that nobody reads would keep us for
+/// ever.
 void writeInto(const fs::path& file, const std::string& text) {
-  const Descriptor out(open(file.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
+  const Descriptor out(open(file.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
   struct stat status {};
-  if (out.number() < 0 || fstat(out.number(), &status) != 0) throwUnwritable(file, std::strerror(errno));
+  if (out.number() < 0 || fstat(out.number(), &status) != 0) {
+    const std::string why = std::strerror(errno);
+    std::error_code unknown;
+    throwUnwritable(file, fs::is_fifo(file, unknown) ? "nobody reads this pipe (start its reader first)" : why);
+  }
   if (S_ISREG(status.st_mode)) throwUnwritable(file, "it was a pipe or a device, and is a plain file now");
+  fcntl(out.number(), F_SETFL, fcntl(out.number(), F_GETFL) & ~O_NONBLOCK);  // a reader may take its time
   writeTo(out, text, file);
 }
 
@@ -127,7 +133,8 @@ void writeText(const fs::path& file, const std::string& text) {
 void checkFolderOf(const fs::path& path) {
   fs::path above = path.parent_path();
   std::error_code error;
-  while (!fs::exists(above, error) && above.has_relative_path()) above = above.parent_path();
+  for (; !fs::exists(above, error) && above.has_relative_path(); above = above.parent_path())
+    if (fs::is_symlink(above, error)) throwUnwritable(path, "'" + above.string() + "' is a symbolic link that leads nowhere");
   if (!fs::is_directory(above, error)) throwUnwritable(path, "'" + above.string() + "' is not a folder");
   // Only a trial tells: permissions say nothing to root, nor about read-only and special file systems.
   const fs::path trial = above / (".collision_hulls-trial-" + std::to_string(getpid()));
@@ -152,7 +159,9 @@ void checkNamedFile(const fs::path& file) {
   std::error_code error;
   if (fs::is_directory(file, error)) throwUnwritable(file, "it is a folder");
   const bool replaced = !fs::exists(file, error) || fs::is_regular_file(file, error);
-  if (replaced) return checkFolderOf(fs::absolute(behindLinks(file)));
+  const fs::path target = behindLinks(file);
+  if (fs::is_symlink(target, error)) throwUnwritable(file, "its symbolic links lead in a circle");
+  if (replaced) return checkFolderOf(fs::absolute(target));
   if (access(file.c_str(), W_OK) != 0) throwUnwritable(file, std::strerror(errno));
 }
 

@@ -28,7 +28,8 @@ std::filesystem::path placeOf(const Descriptor& folder);
 Descriptor openedAround(const std::filesystem::path& path);
 
 /// Writes a file that a user names: in one rename if it is a plain file or does not exist yet, also behind symbolic links; straight into
-/// it if it is a pipe or a device. Throws kUnwritableOutput, and kOutsideRoots if the path leads out of the roots by now.
+/// it if it is a pipe or a device; a pipe that nobody reads is an error. Throws kUnwritableOutput, and kOutsideRoots if the path leads out
+/// of the roots by now.
 void writeNamedFile(const std::filesystem::path& file, const std::string& text);
 
 /// Throws kUnwritableOutput if that would fail. Leaves nothing behind.

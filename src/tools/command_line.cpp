@@ -123,6 +123,11 @@ CommandLine::Option* CommandLine::add_flag_callback(const std::string& names, co
   return option;
 }
 
+void CommandLine::hide(const std::vector<std::string>& names) {
+  for (const auto& option : options_)
+    if (std::find(names.begin(), names.end(), option->name_) != names.end()) option->hidden_ = true;
+}
+
 bool CommandLine::parse(int argc, const char* const* argv) {
   given_ = split(argc, argv);
   if (given_.count("help")) return std::cout << help(), false;
@@ -198,7 +203,7 @@ void CommandLine::refuse(const std::string& problem) const {
 std::string CommandLine::nearest(const std::string& unknown) const {
   std::vector<std::string> names;
   for (const auto& option : options_)
-    if (!option->positional_) names.push_back("--" + option->name_);
+    if (!option->positional_ && !option->hidden_) names.push_back("--" + option->name_);
   return didYouMean("--" + unknown.substr(std::min(unknown.find_first_not_of('-'), unknown.size())), names);
 }
 
@@ -223,10 +228,11 @@ bool CommandLine::setNumber(const std::string& text, double& value) {
   return in >> value && in.eof();
 }
 
-std::vector<std::string> CommandLine::groups() const {
+std::vector<std::string> CommandLine::shownGroups() const {
   std::vector<std::string> names;
   for (const auto& option : options_) {
-    if (!option->positional_ && std::find(names.begin(), names.end(), option->group_) == names.end()) names.push_back(option->group_);
+    const bool is_shown = !option->positional_ && !option->hidden_;
+    if (is_shown && std::find(names.begin(), names.end(), option->group_) == names.end()) names.push_back(option->group_);
   }
   return names;
 }
@@ -240,10 +246,10 @@ std::string CommandLine::help() const {
     arguments += helpRow(name, "", option->help_);
   }
   std::string text = purpose_ + "\n" + usage + "\n\n" + arguments;
-  for (const std::string& group : groups()) {
+  for (const std::string& group : shownGroups()) {
     text += "\n" + group + ":\n";
     for (const auto& option : options_) {
-      if (option->positional_ || option->group_ != group) continue;
+      if (option->positional_ || option->hidden_ || option->group_ != group) continue;
       text += helpRow(option->names_, option->type_ + (option->required_ ? " REQUIRED" : ""), option->help_);
     }
   }

@@ -37,7 +37,7 @@ class CommandLine {
     using Setter = std::function<bool(const std::string& text)>;  ///< false: not a valid value
 
     std::string names_, name_, short_name_, help_, type_, group_ = "Options", expected_;
-    bool positional_ = false, takes_value_ = true, repeatable_ = false, required_ = false;
+    bool positional_ = false, takes_value_ = true, repeatable_ = false, required_ = false, hidden_ = false;
     Check check_;
     Setter set_;
   };
@@ -58,6 +58,9 @@ class CommandLine {
   /// An option without a value: it sets `value` to true.
   Option* add_flag(const std::string& names, bool& value, const std::string& help);
   Option* add_flag_callback(const std::string& names, const std::function<void()>& set, const std::string& help);
+
+  /// Leaves options, named without dashes, out of --help: those that the program takes only to say why they do not apply to it.
+  void hide(const std::vector<std::string>& names);
 
   /// Fills the variables, in the order in which the options were declared. Returns false if it has printed --help or --version instead.
   /// Throws kBadOption, and whatever the options' functions throw.
@@ -80,7 +83,7 @@ class CommandLine {
   std::string nearest(const std::string& unknown) const;
   bool isOption(const std::string& word) const;
   void apply(const Option& option, const Texts& texts) const;
-  std::vector<std::string> groups() const;
+  std::vector<std::string> shownGroups() const;
 
   template <typename T>
   static bool setNumber(const std::string& text, T& value);

@@ -5,7 +5,8 @@ namespace collision_hulls {
 namespace {
 
 constexpr const char* kFooter = R"(
-Exit status: 0 all meshes done; 1 some failed (each is named, and all others are written; if all failed, nothing is);
+Exit status: 0 all meshes done; 1 some failed (each is named, and all others are written; if all failed, nothing is,
+unless at least as many links have primitives alone);
 2 wrong use, unreadable input, a single mesh that failed, or unwritable output; 130 interrupted: nothing was written.
 "degraded" is no failure: the hulls cover the mesh, but protrude further than the tolerance.
 

@@ -122,6 +122,9 @@ class DecomposeOptionAdder {
     add("Accuracy", "--padding", "LENGTH", "0",
         "Make the hulls hold everything within this distance of the surface; they may then protrude by the padding and the tolerance",
         [](Options& options, const std::string& option, const std::string& text) { options.padding = parsePadding(text, option); });
+    add("Accuracy", "--close-openings", "LENGTH", "0",
+        "Close openings of shells that are no wider than this first; protrusion then counts from the closed meshes",
+        [](Options& options, const std::string& option, const std::string& text) { options.close_openings = parsePadding(text, option); });
     addChoice("Accuracy", "--shapes", &Options::shapes, shapesNamed, shapesChoices(), name(defaults.shapes),
               "Bodies that the model consists of: a primitive where it does as well as hulls (mixed), primitives or spheres alone, or a "
               "single one (method certified)");
@@ -155,6 +158,9 @@ class DecomposeOptionAdder {
   void addOutput() {
     addChoice("Output", "--format", &Options::format, meshFormatNamed, "stl, obj, dae", "stl", "Mesh files of the hulls");
     addChoice("Output", "--uri", &Options::uri, uriStyleNamed, "package, file, relative", "package", "How the description refers to them");
+    addFlag(
+        "Output", "--rebase", [](Options& options) { options.rebase = true; },
+        "Let relative file names of the elements that stay, such as <visual>, lead to the same files from the new description");
     add("Output", "--package-name", "NAME", "", "Name of the output package; default: the name of its folder",
         [](Options& options, const std::string&, const std::string& text) { options.package_name = text; })
         ->check(notEmpty("a name"));

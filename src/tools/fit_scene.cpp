@@ -31,8 +31,8 @@ Wherever the original robot keeps the clearance from the scene and from itself, 
 never misses a collision. The report says what each link needed, what is proved, and gives an upper bound on the share of
 configurations in which the model still collides although the original keeps the clearance.
 
-The model is of certified hulls: other methods, --padding, --scale, --segments, --shapes, --spheres, --time-limit, --tree and --for curobo
-are refused.
+The model is of certified hulls. The options of decompose that this leaves no room for are refused, with a reason each: other methods,
+--padding, --scale, --segments, --shapes, --spheres, --time-limit, --tree and --for curobo.
 
 Exit status: as for decompose; 130 interrupted: nothing was written.
 
@@ -67,6 +67,7 @@ void addOptions(CommandLine& app, SceneCommand& command) {
   app.add_flag("--hulls-only", command.hulls_only, "Use no spheres, boxes or cylinders in place of hulls")->group("Scene");
   addFile("--compare", command.compare, "Also measure single hulls and uniform tolerances, and write the comparison to this CSV");
   addRobotOptions(app, "A ROS package, or a .urdf or .xacro file", command.robot);
+  app.hide({"method", "padding", "scale", "segments", "shapes", "spheres", "time-limit", "tree"});
 }
 
 SceneRequest requestOf(const SceneCommand& command, const Input& input, const RunControl& control) {

@@ -32,6 +32,7 @@ int runProgram(const MeasuringProgram<Command>& program, int argc, char** argv) 
   CommandLine app(program.purpose, program.name);
   app.footer(program.footer);
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is then an error like a full disk
+  std::signal(SIGPIPE, SIG_IGN);  // whoever reads progress may go: the tables are written all the same
   Command command;
   try {
     const auto job = argc == 4 ? program.jobs.find(argv[1]) : program.jobs.end();

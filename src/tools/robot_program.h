@@ -1,6 +1,9 @@
 // What the programs that make a robot's collision model have in common: signals, progress, report, exit status.
 #pragma once
 
+#include <poll.h>
+#include <unistd.h>
+
 #include <csignal>
 #include <functional>
 #include <iostream>
@@ -8,6 +11,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -108,6 +112,12 @@ inline void printFailures(const Report& report, const RobotCommand& command) {
   for (const std::string& failure : failures(report)) std::cerr << command.program << ": " << failure << "\n";
 }
 
+/// Whether standard output is a pipe whose reader has gone, as in `decompose ... | head -1`.
+inline bool nobodyReadsOutput() {
+  pollfd out{STDOUT_FILENO, POLLOUT, 0};
+  return poll(&out, 1, 0) > 0 && (out.revents & POLLERR) != 0;
+}
+
 /// The table and what to do next on standard output, failures on standard error.
 inline void printReport(const RobotResult& result, const RobotCommand& command, const std::string& how_to_use) {
   if (command.json == "-") {
@@ -115,7 +125,8 @@ inline void printReport(const RobotResult& result, const RobotCommand& command, 
   } else if (!command.quiet) {
     std::cout << toTable(result.report) << how_to_use;
   }
-  if (!std::cout.flush()) throw Error(ErrorCode::kUnwritableOutput, "cannot write the report to standard output; --json FILE keeps it");
+  if (!std::cout.flush() && !nobodyReadsOutput())
+    throw Error(ErrorCode::kUnwritableOutput, "cannot write the report to standard output; --json FILE keeps it");
   printFailures(result.report, command);
 }
 
@@ -123,18 +134,20 @@ inline bool isFile(const std::string& json) {
   return !json.empty() && json != "-";
 }
 
+/// False for a shell's pipe such as /dev/fd/63, which leads to no path.
 inline bool liesWithin(const std::string& file, const std::string& folder) {
-  const auto real = [](const std::string& path) { return std::filesystem::weakly_canonical(std::filesystem::absolute(path)); };
+  std::error_code none;
+  const auto real = [&](const std::string& path) { return std::filesystem::weakly_canonical(std::filesystem::absolute(path), none); };
   const std::filesystem::path within = real(file).lexically_relative(real(folder));
   return !within.empty() && *within.begin() != "..";
 }
 
 /// Refuses a file within the output folder, which holds the output alone, and one that cannot be written.
 inline void checkBeside(const std::string& file, const std::string& output) {
+  checkNamedFile(file);  // first, as it says what is wrong with links that lead in a circle
   if (liesWithin(file, output))
     throw Error(ErrorCode::kBadOption,
                 "'" + file + "' lies in the output folder, which is replaced as a whole; choose a place outside of it");
-  checkNamedFile(file);
 }
 
 /// Writes the output, and the file of --json even if the output fails. False if there was nothing to write.
@@ -320,6 +333,7 @@ inline int runRobotProgram(CommandLine& app, int argc, char** argv, const std::f
   holdStandardFiles();
   takeLargePages(argv);
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is then an error like a full disk
+  std::signal(SIGPIPE, SIG_IGN);  // whoever reads progress or table may go: the output is written all the same
   try {
     return app.parse(argc, argv) ? run() : kDone;
   } catch (const Error& e) {

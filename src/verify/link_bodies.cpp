@@ -5,6 +5,7 @@
 #include <set>
 
 #include "collision_hulls/error.h"
+#include "collision_hulls/mesh/openings.h"
 #include "verify/round_shapes.h"
 
 namespace collision_hulls {
@@ -72,7 +73,7 @@ std::shared_ptr<const MeshFiles::File> MeshFiles::read(const GeometryElement& el
   const LoadedMesh loaded = readMesh(path, limits_, control_);
   count(loaded.mesh.triangles.size(), path);
   const auto file = std::make_shared<File>();
-  file->body.mesh = scaled(loaded.mesh, element.scale);
+  file->body.mesh = closeOpenings(scaled(loaded.mesh, element.scale), close_openings_, control_);
   file->resolution = readingError(loaded.resolution) * element.scale.cwiseAbs().maxCoeff();
   if (split_) file->body.parts = convexParts(file->body.mesh, control_);
   return files_[key] = file;

@@ -35,8 +35,9 @@ struct LinkBodies {
 /// `limits` allows to one file.
 class MeshFiles {
  public:
-  MeshFiles(const Description& description, const MeshLimits& limits, bool split, const RunControl& control)
-      : description_(description), limits_(limits), split_(split), control_(control) {}
+  /// `split`: find convex parts. `close_openings`: [m] as in closeOpenings().
+  MeshFiles(const Description& description, const MeshLimits& limits, bool split, const RunControl& control, double close_openings = 0)
+      : description_(description), limits_(limits), split_(split), close_openings_(close_openings), control_(control) {}
 
   /// The bodies of a link: a mesh that cannot be read, or is too large with all others, is a fault. Throws kCancelled.
   LinkBodies bodiesOf(const std::vector<GeometryElement>& elements);
@@ -54,7 +55,8 @@ class MeshFiles {
 
   const Description& description_;
   const MeshLimits limits_;
-  const bool split_;  // find convex parts
+  const bool split_;
+  const double close_openings_;
   const RunControl& control_;
   std::map<Key, std::shared_ptr<const File>> files_;
   std::size_t triangles_ = 0;  // of all elements so far

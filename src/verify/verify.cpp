@@ -85,7 +85,8 @@ class Verifier {
     const LinkPattern pattern(options_.links.empty() ? ".*" : options_.links, "--links");
     std::map<std::string, const LinkDescription*> of_result;
     for (const LinkDescription& link : result_.robot.links) of_result[link.name] = &link;
-    MeshFiles originals(original_, options_.mesh_limits, false, control_), results(result_, options_.mesh_limits, true, control_);
+    MeshFiles originals(original_, options_.mesh_limits, false, control_, options_.close_openings),
+        results(result_, options_.mesh_limits, true, control_);
     for (std::size_t i = 0; i < original_.robot.links.size(); ++i) {
       control_.check();
       const LinkDescription& link = original_.robot.links[i];
@@ -205,6 +206,7 @@ void check(const VerifyOptions& options) {
   };
   if (options.max_uncovered && !(*options.max_uncovered >= 0)) refuse("max-uncovered", *options.max_uncovered);
   if (options.max_protrusion && !(*options.max_protrusion >= 0)) refuse("max-protrusion", *options.max_protrusion);
+  if (!(options.close_openings >= 0)) refuse("close-openings", options.close_openings);
 }
 
 }  // namespace

@@ -127,6 +127,7 @@ std::string toJson(const Verification& verification, const VerifyOptions& option
                           {{"links", options.links},
                            {"source", name(options.source)},
                            {"made-from", options.made_from ? json(options.made_from->report) : json()},
+                           {"close-openings", options.close_openings},
                            {"max-uncovered", gate(options.max_uncovered)},
                            {"max-protrusion", gate(options.max_protrusion)},
                            {"configurations", options.configurations}}},

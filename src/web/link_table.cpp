@@ -93,7 +93,7 @@ std::string heading() {
                             {"Mesh", "", "", false},
                             {"Status", "", "", false},
                             {"Hulls", "", "and primitives in place of hulls", true},
-                            {"Proved", "mm", "no point of the hulls is further from the solid than this", true},
+                            {"Protrusion", "mm", "proved: no point of the hulls is further from the solid than this", true},
                             {"Found", "mm", "the largest protrusion that was found", true},
                             {"Tolerance", "mm", "what the protrusion was allowed to be", true},
                             {"Triangles", "", "of the mesh", true},

@@ -75,8 +75,7 @@ bool hasTrees(const PageContent& content, bool but_for_these) {
 
 std::string sliderNote(const PageContent& content) {
   std::string text;
-  if (hasTrees(content, false))
-    text += "The slider goes through the coarser cuts of the hull tree, with the bound that is proved of each. ";
+  if (hasTrees(content, false)) text += "The slider goes through the coarser cuts of the hull tree, with the proved protrusion of each. ";
   if (hasTrees(content, true))
     text +=
         "The slider merges the hulls of this result pair by pair. What merging adds is proved on top of what is proved of them, so the "

@@ -1,4 +1,4 @@
-// The totals in words. "Never miss" is what covering the surface proves, "too large" the proved protrusion; how much quicker queries are
+// The totals in words. "Never miss" is what covering the surface proves, "at most" that the protrusion is proved; how much quicker queries
 // was measured, by the validation for single meshes and by the fit for the robot in its scene, and is left out where it was not.
 #include "web/summary.h"
 
@@ -14,6 +14,11 @@ namespace {
 
 std::string many(std::size_t number, const std::string& noun, const std::string& plural = "") {
   return grouped(number) + " " + (number == 1 ? noun : plural.empty() ? noun + "s" : plural);
+}
+
+/// "no collision", "1 collision": in the words of the programs' table.
+std::string number(std::size_t n, const std::string& noun) {
+  return n == 0 ? "no " + noun : many(n, noun);
 }
 
 /// "6.6 times quicker", "1.3 times slower"
@@ -61,7 +66,7 @@ std::string totalsSentence(const ModelReport& model, const Report& report) {
   if (sum.meshes == sum.failed) return before + ": no hulls.";
   const bool of_all = sum.failed + sum.kept + sum.removed == 0;
   std::vector<std::string> claims{of_all ? "never miss a collision" : "never miss a collision with the surface that they cover",
-                                  "are at most " + figure(1000 * largestBound(model)) + " mm too large"};
+                                  "protrude by at most " + figure(1000 * largestBound(model)) + " mm"};
   const std::string quick = speed(model, report);
   if (!quick.empty()) claims.push_back(quick);
   std::string text = before + " \xE2\x86\x92 " + bodies(model) + ". They ";
@@ -84,16 +89,16 @@ std::string checkSentence(const ModelReport& model, const Report& report) {
   if (totals(model).meshes == totals(model).failed) return "";
   if (!report.options.validate) return "Not compared by collision queries (--no-validate).";
   if (v.queries == 0) return "";
-  return many(v.queries, "query", "queries") + " compared hulls and meshes: " + grouped(v.missed) + " missed, " + grouped(v.phantom) +
-         " false beyond the bound.";
+  return many(v.queries, "query", "queries") + " compared hulls and meshes: " + number(v.missed, "collision") + " missed, " +
+         number(v.phantom, "false collision") + " beyond the protrusion.";
 }
 
 std::string sceneSentence(const Report& report) {
   if (!report.scene) return "";
   const FitReport& fit = *report.scene;
   std::string text = "Fitted to the scene " + fit.scene + " with a clearance of " + figure(1000 * fit.clearance) + " mm: in " +
-                     many(fit.samples, fit.given ? "given configuration" : "random configuration") + ", " + grouped(fit.missed) +
-                     " missed and " + many(fit.phantom, "false collision");
+                     many(fit.samples, fit.given ? "given configuration" : "random configuration") + ", " +
+                     number(fit.missed, "collision") + " missed, " + number(fit.phantom, "false collision") + " beyond the clearance";
   if (!fit.given) text += " (at 95 % confidence in at most " + figure(100 * fit.phantom_rate_bound) + " % of all configurations)";
   return text + ".";
 }
@@ -120,7 +125,7 @@ std::vector<std::string> warnings(const ModelReport& model, const Report& report
   if (missed > 0)
     sentences.push_back(many(missed, "collision") + " missed in the check: please report this as a fault of collision_hulls.");
   if (phantom > 0)
-    sentences.push_back(many(phantom, "false collision") + " beyond the bound: please report this as a fault of collision_hulls.");
+    sentences.push_back(many(phantom, "false collision") + " beyond the protrusion: please report this as a fault of collision_hulls.");
   return sentences;
 }
 

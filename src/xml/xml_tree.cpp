@@ -61,6 +61,7 @@ std::string xmlEscaped(const std::string& text) {
       case '<': result += "&lt;"; break;
       case '>': result += "&gt;"; break;
       case '"': result += "&quot;"; break;
+      case '\'': result += "&apos;"; break;
       case '\t': result += "&#9;"; break;  // as they stand, readers of attributes take these three for blanks
       case '\n': result += "&#10;"; break;
       case '\r': result += "&#13;"; break;

@@ -140,7 +140,7 @@ def attack_signals(arena, rng):
     old, new = digests(kept), digests(fresh)
     arena.expect(old != new, "both tolerances give the same output, so nothing can be told")
     stayed = []
-    for kind in 8 * [signal.SIGINT, signal.SIGTERM, signal.SIGKILL]:
+    for kind in 8 * [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL]:
         shutil.rmtree(output, ignore_errors=True)
         shutil.copytree(kept, output)
         stayed.append(interrupt(arena, rng, kind, (*command, "-t", "1%", "-o", output), output, old, new, duration))

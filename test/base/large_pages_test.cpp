@@ -2,6 +2,7 @@
 #include "base/large_pages.h"
 
 #include <gtest/gtest.h>
+#include <link.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -59,6 +60,46 @@ TEST(LargePages, StartNothingWithLittleMemory) {
   ASSERT_EQ(setrlimit(RLIMIT_DATA, &little), 0);
   EXPECT_EQ(taken(nullptr), kStayed);
   setrlimit(RLIMIT_DATA, &before);
+}
+
+/// The dynamic loader that this program names.
+std::string loader() {
+  std::string result;
+  const auto visit = [](dl_phdr_info* info, std::size_t, void* path) {
+    for (int i = 0; i < info->dlpi_phnum; ++i)
+      if (info->dlpi_phdr[i].p_type == PT_INTERP)
+        *static_cast<std::string*>(path) = reinterpret_cast<const char*>(info->dlpi_addr + info->dlpi_phdr[i].p_vaddr);
+    return 1;  // the program is the first
+  };
+  dl_iterate_phdr(visit, &result);
+  return result;
+}
+
+/// This program, started by the loader.
+TEST(LargePages, DISABLED_ByTheLoader) {
+  char name[] = "again";
+  char* arguments[] = {name, nullptr};
+  takeLargePages(arguments);
+  _exit(kStayed);
+}
+
+// Then /proc/self/exe is the loader, which would take the first argument for a program.
+TEST(LargePages, StartNothingByTheLoader) {
+  if (kSanitized) GTEST_SKIP() << "a sanitizer has to be loaded first";
+  char program[4096] = {};
+  ASSERT_GT(readlink("/proc/self/exe", program, sizeof program - 1), 0);
+  ASSERT_NE(loader(), "");
+  const pid_t child = fork();
+  if (child == 0) {
+    unsetenv("GLIBC_TUNABLES");
+    execl(loader().c_str(), "loader", program, "--gtest_filter=LargePages.DISABLED_ByTheLoader", "--gtest_also_run_disabled_tests",
+          static_cast<char*>(nullptr));
+    _exit(kStartedWithoutThem);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), kStayed);
 }
 
 TEST(LargePages, StartNothingForWhoHasSetTheVariable) {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <thread>
 
+#include "base/large_pages.h"
 #include "robot/robot_tests.h"
 
 namespace collision_hulls {
@@ -24,6 +25,23 @@ TEST(RunProgram, GivesWhatItWrites) {
   EXPECT_EQ(result->errors, "err\n");
   EXPECT_EQ(runProgram(shell("kill -9 $$"))->status, 128 + SIGKILL);
   EXPECT_FALSE(runProgram({"no-such-program-anywhere"}));
+}
+
+TEST(RunProgram, WithTheEnvironmentOfOurCaller) {
+  const std::string ours = kLargePages, name = ours.substr(0, ours.find('='));
+  const auto result = [&] { return runProgram(shell("echo \"$" + name + " $ROBOT\""), {}, {}, {"ROBOT=arm"})->out; };
+  {
+    const ScopedVariable set_by_us(name.c_str(), ours.substr(name.size() + 1));
+    EXPECT_EQ(result(), " arm\n");
+  }
+  const ScopedVariable set_by_the_caller(name.c_str(), "glibc.malloc.check=0");
+  EXPECT_EQ(result(), "glibc.malloc.check=0 arm\n");
+}
+
+TEST(RunProgram, WithSignalsAsUsual) {
+  const auto before = signal(SIGPIPE, SIG_IGN);
+  EXPECT_EQ(runProgram(shell("kill -PIPE $$"))->status, 128 + SIGPIPE);
+  signal(SIGPIPE, before);
 }
 
 TEST(RunProgram, WithoutAnyOpenFile) {
@@ -57,27 +75,52 @@ TEST(RunProgram, MemoryIsBounded) {
   EXPECT_EQ(runProgram(shell("sleep 0.2; ulimit -v"), {}, limits)->out, "1048576\n");
 }
 
+void expectEnds(pid_t process) {
+  for (int i = 0; i < 1000 && kill(process, 0) == 0; ++i) {  // whoever adopts it has to collect it first
+    char state = '?';
+    std::string word;
+    std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
+    if (stat >> word >> word >> state && state == 'Z') break;
+    ASSERT_LT(i, 999);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+pid_t awaitNumberIn(const std::string& file) {
+  pid_t number = 0;
+  while (number == 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::ifstream(file) >> number;
+  }
+  return number;
+}
+
+TEST(RunProgram, EndsWhenWeAreKilled) {
+  const std::string file = testing::TempDir() + "run_program_killed_" + std::to_string(getpid());
+  const pid_t child = fork();
+  if (child == 0) {
+    runProgram(shell("echo $$ > " + file + "; exec sleep 1000"));
+    _exit(0);
+  }
+  const pid_t program = awaitNumberIn(file);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  expectEnds(program);
+  kill(program, SIGKILL);
+  std::remove(file.c_str());
+}
+
 TEST(RunProgram, EndsWithWhatItStartedWhenCancelled) {
   const std::string file = testing::TempDir() + "run_program_" + std::to_string(getpid());
   RunControl control;
   pid_t grandchild = 0;
   std::thread stop([&] {
-    while (grandchild == 0) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      std::ifstream(file) >> grandchild;
-    }
+    grandchild = awaitNumberIn(file);
     control.cancel();
   });
   expectError(ErrorCode::kCancelled, {}, [&] { runProgram(shell("sleep 1000 & echo $! > " + file + "; wait"), control); });
   stop.join();
-  for (int i = 0; i < 1000 && kill(grandchild, 0) == 0; ++i) {  // whoever adopts it has to collect it first
-    char state = '?';
-    std::string word;
-    std::ifstream stat("/proc/" + std::to_string(grandchild) + "/stat");
-    if (stat >> word >> word >> state && state == 'Z') break;
-    ASSERT_LT(i, 999);
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
+  expectEnds(grandchild);
   std::remove(file.c_str());
 }
 

@@ -26,6 +26,14 @@ TEST(ChildProcess, ExitStatusAndOutput) {
   EXPECT_GT(result.peak_mb, 0);
 }
 
+TEST(ChildProcess, SignalsAreAsUsual) {
+  const auto before = signal(SIGPIPE, SIG_IGN);  // as our programs do
+  const ChildResult result = shell("kill -PIPE $$");
+  signal(SIGPIPE, before);
+  EXPECT_EQ(result.end, End::kSignal);
+  EXPECT_EQ(result.code, SIGPIPE);
+}
+
 TEST(ChildProcess, KeepsTheEndOfLongOutput) {
   const ChildResult result = shell("i=0; while [ $i -lt 2000 ]; do echo line $i; i=$((i+1)); done");
   EXPECT_EQ(result.output.substr(result.output.size() - 10), "line 1999\n");

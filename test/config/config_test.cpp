@@ -38,13 +38,13 @@ TEST(ConfigText, SpellsOutTheDefaults) {
   EXPECT_EQ(configText({}),
             "# Repeats the run that wrote it: decompose INPUT --config FILE.\n"
             "default: {tolerance: \"1cm,5%\", method: certified, effort: quick, fill: false, max_hulls: 0, max_vertices: 64, source: auto, "
-            "padding: 0, shapes: hulls, "
+            "padding: 0, close_openings: 0, shapes: hulls, "
             "tree: none}\n"
             "only: \".*\"\n"
             "links: {}\n"
             "regions: []\n"
             "models: {}\n"
-            "output: {format: stl, uri: package, segments: false, package_name: \"\"}\n"
+            "output: {format: stl, uri: package, rebase: false, segments: false, package_name: \"\"}\n"
             "seed: 1\n");
 }
 
@@ -53,7 +53,7 @@ TEST(ConfigText, ReadsBackAsTheSame) {
       "", "default: {tolerance: 3%, method: hacd, max_hulls: 4, max_vertices: 0, source: visual}\noutput: {segments: true, format: dae}",
       "default: {tree: 1mm, fill: true, effort: best}\nseed: 18446744073709551615",
       "links: {a: keep, b: remove, c: {action: decompose}, \"d\\\\.\\\"*\": {tolerance: \"1mm,2%\", source: collision, effort: best}}",
-      "models: {planning: \"1cm,5%\", contact: 123.456um}\nonly: \"x|y\"\noutput: {uri: relative, package_name: a_b}"};
+      "models: {planning: \"1cm,5%\", contact: 123.456um}\nonly: \"x|y\"\noutput: {uri: relative, rebase: true, package_name: a_b}"};
   for (const std::string& text : texts) {
     const Options options = optionsOf(text);
     const std::string written = configText(options);

@@ -17,7 +17,7 @@ links:
   panda_link5: {method: bounding_box}
   camera_.*: remove
 models: {planning: "1cm,5%", contact: 0.002}
-output: {format: obj, uri: relative, segments: false, package_name: panda_hulls}
+output: {format: obj, uri: relative, rebase: true, segments: false, package_name: panda_hulls}
 seed: 7
 only: "(panda|camera)_.*"
 )";
@@ -40,12 +40,13 @@ TEST(ParseConfig, EverythingItMaySay) {
   EXPECT_EQ(config.models[1].tolerance.limit, 0.002);
   EXPECT_EQ(config.format, MeshFormat::kObj);
   EXPECT_EQ(config.uri, UriStyle::kRelative);
+  EXPECT_EQ(config.rebase, true);
   EXPECT_EQ(config.segments, false);
   EXPECT_EQ(config.package_name, "panda_hulls");
   EXPECT_EQ(config.seed, 7u);
   EXPECT_EQ(config.only, "(panda|camera)_.*");
-  EXPECT_EQ(config.named,
-            (std::set<std::string>{"tolerance", "source", "model", "format", "uri", "segments", "package-name", "seed", "links"}));
+  EXPECT_EQ(config.named, (std::set<std::string>{"tolerance", "source", "model", "format", "uri", "rebase", "segments", "package-name",
+                                                 "seed", "links"}));
 }
 
 TEST(ParseConfig, NothingAtAll) {
@@ -117,7 +118,10 @@ TEST(ParseConfig, EveryWayToGetItWrong) {
       {"links:\n  arm: {action: remove, method: hacd}", {"method of links 'arm' contradicts 'remove'"}},
       {"links:\n  arm: {action: keep, tolerance: 1mm}", {"tolerance of links 'arm' contradicts 'keep'"}},
       {"links:\n  arm: {method: acd, fill: true}", {"fill 'true' of links 'arm' needs method 'certified', not 'acd'"}},
-      {"links: {[a]: keep}", {"line 1", "expected a single value"}},
+      {"links: {[a]: keep}", {"line 1", "a key of links is a list: use a single word, in quotes if it has brackets"}},
+      {"links: {? [a] : keep}", {"line 1", "a key of links is a list: use a single word"}},
+      {"{a: b}: keep", {"line 1", "a key is a map: use a single word"}},
+      {"links: {~: keep}", {"line 1", "a key of links is nothing: use a single word"}},
       {"links: {a: *nowhere}", {"not valid YAML"}},
       {"links: &a {b: *a}", {"line 1"}},
       {"only: \"*\"", {"only '*' is invalid"}},
@@ -130,7 +134,7 @@ TEST(ParseConfig, EveryWayToGetItWrong) {
       {"output: {uri: http}", {"uri of output is 'http'"}},
       {"output: {package_name: My Robot}", {"package-name 'My Robot' is invalid"}},
       {"output: {packagename: a}", {"'packagename' is not known in output", "did you mean 'package_name'?"}},
-      {"links: {\"a\\e[31m\": keep}", {"a key holds a control character"}},
+      {"links: {\"a\\e[31m\": keep}", {"a key of links holds a control character"}},
       {"links: {a: \"\\e[31m\"}", {"links 'a' holds a control character"}},
       {"seed: -1", {"seed is '-1': use a whole number"}},
       {"seed: 18446744073709551616", {"seed is '18446744073709551616'"}},

@@ -329,6 +329,14 @@ TEST_F(Consumers, GazeboHasACollisionForEachHullAndTheLimits) {
   EXPECT_NE(sdf.find("<velocity>2</velocity>"), std::string::npos);
 }
 
+// In the description it counts from urdf/.
+TEST_F(Consumers, GazeboFindsARelativeVisualFromTheFolderOfItsFile) {
+  const auto visual = [](const std::string& uri) { return "<visual>" + fixtures::meshTag(uri) + "</visual>"; };
+  const std::string sdf = fileOf(Consumer::kGazebo, threeLinks(visual("../../arm/a.dae") + visual("file://b.dae") + cube()), "model.sdf");
+  EXPECT_NE(sdf.find("<uri>../arm/a.dae</uri>"), std::string::npos) << sdf;
+  EXPECT_NE(sdf.find("<uri>file://b.dae</uri>"), std::string::npos) << sdf;
+}
+
 // footprint - stand - base = moved - a - tool - tip = b = c, where - is fixed and = turns.
 TEST_F(Consumers, GazeboHasAFrameForALinkWithoutMassAndShape) {
   std::string urdf = threeLinks(cube());

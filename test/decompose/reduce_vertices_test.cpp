@@ -59,7 +59,7 @@ TEST(ReduceVertices, EnclosesARoundHullClosely) {
   EXPECT_LE(reduced.vertices.size(), 64u);
   expectHolds(reduced, sphere);
   EXPECT_GT(addedDistance(reduced, sphere), 0.03);
-  EXPECT_LT(addedDistance(reduced, sphere), 0.09);
+  EXPECT_LT(addedDistance(reduced, sphere), 0.07) << "three attempts to space the vertices evenly leave 0.08";
 }
 
 TEST(ReduceVertices, ACylinderStaysACylinder) {

@@ -92,6 +92,26 @@ TEST(Counterexamples, TheBoundAllowsForDentsOfAHull) {
   EXPECT_LE(protrusion({hull}, solid, 0.01).bound, before + 1e-3);
 }
 
+// Where three faces lie outside the triangles, they meet further out.
+TEST(Counterexamples, TheBoundReachesToWhereFacesMeet) {
+  const double out = 1e-4;
+  ConvexHull hull = boxHull({0, 0, 0}, {1, 1, 1});
+  for (HalfSpace& face : hull.faces) face.offset += out;
+  const double bound = protrusion({hull}, solidOf(test_shapes::box(1, 1, 1)), 1e-6).bound;
+  EXPECT_GE(bound, std::sqrt(3.0) * out);
+  EXPECT_LE(bound, 1.02 * std::sqrt(3.0) * out);
+}
+
+// What rounding may hide is a share of the mesh's extent, and of the hulls' coordinates: a hull deep inside, and one far from the origin.
+TEST(Counterexamples, TheBoundAllowsForTheRoundingOfMeshesAndOfHulls) {
+  const double share = 1e-12;
+  const Solid large = solidOf(test_shapes::moved(test_shapes::box(2000, 2000, 2000), {-1000, -1000, -1000}));
+  EXPECT_GE(protrusion({boxHull({-1, -1, -1}, {1, 1, 1})}, large, 1e-11).bound, share * 2000);
+  const Vector3d far(1e6, 0, 0);
+  const Solid moved = solidOf(test_shapes::moved(test_shapes::box(1, 1, 1), far));
+  EXPECT_GE(protrusion({boxHull(far + Vector3d::Constant(0.25), far + Vector3d::Constant(0.75))}, moved, 1e-11).bound, share * 1e6);
+}
+
 // Random input.
 
 /// A lower bound on the distance to S and, near openings, to the part of it that surely is inside.

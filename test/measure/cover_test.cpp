@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "collision_hulls/measure/measures.h"
@@ -59,6 +60,19 @@ TEST(Uncovered, APartOutsideOneHull) {
   const TriangleMesh mesh = test_shapes::box(1, 1, 1, 3);
   EXPECT_NEAR(uncovered(mesh, {boxHull({0, 0, 0}, {0.75, 1, 1})}), 0.25, 1e-12);
   EXPECT_NEAR(uncovered(mesh, {boxHull({0, 0, 0}, {0.5, 0.5, 0.5})}), std::sqrt(0.75), 1e-12);
+}
+
+// The hull's box holds the corner that the hull lacks.
+TEST(Uncovered, ACornerBeyondASlantedFace) {
+  const TriangleMesh mesh = test_shapes::box(1, 1, 1);
+  for (const double cut : {0.5, 0.1, 0.02, 1e-3, 1e-6}) {
+    std::vector<Vector3d> points{{1, 1, 1 - cut}, {1, 1 - cut, 1}, {1 - cut, 1, 1}};
+    for (const Vector3d& v : mesh.vertices)
+      if (v.sum() < 2.5) points.push_back(v);
+    const std::vector<ConvexHull> hulls{convexHull(points)};
+    EXPECT_NEAR(uncovered(mesh, hulls), cut / std::sqrt(3.0), 0.02 * cut) << cut;
+    EXPECT_GT(uncoveredTriangles(mesh, hulls).size(), 2U) << cut;
+  }
 }
 
 TEST(Uncovered, ATriangleThatOnlyTheUnionCovers) {

@@ -75,6 +75,59 @@ TEST(FlatSheets, BoundsByHeightButOnlyAboveTheSheet) {
   EXPECT_TRUE(std::isinf(block.heightAboveSheet(above, block.surface().nearest(above[0]), 0))) << "solids have other bounds";
 }
 
+/// The bound of a patch over what is nearest to its middle.
+double boundOf(const Patch& patch, const Solid& solid, double slack = 0) {
+  return solid.heightAboveSheet(patch, solid.surface().nearest((patch[0] + patch[1] + patch[2]) / 3), slack);
+}
+
+// Patches in the plane of the sheet's first triangle: their height is 0, so all that they are away is the dent or the slack.
+
+TEST(FlatSheets, ADentCountsWithItsDepth) {
+  const double dent = 1e-6;  // of a diagonal of sqrt(2) as much is flat
+  TriangleMesh sheet = test_shapes::sheet(1, 1, 10);
+  int lowered = 0;
+  for (Vector3d& v : sheet.vertices)
+    if ((v - Vector3d(0.5, 0.5, 0)).norm() < 0.01) v.z() -= dent, ++lowered;
+  ASSERT_EQ(lowered, 1);
+  const Solid solid = test_shapes::solidOf(sheet);
+  const Patch above{Vector3d(0.2, 0.2, 0), Vector3d(0.8, 0.3, 0), Vector3d(0.4, 0.9, 0)};
+  EXPECT_NEAR(solid.distanceToSurface({0.5, 0.5, 0}), dent, 1e-9 * dent);
+  EXPECT_GE(boundOf(above, solid), dent);
+  EXPECT_LE(boundOf(above, solid), 1.001 * dent);
+}
+
+TEST(FlatSheets, WhatSticksOutByTheSlackIsThatFarAway) {
+  const Solid solid = test_shapes::solidOf(test_shapes::sheet(1, 1, 10));
+  const double slack = 0.1;
+  for (const double out : {0.2, 0.5, 0.9, 0.99, 1.01, 1.05, 1.5}) {  // slacks
+    const Patch patch{Vector3d(1 + out * slack, 0.5, 0), Vector3d(0.6, 0.45, 0), Vector3d(0.6, 0.55, 0)};
+    const double bound = boundOf(patch, solid, slack);
+    EXPECT_GE(bound, solid.distanceToSurface(patch[0])) << out;
+    EXPECT_TRUE(out < 1 ? bound < 1.001 * slack : std::isinf(bound)) << out;
+  }
+}
+
+TEST(FlatSheets, WhatLiesOverAHoleIsNotAboveTheSheet) {
+  const Solid solid = test_shapes::solidOf(bentSheetWithAWindow());
+  const Patch around{Vector3d(0.05, 0.02, 0.01), Vector3d(1.95, 0.02, 0.01), Vector3d(0.4, 0.98, 0.01)};  // around a corner of the window
+  const Patch within{Vector3d(1.1, 0.45, 0.01), Vector3d(1.3, 0.45, 0.01), Vector3d(1.2, 0.55, 0.01)};
+  const Patch beyond{Vector3d(1.1, 0.45, 0.01), Vector3d(1.3, 0.45, 0.01), Vector3d(1.2, 0.95, 0.01)};  // its middle above the hole, too
+  const Patch beside{Vector3d(0.2, 0.1, 0.01), Vector3d(0.8, 0.1, 0.01), Vector3d(0.2, 0.9, 0.01)};
+  for (const Patch& patch : {around, within, beyond}) EXPECT_TRUE(std::isinf(boundOf(patch, solid)));
+  EXPECT_NEAR(boundOf(beside, solid), 0.01, 1e-5);
+}
+
+// A flap that is folded back onto a sheet is no part of its panel, or the fold would be no edge of that.
+TEST(FlatSheets, APanelEndsWhereTheSheetIsFolded) {
+  const TriangleMesh folded{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.1, 0}, {0.5, 0.9, 0}},
+                            {{0, 1, 2}, {0, 2, 3}, {2, 1, 4}, {2, 4, 5}}};
+  const Solid solid = test_shapes::solidOf(folded);
+  const Patch over{Vector3d(0.7, 0.4, 0), Vector3d(1.2, 0.5, 0), Vector3d(0.7, 0.6, 0)};
+  EXPECT_NEAR(solid.distanceToSurface(over[1]), 0.2, 1e-12);
+  EXPECT_TRUE(std::isinf(boundOf(over, solid)));
+  EXPECT_FALSE(std::isinf(boundOf({over[0], Vector3d(0.95, 0.5, 0), over[2]}, solid)));
+}
+
 TEST(FlatSheets, ManyCoplanarTrianglesAreCertifiedClosely) {
   const TriangleMesh sheet = test_shapes::sheet(1, 1, 80);
   ConvexHull plate = test_shapes::hullOf(sheet);

@@ -80,6 +80,34 @@ TEST(OutsideDistance, TheBoundOfACellThatReachesOutOfTheSolid) {
   EXPECT_GE(outside.largest(corner, query(0, 0.3)).bound, std::sqrt(0.48));
 }
 
+// The middle of a flask's hollow is 1 from its walls. Cells below divide there along x, but not along y and z, so that the middle lies on
+// their border and is the middle of none.
+
+// A hull 0.2 around it is 0.8 from the walls, and the cell's other points are no deeper than its distance from the hull's faces allows.
+TEST(OutsideDistance, PointsLieAsDeepInAHullAsItsFacesAllow) {
+  const Solid solid = solidOf(test_shapes::flask(0.2, 2));
+  const Vector3d middle(0, 0, 1.5), reach = Vector3d::Constant(0.2), off(0, 0.06, 0.05), half = Vector3d::Constant(0.26);
+  OutsideDistance outside(solid, {middle + off - half, middle + off + half});
+  OutsideDistance::Query q = query(0.8, 0.3);  // the root's eight children are not divided
+  q.surface_bound = 0.8;
+  const OutsideDistance::Largest largest = outside.largest(boxHull(middle - reach, middle + reach), q);
+  EXPECT_LT(largest.found, 0.95);
+  EXPECT_GE(largest.bound, 1);
+  EXPECT_LE(largest.bound, 1.0001);
+}
+
+// A wall is as far from a cell as from its furthest corner.
+TEST(OutsideDistance, ACellBesideAWallReachesToItsCorners) {
+  const Solid solid = solidOf(test_shapes::flask(0.2, 2));
+  const Vector3d middle(0, 0, 1.5), off(0, 0.03, 0.05), half = Vector3d::Constant(0.2);
+  OutsideDistance outside(solid, {middle + off - half, middle + off + half});
+  OutsideDistance::Query q = query(0.995, 0.05);  // a tenth less than the corners' distance to the wall is below the floor
+  q.summits_only = true;
+  const OutsideDistance::Largest largest = outside.largest(boxHull(middle + off - 0.95 * half, middle + off + 0.95 * half), q);
+  EXPECT_GE(largest.bound, 1 - 1e-12);
+  EXPECT_LE(largest.bound, 1.1);
+}
+
 // Its cells rotate with the mesh.
 TEST(OutsideDistance, ARotatedMesh) {
   Eigen::Isometry3d turn(Eigen::Quaterniond(0.8, 0.3, -0.4, 0.2).normalized());

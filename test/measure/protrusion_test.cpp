@@ -144,6 +144,62 @@ TEST(Protrusion, AThinPlateTakesNoSearch) {
   EXPECT_LE(p.bound, 2e-5);
 }
 
+/// A pyramid on a regular polygon about the z axis, from z = 0 to its tip.
+ConvexHull needle(int sides, double radius, double tip) {
+  std::vector<Vector3d> points{{0, 0, tip}};
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * test_shapes::kPi * i / sides;
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+  }
+  return convexHull(points);
+}
+
+/// The same mesh with its tip cut off.
+TriangleMesh stump(int sides, double radius, double tip, double cut) {
+  test_shapes::MeshBuilder builder;
+  const auto at = [&](int i, double z) {
+    const double angle = 2 * test_shapes::kPi * (i % sides) / sides, r = radius * (tip - z) / tip;
+    return Vector3d(r * std::cos(angle), r * std::sin(angle), z);
+  };
+  for (int i = 0; i < sides; ++i) {
+    builder.quad(at(i, 0), at(i + 1, 0), at(i + 1, tip - cut), at(i, tip - cut));
+    builder.triangle(at(i + 1, 0), at(i, 0), {0, 0, 0});
+    builder.triangle(at(i, tip - cut), at(i + 1, tip - cut), {0, 0, tip - cut});
+  }
+  return builder.mesh();
+}
+
+// The cut reaches e deep into a needle, and the needle's middle r. Towards the tip both grow with the distance from it, so the tip is e / r
+// of its way to the middle from the cut. With its triangles taken away, that is all that bounds the hull: else its surface does.
+TEST(Protrusion, WhatTheSurfaceLeavesFreeIsWithinAShareOfTheWayToTheMiddle) {
+  for (const double cut : {0.02, 0.1}) {
+    const Solid solid = solidOf(stump(16, 1, 20, cut));
+    ConvexHull hull = needle(16, 1, 20);
+    ASSERT_FALSE(solid.hasOpenings());
+    EXPECT_NEAR(solid.distance({0, 0, 20}), cut, 1e-9);
+    hull.triangles.clear();
+    const double bound = protrusion({hull}, solid, 4 * cut).bound;
+    EXPECT_GE(bound, cut);
+    EXPECT_LE(bound, 1.1 * cut);
+  }
+}
+
+// A post through a window meets no surface, and its middle is inside; what stands out of the window is not. Its triangles are taken away so
+// that only the search of its inside tells.
+TEST(Protrusion, AHullThroughAnOpeningIsNotLeftFree) {
+  ConvexHull post = boxHull({0.45, 0.45, 0.2}, {0.55, 0.55, 1.3});
+  post.triangles.clear();
+  EXPECT_GE(protrusion({post}, solidOf(test_shapes::boxWithWindow(0.2)), 0.001).bound, 0.04) << "nearly half its width";
+}
+
+// The middle of a flask's hollow is 1 from its walls, and 0.2 below the surface of a cube, which is 0.8 from them everywhere. The gap is so
+// wide that nothing more is looked for.
+TEST(Protrusion, NoPointIsDeeperThanHalfTheWidth) {
+  const Solid solid = solidOf(test_shapes::flask(0.2, 2));
+  const Protrusion p = protrusion({boxHull({-0.2, -0.2, 1.3}, {0.2, 0.2, 1.7})}, solid, 0.38);
+  EXPECT_GE(p.bound, 1);
+}
+
 TEST(Protrusion, AHullApartFromTheSolid) {
   const std::vector<ConvexHull> hulls{boxHull({0, 0, 0}, {1, 1, 1}), boxHull({4, 0, 0}, {5, 1, 1})};
   const Protrusion p = checkedProtrusion(hulls, solidOf(test_shapes::box(1, 1, 1)), 0.001);

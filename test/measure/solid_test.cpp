@@ -187,6 +187,18 @@ TEST(Solid, TheSignedDistanceStaysInside) {
   EXPECT_EQ(closed.signedDistance({0.5, 0.5, 1.5}, 0.5), 0.5);
 }
 
+// Where the side is known, the ball is no larger.
+TEST(Solid, TheSignedDistanceOfAKnownSideIsTheSame) {
+  const Solid solid = solidOf(test_shapes::box(1, 1, 1));
+  RandomPoints random(5);
+  for (int i = 0; i < 200; ++i) {
+    const Vector3d p = Vector3d::Constant(0.5) + random.inCube(0.9);
+    const double to_surface = solid.distanceToSurface(p);
+    EXPECT_EQ(solid.signedDistance(solid.contains(p), to_surface), solid.signedDistance(p, to_surface));
+  }
+  EXPECT_GE(solid.signedDistance(true, 0.25), -0.25 + kBlur * (1 - 1e-6));
+}
+
 // A ray that counts crossings starts a little aside, possibly across a wall.
 TEST(Solid, WhatLiesWithinTheBlurOfTheSurfaceCountsAsOutside) {
   const Solid solid = solidOf(test_shapes::box(1, 1, 1));
@@ -225,6 +237,44 @@ TEST(Solid, APatchOnOneSideIsOnOneSideEverywhere) {
     }
     EXPECT_GT(inside, 50);
     EXPECT_GT(mixed, 50);
+  }
+}
+
+// Straight out of a wall, or of a window, the distance grows by the whole way, or nearly so.
+TEST(Solid, TheDistanceWithinABallIsThatOfItsFurthestPoint) {
+  const auto within = [](const Solid& solid, const Vector3d& p, double radius) {
+    const double to_surface = solid.distanceToSurface(p);
+    return solid.distanceWithin(radius, solid.signedDistance(p, to_surface), to_surface);
+  };
+  const Vector3d up = Vector3d::UnitZ();
+  const Solid box = solidOf(test_shapes::box(1, 1, 1)), open = solidOf(test_shapes::boxWithWindow(0.2));
+  for (const double radius : {0.15, 0.5, 2.0, 10.0}) {  // just out of the window, where the surface is far, and far away
+    for (const double z : {0.6, 0.9, 1.2}) {
+      const Vector3d p(0.5, 0.5, z);
+      EXPECT_GE(within(box, p, radius), box.distance(p + radius * up)) << z << ", radius " << radius;
+      EXPECT_NEAR(within(box, p, radius), std::max(0.0, z + radius - 1), 3 * kBlur);
+      EXPECT_GE(within(open, p, radius), open.distance(p + radius * up)) << z << ", radius " << radius;
+      EXPECT_LE(within(open, p, radius), open.distanceToSurface(p) + radius);
+    }
+  }
+}
+
+// What the field of the rim may do further from a patch's middle than the way to the border is unknown.
+TEST(Solid, APatchInFrontOfAnOpeningReachesNoFurtherThanTheWayToTheBorder) {
+  const Solid solid = solidOf(test_shapes::boxWithWindow(0.2));
+  for (const double height : {0.4, 0.5, 0.6}) {
+    const Vector3d middle(0.5, 0.5, height);
+    const double way = solid.wayToBorder(middle);
+    ASSERT_GT(way, 0.05);
+    const auto patch = [&](double reach) {
+      const auto at = [&](double degrees) {
+        const double angle = degrees * test_shapes::kPi / 180;
+        return Vector3d(middle + reach * Vector3d(std::cos(angle), std::sin(angle), 0));
+      };
+      return std::array<Vector3d, 3>{at(0), at(120), at(240)};
+    };
+    EXPECT_TRUE(solid.isOneSide(patch(0.6 * way))) << height;
+    EXPECT_FALSE(solid.isOneSide(patch(1.001 * way))) << height;
   }
 }
 

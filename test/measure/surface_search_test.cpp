@@ -172,6 +172,22 @@ TEST(SurfaceSearch, AFaceThroughTheSolidIsSettledWhole) {
   EXPECT_GT(firstBound(boxHull({-0.07, 0.4, 0.4}, {1.07, 0.6, 0.6}), solid, 0.05), 0.069);
 }
 
+// Two corners stick out of opposite walls; to be moved inside they have to go as far, at least.
+TEST(SurfaceSearch, WhatIsMovedInsideIsWithinTheWayThatItWasMoved) {
+  const Solid solid = solidOf(test_shapes::box(1, 1, 1));
+  const double out = 0.05;
+  SurfaceQuery query;
+  query.gap = 1e-4;
+  query.halvings = 0;
+  for (const double floor : {1.005, 1.02, 1.05}) {
+    query.floor = floor * out;
+    const Protrusion p = largestOnSurface({{-out, 0.5, 0.5}, {1 + out, 0.5, 0.5}, {0.5, 0.6, 0.5}}, {{0, 1, 2}}, solid, query, {});
+    EXPECT_GE(p.bound, out);
+    EXPECT_LE(p.bound, query.floor + query.gap);
+    EXPECT_EQ(p.found, 0);
+  }
+}
+
 TEST(SurfaceSearch, AFaceNearARoundSurfaceIsSettledWhole) {
   const Solid solid = solidOf(test_shapes::sphere(1, 5));
   const ConvexHull hull = boxHull({-0.2, -0.2, 0.9}, {0.2, 0.2, 1});

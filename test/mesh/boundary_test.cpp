@@ -53,5 +53,15 @@ TEST(Closures, AChainThatDoesNotReturnIsClosedToo) {
   EXPECT_NEAR(1, closures(kVertices, chain, 1, Eigen::Vector3d::Zero(), {})[0].area, 1e-12);
 }
 
+TEST(BoundaryLoops, AChainThatDoesNotReturnIsMarked) {
+  const std::vector<BoundaryLoop> loops = boundaryLoops(6, {{0, 0, 1}, {0, 1, 2}, {1, 3, 4}, {1, 4, 5}, {1, 5, 3}}, {});
+  ASSERT_EQ(2u, loops.size());
+  EXPECT_FALSE(loops[0].returns);
+  EXPECT_EQ((std::vector<int>{0, 1, 2}), loops[0].vertices);
+  EXPECT_TRUE(loops[1].returns);
+  EXPECT_EQ(1, loops[1].surface);
+  EXPECT_EQ((std::vector<int>{3, 4, 5}), loops[1].vertices);
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -203,6 +203,7 @@ TEST(CacheKeys, EachInputOfAMeshCounts) {
         t.scale = {-2, 1, 0.5};
       },
       [](MeshTask& t, Options&) { t.file = "part.obj"; },
+      [](MeshTask& t, Options&) { t.close_openings = 0.05; },
       [](MeshTask&, Options& o) { o.tolerance = shareOf(0.02); },
       [](MeshTask&, Options& o) { o.tolerance = lengthOf(0.01); },
       [](MeshTask&, Options& o) { o.method = Method::kHacd; },

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "collision_hulls/error.h"
 #include "collision_hulls/pipeline/decompose_robot.h"
 #include "collision_hulls/pipeline/output.h"
@@ -53,24 +56,51 @@ TEST(DecomposeMesh, Degenerate) {
   EXPECT_EQ(decomposeMesh(missing, {}).report.links[0].error, "FileNotFound");
 }
 
-// All three coordinates of each corner are rounded outward by half a unit in the last place, nearly: the corner moves by more than that.
-TEST(DecomposeMesh, TheBoundHoldsForTheNumbersInTheFile) {
-  constexpr double kUnit = 0x1p-9, kFrom = 16384;  // single precision's, from there on
-  const double low = kFrom + 0.4999 * kUnit, high = kFrom + 6 - 0.4999 * kUnit;
+/// How far the corners of a file's box are rounded outward, all three coordinates of each by half a unit in the last place, nearly; and the
+/// row of the report. Numbers in the file are smaller by the scale.
+struct RoundedBox {
+  double furthest = 0;  ///< [m] of the hulls' vertices
+  ElementReport row;
+};
+RoundedBox roundedBox(double unit, double from, double scale) {
+  const double low = from + 0.4999 * unit, high = from + 6 - 0.4999 * unit;
   TriangleMesh box = test_shapes::box(1, 1, 1);
-  for (Eigen::Vector3d& v : box.vertices) v = (v.array() > 0.5).select(Eigen::Vector3d::Constant(high), Eigen::Vector3d::Constant(low));
+  for (Eigen::Vector3d& v : box.vertices)
+    v = (v.array() > 0.5).select(Eigen::Vector3d::Constant(high / scale), Eigen::Vector3d::Constant(low / scale));
   const TempFolder folder;
   Options options;
   options.tolerance = lengthOf(0.05);
+  options.scale = scale;
   const RobotResult result = decomposeMesh(fixtures::write(folder / "far.obj", fixtures::obj(box)), options);
-  const ElementReport& row = result.report.links.at(0);
-  ASSERT_EQ(row.status, Status::kOk) << row.reason;
-  double furthest = 0;
+  RoundedBox rounded{0, result.report.links.at(0)};
   for (const ConvexHull& hull : result.elements.at(0).hulls)
     for (const Eigen::Vector3d& v : hull.vertices)
-      furthest = std::max(furthest, (v.array() - high).max(low - v.array()).max(0).matrix().norm());
-  EXPECT_GT(furthest, kUnit) << "or it tells nothing";
-  EXPECT_LE(furthest, row.protrusion);
+      rounded.furthest = std::max(rounded.furthest, (v.array() - high).max(low - v.array()).max(0).matrix().norm());
+  return rounded;
+}
+
+// A corner moves by more than half a unit.
+TEST(DecomposeMesh, TheBoundHoldsForTheNumbersInTheFile) {
+  constexpr double kUnit = 0x1p-9, kFrom = 16384;  // single precision's, from there on
+  for (const double scale : {1.0, 16.0}) {
+    const RoundedBox rounded = roundedBox(kUnit, kFrom, scale);
+    ASSERT_EQ(rounded.row.status, Status::kOk) << rounded.row.reason;
+    EXPECT_GT(rounded.furthest, kUnit) << "or it tells nothing";
+    EXPECT_LE(rounded.furthest, rounded.row.protrusion) << "scale " << scale;
+  }
+}
+
+TEST(DecomposeMesh, TheBoundIncludesHowFarVerticesWereWelded) {
+  TriangleMesh box = test_shapes::box(1, 1, 1);
+  box.vertices.push_back(box.corner(11, 0) + Eigen::Vector3d::Constant(4e-6));  // a copy of a corner, off by a little
+  box.triangles[11][0] = static_cast<int>(box.vertices.size()) - 1;
+  const TempFolder folder;
+  Options options;
+  options.tolerance = lengthOf(0.001);
+  const ElementReport row = decomposeMesh(fixtures::write(folder / "box.obj", fixtures::obj(box)), options).report.links.at(0);
+  ASSERT_EQ(row.status, Status::kOk) << row.reason;
+  EXPECT_NEAR(row.repair.weld_distance, std::sqrt(3.0) * 4e-6, 2e-7);
+  EXPECT_GE(row.protrusion, row.protrusion_found + row.repair.weld_distance);
 }
 
 TEST(DecomposeMesh, NoToleranceFinerThanItsCoordinates) {

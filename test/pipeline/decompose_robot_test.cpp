@@ -205,11 +205,46 @@ TEST_F(DecomposeRobot, NotesUrisThatNowResolveElsewhere) {
     const auto kept = notes(link("base", visual("box.obj") + visual("box.obj", "2 2 2") + collision("box.obj")));
     ASSERT_EQ(kept.size(), 1u);
     EXPECT_EQ(kept[0].rfind("1 mesh URI is", 0), 0u) << kept[0];
-    for (const std::string part : {"'../meshes/box.obj'", "out/urdf/arm.urdf'", "package://"})
+    for (const std::string part : {"'../meshes/box.obj'", "out/urdf/arm.urdf'", ": add --rebase"})
       EXPECT_NE(kept[0].find(part), std::string::npos) << kept[0];
   }
   options_.links = "tip";
   EXPECT_EQ(notes(link("base", collision("bracket.obj")) + link("tip", collision("box.obj"), "base")).size(), 1u) << "collisions that stay";
+}
+
+TEST_F(DecomposeRobot, RebasedUrisAreFoundFromTheOutput) {
+  options_.rebase = true;
+  options_.links = "tip";
+  const std::string gone = link("gone", visual("gone.obj"), "tip");
+  const std::string links = link("base", visual("box.obj") + collision("bracket.obj")) + link("tip", visual("box.obj"), "base");
+  for (const UriStyle style : {UriStyle::kPackage, UriStyle::kFile, UriStyle::kRelative}) {
+    options_.uri = style;
+    RobotResult result = run(links);
+    EXPECT_TRUE(result.report.notes.empty()) << result.report.notes[0];
+    writeOutput(result, folder_ / "out");
+    const RobotDescription written = readRobotDescription(folder_ / "out/urdf/arm.urdf");
+    for (const LinkDescription& each : written.links)
+      EXPECT_EQ(resolveUri(each.visuals.at(0).uri, written.path, defaultPackageFinder()), folder_ / "meshes/box.obj");
+    EXPECT_EQ(resolveUri(written.links[0].collisions.at(0).uri, written.path, defaultPackageFinder()), folder_ / "meshes/bracket.obj");
+    const std::vector<std::string> notes = run(links + gone).report.notes;
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_EQ(notes[0],
+              "1 mesh URI is relative to the folder of the input, such as '../meshes/gone.obj', and stayed so, as no such file was found "
+              "there: correct the input");
+  }
+}
+
+// The page draws the meshes that links keep.
+TEST_F(DecomposeRobot, RebasedMeshesOfLinksThatAreKept) {
+  options_.rebase = true;
+  options_.uri = UriStyle::kRelative;
+  options_.rules.resize(1);
+  options_.rules[0].pattern = "base";
+  options_.rules[0].settings.action = Action::kKeep;
+  const RobotResult result = run(link("base", collision("bracket.obj")) + link("tip", collision("box.obj"), "base"));
+  ASSERT_EQ(result.kept.size(), 1u);
+  EXPECT_EQ(result.kept[0].element.uri, "../../meshes/bracket.obj");
+  EXPECT_FALSE(result.kept[0].surface.triangles.empty());
 }
 
 TEST_F(DecomposeRobot, NamesTheSourceWithMeshesIfTheChosenOneHasNone) {
@@ -261,6 +296,27 @@ TEST_F(DecomposeRobot, OneBadLinkLosesNoOther) {
   EXPECT_EQ(result.report.validation.missed, 0u);
 }
 
+// A run in which everything fails is usually at fault itself, so nothing is written. Not so if as many links need no mesh.
+TEST_F(DecomposeRobot, OneBadMeshLosesNoLinkOfPrimitives) {
+  const std::string box = "    <collision><geometry><box size=\"1 1 1\"/></geometry></collision>\n";
+  const std::string links = link("base", box) + link("bad", collision("gone.stl"), "base");
+  RobotResult result = run(links);
+  EXPECT_EQ(result.report.primitive_links, 1u);
+  EXPECT_EQ(result.report.links.at(0).status, Status::kFailed);
+  EXPECT_NE(result.report.links[0].reason.find("gone.stl"), std::string::npos);
+  EXPECT_TRUE(anyFailed(result.report) && !allFailed(result.report));
+  ASSERT_FALSE(result.report.notes.empty());
+  EXPECT_EQ(result.report.notes[0],
+            "no mesh could be decomposed: 1 link with primitives has its collision model, and the others keep their elements");
+  EXPECT_TRUE(writeOutput(result, folder_ / "out"));
+  EXPECT_EQ(fixtures::read(folder_ / "out/urdf/arm.urdf"), fixtures::robot("arm", links));
+  result = run(links + link("worse", collision("rubbish.stl"), "base"));
+  EXPECT_TRUE(allFailed(result.report));
+  EXPECT_FALSE(writeOutput(result, folder_ / "none"));
+  options_.links = "bad";
+  EXPECT_TRUE(allFailed(run(links).report)) << "nobody asked for the box";
+}
+
 TEST_F(DecomposeRobot, SelectsLinks) {
   const std::string links = link("left_arm", collision("box.obj")) + link("right_arm", collision("box.obj"), "left_arm");
   options_.links = "right.*";
@@ -293,6 +349,29 @@ TEST_F(DecomposeRobot, DecomposesEqualMeshesOnce) {
   EXPECT_EQ(result.elements[1].hulls.front().vertices, result.elements[0].hulls.front().vertices);
   EXPECT_GT(rows[2].seconds.decompose, 0) << "another scale is another mesh";
   EXPECT_NEAR(rows[2].diagonal, 2 * rows[0].diagonal, 1e-12);
+}
+
+TEST_F(DecomposeRobot, ShellsAreClosedAsAskedLinkByLink) {
+  fixtures::write(folder_ / "meshes/pipe.obj", fixtures::obj(test_shapes::pipe(0.05, 0.3, 32)));
+  options_.close_openings = 0.11;
+  LinkRule rule;
+  rule.pattern = "open";
+  rule.settings.close_openings = 0.09;
+  options_.rules.push_back(rule);
+  const RobotResult result = run(link("closed", collision("pipe.obj")) + link("open", collision("pipe.obj"), "closed"));
+  const ElementReport &closed = result.report.links.at(0), &open = result.report.links.at(1);
+  EXPECT_EQ(std::make_tuple(closed.closed_openings, closed.openings, closed.widest_opening), std::make_tuple(2u, 0u, 0.0));
+  EXPECT_EQ(closed.interior, "closed");
+  EXPECT_EQ(closed.hulls, 1u);
+  EXPECT_NEAR(closed.volume, 16 * 0.0025 * std::sin(test_shapes::kPi / 16) * 0.3, 1e-8);
+  EXPECT_LT(closed.protrusion, 1e-6) << "the lids are flat";
+  EXPECT_EQ(std::make_tuple(open.closed_openings, open.openings), std::make_tuple(0u, 2u));
+  EXPECT_NEAR(open.widest_opening, 0.1, 1e-6);
+  EXPECT_EQ(open.interior, "surface");
+  EXPECT_GT(open.hulls, 2u);
+  EXPECT_EQ(closed.triangles, open.triangles) << "of the file";
+  EXPECT_EQ(result.report.validation.missed + result.report.validation.phantom, 0u);
+  EXPECT_EQ(closed.close_openings, 0.11);
 }
 
 TEST_F(DecomposeRobot, LinkNamesThatAreNoFileNames) {

@@ -230,6 +230,32 @@ TEST_F(KeptHullsTest, AReportAboveTheRootCountsForNothing) {
   EXPECT_TRUE(kept().places.empty());
 }
 
+TEST(RefuseLosingCache, ACacheInTheOutput) {
+  const fixtures::TempFolder folder;
+  fs::create_directory_symlink(folder.path(), folder / "link");
+  const std::string before = fixtures::OwnCache::listener()->path();
+  const auto check = [&](const std::string& cache, bool is_used) {
+    Options options;
+    options.cache = is_used;
+    setenv("COLLISION_HULLS_CACHE", (folder / cache).c_str(), 1);
+    refuseLosingCache(options, folder / "out");
+  };
+  for (const char* within : {"out", "out/cache", "link/out/cache"}) {
+    try {
+      check(within, true);
+      ADD_FAILURE() << within;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kUnwritableOutput);
+      for (const std::string& part :
+           {"the cache '" + (folder / "out"), "lies in output '" + (folder / "out'"), std::string("set COLLISION_HULLS_CACHE")})
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+    EXPECT_NO_THROW(check(within, false));
+  }
+  for (const char* beside : {"output", "cache"}) EXPECT_NO_THROW(check(beside, true)) << beside;
+  setenv("COLLISION_HULLS_CACHE", before.c_str(), 1);
+}
+
 TEST(RefuseLosingInput, AMeshInTheOutput) {
   const fixtures::TempFolder folder;
   const std::string mesh = fixtures::write(folder / "out/hull_0.stl", "");

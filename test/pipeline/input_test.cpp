@@ -129,7 +129,21 @@ TEST_F(OpenInput, RobotsInOtherFolders) {
   expectError("hands_description", ErrorCode::kNotARobot, {"2 robot descriptions", "hands_description/v2/model.urdf"});
   addRobot("loose/model 1.urdf");
   expectError(folder_ / "loose", ErrorCode::kFileNotFound,
-              {"no package.xml; it has 1 robot description; run one of\n  decompose '" + (folder_ / "loose/model 1.urdf") + "'"});
+              {"no package.xml; it has 1 robot description; run\n  decompose '" + (folder_ / "loose/model 1.urdf") + "'"});
+}
+
+TEST_F(OpenInput, AFolderOfPackages) {
+  for (const std::string name : {"arm", "hand"}) {
+    const std::string package = "robots/" + name + "_description";
+    addPackage(package);
+    addRobot(package + "/urdf/base.xacro");
+    fixtures::write(folder_ / (package + "/urdf/robot.xacro"),
+                    "<robot name='r' xmlns:xacro='x'><xacro:include filename='$(find " + package + ")/urdf/base.xacro'/></robot>");
+  }
+  const std::string arm = "\n  decompose " + (folder_ / "robots/arm_description/urdf/"),
+                    hand = "\n  decompose " + (folder_ / "robots/hand_description/urdf/");
+  expectError(folder_ / "robots", ErrorCode::kFileNotFound,
+              {"4 robot descriptions; run one of" + arm + "robot.xacro" + arm + "base.xacro" + hand + "robot.xacro" + hand + "base.xacro"});
 }
 
 TEST_F(OpenInput, CommandsKeepTheUsersOptionsAndAreADozen) {

@@ -147,6 +147,58 @@ TEST(PutTogether, NotesMeshesOfVeryManyHulls) {
   EXPECT_TRUE(notes(101, 100, true).empty()) << "a fit to a scene chose them";
 }
 
+TEST(PutTogether, NotesMeshesOfManyLooseParts) {
+  const auto notes = [](std::size_t parts, std::size_t hulls, std::size_t uses) {
+    MeshResult mesh = boxes(hulls);
+    mesh.mesh.repair.components = parts;
+    RobotResult result;
+    putTogether({use("a"), use("b")}, {shared(mesh), shared(uses > 1 ? mesh : boxes(1))}, result);
+    return result.report.notes;
+  };
+  EXPECT_TRUE(notes(19, 20, 1).empty());
+  EXPECT_TRUE(notes(20, 19, 1).empty()) << "the parts cost little";
+  ASSERT_EQ(notes(45, 36, 1).size(), 1u);
+  EXPECT_EQ(notes(45, 36, 1)[0].rfind("'a.stl' consists of 45 loose parts and took 36 hulls: if parts lie in a housing", 0), 0u)
+      << notes(45, 36, 1)[0];
+  EXPECT_NE(notes(45, 36, 2).at(0).find("36 hulls; so it is with 1 other mesh: "), std::string::npos);
+}
+
+TEST(PutTogether, NotesShellsThatClosingWouldMakeSolid) {
+  const auto notes = [](std::size_t openings, std::size_t hulls, std::size_t uses) {
+    MeshResult mesh = boxes(hulls);
+    mesh.mesh.openings = openings;
+    mesh.mesh.widest_opening = 0.1234;
+    RobotResult result;
+    putTogether({use("a"), use("b")}, {shared(mesh), shared(uses > 1 ? mesh : boxes(1))}, result);
+    return result.report.notes;
+  };
+  EXPECT_TRUE(notes(0, 30, 1).empty());
+  EXPECT_TRUE(notes(2, 7, 1).empty()) << "they cost little";
+  EXPECT_EQ(notes(2, 8, 1), (std::vector<std::string>{"'a.stl' has 2 openings, and its 8 hulls follow its skin: if it stands for a solid, "
+                                                      "--close-openings 13cm makes it one, which usually takes far fewer"}));
+  EXPECT_NE(notes(2, 8, 2).at(0).find("follow its skin; so it is with 1 other mesh: "), std::string::npos);
+}
+
+TEST(PutTogether, NotesOpeningsThatWereClosed) {
+  MeshResult mesh = boxes(1);
+  mesh.mesh.closed_openings = 3;
+  RobotResult result;
+  putTogether({use("a"), use("b")}, {shared(mesh), shared(boxes(1))}, result);
+  EXPECT_EQ(result.report.notes,
+            (std::vector<std::string>{"3 openings of 1 mesh were closed: the hulls cover the lids, too, and protrusion "
+                                      "counts from the closed meshes"}));
+}
+
+TEST(PutTogether, TheScaleOfAHugeMeshIsWhereItsInputHasIt) {
+  MeshResult huge = boxes(1);
+  huge.mesh.diagonal = 300;
+  RobotResult mesh, robot;
+  robot.report.urdf = "urdf/arm.urdf";
+  for (RobotResult* result : {&mesh, &robot}) putTogether({use("a")}, {shared(huge)}, *result);
+  EXPECT_NE(mesh.report.notes.at(0).find("scale it by 0.001 (--scale 0.001)"), std::string::npos) << mesh.report.notes[0];
+  EXPECT_NE(robot.report.notes.at(0).find("scale=\"0.001 0.001 0.001\""), std::string::npos) << robot.report.notes[0];
+}
+
 TEST(PutTogether, NotesSuspiciousSizesOfMeshesThatDidNotFail) {
   MeshResult huge = boxes(1), small = boxes(1), failed = boxes(0);
   huge.mesh.diagonal = 21.4;

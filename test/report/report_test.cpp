@@ -70,7 +70,7 @@ TEST(ReportJson, HasTheFieldsOfTheContract) {
                             "mesh_query_us", "hull_query_us"})
     EXPECT_TRUE(document["validation"].contains(field)) << field;
   for (const char* field : {"tolerance", "method", "effort", "fill", "tree", "segments", "max-hulls", "max-vertices", "links", "source",
-                            "scale", "format", "uri", "jobs", "time-limit"})
+                            "scale", "format", "uri", "rebase", "jobs", "time-limit"})
     EXPECT_TRUE(document["options"].contains(field)) << field;
 }
 
@@ -160,9 +160,11 @@ TEST(ReportTable, AModelForASceneHasItsOwnCheckAndPrimitives) {
   report.links[1].primitives = 2;
   report.links[1].hulls = report.links[1].hull_vertices = 0;
   const std::string table = toTable(report);
-  for (const char* part :
-       {"  3, 1 primitive         2        24  ", "  2 primitives         2         -  ", "check of single meshes: 400 queries",
-        "speed of single meshes: ", "check in the scene: ", "speed in the scene: ", "collisions  false, single hulls  false, fitted hulls"})
+  for (const char* part : {"  3, 1 primitive         2        24  ", "  2 primitives         2         -  ",
+                           "check of single meshes: 400 queries", "The tolerance is that of the finest hulls", "speed of single meshes: ",
+                           "self-collisions in 0 configurations; false ones count at any distance, also within the clearance:\n",
+                           "collisions  false with single hulls  false with fitted hulls",
+                           "no collision missed, no false collision beyond the clearance (at 95 %", "speed in the scene: "})
     EXPECT_NE(table.find(part), std::string::npos) << part << "\n" << table;
 }
 
@@ -230,6 +232,43 @@ TEST(Report, AFailureNamesLinkAndMeshOnce) {
   report.input_path = row.uri = "finger.stl";  // a single mesh has no link
   row.reason = "'finger.stl' has no triangles";
   EXPECT_EQ(failures(report).back(), "'finger.stl' has no triangles");
+}
+
+TEST(Report, OneLineForTheSameFaultInAFolder) {
+  Report report = sample();
+  report.links.clear();
+  ElementReport row;
+  row.status = Status::kFailed;
+  row.error = "FileNotFound";
+  const auto add = [&](const std::string& link, const std::string& uri, const std::string& reason) {
+    row.link = link;
+    row.uri = uri;
+    row.reason = "'" + uri + "' " + reason;
+    report.links.push_back(row);
+  };
+  for (const char* file : {"a.stl", "b.stl", "c.stl"})
+    add(file == std::string("c.stl") ? "tip" : "base", std::string("meshes/") + file, "is missing");
+  EXPECT_EQ(failures(report).size(), 3u) << "few are named";
+  add("tip", "meshes/d.stl", "is missing");
+  add("tip", "meshes/e.stl", "is empty");
+  add("tip", "other/f.stl", "is missing");
+  EXPECT_EQ(failures(report),
+            (std::vector<std::string>{"link base: 'meshes/a.stl' is missing (the same for 3 more meshes of this folder, in all of 2 links)",
+                                      "link tip: 'meshes/e.stl' is empty", "link tip: 'other/f.stl' is missing"}));
+}
+
+TEST(Report, AllFailedUnlessAsManyLinksHavePrimitivesAlone) {
+  Report report = sample();
+  EXPECT_FALSE(allFailed(report));
+  report.links.erase(report.links.begin(), report.links.end() - 1);
+  EXPECT_TRUE(allFailed(report));
+  report.primitive_links = 1;
+  EXPECT_FALSE(allFailed(report));
+  report.links.push_back(report.links.front());
+  EXPECT_FALSE(allFailed(report)) << "it is the same link";
+  report.links.back().link = "another";
+  EXPECT_TRUE(allFailed(report));
+  EXPECT_FALSE(allFailed(Report()));
 }
 
 TEST(Report, AnyFailed) {

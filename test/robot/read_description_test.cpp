@@ -82,6 +82,56 @@ TEST(ReadDescription, XacroLacksAPackage) {
   expectError(ErrorCode::kPackageNotFound, {"package 'sick', which '" + file + "' includes"}, [&] { readRobotDescription(file); });
 }
 
+TEST(ReadDescription, XacroLacksAnArgument) {
+  const TemporaryFolder folder;
+  writeProgram(
+      folder, "xacro",
+      "printf 'error: Undefined substitution argument prefix\\nwhen processing file: /ws/hand.xacro\\nincluded from: a' >&2; exit 2");
+  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
+  const std::string file = folder.write("my arm.urdf.xacro", kUrdf), short_name = folder.write("arm.xacro", kUrdf);
+  expectError(ErrorCode::kNotARobot,
+              {"'" + file + "' needs a value for the argument 'prefix', which '/ws/hand.xacro' uses", "has no default",
+               "\n  xacro '" + file + "' prefix:=VALUE > '" + folder.path("my arm.urdf") + "'\nand give the .urdf"},
+              [&] { readRobotDescription(file); });
+  expectError(ErrorCode::kNotARobot, {"prefix:=VALUE > " + folder.path("arm.urdf") + "\n"}, [&] { readRobotDescription(short_name); });
+}
+
+TEST(ReadDescription, XacroOfMacrosAloneNamesTheFilesThatCallThem) {
+  const TemporaryFolder folder;
+  writeProgram(folder, "xacro", "echo '<robot/>'");
+  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
+  const std::string macros = "<robot xmlns:xacro='x'><xacro:macro name='m'><link name='l'/></xacro:macro></robot>";
+  const std::string outside = folder.write("arm_macro.xacro", macros);
+  expectError(ErrorCode::kNoLinks,
+              {"'" + outside +
+               "' expands to a <robot> without a <link>: it defines macros for other files; give one that calls them, often "
+               "urdf/ROBOT.urdf.xacro"},
+              [&] { readRobotDescription(outside); });
+  folder.write("arm/package.xml", "<package><name>arm</name></package>");
+  const std::string file = folder.write("arm/urdf/arm_macro.xacro", macros);
+  expectError(ErrorCode::kNoLinks, {"often urdf/ROBOT.urdf.xacro"}, [&] { readRobotDescription(file); });
+  const auto robot = [&](const std::string& name, const std::string& content) {
+    return folder.write("arm/urdf/" + name, "<robot name='r' xmlns:xacro='x'>" + content + "</robot>");
+  };
+  const std::string a = robot("a.xacro", "<link name='l'/>"), b = robot("b.xacro", "<link name='l'/>");
+  const std::string user = robot("user.xacro", "<xacro:include filename='arm_macro.xacro'/><xacro:m/>");
+  robot("z.xacro", "<link name='l'/>");
+  expectError(ErrorCode::kNoLinks, {"calls them, such as '" + user + "', '" + a + "', '" + b + "' or one of 1 more"},
+              [&] { readRobotDescription(file); });
+  expectError(ErrorCode::kNoLinks,
+              {"colours.xacro' expands to a <robot> without a <link>; give a file that describes a robot, such as '" + a},
+              [&] { readRobotDescription(robot("colours.xacro", "<material name='grey'/>")); });
+}
+
+TEST(ReadDescription, LinesOfAnExpansionAreNamedAsSuch) {
+  const TemporaryFolder folder;
+  writeProgram(folder, "xacro", "printf '<robot name=\"r\">\\n<link/></robot>'");
+  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
+  const std::string file = folder.write("a.xacro", kUrdf);
+  expectError(ErrorCode::kNotARobot, {"'" + file + "' as xacro expands it, line 2: a <link> has no name"},
+              [&] { readRobotDescription(file); });
+}
+
 TEST(ReadDescription, XacroFindsPackagesAroundAndGiven) {
   const TemporaryFolder folder;
   writeProgram(folder, "xacro", "echo \"path=$ROS_PACKAGE_PATH:\" >&2; exit 2");

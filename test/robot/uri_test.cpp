@@ -72,7 +72,16 @@ TEST_F(ResolveUri, TheMessageHasAnAbsolutePath) {
   const std::string here = std::filesystem::current_path().string();
   expectError(ErrorCode::kFileNotFound, {"'meshes/a.stl' resolves to '" + here + "/robots/meshes/a.stl', which does not exist"},
               [&] { resolveUri("meshes/a.stl", "robots/arm.urdf", finder_); });
-  expectError(ErrorCode::kFileNotFound, {"'/no/such/a.stl' does not exist; check the path"}, [&] { resolve("/no/such/a.stl"); });
+  expectError(ErrorCode::kFileNotFound, {"'/no/such/a.stl' does not exist, nor does the folder '/no'; check the path"},
+              [&] { resolve("/no/such/a.stl"); });
+}
+
+TEST_F(ResolveUri, AMissingFolderIsNamed) {
+  const std::string folder = "which does not exist, nor does the folder '" + folder_.path("arm/visual") + "'; check the URI";
+  expectError(ErrorCode::kFileNotFound, {folder}, [&] { resolve("package://arm/visual/fine/a.stl"); });
+  const Confinement confinement({{folder_.path("arm/urdf")}, {}, {}, {}, "", ""});
+  expectError(ErrorCode::kFileNotFound, {"which does not exist; check the URI"},
+              [&] { resolveUri("../visual/a.stl", base_, defaultPackageFinder(base_)); });
 }
 
 TEST_F(ResolveUri, UnknownScheme) {

@@ -8,14 +8,25 @@ namespace {
 
 TEST(Summary, NamesEachFailure) {
   Report report;
-  EXPECT_EQ("0 hulls for 0 meshes", summary(report));
+  EXPECT_EQ("robot 'arm': 0 hulls for 0 meshes", summary("arm", report));
   report.links.resize(2);
   report.links[0].hulls = 3;
   report.links[1].link = "hand";
   report.links[1].uri = "hand.stl";
   report.links[1].status = Status::kFailed;
   report.links[1].reason = "no such file";
-  EXPECT_EQ("link hand: hand.stl: no such file\n3 hulls for 1 mesh, 1 failed", summary(report));
+  EXPECT_EQ("link hand: hand.stl: no such file\nrobot 'arm': 3 hulls for 1 mesh, 1 failed", summary("arm", report));
+}
+
+TEST(Summary, CountsPrimitivesAndNamesTheLargestProtrusion) {
+  Report report;
+  report.links.resize(2);
+  report.links[0].primitives = 2;
+  EXPECT_EQ("robot 'arm': 2 primitives for 2 meshes", summary("arm", report));
+  report.links[1].link = "hand";
+  report.links[1].hulls = 1;
+  report.links[1].protrusion = 0.00491;
+  EXPECT_EQ("robot 'arm': 1 hull and 2 primitives for 2 meshes; largest protrusion 4.91 mm (hand)", summary("arm", report));
 }
 
 TEST(ToMessage, LinkReport) {

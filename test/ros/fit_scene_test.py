@@ -62,6 +62,12 @@ class FitSceneTest(unittest.TestCase):
         self.assertEqual(["ok", "kept"], [row.status for row in response.links])
         self.assertIn("<robot", response.srdf)
 
+    def test_brief(self):
+        response = self.fit(brief=True)
+        self.assertEqual(("", "", ""), (response.robot_description, response.report, response.srdf))
+        self.assertIn("check in the scene: ", response.table)
+        self.assertRegex(response.message, r"robot 'small': (\d+ hulls? and )?\d primitives? for 2 meshes; largest protrusion ")
+
     def test_base_that_is_longer_than_a_path(self):
         self.assert_refused("base: ", base="/a" * 2049)
 

@@ -50,6 +50,10 @@ class LaunchTest(unittest.TestCase):
         with self.launched(file, "config:=hulls.yaml", *arguments):
             self.assertTrue(robots.wait_until(lambda: os.path.exists(report), 60), self.log())
             self.assertEqual(CONFIG, rospy.get_param(robots.NODE + "/config"))
+            # What a file is told of the run while the node goes on.
+            self.assertTrue(robots.wait_until(lambda: "Written to " + self.folder.output in self.log(), 10), self.log())
+        for part in ("robot 'small': 1 hull for 1 mesh; largest protrusion ", '<param name="robot_description" textfile='):
+            self.assertIn(part, self.log())
         with open(report, encoding="utf-8") as written:
             rows = {row["link"]: row for row in json.load(written)["links"]}
         self.assertEqual(("bounding_box", 1), (rows["base"]["method"], rows["base"]["hulls"]))

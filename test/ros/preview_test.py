@@ -96,11 +96,20 @@ class PreviewTest(unittest.TestCase):
         self.assertTrue(robots.wait_until(lambda: not self.hulls.seen("hulls", "base")))
 
     def test_what_no_tree_has_is_unbuilt(self):
-        for settings, reason in (({"tolerance": "1mm"}, "coarser leaves"), ({"method": "single_hull"}, "single_hull"), ({"effort": "best"}, "effort")):
+        for settings, reason in (({"tolerance": "1mm"}, "leaves of 5 mm, and 1 mm is asked for"), ({"method": "single_hull"}, "single_hull"), ({"effort": "best"}, "effort")):
             answer = self.cut(**settings)
             self.assertEqual("unbuilt", answer.status, settings)
             self.assertIn(reason, answer.reason)
             self.assertIn("build the link", answer.reason)
+
+    def test_a_cut_without_a_limit_of_vertices_has_a_tree_of_its_own(self):
+        unlimited = LinkChoice(link="base", tolerance="10cm", max_vertices=0)
+        answer = self.preview(links=[unlimited]).links[0]
+        self.assertEqual("unbuilt", answer.status)
+        self.assertIn("max_vertices 64, and 0 (no limit) is asked for: build the link", answer.reason)
+        built = self.build(robot_description=self.robot, config=CONFIG.replace("default: {", "default: {max_vertices: 0, "))
+        self.assertTrue(built.success, built.message)
+        self.assertEqual(1, self.preview(links=[unlimited]).links[0].hulls)
 
     def test_a_link_in_a_region_is_not_cut(self):
         region = "regions: [{link: base, half_space: {normal: [0, 0, 1], offset: 1}, keep_clear: true}]"
@@ -155,7 +164,8 @@ class PreviewTest(unittest.TestCase):
         self.assertIn("no collision missed, no false collision", found.message)
         one = self.validate(only=["base"])
         self.assertTrue(0 < one.queries < found.queries, one)
-        self.assertIn("leg", self.validate(only=["leg"]).message)
+        self.assertIn("has no link 'leg': use some of base, arm, tip", self.validate(only=["leg"]).message)
+        self.assertIn("whole names, and no expressions", self.validate(only=["b.*"]).message)
 
     def test_without_hulls_there_is_nothing_to_validate(self):
         self.cut(link="arm", action="remove", show=True)
@@ -164,7 +174,7 @@ class PreviewTest(unittest.TestCase):
         self.assertIn("~build", found.message)
 
     def test_a_wrong_build_is_refused_with_a_message(self):
-        self.assertIn("leg", self.build(robot_description=self.robot, only=["leg"]).message)
+        self.assertIn("only: robot 'small' has no link 'leg'", self.build(robot_description=self.robot, only=["leg"]).message)
         self.assertIn("line 1", self.build(robot_description=self.robot, config="links: {leg: keep}").message)
 
     def test_a_build_has_a_state_and_can_be_cancelled(self):

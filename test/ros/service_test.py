@@ -65,10 +65,10 @@ class ServiceTest(unittest.TestCase):
         self.assert_refused(["'magic'", "hacd"], method="magic")
 
     def test_unknown_link(self):
-        self.assert_refused(["'leg'", "base, arm, tip"], links=["base", "leg"])
+        self.assert_refused(["'leg': use some of base, arm, tip"], links=["base", "leg"])
 
     def test_link_names_are_no_expressions(self):
-        self.assert_refused(["'b.*'"], links=["b.*"])
+        self.assert_refused(["links: ", "'b.*'", "whole names, and no expressions", "base, arm, tip"], links=["b.*"])
 
     def test_base_that_is_longer_than_a_path(self):
         self.assert_refused(["base: ", "4096"], base="/a" * 2049)
@@ -148,6 +148,7 @@ class ServiceTest(unittest.TestCase):
         worst = max(response.links, key=lambda row: row.protrusion)
         self.assertEqual((worst.link, worst.protrusion), (totals.worst_link, totals.protrusion))
         self.assertIn("bracket.obj", response.table)
+        self.assertIn(f"robot 'small': {totals.hulls} hulls for 2 meshes; largest protrusion ", response.message)
         self.assertIn("Written to " + self.folder.output, response.message)
 
     def test_worst_point(self):
@@ -160,6 +161,7 @@ class ServiceTest(unittest.TestCase):
     def test_brief(self):
         response = self.decompose_well(brief=True)
         self.assertEqual(("", ""), (response.robot_description, response.report))
+        self.assertIn("bracket.obj", response.table)
         self.assertEqual(2, len(response.links))
         self.assertTrue(os.path.isfile(response.urdf_path))
 

@@ -18,6 +18,7 @@ TEST(Settings, ComeBackAsTheyWere) {
   options.max_hulls = 3;
   options.max_vertices = 32;
   options.padding = 0.005;
+  options.close_openings = 0.05;
   options.source = Source::kVisual;
   options.regions = {boxRegion({0.1, 0.2, 0.3}, Eigen::Isometry3d(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized())), 0.002),
                      halfSpaceRegion({0, 0, -1}, 0.1, 0.001)};
@@ -31,6 +32,7 @@ TEST(Settings, ComeBackAsTheyWere) {
   EXPECT_EQ(3, back.max_hulls);
   EXPECT_EQ(32, back.max_vertices);
   EXPECT_EQ(0.005, back.padding);
+  EXPECT_EQ(0.05, back.close_openings);
   EXPECT_EQ(options.source, back.source);
   EXPECT_TRUE(equal(options.regions, back.regions)) << "to the last bit";
   EXPECT_EQ("mouth", back.regions[0].name);

@@ -1,8 +1,11 @@
 #include "storage/files.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -101,6 +104,42 @@ TEST(WriteNamedFile, MakesFoldersBelowALink) {
   writeNamedFile(folder / "link/a/b/below", "two");
   EXPECT_EQ(fixtures::read(folder / "real/beside"), "one");
   EXPECT_EQ(fixtures::read(folder / "real/a/b/below"), "two");
+}
+
+/// What the message of `action` says.
+std::string refusal(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kUnwritableOutput);
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(WriteNamedFile, APipeThatNobodyReads) {
+  const TempFolder folder;
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_NE(refusal([&] { writeNamedFile(pipe, "text"); }).find("'" + pipe + "': nobody reads this pipe (start its reader"),
+            std::string::npos);
+  const Descriptor reader(open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  writeNamedFile(pipe, "text");
+  char text[10];
+  EXPECT_EQ(read(reader.number(), text, sizeof text), 4);
+}
+
+TEST(CheckNamedFile, LinksThatLeadNowhere) {
+  const TempFolder folder;
+  std::filesystem::create_symlink("b", folder / "a");
+  std::filesystem::create_symlink("a", folder / "b");
+  std::filesystem::create_symlink("none", folder / "dangling");
+  const auto check = [&](const std::string& file) { return refusal([&] { checkNamedFile(file); }); };
+  EXPECT_EQ(check(folder / "a").find("cannot write '" + (folder / "a") + "': its symbolic links lead in a circle; choose"), 0u);
+  for (const std::string above : {"a", "dangling"})
+    EXPECT_NE(check(folder / (above + "/sub/file")).find("/" + above + "' is a symbolic link that leads nowhere; choose"),
+              std::string::npos);
+  EXPECT_EQ(check(folder / "dangling"), "no error") << "the file behind it is made";
 }
 
 TEST(WriteNamedFile, NeverThroughALinkOutOfTheRoots) {

@@ -100,6 +100,11 @@ TEST_F(BenchmarkProgram, WritesARowForEachMeshMethodAndTolerance) {
   EXPECT_FALSE(fs::exists(folder_ / "out/.benchmark"));
 }
 
+TEST_F(BenchmarkProgram, GoesOnWhenNobodyReadsItsProgress) {
+  run("bracket.obj -o out -m hacd,single_hull -t 5%,2mm 2>&1 | head -1");
+  EXPECT_EQ(rows("out/benchmark.csv").size(), 4u) << log();
+}
+
 TEST_F(BenchmarkProgram, HullsKeepTheCapOnVertices) {
   fixtures::write(folder_ / "ball.obj", fixtures::obj(test_shapes::sphere(0.1, 6)));
   for (const int most : {0, 8, 20}) {

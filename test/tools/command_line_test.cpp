@@ -132,5 +132,15 @@ The end.
 )");
 }
 
+TEST_F(CommandLineTest, HelpLeavesOutWhatIsHidden) {
+  line_.hide({"output", "count", "factor"});
+  const std::string help = line_.help();
+  EXPECT_EQ(help.find("--output"), std::string::npos) << help;
+  EXPECT_EQ(help.find("Numbers:"), std::string::npos) << help;
+  EXPECT_NE(help.find("--quiet"), std::string::npos) << help;
+  EXPECT_TRUE(parse({"in", "-o", "out"}));
+  EXPECT_EQ(output_, "out") << "it is taken all the same";
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -1,5 +1,6 @@
 // The program itself: exit status, what stands on which stream, what is on the disk.
 // Also tests src/tools/decompose.cpp.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -7,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/descriptor.h"
 #include "geometry/bytes.h"
 #include "shapes.h"
 #include "tools/program_test.h"
@@ -53,6 +55,7 @@ TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {
   expectWrongUse("arm/urdf/arm.urdf another", {"another"});
   expectWrongUse("arm/urdf/arm.urdf -t 5furlongs", {"tolerance", "'5furlongs'", "5mm"});
   expectWrongUse("arm/urdf/arm.urdf -t 0", {"tolerance", "'0'"});
+  expectWrongUse("arm/urdf/arm.urdf --close-openings 20", {"--close-openings '20m'", "did you mean 2cm?\n"});
   expectWrongUse("arm/urdf/arm.urdf --padding 2", {"--padding '2m'", "did you mean 2mm?\n"});
   expectWrongUse("arm/urdf/arm.urdf -t 101%", {"tolerance", "'101%'", "100%"});
   expectWrongUse("arm/urdf/arm.urdf -m vhacd", {"--method", "'vhacd'", "hacd", "bounding_box"});
@@ -111,10 +114,23 @@ TEST_F(DecomposeProgram, OutputThatCannotBe) {
   expectWrongUse("arm/urdf/arm.urdf -o mine", {"mine", "left alone"});
   fs::create_symlink("nowhere", folder_ / "dangling");
   expectWrongUse("arm/urdf/arm.urdf -o dangling", {"dangling", "link"});
+  for (const char* option : {"-o dangling/out", "--json dangling/report.json"})
+    expectWrongUse(std::string("arm/urdf/arm.urdf --quiet ") + option,
+                   {"/dangling' is a symbolic link that leads nowhere; choose another"});
   expectWrongUse("arm/urdf/arm.urdf --json mine", {"--json", "'mine'", "folder"});
   // Nothing can be created there, not even by root; said before anything is read.
   expectWrongUse("arm/urdf/arm.urdf --quiet -o /proc/out", {"'/proc' is not writable; choose another output"});
   expectWrongUse("arm/urdf/arm.urdf --quiet --json /proc/report.json", {"--json", "/proc", "choose another output"});
+}
+
+TEST_F(DecomposeProgram, LinksThatLeadInACircle) {
+  fs::create_symlink("b", folder_ / "a");
+  fs::create_symlink("a", folder_ / "b");
+  EXPECT_NE(run("arm/urdf/arm.urdf --quiet --json a").err.find("--json: cannot write 'a': its symbolic links lead in a circle; choose"),
+            std::string::npos);
+  EXPECT_NE(run("arm/urdf/arm.urdf --quiet -o a").err.find("cannot write 'a': Too many levels of symbolic links; choose"),
+            std::string::npos);
+  EXPECT_TRUE(fs::is_symlink(fs::symlink_status(folder_ / "a")));
 }
 
 TEST_F(DecomposeProgram, ARobotByItsPackageName) {
@@ -210,6 +226,22 @@ TEST_F(DecomposeProgram, PackagesThatNobodyInstalled) {
 TEST_F(DecomposeProgram, AnInputIsNotReplacedByItsResult) {
   EXPECT_EQ(run("arm_description --quiet -o out").status, 0);
   expectWrongUse("out/meshes/base/0_0.stl --quiet -o out", {"'out'", "an input", "choose another output"});
+}
+
+TEST_F(DecomposeProgram, RebasedVisualsAreFoundInThePackage) {
+  const std::string visual = "    <visual>" + fixtures::meshTag("../meshes/bracket.obj") + "</visual>\n";
+  addRobot("arm/urdf/arm.urdf", fixtures::link("base", visual));
+  const Finished plain = run("arm_description -o out");
+  EXPECT_NE(plain.out.find("1 mesh URI is relative to the folder of the input"), std::string::npos) << plain.out;
+  EXPECT_NE(plain.out.find("add --rebase"), std::string::npos) << plain.out;
+  const Finished rebased = run("arm_description -o out --rebase");
+  EXPECT_EQ(rebased.status, 0) << rebased.err;
+  EXPECT_EQ(rebased.out.find("note:"), std::string::npos) << rebased.out;
+  const std::string urdf = fixtures::read(folder_ / "out/urdf/arm.urdf");
+  EXPECT_NE(urdf.find("<visual>" + fixtures::meshTag("package://arm_description/meshes/bracket.obj") + "</visual>"), std::string::npos)
+      << urdf;
+  EXPECT_NE(fixtures::read(folder_ / "out/package.xml").find("<exec_depend>arm_description</exec_depend>"), std::string::npos);
+  EXPECT_EQ(json::parse(fixtures::read(folder_ / "out/report.json"))["options"]["rebase"], true);
 }
 
 TEST_F(DecomposeProgram, OptionsArriveInTheReport) {
@@ -311,6 +343,29 @@ TEST_F(DecomposeProgram, OneBadLinkAmongGoodOnes) {
   EXPECT_TRUE(fs::exists(folder_ / "out/meshes/base/0_0.stl"));
 }
 
+TEST_F(DecomposeProgram, AMissingMeshAmongPrimitives) {
+  const std::string box = "    <collision><geometry><box size=\"1 1 1\"/></geometry></collision>\n";
+  addRobot("boxes.urdf", fixtures::link("base", box) + fixtures::link("bad", collision("gone.stl"), "base"));
+  const Finished result = run("boxes.urdf -o out");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("decompose: link bad: 'package://arm_description/meshes/gone.stl' resolves to "), std::string::npos)
+      << result.err;
+  EXPECT_EQ(result.err.find("nothing was written"), std::string::npos) << result.err;
+  EXPECT_NE(result.out.find("note: no mesh could be decomposed: 1 link with primitives"), std::string::npos) << result.out;
+  EXPECT_TRUE(fs::exists(folder_ / "out/urdf/arm.urdf"));
+}
+
+TEST_F(DecomposeProgram, MissingMeshesOfAFolderAreToldOnce) {
+  std::string links = fixtures::link("base", collision("bracket.obj"));
+  for (int i = 0; i < 9; ++i) links += fixtures::link("l" + std::to_string(i), collision("fine/" + std::to_string(i) + ".stl"), "base");
+  addRobot("bad.urdf", links);
+  const Finished result = run("bad.urdf --quiet -o out");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(fixtures::count(result.err, "\n"), 1u) << result.err;
+  EXPECT_NE(result.err.find("nor does the folder '" + (folder_ / "arm/meshes/fine") + "'"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("the same for 8 more meshes"), std::string::npos) << result.err;
+}
+
 TEST_F(DecomposeProgram, NothingDoneLeavesTheOutputAsItWas) {
   addRobot("good.urdf", fixtures::link("base", collision("bracket.obj")));
   addRobot("bad.urdf", fixtures::link("base", collision("rubbish.stl")));
@@ -341,6 +396,52 @@ TEST_F(DecomposeProgram, WhatIsNoFile) {
   ASSERT_EQ(run("mkfifo", "mkfifo fifo.urdf fifo.stl; mkdir out; mkfifo out/report.json; ln -s /dev/zero zero.urdf; ").status, 2);
   for (const std::string input : {"fifo.urdf", "fifo.stl", "zero.urdf"}) expectWrongUse(input + " --quiet", {input, "not a regular file"});
   expectWrongUse("arm_description --quiet -o out", {"out' is not an earlier output"});
+}
+
+TEST_F(DecomposeProgram, AReportInAPipe) {
+  const Finished unread = run("arm_description --quiet -o out --json pipe", "mkfifo pipe; ");
+  EXPECT_EQ(unread.status, 2);
+  EXPECT_NE(unread.err.find("'pipe': nobody reads this pipe (start its reader first)"), std::string::npos) << unread.err;
+  EXPECT_TRUE(fs::exists(folder_ / "out/report.json")) << "all the rest is written";
+  const Descriptor reader(open((folder_ / "pipe").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  EXPECT_EQ(run("arm_description --quiet -o out --json pipe").status, 0);
+  std::string text(std::size_t{1} << 16, '\0');  // as much as a pipe takes
+  text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, read(reader.number(), text.data(), text.size()))));
+  const Finished piped = run("arm_description --quiet -o out --json /dev/stdout | cat");
+  EXPECT_EQ(piped.err, "");
+  for (const std::string& report : {text, piped.out}) EXPECT_EQ(json::parse(report, nullptr, false)["links"].size(), 1u) << report;
+}
+
+// As in `decompose ... 2>&1 | head -1`: SIGPIPE would end the run.
+TEST_F(DecomposeProgram, ReadersThatGoAway) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  close(ends[0]);
+  const std::string robot = folder_ / "arm/urdf/arm.urdf", out = folder_ / "out", report = folder_ / "report.json";
+  const pid_t child = fork();
+  if (child == 0) {
+    for (const int number : {STDOUT_FILENO, STDERR_FILENO}) dup2(ends[1], number);
+    signal(SIGPIPE, SIG_DFL);
+    execl(PROGRAMS "/decompose", "decompose", robot.c_str(), "-o", out.c_str(), "--json", report.c_str(), static_cast<char*>(nullptr));
+    _exit(99);
+  }
+  close(ends[1]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_FALSE(fixtures::read(report).empty());
+  EXPECT_EQ(fixtures::read(report), fixtures::read(folder_ / "out/report.json"));
+}
+
+TEST_F(DecomposeProgram, ACacheInTheOutput) {
+  const std::string cache = "export COLLISION_HULLS_CACHE=out/cache; ";
+  const Finished result = run("arm_description --quiet -o out", cache);
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("/out/cache' lies in output 'out', which is replaced as a whole; set COLLISION_HULLS_CACHE"), std::string::npos)
+      << result.err;
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+  EXPECT_EQ(run("arm_description --quiet --no-cache -o out", cache).status, 0);
 }
 
 // A file URI leads to where the folder really is.
@@ -375,10 +476,11 @@ TEST_F(DecomposeProgram, InterruptLeavesTheOutputAsItWas) {
   const auto before = fixtures::contents(folder_ / "out");
   ASSERT_FALSE(before.empty());
   const std::string mesh = fixtures::write(folder_ / "torus.obj", fixtures::obj(test_shapes::torus(1, 0.3, 600, 300)));
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const std::string out = folder_ / "out";
     const pid_t child = fork();
     if (child == 0) {
+      ::signal(signal, SIG_DFL);  // it stays ignored if these tests were started by nohup
       if (!freopen((folder_ / "err").c_str(), "w", stderr)) _exit(98);
       execl(PROGRAMS "/decompose", "decompose", mesh.c_str(), "-o", out.c_str(), "--quiet", static_cast<char*>(nullptr));
       _exit(99);

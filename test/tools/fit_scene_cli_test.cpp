@@ -32,6 +32,17 @@ TEST_F(FitSceneProgram, Help) {
     EXPECT_NE(result.out.find(part), std::string::npos) << part;
 }
 
+TEST_F(FitSceneProgram, HelpListsNoOptionThatIsRefused) {
+  const std::string help = run("--help").out;
+  for (const std::string option :
+       {"--method hacd", "--padding 1cm", "--scale 0.1", "--segments", "--shapes spheres", "--spheres", "--time-limit 1s", "--tree 1mm"}) {
+    const std::string name = option.substr(2, option.find(' ') - 2);
+    expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm " + option, {name == "spheres" ? "shapes" : name});
+    for (const char* start : {"\n  --", ",--"})
+      EXPECT_EQ(help.find(start + name + " "), std::string::npos) << option << " is listed\n" << help;
+  }
+}
+
 TEST_F(FitSceneProgram, WrongUse) {
   expectWrongUse("arm.urdf", {"--scene"});
   expectWrongUse("arm.urdf --scene notch.yaml", {"--clearance"});

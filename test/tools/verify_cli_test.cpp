@@ -49,6 +49,11 @@ TEST_F(VerifyProgram, WrongUse) {
   expectWrongUse("r.urdf r.urdf", {"nothing to compare"});
 }
 
+TEST_F(VerifyProgram, NobodyHasToReadTheTable) {
+  run("bracket.obj hulls.obj 2>&1; echo $? > status) | true", "(");
+  EXPECT_EQ(fixtures::read(folder_ / "status"), "0\n");
+}
+
 TEST_F(VerifyProgram, TwoMeshesAndTheGates) {
   const Finished table = run("bracket.obj hulls.obj --max-uncovered 0 --max-protrusion 1mm");
   EXPECT_EQ(table.status, 0) << table.err;

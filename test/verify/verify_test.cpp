@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "collision_hulls/error.h"
@@ -175,6 +176,18 @@ TEST_F(Verify, AShiftedMeshLeavesAndCoversByTheShift) {
   const LinkVerification row = measured(mesh("u.obj", channel), mesh("up.obj", moved(channel, {0, 0, 0.005})));
   expectNear(row.uncovered, 0.005, 1e-4);
   expectNear(row.protrusion, 0.005, 1e-4);
+}
+
+TEST_F(Verify, AShellCountsAsASolidWhereItsOpeningsAreClosed) {
+  const std::string look = mesh("pipe.obj", test_shapes::pipe(0.1, 0.4, 32));
+  const std::string rod = mesh("rod.obj", surface(convexHull(test_shapes::pipe(0.1, 0.4, 32).vertices)));
+  const double to_axis = 0.1 * std::cos(test_shapes::kPi / 32);  // from the skin
+  expectNear(measured(look, rod).protrusion, to_axis, 0.01);
+  VerifyOptions options;
+  options.close_openings = 0.21;
+  expectNear(measured(look, rod, options).protrusion, 0, 1e-4);
+  options.close_openings = 0.19;
+  expectNear(measured(look, rod, options).protrusion, to_axis, 0.01);
 }
 
 TEST_F(Verify, ManyHullsInOneFileCountAsHulls) {

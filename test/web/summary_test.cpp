@@ -22,9 +22,9 @@ TEST(Summary, TotalsFirst) {
   ASSERT_EQ(said.size(), 2u);
   EXPECT_EQ(
       said[0],
-      "2,468 triangles in 2 meshes \xE2\x86\x92 4 hulls. They never miss a collision, are at most 9.80 mm too large, and answer distance "
+      "2,468 triangles in 2 meshes \xE2\x86\x92 4 hulls. They never miss a collision, protrude by at most 9.80 mm, and answer distance "
       "queries 27.0 times quicker than the meshes.");
-  EXPECT_EQ(said[1], "400 queries compared hulls and meshes: 0 missed, 0 false beyond the bound.");
+  EXPECT_EQ(said[1], "400 queries compared hulls and meshes: no collision missed, no false collision beyond the protrusion.");
   EXPECT_TRUE(warnings(sample.report, sample.report).empty());
 }
 
@@ -32,7 +32,7 @@ TEST(Summary, OnlyWhatWasMeasured) {
   Sample sample({row("cup")});
   sample.report.options.validate = false;
   const std::vector<std::string> said = summary(sample.report, sample.report);
-  EXPECT_EQ(said[0], "1,234 triangles in 1 mesh \xE2\x86\x92 2 hulls. They never miss a collision and are at most 9.80 mm too large.");
+  EXPECT_EQ(said[0], "1,234 triangles in 1 mesh \xE2\x86\x92 2 hulls. They never miss a collision and protrude by at most 9.80 mm.");
   EXPECT_EQ(said[1], "Not compared by collision queries (--no-validate).");
 }
 
@@ -64,14 +64,15 @@ TEST(Summary, AFitIsMeasuredOnTheWholeRobot) {
       << said[0];
   EXPECT_EQ(
       said[1],
-      "Fitted to the scene shelf with a clearance of 10.0 mm: in 10,000 random configurations, 0 missed and 0 false collisions (at 95 % "
-      "confidence in at most 0.0300 % of all configurations).");
+      "Fitted to the scene shelf with a clearance of 10.0 mm: in 10,000 random configurations, no collision missed, no false collision "
+      "beyond the clearance (at 95 % confidence in at most 0.0300 % of all configurations).");
 }
 
 TEST(Summary, NothingIsClaimedOfWhatHasNoHulls) {
   const Sample failed({row("arm"), row("hand", Status::kFailed)});
-  EXPECT_NE(summary(failed.report, failed.report)[0].find("They never miss a collision with the surface that they cover, are at most"),
-            std::string::npos)
+  EXPECT_NE(
+      summary(failed.report, failed.report)[0].find("They never miss a collision with the surface that they cover, protrude by at most"),
+      std::string::npos)
       << summary(failed.report, failed.report)[0];
   const Sample left({row("arm"), row("base", Status::kKept), row("camera", Status::kRemoved), row("lamp", Status::kRemoved)});
   const std::vector<std::string> said = summary(left.report, left.report);
@@ -92,7 +93,7 @@ TEST(Warnings, WhatAsksForAttention) {
             "1 of 3 meshes failed: no hulls, and the link keeps its collision elements.|"
             "1 of 3 meshes protrudes further than the tolerance.|"
             "2 collisions missed in the check: please report this as a fault of collision_hulls.|"
-            "1 false collision beyond the bound: please report this as a fault of collision_hulls.|");
+            "1 false collision beyond the protrusion: please report this as a fault of collision_hulls.|");
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ struct Config {
   std::vector<ModelOptions> models;
   std::optional<MeshFormat> format;
   std::optional<UriStyle> uri;
-  std::optional<bool> segments;
+  std::optional<bool> rebase, segments;
   std::optional<std::string> package_name;
   std::optional<std::uint64_t> seed;
   /// The options that it sets, by their names on the command line: "tolerance", "max-hulls".

@@ -104,6 +104,8 @@ struct LinkOptions {
   /// [m] >= 0: the hulls hold everything within this distance of the surface, and may protrude
   /// further by it
   double padding = 0;
+  /// [m] >= 0: openings of shells no wider than this are closed first; see closeOpenings()
+  double close_openings = 0;
   Shapes shapes = Shapes::kHulls;
   std::vector<Region> regions;  ///< in the frame of what the options are for: the link, or its mesh
 };
@@ -117,7 +119,7 @@ struct LinkSettings {
   std::optional<bool> fill;
   std::optional<int> max_hulls, max_vertices;
   std::optional<Source> source;
-  std::optional<double> padding;
+  std::optional<double> padding, close_openings;
   std::optional<Shapes> shapes;
 };
 
@@ -169,6 +171,8 @@ struct Options : LinkOptions {
   double scale = 1;
   MeshFormat format = MeshFormat::kStl;
   UriStyle uri = UriStyle::kPackage;
+  /// let relative file names of the elements that stay lead to the same files from the output
+  bool rebase = false;
   std::string package_name;  ///< of the output; empty: as its folder is called
   int jobs = 0;              ///< threads; 0: as many as cores
   bool validate = true;

@@ -35,6 +35,10 @@ struct StageSeconds {
 struct MeshFacts {
   std::string sha256;  ///< of its file; of a .gltf file with buffers in others, of all of them
   std::size_t triangles = 0, skipped_primitives = 0;
+  /// LinkOptions::close_openings closed so many; what follows is of the closed mesh
+  std::size_t closed_openings = 0;
+  std::size_t openings = 0;   ///< those that are left; see openingsOf()
+  double widest_opening = 0;  ///< of these
   RepairCounts repair;
   std::string interior;  ///< see Interior
   double volume = 0, diagonal = 0;
@@ -74,7 +78,7 @@ struct ElementReport : MeshFacts, HullFacts {
   /// What the time limit cut short or left out; empty: nothing. Such rows are not cached.
   std::string untried;
   Method method = Method::kCertified;
-  double padding = 0;  ///< [m]
+  double padding = 0, close_openings = 0;  ///< [m]
   Shapes shapes = Shapes::kHulls;
   std::vector<Region> regions_given;  ///< of the mesh, in its frame
   /// A mesh that several links use is worked on once: the first row has the time, the others have
@@ -101,7 +105,10 @@ struct Report : ModelReport {
   std::vector<std::string> files;   ///< of the output beside those of the links and report.json
   std::optional<FitReport> scene;   ///< of a model that was fitted to a scene
   std::vector<std::string> notes;   ///< what to know about the result as a whole
-  double seconds = 0;               ///< wall clock of the whole run
+  /// Links that were asked for and whose collision model are primitives of the description alone:
+  /// no mesh can fail them.
+  std::size_t primitive_links = 0;
+  double seconds = 0;  ///< wall clock of the whole run
 };
 
 /// report.json's text, with the fields and totals of the contract.
@@ -115,6 +122,9 @@ std::string toTable(const Report& report);
 std::vector<std::string> failures(const Report& report);
 
 bool anyFailed(const Report& report);
-bool allFailed(const Report& report);  ///< and there were some
+
+/// Whether nothing is worth writing: every mesh failed, there were some, and fewer links have
+/// primitives alone.
+bool allFailed(const Report& report);
 
 }  // namespace collision_hulls

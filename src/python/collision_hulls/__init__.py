@@ -94,6 +94,7 @@ def decompose(
     max_hulls: int = 0,
     max_vertices: int = 64,
     padding: Length = 0,
+    close_openings: Length = 0,
     fill: bool = False,
     seed: int = 1,
     jobs: int = 0,
@@ -109,6 +110,7 @@ def decompose(
     effort: how long to look for fewer hulls: "instant", "quick" or "best".
     max_hulls, max_vertices: most hulls, and most vertices of a hull (at least 8); 0: no limit.
     padding: the hulls hold everything within this distance of the surface, and may protrude by padding and tolerance.
+    close_openings: close openings of a shell no wider than this first; protrusion then counts from the closed mesh.
     fill: cover the inside of a closed mesh as well, not its surface alone.
     jobs: threads; 0: as many as cores.
     progress: called with the share done, from 0 to 1, a few times a second. What it raises ends the work.
@@ -120,7 +122,7 @@ def decompose(
     points = _vertices(vertices)
     corners = _faces(faces, len(points))
     options = {"tolerance": tolerance, "method": method, "effort": effort, "max_hulls": max_hulls, "max_vertices": max_vertices,
-               "padding": padding, "fill": fill, "seed": seed, "jobs": jobs}
+               "padding": padding, "close_openings": close_openings, "fill": fill, "seed": seed, "jobs": jobs}
     fields = _core.decompose(points, corners, _words(options), progress)
     fields["hulls"] = [Hull(*hull) for hull in fields["hulls"]]
     return Result(**fields)
@@ -155,7 +157,7 @@ def decompose_robot(
         a list gives it several times. doc/options.md lists them.
 
     The report is a dict. report["links"] has a row for each mesh, with its "status", "hulls", "protrusion" (the proved bound) and "files". A mesh
-    that fails has the status "failed" and the "reason"; if all fail, nothing is written and Error is raised.
+    that fails has the status "failed" and the "reason"; if all fail, so that nothing is written, Error is raised.
 
     Raises Error, and KeyboardInterrupt soon after a Ctrl-C; then nothing was written.
     """

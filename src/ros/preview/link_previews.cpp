@@ -11,6 +11,7 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/pipeline/progress_text.h"
 #include "config/link_rule.h"
+#include "ros/parameters.h"
 #include "ros/pen.h"
 #include "settings.h"
 
@@ -257,8 +258,8 @@ LinkOptions LinkPreviews::withTree(LinkOptions options) const {
 const LinkDescription& LinkPreviews::described(const std::string& name) const {
   const auto place = places_.find(name);
   if (place != places_.end()) return robot_.links[place->second];
-  throw Error(ErrorCode::kBadOption, robot_.links.empty() ? "no robot is known yet: call ~build or ~decompose first"
-                                                          : "robot '" + robot_.name + "' has no link '" + name + "'");
+  throw Error(ErrorCode::kBadOption,
+              robot_.links.empty() ? "no robot is known yet: call ~build or ~decompose first" : noSuchLink(robot_, name));
 }
 
 /// Links of a request as a set. As each is named once, a request asks for no more links than the robot has.

@@ -37,13 +37,32 @@ double roundedUp(double value) {
   return std::ceil(value / unit * (1 - 1e-12)) * unit;
 }
 
+std::string limitText(int limit) {
+  return limit == 0 ? "0 (no limit)" : std::to_string(limit);
+}
+
+/// Why a mesh's tree that was built with other options does not serve, as in "its hull tree has max_vertices 64, and 32 is asked for":
+/// the first of the options that treeKey() has.
+std::string difference(const LinkOptions& held, const LinkOptions& needed, double diagonal) {
+  const auto differ = [](const std::string& item, const std::string& one, const std::string& other) {
+    return "its hull tree has " + item + " " + one + ", and " + other + " is asked for";
+  };
+  const auto flag = [](bool value) { return std::string(value ? "true" : "false"); };
+  if (held.max_vertices != needed.max_vertices) return differ("max_vertices", limitText(held.max_vertices), limitText(needed.max_vertices));
+  if (held.effort != needed.effort) return differ("effort", name(held.effort), name(needed.effort));
+  if (held.fill != needed.fill) return differ("fill", flag(held.fill), flag(needed.fill));
+  return differ("leaves of", millimetres(treeLeaves(held, diagonal)), millimetres(treeLeaves(needed, diagonal)));
+}
+
 }  // namespace
 
 /// A tree with its reduced hulls, and the last of its mesh's builds that asked for it.
 struct RobotTrees::Tree {
-  Tree(std::shared_ptr<const HullTree> built, int max_vertices) : tree(std::move(built)), cutter(*tree, max_vertices) {
+  Tree(std::shared_ptr<const HullTree> built, const LinkOptions& with)
+      : options(with), tree(std::move(built)), cutter(*tree, options.max_vertices) {
     cutter.mergedBounds();  // reduces them all, so that no cut has to
   }
+  const LinkOptions options;  // of the link that it was built for
   const std::shared_ptr<const HullTree> tree;
   TreeCutter cutter;
   std::mutex mutex;  // of the cutter
@@ -103,8 +122,8 @@ void RobotTrees::dropUnused() {
 std::shared_ptr<RobotTrees::Mesh> RobotTrees::meshFor(const MeshTask& task, const Run& run) {
   std::ostringstream key;
   key.precision(17);
-  key << task.sha256 << std::filesystem::path(task.file).extension().string() << task.scale.transpose() << ' ' << run.options.reader_memory
-      << ' ' << run.options.reader_time << ' ' << run.options.seed << ' ' << run.options.cache;
+  key << task.sha256 << std::filesystem::path(task.file).extension().string() << task.scale.transpose() << ' ' << task.close_openings << ' '
+      << run.options.reader_memory << ' ' << run.options.reader_time << ' ' << run.options.seed << ' ' << run.options.cache;
   const std::lock_guard<std::mutex> lock(mutex_);
   std::shared_ptr<Mesh>& mesh = meshes_[key.str()];
   if (!mesh) mesh = std::make_shared<Mesh>(task, run.options);
@@ -141,7 +160,7 @@ std::shared_ptr<const HullTree> RobotTrees::hold(Mesh& mesh, const LinkOptions& 
       return tree;
     }
   }
-  auto held = std::make_shared<Tree>(tree, options.max_vertices);
+  auto held = std::make_shared<Tree>(tree, options);
   const std::lock_guard<std::mutex> lock(mutex_);
   held->build = mesh.builds;
   mesh.trees.emplace(key, std::move(held));
@@ -190,6 +209,14 @@ std::shared_ptr<RobotTrees::Tree> RobotTrees::treeOf(const Mesh& mesh, const Lin
   return tree == mesh.trees.end() ? nullptr : tree->second;
 }
 
+/// The one that the mesh's last build asked for; null: there is none.
+std::shared_ptr<RobotTrees::Tree> RobotTrees::lastTreeOf(const Mesh& mesh) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto last = std::max_element(mesh.trees.begin(), mesh.trees.end(),
+                                     [](const auto& a, const auto& b) { return a.second->build < b.second->build; });
+  return last == mesh.trees.end() ? nullptr : last->second;
+}
+
 std::vector<RobotTrees::Held> RobotTrees::heldOf(const LinkDescription& link, const LinkOptions& options) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const SourceElements source = sourceElements(link, options.source);
@@ -207,7 +234,8 @@ std::vector<RobotTrees::Held> RobotTrees::heldOf(const LinkDescription& link, co
     one.row.scale = element.scale;
     one.row.method = options.method;
     const auto mesh = by_use_.find(useKey(element));
-    if (mesh != by_use_.end() && mesh->second->known.solid && options.tree) {
+    const bool is_same = mesh != by_use_.end() && mesh->second->task.close_openings == options.close_openings;
+    if (is_same && mesh->second->known.solid && options.tree) {
       one.mesh = mesh->second;
       one.tree = treeOf(*one.mesh, options);
       static_cast<MeshFacts&>(one.row) = one.mesh->known.mesh;
@@ -236,9 +264,12 @@ std::string RobotTrees::whyNoCut(const LinkDescription& link, const LinkOptions&
   if (options.shapes != Shapes::kHulls) return "shapes '" + std::string(name(options.shapes)) + "' are not cut from hull trees";
   if (options.method != Method::kCertified) return "method '" + std::string(name(options.method)) + "' has no hull tree";
   if (!options.regions.empty()) return "a link in a region has no hull tree";
-  for (const Held& held : heldOf(link, options))
-    if (!held.mesh) return "no hull tree of '" + held.row.uri + "' is held";
-  return "its hull trees are of coarser leaves, or of another effort, fill or max_vertices";
+  for (const Held& held : heldOf(link, options)) {
+    const std::shared_ptr<Tree> last = held.mesh ? lastTreeOf(*held.mesh) : nullptr;
+    if (!last) return "no hull tree of '" + held.row.uri + "' is held";
+    if (!held.tree) return difference(last->options, options, held.row.diagonal);
+  }
+  return "its hull trees were built meanwhile";
 }
 
 void RobotTrees::cutThrough(Held& held, const LinkOptions& options) {

@@ -65,6 +65,7 @@ class RobotTrees {
   void beginBuild(Mesh& mesh);
   std::shared_ptr<const HullTree> hold(Mesh& mesh, const LinkOptions& options, const RunControl& control);
   std::shared_ptr<Tree> treeOf(const Mesh& mesh, const LinkOptions& options) const;
+  std::shared_ptr<Tree> lastTreeOf(const Mesh& mesh) const;
   std::vector<Held> heldOf(const LinkDescription& link, const LinkOptions& options) const;
   static void cutThrough(Held& held, const LinkOptions& options);
 

@@ -59,6 +59,7 @@ LinkChoice toMessage(const std::string& link, const LinkOptions& options) {
   message.max_hulls = options.max_hulls;
   message.max_vertices = options.max_vertices;
   if (options.padding > 0) message.padding = toString(lengthOf(options.padding));
+  if (options.close_openings > 0) message.close_openings = toString(lengthOf(options.close_openings));
   message.shapes = name(options.shapes);
   message.source = name(options.source);
   for (const Region& region : options.regions) message.regions.push_back(toMessage(region));
@@ -79,6 +80,7 @@ LinkOptions toOptions(const LinkChoice& settings) {
   options.max_hulls = settings.max_hulls;
   options.max_vertices = settings.max_vertices;
   if (!settings.padding.empty()) options.padding = parsePadding(settings.padding, link + "padding");
+  if (!settings.close_openings.empty()) options.close_openings = parsePadding(settings.close_openings, link + "close_openings");
   for (const LinkRegion& region : settings.regions) options.regions.push_back(toRegion(link, region));
   checkLimits(options);
   inContext("link '" + settings.link + "'", [&] { checkShapes(options); });

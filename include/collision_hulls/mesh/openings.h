@@ -1,0 +1,40 @@
+// The openings of a shell, and lids for them, so that it stands for the solid that it is the skin
+// of, such as a cover that is open where it is mounted.
+//
+// For example:
+//
+//     const TriangleMesh closed = closeOpenings(mesh, 0.1);  // those no wider than 10 cm
+//     const CertifiedHulls result = certifiedHulls(closed, options);
+#pragma once
+
+#include <vector>
+
+#include "collision_hulls/control.h"
+#include "collision_hulls/geometry/triangle_mesh.h"
+#include "collision_hulls/mesh/repair.h"
+
+namespace collision_hulls {
+
+/// A loop of edges that have one triangle each.
+struct Opening {
+  std::vector<Eigen::Vector3d> rim;  ///< [m] its corners, in the direction of the triangles' edges
+  Eigen::Vector3d center;            ///< [m] the rim's mean point, weighted by length
+  /// [m] twice the largest distance from the centre to the rim: the diameter of a round opening,
+  /// the diagonal of a rectangular one
+  double width = 0;
+};
+
+/// The openings of a mesh. Fins have none, and neither have components that lie in a plane. Both
+/// ends of a pipe without thickness are openings; those of a pipe whose wall has an inner and an
+/// outer surface are not: such a mesh is closed. Near-linear. Deterministic. Thread safe. Throws
+/// kCancelled.
+std::vector<Opening> openingsOf(const RepairedMesh& mesh, const RunControl& control = {});
+
+/// Adds a lid: a fan of triangles from the rim to the centre, with vertices of its own.
+void addLid(const Opening& opening, TriangleMesh& mesh);
+
+/// The mesh, with lids over all openings that are no wider than `width` [m]. Throws kBadOption for
+/// a width that is negative or not finite, and what repair() throws.
+TriangleMesh closeOpenings(const TriangleMesh& mesh, double width, const RunControl& control = {});
+
+}  // namespace collision_hulls

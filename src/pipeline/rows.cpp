@@ -178,7 +178,8 @@ void noteLooseParts(Report& report) {
                          "parts that nothing can touch");
 }
 
-/// A shell without thickness has no inside, so hulls have to follow its skin; a robot's covers stand for solids all the same.
+/// A shell without thickness has no inside, so hulls have to follow its skin; a robot's covers stand for solids all the same. Whether
+/// closing helps is not known before it is tried.
 void noteOpenShells(Report& report) {
   const auto is_open = [](const ElementReport& row) { return followsTolerance(row) && row.openings > 0 && row.hulls >= kHullsOfShell; };
   const auto fewer = [&](const ElementReport& a, const ElementReport& b) {
@@ -188,10 +189,10 @@ void noteOpenShells(Report& report) {
   if (most == report.links.end() || !is_open(*most)) return;
   const auto others = static_cast<std::size_t>(std::count_if(report.links.begin(), report.links.end(), is_open)) - 1;
   const double width = std::ceil(100 * most->widest_opening) / 100;
-  report.notes.push_back("'" + most->uri + "' has " + counted(most->openings, "opening") + ", and its " + std::to_string(most->hulls) +
-                         " hulls follow its skin" + (others > 0 ? "; so it is with " + counted(others, "other mesh", "other meshes") : "") +
-                         ": if it stands for a solid, --close-openings " + toString(lengthOf(width)) +
-                         " makes it one, which usually takes far fewer");
+  report.notes.push_back("'" + most->uri + "' has " + counted(most->openings, "opening") + " and took " + std::to_string(most->hulls) +
+                         " hulls" + (others > 0 ? "; so it is with " + counted(others, "other mesh", "other meshes") : "") +
+                         ": if it is the skin of a solid, --close-openings " + toString(lengthOf(width)) +
+                         " makes it that solid, which may take far fewer");
 }
 
 void noteClosedOpenings(Report& report) {

@@ -174,9 +174,9 @@ TEST(PutTogether, NotesShellsThatClosingWouldMakeSolid) {
   };
   EXPECT_TRUE(notes(0, 30, 1).empty());
   EXPECT_TRUE(notes(2, 7, 1).empty()) << "they cost little";
-  EXPECT_EQ(notes(2, 8, 1), (std::vector<std::string>{"'a.stl' has 2 openings, and its 8 hulls follow its skin: if it stands for a solid, "
-                                                      "--close-openings 13cm makes it one, which usually takes far fewer"}));
-  EXPECT_NE(notes(2, 8, 2).at(0).find("follow its skin; so it is with 1 other mesh: "), std::string::npos);
+  EXPECT_EQ(notes(2, 8, 1), (std::vector<std::string>{"'a.stl' has 2 openings and took 8 hulls: if it is the skin of a solid, "
+                                                      "--close-openings 13cm makes it that solid, which may take far fewer"}));
+  EXPECT_NE(notes(2, 8, 2).at(0).find("8 hulls; so it is with 1 other mesh: "), std::string::npos);
 }
 
 TEST(PutTogether, NotesOpeningsThatWereClosed) {

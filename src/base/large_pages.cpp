@@ -2,6 +2,9 @@
 #include "base/large_pages.h"
 
 #include <limits.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <sys/auxv.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -56,6 +59,12 @@ void takeLargePages(char** arguments) {
   unsetenv(kVariable);  // as it is still here
 #else
   static_cast<void>(arguments);
+#endif
+}
+
+void giveBackFreedMemory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
 #endif
 }
 

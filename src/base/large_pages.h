@@ -15,4 +15,9 @@ constexpr char kLargePages[] =
 /// to less than 1 GiB, or if the kernel gives large pages to everyone or to nobody.
 void takeLargePages(char** arguments);
 
+/// Gives the system the memory that all threads have freed, which otherwise stays with the process in pieces that may not suit what comes
+/// next. For the end of a stage that took much. Takes milliseconds, and some more where the memory is taken again. Does nothing without
+/// glibc.
+void giveBackFreedMemory();
+
 }  // namespace collision_hulls

@@ -109,30 +109,40 @@ std::optional<pid_t> started(Start start) {
   fail(error, start.arguments[0]);
 }
 
-/// A program that runs. Its group ends with this object at the latest.
+/// A program that runs. Its group ends with it, or with this object.
 class Running {
  public:
   explicit Running(pid_t process) : process_(process) {}
   ~Running() {
-    kill(-process_, SIGKILL);
-    while (!ended_ && waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
+    if (!collected_) end();
   }
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
 
   /// Its exit status, once it has ended.
   std::optional<int> status() {
-    int status = 0;
-    const pid_t found = waitpid(process_, &status, WNOHANG);
-    if (found < 0 && errno != EINTR) fail(errno, "waiting for a program");
-    if (found != process_) return std::nullopt;
-    ended_ = true;
+    siginfo_t ended{};
+    if (waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 && errno != EINTR) {
+      collected_ = true;  // by others
+      fail(errno, "waiting for a program");
+    }
+    if (ended.si_pid != process_) return std::nullopt;
+    const int status = end();
     return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
   }
 
  private:
+  /// Kills the group, then collects the program. Until that is collected its number stays taken: afterwards the group may be another's.
+  int end() {
+    kill(-process_, SIGKILL);
+    int status = 0;
+    while (waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
+    collected_ = true;
+    return status;
+  }
+
   const pid_t process_;
-  bool ended_ = false;
+  bool collected_ = false;
 };
 
 void expectLess(const Output& output, const ProgramLimits& limits, const std::string& program) {

@@ -96,9 +96,8 @@ void add(const rusage& used, ChildResult& result) {
   result.peak_mb = std::max(result.peak_mb, static_cast<double>(used.ru_maxrss) / 1024);
 }
 
-/// Kills what is left of the group and reaps it: orphans have become children of this process.
-void killRest(pid_t group, ChildResult& result) {
-  kill(-group, SIGKILL);
+/// Reaps what is left of a group that was killed: orphans have become children of this process.
+void reapRest(pid_t group, ChildResult& result) {
   rusage used{};
   while (wait4(-group, nullptr, 0, &used) > 0) add(used, result);
 }
@@ -132,11 +131,12 @@ ChildResult runChild(const std::vector<std::string>& arguments, double limit) {
   ChildResult result;
   const bool killed = await(process, limit);
   result.wall_seconds = clock.lap();
+  kill(-process, SIGKILL);  // what is left of the group: once the process is reaped, the group's number may be another's
   int status = 0;
   rusage used{};
   if (wait4(process, &status, 0, &used) != process) fail("reaping a process");
   add(used, result);
-  killRest(process, result);
+  reapRest(process, result);
   result.end = killed ? ChildResult::End::kTimeout : WIFSIGNALED(status) ? ChildResult::End::kSignal : ChildResult::End::kExit;
   result.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
   result.output = endOf(output.get());

@@ -8,6 +8,7 @@
 #include "base/looks.h"
 #include "base/parallel.h"
 #include "collision_hulls/mesh/repair.h"
+#include "mesh/weld.h"
 
 namespace collision_hulls {
 
@@ -36,6 +37,30 @@ TriangleMesh selected(const TriangleMesh& mesh, bool with_area, const RunControl
   return result;
 }
 
+/// The same triangles; vertices at one place become one. Formats that list each triangle's corners, as STL does, have six times as many,
+/// and FCL copies them.
+TriangleMesh withSharedVertices(TriangleMesh mesh, const RunControl& control) {
+  if (mesh.vertices.size() <= mesh.triangles.size()) return mesh;
+  std::vector<int> number = weld(mesh, 0, control).representative;  // -1: unused
+  int kept = 0;
+  Looks look(control);
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    look();
+    const int first = number[v];
+    if (first != static_cast<int>(v)) {
+      if (first >= 0) number[v] = number[static_cast<std::size_t>(first)];
+      continue;
+    }
+    mesh.vertices[static_cast<std::size_t>(kept)] = mesh.vertices[v];
+    number[v] = kept++;
+  }
+  mesh.vertices.resize(static_cast<std::size_t>(kept));
+  mesh.vertices.shrink_to_fit();
+  for (Triangle& t : mesh.triangles)
+    for (int& v : t) look(), v = number[static_cast<std::size_t>(v)];
+  return mesh;
+}
+
 /// The hulls, the last of them shrunk until they lie in the spheres.
 std::vector<ConvexHull> within(std::vector<ConvexHull> hulls, const std::vector<Sphere>& spheres) {
   for (std::size_t i = 0; i < spheres.size(); ++i) {
@@ -53,7 +78,7 @@ PairModel::PairModel(ValidationPair& pair, const std::vector<ProbeShape>& box_sh
     : name(pair.name),
       solid(pair.solid ? pair.solid : std::make_shared<const Solid>(repair(pair.original, {}, control), control)),
       frame(pair),
-      original(frame.units(std::move(pair.original))),
+      original(withSharedVertices(frame.units(std::move(pair.original)), control)),
       hulls(frame.units(pair.hulls)),
       spheres(frame.units(pair.spheres)),
       boxes(box_shapes),
@@ -65,8 +90,8 @@ PairModel::PairModel(ValidationPair& pair, const std::vector<ProbeShape>& box_sh
   if (!without_area.triangles.empty()) with_area_ = selected(original, true, control);
   atOnce([&] { fcl_original = std::make_unique<FclMesh>(withArea(), control); },
          [&] {
-           bvh = std::make_unique<TriangleBvh>(withArea(), std::vector<char>(), control);
-           bvh_without_area = std::make_unique<TriangleBvh>(without_area, std::vector<char>(), control);
+           bvh = std::make_unique<TriangleBvh>(withArea(), std::vector<char>(), control, TriangleBvh::Keeps::kNothing);
+           bvh_without_area = std::make_unique<TriangleBvh>(without_area, std::vector<char>(), control, TriangleBvh::Keeps::kNothing);
          });
   allowed = frame.units(pair.protrusion) + tolerance + frame.units(solid->weldDistance());
   for (const Eigen::Vector3d& p : solid->componentPoints()) component_points.push_back(frame.units(to_solid_.inverse() * p));

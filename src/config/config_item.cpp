@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <map>
 
+#include "base/finite_number.h"
 #include "base/nearest_name.h"
 #include "base/string_parts.h"
 #include "base/uri_text.h"
-#include "scene/reading.h"
 
 namespace collision_hulls {
 namespace {
@@ -62,7 +62,7 @@ std::string ConfigItem::text(const std::string& expected) const {
 
 double ConfigItem::number(const std::string& expected) const {
   double result = 0;
-  if (!parseNumber(text(expected), result)) refuse(expected);
+  if (!parseFinite(text(expected), result)) refuse(expected);
   return result;
 }
 

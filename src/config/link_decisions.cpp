@@ -7,12 +7,13 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/in_context.h"
 #include "base/nearest_name.h"
 #include "collision_hulls/config/config.h"
 #include "collision_hulls/error.h"
 #include "config/link_fields.h"
+#include "geometry/roll_pitch_yaw.h"
 #include "report/link_pattern.h"
-#include "scene/reading.h"
 
 namespace collision_hulls {
 namespace {

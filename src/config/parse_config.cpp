@@ -3,6 +3,7 @@
 #include <charconv>
 #include <utility>
 
+#include "base/in_context.h"
 #include "base/nearest_name.h"
 #include "base/read_file.h"
 #include "base/string_parts.h"
@@ -12,7 +13,6 @@
 #include "config/link_fields.h"
 #include "config/parse_regions.h"
 #include "report/link_pattern.h"
-#include "scene/reading.h"
 #include "scene/yaml_node.h"
 
 namespace collision_hulls {

@@ -6,12 +6,12 @@
 #include <optional>
 #include <utility>
 
+#include "base/in_context.h"
 #include "collision_hulls/config/link_decisions.h"
 #include "collision_hulls/error.h"
 #include "config/quoted.h"
 #include "report/link_pattern.h"
 #include "robot/number_text.h"
-#include "scene/reading.h"
 
 namespace collision_hulls {
 namespace {

@@ -58,8 +58,7 @@ std::vector<std::string> notesFor(Consumer consumer, const WrittenModel& model) 
   if (consumer == Consumer::kGazebo) return gazeboNotes(model);
   if (consumer == Consumer::kDart) return dartNotes(model);
   if (consumer == Consumer::kIsaac) return isaacNotes(model);
-  if (consumer == Consumer::kBullet)
-    return {"--for bullet: Bullet's URDF importer takes the description as it is, each hull as a convex shape; no other file is written"};
+  if (consumer == Consumer::kBullet) return bulletNotes(model);
   return {};
 }
 

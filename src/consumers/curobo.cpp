@@ -36,23 +36,22 @@ bool hasOthers(const std::vector<GeometryElement>& elements) {
   return std::any_of(elements.begin(), elements.end(), isOther);
 }
 
-/// Links that will have other elements than spheres, whatever becomes of their meshes.
+/// Whether a link will have other elements than spheres, whatever becomes of its meshes.
+bool willHaveOthers(const LinkDescription& link, const LinkOptions* options) {
+  const CollisionFate fate = collisionFate(link, options);
+  if (fate != CollisionFate::kReplaced) return fate == CollisionFate::kStay && hasOthers(link.collisions);
+  const SourceElements source = sourceElements(link, options->source);
+  return std::any_of(source.elements.begin(), source.elements.end(), [&](const GeometryElement& element) {
+    const bool is_there = source.visual ? isSolidPrimitive(element) : element.kind != GeometryElement::Kind::kMesh;
+    return is_there && isOther(element);
+  });
+}
+
 std::vector<std::string> linksWithOthers(const RobotDescription& robot, const Options& options, const RunControl& control) {
   const LinkDecisions decisions = firstModelDecisions(options, robot, control);
   std::vector<std::string> links;
-  for (const LinkDescription& link : robot.links) {
-    const LinkOptions* const of_link = decisions.of(link.name);
-    if (of_link && of_link->action == Action::kRemove) continue;
-    bool has_others = hasOthers(link.collisions);
-    if (of_link && of_link->action == Action::kDecompose) {
-      const SourceElements source = sourceElements(link, of_link->source);
-      const auto is_mesh = [](const GeometryElement& element) { return element.kind == GeometryElement::Kind::kMesh; };
-      const auto is_kept = [](const GeometryElement& element) { return isOther(element) && isSolidPrimitive(element); };
-      const auto any = [&](const auto& is_so) { return std::any_of(source.elements.begin(), source.elements.end(), is_so); };
-      if (any(is_mesh) || (source.visual && any(isSolidPrimitive))) has_others = any(is_kept);
-    }
-    if (has_others) links.push_back(link.name);
-  }
+  for (const LinkDescription& link : robot.links)
+    if (willHaveOthers(link, decisions.of(link.name))) links.push_back(link.name);
   return links;
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "consumers/written_model.h"
+#include "geometry/roll_pitch_yaw.h"
 #include "robot/number_text.h"
 #include "storage/names.h"
 

@@ -9,6 +9,7 @@
 #include "base/counted.h"
 #include "base/decimal.h"
 #include "base/string_parts.h"
+#include "geometry/roll_pitch_yaw.h"
 #include "robot/number_text.h"
 
 namespace collision_hulls {
@@ -35,11 +36,8 @@ Eigen::Vector3d vectorOf(const XmlNode* node, const std::string& attribute) {
 }
 
 Eigen::Isometry3d originOf(const XmlNode* node) {
-  const Eigen::Vector3d rpy = vectorOf(node, "rpy");
   Eigen::Isometry3d origin = Eigen::Isometry3d::Identity();
-  origin.linear() = (Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
-                     Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX()))
-                        .toRotationMatrix();
+  origin.linear() = fromRollPitchYaw(vectorOf(node, "rpy")).toRotationMatrix();
   origin.translation() = vectorOf(node, "xyz");
   return origin;
 }
@@ -111,7 +109,7 @@ void WrittenModel::readDynamics(const XmlNode& robot) {
                        " are impossible (one is not positive, or larger than the sum of the others); the files of --for use their mean "
                        "instead, but at least 1e-9");
   }
-  if (changed > 1) notes_.front() += "; so it is with " + counted(changed - 1, "more link");
+  if (changed > 1) notes_.front() += "; " + counted(changed - 1, "more link") + (changed == 2 ? " is" : " are") + " like it";
   for (const XmlNode* joint : robot.childrenNamed("joint")) {
     const XmlNode *const limit = joint->child("limit"), *const dynamics = joint->child("dynamics");
     dynamics_[joint->attribute("name")] = {numberOf(limit, "effort", -1), numberOf(limit, "velocity", -1),

@@ -117,5 +117,6 @@ std::vector<std::string> isaacNotes(const WrittenModel& model);
 std::vector<std::string> mujocoNotes(const WrittenModel& model);
 std::vector<std::string> gazeboNotes(const WrittenModel& model);
 std::vector<std::string> dartNotes(const WrittenModel& model);
+std::vector<std::string> bulletNotes(const WrittenModel& model);
 
 }  // namespace collision_hulls

@@ -90,7 +90,6 @@ void Curing::add(const std::vector<Contact>& contacts) {
       ++ballot.open;
       ballot.cases.push_back(i);
     }
-    if (cases_[i].votes[0] <= 0 && cases_[i].votes[1] <= 0) ++stuck_;
   }
 }
 
@@ -148,8 +147,6 @@ void Curing::run(const RunControl& control) {
     control.check();
     open(*node);
   }
-  stuck_ += static_cast<std::size_t>(
-      std::count_if(cases_.begin(), cases_.end(), [](const Case& at) { return at.open && (at.votes[0] > 0 || at.votes[1] > 0); }));
   cases_.clear();
   ballots_.clear();
 }

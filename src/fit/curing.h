@@ -33,7 +33,6 @@ class Curing {
   void run(const RunControl& control);
 
   const Cuts& cuts() const { return cuts_; }
-  std::size_t stuck() const { return stuck_; }  ///< contacts that stayed
 
  private:
   using Node = std::pair<int, int>;  // piece, node of its tree
@@ -61,7 +60,6 @@ class Curing {
   const Opens opens_;
   std::vector<Case> cases_;
   std::map<Node, Ballot> ballots_;
-  std::size_t stuck_ = 0;
 };
 
 /// Closes each node that can replace its children without bringing back any of `contacts`, which are contacts of the roots.

@@ -70,7 +70,7 @@ double leastCosine(const Spread* cones, std::size_t count) {
 
 }  // namespace
 
-TriangleBvh::TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_sided, const RunControl& control) {
+TriangleBvh::TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_sided, const RunControl& control, Keeps keeps) {
   const std::size_t n = mesh.triangles.size();
   if (n == 0) return;
   std::vector<Centre> centres;
@@ -86,13 +86,15 @@ TriangleBvh::TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_
   enlarge(position_, n, control);
   two_sided_ = two_sided;
   enlarge(nodes_, 2 * leavesFor(static_cast<int>(n)) - 1, control);
-  enlarge(clusters_, nodes_.size(), control);
+  if (keeps == Keeps::kFarView) enlarge(clusters_, nodes_.size(), control);
   build(mesh, centres, 0, 0, static_cast<int>(n), 1, control);
-  centre_ = nodes_[0].box.center();
-  const double extent = nodes_[0].box.sizes().maxCoeff();
-  unit_ = extent > 0 ? extent : 1;
+  centres = std::vector<Centre>();
+  box_ = nodes_[0].box;
+  centre_ = box_.center();
+  unit_ = extent() > 0 ? extent() : 1;
   fours_.reserve(nodes_.size() * 5 / 6 + 1);  // one for each leaf, and for the inner nodes of every other level
   gather(0, control);
+  if (keeps == Keeps::kNothing) nodes_ = std::vector<Node>();
 }
 
 /// Packs the boxes two levels below a node, or those of a leaf's triangles; returns their place.
@@ -172,12 +174,23 @@ void TriangleBvh::fillLeaf(const TriangleMesh& mesh, const std::vector<Centre>& 
 /// Computes a node's box and cluster from its triangles or its (finished) children.
 void TriangleBvh::fit(int id) {
   Node& node = nodes_[static_cast<std::size_t>(id)];
+  for (int k = node.first; k < node.first + node.count; ++k) {
+    const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
+    node.box.extend(a).extend(b).extend(c);
+  }
+  for (int k = node.first; node.count == 0 && k < node.first + 2; ++k) node.box.extend(nodes_[static_cast<std::size_t>(k)].box);
+  if (clusters_.empty()) return;
+  fitCluster(id);
+  fitCone(id);
+}
+
+void TriangleBvh::fitCluster(int id) {
+  const Node& node = nodes_[static_cast<std::size_t>(id)];
   Cluster& cluster = clusters_[static_cast<std::size_t>(id)];
   Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
   if (node.count > 0) {
     for (int k = node.first; k < node.first + node.count; ++k) {
       const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
-      node.box.extend(a).extend(b).extend(c);
       const Eigen::Vector3d vector = (b - a).cross(c - a) / 2;
       cluster.dipole += vector;
       cluster.area += vector.norm();
@@ -186,7 +199,6 @@ void TriangleBvh::fit(int id) {
   } else {
     const auto left = static_cast<std::size_t>(node.first), right = left + 1;
     const Cluster &l = clusters_[left], &r = clusters_[right];
-    node.box = nodes_[left].box.merged(nodes_[right].box);
     cluster.dipole = l.dipole + r.dipole;
     cluster.area = l.area + r.area;
     weighted = l.area * l.dipole_centre + r.area * r.dipole_centre;
@@ -194,7 +206,6 @@ void TriangleBvh::fit(int id) {
   cluster.dipole_centre = cluster.area > 0 ? Eigen::Vector3d(weighted / cluster.area) : Eigen::Vector3d(node.box.center());
   const Eigen::Vector3d reach = (node.box.max() - cluster.dipole_centre).cwiseMax(cluster.dipole_centre - node.box.min());
   cluster.radius = reach.norm();
-  fitCone(id);
 }
 
 /// The cone about the mean normal of a leaf's triangles, or about the children's cones.
@@ -230,6 +241,7 @@ TriangleBvh::Cone TriangleBvh::cone(int k) const {
 }
 
 bool TriangleBvh::facesOneWay(const Eigen::Vector3d& p, double radius) const {
+  if (clusters_.empty()) return empty();
   std::array<Spread, kMostCones> cones;
   std::size_t count = 0;
   const auto add = [&](const Cone& c) {

@@ -6,6 +6,7 @@
 // windingNumber() replaces a cluster if that is at most its area's share of kWindingError: the shares of disjoint clusters sum to no more
 // than 1. roughWindingNumber() replaces every cluster that is further away than some of its radii, and adds these errors up: they are small
 // where the triangles are, as the lids of small openings that are spread over a surface.
+#include <algorithm>
 #include <cmath>
 
 #include "collision_hulls/geometry/triangle_bvh.h"
@@ -65,7 +66,7 @@ int crossing(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
 }  // namespace
 
 double TriangleBvh::extent() const {
-  return nodes_.empty() ? 0 : nodes_[0].box.sizes().maxCoeff();
+  return empty() ? 0 : box_.sizes().maxCoeff();
 }
 
 double TriangleBvh::blur() const {
@@ -77,7 +78,7 @@ Eigen::Vector3d TriangleBvh::aside(const Eigen::Vector3d& p) const {
 }
 
 int TriangleBvh::signedCrossings(const Eigen::Vector3d& p) const {
-  if (nodes_.empty()) return 0;
+  if (empty()) return 0;
   const Eigen::Vector3d q = aside(p);
   const Eigen::Vector3f u = inUnits(q);
   int sum = 0, top = 0;
@@ -104,12 +105,17 @@ int TriangleBvh::signedCrossings(const Eigen::Vector3d& p) const {
 /// Clusters are replaced by dipoles where replace(cluster, gap) says so; `gap` is how far away they are at least, > 0.
 template <class Replace>
 double TriangleBvh::windingNumber(const Eigen::Vector3d& p, const Replace& replace) const {
-  if (nodes_.empty()) return 0;
   double sum = 0;      // half solid angles of dipoles
   SumOfAngles angles;  // half solid angles of triangles
+  const auto add = [&](const std::array<Eigen::Vector3d, 3>& corners) {
+    addHalfSolidAngle(corners[0] - p, corners[1] - p, corners[2] - p, angles);
+  };
   int stack[kDeepest];
   int top = 0;
-  stack[top++] = 0;
+  if (clusters_.empty())
+    std::for_each(corners_.begin(), corners_.end(), add);
+  else
+    stack[top++] = 0;
   while (top > 0) {
     const auto id = static_cast<std::size_t>(stack[--top]);
     const Node& node = nodes_[id];
@@ -119,10 +125,7 @@ double TriangleBvh::windingNumber(const Eigen::Vector3d& p, const Replace& repla
     if (gap > 0 && replace(cluster, gap)) {
       sum += cluster.dipole.dot(to) / (2 * distance * distance * distance);
     } else if (node.count > 0) {
-      for (int k = node.first; k < node.first + node.count; ++k) {
-        const auto& [a, b, c] = corners_[static_cast<std::size_t>(k)];
-        addHalfSolidAngle(a - p, b - p, c - p, angles);
-      }
+      for (int k = node.first; k < node.first + node.count; ++k) add(corners_[static_cast<std::size_t>(k)]);
     } else {
       stack[top++] = node.first;
       stack[top++] = node.first + 1;
@@ -132,7 +135,7 @@ double TriangleBvh::windingNumber(const Eigen::Vector3d& p, const Replace& repla
 }
 
 double TriangleBvh::windingNumber(const Eigen::Vector3d& p) const {
-  const double allowed = nodes_.empty() || !(clusters_[0].area > 0) ? 0 : 2 * kPi * kWindingError / clusters_[0].area;
+  const double allowed = clusters_.empty() || !(clusters_[0].area > 0) ? 0 : 2 * kPi * kWindingError / clusters_[0].area;
   return windingNumber(p, [&](const Cluster& cluster, double gap) { return cluster.radius <= allowed * gap * gap * gap; });
 }
 

@@ -86,7 +86,7 @@ TriangleBvh FlatSheets::rims(const RepairedMesh& mesh, const Edges& edges, const
         const int from = startOf(mesh.mesh.triangles, h), to = endOf(mesh.mesh.triangles, h);
         rims.triangles.push_back({from, to, to});
       }
-  return TriangleBvh(rims, {}, control);
+  return TriangleBvh(rims, {}, control, TriangleBvh::Keeps::kNothing);
 }
 
 double FlatSheets::bound(const std::array<Eigen::Vector3d, 3>& patch, const TriangleBvh::Nearest& near, double slack) const {

@@ -82,7 +82,10 @@ class Sets {
 class Part {
  public:
   Part(TriangleMesh mesh, const RunControl& control)
-      : mesh_(std::move(mesh)), control_(control), tree_(mesh_, {}, control), marked_(mesh_.triangles.size()) {}
+      : mesh_(std::move(mesh)),
+        control_(control),
+        tree_(mesh_, {}, control, TriangleBvh::Keeps::kNothing),
+        marked_(mesh_.triangles.size()) {}
 
   const std::vector<char>& marked() const { return marked_; }
 
@@ -260,7 +263,7 @@ std::vector<char> mayFaceInverted(const TriangleMesh& surface, const RunControl&
     for (std::size_t i = 0; i < parts.members[c].size(); ++i) marked[static_cast<std::size_t>(parts.members[c][i])] = part.marked()[i];
   });
   if (std::all_of(boxes.begin(), boxes.end(), [](const auto& of_part) { return of_part.empty(); })) return result;
-  const TriangleBvh tree(surface, {}, control);
+  const TriangleBvh tree(surface, {}, control, TriangleBvh::Keeps::kNothing);
   Looks look(control);
   for (std::size_t c = 0; c < boxes.size(); ++c)
     for (const Eigen::AlignedBox3d& box : boxes[c])

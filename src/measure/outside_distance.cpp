@@ -156,7 +156,7 @@ void OutsideDistance::measure(int id, int parent_id) {
   cell.triangle = n.triangle;
   cell.to_surface = n.distance;
   if (parent && solid_.isOneSide(parent->to_surface, (cube(parent_id).centre - centre).norm()))
-    cell.distance = solid_.signedDistance(std::signbit(parent->distance), n.distance);
+    cell.distance = solid_.signedDistance(p, n.distance, std::signbit(parent->distance));
   else
     cell.distance = solid_.signedDistance(p, n.distance);
 }

@@ -134,11 +134,12 @@ struct Walls {
         const RunControl& control)
       : closed(all_lids.vertices.empty() && walls.triangles.size() == mesh.mesh.triangles.size()
                    ? surface
-                   : std::make_shared<TriangleBvh>(joined(walls, all_lids), std::vector<char>(), control)),
+                   : std::make_shared<TriangleBvh>(joined(walls, all_lids), std::vector<char>(), control, TriangleBvh::Keeps::kNothing)),
         lids({all_lids.vertices, all_lids.of_openings}, {}, control),
-        rim(edgeMesh(mesh.mesh.vertices, all_lids.rim_of_openings), {}, control),
+        rim(edgeMesh(mesh.mesh.vertices, all_lids.rim_of_openings), {}, control, TriangleBvh::Keeps::kNothing),
         rim_length(lengthOf(mesh.mesh.vertices, all_lids.rim_of_openings)),
         crack_width(all_lids.crack_width),
+        has_sheets(walls.triangles.size() != mesh.mesh.triangles.size()),
         blur(std::max(closed->blur(), surface->blur())),
         volume(signedVolume(walls)) {}
 
@@ -147,6 +148,11 @@ struct Walls {
   /// [m] How far cracks can mislead. A crack's lids are nowhere further from the surface than twice its width; the same holds for what lies
   /// behind them when they are crossed.
   double crackSlack() const { return 4 * crack_width; }
+
+  /// [m] How far away the nearest wall or lid is, for a point inside. Sheets that are nearer lie inside, too.
+  double toWalls(const Eigen::Vector3d& p, double to_surface) const {
+    return has_sheets ? std::max(to_surface, closed->nearest(p).distance) : to_surface;
+  }
 
   /// How far from the middle of a ball of this radius the surface may be that is nearest to one of its points, if that is no further than
   /// `furthest` from the point. Never so little that rounding could leave it out.
@@ -230,6 +236,7 @@ struct Walls {
   TriangleBvh lids, rim;
   double rim_length;   // [m]
   double crack_width;  // [m]
+  bool has_sheets;     // whether some of the surface is no wall
   double blur;         // [m] what rounding may hide; see the top
   double volume;
 };
@@ -264,6 +271,12 @@ std::vector<char> twoSided(const RepairedMesh& mesh, const TriangleMesh& walls, 
   return result;
 }
 
+/// From afar, one asks only which way a surface faces; one that faces both ways everywhere does without, as with openings.
+TriangleBvh::Keeps keptOf(const std::vector<char>& two_sided) {
+  const bool any_way = std::find(two_sided.begin(), two_sided.end(), 0) == two_sided.end();
+  return any_way ? TriangleBvh::Keeps::kNothing : TriangleBvh::Keeps::kFarView;
+}
+
 /// What the surface consists of.
 struct Anatomy {
   Anatomy(const RepairedMesh& mesh, const Solid* before, const RunControl& control)
@@ -284,7 +297,7 @@ struct Anatomy {
 struct Solid::Impl {
   Impl(const RepairedMesh& mesh, const Solid* before, const RunControl& control) : Impl(mesh, Anatomy(mesh, before, control), control) {}
   Impl(const RepairedMesh& mesh, const Anatomy& anatomy, const RunControl& control)
-      : surface(std::make_shared<TriangleBvh>(withLoose(mesh), anatomy.two_sided, control)),
+      : surface(std::make_shared<TriangleBvh>(withLoose(mesh), anatomy.two_sided, control, keptOf(anatomy.two_sided))),
         walls(anatomy.walls, anatomy.lids, mesh, surface, control),
         sheets(mesh, anatomy.edges, anatomy.two_sided, control),
         interior(interiorOf(mesh)),
@@ -338,10 +351,11 @@ double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface) const 
   if (to_surface <= walls.blur) return to_surface;
   Walls::Winding winding(walls, p);
   if (!winding.isInside()) return to_surface;
-  return -std::max(0.0, std::min(to_surface - walls.crackSlack(), winding.wayToBorder()) - walls.blur);
+  return -std::max(0.0, std::min(walls.toWalls(p, to_surface) - walls.crackSlack(), winding.wayToBorder()) - walls.blur);
 }
-double Solid::signedDistance(bool inside, double to_surface) const {
-  return inside ? -std::max(0.0, to_surface - impl_->walls.crackSlack() - impl_->walls.blur) : to_surface;
+double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface, bool inside) const {
+  const Walls& walls = impl_->walls;
+  return inside ? -std::max(0.0, walls.toWalls(p, to_surface) - walls.crackSlack() - walls.blur) : to_surface;
 }
 double Solid::sideError() const {
   return hasOpenings() || impl_->walls.crack_width > 0 ? impl_->walls.blur : 0;

@@ -1,5 +1,5 @@
-// Repairs a mesh in this order: weld, drop degenerate and duplicate triangles, find edges, orient, find fins, decide per component how to
-// tell its inside (closed, winding number, or none). Each step is a file of its own; repair() below calls them in order.
+// Repairs a mesh in this order: weld, drop degenerate and duplicate triangles, find edges, orient, find fins and inner walls, decide per
+// component how to tell its inside (closed, winding number, or none). Each step is a file of its own; repair() below calls them in order.
 #include "collision_hulls/mesh/repair.h"
 
 #include <algorithm>
@@ -13,9 +13,10 @@
 #include "collision_hulls/error.h"
 #include "mesh/boundary.h"
 #include "mesh/edges.h"
-#include "mesh/fins.h"
 #include "mesh/hash.h"
 #include "mesh/orient.h"
+#include "mesh/sheets/fins.h"
+#include "mesh/sheets/inner_walls.h"
 #include "mesh/weld.h"
 
 namespace collision_hulls {
@@ -260,10 +261,11 @@ RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options, cons
   result.counts.open_edges = edges.open;
   result.counts.nonmanifold_edges = edges.nonmanifold;
 
-  const OrientedPatches oriented = orient(result.mesh, edges, control);
+  OrientedPatches oriented = orient(result.mesh, edges, control);
+  result.sheet = findFins(result.mesh, edges, oriented, surplus, control);
+  setInnerWallsApart(result.mesh, edges, oriented, result.sheet, control);
   const std::vector<char>& turn = oriented.turn;
   result.counts.flipped = static_cast<std::size_t>(std::count(turn.begin(), turn.end(), 1));
-  result.sheet = findFins(result.mesh, edges, oriented, surplus, control);
   result.interior = findInteriors(result.mesh, edges, turn, result.sheet, control);
   for (std::size_t t = 0; t < turn.size(); ++t)
     if (turn[t]) std::swap(result.mesh.triangles[t][1], result.mesh.triangles[t][2]);

@@ -6,12 +6,12 @@
 #include <set>
 #include <utility>
 
+#include "base/in_context.h"
 #include "collision_hulls/config/config.h"
 #include "collision_hulls/config/link_decisions.h"
 #include "collision_hulls/error.h"
 #include "config/link_rule.h"
 #include "report/link_pattern.h"
-#include "scene/reading.h"
 
 namespace collision_hulls {
 namespace {

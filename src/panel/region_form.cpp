@@ -10,8 +10,8 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "base/finite_number.h"
 #include "collision_hulls/error.h"
-#include "scene/reading.h"
 
 namespace collision_hulls {
 namespace {
@@ -25,7 +25,7 @@ QString vectorText(const Eigen::Vector3d& v) {
 double numberIn(const QString& text, const std::string& what) {
   double number = 0;
   const std::string word = text.trimmed().toStdString();
-  if (!parseNumber(word, number)) throw Error(ErrorCode::kBadOption, "'" + word + "' is no number: enter " + what);
+  if (!parseFinite(word, number)) throw Error(ErrorCode::kBadOption, "'" + word + "' is no number: enter " + what);
   return number;
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/roll_pitch_yaw.h"
 #include "robot/number_text.h"
-#include "scene/reading.h"
 
 namespace collision_hulls {
 namespace {

@@ -12,6 +12,7 @@
 #include <QSpinBox>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
 #include "collision_hulls/decompose/reduce_vertices.h"
@@ -50,6 +51,24 @@ QSpinBox* addSpin(QGridLayout* grid, int row, int column, const QString& label, 
   return spin;
 }
 
+/// [m] as somebody would type it.
+QString openingsText(double width) {
+  return width > 0 ? QString::fromStdString(toString(lengthOf(width))) : QString("0");
+}
+
+// What somebody typed, as a change. A value that is refused throws kBadOption.
+
+SettingsForm::Change typedTolerance(const std::string& text) {
+  const Length tolerance = parseLength(text);
+  checkTolerance(tolerance);
+  return [tolerance](LinkOptions& options) { options.tolerance = tolerance; };
+}
+
+SettingsForm::Change typedOpenings(const std::string& text) {
+  const double width = parsePadding(text, "close openings");
+  return [width](LinkOptions& options) { options.close_openings = width; };
+}
+
 template <typename T>
 QStringList namesOf(const std::vector<T>& all) {
   QStringList names;
@@ -63,6 +82,7 @@ SettingsForm::SettingsForm(QWidget* parent) : QWidget(parent) {
   auto* const grid = new QGridLayout(this);
   addTolerance(grid);
   addBoxes(grid);
+  addOpenings(grid);
   for (const int column : {1, 3, 5}) grid->setColumnStretch(column, 1);
   show({});
 }
@@ -87,7 +107,7 @@ void SettingsForm::addTolerance(QGridLayout* grid) {
   grid->addWidget(tolerance_text_, 0, 5);
   grid->addWidget(effect_, 1, 1, 1, 5);
   connect(slider_, &QSlider::valueChanged, this, &SettingsForm::slide);
-  connect(tolerance_text_, &QLineEdit::editingFinished, this, &SettingsForm::typeTolerance);
+  connect(tolerance_text_, &QLineEdit::editingFinished, this, [this] { type(tolerance_text_, typedTolerance); });
 }
 
 void SettingsForm::addBoxes(QGridLayout* grid) {
@@ -99,7 +119,7 @@ void SettingsForm::addBoxes(QGridLayout* grid) {
   max_hulls_->setToolTip("Per mesh");
   max_vertices_ = addSpin(grid, 3, 2, "Most &vertices", "max_vertices", kMostVertices);
   max_vertices_->setToolTip("Per hull");
-  source_ = addBox(grid, 3, 4, "So&urce", "source", {"auto", "visual", "collision"});
+  source_ = addBox(grid, 4, 0, "So&urce", "source", {"auto", "visual", "collision"});
   const auto choose = [this](QComboBox* box, auto apply) {
     connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, box, apply](int) {
       const std::string text = box->currentText().toStdString();
@@ -120,6 +140,18 @@ void SettingsForm::addBoxes(QGridLayout* grid) {
   limit(max_vertices_, &LinkOptions::max_vertices, kLeastVertices);
 }
 
+void SettingsForm::addOpenings(QGridLayout* grid) {
+  auto* const text = new QLabel("Close &openings");
+  openings_ = new QLineEdit;
+  openings_->setObjectName("close_openings");
+  openings_->setToolTip(
+      "Close openings of shells that are no wider than this first, as 5cm; 0: none. Protrusion then counts from the closed meshes");
+  text->setBuddy(openings_);
+  grid->addWidget(text, 4, 2);
+  grid->addWidget(openings_, 4, 3);
+  connect(openings_, &QLineEdit::editingFinished, this, [this] { type(openings_, typedOpenings); });
+}
+
 void SettingsForm::show(const std::vector<const LinkRow*>& links) {
   is_showing_ = true;
   std::vector<std::vector<double>> steps;
@@ -133,8 +165,11 @@ void SettingsForm::show(const std::vector<const LinkRow*>& links) {
     tolerance_ = known;
   }
   slider_->setValue(scale_.positionOf(tolerance_));
-  if (!tolerance_text_->hasFocus() || !tolerance_text_->isModified())
-    tolerance_text_->setText(QString::fromStdString(toString(options.tolerance)));
+  const auto set = [](QLineEdit* line, const QString& text) {
+    if (!line->hasFocus() || !line->isModified()) line->setText(text);
+  };
+  set(tolerance_text_, QString::fromStdString(toString(options.tolerance)));
+  set(openings_, openingsText(options.close_openings));
   action_->setCurrentText(name(options.action));
   method_->setCurrentText(name(options.method));
   effort_->setCurrentText(name(options.effort));
@@ -150,8 +185,7 @@ void SettingsForm::enable(bool any, const LinkOptions& options) {
   const bool decomposed = any && options.action == Action::kDecompose;
   const bool takes_tolerance = options.method != Method::kSingleHull && options.method != Method::kBoundingBox;
   action_->setEnabled(any);
-  for (QWidget* widget : {static_cast<QWidget*>(method_), static_cast<QWidget*>(source_), static_cast<QWidget*>(max_vertices_)})
-    widget->setEnabled(decomposed);
+  for (QWidget* widget : std::initializer_list<QWidget*>{method_, source_, max_vertices_, openings_}) widget->setEnabled(decomposed);
   slider_->setEnabled(decomposed && takes_tolerance);
   tolerance_text_->setEnabled(decomposed && takes_tolerance);
   max_hulls_->setEnabled(decomposed && takes_tolerance);
@@ -200,14 +234,13 @@ void SettingsForm::setTolerance(double metres) {
   Q_EMIT changed([tolerance](LinkOptions& options) { options.tolerance = tolerance; }, goes_on);
 }
 
-void SettingsForm::typeTolerance() {
-  if (!tolerance_text_->isModified()) return;
+void SettingsForm::type(QLineEdit* line, Change (*read)(const std::string& text)) {
+  if (!line->isModified()) return;
   try {
-    const Length tolerance = parseLength(tolerance_text_->text().toStdString());
-    checkTolerance(tolerance);
+    const Change change = read(line->text().trimmed().toStdString());
     goes_on_ = false;
-    tolerance_text_->setModified(false);
-    Q_EMIT changed([tolerance](LinkOptions& options) { options.tolerance = tolerance; }, false);
+    line->setModified(false);
+    Q_EMIT changed(change, false);
   } catch (const Error& error) {
     effect_->setText(QString::fromStdString(error.what()).toHtmlEscaped());
   }

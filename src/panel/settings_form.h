@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "panel/link_table.h"
@@ -37,11 +38,12 @@ class SettingsForm : public QWidget {
  private:
   void addTolerance(QGridLayout* grid);
   void addBoxes(QGridLayout* grid);
+  void addOpenings(QGridLayout* grid);
   void enable(bool any, const LinkOptions& options);
   void describe(const std::vector<const LinkRow*>& links);
   void slide(int position);
   void step(int by);
-  void typeTolerance();
+  void type(QLineEdit* line, Change (*read)(const std::string& text));
   void setTolerance(double metres);
 
   ToleranceScale scale_;
@@ -50,7 +52,7 @@ class SettingsForm : public QWidget {
   bool is_showing_ = false;  // boxes change because of show()
   bool goes_on_ = false;     // the slider moved last
   QSlider* slider_ = nullptr;
-  QLineEdit* tolerance_text_ = nullptr;
+  QLineEdit *tolerance_text_ = nullptr, *openings_ = nullptr;
   QLabel* effect_ = nullptr;
   QComboBox *action_ = nullptr, *method_ = nullptr, *effort_ = nullptr, *source_ = nullptr;
   QSpinBox *max_hulls_ = nullptr, *max_vertices_ = nullptr;

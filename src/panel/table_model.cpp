@@ -25,8 +25,8 @@ QVariant text(const LinkRow& row, int column) {
       return row.options.action == Action::kDecompose ? QString::fromStdString(toString(row.options.tolerance)) : dash;
     case TableModel::kHulls: return has_hulls ? QString::number(row.facts.hulls) : dash;
     case TableModel::kVertices: return has_hulls ? QString::number(row.facts.vertices) : dash;
+    case TableModel::kBound: return lengthText(has_hulls ? row.facts.protrusion : 0);
     case TableModel::kFound: return lengthText(has_hulls && row.facts.proved ? row.facts.found : 0);
-    case TableModel::kProved: return lengthText(has_hulls ? row.facts.protrusion : 0);
     case TableModel::kStatus: return QString::fromStdString(row.facts.status);
     case TableModel::kSource: return name(row.options.source);
   }
@@ -38,14 +38,14 @@ QVariant sortValue(const LinkRow& row, int column) {
     case TableModel::kTolerance: return row.facts.tolerance > 0 ? row.facts.tolerance : row.options.tolerance.limit;
     case TableModel::kHulls: return static_cast<qulonglong>(row.facts.hulls);
     case TableModel::kVertices: return static_cast<qulonglong>(row.facts.vertices);
+    case TableModel::kBound: return row.facts.protrusion;
     case TableModel::kFound: return row.facts.found;
-    case TableModel::kProved: return row.facts.protrusion;
   }
   return text(row, column);
 }
 
 bool isNumber(int column) {
-  return column >= TableModel::kTolerance && column <= TableModel::kProved;
+  return column >= TableModel::kTolerance && column <= TableModel::kFound;
 }
 
 }  // namespace
@@ -73,14 +73,14 @@ QVariant TableModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant TableModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  static const char* const names[kColumns] = {"Link", "Method", "Tolerance", "Hulls", "Vertices", "Found", "Proved", "Status", "Source"};
+  static const char* const names[kColumns] = {"Link", "Method", "Tolerance", "Hulls", "Vertices", "Bound", "Found", "Status", "Source"};
   static const char* const tips[kColumns] = {"",
                                              "Or keep, or remove",
                                              "How far the hulls may protrude",
                                              "",
                                              "Of all hulls",
+                                             "The proved bound on the protrusion: no point of the hulls is further from the solid",
                                              "The largest protrusion that was found",
-                                             "No hull protrudes further: proved",
                                              "",
                                              "Which elements become hulls"};
   if (orientation != Qt::Horizontal || section < 0 || section >= kColumns) return {};

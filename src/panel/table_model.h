@@ -9,7 +9,7 @@ namespace collision_hulls {
 
 class TableModel : public QAbstractTableModel {
  public:
-  enum Column { kLink, kMethod, kTolerance, kHulls, kVertices, kFound, kProved, kStatus, kSource, kColumns };
+  enum Column { kLink, kMethod, kTolerance, kHulls, kVertices, kBound, kFound, kStatus, kSource, kColumns };
   static constexpr int kSortRole = Qt::UserRole;  ///< the value by which a column is sorted
 
   explicit TableModel(LinkTable& table, QObject* parent = nullptr) : QAbstractTableModel(parent), table_(table) {}

@@ -105,15 +105,11 @@ NewCollisions newCollisions(const RobotDescription& robot, const LinkDecisions& 
   NewCollisions links;
   for (const LinkDescription& link : robot.links) {
     const LinkOptions* const options = decisions.of(link.name);
-    if (!options || options->action == Action::kKeep || failed.count(link.name)) continue;
-    if (options->action == Action::kRemove) {
-      links[link.name] = {};
-      continue;
-    }
-    const SourceElements source = sourceElements(link, options->source);
-    const bool has_solid = std::any_of(source.elements.begin(), source.elements.end(), isSolidPrimitive);
-    const bool has_new_ones = models.count(link.name) || (source.visual && has_solid);
-    if (has_new_ones) links[link.name] = linkCollisions(link.name, source, models[link.name], prefix, names, in_place);
+    const CollisionFate fate = collisionFate(link, options);
+    if (fate == CollisionFate::kStay || failed.count(link.name)) continue;
+    LinkCollisions& collisions = links[link.name];
+    if (fate == CollisionFate::kReplaced)
+      collisions = linkCollisions(link.name, sourceElements(link, options->source), models[link.name], prefix, names, in_place);
   }
   return links;
 }
@@ -158,7 +154,7 @@ std::vector<std::string> notesOnKept(const RobotResult& result) {
   std::vector<std::string> notes;
   for (const std::string& link : kept)
     notes.push_back("link '" + link +
-                    "' keeps its collision elements because one of its meshes failed; the hulls of the others are written");
+                    "' keeps its collision elements because one of its meshes failed; hulls of its other meshes are written, but not used");
   return notes;
 }
 
@@ -200,7 +196,7 @@ std::vector<std::string> notesOnRewritten(const RobotResult& result, const std::
   if (kept.empty()) return {};
   const std::string are = kept.size() == 1 ? " is" : " are";
   return {counted(kept.size(), "mesh URI") + are + " relative to the folder of the input, such as '" + *kept.begin() + "', and " +
-          (options.rebase ? "stayed so, as no such file was found there: correct the input"
+          (options.rebase ? "stayed so, as no file that may be read was found there: correct the input"
                           : "will not be found from '" + newDescription(result, output) + "': add --rebase")};
 }
 
@@ -215,8 +211,9 @@ std::vector<std::string> notesOnContacts(const RobotResult& result) {
     const std::vector<std::string> links = linksOfCollision(name);
     const auto link = std::find_if(links.begin(), links.end(), [&](const std::string& one) { return replaced.count(one) > 0; });
     if (link == links.end() || ++found > kMostNotes) continue;
-    notes.push_back("a <gazebo> element names the collision '" + name + "', which hulls have replaced: let it name those of link '" +
-                    *link + "' instead, or its contact sensor finds nothing");
+    notes.push_back("a <gazebo> element names the collision '" + name +
+                    "', which hulls have replaced, so its contact sensor would find nothing: name the hulls' collisions of link '" + *link +
+                    "' there");
   }
   if (found > kMostNotes)
     notes.push_back("<gazebo> elements name " + std::to_string(found - kMostNotes) + " more collisions that hulls have replaced");

@@ -14,13 +14,13 @@
 #include "collision_hulls/decompose/certified_hulls.h"
 #include "collision_hulls/decompose/least_hulls.h"
 #include "collision_hulls/report/totals.h"
+#include "decompose/coarser/coarser_cuts.h"
 #include "pipeline/collision_model.h"
 #include "pipeline/contacts/rest_contacts.h"
 #include "pipeline/earlier_output.h"
 #include "pipeline/run.h"
 #include "pipeline/shapes/shapes.h"
 #include "pipeline/stages.h"
-#include "web/coarser_cuts.h"
 
 namespace collision_hulls {
 namespace {

@@ -184,6 +184,14 @@ bool isSolidPrimitive(const GeometryElement& element) {
   }
 }
 
+CollisionFate collisionFate(const LinkDescription& link, const LinkOptions* options) {
+  if (!options || options->action == Action::kKeep) return CollisionFate::kStay;
+  if (options->action == Action::kRemove) return CollisionFate::kGo;
+  const SourceElements source = sourceElements(link, options->source);
+  const auto any = [&](const auto& is_so) { return std::any_of(source.elements.begin(), source.elements.end(), is_so); };
+  return any(isMesh) || (source.visual && any(isSolidPrimitive)) ? CollisionFate::kReplaced : CollisionFate::kStay;
+}
+
 std::size_t primitiveLinks(const RobotDescription& robot, const LinkDecisions& decisions) {
   return static_cast<std::size_t>(std::count_if(robot.links.begin(), robot.links.end(), [&](const LinkDescription& link) {
     const LinkOptions* const options = decisions.of(link.name);

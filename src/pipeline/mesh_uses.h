@@ -39,6 +39,16 @@ std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDe
 /// Whether an element is a primitive that encloses something: with --source visual it becomes a <collision> element.
 bool isSolidPrimitive(const GeometryElement& element);
 
+/// What becomes of a link's <collision> elements.
+enum class CollisionFate {
+  kStay,     ///< all of them
+  kGo,       ///< without others in their place
+  kReplaced  ///< the meshes by hulls; primitives stay where the source is the <collision> elements, else the solid ones of the source come
+};
+
+/// Of a link with these options (null: it was not chosen) of which no mesh fails. Where one fails, they stay.
+CollisionFate collisionFate(const LinkDescription& link, const LinkOptions* options);
+
 /// How many links have primitives that become, or stay, their collision model, and no mesh.
 std::size_t primitiveLinks(const RobotDescription& robot, const LinkDecisions& decisions);
 

@@ -162,6 +162,10 @@ void noteManyHulls(Report& report) {
       ": a larger tolerance makes fewer; so does a limit, as in --max-hulls 16");
 }
 
+std::string likeIt(std::size_t others) {
+  return others > 0 ? "; " + counted(others, "other mesh", "other meshes") + (others == 1 ? " is" : " are") + " like it" : "";
+}
+
 /// Parts that nothing can reach are solid inside a watertight housing. Inside an open one they have to be covered, each by hulls of its
 /// own.
 void noteLooseParts(Report& report) {
@@ -172,8 +176,7 @@ void noteLooseParts(Report& report) {
   if (first == report.links.end()) return;
   const auto others = static_cast<std::size_t>(std::count_if(first, report.links.end(), is_loose)) - 1;
   report.notes.push_back("'" + first->uri + "' consists of " + std::to_string(first->repair.components) + " loose parts and took " +
-                         std::to_string(first->hulls) + " hulls" +
-                         (others > 0 ? "; so it is with " + counted(others, "other mesh", "other meshes") : "") +
+                         std::to_string(first->hulls) + " hulls" + likeIt(others) +
                          ": if parts lie in a housing with openings, --close-openings makes it solid, and they take no hulls; or remove "
                          "parts that nothing can touch");
 }
@@ -190,8 +193,7 @@ void noteOpenShells(Report& report) {
   const auto others = static_cast<std::size_t>(std::count_if(report.links.begin(), report.links.end(), is_open)) - 1;
   const double width = std::ceil(100 * most->widest_opening) / 100;
   report.notes.push_back("'" + most->uri + "' has " + counted(most->openings, "opening") + " and took " + std::to_string(most->hulls) +
-                         " hulls" + (others > 0 ? "; so it is with " + counted(others, "other mesh", "other meshes") : "") +
-                         ": if it is the skin of a solid, --close-openings " + toString(lengthOf(width)) +
+                         " hulls" + likeIt(others) + ": if it is the skin of a solid, --close-openings " + toString(lengthOf(width)) +
                          " makes it that solid, which may take far fewer");
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/decimal.h"
+#include "base/large_pages.h"
 #include "base/stopwatch.h"
 #include "collision_hulls/check/validate.h"
 #include "collision_hulls/decompose/certified.h"
@@ -23,22 +24,14 @@
 namespace collision_hulls {
 namespace {
 
+constexpr std::size_t kManyTriangles = 100'000;  // some 100 MB at work
+
 double toleranceFor(const TriangleMesh& mesh, const LinkOptions& options) {
   const double tolerance = options.tolerance.metres(diagonal(mesh));
   if (tolerance > 0) return tolerance;
   throw Error(ErrorCode::kEmptyMesh, "all " + std::to_string(mesh.triangles.size()) +
                                          " triangles lie in one point, so a percentage of the mesh's size is no tolerance for it; give "
                                          "only a length, such as 1mm, or repair the mesh");
-}
-
-/// A percentage of the diagonal takes the same work in every unit, so it stays allowed: for the link that really is that large.
-void checkSize(const std::string& uri, double diagonal, const Length& tolerance) {
-  if (diagonal <= kLargestLink || tolerance.limit == Length::kUnset) return;
-  throw Error(ErrorCode::kTooLarge,
-              "'" + uri + "' is " + decimal(diagonal, 3) +
-                  " m across, larger than any robot link: if its numbers are millimetres, scale it by 0.001 (--scale "
-                  "0.001 for a mesh file, scale=\"0.001 0.001 0.001\" in a description's <mesh>); if it really is that "
-                  "large, give the tolerance only as a percentage, such as 1%");
 }
 
 /// Closes openings of a mesh up to a width [m] and tells what it finds. Whether it closed any.
@@ -58,8 +51,17 @@ bool closeAsAsked(const RepairedMesh& repaired, double width, const RunControl& 
 
 }  // namespace
 
+/// A percentage of the diagonal takes the same work in every unit, so it stays allowed: for the link that really is that large.
+void checkSize(const std::string& mesh, double diagonal, const Length& tolerance, const std::string& remedy) {
+  if (diagonal <= kLargestLink || tolerance.limit == Length::kUnset) return;
+  throw Error(ErrorCode::kTooLarge, mesh + " is " + decimal(diagonal, 3) +
+                                        " m across, larger than any robot link: if its numbers are millimetres, " + remedy +
+                                        "; if it really is that large, give the tolerance only as a percentage, such as 1%");
+}
+
 void setTolerance(const std::string& uri, const LinkOptions& options, MeshResult& result) {
-  checkSize(uri, result.mesh.diagonal, options.tolerance);
+  checkSize("'" + uri + "'", result.mesh.diagonal, options.tolerance,
+            "scale it by 0.001 (--scale 0.001 for a mesh file, scale=\"0.001 0.001 0.001\" in a description's <mesh>)");
   result.mesh.tolerance = toleranceFor(result.original, options);
   expectResolvable(result.mesh.tolerance, result.mesh.diagonal, uri);
 }
@@ -185,6 +187,9 @@ void decomposeHulls(const ReadMesh& read, const LinkOptions& options, const Hull
 
 Validation validateUses(const std::vector<MeshUse>& uses, const MeshResults& results, std::size_t model, std::uint64_t seed,
                         const RunControl& control) {
+  std::size_t triangles = 0;
+  for (const auto& mesh : results) triangles += mesh->mesh.triangles;
+  if (triangles >= kManyTriangles) giveBackFreedMemory();  // FCL's trees take more than decomposing leaves in one piece
   std::vector<ValidationPair> pairs;
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const MeshUse& use = uses[i];

@@ -21,8 +21,12 @@ void checkForRobot(const Options& options);
 /// Throws kBadOption for options that only a robot takes.
 void checkForMesh(const std::string& path, const Options& options);
 
-/// The tolerance of a mesh whose original is known. Throws kTooLarge for one above 20 m where the tolerance has a length: its numbers are
-/// probably millimetres, and the work would take minutes; kEmptyMesh and kBadOption for a tolerance that is none for it.
+/// Throws kTooLarge for a mesh above 20 m where the tolerance has a length: its numbers are probably millimetres, and the work would take
+/// minutes. `mesh` is what the message calls it, `remedy` how its numbers are scaled by 0.001.
+void checkSize(const std::string& mesh, double diagonal, const Length& tolerance, const std::string& remedy);
+
+/// The tolerance of a mesh whose original is known. Throws what checkSize() throws; kEmptyMesh and kBadOption for a tolerance that is none
+/// for it.
 void setTolerance(const std::string& uri, const LinkOptions& options, MeshResult& result);
 
 /// A mesh after stages 1 and 2, for the stages that follow.

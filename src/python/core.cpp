@@ -13,15 +13,14 @@
 #include <vector>
 
 #include "base/at.h"
-#include "base/figure.h"
 #include "base/parallel.h"
 #include "collision_hulls/decompose/certified_hulls.h"
 #include "collision_hulls/mesh/openings.h"
 #include "collision_hulls/report/report.h"
 #include "interruptible.h"
 #include "mesh/polygons.h"
-#include "pipeline/mesh_result.h"
-#include "tools/robot_program.h"
+#include "pipeline/stages.h"
+#include "tools/robot_command.h"
 
 namespace collision_hulls {
 namespace {
@@ -103,15 +102,6 @@ py::dict fieldsOf(const CertifiedHulls& made, const DecomposeOptions& options) {
   return fields;
 }
 
-/// Numbers in millimetres would keep the computer busy for minutes, for nothing.
-void checkSize(double size, const Length& tolerance) {
-  if (size <= kLargestLink || tolerance.limit == Length::kUnset) return;
-  throw Error(ErrorCode::kTooLarge,
-              "the mesh is " + figure(size) +
-                  " m across, larger than any robot link: if its vertices are in millimetres, multiply them by 0.001; if "
-                  "it really is that large, give the tolerance only as a percentage, such as '1%'");
-}
-
 Options optionsOf(const Words& words) {
   RobotCommand command;
   CommandLine app("", "decompose");
@@ -125,7 +115,7 @@ Options optionsOf(const Words& words) {
 /// What an array's mesh takes of the options of a run.
 DecomposeOptions optionsFor(const TriangleMesh& mesh, const Options& options) {
   const double size = diagonal(mesh);
-  checkSize(size, options.tolerance);
+  checkSize("the mesh", size, options.tolerance, "multiply its vertices by 0.001");
   return {options.method,    options.tolerance.metres(size),
           options.max_hulls, options.max_vertices,
           options.seed,      options.effort,

@@ -72,7 +72,9 @@ std::shared_ptr<fcl::BVHModel<Box>> fclTree(const std::vector<Eigen::Vector3d>& 
     };
     expectOk(model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(points.size())));
     expectOk(model->addSubModel(points, triangles));
-    points = {}, triangles = {};  // FCL has its own copies, and the tree is large
+    // FCL has its own copies, and the tree is large. (An empty list, = {}, would keep the memory.)
+    points = std::vector<Eigen::Vector3d>();
+    triangles = std::vector<fcl::Triangle>();
     control.check();
     expectOk(model->endModel());
     model->bv_fitter.reset();  // which refers to the control

@@ -13,6 +13,7 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/report/report.h"
 #include "collision_hulls/report/totals.h"
+#include "report/check_text.h"
 #include "report/text_table.h"
 
 namespace collision_hulls {
@@ -28,13 +29,6 @@ std::string lastPart(const std::string& uri) {
 std::string bodies(std::size_t hulls, std::size_t primitives) {
   if (primitives == 0) return std::to_string(hulls);
   return (hulls > 0 ? std::to_string(hulls) + ", " : "") + counted(primitives, "primitive");
-}
-
-/// What a model consists of; "bodies": of both.
-std::string kindOfBodies(const Report& report) {
-  const Totals sum = totals(report);
-  if (sum.primitives == 0) return "hulls";
-  return sum.hulls == 0 ? "primitives" : "bodies";
 }
 
 Cells cells(const ElementReport& row) {
@@ -128,11 +122,6 @@ std::string degradedLine(const Report& report) {
          (others > 0 ? " (" + counted(others, "more mesh", "more meshes") + ": see report.json)" : "") + "\n";
 }
 
-/// "no collision missed", "2 collisions missed"
-std::string number(std::size_t n, const std::string& noun) {
-  return n == 0 ? "no " + noun : counted(n, noun);
-}
-
 /// FCL's own faults are rare and never ours: a line only if there are some.
 std::string troubleLine(const Validation& v) {
   if (v.exceptions + v.disagreements + v.timeouts + v.nan == 0) return "";
@@ -147,10 +136,7 @@ std::string validationLines(const Report& report) {
   if (!report.options.validate) return "check" + of_what + "skipped (--no-validate)\n";
   const Validation& v = report.validation;
   if (v.queries == 0) return "check" + of_what + "nothing to compare\n";
-  std::string text = "check" + of_what + counted(v.queries, "query", "queries") + " compared " + kindOfBodies(report) +
-                     " and meshes: " + number(v.missed, "collision") + " missed, " + number(v.phantom, "false collision") +
-                     " beyond the protrusion; distances at most " + figureInMillimetres(v.max_underestimate) + " mm too short\n" +
-                     troubleLine(v);
+  std::string text = "check" + of_what + checkText(v, kindOfBodies(report)) + "\n" + troubleLine(v);
   for (const std::string& remark : v.remarks) text += "  " + remark + "\n";
   return text + "speed" + of_what + "a distance query between one mesh and a probe takes " + figure(v.hull_query_us) + " us with its " +
          kindOfBodies(report) + ", " + figure(v.mesh_query_us) + " us with the mesh\n";
@@ -186,7 +172,7 @@ std::string sceneLines(const Report& report) {
   text += selfTable(fit);
   text += "scene '" + fit.scene + "': " + bodies(fit) + " for a clearance of " + figureInMillimetres(fit.clearance) + " mm\n";
   text += "check in the scene: " + counted(fit.samples, fit.given ? "given configuration" : "random configuration") + ": " +
-          number(fit.missed, "collision") + " missed, " + number(fit.phantom, "false collision") + " beyond the clearance";
+          verdictText(fit.missed, fit.phantom, "clearance");
   if (!fit.given) text += " (at 95 % confidence in at most " + figure(100 * fit.phantom_rate_bound) + " % of all configurations)";
   text += "; " + share(fit.proved_pairs, fit.pairs) + " pairs proved to stay clear of each other\n";
   return text + "speed in the scene: a collision query takes " + figure(fit.query_us) + " us with the model, " +

@@ -2,6 +2,7 @@
 // byte for byte where the transform is the same.
 #include "robot/collision_text.h"
 
+#include "geometry/roll_pitch_yaw.h"
 #include "robot/number_text.h"
 #include "xml/xml_tree.h"
 

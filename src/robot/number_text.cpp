@@ -49,13 +49,4 @@ std::string vectorText(const Eigen::Vector3d& vector) {
   return numberText(vector.x()) + " " + numberText(vector.y()) + " " + numberText(vector.z());
 }
 
-Eigen::Vector3d rollPitchYaw(const Eigen::Matrix3d& r) {
-  const double yaw = std::atan2(r(1, 0), r(0, 0));
-  const double s = std::sin(yaw), c = std::cos(yaw);
-  const double pitch = std::atan2(-r(2, 0), c * r(0, 0) + s * r(1, 0));
-  // Roll is read after yaw is undone, so that both agree where the entries that yaw was read from are rounding alone.
-  const double roll = std::atan2(s * r(0, 2) - c * r(1, 2), c * r(1, 1) - s * r(0, 1));
-  return {roll, pitch, yaw};
-}
-
 }  // namespace collision_hulls

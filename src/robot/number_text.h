@@ -12,8 +12,4 @@ std::string numberText(double value);
 /// The three coordinates, separated by spaces.
 std::string vectorText(const Eigen::Vector3d& vector);
 
-/// Roll, pitch and yaw (fixed axes, yaw * pitch * roll) of a rotation [rad]. At pitch = +-pi/2, where only the sum of the
-/// other two is determined, any pair that gives the rotation back.
-Eigen::Vector3d rollPitchYaw(const Eigen::Matrix3d& rotation);
-
 }  // namespace collision_hulls

@@ -12,6 +12,7 @@
 #include "robot/package_crawl.h"
 #include "robot/package_place.h"
 #include "storage/text_file.h"
+#include "xml/xml_tree.h"
 
 namespace fs = std::filesystem;
 
@@ -55,23 +56,44 @@ std::string packagePathFor(const fs::path& file, const std::vector<std::string>&
   return path;
 }
 
-/// What stands after `words` in a text, up to the end of its line; empty: nothing.
+/// What stands after `words` in a text, up to the end of its line, without blanks around it; empty: nothing.
 std::string restOfLine(const std::string& text, const std::string& words) {
   const std::size_t found = text.find(words);
   if (found == std::string::npos) return "";
   const std::size_t begin = found + words.size();
-  return text.substr(begin, text.find('\n', begin) - begin);
+  return trimmed(text.substr(begin, text.find('\n', begin) - begin), " ");
 }
 
-/// The command that expands a file with a value for an argument, beside the file: relative paths then still lead to its meshes.
-std::string commandWith(const std::string& argument, const fs::path& file) {
+/// The name of the first <xacro:arg> below an element that has no default; empty: there is none.
+std::string argumentWithoutDefault(const XmlNode& element) {
+  for (const XmlNode& child : element.children) {
+    if (child.name == "xacro:arg" && child.attributes.count("default") == 0) return child.attribute("name");
+    const std::string below = argumentWithoutDefault(child);
+    if (!below.empty()) return below;
+  }
+  return "";
+}
+
+/// The same of a file; "NAME" where it cannot be told.
+std::string argumentWithoutDefault(const std::string& file, const RunControl& control) try {
+  const std::string name = argumentWithoutDefault(parseXml(readTextFile(file, ".xacro file", control), file, control));
+  return name.empty() ? "NAME" : name;
+} catch (const Error& error) {
+  if (error.code() == ErrorCode::kCancelled) throw;
+  return "NAME";
+}
+
+/// What to do about an argument: the command that expands a file with a value for it, beside the file, as relative paths then still lead to
+/// its meshes.
+std::string runWith(const std::string& argument, const fs::path& file) {
   const fs::path stem = fs::path(file).replace_extension();  // "arm" or "arm.urdf"
   const std::string urdf = stem.string() + (lowerExtension(stem.string()) == ".urdf" ? "" : ".urdf");
-  return "xacro " + shellWord(file.string()) + " " + shellWord(argument + ":=VALUE") + " > " + shellWord(urdf);
+  return "run\n  xacro " + shellWord(file.string()) + " " + shellWord(argument + ":=VALUE") + " > " + shellWord(urdf) +
+         "\nand give the .urdf";
 }
 
 /// The error of a file that xacro did not expand, and what helps against it.
-[[noreturn]] void throwFailed(const std::string& path, const ProgramResult& xacro) {
+[[noreturn]] void throwFailed(const std::string& path, const ProgramResult& xacro, const RunControl& control) {
   const std::string processed = restOfLine(xacro.errors, "when processing file: "), source = processed.empty() ? path : processed;
   const std::string package = restOfLine(xacro.errors, "resource not found: ");
   if (!package.empty()) {
@@ -82,8 +104,14 @@ std::string commandWith(const std::string& argument, const fs::path& file) {
   const std::string argument = restOfLine(xacro.errors, "Undefined substitution argument ");
   if (!argument.empty()) {
     throw Error(ErrorCode::kNotARobot, "'" + path + "' needs a value for the argument '" + argument + "', which '" + source +
-                                           "' uses and which has no default: run\n  " + commandWith(argument, fs::absolute(path)) +
-                                           "\nand give the .urdf");
+                                           "' uses and which has no default: " + runWith(argument, fs::absolute(path)));
+  }
+  if (xacro.errors.find("xacro:arg: missing attribute 'default'") != std::string::npos) {
+    const std::string name = argumentWithoutDefault(source, control);
+    throw Error(ErrorCode::kNotARobot, "'" + path + "' cannot be expanded: the argument '" + name + "' in '" + source +
+                                           "' has no default, without which xacro takes no value for it either. Add default=\"\" to its "
+                                           "<xacro:arg>, " +
+                                           runWith(name, fs::absolute(path)));
   }
   const std::size_t skipped = xacro.errors.size() - std::min(xacro.errors.size(), kMostQuoted);
   throw Error(ErrorCode::kNotARobot, "'" + path + "': xacro failed with status " + std::to_string(xacro.status) +
@@ -104,7 +132,7 @@ std::string expandXacro(const std::string& path, const std::vector<std::string>&
                     "or run 'xacro FILE.xacro > FILE.urdf' on a machine that has it, and give the .urdf");
   }
   if (xacro->status == 0) return xacro->out;
-  throwFailed(path, *xacro);
+  throwFailed(path, *xacro, control);
 }
 
 std::string expanded(const std::string& path, const std::vector<std::string>& package_path, const RunControl& control) {

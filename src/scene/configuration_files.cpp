@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/finite_number.h"
 #include "base/looks.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
@@ -89,7 +90,7 @@ Columns columnsOf(const Cells& header, const std::string& where) {
   }
   double number = 0;
   for (const std::size_t i : columns.positions) {
-    if (parseNumber(header[i], number))
+    if (parseFinite(header[i], number))
       failConfigurations(where,
                          "expected a joint name, found '" + std::string(header[i]) + "'; the first line must hold the names of the joints");
   }
@@ -107,7 +108,7 @@ void addRow(const Columns& columns, const Cells& cells, const std::string& where
   for (std::size_t i = 0; i < columns.positions.size(); ++i) {
     const std::size_t column = columns.positions[i];
     names.emplace_back(columns.names.empty() ? columns.header[column] : cells[columns.names[i]]);
-    if (!parseNumber(cells[column], positions.emplace_back())) {
+    if (!parseFinite(cells[column], positions.emplace_back())) {
       failConfigurations(
           where, "the position of joint '" + names.back() + "' is '" + std::string(cells[column]) + "'; it must be a finite number");
     }

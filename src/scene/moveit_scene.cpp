@@ -15,6 +15,8 @@
 #include <optional>
 
 #include "base/decimal.h"
+#include "base/finite_number.h"
+#include "base/in_context.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "scene/reading.h"
@@ -69,7 +71,7 @@ class MoveitReader {
   double number(const std::string& what) {
     const std::string text = word(what);
     double value = 0;
-    if (!parseNumber(text, value)) fail("expected " + what + ", a finite number, found '" + text + "'");
+    if (!parseFinite(text, value)) fail("expected " + what + ", a finite number, found '" + text + "'");
     return value;
   }
 

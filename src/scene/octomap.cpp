@@ -11,6 +11,8 @@
 #include <map>
 
 #include "base/decimal.h"
+#include "base/finite_number.h"
+#include "base/in_context.h"
 #include "base/looks.h"
 #include "collision_hulls/error.h"
 #include "scene/reading.h"
@@ -179,7 +181,7 @@ Scene readOctomapScene(const std::string& file, const RunControl& control) {
            "' and have a line 'data'");
     const std::string_view head(text.data(), data + 1);
     Octomap map{binary, headValue(head, "id"), 0, std::string_view(text).substr(data + kData.size())};
-    if (!parseNumber(headValue(head, "res"), map.resolution))
+    if (!parseFinite(headValue(head, "res"), map.resolution))
       fail("has the resolution '" + headValue(head, "res") + "', which is not a number");
     scene.name = "octomap";
     addOctomap(scene, scene.name, map, Eigen::Isometry3d::Identity(), control);

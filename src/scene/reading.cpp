@@ -1,9 +1,7 @@
-// Numbers are parsed with the classic locale, since a process with a German locale would read "1.5" as 1.
+// What the formats have in common: rotations are checked before they are normalized, and a mesh that many bodies use is read once.
 #include "scene/reading.h"
 
 #include <cmath>
-#include <locale>
-#include <sstream>
 
 #include "base/decimal.h"
 #include "collision_hulls/error.h"
@@ -13,25 +11,6 @@ namespace collision_hulls {
 
 void failConfigurations(const std::string& where, const std::string& reason) {
   throw Error(ErrorCode::kBadConfigurations, where + ": " + reason);
-}
-
-bool parseNumber(std::string_view word, double& value) {
-  std::istringstream in{std::string(word)};
-  in.imbue(std::locale::classic());
-  return in >> value && in.peek() == std::istringstream::traits_type::eof() && std::isfinite(value);
-}
-
-void inContext(const std::string& label, const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    throw Error(error.code(), label + ": " + error.what());
-  }
-}
-
-Eigen::Quaterniond fromRollPitchYaw(const Eigen::Vector3d& rpy) {
-  return Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
-         Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX());
 }
 
 Eigen::Quaterniond checkedQuaternion(double x, double y, double z, double w) {

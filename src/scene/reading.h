@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -16,15 +15,6 @@ constexpr std::string_view kBlanks = " \t\r\n\f\v";
 
 /// Throws kBadConfigurations. `where`: a file, and a line or document of it.
 [[noreturn]] void failConfigurations(const std::string& where, const std::string& reason);
-
-/// Parses a number with a decimal point, whatever the locale; false if the word is not a finite number.
-bool parseNumber(std::string_view word, double& value);
-
-/// Runs `action`; prefixes the text of any error it throws with "label: ".
-void inContext(const std::string& label, const std::function<void()>& action);
-
-/// A rotation by roll, pitch and yaw about fixed axes, as in URDF and SDF.
-Eigen::Quaterniond fromRollPitchYaw(const Eigen::Vector3d& rpy);
 
 /// The normalized quaternion. Throws kBadScene if its length is not about 1, so that it is no rotation.
 Eigen::Quaterniond checkedQuaternion(double x, double y, double z, double w);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "base/in_context.h"
 #include "base/roots.h"
 #include "base/string_parts.h"
 #include "base/uri_text.h"
@@ -141,6 +142,7 @@ Scene readScene(const std::string& file, const PackageFinder& find_package, cons
                 "'" + file + "': unknown scene format; supported are .scene (MoveIt), .urdf, .xacro, .sdf, .world, .yaml, .bt and .ot " +
                     "(OctoMap), and mesh files (.stl .dae .obj .off .ply .glb .gltf)");
   }
+  if (scene->name.empty()) scene->name = std::filesystem::path(file).stem().string();
   inContext("'" + file + "'", [&] { checkName(scene->name, "the scene"); });
   const std::string extension = lowerExtension(file);
   if (scene->bodies.empty() && extension != ".yaml" && extension != ".yml") {

@@ -6,8 +6,11 @@
 #include <cctype>
 #include <sstream>
 
+#include "base/finite_number.h"
+#include "base/in_context.h"
 #include "collision_hulls/error.h"
 #include "geometry/pi.h"
+#include "geometry/roll_pitch_yaw.h"
 #include "scene/reading.h"
 
 namespace collision_hulls {
@@ -32,7 +35,7 @@ std::vector<double> sdfNumbers(const std::string& file, const XmlNode& element, 
   std::istringstream words(element.text);
   std::vector<double> numbers;
   for (std::string word; words >> word;) {
-    if (!parseNumber(word, numbers.emplace_back()))
+    if (!parseFinite(word, numbers.emplace_back()))
       failSdf(file, element, "'" + word + "' in <" + element.name + "> is not a finite number");
   }
   if (numbers.size() != count) {

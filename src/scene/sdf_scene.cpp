@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "base/decimal.h"
+#include "base/finite_number.h"
+#include "base/in_context.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "scene/model_uri.h"
@@ -213,7 +215,7 @@ class SdfReader {
     double newest_version = -1;
     for (const XmlNode* sdf : root.childrenNamed("sdf")) {
       double version = 0;
-      parseNumber(sdf->attribute("version"), version);
+      parseFinite(sdf->attribute("version"), version);
       if (version > newest_version) newest_version = version, newest = sdf->text;
     }
     if (newest.empty()) failSdf(config, root, "this model.config names no <sdf> file");

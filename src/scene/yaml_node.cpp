@@ -1,7 +1,7 @@
 // Every value knows its file and line, so that messages can say them.
 #include "scene/yaml_node.h"
 
-#include "scene/reading.h"
+#include "base/finite_number.h"
 
 namespace collision_hulls {
 
@@ -45,7 +45,7 @@ std::string YamlValue::text() const {
 
 double YamlValue::number() const {
   double value = 0;
-  if (!parseNumber(text(), value)) fail("expected a finite number, found '" + text() + "'");
+  if (!parseFinite(text(), value)) fail("expected a finite number, found '" + text() + "'");
   return value;
 }
 

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <set>
 
+#include "base/in_context.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
+#include "geometry/roll_pitch_yaw.h"
 #include "scene/reading.h"
 #include "scene/yaml_node.h"
 #include "storage/text_file.h"

@@ -23,7 +23,7 @@ namespace po = boost::program_options;
 void printVersion(const std::string& program) {
   std::cout << program << " of collision_hulls " << collision_hulls::version() << "\n";
   try {
-    std::cout << "Meshes are read in " << readerProtection() << ".\n";
+    std::cout << "Each mesh is read in " << readerProtection() << ".\n";
   } catch (const Error& error) {
     std::cout << "Meshes cannot be read: " << error.what() << ".\n";
   }

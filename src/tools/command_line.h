@@ -20,6 +20,11 @@ Check range(double least, double most);
 /// Refuses "", which is what a shell makes of an unset variable.
 Check notEmpty(const std::string& expected);
 
+/// Whether the value of an option that takes "a file, or - for standard output" is a file.
+inline bool isFile(const std::string& value) {
+  return !value.empty() && value != "-";
+}
+
 class CommandLine {
  public:
   /// One option. The setters return it, so that they can be chained.

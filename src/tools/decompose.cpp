@@ -5,8 +5,8 @@ namespace collision_hulls {
 namespace {
 
 constexpr const char* kFooter = R"(
-Exit status: 0 all meshes done; 1 some failed (each is named, and all others are written; if all failed, nothing is,
-unless at least as many links have primitives alone);
+Exit status: 0 all meshes done; 1 some failed (each is named, and all others are written; if all failed, nothing is
+written, unless at least as many links have only primitives);
 2 wrong use, unreadable input, a single mesh that failed, or unwritable output; 130 interrupted: nothing was written.
 "degraded" is no failure: the hulls cover the mesh, but protrude further than the tolerance.
 
@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   const RobotWork work = [&](const Input& input, const std::string& output, const RunControl& control, const StepCallback& step) {
     return decompose(input, command.options, output, control, step);
   };
-  return runRobotProgram(app, argc, argv, [&] { return runRobotCommand(command, work); });
+  return runTerminalProgram(app, argc, argv, [&] { return runRobotCommand(command, work); });
 }
 
 }  // namespace

@@ -1,16 +1,15 @@
 // The options of a decomposition on a command line, shared by the programs that take them.
 #pragma once
 
-#include <cmath>
 #include <functional>
 #include <limits>
-#include <locale>
 #include <optional>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "base/finite_number.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/report/options.h"
 #include "command_line.h"
@@ -28,10 +27,8 @@ inline std::uint64_t wholeNumber(const std::string& option, const std::string& t
 
 /// A positive number without a unit.
 inline double positiveNumber(const std::string& option, const std::string& text) {
-  std::istringstream in(text);
-  in.imbue(std::locale::classic());
   double value = 0;
-  if (in >> value && in.peek() == std::istringstream::traits_type::eof() && value > 0 && std::isfinite(value)) return value;
+  if (parseFinite(text, value) && value > 0) return value;
   throw Error(ErrorCode::kBadOption, option + " '" + text + "' is invalid: use a number above 0 without a unit, as in 0.001");
 }
 

@@ -1,8 +1,8 @@
 // fit_scene INPUT --scene FILE --clearance LENGTH: makes a robot's collision model that is no finer than a scene needs.
 #include "collision_hulls/pipeline/fit_scene.h"
 
+#include "base/in_context.h"
 #include "robot_program.h"
-#include "scene/reading.h"
 #include "storage/csv.h"
 #include "storage/files.h"
 #include "storage/text_file.h"
@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
     if (request.compare && result.report.scene) comparison = comparisonCsv(result.robot_name, *result.report.scene);
     return result;
   };
-  return runRobotProgram(app, argc, argv, [&] {
+  return runTerminalProgram(app, argc, argv, [&] {
     const int status = runRobotCommand(command.robot, work);
     if (!comparison.empty()) writeNamedFile(command.compare, comparison);  // last, so that the model is written even if this fails
     return status;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "base/finite_number.h"
 #include "decompose_options.h"
 #include "list_options.h"
 #include "measuring_program.h"
@@ -72,9 +73,7 @@ void addOptions(CommandLine& app, Command& command) {
 std::pair<std::string, double> placeOf(const std::string& text) {
   const std::size_t equals = text.find('=');
   double value = 0;
-  std::istringstream in(equals == std::string::npos ? "" : text.substr(equals + 1));
-  in.imbue(std::locale::classic());
-  if (in >> value && in.peek() == std::istringstream::traits_type::eof()) return {text.substr(0, equals), value};
+  if (equals != std::string::npos && parseFinite(text.substr(equals + 1), value)) return {text.substr(0, equals), value};
   throw Error(ErrorCode::kBadOption, "--at '" + text + "' is invalid: use a joint and a value in rad or m, as in elbow=1.5");
 }
 

@@ -4,8 +4,12 @@
 #include <map>
 
 #include "base/counted.h"
+#include "base/in_context.h"
 #include "base/shell_word.h"
-#include "robot_program.h"
+#include "collision_hulls/pipeline/input.h"
+#include "decompose_options.h"
+#include "storage/files.h"
+#include "terminal_program.h"
 
 namespace collision_hulls {
 namespace {
@@ -166,7 +170,7 @@ int main(int argc, char** argv) {
   CommandLine app("Measures how well one description's collision geometry covers another's shape, whoever made it.", "verify");
   app.footer(kFooter);
   addOptions(app, command);
-  return runRobotProgram(app, argc, argv, [&] { return run(command, app.given()); });
+  return runTerminalProgram(app, argc, argv, [&] { return run(command, app.given()); });
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ Protrusion meshProtrusion(const TriangleMesh& mesh, const Solid& body, const Sol
   const Eigen::AlignedBox3d box = boundingBox(mesh);
   if (body.interior() != Interior::kSurface) result = Inside(body, solid, result, gap).run(box, control);
   const double size = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  result.bound += kCoordinateRounding * (size + solid.surface().extent()) + solid.sideError() + body.sideError();
+  result.bound += kCoordinateRounding * (size + solid.surface().extent()) + solid.sideError() + body.sideError() + body.weldDistance();
   return result;
 }
 

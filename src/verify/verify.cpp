@@ -181,8 +181,9 @@ class Verifier {
 
   void addNotes(Verification& done) const {
     if (options_.made_from)
-      done.notes.push_back("of ORIGINAL counts what RESULT was made from (--source " + std::string(name(options_.made_from->source)) +
-                           " of decompose), as '" + options_.made_from->report + "' says; --source chooses otherwise");
+      done.notes.push_back("RESULT is compared with the elements of ORIGINAL that it was made from (--source " +
+                           std::string(name(options_.made_from->source)) + " of decompose), as '" + options_.made_from->report +
+                           "' says; --source chooses others");
     if (!elsewhere_.empty())
       done.notes.push_back(counted(elsewhere_.size(), "link stands", "links stand") +
                            " elsewhere in RESULT's zero configuration, such as '" + elsewhere_.front() +

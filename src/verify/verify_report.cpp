@@ -14,8 +14,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kTextColumns = 1;  // link
-constexpr std::size_t kMostLines = 10;   // of pairs of links, for each kind of difference
+constexpr std::size_t kTextColumns = 1;             // link
+constexpr std::size_t kMostLines = 10;              // of pairs of links, for each kind of difference
+constexpr const char* kFalse = "false collisions";  // what JSON calls phantom
 
 json toJson(const Largest& largest) {
   return {{"bound", largest.bound}, {"found", largest.found}, {"where", {largest.where.x(), largest.where.y(), largest.where.z()}}};
@@ -63,7 +64,7 @@ Cells cells(const LinkVerification& row) {
           name(row.status)};
 }
 
-/// A line for each of the pairs with the most missed or phantom queries, those with most first. `line`: of a pair, after its names.
+/// A line for each of the pairs with the most missed or false collisions, those with most first. `line`: of a pair, after its names.
 template <typename Line>
 std::string pairLines(std::vector<PairVerification> pairs, const std::string& kind, std::size_t PairVerification::*number,
                       const Line& line) {
@@ -82,12 +83,12 @@ std::string pairLines(const Verification& verification) {
     return "do not collide in " + std::to_string(pair.missed) + " of the " + counted(pair.hits, "configuration") +
            " in which they do in ORIGINAL";
   });
-  const std::string phantom = pairLines(verification.pairs, "phantom", &PairVerification::phantom, [](const PairVerification& pair) {
+  const std::string phantom = pairLines(verification.pairs, kFalse, &PairVerification::phantom, [](const PairVerification& pair) {
     return "collide in " + std::to_string(pair.phantom) + " of the " + counted(pair.queries - pair.hits, "configuration") +
            " in which they do not in ORIGINAL";
   });
   if (phantom.empty()) return missed;
-  return missed + phantom + "phantom: lower the tolerance of these links; or disable a pair, if it never collides in ORIGINAL\n";
+  return missed + phantom + kFalse + ": lower the tolerance of these links; or disable a pair, if it never collides in ORIGINAL\n";
 }
 
 /// Why rows are not ok, one a line.
@@ -103,11 +104,11 @@ std::string reasons(const Verification& verification) {
 
 std::string toTable(const Verification& verification) {
   std::vector<Cells> rows = {
-      {"link", "RESULT", "uncovered [mm]", "found", "of area [%]", "protrusion [mm]", "found", "missed", "phantom", "status"}};
+      {"link", "RESULT", "uncovered [mm]", "found", "of area [%]", "protrusion [mm]", "found", "missed", kFalse, "status"}};
   for (const LinkVerification& row : verification.links) rows.push_back(cells(row));
   return aligned(rows, kTextColumns) + counted(verification.configurations, "configuration") + ", " +
          counted(verification.queries, "query", "queries") + ": RESULT missed " + std::to_string(verification.missed) + " of " +
-         counted(verification.hits, "collision") + ", and has " + std::to_string(verification.phantom) + " that ORIGINAL has not.\n" +
+         counted(verification.hits, "collision") + ", and has " + std::to_string(verification.phantom) + " that ORIGINAL does not have.\n" +
          "Uncovered: the furthest that ORIGINAL's surface is from RESULT. Protrusion: the furthest that RESULT is from ORIGINAL's solid. "
          "Both "
          "are proved not to be larger; \"found\" is reached.\n" +

@@ -64,7 +64,7 @@ std::string detailRow(const std::string& text) {
 }
 
 std::string regionText(const Region& region, const RegionProof& proof) {
-  return "region " + region.name + ": proved " + figure(1000 * proof.bound) + " mm, found " + figure(1000 * proof.found) +
+  return "region " + region.name + ": protrusion " + figure(1000 * proof.bound) + " mm, found " + figure(1000 * proof.found) +
          " mm, tolerance " + figure(1000 * region.tolerance) + " mm";
 }
 

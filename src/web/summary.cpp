@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "base/counted.h"
 #include "base/figure.h"
 #include "collision_hulls/report/totals.h"
+#include "report/check_text.h"
 #include "web/html_text.h"
 
 namespace collision_hulls {
@@ -14,11 +14,6 @@ namespace {
 
 std::string many(std::size_t number, const std::string& noun, const std::string& plural = "") {
   return grouped(number) + " " + (number == 1 ? noun : plural.empty() ? noun + "s" : plural);
-}
-
-/// "no collision", "1 collision": in the words of the programs' table.
-std::string number(std::size_t n, const std::string& noun) {
-  return n == 0 ? "no " + noun : many(n, noun);
 }
 
 /// "6.6 times quicker", "1.3 times slower"
@@ -89,8 +84,7 @@ std::string checkSentence(const ModelReport& model, const Report& report) {
   if (totals(model).meshes == totals(model).failed) return "";
   if (!report.options.validate) return "Not compared by collision queries (--no-validate).";
   if (v.queries == 0) return "";
-  return many(v.queries, "query", "queries") + " compared hulls and meshes: " + number(v.missed, "collision") + " missed, " +
-         number(v.phantom, "false collision") + " beyond the protrusion.";
+  return checkText(v, kindOfBodies(model), many) + ".";
 }
 
 std::string sceneSentence(const Report& report) {
@@ -98,7 +92,7 @@ std::string sceneSentence(const Report& report) {
   const FitReport& fit = *report.scene;
   std::string text = "Fitted to the scene " + fit.scene + " with a clearance of " + figure(1000 * fit.clearance) + " mm: in " +
                      many(fit.samples, fit.given ? "given configuration" : "random configuration") + ", " +
-                     number(fit.missed, "collision") + " missed, " + number(fit.phantom, "false collision") + " beyond the clearance";
+                     verdictText(fit.missed, fit.phantom, "clearance", many);
   if (!fit.given) text += " (at 95 % confidence in at most " + figure(100 * fit.phantom_rate_bound) + " % of all configurations)";
   return text + ".";
 }

@@ -16,9 +16,9 @@
 #include "base/parallel.h"
 #include "collision_hulls/decompose/region.h"
 #include "collision_hulls/error.h"
+#include "decompose/coarser/coarser_hulls.h"
 #include "geometry/box_hull.h"
 #include "geometry/bytes.h"
-#include "web/coarser_hulls.h"
 #include "web/drawn_mesh.h"
 
 namespace collision_hulls {

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "base/sanitizer.h"
 
@@ -100,6 +101,29 @@ TEST(LargePages, StartNothingByTheLoader) {
   waitpid(child, &status, 0);
   EXPECT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), kStayed);
+}
+
+/// [bytes] that the process holds.
+long resident() {
+  std::ifstream file("/proc/self/statm");
+  long all = 0, pages = 0;
+  file >> all >> pages;
+  return pages * sysconf(_SC_PAGESIZE);
+}
+
+TEST(LargePages, FreedMemoryIsGivenBackFromBelowWhatIsInUse) {
+#ifndef __GLIBC__
+  GTEST_SKIP() << "another C library has its own ways";
+#endif
+  if (kSanitized) GTEST_SKIP() << "a sanitizer keeps what was freed";
+  constexpr std::size_t kPieces = 4000, kPiece = 16'000;
+  std::vector<std::vector<char>> pieces(kPieces, std::vector<char>(kPiece, 1));
+  const std::vector<char> above(3 * kPiece, 1);  // too large for a hole between them
+  pieces = std::vector<std::vector<char>>();
+  const long before = resident();
+  giveBackFreedMemory();
+  EXPECT_LT(resident(), before - static_cast<long>(kPieces * kPiece / 2));
+  EXPECT_EQ(above.back(), 1);
 }
 
 TEST(LargePages, StartNothingForWhoHasSetTheVariable) {

@@ -1,14 +1,32 @@
 #include "base/run_program.h"
 
 #include <signal.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <fstream>
 #include <thread>
 
 #include "base/large_pages.h"
 #include "robot/robot_tests.h"
+
+namespace {
+
+std::atomic<int> groups_killed{0}, groups_of_others{0};
+
+}  // namespace
+
+/// Takes the place of libc's, to see whether a group's number is still that of a child of ours that nobody has collected.
+extern "C" int kill(pid_t process, int signal) noexcept {
+  if (process < -1) {
+    siginfo_t ended{};
+    ++groups_killed;
+    if (waitid(P_PID, static_cast<id_t>(-process), &ended, WEXITED | WNOHANG | WNOWAIT) != 0) ++groups_of_others;
+  }
+  return static_cast<int>(syscall(SYS_kill, process, signal));
+}
 
 namespace collision_hulls {
 namespace {
@@ -108,6 +126,22 @@ TEST(RunProgram, EndsWhenWeAreKilled) {
   expectEnds(program);
   kill(program, SIGKILL);
   std::remove(file.c_str());
+}
+
+TEST(RunProgram, EndsWhatItLeavesBehind) {
+  const auto result = runProgram(shell("sleep 1000 & echo $!; exit 4"));
+  EXPECT_EQ(result->status, 4);
+  expectEnds(std::stoi(result->out));
+}
+
+TEST(RunProgram, KillsNoGroupWhoseNumberMayBeAnothers) {
+  ProgramLimits limits;
+  limits.seconds = 0.1;
+  groups_killed = groups_of_others = 0;
+  EXPECT_EQ(runProgram(shell("exit 0"))->status, 0);
+  EXPECT_THROW(runProgram(shell("sleep 1000"), {}, limits), Error);
+  EXPECT_EQ(groups_killed, 2);
+  EXPECT_EQ(groups_of_others, 0);
 }
 
 TEST(RunProgram, EndsWithWhatItStartedWhenCancelled) {

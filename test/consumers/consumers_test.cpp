@@ -223,6 +223,8 @@ TEST_F(Consumers, CuroboWouldMissWhatIsNoSphere) {
   for (const std::string& missed : {alone, alone + mesh, "<visual>" + box + "</visual>", cube() + alone})
     for (const std::string& said : {before(missed), after(missed)})
       EXPECT_NE(said.find("link 'c' has other collision elements than spheres"), std::string::npos) << missed << ": " << said;
+  const std::string flat = "<collision><geometry><box size=\"1 0 1\"/></geometry></collision>";  // stays, as all primitives there
+  EXPECT_NE(before(cube() + flat), "");
   for (const std::string& taken : {cube(), ball, mesh, mesh + ball, std::string()}) {
     EXPECT_EQ(before(taken), "") << taken;
     EXPECT_EQ(after(taken), "") << taken;

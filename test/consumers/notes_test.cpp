@@ -76,6 +76,34 @@ TEST_F(ConsumerNotes, FewOfManyJointsAreNamed) {
       << notesOf(Consumer::kMujoco, urdf);
 }
 
+// It refuses the whole description for one mesh that it does not find. Also tests src/consumers/bullet.cpp.
+TEST_F(ConsumerNotes, BulletSaysWhichMeshesItWillNotFind) {
+  const auto seen = [&](const std::string& uri) { return threeLinks("<visual>" + fixtures::meshTag(uri) + "</visual>" + cube()); };
+  const std::string refuses = "refuses the description for 1 mesh, such as '";
+  EXPECT_EQ(notesOf(Consumer::kBullet, seen("../meshes/cube.obj")).find(refuses), std::string::npos);
+  const std::string own = notesOf(Consumer::kBullet, seen("file:///robots/skin.obj"));
+  EXPECT_NE(own.find(refuses + "file:///robots/skin.obj': name the files in the input relative to its folder, and add --rebase --uri "
+                               "relative\n"),
+            std::string::npos)
+      << own;
+}
+
+// Those that lie in no package.
+TEST_F(ConsumerNotes, BulletSaysHowRebasedMeshesAreFound) {
+  fixtures::write(folder_ / "skin.obj", fixtures::obj(test_shapes::box(0.2, 0.2, 0.2)));
+  const std::string urdf = threeLinks("<visual>" + fixtures::meshTag("skin.obj") + "</visual>" + cube());
+  const auto noted = [&] {
+    RobotResult result =
+        decomposeRobot(parseRobotDescription(urdf, folder_ / "three.urdf"), PackageFinder(), options_, folder_ / "three_c");
+    addConsumerFiles({Consumer::kBullet}, folder_ / "three_c", result);
+    return ::testing::PrintToString(result.report.notes);
+  };
+  options_.rebase = true;
+  EXPECT_NE(noted().find("such as '" + fileUri(folder_ / "skin.obj") + "': add --uri relative"), std::string::npos) << noted();
+  options_.uri = UriStyle::kRelative;
+  EXPECT_EQ(noted().find("refuses"), std::string::npos) << noted();
+}
+
 TEST_F(ConsumerNotes, AnImpossibleInertiaIsBalancedWithANote) {
   const std::string inertial =
       "<inertial><mass value=\"2\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"4\"/></inertial>";

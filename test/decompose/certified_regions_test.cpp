@@ -102,6 +102,21 @@ TEST(CertifiedRegions, ABoundIsTruthfulWhereTheToleranceIsExceeded) {
   EXPECT_NE(result.reason.find("use another method"), std::string::npos) << result.reason;
 }
 
+/// Of the hull of a channel, between 1 and 5 cm above its floor and in the middle between its walls, which are further away.
+TEST(CertifiedRegions, TheBoundIsTheHeightAboveTheFloorAndTheMargin) {
+  const TriangleMesh mesh = test_shapes::uChannel(0.2, 0.2, 0.02, 0.4);
+  const RepairedMesh repaired = repair(mesh);
+  const Solid solid(repaired);
+  DecomposeOptions options = within(0.1, {boxRegion({0.1, 0.04, 0.2}, at({0.1, 0.05, 0.2}), 0.05)});
+  options.method = Method::kSingleHull;
+  for (const double margin : {0.0, 0.01}) {
+    const RegionProof proof = certifiedHulls({mesh, repaired, solid, margin, nullptr, ""}, options).regions.at(0);
+    EXPECT_NEAR(proof.found, 0.05, 1e-4);
+    EXPECT_GE(proof.bound, 0.05 - kRegionRim + margin);
+    EXPECT_LE(proof.bound, 0.0502 + margin);
+  }
+}
+
 TEST(CertifiedRegions, LimitsAreNamedWhereTheyAreToBlame) {
   DecomposeOptions options = within(0.1, {inFirstGap()});
   options.max_hulls = 2;

@@ -57,6 +57,14 @@ TEST(LeastHulls, BoxesWithAGapAreTwoOnlyIfItsMiddleIsBeyondTheTolerance) {
   EXPECT_EQ(leastOf(boxes, 0.1001), 1u);  // though the gap is wider than the tolerance
 }
 
+/// The middle of the gap is further than the tolerance by what coordinates of this size may be rounded by, 1e-12 of them, or by twice that.
+TEST(LeastHulls, FarFromTheOriginRoundingCounts) {
+  constexpr double kFar = 1e8, kRounding = 1e-4;
+  const TriangleMesh boxes = moved(merged({box(1, 1, 1), moved(box(1, 1, 1), {1.25, 0, 0})}), {kFar, 0, 0});
+  EXPECT_EQ(leastOf(boxes, 0.125 - 2 * kRounding), 2u);
+  EXPECT_EQ(leastOf(boxes, 0.125 - 0.9 * kRounding), 1u);
+}
+
 TEST(LeastHulls, ColoursProveMoreThanACliqueForARing) {
   // Points of the inner rim share a hull up to an angle of 2 acos(1 - t / 0.7) = 53.6 degrees, of which 6.7 make a turn.
   EXPECT_EQ(leastOf(torus(1, 0.3, 64, 4), 0.0752, Effort::kBest), 7u);

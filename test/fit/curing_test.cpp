@@ -36,7 +36,6 @@ class TwoChannels : public ::testing::Test {
     Curing curing(*assembly_, assembly_->roots());
     curing.add(contacts);
     curing.run({});
-    EXPECT_EQ(curing.stuck(), 0u);
     for (const Contact& at : contacts) EXPECT_FALSE(stillTouch(curing.cuts(), at));
     return curing.cuts();
   }
@@ -80,7 +79,7 @@ TEST_F(TwoChannels, KeepsAContactBetweenLeaves) {
   Curing curing(*assembly_, assembly_->roots());
   curing.add({in_wall});
   curing.run({});
-  EXPECT_GT(curing.stuck(), 0u);
+  EXPECT_TRUE(stillTouch(curing.cuts(), in_wall));
 }
 
 TEST_F(TwoChannels, ClosesNodesThatNoContactNeedsOpen) {

@@ -4,6 +4,7 @@
 
 #include "fit/assembly.h"
 #include "fit/fit_fixtures.h"
+#include "fit/pair_rules.h"
 
 namespace collision_hulls {
 namespace {
@@ -24,6 +25,29 @@ TEST(Originals, AMeshIsCheckedAsItsSurface) {
   EXPECT_EQ(originals.distanceBelow(0.02, 1, 2, rest), 0.02);
   EXPECT_TRUE(originals.clear({1, 2, 0.9 * gap}, rest));
   EXPECT_FALSE(originals.clear({1, 2, 1.1 * gap}, rest));
+}
+
+/// A post 0.25 m beside the channel.
+FitProblem besidePost() {
+  FitProblem problem = overPost();
+  problem.scene.bodies[0].pose.translation().x() += 0.5;
+  return problem;
+}
+
+TEST(Originals, ADistanceJustBelowTheLimitIsFound) {
+  const FitProblem problem = besidePost();
+  const Assembly assembly(problem, 1);
+  const Originals originals(problem, assembly, {});
+  EXPECT_NEAR(originals.distanceBelow(0.251, 1, 2, assembly.places(assembly.kinematics().rest())), 0.25, 1e-6);
+}
+
+TEST(PairRules, WhatIsProvedOfAPairIsNoMoreThanItsDistance) {
+  const FitProblem problem = besidePost();
+  const Assembly assembly(problem, 1);
+  const PairRules rules = pairRules(problem, assembly, Originals(problem, assembly, {}), 0.01, {});
+  ASSERT_EQ(rules.proved.size(), 1u);
+  EXPECT_LE(rules.proved[0].bound, 0.25);
+  EXPECT_GT(rules.proved[0].bound, 0.24);
 }
 
 TEST(Originals, CanBeCancelledWhileFclBuildsItsTrees) {

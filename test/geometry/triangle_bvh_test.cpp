@@ -121,6 +121,26 @@ TEST(TriangleBvh, WindingNumberWithinAHundredth) {
   }
 }
 
+TEST(TriangleBvh, WithoutAFarViewAllElseIsTheSame) {
+  RandomPoints random(1);
+  for (const TriangleMesh& mesh : {test_shapes::torus(1, 0.3, 24, 12), test_shapes::sheet(1, 1, 12), random.soup(200, 0.2)}) {
+    const TriangleBvh all(mesh), near(mesh, {}, {}, TriangleBvh::Keeps::kNothing);
+    EXPECT_EQ(near.extent(), all.extent());
+    for (int i = 0; i < 60; ++i) {
+      const Vector3d p = random.inCube(1.5), q = p + random.inCube(0.5), r = p + random.inCube(0.5);
+      EXPECT_EQ(near.nearest(p).distance, all.nearest(p).distance);
+      EXPECT_EQ(near.signedCrossings(p), all.signedCrossings(p));
+      EXPECT_EQ(near.trianglesNear({p.cwiseMin(q), p.cwiseMax(q)}), all.trianglesNear({p.cwiseMin(q), p.cwiseMax(q)}));
+      EXPECT_EQ(near.metBy({p, q, r}) == nullptr, all.metBy({p, q, r}) == nullptr);
+      EXPECT_NEAR(near.windingNumber(p), winding(mesh, p), 1e-12);
+      EXPECT_NEAR(near.roughWindingNumber(p).number, winding(mesh, p), 1e-12);
+      EXPECT_EQ(near.roughWindingNumber(p).error, 0);
+      EXPECT_FALSE(near.facesOneWay(p, 9));
+    }
+  }
+  EXPECT_TRUE(TriangleBvh({}, {}, {}, TriangleBvh::Keeps::kNothing).facesOneWay({0, 0, 0}, 1));
+}
+
 /// Two stacks of small triangles at x = 1 and x = -1 that face away from each other: their dipoles cancel, and what is left at a distance D
 /// on the x axis is nearly the bound, area / (2 pi (D - 1)^3).
 TEST(TriangleBvh, TheErrorOfDipolesIsBoundedTightly) {

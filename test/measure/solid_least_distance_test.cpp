@@ -29,6 +29,9 @@ TEST(Solid, TheLeastDistanceOfABoxIsTheDistanceLessTheBlur) {
     const Vector3d p = Vector3d(0.5, 0.5, 0.5) + random.inCube(1);
     EXPECT_LE(leastDistance(solid, p), solid.distance(p));
     EXPECT_NEAR(leastDistance(solid, p), solid.distance(p), 3 * kBlur);
+    if (solid.distance(p) < 0.01) continue;
+    EXPECT_FALSE(solid.isFurther(solid.distance(p) - kBlur, p, solid.distance(p)));
+    EXPECT_TRUE(solid.isFurther(solid.distance(p) - 3 * kBlur, p, solid.distance(p)));
   }
   EXPECT_LT(leastDistance(solid, {0.5, 0.5, 1 + kBlur}), kBlur / 2);  // rounding may have moved it there
 }

@@ -194,9 +194,21 @@ TEST(Solid, TheSignedDistanceOfAKnownSideIsTheSame) {
   for (int i = 0; i < 200; ++i) {
     const Vector3d p = Vector3d::Constant(0.5) + random.inCube(0.9);
     const double to_surface = solid.distanceToSurface(p);
-    EXPECT_EQ(solid.signedDistance(solid.contains(p), to_surface), solid.signedDistance(p, to_surface));
+    EXPECT_EQ(solid.signedDistance(p, to_surface, solid.contains(p)), solid.signedDistance(p, to_surface));
   }
-  EXPECT_GE(solid.signedDistance(true, 0.25), -0.25 + kBlur * (1 - 1e-6));
+  EXPECT_GE(solid.signedDistance({0.5, 0.5, 0.75}, 0.25, true), -0.25 + kBlur * (1 - 1e-6));
+}
+
+// A sheet inside has the solid on both sides.
+TEST(Solid, TheBallInsideReachesPastSheets) {
+  TriangleMesh mesh = test_shapes::box(1, 1, 1);
+  mesh = test_shapes::merged({mesh, {{{0.2, 0.2, 0.45}, {0.8, 0.2, 0.45}, {0.5, 0.8, 0.45}}, {{0, 1, 2}}}});
+  const Solid solid = solidOf(mesh);
+  const Vector3d middle(0.5, 0.5, 0.5);
+  EXPECT_NEAR(solid.distanceToSurface(middle), 0.05, 1e-12);
+  EXPECT_NEAR(solid.signedDistance(middle, 0.05), -0.5, 2 * kBlur);
+  EXPECT_EQ(solid.signedDistance(middle, 0.05, true), solid.signedDistance(middle, 0.05));
+  EXPECT_EQ(solid.signedDistance({0.5, 0.5, 1.05}, 0.05), 0.05);
 }
 
 // A ray that counts crossings starts a little aside, possibly across a wall.

@@ -5,8 +5,8 @@
 #include "counted_looks.h"
 #include "mesh/boundary.h"
 #include "mesh/edges.h"
-#include "mesh/fins.h"
 #include "mesh/orient.h"
+#include "mesh/sheets/fins.h"
 #include "mesh/weld.h"
 #include "shapes.h"
 

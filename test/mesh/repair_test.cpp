@@ -1,4 +1,4 @@
-// Also tests src/mesh/fins.cpp.
+// Also tests src/mesh/sheets/fins.cpp.
 #include "collision_hulls/mesh/repair.h"
 
 #include <gtest/gtest.h>

@@ -89,6 +89,16 @@ TEST_F(LinkTableTest, OtherMethodsHaveNoEffort) {
   EXPECT_EQ(Effort::kQuick, at(0).options.effort);
 }
 
+TEST_F(LinkTableTest, ClosedOpeningsLeaveALinkUnbuiltAndAreSavedAndUndone) {
+  table_.change({2}, [](LinkOptions& options) { options.close_openings = 0.05; });
+  EXPECT_EQ("unbuilt", at(2).facts.status);
+  const Config config = parseConfig(table_.configuration({}), "saved");
+  ASSERT_EQ(1u, config.rules.size());
+  EXPECT_EQ(0.05, config.rules[0].settings.close_openings);
+  table_.undo();
+  EXPECT_EQ(0, at(2).options.close_openings);
+}
+
 TEST_F(LinkTableTest, AnAnswerToEarlierSettingsComesTooLate) {
   LinkRow answer = row("hand", 7, 0.001);
   table_.change({2}, setTolerance);

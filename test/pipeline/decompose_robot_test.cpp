@@ -1,4 +1,4 @@
-// Also tests src/pipeline/mesh_result.cpp, src/pipeline/mesh_uses.cpp, src/pipeline/run.cpp and src/pipeline/stages.cpp.
+// Also tests src/pipeline/mesh_result.cpp, src/pipeline/mesh_uses.cpp and src/pipeline/stages.cpp.
 #include "collision_hulls/pipeline/decompose_robot.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/pipeline/output.h"
-#include "pipeline/fixtures.h"
+#include "pipeline/robot_run.h"
 #include "shapes.h"
 
 namespace collision_hulls {
@@ -18,41 +18,13 @@ namespace {
 using fixtures::count;
 using fixtures::link;
 using fixtures::meshTag;
-using fixtures::TempFolder;
 
 /// The text without its <collision> elements.
 std::string withoutCollisions(const std::string& urdf) {
   return std::regex_replace(urdf, std::regex("\\s*<collision[^]*?</collision>"), "");
 }
 
-class DecomposeRobot : public ::testing::Test {
- protected:
-  DecomposeRobot() {
-    fixtures::write(folder_ / "meshes/box.obj", fixtures::obj(test_shapes::box(0.1, 0.2, 0.3)));
-    fixtures::write(folder_ / "meshes/bracket.obj", fixtures::obj(test_shapes::lBracket(0.2, 0.03, 0.1)));
-    fixtures::write(folder_ / "meshes/channel.obj", fixtures::obj(test_shapes::uChannel(0.2, 0.2, 0.02, 0.4)));
-    fixtures::write(folder_ / "meshes/rubbish.stl", "no mesh at all");
-    options_.jobs = 2;
-  }
-
-  RobotDescription description(const std::string& links) {
-    return readRobotDescription(fixtures::write(folder_ / "urdf/arm.urdf", fixtures::robot("arm", links)));
-  }
-
-  RobotResult run(const std::string& links, const RunControl& control = {}, const StepCallback& step = {}) {
-    return decomposeRobot(description(links), defaultPackageFinder(), options_, folder_ / "out", control, step);
-  }
-
-  static std::string collision(const std::string& mesh, const std::string& more = "") {
-    return "    <collision" + more + ">\n      <origin xyz=\"0 0 0.1\"/>\n      " + meshTag("../meshes/" + mesh) + "\n    </collision>\n";
-  }
-  static std::string visual(const std::string& mesh, const std::string& scale = "1 1 1") {
-    return "    <visual>\n      " + meshTag("../meshes/" + mesh, " scale=\"" + scale + "\"") + "\n    </visual>\n";
-  }
-
-  TempFolder folder_;
-  Options options_;
-};
+class DecomposeRobot : public fixtures::RobotRun {};
 
 TEST_F(DecomposeRobot, NoMeshAtAll) {
   const std::string sphere = "    <collision><geometry><sphere radius=\"0.1\"/></geometry></collision>\n";
@@ -173,78 +145,6 @@ TEST_F(DecomposeRobot, VisualPrimitivesBecomeCollisionsIfThereAreNone) {
   ASSERT_EQ(again.links[0].collisions.size(), 2u);
   EXPECT_EQ(again.links[0].collisions[0].kind, GeometryElement::Kind::kCylinder);
   EXPECT_EQ(again.links[0].collisions[1].kind, GeometryElement::Kind::kMesh);
-}
-
-TEST_F(DecomposeRobot, UriStyles) {
-  const auto uri = [&](UriStyle style) {
-    options_.uri = style;
-    const RobotResult result = run(link("base", collision("box.obj")));
-    return parseRobotDescription(result.urdf).links[0].collisions[0].uri;
-  };
-  EXPECT_EQ(uri(UriStyle::kPackage), "package://out/meshes/base/0_0.stl");
-  EXPECT_EQ(uri(UriStyle::kFile), "file://" + (folder_ / "out/meshes/base/0_0.stl"));
-  EXPECT_EQ(uri(UriStyle::kRelative), "../meshes/base/0_0.stl");
-}
-
-TEST_F(DecomposeRobot, EscapesFolderNamesInUris) {
-  options_.uri = UriStyle::kFile;
-  RobotResult result =
-      decomposeRobot(description(link("base", collision("box.obj"))), defaultPackageFinder(), options_, folder_ / "a b#%20é");
-  const std::string uri = parseRobotDescription(result.urdf).links[0].collisions[0].uri;
-  EXPECT_EQ(uri, "file://" + (folder_ / "a%20b%23%2520é/meshes/base/0_0.stl"));
-  writeOutput(result, folder_ / "a b#%20é");
-  EXPECT_EQ(resolveUri(uri, "", defaultPackageFinder()), folder_ / "a b#%20é/meshes/base/0_0.stl");
-}
-
-TEST_F(DecomposeRobot, NotesUrisThatNowResolveElsewhere) {
-  const auto notes = [&](const std::string& links) { return run(links).report.notes; };
-  const std::string absolute = "    <visual>" + meshTag("file://" + (folder_ / "meshes/box.obj")) + "</visual>\n";
-  for (const UriStyle style : {UriStyle::kPackage, UriStyle::kRelative}) {
-    options_.uri = style;
-    EXPECT_TRUE(notes(link("base", absolute + collision("box.obj"))).empty()) << "a URI that is replaced needs no note";
-    const auto kept = notes(link("base", visual("box.obj") + visual("box.obj", "2 2 2") + collision("box.obj")));
-    ASSERT_EQ(kept.size(), 1u);
-    EXPECT_EQ(kept[0].rfind("1 mesh URI is", 0), 0u) << kept[0];
-    for (const std::string part : {"'../meshes/box.obj'", "out/urdf/arm.urdf'", ": add --rebase"})
-      EXPECT_NE(kept[0].find(part), std::string::npos) << kept[0];
-  }
-  options_.links = "tip";
-  EXPECT_EQ(notes(link("base", collision("bracket.obj")) + link("tip", collision("box.obj"), "base")).size(), 1u) << "collisions that stay";
-}
-
-TEST_F(DecomposeRobot, RebasedUrisAreFoundFromTheOutput) {
-  options_.rebase = true;
-  options_.links = "tip";
-  const std::string gone = link("gone", visual("gone.obj"), "tip");
-  const std::string links = link("base", visual("box.obj") + collision("bracket.obj")) + link("tip", visual("box.obj"), "base");
-  for (const UriStyle style : {UriStyle::kPackage, UriStyle::kFile, UriStyle::kRelative}) {
-    options_.uri = style;
-    RobotResult result = run(links);
-    EXPECT_TRUE(result.report.notes.empty()) << result.report.notes[0];
-    writeOutput(result, folder_ / "out");
-    const RobotDescription written = readRobotDescription(folder_ / "out/urdf/arm.urdf");
-    for (const LinkDescription& each : written.links)
-      EXPECT_EQ(resolveUri(each.visuals.at(0).uri, written.path, defaultPackageFinder()), folder_ / "meshes/box.obj");
-    EXPECT_EQ(resolveUri(written.links[0].collisions.at(0).uri, written.path, defaultPackageFinder()), folder_ / "meshes/bracket.obj");
-    const std::vector<std::string> notes = run(links + gone).report.notes;
-    ASSERT_EQ(notes.size(), 1u);
-    EXPECT_EQ(notes[0],
-              "1 mesh URI is relative to the folder of the input, such as '../meshes/gone.obj', and stayed so, as no such file was found "
-              "there: correct the input");
-  }
-}
-
-// The page draws the meshes that links keep.
-TEST_F(DecomposeRobot, RebasedMeshesOfLinksThatAreKept) {
-  options_.rebase = true;
-  options_.uri = UriStyle::kRelative;
-  options_.rules.resize(1);
-  options_.rules[0].pattern = "base";
-  options_.rules[0].settings.action = Action::kKeep;
-  const RobotResult result = run(link("base", collision("bracket.obj")) + link("tip", collision("box.obj"), "base"));
-  ASSERT_EQ(result.kept.size(), 1u);
-  EXPECT_EQ(result.kept[0].element.uri, "../../meshes/bracket.obj");
-  EXPECT_FALSE(result.kept[0].surface.triangles.empty());
 }
 
 TEST_F(DecomposeRobot, NamesTheSourceWithMeshesIfTheChosenOneHasNone) {
@@ -481,56 +381,6 @@ TEST_F(DecomposeRobot, SameBytesForAnyNumberOfThreads) {
   const auto one = written(1);
   EXPECT_GT(one.size(), 5u);
   EXPECT_EQ(written(4), one);
-}
-
-TEST_F(DecomposeRobot, ReportsItsSteps) {
-  options_.jobs = 1;  // the larger file first
-  RunControl control;
-  std::vector<double> fractions;
-  control.progress = [&](double fraction) { fractions.push_back(fraction); };
-  std::vector<Step> steps;
-  run(link("a", collision("bracket.obj")) + link("b", collision("rubbish.stl"), "a"), control,
-      [&](const Step& step) { steps.push_back(step); });
-  std::vector<std::string> stages, items;
-  std::size_t done = 0;
-  double fraction = 0;
-  for (const Step& step : steps) {
-    if (stages.empty() || stages.back() != step.stage) stages.push_back(step.stage);
-    if (step.done > done) items.push_back(step.item);
-    EXPECT_GE(step.done, done);
-    EXPECT_GE(step.fraction, fraction);
-    EXPECT_EQ(step.total, 2u);
-    done = step.done;
-    fraction = step.fraction;
-  }
-  EXPECT_EQ(stages, (std::vector<std::string>{"read", "decompose", "validate"}));
-  EXPECT_EQ(items, (std::vector<std::string>{"a", "b"}));
-  EXPECT_EQ(steps.front().fraction, 0);
-  EXPECT_EQ(steps.back().fraction, 1);
-  EXPECT_GT(steps.back().hulls, 0u);
-  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
-  EXPECT_EQ(fractions.back(), 1);
-}
-
-TEST_F(DecomposeRobot, ProgressComesFromWithinAMesh) {
-  RunControl control;
-  std::set<double> within;
-  std::size_t finished = 0;
-  control.progress = [&](double fraction) {
-    if (finished == 0 && fraction > 0 && fraction < 1) within.insert(fraction);
-  };
-  run(link("a", collision("bracket.obj")), control, [&](const Step& step) { finished = step.done; });
-  EXPECT_GE(within.size(), 3u);
-}
-
-TEST_F(DecomposeRobot, Cancelled) {
-  const RunControl control;
-  try {
-    run(link("a", collision("bracket.obj")) + link("b", collision("channel.obj"), "a"), control, [&](const Step&) { control.cancel(); });
-    ADD_FAILURE();
-  } catch (const Error& e) {
-    EXPECT_EQ(e.code(), ErrorCode::kCancelled);
-  }
 }
 
 TEST_F(DecomposeRobot, RejectsBadOptionsFirst) {

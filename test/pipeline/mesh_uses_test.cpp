@@ -21,6 +21,33 @@ MeshUse use(const std::string& uri, const Eigen::Vector3d& scale = Eigen::Vector
   return use;
 }
 
+GeometryElement boxOf(double thickness) {
+  GeometryElement box;
+  box.kind = GeometryElement::Kind::kBox;
+  box.size = {1, 1, thickness};
+  return box;
+}
+
+TEST(CollisionFate, FollowsTheActionAndTheSource) {
+  LinkDescription link;
+  LinkOptions options;
+  options.action = Action::kKeep;
+  EXPECT_EQ(collisionFate(link, nullptr), CollisionFate::kStay);
+  EXPECT_EQ(collisionFate(link, &options), CollisionFate::kStay);
+  options.action = Action::kRemove;
+  EXPECT_EQ(collisionFate(link, &options), CollisionFate::kGo);
+  options.action = Action::kDecompose;
+  EXPECT_EQ(collisionFate(link, &options), CollisionFate::kStay);
+  link.visuals = {boxOf(0)};
+  EXPECT_EQ(collisionFate(link, &options), CollisionFate::kStay) << "it is flat";
+  link.visuals = {boxOf(0), boxOf(1)};
+  EXPECT_EQ(collisionFate(link, &options), CollisionFate::kReplaced);
+  link.collisions = {boxOf(1)};
+  EXPECT_EQ(collisionFate(link, &options), CollisionFate::kStay) << "there is nothing to decompose";
+  link.collisions.push_back(use("a.stl").source);
+  EXPECT_EQ(collisionFate(link, &options), CollisionFate::kReplaced);
+}
+
 class MeshTaskTest : public ::testing::Test {
  protected:
   MeshTaskTest() {

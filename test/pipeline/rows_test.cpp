@@ -160,7 +160,7 @@ TEST(PutTogether, NotesMeshesOfManyLooseParts) {
   ASSERT_EQ(notes(45, 36, 1).size(), 1u);
   EXPECT_EQ(notes(45, 36, 1)[0].rfind("'a.stl' consists of 45 loose parts and took 36 hulls: if parts lie in a housing", 0), 0u)
       << notes(45, 36, 1)[0];
-  EXPECT_NE(notes(45, 36, 2).at(0).find("36 hulls; so it is with 1 other mesh: "), std::string::npos);
+  EXPECT_NE(notes(45, 36, 2).at(0).find("36 hulls; 1 other mesh is like it: "), std::string::npos);
 }
 
 TEST(PutTogether, NotesShellsThatClosingWouldMakeSolid) {
@@ -176,7 +176,7 @@ TEST(PutTogether, NotesShellsThatClosingWouldMakeSolid) {
   EXPECT_TRUE(notes(2, 7, 1).empty()) << "they cost little";
   EXPECT_EQ(notes(2, 8, 1), (std::vector<std::string>{"'a.stl' has 2 openings and took 8 hulls: if it is the skin of a solid, "
                                                       "--close-openings 13cm makes it that solid, which may take far fewer"}));
-  EXPECT_NE(notes(2, 8, 2).at(0).find("8 hulls; so it is with 1 other mesh: "), std::string::npos);
+  EXPECT_NE(notes(2, 8, 2).at(0).find("8 hulls; 1 other mesh is like it: "), std::string::npos);
 }
 
 TEST(PutTogether, NotesOpeningsThatWereClosed) {

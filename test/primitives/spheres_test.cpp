@@ -154,6 +154,21 @@ TEST(CertifiedSpheres, TheMarginIsPartOfTheBound) {
   expectKept(mesh, result, 0.1);
 }
 
+/// Far from the origin by the rounding of coordinates (A1 in doc/certified.md), in front of a window by the blur, too.
+TEST(CertifiedSpheres, TheBoundAllowsForRounding) {
+  const Eigen::Vector3d far(1e6, 0, 0);
+  for (const TriangleMesh& mesh : {moved(box(100, 100, 100), far), moved(scaled(boxWithWindow(), Eigen::Vector3d::Constant(1000)), far)}) {
+    const Solid solid = solidOf(mesh);
+    const double allowance = 1e-12 * boundingBox(mesh).max().x() + solid.sideError(), tolerance = 0.3 * diagonal(mesh);
+    const CertifiedSpheres result = certifiedSpheres(mesh, within(tolerance, Effort::kInstant));
+    for (std::size_t s = 0; s < result.spheres.size(); ++s) {
+      const Sphere& sphere = result.spheres[s];
+      const double by_distance = solid.signedDistance(sphere.centre, solid.distanceToSurface(sphere.centre)) + sphere.radius;
+      EXPECT_GE(result.bounds[s], std::min(std::max(0.0, by_distance) + allowance, tolerance) - 1e-9 * allowance) << allowance;
+    }
+  }
+}
+
 TEST(CertifiedSpheres, CanBeCancelled) {
   RunControl control;
   control.cancel();
@@ -180,6 +195,7 @@ TEST(Covers, AShavedSphereLeavesAGap) {
 TEST(Covers, ExactlyTheBallThroughTheCorners) {
   const TriangleMesh mesh = moved(box(2, 2, 2), {-1, -1, -1});
   EXPECT_TRUE(covers({{{0, 0, 0}, std::sqrt(3.0) + 1e-9}}, mesh));
+  EXPECT_FALSE(covers({{{0, 0, 0}, std::sqrt(3.0) + 5e-13}}, mesh)) << "less than rounding";
   EXPECT_FALSE(covers({{{0, 0, 0}, std::sqrt(3.0) - 1e-5}}, mesh));
 }
 

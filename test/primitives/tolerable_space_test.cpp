@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "octahedron.h"
 #include "solids.h"
 
 namespace collision_hulls {
@@ -39,6 +40,17 @@ TEST(TolerableSpace, BesideAFlatWallTheBallIsExact) {
   EXPECT_NEAR(space.radius({0.5, 0.5, 0.2}), 0.3, 1e-6);
   EXPECT_NEAR(space.radius({0.5, 0.5, 1.04}), 0.06, 1e-6);
   EXPECT_LE(space.radius({0.5, 0.5, 1.2}), 0);
+}
+
+/// The summit is a corner of eight cubes of the octree.
+TEST(TolerableSpace, ASummitAtTheCornersOfCubesIsOutsideIfItIsBeyondTheTolerance) {
+  for (const double distance : {0.0999, 0.101}) {
+    const TriangleMesh mesh = octahedronOfSheets(distance);
+    const Solid solid = solidOf(mesh);
+    ASSERT_NEAR(solid.distance({0, 0, 0}), distance, 1e-12);
+    const double radius = TolerableSpace(solid, boundingBox(mesh), 0.1, {}).radius({0, 0, 0});
+    EXPECT_EQ(radius > 1e-3, distance < 0.1) << radius;
+  }
 }
 
 TEST(TolerableSpace, BallsReachAcrossNarrowGroovesAndWallsInside) {

@@ -27,6 +27,24 @@ TEST(Obstacle, MeshHasNoInterior) {
   EXPECT_NEAR(room.gapTo(pointsOf(boxShape({1, 1, 1}).vertices), kEndless).at_least, 1.5, 3e-3);
 }
 
+/// The box of slanted triangles is nearer than that of flat ones, which are nearer themselves, by less than is searched for.
+TEST(Obstacle, GapIsNoMoreThanThatToABoxThatWasNotOpened) {
+  TriangleMesh mesh;
+  const auto add = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    const int first = static_cast<int>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  };
+  constexpr double kFlat = 0.9995;
+  for (int i = 0; i < 4; ++i) {
+    add({std::sqrt(2.0), 0, -0.1}, {std::sqrt(2.0), 0, 0.1}, {0, std::sqrt(2.0), 0});  // 1 m from the origin
+    add({-kFlat, -0.1, -0.1}, {-kFlat, 0.1, -0.1}, {-kFlat, 0, 0.2});
+  }
+  const Gap gap = Obstacle(SceneBody{"mesh", mesh}).gapTo(pointsOf({{0, 0, 0}}), kEndless);
+  EXPECT_LE(gap.at_least, kFlat * (1 + 1e-9));
+  EXPECT_GE(gap.at_least, kFlat * (1 - 1e-5));
+}
+
 TEST(Obstacle, GapIsThatOfTheNearestTriangle) {
   Random random(11, 0, 0);
   TriangleMesh mesh;

@@ -147,6 +147,74 @@ TEST(Reach, MimicJointsFollowTheirMasters) {
   EXPECT_EQ(prove("<mimic joint='j1' multiplier='-1' offset='0.5'/>").outcome, Outcome::kTouched);
 }
 
+/// Where a point 1 m from its hinge is at this angle.
+Eigen::Vector3d onArc(double angle) {
+  return {std::cos(angle), std::sin(angle), 0};
+}
+
+/// [m] Between cubes, one of which turns with the arc.
+double apartAt(double angle, const Eigen::Vector3d& other) {
+  const auto pointsOf = [](const ConvexHull& hull, const Eigen::Isometry3d& pose) {
+    PointMatrix points(3, static_cast<Eigen::Index>(hull.vertices.size()));
+    for (std::size_t i = 0; i < hull.vertices.size(); ++i) points.col(static_cast<Eigen::Index>(i)) = pose * hull.vertices[i];
+    return points;
+  };
+  const Eigen::Isometry3d turn(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
+  return convexGap(pointsOf(cubeAt({1, 0, 0}), turn), pointsOf(cubeAt(other), Eigen::Isometry3d::Identity())).at_most;
+}
+
+/// A body within the hull of an arc of more than half a turn, so that sweeping proves nothing, beside an end of it, from which the arc
+/// leads away: the bound is that of the last box of angles, of which the end is as near as its movement allows.
+TEST(Reach, NoBoundExceedsTheDistanceAtTheEndOfAnArc) {
+  const Eigen::Vector3d place = onArc(4) + 0.06 * (onArc(0) - onArc(4)).normalized();
+  const double distance = apartAt(4, place);
+  for (const double share : {0.9, 0.98, 0.99}) {
+    const Kinematics kinematics = Arm().add("revolute", "0 0 1", 0, 4).kinematics();
+    const Reach reach = reachOf(kinematics, cubeAt({1, 0, 0}), sceneWith(cubeAt({0, 0, 0}), place), share * distance);
+    EXPECT_EQ(reach.outcome, Outcome::kProved);
+    EXPECT_LE(reach.bound, distance * (1 + 1e-6)) << share;
+  }
+}
+
+/// The same with a joint that turns by twice the way of the one that it follows.
+TEST(Reach, AJointThatFollowsMovesByItsOwnWay) {
+  const std::string follows = "<mimic joint='j1' multiplier='2'/>";
+  const Kinematics kinematics = Arm().add("prismatic", "0 0 1", 0, 2).add("revolute", "0 0 1", -9, 9, 0, follows).kinematics();
+  const Eigen::Vector3d place = onArc(4) + 0.06 * (onArc(0) - onArc(4)).normalized();
+  const double distance = apartAt(4, place);
+  const Reach reach = reachOf(kinematics, cubeAt({1, 0, 0}), sceneWith(boxShape({kCube, kCube, 9}), place), 0.9 * distance);
+  EXPECT_EQ(reach.outcome, Outcome::kProved);
+  EXPECT_LE(reach.bound, distance * (1 + 1e-6));
+}
+
+/// In the middle of its range the point is furthest from the body: either way leads towards it, across the direction of its movement.
+TEST(Reach, AnArcLeadsTowardsWhatIsBehindItsHinge) {
+  const Kinematics kinematics = Arm().add("revolute", "0 0 1", -1.9, 1.9).kinematics();
+  const Eigen::Vector3d place(-0.2, 0, 0);
+  const double distance = apartAt(1.9, place);
+  const Reach reach = reachOf(kinematics, cubeAt({1, 0, 0}), sceneWith(cubeAt({0, 0, 0}), place), 0.9 * distance);
+  EXPECT_EQ(reach.outcome, Outcome::kProved);
+  EXPECT_LE(reach.bound, distance * (1 + 1e-6));
+}
+
+/// Two arcs through one another like links of a chain, so that neither may be swept. They are nearest where the first one begins and the
+/// second has made half a turn.
+TEST(Reach, BothLinksMove) {
+  const auto hinged = [](const std::string& name, const std::string& x, const std::string& axis) {
+    return "<link name='" + name + "'/><joint name='to_" + name + "' type='revolute'><parent link='base'/><child link='" + name +
+           "'/><origin xyz='" + x + " 0 0'/><axis xyz='" + axis + "'/><limit lower='0' upper='4' effort='1' velocity='1'/></joint>";
+  };
+  const Kinematics kinematics(
+      parseRobotDescription("<robot name='r'><link name='base'/>" + hinged("a", "0", "0 0 1") + hinged("b", "1.2", "0 1 0") + "</robot>"));
+  const double distance = apartAt(0, {0.7, 0, 0});
+  const ReachProver prover(kinematics, {ConvexHull(), cubeAt({1, 0, 0}), cubeAt({0.5, 0, 0})}, {});
+  for (const std::size_t first : {1u, 2u}) {
+    const Reach reach = prover.betweenLinks(first, 3 - first, 0.5 * distance);
+    EXPECT_EQ(reach.outcome, Outcome::kProved);
+    EXPECT_LE(reach.bound, distance * (1 + 1e-6)) << first;
+  }
+}
+
 TEST(Reach, MeshHasNoInterior) {
   Scene room;
   addBody(room, {"room", surface(boxShape({6, 6, 6}))});

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -51,29 +50,6 @@ TEST(NumberText, DoesNotDependOnTheLocale) {
   const std::locale old = std::locale::global(std::locale(std::locale::classic(), new CommaPunctuation));
   EXPECT_EQ(numberText(1234567.25), "1234567.25");
   std::locale::global(old);
-}
-
-Eigen::Matrix3d rotationOf(const Eigen::Vector3d& rpy) {
-  return (Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
-          Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX()))
-      .toRotationMatrix();
-}
-
-TEST(RollPitchYaw, GivesAnglesBack) {
-  const Eigen::Vector3d rpy(0.3, -0.4, 2.5);
-  EXPECT_LT((rollPitchYaw(rotationOf(rpy)) - rpy).norm(), 1e-14);
-  EXPECT_EQ(rollPitchYaw(Eigen::Matrix3d::Identity()), Eigen::Vector3d::Zero());
-}
-
-TEST(RollPitchYaw, GivesTheRotationBackAtAndNearGimbalLock) {
-  std::mt19937_64 random(2);
-  std::uniform_real_distribution<double> angle(-M_PI, M_PI);
-  for (const double off : {0.0, 1e-16, 1e-12, 1e-9, 1e-8, 1e-6, 1e-3}) {
-    for (int i = 0; i < 100; ++i) {
-      const Eigen::Matrix3d rotation = rotationOf({angle(random), (i % 2 ? 1 : -1) * (M_PI / 2 - off), angle(random)});
-      EXPECT_LT((rotationOf(rollPitchYaw(rotation)) - rotation).cwiseAbs().maxCoeff(), 1e-14) << "off " << off << ", sample " << i;
-    }
-  }
 }
 
 }  // namespace

@@ -96,6 +96,36 @@ TEST(ReadDescription, XacroLacksAnArgument) {
   expectError(ErrorCode::kNotARobot, {"prefix:=VALUE > " + folder.path("arm.urdf") + "\n"}, [&] { readRobotDescription(short_name); });
 }
 
+// xacro appends a blank where the argument stands in a property.
+TEST(ReadDescription, XacroLacksAnArgumentOfAnExpression) {
+  const TemporaryFolder folder;
+  writeProgram(folder, "xacro", "printf \"error: Undefined substitution argument prefix \\nwhen evaluating expression 'p'\" >&2; exit 2");
+  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
+  expectError(ErrorCode::kNotARobot, {"the argument 'prefix',", " prefix:=VALUE > "},
+              [&] { readRobotDescription(folder.write("arm.xacro", kUrdf)); });
+}
+
+// xacro takes no argument without one, even if it gets a value, and does not say which argument it is.
+TEST(ReadDescription, XacroLacksADefault) {
+  const TemporaryFolder folder;
+  const std::string hand = folder.write("hand.xacro",
+                                        "<robot xmlns:xacro='x'><xacro:arg name='a' default=''/><xacro:if value='true'>"
+                                        "<xacro:arg name='side'/></xacro:if></robot>");
+  const auto fail = [&](const std::string& file) {
+    writeProgram(folder, "xacro", "echo \"error: xacro:arg: missing attribute 'default'\nwhen processing file: " + file + "\" >&2; exit 2");
+  };
+  const ScopedVariable path("PATH", folder.path() + ":/usr/bin:/bin");
+  const std::string file = folder.write("arm.xacro", kUrdf);
+  fail(hand);
+  expectError(ErrorCode::kNotARobot,
+              {"'" + file + "' cannot be expanded: the argument 'side' in '" + hand + "' has no default", "Add default=\"\"",
+               "run\n  xacro " + file + " side:=VALUE > " + folder.path("arm.urdf") + "\nand give the .urdf"},
+              [&] { readRobotDescription(file); });
+  fail(folder.path("gone.xacro"));
+  expectError(ErrorCode::kNotARobot, {"the argument 'NAME' in '" + folder.path("gone.xacro"), " NAME:=VALUE > "},
+              [&] { readRobotDescription(file); });
+}
+
 TEST(ReadDescription, XacroOfMacrosAloneNamesTheFilesThatCallThem) {
   const TemporaryFolder folder;
   writeProgram(folder, "xacro", "echo '<robot/>'");

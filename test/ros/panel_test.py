@@ -29,7 +29,7 @@ CONFIG = os.path.join(PACKAGE, "rviz", "collision_hulls.rviz")
 ROBOT = os.path.join(PACKAGE, "urdf", "demo_arm.urdf")
 SPACE = os.environ["CMAKE_PREFIX_PATH"].split(os.pathsep)[0]  # devel
 DRIVER = os.path.join(os.path.dirname(SPACE), "tests", "panel_driver")
-METHOD, TOLERANCE, HULLS, PROVED, STATUS = 1, 2, 3, 6, 7  # columns
+METHOD, TOLERANCE, HULLS, BOUND, STATUS = 1, 2, 3, 5, 7  # columns
 
 
 def load_script(name):
@@ -88,7 +88,7 @@ class PanelTest(unittest.TestCase):
         rows = self.rviz.rows()
         self.assertEqual(9, len(rows))
         for row in rows.values():
-            self.assertRegex(row[PROVED], r"^[\d.]+ mm$", row)
+            self.assertRegex(row[BOUND], r"^[\d.]+ mm$", row)
         self.assertRegex(self.rviz("get", "totals", "text"), r"\d+ hulls.*at most <b>[\d.]+ mm")
 
     def test_a_coarser_tolerance_has_fewer_hulls_and_another_picture(self):
@@ -156,6 +156,18 @@ class PanelTest(unittest.TestCase):
         self.rviz("type", "tolerance_text", "seven")
         self.assertIn("seven", self.rviz("get", "effect", "text"))
         self.assertEqual("7mm", self.rviz.rows()["base_link"][TOLERANCE])
+
+    def test_typed_openings_are_saved_and_wrong_ones_say_why(self):
+        self.rviz("choose", "base_link")
+        self.assertEqual("0", self.rviz("get", "close_openings", "text"))
+        self.rviz("type", "close_openings", "wide")
+        self.assertIn("close openings 'wide'", self.rviz("get", "effect", "text"))
+        self.rviz("type", "close_openings", "5cm")
+        self.settle()
+        self.assertIn("close_openings: 5cm", self.saved())
+        self.rviz("click", "undo")
+        self.settle()
+        self.assertNotIn("close_openings: 5cm", self.saved())
 
     def test_the_filter_hides_links_and_nothing_else(self):
         self.rviz("type", "filter", "FINGER")
@@ -305,7 +317,7 @@ class PanelTest(unittest.TestCase):
         self.rviz("key", "node", "Tab", 1)
         reached = {self.rviz("focus", "Tab", 1) for _ in range(25)}
         self.assertLessEqual({"links", "tolerance", "tolerance_text", "action", "method", "effort", "max_hulls", "max_vertices", "source",
-                              "tree", "build", "validate", "load", "save", "fit", "write"}, reached)
+                              "close_openings", "tree", "build", "validate", "load", "save", "fit", "write"}, reached)
 
     def test_the_settings_survive_in_rvizs_configuration(self):
         wanted = self.slide("elbow_link", "Right", 4)[TOLERANCE]

@@ -1,30 +1,11 @@
 #include "scene/reading.h"
 
-#include <cmath>
-
 #include "scene/scene_tests.h"
 
 namespace collision_hulls {
 namespace {
 
 using Eigen::Vector3d;
-
-TEST(ParseNumber, TheWholeWordOrNothing) {
-  double value = 0;
-  EXPECT_TRUE(parseNumber("-1.5e-3", value));
-  EXPECT_EQ(value, -0.0015);
-  for (const char* word : {"", "1,5", "1.5m", "nan", "inf", "1e999"}) EXPECT_FALSE(parseNumber(word, value)) << word;
-}
-
-TEST(InContext, KeepsTheCode) {
-  expectError(ErrorCode::kBadScale, {"body 'a': zero"}, [] { inContext("body 'a'", [] { throw Error(ErrorCode::kBadScale, "zero"); }); });
-}
-
-TEST(RollPitchYaw, AboutFixedAxesRollFirst) {
-  const double quarter = std::acos(0.0);
-  EXPECT_LT((fromRollPitchYaw({quarter, 0, quarter}) * Vector3d::UnitY() - Vector3d::UnitZ()).norm(), 1e-12);
-  EXPECT_LT((fromRollPitchYaw({0, quarter, 0}) * Vector3d::UnitX() + Vector3d::UnitZ()).norm(), 1e-12);
-}
 
 TEST(CheckedQuaternion, IsNormalizedIfItIsARotation) {
   EXPECT_NEAR(checkedQuaternion(0, 0, 0, 1.001).norm(), 1, 1e-12);

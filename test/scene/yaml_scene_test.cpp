@@ -28,6 +28,12 @@ bodies:
   expectBox(scene.bodies[5], {0, 0, 0}, {2, 1, 0});
 }
 
+TEST(YamlScene, IsCalledAsItsFileUnlessItHasAName) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(sceneOf(folder, "kitchen.yaml", "bodies: []").name, "kitchen");
+  EXPECT_EQ(sceneOf(folder, "kitchen.yaml", "name: cell\nbodies: []").name, "cell");
+}
+
 TEST(YamlScene, MeshesInPackages) {
   const TemporaryFolder folder;
   folder.write("cell/meshes/t.obj", kTriangleObj);

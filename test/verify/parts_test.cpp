@@ -4,7 +4,9 @@
 
 #include "counted_looks.h"
 #include "mesh/loose_segments.h"
+#include "octahedron.h"
 #include "solids.h"
+#include "verify/compare_link.h"
 #include "verify/convex_parts.h"
 #include "verify/cover_search.h"
 #include "verify/mesh_protrusion.h"
@@ -194,6 +196,134 @@ TEST(CoverSearch, HullsAndAMeshCoverTogether) {
   const Largest out = furthestFrom(set, moved(across, {0.1, 0, 0}), 1e-4);
   EXPECT_NEAR(out.found, 0.05, 2e-3);
   EXPECT_GE(out.bound, 0.05);
+}
+
+/// A mesh whose upper faces, at z = 1, have vertices of their own, higher by this, to which repair() welds them.
+TriangleMesh withLooseTop(TriangleMesh mesh, double higher) {
+  std::vector<Eigen::Vector3d>& vertices = mesh.vertices;
+  for (Triangle& t : mesh.triangles) {
+    if (std::any_of(t.begin(), t.end(), [&](int v) { return vertices[static_cast<std::size_t>(v)].z() < 1; })) continue;
+    for (int& v : t) {
+      vertices.emplace_back(vertices[static_cast<std::size_t>(v)] + higher * Eigen::Vector3d::UnitZ());
+      v = static_cast<int>(vertices.size()) - 1;
+    }
+  }
+  return mesh;
+}
+
+constexpr double kHigher = 5e-6;  // half of what is welded in a mesh of 1 m
+
+GeometryElement boxElement(const Eigen::Vector3d& size, const Eigen::Vector3d& place) {
+  GeometryElement element;
+  element.kind = Kind::kBox;
+  element.size = size;
+  element.origin = Eigen::Translation3d(place);
+  return element;
+}
+
+/// Of a box within the original, which protrudes by nothing itself.
+TEST(LinkPair, TheProtrusionCountsHowFarTheOriginalsVerticesWereMoved) {
+  LinkBodies original, result;
+  original.meshes.push_back({withLooseTop(box(1, 1, 1), kHigher), {}});
+  original.resolution = 2e-6;
+  result.primitives.push_back(boxElement({0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}));
+  LinkVerification row;
+  row.diagonal = std::sqrt(3.0);
+  LinkPair(original, result).measure(row);
+  EXPECT_GE(row.protrusion.bound, kHigher + original.resolution);
+  EXPECT_LE(row.protrusion.bound, kHigher + original.resolution + 2e-7);
+}
+
+/// A sphere and a cylinder, and beside their middle a result that is hardly more than a point. What is furthest from it lies opposite,
+/// where the polyhedra in them have no vertex.
+TEST(LinkPair, ARoundOriginalReachesBeyondThePolyhedronInIt) {
+  test_shapes::RandomPoints random(7);
+  for (int i = 0; i < 12; ++i) {
+    const bool is_sphere = i % 2 == 0;
+    const double angle = random.number(0, 6);
+    const Eigen::Vector3d aside = is_sphere ? random.onSphere() : Eigen::Vector3d(std::cos(angle), std::sin(angle), 0);
+    LinkBodies original, result;
+    original.primitives.push_back(round(is_sphere ? Kind::kSphere : Kind::kCylinder, 0.2, 0.2));
+    result.primitives.push_back(boxElement(Eigen::Vector3d::Constant(1e-6), original.primitives[0].origin * (0.15 * aside)));
+    LinkVerification row;
+    row.diagonal = 0.6;
+    LinkPair(original, result).measure(row);
+    const double furthest = is_sphere ? 0.35 : std::hypot(0.35, 0.1);
+    EXPECT_GE(row.uncovered.bound, furthest - 1e-6) << i;
+    EXPECT_LE(row.uncovered.bound, furthest + 0.006 * 0.2 + 0.01 * furthest) << i;
+    EXPECT_LE(row.uncovered.found, furthest) << i;
+  }
+}
+
+/// A cube of 0.2 m, turned, with a body in its middle: the body's points that are furthest from it lie in front of the middles of its
+/// faces, in no direction that the search knows.
+TEST(LinkPair, ARoundBodyProtrudesByItsWholeRadius) {
+  test_shapes::RandomPoints random(8);
+  for (int i = 0; i < 12; ++i) {
+    GeometryElement body;
+    body.kind = i % 2 ? Kind::kSphere : Kind::kCylinder;
+    body.size = {0.17, 0.15, 0};
+    const double turn = random.number(0, 1.5);
+    LinkBodies original, result;
+    original.primitives.push_back(boxElement({0.2, 0.2, 0.2}, {0, 0, 0}));
+    original.primitives[0].origin.linear() =
+        i % 2 ? random.rotation() : Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    result.primitives.push_back(body);
+    LinkVerification row;
+    row.diagonal = 0.2 * std::sqrt(3.0);
+    LinkPair(original, result).measure(row);
+    EXPECT_GE(row.protrusion.bound, 0.07 - 1e-12) << i;
+    EXPECT_LE(row.protrusion.bound, 0.0725) << i;
+    EXPECT_LE(row.protrusion.found, 0.07 + 1e-12) << i;
+  }
+}
+
+TEST(CoverSearch, NoPlaceBetweenSpheresIsFurtherThanTheBound) {
+  LinkBodies bodies;
+  for (int k = 0; k < 4; ++k) {
+    GeometryElement ball;
+    ball.kind = Kind::kSphere;
+    ball.size.x() = 0.5;
+    ball.origin = Eigen::Translation3d(k & 1 ? 1 : 0, k & 2 ? 1 : 0, 0);
+    bodies.primitives.push_back(ball);
+  }
+  const BodySet set(bodies);
+  test_shapes::RandomPoints random(9);
+  for (int i = 0; i < 10; ++i) {  // sheets about the place in the middle of all four
+    const TriangleMesh sheet = moved(test_shapes::sheet(0.6, 0.6), {random.number(0.1, 0.3), random.number(0.1, 0.3), 0});
+    EXPECT_GE(furthestFrom(set, sheet, 0.02).bound, std::sqrt(0.5) - 0.5 - 1e-12) << i;
+  }
+}
+
+TEST(CoverSearch, WhatAMeshLeavesCountsHowFarItsVerticesWereMoved) {
+  LinkBodies bodies;
+  bodies.meshes.push_back({{}, {}});
+  bodies.meshes.back().parts.rest = withLooseTop(lBracket(), kHigher);
+  const BodySet set(bodies);
+  const Largest largest = furthestFrom(set, moved(test_shapes::sheet(0.02, 0.02), {0.5, 0.04, 1.1}), 1e-9);
+  EXPECT_GE(largest.bound, set.whole()->distance(largest.where) + kHigher);
+  EXPECT_LE(largest.bound, 0.1 + 2 * kHigher + 1e-6);
+  EXPECT_LE(largest.found, 0.1 - kHigher + 1e-9);
+}
+
+/// The summit is anywhere in the body, and nothing on the body's surface is as far away.
+TEST(MeshProtrusion, NoSummitIsBeyondTheBound) {
+  test_shapes::RandomPoints random(10);
+  const Solid solid = solidOf(test_shapes::octahedronOfSheets(0.3));
+  for (int i = 0; i < 40; ++i) {
+    const Eigen::Isometry3d pose = Eigen::Translation3d(random.inCube(0.03)) * Eigen::Isometry3d(random.rotation());
+    const TriangleMesh body = transformed(moved(box(0.15, 0.15, 0.15), {-0.075, -0.075, -0.075}), pose);
+    const Protrusion far = meshProtrusion(body, solidOf(body), solid, 1e-3);
+    EXPECT_GE(far.bound, 0.3) << i;
+    EXPECT_LE(far.bound, 0.305) << i;
+  }
+}
+
+/// The search inside is of the body as it was welded.
+TEST(MeshProtrusion, CountsHowFarTheBodysVerticesWereMoved) {
+  const TriangleMesh body = withLooseTop(lBracket(), kHigher);
+  const Protrusion far = meshProtrusion(body, solidOf(body), solidOf(moved(box(2, 2, 3), {-0.5, -0.5, -0.5})), 1e-9);
+  EXPECT_NEAR(far.bound, kHigher, 1e-8);
 }
 
 /// The surface of the bracket in triangles that do not touch, so that it encloses nothing: then the body's inside is further from it than

@@ -45,7 +45,7 @@ TEST(LinkTable, RegionsStandBelowTheirRow) {
   model.links[0].regions_given = {halfSpaceRegion({0, 0, 1}, 0, 0.0001)};
   model.links[0].regions_given[0].name = "<mouth>";
   model.links[0].regions = {{0.00009, 0.00008}};
-  EXPECT_NE(linkTable(model).find("<div>region &lt;mouth&gt;: proved 0.0900 mm, found 0.0800 mm, tolerance 0.100 mm</div>"),
+  EXPECT_NE(linkTable(model).find("<div>region &lt;mouth&gt;: protrusion 0.0900 mm, found 0.0800 mm, tolerance 0.100 mm</div>"),
             std::string::npos)
       << linkTable(model);
 }

@@ -24,7 +24,9 @@ TEST(Summary, TotalsFirst) {
       said[0],
       "2,468 triangles in 2 meshes \xE2\x86\x92 4 hulls. They never miss a collision, protrude by at most 9.80 mm, and answer distance "
       "queries 27.0 times quicker than the meshes.");
-  EXPECT_EQ(said[1], "400 queries compared hulls and meshes: no collision missed, no false collision beyond the protrusion.");
+  EXPECT_EQ(said[1],
+            "400 queries compared hulls and meshes: no collision missed, no false collision beyond the protrusion; distances at most 0 mm "
+            "too short.");
   EXPECT_TRUE(warnings(sample.report, sample.report).empty());
 }
 

@@ -25,10 +25,18 @@ Eigen::Vector3d closestPoint(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
 /// A bounding-volume tree over a mesh's triangles. Keeps copies of them. Immutable and thread safe.
 class TriangleBvh {
  public:
+  /// What a tree keeps of its triangles, beside the triangles and their boxes.
+  enum class Keeps {
+    kFarView,  ///< what they look like from afar
+    /// nothing, for a third less memory: facesOneWay() is false unless there are no triangles, and
+    /// winding numbers are exact and take time in proportion to the triangles
+    kNothing
+  };
+
   /// `two_sided`: per triangle, whether either side may face outward (empty: none does). Throws
   /// kCancelled.
   explicit TriangleBvh(const TriangleMesh& mesh, const std::vector<char>& two_sided = {},
-                       const RunControl& control = {});
+                       const RunControl& control = {}, Keeps keeps = Keeps::kFarView);
 
   const std::vector<char>& twoSided() const { return two_sided_; }
 
@@ -134,21 +142,23 @@ class TriangleBvh {
              int below, const RunControl& control);
   void fillLeaf(const TriangleMesh& mesh, const std::vector<Centre>& centres, Node& leaf);
   void fit(int node);
+  void fitCluster(int node);
   int gather(int node, const RunControl& control);
   Eigen::Vector3f inUnits(const Eigen::Vector3d& p) const {
     return ((p - centre_) / unit_).cast<float>();
   }
   void fitCone(int node);
 
-  std::vector<Node> nodes_;
+  std::vector<Node> nodes_;       // empty without a far view, once built
   std::vector<FourBoxes> fours_;  // the same nodes, two levels merged into one
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
   double unit_ = 1;                                      // [m]
-  std::vector<Cluster> clusters_;                        // per node
+  std::vector<Cluster> clusters_;                        // per node; empty without a far view
   std::vector<std::array<Eigen::Vector3d, 3>> corners_;  // in leaf order
   std::vector<int> index_;                               // leaf order to mesh
   std::vector<int> position_;                            // mesh to leaf order
   std::vector<char> two_sided_;                          // per triangle; empty: none
+  Eigen::AlignedBox3d box_;                              // of all triangles
 };
 
 }  // namespace collision_hulls

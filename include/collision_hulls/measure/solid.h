@@ -46,11 +46,12 @@ class Solid {
   /// leastDistance() is larger, and hardly anywhere else, but much faster near openings.
   bool isFurther(double distance, const Eigen::Vector3d& p, double to_surface) const;
   /// [m] Outside, distance(p). Inside, minus the radius of a ball about p that lies within S: the
-  /// distance to the surface, less what cracks and rounding may hide; less than that near openings.
+  /// distance to the surface apart from sheets, less what cracks and rounding may hide; less than
+  /// that near openings.
   /// `to_surface`: distanceToSurface(p).
   double signedDistance(const Eigen::Vector3d& p, double to_surface) const;
   /// [m] The same without openings, for a point of which the side is known.
-  double signedDistance(bool inside, double to_surface) const;
+  double signedDistance(const Eigen::Vector3d& p, double to_surface, bool inside) const;
   /// Whether all points within `radius` [m] of one at this distance from the surface are on its
   /// side, inside or outside. May answer no where the answer is yes, but never the reverse.
   bool isOneSide(double to_surface, double radius) const;

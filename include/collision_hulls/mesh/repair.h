@@ -56,7 +56,8 @@ struct RepairedMesh {
   /// per triangle: its component, 0 .. counts.components - 1, in order of first triangle
   std::vector<int> component;
   std::vector<Interior> interior;  ///< per component
-  /// per triangle: 1 if it encloses nothing because it is in a kSurface component or in a fin
+  /// per triangle: 1 if it encloses nothing because it is in a kSurface component, in a fin or in a
+  /// wall inside
   std::vector<char> sheet;
   /// remains of dropped degenerate triangles that are not on a side of a kept one; part of the
   /// surface
@@ -82,9 +83,17 @@ struct RepairedMesh {
 /// use each of those edges equally often in both directions. A fin is part of the surface but plays
 /// no part in telling inside from outside. The same goes for a wall shared by two solids: a patch
 /// whose triangles occur equally often facing either way, if the triangles it hangs on are balanced
-/// without any such wall. An open component without its fins is kWinding if the fans that close its
-/// boundary loops (each about the loop's centre) are below a tenth of its area, else kSurface. A
-/// mesh with only degenerate triangles gives an empty mesh and `loose` segments.
+/// without any such wall.
+///
+/// Walls inside, such as a partition across a box: if a component has open edges on fins only, but
+/// is not balanced where patches meet, the patches are left out that do not border its outer space,
+/// or do so on both sides. What remains, turned to face the outer space, is closed, and encloses
+/// all that the component separates from the outer space. A component that so encloses only a
+/// negligible volume stays as it was.
+///
+/// An open component without its fins is kWinding if the fans that close its boundary loops (each
+/// about the loop's centre) are below a tenth of its area, else kSurface. A mesh with only
+/// degenerate triangles gives an empty mesh and `loose` segments.
 ///
 /// Time is near-linear; memory is about 90 bytes per triangle on top of the input. Deterministic.
 /// Thread safe. Throws kIndexOutOfRange, kNonFiniteCoordinate, kCancelled, and kBadOption for a

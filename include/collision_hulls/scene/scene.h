@@ -107,7 +107,7 @@ class SceneBuilder {
 ///   .bt .ot           OctoMap maps; see octomap.h
 ///   .yaml .yml        our own format:
 ///
-///     name: cell                                # optional
+///     name: cell                                # default: the file's name
 ///     bodies:                                   # m and rad; without a pose: at the origin
 ///     - {name: table, box: [1.2, 0.8, 0.04], pose: {xyz: [0.6, 0, -0.02], rpy: [0, 0, 0]}}
 ///     - {name: ball, sphere: 0.1}               # radius

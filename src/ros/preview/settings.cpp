@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "base/in_context.h"
 #include "collision_hulls/error.h"
-#include "scene/reading.h"
 
 namespace collision_hulls {
 namespace {

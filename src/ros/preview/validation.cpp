@@ -6,12 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "base/counted.h"
-#include "base/millimetres.h"
 #include "base/parallel.h"
 #include "collision_hulls/error.h"
 #include "pipeline/run.h"
 #include "pipeline/stages.h"
+#include "report/check_text.h"
 
 namespace collision_hulls {
 namespace {
@@ -94,11 +93,7 @@ Validation validateLinks(const RobotDescription& robot, const PackageFinder& fin
 }
 
 std::string summary(const Validation& validation) {
-  const auto number = [](std::size_t n, const std::string& noun) { return n == 0 ? "no " + noun : counted(n, noun); };
-  std::string text = counted(validation.queries, "query", "queries") +
-                     " compared hulls and meshes: " + number(validation.missed, "collision") + " missed, " +
-                     number(validation.phantom, "false collision") + " beyond the protrusion; distances at most " +
-                     millimetres(validation.max_underestimate) + " too short";
+  std::string text = checkText(validation, "hulls");
   if (!validation.remarks.empty()) text += ". " + validation.remarks.front();
   return text;
 }

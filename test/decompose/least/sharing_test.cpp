@@ -58,6 +58,49 @@ TEST(Sharing, ProvesNothingWithoutSteps) {
   EXPECT_EQ(Beads(7).shared(0.1, 6, {1'000, 5}), Sharing::Answer::kUnknown);
 }
 
+/// Whether the points from `next` on can be added to the sets without any that are apart; tries every assignment.
+bool canShareByTrial(const Points& points, const Apart& apart, std::vector<std::vector<std::size_t>>& sets, std::size_t next) {
+  if (next == points.size()) return true;
+  for (std::vector<std::size_t>& set : sets) {
+    bool fits = true;
+    for (const std::size_t a : set) {
+      fits = fits && !apart(points[next], points[a]);
+      for (const std::size_t b : set) fits = fits && (b >= a || !apart(points[next], points[a], points[b]));
+    }
+    if (!fits) continue;
+    set.push_back(next);
+    if (canShareByTrial(points, apart, sets, next + 1)) return true;
+    set.pop_back();
+  }
+  return false;
+}
+
+TEST(Sharing, AgreesWithATrialOfAllAssignments) {
+  int yes = 0, no = 0;
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    RandomPoints random(seed);
+    Points points;
+    std::vector<TriangleMesh> balls;
+    for (int i = 0; i < 9; ++i) {
+      points.push_back(random.inCube());
+      balls.push_back(moved(sphere(0.05, 2), points.back()));
+    }
+    const Solid solid = solidOf(merged(balls));
+    const Apart apart(solid, random.number(0.3, 0.6), 2);
+    const PairTest pairs(points, {}, apart);
+    for (std::size_t sets = 2; sets < 5; ++sets) {
+      Sharing sharing(points, pairs, apart, {100'000, 100'000});
+      for (std::size_t i = 0; i < points.size(); ++i) sharing.add(i);
+      std::vector<std::vector<std::size_t>> trial(sets);
+      const bool can = canShareByTrial(points, apart, trial, 0);
+      EXPECT_EQ(sharing.into(sets), can ? Sharing::Answer::kYes : Sharing::Answer::kNo) << seed << " " << sets;
+      ++(can ? yes : no);
+    }
+  }
+  EXPECT_GT(yes, 10);
+  EXPECT_GT(no, 10);
+}
+
 TEST(Sharing, ThePointThatMostSetsRefuseComesNext) {
   const Beads beads(6);
   const Solid solid = solidOf(beads.mesh);

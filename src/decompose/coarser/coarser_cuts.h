@@ -1,4 +1,4 @@
-// What a result would look like with fewer hulls, where it was cut from a hull tree: the cuts above it, for the page's slider.
+// What a result would look like with fewer hulls, where it was cut from a hull tree: the cuts above it.
 #pragma once
 
 #include <memory>

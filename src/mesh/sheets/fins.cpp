@@ -1,7 +1,7 @@
 // Starts from all patches that might be fins (open and hanging at non-manifold edges) or shared walls, and excludes those that other
 // triangles need to be balanced, repeatedly for walls because excluding one may unbalance another. Last, it excludes patches that are
 // closed but for a small opening.
-#include "mesh/fins.h"
+#include "mesh/sheets/fins.h"
 
 #include <algorithm>
 #include <array>

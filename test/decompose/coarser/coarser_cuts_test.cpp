@@ -1,10 +1,10 @@
-#include "web/coarser_cuts.h"
+#include "decompose/coarser/coarser_cuts.h"
 
 #include <gtest/gtest.h>
 
+#include "decompose/coarser/coarser_hulls.h"
 #include "decompose/hulls_of_tree.h"
 #include "shapes.h"
-#include "web/coarser_hulls.h"
 
 namespace collision_hulls {
 namespace {

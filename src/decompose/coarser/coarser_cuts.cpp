@@ -1,6 +1,6 @@
 // A leaf is a hull as it was written, with what is proved of all. A node above has its hull in the tree, which covers the mesh up to the
 // margin, and its bound there, with the margin on top.
-#include "web/coarser_cuts.h"
+#include "decompose/coarser/coarser_cuts.h"
 
 #include <algorithm>
 #include <map>

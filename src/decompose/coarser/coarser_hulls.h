@@ -1,4 +1,4 @@
-// What a result would look like with fewer hulls, for the page's slider.
+// What a result would look like with fewer hulls.
 #pragma once
 
 #include <vector>

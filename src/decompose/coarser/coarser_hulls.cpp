@@ -8,7 +8,7 @@
 //
 // Against many parts that would cost too much: then the parts are the two hulls that were merged, and their own bounds count in full. The
 // order of merging is greedy by a cheap estimate, from how far each hull's vertices lie beyond the other's planes.
-#include "web/coarser_hulls.h"
+#include "decompose/coarser/coarser_hulls.h"
 
 #include <algorithm>
 #include <array>

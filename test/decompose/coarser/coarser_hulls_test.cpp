@@ -1,4 +1,4 @@
-#include "web/coarser_hulls.h"
+#include "decompose/coarser/coarser_hulls.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,89 @@
+// Where the URIs of a run's new description lead. rebase_test.cpp has the cases of --rebase.
+// Also tests src/pipeline/collision_model.cpp.
+#include <gtest/gtest.h>
+
+#include "collision_hulls/pipeline/output.h"
+#include "pipeline/robot_run.h"
+
+namespace collision_hulls {
+namespace {
+
+using fixtures::link;
+using fixtures::meshTag;
+
+class OutputUris : public fixtures::RobotRun {};
+
+TEST_F(OutputUris, Styles) {
+  const auto uri = [&](UriStyle style) {
+    options_.uri = style;
+    const RobotResult result = run(link("base", collision("box.obj")));
+    return parseRobotDescription(result.urdf).links[0].collisions[0].uri;
+  };
+  EXPECT_EQ(uri(UriStyle::kPackage), "package://out/meshes/base/0_0.stl");
+  EXPECT_EQ(uri(UriStyle::kFile), "file://" + (folder_ / "out/meshes/base/0_0.stl"));
+  EXPECT_EQ(uri(UriStyle::kRelative), "../meshes/base/0_0.stl");
+}
+
+TEST_F(OutputUris, EscapesFolderNames) {
+  options_.uri = UriStyle::kFile;
+  RobotResult result =
+      decomposeRobot(description(link("base", collision("box.obj"))), defaultPackageFinder(), options_, folder_ / "a b#%20é");
+  const std::string uri = parseRobotDescription(result.urdf).links[0].collisions[0].uri;
+  EXPECT_EQ(uri, "file://" + (folder_ / "a%20b%23%2520é/meshes/base/0_0.stl"));
+  writeOutput(result, folder_ / "a b#%20é");
+  EXPECT_EQ(resolveUri(uri, "", defaultPackageFinder()), folder_ / "a b#%20é/meshes/base/0_0.stl");
+}
+
+TEST_F(OutputUris, NotesThoseThatNowResolveElsewhere) {
+  const auto notes = [&](const std::string& links) { return run(links).report.notes; };
+  const std::string absolute = "    <visual>" + meshTag("file://" + (folder_ / "meshes/box.obj")) + "</visual>\n";
+  for (const UriStyle style : {UriStyle::kPackage, UriStyle::kRelative}) {
+    options_.uri = style;
+    EXPECT_TRUE(notes(link("base", absolute + collision("box.obj"))).empty()) << "a URI that is replaced needs no note";
+    const auto kept = notes(link("base", visual("box.obj") + visual("box.obj", "2 2 2") + collision("box.obj")));
+    ASSERT_EQ(kept.size(), 1u);
+    EXPECT_EQ(kept[0].rfind("1 mesh URI is", 0), 0u) << kept[0];
+    for (const std::string part : {"'../meshes/box.obj'", "out/urdf/arm.urdf'", ": add --rebase"})
+      EXPECT_NE(kept[0].find(part), std::string::npos) << kept[0];
+  }
+  options_.links = "tip";
+  EXPECT_EQ(notes(link("base", collision("bracket.obj")) + link("tip", collision("box.obj"), "base")).size(), 1u) << "collisions that stay";
+}
+
+TEST_F(OutputUris, RebasedAreFoundFromTheOutput) {
+  options_.rebase = true;
+  options_.links = "tip";
+  const std::string gone = link("gone", visual("gone.obj"), "tip");
+  const std::string links = link("base", visual("box.obj") + collision("bracket.obj")) + link("tip", visual("box.obj"), "base");
+  for (const UriStyle style : {UriStyle::kPackage, UriStyle::kFile, UriStyle::kRelative}) {
+    options_.uri = style;
+    RobotResult result = run(links);
+    EXPECT_TRUE(result.report.notes.empty()) << result.report.notes[0];
+    writeOutput(result, folder_ / "out");
+    const RobotDescription written = readRobotDescription(folder_ / "out/urdf/arm.urdf");
+    for (const LinkDescription& each : written.links)
+      EXPECT_EQ(resolveUri(each.visuals.at(0).uri, written.path, defaultPackageFinder()), folder_ / "meshes/box.obj");
+    EXPECT_EQ(resolveUri(written.links[0].collisions.at(0).uri, written.path, defaultPackageFinder()), folder_ / "meshes/bracket.obj");
+    const std::vector<std::string> notes = run(links + gone).report.notes;
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_EQ(notes[0],
+              "1 mesh URI is relative to the folder of the input, such as '../meshes/gone.obj', and stayed so, as no file that may be read "
+              "was found there: correct the input");
+  }
+}
+
+// The page draws the meshes that links keep.
+TEST_F(OutputUris, RebasedOfLinksThatAreKept) {
+  options_.rebase = true;
+  options_.uri = UriStyle::kRelative;
+  options_.rules.resize(1);
+  options_.rules[0].pattern = "base";
+  options_.rules[0].settings.action = Action::kKeep;
+  const RobotResult result = run(link("base", collision("bracket.obj")) + link("tip", collision("box.obj"), "base"));
+  ASSERT_EQ(result.kept.size(), 1u);
+  EXPECT_EQ(result.kept[0].element.uri, "../../meshes/bracket.obj");
+  EXPECT_FALSE(result.kept[0].surface.triangles.empty());
+}
+
+}  // namespace
+}  // namespace collision_hulls

@@ -6,11 +6,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <unordered_map>
 
 #include "base/at.h"
+#include "base/disjoint_sets.h"
 #include "base/looks.h"
 
 namespace collision_hulls {
@@ -111,20 +111,6 @@ class Cutter {
   std::unordered_map<std::uint64_t, std::pair<int, int>> crossings_;
 };
 
-/// Union-find over vertices.
-class Sets {
- public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int i) {
-    while (parent_[at(i)] != i) i = parent_[at(i)] = parent_[at(parent_[at(i)])];
-    return i;
-  }
-  void join(int a, int b) { parent_[at(find(b))] = find(a); }
-
- private:
-  std::vector<int> parent_;
-};
-
 /// The piece with the vertices in each grid cell merged into one, if at most `most` remain. Drops triangles that collapse, but keeps what
 /// was a segment or a point before.
 std::optional<SurfacePiece> clustered(const SurfacePiece& piece, const Eigen::AlignedBox3d& box, double side, std::size_t most,
@@ -172,7 +158,7 @@ HalfSpace middlePlane(const SurfacePiece& piece) {
 }
 
 std::vector<SurfacePiece> components(const SurfacePiece& piece, const RunControl& control) {
-  Sets sets(piece.vertices.size());
+  DisjointSets sets(piece.vertices.size());
   Looks look(control);
   for (const Triangle& t : piece.triangles) {
     look();

@@ -16,9 +16,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "base/disjoint_sets.h"
 #include "base/looks.h"
 #include "base/parallel.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
@@ -63,21 +63,6 @@ bool mayEnclose(const std::vector<Eigen::Vector3d>& normals) {
   return true;
 }
 
-/// Disjoint sets of indices.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int of(int i) {
-    while (at(i) != i) i = at(i) = at(at(i));
-    return i;
-  }
-  void join(int i, int j) { at(of(i)) = of(j); }
-
- private:
-  int& at(int i) { return parent_[static_cast<std::size_t>(i)]; }
-  std::vector<int> parent_;
-};
-
 /// One part, with its own numbering of triangles and vertices.
 class Part {
  public:
@@ -109,7 +94,7 @@ class Part {
   /// Step 3.
   std::vector<Eigen::AlignedBox3d> boxesAroundClusters() const {
     Looks look(control_);
-    Sets sets(mesh_.triangles.size());
+    DisjointSets sets(mesh_.triangles.size());
     for (const auto& [t, u] : meetings_) look(), sets.join(t, u);
     std::vector<int> at_vertex(mesh_.vertices.size(), -1);
     for (int t = 0; t < count(); ++t) {
@@ -123,7 +108,7 @@ class Part {
     }
     std::vector<std::pair<int, int>> members;  // of clusters
     for (int t = 0; t < count(); ++t)
-      if (marked_[static_cast<std::size_t>(t)]) look(), members.emplace_back(sets.of(t), t);
+      if (marked_[static_cast<std::size_t>(t)]) look(), members.emplace_back(sets.find(t), t);
     std::sort(members.begin(), members.end(), [&](const auto& a, const auto& b) { return look(), a < b; });
     std::vector<Eigen::AlignedBox3d> boxes;
     for (auto member = members.begin(); member != members.end();) {

@@ -3,8 +3,8 @@
 #include "mesh/edges.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "base/disjoint_sets.h"
 #include "base/looks.h"
 
 namespace collision_hulls {
@@ -44,28 +44,8 @@ Buckets fillBuckets(const std::vector<Triangle>& triangles, std::size_t vertices
   return buckets;
 }
 
-/// Union-find over triangles; a set's root is its lowest triangle.
-class Sets {
- public:
-  explicit Sets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  int find(int t) {
-    while (parent(t) != t) t = parent(t) = parent(parent(t));
-    return t;
-  }
-  void join(int a, int b) {
-    a = find(a);
-    b = find(b);
-    parent(std::max(a, b)) = std::min(a, b);
-  }
-
- private:
-  int& parent(int t) { return parent_[static_cast<std::size_t>(t)]; }
-  std::vector<int> parent_;
-};
-
 /// Records one edge, with half-edges [first, last).
-void record(const Buckets::Entry* first, const Buckets::Entry* last, Edges* edges, Sets* sets) {
+void record(const Buckets::Entry* first, const Buckets::Entry* last, Edges* edges, DisjointSets* sets) {
   const auto count = last - first;
   if (count == 1) ++edges->open;
   if (count > 2) ++edges->nonmanifold;
@@ -76,7 +56,7 @@ void record(const Buckets::Entry* first, const Buckets::Entry* last, Edges* edge
   }
 }
 
-void numberComponents(const RunControl& control, Sets* sets, Edges* edges) {
+void numberComponents(const RunControl& control, DisjointSets* sets, Edges* edges) {
   Looks look(control);
   for (std::size_t t = 0; t < edges->component.size(); ++t) {
     look();
@@ -91,7 +71,7 @@ Edges findEdges(const std::vector<Triangle>& triangles, std::size_t vertices, co
   Edges edges;
   edges.twin.resize(3 * triangles.size());
   edges.component.resize(triangles.size());
-  Sets sets(triangles.size());
+  DisjointSets sets(triangles.size());
   const Buckets buckets = fillBuckets(triangles, vertices, control);
   Looks look(control);
   for (std::size_t v = 0; v < vertices; ++v) {

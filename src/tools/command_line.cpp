@@ -256,4 +256,11 @@ std::string CommandLine::help() const {
   return text + footer_ + "\n";
 }
 
+void addPackagePath(CommandLine& app, std::vector<std::string>& folders) {
+  app.add_option("--package-path", folders, "Extra folder to search for packages, or the folder of one package (NAME=DIR); repeatable")
+      ->type_name("DIR or NAME=DIR")
+      ->check(notEmpty("a folder"))
+      ->group("Input");
+}
+
 }  // namespace collision_hulls

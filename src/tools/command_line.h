@@ -121,4 +121,7 @@ CommandLine::Option* CommandLine::add_option(const std::string& names, T& value,
   return option;
 }
 
+/// The option --package-path, which fills `folders`: where to search for packages.
+void addPackagePath(CommandLine& app, std::vector<std::string>& folders);
+
 }  // namespace collision_hulls

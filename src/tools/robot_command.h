@@ -49,11 +49,7 @@ inline void addRobotOptions(CommandLine& app, const std::string& input, RobotCom
       ->type_name("DIR")
       ->check(notEmpty("a folder"))
       ->group("Output");
-  app.add_option("--package-path", command.package_path,
-                 "Extra folder to search for packages, or the folder of one package (NAME=DIR); repeatable")
-      ->type_name("DIR or NAME=DIR")
-      ->check(notEmpty("a folder"))
-      ->group("Input");
+  addPackagePath(app, command.package_path);
   app.add_option("--root", command.roots, "Read and write below this folder alone, and read packages; repeatable; default: anywhere")
       ->type_name("DIR")
       ->check(notEmpty("a folder"))

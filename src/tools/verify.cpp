@@ -54,11 +54,7 @@ void addOptions(CommandLine& app, Command& command) {
       "Close openings of ORIGINAL's shells that are no wider than this first, as decompose does: 5cm", "Input");
   add("--links", command.options.links, "REGEX", "Links to compare: a regular expression that matches the whole name; default: all",
       "Input");
-  app.add_option("--package-path", command.package_path,
-                 "Extra folder to search for packages, or the folder of one package (NAME=DIR); repeatable")
-      ->type_name("DIR or NAME=DIR")
-      ->check(notEmpty("a folder"))
-      ->group("Input");
+  addPackagePath(app, command.package_path);
   app.add_option("--configurations", command.configurations, "Configurations of the robot in which collisions are queried; 0: none")
       ->type_name("N [1000]")
       ->check(range(0, 1e9))

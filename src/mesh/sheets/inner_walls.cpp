@@ -20,10 +20,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
 #include "base/at.h"
+#include "base/disjoint_sets.h"
 #include "base/looks.h"
 #include "mesh/boundary.h"
 
@@ -40,21 +40,6 @@ struct MeetingHalf {
   auto edge() const { return std::tie(low, high); }
 };
 
-/// The sides of patches in sets that border the same space. Side 2 p is the front of patch p, 2 p + 1 its back.
-class Spaces {
- public:
-  explicit Spaces(std::size_t patches) : parent_(2 * patches) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  int of(int side) {
-    while (parent_[at(side)] != side) side = parent_[at(side)] = parent_[at(parent_[at(side)])];
-    return side;
-  }
-  void join(int side, int other) { parent_[at(of(side))] = of(other); }
-
- private:
-  std::vector<int> parent_;
-};
-
 class InnerWalls {
  public:
   InnerWalls(const TriangleMesh& mesh, const Edges& edges, OrientedPatches& oriented, std::vector<char>& sheet, const RunControl& control)
@@ -64,7 +49,7 @@ class InnerWalls {
         sheet_(sheet),
         look_(control),
         wanted_(edges.components, 0),
-        spaces_(oriented.patches),
+        spaces_(2 * oriented.patches),
         outer_(edges.components, -1) {}
 
   void setApart() {
@@ -87,7 +72,7 @@ class InnerWalls {
   int component(int t) const { return edges_.component[at(t)]; }
   int frontOf(int t) const { return 2 * oriented_.patch[at(t)]; }
   int backOf(int t) const { return frontOf(t) + 1; }
-  bool isOuter(int t, int side) { return spaces_.of(side) == outer_[at(component(t))]; }
+  bool isOuter(int t, int side) { return spaces_.find(side) == outer_[at(component(t))]; }
   bool isSkin(int t) { return isOuter(t, frontOf(t)) != isOuter(t, backOf(t)); }
 
   MeetingHalf meetingHalf(int h) const {
@@ -153,14 +138,14 @@ class InnerWalls {
       look_();
       const Eigen::Vector3d a = mesh_.corner(t, 0) - origin, b = mesh_.corner(t, 1) - origin, c = mesh_.corner(t, 2) - origin;
       const double behind = (oriented_.turn[at(t)] ? -1 : 1) * a.cross(b).dot(c) / 6;
-      volume_[at(spaces_.of(backOf(t)))] += behind;
-      volume_[at(spaces_.of(frontOf(t)))] -= behind;
+      volume_[at(spaces_.find(backOf(t)))] += behind;
+      volume_[at(spaces_.find(frontOf(t)))] -= behind;
     }
     for (int t = 0; t < count(); ++t)
       for (const int side : {frontOf(t), backOf(t)}) {
         look_();
         int& outer = outer_[at(component(t))];
-        const int space = spaces_.of(side);
+        const int space = spaces_.find(side);
         if (outer < 0 || volume_[at(space)] < volume_[at(outer)]) outer = space;
       }
   }
@@ -181,7 +166,8 @@ class InnerWalls {
   Looks look_;
   std::vector<MeetingHalf> meetings_;  // by edge, then in order of angle
   std::vector<char> wanted_;           // per component: whether it is to be divided
-  Spaces spaces_;
+  // by space: the sides of patches that border it. Side 2 p is the front of patch p, 2 p + 1 its back
+  DisjointSets spaces_;
   std::vector<double> volume_;  // [m^3] per space
   std::vector<int> outer_;      // per component: its outer space
 };

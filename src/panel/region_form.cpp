@@ -187,9 +187,11 @@ void RegionForm::showChosen() {
   const auto* const half_space = std::get_if<RegionHalfSpace>(&shown.shape);
   for (QWidget* const widget : of_box_) widget->setVisible(box != nullptr);
   for (QWidget* const widget : of_half_space_) widget->setVisible(half_space != nullptr);
-  const auto set = [rule](QLineEdit* line, const QString& text) {
+  if (shown.pattern != shown_link_ || shown.name != shown_region_) refused_.forget();
+  shown_link_ = shown.pattern, shown_region_ = shown.name;
+  const auto set = [this, rule](QLineEdit* line, const QString& text) {
     line->setEnabled(rule != nullptr);
-    if (!line->hasFocus() || !line->isModified()) line->setText(rule ? text : "");
+    refused_.show(line, rule ? text : "");
   };
   set(name_, QString::fromStdString(shown.name));
   set(tolerance_, QString::fromStdString(toString(lengthOf(shown.tolerance))));
@@ -199,7 +201,7 @@ void RegionForm::showChosen() {
   tolerance_->setEnabled(rule && !isClear(shown));
   for (QWidget* const widget : {static_cast<QWidget*>(list_), static_cast<QWidget*>(clear_), static_cast<QWidget*>(remove_)})
     widget->setEnabled(rule != nullptr);
-  advice_->setText(advice_text_);
+  advice_->setText(refused_.reason().isEmpty() ? advice_text_ : refused_.reason());
   is_showing_ = false;
 }
 
@@ -208,10 +210,11 @@ void RegionForm::edit(QLineEdit* line, void (*read)(const std::string& text, Reg
   try {
     RegionRule rule = *chosen();
     read(line->text().trimmed().toStdString(), rule);
-    line->setModified(false);
+    refused_.take(line);
     change(rule);
   } catch (const Error& error) {
-    advice_->setText(QString::fromStdString(error.what()).toHtmlEscaped());
+    refused_.refuse(line, QString::fromStdString(error.what()));
+    advice_->setText(refused_.reason());
   }
 }
 

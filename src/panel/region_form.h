@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision_hulls/report/options.h"
+#include "panel/refused_entry.h"
 
 class QCheckBox;
 class QComboBox;
@@ -45,6 +46,8 @@ class RegionForm : public QWidget {
   QPushButton* addButton(const QString& text, const char* object, const QString& tip);
 
   std::vector<RegionRule> regions_;
+  std::string shown_link_, shown_region_;
+  RefusedEntry refused_;
   QString advice_text_;
   bool is_showing_ = false;  // fields change because of show()
   QComboBox* list_ = nullptr;

@@ -155,7 +155,9 @@ void SettingsForm::addOpenings(QGridLayout* grid) {
 void SettingsForm::show(const std::vector<const LinkRow*>& links) {
   is_showing_ = true;
   std::vector<std::vector<double>> steps;
-  for (const LinkRow* link : links) steps.push_back(link->facts.steps);
+  std::vector<std::string> names;
+  for (const LinkRow* link : links) steps.push_back(link->facts.steps), names.push_back(link->link);
+  if (names != links_) refused_.forget(), links_ = std::move(names);
   if (steps != steps_) scale_ = ToleranceScale(steps), steps_ = std::move(steps);
   const LinkOptions options = links.empty() ? LinkOptions() : links.front()->options;
   const double known = links.empty() ? 0 : links.front()->facts.tolerance;
@@ -165,11 +167,8 @@ void SettingsForm::show(const std::vector<const LinkRow*>& links) {
     tolerance_ = known;
   }
   slider_->setValue(scale_.positionOf(tolerance_));
-  const auto set = [](QLineEdit* line, const QString& text) {
-    if (!line->hasFocus() || !line->isModified()) line->setText(text);
-  };
-  set(tolerance_text_, QString::fromStdString(toString(options.tolerance)));
-  set(openings_, openingsText(options.close_openings));
+  refused_.show(tolerance_text_, QString::fromStdString(toString(options.tolerance)));
+  refused_.show(openings_, openingsText(options.close_openings));
   action_->setCurrentText(name(options.action));
   method_->setCurrentText(name(options.method));
   effort_->setCurrentText(name(options.effort));
@@ -202,7 +201,9 @@ void SettingsForm::describe(const std::vector<const LinkRow*>& links) {
     bound = std::max(bound, link->facts.protrusion);
     unbuilt = unbuilt || link->facts.status == "unbuilt";
   }
-  if (links.empty()) {
+  if (!refused_.reason().isEmpty()) {
+    effect_->setText(refused_.reason());
+  } else if (links.empty()) {
     effect_->setText("Choose links in the table to change them.");
   } else if (unbuilt) {
     effect_->setText("Not built yet with these settings.");
@@ -229,7 +230,7 @@ void SettingsForm::setTolerance(double metres) {
   const QString text = metres < kMetre ? QString::number(1000 * metres, 'g', 3) + "mm" : QString("1m");
   const Length tolerance = parseLength(text.toStdString());
   tolerance_ = tolerance.limit;
-  tolerance_text_->setModified(false);
+  refused_.take(tolerance_text_);
   const bool goes_on = std::exchange(goes_on_, true);
   Q_EMIT changed([tolerance](LinkOptions& options) { options.tolerance = tolerance; }, goes_on);
 }
@@ -239,10 +240,11 @@ void SettingsForm::type(QLineEdit* line, Change (*read)(const std::string& text)
   try {
     const Change change = read(line->text().trimmed().toStdString());
     goes_on_ = false;
-    line->setModified(false);
+    refused_.take(line);
     Q_EMIT changed(change, false);
   } catch (const Error& error) {
-    effect_->setText(QString::fromStdString(error.what()).toHtmlEscaped());
+    refused_.refuse(line, QString::fromStdString(error.what()));
+    effect_->setText(refused_.reason());
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "panel/link_table.h"
+#include "panel/refused_entry.h"
 #include "panel/tolerance_scale.h"
 
 class QComboBox;
@@ -51,6 +52,8 @@ class SettingsForm : public QWidget {
   double tolerance_ = 0.01;  // [m] that the slider has
   bool is_showing_ = false;  // boxes change because of show()
   bool goes_on_ = false;     // the slider moved last
+  std::vector<std::string> links_;
+  RefusedEntry refused_;
   QSlider* slider_ = nullptr;
   QLineEdit *tolerance_text_ = nullptr, *openings_ = nullptr;
   QLabel* effect_ = nullptr;

@@ -266,9 +266,17 @@ void expectCovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hull
                                           "; the limit is 0. Please report the mesh" + (name.empty() ? "" : " '" + name + "'"));
 }
 
+/// kRegionSlack is for everyone, also on the largest meshes.
+void expectResolvableTolerances(const PreparedMesh& mesh, const DecomposeOptions& options) {
+  const double size = diagonal(mesh.original);
+  expectResolvable(options.tolerance, size, mesh.name);
+  for (const Region& region : options.regions)
+    if (region.tolerance < kRegionSlack) expectResolvable(region.tolerance, size, mesh.name, " of region '" + region.name + "'");
+}
+
 CertifiedHulls certifiedHulls(const PreparedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
   checkTolerance(options);
-  expectResolvable(options.tolerance, diagonal(mesh.original), mesh.name);
+  expectResolvableTolerances(mesh, options);
   RunControl decomposing, certifying;
   follow(decomposing, control, 0, kDecomposeShare);
   follow(certifying, control, kDecomposeShare, 1);

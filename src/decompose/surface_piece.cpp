@@ -111,6 +111,12 @@ class Cutter {
   std::unordered_map<std::uint64_t, std::pair<int, int>> crossings_;
 };
 
+/// 21 bits of a grid cell's number. Vertices of no triangle lie anywhere, also outside of the box that the grid begins at.
+std::uint64_t cellBits(double number) {
+  constexpr double kLast = (1 << 21) - 1;
+  return static_cast<std::uint64_t>(number >= 0 ? std::min(number, kLast) : kLast);
+}
+
 /// The piece with the vertices in each grid cell merged into one, if at most `most` remain. Drops triangles that collapse, but keeps what
 /// was a segment or a point before.
 std::optional<SurfacePiece> clustered(const SurfacePiece& piece, const Eigen::AlignedBox3d& box, double side, std::size_t most,
@@ -121,8 +127,7 @@ std::optional<SurfacePiece> clustered(const SurfacePiece& piece, const Eigen::Al
   for (const Eigen::Vector3d& v : piece.vertices) {
     look();
     const Eigen::Vector3d cell = ((v - box.min()) / side).array().floor();
-    const auto id =
-        (static_cast<std::uint64_t>(cell.x()) << 42) | (static_cast<std::uint64_t>(cell.y()) << 21) | static_cast<std::uint64_t>(cell.z());
+    const std::uint64_t id = cellBits(cell.x()) << 42 | cellBits(cell.y()) << 21 | cellBits(cell.z());
     const auto [place, fresh] = cells.try_emplace(id, static_cast<int>(result.vertices.size()));
     if (fresh && result.vertices.size() == most) return std::nullopt;
     if (fresh) result.vertices.push_back(v);

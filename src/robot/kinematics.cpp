@@ -76,6 +76,16 @@ class Drives {
   std::map<std::string, Known> by_name_;
 };
 
+/// Of a joint that mimics, as its master goes from limit to limit. Throws kNotARobot.
+void expectRange(const JointDescription& joint, const Drive& drive, const JointVariable& master) {
+  const double first = drive.multiplier * master.lower + drive.offset, last = drive.multiplier * master.upper + drive.offset;
+  const bool slides = joint.kind == Kind::kPrismatic;
+  if (std::isfinite(last - first) && (!slides || std::max(std::abs(first), std::abs(last)) <= kFurthestOrigin)) return;
+  throw Error(ErrorCode::kNotARobot, "joint '" + joint.name + "' follows '" + master.name + "' from " + decimal(first) + " to " +
+                                         decimal(last) + (slides ? " m, more than 1000 km away" : " rad, which is no range") +
+                                         "; correct the numbers of its <mimic>");
+}
+
 }  // namespace
 
 bool withinLimits(const JointVariable& variable, double value) {
@@ -139,6 +149,7 @@ Kinematics::Kinematics(const RobotDescription& robot) : links_(robot.links.size(
       joint.variable = variable_index.at(drive.master->name);
       joint.multiplier = drive.multiplier;
       joint.offset = drive.offset;
+      if (!description.mimic.empty()) expectRange(description, drive, variables_[static_cast<std::size_t>(joint.variable)]);
       const bool comes_back = description.kind != Kind::kPrismatic && drive.multiplier == std::round(drive.multiplier);
       joint.paced = drive.master->kind == Kind::kContinuous && drive.multiplier != 0 && !comes_back;
     }

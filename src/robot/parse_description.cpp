@@ -171,13 +171,24 @@ void shortenTexts(std::vector<LinkDescription>& links) {
 // Coordinates of such a size overflow in products, of which FCL and others do not expect it.
 void checkOrigins(const XmlSource& subject, const std::vector<JointDescription>& joints, std::vector<LinkDescription>& links) {
   for (const JointDescription& joint : joints)
-    if (isFarAway(joint.origin.translation()))
+    if (isFarAway(joint.origin))
       subject.fail(ErrorCode::kNotARobot, "joint '" + joint.name + "' has an origin more than 1000 km away; correct its <origin>");
   for (LinkDescription& link : links)
     for (auto* const elements : {&link.visuals, &link.collisions})
       for (GeometryElement& element : *elements)
-        if (element.fault.empty() && isFarAway(element.origin.translation()))
+        if (element.fault.empty() && isFarAway(element.origin))
           element.fault = "it is more than 1000 km away from its link's frame; correct its <origin>";
+}
+
+// A limit far from zero does it, and so do the numbers of a <mimic>.
+void checkRestPoses(const XmlSource& subject, const std::vector<JointDescription>& joints, const std::vector<LinkDescription>& links) {
+  std::unordered_map<std::string, const LinkDescription*> by_name;
+  for (const LinkDescription& link : links) by_name[link.name] = &link;
+  for (const JointDescription& joint : joints)
+    if (isFarAway(by_name.at(joint.child)->pose))
+      subject.fail(ErrorCode::kNotARobot, "joint '" + joint.name + "' leaves link '" + joint.child +
+                                              "' no place within 1000 km of the root link when all joints are at rest; correct its " +
+                                              "<origin>, <limit> or <mimic>");
 }
 
 void checkAxes(const XmlSource& subject, const std::vector<JointDescription>& joints) {
@@ -208,6 +219,7 @@ RobotDescription decodeRobotDescription(const std::string& urdf_text, const std:
   checkAxes(subject, model.joints);
   std::vector<LinkDescription> links = inDocumentOrder(subject, robot, model, stand_ins);
   checkOrigins(subject, model.joints, links);
+  checkRestPoses(subject, model.joints, links);
   shortenTexts(links);
   std::vector<std::string> notes = notesOn(subject, robot);
   notes.insert(notes.end(), losses.begin(), losses.end());

@@ -1,7 +1,8 @@
 // What urdfdom and tinyxml2 make of a description comes from a process that hostile bytes may have taken over. What the rest of the library
-// relies on is checked here: kinds, names, and that links and joints form a tree.
+// relies on is checked here: kinds, names, numbers, and that links and joints form a tree.
 #include "robot/robot_question.h"
 
+#include <cmath>
 #include <unordered_set>
 
 #include "base/string_parts.h"
@@ -51,9 +52,17 @@ void expectElements(const LinkDescription& link) {
     for (const GeometryElement& element : *elements) {
       if (element.kind < GeometryElement::Kind::kMesh || element.kind > GeometryElement::Kind::kNone)
         throw ByteFault("a geometry is of no known kind");
-      if (element.fault.empty() && isFarAway(element.origin.translation())) throw ByteFault("a geometry is too far away");
+      if (element.fault.empty() && isFarAway(element.origin)) throw ByteFault("a geometry is too far away");
     }
   }
+}
+
+void expectJoint(const JointDescription& joint) {
+  if (joint.kind < JointDescription::Kind::kFixed || joint.kind > JointDescription::Kind::kPlanar)
+    throw ByteFault("a joint is of no known kind");
+  if (isFarAway(joint.origin)) throw ByteFault("a joint is too far away");
+  if (!joint.axis.allFinite() || !std::isfinite(joint.lower) || !std::isfinite(joint.upper) || joint.lower > joint.upper)
+    throw ByteFault("an axis is not finite, or limits are crossed");
 }
 
 /// Each joint leads from the root, or from a link that an earlier joint leads to, to another link.
@@ -62,13 +71,12 @@ void expectTree(const RobotDescription& robot) {
   for (const LinkDescription& link : robot.links) {
     if (!links.insert(link.name).second) throw ByteFault("two links have the same name");
     if (link.parent.empty()) reached.insert(link.name);
+    if (isFarAway(link.pose)) throw ByteFault("a link is too far away");
     expectElements(link);
   }
   if (reached.size() != 1) throw ByteFault("it has no root, or several");
   for (const JointDescription& joint : robot.joints) {
-    if (joint.kind < JointDescription::Kind::kFixed || joint.kind > JointDescription::Kind::kPlanar)
-      throw ByteFault("a joint is of no known kind");
-    if (isFarAway(joint.origin.translation())) throw ByteFault("a joint is too far away");
+    expectJoint(joint);
     if (reached.count(joint.parent) == 0 || links.count(joint.child) == 0 || !reached.insert(joint.child).second)
       throw ByteFault("its joints form no tree");
   }

@@ -26,6 +26,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kMostItems = 20'000'000;  // of a kind: shapes, vertices, triangles
+constexpr int kCountDigits = 15;           // of counts and indices in messages
 
 class MoveitReader {
  public:
@@ -78,7 +79,7 @@ class MoveitReader {
   std::size_t count(const std::string& what) {
     const double value = number("the number of " + what);
     if (!(value >= 0 && value <= kMostItems && value == static_cast<double>(static_cast<std::size_t>(value)))) {
-      fail("the number of " + what + " is " + fixedDecimal(value) + "; it must be an integer from 0 to 20 million");
+      fail("the number of " + what + " is " + decimal(value, kCountDigits) + "; it must be an integer from 0 to 20 million");
     }
     return static_cast<std::size_t>(value);
   }
@@ -153,7 +154,8 @@ class MoveitReader {
       for (int& corner : triangle) {
         const double index = number("a triangle");
         if (!(index >= 0 && index < static_cast<double>(vertices) && index == std::floor(index))) {
-          fail("a triangle refers to vertex " + fixedDecimal(index) + ", but the mesh has " + std::to_string(vertices) + " vertices");
+          fail("a triangle refers to vertex " + decimal(index, kCountDigits) + ", but the mesh has " + std::to_string(vertices) +
+               " vertices");
         }
         corner = static_cast<int>(index);
       }

@@ -144,7 +144,7 @@ std::string headValue(std::string_view head, const std::string& key) {
 
 std::vector<Eigen::AlignedBox3d> occupiedBoxes(const Octomap& map, const RunControl& control) {
   if (!(map.resolution > 0 && std::isfinite(map.resolution)))
-    fail("has a resolution of " + fixedDecimal(map.resolution) + " m; it must be a positive length");
+    fail("has a resolution of " + decimal(map.resolution) + " m; it must be a positive length");
   const std::vector<CellRange> all = joined(OctomapReader(map, control).take(), control);
   if (all.size() > kMostBoxes) {
     throw Error(ErrorCode::kTooLarge, "the map has " + std::to_string(all.size()) + " boxes of occupied cells, above the limit of " +

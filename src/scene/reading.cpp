@@ -17,7 +17,7 @@ Eigen::Quaterniond checkedQuaternion(double x, double y, double z, double w) {
   constexpr double kRounded = 1e-2;  // allows for decimal text with few digits
   const Eigen::Quaterniond q(w, x, y, z);
   if (!(std::abs(q.norm() - 1) <= kRounded)) {
-    throw Error(ErrorCode::kBadScene, "a quaternion of length " + fixedDecimal(q.norm()) + "; a rotation needs length 1");
+    throw Error(ErrorCode::kBadScene, "a quaternion of length " + decimal(q.norm()) + "; a rotation needs length 1");
   }
   return q.normalized();
 }

@@ -53,6 +53,14 @@ void checkMesh(const std::string& name, const TriangleMesh& mesh) {
   }
 }
 
+/// The largest shapes are a little larger than kFurthest, as they lie about round ones.
+void checkHull(const std::string& name, const ConvexHull& hull) {
+  for (const Eigen::Vector3d& v : hull.vertices) {
+    if (!(v.cwiseAbs().maxCoeff() <= 2 * kFurthest))
+      failBody(name, "has a vertex that is not finite, or more than 2e6 m from its middle; lengths are in metres");
+  }
+}
+
 void setPrimitive(SceneBody& body, const GeometryElement& element) {
   const Eigen::Vector3d& size = element.size;
   switch (element.kind) {
@@ -124,6 +132,7 @@ void SceneBuilder::add(SceneBody body) {
   checkName(body.name, "a body");
   checkPlace(body.name, body.pose);
   if (const auto* mesh = std::get_if<TriangleMesh>(&body.shape)) checkMesh(body.name, *mesh);
+  if (const auto* hull = std::get_if<ConvexHull>(&body.shape)) checkHull(body.name, *hull);
   if (!names_.insert(body.name).second) failBody(body.name, "appears twice in the scene; rename one of them");
   if (scene_.bodies.size() == kMostBodies)
     throw Error(ErrorCode::kTooLarge, "the scene has more than " + std::to_string(kMostBodies) +

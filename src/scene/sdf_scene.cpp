@@ -24,6 +24,7 @@ namespace {
 
 constexpr int kDeepestInclude = 20, kMostIncludes = 10'000;
 constexpr std::size_t kMostFollowed = 10'000;
+constexpr double kLongestCapsule = 1e6;  // [m]
 
 /// The hull of equal ellipsoids at several heights.
 ConvexHull roundShape(const Eigen::Vector3d& radii, std::initializer_list<double> heights) {
@@ -65,7 +66,8 @@ void setConvexShape(const Shape& shape, SceneBody& body) {
   }
   if (kind == "capsule") {
     const double radius = shape.number("radius"), length = shape.number("length");
-    if (!(length >= 0)) failSdf(shape.file, shape.element, "a capsule of length " + fixedDecimal(length) + " m; it must be at least 0");
+    if (!(length >= 0 && length <= kLongestCapsule))
+      failSdf(shape.file, shape.element, "a capsule of length " + decimal(length) + " m; it must be from 0 to 1e6 m");
     body.shape = roundShape(Eigen::Vector3d::Constant(radius), {-length / 2, length / 2});
     return;
   }
@@ -222,11 +224,23 @@ class SdfReader {
     return (fs::path(config).parent_path() / newest).string();
   }
 
+  /// The only shape of a collision. Simulators read the first of several, and the others would be missing from the scene.
+  static const XmlNode& shapeOf(const XmlNode& collision, const std::string& file) {
+    const std::vector<const XmlNode*> geometries = collision.childrenNamed("geometry");
+    if (geometries.empty() || geometries.front()->children.empty())
+      failSdf(file, collision, "this collision has no geometry; give it one, or <empty/>");
+    if (geometries.size() > 1) failSdf(file, *geometries[1], "a second <geometry> of a collision; give it a <collision> of its own");
+    const std::vector<XmlNode>& shapes = geometries.front()->children;
+    if (shapes.size() > 1)
+      failSdf(
+          file, shapes[1],
+          "<" + shapes[1].name + "> is the second shape of a collision, after <" + shapes[0].name + ">; give it a <collision> of its own");
+    return shapes.front();
+  }
+
   /// Returns false for <empty/>.
   bool setShape(const XmlNode& collision, const std::string& file, SceneBody& body) {
-    const XmlNode* geometry = collision.child("geometry");
-    if (!geometry || geometry->children.empty()) failSdf(file, collision, "this collision has no geometry; give it one, or <empty/>");
-    const Shape shape{file, geometry->children.front()};
+    const Shape shape{file, shapeOf(collision, file)};
     const std::string& kind = shape.element.name;
     if (kind == "empty") return false;
     if (kind == "mesh") {

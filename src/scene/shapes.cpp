@@ -21,7 +21,7 @@ constexpr double kLargest = 1e6;  // [m]
 
 void expectSizes(const char* shape, std::initializer_list<double> sizes) {
   std::string text;
-  for (const double size : sizes) text += (text.empty() ? "" : " x ") + fixedDecimal(size);
+  for (const double size : sizes) text += (text.empty() ? "" : " x ") + decimal(size);
   for (const double size : sizes) {
     if (size > 0 && size <= kLargest) continue;
     throw Error(ErrorCode::kBadScene, std::string(shape) + " of " + text + " m; sizes must be above 0 and at most 1e6 m");
@@ -108,8 +108,8 @@ ConvexHull coneShape(double radius, double length) {
 PlacedShape planeShape(const Eigen::Vector3d& normal, double d) {
   const double length = normal.norm();
   if (!(length > 0 && std::isfinite(length) && std::abs(d) <= kLargest * length)) {
-    throw Error(ErrorCode::kBadScene, "a plane with the normal (" + fixedDecimal(normal.x()) + ", " + fixedDecimal(normal.y()) + ", " +
-                                          fixedDecimal(normal.z()) + ") and d = " + fixedDecimal(d) +
+    throw Error(ErrorCode::kBadScene, "a plane with the normal (" + decimal(normal.x()) + ", " + decimal(normal.y()) + ", " +
+                                          decimal(normal.z()) + ") and d = " + decimal(d) +
                                           "; the normal must not be zero, and the plane must pass within 1e6 m of the origin");
   }
   const Eigen::Vector3d up = normal / length;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "collision_hulls/decompose/certified_hulls.h"
+#include "collision_hulls/error.h"
 #include "geometry/bytes.h"
 #include "solids.h"
 
@@ -134,6 +135,23 @@ TEST(CertifiedRegions, WhatIsFarAwayOrCoarserChangesNothing) {
   Region coarse = inFirstGap();
   coarse.tolerance = 0.2;
   EXPECT_EQ(toBytes(certifiedHulls(mesh, within(0.05, {coarse})).hulls), plain);
+}
+
+// The search for such hulls has no end.
+TEST(CertifiedRegions, AToleranceFinerThanCoordinatesIsRefused) {
+  const TriangleMesh mesh = twoChannels();
+  Region gap = inFirstGap();
+  gap.tolerance = 0.99e-6 * diagonal(mesh);
+  try {
+    certifiedHulls(mesh, within(0.05, {gap}));
+    ADD_FAILURE() << "it is taken";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadOption);
+    EXPECT_NE(std::string(error.what()).find("the tolerance of region 'gap' of"), std::string::npos) << error.what();
+  }
+  const TriangleMesh hall = test_shapes::box(300, 300, 300);
+  const Region clear = halfSpaceRegion({1, 0, 0}, 1000, kRegionSlack);
+  EXPECT_NO_THROW(certifiedHulls(hall, within(0.05, {clear}))) << "what keeps a region clear is fine enough for a mesh of any size";
 }
 
 TEST(CertifiedRegions, APlaneThatTheMeshStandsOnCostsNothing) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <set>
 
 #include "shapes.h"
@@ -41,6 +42,22 @@ TEST(SurfacePiece, ASimplifiedOneStaysInItsBox) {
   EXPECT_LE(simple.vertices.size(), 60u);
   EXPECT_GE(simple.vertices.size(), 10u);
   EXPECT_TRUE(boundingBox(piece).contains(boundingBox(simple)));
+}
+
+// Such vertices took the cells of others, which then moved there.
+TEST(SurfacePiece, VerticesOfNoTriangleMoveNoOther) {
+  SurfacePiece piece = test_shapes::torus(0.1, 0.03, 32, 16);
+  const Eigen::AlignedBox3d box = boundingBox(piece);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Eigen::Vector3d& far :
+       {Eigen::Vector3d(1e30, 0, 0), Eigen::Vector3d(1e300, 1e300, 1e300), Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(nan, nan, nan)}) {
+    piece.vertices.insert(piece.vertices.begin(), far);
+    for (Triangle& t : piece.triangles)
+      for (int& v : t) ++v;
+  }
+  const SurfacePiece simple = simplified(piece, 60);
+  EXPECT_FALSE(simple.triangles.empty());
+  EXPECT_TRUE(box.contains(boundingBox(simple)));
 }
 
 TEST(SurfacePiece, EachEdgeOnce) {

@@ -265,6 +265,22 @@ TEST(Kinematics, NumbersBeyondAllMeasure) {
   EXPECT_TRUE(endless.variables()[0].continuous) << "what converters write where there is no limit";
 }
 
+TEST(Kinematics, MimicsBeyondAllMeasure) {
+  const auto load = [](const std::string& kind, const std::string& numbers) {
+    const std::string mimic = "<mimic joint=\"j0\" " + numbers + "/>";
+    return [=] { Kinematics{robot(links(3) + joint(0, "revolute", limit(-1, 2)) + joint(1, kind, limit(-1, 1) + mimic))}; };
+  };
+  expectError(ErrorCode::kNotARobot, {"'j1' follows 'j0' from -1e+307 to 2e+307 m", "1000 km", "<mimic>"},
+              load("prismatic", "multiplier='1e307'"));
+  expectError(ErrorCode::kNotARobot, {"'j1'", "1000 km", "<mimic>"}, load("prismatic", "multiplier='1e6'"));
+  EXPECT_NO_THROW(load("prismatic", "multiplier='4e5'")());
+  expectError(ErrorCode::kNotARobot, {"'j1' follows 'j0'", "rad, which is no range", "<mimic>"}, load("revolute", "multiplier='1.5e308'"));
+  std::string chain = links(101) + joint(0, "revolute", limit(-1, 1));
+  for (int i = 1; i < 100; ++i)
+    chain += joint(i, "revolute", limit(-1, 1) + "<mimic joint=\"j" + std::to_string(i - 1) + "\" multiplier=\"1e9\"/>");
+  expectError(ErrorCode::kNotARobot, {"which is no range", "<mimic>"}, [&] { Kinematics{robot(chain)}; });
+}
+
 TEST(Kinematics, ManyFloatingJointsAboveManyLinks) {
   std::string text = links(3000);
   for (int i = 0; i < 1000; ++i) text += joint(i, "floating");

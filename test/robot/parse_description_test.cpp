@@ -352,5 +352,20 @@ TEST(ParseDescription, NothingIsAThousandKilometresAway) {
       parseRobotDescription(robotWith("<link name='a'/><link name='b'/>" + joint("j", "fixed", "a", "b", "<origin xyz='9e5 0 0'/>"))));
 }
 
+// FCL ends the program over such places, too.
+TEST(ParseDescription, NoLinkRestsAThousandKilometresAway) {
+  const auto load = [](const std::string& limits, const std::string& mimic) {
+    const std::string limit = "<limit effort='1' velocity='1' " + limits + "/>";
+    const std::string text = robotWith("<link name='a'/><link name='b'/><link name='c'/>" + joint("j", "prismatic", "a", "b", limit) +
+                                       joint("k", "revolute", "b", "c", limit + mimic));
+    return [text] { parseRobotDescription(text); };
+  };
+  expectError(ErrorCode::kNotARobot, {"joint 'j'", "link 'b'", "1000 km", "<limit>"}, load("lower='1e308' upper='1e308'", ""));
+  expectError(ErrorCode::kNotARobot, {"joint 'j'", "link 'b'", "1000 km"}, load("lower='-3e6' upper='-2e6'", ""));
+  expectError(ErrorCode::kNotARobot, {"joint 'k'", "link 'c'", "<mimic>"},
+              load("lower='2' upper='3'", "<mimic joint='j' multiplier='1e308'/>"));
+  EXPECT_NO_THROW(load("lower='-1e308' upper='1e308'", "")()) << "at rest it is at zero";
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -1,5 +1,6 @@
 #include "robot/robot_question.h"
 
+#include <limits>
 #include <tuple>
 
 #include "geometry/bytes.h"
@@ -110,6 +111,9 @@ TEST(RobotQuestion, AnAnswerThatIsNoRobot) {
                })),
                ByteFault);
   EXPECT_THROW(robotIn(changed([](std::string& bytes) { replaceAll(bytes, toBytes(3.0), toBytes(1e300)); })), ByteFault) << "far away";
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(robotIn(changed([&](std::string& bytes) { replaceAll(bytes, toBytes(0.5), toBytes(nan)); })), ByteFault) << "a link's pose";
+  EXPECT_THROW(robotIn(changed([](std::string& bytes) { replaceAll(bytes, toBytes(-1.0), toBytes(5.0)); })), ByteFault) << "limits crossed";
   EXPECT_THROW(robotIn(""), ByteFault);
 }
 

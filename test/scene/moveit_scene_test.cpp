@@ -59,7 +59,7 @@ TEST(MoveItScene, ErrorsNameTheFaultAndTheLine) {
   expectBad({"line 2", "'x'"}, "s\nx\n");
   expectBad({"line 2", "no name"}, "s\n*\n1\n");
   expectBad({"line 4", "'pyramid'", "box"}, begin + "pyramid\n1\n" + end);
-  expectBad({"line 5", "a box", "0.0"}, begin + "box\n1 0 1\n" + end);
+  expectBad({"line 5", "a box of 1 x 0 x 1 m"}, begin + "box\n1 0 1\n" + end);
   expectBad({"line 5", "'nan'"}, begin + "box\n1 nan 1\n" + end);
   expectBad({"line 7", "quaternion of length 0"}, begin + "sphere\n1\n0 0 0\n0 0 0 0\n0 0 0 0\n.\n");
   expectBad({"shapes", "-1"}, "s\n* a\n-1\n.\n");

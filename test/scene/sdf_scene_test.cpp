@@ -194,6 +194,10 @@ TEST(SdfScene, ErrorsNameTheFaultAndTheLine) {
             "<sdf><world name='w'><include><uri>https://a.b/c.sdf</uri></include></world></sdf>");
   expectBad(kBad, {"<population>"}, "<sdf><world name='w'><population name='cans'/></world></sdf>");
   expectBad(kBad, {"capsule", "-3"}, link("<capsule><radius>1</radius><length>-3</length></capsule>"));
+  expectBad(kBad, {"line 2", "capsule", "1e+300 m", "1e6 m"}, link("<capsule><radius>1</radius><length>1e300</length></capsule>"));
+  expectBad(kBad, {"line 2", "<sphere> is the second shape", "after <box>", "<collision> of its own"},
+            link(kBox + "<sphere><radius>9</radius></sphere>"));
+  expectBad(kBad, {"second <geometry>", "<collision> of its own"}, link(kBox + "</geometry><geometry>" + kBox));
   expectBad(kBad, {"include itself"}, model("<include><uri>a.sdf</uri></include>"));
 }
 

@@ -7,10 +7,11 @@ namespace collision_hulls {
 namespace {
 
 TEST(Shapes, RejectsInvalidSizes) {
-  expectError(ErrorCode::kBadScene, {"a box", "-1.0", "above 0"}, [] { boxShape({1, -1, 1}); });
-  expectError(ErrorCode::kBadScene, {"a sphere", "0.0"}, [] { sphereShape(0); });
+  expectError(ErrorCode::kBadScene, {"a box of 1 x -1 x 1 m", "above 0"}, [] { boxShape({1, -1, 1}); });
+  expectError(ErrorCode::kBadScene, {"a sphere of 0 m"}, [] { sphereShape(0); });
   expectError(ErrorCode::kBadScene, {"a cylinder", "nan"}, [] { cylinderShape(1, std::nan("")); });
   expectError(ErrorCode::kBadScene, {"a cone", "inf"}, [] { coneShape(std::numeric_limits<double>::infinity(), 1); });
+  expectError(ErrorCode::kBadScene, {"of 1 x 1e+300 x 1 m", "1e6"}, [] { boxShape({1, 1e300, 1}); });
   expectError(ErrorCode::kBadScene, {"1e6"}, [] { boxShape({1, 2e6, 1}); });
   expectError(ErrorCode::kBadScene, {"a plane", "normal"}, [] { planeShape({0, 0, 0}, 1); });
 }
@@ -79,6 +80,9 @@ TEST(AddBody, RejectsInvalidBodies) {
   expectError(ErrorCode::kBadScene, {"'b'", "not finite"}, adding("b", endless, here));
   expectError(ErrorCode::kBadScene, {"'b'", "not finite"}, adding("b", triangle, nowhere));
   expectError(ErrorCode::kBadScene, {"'b'", "1e6"}, adding("b", triangle, far));
+  ConvexHull endless_hull = boxShape({1, 1, 1});
+  endless_hull.vertices[0].z() = 1e300;
+  expectError(ErrorCode::kBadScene, {"'b'", "2e6 m from its middle"}, [&] { addBody(scene, {"b", endless_hull, here}); });
   EXPECT_EQ(scene.bodies.size(), 1u);
 }
 

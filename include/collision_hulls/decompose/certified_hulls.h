@@ -75,8 +75,8 @@ struct CertifiedHulls {
 /// certified gives the best that it has by then; the search gets most of that time and the proof
 /// the rest, but cover, rounding and a first bound take what they take. Thread safe. Throws what
 /// repair() throws, kEmptyMesh for a mesh without triangles, kBadOption (a tolerance of a millionth
-/// of the mesh's diagonal or more must be given, also for methods that ignore it), kCancelled, and
-/// kInternal if the result should fail its own check.
+/// of the mesh's diagonal or more must be given, also for methods that ignore it, and for regions
+/// if it is below kRegionSlack), kCancelled, and kInternal if the result should fail its own check.
 CertifiedHulls certifiedHulls(const TriangleMesh& mesh, const DecomposeOptions& options,
                               const RunControl& control = {});
 

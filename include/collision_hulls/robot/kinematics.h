@@ -72,8 +72,8 @@ struct Chain {
 class Kinematics {
  public:
   /// Throws kNotARobot for a mimic joint whose master is not there or cannot move, for mimic
-  /// joints that follow one another in a circle, and for an origin or a limit of a sliding joint
-  /// that is further than 1e6 m away.
+  /// joints that follow one another in a circle, for an origin or a limit of a sliding joint that
+  /// is further than 1e6 m away, and for a mimic joint that slides as far or turns without end.
   explicit Kinematics(const RobotDescription& robot);
 
   const std::vector<JointVariable>& variables() const { return variables_; }

@@ -58,12 +58,11 @@ std::size_t raisedBySharing(std::size_t least, std::size_t enough, const std::ve
   for (const std::size_t point : clique) sharing.add(point);
   while (least < enough) {
     control.check();
-    switch (sharing.into(least)) {
-      case Sharing::Answer::kNo: ++least; break;
-      case Sharing::Answer::kUnknown: return least;
-      case Sharing::Answer::kYes:
-        if (sharing.size() >= most_points) return least;
-        sharing.add(sharing.mostRefused());
+    if (sharing.needsMoreThan(least)) {
+      ++least;
+    } else {
+      if (sharing.size() >= most_points) return least;
+      sharing.add(sharing.mostRefused());
     }
   }
   return least;

@@ -145,9 +145,9 @@ struct Walls {
 
   bool hasOpenings() const { return !lids.empty(); }
 
-  /// [m] How far cracks can mislead. A crack's lids are nowhere further from the surface than twice its width; the same holds for what lies
-  /// behind them when they are crossed.
-  double crackSlack() const { return 4 * crack_width; }
+  /// [m] How far cracks can mislead. A lid's points lie within a width of the segment along which the loop runs there and back, and so does
+  /// some point of the loop beside each point of the segment: no point of a lid is further from the surface than two widths.
+  double crackSlack() const { return 2 * crack_width; }
 
   /// [m] How far away the nearest wall or lid is, for a point inside. Sheets that are nearer lie inside, too.
   double toWalls(const Eigen::Vector3d& p, double to_surface) const {

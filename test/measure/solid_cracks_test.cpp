@@ -147,5 +147,68 @@ TEST(Solid, TheLeastDistanceAllowsForTheLidsOfCracks) {
   }
 }
 
+constexpr double kSlit = 1e-5;  // the least that is no smaller than the weld tolerance allows a crack to be wide
+
+/// A box with its top in z = 0 and a slit along the x axis in it, whose ends lie at `height`, and two corners near them at twice that: from
+/// the one to the other runs an edge of the lid, two widths from the sides of the slit.
+TriangleMesh boxWithSlit(double height) {
+  const double side = 0.1 * kSlit;
+  enum { kNear, kStart, kFirst, kSecond, kNearEnd, kEnd, kThird, kFourth, kA, kB, kC, kD, kE, kF, kG, kH };
+  return {{{0, 0, 2 * height},
+           {-0.01, 0, height},
+           {0.02, -side, 0},
+           {0.97, -side, 0},
+           {1, 0, 2 * height},
+           {1.01, 0, height},
+           {0.98, side, 0},
+           {0.01, side, 0},
+           {-1, -1, 0},
+           {2, -1, 0},
+           {2, 1, 0},
+           {-1, 1, 0},
+           {-1, -1, -1},
+           {2, -1, -1},
+           {2, 1, -1},
+           {-1, 1, -1}},
+          {{kA, kB, kSecond},    {kA, kSecond, kFirst}, {kA, kFirst, kNear},   {kA, kNear, kStart}, {kB, kNearEnd, kSecond},
+           {kB, kEnd, kNearEnd}, {kC, kD, kFourth},     {kC, kFourth, kThird}, {kC, kThird, kEnd},  {kD, kStart, kFourth},
+           {kD, kA, kStart},     {kB, kC, kEnd},        {kE, kF, kB},          {kE, kB, kA},        {kF, kG, kC},
+           {kF, kC, kB},         {kG, kH, kD},          {kG, kD, kC},          {kH, kE, kA},        {kH, kA, kD},
+           {kE, kG, kF},         {kE, kH, kG}}};
+}
+
+// What hides behind a lid: its middle is two widths nearer than the surface.
+TEST(Solid, BallsInsideEndBeforeALidThatIsTwoWidthsFromTheSurface) {
+  const Solid solid(repair(boxWithSlit(-kSlit)));
+  ASSERT_FALSE(solid.hasOpenings());
+  const Vector3d p(0.5, 0, -10 * kSlit);
+  const double to_surface = solid.distanceToSurface(p), to_lid = 8 * kSlit;
+  EXPECT_TRUE(solid.contains(p + 0.999 * to_lid * Vector3d::UnitZ()));
+  EXPECT_FALSE(solid.contains(p + 1.1 * to_lid * Vector3d::UnitZ()));
+  EXPECT_LE(-solid.signedDistance(p, to_surface), to_lid);
+  EXPECT_LE(-solid.signedDistance(p, to_surface, true), to_lid);
+  EXPECT_FALSE(solid.isOneSide(to_surface, 1.001 * to_lid));
+}
+
+TEST(Solid, TheLeastDistanceIsThatOfALidThatIsTwoWidthsFromTheSurface) {
+  const Solid solid(repair(boxWithSlit(kSlit)));
+  ASSERT_FALSE(solid.hasOpenings());
+  const Vector3d p(0.5, 0, 10 * kSlit);
+  const double to_surface = solid.distanceToSurface(p), to_lid = 8 * kSlit;
+  EXPECT_LE(solid.leastDistance(p, to_surface), to_lid);
+  EXPECT_FALSE(solid.isFurther(1.001 * to_lid, p, to_surface));
+}
+
+// A plate above: of the points within the radius, the lowest one is nearest to the lid, which faces the plate.
+TEST(Solid, NoSummitIsRuledOutWhereALidIsNearest) {
+  const Solid solid(repair(test_shapes::merged({boxWithSlit(kSlit), test_shapes::moved(test_shapes::box(2, 2, 0.5), {-0.5, -1, 0.4})})));
+  ASSERT_FALSE(solid.hasOpenings());
+  const Vector3d p(0.5, 0, 0.3);
+  const double to_surface = solid.distanceToSurface(p), to_lid = p.z() - 2 * kSlit, radius = (to_lid - to_surface) / 2;
+  EXPECT_NEAR(to_surface, 0.1, 1e-9);
+  EXPECT_FALSE(withoutSummit(solid, p, (1 + 1e-6) * radius));
+  EXPECT_TRUE(withoutSummit(solid, p, 0.999 * radius)) << "so that the test can tell";
+}
+
 }  // namespace
 }  // namespace collision_hulls

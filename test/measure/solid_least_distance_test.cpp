@@ -95,8 +95,9 @@ TEST(Solid, IsFurtherAgreesWithTheLeastDistance) {
   }
 }
 
-// The lids of two windows that face away from each other: seen as one cluster from far away, they are nothing.
-TEST(Solid, WhatIsProvedOfDistancesAllowsForTheErrorsOfRoughWindingNumbers) {
+/// A cube with a window in its top and one in its bottom, of side 0.5. Their lids face away from each other: seen as one cluster from far
+/// away, they are nothing.
+TriangleMesh cubeWithTwoWindows() {
   TriangleMesh mesh = test_shapes::box(1, 1, 1, 8);
   const auto isInWindow = [&](int v) {
     const Vector3d p = mesh.vertices[static_cast<std::size_t>(v)] - Vector3d(0.5, 0.5, 0.5);
@@ -104,6 +105,11 @@ TEST(Solid, WhatIsProvedOfDistancesAllowsForTheErrorsOfRoughWindingNumbers) {
   };
   const auto isWindow = [&](const Triangle& t) { return std::all_of(t.begin(), t.end(), isInWindow); };
   mesh.triangles.erase(std::remove_if(mesh.triangles.begin(), mesh.triangles.end(), isWindow), mesh.triangles.end());
+  return mesh;
+}
+
+TEST(Solid, WhatIsProvedOfDistancesAllowsForTheErrorsOfRoughWindingNumbers) {
+  const TriangleMesh mesh = cubeWithTwoWindows();
   const Solid solid = solidOf(mesh);
   ASSERT_TRUE(solid.hasOpenings());
   for (double away = 1.25; away < 3; away += 0.01) {
@@ -115,6 +121,24 @@ TEST(Solid, WhatIsProvedOfDistancesAllowsForTheErrorsOfRoughWindingNumbers) {
     ASSERT_LT(way, 0.9 * to_surface);
     EXPECT_FALSE(solid.isFurther(1.002 * way, p, to_surface)) << away;
     EXPECT_TRUE(solid.isFurther(0.9 * way, p, to_surface)) << away;
+  }
+}
+
+// At the lower window of a second such cube, above the first, the rough winding number of the first one's lids is off by 0.02.
+TEST(Solid, InAnOpeningItsBorderIsThatOfTheExactWindingNumber) {
+  constexpr double kBottom = 1.75;
+  const TriangleMesh mesh = test_shapes::merged({cubeWithTwoWindows(), test_shapes::moved(cubeWithTwoWindows(), {0, 0, kBottom})});
+  const Solid solid = solidOf(mesh);
+  RandomPoints random(6);
+  for (int i = 0; i < 100; ++i) {
+    const Vector3d middle = Vector3d(0.5, 0.5, kBottom) + 0.15 * Vector3d(random.inCube().x(), random.inCube().y(), 0);
+    Vector3d in = middle + Vector3d(0, 0, 0.4), out = middle - Vector3d(0, 0, 0.1);
+    ASSERT_TRUE(solid.contains(in) && !solid.contains(out));
+    for (int halving = 0; halving < 30; ++halving) {
+      const Vector3d p = (in + out) / 2;
+      (solid.contains(p) ? in : out) = p;
+    }
+    EXPECT_NEAR(test_shapes::winding(mesh, in), 0.55, 0.005) << in.transpose();
   }
 }
 

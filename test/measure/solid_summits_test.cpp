@@ -52,6 +52,21 @@ TEST(Solid, ASummitHalfWayBetweenPlatesIsNotRuledOut) {
   EXPECT_TRUE(withoutSummit(solid, p, 0.199)) << "so that the test can tell";
 }
 
+// The summit is on the ball's border, up to rounding, which may not decide.
+TEST(Solid, ASummitThatIsAsFarAwayAsTheRadiusIsNotRuledOut) {
+  const TriangleMesh plate = test_shapes::box(20, 20, 5);
+  const TriangleMesh plates = test_shapes::merged({test_shapes::moved(plate, {-10, -10, -5}), test_shapes::moved(plate, {-10, -10, 1})});
+  RandomPoints random(7);
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::Isometry3d pose = Eigen::Translation3d(random.inCube(3)) * Eigen::Isometry3d(random.rotation());
+    const Solid solid = solidOf(transformed(plates, pose));
+    for (int k = 0; k < 20; ++k) {
+      const double height = random.number(0.05, 0.45);
+      EXPECT_FALSE(withoutSummit(solid, pose * Vector3d(0.1, 0.2, height), 0.5 - height)) << height;
+    }
+  }
+}
+
 TEST(Solid, TheDistanceHasNoSummitWhereNoneIsPredicted) {
   // A maximum inside a ball that exceeds all values on the ball's border is a summit.
   int without = 0, with = 0;

@@ -6,6 +6,7 @@
 
 #include "reach/convex_gap.h"
 #include "scene/scene_tests.h"
+#include "shapes.h"
 
 namespace collision_hulls {
 namespace {
@@ -185,6 +186,19 @@ TEST(Reach, AJointThatFollowsMovesByItsOwnWay) {
   const Reach reach = reachOf(kinematics, cubeAt({1, 0, 0}), sceneWith(boxShape({kCube, kCube, 9}), place), 0.9 * distance);
   EXPECT_EQ(reach.outcome, Outcome::kProved);
   EXPECT_LE(reach.bound, distance * (1 + 1e-6));
+}
+
+/// A mesh has no plane that tells towards which side movement counts, so all of it does. The cube in the middle of the arc is beside the
+/// point, but makes the swept body prove nothing. The other one lies beyond the arc's end, towards which the point moves from the middle of
+/// the upper half: its distance at that end is its distance there less the whole chord.
+TEST(Reach, AllMovementCountsNearAMesh) {
+  const Eigen::Vector3d place = onArc(4) + 0.1 * (onArc(4) - onArc(3)).normalized();
+  Scene scene;
+  addBody(scene, {"mesh", test_shapes::merged({surface(cubeAt({0, 0, 0})), surface(cubeAt(place))})});
+  const Kinematics kinematics = Arm().add("revolute", "0 0 1", 0, 4).kinematics();
+  const Reach reach = reachOf(kinematics, cubeAt({1, 0, 0}), scene, 0.01);
+  EXPECT_EQ(reach.outcome, Outcome::kProved);
+  EXPECT_LE(reach.bound, apartAt(4, place) * (1 + 1e-6));
 }
 
 /// In the middle of its range the point is furthest from the body: either way leads towards it, across the direction of its movement.

@@ -347,5 +347,15 @@ TEST(MeshProtrusion, TheInsideOfABodyCounts) {
   EXPECT_LT(meshProtrusion(body, solid, solid, 1e-3).bound, 1e-2);
 }
 
+/// A box with a window, and the same box filled up but for a pit below the window. The middle of the window is further from that than
+/// anything else of the body, but no summit: further up it would be further still, only that is no longer in the body.
+TEST(MeshProtrusion, AllOfTheInsideCountsWhereItEndsInMidAir) {
+  const TriangleMesh body = test_shapes::boxWithWindow(0.2);
+  const TriangleMesh pitted = moved(test_shapes::squareVessel({{0.5, 0}, {0.5, 1}, {0.2, 1}, {0.001, 0.801}}), {0.5, 0.5, 0});
+  const Protrusion far = meshProtrusion(body, solidOf(body), solidOf(pitted), 0.03);
+  EXPECT_GE(far.bound, 0.2 / std::sqrt(2.0));
+  EXPECT_LE(far.bound, 0.2 / std::sqrt(2.0) + 0.03);
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -38,12 +38,11 @@ void Sharing::add(std::size_t point) {
   });
 }
 
-Sharing::Answer Sharing::into(std::size_t sets) {
+bool Sharing::needsMoreThan(std::size_t sets) {
   sets_.assign(sets, {});
   steps_ = 0;
   const Mask all = added_.size() == kMostPoints ? ~Mask{0} : bit(added_.size()) - 1;
-  if (placeRest(all)) return Answer::kYes;
-  return steps_ < limits_.steps ? Answer::kNo : Answer::kUnknown;
+  return !placeRest(all) && steps_ < limits_.steps;
 }
 
 std::size_t Sharing::mostRefused() const {

@@ -12,8 +12,8 @@
 
 namespace collision_hulls {
 
-/// Answers whether some points can be shared out to so many sets that no set holds two or three points that are apart. If they cannot, no
-/// so many hulls within the tolerance hold all points. Not thread safe.
+/// Proves that some points cannot be shared out to so many sets without any set that holds two or three points that are apart. Then no so
+/// many hulls within the tolerance hold all points. Not thread safe.
 class Sharing {
  public:
   static constexpr std::size_t kMostPoints = 64;
@@ -28,10 +28,10 @@ class Sharing {
   /// Adds one of the points, kMostPoints at most.
   void add(std::size_t point);
 
-  enum class Answer { kYes, kNo, kUnknown };
-  Answer into(std::size_t sets);
+  /// Whether it is proved that so many sets do not suffice; no, too, if the steps ran out.
+  bool needsMoreThan(std::size_t sets);
 
-  /// After kYes: of the points that were not added, the one that most of the sets that were found refuse because of a pair; of several,
+  /// After that was not proved: of the points that were not added, the one that most of the sets refuse because of a pair; of several,
   /// the one furthest from all that were added.
   std::size_t mostRefused() const;
 

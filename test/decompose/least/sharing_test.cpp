@@ -23,14 +23,14 @@ struct Beads {
     mesh = merged(balls);
   }
 
-  /// The answer for all points.
-  Sharing::Answer shared(double tolerance, std::size_t sets, const Sharing::Limits& limits = kLimits) const {
+  /// Whether all points are proved to need more sets.
+  bool needMoreThan(std::size_t sets, double tolerance, const Sharing::Limits& limits = kLimits) const {
     const Solid solid = solidOf(mesh);
     const Apart apart(solid, tolerance, 2);
     const PairTest pairs(points, {}, apart);
     Sharing sharing(points, pairs, apart, limits);
     for (std::size_t i = 0; i < points.size(); ++i) sharing.add(i);
-    return sharing.into(sets);
+    return sharing.needsMoreThan(sets);
   }
 
   Points points;
@@ -39,23 +39,23 @@ struct Beads {
 
 TEST(Sharing, AsManySetsAsPointsThatAreAllApart) {
   const Beads beads(5);
-  EXPECT_EQ(beads.shared(0.1, 5), Sharing::Answer::kYes);
-  EXPECT_EQ(beads.shared(0.1, 4), Sharing::Answer::kNo);
+  EXPECT_FALSE(beads.needMoreThan(5, 0.1));
+  EXPECT_TRUE(beads.needMoreThan(4, 0.1));
 }
 
 TEST(Sharing, TriplesMatterWherePairsAreNotApart) {  // sides are 0.87 from the middle of the circle, balls 0.95
   const Beads beads(6);
-  EXPECT_EQ(beads.shared(0.93, 1), Sharing::Answer::kNo);
-  EXPECT_EQ(beads.shared(0.93, 1, {0, 1'000}), Sharing::Answer::kNo);  // opposite ones are a pair
-  const Beads three(3);  // the middle of a side is 0.87 from the balls' middles, the middle of all is 1
-  EXPECT_EQ(three.shared(0.9, 1), Sharing::Answer::kNo);
-  EXPECT_EQ(three.shared(0.9, 1, {0, 1'000}), Sharing::Answer::kYes);  // none tested
-  EXPECT_EQ(three.shared(0.9, 2), Sharing::Answer::kYes);
-  EXPECT_EQ(three.shared(1, 1), Sharing::Answer::kYes);
+  EXPECT_TRUE(beads.needMoreThan(1, 0.93));
+  EXPECT_TRUE(beads.needMoreThan(1, 0.93, {0, 1'000}));  // opposite ones are a pair
+  const Beads three(3);                                  // the middle of a side is 0.87 from the balls' middles, the middle of all is 1
+  EXPECT_TRUE(three.needMoreThan(1, 0.9));
+  EXPECT_FALSE(three.needMoreThan(1, 0.9, {0, 1'000}));  // none tested
+  EXPECT_FALSE(three.needMoreThan(2, 0.9));
+  EXPECT_FALSE(three.needMoreThan(1, 1));
 }
 
 TEST(Sharing, ProvesNothingWithoutSteps) {
-  EXPECT_EQ(Beads(7).shared(0.1, 6, {1'000, 5}), Sharing::Answer::kUnknown);
+  EXPECT_FALSE(Beads(7).needMoreThan(6, 0.1, {1'000, 5}));
 }
 
 /// Whether the points from `next` on can be added to the sets without any that are apart; tries every assignment.
@@ -93,7 +93,7 @@ TEST(Sharing, AgreesWithATrialOfAllAssignments) {
       for (std::size_t i = 0; i < points.size(); ++i) sharing.add(i);
       std::vector<std::vector<std::size_t>> trial(sets);
       const bool can = canShareByTrial(points, apart, trial, 0);
-      EXPECT_EQ(sharing.into(sets), can ? Sharing::Answer::kYes : Sharing::Answer::kNo) << seed << " " << sets;
+      EXPECT_EQ(sharing.needsMoreThan(sets), !can) << seed << " " << sets;
       ++(can ? yes : no);
     }
   }
@@ -109,7 +109,7 @@ TEST(Sharing, ThePointThatMostSetsRefuseComesNext) {
   Sharing sharing(beads.points, pairs, apart, kLimits);
   sharing.add(0);
   sharing.add(2);
-  ASSERT_EQ(sharing.into(2), Sharing::Answer::kYes);
+  ASSERT_FALSE(sharing.needsMoreThan(2));
   EXPECT_EQ(sharing.mostRefused(), 4u);
 }
 

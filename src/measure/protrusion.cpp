@@ -141,7 +141,7 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
 
 Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, const ProtrusionSearch& search, const RunControl& control) {
   // Vertices first: the distance they reach is a floor that spares the other hulls most of the search.
-  double floor = 0;
+  double floor = search.floor;
   Looks look(control, kLargeItemsBetweenLooks);
   for (const ConvexHull& hull : hulls)
     for (const Eigen::Vector3d& v : hull.vertices)

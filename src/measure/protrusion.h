@@ -14,6 +14,7 @@ struct ProtrusionSearch {
   /// Cells that the search for summits may visit beyond its usual number, for all hulls together. It may need them along a narrow gap of
   /// constant width, as between a shaft and its bore, where nearly every point is a summit.
   std::size_t spare_visits = 0;
+  double floor = 0;  ///< [m] distances up to this do not matter, and are not found
 };
 Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, const ProtrusionSearch& search, const RunControl& control);
 

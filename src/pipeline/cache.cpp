@@ -113,8 +113,13 @@ std::string meshKey(const MeshTask& task, const LinkOptions& options, std::uint6
                padding, shapes, places.take(), seed);
 }
 
+bool takesTreeWithoutProof(const LinkOptions& options) {
+  return options.shapes == Shapes::kPrimitives && !options.tree;
+}
+
 std::string treeKey(const MeshTask& task, const LinkOptions& options, std::uint64_t seed, double tolerance) {
-  return keyOf("tree", meshBytes(task), tolerance, options.method, options.effort, options.fill, options.max_vertices, seed);
+  const std::string kind = takesTreeWithoutProof(options) ? "tree without proof" : "tree";
+  return keyOf(kind, meshBytes(task), tolerance, options.method, options.effort, options.fill, options.max_vertices, seed);
 }
 
 std::string validationKey(const std::vector<MeshUse>& uses, const MeshResults& results, const std::vector<std::string>& keys,

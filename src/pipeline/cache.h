@@ -22,6 +22,9 @@ namespace collision_hulls {
 /// Key of one mesh's result: content and extension of its file, scale, and the options that change hulls.
 std::string meshKey(const MeshTask& task, const LinkOptions& options, std::uint64_t seed);
 
+/// Whether nobody asks for the bounds of the tree: it is walked for primitives, which are measured themselves.
+bool takesTreeWithoutProof(const LinkOptions& options);
+
 /// Key of one mesh's hull tree with leaves for `tolerance` [m]: as meshKey(), without the options that only choose a cut (tolerance and
 /// number of hulls).
 std::string treeKey(const MeshTask& task, const LinkOptions& options, std::uint64_t seed, double tolerance);

@@ -18,6 +18,7 @@
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/mesh/openings.h"
 #include "collision_hulls/pipeline/fit_scene.h"
+#include "decompose/certified/unproved_tree.h"
 #include "decompose/finest_tolerance.h"
 #include "pipeline/shapes/shapes.h"
 
@@ -137,8 +138,9 @@ std::shared_ptr<const HullTree> SharedMesh::tree(const LinkOptions& options, dou
   if (tree) return tree;
   if (std::optional<HullTree> known = cache_.findTree(key)) return tree = std::make_shared<const HullTree>(std::move(*known));
   built_tree_ = true;
-  HullTree built = hullTree(
-      read_->repaired, {options.method, tolerance, 0, options.max_vertices, options_.seed, options.effort, options.fill, {}, 0}, control);
+  const auto make = takesTreeWithoutProof(options) ? hullTreeWithoutProof : hullTree;
+  HullTree built = make(read_->repaired,
+                        {options.method, tolerance, 0, options.max_vertices, options_.seed, options.effort, options.fill, {}, 0}, control);
   cache_.storeTree(key, built);
   return tree = std::make_shared<const HullTree>(std::move(built));
 }

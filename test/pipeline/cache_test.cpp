@@ -230,6 +230,15 @@ TEST(CacheKeys, EachInputOfAMeshCounts) {
   for (const std::string& key : keys) EXPECT_TRUE(CacheFolder::isEntry(key + ".mesh")) << key;
 }
 
+TEST(CacheKeys, ATreeForPrimitivesIsNoTreeToCut) {
+  Options options;
+  const std::string to_cut = treeKey(task(), options, 1, 0.01);
+  options.shapes = Shapes::kPrimitives;
+  EXPECT_NE(treeKey(task(), options, 1, 0.01), to_cut) << "its bounds are not proved";
+  options.tree = shareOf(0.005);
+  EXPECT_EQ(treeKey(task(), options, 1, 0.01), to_cut) << "one that is asked for serves hulls as well";
+}
+
 TEST(CacheKeys, WhatChangesNoHullDoesNotCount) {
   MeshTask elsewhere = task();
   elsewhere.file = "other/part.stl";

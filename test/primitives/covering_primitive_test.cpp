@@ -55,7 +55,8 @@ TEST(CoveringPrimitive, FacettedCylindersAndSpheresAreRecognised) {
     const auto cylinder = coveringPrimitive(hullOf(bar), solidOf(bar), within(0.01 * diagonal(bar)));
     ASSERT_TRUE(cylinder);
     EXPECT_EQ(cylinder->primitive.kind, Kind::kCylinder);
-    EXPECT_NEAR(cylinder->found, 0.1 * (1 - std::cos(kPi / 32)), 1e-5);  // the facets' sagitta
+    const CertifiedPrimitive close = certificate(cylinder->primitive, solidOf(bar), 0, 0.01 * diagonal(bar));
+    EXPECT_NEAR(close.found, 0.1 * (1 - std::cos(kPi / 32)), 1e-5);  // the facets' sagitta
     const auto round = coveringPrimitive(hullOf(ball), solidOf(ball), within(0.01 * diagonal(ball)));
     ASSERT_TRUE(round);
     EXPECT_EQ(round->primitive.kind, Kind::kSphere);
@@ -106,6 +107,43 @@ TEST(PrimitiveOfKind, TheMarginIsPartOfTheBound) {
   EXPECT_GE(primitiveOfKind(Kind::kBox, hullOf(mesh), solidOf(mesh), options).bound, 0.05);
   options.tolerance = 0.04;
   EXPECT_FALSE(coveringPrimitive(hullOf(mesh), solidOf(mesh), options));
+}
+
+TEST(CoveringPrimitive, IsTakenWithinItsToleranceAndNotBelow) {
+  const TriangleMesh mesh = cylinderMesh(32, 0.1, 0.5);
+  const Solid solid = solidOf(mesh);
+  PrimitiveOptions options = within(0.01);
+  options.kinds = {Kind::kCylinder};
+  const double sagitta = 0.1 * (1 - std::cos(kPi / 32));
+  for (const double share : {0.97, 1.05, 2.0, 20.0}) {
+    options.tolerance = share * sagitta;
+    const auto found = coveringPrimitive(hullOf(mesh), solid, options);
+    EXPECT_EQ(found.has_value(), share > 1) << share;
+    if (found) {
+      EXPECT_LE(found->bound, options.tolerance);
+    }
+  }
+}
+
+TEST(CoveringPrimitive, TheBoundOfABarIsThatOfThePolyhedronAroundIt) {
+  const TriangleMesh mesh = cylinderMesh(32, 0.1, 0.5);
+  PrimitiveOptions options = within(0.003);
+  options.kinds = {Kind::kCylinder};
+  EXPECT_TRUE(coveringPrimitive(hullOf(mesh), solidOf(mesh), options));
+  options.bar_excess = 0.05;  // 5 mm
+  EXPECT_FALSE(coveringPrimitive(hullOf(mesh), solidOf(mesh), options));
+}
+
+TEST(Certificate, OfSeveralPrimitivesIsThatOfTheWorst) {
+  const TriangleMesh mesh = box(1, 1, 1);
+  const Solid solid = solidOf(mesh);
+  Primitive near = enclosingPrimitive(Kind::kBox, hullOf(mesh)), far = near;
+  far.size.x() += 0.2;
+  const CertifiedPrimitive proof = certificate(std::vector<Primitive>{near, far, near}, solid, within(0.01));
+  EXPECT_NEAR(proof.found, 0.1, 1e-4);
+  EXPECT_NEAR(proof.bound, 0.1, 1e-3);
+  EXPECT_GE(proof.bound, 0.1);
+  EXPECT_EQ(proof.primitive.size, far.size);
 }
 
 TEST(CoveringPrimitive, NeedsATolerance) {

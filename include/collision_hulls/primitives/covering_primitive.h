@@ -36,11 +36,15 @@ struct PrimitiveOptions {
   double margin = 0;
   /// the first of these that stays within the tolerance is taken
   std::vector<PrimitiveKind> kinds = allPrimitiveKinds();
+  /// [share of the radius] If above 0, the bound of a cylinder or capsule also holds for its
+  /// hullAround() with this excess, which may stand for it where round shapes are not known.
+  double bar_excess = 0;
 };
 
 /// A primitive that contains the hull and protrudes from S by no more than the tolerance; nullopt
 /// if none was found. `hull`: of a whole mesh, or of any part of a cover of it. Deterministic.
-/// Thread safe. Throws kBadOption, kCancelled.
+/// Thread safe. The bound is as loose as the tolerance allows; certificate() finds a close one.
+/// Throws kBadOption, kCancelled.
 std::optional<CertifiedPrimitive> coveringPrimitive(const ConvexHull& hull, const Solid& solid,
                                                     const PrimitiveOptions& options,
                                                     const RunControl& control = {});
@@ -53,5 +57,11 @@ CertifiedPrimitive primitiveOfKind(PrimitiveKind kind, const ConvexHull& hull, c
 /// The proof alone, for a primitive from anywhere.
 CertifiedPrimitive certificate(const Primitive& primitive, const Solid& solid, double margin,
                                double tolerance, const RunControl& control = {});
+
+/// The proof for all of a model's primitives at once, which takes far less time than one by one: no
+/// point of any of them is further than the bound, which is as close as for hulls; see
+/// certificate() of hulls. `primitive`: one that holds `where`. `options.kinds` is not used.
+CertifiedPrimitive certificate(const std::vector<Primitive>& primitives, const Solid& solid,
+                               const PrimitiveOptions& options, const RunControl& control = {});
 
 }  // namespace collision_hulls

@@ -47,6 +47,7 @@
 #include "decompose/certified/merging.h"
 #include "decompose/certified/place.h"
 #include "decompose/certified/tree_building.h"
+#include "decompose/certified/unproved_tree.h"
 #include "decompose/finest_tolerance.h"
 #include "mesh/loose_segments.h"
 
@@ -173,22 +174,22 @@ class Job {
   }
 
   /// After the deadline its bounds are loose.
-  HullTree treeOver(const Cover& cover) {
-    HullTree tree = treeHere(cover);
+  HullTree treeOver(const Cover& cover, TreeBounds bounds) {
+    HullTree tree = treeHere(cover, bounds);
     for (HullNode& node : tree.nodes) node.hull = place_.takenBack(node.hull);
     return tree;
   }
 
  private:
   /// The tree, in the job's frame.
-  HullTree treeHere(Cover cover) {
+  HullTree treeHere(Cover cover, TreeBounds bounds) {
     searching_.stops_at_deadline = false;
     forEach(cover.size(), [&](std::size_t i) { cover[i].hull = std::make_shared<ConvexHull>(groups_->exactHull(cover[i])); });
-    return treeAbove(cover, oracle_, reporting({kSearched, 1}));
+    return treeAbove(cover, oracle_, bounds, reporting({kSearched, 1}));
   }
 
   BoundedHulls cutOfTree(const Cover& cover, std::size_t limit) {
-    const HullTree tree = treeHere(cover);
+    const HullTree tree = treeHere(cover, TreeBounds::kProved);
     std::vector<ConvexHull> hulls = tree.hullsOf(tree.cutTo(static_cast<int>(limit)));
     forEach(hulls.size(), [&](std::size_t i) { hulls[i] = capped(hulls[i], options_.max_vertices, control_); });
     const double bound = boundOf(hulls);
@@ -382,6 +383,17 @@ LowerBound boundOf(const RepairedMesh& mesh, const Solid& solid, const Decompose
   });
 }
 
+HullTree treeOf(const RepairedMesh& mesh, const DecomposeOptions& options, TreeBounds bounds, const RunControl& control) {
+  check(options);
+  if (mesh.mesh.triangles.empty() && mesh.loose.empty())
+    throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangles; a hull tree needs at least one");
+  expectResolvable(options.tolerance, diagonal(mesh.mesh), "");
+  const Solid solid(mesh, control);
+  LowerBound least = boundOf(mesh, solid, options);
+  Job job(mesh, solid, options, least, control);
+  return job.treeOver(job.cover(), bounds);
+}
+
 }  // namespace
 
 Decomposition certified(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
@@ -404,14 +416,11 @@ Decomposition certified(const RepairedMesh& mesh, const Solid& solid, const Deco
 }
 
 HullTree hullTree(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
-  check(options);
-  if (mesh.mesh.triangles.empty() && mesh.loose.empty())
-    throw Error(ErrorCode::kEmptyMesh, "the mesh has no triangles; a hull tree needs at least one");
-  expectResolvable(options.tolerance, diagonal(mesh.mesh), "");
-  const Solid solid(mesh, control);
-  LowerBound least = boundOf(mesh, solid, options);
-  Job job(mesh, solid, options, least, control);
-  return job.treeOver(job.cover());
+  return treeOf(mesh, options, TreeBounds::kProved, control);
+}
+
+HullTree hullTreeWithoutProof(const RepairedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {
+  return treeOf(mesh, options, TreeBounds::kDiagonal, control);
 }
 
 }  // namespace collision_hulls

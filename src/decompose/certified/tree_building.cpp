@@ -26,12 +26,13 @@ constexpr double kAmple = 2;     // in mean widths of the whole: at such a toler
 
 class Building {
  public:
-  Building(ProtrusionOracle& oracle, const std::function<void(double)>& progress) : oracle_(oracle), progress_(progress) {
+  Building(ProtrusionOracle& oracle, TreeBounds bounds, const std::function<void(double)>& progress)
+      : oracle_(oracle), bounds_(bounds), progress_(progress) {
     tree_.tolerance = oracle.tolerance();
   }
 
   HullTree run(const Cover& cover) {
-    for (const Group& g : cover) add(*g.hull, g.widths, oracle_.bound(*g.hull), -1, -1);
+    for (const Group& g : cover) add(*g.hull, g.widths, boundOf(*g.hull), -1, -1);
     leaves_ = cover.size();
     const double most = ample();
     for (double tolerance = tree_.tolerance * kStage; !done(); tolerance *= kStage) {
@@ -51,6 +52,11 @@ class Building {
     Widths all;
     for (const Widths& w : widths_) all = all.merged(w);
     return kAmple * all.mean();
+  }
+
+  /// Every hull holds some of the surface, so none of its points is further away than the diagonal is long.
+  double boundOf(const ConvexHull& hull) const {
+    return bounds_ == TreeBounds::kProved ? oracle_.bound(hull) : boundingBox(hull).diagonal().norm();
   }
 
   int add(const ConvexHull& hull, const Widths& widths, double protrusion, int left, int right) {
@@ -92,7 +98,7 @@ class Building {
   }
 
   int join(int a, int b, const ConvexHull& hull) {
-    const double bound = std::max({node(a).protrusion, node(b).protrusion, oracle_.bound(hull)});
+    const double bound = std::max({node(a).protrusion, node(b).protrusion, boundOf(hull)});
     const int parent = add(hull, widths(a).merged(widths(b)), bound, a, b);
     progress_(static_cast<double>(tree_.nodes.size() - leaves_) / static_cast<double>(leaves_));
     return parent;
@@ -102,6 +108,7 @@ class Building {
   bool areApart(int a, int b) const { return b >= 0 && apart_.count(std::minmax(a, b)) > 0; }
 
   ProtrusionOracle& oracle_;
+  const TreeBounds bounds_;
   const std::function<void(double)>& progress_;
   HullTree tree_;
   std::vector<Widths> widths_;
@@ -111,8 +118,8 @@ class Building {
 
 }  // namespace
 
-HullTree treeAbove(const Cover& cover, ProtrusionOracle& oracle, const std::function<void(double)>& progress) {
-  return Building(oracle, progress).run(cover);
+HullTree treeAbove(const Cover& cover, ProtrusionOracle& oracle, TreeBounds bounds, const std::function<void(double)>& progress) {
+  return Building(oracle, bounds, progress).run(cover);
 }
 
 }  // namespace collision_hulls

@@ -8,9 +8,14 @@
 
 namespace collision_hulls {
 
+enum class TreeBounds {
+  kProved,   ///< close ones
+  kDiagonal  ///< of the hull's box, which takes no time
+};
+
 /// The groups as leaves, merged up to a single root. At any tolerance, the coarsest cut of the tree
 /// is about as good as a new merge would be. Deterministic. Calls `progress` with the share of
 /// merges made.
-HullTree treeAbove(const Cover& cover, ProtrusionOracle& oracle, const std::function<void(double)>& progress);
+HullTree treeAbove(const Cover& cover, ProtrusionOracle& oracle, TreeBounds bounds, const std::function<void(double)>& progress);
 
 }  // namespace collision_hulls

@@ -7,8 +7,7 @@
 namespace collision_hulls {
 namespace {
 
-constexpr double kAroundRound = 0.01;   // of the radius: what the polyhedron about a cylinder adds
-constexpr double kAroundSphere = 0.05;  // the same of a sphere, whose polyhedron is for drawings alone
+constexpr double kAroundSphere = 0.05;  // of the radius: what the polyhedron about a sphere adds; it is for drawings alone
 
 /// [m] How far the polyhedra reach that stand for the parts of a primitive.
 double addedByPolyhedra(const Primitive& primitive) {

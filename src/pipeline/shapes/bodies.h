@@ -8,6 +8,8 @@
 
 namespace collision_hulls {
 
+constexpr double kAroundRound = 0.01;  // of the radius: how far polyhedronAbout() a cylinder reaches beyond it
+
 /// A body of the model, with its proof.
 struct Body {
   std::optional<Primitive> primitive;

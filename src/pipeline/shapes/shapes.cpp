@@ -48,7 +48,7 @@ struct Work {
 
   double tolerance() const { return result.mesh.tolerance; }
   PrimitiveOptions primitives() const {
-    return {tolerance(), read.margin, {PrimitiveKind::kSphere, PrimitiveKind::kBox, PrimitiveKind::kCylinder}};
+    return {tolerance(), read.margin, {PrimitiveKind::kSphere, PrimitiveKind::kBox, PrimitiveKind::kCylinder}, kAroundRound};
   }
 };
 
@@ -57,9 +57,7 @@ std::optional<Body> primitiveFor(const ConvexHull& hull, const Work& work) {
   part.whole = &work.control;
   const std::optional<CertifiedPrimitive> found = coveringPrimitive(hull, *work.result.solid, work.primitives(), part);
   if (!found) return std::nullopt;
-  Body body = bodyOf(*found);
-  if (body.bound > work.tolerance()) return std::nullopt;
-  return body;
+  return Body{found->primitive, {}, found->bound, found->found, found->where, found->nearest};
 }
 
 ConvexHull hullOfMesh(const Work& work) {
@@ -204,17 +202,32 @@ std::vector<Body> bodiesFor(const Work& work) {
   return shapes == Shapes::kMixed ? mixed(work) : primitives(work);
 }
 
-/// The body that reaches furthest has its place searched, which those of spheres lack so far.
+/// A bound on all of the bodies, closer than it took to accept each of them.
+double closeBound(const std::vector<Body>& bodies, const CertifiedPrimitive& of_primitives) {
+  double hulls = 0, each = 0;
+  for (const Body& body : bodies) (body.primitive ? each : hulls) = std::max(body.primitive ? each : hulls, body.bound);
+  return std::max(hulls, std::min(each, of_primitives.bound));
+}
+
+/// Of all bodies. Of spheres only the bounds are known so far; the one that reaches furthest has its place searched.
 Protrusion proofOf(const std::vector<Body>& bodies, const Work& work) {
   const auto further = [](const Body& a, const Body& b) { return a.bound < b.bound; };
-  Body worst = *std::max_element(bodies.begin(), bodies.end(), further);
+  const Body& worst = *std::max_element(bodies.begin(), bodies.end(), further);
   Protrusion proof{worst.bound, worst.found, worst.where, worst.nearest};
-  if (work.options.shapes == Shapes::kSpheres) {
-    const CertifiedPrimitive closer = certificate(*worst.primitive, *work.result.solid, work.read.margin, work.tolerance(), work.control);
-    proof = {worst.bound, closer.found, closer.where, closer.nearest};
-  }
+  const auto see = [&](const auto& seen) {
+    if (seen.found > proof.found) proof.found = seen.found, proof.where = seen.where, proof.nearest = seen.nearest;
+  };
+  for (const Body& body : bodies) see(body);
+  std::vector<Primitive> primitives;
   for (const Body& body : bodies)
-    if (body.found > proof.found) proof.found = body.found, proof.where = body.where, proof.nearest = body.nearest;
+    if (body.primitive) primitives.push_back(*body.primitive);
+  if (work.options.shapes == Shapes::kSpheres) {
+    see(certificate(*worst.primitive, *work.result.solid, work.read.margin, work.tolerance(), work.control));
+  } else if (!isSingle(work.options.shapes) && !primitives.empty()) {
+    const CertifiedPrimitive closer = certificate(primitives, *work.result.solid, work.primitives(), work.control);
+    proof.bound = closeBound(bodies, closer);
+    see(closer);
+  }
   return proof;
 }
 

@@ -51,6 +51,8 @@ std::string difference(const LinkOptions& held, const LinkOptions& needed, doubl
   if (held.max_vertices != needed.max_vertices) return differ("max_vertices", limitText(held.max_vertices), limitText(needed.max_vertices));
   if (held.effort != needed.effort) return differ("effort", name(held.effort), name(needed.effort));
   if (held.fill != needed.fill) return differ("fill", flag(held.fill), flag(needed.fill));
+  if (takesTreeWithoutProof(held) != takesTreeWithoutProof(needed))
+    return differ("bounds", flag(!takesTreeWithoutProof(held)), flag(!takesTreeWithoutProof(needed)));
   return differ("leaves of", millimetres(treeLeaves(held, diagonal)), millimetres(treeLeaves(needed, diagonal)));
 }
 
@@ -199,7 +201,7 @@ void RobotTrees::buildTask(std::size_t index, Run& run) {
     } catch (...) {
       fail(*result);
     }
-    finishVariant(task.variants[v], result, result->hulls.size(), run);
+    finishVariant(task, task.variants[v], result, result->hulls.size(), run);
   }
   run.progress.finish(index);
 }

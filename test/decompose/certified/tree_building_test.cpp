@@ -9,13 +9,26 @@ namespace {
 
 using namespace test_shapes;
 
-HullTree treeOf(Subject& subject) {
+HullTree treeOf(Subject& subject, TreeBounds bounds = TreeBounds::kProved) {
   SurfaceGroups groups(subject.leaves(), 0, subject.oracle, 0);
   double share = 0;
-  return treeAbove(groups.leaves(), subject.oracle, [&](double done) {
+  return treeAbove(groups.leaves(), subject.oracle, bounds, [&](double done) {
     EXPECT_TRUE(done >= share && done <= 1);
     share = done;
   });
+}
+
+TEST(TreeBuilding, WithoutProofTheBoundsAreDiagonals) {
+  Subject subject(lBracket(), 0.05);
+  const HullTree tree = treeOf(subject, TreeBounds::kDiagonal);
+  ASSERT_GT(tree.nodes.size(), 1u);
+  for (const HullNode& node : tree.nodes) {
+    EXPECT_GE(node.protrusion, subject.oracle.bound(node.hull));
+    EXPECT_GE(node.protrusion, boundingBox(node.hull).diagonal().norm());
+    if (node.parent >= 0) {
+      EXPECT_LE(node.protrusion, tree.nodes[static_cast<std::size_t>(node.parent)].protrusion);
+    }
+  }
 }
 
 TEST(TreeBuilding, OneGroupIsLeafAndRoot) {
@@ -62,7 +75,7 @@ TEST(TreeBuilding, CanBeCancelled) {
   SurfaceGroups groups(subject.leaves(), 0, subject.oracle, 0);
   const Cover cover = groups.leaves();
   subject.control.cancel();
-  EXPECT_THROW(treeAbove(cover, subject.oracle, [](double) {}), Error);
+  EXPECT_THROW(treeAbove(cover, subject.oracle, TreeBounds::kProved, [](double) {}), Error);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ if(rviz_FOUND AND Qt5_FOUND AND pluginlib_FOUND AND interactive_markers_FOUND)
     src/panel/panel_regions.cpp src/panel/region_form.cpp src/panel/region_markers.cpp src/panel/region_server.cpp
     src/panel/region_shape.cpp src/panel/settings_form.cpp src/panel/table_model.cpp src/panel/tolerance_scale.cpp
     src/ros/pen.cpp src/ros/preview/settings.cpp ${PANEL_MOC} ${FORM_MOC})
-  add_dependencies(${PROJECT_NAME}_panel ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
+  add_dependencies(${PROJECT_NAME}_panel ${PROJECT_NAME}_generate_messages_cpp ${catkin_EXPORTED_TARGETS})
   target_include_directories(${PROJECT_NAME}_panel PRIVATE src)
   target_include_directories(${PROJECT_NAME}_panel SYSTEM PRIVATE ${catkin_INCLUDE_DIRS} ${rviz_INCLUDE_DIRS} ${pluginlib_INCLUDE_DIRS}
     ${interactive_markers_INCLUDE_DIRS})

@@ -1,16 +1,21 @@
 #!/usr/bin/python3
-"""The launch files' argument `config`: a file beside the robot's, named relative to the folder in which roslaunch runs. Tests
-launch/decompose.launch and launch/view.launch."""
+"""The launch files' argument `config`: a file beside the robot's, named relative to the folder in which roslaunch runs. How view.launch
+starts rviz. Tests launch/decompose.launch, launch/view.launch and scripts/rviz_at_root."""
 import contextlib
+import importlib.machinery
+import importlib.util
 import json
 import os
 import signal
 import subprocess
 import unittest
+from unittest import mock
 
 import robots
+import rospkg
 import rospy
 import rostest
+import yaml
 
 SPACE = os.environ["CMAKE_PREFIX_PATH"].split(os.pathsep)[0]  # devel
 CONFIG = "default: {tolerance: 4mm}\nlinks:\n  base: {method: bounding_box}  # 'quotes' and $(signs) stay as they are\n  arm: keep\n"
@@ -75,6 +80,39 @@ class LaunchTest(unittest.TestCase):
             self.assertNotEqual(0, nodes.wait(30))
         self.assertIn("nowhere.yaml", self.log())
         self.assertFalse(os.path.exists(self.folder.output))
+
+    def test_rviz_sees_the_whole_robot_and_draws_less_without_a_gpu(self):
+        """A program in rviz's place writes down its arguments."""
+        os.mkdir(self.folder.file("bin"))
+        self.write("bin/rviz", '#!/bin/sh\ncd "$ROS_HOME" && printf "%s\\n" "$@" > part && mv part arguments\n')
+        os.chmod(self.folder.file("bin/rviz"), 0o755)
+        path = self.folder.file("bin") + ":" + os.environ["PATH"]
+        self.environment.update(PATH=path, ROS_HOME=self.folder.path, LIBGL_ALWAYS_SOFTWARE="1")
+        with self.launched("view.launch", "state:=false", "distance:=3"):
+            self.assertTrue(robots.wait_until(lambda: os.path.exists(self.folder.file("arguments")), 60), self.log())
+            bounds = rospy.get_param(robots.NODE + "/view")
+        with open(self.folder.file("arguments"), encoding="utf-8") as file:
+            arguments = file.read().split("\n")
+        self.assertEqual(["-f", "base", "-d"], arguments[:3])
+        self.assertIn("--disable-anti-aliasing", arguments)
+        with open(arguments[3], encoding="utf-8") as file:
+            manager = yaml.safe_load(file)["Visualization Manager"]
+        self.assertEqual(10, manager["Global Options"]["Frame Rate"])
+        self.assertAlmostEqual(3 * bounds["radius"], manager["Views"]["Current"]["Distance"], places=5)
+
+    def test_what_counts_as_a_machine_without_a_gpu(self):
+        path = os.path.join(rospkg.RosPack().get_path("collision_hulls"), "scripts", "rviz_at_root")
+        loader = importlib.machinery.SourceFileLoader("rviz_at_root", path)
+        script = importlib.util.module_from_spec(importlib.util.spec_from_loader("rviz_at_root", loader))
+        loader.exec_module(script)
+        with mock.patch.dict(os.environ):
+            os.environ.pop("LIBGL_ALWAYS_SOFTWARE", None)
+            for gpus, expected in (((self.folder.path,), False), (("/nowhere",), True)):
+                with mock.patch.object(script, "GPUS", gpus):
+                    self.assertEqual(expected, script.draws_in_software())
+            os.environ["LIBGL_ALWAYS_SOFTWARE"] = "1"
+            with mock.patch.object(script, "GPUS", (self.folder.path,)):
+                self.assertTrue(script.draws_in_software())
 
 
 if __name__ == "__main__":

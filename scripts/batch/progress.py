@@ -1,11 +1,11 @@
-"""What a terminal shows of a batch: done, failed, rate, time left; and at its end what came of it."""
+"""What a terminal shows of a batch: how many are done with which status, rate, time left; and at its end what came of it."""
 import collections
 import contextlib
 import re
 import sys
 import time
 
-from plan import FAILED, row_of
+from plan import row_of
 
 PERIOD = 0.5  # [s] between looks
 LINE_PERIOD = 30  # [s] between lines where there is no terminal
@@ -23,17 +23,22 @@ def tell(text, end="\n"):
         print(text, end=end, file=sys.stderr, flush=True)
 
 
+def by_status(counts):
+    """", 2 failed, 1 incomplete, 9 ok", in the words of batch.csv."""
+    return "".join(f", {number} {status}" for status, number in sorted(counts.items()))
+
+
 class Display:
     """Counts rows as they come."""
 
     def __init__(self, total):
-        self.total, self.done, self.failed = total, 0, 0
+        self.total, self.done, self.counts = total, 0, collections.Counter()
         self.start = self.told = time.monotonic()
         self.terminal = sys.stderr.isatty()
 
     def count(self, row):
         self.done += 1
-        self.failed += row["status"] in FAILED
+        self.counts[row["status"]] += 1
 
     def step(self, row):
         self.count(row)
@@ -43,7 +48,7 @@ class Display:
         spent = time.monotonic() - self.start
         rate = self.done / spent if spent else 0
         left = f", {60 * rate:.3g} a minute, {duration((self.total - self.done) / rate)} left" if self.done else ""
-        return f"{self.done} of {self.total} inputs done, {self.failed} failed{left}"
+        return f"{self.done} of {self.total} inputs done{by_status(self.counts)}{left}"
 
     def show(self):
         if self.terminal:
@@ -82,7 +87,6 @@ def summary(rows, done, output):
     first = f"{done} input{'s' * (done != 1)} done" if done == len(rows) else f"{done} of {len(rows)} inputs done; all others are as they were"
     lines = [first if done else f"nothing to do: all {len(rows)} inputs are as they were"]
     for what, items in (("inputs", rows), ("meshes", [mesh for row in rows for mesh in row["meshes"]])):
-        counts = collections.Counter(item["status"] for item in items)
-        lines.append(f"{what}: {len(items)}" + "".join(f", {number} {status}" for status, number in sorted(counts.items())))
+        lines.append(f"{what}: {len(items)}{by_status(collections.Counter(item['status'] for item in items))}")
     lines += [f"  {number} {kind}" for kind, number in kinds(rows)]
     return "\n".join([*lines, f"Written to {output}: batch.csv, batch.html"])

@@ -53,12 +53,12 @@ void refuseFormat(Consumer consumer, MeshFormat format, const std::string& reads
 }
 
 /// What has to be known of a consumer's files, or in place of them.
-std::vector<std::string> notesFor(Consumer consumer, const WrittenModel& model) {
+std::vector<std::string> notesFor(Consumer consumer, const WrittenModel& model, const std::string& output) {
   if (consumer == Consumer::kMujoco) return mujocoNotes(model);
   if (consumer == Consumer::kGazebo) return gazeboNotes(model);
   if (consumer == Consumer::kDart) return dartNotes(model);
   if (consumer == Consumer::kIsaac) return isaacNotes(model);
-  if (consumer == Consumer::kBullet) return bulletNotes(model);
+  if (consumer == Consumer::kBullet) return bulletNotes(model, output);
   return {};
 }
 
@@ -128,7 +128,7 @@ void addConsumerFiles(const std::vector<Consumer>& consumers, const std::string&
     add(notesOn(pairs));
     for (const Consumer consumer : consumers) {
       for (auto& [file, text] : filesFor(consumer, model, pairs, control)) result.extra_files[file] = text;
-      add(notesFor(consumer, model));
+      add(notesFor(consumer, model, output));
     }
   });
 }

@@ -117,6 +117,6 @@ std::vector<std::string> isaacNotes(const WrittenModel& model);
 std::vector<std::string> mujocoNotes(const WrittenModel& model);
 std::vector<std::string> gazeboNotes(const WrittenModel& model);
 std::vector<std::string> dartNotes(const WrittenModel& model);
-std::vector<std::string> bulletNotes(const WrittenModel& model);
+std::vector<std::string> bulletNotes(const WrittenModel& model, const std::string& output);  ///< `output`: the folder that will be written
 
 }  // namespace collision_hulls

@@ -176,7 +176,7 @@ void decomposeTask(std::size_t index, HullCount& written, Run& run) {
   for (std::size_t v = 0; v < results.size(); ++v) {
     const auto result = std::make_shared<const MeshResult>(std::move(*results[v]));
     written.add(task.variants[v], result->hulls.size());
-    finishVariant(task.variants[v], result, result->hulls.size(), run);
+    finishVariant(task, task.variants[v], result, result->hulls.size(), run);
   }
 }
 

@@ -81,7 +81,7 @@ FitMeshes fitMeshes(Run& run) {
       const MeshVariant& variant = run.tasks[i].variants[v];
       for (const std::size_t use : variant.uses) meshes[use] = made[v].mesh;
       const std::size_t leaves = made[v].mesh ? (made[v].mesh->tree.nodes.size() + 1) / 2 : 0;
-      finishVariant(variant, std::make_shared<const MeshResult>(std::move(made[v].result)), leaves, run);
+      finishVariant(run.tasks[i], variant, std::make_shared<const MeshResult>(std::move(made[v].result)), leaves, run);
     }
   });
   return meshes;

@@ -232,8 +232,8 @@ bool writeOutput(RobotResult& result, const std::string& output, const RunContro
   return true;
 }
 
-void writeReport(const Report& report, const std::string& file) {
-  writeNamedFile(file, toJson(report));
+void writeReport(const Report& report, const std::string& file, const RunControl& control) {
+  writeNamedFile(file, toJson(report), control);
 }
 
 }  // namespace collision_hulls

@@ -39,6 +39,18 @@ ModelResult& modelOf(std::size_t model, RobotResult& result) {
   return model == 0 ? result : result.models[model - 1];
 }
 
+namespace {
+
+/// The failure of a mesh for a use that knows it by another name: the reason tells of the first one's file.
+std::shared_ptr<const MeshResult> failedLike(const std::string& first, const MeshResult& mesh, const std::string& uri) {
+  const auto own = std::make_shared<MeshResult>(mesh);
+  own->reason = "'" + uri + "' is equal to '" + first + "': " + mesh.reason;
+  own->seconds = {};  // they count once
+  return own;
+}
+
+}  // namespace
+
 void runStages(const RunInput& input, RobotResult& result, const std::function<void(Run&)>& stages) {
   const Options& options = result.report.options;
   Cache cache(options.cache ? cacheFolder() : std::filesystem::path());
@@ -62,9 +74,11 @@ void runStages(const RunInput& input, RobotResult& result, const std::function<v
   putTogether(input.uses, results, result, input.control);
 }
 
-void finishVariant(const MeshVariant& variant, const std::shared_ptr<const MeshResult>& mesh, std::size_t hulls, Run& run) {
+void finishVariant(const MeshTask& task, const MeshVariant& variant, const std::shared_ptr<const MeshResult>& mesh, std::size_t hulls,
+                   Run& run) {
   for (const std::size_t use : variant.uses) {
-    run.results[use] = mesh;
+    const std::string& uri = run.uses[use].source.uri;
+    run.results[use] = mesh->status == Status::kFailed && uri != task.uri ? failedLike(task.uri, *mesh, uri) : mesh;
     run.progress.finishElement(run.uses[use].link, hulls);
   }
 }

@@ -2,6 +2,7 @@
 #include "storage/files.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -38,9 +39,26 @@ void writeTo(const Descriptor& out, const std::string& text, const fs::path& fil
   }
 }
 
+/// Into a pipe or a device, as fast as its reader takes it, unless the run is cancelled meanwhile.
+void writeToReader(const Descriptor& out, const std::string& text, const fs::path& file, const RunControl& control) {
+  constexpr int kLook = 50;  // [ms]
+  for (std::size_t done = 0; done < text.size();) {
+    pollfd place{out.number(), POLLOUT, 0};
+    if (poll(&place, 1, kLook) == 0) {
+      if (control.cancelled())
+        throw Error(ErrorCode::kUnwritableOutput, "interrupted before the reader of '" + file.string() + "' took all that is to be " +
+                                                      "written there; start one that reads, or give a file");
+      continue;
+    }
+    const ssize_t written = ::write(out.number(), text.data() + done, text.size() - done);
+    if (written < 0 && errno != EINTR && errno != EAGAIN) throwUnwritable(file, std::strerror(errno));
+    done += static_cast<std::size_t>(std::max<ssize_t>(written, 0));
+  }
+}
+
 /// Into a pipe or a device, never into what has taken its place. Opened without O_NONBLOCK, a pipe that nobody reads would keep us for
 /// ever.
-void writeInto(const fs::path& file, const std::string& text) {
+void writeInto(const fs::path& file, const std::string& text, const RunControl& control) {
   const Descriptor out(open(file.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK));
   struct stat status {};
   if (out.number() < 0 || fstat(out.number(), &status) != 0) {
@@ -49,8 +67,7 @@ void writeInto(const fs::path& file, const std::string& text) {
     throwUnwritable(file, fs::is_fifo(file, unknown) ? "nobody reads this pipe (start its reader first)" : why);
   }
   if (S_ISREG(status.st_mode)) throwUnwritable(file, "it was a pipe or a device, and is a plain file now");
-  fcntl(out.number(), F_SETFL, fcntl(out.number(), F_GETFL) & ~O_NONBLOCK);  // a reader may take its time
-  writeTo(out, text, file);
+  writeToReader(out, text, file, control);
 }
 
 /// A file of this process alone, beside the one that it is to replace.
@@ -185,10 +202,10 @@ Descriptor openedAround(const fs::path& path) {
   return around;
 }
 
-void writeNamedFile(const fs::path& file, const std::string& text) {
+void writeNamedFile(const fs::path& file, const std::string& text, const RunControl& control) {
   checkNamedFile(file);
   std::error_code error;
-  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) return writeInto(file, text);
+  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) return writeInto(file, text, control);
   const fs::path target = behindLinks(fs::absolute(file));
   makeFolders(target.parent_path(), error);
   if (error) throwUnwritable(target.parent_path(), error.message());

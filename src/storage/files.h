@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/descriptor.h"
+#include "collision_hulls/control.h"
 
 namespace collision_hulls {
 
@@ -28,9 +29,9 @@ std::filesystem::path placeOf(const Descriptor& folder);
 Descriptor openedAround(const std::filesystem::path& path);
 
 /// Writes a file that a user names: in one rename if it is a plain file or does not exist yet, also behind symbolic links; straight into
-/// it if it is a pipe or a device; a pipe that nobody reads is an error. Throws kUnwritableOutput, and kOutsideRoots if the path leads out
-/// of the roots by now.
-void writeNamedFile(const std::filesystem::path& file, const std::string& text);
+/// it if it is a pipe or a device; a pipe that nobody reads is an error. `control` ends the wait for a reader that does not read. Throws
+/// kUnwritableOutput, and kOutsideRoots if the path leads out of the roots by now.
+void writeNamedFile(const std::filesystem::path& file, const std::string& text, const RunControl& control = {});
 
 /// Throws kUnwritableOutput if that would fail. Leaves nothing behind.
 void checkNamedFile(const std::filesystem::path& file);

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <string>
 
+#include "base/standard_files.h"
 #include "collision_hulls/pipeline/progress_text.h"
 #include "collision_hulls/pipeline/result.h"
 
@@ -19,7 +20,8 @@ class ProgressDisplay {
   ~ProgressDisplay() { clear(); }
 
   void step(const Step& step) {
-    if (step.total == 0) return;  // no mesh: a note says why
+    if (step.total == 0) return;            // no mesh: a note says why
+    if (!takesLine(STDERR_FILENO)) return;  // a thread that waited for a reader would hear of no interrupt
     if (bar_) {
       drawn_ = true;
       draw(step);
@@ -30,7 +32,7 @@ class ProgressDisplay {
 
   /// Takes the bar away, so that other text can be written.
   void clear() {
-    if (drawn_) std::fputs("\r\033[K", stderr);
+    if (drawn_ && takesLine(STDERR_FILENO)) std::fputs("\r\033[K", stderr);
     drawn_ = false;
   }
 

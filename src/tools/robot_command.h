@@ -98,7 +98,7 @@ inline void checkBeside(const std::string& file, const std::string& output) {
 /// Writes the output, and the file of --json even if the output fails. False if there was nothing to write.
 inline bool writeOutputAndReport(RobotResult& result, const RobotCommand& command, const std::string& output, const RunControl& control) {
   const auto report = [&] {
-    if (isFile(command.json)) writeReport(result.report, command.json);
+    if (isFile(command.json)) writeReport(result.report, command.json, control);
   };
   bool written = false;
   try {

@@ -53,6 +53,7 @@ inline int runRobotCommand(RobotCommand& command, const RobotWork& work) {
   display.clear();
   const bool written = writeEverything(result, command, output, control);
 
+  endOnSignals();
   printReport(result, command, written ? howToUse(result, output) + howToLoad(command.consumers, result, output) : "");
   if (!anyFailed(result.report)) return kDone;
   return result.single_mesh ? kWrongUse : kSomeFailed;

@@ -34,6 +34,14 @@ inline void cancelOnSignals(const RunControl& control) {
   }
 }
 
+/// From here on the first signal ends the program: nothing is left to undo, and whoever reads the report may keep it waiting.
+inline void endOnSignals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    if (sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) std::signal(signal, SIG_DFL);
+  }
+}
+
 /// Whether standard output is a pipe whose reader has gone, as in `decompose ... | head -1`.
 inline bool nobodyReadsOutput() {
   pollfd out{STDOUT_FILENO, POLLOUT, 0};
@@ -50,7 +58,8 @@ inline int runTerminalProgram(CommandLine& app, int argc, char** argv, const std
     return app.parse(argc, argv) ? run() : kDone;
   } catch (const Error& e) {
     const bool interrupted = e.code() == ErrorCode::kCancelled;
-    std::cerr << app.get_name() << ": " << (interrupted ? "interrupted; nothing was written" : e.what()) << "\n";
+    if (!interrupted || takesLine(STDERR_FILENO))
+      std::cerr << app.get_name() << ": " << (interrupted ? "interrupted; nothing was written" : e.what()) << "\n";
     if (interrupted) return kInterrupted;
   } catch (const std::bad_alloc&) {
     std::cerr << app.get_name() << ": out of memory; use fewer --jobs, a larger tolerance or coarser meshes\n";

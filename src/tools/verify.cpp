@@ -129,9 +129,10 @@ void printFailures(const Verification& seen, const VerifyOptions& options) {
   }
 }
 
-void print(const Verification& seen, const Command& command) {
+void print(const Verification& seen, const Command& command, const RunControl& control) {
   const std::string json = toJson(seen, command.options, command.original, command.result);
-  if (isFile(command.json)) writeNamedFile(command.json, json);
+  if (isFile(command.json)) writeNamedFile(command.json, json, control);
+  endOnSignals();
   if (command.json == "-") {
     std::cout << json;
   } else if (!command.quiet) {
@@ -157,7 +158,7 @@ int run(Command& command, const std::string& given) {
   const Description of_original = described(original), of_result = described(result);
   if (command.source.empty()) command.options.made_from = madeFrom(of_original, of_result);
   const Verification seen = verify(of_original, of_result, command.options, control);
-  print(seen, command);
+  print(seen, command, control);
   return passed(seen, command.options) ? kDone : kSomeFailed;
 }
 

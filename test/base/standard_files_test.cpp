@@ -36,5 +36,22 @@ TEST(HoldStandardFiles, NothingElseTakesTheirPlace) {
     EXPECT_EQ(childWithout(files), kHeld) << ::testing::PrintToString(files);
 }
 
+TEST(TakesLine, AsLongAsNobodyHasToWaitForTheReader) {
+  constexpr int kPage = 4096;
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  ASSERT_EQ(fcntl(ends[1], F_SETPIPE_SZ, kPage), kPage);
+  EXPECT_TRUE(takesLine(ends[1]));
+  const std::vector<char> page(kPage, '.');
+  ASSERT_EQ(write(ends[1], page.data(), page.size()), kPage);
+  EXPECT_FALSE(takesLine(ends[1]));
+  close(ends[0]);
+  EXPECT_TRUE(takesLine(ends[1])) << "it fails at once";
+  close(ends[1]);
+  const int file = open("/dev/null", O_WRONLY);
+  EXPECT_TRUE(takesLine(file));
+  close(file);
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -88,6 +88,22 @@ TEST_F(ConsumerNotes, BulletSaysWhichMeshesItWillNotFind) {
       << own;
 }
 
+// It knows no package path: a folder of the package's name has to be above the description.
+TEST_F(ConsumerNotes, BulletSaysWhichPackagesItWillNotFind) {
+  fixtures::write(folder_ / "near_description/meshes/skin.obj", "o skin");
+  const auto notes = [&](const std::string& uri) {
+    return notesOf(Consumer::kBullet, threeLinks("<visual>" + fixtures::meshTag(uri) + "</visual>" + cube()));
+  };
+  for (const std::string found : {"package://near_description/meshes/skin.obj", "model://near_description/meshes/skin.obj"})
+    EXPECT_EQ(notes(found).find("refuses"), std::string::npos) << notes(found);
+  const std::string far = notes("package://far_description/meshes/skin.obj");
+  EXPECT_NE(far.find("not where ROS has it, and refuses the description for 1 mesh, such as 'package://far_description/meshes/skin.obj': "
+                     "link the folder of package 'far_description', under its name, into '" +
+                     folder_.path().string() + "'\n"),
+            std::string::npos)
+      << far;
+}
+
 // Those that lie in no package.
 TEST_F(ConsumerNotes, BulletSaysHowRebasedMeshesAreFound) {
   fixtures::write(folder_ / "skin.obj", fixtures::obj(test_shapes::box(0.2, 0.2, 0.2)));

@@ -66,6 +66,24 @@ TEST_F(RestContacts, APinInAMouthThatAHullFillsIsNotedWithTheGap) {
   EXPECT_TRUE(notes(channelAndPin("0 0 0")).empty()) << "the mouth is open";
 }
 
+TEST_F(RestContacts, WhatIsWrittenIsNamed) {
+  const auto start = [&](const std::string& links) {
+    const std::vector<std::string> found = notes(links);
+    return found.empty() ? "" : found[0].substr(0, found[0].find(" touch"));
+  };
+  options_.tolerance = lengthOf(0.03);
+  options_.method = Method::kCertified;
+  options_.shapes = Shapes::kSpheres;
+  EXPECT_EQ(start(channelAndPin("0 0 0")), "spheres of 'channel' and 'pin'");
+  options_.shapes = Shapes::kCylinder;
+  EXPECT_EQ(start(channelAndPin("0 0 0")), "primitives of 'channel' and 'pin'");
+  LinkRule rule;
+  rule.pattern = "pin";
+  rule.settings.shapes = Shapes::kHulls;
+  options_.rules = {rule};
+  EXPECT_EQ(start(channelAndPin("0 0 0")), "bodies of 'channel' and 'pin'");
+}
+
 TEST_F(RestContacts, OthersAreListed) {
   std::string links = channelAndPin("0 0 0");
   for (const std::string name : {"b", "c", "d", "e", "f", "g"}) links += link(name, "pin.obj") + joint("carriage", name, "-0.02 0 0");

@@ -117,6 +117,10 @@ class ServiceTest(unittest.TestCase):
         with open(os.path.join(self.folder.output, "config/small_hulls.yaml"), encoding="utf-8") as file:
             self.assertEqual(response.links[1].status, self.decompose_well(config=file.read()).links[1].status)
 
+    def test_an_option_without_a_field(self):
+        report = json.loads(self.decompose_well(config="default: {close_openings: 5cm}").report)
+        self.assertEqual({0.05}, {link["close_openings"] for link in report["links"]})
+
     def test_configuration_of_the_node(self):
         self.set_parameter(NODE + "/config", "links: {base: remove}")
         self.assertEqual(LinkReport.REMOVED, self.decompose_well().links[0].status)

@@ -3,10 +3,15 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "base/descriptor.h"
 #include "tools/decompose_program_test.h"
@@ -113,6 +118,104 @@ TEST_F(DecomposeStreams, InterruptLeavesTheOutputAsItWas) {
     EXPECT_EQ(fixtures::read(folder_ / "err"), "decompose: interrupted; nothing was written\n");
     EXPECT_EQ(fixtures::contents(folder_ / "out"), before);
   }
+}
+
+/// A pipe that one page fills.
+struct SmallPipe {
+  explicit SmallPipe(const std::string& fifo = "") {
+    if (fifo.empty()) {
+      int ends[2] = {-1, -1};
+      EXPECT_EQ(pipe2(ends, O_CLOEXEC), 0);
+      read_end = Descriptor(ends[0]), write_end = Descriptor(ends[1]);
+    } else {
+      EXPECT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+      read_end = Descriptor(open(fifo.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+    }
+    EXPECT_EQ(fcntl(read_end.number(), F_SETPIPE_SZ, kPage), kPage);
+  }
+  int held() const {
+    int bytes = 0;
+    ioctl(read_end.number(), FIONREAD, &bytes);
+    return bytes;
+  }
+  void fill() const {  // with a place of its own for O_NONBLOCK, which whoever writes to `write_end` must not have
+    const Descriptor own(open(("/proc/self/fd/" + std::to_string(write_end.number())).c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
+    while (write(own.number(), ".", 1) == 1) {
+    }
+  }
+  /// Whether it is full in the end.
+  bool awaitFull() const {
+    for (int i = 0; i < 6000 && held() < kPage; ++i) usleep(10'000);
+    return held() == kPage;
+  }
+
+  static constexpr int kPage = 4096;
+  Descriptor read_end, write_end;
+};
+
+/// `decompose` beside the test. A file that is given takes the place of its standard output or error.
+class Started {
+ public:
+  explicit Started(std::vector<std::string> arguments, const std::map<int, int>& files = {}) : child_(fork()) {
+    if (child_ != 0) return;
+    signal(SIGINT, SIG_DFL);  // it stays ignored if these tests were started by nohup
+    for (const auto& [number, file] : files) dup2(file, number);
+    arguments.insert(arguments.begin(), "decompose");
+    std::vector<char*> words;
+    for (std::string& word : arguments) words.push_back(word.data());
+    words.push_back(nullptr);
+    execv(PROGRAMS "/decompose", words.data());
+    _exit(99);
+  }
+
+  /// Its status as of waitpid() after one SIGINT; -1 if that did not end it.
+  int interrupted() const {
+    kill(child_, SIGINT);
+    int status = 0;
+    for (int i = 0; i < 1000; ++i, usleep(10'000))
+      if (waitpid(child_, &status, WNOHANG) == child_) return status;
+    kill(child_, SIGKILL);
+    waitpid(child_, &status, 0);
+    return -1;
+  }
+
+ private:
+  pid_t child_;
+};
+
+// As in `decompose ... > fifo` with a reader that sleeps. Nothing is left to undo when the report is printed.
+TEST_F(DecomposeStreams, OneInterruptEndsTheWaitForAReaderThatDoesNotRead) {
+  std::string links = fixtures::link("base", collision("bracket.obj"));
+  for (const std::string name : {"a", "b", "c", "d"}) links += fixtures::link(name, collision("bracket.obj"), "base");
+  addRobot("arm/urdf/arm.urdf", links);
+  const std::string robot = folder_ / "arm/urdf/arm.urdf", out = folder_ / "out", fifo = folder_ / "fifo", err = folder_ / "err";
+  {
+    const SmallPipe pipe;
+    const Started run({robot, "-o", out, "-m", "bounding_box", "--json", "-"}, {{STDOUT_FILENO, pipe.write_end.number()}});
+    ASSERT_TRUE(pipe.awaitFull());
+    const int status = run.interrupted();
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;
+    EXPECT_TRUE(fs::exists(folder_ / "out/report.json")) << "it was written before";
+  }
+  const SmallPipe pipe(fifo);
+  const Descriptor errors(open(err.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
+  const Started run({robot, "-o", out, "-m", "bounding_box", "--quiet", "--json", fifo}, {{STDERR_FILENO, errors.number()}});
+  ASSERT_TRUE(pipe.awaitFull());
+  const int status = run.interrupted();
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 2) << status;
+  EXPECT_EQ(fixtures::read(err), "decompose: interrupted before the reader of '" + fifo +
+                                     "' took all that is to be written there; start one that reads, or give a file\n");
+}
+
+TEST_F(DecomposeStreams, OneInterruptEndsARunWhoseProgressNobodyReads) {
+  const std::string mesh = fixtures::write(folder_ / "torus.obj", fixtures::obj(test_shapes::torus(1, 0.3, 600, 300)));
+  const SmallPipe pipe;
+  const Started run({mesh, "-o", folder_ / "out"}, {{STDERR_FILENO, pipe.write_end.number()}});
+  for (int i = 0; i < 6000 && pipe.held() == 0; ++i) usleep(10'000);
+  pipe.fill();
+  const int status = run.interrupted();
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 130) << status;
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ void checkOutput(const std::string& output, const RunControl& control = {});
 /// loads it.
 std::string howToUse(const RobotResult& result, const std::string& output);
 
-/// Writes the report alone, as JSON, in one rename. Throws kUnwritableOutput.
-void writeReport(const Report& report, const std::string& file);
+/// Writes the report alone, as JSON, in one rename; into a pipe at the pace of its reader, until
+/// the control is cancelled. Throws kUnwritableOutput.
+void writeReport(const Report& report, const std::string& file, const RunControl& control = {});
 
 }  // namespace collision_hulls

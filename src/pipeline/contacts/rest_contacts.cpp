@@ -134,6 +134,23 @@ RestContact contact(const Part& a, const Part& b, const RunControl& control) {
   return {std::min(a.link, b.link), std::max(a.link, b.link), apart, apart >= most};
 }
 
+/// What the links of these pairs are made of: "hulls", "spheres", "primitives" of other kinds, or "bodies" if primitives stand beside
+/// hulls.
+std::string kindThatTouches(const RobotDescription& robot, const std::vector<RestContact>& pairs, const std::vector<MeshUse>& uses,
+                            const MeshResults& results, std::size_t model) {
+  std::set<std::string> links;
+  for (const RestContact& pair : pairs) links.insert({robot.links[pair.first].name, robot.links[pair.second].name});
+  bool hulls = false, spheres = false, others = false;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    if (uses[i].model != model || links.count(uses[i].link) == 0) continue;
+    const MeshResult& mesh = *results[i];
+    hulls = hulls || mesh.hulls.size() > mesh.primitives.size();
+    for (const GeometryElement& primitive : mesh.primitives) (primitive.kind == GeometryElement::Kind::kSphere ? spheres : others) = true;
+  }
+  if (hulls) return spheres || others ? "bodies" : "hulls";
+  return others ? "primitives" : "spheres";
+}
+
 /// "'a' and 'b'"
 std::string names(const RobotDescription& robot, const RestContact& pair) {
   return "'" + robot.links[pair.first].name + "' and '" + robot.links[pair.second].name + "'";
@@ -181,13 +198,13 @@ std::vector<std::string> notesOnRestContacts(const RobotDescription& robot, cons
     const std::vector<RestContact> contacts = restContacts(robot, uses, results, model, control);
     if (contacts.empty()) return {};
     const bool one = contacts.size() == 1, inside = contacts.front().at_least;
-    return {"hulls of " + names(robot, contacts.front()) + others(robot, contacts) + " touch with all joints at rest, where " +
-            (one ? "their meshes are " : "the meshes of the first are ") + (inside ? "at least " : "") +
-            millimetres(contacts.front().apart) + " apart" + (inside ? ", one inside the other: " : ": ") +
+    return {kindThatTouches(robot, contacts, uses, results, model) + " of " + names(robot, contacts.front()) + others(robot, contacts) +
+            " touch with all joints at rest, where " + (one ? "their meshes are " : "the meshes of the first are ") +
+            (inside ? "at least " : "") + millimetres(contacts.front().apart) + " apart" + (inside ? ", one inside the other: " : ": ") +
             (one && inside ? "" : "lower the tolerance of these links, or ") + "disable " + (one ? "the pair" : "the pairs")};
   } catch (const Error& error) {
     if (error.code() == ErrorCode::kCancelled) throw;
-    return {std::string("hulls of links were not compared at rest: ") + error.what()};
+    return {std::string("links were not compared at rest: ") + error.what()};
   }
 }
 

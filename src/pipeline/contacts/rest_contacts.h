@@ -23,7 +23,8 @@ struct RestContact {
 std::vector<RestContact> restContacts(const RobotDescription& robot, const std::vector<MeshUse>& uses, const MeshResults& results,
                                       std::size_t model, const RunControl& control = {});
 
-/// One note on all of them, with the remedy; none if there are none. Where the joints are at fault, it says so.
+/// One note on all of them, which names what touches (hulls, primitives, spheres), with the remedy; none if there are none. Where the
+/// joints are at fault, it says so.
 std::vector<std::string> notesOnRestContacts(const RobotDescription& robot, const std::vector<MeshUse>& uses, const MeshResults& results,
                                              std::size_t model, const RunControl& control = {});
 

@@ -1,0 +1,113 @@
+// Which elements of which links are decomposed, and what is said of those that are not.
+// Also tests src/pipeline/mesh_uses.cpp.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "collision_hulls/error.h"
+#include "pipeline/robot_run.h"
+
+namespace collision_hulls {
+namespace {
+
+using fixtures::count;
+using fixtures::link;
+using fixtures::meshTag;
+
+class MeshSources : public fixtures::RobotRun {};
+
+TEST_F(MeshSources, NoMeshAtAll) {
+  const std::string sphere = "    <collision><geometry><sphere radius=\"0.1\"/></geometry></collision>\n";
+  const RobotResult result = run(link("base", "") + link("ball", sphere, "base"));
+  EXPECT_TRUE(result.report.links.empty());
+  EXPECT_EQ(result.urdf, fixtures::read(folder_ / "urdf/arm.urdf"));
+}
+
+TEST_F(MeshSources, VisualWithOnlyAMaterialIsIgnored) {
+  const std::string paint = "    <visual><material name=\"red\"><color rgba=\"1 0 0 1\"/></material></visual>\n";
+  const RobotResult result = run(link("base", visual("box.obj") + paint) + link("tip", paint, "base"));
+  ASSERT_EQ(result.report.links.size(), 1u);
+  EXPECT_EQ(count(result.urdf, "<collision"), 1u);
+  EXPECT_EQ(count(result.urdf, paint.substr(4, paint.size() - 5)), 2u);
+}
+
+// Some descriptions mark places with them; a collision element without a size is one that simulators refuse.
+TEST_F(MeshSources, VisualPrimitivesWithoutASizeBecomeNoCollisions) {
+  options_.source = Source::kVisual;
+  const auto shape = [](const std::string& element, const std::string& tag) {
+    return "    <" + tag + "><geometry>" + element + "</geometry></" + tag + ">\n";
+  };
+  std::string flat;
+  for (const char* element : {"<box size=\"1 0 1\"/>", "<sphere radius=\"0\"/>", "<cylinder radius=\"0.1\" length=\"0\"/>",
+                              "<cylinder radius=\"0\" length=\"1\"/>"})
+    flat += shape(element, "visual");
+  const RobotResult result = run(link("base", visual("box.obj") + flat + shape("<sphere radius=\"0.5\"/>", "visual")) +
+                                 link("tip", flat + shape("<sphere radius=\"0.1\"/>", "collision"), "base"));
+  ASSERT_EQ(result.report.links.size(), 1u);
+  EXPECT_EQ(count(result.urdf, "<collision"), 3u) << "the box's hull, the sphere, and what the tip had";
+  EXPECT_EQ(count(result.urdf, "<sphere radius=\"0\"/>"), 2u) << "as visual elements alone";
+  EXPECT_NE(std::find(result.report.notes.begin(), result.report.notes.end(),
+                      "visual boxes, spheres and cylinders with a size of 0 become no collision elements, in links: base, tip"),
+            result.report.notes.end());
+}
+
+TEST_F(MeshSources, NotesCollisionMeshesIgnoredBySourceVisual) {
+  options_.source = Source::kVisual;
+  const RobotResult result = run(link("base", visual("box.obj")) + link("tip", collision("bracket.obj"), "base"));
+  ASSERT_EQ(result.report.links.size(), 1u);
+  const auto on_tip = [](const std::string& note) {
+    return note.find("keep their collision meshes as they are: tip;") != std::string::npos;
+  };
+  EXPECT_EQ(std::count_if(result.report.notes.begin(), result.report.notes.end(), on_tip), 1);
+  EXPECT_EQ(count(result.urdf, "bracket.obj"), 1u);
+}
+
+TEST_F(MeshSources, VisualPrimitivesBecomeCollisionsIfThereAreNone) {
+  const std::string cylinder = "    <visual><geometry><cylinder radius=\"0.1\" length=\"1\"/></geometry></visual>\n";
+  const RobotResult result = run(link("base", cylinder + visual("box.obj")));
+  const RobotDescription again = parseRobotDescription(result.urdf);
+  ASSERT_EQ(again.links[0].collisions.size(), 2u);
+  EXPECT_EQ(again.links[0].collisions[0].kind, GeometryElement::Kind::kCylinder);
+  EXPECT_EQ(again.links[0].collisions[1].kind, GeometryElement::Kind::kMesh);
+}
+
+TEST_F(MeshSources, NamesTheSourceWithMeshesIfTheChosenOneHasNone) {
+  const std::string sphere = "    <collision><geometry><sphere radius=\"1\"/></geometry></collision>\n";
+  const std::string robot = link("base", visual("file:///box.obj") + sphere) + link("tip", sphere, "base");
+  const auto notes = [&] { return run(robot).report.notes; };
+  ASSERT_EQ(notes().size(), 1u);
+  const std::string stay = "; boxes, spheres and cylinders stay as they are", equal = ", and the output's collision model is the input's";
+  EXPECT_EQ(notes()[0],
+            "there is no mesh to decompose" + stay + equal +
+                "; the <visual> elements have 1 mesh, which --source visual decomposes; 'verify INPUT INPUT' tells how far they "
+                "are from the primitives");
+  options_.links = "tip";
+  ASSERT_EQ(notes().size(), 1u);
+  EXPECT_EQ(notes()[0], "the chosen links have no meshes" + stay + equal);
+  options_.links = "";
+  EXPECT_EQ(run(link("tip", sphere)).report.notes[0], "the robot has no meshes" + stay + equal);
+  const std::string seen = "    <visual><geometry><sphere radius=\"1\"/></geometry></visual>\n";
+  EXPECT_EQ(run(link("tip", seen)).report.notes[0],
+            "the robot has no meshes" + stay + ", and those of the <visual> elements become <collision> elements of 1 link without any");
+}
+
+TEST_F(MeshSources, SelectsLinks) {
+  const std::string links = link("left_arm", collision("box.obj")) + link("right_arm", collision("box.obj"), "left_arm");
+  options_.links = "right.*";
+  const RobotResult result = run(links);
+  ASSERT_EQ(result.report.links.size(), 1u);
+  EXPECT_EQ(result.report.links[0].link, "right_arm");
+  EXPECT_NE(result.urdf.find(link("left_arm", collision("box.obj"))), std::string::npos);
+  options_.links = "arm";  // must match the whole name
+  try {
+    run(links);
+    ADD_FAILURE();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ErrorCode::kBadOption);
+    EXPECT_EQ(std::string(e.what()).find("links 'arm' matches no link of robot"), 0u) << e.what();
+    EXPECT_NE(std::string(e.what()).find("Its links are left_arm, right_arm"), std::string::npos) << e.what();
+  }
+}
+
+}  // namespace
+}  // namespace collision_hulls

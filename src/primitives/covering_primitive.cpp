@@ -6,7 +6,6 @@
 #include "collision_hulls/primitives/covering_primitive.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -23,7 +22,7 @@ constexpr double kExcess = 0.02;       // of the tolerance: how far the polyhedr
 constexpr double kGlanceExcess = 0.1;  // of the size: of the polyhedron whose points are looked at first
 constexpr int kGlances = 6;            // points per edge of that one
 // Of the tolerance: how closely a primitive is looked at before the certificate decides whether it keeps the tolerance.
-constexpr std::array<double, 2> kWideGaps{0.1, 0.01};
+constexpr double kWideGap = 0.1, kNarrowerGap = 0.01;
 constexpr double kBelow = 1.5;  // gaps: what is this far below the tolerance does not matter then
 
 /// Notes p, a point of the primitive, if it is the furthest so far.
@@ -73,7 +72,7 @@ void prove(CertifiedPrimitive& result, const std::vector<Primitive>& primitives,
 bool isWithin(CertifiedPrimitive& result, const Solid& solid, const PrimitiveOptions& options, const RunControl& control) {
   const std::vector<ConvexHull> around{polyhedronFor(result.primitive, options, options.tolerance)};
   const double most = options.tolerance - options.margin;
-  for (const double share : kWideGaps) {
+  for (const double share : {kWideGap, kNarrowerGap}) {
     const double gap = share * options.tolerance;
     const Protrusion seen = protrusion(around, solid, {gap, 0, 0, std::max(0.0, most - kBelow * gap)}, control);
     look(result, solid, nearestPoint(result.primitive, seen.where));

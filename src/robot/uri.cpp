@@ -164,7 +164,7 @@ std::string fileUri(const std::string& path) {
 }
 
 std::string resolveUri(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
-  if (uri.empty()) throw Error(ErrorCode::kFileNotFound, "a mesh has an empty file name");
+  if (uri.empty()) throw Error(ErrorCode::kFileNotFound, "a mesh has an empty file name; give its <mesh> a filename");
   checkCharacters(uri);
   const std::string decoded = percentDecoded(uri);
   if (const auto package = packageOf(uri)) checkPackageName(uri, *package);

@@ -157,6 +157,22 @@ TEST(ParseDescription, InertiaIsNoneOfItsBusiness) {
   EXPECT_TRUE(parseRobotDescription(robotWith("<link name='a'>" + good + collision + "</link>")).notes.empty());
 }
 
+// As rviz and MoveIt do; what others may see, a note names.
+TEST(ParseDescription, OfSeveralShapesTheFirstCounts) {
+  const std::string box = "<box size='1 1 1'/>", ball = "<sphere radius='1'/>";
+  for (const std::string& shapes : {box + ball, box + "<!-- ball -->" + ball, box + "</geometry><geometry>" + ball}) {
+    const std::string link = "<link name='a'><collision><geometry>" + shapes + "</geometry></collision></link>";
+    const RobotDescription robot = parseRobotDescription(robotWith(link));
+    ASSERT_EQ(robot.links.at(0).collisions.size(), 1U);
+    EXPECT_EQ(robot.links[0].collisions[0].kind, GeometryElement::Kind::kBox);
+    ASSERT_EQ(robot.notes.size(), 1U) << shapes;
+    for (const std::string part : {"line 2", "this <sphere> of link 'a' is a second shape", "a <visual> or <collision> of its own"})
+      EXPECT_NE(robot.notes[0].find(part), std::string::npos) << robot.notes[0];
+  }
+  const std::string other = "<link name='a'><visual><geometry>" + box + "<colour/></geometry></visual></link>";
+  EXPECT_TRUE(parseRobotDescription(robotWith(other)).notes.empty()) << "no shape";
+}
+
 TEST(ParseDescription, KeepsUrdfdomQuiet) {
   testing::internal::CaptureStderr();
   EXPECT_THROW(parseRobotDescription("<robot><link name='a'/></robot>"), Error);

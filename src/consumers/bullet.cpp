@@ -1,7 +1,7 @@
 // Bullet's URDF importer takes the description itself, so there are only notes. It looks for each mesh, visual ones too, as a file of the
 // name that it is given, without package:// or model:// before it, in the folders above the URDF, and in the current one and two above
-// that. So it finds a package by a folder of its name, wherever ROS has it, and to it file:// is a part of the name. For one mesh that it
-// does not find it refuses the whole description (UrdfFindMeshFile.h, UrdfParser.cpp).
+// that. So a package has to be a folder of its name there, as ROS is not asked; and file:// is to it a part of the name. For one mesh that
+// it does not find it refuses the whole description (UrdfFindMeshFile.h, UrdfParser.cpp).
 #include <filesystem>
 #include <functional>
 #include <set>

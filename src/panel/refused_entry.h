@@ -3,6 +3,8 @@
 
 #include <QLineEdit>
 #include <QString>
+#include <string>
+#include <vector>
 
 namespace collision_hulls {
 
@@ -19,11 +21,10 @@ class RefusedEntry {
     if (line == line_) forget();
   }
 
-  /// The fields show something else from now on.
-  void forget() {
-    if (line_) line_->setModified(false);
-    line_ = nullptr;
-    reason_.clear();
+  /// The fields show what has these names from now on. Of anything else, nothing was refused.
+  void turnTo(const std::vector<std::string>& subject) {
+    if (subject != subject_) forget();
+    subject_ = subject;
   }
 
   /// Shows `value`, unless somebody is typing, or a refused text still stands for this very value.
@@ -37,8 +38,15 @@ class RefusedEntry {
   const QString& reason() const { return reason_; }
 
  private:
+  void forget() {
+    if (line_) line_->setModified(false);
+    line_ = nullptr;
+    reason_.clear();
+  }
+
   static constexpr const char* kShown = "shown_value";
 
+  std::vector<std::string> subject_;
   QLineEdit* line_ = nullptr;
   QString reason_;
 };

@@ -187,8 +187,7 @@ void RegionForm::showChosen() {
   const auto* const half_space = std::get_if<RegionHalfSpace>(&shown.shape);
   for (QWidget* const widget : of_box_) widget->setVisible(box != nullptr);
   for (QWidget* const widget : of_half_space_) widget->setVisible(half_space != nullptr);
-  if (shown.pattern != shown_link_ || shown.name != shown_region_) refused_.forget();
-  shown_link_ = shown.pattern, shown_region_ = shown.name;
+  refused_.turnTo({shown.pattern, shown.name});
   const auto set = [this, rule](QLineEdit* line, const QString& text) {
     line->setEnabled(rule != nullptr);
     refused_.show(line, rule ? text : "");

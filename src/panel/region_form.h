@@ -46,7 +46,6 @@ class RegionForm : public QWidget {
   QPushButton* addButton(const QString& text, const char* object, const QString& tip);
 
   std::vector<RegionRule> regions_;
-  std::string shown_link_, shown_region_;
   RefusedEntry refused_;
   QString advice_text_;
   bool is_showing_ = false;  // fields change because of show()

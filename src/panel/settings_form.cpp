@@ -157,7 +157,7 @@ void SettingsForm::show(const std::vector<const LinkRow*>& links) {
   std::vector<std::vector<double>> steps;
   std::vector<std::string> names;
   for (const LinkRow* link : links) steps.push_back(link->facts.steps), names.push_back(link->link);
-  if (names != links_) refused_.forget(), links_ = std::move(names);
+  refused_.turnTo(names);
   if (steps != steps_) scale_ = ToleranceScale(steps), steps_ = std::move(steps);
   const LinkOptions options = links.empty() ? LinkOptions() : links.front()->options;
   const double known = links.empty() ? 0 : links.front()->facts.tolerance;

@@ -52,7 +52,6 @@ class SettingsForm : public QWidget {
   double tolerance_ = 0.01;  // [m] that the slider has
   bool is_showing_ = false;  // boxes change because of show()
   bool goes_on_ = false;     // the slider moved last
-  std::vector<std::string> links_;
   RefusedEntry refused_;
   QSlider* slider_ = nullptr;
   QLineEdit *tolerance_text_ = nullptr, *openings_ = nullptr;

@@ -12,8 +12,8 @@
 
 namespace collision_hulls {
 
-/// Proves that some points cannot be shared out to so many sets without any set that holds two or three points that are apart. Then no so
-/// many hulls within the tolerance hold all points. Not thread safe.
+/// Proves that, however some points are shared out to so many sets, one set holds two or three that are apart. Then no so many hulls within
+/// the tolerance hold all points. Not thread safe.
 class Sharing {
  public:
   static constexpr std::size_t kMostPoints = 64;

@@ -8,7 +8,7 @@ list(FILTER FUZZ_TARGETS EXCLUDE REGEX "/(target|in_process|fuzzer|replay)\\.cpp
 function(add_fuzz_program name main)
   add_executable(${name} EXCLUDE_FROM_ALL ${main} test/fuzz/target.cpp test/fuzz/in_process.cpp ${ARGN})
   target_include_directories(${name} PRIVATE test src)
-  target_link_libraries(${name} ${PROJECT_NAME} found::tinyxml2)
+  target_link_libraries(${name} ${PROJECT_NAME}_decode ${PROJECT_NAME} found::tinyxml2)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/fuzz")
 endfunction()
 

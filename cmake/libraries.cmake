@@ -1,4 +1,5 @@
-# The libraries, none of which knows ROS: collision_hulls_core (meshes), collision_hulls (robots and scenes), and the benchmarks'.
+# The libraries, none of which knows ROS: collision_hulls_core (meshes), collision_hulls (robots and scenes), the reader program's, and the
+# benchmarks'.
 
 function(set_up_library name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
@@ -38,21 +39,37 @@ set_up_library(${PROJECT_NAME}_core)
 target_include_directories(${PROJECT_NAME}_core PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
 target_link_libraries(${PROJECT_NAME}_core
   PUBLIC Eigen3::Eigen
-  PRIVATE found::assimp found::qhull_r found::tbb found::tinyxml2 nlohmann_json::nlohmann_json Threads::Threads ${CMAKE_DL_LIBS})
+  PRIVATE found::qhull_r found::tbb nlohmann_json::nlohmann_json Threads::Threads ${CMAKE_DL_LIBS})
 if(TARGET found::seccomp)
   target_link_libraries(${PROJECT_NAME}_core PRIVATE found::seccomp)
   set_source_files_properties(src/sandbox/confine.cpp PROPERTIES COMPILE_DEFINITIONS COLLISION_HULLS_SECCOMP)
 endif()
 
+# Objects, as the reader program takes them without what else the library links: loading FCL would be a third of its start.
+room_sources(DESCRIPTION_SOURCES ${DESCRIPTION_ROOMS})
+add_library(${PROJECT_NAME}_descriptions OBJECT ${DESCRIPTION_SOURCES})
+set_up_library(${PROJECT_NAME}_descriptions)
+set_target_properties(${PROJECT_NAME}_descriptions PROPERTIES POSITION_INDEPENDENT_CODE ON)
+target_link_libraries(${PROJECT_NAME}_descriptions PUBLIC ${PROJECT_NAME}_core PRIVATE nlohmann_json::nlohmann_json Threads::Threads)
+
 room_sources(ROBOT_SOURCES ${ROBOT_ROOMS})
-add_library(${PROJECT_NAME} ${ROBOT_SOURCES})
+list(REMOVE_ITEM ROBOT_SOURCES ${DESCRIPTION_SOURCES})
+add_library(${PROJECT_NAME} ${ROBOT_SOURCES} $<TARGET_OBJECTS:${PROJECT_NAME}_descriptions>)
 set_up_library(${PROJECT_NAME})
 target_compile_definitions(${PROJECT_NAME} PRIVATE COLLISION_HULLS_VERSION="${PROJECT_VERSION}")
 target_link_libraries(${PROJECT_NAME}
   PUBLIC ${PROJECT_NAME}_core
-  PRIVATE found::fcl found::ccd found::tinyxml2 found::urdfdom_model found::yaml-cpp nlohmann_json::nlohmann_json Threads::Threads)
+  PRIVATE found::fcl found::ccd nlohmann_json::nlohmann_json Threads::Threads)
 include(cmake/source_digest.cmake)
 include(cmake/web_page.cmake)
+
+# What parses foreign bytes with libraries of others. Only the reader program links it, which is all that such bytes can take over.
+room_sources(DECODE_SOURCES decode)
+add_library(${PROJECT_NAME}_decode STATIC ${DECODE_SOURCES})
+set_up_library(${PROJECT_NAME}_decode)
+target_link_libraries(${PROJECT_NAME}_decode
+  PUBLIC ${PROJECT_NAME}_core
+  PRIVATE found::assimp found::console_bridge found::tinyxml2 found::urdfdom_model found::yaml-cpp)
 
 room_sources(BENCH_SOURCES bench)
 add_library(${PROJECT_NAME}_bench STATIC ${BENCH_SOURCES})

@@ -5,9 +5,9 @@ target_include_directories(command_line PRIVATE src)
 target_link_libraries(command_line PUBLIC ${PROJECT_NAME} PRIVATE Boost::program_options)
 
 # Reads foreign files in a process of its own: whatever reads meshes or descriptions needs it.
-add_executable(${PROJECT_NAME}_reader src/tools/reader.cpp)
+add_executable(${PROJECT_NAME}_reader src/tools/reader.cpp $<TARGET_OBJECTS:${PROJECT_NAME}_descriptions>)
 target_include_directories(${PROJECT_NAME}_reader PRIVATE src)
-target_link_libraries(${PROJECT_NAME}_reader ${PROJECT_NAME})
+target_link_libraries(${PROJECT_NAME}_reader ${PROJECT_NAME}_decode)
 set_target_properties(${PROJECT_NAME}_reader PROPERTIES INSTALL_RPATH "$ORIGIN/..")
 
 function(set_up_program name)

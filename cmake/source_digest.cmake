@@ -23,8 +23,8 @@ const char* ${NAMESPACE}::sourceDigest() {
   return()
 endif()
 
-# Hulls, their rows of the report, the bodies of primitives and the validation are remembered, so the whole library counts.
-set(digested_rooms ${CORE_ROOMS} ${ROBOT_ROOMS})
+# Hulls, their rows of the report, the bodies of primitives and the validation are remembered, so the whole library counts, and its reader.
+set(digested_rooms ${CORE_ROOMS} ${ROBOT_ROOMS} decode)
 room_sources(digested_sources ${digested_rooms})
 list(JOIN digested_rooms "," digested_rooms)
 

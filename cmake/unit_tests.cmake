@@ -1,6 +1,6 @@
 # Unit tests: one program per room, from test/<room>. They are built by the target `tests`.
 
-set(TESTED_ROOMS ${CORE_ROOMS} ${ROBOT_ROOMS} bench tools demo)
+set(TESTED_ROOMS ${CORE_ROOMS} ${ROBOT_ROOMS} decode bench tools demo)
 
 # add_unit_tests(NAME SOURCE...): by catkin if this is its build, so that its results lie where `catkin_make run_tests` looks for them.
 function(add_unit_tests name)
@@ -29,7 +29,7 @@ function(add_room_tests room)
     set(library ${PROJECT_NAME}_core)  # what a room's tests link is what has to be built to run them
   endif()
   add_dependencies(${room}_test ${PROJECT_NAME}_reader)
-  target_link_libraries(${room}_test ${library} found::assimp found::fcl found::tbb found::tinyxml2 nlohmann_json::nlohmann_json)
+  target_link_libraries(${room}_test ${PROJECT_NAME}_decode ${library} found::assimp found::fcl found::tbb found::tinyxml2 nlohmann_json::nlohmann_json)
   target_compile_definitions(${room}_test PRIVATE
     TEST_DATA="${PROJECT_SOURCE_DIR}/test/data" SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared"
     DEMO_ROBOT="${PROJECT_SOURCE_DIR}" PROGRAMS="${PROGRAMS_DIR}")

@@ -13,7 +13,6 @@
 #include "base/string_parts.h"
 #include "base/uri_text.h"
 #include "collision_hulls/error.h"
-#include "mesh/decode_mesh.h"
 #include "mesh/formats/gltf_container.h"
 #include "mesh/formats/scan.h"
 #include "mesh/mesh_question.h"
@@ -24,6 +23,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kMostFiles = 1000;  // that hold buffers; see kMostPacked
+constexpr std::string_view kLfsPointer = "version https://git-lfs.github.com/spec/";
 constexpr const char* kRemedy = "export the mesh as .glb, which holds everything";
 
 bool hasScheme(const std::string& uri) {
@@ -105,6 +105,16 @@ std::string readMeshBytes(const std::string& path, const MeshLimits& limits, con
   std::vector<std::string> contents;
   for (const BufferFile& buffer : buffers) contents.push_back(files.read(buffer));
   return packedGltf(bytes, contents);
+}
+
+bool isLfsPointer(std::string_view bytes) {
+  return bytes.substr(0, kLfsPointer.size()) == kLfsPointer;
+}
+
+void expectMeshFile(std::string_view bytes, const std::string& name) {
+  if (bytes.empty()) throw Error(ErrorCode::kEmptyMesh, name + ": the file is empty (0 bytes); export the mesh again");
+  if (isLfsPointer(bytes))
+    throw Error(ErrorCode::kNotAMesh, name + ": a Git LFS pointer, not the mesh itself; fetch the mesh with 'git lfs pull'");
 }
 
 }  // namespace collision_hulls

@@ -11,8 +11,8 @@
 
 #include "collision_hulls/error.h"
 #include "geometry/bytes.h"
-#include "mesh/decode_mesh.h"
 #include "mesh/formats/gltf_document.h"
+#include "mesh/mesh_bytes.h"
 #include "sandbox/file_reader.h"
 
 namespace collision_hulls {
@@ -95,12 +95,12 @@ std::vector<BufferFile> askForBufferFiles(const std::string& bytes, const std::s
   return bufferFilesIn(fileReader().ask({head, bytes, -1}, reading, name, kSimplify, control), name);
 }
 
-std::string answerMeshQuestion(const Question& question) {
+std::string answerMeshQuestion(const Question& question, const MeshDecoder& decode) {
   auto kind = Reading::kMesh;
   std::string name;
   MeshLimits limits;
   fromBytes(question.head, kind, name, limits.max_bytes, limits.max_triangles);
-  return toBytes(decodeMesh(question.body, name, limits, {}));
+  return toBytes(decode(question.body, name, limits, {}));
 }
 
 std::string answerBufferQuestion(const Question& question) {

@@ -1,6 +1,6 @@
 // Reads a mesh: the file as bytes, and triangles from them.
 //
-// Assimp sees no foreign byte in this process: a program of its own, confined by the kernel, reads all that needs it (mesh_question.h).
+// A program of its own, confined by the kernel, reads all that needs a parser (mesh_question.h).
 // Binary STL is fifteen lines of our own that check the size before they copy numbers; it is read here, where no bytes have to be passed
 // on.
 #include <algorithm>
@@ -8,7 +8,6 @@
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
-#include "mesh/decode_mesh.h"
 #include "mesh/formats/readers.h"
 #include "mesh/mesh_bytes.h"
 #include "mesh/mesh_question.h"
@@ -44,7 +43,7 @@ LoadedMesh readMesh(const std::string& path, const MeshLimits& limits, const Run
 LoadedMesh parseMesh(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control) {
   checkExtension(name);
   control.check();
-  if (lowerExtension(name) == ".stl" && isBinaryStl(bytes)) return decodeMesh(bytes, name, limits, control);
+  if (lowerExtension(name) == ".stl" && isBinaryStl(bytes)) return readStl(bytes, name, limits, control);
   return decodeInWorker(bytes, name, limits, control);
 }
 

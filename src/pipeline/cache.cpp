@@ -10,6 +10,7 @@
 #include "collision_hulls/error.h"
 #include "geometry/bytes.h"
 #include "pipeline/source_digest.h"
+#include "robot/element_bytes.h"
 #include "storage/sha256.h"
 
 namespace collision_hulls {
@@ -41,17 +42,6 @@ void fields(Archive& archive, HullFacts& facts) {
          covered_share, nudge, thickness, regions] = facts;
   archive(hulls, hull_vertices, least_hulls, primitives, uncovered, protrusion, protrusion_found, worst, worst_nearest, hull_volume,
           covered_share, nudge, thickness, regions);
-}
-
-template <typename Archive>
-void fields(Archive& archive, GeometryElement& element) {
-  auto& [kind, uri, scale, size, origin, name, fault] = element;
-  archive(kind, uri, scale, size, name, fault);
-  for (int column = 0; column < 4; ++column) {
-    Eigen::Vector3d value = origin.matrix().col(column).head<3>();
-    archive(value);
-    origin.matrix().col(column).head<3>() = value;
-  }
 }
 
 static std::shared_ptr<const HullTree> decodedTree(const std::string& bytes) {

@@ -8,24 +8,13 @@
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "geometry/bytes.h"
+#include "robot/element_bytes.h"
 #include "robot/far_away.h"
 #include "sandbox/file_reader.h"
 
 namespace collision_hulls {
 
 // Structured bindings name every member, so a new member does not compile until it travels, too.
-
-template <typename Archive>
-void fields(Archive& archive, Eigen::Isometry3d& pose) {
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 4; ++column) archive(pose.matrix()(row, column));
-}
-
-template <typename Archive>
-void fields(Archive& archive, GeometryElement& element) {
-  auto& [kind, uri, scale, size, origin, name, fault] = element;
-  archive(kind, uri, scale, size, origin, name, fault);
-}
 
 template <typename Archive>
 void fields(Archive& archive, LinkDescription& link) {
@@ -96,11 +85,11 @@ std::string descriptionLabel(const std::string& path) {
   return "'" + path + "'" + (lowerExtension(path) == ".xacro" ? " as xacro expands it" : "");
 }
 
-std::string answerRobotQuestion(const Question& question) {
+std::string answerRobotQuestion(const Question& question, const RobotDecoder& decode) {
   auto kind = Reading::kRobot;
   std::string path;
   fromBytes(question.head, kind, path);
-  return toBytes(decodeRobotDescription(question.body, path));
+  return toBytes(decode(question.body, path));
 }
 
 RobotDescription parseRobotDescription(const std::string& urdf_text, const std::string& path, const RunControl& control) {

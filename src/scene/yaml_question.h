@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,11 +37,15 @@ struct YamlText {
 /// ReaderProgram::ask() throws.
 std::vector<YamlTree> parseYaml(const std::vector<YamlText>& documents, const std::string& file, ErrorCode code, const RunControl& control);
 
-/// The same in this process.
-std::vector<YamlTree> decodeYaml(const std::vector<YamlText>& documents, const std::string& file, ErrorCode code);
+/// How many values and characters the aliases of a document add to what is written out; counted no further than to the limit.
+std::size_t repeatedByAliases(const YamlTree& tree);
+constexpr std::size_t kMostRepeated = 4'000'000;
+
+/// Takes documents, their file, and the code of an error: decodeYaml() of the room decode.
+using YamlDecoder = std::function<std::vector<YamlTree>(const std::vector<YamlText>&, const std::string&, ErrorCode)>;
 
 /// The worker's end.
-std::string answerYamlQuestion(const Question& question);
+std::string answerYamlQuestion(const Question& question, const YamlDecoder& decode);
 
 /// The documents in an answer. Throws ByteFault for what is none.
 std::vector<YamlTree> yamlIn(const std::string& answer);

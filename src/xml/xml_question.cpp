@@ -58,12 +58,12 @@ XmlNode xmlIn(const std::string& answer) {
   return root;
 }
 
-std::string answerXmlQuestion(const Question& question) {
+std::string answerXmlQuestion(const Question& question, const XmlDecoder& decode) {
   auto kind = Reading::kXml;
   std::string label;
   fromBytes(question.head, kind, label);
   std::vector<FlatNode> all;
-  flatten(decodeXml(question.body, label), 0, all);
+  flatten(decode(question.body, label), 0, all);
   return toBytes(all);
 }
 

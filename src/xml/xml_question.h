@@ -1,6 +1,7 @@
 // XML that is parsed in a process of its own: both ends of the question.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "sandbox/serve.h"
@@ -8,11 +9,11 @@
 
 namespace collision_hulls {
 
-/// What parseXml() does, in this process.
-XmlNode decodeXml(const std::string& text, const std::string& label);
+/// Takes a text and its label: decodeXml() of the room decode.
+using XmlDecoder = std::function<XmlNode(const std::string&, const std::string&)>;
 
 /// The worker's end.
-std::string answerXmlQuestion(const Question& question);
+std::string answerXmlQuestion(const Question& question, const XmlDecoder& decode);
 
 /// The document in an answer. Throws ByteFault for what is none.
 XmlNode xmlIn(const std::string& answer);

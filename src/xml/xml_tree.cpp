@@ -1,30 +1,7 @@
 // XML as a tree of plain values, for formats that need no more than that.
 #include "xml/xml_tree.h"
 
-#include <tinyxml2.h>
-
-#include "base/string_parts.h"
-#include "xml/xml_question.h"
-#include "xml/xml_source.h"
-#include "xml/xml_spans.h"
-
 namespace collision_hulls {
-namespace {
-
-// tinyxml2 bounds the depth.
-XmlNode toNode(const XmlSource& source, const tinyxml2::XMLElement& element) {
-  XmlNode node;
-  node.name = element.Name();
-  for (const auto* a = element.FirstAttribute(); a; a = a->Next()) node.attributes[a->Name()] = a->Value();
-  if (const char* text = element.GetText()) node.text = trimmed(text, kXmlSpace);
-  node.line = source.lineFromRoot(element.GetLineNum());
-  for (const auto* child = element.FirstChildElement(); child; child = child->NextSiblingElement()) {
-    node.children.push_back(toNode(source, *child));
-  }
-  return node;
-}
-
-}  // namespace
 
 std::string XmlNode::attribute(const std::string& key) const {
   const auto found = attributes.find(key);
@@ -44,13 +21,6 @@ std::vector<const XmlNode*> XmlNode::childrenNamed(const std::string& child_name
     if (node.name == child_name) result.push_back(&node);
   }
   return result;
-}
-
-XmlNode decodeXml(const std::string& text, const std::string& label) {
-  XmlSource source{text, label};
-  tinyxml2::XMLDocument document;
-  loadRoot(source, document);
-  return toNode(source, *document.RootElement());
 }
 
 std::string xmlEscaped(const std::string& text) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "counted_looks.h"
 #include "decompose/certified/certified_cases.h"
 
 namespace collision_hulls {
@@ -161,6 +162,14 @@ TEST(HullTree, DegenerateInput) {
   EXPECT_EQ(flat.cutAt(0), std::vector<int>{0});
   EXPECT_TRUE(HullTree{}.cutAt(1).empty());
   EXPECT_TRUE(HullTree{}.cutTo(1).empty());
+}
+
+TEST(HullTree, BoundsWithATinyGapEnd) {
+  const RepairedMesh mesh = repair(test_shapes::lBracket(0.2, 0.03, 0.1));
+  const CountedLooks looks(10'000);  // where it is told to end
+  const HullTree tree = hullTree(mesh, within(2e-6), looks.control());
+  expectSound(tree);
+  EXPECT_GE(tree.nodes.back().protrusion, protrusion({tree.nodes.back().hull}, Solid(mesh), 0.001).found);
 }
 
 TEST(HullTree, DistantPartsAreMergedInTheEnd) {

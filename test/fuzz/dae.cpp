@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "decode/collada/collada.h"
 #include "fuzz/target.h"
-#include "mesh/formats/collada.h"
 
 namespace collision_hulls::fuzz {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "collision_hulls/mesh/mesh_io.h"
+#include "decode/decode_mesh.h"
 #include "fuzz/target.h"
-#include "mesh/decode_mesh.h"
 
 namespace collision_hulls::fuzz {
 

@@ -10,8 +10,8 @@
 
 #include "base/sanitizer.h"
 #include "collision_hulls/error.h"
+#include "decode/decode_mesh.h"
 #include "files.h"
-#include "mesh/decode_mesh.h"
 
 namespace collision_hulls {
 namespace {

@@ -1,4 +1,5 @@
-// What all formats have in common; each has a test of its own in formats/. Also tests src/mesh/read_mesh.cpp and src/mesh/decode_mesh.cpp.
+// What all formats have in common; each has a test of its own in formats/. Also tests src/mesh/read_mesh.cpp and
+// src/decode/decode_mesh.cpp.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 

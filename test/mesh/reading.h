@@ -8,7 +8,7 @@
 
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
-#include "mesh/decode_mesh.h"
+#include "decode/decode_mesh.h"
 
 namespace collision_hulls {
 namespace test_files {

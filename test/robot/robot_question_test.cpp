@@ -3,6 +3,7 @@
 #include <limits>
 #include <tuple>
 
+#include "decode/urdf/decode_robot.h"
 #include "geometry/bytes.h"
 #include "robot/robot_tests.h"
 #include "sandbox/file_reader.h"
@@ -45,7 +46,7 @@ void expectSame(const JointDescription& a, const JointDescription& b) {
 }
 
 TEST(RobotQuestion, SameAsInThisProcess) {
-  const RobotDescription there = parseRobotDescription(kRobot, "arm.urdf"), here = decodeRobotDescription(kRobot, "arm.urdf");
+  const RobotDescription there = parseRobotDescription(kRobot, "arm.urdf"), here = decodeRobot(kRobot, "arm.urdf");
   EXPECT_EQ(there.name, here.name);
   EXPECT_EQ(there.text, kRobot);
   EXPECT_EQ(there.path, "arm.urdf");
@@ -90,7 +91,7 @@ TEST(RobotQuestion, FileNamesThatNoPathHas) {
 template <class Change>
 std::string changed(const Change& change) {
   std::string head = toBytes(Reading::kRobot, std::string());
-  std::string answer = answerRobotQuestion({head, kRobot, -1});
+  std::string answer = answerRobotQuestion({head, kRobot, -1}, decodeRobot);
   change(answer);
   return answer;
 }

@@ -1,3 +1,4 @@
+// Also tests src/decode/decode_yaml.cpp.
 #include "scene/yaml_question.h"
 
 #include "geometry/bytes.h"

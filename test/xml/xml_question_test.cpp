@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "collision_hulls/error.h"
+#include "decode/decode_xml.h"
 #include "geometry/bytes.h"
 
 namespace collision_hulls {

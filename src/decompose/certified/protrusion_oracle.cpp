@@ -51,6 +51,7 @@ constexpr double kLooseGap = 0.005;      // between the bounds of large protrusi
 static_assert(kReserve > kProofGap + kCertificateGap, "the certificate would need a second, closer search");
 
 constexpr double kLooseShare = 0.01;        // the same as a share of the protrusion itself
+constexpr int kLooseHalvings = 100'000;     // of patches, at most, for such a bound
 constexpr double kIntoHull = 1e-9;          // how far, on the way to a vertex, intruders on a hull's surface are moved into it
 constexpr double kGrowth = 1e-5;            // growth of a hull to allow for rounding when it is written
 constexpr double kJoggle = 1e-6;            // most that points of a rough hull are moved, as a share of their distance from the middle
@@ -330,6 +331,7 @@ double ProtrusionOracle::bound(const ConvexHull& exact) {
   SurfaceQuery on;
   on.floor = seen.found;
   on.gap = std::max(kLooseGap * tolerance_, kLooseShare * seen.found);
+  on.halvings = kLooseHalvings;
   on.known = &outside_;
   const double on_surface = largestOnSurface(hull, solid_, on, control_).bound;
   query.floor = std::max(seen.found, on_surface) + on.gap;

@@ -18,7 +18,6 @@ LoadedMesh readObj(const std::string& bytes, const std::string& path, const Mesh
 LoadedMesh readOff(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control);
 LoadedMesh readPly(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control);
 LoadedMesh readGltf(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control);
-LoadedMesh readDae(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control);
 
 /// Whether a file's size is that of a binary STL with as many triangles as it announces: what readStl() reads as one.
 bool isBinaryStl(std::string_view bytes);

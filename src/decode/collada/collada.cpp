@@ -1,7 +1,7 @@
 // Reads a Collada document's scene: from <scene> down its nodes, whose instances are followed in place. The work is bounded by counting
 // every node, transform and instance as it is met, so circles and towers of instances end at the limit. What has been read is written as a
 // document again, in the one form that leaves an XML parser and a reader of Collada nothing to choose.
-#include "mesh/formats/collada.h"
+#include "decode/collada/collada.h"
 
 #include <algorithm>
 #include <array>
@@ -12,9 +12,9 @@
 
 #include "base/decimal.h"
 #include "collision_hulls/error.h"
+#include "decode/collada/collada_shape.h"
+#include "decode/collada/collada_xml.h"
 #include "geometry/pi.h"
-#include "mesh/formats/collada_shape.h"
-#include "mesh/formats/collada_xml.h"
 #include "mesh/formats/number.h"
 #include "mesh/formats/scan.h"
 

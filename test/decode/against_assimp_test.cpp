@@ -14,12 +14,12 @@
 #include <random>
 #include <sstream>
 
-#include "../reading.h"
 #include "base/at.h"
 #include "base/string_parts.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "mesh/polygons.h"
+#include "mesh/reading.h"
 
 namespace collision_hulls {
 namespace {

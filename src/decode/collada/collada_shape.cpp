@@ -1,6 +1,6 @@
 // Collada's mesh is a chain of references: a primitive's VERTEX input names <vertices>, whose POSITION input names a <source>, whose
 // <accessor> names a <float_array> and how to step through it. Each link must lead to one thing, in the same mesh.
-#include "mesh/formats/collada_shape.h"
+#include "decode/collada/collada_shape.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,8 @@
 // Collada. We read the document ourselves, as far as it has surface, and write that part again in the plainest form (collada.h). Assimp, by
 // which rviz reads, gets this text: no trick of XML or of references lies between what was checked and what it parses. Its result is the
 // mesh, if every corner lies where we find it.
+#include "decode/collada/read_dae.h"
+
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/scene.h>
 
@@ -11,8 +13,7 @@
 
 #include "base/at.h"
 #include "collision_hulls/error.h"
-#include "mesh/formats/collada.h"
-#include "mesh/formats/readers.h"
+#include "decode/collada/collada.h"
 #include "mesh/polygons.h"
 
 namespace collision_hulls {

@@ -1,5 +1,5 @@
 // urdfdom reads text alone, so elements are printed for it: the whole robot, or one element in a robot with no other.
-#include "robot/urdfdom/urdf_elements.h"
+#include "decode/urdf/urdf_elements.h"
 
 #include <tinyxml2.h>
 

@@ -1,10 +1,10 @@
-// Also tests src/mesh/formats/collada.cpp, src/mesh/formats/collada_shape.cpp and src/mesh/formats/collada_xml.cpp.
+// Also tests src/decode/collada/collada.cpp, src/decode/collada/collada_shape.cpp and src/decode/collada/collada_xml.cpp.
 #include <gtest/gtest.h>
 
-#include "../files.h"
-#include "../reading.h"
 #include "base/at.h"
-#include "mesh/formats/collada.h"
+#include "decode/collada/collada.h"
+#include "mesh/files.h"
+#include "mesh/reading.h"
 
 namespace collision_hulls {
 namespace {

@@ -1,6 +1,6 @@
 // The whole description is read by urdfdom as it is, and the elements of its links are counted. Where some are missing, each element of the
 // link is read in a link of its own, in urdfdom's order, to find the one at which it stopped.
-#include "robot/urdfdom/urdfdom_losses.h"
+#include "decode/urdf/urdfdom_losses.h"
 
 #include <tinyxml2.h>
 
@@ -10,8 +10,8 @@
 #include <unordered_map>
 
 #include "base/counted.h"
-#include "robot/urdfdom/urdf_elements.h"
-#include "xml/xml_source.h"
+#include "decode/urdf/urdf_elements.h"
+#include "decode/xml_source.h"
 
 namespace collision_hulls {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "robot/urdfdom/urdf_model.h"
+#include "decode/urdf/urdf_model.h"
 
 namespace tinyxml2 {
 class XMLElement;

@@ -1,5 +1,5 @@
 // The one door to the XML parser. What it cannot be trusted with is looked at before (how many elements) or afterwards (declarations).
-#include "mesh/formats/collada_xml.h"
+#include "decode/collada/collada_xml.h"
 
 #include <algorithm>
 

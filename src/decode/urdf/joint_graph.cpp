@@ -1,5 +1,5 @@
 // Checks the tree of links and joints before urdfdom builds it: urdfdom overflows the stack on long chains and loops.
-#include "robot/joint_graph.h"
+#include "decode/urdf/joint_graph.h"
 
 #include <tinyxml2.h>
 

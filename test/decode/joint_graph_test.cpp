@@ -1,4 +1,4 @@
-#include "robot/joint_graph.h"
+#include "decode/urdf/joint_graph.h"
 
 #include <gtest/gtest.h>
 #include <tinyxml2.h>

@@ -1,5 +1,5 @@
 // urdfdom names the joint or link in brackets or quotes, and says neither its line nor what it should have been.
-#include "robot/urdfdom/refusal.h"
+#include "decode/urdf/refusal.h"
 
 #include <tinyxml2.h>
 

@@ -1,26 +1,12 @@
 // From bytes to triangles: each format has its reader.
-#include "mesh/decode_mesh.h"
+#include "decode/decode_mesh.h"
 
 #include "base/string_parts.h"
-#include "collision_hulls/error.h"
+#include "decode/collada/read_dae.h"
 #include "mesh/formats/readers.h"
+#include "mesh/mesh_bytes.h"
 
 namespace collision_hulls {
-namespace {
-
-constexpr std::string_view kLfsPointer = "version https://git-lfs.github.com/spec/";
-
-}  // namespace
-
-bool isLfsPointer(std::string_view bytes) {
-  return bytes.substr(0, kLfsPointer.size()) == kLfsPointer;
-}
-
-void expectMeshFile(std::string_view bytes, const std::string& name) {
-  if (bytes.empty()) throw Error(ErrorCode::kEmptyMesh, name + ": the file is empty (0 bytes); export the mesh again");
-  if (isLfsPointer(bytes))
-    throw Error(ErrorCode::kNotAMesh, name + ": a Git LFS pointer, not the mesh itself; fetch the mesh with 'git lfs pull'");
-}
 
 LoadedMesh decodeMesh(const std::string& bytes, const std::string& name, const MeshLimits& limits, const RunControl& control) {
   expectMeshFile(bytes, name);

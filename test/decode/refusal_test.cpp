@@ -1,4 +1,4 @@
-// Tests src/robot/urdfdom/refusal.cpp through the descriptions that urdfdom refuses.
+// Tests src/decode/urdf/refusal.cpp through the descriptions that urdfdom refuses.
 #include <gtest/gtest.h>
 
 #include "collision_hulls/robot/robot_description.h"

@@ -1,5 +1,5 @@
 // The only file that sees urdfdom: turns its model into plain values and collects its complaints.
-#include "robot/urdfdom/urdf_model.h"
+#include "decode/urdf/urdf_model.h"
 
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>

@@ -1,4 +1,4 @@
-#include "xml/xml_source.h"
+#include "decode/xml_source.h"
 
 #include <tinyxml2.h>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "collision_hulls/robot/robot_description.h"
-#include "xml/xml_source.h"
+#include "decode/xml_source.h"
 
 namespace tinyxml2 {
 class XMLElement;

@@ -1,5 +1,5 @@
-// Also tests src/robot/geometry_stand_ins.cpp, src/robot/urdfdom/urdf_elements.cpp, src/robot/urdfdom/urdf_model.cpp and
-// src/robot/urdfdom/urdfdom_losses.cpp.
+// Also tests src/decode/urdf/geometry_stand_ins.cpp, src/decode/urdf/urdf_elements.cpp, src/decode/urdf/urdf_model.cpp and
+// src/decode/urdf/urdfdom_losses.cpp.
 #include <gtest/gtest.h>
 
 #include <locale>

@@ -1,6 +1,6 @@
 // urdfdom drops a whole link, or the whole robot, over one bad <visual> or <collision>. Such elements are taken out before urdfdom sees
 // them, and a stand-in with the fault takes their place afterwards, so that one bad element costs only itself.
-#include "robot/geometry_stand_ins.h"
+#include "decode/urdf/geometry_stand_ins.h"
 
 #include <tinyxml2.h>
 
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/uri_text.h"
-#include "robot/urdfdom/urdf_elements.h"
+#include "decode/urdf/urdf_elements.h"
 
 namespace collision_hulls {
 namespace {

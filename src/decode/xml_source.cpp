@@ -1,5 +1,5 @@
 // Loads a description with tinyxml2, and refuses first what tinyxml2 accepts or misreads.
-#include "xml/xml_source.h"
+#include "decode/xml_source.h"
 
 #include <tinyxml2.h>
 

@@ -1,8 +1,8 @@
 // A <geometry> of Collada.
 #pragma once
 
-#include "mesh/formats/collada.h"
-#include "mesh/formats/collada_xml.h"
+#include "decode/collada/collada.h"
+#include "decode/collada/collada_xml.h"
 
 namespace collision_hulls {
 

@@ -1,4 +1,6 @@
 // A robot description from text: elements by tinyxml2, meaning by urdfdom.
+#include "decode/urdf/decode_robot.h"
+
 #include <tinyxml2.h>
 
 #include <algorithm>
@@ -12,14 +14,14 @@
 #include "base/uri_text.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/robot/robot_description.h"
+#include "decode/urdf/geometry_stand_ins.h"
+#include "decode/urdf/joint_graph.h"
+#include "decode/urdf/refusal.h"
+#include "decode/urdf/urdf_elements.h"
+#include "decode/urdf/urdfdom_losses.h"
+#include "decode/xml_source.h"
 #include "robot/far_away.h"
-#include "robot/geometry_stand_ins.h"
-#include "robot/joint_graph.h"
 #include "robot/robot_question.h"
-#include "robot/urdfdom/refusal.h"
-#include "robot/urdfdom/urdf_elements.h"
-#include "robot/urdfdom/urdfdom_losses.h"
-#include "xml/xml_source.h"
 
 namespace collision_hulls {
 namespace {
@@ -200,7 +202,7 @@ void checkAxes(const XmlSource& subject, const std::vector<JointDescription>& jo
 
 }  // namespace
 
-RobotDescription decodeRobotDescription(const std::string& urdf_text, const std::string& path) {
+RobotDescription decodeRobot(const std::string& urdf_text, const std::string& path) {
   XmlSource subject{urdf_text, descriptionLabel(path)};
   tinyxml2::XMLDocument document;
   loadRoot(subject, document);

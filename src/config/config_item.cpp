@@ -20,15 +20,17 @@ bool isRestOfValue(const std::string& name, const YamlValue& value) {
   return value.isNull() && !name.empty() && name.front() >= '0' && name.front() <= '9';
 }
 
-[[noreturn]] void refuseKey(const YamlValue& key, const YamlValue& value, const ConfigReaders& readers, const std::string& place) {
+[[noreturn]] void refuseKey(const YamlValue& key, const YamlValue& value, const ConfigReaders& readers, const std::string& place,
+                            const KeyHint& hint) {
   std::vector<std::string> known;
   for (const auto& [of, reader] : readers) known.push_back(of);
   const std::string name = plainText(key, "a key");
   if (isRestOfValue(name, value))
     key.fail(shortQuoted(name) + " stands alone" + (place.empty() ? "" : " in " + place) +
              ": put a value with a comma into quotes, as in {tolerance: '1cm,5%'}");
+  const std::string hinted = hint ? hint(name) : "";
   key.fail(shortQuoted(name) + " is not known" + (place.empty() ? "" : " in " + place) + ": use one of " + listed(known) +
-           didYouMean(name, known));
+           (hinted.empty() ? didYouMean(name, known) : hinted));
 }
 
 }  // namespace
@@ -76,13 +78,13 @@ void expectDifferentKeys(const YamlValue& map, const std::string& place) {
   }
 }
 
-void readMap(const ConfigItem& item, const ConfigReaders& readers, const std::string& expected) {
+void readMap(const ConfigItem& item, const ConfigReaders& readers, const std::string& expected, const KeyHint& hint) {
   if (!item.value.isMap()) item.refuse(expected);
   expectDifferentKeys(item.value, item.name);
   for (const auto& [key, value] : item.value.entries()) {
     const std::string name = plainText(key, "a key");
     const auto reader = std::find_if(readers.begin(), readers.end(), [&](const auto& r) { return r.first == name; });
-    if (reader == readers.end()) refuseKey(key, value, readers, item.name);
+    if (reader == readers.end()) refuseKey(key, value, readers, item.name, hint);
     reader->second({value, item.name.empty() ? name : name + " of " + item.name});
   }
 }

@@ -37,8 +37,11 @@ using ConfigReaders = std::vector<std::pair<std::string, std::function<void(cons
 /// Each key at most once. `place`: the map's name, empty for the whole file.
 void expectDifferentKeys(const YamlValue& map, const std::string& place);
 
+/// What a message adds on a key that is not known, such as where it belongs; empty: nothing.
+using KeyHint = std::function<std::string(const std::string& key)>;
+
 /// Each entry by the reader of its key. `expected`: of the value, for messages.
-void readMap(const ConfigItem& item, const ConfigReaders& readers, const std::string& expected);
+void readMap(const ConfigItem& item, const ConfigReaders& readers, const std::string& expected, const KeyHint& hint = {});
 
 void readFlag(const ConfigItem& item, bool& flag);
 

@@ -34,10 +34,11 @@ std::string linkNames(const RobotDescription& robot) {
   return text;
 }
 
-/// For a name that was misspelt. Looks at nothing long, as comparing takes the product of two lengths.
+/// For a name that was misspelt, or a star as in a shell. Looks at nothing long, as comparing takes the product of two lengths.
 std::string suggestion(const std::string& expression, const RobotDescription& robot) {
   constexpr std::size_t kLongest = 60;
   if (expression.size() > kLongest) return "";
+  if (const std::string any = didYouMeanAny(expression); !any.empty()) return any;
   std::vector<std::string> names;
   for (const LinkDescription& link : robot.links)
     if (link.name.size() <= 2 * kLongest) names.push_back(link.name);

@@ -136,6 +136,16 @@ ConfigReaders settingReaders(LinkSettings& settings) {
   return readers;
 }
 
+/// Many programs have their settings at the top. `key` may be spelled as on the command line: max-hulls.
+std::string placeOfSetting(std::string key) {
+  std::replace(key.begin(), key.end(), '-', '_');
+  LinkSettings unused;
+  const ConfigReaders settings = settingReaders(unused);
+  const bool is_setting = std::any_of(settings.begin(), settings.end(), [&](const auto& each) { return each.first == key; });
+  if (key == "action") return "; action is a setting of single links: put it under links:";
+  return is_setting || key == "tree" ? "; " + key + " is a setting of links: put it under default:" : "";
+}
+
 /// Values out of range, and shapes that contradict another setting of the same map.
 void checkValues(const ConfigItem& item, const LinkSettings& settings) {
   LinkOptions applied;
@@ -177,7 +187,7 @@ class Reader {
                                    {"seed", [this](const ConfigItem& item) { readSeed(item); }},
                                    {"regions", [this](const ConfigItem& item) { result_.regions = readRegions(item, control_); }}};
     if (!root.isMap()) root.fail("a configuration is a map: use keys such as default: and links:");
-    readMap({root, ""}, readers, "");
+    readMap({root, ""}, readers, "", placeOfSetting);
     return result_;
   }
 

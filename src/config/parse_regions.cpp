@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/in_context.h"
 #include "collision_hulls/config/link_decisions.h"
 #include "collision_hulls/error.h"
@@ -20,7 +21,10 @@ constexpr std::size_t kMostRegions = 1000;
 constexpr char kExample[] = "{link: hand, box: {center: [0, 0, 0.1], size: [0.1, 0.2, 0.05]}, keep_clear: true}";
 
 void readVector(const ConfigItem& item, Eigen::Vector3d& vector) {
-  if (!item.value.isSequence() || item.value.items().size() != 3) item.refuse("a list of three numbers, as in [0, 0, 0.1]");
+  const std::string expected = "a list of three numbers, as in [0, 0, 0.1]";
+  if (!item.value.isSequence()) item.refuse(expected);
+  const std::size_t entries = item.value.items().size();
+  if (entries != 3) item.value.fail(item.name + " has " + counted(entries, "entry", "entries") + ": use " + expected);
   int i = 0;
   for (const YamlValue& entry : item.value.items())
     vector[i++] = ConfigItem{entry, "an entry of " + item.name}.number("a finite number, as in 0.1");

@@ -138,7 +138,8 @@ double roundingOf(const ConvexHull& hull) {
   return 2 * kSinglePrecision * size + std::numeric_limits<float>::min();
 }
 
-/// A hull grown by at least `margin`, with single-precision vertices, and how far it had to be grown for that.
+/// A hull grown by at least `margin`, with single-precision vertices, and how far it had to be grown for that. What rounding makes flat is
+/// tried at larger distances.
 struct Rounded {
   ConvexHull hull;
   double nudge = 0;
@@ -150,8 +151,9 @@ std::optional<Rounded> roundOutward(const ConvexHull& hull, const Points& held, 
   for (int i = 0; i < kDoublings; ++i, growth.distance *= 2) {
     Rounded result{convexHull(roundedToSingle(grown(hull, growth, control)), control), growth.distance};
     result.hull.vertices = roundedToSingle(std::move(result.hull.vertices));  // convexHull() may change a last bit
+    if (result.hull.thickness > 0) continue;
     if (exceedsCap(result.hull, max_vertices)) break;
-    if (result.hull.thickness == 0 && holdsAll(result.hull, held, margin, control)) return result;
+    if (holdsAll(result.hull, held, margin, control)) return result;
   }
   return std::nullopt;
 }
@@ -175,8 +177,8 @@ std::vector<ConvexHull> blunted(const ConvexHull& hull, double distance, int max
   return result;
 }
 
-/// Rounds any hull outward. If it is too sharp, tries, in this order: the closest of the blunter hulls around it, a larger limit on the
-/// vertices' steps, and its oriented box.
+/// Rounds any hull outward. If it is too sharp, takes the closest of the blunter hulls around it; if there is none, the closer of the hull
+/// with a larger limit on its vertices' steps and its oriented box.
 Rounded roundOutward(const ConvexHull& hull, double margin, int max_vertices, const RunControl& control) {
   const auto attempt = [&](const ConvexHull& outer, double mitre_limit) {
     return roundOutward(outer, hull.vertices, margin, mitre_limit, max_vertices, control);
@@ -184,17 +186,19 @@ Rounded roundOutward(const ConvexHull& hull, double margin, int max_vertices, co
   if (const auto result = attempt(hull, kMitreLimit)) return *result;
   std::optional<Rounded> best;
   double least = std::numeric_limits<double>::infinity();
-  for (const ConvexHull& blunt : blunted(hull, margin + roundingOf(hull), max_vertices, control)) {
-    auto result = attempt(blunt, kMitreLimit);
+  const auto consider = [&](std::optional<Rounded> result) {
     const double added = result ? addedDistance(result->hull, hull, control) : least;
     if (added < least) least = added, best = std::move(result);
+  };
+  for (const ConvexHull& blunt : blunted(hull, margin + roundingOf(hull), max_vertices, control)) consider(attempt(blunt, kMitreLimit));
+  if (!best) {
+    const ConvexHull box = orientedBox(hull, control);
+    consider(attempt(hull, kLooseMitreLimit));
+    consider(attempt(box, kMitreLimit));
+    if (!best) consider(attempt(box, kLooseMitreLimit));
   }
-  if (!best) best = attempt(hull, kLooseMitreLimit);
-  const ConvexHull box = best ? ConvexHull() : orientedBox(hull, control);
-  for (const double mitre_limit : {kMitreLimit, kLooseMitreLimit})
-    if (!best) best = attempt(box, mitre_limit);
   if (best) {
-    best->blunted = addedDistance(best->hull, hull, control);
+    best->blunted = least;
     return *std::move(best);
   }
   throw Error(ErrorCode::kInternal, "a hull of " + std::to_string(hull.vertices.size()) + " vertices about " +

@@ -7,6 +7,7 @@
 
 #include "base/decimal.h"
 #include "collision_hulls/error.h"
+#include "collision_hulls/scene/configurations.h"
 #include "fit/comparison.h"
 #include "fit/enclosing.h"
 #include "fit/fit_report.h"
@@ -44,7 +45,9 @@ std::vector<FittedElement> fittedElements(const FitProblem& problem, const Assem
 void check(const FitOptions& options) {
   if (!(options.clearance > 0 && std::isfinite(options.clearance)))
     throw Error(ErrorCode::kBadOption, "clearance is " + decimal(options.clearance) + " m; it must be a positive length");
-  if (options.samples == 0) throw Error(ErrorCode::kBadOption, "samples is 0; give at least 1");
+  const std::size_t most = ConfigurationOptions().most;  // memory grows with either
+  if (options.samples == 0 || options.samples > most)
+    throw Error(ErrorCode::kBadOption, "samples is " + std::to_string(options.samples) + "; give 1 to " + std::to_string(most));
 }
 
 SceneFit fitScene(const FitProblem& problem, const FitOptions& options, const RunControl& control) {

@@ -255,7 +255,7 @@ FitReport fitReport(const FittedModel& model, const Hits& counted, const RunCont
     report.missed += true_hit[i] && !hit[i];
   }
   report.phantom = phantoms(model, hit, control);
-  report.phantom_rate_bound = report.given ? 0 : upperBound(report.phantom) / static_cast<double>(count);
+  report.phantom_rate_bound = report.given ? 0 : std::min(1.0, upperBound(report.phantom) / static_cast<double>(count));
   report.pairs = model.rules.pairs.size() + model.rules.proved.size();
   report.proved_pairs = model.rules.proved.size();
   const PairRules asked = withSrdf(model.rules, assembly);

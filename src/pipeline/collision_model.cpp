@@ -158,14 +158,21 @@ std::vector<std::string> notesOnKept(const RobotResult& result) {
   return notes;
 }
 
-/// On hulls that were decomposed as if they were the robot.
-std::vector<std::string> notesOnAgain(const RobotDescription& robot, const Report& report, const RunControl& control) {
-  const auto of_collision = [](const ElementReport& row) {
-    return !row.visual && (row.status == Status::kOk || row.status == Status::kDegraded);
-  };
-  if (robot.path.empty() || std::none_of(report.links.begin(), report.links.end(), of_collision)) return {};
-  if (!earlierSource(std::filesystem::path(robot.path).parent_path().parent_path(), control)) return {};
-  return {"'" + robot.path + "' is the output of an earlier run: bounds count from its hulls, not from the meshes that these stand for; " +
+/// On hulls that were decomposed as if they were the robot. Where a text came without its file, or with another one, the places of its
+/// meshes tell.
+std::vector<std::string> notesOnAgain(const RobotDescription& robot, const Report& report, const PackageFinder& find_package,
+                                      const std::string& output, const RunControl& control) {
+  std::set<std::string> uris;
+  for (const ElementReport& row : report.links)
+    if (!row.visual && (row.status == Status::kOk || row.status == Status::kDegraded)) uris.insert(row.uri);
+  if (uris.empty()) return {};
+  std::string earlier;
+  if (!robot.path.empty() && earlierSource(std::filesystem::path(robot.path).parent_path().parent_path(), control))
+    earlier = "'" + robot.path + "' is";
+  else if (const std::string folder = outputWithOneOf(uris, robot, output, find_package, control); !folder.empty())
+    earlier = "the description has <collision> meshes in '" + folder + "',";
+  if (earlier.empty()) return {};
+  return {earlier + " the output of an earlier run: bounds count from its hulls, not from the meshes that these stand for; " +
           "decompose the description that it was made from"};
 }
 
@@ -286,7 +293,7 @@ void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDec
   for (const auto& more :
        {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options), notesOnBare(robot, decisions.front()),
         notesOnFlat(robot, decisions.front()), notesOnIdle(robot, decisions.front(), options, control), notes,
-        notesOnAgain(robot, result.report, control), notesOnKept(result), notesOnCarried(result),
+        notesOnAgain(robot, result.report, find_package, output, control), notesOnKept(result), notesOnCarried(result),
         notesOnRewritten(result, output, source.uris, control), notesOnContacts(result)})
     all.insert(all.end(), more.begin(), more.end());
 }

@@ -78,13 +78,12 @@ class EarlierOutputs {
  public:
   explicit EarlierOutputs(const RunControl& control) : control_(control) {}
 
-  /// The file's path within that output; nullopt if no earlier output holds it.
-  std::optional<fs::path> pathWithin(const fs::path& file) {
+  /// That output's folder; nullopt if no earlier output holds the file.
+  std::optional<fs::path> around(const fs::path& file) {
     for (fs::path folder = file.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
       const auto [known, is_new] = outputs_.try_emplace(folder);
       if (is_new) known->second = earlierOutput(folder, control_);
-      const fs::path within = file.lexically_relative(folder);
-      if (known->second && known->second->files.count(within)) return within;
+      if (known->second && known->second->files.count(file.lexically_relative(folder))) return folder;
     }
     return std::nullopt;
   }
@@ -160,14 +159,26 @@ KeptHulls keptHulls(const RobotDescription& robot, const std::set<std::string>& 
       control.check();
       if (!isUsableMesh(collision) || kept.places.count(collision.uri)) continue;
       const auto file = files.find(collision.uri);
-      const auto within = file ? outputs.pathWithin(*file) : std::nullopt;
-      if (!within) continue;
-      const std::string place = places.of(*file, *within);
+      const auto folder = file ? outputs.around(*file) : std::nullopt;
+      if (!folder) continue;
+      const std::string place = places.of(*file, file->lexically_relative(*folder));
       kept.places[collision.uri] = place;
       if (!kept.contents.count(place)) kept.contents[place] = reader.read(file->string());
     }
   }
   return kept;
+}
+
+std::string outputWithOneOf(const std::set<std::string>& uris, const RobotDescription& robot, const std::string& output,
+                            const PackageFinder& find_package, const RunControl& control) {
+  const MeshFiles files(robot, output, find_package, control);
+  EarlierOutputs outputs(control);
+  for (const std::string& uri : uris) {
+    control.check();
+    const auto file = files.find(uri);
+    if (const auto folder = file ? outputs.around(*file) : std::nullopt) return folder->string();
+  }
+  return "";
 }
 
 void refuseLosingVisuals(const RobotDescription& robot, const std::string& output, const PackageFinder& find_package,

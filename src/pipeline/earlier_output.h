@@ -24,6 +24,11 @@ struct KeptHulls {
 KeptHulls keptHulls(const RobotDescription& robot, const std::set<std::string>& replaced, const std::vector<std::string>& taken,
                     const std::string& output, const PackageFinder& find_package, const RunControl& control = {});
 
+/// The folder of an earlier output that holds one of these meshes; empty: there is none. `uris` are of `robot`, `output` as above. Throws
+/// kCancelled.
+std::string outputWithOneOf(const std::set<std::string>& uris, const RobotDescription& robot, const std::string& output,
+                            const PackageFinder& find_package, const RunControl& control = {});
+
 /// Throws kUnwritableOutput if a <visual> element names a mesh in the folder that `output` replaces: visuals stay as they are, so
 /// the mesh would be lost. Throws kCancelled.
 void refuseLosingVisuals(const RobotDescription& robot, const std::string& output, const PackageFinder& find_package,

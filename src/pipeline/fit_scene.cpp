@@ -255,12 +255,46 @@ void validateAll(Run& run) {
   run.report.validation = validateUses(run.uses, run.results, 0, run.options.seed, control);
 }
 
+/// The links with a mesh that finer hulls would fit, if max-hulls allowed more; each once.
+std::set<std::string> cappedLinks(const FittedUses& fitted, const SceneFit& fit, const Run& run) {
+  std::set<std::string> links;
+  for (std::size_t i = 0; i < fitted.uses.size(); ++i) {
+    const FitMesh& mesh = *fitted.problem.elements[i].mesh;
+    const std::size_t hulls = fit.elements[i].cut.size(), leaves = (mesh.tree.nodes.size() + 1) / 2;
+    if (mesh.max_hulls > 0 && hulls >= static_cast<std::size_t>(mesh.max_hulls) && hulls < leaves)
+      links.insert(run.uses[fitted.uses[i]].link);
+  }
+  return links;
+}
+
+/// On false collisions that only max-hulls keeps; empty: there are none.
+std::string noteOnCap(const FitReport& fit, const std::set<std::string>& capped) {
+  if (fit.phantom == 0 || fit.leaf_contacts > 0 || capped.empty()) return "";
+  return std::to_string(fit.phantom) + " of " + counted(fit.samples, "configuration") + " still " + (fit.phantom == 1 ? "has" : "have") +
+         " a false collision, since max-hulls keeps link '" + *capped.begin() + "'" +
+         (capped.size() > 1 ? " and " + std::to_string(capped.size() - 1) + " more" : "") +
+         " from finer hulls; raise max-hulls, or set it to 0, which lifts the limit";
+}
+
+/// On links and bodies of the scene that are not checked against each other; empty: there are none.
+std::string noteOnScenePairs(const FitReport& fit) {
+  const auto is_with_scene = [](const LeftOutPair& pair) { return !pair.links; };
+  const auto first = std::find_if(fit.left_out.begin(), fit.left_out.end(), is_with_scene);
+  if (first == fit.left_out.end()) return "";
+  const auto count = static_cast<std::size_t>(std::count_if(first, fit.left_out.end(), is_with_scene));
+  return counted(count, "pair") + " of a link and a body of the scene " + (count == 1 ? "is" : "are") + " left out (" + first->first +
+         " against " + first->second + (count == 1 ? "" : ", for one") +
+         "): the original touches there always, or nearly, so the check in the scene says nothing about " + (count == 1 ? "it" : "them") +
+         "; check the scene's place unless the robot stands like that";
+}
+
 /// `unfitted`: links that the options keep or remove.
 std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options, std::size_t unfitted) {
   std::vector<std::string> notes = fit.notes;
   if (!options.links.empty()) notes.push_back("links that '" + options.links + "' does not match were left out of the fit");
   if (unfitted > 0)
     notes.push_back(counted(unfitted, "link") + (unfitted == 1 ? " that is" : " that are") + " kept or removed had no part in the fit");
+  if (const std::string note = noteOnScenePairs(fit); !note.empty()) notes.push_back(note);
   if (!fit.scene_contact.empty()) notes.push_back("the original touches the scene at rest: " + fit.scene_contact);
   const std::string touched = "the original touches the scene in " + std::to_string(fit.scene_hits) + " of " + std::to_string(fit.samples);
   if (fit.scene_hits > 0 && fit.given) notes.push_back(touched + " given configurations");
@@ -294,8 +328,24 @@ void checkClearance(double clearance, const RobotDescription& robot) {
   const double reach = reachOf(robot);
   if (clearance <= std::max(kAlwaysAllowed, reach)) return;
   throw Error(ErrorCode::kBadOption, "clearance '" + toString(lengthOf(clearance)) + "' is more than robot '" + robot.name + "' reaches (" +
-                                         millimetres(reach) + "): a number without a unit is in metres, did you mean " +
-                                         toString(lengthOf(clearance / 1000)) + "?");
+                                         millimetres(reach) + "): did you mean " + toString(lengthOf(clearance / 1000)) +
+                                         "? Without a unit, a number is in metres");
+}
+
+/// Refuses padding and shapes; names the link unless all links have the same.
+void refuseLinkSettings(const RobotDescription& robot, const Options& options, const LinkDecisions& decisions) {
+  for (const LinkDescription& link : robot.links) {
+    const LinkOptions* const decided = decisions.of(link.name);
+    if (!decided || decided->action != Action::kDecompose) continue;
+    const auto ofLink = [&](bool is_for_all) { return is_for_all ? std::string() : " of link '" + link.name + "'"; };
+    if (decided->padding > 0)
+      throw Error(ErrorCode::kBadOption, "padding '" + toString(lengthOf(decided->padding)) + "'" +
+                                             ofLink(decided->padding == options.padding) +
+                                             " does not apply to fit_scene, which keeps a clearance; add it to the clearance, and omit it");
+    if (decided->shapes != Shapes::kHulls)
+      throw Error(ErrorCode::kBadOption, std::string("shapes '") + name(decided->shapes) + "'" + ofLink(decided->shapes == options.shapes) +
+                                             " does not apply to fit_scene, which takes primitives where the scene allows; omit it");
+  }
 }
 
 void refuseOtherWays(const RobotDescription& robot, const Options& options, const LinkDecisions& decisions) {
@@ -311,18 +361,9 @@ void refuseOtherWays(const RobotDescription& robot, const Options& options, cons
     const RegionRule& first = options.region_rules.front();
     throw Error(ErrorCode::kBadOption,
                 (first.place.empty() ? "" : first.place + ": ") + "region '" + first.name +
-                    "': fitting merges hulls until the scene minds, whatever a region says; omit it, or use decompose");
+                    "' does not apply to fit_scene, where the scene alone decides how far hulls protrude; omit it, or use decompose");
   }
-  for (const LinkDescription& link : robot.links) {
-    const LinkOptions* const decided = decisions.of(link.name);
-    if (decided && decided->action == Action::kDecompose && decided->padding > 0)
-      throw Error(ErrorCode::kBadOption,
-                  "padding '" + toString(lengthOf(decided->padding)) + "' of link '" + link.name +
-                      "' does not apply to fit_scene, which keeps a clearance; add it to the clearance, and omit it");
-    if (decided && decided->action == Action::kDecompose && decided->shapes != Shapes::kHulls)
-      throw Error(ErrorCode::kBadOption, std::string("shapes '") + name(decided->shapes) + "' of link '" + link.name +
-                                             "' does not apply to fit_scene, which takes primitives where the scene allows; omit it");
-  }
+  refuseLinkSettings(robot, options, decisions);
   const std::string& link = decisions.firstOfOtherMethod();
   if (link.empty()) return;
   const std::string& place = decisions.otherMethodPlace();
@@ -344,6 +385,7 @@ std::vector<DisabledPair> fitAll(const RobotDescription& robot, const LinkDecisi
   run.progress.begin("fit", kFitEnd);
   run.progress.follow(fitting, 0);
   SceneFit fit = fitScene(fitted.problem, options, fitting);
+  if (const std::string note = noteOnCap(fit.report, cappedLinks(fitted, fit, run)); !note.empty()) notes.push_back(note);
   certifyAll(fitted, fit, run);
   validateAll(run);
   run.report.scene = std::move(fit.report);

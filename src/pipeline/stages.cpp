@@ -27,14 +27,6 @@ namespace {
 
 constexpr std::size_t kManyTriangles = 100'000;  // some 100 MB at work
 
-double toleranceFor(const TriangleMesh& mesh, const LinkOptions& options) {
-  const double tolerance = options.tolerance.metres(diagonal(mesh));
-  if (tolerance > 0) return tolerance;
-  throw Error(ErrorCode::kEmptyMesh, "all " + std::to_string(mesh.triangles.size()) +
-                                         " triangles lie in one point, so a percentage of the mesh's size is no tolerance for it; give "
-                                         "only a length, such as 1mm, or repair the mesh");
-}
-
 /// Closes openings of a mesh up to a width [m] and tells what it finds. Whether it closed any.
 bool closeAsAsked(const RepairedMesh& repaired, double width, const RunControl& control, MeshResult& result) {
   MeshFacts& facts = result.mesh;
@@ -60,10 +52,18 @@ void checkSize(const std::string& mesh, double diagonal, const Length& tolerance
                                         "; if it really is that large, give the tolerance only as a percentage, such as 1%");
 }
 
+double toleranceFor(const TriangleMesh& mesh, const Length& tolerance) {
+  const double metres = tolerance.metres(diagonal(mesh));
+  if (metres > 0) return metres;
+  throw Error(ErrorCode::kEmptyMesh, "all " + std::to_string(mesh.triangles.size()) +
+                                         " triangles lie in one point, so a percentage of the mesh's size is no tolerance for it; give "
+                                         "only a length, such as 1mm, or repair the mesh");
+}
+
 void setTolerance(const std::string& uri, const LinkOptions& options, MeshResult& result) {
   checkSize("'" + uri + "'", result.mesh.diagonal, options.tolerance,
             "scale it by 0.001 (--scale 0.001 for a mesh file, scale=\"0.001 0.001 0.001\" in a description's <mesh>)");
-  result.mesh.tolerance = toleranceFor(result.original, options);
+  result.mesh.tolerance = toleranceFor(result.original, options.tolerance);
   expectResolvable(result.mesh.tolerance, result.mesh.diagonal, uri);
 }
 

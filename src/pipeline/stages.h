@@ -25,6 +25,9 @@ void checkForMesh(const std::string& path, const Options& options);
 /// minutes. `mesh` is what the message calls it, `remedy` how its numbers are scaled by 0.001.
 void checkSize(const std::string& mesh, double diagonal, const Length& tolerance, const std::string& remedy);
 
+/// What a tolerance is for a mesh [m]. Throws kEmptyMesh if that is nothing: a percentage, and all triangles lie in one point.
+double toleranceFor(const TriangleMesh& mesh, const Length& tolerance);
+
 /// The tolerance of a mesh whose original is known. Throws what checkSize() throws; kEmptyMesh and kBadOption for a tolerance that is none
 /// for it.
 void setTolerance(const std::string& uri, const LinkOptions& options, MeshResult& result);

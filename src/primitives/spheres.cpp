@@ -31,6 +31,10 @@ double sizeOf(const TriangleMesh& mesh) {
   return box.isEmpty() ? 0 : box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
 }
 
+std::string spheresDo(std::size_t number, const std::string& what) {
+  return counted(number, "sphere") + (number == 1 ? " does" : " do") + what;
+}
+
 void check(const SphereOptions& options) {
   if (!(options.tolerance > 0) || !std::isfinite(options.tolerance))
     throw Error(ErrorCode::kBadOption, "the tolerance of spheres is " + fixedDecimal(options.tolerance) + " m; it must be above 0");
@@ -74,15 +78,14 @@ CertifiedSpheres certifiedSpheres(const PreparedMesh& mesh, const SphereOptions&
   for (double tolerance = std::max(options.tolerance, least);; tolerance *= kRaise) {
     std::optional<CertifiedSpheres> result = spheresWithin(tolerance, mesh, options, control);
     if (!result) {
-      reason = counted(options.max_spheres, "sphere") + " do not cover the mesh within " + asked;
+      reason = spheresDo(options.max_spheres, " not cover the mesh within ") + asked;
       continue;
     }
     result->within_tolerance = result->bound <= options.tolerance;
     if (!covers(result->spheres, mesh.original, control))
       throw Error(ErrorCode::kInternal, "spheres leave part of the surface uncovered. Please report the mesh" +
                                             (mesh.name.empty() ? "" : " '" + mesh.name + "'"));
-    if (!result->within_tolerance)
-      result->reason = reason + "; " + counted(result->spheres.size(), "sphere") + " do within " + millimetres(tolerance);
+    if (!result->within_tolerance) result->reason = reason + "; " + spheresDo(result->spheres.size(), " within ") + millimetres(tolerance);
     return *result;
   }
 }

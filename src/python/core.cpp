@@ -2,12 +2,13 @@
 // interface that people see: names, defaults, type hints, documentation, checks of the arrays.
 //
 // Options come as the words of a command line and are parsed by what parses those of `decompose`: the same names, checks and messages, and
-// no option that the programs have and Python lacks.
+// no option that the programs have and Python lacks. __init__.py puts Python's keywords into the messages.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -114,16 +115,15 @@ Options optionsOf(const Words& words) {
 
 /// What an array's mesh takes of the options of a run.
 DecomposeOptions optionsFor(const TriangleMesh& mesh, const Options& options) {
-  const double size = diagonal(mesh);
-  checkSize("the mesh", size, options.tolerance, "multiply its vertices by 0.001");
-  return {options.method,    options.tolerance.metres(size),
+  checkSize("the mesh", diagonal(mesh), options.tolerance, "multiply its vertices by 0.001");
+  return {options.method,    toleranceFor(mesh, options.tolerance),
           options.max_hulls, options.max_vertices,
           options.seed,      options.effort,
           options.fill,      {},
           options.padding};
 }
 
-py::dict decomposeArrays(const Numbers& vertices, const Indices& faces, const Words& words, const py::object& progress) {
+py::dict decomposeArrays(const Numbers& vertices, const Indices& faces, const Words& words, const py::object& look) {
   const Options options = optionsOf(words);
   const TriangleMesh mesh = meshOf(vertices, faces);
   const DecomposeOptions how = optionsFor(mesh, options);
@@ -131,7 +131,7 @@ py::dict decomposeArrays(const Numbers& vertices, const Indices& faces, const Wo
   const auto work = [&](const RunControl& control) {
     withJobs(options.jobs, [&] { made = hullsOf(mesh, options.close_openings, how, control); });
   };
-  runInterruptibly(work, progress);
+  runInterruptibly(work, look);
   return fieldsOf(made, how);
 }
 
@@ -150,13 +150,25 @@ void write(MadeRobot& made, const RobotCommand& command, const RunControl& contr
   throw nothing;
 }
 
+void addOptions(CommandLine& app, RobotCommand& command) {
+  addRobotOptions(app, "", command);
+  addModelOption(app, command);
+}
+
+/// The options of `decompose` by name, and whether they take a value.
+std::map<std::string, bool> knownOptions() {
+  RobotCommand command;
+  CommandLine app("", "decompose");
+  addOptions(app, command);
+  return app.takesValue();
+}
+
 /// The text of report.json.
-std::string reportOn(const Words& words, const py::object& progress) {
+std::string reportOn(const Words& words, const py::object& look) {
   RobotCommand command;
   command.program = "decompose";
   CommandLine app("", command.program);
-  addRobotOptions(app, "", command);
-  addModelOption(app, command);
+  addOptions(app, command);
   parse(app, words);
   command.quiet = true;
   std::string report;
@@ -170,13 +182,14 @@ std::string reportOn(const Words& words, const py::object& progress) {
     write(made, command, control);
     report = toJson(made.result.report);
   };
-  runInterruptibly(work, progress);
+  runInterruptibly(work, look);
   return report;
 }
 
-void raise(const std::string& text, const std::string& error) {
-  const py::object type = py::module::import("collision_hulls").attr("Error");
-  PyErr_SetObject(type.ptr(), type(text, error).ptr());
+/// The text goes as bytes, since the names of files in it may be no UTF-8.
+void raise(const std::string& text, const std::string& name) {
+  const py::object error = py::module::import("collision_hulls").attr("_error")(py::bytes(text), name);
+  PyErr_SetObject(error.get_type().ptr(), error.ptr());
 }
 
 /// What is thrown here becomes collision_hulls.Error.
@@ -197,6 +210,7 @@ PYBIND11_MODULE(_core, module) {
   namespace py = pybind11;
   module.doc() = "The library's side of the package collision_hulls, which checks arguments and documents them.";
   py::register_exception_translator(collision_hulls::translate);
-  module.def("decompose", collision_hulls::decomposeArrays, py::arg("vertices"), py::arg("faces"), py::arg("words"), py::arg("progress"));
-  module.def("decompose_robot", collision_hulls::reportOn, py::arg("words"), py::arg("progress"));
+  module.def("decompose", collision_hulls::decomposeArrays, py::arg("vertices"), py::arg("faces"), py::arg("words"), py::arg("look"));
+  module.def("options", collision_hulls::knownOptions);
+  module.def("decompose_robot", collision_hulls::reportOn, py::arg("words"), py::arg("look"));
 }

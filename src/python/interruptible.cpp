@@ -13,7 +13,7 @@ namespace {
 
 namespace py = pybind11;
 
-constexpr std::chrono::milliseconds kLook{50};  // between looks at signals and progress
+constexpr std::chrono::milliseconds kLook{50};  // between looks at signals and at what Python wants
 
 /// What the working thread tells the waiting one.
 class News {
@@ -54,13 +54,10 @@ class News {
   std::exception_ptr failure_;
 };
 
-/// Calls Python's handlers of signals, and `progress` if there is anything new.
-void lookAround(const News& news, const py::object& progress, double& told) {
+/// Calls Python's handlers of signals, and `look`.
+void lookAround(const News& news, const py::object& look) {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-  const double fraction = news.fraction();
-  if (progress.is_none() || fraction <= told) return;
-  told = fraction;
-  progress(fraction);
+  look(news.fraction());
 }
 
 void work(const std::function<void(const RunControl&)>& what, const RunControl& control, News& news) {
@@ -73,9 +70,8 @@ void work(const std::function<void(const RunControl&)>& what, const RunControl& 
 }
 
 /// Waits for the end of the work. Returns what Python threw meanwhile, if anything.
-std::exception_ptr await(News& news, const RunControl& control, const py::object& progress) {
+std::exception_ptr await(News& news, const RunControl& control, const py::object& look) {
   std::exception_ptr thrown;
-  double told = 0;
   for (;;) {
     {
       const py::gil_scoped_release release;
@@ -83,7 +79,7 @@ std::exception_ptr await(News& news, const RunControl& control, const py::object
     }
     if (thrown) continue;
     try {
-      lookAround(news, progress, told);
+      lookAround(news, look);
     } catch (...) {
       thrown = std::current_exception();
       control.cancel();
@@ -93,16 +89,16 @@ std::exception_ptr await(News& news, const RunControl& control, const py::object
 
 }  // namespace
 
-void runInterruptibly(const std::function<void(const RunControl&)>& what, const py::object& progress) {
+void runInterruptibly(const std::function<void(const RunControl&)>& what, const py::object& look) {
   News news;
   RunControl control;
   control.progress = [&](double fraction) { news.tell(fraction); };
   std::thread worker([&] { work(what, control, news); });
-  const std::exception_ptr thrown = await(news, control, progress);
+  const std::exception_ptr thrown = await(news, control, look);
   worker.join();
   if (thrown) std::rethrow_exception(thrown);
   if (news.failure()) std::rethrow_exception(news.failure());
-  if (!progress.is_none()) progress(1.0);
+  look(1.0);
 }
 
 }  // namespace collision_hulls

@@ -82,8 +82,9 @@ std::regex compiled(const std::string& expression, const std::string& option) {
   try {
     return std::regex(expression, syntax);
   } catch (const std::regex_error& e) {
-    throw Error(ErrorCode::kBadOption,
-                option + " '" + expression + "' is invalid: use a regular expression (ECMAScript, no back-references): " + e.what());
+    throw Error(ErrorCode::kBadOption, option + " '" + expression + "' is invalid: use a regular expression (ECMAScript, no " +
+                                           "back-references): " + e.what() +
+                                           (expression.rfind('*', 0) == 0 ? didYouMeanAny(expression) : ""));
   }
 }
 
@@ -131,6 +132,20 @@ class Place {
 };
 
 }  // namespace
+
+std::string didYouMeanAny(const std::string& expression) {
+  std::string meant;
+  char before = 0;
+  for (std::size_t i = 0; i < expression.size(); ++i) {
+    if (expression[i] == '*' && !(before && std::strchr(".)][", before))) meant += '.';
+    before = expression[i];
+    meant += before;
+    if (before != '\\' || ++i == expression.size()) continue;
+    meant += expression[i];
+    before = ']';  // "\w" stands for several characters, as "[a-z]" does
+  }
+  return meant == expression ? "" : "; did you mean '" + meant + "'?";
+}
 
 LinkPattern::LinkPattern(const std::string& expression, const std::string& option) : option_(option) {
   if (std::optional<std::set<std::string>> names = listedNames(expression)) {

@@ -27,4 +27,8 @@ class LinkPattern {
   std::variant<std::set<std::string>, std::regex> compiled_;
 };
 
+/// "; did you mean 'wrist_.*'?" for 'wrist_*', as a shell would have it: where a star repeats nothing that it is usually told to repeat.
+/// Empty for other expressions.
+std::string didYouMeanAny(const std::string& expression);
+
 }  // namespace collision_hulls

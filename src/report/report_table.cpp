@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <tuple>
@@ -31,6 +32,11 @@ std::string bodies(std::size_t hulls, std::size_t primitives) {
   return (hulls > 0 ? std::to_string(hulls) + ", " : "") + counted(primitives, "primitive");
 }
 
+/// The bound holds for covers within the tolerance: degraded rows may have fewer hulls.
+std::optional<std::size_t> leastShown(const ElementReport& row) {
+  return row.status == Status::kOk ? std::optional(row.least_hulls) : std::nullopt;
+}
+
 Cells cells(const ElementReport& row) {
   const StageSeconds& s = row.seconds;
   const std::string seconds = figure(s.read + s.repair + s.decompose + s.certify + s.write);
@@ -43,7 +49,7 @@ Cells cells(const ElementReport& row) {
           lastPart(row.uri),
           std::to_string(row.triangles),
           bodies(row.hulls, row.primitives),
-          std::to_string(row.least_hulls),
+          leastShown(row) ? std::to_string(*leastShown(row)) : "-",
           row.hulls > 0 ? std::to_string(row.hull_vertices) : "-",
           figureInMillimetres(row.protrusion),
           figureInMillimetres(row.tolerance),
@@ -68,14 +74,18 @@ std::string statusCounts(const Totals& sum) {
 Cells totalCells(const Report& report) {
   const Totals sum = totals(report);
   double protrusion = 0;
-  for (const ElementReport& row : report.links) protrusion = std::max(protrusion, row.protrusion);
+  std::optional<std::size_t> least;
+  for (const ElementReport& row : report.links) {
+    protrusion = std::max(protrusion, row.protrusion);
+    if (const auto shown = leastShown(row)) least = least.value_or(0) + *shown;
+  }
   return {"total",
           counted(sum.meshes, "mesh", "meshes") + " of " + counted(sum.links, "link"),
           std::to_string(sum.triangles),
           bodies(sum.hulls, sum.primitives),
-          std::to_string(sum.least_hulls),
+          least ? std::to_string(*least) : "-",
           std::to_string(sum.hull_vertices),
-          figureInMillimetres(protrusion),
+          sum.meshes > sum.failed ? figureInMillimetres(protrusion) : "-",
           "",
           figure(report.seconds),
           statusCounts(sum)};
@@ -101,7 +111,7 @@ std::string legend(const Report& report) {
   if (sums.meshes == sums.failed) return "";
   const auto cached = std::count_if(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.cached; });
   const bool some_needed =
-      std::any_of(report.links.begin(), report.links.end(), [](const ElementReport& row) { return row.least_hulls > 1; });
+      std::any_of(report.links.begin(), report.links.end(), [](const ElementReport& row) { return leastShown(row).value_or(0) > 1; });
   std::string text = "The " + kindOfBodies(report) + " cover the whole surface of each mesh" +
                      (sums.failed > 0 ? " that has not failed" : "") +
                      ", and no point of them is further from its solid than the protrusion.\n";
@@ -174,8 +184,10 @@ std::string sceneLines(const Report& report) {
   text += "check in the scene: " + counted(fit.samples, fit.given ? "given configuration" : "random configuration") + ": " +
           verdictText(fit.missed, fit.phantom, "clearance");
   if (!fit.given) text += " (at 95 % confidence in at most " + figure(100 * fit.phantom_rate_bound) + " % of all configurations)";
-  text += "; " + share(fit.proved_pairs, fit.pairs) + " pairs proved to stay clear of each other\n";
-  return text + "speed in the scene: a collision query takes " + figure(fit.query_us) + " us with the model, " +
+  text += "; " + share(fit.proved_pairs, fit.pairs) + " pairs proved to stay clear of each other";
+  const auto left_out = std::count_if(fit.left_out.begin(), fit.left_out.end(), [](const LeftOutPair& pair) { return !pair.links; });
+  if (left_out > 0) text += "; " + counted(static_cast<std::size_t>(left_out), "pair") + " with the scene left out";
+  return text + "\nspeed in the scene: a collision query takes " + figure(fit.query_us) + " us with the model, " +
          figure(fit.original_query_us) + " us with the meshes; a distance query takes " + figure(fit.distance_us) + " us with the model, " +
          figure(fit.original_distance_us) + " us with the meshes\n";
 }

@@ -193,12 +193,14 @@ RobotDescription Node::readRobot(const std::string& text, const std::string& bas
   if (!text.empty() && (!base.empty() || text != parameter)) {
     if (!base.empty() && fs::path(base).is_relative())
       throw Error(ErrorCode::kBadOption, "base '" + base + "' is relative; give an absolute path");
+    refusePath(text);
     return parseRobotDescription(text, base, control);
   }
   if (!has_parameter) {
     throw Error(ErrorCode::kFileNotFound, "no robot description: the request has none and the parameter " +
                                               node_.resolveName("robot_description") + " is not set to a text; give either");
   }
+  refusePath(parameter);
   const std::string own = textParameter(private_, "base");
   return parseRobotDescription(parameter, own.empty() ? "" : resolveUri(own, "", places_.packageFinder("")), control);
 }

@@ -88,8 +88,8 @@ Roots NodePlaces::roots() const {
   if (!output_.empty()) roots.outputs = {(fs::path(output_root_) / output_).string()};
   roots.read.insert(roots.read.end(), roots.outputs.begin(), roots.outputs.end());
   roots.package_with = [finder = packageFinder(base)](const std::string& path) { return finder.packageWith(path); };
-  roots.more_read = "start the node with a ~read_roots that has its folder";
-  roots.more_write = "start the node with another ~output_root, or choose a folder below it";
+  roots.more_read = "start the node with a ~read_roots that has its folder (read_roots:=DIR of decompose.launch)";
+  roots.more_write = "start the node with another ~output_root (output_root:=DIR of decompose.launch), or choose a folder below it";
   return roots;
 }
 

@@ -51,7 +51,8 @@ Configuration ConfigurationSequence::operator()(std::uint64_t index) const {
 ConfigurationCollector::ConfigurationCollector(const Kinematics& kinematics, const ConfigurationOptions& options)
     : kinematics_(kinematics), options_(options), current_(kinematics.rest()), named_(kinematics.variables().size(), 0) {
   if (!(options.max_step >= 0 && std::isfinite(options.max_step))) {
-    throw Error(ErrorCode::kBadOption, "the largest step is " + fixedDecimal(options.max_step) + "; it must be finite and at least 0");
+    throw Error(ErrorCode::kBadOption,
+                "max-step is " + decimal(options.max_step) + "; give 0, for no steps between configurations, or more");
   }
   for (const NamedJoint& joint : kinematics.joints()) joints_[joint.name] = joint;
 }

@@ -161,15 +161,19 @@ void checkFolderOf(const fs::path& path) {
   rmdir(trial.c_str());
 }
 
-void checkHoldsJson(const fs::path& file) {
+void checkBeginsWith(const fs::path& file, const std::string& beginning, const std::string& what) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return;
   std::ifstream in(file, std::ios::binary);
-  char first = '{';
-  in >> first;  // stays if the file is empty
-  if (first != '{')
-    throw Error(ErrorCode::kUnwritableOutput,
-                "'" + file.string() + "' is there already and is no report; choose another name, or remove it");
+  std::string found;
+  for (char c = 0; found.size() < beginning.size() && in >> c;) found += c;  // >> skips white space
+  if (found.empty() || found == beginning) return;
+  throw Error(ErrorCode::kUnwritableOutput,
+              "'" + file.string() + "' is there already and is no " + what + "; choose another name, or remove it");
+}
+
+void checkHoldsReport(const fs::path& file) {
+  checkBeginsWith(file, "{\"collision_hulls\":", "report");
 }
 
 void checkNamedFile(const fs::path& file) {

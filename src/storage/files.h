@@ -36,8 +36,12 @@ void writeNamedFile(const std::filesystem::path& file, const std::string& text, 
 /// Throws kUnwritableOutput if that would fail. Leaves nothing behind.
 void checkNamedFile(const std::filesystem::path& file);
 
-/// Throws kUnwritableOutput if a file is there that is no JSON: whoever names it for a report most likely means another.
-void checkHoldsJson(const std::filesystem::path& file);
+/// Throws kUnwritableOutput if a file is there that neither is empty nor begins with this text, which has no white space; that of the file
+/// does not count. `what` the file should hold is for the message: whoever names another for such an output most likely errs.
+void checkBeginsWith(const std::filesystem::path& file, const std::string& beginning, const std::string& what);
+
+/// checkBeginsWith() for the report of any program: its first key is collision_hulls. A .gltf file is JSON, too, but no report.
+void checkHoldsReport(const std::filesystem::path& file);
 
 /// Throws kUnwritableOutput unless something can be created in the nearest existing folder above an absolute path, and tries that.
 void checkFolderOf(const std::filesystem::path& path);

@@ -155,6 +155,13 @@ std::string CommandLine::given() const {
   return words;
 }
 
+std::map<std::string, bool> CommandLine::takesValue() const {
+  std::map<std::string, bool> takes;
+  for (const auto& option : options_)
+    if (!option->positional_) takes[option->name_] = option->takes_value_;
+  return takes;
+}
+
 /// Whether a word is one of the long options. Boost would take it for the value of the option before.
 bool CommandLine::isOption(const std::string& word) const {
   const std::string name = word.substr(0, word.find('='));

@@ -1,6 +1,9 @@
 // fit_scene INPUT --scene FILE --clearance LENGTH: makes a robot's collision model that is no finer than a scene needs.
 #include "collision_hulls/pipeline/fit_scene.h"
 
+#include <filesystem>
+#include <system_error>
+
 #include "base/in_context.h"
 #include "robot_program.h"
 #include "storage/csv.h"
@@ -12,10 +15,10 @@ namespace {
 
 constexpr const char* kComparisonHeader =
     "robot,scene,clearance,model,tolerance,hulls,hull_vertices,samples,clear,phantom,free,false_hits,missed,collision_us,tree_us,close_us,"
-    "distance_us,seconds\n";
+    "distance_us,seconds";
 
 std::string comparisonCsv(const std::string& robot, const FitReport& fit) {
-  std::string text = kComparisonHeader;
+  std::string text = std::string(kComparisonHeader) + "\n";
   const auto count = [](std::size_t n) { return std::to_string(n); };
   for (const ModelRow& row : fit.models) {
     text += csvLine({robot, fit.scene, csvNumber(fit.clearance), row.model, csvNumber(row.tolerance), count(row.hulls), count(row.vertices),
@@ -43,6 +46,7 @@ Examples:
 struct SceneCommand {
   RobotCommand robot;
   std::string scene, clearance, configurations, srdf, compare;
+  double clearance_metres = 0;  // once it is known
   int samples = 10000;
   double max_step = 0;
   bool hulls_only = false;
@@ -70,17 +74,35 @@ void addOptions(CommandLine& app, SceneCommand& command) {
   app.hide({"method", "padding", "scale", "segments", "shapes", "spheres", "time-limit", "tree"});
 }
 
+/// Checks what needs no file, so that nothing is read in vain.
+void interpret(SceneCommand& command) {
+  if (command.samples <= 0)
+    throw Error(ErrorCode::kBadOption, "--samples '" + std::to_string(command.samples) + "' is not understood: it takes a number above 0");
+  command.clearance_metres = parseMetres(command.clearance, "--clearance");
+  check(FitOptions{command.clearance_metres, static_cast<std::size_t>(command.samples)});
+  if (command.compare == "-")
+    throw Error(ErrorCode::kBadOption, "--compare '-': the comparison cannot go to standard output, which has the table; give a file");
+}
+
+/// Refuses a file that cannot be written, that holds something else than a comparison, or that the report goes to.
+void checkComparison(SceneCommand& command, const std::string& output) {
+  command.compare = writablePath(command.compare);
+  checkBeside(command.compare, output);
+  checkBeginsWith(command.compare, kComparisonHeader, "comparison");
+  std::error_code none;
+  const bool is_special = std::filesystem::exists(command.compare, none) && !std::filesystem::is_regular_file(command.compare, none);
+  if (isFile(command.robot.json) && !is_special && liesWithin(command.compare, command.robot.json))
+    throw Error(ErrorCode::kBadOption, "'" + command.compare + "' is also the file of --json; choose another name");
+}
+
 SceneRequest requestOf(const SceneCommand& command, const Input& input, const RunControl& control) {
   if (input.kind != Input::Kind::kRobot)
     throw Error(ErrorCode::kBadOption,
                 "'" + input.path + "' is a mesh; only a robot can be fitted to a scene, so give a URDF, xacro file or package");
-  if (command.samples <= 0)
-    throw Error(ErrorCode::kBadOption, "--samples '" + std::to_string(command.samples) + "' is not understood: it takes a number above 0");
   const std::string srdf = command.srdf.empty() ? "" : readTextFileOrPipe(command.srdf, ".srdf file", control);
-  const double clearance = parseMetres(command.clearance, "--clearance");
   SceneRequest request = readSceneRequest(
       input, {command.scene, srdf, command.srdf, command.configurations, command.max_step, meshLimits(command.robot.options)}, control);
-  request.clearance = clearance;
+  request.clearance = command.clearance_metres;
   request.samples = static_cast<std::size_t>(command.samples);
   request.compare = !command.compare.empty();
   request.primitives = !command.hulls_only;
@@ -95,13 +117,14 @@ int main(int argc, char** argv) {
   addOptions(app, command);
   std::string comparison;
   const RobotWork work = [&](const Input& input, const std::string& output, const RunControl& control, const StepCallback& step) {
-    if (!command.compare.empty()) inContext("--compare", [&] { checkBeside(command.compare = writablePath(command.compare), output); });
+    if (!command.compare.empty()) inContext("--compare", [&] { checkComparison(command, output); });
     const SceneRequest request = requestOf(command, input, control);
     RobotResult result = fitRobotToScene(input.robot, input.find_package, request, command.robot.options, output, control, step);
     if (request.compare && result.report.scene) comparison = comparisonCsv(result.robot_name, *result.report.scene);
     return result;
   };
   return runTerminalProgram(app, argc, argv, [&] {
+    interpret(command);
     const int status = runRobotCommand(command.robot, work);
     if (!comparison.empty()) writeNamedFile(command.compare, comparison);  // last, so that the model is written even if this fails
     return status;

@@ -230,7 +230,7 @@ inline MadeRobot make(RobotCommand& command, const RobotWork& work, const RunCon
   if (isFile(command.json))
     inContext("--json", [&] {
       checkBeside(command.json = writablePath(command.json), output);
-      checkHoldsJson(command.json);
+      checkHoldsReport(command.json);
     });
   const std::string work_ahead = workOn(input, command.options, control);
   if (!command.quiet && !work_ahead.empty()) std::cerr << "reading " << work_ahead << "\n";

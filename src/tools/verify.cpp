@@ -149,7 +149,7 @@ int run(Command& command, const std::string& given) {
   static RunControl control;  // a signal may come until the program ends
   cancelOnSignals(control);
   interpret(command);
-  if (isFile(command.json)) inContext("--json", [&] { checkNamedFile(command.json), checkHoldsJson(command.json); });
+  if (isFile(command.json)) inContext("--json", [&] { checkNamedFile(command.json), checkHoldsReport(command.json); });
   const std::string before = "verify " + shellWord(command.original), after = shellWord(command.result) + " " + given;
   const Input original = openInput(command.original, command.package_path, "verify", control, after);
   const Input result = openInput(command.result, command.package_path, before, control, given);

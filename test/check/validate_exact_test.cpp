@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "shapes.h"
@@ -41,6 +42,10 @@ TEST(CommonPoints, AreTheCornersOfTheOverlap) {
   EXPECT_LT((box.min() - Vector3d(0.6, 0.7, 0.8)).norm(), 1e-9);
   EXPECT_LT((box.max() - Vector3d(1, 1, 1)).norm(), 1e-9);
   EXPECT_TRUE(box.contains(points.back()));
+  for (const Vector3d& corner : {Vector3d(0.6, 0.7, 0.8), Vector3d(1, 1, 1)}) {  // one of each body, inside the other
+    const auto is_it = [&](const Vector3d& p) { return (p - corner).norm() < 1e-9; };
+    EXPECT_TRUE(std::any_of(points.begin(), points.end(), is_it)) << corner.transpose();
+  }
 }
 
 TEST(DistanceToBody, ContactContainmentAndLimit) {
@@ -50,6 +55,11 @@ TEST(DistanceToBody, ContactContainmentAndLimit) {
   EXPECT_EQ(distanceToBody(sheet, cube({0, 0, 0}, 5)), 0) << "the cube contains the sheet";
   EXPECT_EQ(distanceToBody(sheet, cube({0.5, 0.5, 0.75}, 0.5), 0.125), 0.125);
   EXPECT_TRUE(std::isinf(distanceToBody(TriangleMesh{}, cube({0, 0, 0}, 1))));
+}
+
+TEST(DistanceToBody, ACornerOfATriangleOverAFace) {
+  const TriangleMesh spike{{{0.1, -0.2, 0.75}, {0.1, -0.2, 3}, {0.2, -0.2, 3}}, {{0, 1, 2}}};
+  EXPECT_NEAR(distanceToBody(spike, cube({0, 0, 0}, 1)), 0.25, 1e-12);
 }
 
 TEST(DistanceToBody, TriangleWithoutArea) {
@@ -94,6 +104,23 @@ TEST(Proved, OnlyByPointsOfTheBodiesAndSeparatingPlanes) {
   too_near.on_second = Vector3d(1.25, 0.1, 0.2);
   too_near.distance = 0.75;
   EXPECT_FALSE(proved(too_near, first, second, 1e-9));
+
+  too_near = answer;  // the same of the first body
+  too_near.on_first = Vector3d(0.75, 0.1, 0.2);
+  too_near.distance = 0.75;
+  EXPECT_FALSE(proved(too_near, first, second, 1e-9));
+
+  for (const double share : {0.9, 1.1}) {  // another distance than that of the points
+    FclAnswer other = answer;
+    other.distance *= share;
+    EXPECT_FALSE(proved(other, first, second, 1e-9)) << share;
+  }
+
+  for (const FclAnswer::Status status : {FclAnswer::Status::kException, FclAnswer::Status::kNan}) {
+    FclAnswer failed = answer;
+    failed.status = status;
+    EXPECT_FALSE(proved(failed, first, second, 1e-9));
+  }
 
   FclAnswer nan = answer;
   nan.distance = std::nan("");

@@ -118,6 +118,12 @@ TEST(Validate, OriginalsWithoutArea) {
   }
 }
 
+TEST(Validate, APartWithoutAreaBesideOneThatHasSome) {
+  const TriangleMesh line{{Vector3d(2, 0, 0), Vector3d(2, 1, 1), Vector3d(2, 0.3, 0.3)}, {{0, 1, 2}}};
+  const ConvexHull cube = boxHull({0, 0, 0}, {1, 1, 1}), about_line = convexHull(line.vertices);
+  expectClean(run({{"cube and line", test_shapes::merged({surface(cube), line}), {cube, about_line}, about_line.thickness}}));
+}
+
 // Shapes with a known answer.
 
 TEST(Validate, ExactHulls) {
@@ -146,6 +152,24 @@ TEST(Validate, DetectsAHullThatIsTooSmall) {
   ValidationPair pair = bracket();
   pair.hulls[1] = boxHull({0, 0, 0}, {0.1, 1, 0.999});
   EXPECT_GT(run({pair}).missed, 0u);
+}
+
+/// A unit cube with a tip this high on its top.
+ConvexHull tipped(double height) {
+  return convexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}, {0.5, 0.5, 1 + height}});
+}
+
+TEST(Validate, VerdictsAllowForTheAccuracyOfDistancesAndNoMore) {
+  const ConvexHull cube = boxHull({0, 0, 0}, {1, 1, 1});
+  for (const double height : {0.3e-6, 5e-6}) {
+    const Validation validation = run({{"tip", surface(tipped(height)), {cube}, 0}});
+    EXPECT_EQ(validation.missed > 0, height > 1e-6) << height;
+  }
+  for (const double share : {0.97, 1.0}) {
+    const Validation validation = run({{"cube", surface(cube), {tipped(0.1)}, 0.1 * share}});
+    EXPECT_EQ(validation.phantom > 0, share < 1) << share;
+    EXPECT_NEAR(validation.max_underestimate, 0.1, 1e-9);
+  }
 }
 
 TEST(Validate, DetectsAFilledChannel) {

@@ -39,6 +39,10 @@ TEST(ConfigItem, AMapGoesToItsReaders) {
               readMap({yaml("twoo: 2"), "this"}, readers, "");
             }).find("'twoo' is not known in this: use one of one, two"),
             std::string::npos);
+  EXPECT_EQ(refusal([&] {
+              readMap({yaml("three: 3"), "this"}, readers, "", [](const std::string& key) { return "; " + key + " stands elsewhere"; });
+            }),
+            "'f.yaml', line 1: 'three' is not known in this: use one of one, two; three stands elsewhere");
   EXPECT_NE(refusal([&] { readMap({yaml("one: 1\none: 2"), "this"}, readers, ""); }).find("already in line 1"), std::string::npos);
 }
 

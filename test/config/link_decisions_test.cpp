@@ -171,6 +171,9 @@ TEST(LinkDecisions, AnExpressionThatMatchesNothing) {
   EXPECT_EQ(message,
             "'f.yaml', line 3: links 'panda_hnad' matches no link of robot 'panda' (the expression has to match the whole name). Its links "
             "are panda_link0, panda_link1, panda_hand, left_finger, camera_mount; did you mean 'panda_hand'?");
+  EXPECT_NE(refusal("links: {camera_*: keep}").find("; did you mean 'camera_.*'?"), std::string::npos);
+  EXPECT_NE(refusal("only: left_*").find("; did you mean 'left_.*'?"), std::string::npos);
+  EXPECT_EQ(refusal("links: {camera_moun*t: keep}"), "accepted") << "a star that repeats a letter, and matches";
   EXPECT_EQ(refusal("only: nothing").substr(0, 54), "'f.yaml', line 1: only 'nothing' matches no link of ro");
   Options options;
   options.links = "nothing";

@@ -78,6 +78,13 @@ TEST(ParseConfig, EveryWayToGetItWrong) {
       {"just words", {"line 1", "a configuration is a map"}},
       {"{}\n---\n{}", {"line 3", "a second document"}},
       {"link: {}", {"line 1", "'link' is not known", "default, only, links", "did you mean 'links'?"}},
+      {"seed: 1\ntolerance: 5mm",
+       {"line 2", "'tolerance' is not known: use one of default, ",
+        "regions; tolerance is a setting of links: "
+        "put it under default:"}},
+      {"max-hulls: 4", {"'max-hulls' is not known", "; max_hulls is a setting of links: put it under default:"}},
+      {"tree: none", {"'tree' is not known", "put it under default:"}},
+      {"action: keep", {"'action' is not known", "put it under links:"}},
       {"seed: 1\nregions:\n  - {link: hand}", {"line 3", "region 1 has neither box nor half_space", "give one of them"}},
       {"links:\n  arm: {tolerence: 2mm}", {"line 2", "'tolerence' is not known in links 'arm'", "did you mean 'tolerance'?"}},
       {"links:\n  arm: {regions: []}", {"'regions' is not known in links 'arm'"}},

@@ -83,7 +83,7 @@ TEST(ParseRegions, EveryWayToGetThemWrong) {
       {"{" + box + ", tolerance: 2m}", {"tolerance of region 1", "2m"}},
       {"{" + box + ", tolerance: [1]}", {"tolerance of region 1 is a list"}},
       {"{box: {center: [0, 0, 0]}, " + clear + "}", {"box of region 1 has no size", "size: ["}},
-      {"{box: {size: [1, 1]}, " + clear + "}", {"size of box of region 1 is a list", "three numbers"}},
+      {"{box: {size: [1, 1]}, " + clear + "}", {"size of box of region 1 has 2 entries: use a list of three numbers"}},
       {"{box: {size: [1, 1, big]}, " + clear + "}", {"an entry of size of box of region 1 is 'big': use a finite number"}},
       {"{box: {size: [1, 1, [1]]}, " + clear + "}", {"an entry of size of box of region 1 is a list"}},
       {"{box: {size: [1, -1, 1]}, " + clear + "}", {"line 2: region 1: a region's box has the size [1, -1, 1] m"}},

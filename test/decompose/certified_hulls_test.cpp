@@ -266,7 +266,7 @@ TEST(Deadline, ThatHasPassedLeavesAHullThatCovers) {
   expectPromise(channel(), result, 0.004);
   EXPECT_EQ(result.hulls.size(), 1u);
   EXPECT_GE(result.bound, kHalfGap);
-  EXPECT_NE(result.untried.find("dividing all of the surface"), std::string::npos) << result.untried;
+  EXPECT_NE(result.untried.find("the division of all of the surface"), std::string::npos) << result.untried;
   EXPECT_NE(result.reason.find("raise the time limit"), std::string::npos) << result.reason;
 }
 

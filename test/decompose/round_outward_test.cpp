@@ -129,6 +129,22 @@ TEST(RoundOutward, ABoxGrowsByTheMarginAndSinglePrecision) {
   }
 }
 
+/// A tip too sharp for a mitre becomes an octahedron, whose faces are as far out as the others: the first distance is enough.
+TEST(RoundOutward, ASharpTipGrowsNoFurtherThanTheRest) {
+  constexpr double kMargin = 1e-3;
+  for (std::uint32_t seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE(seed);
+    const Eigen::Matrix3d turn = RandomPoints(seed).rotation();
+    std::vector<Vector3d> points{turn * Vector3d(1, 0, 0)};
+    for (const double y : {-0.01, 0.01})
+      for (const double z : {-0.01, 0.01}) points.push_back(turn * Vector3d(0, y, z));
+    const ConvexHull spike = convexHull(points);
+    const RoundedHulls fitted = checkedFit({spike}, {spike.vertices, spike.triangles}, kMargin);
+    EXPECT_LE(fitted.nudge, kMargin + 5e-7);
+    EXPECT_LE(growth(fitted, {spike}), 1.8 * kMargin);
+  }
+}
+
 TEST(RoundOutward, FarFromTheOriginItGrowsWithTheCoordinates) {
   for (double far : {10.0, 1e3, 1e4}) {
     const TriangleMesh mesh = test_shapes::moved(test_shapes::torus(1, 0.3, 12, 8), {far, -far, far});
@@ -181,6 +197,20 @@ TEST(RoundOutward, KeepsTheVertexCap) {
     const Eigen::Matrix3d turn = random.rotation();
     for (Vector3d& v : mesh.vertices) v = turn * v.cwiseProduct(form);
     for (int cap : {8, 16, 64}) checkedFit({hullOf(mesh)}, mesh, 1e-6, cap);
+  }
+}
+
+/// Rounded, some slivers and even the boxes about them come out flat, and their two sides have more vertices than the cap.
+TEST(RoundOutward, ASliverThatRoundingMakesFlatKeepsTheCap) {
+  for (const std::uint32_t seed : {2U, 118U, 266U}) {
+    SCOPED_TRACE(seed);
+    RandomPoints random(seed);
+    const Eigen::Matrix3d turn = random.rotation();
+    std::vector<Vector3d> points;
+    for (int i = 0; i < 12; ++i) points.push_back(turn * random.inCube().cwiseProduct(Vector3d(0.9, 4e-4, 4e-7)));
+    const ConvexHull sliver = convexHull(points);
+    const RoundedHulls fitted = checkedFit({sliver}, {sliver.vertices, sliver.triangles}, 0, 8);
+    EXPECT_LT(fitted.blunted, 2e-3);
   }
 }
 

@@ -31,6 +31,8 @@ TEST(FitScene, RejectsInvalidOptionsAndProblems) {
   EXPECT_EQ(errorOf(problem, fitOptions(-0.01)), ErrorCode::kBadOption);
   EXPECT_EQ(errorOf(problem, fitOptions(std::numeric_limits<double>::quiet_NaN())), ErrorCode::kBadOption);
   EXPECT_EQ(errorOf(problem, fitOptions(0.01, 0)), ErrorCode::kBadOption);
+  EXPECT_NO_THROW(check(fitOptions(0.01, 10'000'000)));
+  EXPECT_THROW(check(fitOptions(0.01, 10'000'001)), Error);  // before it takes the memory
   problem.elements.clear();
   EXPECT_EQ(errorOf(problem, fitOptions()), ErrorCode::kBadOption);
 }
@@ -223,6 +225,12 @@ TEST(FitScene, CapOnHullsHolds) {
   EXPECT_LE(fit.elements[0].hulls.size(), 2u);
   EXPECT_GT(fit.report.phantom, 0u);
   EXPECT_GT(fit.report.phantom_rate_bound, 0.1);
+}
+
+TEST(FitScene, ARateIsBoundByOne) {
+  FitProblem problem = overPost();
+  problem.scene.bodies.clear();
+  EXPECT_EQ(fitScene(problem, fitOptions(0.01, 2)).report.phantom_rate_bound, 1);  // of none in two, the Poisson limit is 1.5
 }
 
 TEST(FitScene, ReportsATreeThatIsTooCoarse) {

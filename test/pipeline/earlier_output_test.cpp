@@ -148,6 +148,28 @@ TEST_P(TwoRuns, AHullThatIsALink) {
   EXPECT_TRUE(fixtures::read(hull) == content);
 }
 
+// As the node gets it once a launch file loads the output: a text, without its file or with that of the original.
+TEST_P(TwoRuns, AnOutputThatIsDecomposedAgainIsNoted) {
+  runFirst();
+  const std::string file = folder_ / "first/urdf/arm.urdf", text = fixtures::read(file);
+  const auto noted = [&](const std::string& urdf, const std::string& path) {
+    const auto find_package = [&](const std::string&) { return std::optional<std::string>(folder_ / "first"); };
+    const RobotResult result = decomposeRobot(parseRobotDescription(urdf, path), PackageFinder(find_package), options_, folder_ / "second");
+    const std::string table = toTable(result.report), again = "the output of an earlier run: bounds count from its hulls";
+    return table.find(again) == std::string::npos ? "" : table.substr(table.find("note: "));
+  };
+  EXPECT_NE(noted(text, file).find("'" + file + "' is the output"), std::string::npos);
+  const std::string in_folder = "the description has <collision> meshes in '" + (folder_ / "first") + "', the output";
+  for (const std::string& path : {std::string(), std::string(folder_ / "elsewhere/urdf/arm.urdf")}) {
+    if (GetParam() == UriStyle::kRelative) break;  // then its meshes are not found
+    EXPECT_NE(noted(text, path).find(in_folder), std::string::npos) << path;
+  }
+  EXPECT_EQ(noted(fixtures::read(folder_ / "urdf/arm.urdf"), ""), "") << "its meshes are no hulls";
+  options_.source = Source::kVisual;
+  options_.links = "tip";
+  EXPECT_EQ(noted(text, file), "") << "what is decomposed is no hull";
+}
+
 TEST_P(TwoRuns, RefusesToLoseAVisual) {
   runFirst();
   const std::string hull = folder_ / "first/meshes/tip/0_0.stl";

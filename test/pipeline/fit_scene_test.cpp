@@ -30,6 +30,11 @@ class FitRobotToScene : public ::testing::Test {
 
   static Eigen::Isometry3d at(double x, double y, double z) { return Eigen::Isometry3d(Eigen::Translation3d(x, y, z)); }
 
+  static bool isNoted(const RobotResult& result, const std::string& text) {
+    const std::vector<std::string>& notes = result.report.notes;
+    return std::any_of(notes.begin(), notes.end(), [&](const std::string& note) { return note.find(text) != std::string::npos; });
+  }
+
   static std::string collision(const std::string& geometry) { return "    <collision>\n      " + geometry + "\n    </collision>\n"; }
   static std::string bracket() { return collision(fixtures::meshTag("../meshes/bracket.obj")); }
 
@@ -80,7 +85,7 @@ TEST_F(FitRobotToScene, RejectsWhatAFitDoesNotKeep) {
   EXPECT_NE(message().find("time-limit"), std::string::npos);
   options_ = plain;
   options_.padding = 0.02;
-  EXPECT_NE(message().find("padding '2cm' of link 'base'"), std::string::npos);
+  EXPECT_NE(message().find("padding '2cm' does not apply"), std::string::npos);
   options_ = plain;
   LinkRule padded;
   padded.pattern = "ba.*";
@@ -93,7 +98,7 @@ TEST_F(FitRobotToScene, RejectsWhatAFitDoesNotKeep) {
   region.name = "mouth";
   region.shape = RegionHalfSpace{{0, 0, 1}, 0};
   options_.region_rules = {region};
-  EXPECT_NE(message().find("region 'mouth'"), std::string::npos);
+  EXPECT_NE(message().find("region 'mouth' does not apply"), std::string::npos);
 }
 
 TEST_F(FitRobotToScene, AClearanceBeyondTheRobotsReachIsRefused) {
@@ -262,23 +267,35 @@ TEST_F(FitRobotToScene, ReportsContactWithTheScene) {
   EXPECT_EQ(result.report.scene->scene_contact, "base against block");
   ASSERT_EQ(result.report.scene->left_out.size(), 1u);
   EXPECT_EQ(result.report.scene->left_out[0].reason, "Fixed");
-  bool noted = false;
-  for (const std::string& note : result.report.notes) noted |= note.find("base against block") != std::string::npos;
-  EXPECT_TRUE(noted);
+  EXPECT_TRUE(isNoted(result, "the original touches the scene at rest: base against block"));
+  EXPECT_TRUE(isNoted(result, "1 pair of a link and a body of the scene is left out (base against block)"));
+  EXPECT_NE(toTable(result.report).find("; 1 pair with the scene left out\n"), std::string::npos);
+  request_.scene.bodies.push_back({"shelf", request_.scene.bodies[0].shape, request_.scene.bodies[0].pose});
+  EXPECT_TRUE(isNoted(run(fixtures::link("base", bracket())), "2 pairs of a link and a body of the scene are left out"));
+}
+
+TEST_F(FitRobotToScene, SaysWhatMaxHullsKeeps) {
+  request_.primitives = false;
+  for (const int most : {0, 1, 2}) {
+    options_.max_hulls = most;
+    const RobotResult result = run(fixtures::link("base", bracket()));
+    EXPECT_EQ(result.report.scene->phantom, most == 1 ? 100u : 0u);
+    EXPECT_EQ(result.report.scene->leaf_contacts, 0u);
+    EXPECT_EQ(isNoted(result, "100 of 100 configurations still have a false collision, since max-hulls keeps link 'base'"), most == 1);
+    EXPECT_FALSE(isNoted(result, "of the scene is left out"));
+  }
 }
 
 TEST_F(FitRobotToScene, SaysThatTheRobotStandsInTheScene) {
   std::string turning = fixtures::link("tip", bracket(), "base");  // about x, with a leg of 0.2 m along y
   turning.replace(turning.find("fixed"), 5, "continuous");
-  const auto isNoted = [&](double wall_from_y) {
+  const auto isSaid = [&](double wall_from_y) {
     request_.scene.bodies[0] = {"wall", boxShape({2, 2, 0.8}), at(0, 1 + wall_from_y, 0.6)};
     const RobotResult result = run(fixtures::link("base", bracket()) + turning);
-    const std::vector<std::string>& notes = result.report.notes;
-    return std::any_of(notes.begin(), notes.end(),
-                       [](const std::string& note) { return note.find("of 100 sampled configurations") != std::string::npos; });
+    return isNoted(result, "of 100 sampled configurations");
   };
-  EXPECT_TRUE(isNoted(0.04));   // touched over 234 degrees
-  EXPECT_FALSE(isNoted(0.18));  // over 76 degrees
+  EXPECT_TRUE(isSaid(0.04));   // touched over 234 degrees
+  EXPECT_FALSE(isSaid(0.18));  // over 76 degrees
 }
 
 TEST_F(FitRobotToScene, FailedMeshLeavesItsLinkOut) {

@@ -106,6 +106,14 @@ TEST(CertifiedSpheres, BeyondTheLimitTheToleranceIsRaised) {
   EXPECT_NE(result.reason.find("within 160 mm"), std::string::npos) << result.reason;
 }
 
+TEST(CertifiedSpheres, ASingleOneIsSpokenOfAsOne) {
+  SphereOptions options = within(0.01);
+  options.max_spheres = 1;
+  const CertifiedSpheres result = certifiedSpheres(sheet(), options);
+  EXPECT_NE(result.reason.find("1 sphere does not cover the mesh within the tolerance of 10 mm; 1 sphere does within "), std::string::npos)
+      << result.reason;
+}
+
 TEST(CertifiedSpheres, BelowSinglePrecisionTheToleranceIsRaised) {
   const TriangleMesh mesh = moved(sphere(0.001, 3), {100, 0, 0});
   const CertifiedSpheres result = certifiedSpheres(mesh, within(1e-7));

@@ -177,15 +177,18 @@ TEST(Reach, NoBoundExceedsTheDistanceAtTheEndOfAnArc) {
   }
 }
 
-/// The same with a joint that turns by twice the way of the one that it follows.
+/// The same with a joint that turns by twice the way of the one that it follows, in the same sense or against it.
 TEST(Reach, AJointThatFollowsMovesByItsOwnWay) {
-  const std::string follows = "<mimic joint='j1' multiplier='2'/>";
-  const Kinematics kinematics = Arm().add("prismatic", "0 0 1", 0, 2).add("revolute", "0 0 1", -9, 9, 0, follows).kinematics();
   const Eigen::Vector3d place = onArc(4) + 0.06 * (onArc(0) - onArc(4)).normalized();
   const double distance = apartAt(4, place);
-  const Reach reach = reachOf(kinematics, cubeAt({1, 0, 0}), sceneWith(boxShape({kCube, kCube, 9}), place), 0.9 * distance);
-  EXPECT_EQ(reach.outcome, Outcome::kProved);
-  EXPECT_LE(reach.bound, distance * (1 + 1e-6));
+  for (const std::string follows : {"multiplier='2'", "multiplier='-2' offset='4'"}) {
+    const std::string mimic = "<mimic joint='j1' " + follows + "/>";
+    const Kinematics kinematics = Arm().add("prismatic", "0 0 1", 0, 2).add("revolute", "0 0 1", -9, 9, 0, mimic).kinematics();
+    const Reach reach = reachOf(kinematics, cubeAt({1, 0, 0}), sceneWith(boxShape({kCube, kCube, 9}), place), 0.9 * distance);
+    EXPECT_EQ(reach.outcome, Outcome::kProved) << follows;
+    EXPECT_LE(reach.bound, distance * (1 + 1e-6)) << follows;
+    EXPECT_GE(reach.found, distance * (1 - 1e-6)) << follows;
+  }
 }
 
 /// A mesh has no plane that tells towards which side movement counts, so all of it does. The cube in the middle of the arc is beside the
@@ -211,21 +214,39 @@ TEST(Reach, AnArcLeadsTowardsWhatIsBehindItsHinge) {
   EXPECT_LE(reach.bound, distance * (1 + 1e-6));
 }
 
+/// An arc of more than half a turn, as above, and a link that does not move: all of the approach is by the first or by the second link of
+/// the pair.
+TEST(Reach, TheSecondLinkMovesAsTheFirst) {
+  const Eigen::Vector3d place = onArc(4) + 0.06 * (onArc(0) - onArc(4)).normalized();
+  const double distance = apartAt(4, place);
+  const Kinematics kinematics = Arm().add("revolute", "0 0 1", 0, 4).kinematics();
+  const ReachProver prover(kinematics, {cubeAt(place), cubeAt({1, 0, 0})}, {});
+  for (const std::size_t second : {0u, 1u}) {
+    const Reach reach = prover.betweenLinks(1 - second, second, 0.98 * distance);
+    EXPECT_EQ(reach.outcome, Outcome::kProved) << second;
+    EXPECT_LE(reach.bound, distance * (1 + 1e-6)) << second;
+  }
+}
+
 /// Two arcs through one another like links of a chain, so that neither may be swept. They are nearest where the first one begins and the
-/// second has made half a turn.
+/// second has made half a turn. A box that holds this configuration must not be given up because one of them is far away at its middle,
+/// from where the other hardly moves.
 TEST(Reach, BothLinksMove) {
-  const auto hinged = [](const std::string& name, const std::string& x, const std::string& axis) {
+  const auto hinged = [](const std::string& name, double x, const std::string& axis) {
     return "<link name='" + name + "'/><joint name='to_" + name + "' type='revolute'><parent link='base'/><child link='" + name +
-           "'/><origin xyz='" + x + " 0 0'/><axis xyz='" + axis + "'/><limit lower='0' upper='4' effort='1' velocity='1'/></joint>";
+           "'/><origin xyz='" + std::to_string(x) + " 0 0'/><axis xyz='" + axis +
+           "'/><limit lower='0' upper='4' effort='1' velocity='1'/></joint>";
   };
-  const Kinematics kinematics(
-      parseRobotDescription("<robot name='r'><link name='base'/>" + hinged("a", "0", "0 0 1") + hinged("b", "1.2", "0 1 0") + "</robot>"));
-  const double distance = apartAt(0, {0.7, 0, 0});
-  const ReachProver prover(kinematics, {ConvexHull(), cubeAt({1, 0, 0}), cubeAt({0.5, 0, 0})}, {});
-  for (const std::size_t first : {1u, 2u}) {
-    const Reach reach = prover.betweenLinks(first, 3 - first, 0.5 * distance);
-    EXPECT_EQ(reach.outcome, Outcome::kProved);
-    EXPECT_LE(reach.bound, distance * (1 + 1e-6)) << first;
+  for (const double nearest : {0.7, 0.98}) {
+    const Kinematics kinematics(parseRobotDescription("<robot name='r'><link name='base'/>" + hinged("a", 0, "0 0 1") +
+                                                      hinged("b", nearest + 0.5, "0 1 0") + "</robot>"));
+    const double distance = apartAt(0, {nearest, 0, 0});
+    const ReachProver prover(kinematics, {ConvexHull(), cubeAt({1, 0, 0}), cubeAt({0.5, 0, 0})}, {});
+    for (const std::size_t first : {1u, 2u}) {
+      const Reach reach = prover.betweenLinks(first, 3 - first, 0.5 * distance);
+      EXPECT_EQ(reach.outcome, Outcome::kProved) << nearest;
+      EXPECT_LE(reach.bound, distance * (1 + 1e-6)) << first << " at " << nearest;
+    }
   }
 }
 

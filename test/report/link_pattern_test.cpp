@@ -20,6 +20,19 @@ TEST(LinkPattern, MatchesWholeNames) {
   EXPECT_FALSE(LinkPattern("(?!camera).*", "links").matches("camera_1"));
 }
 
+TEST(LinkPattern, AStarAsInAShell) {
+  EXPECT_EQ(didYouMeanAny("wrist_*"), "; did you mean 'wrist_.*'?");
+  EXPECT_EQ(didYouMeanAny("*_finger|arm*"), "; did you mean '.*_finger|arm.*'?");
+  for (const char* meant : {"", "arm", "wrist_.*", "(left|right)*", "[a-z]*", "[*]", "\\w*", "wrist_\\*", "arm\\"})
+    EXPECT_EQ(didYouMeanAny(meant), "") << meant;
+  try {
+    LinkPattern("*_finger", "links");
+    ADD_FAILURE() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("; did you mean '.*_finger'?"), std::string::npos) << error.what();
+  }
+}
+
 // Where every way is tried on its own, each of these takes longer than the universe is old, or overflows the stack.
 TEST(LinkPattern, HostileExpressionsEnd) {
   const std::string name(200, 'a');

@@ -135,11 +135,11 @@ TEST(ReportTable, ARowForEveryMeshAndTheirTotal) {
             "link   mesh                 triangles  hulls  at least  vertices  protrusion [mm]  tolerance [mm]  time [s]  status");
   EXPECT_EQ(table[1], "upper  upper.stl                   12      3         2        24              333             300         0  ok");
   EXPECT_EQ(table[2],
-            "upper  upper.stl                   12      3         2        24              333             300         0  degraded");
+            "upper  upper.stl                   12      3         -        24              333             300         0  degraded");
   EXPECT_EQ(table[3],
             "lower                               -      -         -         -                -               -         0  failed");
   EXPECT_EQ(table[4],
-            "total  3 meshes of 2 links         24      6         4        48              333                      1.50  1 ok, 1 "
+            "total  3 meshes of 2 links         24      6         2        48              333                      1.50  1 ok, 1 "
             "degraded, 1 failed");
   EXPECT_EQ(table[5].rfind("The hulls cover the whole surface of each mesh that has not failed, and no point", 0), 0u) << table[5];
   EXPECT_EQ(table[6], "\"at least\": proved, no cover within the tolerance has fewer hulls; 1 where none was sought.");
@@ -160,7 +160,7 @@ TEST(ReportTable, AModelForASceneHasItsOwnCheckAndPrimitives) {
   report.links[1].primitives = 2;
   report.links[1].hulls = report.links[1].hull_vertices = 0;
   const std::string table = toTable(report);
-  for (const char* part : {"  3, 1 primitive         2        24  ", "  2 primitives         2         -  ",
+  for (const char* part : {"  3, 1 primitive         2        24  ", "  2 primitives         -         -  ",
                            "check of single meshes: 400 queries", "The tolerance is that of the finest hulls", "speed of single meshes: ",
                            "self-collisions in 0 configurations; false ones count at any distance, also within the clearance:\n",
                            "collisions  false with single hulls  false with fitted hulls",
@@ -179,6 +179,17 @@ TEST(ReportTable, SaysWhatTheModelConsistsOf) {
   EXPECT_EQ(spheres.find("proved, no cover"), std::string::npos) << "none was sought\n" << spheres;
   report.links[0].hulls = 1;
   EXPECT_NE(toTable(report).find("\nThe bodies cover"), std::string::npos) << toTable(report);
+}
+
+TEST(ReportTable, NoFigureForWhatWasNotFound) {
+  Report report = sample();
+  report.links.erase(report.links.begin());
+  std::string table = toTable(report);
+  EXPECT_NE(table.find("\ntotal  2 meshes of 2 links         12      3         -        24              333 "), std::string::npos) << table;
+  EXPECT_EQ(table.find("proved, no cover"), std::string::npos) << table;
+  report.links.erase(report.links.begin());
+  table = toTable(report);
+  EXPECT_NE(table.find("\ntotal  1 mesh of 1 link          0      0         -         0                -  "), std::string::npos) << table;
 }
 
 TEST(ReportTable, NoCheckWhereThereIsNothingToCheck) {

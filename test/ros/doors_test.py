@@ -76,7 +76,7 @@ class DoorsTest(unittest.TestCase):
         before = sorted(os.listdir(self.folder.path))
         os.symlink(self.folder.file("shut"), self.folder.file("results/out"))
         for output in (self.folder.file("shut/made"), "../made", ".", "out/made", "/"):
-            self.assert_refused(self.decompose(uri, output), "lies outside", self.folder.results, "~output_root")
+            self.assert_refused(self.decompose(uri, output), "lies outside", self.folder.results, "~output_root (output_root:=DIR of")
         self.assertEqual(["box.stl"], os.listdir(self.folder.file("shut")))
         self.assertEqual(before, sorted(os.listdir(self.folder.path)))
 

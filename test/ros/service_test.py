@@ -49,6 +49,10 @@ class ServiceTest(unittest.TestCase):
     def test_not_xml(self):
         self.assert_refused(["XML"], robot_description="rubbish")
 
+    def test_a_path_in_place_of_the_text(self):
+        for path in (self.folder.file("robot.urdf"), "robot.urdf", "robot.xacro\n"):
+            self.assert_refused([path.strip(), "send the text of the URDF, and the path as `base`"], robot_description=path)
+
     def test_not_a_robot(self):
         self.assert_refused(["robot"], robot_description="<sofa/>")
 
@@ -120,6 +124,14 @@ class ServiceTest(unittest.TestCase):
     def test_an_option_without_a_field(self):
         report = json.loads(self.decompose_well(config="default: {close_openings: 5cm}").report)
         self.assertEqual({0.05}, {link["close_openings"] for link in report["links"]})
+
+    # As a launch file's robot_description comes: without its file.
+    def test_its_own_output_is_noted(self):
+        config, again = "output: {uri: file}", "the output of an earlier run: bounds count from its hulls"
+        first = self.decompose_well(config=config)
+        self.assertNotIn(again, first.table)
+        second = self.decompose_well(config=config, robot_description=first.robot_description, output=self.folder.output + "_2")
+        self.assertIn(again, second.table)
 
     def test_configuration_of_the_node(self):
         self.set_parameter(NODE + "/config", "links: {base: remove}")

@@ -230,6 +230,12 @@ TEST(Configurations, InterpolatesWithinTheLargestStep) {
   EXPECT_EQ(set.configurations[4], (Configuration{2, 0, 0.5}));
 }
 
+TEST(Configurations, ANegativeStepIsNamedAsItsOption) {
+  ConfigurationOptions options;
+  options.max_step = -1;
+  expectBad(ErrorCode::kBadOption, {"max-step is -1", "give 0"}, "a.csv", "a,b,c\n0,0,0\n", options);
+}
+
 TEST(Configurations, ContinuousJointsTakeTheShorterWay) {
   ConfigurationOptions options;
   options.max_step = 0.1;

@@ -73,17 +73,31 @@ TEST(WriteNamedFile, KeepsThePermissionsOfWhatItReplaces) {
   EXPECT_EQ(std::filesystem::status(folder / "file").permissions(), perms::owner_read | perms::owner_write);
 }
 
-TEST(CheckHoldsJson, OnlyReportsAreReplaced) {
+TEST(CheckHoldsReport, OnlyReportsAreReplaced) {
   const TempFolder folder;
-  for (const char* const text : {"", "{}", " \n{\"links\": []}"}) {
+  for (const char* const text : {"", "{\"collision_hulls\": \"0.1.0\"}", " \n{\n \"collision_hulls\" : \"0.1.0\",\n \"files\": []\n}\n"}) {
     fixtures::write(folder / "file", text);
-    EXPECT_NO_THROW(checkHoldsJson(folder / "file")) << text;
+    EXPECT_NO_THROW(checkHoldsReport(folder / "file")) << text;
   }
-  EXPECT_NO_THROW(checkHoldsJson(folder / "none"));
-  EXPECT_NO_THROW(checkHoldsJson("/dev/null"));
-  for (const char* const text : {"<robot/>", "default: {}", "solid"}) {
+  EXPECT_NO_THROW(checkHoldsReport(folder / "none"));
+  EXPECT_NO_THROW(checkHoldsReport("/dev/null"));
+  for (const char* const text : {"<robot/>", "default: {}", "solid", "{\"asset\": {\"version\": \"2.0\"}}", "{\"coll"}) {
     fixtures::write(folder / "file", text);
-    EXPECT_THROW(checkHoldsJson(folder / "file"), Error) << text;
+    EXPECT_THROW(checkHoldsReport(folder / "file"), Error) << text;
+  }
+}
+
+TEST(CheckBeginsWith, NamesTheFileAndWhatItShouldHold) {
+  const TempFolder folder;
+  const auto checkTable = [&](const std::string& text) { checkBeginsWith(fixtures::write(folder / "file", text), "a,b", "table"); };
+  for (const char* const text : {"", "a,b", "a,b,c\n1,2,3\n"}) EXPECT_NO_THROW(checkTable(text)) << text;
+  for (const char* const text : {"a", "b,a", "robot"}) EXPECT_THROW(checkTable(text), Error) << text;
+  try {
+    checkTable("solid");
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kUnwritableOutput);
+    for (const char* part : {"'", "file'", "no table", "choose another name"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
   }
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "collision_hulls/error.h"
 
 namespace collision_hulls {
@@ -61,6 +63,12 @@ TEST_F(CommandLineTest, WhatWasGivenIsWordsOfAShell) {
   EXPECT_EQ(line_.given(), "--output 'out dir' --factor=-2 --peer 'it'\\''s' --peer b --quiet");
   parse({"in"});
   EXPECT_EQ(line_.given(), "");
+}
+
+TEST_F(CommandLineTest, OptionsThatTakeAValueAreKnownByName) {
+  const std::map<std::string, bool> expected{{"help", false}, {"version", false}, {"output", true}, {"count", true}, {"factor", true},
+                                             {"peer", true},  {"quiet", false},   {"first", true},  {"second", true}};
+  EXPECT_EQ(line_.takesValue(), expected);
 }
 
 TEST_F(CommandLineTest, FunctionsAreCalledInTheOrderOfDeclaration) {

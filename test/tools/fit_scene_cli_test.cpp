@@ -49,6 +49,7 @@ TEST_F(FitSceneProgram, WrongUse) {
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 0", {"--clearance '0'", "2cm"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 2%", {"--clearance '2%'"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --samples 0", {"--samples '0'"});
+  expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --samples 10000001", {"samples is 10000001", "10000000"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm,5%", {"--clearance '1cm,5%'"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 20", {"clearance '20m'", "2cm"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm -t 5", {"tolerance '5m'", "5mm"});
@@ -60,6 +61,8 @@ TEST_F(FitSceneProgram, WrongUse) {
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --compare .", {"--compare", "folder"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm -o new --compare new/c.csv", {"--compare", "output folder"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm -o new --json " + (folder_ / "new/r.json"), {"--json", "output folder"});
+  expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --compare -", {"--compare '-'", "give a file"});
+  expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --compare c --json " + (folder_ / "c"), {"--compare: 'c'", "--json"});
   expectWrongUse("arm.urdf --scene \"\" --clearance 1cm", {"--scene", "takes a file"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --max-step 0.1", {"max-step", "given configurations"});
   fixtures::write(folder_ / "empty.srdf", "");
@@ -67,6 +70,19 @@ TEST_F(FitSceneProgram, WrongUse) {
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --configurations none.csv", {"none.csv"});
   expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm -m hacd", {"hacd", "certified"});
   expectWrongUse("bracket.obj --scene notch.yaml --clearance 1cm", {"bracket.obj", "mesh"});
+}
+
+TEST_F(FitSceneProgram, WrongValuesAreToldBeforeAnythingIsRead) {
+  for (const char* option : {"--clearance 2%", "--clearance 1cm --samples 0", "--clearance 1cm --compare -"}) {
+    const Finished result = run(std::string("arm.urdf --scene notch.yaml ") + option);
+    EXPECT_EQ(result.status, 2) << option;
+    EXPECT_EQ(result.err.find("reading"), std::string::npos) << result.err;
+  }
+}
+
+TEST_F(FitSceneProgram, AComparisonReplacesNothingButAComparison) {
+  for (const std::string file : {"arm.urdf", "bracket.obj", "notch.yaml"})
+    expectWrongUse("arm.urdf --scene notch.yaml --clearance 1cm --compare " + file, {"--compare: '" + file + "'", "is no comparison"});
 }
 
 // An earlier output may hold what a scene is read from.
@@ -106,6 +122,8 @@ TEST_F(FitSceneProgram, FitsAndReports) {
   EXPECT_EQ(csv.rfind("robot,scene,clearance,model,", 0), 0u);
   EXPECT_NE(csv.find("\narm,notch,0.01,fitted,"), std::string::npos) << csv;
   EXPECT_TRUE(fs::exists(folder_ / "arm_collision/config/arm_disabled.srdf"));
+  EXPECT_EQ(run("arm.urdf --scene notch.yaml --clearance 1cm --samples 10 --json r.json --compare c.csv --no-validate").status, 0)
+      << "both files may be written again";
 }
 
 }  // namespace

@@ -147,8 +147,11 @@ TEST(RoundShapes, AHullHoldsWhatItsFacesLeaveRoomFor) {
   std::vector<Eigen::Vector3d> corners;
   for (int i = 0; i < 8; ++i) corners.push_back(can.origin * Eigen::Vector3d(i & 1 ? 0.2 : -0.2, i & 2 ? 0.2 : -0.2, i & 4 ? 0.25 : -0.25));
   EXPECT_TRUE(holds(convexHull(corners), can));
-  for (Eigen::Vector3d& corner : corners) corner = can.origin * (0.999 * (can.origin.inverse() * corner));
-  EXPECT_FALSE(holds(convexHull(corners), can));
+  for (const Eigen::Vector3d& shrunk : {Eigen::Vector3d(0.999, 1, 1), Eigen::Vector3d(1, 0.999, 1), Eigen::Vector3d(1, 1, 0.999)}) {
+    std::vector<Eigen::Vector3d> less = corners;
+    for (Eigen::Vector3d& corner : less) corner = can.origin * shrunk.cwiseProduct(can.origin.inverse() * corner);
+    EXPECT_FALSE(holds(convexHull(less), can)) << shrunk.transpose();
+  }
 }
 
 TEST(RoundShapes, EqualBodiesMayDifferInATurnThatChangesNothing) {
@@ -275,6 +278,25 @@ TEST(LinkPair, ARoundBodyProtrudesByItsWholeRadius) {
     EXPECT_GE(row.protrusion.bound, 0.07 - 1e-12) << i;
     EXPECT_LE(row.protrusion.bound, 0.0725) << i;
     EXPECT_LE(row.protrusion.found, 0.07 + 1e-12) << i;
+  }
+}
+
+/// A ball, and a result beside it in a direction in which the polyhedron in the ball has no vertex: that is further away than the ball.
+TEST(LinkPair, WhatIsFoundBesideARoundOriginalIsNoFurtherThanFromTheOriginal) {
+  test_shapes::RandomPoints random(10);
+  for (int i = 0; i < 12; ++i) {
+    LinkBodies original, result;
+    original.primitives.push_back(round(Kind::kSphere, 0.2, 0));
+    const Eigen::Vector3d place = original.primitives[0].origin * (0.3 * random.onSphere());
+    const double radius = i % 2 ? 0.05 : 0;
+    GeometryElement ball = round(Kind::kSphere, radius, 0);
+    ball.origin = Eigen::Translation3d(place);
+    result.primitives.push_back(radius > 0 ? ball : boxElement(Eigen::Vector3d::Constant(1e-9), place));
+    LinkVerification row;
+    row.diagonal = 0.2 * std::sqrt(12.0);
+    LinkPair(original, result).measure(row);
+    EXPECT_LE(row.protrusion.found, 0.1 + radius + 1e-8) << i;
+    EXPECT_GE(row.protrusion.bound, 0.1 + radius - 1e-8) << i;
   }
 }
 

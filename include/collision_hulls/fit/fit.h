@@ -72,7 +72,7 @@ struct FitProblem {
 
 struct FitOptions {
   double clearance = 0.01;      ///< [m] c, > 0
-  std::size_t samples = 10000;  ///< per verification batch
+  std::size_t samples = 10000;  ///< per verification batch; 1 to 10 million
   std::uint64_t seed = 1;
   bool compare = false;    ///< also measure other models, which takes longer
   bool primitives = true;  ///< allow spheres, boxes and cylinders in place of hulls
@@ -150,7 +150,8 @@ struct FitReport {
   std::size_t missed = 0;
   /// samples in which the model collides though the original keeps its clearance
   std::size_t phantom = 0;
-  /// upper bound over all configurations, at 95 % confidence; 0 if the configurations were given
+  /// upper bound over all configurations, at 95 % confidence and at most 1; 0 if the configurations
+  /// were given
   double phantom_rate_bound = 0;
   /// counterexamples that even the finest hulls of the trees do not cure
   std::size_t leaf_contacts = 0;

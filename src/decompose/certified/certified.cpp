@@ -301,10 +301,10 @@ class Job {
     const std::vector<Leaf> parts = leaves(way, largest_side, most, reporting(stretch.part(0, kSplitting)));
     if (groups_ && (parts.size() >= most || searching_.late())) return false;  // what is left whole would pass for few hulls
     divided_ = !searching_.late();
-    note("dividing all of the surface within the tolerance");
+    note("the division of all of the surface within the tolerance");
     auto groups = std::make_unique<SurfaceGroups>(parts, plan_.elements, oracle_, options_.max_vertices);
     Cover cover = mergedBest(groups->leaves(), *groups);
-    note("merging hulls");
+    note("the merging of hulls");
     if (plan_.first_evaluations > 0) {
       const SearchOptions search{plan_.first_evaluations, options_.seed};
       cover = improved(std::move(cover), *groups, search, reporting(stretch.part(kSplitting, 1)));

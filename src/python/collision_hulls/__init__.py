@@ -15,10 +15,16 @@ collision_hulls.srv are the messages of the ROS package, where that is installed
 """
 from __future__ import annotations
 
+import atexit
+import contextlib
+import difflib
 import json
 import os
+import re
+import threading
+import time
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Callable, List, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, List, Optional, Sequence, Tuple, Union
 
 if TYPE_CHECKING:
     import numpy
@@ -27,7 +33,7 @@ if TYPE_CHECKING:
 __all__ = ["Error", "Hull", "Result", "decompose", "decompose_robot"]
 
 Length = Union[float, str]
-Path = Union[str, "os.PathLike[str]"]
+Path = Union[str, bytes, "os.PathLike[str]"]
 Progress = Callable[[float], Any]
 
 
@@ -119,18 +125,21 @@ def decompose(
     """
     from . import _core
 
+    look = _look(progress)
     points = _vertices(vertices)
     corners = _faces(faces, len(points))
     options = {"tolerance": tolerance, "method": method, "effort": effort, "max_hulls": max_hulls, "max_vertices": max_vertices,
                "padding": padding, "close_openings": close_openings, "fill": fill, "seed": seed, "jobs": jobs}
-    fields = _core.decompose(points, corners, _words(options), progress)
+    words = _words(options)
+    with _at_work():
+        fields = _core.decompose(points, corners, words, look)
     fields["hulls"] = [Hull(*hull) for hull in fields["hulls"]]
     return Result(**fields)
 
 
 def _several(items):
-    """A single path or name counts as a list of one."""
-    return [items] if isinstance(items, (str, os.PathLike)) else list(items)
+    """A single path or name stays one."""
+    return list(items) if hasattr(items, "__iter__") and not isinstance(items, (str, bytes, os.PathLike)) else items
 
 
 def decompose_robot(
@@ -152,50 +161,158 @@ def decompose_robot(
     config: a YAML file with settings link by link.
     package_paths: folders to search for packages, or "NAME=FOLDER" for one package.
     consumers: what to write files for, beside URDF: "moveit", "gazebo", "mujoco", ...
-    progress: as for decompose().
+    progress: as for decompose(). What it raises at the very end, when the output is complete, leaves that in place.
     options: every other option of the program, with _ for -: max_hulls=8, links=".*_finger", no_validate=True. None and False leave one out;
         a list gives it several times. doc/options.md lists them.
 
     The report is a dict. report["links"] has a row for each mesh, with its "status", "hulls", "protrusion" (the proved bound) and "files". A mesh
     that fails has the status "failed" and the "reason"; if all fail, so that nothing is written, Error is raised.
 
-    Raises Error, and KeyboardInterrupt soon after a Ctrl-C; then nothing was written.
+    Raises Error, and KeyboardInterrupt soon after a Ctrl-C; then the output was written completely or not at all.
     """
     from . import _core
 
-    named = {"output": output, "tolerance": tolerance, "config": config, "package_path": _several(package_paths), "for": _several(consumers)}
-    twice = sorted(named.keys() & options.keys())
-    if twice:
-        raise Error(f"there is no option '{twice[0]}' here: use package_paths or consumers", "BadOption")
-    return json.loads(_core.decompose_robot([*_words({**named, **options}), "--", os.fspath(path)], progress))
+    look = _look(progress)
+    named = {"output": output, "tolerance": tolerance, "config": config, "package_paths": _several(package_paths), "consumers": _several(consumers)}
+    words = [*_words({**named, **options}), b"--", _encoded("path", path)]
+    with _at_work():
+        return json.loads(_core.decompose_robot(words, look))
 
 
-def _words(options: dict) -> List[str]:
+_callers: List[threading.Thread] = []  # in the library now
+_python_ends = False
+
+
+@contextlib.contextmanager
+def _at_work() -> Iterator[None]:
+    """Around every call of the library that takes long."""
+    _callers.append(threading.current_thread())
+    try:
+        _leave_if_python_ends()
+        yield
+    finally:
+        _callers.remove(threading.current_thread())
+
+
+@atexit.register
+def _end_work() -> None:
+    """Python ends its daemon threads by force, and the process aborts if C++ is at work in one. So they have to leave the library first."""
+    global _python_ends
+    _python_ends = True
+    while any(thread.is_alive() for thread in list(_callers)):  # after a fork, threads that are not in this process are not alive
+        time.sleep(0.01)
+
+
+def _leave_if_python_ends() -> None:
+    if _python_ends and threading.current_thread() is not threading.main_thread():
+        raise SystemExit  # ends the thread without a message
+
+
+def _look(progress: Optional[Progress]) -> Progress:
+    """What the library calls a few times a second with the share done. What it raises ends the work."""
+    if progress is not None and not callable(progress):
+        raise Error(f"progress {progress!r} is not understood: it takes a function of one argument", "BadOption")
+    told = 0.0
+
+    def look(share: float) -> None:
+        nonlocal told
+        _leave_if_python_ends()
+        if progress is not None and share > told:
+            told = share
+            progress(share)
+
+    return look
+
+
+_PROGRAMS_ALONE = ("help", "version", "quiet")
+
+
+def _keyword(option: str) -> str:
+    """What an argument of the program is called here."""
+    return {"INPUT": "path", "for": "consumers", "package-path": "package_paths"}.get(option, option.replace("-", "_"))
+
+
+# Quotations and indented lines, which are commands, stay as they are. Else: --OPTION; and OPTION at the start, before its value.
+_NAMED_IN_A_MESSAGE = re.compile(r"(?<!\w)'[^']*'|\n  .*|(?:(?<![^\s(])--|\A(?=[A-Za-z-]+ '))([A-Za-z-]+)")
+
+
+def _error(message: bytes, name: str) -> Error:
+    """From what the library says, which calls options as the program does."""
+    text = message.decode("utf-8", "replace").replace("; see decompose --help", "; see help(collision_hulls)")
+    return Error(_NAMED_IN_A_MESSAGE.sub(lambda found: _keyword(found[1]) if found[1] else found[0], text), name)
+
+
+def _words(options: Dict[str, Any]) -> List[bytes]:
     """The options as a command line has them."""
+    known = _known_options()
     words = []
-    for name, value in options.items():
-        if value is True:
-            words.append(_option(name))
-        elif value is not None and value is not False:
-            words += [f"{_option(name)}={_text(name, one)}" for one in (value if isinstance(value, (list, tuple)) else [value])]
+    for keyword, value in options.items():
+        if keyword not in known:
+            raise _unknown(keyword, list(known))
+        option, takes_value = known[keyword]
+        if takes_value:
+            for text in _texts(keyword, value):
+                words += [option + b"=" + text] if text else [option, text]
+        elif _is_set(keyword, value):
+            words.append(option)
     return words
 
 
-def _option(name: str) -> str:
-    if name in ("help", "version", "quiet"):
-        raise Error(f"'{name}' is an option of programs alone; leave it out", "BadOption")
-    return "--" + name.replace("_", "-")
+def _known_options() -> Dict[str, Tuple[bytes, bool]]:
+    """By keyword, the words of the program's options, and whether they take a value."""
+    from . import _core
+
+    return {_keyword(name): (b"--" + name.encode(), takes_value) for name, takes_value in _core.options().items() if name not in _PROGRAMS_ALONE}
 
 
-def _text(name: str, value: Any) -> str:
+def _unknown(keyword: str, known: List[str]) -> Error:
+    if keyword in _PROGRAMS_ALONE:
+        return Error(f"'{keyword}' is an option of programs alone; leave it out", "BadOption")
+    meant = _keyword(keyword.replace("_", "-"))
+    nearest = [meant] if meant in known else difflib.get_close_matches(keyword, known, 1)
+    hint = f"did you mean '{nearest[0]}'? See" if nearest else "see"
+    return Error(f"there is no option '{keyword}'; {hint} help(collision_hulls)", "BadOption")
+
+
+def _plain(value: Any) -> Any:
+    """A single number of numpy as one of Python."""
+    return value.item() if getattr(value, "ndim", None) == 0 and hasattr(value, "item") else value
+
+
+def _is_set(keyword: str, value: Any) -> bool:
+    plain = _plain(value)
+    if plain is None or isinstance(plain, bool):
+        return bool(plain)
+    raise Error(f"{keyword} {value!r} is not understood: it takes True or False", "BadOption")
+
+
+def _texts(keyword: str, value: Any) -> List[bytes]:
+    plain = _plain(value)
+    if plain is None or plain is False:
+        return []
+    return [_text(keyword, one) for one in (plain if isinstance(plain, (list, tuple)) else [plain])]
+
+
+def _text(keyword: str, value: Any) -> bytes:
     """Numbers with all of their digits."""
-    if isinstance(value, (str, os.PathLike)):
-        return os.fspath(value)
-    if hasattr(value, "__index__"):
-        return str(value.__index__())
-    if hasattr(value, "__float__"):
-        return repr(float(value))
-    raise Error(f"{name} {value!r} is not understood: it takes a number or a text", "BadOption")
+    plain = _plain(value)
+    if isinstance(plain, (str, bytes, os.PathLike)):
+        return _encoded(keyword, plain)
+    if not isinstance(plain, bool):
+        with contextlib.suppress(TypeError, ValueError, OverflowError):
+            return str(plain.__index__() if hasattr(plain, "__index__") else float(plain)).encode()
+    raise Error(f"{keyword} {value!r} is not understood: it takes a number or a text", "BadOption")
+
+
+def _encoded(keyword: str, value: Path) -> bytes:
+    """As the names of files are encoded, which may be no UTF-8."""
+    try:
+        text = os.fsencode(value)
+    except (TypeError, UnicodeEncodeError) as error:
+        raise Error(f"{keyword} {value!r} cannot be used ({error}); give a text or a path", "BadOption") from None
+    if b"\0" in text:
+        raise Error(f"{keyword} {value!r} holds a NUL character, where the library would cut it; remove it", "BadOption")
+    return text
 
 
 def _array(value: Any, name: str, kinds: str, content: str) -> numpy.ndarray:
@@ -217,8 +334,9 @@ def _array(value: Any, name: str, kinds: str, content: str) -> numpy.ndarray:
 def _vertices(value: Any) -> numpy.ndarray:
     import numpy
 
-    array = _array(value, "vertices", "fiu", "numbers [m]").astype(numpy.float64)
+    given = _array(value, "vertices", "fiu", "numbers [m]")
     with numpy.errstate(over="ignore"):
+        array = given.astype(numpy.float64)
         bad = ~numpy.isfinite(array.astype(numpy.float32)).all(axis=1)
     if bad.any():
         row = int(bad.argmax())

@@ -322,7 +322,7 @@ TEST(CertifiedUntilADeadline, ACoarserCoverStandsInForOneThatIsNotComplete) {
   const double reached = protrusionOf(result.hulls, ring());
   EXPECT_GT(reached, 0.002);
   EXPECT_LT(reached, 4 * 0.002);
-  EXPECT_NE(result.untried.find("dividing all of the surface"), std::string::npos) << result.untried;
+  EXPECT_NE(result.untried.find("the division of all of the surface"), std::string::npos) << result.untried;
 }
 
 TEST(CertifiedUntilADeadline, TheToleranceHoldsOnceTheSurfaceIsDivided) {
@@ -330,7 +330,7 @@ TEST(CertifiedUntilADeadline, TheToleranceHoldsOnceTheSurfaceIsDivided) {
     const Decomposition result = endedAt(share, ring(), within(0.004));
     EXPECT_LE(protrusionOf(result.hulls, ring()), 0.004);
     EXPECT_NE(result.untried.find("the search for fewer hulls"), std::string::npos) << result.untried;
-    EXPECT_EQ(result.untried.find("dividing all"), std::string::npos) << result.untried;
+    EXPECT_EQ(result.untried.find("the division of all"), std::string::npos) << result.untried;
   }
 }
 

@@ -45,7 +45,7 @@ if(TARGET found::seccomp)
   set_source_files_properties(src/sandbox/confine.cpp PROPERTIES COMPILE_DEFINITIONS COLLISION_HULLS_SECCOMP)
 endif()
 
-# Objects, as the reader program takes them without what else the library links: loading FCL would be a third of its start.
+# Objects, as the reader program takes them without FCL, whose many symbols take long to load.
 room_sources(DESCRIPTION_SOURCES ${DESCRIPTION_ROOMS})
 add_library(${PROJECT_NAME}_descriptions OBJECT ${DESCRIPTION_SOURCES})
 set_up_library(${PROJECT_NAME}_descriptions)

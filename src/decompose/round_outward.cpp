@@ -138,8 +138,7 @@ double roundingOf(const ConvexHull& hull) {
   return 2 * kSinglePrecision * size + std::numeric_limits<float>::min();
 }
 
-/// A hull grown by at least `margin`, with single-precision vertices, and how far it had to be grown for that. What rounding makes flat is
-/// tried at larger distances.
+/// A hull grown by at least `margin`, with single-precision vertices, and how far it had to be grown for that.
 struct Rounded {
   ConvexHull hull;
   double nudge = 0;
@@ -151,6 +150,7 @@ std::optional<Rounded> roundOutward(const ConvexHull& hull, const Points& held, 
   for (int i = 0; i < kDoublings; ++i, growth.distance *= 2) {
     Rounded result{convexHull(roundedToSingle(grown(hull, growth, control)), control), growth.distance};
     result.hull.vertices = roundedToSingle(std::move(result.hull.vertices));  // convexHull() may change a last bit
+    // Flat by rounding: it has two sides, and so perhaps more vertices than a thicker one.
     if (result.hull.thickness > 0) continue;
     if (exceedsCap(result.hull, max_vertices)) break;
     if (holdsAll(result.hull, held, margin, control)) return result;

@@ -1,8 +1,7 @@
 // Reads a mesh: the file as bytes, and triangles from them.
 //
-// A program of its own, confined by the kernel, reads all that needs a parser (mesh_question.h).
-// Binary STL is fifteen lines of our own that check the size before they copy numbers; it is read here, where no bytes have to be passed
-// on.
+// A program of its own, confined by the kernel, reads all that needs a parser (mesh_question.h). Binary STL is fifteen lines of our own
+// that check the size before they copy numbers; it is read here, where no bytes have to be passed on.
 #include <algorithm>
 
 #include "base/string_parts.h"

@@ -34,6 +34,7 @@ constexpr double kOvershoot = 1.05;       // a sphere is moved this much further
 constexpr std::size_t kMostMoved = 1000;  // candidates kept that came from others by a move
 constexpr std::size_t kProof = 50;        // work of a proof, per point
 constexpr std::size_t kStepsBetweenChecks = 64;
+constexpr std::size_t kHopeless = 2;  // a first cover of this many times the limit, and more, is given up: the search seldom saves half
 
 class Choice {
  public:
@@ -51,21 +52,21 @@ class Choice {
     addPoints(points);
   }
 
-  /// Whether a cover of at most that many was found.
+  /// Whether a cover was found from which the search may come down to that many.
   bool findCover(std::size_t most) {
     cover_.complete();
     cover_.dropRedundant();
-    while (cover_.chosen().size() <= most && !isProved()) cover_.complete();
+    while (cover_.chosen().size() / kHopeless <= most && !isProved()) cover_.complete();
     best_ = chosen();
-    return best_.size() <= most;
+    return best_.size() / kHopeless <= most;
   }
 
-  void findFewer(std::size_t work) {
+  void findFewer(const ChoiceLimits& limits) {
     const std::size_t before = done();
-    for (std::size_t step = 0; done() - before < work && best_.size() > 1; ++step) {
+    for (std::size_t step = 0; done() - before < limits.work && best_.size() > limits.enough; ++step) {
       if (step % kStepsBetweenChecks == 0) {
         control_.check();
-        control_.report(static_cast<double>(done() - before) / static_cast<double>(work));
+        if (best_.size() <= limits.max_spheres) control_.report(static_cast<double>(done() - before) / static_cast<double>(limits.work));
       }
       if (!cover_.open().empty()) {
         const int point = cover_.open()[step % cover_.open().size()];
@@ -199,7 +200,8 @@ std::optional<std::vector<Sphere>> fewSpheres(const TriangleMesh& mesh, const To
                                               const RunControl& control) {
   Choice choice(mesh, space, control);
   if (!choice.findCover(limits.max_spheres)) return std::nullopt;
-  choice.findFewer(limits.work);
+  choice.findFewer(limits);
+  if (choice.best().size() > limits.max_spheres) return std::nullopt;
   return choice.best();
 }
 

@@ -1,6 +1,9 @@
 // The space that spheres may fill (tolerable_space.h), a choice of few spheres in it (sphere_choice.h), each made to protrude as little as
 // the others let it (sphere_shrinking.h), and the proof of what is returned: that they cover the mesh, tested with the radii as they are,
 // and each sphere's bound, which the space gives for that place and radius, whoever chose them.
+//
+// Where the limit on spheres does not allow the tolerance, the least that it allows is found by bisection: how many spheres a tolerance
+// takes is known only once they are chosen, and those chosen at one tolerance do not fit in the space of a smaller one.
 #include "collision_hulls/primitives/spheres.h"
 
 #include <algorithm>
@@ -22,7 +25,9 @@ namespace {
 constexpr double kRounding = 1e-12;       // of the coordinates, as in measure/protrusion.cpp
 constexpr double kLeastTolerance = 1e-5;  // of the coordinates: far above single precision, in which spheres are given
 constexpr double kMargins = 4;            // the least tolerance, in margins
-constexpr double kRaise = 4;              // factor by which the tolerance is raised if there are too many spheres
+constexpr double kRaise = 4;              // factor by which the tolerance is raised until the limit on spheres is enough,
+constexpr double kClose = 1.03;           // and the one within which the least such tolerance is then found,
+constexpr std::size_t kTrialShare = 8;    // with so much less work for each attempt
 constexpr double kLeastDepth = 1e-6;      // of the coordinates: where covers() gives up
 constexpr std::size_t kQuickWork = 400'000'000, kBestWork = 4'000'000'000;
 
@@ -46,19 +51,58 @@ std::size_t workFor(Effort effort) {
 }
 
 /// nullopt if it takes too many.
-std::optional<CertifiedSpheres> spheresWithin(double tolerance, const PreparedMesh& mesh, const SphereOptions& options,
+std::optional<CertifiedSpheres> spheresWithin(double tolerance, const PreparedMesh& mesh, const ChoiceLimits& limits,
                                               const RunControl& control) {
   Eigen::AlignedBox3d box = boundingBox(mesh.original);
   box.extend(boundingBox(mesh.repaired.mesh));
   const double allowance = mesh.margin + kRounding * sizeOf(mesh.original) + mesh.solid.sideError();
   const TolerableSpace space(mesh.solid, box, tolerance - allowance, control);
-  const auto spheres = fewSpheres(mesh.original, space, {options.max_spheres, workFor(options.effort)}, control);
+  const auto spheres = fewSpheres(mesh.original, space, limits, control);
   if (!spheres) return std::nullopt;
   CertifiedSpheres result;
   result.spheres = shrunk(*spheres, mesh.original, space, control);
   std::stable_sort(result.spheres.begin(), result.spheres.end(), [](const Sphere& a, const Sphere& b) { return a.radius > b.radius; });
   for (const Sphere& sphere : result.spheres) result.bounds.push_back(space.bound(sphere) + allowance);
   result.bound = *std::max_element(result.bounds.begin(), result.bounds.end());
+  return result;
+}
+
+/// Those that protrude least among as many as the limit allows, which is not enough at the tolerance `low` [m]. A few attempts find a
+/// tolerance at which it is, and halve the interval between the two. An attempt at a tolerance ends once the limit is kept: fewer spheres
+/// would protrude more.
+CertifiedSpheres closestAllowed(double low, const PreparedMesh& mesh, const SphereOptions& options, const RunControl& control) {
+  const ChoiceLimits limits{options.max_spheres, workFor(options.effort) / kTrialShare, options.max_spheres};
+  RunControl attempt;  // reports nothing
+  attempt.whole = &control;
+  attempt.stops_at_deadline = control.stops_at_deadline;
+  std::optional<CertifiedSpheres> best = spheresWithin(kRaise * low, mesh, limits, attempt);
+  while (!best) {
+    low *= kRaise;
+    best = spheresWithin(kRaise * low, mesh, limits, attempt);
+  }
+  while (best->bound > kClose * low) {
+    control.report(std::max(0.0, 1 - std::log(best->bound / low) / std::log(kRaise)));
+    const double middle = std::sqrt(low * best->bound);
+    if (std::optional<CertifiedSpheres> closer = spheresWithin(middle, mesh, limits, attempt))
+      best = std::move(closer);
+    else
+      low = middle;
+  }
+  return *std::move(best);
+}
+
+/// The limit on spheres is enough for the tolerance, or for the least that the mesh allows, or the tolerance is raised.
+CertifiedSpheres withinLimit(const PreparedMesh& mesh, const SphereOptions& options, const RunControl& control) {
+  const double least = std::max(kMargins * mesh.margin, kLeastTolerance * sizeOf(mesh.original));
+  const double tolerance = std::max(options.tolerance, least);
+  std::optional<CertifiedSpheres> found = spheresWithin(tolerance, mesh, {options.max_spheres, workFor(options.effort)}, control);
+  const bool enough = found.has_value();
+  CertifiedSpheres result = enough ? *std::move(found) : closestAllowed(tolerance, mesh, options, control);
+  result.within_tolerance = result.bound <= options.tolerance;
+  if (result.within_tolerance) return result;
+  const std::string asked = "the tolerance of " + millimetres(options.tolerance);
+  result.reason = (enough ? asked + " is too small for this mesh" : spheresDo(options.max_spheres, " not cover the mesh within ") + asked) +
+                  "; " + spheresDo(result.spheres.size(), " within ") + millimetresBeyond(result.bound, options.tolerance);
   return result;
 }
 
@@ -71,23 +115,11 @@ bool covers(const std::vector<Sphere>& spheres, const TriangleMesh& mesh, const 
 
 CertifiedSpheres certifiedSpheres(const PreparedMesh& mesh, const SphereOptions& options, const RunControl& control) {
   check(options);
-  const std::string asked = "the tolerance of " + millimetres(options.tolerance);
-  const double least = std::max(kMargins * mesh.margin, kLeastTolerance * sizeOf(mesh.original));
-  std::string reason;
-  if (options.tolerance < least) reason = asked + " is too small for this mesh";
-  for (double tolerance = std::max(options.tolerance, least);; tolerance *= kRaise) {
-    std::optional<CertifiedSpheres> result = spheresWithin(tolerance, mesh, options, control);
-    if (!result) {
-      reason = spheresDo(options.max_spheres, " not cover the mesh within ") + asked;
-      continue;
-    }
-    result->within_tolerance = result->bound <= options.tolerance;
-    if (!covers(result->spheres, mesh.original, control))
-      throw Error(ErrorCode::kInternal, "spheres leave part of the surface uncovered. Please report the mesh" +
-                                            (mesh.name.empty() ? "" : " '" + mesh.name + "'"));
-    if (!result->within_tolerance) result->reason = reason + "; " + spheresDo(result->spheres.size(), " within ") + millimetres(tolerance);
-    return *result;
-  }
+  CertifiedSpheres result = withinLimit(mesh, options, control);
+  if (!covers(result.spheres, mesh.original, control))
+    throw Error(ErrorCode::kInternal,
+                "spheres leave part of the surface uncovered. Please report the mesh" + (mesh.name.empty() ? "" : " '" + mesh.name + "'"));
+  return result;
 }
 
 CertifiedSpheres certifiedSpheres(const TriangleMesh& mesh, const SphereOptions& options, const RunControl& control) {

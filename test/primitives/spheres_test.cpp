@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/millimetres.h"
 #include "base/parallel.h"
 #include "solids.h"
 
@@ -103,7 +104,59 @@ TEST(CertifiedSpheres, BeyondTheLimitTheToleranceIsRaised) {
   EXPECT_FALSE(result.within_tolerance);
   EXPECT_GT(result.bound, 0.01);
   EXPECT_NE(result.reason.find("50 spheres do not cover the mesh within the tolerance of 10 mm"), std::string::npos) << result.reason;
-  EXPECT_NE(result.reason.find("within 160 mm"), std::string::npos) << result.reason;
+  EXPECT_NE(result.reason.find("; " + std::to_string(result.spheres.size()) + " spheres do within " + millimetres(result.bound)),
+            std::string::npos)
+      << result.reason;
+}
+
+SphereOptions atMost(std::size_t spheres, Effort effort = Effort::kQuick) {
+  SphereOptions options = within(0.001, effort);
+  options.max_spheres = spheres;
+  return options;
+}
+
+TEST(CertifiedSpheres, UseTheirLimitWell) {
+  const TriangleMesh mesh = lBracket();
+  double last = std::numeric_limits<double>::infinity();
+  for (const std::size_t limit : {1U, 4U, 8U, 16U}) {
+    const CertifiedSpheres result = certifiedSpheres(mesh, atMost(limit));
+    EXPECT_TRUE(covers(result.spheres, mesh));
+    EXPECT_LE(result.spheres.size(), limit);
+    EXPECT_GE(result.spheres.size(), 0.75 * static_cast<double>(limit)) << limit;
+    EXPECT_LT(result.bound, 0.9 * last) << limit;
+    last = result.bound;
+  }
+  EXPECT_GT(certifiedSpheres(mesh, within(0.85 * last)).spheres.size(), 16U) << "the limit allows a smaller tolerance";
+}
+
+TEST(CertifiedSpheres, UseTheirLimitWithoutASearch) {
+  const CertifiedSpheres result = certifiedSpheres(lBracket(), atMost(16, Effort::kInstant));
+  EXPECT_LE(result.spheres.size(), 16U);
+  EXPECT_GE(result.spheres.size(), 12U);
+}
+
+/// The first choice of spheres takes more, by one; the search then drops several.
+TEST(CertifiedSpheres, ALimitThatTheSearchKeepsIsEnough) {
+  const TriangleMesh mesh = lBracket();
+  SphereOptions options = within(0.3);
+  options.max_spheres = certifiedSpheres(mesh, within(0.3, Effort::kInstant)).spheres.size() - 1;
+  const CertifiedSpheres result = certifiedSpheres(mesh, options);
+  EXPECT_TRUE(result.within_tolerance) << result.reason;
+  EXPECT_LE(result.spheres.size(), options.max_spheres);
+}
+
+TEST(CertifiedSpheres, BeyondTheLimitProgressNeverDecreasesAndACancelIsHeard) {
+  RunControl control;
+  double last = 0;
+  control.progress = [&](double share) {
+    EXPECT_GE(share, last);
+    EXPECT_LE(share, 1);
+    last = share;
+  };
+  certifiedSpheres(lBracket(), atMost(4, Effort::kInstant), control);
+  EXPECT_GT(last, 0.5);
+  control.progress = [&](double) { control.cancel(); };
+  EXPECT_THROW(certifiedSpheres(lBracket(), atMost(4), control), Error);
 }
 
 TEST(CertifiedSpheres, ASingleOneIsSpokenOfAsOne) {
@@ -135,12 +188,14 @@ TEST(CertifiedSpheres, AreSinglePrecisionNumbersLargestFirst) {
 
 TEST(CertifiedSpheres, AreTheSameOnAnyNumberOfThreads) {
   const TriangleMesh mesh = flange();
-  std::vector<CertifiedSpheres> results(2);
-  for (int jobs : {1, 2}) withJobs(jobs, [&] { results[static_cast<std::size_t>(jobs - 1)] = certifiedSpheres(mesh, within(0.1)); });
-  ASSERT_EQ(results[0].spheres.size(), results[1].spheres.size());
-  for (std::size_t s = 0; s < results[0].spheres.size(); ++s) {
-    EXPECT_EQ(results[0].spheres[s].centre, results[1].spheres[s].centre);
-    EXPECT_EQ(results[0].spheres[s].radius, results[1].spheres[s].radius);
+  for (const SphereOptions& options : {within(0.1), atMost(4)}) {
+    std::vector<CertifiedSpheres> results(2);
+    for (int jobs : {1, 2}) withJobs(jobs, [&] { results[static_cast<std::size_t>(jobs - 1)] = certifiedSpheres(mesh, options); });
+    ASSERT_EQ(results[0].spheres.size(), results[1].spheres.size());
+    for (std::size_t s = 0; s < results[0].spheres.size(); ++s) {
+      EXPECT_EQ(results[0].spheres[s].centre, results[1].spheres[s].centre);
+      EXPECT_EQ(results[0].spheres[s].radius, results[1].spheres[s].radius);
+    }
   }
 }
 

@@ -53,8 +53,9 @@ struct CertifiedSpheres {
 };
 
 /// Covers the mesh with spheres that protrude by no more than the tolerance, and few of them. If
-/// that takes more than the limit, or if the tolerance is below what single precision and the
-/// mesh's margin allow, it is raised until it is enough, and `reason` says to what. Deterministic:
+/// the tolerance is below what single precision and the mesh's margin allow, it is raised to that.
+/// If it takes more spheres than the limit, those are returned that protrude least among covers
+/// within the limit, as far as a search finds. `reason` says how far they protrude. Deterministic:
 /// the same mesh and options give the same spheres, on any number of threads. Thread safe. Throws
 /// what repair() throws, kEmptyMesh, kBadOption, kCancelled, and kInternal if the result should
 /// fail its own check.

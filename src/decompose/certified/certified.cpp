@@ -57,7 +57,7 @@ namespace {
 
 // Share of the tolerance used for splitting leaves: a small one leaves merging some room, a large one makes leaves as large as possible.
 constexpr double kLeafShare = 0.7, kLargeLeafShare = 0.93;
-// A way that gives more leaves than this, times those of the cover to beat, is not worth merging.
+// A way that gives more leaves than this, times those of the cover to beat (or times its hulls), is not worth merging.
 constexpr double kMoreLeaves = 1.5;
 // Kinds of score: in favour of one large finished side, of any finished side, and with little weight on volume.
 constexpr ScoreWeights kLargeSides{0.5, 0.3, 0}, kAnySide{0.5, 0, 0.1}, kLittleVolume{0.1, 0, 0};
@@ -294,8 +294,9 @@ class Job {
 
   /// Whether splitting this way gives a cover of fewer hulls than `best`, or the first cover, which then replaces it.
   bool tryWay(const Way& way, const Stretch& stretch, Cover& best) {
-    const std::size_t most =
-        groups_ ? 1 + static_cast<std::size_t>(kMoreLeaves * static_cast<double>(leaves_)) : SplitOptions{}.most_leaves;
+    // Parts that finish a largest side first hardly merge, so they have to be few from the start.
+    const auto enough = static_cast<double>(way.largest_side_first ? best.size() : leaves_);
+    const std::size_t most = groups_ ? 1 + static_cast<std::size_t>(kMoreLeaves * enough) : SplitOptions{}.most_leaves;
     const std::optional<HalfSpace> largest_side = way.largest_side_first ? largestSideOfAll() : std::nullopt;
     if (way.largest_side_first && !largest_side) return false;
     const std::vector<Leaf> parts = leaves(way, largest_side, most, reporting(stretch.part(0, kSplitting)));

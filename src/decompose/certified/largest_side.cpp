@@ -1,9 +1,11 @@
 // For each of 18 directions: raise a plane to where the area below it just exceeds the best so far (bisection on the area, no hull needed).
-// If the hull of what is below very likely fits, raise the plane further, by bisection on the hull, as long as it does.
+// If the hull of what is below very likely fits, raise the plane further, by bisection on the hull, as long as it does: roughly in each
+// direction, and finely in the best.
 //
 // Why: a score sees one split, and its best split may spoil the large convex body that one hull could have taken. This finds such bodies by
 // brute force. It pays only where few hulls are left to argue about, so it is one way to split among several, not the rule.
-// O(n) for each area and O(n log n) for each hull of n vertices; at most 20 areas and 9 hulls per direction.
+// O(n) for each area and O(n log n) for each hull of n vertices; at most 12 areas and 4 hulls per direction,
+// and 5 hulls more.
 #include "decompose/certified/largest_side.h"
 
 #include <algorithm>
@@ -17,8 +19,9 @@ namespace {
 // Largest piece to try: larger ones take long, and simplifying them would blur where the hull stops fitting.
 constexpr std::size_t kMostVertices = 4000;
 constexpr double kLeast = 0.15, kMost = 0.95;  // shares of the area that make a split worthwhile
-constexpr int kAreaHalvings = 20;              // bisections to reach a given share of the area,
-constexpr int kHalvings = 8;                   // and from there on
+constexpr int kAreaHalvings = 12;              // bisections to reach a given share of the area,
+constexpr int kRoughHalvings = 3;              // from there on in each direction,
+constexpr int kFineHalvings = 5;               // and then in the best
 
 /// A piece, divided by planes normal to one direction.
 class Beneath {
@@ -54,14 +57,23 @@ class Beneath {
     return sum / area_;
   }
 
-  /// The greatest height of a plane below which the piece's hull fits the tolerance and more than `least` of the area lies.
-  std::optional<double> highest(double least, ProtrusionOracle& oracle) const {
-    double low = *std::min_element(height_.begin(), height_.end()), top = *std::max_element(height_.begin(), height_.end()), high = top;
-    halve(low, high, kAreaHalvings, [&](double plane) { return share(plane) <= least; });
-    const auto fits = [&](double plane) { return oracle.mayWellFit(hull(plane)); };
-    if (!(high < top) || !fits(high)) return std::nullopt;
-    halve(high, top, kHalvings, fits);
-    return high;
+  /// Heights of two planes: below the first, the piece's hull fits the tolerance; below the second it may not.
+  struct Limit {
+    double fitting, beyond;
+  };
+
+  /// Roughly. nullopt: no hull fits below which more than `least` of the area lies.
+  std::optional<Limit> limit(double least, ProtrusionOracle& oracle) const {
+    double low = *std::min_element(height_.begin(), height_.end()), high = *std::max_element(height_.begin(), height_.end());
+    Limit limit{high, high};
+    halve(low, limit.fitting, kAreaHalvings, [&](double plane) { return share(plane) <= least; });
+    if (!(limit.fitting < high) || !oracle.mayWellFit(hull(limit.fitting))) return std::nullopt;
+    return closer(limit, kRoughHalvings, oracle);
+  }
+
+  Limit closer(Limit limit, int halvings, ProtrusionOracle& oracle) const {
+    halve(limit.fitting, limit.beyond, halvings, [&](double plane) { return oracle.mayWellFit(hull(plane)); });
+    return limit;
   }
 
  private:
@@ -112,16 +124,21 @@ std::optional<HalfSpace> largestSide(const SurfacePiece& piece, ProtrusionOracle
   if (piece.vertices.size() > kMostVertices) return std::nullopt;
   Beneath beneath(piece);
   if (!(beneath.area() > 0)) return std::nullopt;
-  std::optional<HalfSpace> best;
+  std::optional<Eigen::Vector3d> best;
+  Beneath::Limit of_best{0, 0};
   double most = kLeast;
   for (const Eigen::Vector3d& up : directions()) {
     beneath.setDirection(up);
-    const std::optional<double> plane = beneath.highest(most, oracle);
-    if (!plane || beneath.share(*plane) > kMost) continue;
-    best = HalfSpace{up, *plane};
-    most = beneath.share(*plane);
+    const std::optional<Beneath::Limit> limit = beneath.limit(most, oracle);
+    if (!limit || beneath.share(limit->fitting) > kMost) continue;
+    best = up;
+    of_best = *limit;
+    most = beneath.share(limit->fitting);
   }
-  return best;
+  if (!best) return std::nullopt;
+  beneath.setDirection(*best);
+  const double finely = beneath.closer(of_best, kFineHalvings, oracle).fitting;
+  return HalfSpace{*best, beneath.share(finely) > kMost ? of_best.fitting : finely};
 }
 
 }  // namespace collision_hulls

@@ -6,6 +6,7 @@
 #include "base/finite_number.h"
 #include "base/looks.h"
 #include "base/string_parts.h"
+#include "base/uri_text.h"
 #include "collision_hulls/error.h"
 #include "collision_hulls/scene/configurations.h"
 #include "scene/reading.h"
@@ -90,6 +91,8 @@ Columns columnsOf(const Cells& header, const std::string& where) {
   }
   double number = 0;
   for (const std::size_t i : columns.positions) {
+    if (header[i].empty())
+      failConfigurations(where, "column " + std::to_string(i + 1) + " has no name; name its joint, or remove the separator before it");
     if (parseFinite(header[i], number))
       failConfigurations(where,
                          "expected a joint name, found '" + std::string(header[i]) + "'; the first line must hold the names of the joints");
@@ -139,7 +142,8 @@ void readCsv(const std::string& text, const std::string& file, ConfigurationColl
 /// Finds joint messages anywhere in a document.
 class Messages {
  public:
-  Messages(ConfigurationCollector& collector, const RunControl& control) : collector_(collector), control_(control) {}
+  Messages(ConfigurationCollector& collector, std::vector<std::string>& notes, const RunControl& control)
+      : collector_(collector), notes_(notes), control_(control) {}
 
   void read(const YamlValue& value, int depth = 0) {
     if (depth > kDeepest) value.fail("more than " + std::to_string(kDeepest) + " levels stand above this value; nest less");
@@ -148,6 +152,8 @@ class Messages {
       if (!names.empty()) collector_.add(names, value["position"].numbers(), value.where(), control_);  // skips empty messages
     } else if (value.has("joint_names") && value.has("points")) {
       readTrajectory(value);
+    } else if (value.has("joint_names") && value.has("transforms")) {
+      passOver(value["joint_names"], value["transforms"]);
     } else if (value.isMap()) {
       for (const auto& [key, below] : value.entries()) read(below, depth + 1);
     } else if (value.isSequence()) {
@@ -167,13 +173,24 @@ class Messages {
   void readTrajectory(const YamlValue& trajectory) {
     const Names names = textsOf(trajectory["joint_names"]);
     collector_.endTrajectory();
-    for (const YamlValue& point : trajectory["points"].items())
-      if (!point.has("transforms"))  // else it is of a multi-DOF joint
+    for (const YamlValue& point : trajectory["points"].items()) {
+      if (point.has("transforms"))
+        passOver(trajectory["joint_names"], point["transforms"]);
+      else
         collector_.add(names, point["positions"].numbers(), point.where(), control_);
+    }
     collector_.endTrajectory();
   }
 
+  /// Joints of several degrees of freedom place the robot in the world, and the scene is given in the robot's frame.
+  void passOver(const YamlValue& names, const YamlValue& transforms) {
+    if (!notes_.empty() || !transforms.isSequence() || transforms.items().empty() || names.items().empty()) return;
+    notes_.push_back("transforms of joints are ignored, such as that of '" + shown(names.items().front().text()) + "' in " +
+                     transforms.where() + ": the root link stays at the origin of the scene");
+  }
+
   ConfigurationCollector& collector_;
+  std::vector<std::string>& notes_;
   const RunControl& control_;
 };
 
@@ -183,7 +200,8 @@ class YamlReader {
   YamlReader(const std::string& file, ConfigurationCollector& collector, const RunControl& control)
       : file_(file), collector_(collector), control_(control) {}
 
-  void read(std::string_view rest) {
+  /// Returns notes for the user.
+  std::vector<std::string> read(std::string_view rest) {
     YamlText document;
     for (std::size_t number = 1; !rest.empty(); ++number) {
       const std::string_view line = takeLine(rest);
@@ -193,6 +211,7 @@ class YamlReader {
     }
     add(std::move(document));
     readAdded();
+    return std::move(notes_);
   }
 
  private:
@@ -208,7 +227,7 @@ class YamlReader {
   void readAdded() {
     for (const YamlValue& value : YamlValue::parse(added_, file_, ErrorCode::kBadConfigurations, control_)) {
       control_.check();
-      Messages(collector_, control_).read(value);
+      Messages(collector_, notes_, control_).read(value);
     }
     added_.clear();
     size_ = 0;
@@ -217,6 +236,7 @@ class YamlReader {
   const std::string& file_;
   ConfigurationCollector& collector_;
   const RunControl& control_;
+  std::vector<std::string> notes_;
   std::vector<YamlText> added_;
   std::size_t size_ = 0;
 };
@@ -233,10 +253,15 @@ ConfigurationSet readConfigurations(const std::string& file, const Kinematics& k
   }
   ConfigurationCollector collector(kinematics, options);
   const std::string text = readTextFile(file, extension + " file", control);
-  yaml ? YamlReader(file, collector, control).read(text) : readCsv(text, file, collector, control);
+  std::vector<std::string> notes;
+  if (yaml)
+    notes = YamlReader(file, collector, control).read(text);
+  else
+    readCsv(text, file, collector, control);
   ConfigurationSet set = collector.take();
+  set.notes.insert(set.notes.end(), notes.begin(), notes.end());
   if (set.configurations.empty()) {
-    failConfigurations("'" + file + "'", yaml ? "no message with name and position, or with joint_names and points"
+    failConfigurations("'" + file + "'", yaml ? "no message with name and position, or with joint_names and points that have positions"
                                               : "no line of positions after the line of joint names");
   }
   return set;

@@ -6,9 +6,13 @@
 #include <cmath>
 #include <set>
 
+#include "base/counted.h"
 #include "base/decimal.h"
 #include "base/looks.h"
+#include "base/nearest_name.h"
 #include "base/random.h"
+#include "base/string_parts.h"
+#include "base/uri_text.h"
 #include "collision_hulls/error.h"
 #include "geometry/pi.h"
 #include "scene/low_discrepancy.h"
@@ -19,6 +23,7 @@ namespace {
 
 constexpr double kTurn = 2 * kPi;
 constexpr double kMimicDiffers = 1e-3;           // [rad or m]
+constexpr double kFurthestPlace = 1e9;           // [rad or m] of a joint: a spindle turns for days until then
 constexpr std::size_t kMostValues = 50'000'000;  // of all configurations: 400 MB
 
 /// Before they take memory, which they do by their number and by the robot's joints.
@@ -30,6 +35,16 @@ void expectRoom(double configurations, std::size_t variables, const Configuratio
                                         " variables, above the limit of " + std::to_string(options.most) + " configurations and " +
                                         std::to_string(kMostValues) + " values in all; give fewer" +
                                         (options.max_step > 0 ? ", or a larger step" : ""));
+}
+
+/// That poses, and steps between configurations, are finite: also of joints that mimic those that are named. Throws kBadConfigurations.
+void expectNear(const std::map<std::string, NamedJoint>& joints, const Configuration& configuration, const std::string& where) {
+  for (const auto& [name, joint] : joints) {
+    if (joint.variable < 0) continue;
+    const double place = joint.multiplier * configuration[static_cast<std::size_t>(joint.variable)] + joint.offset;
+    if (!(std::abs(place) <= kFurthestPlace))
+      failConfigurations(where, "joint '" + name + "' would be at " + decimal(place) + " rad or m; give positions within 1e9 of zero");
+  }
 }
 
 }  // namespace
@@ -61,21 +76,23 @@ void ConfigurationCollector::add(const std::vector<std::string>& names, const st
                                  const RunControl& control) {
   control.check();
   if (names.size() != positions.size()) {
-    failConfigurations(where, std::to_string(positions.size()) + " positions for " + std::to_string(names.size()) + " joints");
+    failConfigurations(where,
+                       counted(positions.size(), "position") + " for " + counted(names.size(), "joint") + "; give each joint one position");
   }
   std::set<std::string> seen;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto joint = joints_.find(names[i]);
     if (joint == joints_.end()) {
-      std::string known;
-      for (const auto& [name, unused] : joints_) known += (known.empty() ? "" : ", ") + name;
-      failConfigurations(where,
-                         "the robot has no joint '" + names[i] + "'; " + (known.empty() ? "it has no joints" : "its joints are " + known));
+      std::vector<std::string> known;
+      for (const auto& [name, unused] : joints_) known.push_back(name);
+      failConfigurations(where, "the robot has no joint '" + shown(names[i]) + "'; " +
+                                    (known.empty() ? "it has no joints" : "its joints are " + listed(known) + didYouMean(names[i], known)));
     }
     if (!seen.insert(names[i]).second) failConfigurations(where, "joint '" + names[i] + "' appears twice; remove one");
     if (!std::isfinite(positions[i])) failConfigurations(where, "joint '" + names[i] + "' has a position that is not finite");
     put(joint->second, positions[i], where);
   }
+  expectNear(joints_, current_, where);
   compareMimics(names, positions, where);
   append(current_, where, control);
   ++set_.given;

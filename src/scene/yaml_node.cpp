@@ -1,7 +1,8 @@
-// Every value knows its file and line, so that messages can say them.
+// Every value knows its file, its line and the keys that led to it, so that messages can say them.
 #include "scene/yaml_node.h"
 
 #include "base/finite_number.h"
+#include "base/uri_text.h"
 
 namespace collision_hulls {
 
@@ -30,6 +31,10 @@ bool YamlValue::isSequence() const {
   return node().kind == YamlTree::Kind::kSequence;
 }
 
+bool YamlValue::isScalar() const {
+  return node().kind == YamlTree::Kind::kScalar;
+}
+
 bool YamlValue::isNull() const {
   return node().kind == YamlTree::Kind::kNull;
 }
@@ -39,13 +44,13 @@ bool YamlValue::isQuoted() const {
 }
 
 std::string YamlValue::text() const {
-  if (node().kind != YamlTree::Kind::kScalar) fail("expected a single value");
+  if (!isScalar()) fail("expected a single value");
   return node().text;
 }
 
 double YamlValue::number() const {
   double value = 0;
-  if (!parseFinite(text(), value)) fail("expected a finite number, found '" + text() + "'");
+  if (!parseFinite(text(), value)) fail("expected a finite number, found '" + shown(text()) + "'");
   return value;
 }
 
@@ -63,6 +68,7 @@ std::vector<double> YamlValue::numbers() const {
 }
 
 std::vector<double> YamlValue::numbers(std::size_t count) const {
+  if (!isSequence()) fail("expected a list of " + std::to_string(count) + " numbers");
   std::vector<double> result = numbers();
   if (result.size() != count) fail("expected " + std::to_string(count) + " numbers, found " + std::to_string(result.size()));
   return result;
@@ -99,7 +105,11 @@ bool YamlValue::has(const std::string& key) const {
 YamlValue YamlValue::operator[](const std::string& key) const {
   const std::uint32_t* const value = valueOf(key);
   if (!value) fail("'" + key + "' is missing");
-  return valueAt(*value);
+  return valueAt(*value).called(what_.empty() ? key : what_ + ", " + key);
+}
+
+YamlValue YamlValue::called(std::string what) const {
+  return {document_, node_, std::move(what)};
 }
 
 std::size_t YamlValue::line() const {
@@ -110,8 +120,12 @@ std::string YamlValue::where() const {
   return "'" + document_->file + "', line " + std::to_string(line());
 }
 
+std::string YamlValue::place() const {
+  return what_.empty() ? where() : where() + ", " + what_;
+}
+
 void YamlValue::fail(const std::string& reason) const {
-  throw Error(document_->code, where() + ": " + reason);
+  throw Error(document_->code, place() + ": " + reason);
 }
 
 }  // namespace collision_hulls

@@ -3,7 +3,9 @@
 #include <set>
 
 #include "base/in_context.h"
+#include "base/nearest_name.h"
 #include "base/string_parts.h"
+#include "base/uri_text.h"
 #include "collision_hulls/error.h"
 #include "geometry/roll_pitch_yaw.h"
 #include "scene/reading.h"
@@ -18,7 +20,8 @@ const std::set<std::string> kShapes{"box", "sphere", "cylinder", "cone", "plane"
 void expectKeys(const YamlValue& map, const std::set<std::string>& known) {
   std::set<std::string> seen;
   for (const std::string& key : map.keys()) {
-    if (!known.count(key)) map.fail("'" + key + "' is not known here; expected one of " + listed(known));
+    if (!known.count(key))
+      map.fail("'" + shown(key) + "' is not known here; use one of " + listed(known) + didYouMean(key, {known.begin(), known.end()}));
     if (!seen.insert(key).second) map.fail("'" + key + "' appears twice; remove one");
   }
 }
@@ -29,6 +32,7 @@ Eigen::Vector3d vector(const YamlValue& value) {
 }
 
 Eigen::Isometry3d pose(const YamlValue& value) {
+  if (!value.isMap()) value.fail("expected a map, such as {xyz: [0, 0, 0.5], rpy: [0, 0, 0]}");
   expectKeys(value, {"xyz", "rpy", "quaternion"});
   if (value.has("rpy") && value.has("quaternion")) value.fail("a pose takes rpy or quaternion, not both");
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
@@ -36,9 +40,15 @@ Eigen::Isometry3d pose(const YamlValue& value) {
   if (value.has("rpy")) result.linear() = fromRollPitchYaw(vector(value["rpy"])).toRotationMatrix();
   if (value.has("quaternion")) {
     const std::vector<double> q = value["quaternion"].numbers(4);
-    inContext(value.where(), [&] { result.linear() = checkedQuaternion(q[0], q[1], q[2], q[3]).toRotationMatrix(); });
+    inContext(value["quaternion"].place(), [&] { result.linear() = checkedQuaternion(q[0], q[1], q[2], q[3]).toRotationMatrix(); });
   }
   return result;
+}
+
+/// What messages call a body: by its name, or else by its number in the list, from 1.
+std::string labelOf(const YamlValue& body, std::size_t number) {
+  const bool is_named = body.has("name") && body["name"].isScalar() && !body["name"].text().empty();
+  return is_named ? "body '" + shown(body["name"].text()) + "'" : "body " + std::to_string(number);
 }
 
 std::string shapeOf(const YamlValue& body) {
@@ -59,14 +69,15 @@ class YamlSceneReader {
 
   Scene read() {
     const YamlValue root = YamlValue::parse(readTextFile(file_, ".yaml file", control_), file_, ErrorCode::kBadScene, 1, control_);
-    if (!root.isMap() || !root.has("bodies")) root.fail("a scene needs a list 'bodies:'; an empty scene has 'bodies: []'");
-    expectKeys(root, {"name", "bodies"});
+    if (root.isMap()) expectKeys(root, {"name", "bodies"});
+    if (!root.has("bodies")) root.fail("a scene needs a list 'bodies:'; an empty scene has 'bodies: []'");
     Scene scene;
     SceneBuilder builder(scene);
     if (root.has("name")) scene.name = root["name"].text();
+    std::size_t number = 0;
     for (const YamlValue& value : root["bodies"].items()) {
       control_.check();
-      SceneBody body = bodyOf(value);
+      SceneBody body = bodyOf(value.called(labelOf(value, ++number)));
       inContext(value.where(), [&] { builder.add(std::move(body)); });
     }
     scene.files = meshes_.files();
@@ -91,7 +102,7 @@ class YamlSceneReader {
     if (sizesOf(shape) > 1) sizes = value[shape].numbers(sizesOf(shape));
     const Eigen::Vector3d scale = value.has("scale") ? vector(value["scale"]) : Eigen::Vector3d::Ones();
     const std::string uri = shape == "mesh" ? value[shape].text() : "";
-    inContext(value.where() + ", body '" + body.name + "'", [&] {
+    inContext(value.place(), [&] {
       if (shape == "mesh")
         body.shape = meshes_.read(uri, scale, file_);
       else

@@ -142,7 +142,8 @@ void print(const Verification& seen, const Command& command, const RunControl& c
     throw Error(ErrorCode::kUnwritableOutput, "cannot write to standard output; --json FILE keeps the figures");
   printFailures(seen, command.options);
   if (seen.contradictions > 0)
-    std::cerr << "verify: " << seen.contradictions << " collision queries contradict the bounds; the notes name some\n";
+    std::cerr << "verify: the bounds are contradicted by " << counted(seen.contradictions, "collision query", "collision queries")
+              << "; the notes name some\n";
 }
 
 int run(Command& command, const std::string& given) {

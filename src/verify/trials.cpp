@@ -15,6 +15,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/looks.h"
 #include "base/parallel.h"
 #include "collision_hulls/query/query_body.h"
 #include "fit/enclosing.h"
@@ -28,6 +29,7 @@ namespace {
 constexpr double kNearest = 1e-3, kFarthest = 0.3;   // offset of a box, in diagonals of the link
 constexpr double kThinnest = 0.02, kThickest = 0.5;  // its sides, in diagonals of the link
 constexpr double kLeastContradiction = 1e-6;         // [m] by which a contradiction must exceed its bound
+constexpr double kSliver = 1e-9;                     // [m] width that lines are given: far less than that
 constexpr std::size_t kMostRemarks = 10;
 constexpr std::size_t kMostLinks = 2000;  // whose pairs are counted: two million take 200 MB
 constexpr int kTurns = 8;                 // of nearness()
@@ -68,9 +70,40 @@ void addRound(Model& model, const GeometryElement& round) {
   model.points.push_back(round.origin.translation());
 }
 
+/// From one corner of a triangle to the next, along its longest side.
+Segment longestSide(const TriangleMesh& mesh, int triangle) {
+  Segment longest{mesh.corner(triangle, 2), mesh.corner(triangle, 0)};
+  for (int k = 0; k < 2; ++k) {
+    const Segment side{mesh.corner(triangle, k), mesh.corner(triangle, k + 1)};
+    if ((side[1] - side[0]).squaredNorm() > (longest[1] - longest[0]).squaredNorm()) longest = side;
+  }
+  return longest;
+}
+
+/// The triangles without area, as slivers of the lines and points that they are: FCL leaves them out, but the bounds count them.
+TriangleMesh slivers(const TriangleMesh& mesh, const RunControl& control) {
+  Looks look(control);
+  TriangleMesh result;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    look();
+    const Eigen::Vector3d& corner = mesh.corner(t, 0);
+    if (!(mesh.corner(t, 1) - corner).cross(mesh.corner(t, 2) - corner).isZero(0)) continue;
+    const auto [from, to] = longestSide(mesh, t);
+    Eigen::Vector3d way = to - from;
+    if (way.norm() < kSliver) way = kSliver * Eigen::Vector3d::UnitX();
+    const auto first = static_cast<int>(result.vertices.size());
+    result.vertices.insert(result.vertices.end(), {from, from + way, from + kSliver * way.unitOrthogonal()});
+    result.triangles.push_back({first, first + 1, first + 2});
+  }
+  return result;
+}
+
 void addMesh(Model& model, const TriangleMesh& mesh, const Solid* solid, const RunControl& control) {
   const QueryBody body(mesh, control);
   if (!body.empty()) model.parts.push_back({body, Eigen::Isometry3d::Identity(), 0, body});
+  const TriangleMesh lines = slivers(mesh, control);
+  if (!lines.triangles.empty())
+    model.parts.push_back({QueryBody(TriangleMesh(), control), Eigen::Isometry3d::Identity(), 0, QueryBody(lines, control)});
   if (solid) model.solids.push_back(solid);
 }
 

@@ -23,6 +23,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kMostPairs = 1000;  // of links, in a report
+constexpr double kOtherUnit = 10;         // by which all links of one description are larger if it is in another unit
 constexpr double kElsewhere = 1e-6;       // [m, and of rotation matrices] by which a link's place may differ between the descriptions
 
 std::vector<GeometryElement> elementsOf(const LinkDescription& link, const VerifyOptions& options) {
@@ -42,7 +43,15 @@ struct Work {
   std::size_t link = 0;  // index in ORIGINAL, if it is there
   LinkBodies original, result;
   std::unique_ptr<const LinkPair> pair;  // once it is measured
+  double result_diagonal = 0;            // [m] of RESULT's bounding box, likewise
 };
+
+/// [m] Of the bounding box.
+double diagonalOf(const LinkPair& pair) {
+  Eigen::AlignedBox3d all = boundingBox(pair.result().rest());
+  for (const Eigen::AlignedBox3d& box : pair.bodies().boxes()) all.extend(box);
+  return all.diagonal().norm();
+}
 
 /// Whether there is a gate and the bound is beyond it; adds why.
 bool exceeds(const std::optional<double>& gate, const Largest& largest, const std::string& what, std::string& reason) {
@@ -73,8 +82,8 @@ class Verifier {
     Verification done;
     done.configurations = options_.configurations;
     query(done);
-    done.links = std::move(rows_);
     addNotes(done);
+    done.links = std::move(rows_);
     done.seconds = watch.lap();
     return done;
   }
@@ -101,11 +110,12 @@ class Verifier {
     for (const LinkDescription& link : result_.robot.links) {
       control_.check();
       if (of_result.count(link.name) && pattern.matches(link.name))
-        add(0, link.name, LinkBodies(), results.bodiesOf(link.collisions), false);
+        add(0, link.name, LinkBodies(), results.bodiesOf(link.collisions), true);
     }
   }
 
-  void add(std::size_t index, const std::string& name, LinkBodies original, LinkBodies result, bool no_link) {
+  /// `alone`: the other description has no such link.
+  void add(std::size_t index, const std::string& name, LinkBodies original, LinkBodies result, bool alone) {
     LinkVerification row;
     row.link = name;
     if (original.empty() && result.empty() && original.fault.empty() && result.fault.empty()) return;
@@ -114,16 +124,18 @@ class Verifier {
       row.reason = original.fault.empty() ? "RESULT: " + result.fault : "ORIGINAL: " + original.fault;
     } else if (result.empty()) {
       row.status = LinkStatus::kMissing;
-      row.reason = no_link ? "RESULT has no such link" : "RESULT has no collision geometry here";
+      row.reason = alone ? "RESULT has no such link" : "RESULT has no collision geometry here";
+      if (alone) of_original_alone_.push_back(name);
       row.uncovered.bound = row.uncovered.found = std::numeric_limits<double>::infinity();
       row.uncovered_share = 1;
     } else if (original.empty()) {
       row.status = LinkStatus::kAdded;
-      row.reason = "ORIGINAL has no geometry here to compare with";
+      row.reason = alone ? "ORIGINAL has no such link" : "ORIGINAL has no geometry here to compare with";
+      if (alone) of_result_alone_.push_back(name);
       row.protrusion.bound = row.protrusion.found = std::numeric_limits<double>::infinity();
     }
     rows_.push_back(std::move(row));
-    works_.push_back({index, std::move(original), std::move(result), nullptr});
+    works_.push_back({index, std::move(original), std::move(result), nullptr, 0});
   }
 
   void measure(std::size_t i) {
@@ -138,6 +150,7 @@ class Verifier {
       work.pair = std::make_unique<LinkPair>(work.original, work.result, control_);
       row.triangles = work.pair->surface().triangles.size();
       row.diagonal = diagonal(work.pair->surface());
+      work.result_diagonal = diagonalOf(*work.pair);
       work.pair->measure(row, options_.max_protrusion.value_or(0), control_);
     } catch (const Error& e) {
       if (e.code() == ErrorCode::kCancelled) throw;
@@ -179,11 +192,36 @@ class Verifier {
     if ((original.pose.matrix() - result.pose.matrix()).cwiseAbs().maxCoeff() > kElsewhere) elsewhere_.push_back(original.name);
   }
 
+  /// Millimetres beside metres differ by 1,000 in every link; a model that is bad in one link does not.
+  void noteUnits(std::vector<std::string>& notes) const {
+    std::size_t measured = 0, larger = 0, smaller = 0, first = 0;
+    for (std::size_t i = 0; i < works_.size(); ++i) {
+      if (!works_[i].pair) continue;
+      const double original = rows_[i].diagonal, result = works_[i].result_diagonal;
+      if (measured++ == 0) first = i;
+      larger += result > kOtherUnit * original;
+      smaller += original > kOtherUnit * result;
+    }
+    if (measured == 0 || std::max(larger, smaller) < measured) return;
+    notes.push_back("in every link that was compared, RESULT is " + std::string(larger ? "more than ten times" : "less than a tenth") +
+                    " as large as ORIGINAL; '" + rows_[first].link + "' is " + decimal(works_[first].result_diagonal) +
+                    " m across, and in ORIGINAL " + decimal(rows_[first].diagonal) + " m: give both the same unit");
+  }
+
+  void noteNames(std::vector<std::string>& notes) const {
+    if (of_original_alone_.empty() || of_result_alone_.empty()) return;
+    notes.push_back(counted(of_original_alone_.size(), "link is", "links are") + " in ORIGINAL alone, such as '" +
+                    of_original_alone_.front() + "', and " + std::to_string(of_result_alone_.size()) + " in RESULT alone, such as '" +
+                    of_result_alone_.front() + "': links are compared by name");
+  }
+
   void addNotes(Verification& done) const {
     if (options_.made_from)
       done.notes.push_back("RESULT is compared with the elements of ORIGINAL that it was made from (--source " +
                            std::string(name(options_.made_from->source)) + " of decompose), as '" + options_.made_from->report +
                            "' says; --source chooses others");
+    noteUnits(done.notes);
+    noteNames(done.notes);
     if (!elsewhere_.empty())
       done.notes.push_back(counted(elsewhere_.size(), "link stands", "links stand") +
                            " elsewhere in RESULT's zero configuration, such as '" + elsewhere_.front() +
@@ -198,7 +236,7 @@ class Verifier {
   const RunControl& control_;
   std::vector<LinkVerification> rows_;
   std::vector<Work> works_;
-  std::vector<std::string> elsewhere_;
+  std::vector<std::string> elsewhere_, of_original_alone_, of_result_alone_;  // names of links
 };
 
 void check(const VerifyOptions& options) {

@@ -23,6 +23,10 @@ TEST(NearestName, TheOneThatWasMeant) {
   EXPECT_EQ(nearestName("t", names), "");
   EXPECT_EQ(nearestName("ab", {"cd"}), "") << "nothing in common";
   EXPECT_EQ(nearestName("tolerance", {}), "");
+  EXPECT_EQ(nearestName("tolerances", names), "tolerance");
+  const std::string endless(10'000'000, 'x');  // to be compared letter by letter, it would take hours
+  EXPECT_EQ(nearestName(endless, {endless + "y"}), "");
+  EXPECT_EQ(nearestName("tolerence", {endless, "tolerance"}), "tolerance");
 }
 
 TEST(DidYouMean, AQuestionOrNothing) {

@@ -20,7 +20,7 @@ std::string refusal(const std::function<void()>& call) {
 
 TEST(ConfigItem, EachKindOfValueIsNamed) {
   const auto refused = [](const std::string& text) {
-    return refusal([&] { ConfigItem{yaml("a: " + text)["a"], "size"}.text("a number"); });
+    return refusal([&] { ConfigItem{yaml("a: " + text).entries().front().second, "size"}.text("a number"); });
   };
   EXPECT_EQ(refused("{b: 1}"), "'f.yaml', line 1: size is a map: use a number");
   EXPECT_EQ(refused("[1]"), "'f.yaml', line 1: size is a list: use a number");

@@ -121,6 +121,7 @@ def seeds():
     # What the targets found.
     scenes.append(b"\0,x")  # yaml-cpp's loader never ended, and took all memory
     configurations.append(b"\1\xef\xbb\xbf,uuuu=\0\xfa")
+    configurations.append(b"\0j,k\n0,1.7e308\n1,-1.7e308\n")  # the way between was infinite, and steps on it not numbers
     no_name = b"<!-ameoM/>"  # tinyxml2 took it for a declaration, and there was no root
     return {
         **meshes, "urdf": [URDF.encode(), (PACKAGE / "urdf/demo_arm.urdf").read_bytes(), no_name], "srdf": [SRDF.encode(), no_name],

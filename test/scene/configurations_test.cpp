@@ -131,6 +131,7 @@ TEST(Configurations, CsvErrorsNameTheFaultAndTheLine) {
   expectBadCsv({"line 2", "'x'", "joint 'a'"}, "a\nx\n");
   expectBadCsv({"line 2", "'nan'"}, "a\nnan\n");
   expectBadCsv({"line 2", "''"}, "a,b\n1,\n");
+  expectBadCsv({"line 1", "column 2 has no name", "remove"}, "a,\n1,\n");
   expectBadCsv({"line 1", "JointState"}, "%time,field.data\n1,2\n");
 }
 
@@ -144,6 +145,15 @@ TEST(Configurations, BeyondLimits) {
   ConfigurationOptions strict;
   strict.refuse_beyond_limits = true;
   expectBad(ErrorCode::kBadConfigurations, {"line 3", "'a' at 3"}, "a.csv", text, strict);
+}
+
+TEST(Configurations, PositionsAreWithinABillionOfZero) {
+  EXPECT_EQ(setOf("a.csv", "b\n1e9\n-1e9\n").configurations.size(), 2u);
+  ConfigurationOptions options;
+  options.max_step = 0.1;  // the way from one to the other was infinite, and what lay between not a number
+  expectBad(ErrorCode::kBadConfigurations, {"line 2", "'b'", "1.7e+308", "within 1e9 of zero"}, "a.csv", "b,c\n1.7e308,0\n-1.7e308,0.5\n",
+            options);
+  expectBad(ErrorCode::kBadConfigurations, {"line 2", "'m'", "1.2e+09"}, "a.csv", "a\n6e8\n");
 }
 
 TEST(Configurations, MimicJointsAreCompared) {
@@ -189,6 +199,31 @@ points:
   EXPECT_EQ(setOf("a.yml", within).configurations[1], (Configuration{1, 0, 0.5}));
 }
 
+TEST(Configurations, AJointThatIsAlmostKnownIsSuggested) {
+  const Kinematics kinematics(
+      parseRobotDescription("<robot name='r'><link name='a'/><link name='b'/><joint name='elbow' type='continuous'><parent link='a'/>"
+                            "<child link='b'/></joint></robot>"));
+  const TemporaryFolder folder;
+  expectError(ErrorCode::kBadConfigurations, {"no joint 'elbwo'", "its joints are elbow; did you mean 'elbow'?"},
+              [&] { readConfigurations(folder.write("a.csv", "elbwo\n1\n"), kinematics); });
+}
+
+TEST(Configurations, TransformsOfTheRobotAreIgnoredAndNoted) {
+  const std::string transforms = "transforms: [{translation: {x: 1, y: 0, z: 0}, rotation: {x: 0, y: 0, z: 0, w: 1}}]";
+  const std::string state =
+      "joint_state: {name: [a], position: [1]}\nmulti_dof_joint_state:\n  joint_names: [world]\n  " + transforms + "\n";
+  const std::string path = "- {joint_names: [a], points: [{positions: [1]}]}\n- {joint_names: [base], points: [{" + transforms + "}]}\n";
+  for (const auto& [text, part] : {std::pair(state, "'world' in"), std::pair(path, "'base' in")}) {
+    const ConfigurationSet set = setOf("a.yaml", text);
+    ASSERT_EQ(set.configurations.size(), 1u);
+    ASSERT_FALSE(set.notes.empty());
+    EXPECT_NE(set.notes.back().find("transforms of joints are ignored, such as that of "), std::string::npos) << set.notes.back();
+    EXPECT_NE(set.notes.back().find(part), std::string::npos) << set.notes.back();
+  }
+  expectBad(ErrorCode::kBadConfigurations, {"points that have positions"}, "a.yaml",
+            "joint_names: [base]\npoints: [{" + transforms + "}]\n");
+}
+
 TEST(Configurations, ReadsContentOnTheLineOfTheDashes) {
   EXPECT_EQ(setOf("a.yaml", "--- {name: [a], position: [1]}\n--- {name: [a], position: [2]}\n").configurations.size(), 2u);
 }
@@ -208,10 +243,11 @@ TEST(Configurations, YamlErrorsNameTheFaultAndTheLine) {
     expectBad(ErrorCode::kBadConfigurations, parts, "a.yaml", text);
   };
   expectBadYaml({"line 5", "not valid YAML"}, "name: [a]\nposition: [1]\n---\nx: [\n");
-  expectBadYaml({"line 1", "1 positions for 2 joints"}, "name: [a, b]\nposition: [1]\n");
+  expectBadYaml({"line 1", "1 position for 2 joints"}, "name: [a, b]\nposition: [1]\n");
   expectBadYaml({"no joint 'elbow'"}, "name: [elbow]\nposition: [1]\n");
   expectBadYaml({"'.nan'"}, "name: [a]\nposition: [.nan]\n");
-  expectBadYaml({"'positions' is missing"}, "joint_names: [a]\npoints: [{velocities: [1]}]\n");
+  expectBadYaml({"line 2, points: 'positions' is missing"}, "joint_names: [a]\npoints: [{velocities: [1]}]\n");
+  expectBadYaml({"line 1, name: expected a list"}, "name: a\nposition: 1\n");
   std::string bomb = "x0: &x0 [1, 1]\n";
   for (int i = 1; i < 40; ++i) {
     const std::string before = "*x" + std::to_string(i - 1);
@@ -283,7 +319,7 @@ TEST(Configurations, ACsvOfVeryManyColumns) {
   const Kinematics kinematics = arm();
   const std::string file = folder.write("a.csv", "a" + std::string(99'999, ',') + "\n");
   const CountedLooks looks;
-  expectError(ErrorCode::kBadConfigurations, {"no line"}, [&] { readConfigurations(file, kinematics, {}, looks.control()); });
+  expectError(ErrorCode::kBadConfigurations, {"column 2 has no name"}, [&] { readConfigurations(file, kinematics, {}, looks.control()); });
   EXPECT_GE(looks.count(), 2 + looksFor(100'000)) << "within a line";
 }
 

@@ -33,5 +33,24 @@ TEST(YamlValue, FaultsNameFileAndLine) {
   expectError(ErrorCode::kBadScene, {"cell.yaml"}, [] { parse("x: .nan")["x"].number(); });
 }
 
+TEST(YamlValue, FaultsNameTheKeysThatLedThere) {
+  const YamlValue root = parse("bodies:\n- {pose: {xyz: [1, 2]}, scale: 2}\n");
+  expectError(ErrorCode::kBadScene, {"'cell.yaml', line 2, bodies: 'size' is missing"}, [&] { root["bodies"].items()[0]["size"]; });
+  const YamlValue body = root["bodies"].items()[0].called("body 7");
+  EXPECT_EQ(body["pose"]["xyz"].place(), "'cell.yaml', line 2, body 7, pose, xyz");
+  EXPECT_EQ(body["pose"]["xyz"].where(), "'cell.yaml', line 2");
+  expectError(ErrorCode::kBadScene, {"line 2, body 7, pose, xyz: expected 3 numbers, found 2"}, [&] { body["pose"]["xyz"].numbers(3); });
+  expectError(ErrorCode::kBadScene, {"line 2, body 7, scale: expected a list of 3 numbers"}, [&] { body["scale"].numbers(3); });
+}
+
+TEST(YamlValue, AFaultyNumberIsShownShort) {
+  try {
+    parse("x: " + std::string(100'000, 'y'))["x"].number();
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_LT(std::string(error.what()).size(), 1000u);
+  }
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -78,6 +78,35 @@ TEST(YamlScene, ErrorsNameTheFaultAndTheLine) {
   });
 }
 
+TEST(YamlScene, ErrorsNameTheBodyAndTheField) {
+  const TemporaryFolder folder;
+  const auto expectBad = [&](const std::vector<std::string>& parts, const std::string& body) {
+    expectError(ErrorCode::kBadScene, parts, [&] { sceneOf(folder, "a.yaml", "bodies:\n- {name: first, sphere: 1}\n- " + body + "\n"); });
+  };
+  expectBad({"line 3, body 'a', box: expected 3 numbers, found 2"}, "{name: a, box: [1, 1]}");
+  expectBad({"line 3, body 'a', box: ", "'one'"}, "{name: a, box: [1, 1, one]}");
+  expectBad({"line 3, body 'a', sphere: expected a single value"}, "{name: a, sphere: [1]}");
+  expectBad({"line 3, body 'a', scale: expected a list of 3 numbers"}, "{name: a, mesh: t.obj, scale: 2}");
+  expectBad({"line 3, body 'a', pose, xyz: expected 3 numbers, found 1"}, "{name: a, sphere: 1, pose: {xyz: [1]}}");
+  expectBad({"line 3, body 'a', pose, quaternion: ", "length 2"}, "{name: a, sphere: 1, pose: {quaternion: [0, 0, 0, 2]}}");
+  expectBad({"line 3, body 'a', pose: expected a map, such as {xyz: "}, "{name: a, sphere: 1, pose: [0, 0, 1]}");
+  expectBad({"line 3, body 'a': a sphere of 0 m"}, "{name: a, sphere: 0}");
+  expectBad({"line 3, body 2: 'name' is missing"}, "{box: [1, 1, 1]}");
+  expectBad({"line 3, body 2, name: "}, "{name: [a], box: [1, 1, 1]}");
+  expectBad({"line 3, body 2: expected a map"}, "box");
+  expectBad({"line 3: body 'first' appears twice"}, "{name: first, sphere: 2}");
+}
+
+TEST(YamlScene, AKeyThatIsAlmostKnownIsSuggested) {
+  const TemporaryFolder folder;
+  const auto expectBad = [&](const std::vector<std::string>& parts, const std::string& text) {
+    expectError(ErrorCode::kBadScene, parts, [&] { sceneOf(folder, "a.yaml", text); });
+  };
+  expectBad({"body 'a': 'poes' is not known here", "did you mean 'pose'?"}, "bodies: [{name: a, sphere: 1, poes: {}}]");
+  expectBad({"body 'a', pose: 'xyzs' is not known here", "did you mean 'xyz'?"}, "bodies: [{name: a, sphere: 1, pose: {xyzs: [0, 0, 0]}}]");
+  expectBad({"'boddies' is not known here", "did you mean 'bodies'?"}, "boddies: []");
+}
+
 TEST(YamlScene, AliasesAndBracketsDoNotBlowUp) {
   const TemporaryFolder folder;
   std::string text = "x0: &x0 [1, 1]\n";

@@ -116,6 +116,26 @@ TEST(Trials, BoundsThatAreTooSmallAreContradicted) {
 }
 
 /// A box wholly inside the original touches no surface, and yet it collides.
+TEST(Trials, LinesAndPointsOfAResultCountInItsDistances) {
+  const TriangleMesh cube = test_shapes::box(0.2, 0.2, 0.2);
+  const TriangleMesh line{{{0, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}}, {{0, 1, 2}}}, point{{{0.2, 0.2, 0.2}}, {{0, 0, 0}}};
+  for (const TriangleMesh& thin : {line, point}) {
+    TriangleMesh both = thin;  // a bound that only the thin part keeps small
+    append(both, test_shapes::moved(test_shapes::box(0.01, 0.01, 0.01), {5, 5, 5}));
+    LinkBodies original, result;
+    original.meshes.push_back({cube, convexParts(cube)});
+    result.meshes.push_back({both, convexParts(both)});
+    LinkPair pair(original, result);
+    LinkVerification row;
+    row.diagonal = diagonal(pair.surface());
+    pair.measure(row);
+    EXPECT_LT(row.uncovered.bound, 1);
+    const Trials trials = tryConfigurations(twoLinks(), {{0, &pair, &row}}, 200, 1);
+    EXPECT_GT(trials.all.missed, 0u);
+    EXPECT_EQ(trials.contradictions, 0u);
+  }
+}
+
 TEST(Trials, ABodyInsideAnotherCollides) {
   Cube same(1);
   same.row.diagonal /= 100;  // small boxes near the surface, half of them inside

@@ -419,6 +419,38 @@ TEST_F(Verify, ALinkThatStandsElsewhereIsNoted) {
   EXPECT_NE(seen.notes[0].find("'b'"), std::string::npos) << seen.notes[0];
 }
 
+TEST_F(Verify, ADescriptionInAnotherUnitIsNoted) {
+  const auto model = [&](double size, double other) {
+    const auto cube = [&](double s) {
+      const std::string text = std::to_string(s);
+      return collision(primitive("box size='" + text + " " + text + " " + text + "'"));
+    };
+    return robot(fixtures::link("a", cube(size)) + fixtures::link("b", cube(other), "a"));
+  };
+  VerifyOptions options;
+  options.configurations = 0;
+  const auto notes = [&](const Description& original, const Description& result) { return verify(original, result, options).notes; };
+  const std::vector<std::string> larger = notes(model(1, 2), model(1000, 2000)), smaller = notes(model(1000, 2000), model(1, 2));
+  ASSERT_EQ(larger.size(), 1u);
+  EXPECT_NE(larger[0].find("more than ten times as large as ORIGINAL; 'a' is 1732.05 m across, and in ORIGINAL 1.73205 m"),
+            std::string::npos)
+      << larger[0];
+  ASSERT_EQ(smaller.size(), 1u);
+  EXPECT_NE(smaller[0].find("less than a tenth as large as ORIGINAL"), std::string::npos) << smaller[0];
+  EXPECT_TRUE(notes(model(1, 2), model(1000, 2)).empty()) << "one link is right";
+  EXPECT_TRUE(notes(model(1, 2), model(9, 18)).empty());
+}
+
+TEST_F(Verify, LinksThatTheOtherSideCallsOtherwiseAreNoted) {
+  const std::string cube = collision(primitive("box size='1 1 1'"));
+  const auto pair = [&](const std::string& second) { return robot(fixtures::link("a", cube) + fixtures::link(second, cube, "a")); };
+  const Verification seen = verify(pair("tip"), pair("Tip"), {});
+  ASSERT_EQ(seen.notes.size(), 1u);
+  EXPECT_EQ(seen.notes[0], "1 link is in ORIGINAL alone, such as 'tip', and 1 in RESULT alone, such as 'Tip': links are compared by name");
+  EXPECT_EQ(seen.links.back().reason, "ORIGINAL has no such link");
+  EXPECT_TRUE(verify(pair("tip"), robot(fixtures::link("a", cube)), {}).notes.empty()) << "nothing that may be meant";
+}
+
 TEST(DescribeMesh, IsARobotOfOneLink) {
   const Description part = describeMesh("part.stl");
   ASSERT_EQ(part.robot.links.size(), 1u);

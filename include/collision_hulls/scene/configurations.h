@@ -60,7 +60,7 @@ struct ConfigurationSet {
   /// values beyond their limits by more than 1e-6 of the limits' size; continuous joints have none
   std::size_t beyond_limits = 0;
   /// for the user, one line each: the first value beyond its limits, mimic joints that deviate from
-  /// their masters, joints never named
+  /// their masters, joints never named, transforms that were ignored
   std::vector<std::string> notes;
 };
 
@@ -77,8 +77,9 @@ class ConfigurationCollector {
   /// those that their masters imply; positions of fixed joints are ignored. `where` appears in
   /// messages: "'a.csv', line 3". Throws kBadConfigurations for a name that the robot does not have
   /// (the message lists its joints) or that appears twice, for a number of positions that differs
-  /// from the number of names, and for values that are not finite; kTooLarge, see
-  /// ConfigurationOptions; kCancelled.
+  /// from the number of names, for values that are not finite, and for those that put a joint, or
+  /// one that mimics it, further than 1e9 rad or m from zero; kTooLarge, see ConfigurationOptions;
+  /// kCancelled.
   void add(const std::vector<std::string>& names, const std::vector<double>& positions,
            const std::string& where, const RunControl& control = {});
 

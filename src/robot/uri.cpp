@@ -59,7 +59,8 @@ std::optional<fs::path> pathOf(const std::string& uri, const std::string& base, 
   return fs::path(base).parent_path() / (is_file ? filePath(uri) : uri);  // an absolute path replaces what stands before it
 }
 
-bool isFile(const fs::path& path) {
+// Also what is no regular file: whoever reads it says so.
+bool isNoFolder(const fs::path& path) {
   std::error_code error;
   return fs::exists(path, error) && !fs::is_directory(path, error);
 }
@@ -68,8 +69,8 @@ bool isFile(const fs::path& path) {
 std::optional<std::string> existingFile(const fs::path& path) {
   const fs::path normal = path.lexically_normal();
   std::error_code error;
-  if (isFile(path) && !fs::equivalent(path, normal, error)) return path.string();
-  return isFile(normal) ? std::optional(normal.string()) : std::nullopt;
+  if (isNoFolder(path) && !fs::equivalent(path, normal, error)) return path.string();
+  return isNoFolder(normal) ? std::optional(normal.string()) : std::nullopt;
 }
 
 std::optional<std::string> nearbyFile(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
@@ -110,6 +111,16 @@ std::string missingFolder(const fs::path& file) try {
   return "";
 }
 
+// Of folders that may not be read nothing is told.
+bool isKnownFolder(const std::string& path) try {
+  std::error_code error;
+  if (!fs::is_directory(path, error)) return false;
+  checkRead(path);
+  return true;
+} catch (const Error&) {
+  return false;
+}
+
 [[noreturn]] void throwMissing(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
   const std::optional<fs::path> path = pathOf(percentDecoded(uri), base, find_package);
   const std::string remedy = "; rename it, or correct the case of letters in the URI";
@@ -130,6 +141,9 @@ std::string missingFolder(const fs::path& file) try {
   if (const auto other = find_package.inOtherCase(file))
     throw Error(ErrorCode::kFileNotFound,
                 "'" + uri + "' resolves to '" + file + "', which does not exist, but '" + *other + "' does" + remedy);
+  if (isKnownFolder(file))
+    throw Error(ErrorCode::kFileNotFound,
+                "'" + uri + "'" + (file == uri ? "" : " resolves to '" + file + "', which") + " is a folder; give a file in it");
   const std::string nor = missingFolder(file);
   if (file == uri) throw Error(ErrorCode::kFileNotFound, "'" + uri + "' does not exist" + nor + "; check the path");
   throw Error(ErrorCode::kFileNotFound,

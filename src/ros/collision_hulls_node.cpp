@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <clocale>
 #include <cstdio>
 #include <exception>
 #include <thread>
@@ -93,6 +94,7 @@ int serve() {
 int main(int argc, char** argv) {
   collision_hulls::holdStandardFiles();
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // or a log in a file or pipe would say nothing before the node ends
+  std::setlocale(LC_CTYPE, "C.UTF-8");            // or the log would show each letter beyond ASCII, as paths have, as '??'
   ros::init(argc, argv, "collision_hulls", ros::init_options::NoSigintHandler);
   handleSignals();
   if (!waitForMaster()) return 0;

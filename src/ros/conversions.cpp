@@ -1,6 +1,9 @@
 // Field by field: the messages repeat the core's types.
 #include "conversions.h"
 
+#include <algorithm>
+#include <cctype>
+
 #include "base/counted.h"
 #include "base/figure.h"
 #include "collision_hulls/pipeline/progress_text.h"
@@ -17,6 +20,35 @@ std::string bodiesOf(const Report& report) {
   return (sums.hulls > 0 ? counted(sums.hulls, "hull") + " and " : "") + counted(sums.primitives, "primitive");
 }
 
+/// Where the quotation or the indented line ends that begins at `at`; `at` if none does.
+std::size_t endOfQuotation(const std::string& text, std::size_t at) {
+  const auto isLetter = [&](std::size_t i) { return std::isalnum(static_cast<unsigned char>(text[i])) != 0; };
+  std::size_t end = at;
+  if (text.compare(at, 3, "\n  ") == 0) end = std::min(text.find('\n', at + 1), text.size());
+  if (text[at] == '\'' && (at == 0 || !isLetter(at - 1))) end = text.find('\'', at + 1) + 1;  // 0 without an end
+  return std::max(end, at);
+}
+
+/// Where the option's name ends that begins at `at`: "--jobs", or "jobs" before its value at the start; `at` if none does.
+std::size_t endOfOption(const std::string& text, std::size_t at) {
+  const bool has_dashes = text.compare(at, 2, "--") == 0 && (at == 0 || std::string(" (\n").find(text[at - 1]) != std::string::npos);
+  if (!has_dashes && at > 0) return at;
+  const std::size_t name = has_dashes ? at + 2 : at;
+  if (name == text.size() || std::islower(static_cast<unsigned char>(text[name])) == 0) return at;
+  const std::size_t end = std::min(text.find_first_not_of("abcdefghijklmnopqrstuvwxyz-", name), text.size());
+  return has_dashes || text.compare(end, 2, " '") == 0 ? end : at;
+}
+
+std::string parameterOf(const std::string& option) {
+  for (const char* alone : {"--for", "--json", "--quiet", "--replace-complete", "--root", "--scale"})
+    if (option == alone) return option;  // the program's, and no parameter
+  std::string name = option.substr(option.find_first_not_of('-')), value;
+  if (name.compare(0, 3, "no-") == 0) name.erase(0, 3), value = " false";
+  std::replace(name.begin(), name.end(), '-', '_');
+  if (option[0] != '-') return name;  // a field of the request, or a parameter
+  return (name == "package_path" ? "the start-up parameter ~" : "~") + name + value;
+}
+
 }  // namespace
 
 LinkReport toMessage(const ElementReport& row, const Eigen::Isometry3d& origin) {
@@ -25,7 +57,7 @@ LinkReport toMessage(const ElementReport& row, const Eigen::Isometry3d& origin) 
   message.element = row.element;
   message.uri = row.uri;
   message.status = name(row.status);
-  message.reason = row.reason;
+  message.reason = inNodeWords(row.reason);
   message.triangles = static_cast<std::uint32_t>(row.triangles);
   message.hulls = static_cast<std::uint32_t>(row.hulls);
   message.hull_vertices = static_cast<std::uint32_t>(row.hull_vertices);
@@ -88,7 +120,19 @@ std::string summary(const std::string& robot, const Report& report) {
   text += "robot '" + robot + "': " + bodiesOf(report) + " for " + counted(sums.meshes - sums.failed, "mesh", "meshes");
   if (sums.failed > 0) text += ", " + std::to_string(sums.failed) + " failed";
   if (!sums.worst_link.empty()) text += "; largest protrusion " + figure(1000 * sums.protrusion) + " mm (" + sums.worst_link + ")";
-  return text;
+  return inNodeWords(text);
+}
+
+std::string inNodeWords(const std::string& text) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t quotation = endOfQuotation(text, at), option = endOfOption(text, at);
+    const std::size_t end = std::max({quotation, option, at + 1});
+    const std::string part = text.substr(at, end - at);
+    result += option > at ? parameterOf(part) : part;
+    at = end;
+  }
+  return result;
 }
 
 }  // namespace collision_hulls

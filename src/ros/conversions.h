@@ -22,4 +22,9 @@ DecomposeFeedback toMessage(const Step& step);
 /// 4.91 mm (hand)".
 std::string summary(const std::string& robot, const Report& report);
 
+/// What the library says, with options as parameters of the node: "--close-openings 5cm" becomes "~close_openings 5cm", "--no-validate"
+/// "~validate false", and a name at the start, as in "max-hulls '-1'", "max_hulls". Options that the program alone has stay, and so do
+/// quotations and indented lines, which are commands.
+std::string inNodeWords(const std::string& text);
+
 }  // namespace collision_hulls

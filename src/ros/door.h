@@ -43,7 +43,7 @@ Response answered(const std::function<Response()>& job) {
     return job();
   } catch (const Error& error) {
     const bool cancelled = error.code() == ErrorCode::kCancelled;
-    response.message = cancelled ? "cancelled; nothing was written" : error.what();
+    response.message = cancelled ? "cancelled; nothing was written" : inNodeWords(error.what());
     ROS_LOG(cancelled ? ros::console::levels::Info : ros::console::levels::Error, ROSCONSOLE_DEFAULT_NAME, "%s", response.message.c_str());
   } catch (const std::bad_alloc&) {
     response.message = "memory ended; nothing was written. Send smaller meshes, or free memory on the node's machine";

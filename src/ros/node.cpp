@@ -45,7 +45,7 @@ Response written(RobotResult& result, const std::string& output, bool brief, con
     response.robot_description = result.urdf;
     response.report = toJson(result.report);
   }
-  response.table = toTable(result.report);
+  response.table = inNodeWords(toTable(result.report));
   response.totals = toTotals(result.report);
   response.links = toMessages(result);
   ROS_LOG(response.success ? ros::console::levels::Info : ros::console::levels::Warn, ROSCONSOLE_DEFAULT_NAME, "%s",
@@ -72,6 +72,7 @@ Node::Node()
                   [this](const auto& request, const auto& control, const auto& step) { return build(request, control, step); }),
       validate_door_(private_, "validate", worker_,
                      [this](const auto& request, const auto& control, const auto& step) { return validate(request, control, step); }) {
+  warnOfMistyped(private_);
   if (startsAtOnce()) decomposeAtStart();  // before the doors open, so that no caller is first
   decompose_door_.open();
   fit_door_.open();

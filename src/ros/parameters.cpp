@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/nearest_name.h"
 #include "base/string_parts.h"
 #include "base/uri_text.h"
 #include "collision_hulls/config/config.h"
@@ -22,13 +23,40 @@
 namespace collision_hulls {
 namespace {
 
+/// All that the node reads; a parameter without effect is perhaps one of these, mistyped.
+const std::vector<std::string>& parameterNames() {
+  static const std::vector<std::string> names{
+      "auto",         "base",         "cache",      "close_openings", "config",        "effort",      "fill",    "format",      "html",
+      "jobs",         "links",        "max_hulls",  "max_vertices",   "method",        "opacity",     "output",  "output_root", "padding",
+      "package_name", "package_path", "profile",    "read_roots",     "reader_memory", "reader_time", "rebase",  "seed",        "segments",
+      "shapes",       "source",       "time_limit", "tolerance",      "tree",          "uri",         "validate"};
+  return names;
+}
+
+/// "'many', ": a value as a message quotes it; nothing for a list and the like.
+std::string quotedValue(const ros::NodeHandle& node, const std::string& name) {
+  using XmlRpc::XmlRpcValue;
+  XmlRpcValue value;
+  node.getParam(name, value);
+  const std::set<XmlRpcValue::Type> simple{XmlRpcValue::TypeBoolean, XmlRpcValue::TypeInt, XmlRpcValue::TypeDouble,
+                                           XmlRpcValue::TypeString};
+  if (simple.count(value.getType()) == 0) return "";
+  std::ostringstream text;
+  value.write(text);
+  return "'" + shown(text.str()) + "', ";
+}
+
+[[noreturn]] void throwWrongType(const ros::NodeHandle& node, const std::string& name, const char* type) {
+  throw Error(ErrorCode::kBadOption,
+              "parameter " + node.resolveName(name) + " is " + quotedValue(node, name) + "not " + type + ": set it to one");
+}
+
 /// A parameter's value, or nothing if it is not set. getParam alone reports a value of the wrong type as not set.
 template <typename T>
 std::optional<T> read(const ros::NodeHandle& node, const std::string& name, const char* type) {
   if (!node.hasParam(name)) return std::nullopt;
   T value{};
-  if (!node.getParam(name, value))
-    throw Error(ErrorCode::kBadOption, "parameter " + node.resolveName(name) + " is not " + type + ": set it to one");
+  if (!node.getParam(name, value)) throwWrongType(node, name, type);
   return value;
 }
 
@@ -37,8 +65,7 @@ void readNumber(const ros::NodeHandle& node, const std::string& name, int& value
   constexpr const char* kType = "a whole number";
   const std::optional<double> number = read<double>(node, name, kType);
   if (!number) return;
-  if (*number != std::trunc(*number) || std::abs(*number) > std::numeric_limits<int>::max())
-    throw Error(ErrorCode::kBadOption, "parameter " + node.resolveName(name) + " is not " + kType + ": set it to one");
+  if (*number != std::trunc(*number) || std::abs(*number) > std::numeric_limits<int>::max()) throwWrongType(node, name, kType);
   value = static_cast<int>(*number);
 }
 
@@ -112,6 +139,24 @@ void readFlag(const ros::NodeHandle& node, const std::string& name, bool& value)
   value = read<bool>(node, name, "true or false").value_or(value);
 }
 
+double numberParameter(const ros::NodeHandle& node, const std::string& name, double fallback) {
+  return read<double>(node, name, "a number").value_or(fallback);
+}
+
+void warnOfMistyped(const ros::NodeHandle& node) {
+  std::vector<std::string> names;
+  node.getParamNames(names);
+  const std::string place = node.getNamespace() + "/";
+  for (const std::string& name : names) {
+    if (name.compare(0, place.size(), place) != 0) continue;
+    const std::string own = name.substr(place.size());
+    const std::vector<std::string>& known = parameterNames();
+    if (std::find(known.begin(), known.end(), own) != known.end()) continue;
+    const std::string hint = didYouMean(own, known);
+    if (!hint.empty()) ROS_WARN("parameter %s has no effect%s", name.c_str(), hint.c_str());
+  }
+}
+
 Options readOptions(const ros::NodeHandle& node) {
   Options options;
   const std::string profile = textParameter(node, "profile");
@@ -158,7 +203,7 @@ Options configured(const ros::NodeHandle& node, const std::string& config, Optio
 std::vector<std::string> readFolders(const ros::NodeHandle& node, const std::string& name) {
   std::vector<std::string> folders;
   if (node.getParam(name, folders)) return folders;
-  std::istringstream list(textParameter(node, name));
+  std::istringstream list(read<std::string>(node, name, "a text or a list of texts").value_or(""));
   for (std::string folder; std::getline(list, folder, ':');) {
     if (!folder.empty()) folders.push_back(folder);
   }

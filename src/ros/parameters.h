@@ -36,6 +36,12 @@ std::string textParameter(const ros::NodeHandle& node, const std::string& name, 
 /// Sets `value` to a parameter; leaves it if that is not set. Throws kBadOption if it is neither true nor false.
 void readFlag(const ros::NodeHandle& node, const std::string& name, bool& value);
 
+/// A number; `fallback` if the parameter is not set. Throws kBadOption if it is no number.
+double numberParameter(const ros::NodeHandle& node, const std::string& name, double fallback);
+
+/// Logs a warning for each parameter in the node's name space that it does not read and whose name is nearly that of one which it reads.
+void warnOfMistyped(const ros::NodeHandle& node);
+
 /// Throws kBadOption for a text of a request that is longer than a path can be, or holds control characters: messages quote it.
 void checkTexts(const DecomposeRequest& request);
 void checkTexts(const FitSceneRequest& request);

@@ -30,10 +30,14 @@ std::optional<std::string> rosPackage(const std::string& package) {
   }
 }
 
+fs::path home() {
+  const char* const folder = std::getenv("HOME");
+  return folder ? folder : "";
+}
+
 fs::path rosHome() {
   if (const char* folder = std::getenv("ROS_HOME"); folder && *folder) return folder;
-  const char* const home = std::getenv("HOME");
-  return fs::path(home ? home : "") / ".ros";
+  return home() / ".ros";
 }
 
 /// The folder of the package that a folder is in; the folder itself without one.
@@ -52,6 +56,7 @@ NodePlaces::NodePlaces(const ros::NodeHandle& node)
       read_roots_(readFolders(node, "read_roots")),
       package_path_(readFolders(node, "package_path")) {
   if (output_root_.empty()) output_root_ = rosHome() / "collision_hulls_output";
+  if (output_root_.compare(0, 2, "~/") == 0) output_root_ = home() / output_root_.substr(2);  // a shell leaves it in _output_root:=~/models
   output_root_ = fs::absolute(output_root_).lexically_normal().string();
 }
 

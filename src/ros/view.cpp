@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "annotations.h"
+#include "collision_hulls/error.h"
 #include "collision_hulls/pipeline/fit_scene.h"
 #include "collision_hulls/pipeline/progress_text.h"
+#include "parameters.h"
 
 namespace collision_hulls {
 namespace {
@@ -60,6 +62,19 @@ std::string frameName(const std::string& name) {
   return name.substr(std::min(name.find_first_not_of('/'), name.size()));
 }
 
+/// What is wrong with it is not worth an end of the node.
+double opacityOf(const ros::NodeHandle& node) {
+  double opacity = kOpacity;
+  try {
+    opacity = numberParameter(node, "opacity", kOpacity);
+  } catch (const Error& error) {
+    ROS_ERROR("%s", error.what());
+  }
+  if (opacity >= 0 && opacity <= 1) return opacity;
+  ROS_ERROR("parameter %s is %g: set it to a number from 0 to 1", node.resolveName("opacity").c_str(), opacity);
+  return kOpacity;
+}
+
 }  // namespace
 
 StepCallback ViewedRun::shown(StepCallback step) const {
@@ -70,7 +85,7 @@ StepCallback ViewedRun::shown(StepCallback step) const {
 }
 
 View::View(const ros::NodeHandle& node) : node_(node) {
-  opacity_ = std::clamp(node_.param("opacity", kOpacity), 0.0, 1.0);
+  opacity_ = opacityOf(node);
   const char* const names[kTopics] = {"hulls",    "original", "protrusion", "labels",   "unneeded",
                                       "segments", "scene",    "chosen",     "progress", "markers"};
   const auto connected = [this](const ros::SingleSubscriberPublisher&) { subscribed(); };

@@ -65,7 +65,15 @@ TEST_F(ResolveUri, AModelIsAPackage) {
 
 TEST_F(ResolveUri, MissingFile) {
   expectError(ErrorCode::kFileNotFound, {"package://arm/no.stl", folder_.path("arm/no.stl")}, [&] { resolve("package://arm/no.stl"); });
-  expectError(ErrorCode::kFileNotFound, {folder_.path("arm/meshes")}, [&] { resolve("package://arm/meshes"); });
+}
+
+TEST_F(ResolveUri, AFolderIsNoFile) {
+  const std::string folder = folder_.path("arm/meshes");
+  expectError(ErrorCode::kFileNotFound, {"resolves to '" + folder + "', which is a folder; give a file in it"},
+              [&] { resolve("package://arm/meshes"); });
+  expectError(ErrorCode::kFileNotFound, {"'" + folder + "' is a folder; give a file in it"}, [&] { resolve(folder); });
+  const Confinement confinement({{folder_.path("arm/urdf")}, {}, {}, {}, "", ""});
+  expectError(ErrorCode::kFileNotFound, {"'" + folder + "' does not exist; check the path"}, [&] { resolve(folder); });
 }
 
 TEST_F(ResolveUri, TheMessageHasAnAbsolutePath) {

@@ -2,9 +2,11 @@
 """decompose_client as a user calls it: table, progress, Ctrl-C, and wrong use."""
 import os
 import pty
+import shutil
 import signal
 import subprocess
 import unittest
+from unittest import mock
 
 import robots
 import roslib.packages
@@ -104,16 +106,37 @@ class ClientTest(unittest.TestCase):
         self.assertEqual(1, status)
         self.assertIn("box.stl", out)
 
+    def test_xacro_is_expanded(self):
+        """By a program in xacro's place; without one the file is refused, as the node would take its elements for a robot's."""
+        os.rename(self.urdf(self.folder.small_robot().replace("<visual>", "<VISUAL>")), self.folder.file("robot.xacro"))
+        with mock.patch.dict(os.environ, PATH="/usr/bin:/bin"):
+            if shutil.which("xacro") is None:
+                status, out, err = self.run_client(self.folder.file("robot.xacro"), "-o", self.folder.output)
+                self.assertEqual((2, ""), (status, out))
+                self.assertIn("robot.xacro' is a xacro file, but there is no program 'xacro' on PATH", err)
+        with open(self.folder.file("xacro"), "w", encoding="utf-8") as file:
+            file.write("#!/bin/sh\nsed 's/<VISUAL>/<visual>/g' \"$1\"\n")
+        os.chmod(self.folder.file("xacro"), 0o755)
+        with mock.patch.dict(os.environ, PATH=self.folder.path + ":" + os.environ["PATH"]):
+            status, out, err = self.run_client(self.folder.file("robot.xacro"), "-o", self.folder.output)
+        self.assertEqual(0, status, err)
+        self.assertIn("bracket.obj", out)
+
     def test_wrong_use(self):
         urdf = self.urdf(self.folder.small_robot())
         for arguments, word in (([urdf, "-t", "5x"], "'5x'"), ([urdf, "-t", "1%,2%"], "'1%,2%'"), ([urdf, "-t", "1,5%"], "'1,5%'"), ([urdf, "-t", "0"], "'0'"),
                                 ([urdf, "-t", "-1mm"], "-t"), ([urdf, "-t", ""], "''"), ([urdf, "--scene", "x.yaml"], "--clearance"),
                                 ([urdf, "--scene", "x.yaml", "--clearance", "5%"], "'5%'"), ([urdf, "-m", "magic"], "'magic'"),
-                                (["nowhere.urdf"], "'nowhere.urdf'"), ([urdf, "--links", "leg"], "'leg'")):
+                                (["nowhere.urdf"], "'nowhere.urdf' does not exist (looked for '"), (["nowhere.xacro"], "'nowhere.xacro' does not exist"),
+                                ([self.folder.path], "is a folder; give"), ([urdf, "--scene", "x.yaml", "--clearance", "1cm"], "scene 'x.yaml' is no file (looked for '"),
+                                ([urdf, "--scene", self.folder.path, "--clearance", "1cm"], "is no file"), ([self.folder.file("box.stl")], "is no text"),
+                                ([urdf, "--links", "leg"], "'leg'")):
             status, out, err = self.run_client(*arguments)
             self.assertEqual((2, ""), (status, out), arguments)
             self.assertIn(word, err)
             self.assertNotIn("Traceback", err)
+        with mock.patch.dict(os.environ, ROS_MASTER_URI="nonsense"):
+            self.assertIn("ROS_MASTER_URI is 'nonsense', and no address: set it to one", self.run_client(urdf)[2])
 
 
 if __name__ == "__main__":

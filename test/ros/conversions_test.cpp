@@ -29,6 +29,29 @@ TEST(Summary, CountsPrimitivesAndNamesTheLargestProtrusion) {
   EXPECT_EQ("robot 'arm': 1 hull and 2 primitives for 2 meshes; largest protrusion 4.91 mm (hand)", summary("arm", report));
 }
 
+TEST(InNodeWords, OptionsAreParameters) {
+  for (const auto& [said, expected] : std::vector<std::pair<std::string, std::string>>{
+           {"say where it is with --package-path a=DIR", "say where it is with the start-up parameter ~package_path a=DIR"},
+           {"check: skipped (--no-validate)\n--jobs 1", "check: skipped (~validate false)\n~jobs 1"},
+           {"max-hulls '-3' is invalid", "max_hulls '-3' is invalid"},
+           {"a robot's --fill and '--fill' and 'x", "a robot's ~fill and '--fill' and 'x"},
+           {"run\n  decompose --jobs 1\nor --jobs 2", "run\n  decompose --jobs 1\nor ~jobs 2"},
+           {"a--b --- -t '5' -- --", "a--b --- -t '5' -- --"},
+           {"--- '5'", "--- '5'"},
+           {"(--scale 0.001 for a mesh file)", "(--scale 0.001 for a mesh file)"},
+           {"max-hulls", "max-hulls"},
+           {"", ""}})
+    EXPECT_EQ(expected, inNodeWords(said));
+}
+
+TEST(Summary, NamesTheNodesOwnParameters) {
+  Report report;
+  report.links.resize(1);
+  report.links[0].status = Status::kFailed;
+  report.links[0].reason = "say where it is with --package-path a=DIR";
+  EXPECT_NE(std::string::npos, summary("arm", report).find("~package_path a=DIR")) << summary("arm", report);
+}
+
 TEST(ToMessage, LinkReport) {
   ElementReport report;
   report.link = "arm";

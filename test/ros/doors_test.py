@@ -84,6 +84,11 @@ class DoorsTest(unittest.TestCase):
         self.start("_read_roots:=" + self.folder.file("open"))
         self.assert_done(self.decompose(self.folder.uri("open/box.stl")), self.folder.file("home/collision_hulls_output/small_collision"))
 
+    def test_the_root_may_be_given_from_home(self):
+        """By a shell that leaves ~ as it is."""
+        self.start("_output_root:=~/models", "_read_roots:=" + self.folder.file("open"), env=dict(os.environ, HOME=self.folder.file("home")))
+        self.assert_done(self.decompose(self.folder.uri("open/box.stl")), self.folder.file("home/models/small_collision"))
+
     def test_the_node_s_own_output_may_lie_elsewhere(self):
         self.start_confined("_output:=" + self.folder.file("shut/made"))
         uri = self.folder.uri("open/box.stl")
@@ -138,9 +143,30 @@ class DoorsTest(unittest.TestCase):
         rospy.set_param(NODE + "/read_roots", 3)
         node = subprocess.Popen([PROGRAM, "__name:=collision_hulls"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.addCleanup(self.end, node)
-        self.assertIn("read_roots is not a text", node.communicate(timeout=30)[0])
+        self.assertIn("read_roots is '3', not a text or a list of texts: set it to one", node.communicate(timeout=30)[0])
         self.assertEqual(1, node.returncode)
         rospy.delete_param(NODE + "/read_roots")
+
+    # Parameters without effect, and paths.
+
+    def test_mistyped_parameters_are_named(self):
+        self.addCleanup(lambda: [rospy.delete_param(f"{NODE}/{name}") for name in ("tolerence", "opacity")])
+        rospy.set_param(NODE + "/tolerance", "5mm")
+        self.addCleanup(rospy.delete_param, NODE + "/tolerance")
+        for opacity, part in (("lots", "/opacity is 'lots', not a number: set it to one"), ("7", "/opacity is 7: set it to a number from 0 to 1")):
+            node = self.start_confined("_tolerence:=5mm", "_opacity:=" + opacity)
+            self.assertTrue(robots.answers())
+            self.assertIn(NODE + "/tolerence has no effect; did you mean 'tolerance'?", self.said())
+            self.assertEqual(1, self.said().count("has no effect"), self.said())
+            self.assertIn(part, self.said())
+            self.end(node)
+
+    def test_the_log_spells_paths_as_they_are(self):
+        os.rename(self.folder.results, self.folder.file("Ergebnis für Jörg"))
+        node = self.start("_output_root:=" + self.folder.file("Ergebnis für Jörg"), "_read_roots:=" + self.folder.path)
+        self.assertTrue(self.decompose(self.folder.uri("open/box.stl")).success)
+        self.end(node)
+        self.assertIn("Written to " + self.folder.file("Ergebnis für Jörg/small_collision"), self.said())
 
     # Users.
 

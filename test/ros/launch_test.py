@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""The launch files' argument `config`: a file beside the robot's, named relative to the folder in which roslaunch runs. How view.launch
-starts rviz. Tests launch/decompose.launch, launch/view.launch and scripts/rviz_at_root."""
+"""The launch files' argument `config`: a file beside the robot's, named relative to the folder in which roslaunch runs. What they say of
+files without a text. How view.launch starts rviz. Tests launch/decompose.launch, launch/view.launch, launch/file_text and
+scripts/rviz_at_root."""
 import contextlib
 import importlib.machinery
 import importlib.util
@@ -55,6 +56,7 @@ class LaunchTest(unittest.TestCase):
         with self.launched(file, "config:=hulls.yaml", *arguments):
             self.assertTrue(robots.wait_until(lambda: os.path.exists(report), 60), self.log())
             self.assertEqual(CONFIG, rospy.get_param(robots.NODE + "/config"))
+            self.assertNotIn("has no effect", self.log())  # the node knows all that the launch file sets
             # What a file is told of the run while the node goes on.
             self.assertTrue(robots.wait_until(lambda: "Written to " + self.folder.output in self.log(), 10), self.log())
         for part in ("robot 'small': 1 hull for 1 mesh; largest protrusion ", '<param name="robot_description" textfile='):
@@ -75,22 +77,35 @@ class LaunchTest(unittest.TestCase):
     def test_the_files_default_counts_before_the_arguments(self):
         self.assert_configured("decompose.launch", "tolerance:=9mm", "method:=hacd")
 
-    def test_a_file_that_is_not_there_is_named(self):
-        with self.launched("decompose.launch", "config:=nowhere.yaml") as nodes:
-            self.assertNotEqual(0, nodes.wait(30))
-        self.assertIn("nowhere.yaml", self.log())
-        self.assertFalse(os.path.exists(self.folder.output))
+    def test_files_without_a_text_are_named(self):
+        os.mkdir(self.folder.file("folder"))
+        for argument, words in (("config:=nowhere.yaml", "nowhere.yaml' does not exist; check the path"), ("robot:=nowhere.urdf", "nowhere.urdf' does not exist"),
+                                ("robot:=nowhere.xacro", "nowhere.xacro' does not exist"), ("robot:=folder", "folder' is a folder; give"),
+                                ("robot:=box.stl", "box.stl' is no text")):
+            with self.launched("decompose.launch", argument) as nodes:
+                self.assertNotEqual(0, nodes.wait(30))
+            self.assertIn(words, self.log())
+            self.assertNotIn("Traceback (most", self.log())
+            self.assertFalse(os.path.exists(self.folder.output))
+
+    def test_names_with_quotes(self):
+        name = "Bob's \"6\\7\" "
+        for file in ("robot.urdf", "hulls.yaml"):
+            os.rename(self.folder.file(file), self.folder.file(name + file))
+        with self.launched("decompose.launch", f"robot:={name}robot.urdf", f"config:={name}hulls.yaml"):
+            self.assertTrue(robots.wait_until(lambda: os.path.exists(self.folder.output), 60), self.log())
+            self.assertEqual(CONFIG, rospy.get_param(robots.NODE + "/config"))
 
     def test_rviz_sees_the_whole_robot_and_draws_less_without_a_gpu(self):
-        """A program in rviz's place writes down its arguments."""
+        """A program in rviz's place writes down its arguments. In a namespace."""
         os.mkdir(self.folder.file("bin"))
         self.write("bin/rviz", '#!/bin/sh\ncd "$ROS_HOME" && printf "%s\\n" "$@" > part && mv part arguments\n')
         os.chmod(self.folder.file("bin/rviz"), 0o755)
         path = self.folder.file("bin") + ":" + os.environ["PATH"]
-        self.environment.update(PATH=path, ROS_HOME=self.folder.path, LIBGL_ALWAYS_SOFTWARE="1")
+        self.environment.update(PATH=path, ROS_HOME=self.folder.path, ROS_NAMESPACE="left", LIBGL_ALWAYS_SOFTWARE="1")
         with self.launched("view.launch", "state:=false", "distance:=3"):
             self.assertTrue(robots.wait_until(lambda: os.path.exists(self.folder.file("arguments")), 60), self.log())
-            bounds = rospy.get_param(robots.NODE + "/view")
+            bounds = rospy.get_param("/left" + robots.NODE + "/view")
         with open(self.folder.file("arguments"), encoding="utf-8") as file:
             arguments = file.read().split("\n")
         self.assertEqual(["-f", "base", "-d"], arguments[:3])

@@ -1,10 +1,15 @@
 #!/usr/bin/python3
 # Also tests src/ros/collision_hulls_node.cpp, src/ros/node.cpp and src/ros/parameters.cpp.
 """The service: what it makes, its options, rubbish, and two callers at once."""
+import contextlib
+import io
 import json
 import os
+import re
+import shutil
 import threading
 import unittest
+from unittest import mock
 
 import robots
 import rospy
@@ -85,9 +90,11 @@ class ServiceTest(unittest.TestCase):
 
     def test_parameter_of_the_wrong_type(self):
         self.set_parameter(NODE + "/max_hulls", "many")
-        self.assert_refused(["max_hulls", "whole number"])
+        self.assert_refused(["max_hulls is 'many', not a whole number"])
         self.set_parameter(NODE + "/max_hulls", 1.5)
-        self.assert_refused(["max_hulls", "whole number"])
+        self.assert_refused(["max_hulls is '1.5', not a whole number"])
+        self.set_parameter(NODE + "/max_hulls", -3)
+        self.assert_refused(["max_hulls '-3' is invalid"])
 
     def test_one_bad_link_among_good_ones(self):
         os.remove(self.folder.file("box.stl"))
@@ -96,6 +103,14 @@ class ServiceTest(unittest.TestCase):
         self.assertIn("box.stl", response.message)
         self.assertEqual([("base", "ok"), ("arm", "failed")], [(row.link, row.status) for row in response.links])
         self.assertTrue(os.path.isfile(response.urdf_path))
+
+    def test_remedies_are_the_node_s(self):
+        response = self.decompose(robot_description=robots.chain("small", [("base", robots.link("base", "package://no_such/base.stl"))]))
+        remedy = "say where it is with the start-up parameter ~package_path no_such=DIR"
+        self.assertIn(remedy, response.message)
+        self.assertIn(remedy, response.links[0].reason)
+        self.set_parameter(NODE + "/validate", False)
+        self.assertIn("check: skipped (~validate false)", self.decompose_well().table)
 
     def test_configuration_with_a_mistake(self):
         self.assert_refused(["'config', line 2", "'tolerence'", "did you mean 'tolerance'?"], config="links:\n  arm: {tolerence: 1mm}")
@@ -111,6 +126,21 @@ class ServiceTest(unittest.TestCase):
         self.assert_refused(["brackets"], config="links: " + "[" * 100000)
 
     # What it makes.
+
+    def test_the_document_s_caller(self):
+        """The Python in doc/ros.md, whose node is this one."""
+        page = os.path.join(os.path.dirname(os.path.realpath(__file__)), "../../doc/ros.md")
+        with open(page, encoding="utf-8") as file:
+            callers = re.findall(r"^```python\n(.*?)^```$", file.read(), flags=re.M | re.S)
+        self.assertEqual(1, len(callers))
+        self.set_parameter("/robot_description", self.robot)
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed), mock.patch.object(rospy, "init_node"):
+            names = {}
+            exec(callers[0], names)  # pylint: disable=exec-used
+        self.addCleanup(shutil.rmtree, os.path.dirname(os.path.dirname(names["answer"].urdf_path)))
+        self.assertEqual(["base", "arm"], [line.split()[0] for line in printed.getvalue().splitlines()])
+        self.assertIn("file://", names["description"])
 
     def test_configuration(self):
         config = "default: {tolerance: 5mm}\nlinks: {arm: keep, base: {max_hulls: 1}}"

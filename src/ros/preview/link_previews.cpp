@@ -11,6 +11,7 @@
 #include "collision_hulls/error.h"
 #include "collision_hulls/pipeline/progress_text.h"
 #include "config/link_rule.h"
+#include "ros/conversions.h"
 #include "ros/parameters.h"
 #include "ros/pen.h"
 #include "settings.h"
@@ -51,7 +52,7 @@ void addRows(const LinkResult& result, LinkPreview& message) {
   for (std::size_t i = 0; i < result.rows.size(); ++i) {
     const ElementReport& row = result.rows[i];
     status = worse(status, row.status);
-    if (message.reason.empty()) message.reason = row.reason;
+    if (message.reason.empty()) message.reason = inNodeWords(row.reason);
     message.triangles += static_cast<std::uint32_t>(row.triangles);
     message.hulls += static_cast<std::uint32_t>(row.hulls + row.primitives);
     message.hull_vertices += static_cast<std::uint32_t>(row.hull_vertices);
@@ -201,7 +202,7 @@ bool LinkPreviews::serve(PreviewRequest& request, PreviewResponse& response) {
     response.seconds = time.lap();
     response.success = true;
   } catch (const Error& error) {
-    response.message = error.what();
+    response.message = inNodeWords(error.what());
   }
   return true;
 }

@@ -23,7 +23,7 @@ class Grid {
     if (!box.isEmpty()) origin_ = box.min();
     const double extent = box.isEmpty() ? 0 : box.sizes().maxCoeff();
     const double cell = std::max(kCellPerTolerance * tolerance, kSmallestCellPerExtent * extent);
-    per_cell_ = cell > 0 ? 1 / cell : 0;
+    per_cell_ = std::isnormal(cell) ? 1 / cell : 0;  // of smaller ones, the inverse is infinite
     std::size_t buckets = 64;
     while (buckets < vertices_.size()) buckets *= 2;
     head_.assign(buckets, -1);

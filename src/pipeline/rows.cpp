@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/counted.h"
+#include "base/decimal.h"
 #include "base/millimetres.h"
 #include "geometry/bytes.h"
 #include "pipeline/run.h"
@@ -103,7 +104,7 @@ void noteHugeMeshes(Report& report) {
   const auto first = std::find_if(report.links.begin(), report.links.end(), is_huge);
   if (first == report.links.end()) return;
   const auto others = static_cast<std::size_t>(std::count_if(first, report.links.end(), is_huge)) - 1;
-  report.notes.push_back("'" + first->uri + "' is " + std::to_string(std::lround(first->diagonal)) + " m across" +
+  report.notes.push_back("'" + first->uri + "' is " + decimal(first->diagonal, 3) + " m across" +
                          (others > 0 ? ", and " + counted(others, "other mesh", "other meshes") + " over 20 m" : "") +
                          ": if its numbers are millimetres, scale it by 0.001 " +
                          (report.urdf.empty() ? "(--scale 0.001)" : "(scale=\"0.001 0.001 0.001\" in the description's <mesh>)"));

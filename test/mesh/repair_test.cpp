@@ -1,4 +1,4 @@
-// Also tests src/mesh/sheets/fins.cpp.
+// Also tests src/mesh/sheets/fins.cpp and src/mesh/weld.cpp.
 #include "collision_hulls/mesh/repair.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 #include <set>
 
 #include "collision_hulls/error.h"
+#include "mesh/weld.h"
 #include "shapes.h"
 
 namespace collision_hulls {
@@ -180,6 +181,11 @@ TEST(RepairWeld, ToleranceOfZeroWeldsOnlyEqualVertices) {
   mesh.vertices[0].x() += 1e-12;
   EXPECT_EQ(27u, repair(mesh, {0.0}).counts.welded);
   EXPECT_EQ(28u, repair(mesh).counts.welded);
+}
+
+TEST(RepairWeld, SizesWhoseSquaresVanishAreOnePoint) {  // sanitizers see it if a vertex lies in a cell that is not a number
+  const Welding welding = weld({{{0, 0, 0}, {1e-310, 0, 0}, {0, 1e-310, 0}}, {{0, 1, 2}}}, 0, {});
+  EXPECT_EQ(welding.joined, 2u);
 }
 
 TEST(RepairWeld, FarFromTheOrigin) {

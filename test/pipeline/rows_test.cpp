@@ -208,9 +208,17 @@ TEST(PutTogether, NotesSuspiciousSizesOfMeshesThatDidNotFail) {
   RobotResult result;
   putTogether({use("a"), use("b"), use("c")}, {shared(failed), shared(small), shared(huge)}, result);
   ASSERT_EQ(result.report.notes.size(), 2u);
-  EXPECT_EQ(result.report.notes[0].substr(0, 18), "'c.stl' is 21 m ac") << result.report.notes[0];
+  EXPECT_EQ(result.report.notes[0].substr(0, 20), "'c.stl' is 21.4 m ac") << result.report.notes[0];
   EXPECT_EQ(result.report.notes[1].substr(0, 67), "the tolerance of 10 mm is larger than 'b.stl', which is 9 mm across")
       << result.report.notes[1];
+}
+
+TEST(PutTogether, NotesSizesThatNoWholeNumberHolds) {
+  MeshResult huge = boxes(1);
+  huge.mesh.diagonal = 3e38;
+  RobotResult result;
+  putTogether({use("a")}, {shared(huge)}, result);
+  EXPECT_EQ(result.report.notes.at(0).substr(0, 26), "'a.stl' is 3e+38 m across:") << result.report.notes[0];
 }
 
 TEST(PutTogether, CountsTheOthersOfSuspiciousSize) {

@@ -15,7 +15,10 @@ function(find name header)
   set_target_properties(found::${name} PROPERTIES
     IMPORTED_LOCATION "${${name}_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${${name}_INCLUDE_DIR}")
   get_filename_component(file "${${name}_LIBRARY}" REALPATH)
-  string(REGEX REPLACE "^.*\\.so\\.?" "" version "${file}")  # libassimp.so.5.2.5
+  set(version "")  # of a file without one, as a library built by hand may be
+  if(file MATCHES "\\.so\\.(.+)$")  # libassimp.so.5.2.5
+    set(version "${CMAKE_MATCH_1}")
+  endif()
   set(${name}_VERSION "${version}" PARENT_SCOPE)
 endfunction()
 
@@ -49,6 +52,6 @@ if(NOT TARGET found::seccomp)
 endif()
 
 # Ubuntu 20.04's own libfcl-dev is 0.5, which has another interface; Noetic has 0.6 as a package of its own.
-if(fcl_VERSION VERSION_LESS 0.6)
+if(NOT fcl_VERSION STREQUAL "" AND fcl_VERSION VERSION_LESS 0.6)
   message(FATAL_ERROR "FCL ${fcl_VERSION} (${fcl_LIBRARY}) is too old: install FCL 0.6 or later, with ROS Noetic ros-noetic-fcl.")
 endif()

@@ -8,7 +8,7 @@ if(DOXYGEN_FOUND)
   set(DOXYGEN_QUIET YES)
   set(DOXYGEN_WARN_AS_ERROR YES)
   set(DOXYGEN_HAVE_DOT NO)
-  set(DOXYGEN_FILTER_PATTERNS 
+  set(DOXYGEN_FILTER_PATTERNS
     "*.md=sed -E -f ${PROJECT_SOURCE_DIR}/cmake/doc_links.sed" "*.h=sed -E -f ${PROJECT_SOURCE_DIR}/cmake/doc_headers.sed")
   # Pictures, and files that the documents link to.
   set(DOXYGEN_IMAGE_PATH doc doc/figures doc/results)

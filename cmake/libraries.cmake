@@ -4,6 +4,8 @@
 function(set_up_library name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src)
   set_target_properties(${name} PROPERTIES INSTALL_RPATH "$ORIGIN")
+  # A function without a header belongs in an unnamed namespace: two of one name would be one to the linker.
+  target_compile_options(${name} PRIVATE -Wmissing-declarations)
   # Half of each compilation would be the parsing of these. Not with a compiler cache, which they would defeat, nor for other tools that
   # read compile_commands.json.
   if(COLLISION_HULLS_PRECOMPILE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

@@ -19,6 +19,7 @@
 #include <system_error>
 #include <thread>
 
+#include "base/shell_word.h"
 #include "base/stopwatch.h"
 
 namespace collision_hulls {
@@ -69,7 +70,7 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 [[noreturn]] void become(const std::vector<char*>& argv, int output) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  signal(SIGPIPE, SIG_DFL);  // which we ignore
+  for (const int ignored_by_us : {SIGPIPE, SIGXFSZ}) signal(ignored_by_us, SIG_DFL);
   dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
@@ -144,18 +145,13 @@ ChildResult runChild(const std::vector<std::string>& arguments, double limit) {
 }
 
 std::string filledIn(const std::string& command, const std::vector<std::pair<std::string, std::string>>& values) {
-  const auto quoted = [](const std::string& text) {
-    std::string result = "'";
-    for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return result + "'";
-  };
   std::string result;
   for (std::size_t at = 0; at < command.size();) {
     const std::size_t before = at;
     for (const auto& [name, value] : values) {
       const std::string place = "{" + name + "}";
       if (command.compare(at, place.size(), place) != 0) continue;
-      result += quoted(value);
+      result += shellWord(value);
       at += place.size();
       break;
     }

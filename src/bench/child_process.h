@@ -21,7 +21,7 @@ struct ChildResult {
 /// exits with status 127. Threads may call this concurrently. Throws std::system_error if no process can be started.
 ChildResult runChild(const std::vector<std::string>& arguments, double limit);
 
-/// A command line for /bin/sh -c, with every {name} replaced by its value, quoted for the shell.
+/// A command line for /bin/sh -c, with every {name} replaced by its value, as one word of the shell.
 std::string filledIn(const std::string& command, const std::vector<std::pair<std::string, std::string>>& values);
 
 }  // namespace collision_hulls

@@ -109,8 +109,7 @@ std::string cutHeader() {
 }
 
 std::string toCsv(const CutRow& row) {
-  const auto count = [](const std::optional<std::size_t>& value) { return value ? std::to_string(*value) : ""; };
-  return csvLine({row.mesh, row.status, row.kind, count(row.leaves), count(row.hulls), csvNumber(row.bound), csvNumber(row.uncovered),
+  return csvLine({row.mesh, row.status, row.kind, csvCount(row.leaves), csvCount(row.hulls), csvNumber(row.bound), csvNumber(row.uncovered),
                   csvNumber(row.protrusion), row.message});
 }
 

@@ -19,6 +19,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+
 void read(const ConfigItem& item, bool& flag) {
   readFlag(item, flag);
 }
@@ -195,7 +196,8 @@ class Reader {
   void readDefault(const ConfigItem& item) {
     const std::string expected = "a map such as {tolerance: 5mm}; to leave links alone, name the others with only:";
     ConfigReaders readers = settingReaders(result_.defaults);
-    readers.erase(readers.begin());  // the action
+    const auto is_action = [](const auto& reader) { return reader.first == "action"; };
+    readers.erase(std::remove_if(readers.begin(), readers.end(), is_action), readers.end());
     readers.emplace_back("tree", [this](const ConfigItem& tree) { readTree(tree); });
     readMap(item, readers, expected);
     checkValues(item, result_.defaults);

@@ -246,6 +246,14 @@ void expectPadded(const std::vector<ConvexHull>& hulls, const std::vector<Convex
                                             (name.empty() ? "" : " '" + name + "'"));
 }
 
+/// kRegionSlack is for everyone, also on the largest meshes.
+void expectResolvableTolerances(const PreparedMesh& mesh, const DecomposeOptions& options) {
+  const double size = diagonal(mesh.original);
+  expectResolvable(options.tolerance, size, mesh.name);
+  for (const Region& region : options.regions)
+    if (region.tolerance < kRegionSlack) expectResolvable(region.tolerance, size, mesh.name, " of region '" + region.name + "'");
+}
+
 }  // namespace
 
 Protrusion certificate(const std::vector<ConvexHull>& hulls, const Solid& solid, double margin, double tolerance,
@@ -264,14 +272,6 @@ void expectCovered(const TriangleMesh& mesh, const std::vector<ConvexHull>& hull
   if (gap > 0)
     throw Error(ErrorCode::kInternal, "the hulls leave the surface uncovered by up to " + millimetres(gap) +
                                           "; the limit is 0. Please report the mesh" + (name.empty() ? "" : " '" + name + "'"));
-}
-
-/// kRegionSlack is for everyone, also on the largest meshes.
-void expectResolvableTolerances(const PreparedMesh& mesh, const DecomposeOptions& options) {
-  const double size = diagonal(mesh.original);
-  expectResolvable(options.tolerance, size, mesh.name);
-  for (const Region& region : options.regions)
-    if (region.tolerance < kRegionSlack) expectResolvable(region.tolerance, size, mesh.name, " of region '" + region.name + "'");
 }
 
 CertifiedHulls certifiedHulls(const PreparedMesh& mesh, const DecomposeOptions& options, const RunControl& control) {

@@ -168,6 +168,20 @@ void checkMethod(const Options& options) {
     badOption("tree", toString(*options.tree), "a length up to the tolerance, which is " + toString(options.tolerance));
 }
 
+/// Where the limit would be ignored.
+void checkTimeLimit(const Options& options) {
+  if (options.time_limit == 0) return;
+  const std::string limit = decimal(options.time_limit) + " s";
+  if (!(std::isfinite(options.time_limit) && options.time_limit > 0)) badOption("time-limit", limit, "0 (no limit) or a time above it");
+  const auto refuse = [&](const std::string& setting, const std::string& why) {
+    throw Error(ErrorCode::kBadOption, "time-limit '" + limit + "' contradicts " + setting + ", which " + why + "; leave one of them out");
+  };
+  if (options.method != Method::kCertified) refuse(std::string("method '") + name(options.method) + "'", "takes the time that it takes");
+  if (options.tree) refuse("tree '" + toString(*options.tree) + "'", "is cached whole");
+  if (options.shapes != Shapes::kHulls && options.shapes != Shapes::kMixed)
+    refuse(std::string("shapes '") + name(options.shapes) + "'", "take the time that they take");
+}
+
 template <typename T>
 std::string choicesOf(const std::vector<T>& all) {
   std::string choices;
@@ -332,20 +346,6 @@ void checkShapes(const LinkOptions& options) {
   if (options.padding > 0) refuse("padding '" + toString(lengthOf(options.padding)) + "'", "hulls alone have");
   if (options.fill) refuse("fill", "hulls alone keep");
   if (!options.regions.empty()) refuse("region '" + options.regions.front().name + "'", "hulls alone keep");
-}
-
-/// Where the limit would be ignored.
-void checkTimeLimit(const Options& options) {
-  if (options.time_limit == 0) return;
-  const std::string limit = decimal(options.time_limit) + " s";
-  if (!(std::isfinite(options.time_limit) && options.time_limit > 0)) badOption("time-limit", limit, "0 (no limit) or a time above it");
-  const auto refuse = [&](const std::string& setting, const std::string& why) {
-    throw Error(ErrorCode::kBadOption, "time-limit '" + limit + "' contradicts " + setting + ", which " + why + "; leave one of them out");
-  };
-  if (options.method != Method::kCertified) refuse(std::string("method '") + name(options.method) + "'", "takes the time that it takes");
-  if (options.tree) refuse("tree '" + toString(*options.tree) + "'", "is cached whole");
-  if (options.shapes != Shapes::kHulls && options.shapes != Shapes::kMixed)
-    refuse(std::string("shapes '") + name(options.shapes) + "'", "take the time that they take");
 }
 
 void check(const Options& options) {

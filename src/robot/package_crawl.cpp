@@ -14,6 +14,15 @@ namespace {
 
 constexpr std::uintmax_t kMostManifest = std::uintmax_t{1} << 16;  // [bytes] of a package.xml
 
+/// What the <name> of a package.xml says; empty: nothing. Throws XmlSyntaxError.
+std::string nameIn(const std::string& manifest) {
+  const std::vector<XmlElement> elements = scanXml(manifest).elements;
+  const std::vector<std::size_t> names = childrenNamed(elements, 0, "name");
+  if (names.empty()) return "";
+  const std::size_t begin = elements[names.front()].tag_end;
+  return trimmed(std::string_view(manifest).substr(begin, manifest.find('<', begin) - begin), kXmlSpace);
+}
+
 }  // namespace
 
 bool isFile(const fs::path& path) {
@@ -32,15 +41,6 @@ std::vector<fs::path> sortedEntries(const fs::path& folder) {
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) entries.push_back(at->path());
   std::sort(entries.begin(), entries.end());
   return entries;
-}
-
-/// What the <name> of a package.xml says; empty: nothing. Throws XmlSyntaxError.
-std::string nameIn(const std::string& manifest) {
-  const std::vector<XmlElement> elements = scanXml(manifest).elements;
-  const std::vector<std::size_t> names = childrenNamed(elements, 0, "name");
-  if (names.empty()) return "";
-  const std::size_t begin = elements[names.front()].tag_end;
-  return trimmed(std::string_view(manifest).substr(begin, manifest.find('<', begin) - begin), kXmlSpace);
 }
 
 std::optional<PackageFolder> packageAt(const fs::path& folder) {

@@ -32,7 +32,8 @@ using Clock = std::chrono::steady_clock;
 constexpr int kLook = 20;                            // [ms] between looks at the cancel flag
 constexpr std::size_t kPipe = std::size_t{1} << 20;  // [bytes]: the most that Linux allows by default
 constexpr int kGrace = 200;                          // [ms] for the program to end by itself
-constexpr const char* kPassed[] = {"LD_LIBRARY_PATH", "ASAN_OPTIONS", "UBSAN_OPTIONS", "ROS_PACKAGE_PATH", "CMAKE_PREFIX_PATH"};
+constexpr const char* kTunables = "GLIBC_TUNABLES";
+constexpr const char* kPassed[] = {"LD_LIBRARY_PATH", "ASAN_OPTIONS", "UBSAN_OPTIONS", "ROS_PACKAGE_PATH", "CMAKE_PREFIX_PATH", kTunables};
 
 /// Files and signals of the program to start.
 class Preparation {
@@ -67,8 +68,9 @@ class Preparation {
 };
 
 std::vector<std::string> environmentOfReader() {
+  std::vector<std::string> result{"LC_ALL=C"};
   // Large pages, where the kernel and the C library have them: each worker's memory is new, and most of the cost of new memory is per page.
-  std::vector<std::string> result{"LC_ALL=C", "GLIBC_TUNABLES=glibc.malloc.hugetlb=1"};
+  if (!std::getenv(kTunables)) result.push_back(std::string(kTunables) + "=glibc.malloc.hugetlb=1");
   for (const char* const name : kPassed)
     if (const char* const value = std::getenv(name)) result.push_back(std::string(name) + "=" + value);
   return result;

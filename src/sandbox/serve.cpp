@@ -92,11 +92,12 @@ struct Job {
   _exit(written ? 0 : 1);
 }
 
-/// Returns true when the worker has ended, false if nobody waits for it any more.
+/// Returns true when the worker has ended, false if nobody waits for it any more, or if that cannot be told.
 bool awaitWorker(int pipe) {
   pollfd either[] = {{pipe, POLLIN, 0}, {kSocket, POLLRDHUP, 0}};
-  while (poll(either, 2, -1) < 0) continue;  // EINTR
-  return either[1].revents == 0;
+  int ready = poll(either, 2, -1);
+  while (ready < 0 && errno == EINTR) ready = poll(either, 2, -1);
+  return ready > 0 && either[1].revents == 0;
 }
 
 /// Kills a worker, if it has not ended, and says how it did. One that has called exit() keeps its status.

@@ -1,6 +1,8 @@
 // Robots name links as they like; files, packages and elements may not be named so.
 #include "storage/names.h"
 
+#include "base/string_parts.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -17,13 +19,6 @@ bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
 
-std::string lowerCase(std::string text) {
-  for (char& c : text) {
-    if (isUpper(c)) c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string fileName(const std::string& text) {
@@ -36,7 +31,7 @@ std::string fileName(const std::string& text) {
 }
 
 std::string packageName(const std::string& text) {
-  std::string result = lowerCase(text.substr(0, kLongestName));
+  std::string result = inLowerCase(text.substr(0, kLongestName));
   for (char& c : result) {
     if (!isLower(c) && !isDigit(c)) c = '_';
   }
@@ -46,7 +41,7 @@ std::string packageName(const std::string& text) {
 
 std::string UniqueNames::take(const std::string& wanted) {
   std::string name = wanted;
-  for (int& number = last_.try_emplace(lowerCase(wanted), 1).first->second; !taken_.insert(lowerCase(name)).second;)
+  for (int& number = last_.try_emplace(inLowerCase(wanted), 1).first->second; !taken_.insert(inLowerCase(name)).second;)
     name = wanted + "_" + std::to_string(++number);
   return name;
 }

@@ -77,17 +77,14 @@ void interpret(Command& command) {
   caps.tolerance = 1;  // any valid value; only the caps are checked here
   caps.max_vertices = options.max_vertices;
   check(caps);
-  if (!command.methods.empty()) {
-    options.methods = parsedList<Method>(command.methods,
-                                         [](const std::string& text) { return choice("--methods", text, methodNamed, methodChoices()); });
-  }
+  if (!command.methods.empty()) options.methods = methodsIn(command.methods);
   if (!command.tolerances.empty())
     options.tolerances = parsedList<Length>(command.tolerances, [](const std::string& text) { return parseLength(text); });
   if (!command.efforts.empty()) {
     options.efforts =
         parsedList<Effort>(command.efforts, [](const std::string& text) { return choice("--effort", text, effortNamed, effortChoices()); });
   }
-  for (const std::string& text : command.peers) options.peers.push_back(peerOf(text, fs::path(options.program).parent_path()));
+  options.peers = peersOf(command.peers, options.program);
 }
 
 std::string summary(const BenchmarkRow& row) {

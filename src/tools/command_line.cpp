@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/decimal.h"
+#include "base/finite_number.h"
 #include "base/nearest_name.h"
 #include "base/shell_word.h"
 #include "collision_hulls/error.h"
@@ -56,9 +57,8 @@ std::string helpRow(const std::string& names, const std::string& type, const std
 
 Check range(double least, double most) {
   return [=](const std::string& text) {
-    std::istringstream in(text);
     double value = 0;
-    const bool within = in >> value && in.eof() && value >= least && value <= most;
+    const bool within = parseFinite(text, value) && value >= least && value <= most;
     return within ? "" : "a number from " + decimal(least) + " to " + decimal(most);
   };
 }
@@ -231,8 +231,7 @@ void CommandLine::apply(const Option& option, const Texts& texts) const {
 }
 
 bool CommandLine::setNumber(const std::string& text, double& value) {
-  std::istringstream in(text);
-  return in >> value && in.eof();
+  return parseFinite(text, value);
 }
 
 std::vector<std::string> CommandLine::shownGroups() const {

@@ -53,12 +53,9 @@ void addOptions(CommandLine& app, Command& command) {
 void interpret(Command& command) {
   PhysicsOptions& options = command.options;
   options.program = fs::read_symlink("/proc/self/exe").string();
-  if (!command.methods.empty()) {
-    options.methods = parsedList<Method>(command.methods,
-                                         [](const std::string& text) { return choice("--methods", text, methodNamed, methodChoices()); });
-  }
+  if (!command.methods.empty()) options.methods = methodsIn(command.methods);
   if (!command.tolerance.empty()) options.tolerance = parseLength(command.tolerance);
-  for (const std::string& text : command.peers) options.peers.push_back(peerOf(text, fs::path(options.program).parent_path()));
+  options.peers = peersOf(command.peers, options.program);
   if (command.inputs.empty() && command.robot.empty()) throw Error(ErrorCode::kBadOption, "nothing to do; give INPUT or --grip");
 }
 

@@ -64,9 +64,7 @@ void addOptions(CommandLine& app, Command& command) {
   add("--clearance", command.clearance, "LENGTH [1cm]", "Of the model that is fitted to the scene");
   add("--samples", command.samples, "N [10000]", "Configurations that verify the fitted model")->check(range(1, 1e9));
   add("--seed", command.seed, "N [1]", "Seed of queries and planner")->check(range(1, 1e9));
-  add("--package-path", command.package_path, "DIR or NAME=DIR",
-      "Extra folder to search for packages, or the folder of one package (NAME=DIR); repeatable")
-      ->check(notEmpty("a folder"));
+  addPackagePath(app, command.package_path);
 }
 
 /// JOINT=VALUE

@@ -90,14 +90,11 @@ void choose(const std::vector<TroubleKind>& chosen, std::vector<Trouble>& troubl
 void interpret(Command& command) {
   StabilityOptions& options = command.options;
   options.program = fs::read_symlink("/proc/self/exe").string();
-  if (!command.methods.empty()) {
-    options.methods = parsedList<Method>(command.methods,
-                                         [](const std::string& text) { return choice("--methods", text, methodNamed, methodChoices()); });
-  }
+  if (!command.methods.empty()) options.methods = methodsIn(command.methods);
   if (!command.tolerance.empty()) options.tolerance = parseLength(command.tolerance);
   if (command.few) options.troubles = fewTroubles();
   if (!command.troubles.empty()) choose(parsedList<TroubleKind>(command.troubles, troubleKind), options.troubles);
-  for (const std::string& text : command.peers) options.peers.push_back(peerOf(text, fs::path(options.program).parent_path()));
+  options.peers = peersOf(command.peers, options.program);
 }
 
 std::string summary(const StabilityRow& row) {

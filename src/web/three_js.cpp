@@ -2,6 +2,7 @@
 // three.js is part of this library. It runs in the browser of whoever opens a page, so a file that others can write is none.
 #include "web/three_js.h"
 
+#include "base/string_parts.h"
 #include "storage/trusted_file.h"
 
 namespace collision_hulls {
@@ -11,9 +12,7 @@ constexpr std::uintmax_t kMostBytes = std::uintmax_t{4} << 20;
 
 /// Nothing that ends a <script>, or changes how its end is found.
 bool fitsScript(const std::string& text) {
-  std::string lower = text;
-  for (char& c : lower)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const std::string lower = inLowerCase(text);
   return lower.find("</script") == std::string::npos && lower.find("<!--") == std::string::npos &&
          lower.find("<script") == std::string::npos;
 }

@@ -17,6 +17,19 @@ ChildResult shell(const std::string& command, double limit = 30) {
   return runChild({"/bin/sh", "-c", command}, limit);
 }
 
+/// A process that leaves a sign once it is told to: so it is seen whether it is still there, however busy the machine is.
+struct Survivor {
+  const fixtures::TempFolder folder;
+  const std::string go = folder / "go", sign = folder / "sign";
+
+  std::string command() const { return "until [ -e '" + go + "' ]; do sleep 0.05; done; touch '" + sign + "'"; }
+  bool isThere() const {
+    fixtures::write(go, "");
+    shell("sleep 0.5");
+    return std::filesystem::exists(sign);
+  }
+};
+
 TEST(ChildProcess, ExitStatusAndOutput) {
   const ChildResult result = shell("echo out; echo err >&2; exit 3");
   EXPECT_EQ(result.end, End::kExit);
@@ -27,11 +40,13 @@ TEST(ChildProcess, ExitStatusAndOutput) {
 }
 
 TEST(ChildProcess, SignalsAreAsUsual) {
-  const auto before = signal(SIGPIPE, SIG_IGN);  // as our programs do
-  const ChildResult result = shell("kill -PIPE $$");
-  signal(SIGPIPE, before);
-  EXPECT_EQ(result.end, End::kSignal);
-  EXPECT_EQ(result.code, SIGPIPE);
+  for (const auto& [number, name] : {std::pair(SIGPIPE, "PIPE"), {SIGXFSZ, "XFSZ"}}) {
+    const auto before = signal(number, SIG_IGN);  // as our programs do
+    const ChildResult result = shell(std::string("kill -") + name + " $$");
+    signal(number, before);
+    EXPECT_EQ(result.end, End::kSignal) << name;
+    EXPECT_EQ(result.code, number);
+  }
 }
 
 TEST(ChildProcess, KeepsTheEndOfLongOutput) {
@@ -58,37 +73,33 @@ TEST(ChildProcess, ReportsASignal) {
 }
 
 TEST(ChildProcess, TimeLimitEndsEverythingItStarted) {
-  const fixtures::TempFolder folder;
-  const std::string late = folder / "late";
-  const ChildResult result = shell("(sleep 1; touch '" + late + "') & sleep 100", 0.2);
+  const Survivor started;
+  const ChildResult result = shell("(" + started.command() + ") & sleep 100", 0.2);
   EXPECT_EQ(result.end, End::kTimeout);
   EXPECT_GE(result.wall_seconds, 0.2);
   EXPECT_LT(result.wall_seconds, 50);
-  shell("sleep 1.5");
-  EXPECT_FALSE(std::filesystem::exists(late));
+  EXPECT_FALSE(started.isThere());
 }
 
 TEST(ChildProcess, EndsProcessesThatAFinishedProgramLeavesBehind) {
-  const fixtures::TempFolder folder;
-  const std::string late = folder / "late";
-  EXPECT_EQ(shell("(sleep 1; touch '" + late + "') & exit 0").code, 0);
-  shell("sleep 1.5");
-  EXPECT_FALSE(std::filesystem::exists(late));
+  const Survivor left;
+  EXPECT_EQ(shell("(" + left.command() + ") & exit 0").code, 0);
+  EXPECT_FALSE(left.isThere());
 }
 
 TEST(ChildProcess, DiesWithItsParent) {
   const fixtures::TempFolder folder;
-  const std::string early = folder / "early", late = folder / "late";
+  const std::string early = folder / "early";
+  const Survivor survivor;
   const pid_t program = fork();
   if (program == 0) {
-    shell("touch '" + early + "'; sleep 1; touch '" + late + "'");
+    shell("touch '" + early + "'; " + survivor.command());
     _exit(0);
   }
   while (!std::filesystem::exists(early)) shell("sleep 0.05");
   kill(program, SIGKILL);
   waitpid(program, nullptr, 0);
-  shell("sleep 1.5");
-  EXPECT_FALSE(std::filesystem::exists(late));
+  EXPECT_FALSE(survivor.isThere());
 }
 
 TEST(ChildProcess, CountsCpuTimeAndMemoryOfItsChildren) {
@@ -107,7 +118,8 @@ TEST(FilledIn, QuotesForTheShell) {
   const std::string odd = "it's a $HOME `x` \"path\" {out}";
   const std::string command = filledIn("printf %s {in}{other}", {{"in", odd}, {"out", "no"}});
   EXPECT_EQ(shell(command).output, odd + "{other}");
-  EXPECT_EQ(filledIn("cmd {in} {in} $${x", {{"in", "a"}}), "cmd 'a' 'a' $${x");
+  EXPECT_EQ(filledIn("cmd {in} {in} $${x", {{"in", "a b"}}), "cmd 'a b' 'a b' $${x");
+  EXPECT_EQ(filledIn("cmd {in} {out}", {{"in", "a"}, {"out", ""}}), "cmd a ''");
 }
 
 }  // namespace

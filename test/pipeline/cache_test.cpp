@@ -133,7 +133,7 @@ TEST(Cache, RejectsRemovesAndCountsDamagedEntries) {
   const std::vector<std::function<void(std::string&)>> changes = {
       [](std::string& bytes) { bytes.clear(); }, [](std::string& bytes) { bytes.pop_back(); }, [](std::string& bytes) { bytes += '\0'; },
       [](std::string& bytes) { bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1); },
-      [](std::string& bytes) { bytes[8] = 99; }};  // the format's version
+      [](std::string& bytes) { bytes[8] = 99; }};
   for (std::size_t i = 0; i < changes.size(); ++i) {
     Cache cache(folder.path());
     cache.storeMesh(kKey, mesh());

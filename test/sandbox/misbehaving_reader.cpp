@@ -55,10 +55,10 @@ std::string openDescriptors() {
   return list;
 }
 
-std::string environmentNames() {
-  std::string names;
-  for (char** variable = environ; *variable != nullptr; ++variable) names += std::string(*variable, std::strcspn(*variable, "=")) + " ";
-  return names;
+std::string environmentText() {
+  std::string variables;
+  for (char** variable = environ; *variable != nullptr; ++variable) variables += std::string(*variable) + " ";
+  return variables;
 }
 
 /// A mesh's fields in the order of LoadedMesh, with triangles that the caller chooses.
@@ -85,7 +85,7 @@ const std::map<std::string, std::function<std::string(const Question&)>>& deeds(
       {"calls", [](const Question&) { return std::to_string(++g_calls); }},
       {"pids", [](const Question&) { return std::to_string(getpid()); }},
       {"descriptors", [](const Question&) { return openDescriptors(); }},
-      {"environment", [](const Question&) { return environmentNames(); }},
+      {"environment", [](const Question&) { return environmentText(); }},
       {"file",
        [](const Question& q) {
          std::string bytes(1000, ' ');  // more than a test gives it

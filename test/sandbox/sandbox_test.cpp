@@ -114,10 +114,23 @@ TEST(Reader, HasOnlyItsPipe) {
 TEST(Reader, HasNoEnvironmentBeyondNeed) {
   setenv("COLLISION_HULLS_SECRET", "1", 1);
   ReaderProgram fresh(TEST_READER, "COLLISION_HULLS_TEST_READER");
-  const std::string names = fresh.ask({"environment", {}, -1}, kLimits, "a", "", {});
-  EXPECT_NE(names.find("LC_ALL "), std::string::npos) << names;
-  EXPECT_EQ(names.find("SECRET"), std::string::npos) << names;
-  EXPECT_EQ(names.find("HOME"), std::string::npos) << names;
+  const std::string variables = fresh.ask({"environment", {}, -1}, kLimits, "a", "", {});
+  EXPECT_NE(variables.find("LC_ALL=C "), std::string::npos) << variables;
+  EXPECT_EQ(variables.find("SECRET"), std::string::npos) << variables;
+  EXPECT_EQ(variables.find("HOME"), std::string::npos) << variables;
+}
+
+TEST(Reader, TakesMemoryAsTheUserSays) {
+  const char* const before = std::getenv("GLIBC_TUNABLES");
+  const std::string kept = before ? before : "";
+  const auto variables_of_reader = [] {
+    return ReaderProgram(TEST_READER, "COLLISION_HULLS_TEST_READER").ask({"environment", {}, -1}, kLimits, "a", "", {});
+  };
+  unsetenv("GLIBC_TUNABLES");
+  EXPECT_NE(variables_of_reader().find("GLIBC_TUNABLES=glibc.malloc.hugetlb=1 "), std::string::npos);
+  setenv("GLIBC_TUNABLES", "", 1);
+  EXPECT_NE(variables_of_reader().find("GLIBC_TUNABLES= "), std::string::npos);
+  before ? setenv("GLIBC_TUNABLES", kept.c_str(), 1) : unsetenv("GLIBC_TUNABLES");
 }
 
 TEST(Reader, PassesErrorsOn) {

@@ -94,6 +94,17 @@ TEST_F(DecomposeStreams, ABarOnATerminal) {
   EXPECT_EQ(seen.rfind("\r\033[K") + 4, seen.rfind("link ", table)) << "the bar is gone before the table";
 }
 
+/// Waits until a process has a handler for a signal, as it has once its run has begun.
+bool awaitHandler(pid_t process, int number) {
+  const std::string key = "SigCgt:";
+  for (int i = 0; i < 6000; ++i, usleep(10'000)) {
+    std::ifstream status("/proc/" + std::to_string(process) + "/status");
+    for (std::string line; std::getline(status, line);)
+      if (line.rfind(key, 0) == 0 && (std::stoull(line.substr(key.size()), nullptr, 16) >> (number - 1) & 1) != 0) return true;
+  }
+  return false;
+}
+
 // A torus of many triangles: long enough to be interrupted in the middle.
 TEST_F(DecomposeStreams, InterruptLeavesTheOutputAsItWas) {
   run("arm/meshes/bracket.obj -o out --quiet");
@@ -109,7 +120,8 @@ TEST_F(DecomposeStreams, InterruptLeavesTheOutputAsItWas) {
       execl(PROGRAMS "/decompose", "decompose", mesh.c_str(), "-o", out.c_str(), "--quiet", static_cast<char*>(nullptr));
       _exit(99);
     }
-    usleep(300'000);
+    EXPECT_TRUE(awaitHandler(child, signal));
+    usleep(100'000);  // into the work
     kill(child, signal);
     int status = 0;
     waitpid(child, &status, 0);

@@ -212,10 +212,9 @@ std::string stabilityHeader() {
 }
 
 std::string toCsv(const StabilityRow& row) {
-  return csvLine({row.mesh, row.method, name(row.trouble.kind), csvNumber(row.trouble.amount), row.outcome,
-                  row.hulls ? std::to_string(*row.hulls) : "", csvNumber(row.hulls_ratio), csvNumber(row.protrusion), row.message,
-                  csvNumber(row.uncovered), csvNumber(row.tolerance), std::to_string(row.seed), csvNumber(row.cpu_seconds),
-                  csvNumber(row.scoring_seconds)});
+  return csvLine({row.mesh, row.method, name(row.trouble.kind), csvNumber(row.trouble.amount), row.outcome, csvCount(row.hulls),
+                  csvNumber(row.hulls_ratio), csvNumber(row.protrusion), row.message, csvNumber(row.uncovered), csvNumber(row.tolerance),
+                  std::to_string(row.seed), csvNumber(row.cpu_seconds), csvNumber(row.scoring_seconds)});
 }
 
 }  // namespace collision_hulls

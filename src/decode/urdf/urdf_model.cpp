@@ -5,10 +5,8 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
-#include <mutex>
 #include <new>
 #include <stdexcept>
-#include <thread>
 
 #include "collision_hulls/robot/kinematics.h"
 #include "geometry/pi.h"
@@ -19,12 +17,10 @@ namespace {
 // Enough of urdfdom's complaints to say what is wrong; a broken file can have any number of them.
 constexpr std::size_t kMostComplaints = 2000;
 
-// Keeps what urdfdom logs on this thread, which would go to stderr; other threads' messages go where they went before.
+// Keeps what urdfdom logs, which would go to stderr.
 class LogCapture : public console_bridge::OutputHandler {
  public:
   void start() {
-    previous_ = console_bridge::getOutputHandler();
-    owner_ = std::this_thread::get_id();
     errors_.clear();
     console_bridge::useOutputHandler(this);
   }
@@ -34,17 +30,12 @@ class LogCapture : public console_bridge::OutputHandler {
     return errors_;
   }
 
-  void log(const std::string& text, console_bridge::LogLevel level, const char* file, int line) override {
-    if (std::this_thread::get_id() != owner_) {
-      if (previous_) previous_->log(text, level, file, line);
-    } else if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && errors_.size() < kMostComplaints) {
+  void log(const std::string& text, console_bridge::LogLevel level, const char* /*file*/, int /*line*/) override {
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && errors_.size() < kMostComplaints)
       errors_ += (errors_.empty() ? "" : "; ") + text;
-    }
   }
 
  private:
-  console_bridge::OutputHandler* previous_ = nullptr;
-  std::thread::id owner_;
   std::string errors_;
 };
 
@@ -53,12 +44,10 @@ struct ParseResult {
   std::string errors;
 };
 
-// The log handler belongs to the whole process: one description at a time. It lives as long as the process does, because
+// The log handler belongs to the whole process, which reads one description at a time. It lives as long as the process does, because
 // console_bridge keeps a pointer to a handler that was replaced.
 ParseResult parse(const std::string& text) {
-  static std::mutex mutex;
   static LogCapture* const capture = new LogCapture;
-  const std::lock_guard<std::mutex> lock(mutex);
   ParseResult result;
   capture->start();
   try {

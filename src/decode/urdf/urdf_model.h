@@ -18,7 +18,7 @@ struct UrdfModel {
 
 /// Reads a URDF whose root is <robot> and whose joints form no loop (checkJointGraph). urdfdom drops the rest of a link after an element
 /// that it cannot read and says so in its log only: compare the numbers of elements. Throws std::runtime_error with urdfdom's reason.
-/// Thread safe.
+/// Not thread safe: a worker of the reader program has one thread.
 UrdfModel readUrdfModel(const std::string& urdf_text);
 
 }  // namespace collision_hulls

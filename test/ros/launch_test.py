@@ -56,7 +56,7 @@ class LaunchTest(unittest.TestCase):
         with self.launched(file, "config:=hulls.yaml", *arguments):
             self.assertTrue(robots.wait_until(lambda: os.path.exists(report), 60), self.log())
             self.assertEqual(CONFIG, rospy.get_param(robots.NODE + "/config"))
-            self.assertNotIn("has no effect", self.log())  # the node knows all that the launch file sets
+            self.assertNotIn("has no effect", self.log())  # nothing that the launch file sets looks mistyped
             # What a file is told of the run while the node goes on.
             self.assertTrue(robots.wait_until(lambda: "Written to " + self.folder.output in self.log(), 10), self.log())
         for part in ("robot 'small': 1 hull for 1 mesh; largest protrusion ", '<param name="robot_description" textfile='):

@@ -10,7 +10,7 @@
 namespace collision_hulls {
 namespace test_shapes {
 
-/// The faces of an octahedron about the origin, drawn back from its edges, so that they enclose nothing. The origin is a summit, at this
+/// The faces of an octahedron about the origin, drawn back so far from its edges that they enclose nothing. The origin is a summit, at this
 /// distance from all of them, and the distance falls as fast as it can on the way to their middles.
 inline TriangleMesh octahedronOfSheets(double distance) {
   std::vector<Eigen::Vector3d> corners;
@@ -19,7 +19,7 @@ inline TriangleMesh octahedronOfSheets(double distance) {
   TriangleMesh faces;
   for (int t = 0; t < 8; ++t) {
     const Eigen::Vector3d middle = (whole.corner(t, 0) + whole.corner(t, 1) + whole.corner(t, 2)) / 3;
-    for (int k = 0; k < 3; ++k) faces.vertices.push_back(middle + 0.98 * (whole.corner(t, k) - middle));
+    for (int k = 0; k < 3; ++k) faces.vertices.push_back(middle + 0.9 * (whole.corner(t, k) - middle));
     faces.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
   }
   return faces;

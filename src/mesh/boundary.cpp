@@ -144,6 +144,12 @@ std::vector<BoundaryLoop> boundaryLoops(std::size_t vertices, std::vector<Bounda
   return loops;
 }
 
+double fanArea(const std::vector<Eigen::Vector3d>& vertices, const std::vector<int>& loop) {
+  Closure closure;
+  addFan(vertices, loop, Eigen::Vector3d::Zero(), closure);
+  return closure.area;
+}
+
 std::vector<Closure> closures(const std::vector<Eigen::Vector3d>& vertices, std::vector<BoundaryEdge> boundary, std::size_t surfaces,
                               const Eigen::Vector3d& origin, const RunControl& control) {
   Looks look(control);

@@ -33,6 +33,9 @@ struct BoundaryLoop {
 /// of the mesh.
 std::vector<BoundaryLoop> boundaryLoops(std::size_t vertices, std::vector<BoundaryEdge> boundary, const RunControl& control);
 
+/// The area of the fan over a loop about its mean vertex [m^2].
+double fanArea(const std::vector<Eigen::Vector3d>& vertices, const std::vector<int>& loop);
+
 /// The fans that close a surface, one over each boundary loop about its mean vertex.
 struct Closure {
   double area = 0;    ///< [m^2]

@@ -17,6 +17,7 @@
 #include "mesh/orient.h"
 #include "mesh/sheets/fins.h"
 #include "mesh/sheets/inner_walls.h"
+#include "mesh/slits.h"
 #include "mesh/weld.h"
 
 namespace collision_hulls {
@@ -222,9 +223,13 @@ std::vector<Interior> findInteriors(const TriangleMesh& mesh, const Edges& edges
     if (edges.twin[at(h)] == Edges::kOpen && !fin[at(h / 3)]) boundary.push_back(boundaryEdge(mesh, h, turn, edges.component));
   }
   for (const BoundaryEdge& edge : boundary) interior[at(edge.surface)] = Interior::kWinding;
-  const std::vector<Closure> closing = closures(mesh.vertices, std::move(boundary), edges.components, Eigen::Vector3d::Zero(), control);
+  const std::vector<Closure> closing = closures(mesh.vertices, boundary, edges.components, Eigen::Vector3d::Zero(), control);
   for (std::size_t c = 0; c < interior.size(); ++c)
     if (interior[c] == Interior::kWinding && closing[c].area >= kSmallOpening * area[c]) interior[c] = Interior::kSurface;
+  if (std::count(interior.begin(), interior.end(), Interior::kSurface) == 0) return interior;
+  const std::vector<char> closed = closedButForSlits(mesh.vertices, std::move(boundary), area, control);
+  for (std::size_t c = 0; c < interior.size(); ++c)
+    if (interior[c] == Interior::kSurface && closed[c]) interior[c] = Interior::kWinding;
   return interior;
 }
 

@@ -1,4 +1,4 @@
-// Also tests src/mesh/sheets/fins.cpp and src/mesh/weld.cpp.
+// Also tests src/mesh/sheets/fins.cpp, src/mesh/slits.cpp and src/mesh/weld.cpp.
 #include "collision_hulls/mesh/repair.h"
 
 #include <gtest/gtest.h>
@@ -329,6 +329,45 @@ TEST(RepairInterior, BoxWithoutALidIsASurface) {
                        open.triangles.end());
   ASSERT_EQ(10u, open.triangles.size());
   EXPECT_EQ(std::vector<Interior>{Interior::kSurface}, repair(open).interior) << "its lid is a fifth of its area";
+}
+
+/// Half of a box of side 2, without the face where it is cut: what lies at z < 1.
+TriangleMesh halfBox() {
+  TriangleMesh half = box(2, 2, 1, 4);
+  half.triangles.erase(std::remove_if(half.triangles.begin(), half.triangles.end(),
+                                      [&](const Triangle& t) {
+                                        return std::all_of(t.begin(), t.end(),
+                                                           [&](int v) { return half.vertices[static_cast<std::size_t>(v)].z() > 0.999; });
+                                      }),
+                       half.triangles.end());
+  return half;
+}
+
+/// halfBox() and its mirror image, with a slit of `gap` between them.
+TriangleMesh halvesApart(double gap) {
+  TriangleMesh other = inward(halfBox());
+  for (Eigen::Vector3d& v : other.vertices) v.z() = 2 + gap - v.z();
+  return merged({halfBox(), other});
+}
+
+TEST(RepairInterior, HalvesOfAShellThatASlitPartsEncloseASolid) {
+  EXPECT_EQ(std::vector<Interior>{Interior::kSurface}, repair(halfBox()).interior) << "its opening is a quarter of its area";
+  EXPECT_EQ(std::vector<Interior>(2, Interior::kWinding), repair(halvesApart(0.01)).interior);
+  EXPECT_EQ(std::vector<Interior>(2, Interior::kWinding), repair(inward(halvesApart(0.01))).interior);
+  EXPECT_EQ(std::vector<Interior>(2, Interior::kSurface), repair(halvesApart(0.5)).interior) << "the slit is an eighth of the area";
+}
+
+TEST(RepairInterior, AHalfWithoutItsOtherIsASurfaceWhateverElseIsThere) {
+  EXPECT_EQ((std::vector<Interior>{Interior::kSurface, Interior::kClosed}),
+            repair(merged({halfBox(), moved(box(2, 2, 1, 4), {0, 0, 1.01})})).interior);
+  EXPECT_EQ((std::vector<Interior>{Interior::kWinding, Interior::kWinding, Interior::kSurface}),
+            repair(merged({halvesApart(0.01), moved(halfBox(), {5, 0, 0})})).interior);
+}
+
+TEST(RepairInterior, TheRimsOfAnOpenCupsInnerAndOuterSurfaceAreNoSlit) {
+  TriangleMesh inner = inward(halfBox());
+  for (Eigen::Vector3d& v : inner.vertices) v = Eigen::Vector3d(0.01, 0.01, 0.01) + v.cwiseProduct(Eigen::Vector3d(0.99, 0.99, 0.99));
+  EXPECT_EQ(std::vector<Interior>(2, Interior::kSurface), repair(merged({halfBox(), inner})).interior);
 }
 
 /// A box of side 1 with a sheet of `height`, made of two triangles, standing on each edge of its top.

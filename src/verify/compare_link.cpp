@@ -69,10 +69,11 @@ LinkPair::LinkPair(const LinkBodies& original, const LinkBodies& result, const R
 
 /// A round primitive's points are within the polyhedron's error of the polyhedron's.
 Largest LinkPair::uncovered(double gap, const RunControl& control) const {
-  const LinkBodies left = without(original_, result_, control);
+  const Remainder rest = without(original_, result_, gap, control);
+  const LinkBodies& left = rest.bodies;
   TriangleMesh flat;
   for (const MeshBody& body : left.meshes) append(flat, body.mesh);
-  Largest worst;
+  Largest worst{rest.apart, 0, Eigen::Vector3d::Zero()};
   for (const GeometryElement& primitive : left.primitives) {
     if (!isRound(primitive)) {
       append(flat, collision_hulls::surface(hullAbout(primitive)));
@@ -127,17 +128,19 @@ Largest LinkPair::hullProtrusion(const LinkBodies& bodies, double gap, double ga
 }
 
 Largest LinkPair::protrusion(double gap, double gate, const RunControl& control) const {
-  const LinkBodies left = without(result_, original_, control);
-  if (left.empty()) return {};
+  const Remainder rest = without(result_, original_, gap, control);
+  const LinkBodies& left = rest.bodies;
+  if (left.empty()) return {rest.apart, 0, Eigen::Vector3d::Zero()};
   const double margin = solid_->weldDistance() + original_.resolution;  // between the mesh as it was repaired, as it was read, and as it is
   std::vector<Sphere> spheres;
   for (const GeometryElement& primitive : left.primitives)
     if (primitive.kind == GeometryElement::Kind::kSphere) spheres.push_back({primitive.origin.translation(), primitive.size.x()});
-  Largest worst = hullProtrusion(left, gap, gate - margin, control);
+  Largest worst{rest.apart, 0, Eigen::Vector3d::Zero()};
+  takeWorse(worst, hullProtrusion(left, gap, gate - margin, control));
   takeWorse(worst, sphereProtrusion(spheres, gap, control));
-  const TriangleMesh rest = left.rest();
-  if (!rest.triangles.empty()) {
-    const Protrusion far = meshProtrusion(rest, Solid(repair(rest, {}, control), control), *solid_, gap, control);
+  const TriangleMesh not_convex = left.rest();
+  if (!not_convex.triangles.empty()) {
+    const Protrusion far = meshProtrusion(not_convex, Solid(repair(not_convex, {}, control), control), *solid_, gap, control);
     takeWorse(worst, {far.bound, std::max(0.0, far.found - surface_error_), far.where});
   }
   worst.bound += margin;

@@ -2,6 +2,7 @@
 #include "verify/link_bodies.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "collision_hulls/error.h"
@@ -33,22 +34,25 @@ struct Before {
   }
 };
 
-/// Primitives by a number in which equal ones differ by rounding alone. Of others few are that near: its weights have no common measure.
+/// Primitives by a number that changes little between those nearly alike. Of others few are that near: its weights have no common measure.
 class KnownPrimitives {
  public:
   explicit KnownPrimitives(const std::vector<GeometryElement>& primitives) {
     for (const GeometryElement& primitive : primitives) by_number_.emplace(number(primitive), &primitive);
   }
 
-  bool has(const GeometryElement& primitive, const RunControl& control) const {
-    constexpr double kSlack = 1e-8, kRounding = 1e-14;  // of size and place; equalBodies() allows a tenth of it, in each coordinate
-    const double at = number(primitive);
-    const double reach = kSlack * primitive.size.maxCoeff() + kRounding * primitive.origin.translation().cwiseAbs().maxCoeff();
-    for (auto other = by_number_.lower_bound(at - reach); other != by_number_.end() && other->first <= at + reach; ++other) {
+  /// [m] apartAtMost() of the primitive and the one most like it; of those that differ by more than `gap` it may miss some.
+  double apart(const GeometryElement& primitive, double gap, const RunControl& control) const {
+    // The number changes by less than three times apartAtMost(); of equal ones by rounding, in size and place.
+    constexpr double kSteepest = 3, kSlack = 1e-8, kRounding = 1e-14;
+    const double at = number(primitive), reach = kSteepest * gap + kSlack * primitive.size.maxCoeff() +
+                                                 kRounding * primitive.origin.translation().cwiseAbs().maxCoeff();
+    double least = std::numeric_limits<double>::infinity();
+    for (auto other = by_number_.lower_bound(at - reach); other != by_number_.end() && other->first <= at + reach && least > 0; ++other) {
       control.check();
-      if (equalBodies(*other->second, primitive)) return true;
+      least = std::min(least, apartAtMost(*other->second, primitive));
     }
-    return false;
+    return least;
   }
 
  private:
@@ -131,13 +135,17 @@ std::size_t LinkBodies::restParts() const {
   return sum;
 }
 
-LinkBodies without(const LinkBodies& bodies, const LinkBodies& others, const RunControl& control) {
-  LinkBodies result;
-  result.resolution = bodies.resolution;
+Remainder without(const LinkBodies& bodies, const LinkBodies& others, double gap, const RunControl& control) {
+  Remainder result;
+  result.bodies.resolution = bodies.resolution;
   const KnownPrimitives known_ones(others.primitives);
   for (const GeometryElement& primitive : bodies.primitives) {
     control.check();
-    if (!known_ones.has(primitive, control)) result.primitives.push_back(primitive);
+    const double apart = known_ones.apart(primitive, gap, control);
+    if (apart <= gap)
+      result.apart = std::max(result.apart, apart);
+    else
+      result.bodies.primitives.push_back(primitive);
   }
   std::set<const TriangleMesh*, Before> meshes;
   for (const MeshBody& other : others.meshes) control.check(), meshes.insert(&other.mesh);
@@ -145,7 +153,7 @@ LinkBodies without(const LinkBodies& bodies, const LinkBodies& others, const Run
     control.check();
     const auto known = meshes.find(&body.mesh);
     // What overflowed has no order, so the order alone proves nothing.
-    if (known == meshes.end() || !equalMeshes(**known, body.mesh)) result.meshes.push_back(body);
+    if (known == meshes.end() || !equalMeshes(**known, body.mesh)) result.bodies.meshes.push_back(body);
   }
   return result;
 }

@@ -62,7 +62,14 @@ class MeshFiles {
   std::size_t triangles_ = 0;  // of all elements so far
 };
 
-/// The elements of a link that another list does not hold equally, at the same place. Throws kCancelled.
-LinkBodies without(const LinkBodies& bodies, const LinkBodies& others, const RunControl& control = {});
+/// What is left of the elements of a link.
+struct Remainder {
+  LinkBodies bodies;
+  double apart = 0;  ///< [m] no point of what was left out is further than this from the other list
+};
+
+/// Leaves out the meshes that another list holds equally, at the same place, and the primitives that differ from one of its by `gap` [m]
+/// at most. Throws kCancelled.
+Remainder without(const LinkBodies& bodies, const LinkBodies& others, double gap, const RunControl& control = {});
 
 }  // namespace collision_hulls

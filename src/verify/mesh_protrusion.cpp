@@ -1,13 +1,14 @@
 // The surface is searched as a hull's is (measure/surface_search.h). The largest distance over the inside is there too, or at a summit, a
 // local maximum of the distance. An octree looks for those: it drops cells that lie outside of the body, that are near enough to the
 // solid, or that hold no summit. Where the body has openings its border is not all surface, so that summits do not suffice, and all of the
-// inside counts.
+// inside counts. Cracks are so narrow that their width is added instead.
 #include "verify/mesh_protrusion.h"
 
 #include <algorithm>
 #include <limits>
 #include <queue>
 
+#include "collision_hulls/mesh/repair.h"
 #include "measure/surface_search.h"
 
 namespace collision_hulls {
@@ -97,7 +98,11 @@ Protrusion largestOnMesh(const TriangleMesh& mesh, const Solid& solid, double ga
 Protrusion meshProtrusion(const TriangleMesh& mesh, const Solid& body, const Solid& solid, double gap, const RunControl& control) {
   Protrusion result = largestOnMesh(mesh, solid, gap, control);
   const Eigen::AlignedBox3d box = boundingBox(mesh);
-  if (body.interior() != Interior::kSurface) result = Inside(body, solid, result, gap).run(box, control);
+  if (body.interior() != Interior::kSurface) {
+    result = Inside(body, solid, result, gap).run(box, control);
+    // Lids close the body's cracks. They lie within two widths of its surface, and nothing else was searched of the inside's border.
+    if (!body.hasOpenings() && body.sideError() > 0) result.bound += 2 * RepairOptions{}.weld_tolerance * body.surface().extent();
+  }
   const double size = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   result.bound += kCoordinateRounding * (size + solid.surface().extent()) + solid.sideError() + body.sideError() + body.weldDistance();
   return result;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fit/enclosing.h"
 
@@ -69,14 +70,23 @@ bool holds(const ConvexHull& hull, const GeometryElement& round) {
   });
 }
 
-bool equalBodies(const GeometryElement& a, const GeometryElement& b) {
-  if (a.kind != b.kind || a.kind == Kind::kMesh || a.kind == Kind::kNone) return false;
-  const double slack = kSamePlace * a.size.maxCoeff();
-  if ((a.size - b.size).cwiseAbs().maxCoeff() > slack || (a.origin.translation() - b.origin.translation()).norm() > slack) return false;
-  if (a.kind == Kind::kSphere) return true;
-  const Eigen::Matrix3d turn = a.origin.linear().transpose() * b.origin.linear();
-  if (a.kind == Kind::kCylinder) return std::abs(std::abs(turn(2, 2)) - 1) < kSamePlace;
-  return (turn - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < kSamePlace;
+/// A point of one goes where the frame of the other puts it: by the shift, the turn times its distance from the origin, and the change of
+/// size. A cylinder turns about its own axis, and upside down, without moving a point of its surface.
+double apartAtMost(const GeometryElement& a, const GeometryElement& b) {
+  if (a.kind != b.kind || a.kind == Kind::kMesh || a.kind == Kind::kNone) return std::numeric_limits<double>::infinity();
+  const Eigen::Vector3d size = a.size.cwiseMax(b.size), more = (a.size - b.size).cwiseAbs();
+  const Eigen::Matrix3d turn = a.origin.linear().transpose() * b.origin.linear() - Eigen::Matrix3d::Identity();
+  double moved = (a.origin.translation() - b.origin.translation()).norm();
+  if (a.kind == Kind::kSphere) {
+    moved += more.x();
+  } else if (a.kind == Kind::kCylinder) {
+    const Eigen::Vector3d top = turn.col(2), upside_down = top + 2 * Eigen::Vector3d::UnitZ();
+    moved += std::min(top.norm(), upside_down.norm()) * std::hypot(size.x(), size.y() / 2) + more.x() + more.y() / 2;
+  } else {
+    moved += turn.norm() * size.norm() / 2 + more.norm() / 2;
+  }
+  if (moved <= kSamePlace * size.maxCoeff()) return 0;
+  return moved + kSizeRounding * (size.maxCoeff() + a.origin.translation().cwiseAbs().maxCoeff());
 }
 
 }  // namespace collision_hulls

@@ -27,7 +27,8 @@ Approximation circumscribed(const GeometryElement& round);
 /// Whether a hull holds all of a sphere or cylinder, exactly but for rounding.
 bool holds(const ConvexHull& hull, const GeometryElement& round);
 
-/// Whether two primitives are the same body at the same place, up to rounding. Both in one frame.
-bool equalBodies(const GeometryElement& a, const GeometryElement& b);
+/// [m] No point of either primitive is further than this from the other: 0 for equal bodies up to rounding, infinity for those of two
+/// kinds. Close only for bodies that are nearly alike. Both in one frame.
+double apartAtMost(const GeometryElement& a, const GeometryElement& b);
 
 }  // namespace collision_hulls

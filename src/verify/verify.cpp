@@ -17,6 +17,7 @@
 #include "collision_hulls/robot/kinematics.h"
 #include "report/link_pattern.h"
 #include "verify/compare_link.h"
+#include "verify/joint_differences.h"
 #include "verify/trials.h"
 
 namespace collision_hulls {
@@ -215,6 +216,13 @@ class Verifier {
                     of_result_alone_.front() + "': links are compared by name");
   }
 
+  void noteJoints(std::vector<std::string>& notes) const {
+    const std::vector<std::string> differences = jointDifferences(original_.robot, result_.robot);
+    if (differences.empty()) return;
+    notes.push_back(counted(differences.size(), "joint moves", "joints move") + " otherwise in RESULT" +
+                    (differences.size() == 1 ? ": " : ", such as ") + differences.front() + "; links are moved by ORIGINAL's joints");
+  }
+
   void addNotes(Verification& done) const {
     if (options_.made_from)
       done.notes.push_back("RESULT is compared with the elements of ORIGINAL that it was made from (--source " +
@@ -226,6 +234,7 @@ class Verifier {
       done.notes.push_back(counted(elsewhere_.size(), "link stands", "links stand") +
                            " elsewhere in RESULT's zero configuration, such as '" + elsewhere_.front() +
                            "': links are compared in their own frames, and moved by ORIGINAL's joints");
+    noteJoints(done.notes);
     for (const Description* side : {&original_, &result_})
       for (const std::string& note : side->find_package.notes())
         if (std::find(done.notes.begin(), done.notes.end(), note) == done.notes.end()) done.notes.push_back(note);

@@ -20,7 +20,7 @@ struct BoxedJoint {
 
 /// A body at the middle of a box.
 ///
-/// Move from the middle to any other configuration in the box one joint at a time, the last joint first. Each joint then carries a point
+/// Move from the middle to any other configuration in the box one joint at a time, the first joint first. Each joint then carries a point
 /// about its axis starting from where the point is at the middle, and the joints before it carry that displacement along rigidly. So the
 /// displacements add up, and each is
 ///   - no longer than the chord of the joint's angle at the point's distance from the axis;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "solids.h"
@@ -43,6 +44,24 @@ TEST(UnitFrame, HullsStayHulls) {
   const ConvexHull hull = frame.units(pair.hulls.front());
   EXPECT_NEAR(volume(hull), volume(pair.hulls.front()) * std::pow(frame.units(1), 3), 1e-9);
   for (const Vector3d& v : hull.vertices) EXPECT_LE(planeDistance(hull, v), 1e-9);
+}
+
+/// Far from the origin, the offsets of faces are rounded with the coordinates, which the size of the element does not tell.
+TEST(UnitFrame, RoundingCoversFacesFarFromTheOrigin) {
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  double most = 0;
+  for (const double away : {0.0, 1e4, 1e8}) {
+    ValidationPair pair = boxPair({0, 0, 0}, {1, 1, 1});
+    for (Vector3d& v : pair.original.vertices) v = turn * v + Vector3d(away, -away, away);
+    pair.hulls = {convexHull(pair.original.vertices)};
+    const UnitFrame frame(pair);
+    const ConvexHull hull = frame.units(pair.hulls.front());
+    double beyond = 0;
+    for (const Vector3d& v : hull.vertices) beyond = std::max(beyond, planeDistance(hull, v));
+    EXPECT_LE(beyond, frame.rounding()) << away;
+    most = std::max(most, beyond);
+  }
+  EXPECT_GT(most, 2e-9);
 }
 
 }  // namespace

@@ -106,5 +106,28 @@ TEST(Overhang, OfHullsIsRounding) {
   }
 }
 
+/// A needle whose faces meet at its tip, while its triangles end a little before: what they lack is nearly all of the bound.
+TEST(Overhang, OfANeedleIsTheTipThatItsTrianglesLack) {
+  constexpr int kSides = 16;
+  constexpr double kTip = 20, kCut = 0.1;
+  const auto at = [&](int i, double z) {
+    const double angle = 2 * test_shapes::kPi * (i % kSides) / kSides, r = (kTip - z) / kTip;
+    return Vector3d(r * std::cos(angle), r * std::sin(angle), z);
+  };
+  std::vector<Vector3d> whole{{0, 0, kTip}};
+  test_shapes::MeshBuilder stump;
+  for (int i = 0; i < kSides; ++i) {
+    whole.push_back(at(i, 0));
+    stump.quad(at(i, 0), at(i + 1, 0), at(i + 1, kTip - kCut), at(i, kTip - kCut));
+    stump.triangle(at(i + 1, 0), at(i, 0), {0, 0, 0});
+    stump.triangle(at(i, kTip - kCut), at(i + 1, kTip - kCut), {0, 0, kTip - kCut});
+  }
+  ConvexHull needle = convexHull(whole);
+  needle.vertices = stump.mesh().vertices;
+  needle.triangles = stump.mesh().triangles;
+  EXPECT_GE(overhang(needle), kCut);
+  EXPECT_LE(overhang(needle), 1.08 * kCut);
+}
+
 }  // namespace
 }  // namespace collision_hulls

@@ -71,6 +71,50 @@ TEST(OutsideDistance, TheBoundOfACellHoldsAtItsCorner) {
   }
 }
 
+// Faces are compared with cells in single precision: a cell that holds a sharp corner, where the hull is furthest, must not seem to miss
+// it.
+TEST(OutsideDistance, NoCornerIsLostBySinglePrecision) {
+  const Solid solid = solidOf(test_shapes::box(1, 1, 1));
+  RandomPoints random(13);
+  for (int i = 0; i < 6; ++i) {
+    std::vector<Vector3d> corners;
+    for (int k = 0; k < 4; ++k) corners.push_back(Vector3d(4, 3, 2) + random.inCube());
+    const ConvexHull hull = convexHull(corners);
+    double furthest = 0;
+    for (const Vector3d& v : hull.vertices) furthest = std::max(furthest, solid.distance(v));
+    OutsideDistance outside(solid, boundingBox(hull));
+    EXPECT_GE(outside.largest(hull, query((1 - 1e-8) * furthest, 1e-8)).bound, furthest * (1 - 1e-12)) << i;
+  }
+}
+
+// A ball, and the cell about a point of its inside: the child towards the surface lies beyond it, and reaches further by its radius.
+TEST(OutsideDistance, ACellBeyondTheSurfaceDoesNotInheritTheSide) {
+  const Solid solid = solidOf(test_shapes::sphere(10, 16));
+  const Eigen::Matrix3d to_world = solid.axes().transpose();
+  const Vector3d diagonal = to_world * Vector3d::Constant(1 / std::sqrt(3.0));
+  for (double depth = 0.05; depth < 1.8; depth += 0.05) {
+    const Vector3d middle = (10 - depth) * diagonal, side = Vector3d::Constant(1);
+    const double half = (solid.axes().cwiseAbs() * side).maxCoeff();  // of the root
+    const Vector3d corner = middle + 0.999 * half * std::sqrt(3.0) * diagonal;
+    OutsideDistance outside(solid, {middle - side, middle + side});
+    const ConvexHull speck = boxHull(corner - 1e-6 * side, corner + 1e-6 * side);
+    EXPECT_GE(outside.largest(speck, query(0, 0.9 * std::sqrt(3.0) * half)).bound, solid.distance(corner)) << depth;
+  }
+}
+
+// Over a sheet, in a cube that fills the octree's root, distances are at most 0.5. What is known from a search that did not care up to a
+// little more is no more than that.
+TEST(OutsideDistance, WhatIsLevelWithinADistanceIsNotKnownToBeWithinLess) {
+  const Solid solid = solidOf(test_shapes::sheet(4, 4));
+  const ConvexHull cube = boxHull({1.9, 1.95, 0.4}, {2.0, 2.05, 0.5});
+  OutsideDistance outside(solid, boundingBox(cube));
+  for (const double floor : {0.525, 0.485}) {
+    OutsideDistance::Query q = query(floor, 1e-3);
+    q.summits_only = true;
+    EXPECT_GE(outside.largest(cube, q).bound, std::max(floor, 0.5)) << floor;
+  }
+}
+
 // Inside, a cell reaches out of the solid by its radius less the depth of its centre.
 TEST(OutsideDistance, TheBoundOfACellThatReachesOutOfTheSolid) {
   const Solid solid = solidOf(test_shapes::box(1, 1, 1));

@@ -7,6 +7,7 @@
 
 #include "collision_hulls/measure/measures.h"
 #include "geometry/hull_support.h"
+#include "octahedron.h"
 #include "solids.h"
 
 namespace collision_hulls {
@@ -178,10 +179,48 @@ TEST(Protrusion, WhatTheSurfaceLeavesFreeIsWithinAShareOfTheWayToTheMiddle) {
     ASSERT_FALSE(solid.hasOpenings());
     EXPECT_NEAR(solid.distance({0, 0, 20}), cut, 1e-9);
     hull.triangles.clear();
-    const double bound = protrusion({hull}, solid, 4 * cut).bound;
-    EXPECT_GE(bound, cut);
-    EXPECT_LE(bound, 1.1 * cut);
+    for (std::size_t i = 0; i < hull.faces.size(); ++i) {  // whichever face is the last
+      std::rotate(hull.faces.begin(), hull.faces.begin() + 1, hull.faces.end());
+      const double bound = protrusion({hull}, solid, 4 * cut).bound;
+      EXPECT_GE(bound, cut);
+      EXPECT_LE(bound, 1.1 * cut);
+    }
   }
+}
+
+/// A box [-1, 2] x [-1, 1] x [-1, 0] with a slit along the x axis in its top, 20 um wide: a crack.
+TriangleMesh boxWithSlit() {
+  constexpr double kSide = 1e-5;
+  enum { kStart, kFirst, kSecond, kEnd, kThird, kFourth, kA, kB, kC, kD, kE, kF, kG, kH };
+  return {{{0, 0, 0},
+           {0.02, -kSide, 0},
+           {0.97, -kSide, 0},
+           {1, 0, 0},
+           {0.98, kSide, 0},
+           {0.01, kSide, 0},
+           {-1, -1, 0},
+           {2, -1, 0},
+           {2, 1, 0},
+           {-1, 1, 0},
+           {-1, -1, -1},
+           {2, -1, -1},
+           {2, 1, -1},
+           {-1, 1, -1}},
+          {{kA, kB, kSecond},     {kA, kSecond, kFirst}, {kA, kFirst, kStart},  {kB, kEnd, kSecond}, {kC, kD, kFourth},
+           {kC, kFourth, kThird}, {kC, kThird, kEnd},    {kD, kStart, kFourth}, {kD, kA, kStart},    {kB, kC, kEnd},
+           {kE, kF, kB},          {kE, kB, kA},          {kF, kG, kC},          {kF, kC, kB},        {kG, kH, kD},
+           {kG, kD, kC},          {kH, kE, kA},          {kH, kA, kD},          {kE, kG, kF},        {kE, kH, kG}}};
+}
+
+// A blade through a crack meets no surface, and its middle is inside; what stands out of it is not. As below, its triangles are taken away.
+TEST(Protrusion, AHullThroughACrackIsNotLeftFree) {
+  const Solid solid = solidOf(boxWithSlit());
+  ASSERT_FALSE(solid.hasOpenings());
+  ASSERT_GT(solid.sideError(), 0);
+  ASSERT_TRUE(solid.contains({0.5, 0, -0.15}));
+  ConvexHull blade = boxHull({0.3, -2e-6, -0.6}, {0.7, 2e-6, 0.3});
+  blade.triangles.clear();
+  EXPECT_GE(protrusion({blade}, solid, 1e-6).bound, 1.9e-6) << "nearly half its width";
 }
 
 // A post through a window meets no surface, and its middle is inside; what stands out of the window is not. Its triangles are taken away so
@@ -198,6 +237,16 @@ TEST(Protrusion, NoPointIsDeeperThanHalfTheWidth) {
   const Solid solid = solidOf(test_shapes::flask(0.2, 2));
   const Protrusion p = protrusion({boxHull({-0.2, -0.2, 1.3}, {0.2, 0.2, 1.7})}, solid, 0.38);
   EXPECT_GE(p.bound, 1);
+}
+
+// A small octahedron about the middle of a large one of sheets: all of its surface is nearer to these by its radius, which is its depth.
+TEST(Protrusion, ASummitMayBeFurtherThanTheSurfaceByAllOfItsDepth) {
+  constexpr double kSummit = 0.3, kRadius = 0.01;
+  std::vector<Vector3d> corners;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double sign : {-1.0, 1.0}) corners.push_back(sign * std::sqrt(3.0) * kRadius * Vector3d::Unit(axis));
+  const Protrusion p = checkedProtrusion({convexHull(corners)}, solidOf(test_shapes::octahedronOfSheets(kSummit)), 1e-4);
+  EXPECT_GE(p.bound, kSummit);
 }
 
 TEST(Protrusion, AHullApartFromTheSolid) {

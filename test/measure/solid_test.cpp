@@ -331,6 +331,16 @@ TEST(Solid, NoPathToABorderIsShorterThanTheBound) {
   EXPECT_TRUE(std::isinf(solidOf(test_shapes::box(1, 1, 1)).wayToBorder({0.5, 0.5, 0.5})));
 }
 
+// A ball about a place below a window meets no surface, but reaches above the window, where it is outside.
+TEST(Solid, NoBallIsOnOneSideInFrontOfAnOpening) {
+  const Solid solid = solidOf(test_shapes::boxWithWindow(0.2)), closed = solidOf(test_shapes::box(1, 1, 1));
+  const Vector3d below(0.5, 0.5, 0.9), above(0.5, 0.5, 1.1);
+  ASSERT_TRUE(solid.contains(below) && !solid.contains(above));
+  ASSERT_GT(solid.distanceToSurface(below), (above - below).norm());
+  EXPECT_FALSE(solid.isOneSide(solid.distanceToSurface(below), (above - below).norm()));
+  EXPECT_TRUE(closed.isOneSide(0.3, 0.2)) << "so that the test can tell";
+}
+
 // On the axis of a round opening of radius a, at a height h below it, the winding number is 1/2 + h / (2 sqrt(h^2 + a^2)), and the field of
 // the rim, which bounds how fast it changes, is strongest in the middle.
 TEST(Solid, TheWayOutOfARoundOpeningIsThatOfTheRimsField) {

@@ -58,6 +58,21 @@ TEST_F(AroundACube, ThereIsABoundBelowTheFloor) {
   }
 }
 
+// What the octree knows to be hardly further than floor and gap is searched all the same: here that is the corners.
+TEST_F(AroundACube, WhatIsKnownToBeWithinALittleMoreIsSearched) {
+  OutsideDistance octree(solid, boundingBox(hull));
+  OutsideDistance::Query fill;
+  fill.ceiling = std::numeric_limits<double>::infinity();
+  fill.floor = 0.12;
+  fill.resolution = 0.002;
+  octree.largest(hull, fill);
+  SurfaceQuery query;
+  query.gap = 0.01;
+  query.floor = 0.155;
+  query.known = &octree;
+  EXPECT_GE(search(query).bound, corner);
+}
+
 TEST_F(AroundACube, SettledTrianglesAreSkippedAndCountWithFloorAndGap) {
   SurfaceQuery query;
   query.gap = 0.01;

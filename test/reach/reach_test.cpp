@@ -319,6 +319,62 @@ TEST(Reach, NoSampleOfARobotContradictsAProof) {
   EXPECT_GT(proved, 10);
 }
 
+using Exact = long double;
+using ExactVector = Eigen::Matrix<Exact, 3, 1>;
+
+/// A link fixed to the base, turned about z by `yaw`.
+Kinematics turnedLink(const std::string& yaw) {
+  return Kinematics(
+      parseRobotDescription("<robot name='r'><link name='base'/><link name='turned'/><joint name='j' type='fixed'><parent link='base'/>"
+                            "<child link='turned'/><origin xyz='0 0 0' rpy='0 0 " +
+                            yaw + "'/></joint></robot>"));
+}
+
+/// A point of such a link, in the base's frame.
+ExactVector turned(const Eigen::Vector3d& p, double yaw) {
+  const Exact c = std::cos(Exact{yaw}), s = std::sin(Exact{yaw});
+  return {c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z()};
+}
+
+/// Links 100 km from their origin, as a hull in map coordinates may be. The bound may not exceed the distance of any two points.
+TEST(Reach, TheBoundBetweenLinksAllowsForTheRoundingOfCoordinates) {
+  const ConvexHull link = cubeAt({1e5, 2e4, 3e4});
+  for (int i = 0; i < 20; ++i) {
+    const double yaw = 0.1 + 0.14 * i;
+    ExactVector first(-1e9, 0, 0);
+    for (const Eigen::Vector3d& v : link.vertices)
+      if (const ExactVector p = turned(v, yaw); p.x() > first.x()) first = p;
+    ConvexHull wall = boxShape({0.1, 0.1, 0.1});
+    for (Eigen::Vector3d& v : wall.vertices) v += first.cast<double>() + Eigen::Vector3d(0.1, 0, 0);
+    wall = convexHull(wall.vertices);
+    const Exact side = boundingBox(wall).min().x();  // beyond which the corner of the link is 5 cm away
+    const Reach reach = ReachProver(turnedLink(std::to_string(yaw)), {wall, link}, {}).betweenLinks(0, 1, 0.01);
+    EXPECT_EQ(reach.outcome, Outcome::kProved);
+    EXPECT_LE(static_cast<Exact>(reach.bound), side - first.x()) << yaw;
+  }
+}
+
+/// A small link at the origin, and a body 1,000 km away, which is turned about its own origin beside the link: corner against corner.
+TEST(Reach, TheBoundToABodyAllowsForTheRoundingOfItsCoordinates) {
+  const ConvexHull speck = boxShape({1e-3, 1e-3, 1e-3});
+  const ConvexHull far = [&] {
+    ConvexHull result = speck;
+    for (Eigen::Vector3d& v : result.vertices) v += Eigen::Vector3d(5e5, 4e5, 3e5);
+    return convexHull(result.vertices);
+  }();
+  for (int i = 0; i < 20; ++i) {
+    const double yaw = 0.05 * i;
+    Exact nearest = 1e9;
+    for (const Eigen::Vector3d& v : far.vertices)
+      for (const Eigen::Vector3d& own : speck.vertices) nearest = std::min(nearest, (turned(v, yaw) - own.cast<Exact>()).norm());
+    Scene scene;
+    addBody(scene, {"far", far, Eigen::Isometry3d(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()))});
+    const Reach reach = ReachProver(turnedLink("0"), {ConvexHull(), speck}, scene).betweenLinkAndBody(1, 0, 1);
+    EXPECT_EQ(reach.outcome, Outcome::kProved);
+    EXPECT_LE(static_cast<Exact>(reach.bound), nearest) << yaw;
+  }
+}
+
 TEST(Reach, IsRepeatable) {
   const Kinematics kinematics =
       Arm().add("revolute", "0 1 0", -2, 2).add("revolute", "0 0 1", -2, 2).add("revolute", "1 0 1", -2, 2).kinematics();

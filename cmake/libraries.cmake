@@ -42,6 +42,11 @@ target_include_directories(${PROJECT_NAME}_core PUBLIC $<BUILD_INTERFACE:${PROJE
 target_link_libraries(${PROJECT_NAME}_core
   PUBLIC Eigen3::Eigen
   PRIVATE found::qhull_r found::tbb nlohmann_json::nlohmann_json Threads::Threads ${CMAKE_DL_LIBS})
+if(COLLISION_HULLS_SANITIZE_THREADS)
+  # See parallel.cpp. Headers precompiled, or files joined, with the other options are of no use to it.
+  set_source_files_properties(src/base/parallel.cpp PROPERTIES COMPILE_OPTIONS -fno-sanitize=thread
+    COMPILE_DEFINITIONS COLLISION_HULLS_SANITIZE_THREADS SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
+endif()
 if(TARGET found::seccomp)
   target_link_libraries(${PROJECT_NAME}_core PRIVATE found::seccomp)
   set_source_files_properties(src/sandbox/confine.cpp PROPERTIES COMPILE_DEFINITIONS COLLISION_HULLS_SECCOMP)

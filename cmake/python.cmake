@@ -22,7 +22,7 @@ if(PYTHON_FACTS)
   list(GET PYTHON_FACTS 0 python_headers)
 endif()
 # Python itself is not linked with sanitizers, and could not load a module that is.
-if(NOT PYTHON_FACTS OR NOT EXISTS "${python_headers}/Python.h" OR COLLISION_HULLS_SANITIZE OR COLLISION_HULLS_FUZZ)
+if(NOT PYTHON_FACTS OR NOT EXISTS "${python_headers}/Python.h" OR COLLISION_HULLS_SANITIZE OR COLLISION_HULLS_SANITIZE_THREADS OR COLLISION_HULLS_FUZZ)
   message(STATUS "No Python module: it needs pybind11 and Python's headers (pybind11-dev, python3-dev), and no sanitizers.")
   return()
 endif()

@@ -33,7 +33,8 @@ constexpr int kLook = 20;                            // [ms] between looks at th
 constexpr std::size_t kPipe = std::size_t{1} << 20;  // [bytes]: the most that Linux allows by default
 constexpr int kGrace = 200;                          // [ms] for the program to end by itself
 constexpr const char* kTunables = "GLIBC_TUNABLES";
-constexpr const char* kPassed[] = {"LD_LIBRARY_PATH", "ASAN_OPTIONS", "UBSAN_OPTIONS", "ROS_PACKAGE_PATH", "CMAKE_PREFIX_PATH", kTunables};
+constexpr const char* kPassed[] = {"LD_LIBRARY_PATH",  "ASAN_OPTIONS",      "UBSAN_OPTIONS", "TSAN_OPTIONS",
+                                   "ROS_PACKAGE_PATH", "CMAKE_PREFIX_PATH", kTunables};
 
 /// Files and signals of the program to start.
 class Preparation {

@@ -2,6 +2,7 @@
 
 # add_consumer_test(NAME LIBRARY HEADER DEBIAN_PACKAGE [SUFFIX...]): test/with_packages/NAME_test.cpp, with found::LIBRARY.
 function(add_consumer_test name library header debian_package)
+  set_property(GLOBAL APPEND PROPERTY CONSUMER_TESTS ${name})
   if(NOT TARGET found::${library})
     find(${library} ${header} ${ARGN})
   endif()
@@ -40,3 +41,13 @@ add_consumer_test(padding geometric_shapes geometric_shapes/bodies.h libgeometri
 add_consumer_test(mujoco mujoco mujoco/mujoco.h libmujoco-dev)
 add_consumer_test(gazebo sdformat12 sdf/sdf.hh libsdformat-dev)
 add_consumer_test(dart dart dart/dart.hpp "libdart-utils-urdf-dev, libdart-collision-bullet-dev")
+
+file(GLOB consumer_tests CONFIGURE_DEPENDS test/with_packages/*_test.cpp)
+get_property(added_tests GLOBAL PROPERTY CONSUMER_TESTS)
+foreach(file ${consumer_tests})
+  get_filename_component(name "${file}" NAME_WE)
+  string(REGEX REPLACE "_test$" "" name "${name}")
+  if(NOT name IN_LIST added_tests)
+    message(FATAL_ERROR "test/with_packages/${name}_test.cpp is not built: name its library here, in an add_consumer_test().")
+  endif()
+endforeach()

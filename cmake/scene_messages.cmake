@@ -1,5 +1,6 @@
 # Scenes that MoveIt and OctoMap publish, where the packages of their messages are: Debian has neither. moveit_msgs brings octomap_msgs.
 
+set(SCENE_MESSAGE_FILES "/(octomap_message|planning_scene)(_test)?\\.cpp$")  # sources and tests, whether they are built or not
 set(SCENE_MESSAGE_SOURCES)
 find_package(octomap_msgs QUIET)
 if(octomap_msgs_FOUND)

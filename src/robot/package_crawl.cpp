@@ -43,11 +43,15 @@ std::vector<fs::path> sortedEntries(const fs::path& folder) {
   return entries;
 }
 
+std::optional<std::string> manifestIn(const fs::path& folder) {
+  return contentOf(folder / "package.xml", kMostManifest);
+}
+
 std::optional<PackageFolder> packageAt(const fs::path& folder) {
   const std::string folder_name = folder.filename().string();
   if (isFile(folder / "manifest.xml")) return PackageFolder{folder_name};
   if (!isFile(folder / "package.xml")) return std::nullopt;
-  const std::optional<std::string> text = contentOf(folder / "package.xml", kMostManifest);
+  const std::optional<std::string> text = manifestIn(folder);
   if (!text) return PackageFolder{folder_name, true};
   try {
     const std::string name = nameIn(*text);

@@ -14,6 +14,9 @@ bool isFile(const std::filesystem::path& path);
 bool isFolder(const std::filesystem::path& path);
 std::vector<std::filesystem::path> sortedEntries(const std::filesystem::path& folder);  ///< empty if the folder cannot be read
 
+/// The text of a folder's package.xml; nullopt: it has none, or one that cannot be read or is too long for a manifest.
+std::optional<std::string> manifestIn(const std::filesystem::path& folder);
+
 /// A folder that is a package, by rospack's rules.
 struct PackageFolder {
   std::string name;     ///< the manifest's, or the folder's if the manifest is of the old kind, broken or nameless

@@ -166,5 +166,5 @@ int run(Command& command) {
 
 int main(int argc, char** argv) {
   using namespace collision_hulls;
-  return runProgram<Command>({"benchmark", kPurpose, kFooter, {{kJobCommand, doJob}}, addOptions, run}, argc, argv);
+  return runMeasuringProgram<Command>({"benchmark", kPurpose, kFooter, {{kJobCommand, doJob}}, addOptions, run}, argc, argv);
 }

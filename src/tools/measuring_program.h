@@ -26,7 +26,7 @@ struct MeasuringProgram {
 
 /// Returns the exit status: that of run(), 0 for a job and --help, 2 for an error, which goes to stderr with the program's name.
 template <typename Command>
-int runProgram(const MeasuringProgram<Command>& program, int argc, char** argv) {
+int runMeasuringProgram(const MeasuringProgram<Command>& program, int argc, char** argv) {
   holdStandardFiles();
   takeLargePages(argv);
   CommandLine app(program.purpose, program.name);

@@ -91,5 +91,5 @@ int run(Command& command) {
 
 int main(int argc, char** argv) {
   using namespace collision_hulls;
-  return runProgram<Command>({"physics", kPurpose, kFooter, {{kJobCommand, doPhysicsJob}}, addOptions, run}, argc, argv);
+  return runMeasuringProgram<Command>({"physics", kPurpose, kFooter, {{kJobCommand, doPhysicsJob}}, addOptions, run}, argc, argv);
 }

@@ -120,5 +120,5 @@ int run(Command& command) {
 
 int main(int argc, char** argv) {
   using namespace collision_hulls;
-  return runProgram<Command>({"plan_benchmark", kPurpose, kFooter, {}, addOptions, run}, argc, argv);
+  return runMeasuringProgram<Command>({"plan_benchmark", kPurpose, kFooter, {}, addOptions, run}, argc, argv);
 }

@@ -136,6 +136,6 @@ int run(Command& command) {
 
 int main(int argc, char** argv) {
   using namespace collision_hulls;
-  return runProgram<Command>(
+  return runMeasuringProgram<Command>(
       {"stability", kPurpose, kFooter, {{kJobCommand, doStabilityJob}, {kFclTrialsCommand, doFclTrials}}, addOptions, run}, argc, argv);
 }

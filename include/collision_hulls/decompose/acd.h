@@ -24,11 +24,6 @@
 
 namespace collision_hulls {
 
-/// Straight-line concavity [m] of a surface: the maximum over its notches x of the distance from x
-/// to the nearest face of the convex hull that x opens towards; 0 if there are no notches.
-/// `two_sided`: the surface is a sheet, so every edge is a notch from one side or the other.
-double straightLineConcavity(const TriangleMesh& mesh, bool two_sided = false);
-
 /// The hulls of the parts once no part's concavity exceeds `epsilon` [m], > 0. They cover the mesh
 /// and its loose segments. Cuts the most concave part first and stops at 2,000 parts, which
 /// guarantees termination. Deterministic. Throws kCancelled.

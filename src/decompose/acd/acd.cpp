@@ -139,11 +139,6 @@ class Resolving {
 
 }  // namespace
 
-double straightLineConcavity(const TriangleMesh& mesh, bool two_sided) {
-  if (mesh.triangles.empty()) return 0;
-  return deepestNotch(mesh, convexHull(mesh.vertices), two_sided, {}).concavity;
-}
-
 std::vector<ConvexHull> acdHulls(const RepairedMesh& mesh, double epsilon, const RunControl& control) {
   if (mesh.mesh.triangles.empty()) return {convexHull(withLoose(mesh).vertices, control)};
   std::vector<ConvexHull> hulls = Resolving(mesh, epsilon, control).run();

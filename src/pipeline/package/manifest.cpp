@@ -9,7 +9,6 @@
 #include "collision_hulls/error.h"
 #include "robot/package_crawl.h"
 #include "robot/uri_checks.h"
-#include "storage/files.h"
 #include "xml/xml_spans.h"
 #include "xml/xml_tree.h"
 
@@ -19,7 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uintmax_t kMostOfManifest = std::uintmax_t{1} << 16;  // [bytes]
 constexpr const char* kNobody = "  <maintainer email=\"nobody@example.com\">nobody</maintainer>\n";
 
 /// The package.xml of the package around a file; empty if there is none.
@@ -29,7 +27,7 @@ std::string manifestAround(const std::string& file) {
   for (fs::path folder = absolute.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
     if (!packageAt(folder)) continue;
     checkRead((folder / "package.xml").string());
-    return contentOf(folder / "package.xml", kMostOfManifest).value_or("");
+    return manifestIn(folder).value_or("");
   }
   return "";
 }

@@ -1,11 +1,9 @@
-// Also tests src/decompose/acd/notches.cpp.
 #include "collision_hulls/decompose/acd.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "collision_hulls/measure/measures.h"
+#include "decompose/acd/notches.h"
 #include "random_points.h"
 #include "shapes.h"
 
@@ -13,8 +11,6 @@ namespace collision_hulls {
 namespace {
 
 using test_shapes::lBracket;
-
-constexpr double kRounding = 1e-9;
 
 std::vector<ConvexHull> run(const TriangleMesh& mesh, double share = 0.03) {
   return acdHulls(repair(mesh), share * diagonal(mesh));
@@ -24,37 +20,6 @@ double totalVolume(const std::vector<ConvexHull>& hulls) {
   double sum = 0;
   for (const ConvexHull& hull : hulls) sum += volume(hull);
   return sum;
-}
-
-TEST(StraightLineConcavity, EmptyAndConvexShapesHaveNone) {
-  EXPECT_EQ(straightLineConcavity({}), 0);
-  EXPECT_EQ(straightLineConcavity(test_shapes::singleTriangle()), 0);
-  EXPECT_EQ(straightLineConcavity(test_shapes::singleTriangle(), true), 0);
-  EXPECT_EQ(straightLineConcavity(test_shapes::box(1, 2, 3, 4)), 0);
-  EXPECT_EQ(straightLineConcavity(test_shapes::sphere()), 0);
-}
-
-TEST(StraightLineConcavity, LBracketsNotchBelowItsBridge) {
-  // The bridge is the plane from (leg, t) to (t, leg), the notch at (t, t).
-  EXPECT_NEAR(straightLineConcavity(lBracket(1, 0.1, 1)), 0.9 / std::sqrt(2), kRounding);
-  EXPECT_NEAR(straightLineConcavity(lBracket(1, 0.1, 1, 5)), 0.9 / std::sqrt(2), kRounding);
-}
-
-TEST(StraightLineConcavity, UChannelsNotchesBelowItsOpening) {
-  // The end faces contain the notches' ends but are not bridges: the notches do not open towards them.
-  EXPECT_NEAR(straightLineConcavity(test_shapes::uChannel(3, 1, 0.1, 2)), 0.9, kRounding);
-}
-
-TEST(StraightLineConcavity, ASheetsRidgeIsANotchFromBelow) {
-  test_shapes::MeshBuilder builder;
-  builder.quad({-1, 0, 0}, {0, 0, 1}, {0, 1, 1}, {-1, 1, 0});
-  builder.quad({0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {0, 1, 1});
-  TriangleMesh roof = builder.mesh();
-  for (Triangle& t : roof.triangles) std::swap(t[1], t[2]);  // whichever way it faces
-  for (int turn = 0; turn < 2; ++turn) {
-    EXPECT_NEAR(straightLineConcavity(roof, true), 1, kRounding);
-    for (Triangle& t : roof.triangles) std::swap(t[1], t[2]);
-  }
 }
 
 TEST(Acd, OnlyLoosePointsAreCovered) {
@@ -98,7 +63,7 @@ TEST(Acd, TheSkinsOfAWallStayTogether) {
 
 TEST(Acd, EpsilonAboveTheConcavityLeavesOneHull) {
   const RepairedMesh mesh = repair(lBracket());
-  const double concavity = straightLineConcavity(mesh.mesh);
+  const double concavity = deepestNotch(mesh.mesh, convexHull(mesh.mesh.vertices), false, {}).concavity;
   EXPECT_EQ(acdHulls(mesh, 1.001 * concavity).size(), 1u);
   EXPECT_EQ(acdHulls(mesh, 0.999 * concavity).size(), 2u);
 }

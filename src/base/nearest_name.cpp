@@ -3,23 +3,26 @@
 
 #include <algorithm>
 #include <numeric>
-#include <utility>
 
 namespace collision_hulls {
 
 std::size_t editDistance(const std::string& a, const std::string& b) {
-  // One row of the usual table: row[j] is the distance between a's first i letters and b's first j.
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
+  // Three rows of the usual table: row[j] is the distance between a's first i + 1 letters and b's first j; a swap needs the row before the
+  // last.
+  std::vector<std::size_t> above(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  std::iota(last.begin(), last.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
+    row[0] = i + 1;
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+      const std::size_t replaced = last[j] + (a[i] == b[j] ? 0 : 1);
+      row[j + 1] = std::min({replaced, row[j] + 1, last[j + 1] + 1});
+      const bool swaps = i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j];
+      if (swaps) row[j + 1] = std::min(row[j + 1], above[j - 1] + 1);
     }
+    above.swap(last);
+    last.swap(row);
   }
-  return row.back();
+  return last.back();
 }
 
 std::string nearestName(const std::string& text, const std::vector<std::string>& names) {

@@ -6,7 +6,8 @@
 
 namespace collision_hulls {
 
-/// How many letters to insert, delete or replace to turn one text into the other (Levenshtein distance).
+/// How many letters to insert, delete or replace, or neighbours to swap, to turn one text into the other. No letter is edited twice
+/// (optimal string alignment).
 std::size_t editDistance(const std::string& a, const std::string& b);
 
 /// The name that `text` begins, or else the nearest one by edit distance; empty if they all differ by more than a third of `text`.

@@ -140,14 +140,18 @@ std::string described(const FittedModel& model, const Contact& contact) {
          " at " + lengthText(distanceIn(model, contact));
 }
 
-/// Where the original touches the scene at rest; empty: nowhere.
+/// Where the original touches the scene at rest or, if it does not, which body lies inside a link; empty: nowhere.
 std::string contactAtRest(const FittedModel& model) {
   const Assembly& assembly = model.assembly;
   const Places places = assembly.places(assembly.kinematics().rest());
-  for (std::size_t link = 0; link < assembly.links(); ++link)
-    for (std::size_t body = assembly.links(); body < assembly.parts(); ++body)
+  std::string inside;
+  for (std::size_t link = 0; link < assembly.links(); ++link) {
+    for (std::size_t body = assembly.links(); body < assembly.parts(); ++body) {
       if (model.originals.touch(link, body, places)) return assembly.name(link) + " against " + assembly.name(body);
-  return "";
+      if (inside.empty()) inside = nesting(assembly, model.originals, link, body, places);
+    }
+  }
+  return inside;
 }
 
 /// Pairs of links whose hulls collide where the links do not, the worst first.

@@ -72,4 +72,13 @@ double Originals::distanceBelow(double limit, std::size_t a, std::size_t b, cons
   return least;
 }
 
+bool Originals::contains(std::size_t outer, std::size_t inner, const Places& places) const {
+  for (const Body& first : of_part_[outer]) {
+    const Eigen::Isometry3d to_first = (places[outer] * first.origin).inverse() * places[inner];
+    for (const Body& second : of_part_[inner])
+      if (within(second, first, to_first * second.origin)) return true;
+  }
+  return false;
+}
+
 }  // namespace collision_hulls

@@ -21,6 +21,9 @@ class Originals {
   /// [m] The distance between two parts, or `limit` if it is no less. Also 0 if one lies inside the other.
   double distanceBelow(double limit, std::size_t a, std::size_t b, const Places& places) const;
 
+  /// Whether a component of one part lies inside the other; only for parts that do not touch.
+  bool contains(std::size_t outer, std::size_t inner, const Places& places) const;
+
   /// Whether a pair keeps its clearance. Contact comes first, since it takes FCL a hundredth of the time of a distance.
   bool clear(const PartPair& pair, const Places& places) const {
     return !touch(pair.a, pair.b, places) && distanceBelow(pair.clearance, pair.a, pair.b, places) >= pair.clearance;

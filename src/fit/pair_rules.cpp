@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/median.h"
 #include "base/parallel.h"
 #include "collision_hulls/error.h"
@@ -159,7 +160,19 @@ LeftOutPair saidBefore(const Assembly& assembly, const std::map<NamePair, const 
   return {};
 }
 
+/// On bodies of the scene that lie inside links, one at least.
+std::string noteOnNested(const std::vector<std::string>& nested) {
+  const std::size_t more = nested.size() - 1;
+  return nested.front() + (more > 0 ? ", and " + counted(more, "more pair") + " like it" : "") +
+         ": a check that takes meshes for surfaces, as FCL does, sees no contact there, and one that takes hulls for solids does; " +
+         "correct the scene, or leave the body out of the planner's scene, too";
+}
+
 }  // namespace
+
+std::string nesting(const Assembly& assembly, const Originals& originals, std::size_t link, std::size_t body, const Places& places) {
+  return originals.contains(link, body, places) ? assembly.name(body) + " inside " + assembly.name(link) : "";
+}
 
 std::vector<PartPair> lookedAtAndProved(const PairRules& rules, double clearance) {
   std::vector<PartPair> pairs = rules.pairs;
@@ -197,9 +210,14 @@ PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const O
     survey(places, originals, clearance, pairs[i]);
   });
   std::vector<char> may_be_proved;
+  std::vector<std::string> nested;
   for (const Sighting& pair : pairs) {
-    const LeftOutPair why = verdict(pair);
+    LeftOutPair why = verdict(pair);
     if (!why.reason.empty()) {
+      const bool apart = !pair.links && !originals.touch(pair.a, pair.b, places.front());
+      const std::string at_rest = apart ? nesting(assembly, originals, pair.a, pair.b, places.front()) : "";
+      if (!at_rest.empty()) nested.push_back(at_rest);
+      if (!at_rest.empty() && why.reason == "Fixed") why.known = "always " + at_rest;
       leaveOut(pair, why);
       if (!pair.links && why.reason == "Always")
         rules.notes.push_back(assembly.name(pair.a) + " against " + assembly.name(pair.b) + ": " + why.known + ", so the pair is left out");
@@ -215,6 +233,7 @@ PairRules pairRules(const FitProblem& problem, const Assembly& assembly, const O
     const bool settled = pair.links ? kinematics.settled(pair.a, pair.b) : kinematics.settled(pair.a);
     may_be_proved.push_back(settled && pair.near == 0 && pair.at_rest >= clearance);
   }
+  if (!nested.empty()) rules.notes.push_back(noteOnNested(nested));
   prove(problem, assembly, may_be_proved, clearance, control, rules);
   return rules;
 }

@@ -23,6 +23,10 @@ struct PairRules {
   std::vector<std::string> notes;
 };
 
+/// "block inside base", where a body of the scene that does not touch a link, or a component of it, lies in the link's mesh; empty: none
+/// does. What lies in a body that is convex touches it, as that is checked as a solid.
+std::string nesting(const Assembly& assembly, const Originals& originals, std::size_t link, std::size_t body, const Places& places);
+
 /// The pairs to check and the pairs proved: primitives may touch where hulls never do.
 std::vector<PartPair> lookedAtAndProved(const PairRules& rules, double clearance);
 

@@ -45,9 +45,8 @@ double signedVolume(const std::vector<Eigen::Vector3d>& vertices, const std::vec
 
 TriangleMesh scaled(TriangleMesh mesh, const Eigen::Vector3d& scale) {
   if (!scale.allFinite() || (scale.array() == 0).any())
-    throw Error(ErrorCode::kBadScale, "mesh scale [" + fixedDecimal(scale.x()) + " " + fixedDecimal(scale.y()) + " " +
-                                          fixedDecimal(scale.z()) +
-                                          "]: each factor must be finite and non-zero; correct the scale in the URDF");
+    throw Error(ErrorCode::kBadScale, "the mesh's scale is '" + decimal(scale.x()) + " " + decimal(scale.y()) + " " + decimal(scale.z()) +
+                                          "'; give three finite numbers other than 0, such as '1 1 1'");
   for (Eigen::Vector3d& v : mesh.vertices) v = v.cwiseProduct(scale);
   if (scale.prod() < 0)
     for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);

@@ -295,7 +295,7 @@ std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options
   if (unfitted > 0)
     notes.push_back(counted(unfitted, "link") + (unfitted == 1 ? " that is" : " that are") + " kept or removed had no part in the fit");
   if (const std::string note = noteOnScenePairs(fit); !note.empty()) notes.push_back(note);
-  if (!fit.scene_contact.empty()) notes.push_back("the original touches the scene at rest: " + fit.scene_contact);
+  if (!fit.scene_contact.empty()) notes.push_back("the original is in contact with the scene at rest: " + fit.scene_contact);
   const std::string touched = "the original touches the scene in " + std::to_string(fit.scene_hits) + " of " + std::to_string(fit.samples);
   if (fit.scene_hits > 0 && fit.given) notes.push_back(touched + " given configurations");
   if (!fit.given && static_cast<double>(fit.scene_hits) > kMost * static_cast<double>(fit.samples))

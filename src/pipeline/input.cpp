@@ -53,10 +53,17 @@ struct CommandAround {
   std::string program, options;
 };
 
+/// Where a search ended, if it did not see all.
+std::string cutShort(const FoundDescriptions& found) {
+  return found.cut_after == 0 ? "" : " among the first " + std::to_string(found.cut_after) + " files and folders, where the search ended";
+}
+
 /// One of them is to be chosen.
-std::string commandsFor(const std::vector<std::string>& descriptions, const CommandAround& command) {
+std::string commandsFor(const FoundDescriptions& found, const CommandAround& command) {
   constexpr std::size_t kMostListed = 12;
-  std::string text = counted(descriptions.size(), "robot description") + "; run" + (descriptions.size() > 1 ? " one of" : "");
+  const std::vector<std::string>& descriptions = found.files;
+  std::string text =
+      counted(descriptions.size(), "robot description") + cutShort(found) + "; run" + (descriptions.size() > 1 ? " one of" : "");
   for (std::size_t i = 0; i < std::min(descriptions.size(), kMostListed); ++i)
     text += "\n  " + command.program + " " + shellWord(descriptions[i]) + (command.options.empty() ? "" : " " + command.options);
   if (descriptions.size() > kMostListed) text += "\n  or with one of " + std::to_string(descriptions.size() - kMostListed) + " more";
@@ -65,12 +72,12 @@ std::string commandsFor(const std::vector<std::string>& descriptions, const Comm
 
 Input packageInput(const std::string& name, const std::string& folder, const PackagePath& package_path, const CommandAround& command,
                    const RunControl& control) {
-  std::vector<std::string> found = robotDescriptionsIn(folder);
-  if (found.empty()) found = robotDescriptionsBelow(folder);
-  if (found.size() == 1) return robotInput(found.front(), package_path, control);
-  if (found.empty()) {
-    throw Error(ErrorCode::kFileNotFound, "package '" + name + "' (" + folder +
-                                              ") has no .urdf or .xacro file; give the package or the file that describes the robot");
+  FoundDescriptions found{robotDescriptionsIn(folder)};
+  if (found.files.empty()) found = robotDescriptionsBelow(folder);
+  if (found.files.size() == 1 && found.cut_after == 0) return robotInput(found.files.front(), package_path, control);
+  if (found.files.empty()) {
+    throw Error(ErrorCode::kFileNotFound, "package '" + name + "' (" + folder + ") has no .urdf or .xacro file" + cutShort(found) +
+                                              "; give the package or the file that describes the robot");
   }
   throw Error(ErrorCode::kNotARobot, "package '" + name + "' has " + commandsFor(found, command));
 }
@@ -79,10 +86,11 @@ Input packageInput(const std::string& name, const std::string& folder, const Pac
   std::error_code error;
   const std::string place = fs::absolute(fs::path(".") / input, error).lexically_normal().string();  // empty: the working folder is gone
   if (!input.empty() && fs::is_directory(input, error)) {
-    const std::vector<std::string> below = robotDescriptionsBelow(input);
-    throw Error(ErrorCode::kFileNotFound,
-                "folder '" + input + "' is not a package: '" + place + "' has no package.xml; " +
-                    (below.empty() ? "give a package, a .urdf or .xacro file, or a mesh" : "it has " + commandsFor(below, command)));
+    const FoundDescriptions below = robotDescriptionsBelow(input);
+    const std::string none = below.cut_after == 0 ? "" : "it has no description" + cutShort(below) + "; ";
+    throw Error(ErrorCode::kFileNotFound, "folder '" + input + "' is not a package: '" + place + "' has no package.xml; " +
+                                              (below.files.empty() ? none + "give a package, a .urdf or .xacro file, or a mesh"
+                                                                   : "it has " + commandsFor(below, command)));
   }
   if (isRobotFile(input) || isMeshFile(input))
     throw Error(

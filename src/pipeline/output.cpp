@@ -144,7 +144,8 @@ void refuseInUse(const fs::path& folder) {
   const std::string advice = "; choose another output, such as a folder within it";
   if (std::mismatch(place.begin(), place.end(), here.begin(), here.end()).first == place.end())
     throw Error(ErrorCode::kUnwritableOutput,
-                "output '" + folder.string() + "' would be replaced, but the current folder '" + here.string() + "' lies in it" + advice);
+                "output '" + folder.string() + "' would be replaced as a whole, but " +
+                    (place == here ? "it is the current folder" : "the current folder '" + here.string() + "' lies in it") + advice);
   struct stat of_folder {
   }, of_parent{};
   if (stat(place.c_str(), &of_folder) == 0 && stat(place.parent_path().c_str(), &of_parent) == 0 && of_folder.st_dev != of_parent.st_dev)

@@ -4,6 +4,7 @@
 #include "pipeline/stages.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -42,6 +43,11 @@ bool closeAsAsked(const RepairedMesh& repaired, double width, const RunControl& 
   return facts.closed_openings > 0;
 }
 
+/// Short, for messages: a hostile scale has 300 digits.
+std::string scaleText(const Eigen::Vector3d& scale) {
+  return decimal(scale.x()) + " " + decimal(scale.y()) + " " + decimal(scale.z());
+}
+
 }  // namespace
 
 /// A percentage of the diagonal takes the same work in every unit, so it stays allowed: for the link that really is that large.
@@ -60,11 +66,16 @@ double toleranceFor(const TriangleMesh& mesh, const Length& tolerance) {
                                          "only a length, such as 1mm, or repair the mesh");
 }
 
-void setTolerance(const std::string& uri, const LinkOptions& options, MeshResult& result) {
-  checkSize("'" + uri + "'", result.mesh.diagonal, options.tolerance,
-            "scale it by 0.001 (--scale 0.001 for a mesh file, scale=\"0.001 0.001 0.001\" in a description's <mesh>)");
+void setTolerance(const MeshTask& task, const LinkOptions& options, MeshResult& result) {
+  const std::string name = "'" + task.uri + "'", scale = scaleText(task.scale);
+  if (!std::isfinite(result.mesh.diagonal))
+    throw Error(ErrorCode::kTooLarge, name + " is so large that its size is no number, with the scale '" + scale +
+                                          "'; correct the scale, or the file's coordinates");
+  const std::string instead = task.scale == Eigen::Vector3d::Ones() ? "" : " in place of '" + scale + "'";
+  checkSize(name, result.mesh.diagonal, options.tolerance,
+            "scale it by 0.001" + instead + " (--scale 0.001 for a mesh file, scale=\"0.001 0.001 0.001\" in a description's <mesh>)");
   result.mesh.tolerance = toleranceFor(result.original, options.tolerance);
-  expectResolvable(result.mesh.tolerance, result.mesh.diagonal, uri);
+  expectResolvable(result.mesh.tolerance, result.mesh.diagonal, task.uri);
 }
 
 MeshLimits meshLimits(const Options& options) {
@@ -100,7 +111,7 @@ void checkForMesh(const std::string& path, const Options& options) {
 const ReadMesh& SharedMesh::read(const LinkOptions& options, const RunControl& control, MeshResult& result) {
   if (read_) {
     result = known_;
-    setTolerance(task_.uri, options, result);
+    setTolerance(task_, options, result);
     return *read_;
   }
   MeshFacts& facts = result.mesh;
@@ -114,7 +125,7 @@ const ReadMesh& SharedMesh::read(const LinkOptions& options, const RunControl& c
   facts.skipped_primitives = loaded.skipped_primitives;
   result.original = scaled(std::move(loaded.mesh), task_.scale);
   facts.diagonal = diagonal(result.original);
-  setTolerance(task_.uri, options, result);
+  setTolerance(task_, options, result);
   result.seconds.read = stage.lap();
 
   // 2. Repair: a mesh with topology, closed if that is asked for, and the solid that it stands for.

@@ -28,9 +28,9 @@ void checkSize(const std::string& mesh, double diagonal, const Length& tolerance
 /// What a tolerance is for a mesh [m]. Throws kEmptyMesh if that is nothing: a percentage, and all triangles lie in one point.
 double toleranceFor(const TriangleMesh& mesh, const Length& tolerance);
 
-/// The tolerance of a mesh whose original is known. Throws what checkSize() throws; kEmptyMesh and kBadOption for a tolerance that is none
-/// for it.
-void setTolerance(const std::string& uri, const LinkOptions& options, MeshResult& result);
+/// The tolerance of a task's mesh whose original is known. Throws what checkSize() throws, and kTooLarge for a mesh whose size overflows;
+/// kEmptyMesh and kBadOption for a tolerance that is none for it.
+void setTolerance(const MeshTask& task, const LinkOptions& options, MeshResult& result);
 
 /// A mesh after stages 1 and 2, for the stages that follow.
 struct ReadMesh {

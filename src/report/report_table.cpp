@@ -21,6 +21,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kTextColumns = 2;  // link and mesh, or two links
+constexpr std::ptrdiff_t kLeastColumn = 4;
 
 std::string lastPart(const std::string& uri) {
   return uri.substr(uri.find_last_of('/') + 1);
@@ -41,7 +42,7 @@ Cells cells(const ElementReport& row) {
   const StageSeconds& s = row.seconds;
   const std::string seconds = figure(s.read + s.repair + s.decompose + s.certify + s.write);
   if (row.status == Status::kKept || row.status == Status::kRemoved)
-    return {row.link, row.uri.empty() ? "-" : lastPart(row.uri), "-", "-", "-", "-", "-", "-", name(row.status)};
+    return {row.link, row.uri.empty() ? "-" : lastPart(row.uri), "-", "-", "-", "-", "-", "-", "-", name(row.status)};
   if (row.status == Status::kFailed)
     return {row.link, lastPart(row.uri), row.triangles ? std::to_string(row.triangles) : "-", "-", "-", "-", "-", "-",
             seconds,  name(row.status)};
@@ -97,6 +98,8 @@ std::string meshTable(const Report& report) {
                               "tolerance [mm]", "time [s]", "status"}};
   for (const ElementReport& row : report.links) rows.push_back(cells(row));
   rows.push_back(totalCells(report));
+  if (report.scene)  // a fit's hulls need not keep the tolerance, so no bound on their number is sought
+    for (Cells& row : rows) row.erase(row.begin() + kLeastColumn);
   return aligned(rows, kTextColumns);
 }
 
@@ -116,7 +119,8 @@ std::string legend(const Report& report) {
                      (sums.failed > 0 ? " that has not failed" : "") +
                      ", and no point of them is further from its solid than the protrusion.\n";
   if (report.scene) text += "The tolerance is that of the finest hulls: coarser ones, where the scene allows them, protrude further.\n";
-  if (some_needed) text += "\"at least\": proved, no cover within the tolerance has fewer hulls; 1 where none was sought.\n";
+  if (some_needed && !report.scene)
+    text += "\"at least\": proved, no cover within the tolerance has fewer hulls; 1 where none was sought.\n";
   if (report.links.size() > 1) text += "Meshes run in parallel; the total time is wall-clock time.\n";
   if (cached > 0) text += counted(static_cast<std::size_t>(cached), "mesh", "meshes") + " came from the cache.\n";
   return text;

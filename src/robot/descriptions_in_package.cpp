@@ -157,13 +157,17 @@ std::vector<std::string> robotDescriptionsIn(const std::string& package_folder) 
   return judged(found, package_folder);
 }
 
-std::vector<std::string> robotDescriptionsBelow(const std::string& folder) {
+FoundDescriptions robotDescriptionsBelow(const std::string& folder) {
   std::vector<std::string> urdf, xacro;
   std::error_code error;
   std::size_t entries = 0;
+  FoundDescriptions found;
   const auto options = fs::directory_options::skip_permission_denied;
-  for (fs::recursive_directory_iterator at(folder, options, error), end; !error && at != end && ++entries < kMostEntries;
-       at.increment(error)) {
+  for (fs::recursive_directory_iterator at(folder, options, error), end; !error && at != end; at.increment(error)) {
+    if (entries++ == kMostEntries) {
+      found.cut_after = kMostEntries;
+      break;
+    }
     const fs::path& path = at->path();
     if (path.filename().string().front() == '.' || at.depth() == kDeepest) at.disable_recursion_pending();
     const std::string extension = lowerExtension(path.string());
@@ -172,7 +176,8 @@ std::vector<std::string> robotDescriptionsBelow(const std::string& folder) {
   }
   for (std::vector<std::string>* files : {&urdf, &xacro}) std::sort(files->begin(), files->end());
   urdf.insert(urdf.end(), xacro.begin(), xacro.end());
-  return judgedByPackage(urdf, folder);
+  found.files = judgedByPackage(urdf, folder);
+  return found;
 }
 
 }  // namespace collision_hulls

@@ -126,17 +126,18 @@ class PackageFinder::Search {
     for (const PackagePlace& place : given_) candidates.insert(candidates.end(), {place.folder / package, place.folder});
     for (const fs::path& folder : above_) candidates.insert(candidates.end(), {folder, folder / package});
     for (const fs::path& folder : candidates) {
-      if (folder.filename() == package && isFolder(folder)) return remember(package, false, folder);
+      if (folder.filename() == package && isFolder(folder)) return remember(package, std::nullopt, folder);
     }
     return std::nullopt;
   }
 
-  // `rest` of package `package`, wherever a folder near `base` or of --package-path could stand in for that package.
-  std::optional<std::string> file(const std::string& package, bool known_package, const std::string& rest, const std::string& base) {
+  // `rest` of package `package`, which lies in `known` if it is known, wherever a folder near `base` or of --package-path could stand in.
+  std::optional<std::string> file(const std::string& package, const std::optional<std::string>& known, const std::string& rest,
+                                  const std::string& base) {
     const fs::path path = within(rest), name = within(package);
     if (path.empty() || name.empty()) return std::nullopt;
     for (const fs::path& folder : standIns(name, path, base)) {
-      if (isFile(folder / path)) return remember(package, known_package, folder), (folder / path).string();
+      if (isFile(folder / path)) return remember(package, known, folder), (folder / path).string();
     }
     return std::nullopt;
   }
@@ -228,9 +229,9 @@ class PackageFinder::Search {
     return found == known->second.end() ? "" : found->second;
   }
 
-  std::string remember(const std::string& package, bool known_package, const fs::path& folder) {
-    note("package '" + package + (known_package ? "' lacks some of its files: " : "' was not found: ") + "the folder '" + folder.string() +
-         "' was used in its place");
+  std::string remember(const std::string& package, const std::optional<std::string>& known, const fs::path& folder) {
+    note("package '" + package + (known ? "' in '" + *known + "' lacks some of its files: " : "' was not found: ") + "the folder '" +
+         folder.string() + "' was used in its place");
     return folder.string();
   }
 
@@ -277,7 +278,7 @@ std::optional<std::string> PackageFinder::knownPackage(const std::string& packag
 
 std::optional<std::string> PackageFinder::fileNearby(const std::string& package, const std::string& rest, const std::string& base) const {
   if (search_->named(package)) return std::nullopt;
-  return search_->file(package, knownPackage(package).has_value(), rest, base);
+  return search_->file(package, knownPackage(package), rest, base);
 }
 
 std::optional<std::string> PackageFinder::inOtherCase(const std::string& path) const {

@@ -158,7 +158,7 @@ std::vector<std::string> descriptionsBeside(const fs::path& file) {
   const fs::path package = packageAround(file);
   if (package.empty()) return {};
   std::vector<std::string> found = robotDescriptionsIn(package.string());
-  if (found.empty()) found = robotDescriptionsBelow(package.string());
+  if (found.empty()) found = robotDescriptionsBelow(package.string()).files;
   if (std::find(found.begin(), found.end(), file.string()) != found.end()) return {};  // none of them is more of a robot
   std::stable_partition(found.begin(), found.end(), [&](const std::string& other) { return mentions(other, file.filename().string()); });
   return found;

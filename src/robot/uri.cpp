@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 namespace collision_hulls {
 namespace {
 
+constexpr int kMostLevels = 4;  // folders above the description that may hold a file that its URI places elsewhere
 constexpr std::string_view kPackageScheme = "package://", kModelScheme = "model://", kFileScheme = "file://";
 
 bool startsWith(std::string_view text, std::string_view prefix) {
@@ -121,6 +122,27 @@ bool isKnownFolder(const std::string& path) try {
   return false;
 }
 
+// A file that ends like the missing one, with its folder, below a folder that holds the description, as a path from there: what an
+// absolute path of another machine most likely means.
+std::optional<std::string> besideDescription(const fs::path& missing, const std::string& base) try {
+  if (base.empty()) return std::nullopt;
+  const fs::path start = fs::absolute(base).lexically_normal().parent_path();
+  fs::path above = start;
+  for (int levels = 0; levels < kMostLevels && above.has_relative_path(); ++levels, above = above.parent_path()) {
+    fs::path end = missing.relative_path();
+    while (end.has_parent_path()) {
+      if (const auto file = existingFile(above / end)) {
+        checkRead(*file);
+        return fs::path(*file).lexically_relative(start).string();
+      }
+      end = end.lexically_relative(*end.begin());
+    }
+  }
+  return std::nullopt;
+} catch (const Error&) {
+  return std::nullopt;
+}
+
 [[noreturn]] void throwMissing(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
   const std::optional<fs::path> path = pathOf(percentDecoded(uri), base, find_package);
   const std::string remedy = "; rename it, or correct the case of letters in the URI";
@@ -145,6 +167,10 @@ bool isKnownFolder(const std::string& path) try {
     throw Error(ErrorCode::kFileNotFound,
                 "'" + uri + "'" + (file == uri ? "" : " resolves to '" + file + "', which") + " is a folder; give a file in it");
   const std::string nor = missingFolder(file);
+  const auto beside = isRelativeUri(percentDecoded(uri)) || packageOf(uri) ? std::nullopt : besideDescription(file, base);
+  if (beside)
+    throw Error(ErrorCode::kFileNotFound, "'" + uri + "' does not exist" + nor + ", but '" + *beside +
+                                              "' does, from the description's folder; give that path, or a package:// URI");
   if (file == uri) throw Error(ErrorCode::kFileNotFound, "'" + uri + "' does not exist" + nor + "; check the path");
   throw Error(ErrorCode::kFileNotFound,
               "'" + uri + "' resolves to '" + file + "', which does not exist" + nor +

@@ -3,14 +3,21 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
 #include "base/counted.h"
 #include "base/figure.h"
+#include "base/uri_text.h"
+#include "collision_hulls/error.h"
 #include "collision_hulls/pipeline/progress_text.h"
 #include "collision_hulls/report/totals.h"
+#include "collision_hulls/robot/robot_description.h"
 #include "pen.h"
 
 namespace collision_hulls {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 /// "7 hulls", "7 hulls and 2 primitives", "2 primitives"
@@ -133,6 +140,18 @@ std::string inNodeWords(const std::string& text) {
     at = end;
   }
   return result;
+}
+
+void checkBase(const std::string& base) {
+  if (base.empty() || fs::path(base).is_absolute()) return;
+  const std::size_t scheme = base.find("://");
+  if (scheme == std::string::npos) throw Error(ErrorCode::kBadOption, "base '" + base + "' is relative; give an absolute path");
+  const std::string rest = base.substr(scheme + 3);
+  std::string path = "the file's absolute path";
+  if (base.rfind("file:///", 0) == 0) path = "'" + percentDecoded(rest) + "'";
+  if (packageOf(base))
+    path += ": what 'rospack find " + *packageOf(base) + "' prints, and '" + rest.substr(std::min(rest.find('/'), rest.size())) + "'";
+  throw Error(ErrorCode::kBadOption, "base '" + base + "' is a URI, and a request's base is a path; give " + path);
 }
 
 }  // namespace collision_hulls

@@ -27,4 +27,8 @@ std::string summary(const std::string& robot, const Report& report);
 /// quotations and indented lines, which are commands.
 std::string inNodeWords(const std::string& text);
 
+/// Throws kBadOption for a request's `base` that is neither empty nor an absolute path, such as a URI. ~base may be one: it opens what it
+/// names (places.h), and a request may not.
+void checkBase(const std::string& base);
+
 }  // namespace collision_hulls

@@ -53,14 +53,20 @@ class Collection {
       : source_(source), collector_(kinematics, options) {}
 
   void add(const std::vector<std::string>& names, const std::vector<double>& positions, const RunControl& control) {
-    collector_.add(names, positions, "'" + source_ + "', message " + std::to_string(++messages_), control);
+    ++messages_;
+    if (names.empty() && positions.empty()) return;  // it says nothing of any joint
+    collector_.add(names, positions, "'" + source_ + "', message " + std::to_string(messages_), control);
   }
 
   ConfigurationSet take(const std::string& or_else) {
     if (messages_ == 0)
       throw Error(ErrorCode::kBadConfigurations,
                   "'" + source_ + "' has no message of " + kType + "; give a source that has some" + or_else);
-    return collector_.take();
+    ConfigurationSet set = collector_.take();
+    if (set.configurations.empty())
+      throw Error(ErrorCode::kBadConfigurations, "'" + source_ + "' has no message of " + kType + " with positions, of " +
+                                                     std::to_string(messages_) + " in all; give a source that has some" + or_else);
+    return set;
   }
 
  private:

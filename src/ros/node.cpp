@@ -1,7 +1,6 @@
 // Reads a request and the parameters, runs the library, writes and shows the result. The doors (door.h) bring requests in and answers out.
 #include "node.h"
 
-#include <filesystem>
 #include <memory>
 
 #include "collision_hulls/pipeline/fit_scene.h"
@@ -12,9 +11,6 @@
 #include "preview/validation.h"
 
 namespace collision_hulls {
-
-namespace fs = std::filesystem;
-
 namespace {
 
 /// The fields that both requests have.
@@ -192,8 +188,7 @@ RobotDescription Node::readRobot(const std::string& text, const std::string& bas
   std::string key, parameter;
   const bool has_parameter = node_.searchParam("robot_description", key) && node_.getParam(key, parameter);
   if (!text.empty() && (!base.empty() || text != parameter)) {
-    if (!base.empty() && fs::path(base).is_relative())
-      throw Error(ErrorCode::kBadOption, "base '" + base + "' is relative; give an absolute path");
+    checkBase(base);
     refusePath(text);
     return parseRobotDescription(text, base, control);
   }

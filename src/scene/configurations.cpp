@@ -75,6 +75,10 @@ ConfigurationCollector::ConfigurationCollector(const Kinematics& kinematics, con
 void ConfigurationCollector::add(const std::vector<std::string>& names, const std::vector<double>& positions, const std::string& where,
                                  const RunControl& control) {
   control.check();
+  if (positions.empty() && !names.empty()) {
+    if (without_positions_++ == 0) first_without_ = where + ", of joint '" + shown(names.front()) + "'";
+    return;
+  }
   if (names.size() != positions.size()) {
     failConfigurations(where,
                        counted(positions.size(), "position") + " for " + counted(names.size(), "joint") + "; give each joint one position");
@@ -159,6 +163,9 @@ ConfigurationSet ConfigurationCollector::take() {
     set_.notes.push_back("mimic joint '" + name + "' is up to " + fixedDecimal(difference.largest) +
                          " away from where its master puts it, first in " + difference.where + "; the master's value is used");
   }
+  if (without_positions_ > 0)
+    set_.notes.push_back(counted(without_positions_, "message") + " without positions " + (without_positions_ == 1 ? "is" : "are") +
+                         " passed over, the first: " + first_without_);
   std::string resting;
   for (std::size_t i = 0; i < named_.size(); ++i) {
     if (!named_[i]) resting += (resting.empty() ? "'" : ", '") + kinematics_.variables()[i].name + "'";
@@ -167,6 +174,7 @@ ConfigurationSet ConfigurationCollector::take() {
   ConfigurationSet result = std::move(set_);
   set_ = {};
   first_beyond_.clear();
+  without_positions_ = 0;
   differences_.clear();
   current_ = kinematics_.rest();
   named_.assign(named_.size(), 0);

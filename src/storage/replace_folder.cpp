@@ -66,7 +66,10 @@ fs::path replacedFolder(const std::string& target) {
   fs::path folder = fs::weakly_canonical(fs::absolute(target), error);
   if (error) throwUnwritable(target, error.message());
   if (!folder.has_filename()) folder = folder.parent_path();  // "out/" of a folder that is not there yet
-  if (!folder.has_filename()) throwUnwritable(target, "it is the root of the file system");
+  if (!folder.has_filename())
+    throw Error(ErrorCode::kUnwritableOutput, "output '" + target + "' is " + (target == "/" ? "" : "'/', ") +
+                                                  "the root of the file system, and an output replaces its folder as a whole; choose " +
+                                                  "another output, such as a folder within it");
   if (fs::is_symlink(folder, error)) throwUnwritable(target, "it is a symbolic link to nothing");
   return folder;
 }

@@ -2,6 +2,8 @@
 #include "xml/xml_spans.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "base/string_parts.h"
 
@@ -100,9 +102,9 @@ class Scanner {
     element.name = readName();
     if (element.name.empty()) fail(element.begin, "'<' is not followed by a name");
     if (open_.empty() && !elements_.empty()) fail(element.begin, "there is a second root element, <" + std::string(element.name) + ">");
-    std::size_t attributes = 0;
+    attributes_.clear();
     while (attribute(element)) {
-      if (++attributes > kMostAttributes)
+      if (attributes_.size() > kMostAttributes)
         throw XmlSyntaxError(element.begin, "<" + std::string(element.name) + "> has more than " + std::to_string(kMostAttributes) +
                                                 " attributes; remove some");
     }
@@ -125,6 +127,7 @@ class Scanner {
     if (name.empty()) fail(begin, "'" + std::string(1, text_[at_]) + "' has no place within the tag " + tag);
     skipSpace();
     if (!startsWith("=")) fail(begin, "attribute '" + name + "' of " + tag + " has no value");
+    if (!attributes_.insert(name).second) throw XmlSyntaxError(begin, "attribute '" + name + "' of " + tag + " appears twice; remove one");
     ++at_;
     skipSpace();
     if (!startsWith("\"") && !startsWith("'")) fail(begin, "the value of attribute '" + name + "' of " + tag + " is not in quotes");
@@ -155,7 +158,8 @@ class Scanner {
   std::size_t at_ = 0;
   std::vector<XmlElement> elements_;
   std::vector<XmlSpan> instructions_;
-  std::vector<std::size_t> open_;  // elements whose end tag has not come yet
+  std::vector<std::size_t> open_;     // elements whose end tag has not come yet
+  std::set<std::string> attributes_;  // of the tag that is read
 };
 
 }  // namespace

@@ -10,7 +10,16 @@ TEST(EditDistance, KnownOnes) {
   EXPECT_EQ(editDistance("", "abc"), 3u);
   EXPECT_EQ(editDistance("abc", ""), 3u);
   EXPECT_EQ(editDistance("kitten", "sitting"), 3u);
-  EXPECT_EQ(editDistance("ab", "ba"), 2u);
+}
+
+TEST(EditDistance, SwappedNeighboursAreOneEdit) {
+  EXPECT_EQ(editDistance("ab", "ba"), 1u);
+  EXPECT_EQ(editDistance("heigth", "height"), 1u);
+  EXPECT_EQ(editDistance("lenght", "length"), 1u);
+  EXPECT_EQ(editDistance("abcd", "badc"), 2u);
+  EXPECT_EQ(editDistance("ca", "abc"), 3u) << "no letter is edited twice";
+  EXPECT_EQ(editDistance("aab", "aba"), 1u);
+  EXPECT_EQ(editDistance("abc", "cba"), 2u) << "not neighbours";
 }
 
 TEST(NearestName, TheOneThatWasMeant) {
@@ -24,6 +33,7 @@ TEST(NearestName, TheOneThatWasMeant) {
   EXPECT_EQ(nearestName("ab", {"cd"}), "") << "nothing in common";
   EXPECT_EQ(nearestName("tolerance", {}), "");
   EXPECT_EQ(nearestName("tolerances", names), "tolerance");
+  EXPECT_EQ(nearestName("heigth", {"eighth", "height"}), "height") << "swapped letters are nearer than others";
   const std::string endless(10'000'000, 'x');  // to be compared letter by letter, it would take hours
   EXPECT_EQ(nearestName(endless, {endless + "y"}), "");
   EXPECT_EQ(nearestName("tolerence", {endless, "tolerance"}), "tolerance");

@@ -35,7 +35,9 @@ TEST(ParseDescription, RefusesWhatIsNotXml) {
   expectRefused(ErrorCode::kNotXml, {"line 3", "</robot>", "<link> of line 2"}, "<robot name='r'>\n<link name='a'>\n</robot>");
   expectRefused(ErrorCode::kNotXml, {"line 1", "zero byte"}, std::string("<robot\0/>", 9));
   expectRefused(ErrorCode::kNotXml, {"UTF-16"}, std::string("\xFF\xFE<\0", 4));
-  expectRefused(ErrorCode::kNotXml, {"line 3", "ATTRIBUTE"}, "<!-- -->\n<robot name='r'>\n<link name='a' name='b'/></robot>");
+  expectRefused(ErrorCode::kNotXml, {"line 3", "attribute 'name' of <link> appears twice; remove one"},
+                "<!-- -->\n<robot name='r'>\n<link name='a' name='b'/></robot>");
+  expectRefused(ErrorCode::kNotXml, {"line 3", "XML_ERROR_PARSING_ELEMENT"}, "<!-- -->\n<robot name='r'>\n<link 1='a'/></robot>");
 }
 
 TEST(ParseDescription, RefusesNestingThatXmlReadersDoNotFollow) {
@@ -112,7 +114,9 @@ TEST(ParseDescription, ElementsThatCannotBeReadHaveAFaultAndLeaveTheOthersAlone)
   };
   for (const char* kind : {"visual", "collision"}) {
     check(kind, "<geometry><capsule/></geometry>", "<capsule>", "capsule");
-    check(kind, "<geometry><mesh filename='a.stl' scale='0.001'/></geometry>", "a.stl", "0.001");
+    for (const std::string scale : {"0.001", "1 1", "1e300", "1 1 1 1", "1e400 1 1", "1,1,1", ""})
+      check(kind, "<geometry><mesh filename='a.stl' scale='" + scale + "'/></geometry>", "a.stl",
+            "has the scale '" + scale + "'; give three finite numbers");
     check(kind, "<origin xyz='1e999 0 0'/><geometry><sphere radius='1'/></geometry>", "<sphere>", "");
     check(kind, "<origin xyz='0 0'/><geometry><mesh filename='b.stl'/></geometry>", "b.stl", "3 expected");
   }

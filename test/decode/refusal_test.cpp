@@ -25,6 +25,10 @@ void expectRefusedWith(const std::string& old_part, const std::string& new_part,
 
 TEST(Refusal, SaysWhatAJointLacks) {
   expectRefusedWith("<limit lower='0' upper='1' effort='1' velocity='1'/>", "", {"'a.urdf', line 4", "[j]", "; give it <limit lower"});
+  expectRefused({"line 4", "[j]", "; give it <limit lower", "in metres"},
+                "<joint name='j' type='prismatic'><parent link='a'/><child link='b'/></joint>\n");
+  expectRefusedWith("</joint>", "<safety_controller k_position='1'/></joint>",
+                    {"line 4", "; add k_velocity=\"...\" to its <safety_controller>"});
   expectRefusedWith(" effort='1'", "", {"line 4", "; add effort=\"...\" to its <limit>"});
   expectRefusedWith(" velocity='1'", "", {"line 4", "; add velocity=\"...\" to its <limit>"});
   expectRefusedWith(" type='revolute'", "", {"line 4", "; add type=\"...\": revolute"});

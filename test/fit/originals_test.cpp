@@ -68,6 +68,24 @@ TEST(Originals, WhatLiesWithinASolidIsNotClear) {
   EXPECT_FALSE(originals.touch(1, 2, rest)) << "surfaces are apart";
   EXPECT_EQ(originals.distanceBelow(1, 1, 2, rest), 0);
   EXPECT_FALSE(originals.clear({1, 2, 0.001}, rest));
+  EXPECT_TRUE(originals.contains(1, 2, rest));
+  EXPECT_FALSE(originals.contains(2, 1, rest));
+  EXPECT_EQ(nesting(assembly, originals, 1, 2, rest), "pin inside c0");
+}
+
+TEST(PairRules, BodiesInsideALinkAreNotedAndThoseAroundItTouch) {
+  FitProblem problem = overPost();
+  problem.robot = carriages(1, 0.1);
+  const Eigen::Vector3d wall(0.03, 0.15, 0.5), size(0.01, 0.01, 0.01);
+  problem.scene.bodies = {boxBody("pin", size, wall), boxBody("bolt", size, wall), boxBody("room", {5, 5, 5}, gap())};
+  const Assembly assembly(problem, 1);
+  const Originals originals(problem, assembly, {});
+  const Places rest = assembly.places(assembly.kinematics().rest());
+  EXPECT_TRUE(originals.touch(1, 4, rest)) << "a convex body is a solid";
+  const PairRules rules = pairRules(problem, assembly, originals, 0.01, {});
+  EXPECT_EQ(rules.left_out.size(), 3u);
+  ASSERT_EQ(rules.notes.size(), 4u) << "one for each pair that is left out";
+  EXPECT_EQ(rules.notes.back().rfind("pin inside c0, and 1 more pair like it: ", 0), 0u) << rules.notes.back();
 }
 
 TEST(Assembly, RootsTouchThePostAndLeavesDoNot) {

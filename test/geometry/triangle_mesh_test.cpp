@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/decimal.h"
 #include "collision_hulls/error.h"
 #include "random_points.h"
 #include "shapes.h"
@@ -40,6 +41,8 @@ TEST(TriangleMesh, RejectsAZeroOrNonFiniteScale) {
       FAIL() << bad;
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::kBadScale);
+      EXPECT_NE(std::string(error.what()).find("'1 " + decimal(bad) + " 1'; give three finite numbers other than 0"), std::string::npos)
+          << error.what();
     }
   }
 }

@@ -112,8 +112,19 @@ TEST_F(FailedMeshes, AMeshInMillimetresFailsBeforeTheWorkAndLeavesTheOthers) {
   EXPECT_EQ(row.error, "TooLarge");
   EXPECT_EQ(row.repair.components, 0u) << "it was not even repaired";
   EXPECT_EQ(notesWith(result.report, "m across"), 0u) << "the row says it";
-  for (const char* part : {"'../meshes/bracket.obj' is 300 m across", "--scale 0.001", "scale=\"0.001 0.001 0.001\"", "1%"})
+  for (const char* part : {"'../meshes/bracket.obj' is 300 m across", "by 0.001 in place of '1000 1000 1000'", "--scale 0.001",
+                           "scale=\"0.001 0.001 0.001\"", "1%"})
     EXPECT_NE(row.reason.find(part), std::string::npos) << row.reason;
+}
+
+TEST_F(FailedMeshes, AScaleBeyondNumbersIsNamed) {
+  const std::string huge = "    <visual>\n      " + meshTag("../meshes/bracket.obj", " scale=\"1e300 1e300 1e300\"") + "\n    </visual>\n";
+  options_.tolerance = shareOf(0.05);
+  const RobotResult result = run(link("base", visual("box.obj")) + link("tip", huge, "base"));
+  const ElementReport& row = result.report.links[1];
+  EXPECT_EQ(row.status, Status::kFailed);
+  EXPECT_EQ(row.error, "TooLarge");
+  EXPECT_NE(row.reason.find("with the scale '1e+300 1e+300 1e+300'; correct the scale"), std::string::npos) << row.reason;
 }
 
 TEST_F(FailedMeshes, AShareAloneTakesALinkOfAnySize) {

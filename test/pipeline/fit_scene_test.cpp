@@ -267,11 +267,21 @@ TEST_F(FitRobotToScene, ReportsContactWithTheScene) {
   EXPECT_EQ(result.report.scene->scene_contact, "base against block");
   ASSERT_EQ(result.report.scene->left_out.size(), 1u);
   EXPECT_EQ(result.report.scene->left_out[0].reason, "Fixed");
-  EXPECT_TRUE(isNoted(result, "the original touches the scene at rest: base against block"));
+  EXPECT_TRUE(isNoted(result, "the original is in contact with the scene at rest: base against block"));
   EXPECT_TRUE(isNoted(result, "1 pair of a link and a body of the scene is left out (base against block)"));
   EXPECT_NE(toTable(result.report).find("; 1 pair with the scene left out\n"), std::string::npos);
   request_.scene.bodies.push_back({"shelf", request_.scene.bodies[0].shape, request_.scene.bodies[0].pose});
   EXPECT_TRUE(isNoted(run(fixtures::link("base", bracket())), "2 pairs of a link and a body of the scene are left out"));
+}
+
+TEST_F(FitRobotToScene, SaysThatABodyLiesInsideALink) {
+  request_.scene.bodies[0] = {"peg", boxShape(Eigen::Vector3d::Constant(0.01)), at(0.1, 0.015, 0.05)};  // in the middle of a leg
+  const RobotResult result = run(fixtures::link("base", bracket()));
+  EXPECT_EQ(result.report.scene->scene_contact, "peg inside base");
+  ASSERT_EQ(result.report.scene->left_out.size(), 1u);
+  EXPECT_EQ(result.report.scene->left_out[0].known, "always peg inside base");
+  EXPECT_TRUE(isNoted(result, "in contact with the scene at rest: peg inside base"));
+  EXPECT_TRUE(isNoted(result, "peg inside base: a check that takes meshes for surfaces, as FCL does, sees no contact there"));
 }
 
 TEST_F(FitRobotToScene, SaysWhatMaxHullsKeeps) {

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "collision_hulls/error.h"
 #include "counted_looks.h"
@@ -130,6 +131,18 @@ TEST_F(OpenInput, RobotsInOtherFolders) {
   addRobot("loose/model 1.urdf");
   expectError(folder_ / "loose", ErrorCode::kFileNotFound,
               {"no package.xml; it has 1 robot description; run\n  decompose '" + (folder_ / "loose/model 1.urdf") + "'"});
+}
+
+TEST_F(OpenInput, SaysThatTheSearchWasCutShort) {
+  addPackage("full_description");
+  std::filesystem::create_directory(folder_ / "full_description/data");
+  for (int i = 0; i < 20'000; ++i) std::ofstream(folder_ / ("full_description/data/" + std::to_string(i)));
+  const std::string where = " among the first 20000 files and folders, where the search ended; ";
+  expectError("full_description", ErrorCode::kFileNotFound, {"has no .urdf or .xacro file" + where + "give"});
+  std::filesystem::rename(folder_ / "full_description", folder_ / "full");
+  std::filesystem::remove(folder_ / "full/package.xml");
+  fixtures::write(folder_ / "full/data/20000", "");
+  expectError(folder_ / "full", ErrorCode::kFileNotFound, {"no package.xml; it has no description" + where + "give"});
 }
 
 TEST_F(OpenInput, AFolderOfPackages) {

@@ -160,12 +160,20 @@ TEST(ReportTable, AModelForASceneHasItsOwnCheckAndPrimitives) {
   report.links[1].primitives = 2;
   report.links[1].hulls = report.links[1].hull_vertices = 0;
   const std::string table = toTable(report);
-  for (const char* part : {"  3, 1 primitive         2        24  ", "  2 primitives         -         -  ",
-                           "check of single meshes: 400 queries", "The tolerance is that of the finest hulls", "speed of single meshes: ",
+  for (const char* part : {"  3, 1 primitive        24  ", "  2 primitives         -  ", "check of single meshes: 400 queries",
+                           "The tolerance is that of the finest hulls", "speed of single meshes: ",
                            "self-collisions in 0 configurations; false ones count at any distance, also within the clearance:\n",
                            "collisions  false with single hulls  false with fitted hulls",
                            "no collision missed, no false collision beyond the clearance (at 95 %", "speed in the scene: "})
     EXPECT_NE(table.find(part), std::string::npos) << part << "\n" << table;
+  EXPECT_EQ(table.find("at least"), std::string::npos) << "a fit seeks no bound on the number of hulls\n" << table;
+}
+
+TEST(ReportTable, AKeptLinksStatusStandsInItsColumn) {
+  Report report = sample();
+  report.links[0].status = Status::kKept;
+  const std::vector<std::string> table = lines(toTable(report));
+  EXPECT_EQ(table[1].rfind("kept"), table[0].rfind("status")) << toTable(report);
 }
 
 TEST(ReportTable, SaysWhatTheModelConsistsOf) {

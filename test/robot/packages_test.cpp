@@ -215,7 +215,7 @@ TEST_F(Packages, DescriptionsInAPackage) {
   EXPECT_TRUE(robotDescriptionsIn(folder_.path("nowhere")).empty());
   const std::string loud = folder_.write("loud/urdf/arm.URDF", "<robot name='loud'><link name='a'/></robot>");
   EXPECT_EQ(robotDescriptionsIn(folder_.path("loud")), std::vector<std::string>{loud});
-  EXPECT_EQ(robotDescriptionsBelow(folder_.path("loud")).size(), 1u);
+  EXPECT_EQ(robotDescriptionsBelow(folder_.path("loud")).files.size(), 1u);
 }
 
 TEST_F(Packages, MacrosAreNoDescriptionOfTheirOwn) {
@@ -280,8 +280,17 @@ TEST_F(Packages, DescriptionsInOtherFolders) {
   folder_.write("hands/world.sdf", robot);
   folder_.write("hands/1/2/3/4/5/6/7/far.urdf", robot);
   EXPECT_TRUE(robotDescriptionsIn(folder_.path("hands")).empty());
-  EXPECT_EQ(robotDescriptionsBelow(folder_.path("hands")), (std::vector<std::string>{top, deep, xacro}));
-  EXPECT_TRUE(robotDescriptionsBelow(folder_.path("nowhere")).empty());
+  EXPECT_EQ(robotDescriptionsBelow(folder_.path("hands")).files, (std::vector<std::string>{top, deep, xacro}));
+  EXPECT_TRUE(robotDescriptionsBelow(folder_.path("nowhere")).files.empty());
+}
+
+TEST_F(Packages, ASearchThatIsCutShortSaysSo) {
+  constexpr int kMost = 20'000;
+  folder_.write("full/meshes/0");
+  for (int i = 2; i < kMost; ++i) std::ofstream(folder_.path("full/meshes/" + std::to_string(i)));
+  EXPECT_EQ(robotDescriptionsBelow(folder_.path("full")).cut_after, 0u) << "the folder meshes, and one entry less than the most in it";
+  folder_.write("full/meshes/1");
+  EXPECT_EQ(robotDescriptionsBelow(folder_.path("full")).cut_after, static_cast<std::size_t>(kMost));
 }
 
 }  // namespace

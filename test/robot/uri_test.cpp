@@ -92,6 +92,16 @@ TEST_F(ResolveUri, AMissingFolderIsNamed) {
               [&] { resolveUri("../visual/a.stl", base_, defaultPackageFinder(base_)); });
 }
 
+TEST_F(ResolveUri, AFileThatAnotherMachineHasIsNamedWhereItLiesHere) {
+  const std::string here = "'../meshes/" + std::filesystem::path(mesh_).filename().string() + "' does, from the description's folder; give";
+  const std::string name = std::filesystem::path(mesh_).filename().string();
+  expectError(ErrorCode::kFileNotFound, {"nor does the folder '/home/nobody'", here},
+              [&] { resolve("file:///home/nobody/ws/src/arm/meshes/" + name); });
+  expectError(ErrorCode::kFileNotFound, {"/" + name + "' does not exist", "; check the path"}, [&] { resolve("/home/nobody/" + name); });
+  const Confinement confinement({{folder_.path("arm/urdf")}, {}, {}, {}, "", ""});
+  expectError(ErrorCode::kFileNotFound, {"; check the"}, [&] { resolve("/home/nobody/arm/meshes/" + name); });
+}
+
 TEST_F(ResolveUri, UnknownScheme) {
   expectError(ErrorCode::kFileNotFound, {"http://host/x.stl", "package://"}, [&] { resolve("http://host/x.stl"); });
 }
@@ -252,7 +262,8 @@ TEST_F(Nearby, APackageThatLacksTheFile) {
   const std::string mesh = folder_.write("lab/robots/arm/meshes/new.stl");
   finder_ = PackageFinder([this](const std::string&) { return std::optional(folder_.path("installed")); });
   EXPECT_EQ(resolve("package://arm/meshes/new.stl"), mesh);
-  EXPECT_NE(finder_.notes().at(0).find("package 'arm' lacks some of its files"), std::string::npos) << finder_.notes()[0];
+  EXPECT_NE(finder_.notes().at(0).find("package 'arm' in '" + folder_.path("installed") + "' lacks some of its files"), std::string::npos)
+      << finder_.notes()[0];
   std::filesystem::create_directories(folder_.path("installed"));
   finder_ = defaultPackageFinder("", {"arm=" + folder_.path("installed")});
   expectError(ErrorCode::kFileNotFound, {folder_.path("installed/meshes/new.stl")}, [&] { resolve("package://arm/meshes/new.stl"); });

@@ -3,6 +3,8 @@
 #include <collision_hulls/DecomposeRequest.h>
 #include <gtest/gtest.h>
 
+#include "collision_hulls/error.h"
+
 namespace collision_hulls {
 namespace {
 
@@ -124,6 +126,27 @@ TEST(ToMessage, Feedback) {
   EXPECT_EQ(12, feedback.seconds_left);
   EXPECT_EQ("1 of 4 meshes, 7 hulls, about 15 s left", feedback.text);
   EXPECT_EQ(-1, toMessage(Step{"read", "", 0, 4, 0, 0, -0.5}).seconds_left);
+}
+
+TEST(CheckBase, IsAnAbsolutePathAndAUriGetsTheRemedy) {
+  EXPECT_NO_THROW(checkBase(""));
+  EXPECT_NO_THROW(checkBase("/robots/arm.urdf"));
+  for (const auto& [base, expected] : std::vector<std::pair<std::string, std::string>>{
+           {"arm.urdf", "is relative; give an absolute path"},
+           {"package://arm/urdf/arm.urdf",
+            "is a URI, and a request's base is a path; give the file's absolute path: what 'rospack find arm' "
+            "prints, and '/urdf/arm.urdf'"},
+           {"file:///my%20robots/arm.urdf", "give '/my robots/arm.urdf'"},
+           {"http://host/arm.urdf", "give the file's absolute path"}}) {
+    try {
+      checkBase(base);
+      ADD_FAILURE() << base;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kBadOption);
+      EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
+      EXPECT_NE(inNodeWords(error.what()).find("base '" + base + "' is "), std::string::npos) << inNodeWords(error.what());
+    }
+  }
 }
 
 }  // namespace

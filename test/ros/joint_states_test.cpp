@@ -109,6 +109,24 @@ TEST_F(JointStates, MessagesAreNamed) {
   EXPECT_NE(message.find("unknown.bag', message 2"), std::string::npos) << message;
 }
 
+TEST_F(JointStates, MessagesWithoutPositionsArePassedOver) {
+  const std::string some = folder_ / "some.bag", none = folder_ / "none_at_all.bag";
+  for (const std::string& file : {some, none}) {
+    rosbag::Bag bag(file, rosbag::bagmode::Write);
+    bag.write("/joint_states", ros::Time(1), state({"a", "b"}, {}));
+    bag.write("/joint_states", ros::Time(2), state({}, {}));
+    if (file == some) bag.write("/joint_states", ros::Time(3), state({"a", "b"}, {0.1, 0.2}));
+    bag.close();
+  }
+  const ConfigurationSet set = read(some);
+  EXPECT_EQ(set.configurations, (std::vector<Configuration>{{0.1, 0.2}}));
+  ASSERT_EQ(set.notes.size(), 1u);
+  EXPECT_NE(set.notes[0].find("some.bag', message 1, of joint 'a'"), std::string::npos) << set.notes[0];
+  std::string message;
+  EXPECT_EQ(errorOf(none, &message), ErrorCode::kBadConfigurations);
+  EXPECT_NE(message.find("has no message of sensor_msgs/JointState with positions, of 2 in all"), std::string::npos) << message;
+}
+
 /// rosbag trusts a bag's index: an offset beyond the chunk makes it read there.
 TEST_F(JointStates, DamagedIndexIsAnError) {
   std::ifstream in(recorded(), std::ios::binary);

@@ -183,6 +183,20 @@ position:
   EXPECT_TRUE(set.notes.empty());
 }
 
+TEST(Configurations, MessagesWithoutPositionsArePassedOverAndNoted) {
+  const std::string efforts = "---\nname: [b]\nposition: []\neffort: [1.0]\n";
+  const ConfigurationSet set = setOf("a.yaml", "name: [a, c]\nposition: [1.0, 0]\n" + efforts + "---\nname: [b]\nposition: [2]\n");
+  EXPECT_EQ(set.configurations, (std::vector<Configuration>{{1, 0, 0}, {1, 2, 0}}));
+  EXPECT_EQ(set.given, 2u);
+  ASSERT_EQ(set.notes.size(), 1u);
+  for (const char* part : {"1 message without positions is passed over, the first: ", "a.yaml', line 4, of joint 'b'"})
+    EXPECT_NE(set.notes[0].find(part), std::string::npos) << set.notes[0];
+  const ConfigurationSet path = setOf("a.yaml", "joint_names: [a]\npoints: [{positions: []}, {positions: [1]}, {positions: []}]\n");
+  EXPECT_EQ(path.configurations, (std::vector<Configuration>{{1, 0, 0}}));
+  EXPECT_NE(path.notes.at(0).find("2 messages without positions are"), std::string::npos) << path.notes[0];
+  expectBad(ErrorCode::kBadConfigurations, {"a.yaml", "no message with name and position"}, "a.yaml", efforts);
+}
+
 TEST(Configurations, Trajectories) {
   const std::string trajectory = R"(joint_names: [b, a]
 points:

@@ -109,6 +109,22 @@ TEST(FolderReplacement, UnwritablePlaces) {
   }
 }
 
+TEST(ReplacedFolder, TheRootIsNamedHoweverItIsSpelled) {
+  const fs::path before = fs::current_path();
+  fs::current_path("/");
+  for (const std::string target : {"/", ".", "//", "/..", "tmp/.."}) {
+    try {
+      ADD_FAILURE() << target << " is " << replacedFolder(target);
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), ErrorCode::kUnwritableOutput) << e.what();
+      const std::string named = "output '" + target + "' is " + (target == "/" ? "" : "'/', ") + "the root of the file system";
+      EXPECT_NE(std::string(e.what()).find(named), std::string::npos) << e.what();
+      EXPECT_NE(std::string(e.what()).find("; choose another output, such as a folder within it"), std::string::npos) << e.what();
+    }
+  }
+  fs::current_path(before);
+}
+
 TEST(FolderReplacement, EndsWhereNothingMoreCanBeOpened) {
   const TempFolder folder;
   rlimit before{};

@@ -84,17 +84,20 @@ TEST_P(XmlSpansMalformed, SaysWhereAndWhy) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Texts, XmlSpansMalformed,
-    testing::Values(Malformed{"", 0, "no element"}, Malformed{" <!-- -->", 0, "no element"}, Malformed{"solid stl", 0, "outside the root"},
-                    Malformed{"<a/> b", 5, "outside the root"}, Malformed{"<a/><b/>", 4, "second root element, <b>"},
-                    Malformed{"<a>", 0, "<a> is never closed"}, Malformed{"<a>\n<b></a>", 7, "<b> of line 2"},
-                    Malformed{"</a>", 0, "closes nothing"}, Malformed{"<a><", 3, "not followed by a name"},
-                    Malformed{"<a><1", 3, "never closed"}, Malformed{"<a b='1", 3, "quotes"}, Malformed{"<a b=1>", 3, "not in quotes"},
-                    Malformed{"<a b>", 3, "no value"}, Malformed{"<a <b/>", 3, "no place"}, Malformed{"<a b='1'/", 8, "no place"},
-                    Malformed{"<a ", 0, "never closed"}, Malformed{"<a><!-- ", 3, "a comment is never closed"},
-                    Malformed{"<!-->", 0, "a comment"}, Malformed{"<a><![CDATA[ ]]", 3, "CDATA"}, Malformed{"<?xml ", 0, "instruction"},
-                    Malformed{"<!DOCTYPE a [ > ", 0, "document type"}, Malformed{"<a></a", 3, "</a> is never closed"}));
+INSTANTIATE_TEST_SUITE_P(Texts, XmlSpansMalformed,
+                         testing::Values(Malformed{"", 0, "no element"}, Malformed{" <!-- -->", 0, "no element"},
+                                         Malformed{"solid stl", 0, "outside the root"}, Malformed{"<a/> b", 5, "outside the root"},
+                                         Malformed{"<a/><b/>", 4, "second root element, <b>"}, Malformed{"<a>", 0, "<a> is never closed"},
+                                         Malformed{"<a>\n<b></a>", 7, "<b> of line 2"}, Malformed{"</a>", 0, "closes nothing"},
+                                         Malformed{"<a><", 3, "not followed by a name"}, Malformed{"<a><1", 3, "never closed"},
+                                         Malformed{"<a b='1", 3, "quotes"}, Malformed{"<a b=1>", 3, "not in quotes"},
+                                         Malformed{"<a b>", 3, "no value"},
+                                         Malformed{"<a b='1' c='1' b='2'/>", 15, "attribute 'b' of <a> appears twice; remove one"},
+                                         Malformed{"<a <b/>", 3, "no place"}, Malformed{"<a b='1'/", 8, "no place"},
+                                         Malformed{"<a ", 0, "never closed"}, Malformed{"<a><!-- ", 3, "a comment is never closed"},
+                                         Malformed{"<!-->", 0, "a comment"}, Malformed{"<a><![CDATA[ ]]", 3, "CDATA"},
+                                         Malformed{"<?xml ", 0, "instruction"}, Malformed{"<!DOCTYPE a [ > ", 0, "document type"},
+                                         Malformed{"<a></a", 3, "</a> is never closed"}));
 
 TEST(XmlSpans, AttributeValues) {
   const std::string text = "<mesh  scale = '1 = 2'\n file=\"a\" filename=\"it's.stl\" empty=''/>";

@@ -164,7 +164,8 @@ struct FitReport {
   /// of the model, primitives included; leaves of all trees
   std::size_t hulls = 0, full_hulls = 0;
   std::size_t primitives = 0;  ///< of the model
-  /// where the original at rest collides with the scene; empty: nowhere
+  /// where the original at rest collides with the scene, as in "base against shelf" or, if a body
+  /// lies inside a link's mesh, "peg inside base"; empty: nowhere
   std::string scene_contact;
   /// samples in which the original collides with the scene
   std::size_t scene_hits = 0;

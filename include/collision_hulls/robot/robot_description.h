@@ -175,8 +175,16 @@ bool isRelativeUri(const std::string& uri);
 /// as macros, properties and materials, unless there is nothing else; for INPUT given as a package.
 std::vector<std::string> robotDescriptionsIn(const std::string& package_folder);
 
+/// The descriptions that a search found.
+struct FoundDescriptions {
+  std::vector<std::string> files;
+  /// how many files and folders were looked at before the search was cut short; 0: it saw all
+  std::size_t cut_after = 0;
+};
+
 /// The same of all folders below one, hidden ones aside; for packages that keep them elsewhere.
-std::vector<std::string> robotDescriptionsBelow(const std::string& folder);
+/// Looks at 20,000 files and folders at most, and up to 6 folders deep.
+FoundDescriptions robotDescriptionsBelow(const std::string& folder);
 
 /// auto: a link's collision elements if it has any, else its visual ones
 enum class Source { kAuto, kVisual, kCollision };

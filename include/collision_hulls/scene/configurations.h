@@ -60,7 +60,7 @@ struct ConfigurationSet {
   /// values beyond their limits by more than 1e-6 of the limits' size; continuous joints have none
   std::size_t beyond_limits = 0;
   /// for the user, one line each: the first value beyond its limits, mimic joints that deviate from
-  /// their masters, joints never named, transforms that were ignored
+  /// their masters, joints never named, messages without positions, transforms that were ignored
   std::vector<std::string> notes;
 };
 
@@ -74,12 +74,13 @@ class ConfigurationCollector {
 
   /// Joints that are not named keep their last position, which is the rest position at first:
   /// several publishers may share a topic. Positions [rad or m] of mimic joints are compared with
-  /// those that their masters imply; positions of fixed joints are ignored. `where` appears in
-  /// messages: "'a.csv', line 3". Throws kBadConfigurations for a name that the robot does not have
-  /// (the message lists its joints) or that appears twice, for a number of positions that differs
-  /// from the number of names, for values that are not finite, and for those that put a joint, or
-  /// one that mimics it, further than 1e9 rad or m from zero; kTooLarge, see ConfigurationOptions;
-  /// kCancelled.
+  /// those that their masters imply; positions of fixed joints are ignored. Names without any
+  /// position, as in messages of velocities or efforts alone, are passed over with a note. `where`
+  /// appears in messages: "'a.csv', line 3". Throws kBadConfigurations for a name that the robot
+  /// does not have (the message lists its joints) or that appears twice, for a number of positions
+  /// that differs from the number of names, for values that are not finite, and for those that put
+  /// a joint, or one that mimics it, further than 1e9 rad or m from zero; kTooLarge, see
+  /// ConfigurationOptions; kCancelled.
   void add(const std::vector<std::string>& names, const std::vector<double>& positions,
            const std::string& where, const RunControl& control = {});
 
@@ -106,6 +107,8 @@ class ConfigurationCollector {
   Configuration current_;
   std::vector<char> named_;  // per variable: whether it was ever named
   std::string first_beyond_;
+  std::size_t without_positions_ = 0;  // messages
+  std::string first_without_;
   std::map<std::string, Difference> differences_;  // of mimic joints
   ConfigurationSet set_;
   bool follows_ = false;

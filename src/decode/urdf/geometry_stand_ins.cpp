@@ -27,6 +27,14 @@ std::string attributeOf(const XMLElement& element, const char* name) {
   return value ? value : "";
 }
 
+/// Why an element is left out. A scale is what most often goes wrong, and urdfdom says little of it.
+std::string faultOf(const XMLElement& element, const XMLElement& shape, const std::string& link, const std::string& complaint) {
+  const std::string what = std::string("this <") + element.Name() + "> of link '" + link + "'";
+  if (complaint.find("Mesh scale") == std::string::npos) return "urdfdom cannot read " + what + " (" + complaint + "); correct it";
+  return "the mesh of " + what + " has the scale '" + shown(attributeOf(shape, "scale")) +
+         "'; give three finite numbers with spaces between them, such as '1 1 1', or '0.001 0.001 0.001' for millimetres";
+}
+
 }  // namespace
 
 template <class Choice>
@@ -79,8 +87,8 @@ void GeometryStandIns::takeOutUnreadable() {
     const XMLElement& shape = *shapeOf(element);
     unreadable.uri = attributeOf(shape, "filename");
     if (unreadable.uri.empty()) unreadable.uri = "<" + shown(shape.Name()) + ">";
-    unreadable.fault = subject_.label + ", line " + std::to_string(subject_.lineFromRoot(element.GetLineNum())) +
-                       ": urdfdom cannot read this <" + element.Name() + "> of link '" + link + "' (" + complaint + "); correct it";
+    unreadable.fault = subject_.label + ", line " + std::to_string(subject_.lineFromRoot(element.GetLineNum())) + ": " +
+                       faultOf(element, shape, link, complaint);
     return unreadable;
   });
 }

@@ -18,8 +18,10 @@ struct Remedy {
 
 constexpr Remedy kRemedies[] = {
     {"does not specify limits", "give it <limit lower=\"...\" upper=\"...\" effort=\"...\" velocity=\"...\"/>, in radians or metres"},
+    {"without limits", "give it <limit lower=\"...\" upper=\"...\" effort=\"...\" velocity=\"...\"/>, in metres"},
     {"joint limit: no effort", "add effort=\"...\" to its <limit>"},
     {"joint limit: no velocity", "add velocity=\"...\" to its <limit>"},
+    {"joint safety: no k_velocity", "add k_velocity=\"...\" to its <safety_controller>"},
     {"has no known type", "use revolute, continuous, prismatic, fixed, floating or planar"},
     {"has no type", "add type=\"...\": revolute, continuous, prismatic, fixed, floating or planar"},
     {"missing a parent and/or child", "give it <parent link=\"...\"/> and <child link=\"...\"/>"},

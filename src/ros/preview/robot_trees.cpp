@@ -178,7 +178,7 @@ MeshResult RobotTrees::resultOf(Mesh& mesh, const LinkOptions& options, const Ru
     mesh.known = std::move(known);
   }
   MeshResult result = mesh.known;
-  setTolerance(mesh.task.uri, options, result);
+  setTolerance(mesh.task, options, result);
   const bool needs_tree = options.tree || options.shapes == Shapes::kPrimitives;
   const std::shared_ptr<const HullTree> tree = needs_tree ? hold(mesh, options, preparing) : nullptr;
   decomposeAndCertify(*mesh.read, options, tree.get(), mesh.task.uri, mesh.options.seed, certifying, result);

@@ -4,18 +4,17 @@
 //
 // The direction tells a slit from a wall's thickness: the rims of the inner and outer surface of an open cup, each turned outward by
 // itself, run the same way. Distances are those between vertices, which exceed those between rims, so a slit is missed rather than
-// imagined. Points are sorted along the longest axis, and a search along it ends at the distance found: near-linear unless rims crowd in a
-// plane.
+// imagined; so it is where very many points are nearer than the other rim, as in stacks of sheets. Near-linear.
 #include "mesh/slits.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
+#include <optional>
 #include <utility>
 
 #include "base/at.h"
+#include "base/disjoint_sets.h"
 #include "base/looks.h"
+#include "geometry/point_tree.h"
 #include "mesh/orient.h"
 
 namespace collision_hulls {
@@ -27,41 +26,25 @@ struct RimPoint {
   std::size_t loop;
 };
 
-/// Surfaces joined by slits, as trees.
-class Joined {
- public:
-  explicit Joined(std::size_t surfaces) : above_(surfaces) { std::iota(above_.begin(), above_.end(), std::size_t{0}); }
-
-  std::size_t root(std::size_t surface) {
-    while (above_[surface] != surface) surface = above_[surface] = above_[above_[surface]];
-    return surface;
-  }
-
-  void join(std::size_t a, std::size_t b) { above_[root(a)] = root(b); }
-
- private:
-  std::vector<std::size_t> above_;
-};
+constexpr std::size_t kMostTried = 1000;  // points, for each point of a rim
 
 class Slits {
  public:
   Slits(const std::vector<Eigen::Vector3d>& vertices, const std::vector<BoundaryLoop>& loops, const RunControl& control)
       : vertices_(vertices), loops_(loops), look_(control) {
-    Eigen::AlignedBox3d box;
     for (std::size_t l = 0; l < loops.size(); ++l) {
       for (std::size_t i = 0; loops[l].returns && i < loops[l].vertices.size(); ++i) {
         look_();
         points_.push_back(point(l, i));
-        box.extend(points_.back().place);
       }
     }
-    if (!box.isEmpty()) box.sizes().maxCoeff(&axis_);
-    std::sort(points_.begin(), points_.end(),
-              [&](const RimPoint& a, const RimPoint& b) { return look_(), a.place[axis_] < b.place[axis_]; });
+    std::vector<Eigen::Vector3d> places;
+    for (const RimPoint& p : points_) places.push_back(p.place);
+    tree_.emplace(std::move(places));
   }
 
   /// The area of the strip between rim `l` and those that follow it, whose surfaces are joined with its own; `most` if that is no less.
-  double area(std::size_t l, double most, Joined& joined) {
+  double area(std::size_t l, double most, DisjointSets& joined) {
     const std::vector<int>& rim = loops_[l].vertices;
     if (!loops_[l].returns) return most;
     double length = 0;
@@ -69,12 +52,13 @@ class Slits {
     double width = 0;
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < rim.size(); ++i) {
-      const auto [distance, other] = nearest(point(l, i), most / length);
-      if (!(distance * length < most)) return most;
-      width = std::max(width, distance);
-      others.push_back(other);
+      const RimPoint p = point(l, i);
+      const RimPoint* other = nearest(p, most / length);
+      if (!other) return most;
+      width = std::max(width, (other->place - p.place).norm());
+      others.push_back(other->loop);
     }
-    for (const std::size_t other : others) joined.join(at(loops_[l].surface), at(loops_[other].surface));
+    for (const std::size_t other : others) joined.join(loops_[l].surface, loops_[other].surface);
     return width * length;
   }
 
@@ -85,30 +69,20 @@ class Slits {
     return {vertices_[at(rim[i])], vertices_[at(rim[next])] - vertices_[at(rim[previous])], l};
   }
 
-  /// Distance and loop of the nearest point of another rim that runs the other way; infinity if there is none within `limit`.
-  std::pair<double, std::size_t> nearest(const RimPoint& p, double limit) {
-    std::pair<double, std::size_t> best{std::numeric_limits<double>::infinity(), p.loop};
-    const auto start =
-        std::lower_bound(points_.begin(), points_.end(), p.place[axis_], [&](const RimPoint& q, double x) { return q.place[axis_] < x; });
-    const auto try_it = [&](const RimPoint& q) {
+  /// The nearest point of another rim that runs the other way; null if there is none within `limit`.
+  const RimPoint* nearest(const RimPoint& p, double limit) {
+    const auto other = tree_->nearest(p.place, limit, kMostTried, [&](std::size_t i) {
       look_();
-      if (std::abs(q.place[axis_] - p.place[axis_]) > std::min(limit, best.first)) return false;
-      const double distance = (q.place - p.place).norm();
-      if (q.loop != p.loop && q.direction.dot(p.direction) < 0 && distance < best.first) best = {distance, q.loop};
-      return true;
-    };
-    for (auto q = start; q != points_.end() && try_it(*q); ++q) {
-    }
-    for (auto q = start; q != points_.begin() && try_it(*std::prev(q)); --q) {
-    }
-    return best;
+      return points_[i].loop != p.loop && points_[i].direction.dot(p.direction) < 0;
+    });
+    return other ? &points_[*other] : nullptr;
   }
 
   const std::vector<Eigen::Vector3d>& vertices_;
   const std::vector<BoundaryLoop>& loops_;
   Looks look_;
   std::vector<RimPoint> points_;
-  Eigen::Index axis_ = 0;
+  std::optional<PointTree> tree_;  // of their places
 };
 
 }  // namespace
@@ -117,13 +91,14 @@ std::vector<char> closedButForSlits(const std::vector<Eigen::Vector3d>& vertices
                                     const std::vector<double>& area, const RunControl& control) {
   const std::vector<BoundaryLoop> loops = boundaryLoops(vertices.size(), std::move(boundary), control);
   Slits slits(vertices, loops, control);
-  Joined joined(area.size());
+  DisjointSets joined(area.size());
   std::vector<double> open(area.size(), 0), openings, areas(area.size(), 0);
   for (std::size_t l = 0; l < loops.size(); ++l) openings.push_back(slits.area(l, fanArea(vertices, loops[l].vertices), joined));
-  for (std::size_t l = 0; l < loops.size(); ++l) open[joined.root(at(loops[l].surface))] += openings[l];
-  for (std::size_t s = 0; s < area.size(); ++s) areas[joined.root(s)] += area[s];
+  const auto whole = [&](std::size_t surface) { return at(joined.find(static_cast<int>(surface))); };
+  for (std::size_t l = 0; l < loops.size(); ++l) open[whole(at(loops[l].surface))] += openings[l];
+  for (std::size_t s = 0; s < area.size(); ++s) areas[whole(s)] += area[s];
   std::vector<char> closed;
-  for (std::size_t s = 0; s < area.size(); ++s) closed.push_back(open[joined.root(s)] < kSmallOpening * areas[joined.root(s)]);
+  for (std::size_t s = 0; s < area.size(); ++s) closed.push_back(open[whole(s)] < kSmallOpening * areas[whole(s)]);
   return closed;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "box_with_slit.h"
 #include "collision_hulls/measure/measures.h"
 #include "geometry/hull_support.h"
 #include "octahedron.h"
@@ -188,33 +189,9 @@ TEST(Protrusion, WhatTheSurfaceLeavesFreeIsWithinAShareOfTheWayToTheMiddle) {
   }
 }
 
-/// A box [-1, 2] x [-1, 1] x [-1, 0] with a slit along the x axis in its top, 20 um wide: a crack.
-TriangleMesh boxWithSlit() {
-  constexpr double kSide = 1e-5;
-  enum { kStart, kFirst, kSecond, kEnd, kThird, kFourth, kA, kB, kC, kD, kE, kF, kG, kH };
-  return {{{0, 0, 0},
-           {0.02, -kSide, 0},
-           {0.97, -kSide, 0},
-           {1, 0, 0},
-           {0.98, kSide, 0},
-           {0.01, kSide, 0},
-           {-1, -1, 0},
-           {2, -1, 0},
-           {2, 1, 0},
-           {-1, 1, 0},
-           {-1, -1, -1},
-           {2, -1, -1},
-           {2, 1, -1},
-           {-1, 1, -1}},
-          {{kA, kB, kSecond},     {kA, kSecond, kFirst}, {kA, kFirst, kStart},  {kB, kEnd, kSecond}, {kC, kD, kFourth},
-           {kC, kFourth, kThird}, {kC, kThird, kEnd},    {kD, kStart, kFourth}, {kD, kA, kStart},    {kB, kC, kEnd},
-           {kE, kF, kB},          {kE, kB, kA},          {kF, kG, kC},          {kF, kC, kB},        {kG, kH, kD},
-           {kG, kD, kC},          {kH, kE, kA},          {kH, kA, kD},          {kE, kG, kF},        {kE, kH, kG}}};
-}
-
 // A blade through a crack meets no surface, and its middle is inside; what stands out of it is not. As below, its triangles are taken away.
 TEST(Protrusion, AHullThroughACrackIsNotLeftFree) {
-  const Solid solid = solidOf(boxWithSlit());
+  const Solid solid = solidOf(test_shapes::boxWithSlit(1e-5));
   ASSERT_FALSE(solid.hasOpenings());
   ASSERT_GT(solid.sideError(), 0);
   ASSERT_TRUE(solid.contains({0.5, 0, -0.15}));

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "box_with_slit.h"
 #include "octahedron.h"
 #include "solids.h"
 #include "verify/round_shapes.h"
@@ -14,29 +15,6 @@ namespace collision_hulls {
 namespace {
 
 using namespace test_shapes;
-
-/// A box [-1, 2] x [-1, 1] x [-1, 0] with a slit along the x axis in its top: a crack.
-TriangleMesh boxWithSlit(double half_width) {
-  enum { kStart, kFirst, kSecond, kEnd, kThird, kFourth, kA, kB, kC, kD, kE, kF, kG, kH };
-  return {{{0, 0, 0},
-           {0.02, -half_width, 0},
-           {0.97, -half_width, 0},
-           {1, 0, 0},
-           {0.98, half_width, 0},
-           {0.01, half_width, 0},
-           {-1, -1, 0},
-           {2, -1, 0},
-           {2, 1, 0},
-           {-1, 1, 0},
-           {-1, -1, -1},
-           {2, -1, -1},
-           {2, 1, -1},
-           {-1, 1, -1}},
-          {{kA, kB, kSecond},     {kA, kSecond, kFirst}, {kA, kFirst, kStart},  {kB, kEnd, kSecond}, {kC, kD, kFourth},
-           {kC, kFourth, kThird}, {kC, kThird, kEnd},    {kD, kStart, kFourth}, {kD, kA, kStart},    {kB, kC, kEnd},
-           {kE, kF, kB},          {kE, kB, kA},          {kF, kG, kC},          {kF, kC, kB},        {kG, kH, kD},
-           {kG, kD, kC},          {kH, kE, kA},          {kH, kA, kD},          {kE, kG, kF},        {kE, kH, kG}}};
-}
 
 /// A block around that box with a trench in its top above the slit, whose sides meet at right angles at `depth` below z = 0.
 TriangleMesh blockWithTrench(double depth) {

@@ -88,7 +88,9 @@ struct RepairedMesh {
 /// Walls inside, such as a partition across a box: if a component has open edges on fins only, but
 /// is not balanced where patches meet, the patches are left out that do not border its outer space,
 /// or do so on both sides. What remains, turned to face the outer space, is closed, and encloses
-/// all that the component separates from the outer space. A component that so encloses only a
+/// all that the component separates from the outer space. A wall that crosses the skin makes one
+/// space of both, so the same is tried without patches, smallest first, that leave fewer edges with
+/// an odd number of triangles, and what encloses more counts. A component that so encloses only a
 /// negligible volume stays as it was.
 ///
 /// An open component without its fins is kWinding if the fans that close its boundary loops (each

@@ -151,6 +151,24 @@ TEST(InnerWalls, LargerThanWhatTheyDivide) {
   expectSolid(mesh, 40, area(builder.mesh()));
 }
 
+TEST(InnerWalls, ThatCrossTheSkin) {
+  // The top of the box bulges at one end and is dented at the other: a flat wall across its rim begins inside and ends outside.
+  const double height = 0.25;
+  TriangleMesh mesh = faces({2, 2, 2}, 1);
+  const Point bulge(2.0 / 3, 1, 2 + height), dent(4.0 / 3, 1, 2 - height);
+  const std::vector<Point> rim{{0, 0, 2}, {1, 0, 2}, {2, 0, 2}, {2, 1, 2}, {2, 2, 2}, {1, 2, 2}, {0, 2, 2}, {0, 1, 2}};
+  MeshBuilder top;
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const std::size_t next = (i + 1) % rim.size();
+    top.triangle(rim[i], rim[next], i >= 1 && i < 5 ? dent : bulge);
+  }
+  top.triangle(rim[1], dent, bulge);
+  top.triangle(rim[5], bulge, dent);
+  append(mesh, top.mesh());
+  append(mesh, rectangle({0, 0, 2}, {2, 0, 0}, {0, 2, 0}, 2));
+  expectSolid(mesh, 8, 4);
+}
+
 TEST(InnerWalls, ABodyThatStandsOnAWallInsideIsInside) {
   TriangleMesh mesh = test_shapes::subdivided(faces({4, 4, 4}), 2);
   append(mesh, rectangle({0, 0, 2}, {4, 0, 0}, {0, 4, 0}, 4));

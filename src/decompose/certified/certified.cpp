@@ -4,7 +4,6 @@
 // So pieces are split until every hull fits (top down), hulls are merged while their union still fits (bottom up), and a search dissolves
 // and merges again. Splitting alone leaves slivers that merging picks up; merging alone would need leaves that somebody has split well.
 //
-//   surface = tidied(mesh)                   tidy_surface.h: however it was triangulated
 //   for each way to split (a score for planes, and how much of the tolerance leaves may use):
 //     leaves = splitIntoLeaves()             splitting.h
 //     cover  = mergedBest(leaves)            merging.h; with Effort::kBest, improved() a little
@@ -47,7 +46,6 @@
 #include "decompose/certified/lower_bound.h"
 #include "decompose/certified/merging.h"
 #include "decompose/certified/place.h"
-#include "decompose/certified/tidy_surface.h"
 #include "decompose/certified/tree_building.h"
 #include "decompose/certified/unproved_tree.h"
 #include "decompose/finest_tolerance.h"
@@ -65,8 +63,6 @@ constexpr double kMoreLeaves = 1.5;
 constexpr ScoreWeights kLargeSides{0.5, 0.3, 0}, kAnySide{0.5, 0, 0.1}, kLittleVolume{0.1, 0, 0};
 // Quick: the second and the third way are tried only if the best cover so far has no more hulls than this, when every hull counts.
 constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max(), kFew = 24, kVeryFew = 10;
-// What counts as flat, as a share of the largest coordinate, and at most as a share of the tolerance.
-constexpr double kFlatByRounding = 1e-7, kMostFlat = 0.01;
 // Multiples of the tolerance that are tried before it where there is a deadline.
 constexpr double kCoarsest = 16, kCoarser = 4;
 // Evaluations of the search, and for Effort::kBest the elements that leaves are halved into and the evaluations after each way of
@@ -95,15 +91,6 @@ struct Plan {
   long first_evaluations = 0;  // evaluations for the search after each way of splitting,
   long evaluations = 0;        // and for the final search on the best cover
 };
-
-/// [m] How flat a face is that is flat but for rounding to single precision, as files have it.
-double flatOf(const RepairedMesh& mesh, const DecomposeOptions& options) {
-  const Eigen::AlignedBox3d box = boundingBox(mesh);
-  const double furthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  double flat = std::min(kFlatByRounding * furthest, kMostFlat * options.tolerance);
-  for (const Region& region : options.regions) flat = std::min(flat, kMostFlat * region.tolerance);
-  return flat;
-}
 
 Plan planFor(Effort effort) {
   if (effort == Effort::kInstant) return {{{kLargeSides}}, 0, 0, 0};
@@ -135,7 +122,6 @@ class Job {
         tolerance_(options.tolerance),
         least_(least),
         control_(control),
-        surface_(tidied(withLoose(mesh_), flatOf(original, options), control)),
         solid_(mesh_, solid, control),
         oracle_(solid_, boundingBox(mesh_), options.tolerance, searching_, options_.regions) {
     searching_.whole = &control;
@@ -350,7 +336,7 @@ class Job {
   std::optional<HalfSpace> largestSideOfAll() {
     oracle_.setShare(kLargeLeafShare);
     std::optional<HalfSpace> result;
-    inTime([&] { result = largestSide(surface_, oracle_); });
+    inTime([&] { result = largestSide(withLoose(mesh_), oracle_); });
     oracle_.setShare(1);
     return result;
   }
@@ -359,7 +345,7 @@ class Job {
                            const std::function<void(double)>& progress) {
     oracle_.setShare(way.leaf_share);
     const SplitOptions options{way.weights, options_.max_vertices, options_.fill, most, largest_side};
-    std::vector<Leaf> leaves = splitIntoLeaves(surface_, oracle_, options, progress);
+    std::vector<Leaf> leaves = splitIntoLeaves(mesh_, oracle_, options, progress);
     oracle_.setShare(1);
     return leaves;
   }
@@ -382,8 +368,7 @@ class Job {
   double tolerance_;  // [m] of the cover that is made
   LowerBound& least_;
   const RunControl& control_;
-  RunControl searching_;        // ends at the deadline
-  const SurfacePiece surface_;  // to split
+  RunControl searching_;  // ends at the deadline
   const Solid solid_;
   ProtrusionOracle oracle_;
   std::unique_ptr<SurfaceGroups> groups_;  // of the best cover

@@ -29,6 +29,7 @@
 #include "decompose/certified/largest_side.h"
 #include "decompose/certified/split_planes.h"
 #include "geometry/lean.h"
+#include "mesh/loose_segments.h"
 
 namespace collision_hulls {
 
@@ -235,15 +236,16 @@ class Splitting {
 
 }  // namespace
 
-std::vector<Leaf> splitIntoLeaves(const SurfacePiece& surface, ProtrusionOracle& oracle, const SplitOptions& options,
+std::vector<Leaf> splitIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& oracle, const SplitOptions& options,
                                   const std::function<void(double)>& progress) {
-  Done done(area(surface), progress);
-  const Eigen::AlignedBox3d box = boundingBox(surface);
+  SurfacePiece whole = withLoose(mesh);
+  Done done(area(whole), progress);
   // Where only the surface counts, faces along a plane need not be cut by it because their vertices are not quite in it.
-  const double on_plane = options.fill ? kOnPlane * box.sizes().maxCoeff() : kAlongPlane * oracle.tolerance();
-  Splitting splitting(oracle, options, on_plane, std::max(kApart, surface.triangles.size() / kShares), kMostLeaves, done);
+  const double on_plane = options.fill ? kOnPlane * boundingBox(whole).sizes().maxCoeff() : kAlongPlane * oracle.tolerance();
+  Splitting splitting(oracle, options, on_plane, std::max(kApart, whole.triangles.size() / kShares), kMostLeaves, done);
+  const Cell cell = options.fill ? Cell(boundingBox(whole), oracle.solid()) : Cell();
   std::vector<Block> blocks;
-  blocks.push_back({surface, options.fill ? Cell(box, oracle.solid()) : Cell()});
+  blocks.push_back({std::move(whole), cell});
   splitting.run(std::move(blocks), 0);
   return std::move(splitting.leaves);
 }

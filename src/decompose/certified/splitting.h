@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "collision_hulls/mesh/repair.h"
 #include "decompose/certified/block.h"
 #include "decompose/certified/plane_score.h"
 #include "decompose/certified/protrusion_oracle.h"
@@ -32,11 +33,10 @@ struct Leaf {
   bool fits = false;                                    ///< no: it could not be split further, or not in time
 };
 
-/// Splits a surface into leaves whose blocks make up all of it. By the oracle's account each hull
-/// stays within the tolerance, unless its piece could not be split further, or the deadline of the
-/// oracle's control passed. The order is fixed. Calls `progress` with the finished share of the
-/// area.
-std::vector<Leaf> splitIntoLeaves(const SurfacePiece& surface, ProtrusionOracle& oracle, const SplitOptions& options,
+/// Splits a mesh into leaves whose blocks make up the whole surface (including loose segments). By
+/// the oracle's account each hull stays within the tolerance, unless its piece could not be split
+/// further, or the deadline of the oracle's control passed. The order is fixed. Calls `progress` with the finished share of the area.
+std::vector<Leaf> splitIntoLeaves(const RepairedMesh& mesh, ProtrusionOracle& oracle, const SplitOptions& options,
                                   const std::function<void(double)>& progress);
 
 }  // namespace collision_hulls

@@ -28,7 +28,7 @@ std::vector<ConvexHull> hullsOf(const std::vector<Leaf>& leaves) {
 std::vector<Leaf> checkedLeaves(const TriangleMesh& mesh, double share, const SplitOptions& options = {}) {
   Subject subject(mesh, share * diagonal(mesh));
   double done = 0;
-  const std::vector<Leaf> leaves = splitIntoLeaves(withLoose(subject.mesh), subject.oracle, options, [&](double part) {
+  const std::vector<Leaf> leaves = splitIntoLeaves(subject.mesh, subject.oracle, options, [&](double part) {
     EXPECT_GE(part, done);
     done = part;
   });
@@ -53,7 +53,7 @@ TEST(Splitting, LoosePointsAreLeaves) {
   const RunControl control;
   const Solid solid(mesh);
   ProtrusionOracle oracle(solid, boundingBox(mesh), 0.1, control);
-  const std::vector<Leaf> leaves = splitIntoLeaves(withLoose(mesh), oracle, {}, [](double) {});
+  const std::vector<Leaf> leaves = splitIntoLeaves(mesh, oracle, {}, [](double) {});
   ASSERT_EQ(leaves.size(), 3u);
   for (const Segment& point : mesh.loose) {
     const std::vector<Eigen::Vector3d> own{point[0]};
@@ -121,7 +121,7 @@ TEST(Splitting, IgnoresNoPointOfALargePiece) {
     TriangleMesh mesh = ball;
     mesh.vertices[3] *= spike;  // not in the selection tried first
     Subject subject(mesh, 0.05 * diagonal(mesh));
-    const std::vector<Leaf> leaves = splitIntoLeaves(withLoose(subject.mesh), subject.oracle, {}, [](double) {});
+    const std::vector<Leaf> leaves = splitIntoLeaves(subject.mesh, subject.oracle, {}, [](double) {});
     EXPECT_EQ(leaves.size() > 1, spike > 1);
     for (const Leaf& leaf : leaves) {
       EXPECT_TRUE(subject.oracle.fits(leaf.hull));
@@ -150,7 +150,7 @@ TEST(Splitting, IsDeterministic) {
 TEST(Splitting, CanBeCancelled) {
   Subject subject(torus(1, 0.3, 16, 8), 0.1);
   const auto cancel = [&](double) { subject.control.cancel(); };
-  EXPECT_THROW(splitIntoLeaves(withLoose(subject.mesh), subject.oracle, {}, cancel), Error);
+  EXPECT_THROW(splitIntoLeaves(subject.mesh, subject.oracle, {}, cancel), Error);
 }
 
 // An L has its inner corner at x = y = 0.1; the plane through it that bisects the angle separates the walls.

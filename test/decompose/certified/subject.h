@@ -21,7 +21,7 @@ struct Subject {
       : mesh(repair(original)), solid(mesh), oracle(solid, boundingBox(mesh), tolerance, control) {}
 
   std::vector<Leaf> leaves(const SplitOptions& options = {}) {
-    return splitIntoLeaves(withLoose(mesh), oracle, options, [](double) {});
+    return splitIntoLeaves(mesh, oracle, options, [](double) {});
   }
   double protrusionOf(const std::vector<ConvexHull>& hulls) const { return protrusion(hulls, solid, 0.001 * oracle.tolerance()).bound; }
 

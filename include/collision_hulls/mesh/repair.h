@@ -90,8 +90,9 @@ struct RepairedMesh {
 /// or do so on both sides. What remains, turned to face the outer space, is closed, and encloses
 /// all that the component separates from the outer space. A wall that crosses the skin makes one
 /// space of both, so the same is tried without patches, smallest first, that leave fewer edges with
-/// an odd number of triangles, and what encloses more counts. A component that so encloses only a
-/// negligible volume stays as it was.
+/// an odd number of triangles, and what encloses more counts. Parts of the skin may cross each other
+/// at an edge that they share. A component that so encloses only a negligible volume, or less than
+/// a tenth of what its triangles do as they are, stays as it was.
 ///
 /// An open component without its fins is kWinding if the fans that close its boundary loops (each
 /// about the loop's centre) are below a tenth of its area, else kSurface. A mesh with only

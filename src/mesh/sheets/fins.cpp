@@ -4,12 +4,12 @@
 #include "mesh/sheets/fins.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include "base/at.h"
 #include "base/looks.h"
 #include "mesh/boundary.h"
+#include "mesh/sheets/meetings.h"
 
 namespace collision_hulls {
 namespace {
@@ -22,6 +22,7 @@ class Fins {
         patch_(oriented.patch),
         control_(control),
         look_(control),
+        meetings_(mesh, edges, oriented, look_),
         is_fin_(oriented.patches, 1),
         is_wall_(oriented.patches, 1) {
     std::vector<char> is_open(is_fin_.size(), 0), hangs(is_fin_.size(), 0);
@@ -31,9 +32,7 @@ class Fins {
       if (twin >= 0) continue;
       boundary_.push_back(boundaryEdge(mesh, h, oriented.turn, patch_));
       (twin == Edges::kOpen ? is_open : hangs)[at(patch_[at(h / 3)])] = 1;
-      if (twin == Edges::kNonManifold) meeting_.push_back(boundary_.back());
     }
-    std::sort(meeting_.begin(), meeting_.end(), [&](const auto& a, const auto& b) { return look_(), edgeOf(a) < edgeOf(b); });
     for (std::size_t t = 0; t < patch_.size(); ++t)
       if (surplus[t] != 0) is_wall_[at(patch_[t])] = 0;
     for (std::size_t p = 0; p < is_fin_.size(); ++p) {
@@ -54,49 +53,26 @@ class Fins {
   }
 
  private:
-  using Edge = std::array<int, 2>;
-  static Edge edgeOf(const BoundaryEdge& e) { return {std::min(e.from, e.to), std::max(e.from, e.to)}; }
-  static int direction(const BoundaryEdge& e) { return e.from < e.to ? 1 : -1; }
-
-  /// The halves at one edge.
-  struct Halves {
-    std::vector<BoundaryEdge>::const_iterator first, last;
-    auto begin() const { return first; }
-    auto end() const { return last; }
-  };
-
-  /// Calls visit() with the halves at each non-manifold edge.
-  template <class Visit>
-  void forEachMeeting(Visit visit) {
-    for (auto first = meeting_.cbegin(); first != meeting_.cend();) {
-      look_();
-      const auto last = std::find_if(first, meeting_.cend(), [&](const BoundaryEdge& e) { return edgeOf(e) != edgeOf(*first); });
-      visit(Halves{first, last});
-      first = last;
-    }
-  }
-
   void excludeThoseThatSurfacesNeed() {
-    forEachMeeting([&](const Halves& halves) {
-      std::map<int, int> surplus;  // by patch
-      int sum = 0;
-      for (const BoundaryEdge& half : halves) surplus[half.surface] += direction(half), sum += direction(half);
-      for (const auto& [patch, own] : surplus)
-        if (sum != own) is_fin_[at(patch)] = 0;
+    meetings_.forEach([&](const Meetings::Halves& halves) {
+      std::map<int, int> own_sum;  // by patch
+      for (const MeetingHalf& half : halves) own_sum[half.patch] += half.direction;
+      for (const auto& [patch, own] : own_sum)
+        if (sumOfDirections(halves) != own) is_fin_[at(patch)] = 0;
     });
   }
 
   /// Whether it excluded any.
   bool excludeWallsThatSurfacesNeed() {
     bool any = false;
-    forEachMeeting([&](const Halves& halves) {
+    meetings_.forEach([&](const Meetings::Halves& halves) {
       int sum = 0;
-      for (const BoundaryEdge& half : halves)
-        if (!is_wall_[at(half.surface)]) sum += direction(half);
-      for (const BoundaryEdge& half : halves) {
+      for (const MeetingHalf& half : halves)
+        if (!is_wall_[at(half.patch)]) sum += half.direction;
+      for (const MeetingHalf& half : halves) {
         if (sum == 0) break;
-        any = any || is_wall_[at(half.surface)];
-        is_wall_[at(half.surface)] = 0;
+        any = any || is_wall_[at(half.patch)];
+        is_wall_[at(half.patch)] = 0;
       }
     });
     return any;
@@ -105,14 +81,14 @@ class Fins {
   /// Walls that hang only on each other are a surface all of whose triangles face both ways.
   void excludeWallsOfNothingElse() {
     std::vector<char> hangs(is_wall_.size(), 0);
-    const auto holds = [&](const BoundaryEdge& half) { return !is_wall_[at(half.surface)] || hangs[at(half.surface)]; };
+    const auto holds = [&](const MeetingHalf& half) { return !is_wall_[at(half.patch)] || hangs[at(half.patch)]; };
     for (bool any = true; any;) {
       any = false;
-      forEachMeeting([&](const Halves& halves) {
+      meetings_.forEach([&](const Meetings::Halves& halves) {
         if (!std::any_of(halves.begin(), halves.end(), holds)) return;
-        for (const BoundaryEdge& half : halves) {
+        for (const MeetingHalf& half : halves) {
           any = any || !holds(half);
-          hangs[at(half.surface)] = 1;
+          hangs[at(half.patch)] = 1;
         }
       });
     }
@@ -131,10 +107,10 @@ class Fins {
   const std::vector<int>& patch_;  // per triangle
   const RunControl& control_;
   Looks look_;
+  const Meetings meetings_;
   std::vector<char> is_fin_;   // per patch: not excluded yet,
   std::vector<char> is_wall_;  // the same, as a wall shared by two solids
   std::vector<BoundaryEdge> boundary_;
-  std::vector<BoundaryEdge> meeting_;  // at non-manifold edges, sorted by edge
 };
 
 }  // namespace

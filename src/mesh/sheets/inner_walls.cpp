@@ -6,7 +6,11 @@
 // for each space, by a union-find over the edges where patches meet. A space's volume is that within its patches: positive for a space
 // that is enclosed, and negative for the outer one, since the volumes of all spaces of a component sum to zero. The space with the least
 // volume is therefore the outer one, and what is enclosed is as large as it can be. Patches with one side there are the skin, all others
-// lie inside or hang outside.
+// lie inside or hang outside. Fins take no part.
+//
+// Parts of a surface that touch along an edge may cross there, as decimation leaves them, and the order of angle then takes the inside of
+// one for the outside of another. So where the triangles at an edge are balanced, they are ordered among those between the same two winding
+// numbers.
 //
 // The skin is closed whatever the mesh is, even where it crosses itself: around each edge, skin lies between a sector of the outer space
 // and one of another space. Such sectors alternate, so the skin, once it faces the outer space, uses the edge equally often in both
@@ -14,7 +18,8 @@
 //
 // A wall that crosses the skin, though, borders the inner space at one of its edges and the outer one at another. That joins the two, and
 // hardly anything is enclosed. So walls are looked for in a second way as well, by what is closed without them (left_out.h), and of the
-// two results that which encloses more counts.
+// two results that which encloses more counts. A component of which neither encloses much has openings rather than walls, and stays as it
+// is.
 //
 // Near-linear: the halves of edges are sorted. To try all sets of walls, and to compare volumes, would take exponential time.
 #include "mesh/sheets/inner_walls.h"
@@ -23,7 +28,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -32,60 +36,19 @@
 #include "base/looks.h"
 #include "mesh/boundary.h"
 #include "mesh/sheets/left_out.h"
+#include "mesh/sheets/meetings.h"
 
 namespace collision_hulls {
 namespace {
 
-constexpr double kMore = 1.01;  // times what the first way encloses: with less, it is the same solid
+constexpr double kMore = 1.01;       // times what the first way encloses: with less, it is the same solid
+constexpr double kLeastShare = 0.1;  // of what a component's triangles enclose as they are: with less, its spaces were told apart wrongly
 
-/// A half-edge where patches meet.
-struct MeetingHalf {
-  int low, high;  // ends
-  int half_edge;
-  int direction;  // 1: from low to high
-  double angle;   // [rad] of its triangle around the edge, seen against the direction from low to high
-
-  auto edge() const { return std::tie(low, high); }
-};
-
-/// Where patches meet: by edge, then in order of angle.
-class Meetings {
- public:
-  Meetings(const TriangleMesh& mesh, const Edges& edges, const OrientedPatches& oriented, Looks& look) : look_(look) {
-    for (int h = 0; h < static_cast<int>(edges.twin.size()); ++h)
-      if (look(); edges.twin[at(h)] == Edges::kNonManifold) halves_.push_back(meetingHalf(mesh, oriented, h));
-    std::sort(halves_.begin(), halves_.end(), [&](const MeetingHalf& a, const MeetingHalf& b) {
-      look();
-      return std::tie(a.low, a.high, a.angle, a.half_edge) < std::tie(b.low, b.high, b.angle, b.half_edge);
-    });
-  }
-
-  /// Calls visit() with the halves at each edge, in order of angle, without those of triangles that are left out.
-  template <class LeftOut, class Visit>
-  void forEach(const LeftOut& is_left_out, const Visit& visit) const {
-    std::vector<MeetingHalf> here;
-    for (std::size_t i = 0; i < halves_.size(); ++i) {
-      look_();
-      if (!is_left_out(halves_[i].half_edge / 3)) here.push_back(halves_[i]);
-      const bool is_last = i + 1 == halves_.size() || halves_[i + 1].edge() != halves_[i].edge();
-      if (is_last && !here.empty()) visit(here);
-      if (is_last) here.clear();
-    }
-  }
-
- private:
-  static MeetingHalf meetingHalf(const TriangleMesh& mesh, const OrientedPatches& oriented, int h) {
-    const BoundaryEdge e = boundaryEdge(mesh, h, oriented.turn, oriented.patch);
-    const int low = std::min(e.from, e.to), high = std::max(e.from, e.to);
-    const Eigen::Vector3d along = (mesh.vertices[at(high)] - mesh.vertices[at(low)]).normalized();
-    const Eigen::Vector3d u = along.unitOrthogonal(), v = along.cross(u);
-    const Eigen::Vector3d across = mesh.corner(h / 3, (h + 2) % 3) - mesh.vertices[at(low)];
-    return {low, high, h, e.from == low ? 1 : -1, std::atan2(v.dot(across), u.dot(across))};
-  }
-
-  Looks& look_;
-  std::vector<MeetingHalf> halves_;
-};
+/// [m^3] Between the back of a triangle, as it is turned, and `origin`.
+double volumeBehind(const TriangleMesh& mesh, const OrientedPatches& oriented, int t, const Eigen::Vector3d& origin) {
+  const Eigen::Vector3d a = mesh.corner(t, 0) - origin, b = mesh.corner(t, 1) - origin, c = mesh.corner(t, 2) - origin;
+  return (oriented.turn[at(t)] ? -1 : 1) * a.cross(b).dot(c) / 6;
+}
 
 /// The spaces on either side of all patches but those that are left out.
 class Division {
@@ -113,19 +76,16 @@ class Division {
  private:
   int count() const { return static_cast<int>(mesh_.triangles.size()); }
   bool isLeftOut(int t) const { return left_out_[at(oriented_.patch[at(t)])] != 0; }
-  // Side 2 p is the front of patch p, 2 p + 1 its back.
-  int frontOf(int t) const { return 2 * oriented_.patch[at(t)]; }
-  int backOf(int t) const { return frontOf(t) + 1; }
+  static int front(int patch) { return 2 * patch; }
+  static int back(int patch) { return 2 * patch + 1; }
+  int frontOf(int t) const { return front(oriented_.patch[at(t)]); }
+  int backOf(int t) const { return back(oriented_.patch[at(t)]); }
   bool isOuter(int t, int side) { return spaces_.find(side) == outer_[at(edges_.component[at(t)])]; }
 
   void joinSides(const Meetings& meetings) {
-    meetings.forEach([&](int t) { return isLeftOut(t); },
-                     [&](const std::vector<MeetingHalf>& here) {
-                       for (std::size_t i = 0; i < here.size(); ++i) {
-                         const MeetingHalf &half = here[i], &next = here[(i + 1) % here.size()];
-                         const int t = half.half_edge / 3, of_next = next.half_edge / 3;
-                         spaces_.join(half.direction > 0 ? frontOf(t) : backOf(t), next.direction > 0 ? backOf(of_next) : frontOf(of_next));
-                       }
+    meetings.forEach([&](const MeetingHalf& half) { return left_out_[at(half.patch)] != 0; },
+                     [&](const Meetings::Halves& here) {
+                       for (const auto& [level, ring] : rings(byAngle(here))) joinAround(ring);
                      });
     for (int h = 0; h < 3 * count(); ++h) {
       look_();
@@ -135,13 +95,51 @@ class Division {
     }
   }
 
+  /// [rad] Of a half-edge's triangle around the edge, seen against the direction from its low end to its high end.
+  double angleOf(const MeetingHalf& half) const {
+    const Eigen::Vector3d& low = mesh_.vertices[at(half.low)];
+    const Eigen::Vector3d along = (mesh_.vertices[at(half.high)] - low).normalized();
+    const Eigen::Vector3d u = along.unitOrthogonal(), v = along.cross(u);
+    const Eigen::Vector3d across = mesh_.corner(half.half_edge / 3, (half.half_edge + 2) % 3) - low;
+    return std::atan2(v.dot(across), u.dot(across));
+  }
+
+  Meetings::Halves byAngle(const Meetings::Halves& here) const {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < here.size(); ++i) order.emplace_back(angleOf(here[i]), i);
+    std::sort(order.begin(), order.end());
+    Meetings::Halves result;
+    for (const auto& [angle, i] : order) result.push_back(here[i]);
+    return result;
+  }
+
+  /// What faces each other around an edge. Where the halves are balanced, they are those between the same two winding numbers: the
+  /// triangles there are pieces of as many surfaces as there are such pairs, which may cross each other.
+  static std::map<int, Meetings::Halves> rings(const Meetings::Halves& by_angle) {
+    if (sumOfDirections(by_angle) != 0) return {{0, by_angle}};
+    std::map<int, Meetings::Halves> result;
+    int level = 0;  // relative to the winding number before the first half
+    for (const MeetingHalf& half : by_angle) {
+      result[half.direction > 0 ? level : level + 1].push_back(half);
+      level -= half.direction;
+    }
+    return result;
+  }
+
+  void joinAround(const Meetings::Halves& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      look_();
+      const MeetingHalf &half = ring[i], &next = ring[(i + 1) % ring.size()];
+      spaces_.join(half.direction > 0 ? front(half.patch) : back(half.patch), next.direction > 0 ? back(next.patch) : front(next.patch));
+    }
+  }
+
   void findOuterSpaces() {
     const Eigen::Vector3d origin = boundingBox(mesh_).center();
     for (int t = 0; t < count(); ++t) {
       look_();
       if (isLeftOut(t)) continue;
-      const Eigen::Vector3d a = mesh_.corner(t, 0) - origin, b = mesh_.corner(t, 1) - origin, c = mesh_.corner(t, 2) - origin;
-      const double behind = (oriented_.turn[at(t)] ? -1 : 1) * a.cross(b).dot(c) / 6;
+      const double behind = volumeBehind(mesh_, oriented_, t, origin);
       volume_[at(spaces_.find(backOf(t)))] += behind;
       volume_[at(spaces_.find(frontOf(t)))] -= behind;
     }
@@ -169,12 +167,18 @@ class Division {
 class InnerWalls {
  public:
   InnerWalls(const TriangleMesh& mesh, const Edges& edges, OrientedPatches& oriented, std::vector<char>& sheet, const RunControl& control)
-      : mesh_(mesh), edges_(edges), oriented_(oriented), sheet_(sheet), look_(control), meetings_(mesh, edges, oriented, look_) {}
+      : mesh_(mesh),
+        edges_(edges),
+        oriented_(oriented),
+        sheet_(sheet),
+        control_(control),
+        look_(control),
+        meetings_(mesh, edges, oriented, look_) {}
 
   void setApart() {
     const std::vector<char> wanted = findWanted();
     if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end()) return;
-    Division all(mesh_, edges_, oriented_, meetings_, std::vector<char>(oriented_.patches, 0), look_);
+    Division all(mesh_, edges_, oriented_, meetings_, fins(), look_);
     Division others(mesh_, edges_, oriented_, meetings_, leftOutOf(wanted), look_);
     std::vector<Division*> chosen(edges_.components, nullptr);
     for (std::size_t c = 0; c < chosen.size(); ++c)
@@ -198,15 +202,21 @@ class InnerWalls {
   /// Per component: whether it is to be divided.
   std::vector<char> findWanted() {
     std::vector<char> wanted(edges_.components, 0);
-    meetings_.forEach([&](int t) { return sheet_[at(t)] != 0; },
-                      [&](const std::vector<MeetingHalf>& here) {
-                        int sum = 0;
-                        for (const MeetingHalf& half : here) sum += half.direction;
-                        if (sum != 0) wanted[at(component(here[0].half_edge / 3))] = 1;
+    meetings_.forEach([&](const MeetingHalf& half) { return sheet_[at(half.half_edge / 3)] != 0; },
+                      [&](const Meetings::Halves& here) {
+                        if (sumOfDirections(here) != 0) wanted[at(component(here[0].half_edge / 3))] = 1;
                       });
     for (int h = 0; h < 3 * count(); ++h)
       if (look_(); edges_.twin[at(h)] == Edges::kOpen && !sheet_[at(h / 3)]) wanted[at(component(h / 3))] = 0;
     return wanted;
+  }
+
+  /// Per patch, 1 for fins.
+  std::vector<char> fins() {
+    std::vector<char> result(oriented_.patches, 0);
+    for (int t = 0; t < count(); ++t)
+      if (look_(); sheet_[at(t)]) result[at(oriented_.patch[at(t)])] = 1;
+    return result;
   }
 
   /// Per patch, in the second way.
@@ -214,18 +224,22 @@ class InnerWalls {
     std::vector<double> areas(oriented_.patches, 0);
     for (int t = 0; t < count(); ++t) look_(), areas[at(oriented_.patch[at(t)])] += triangleArea(mesh_, t);
     std::vector<std::vector<int>> edges;
-    meetings_.forEach([&](int t) { return sheet_[at(t)] != 0 || !wanted[at(component(t))]; },
-                      [&](const std::vector<MeetingHalf>& here) {
+    const auto is_unwanted = [&](int t) { return sheet_[at(t)] != 0 || !wanted[at(component(t))]; };
+    meetings_.forEach([&](const MeetingHalf& half) { return is_unwanted(half.half_edge / 3); },
+                      [&](const Meetings::Halves& here) {
                         std::map<int, int> uses;
-                        for (const MeetingHalf& half : here) ++uses[oriented_.patch[at(half.half_edge / 3)]];
+                        for (const MeetingHalf& half : here) ++uses[half.patch];
                         edges.emplace_back();
                         for (const auto& [patch, times] : uses)
                           if (times % 2 == 1) edges.back().push_back(patch);
                       });
-    return leftOut(edges, areas, look_);
+    std::vector<char> result = leftOut(edges, areas, look_);
+    const std::vector<char> is_fin = fins();
+    for (std::size_t p = 0; p < result.size(); ++p) result[p] = result[p] || is_fin[p];
+    return result;
   }
 
-  /// Components that enclose next to nothing stay as they are.
+  /// Components of which too little is enclosed stay as they are.
   void dropThoseWithoutSkin(std::vector<Division*>& chosen) {
     std::vector<double> area(chosen.size(), 0);
     for (int t = 0; t < count(); ++t) {
@@ -233,14 +247,34 @@ class InnerWalls {
       Division* const division = chosen[at(component(t))];
       if (division && division->isSkin(t)) area[at(component(t))] += triangleArea(mesh_, t);
     }
+    const std::vector<double> volume = volumes();
     for (std::size_t c = 0; c < chosen.size(); ++c)
-      if (chosen[c] && !(chosen[c]->enclosed(c) > kNilVolume * area[c] * std::sqrt(area[c]))) chosen[c] = nullptr;
+      if (chosen[c] && !(chosen[c]->enclosed(c) > std::max(kNilVolume * area[c] * std::sqrt(area[c]), kLeastShare * volume[c])))
+        chosen[c] = nullptr;
+  }
+
+  /// [m^3] Per component as it is, without fins: within its triangles and the fans over the edges that are not balanced.
+  std::vector<double> volumes() {
+    const Eigen::Vector3d origin = boundingBox(mesh_).center();
+    std::vector<double> result(edges_.components, 0);
+    for (int t = 0; t < count(); ++t)
+      if (look_(); !sheet_[at(t)]) result[at(component(t))] += volumeBehind(mesh_, oriented_, t, origin);
+    std::vector<BoundaryEdge> rim;
+    meetings_.forEach([&](const MeetingHalf& half) { return sheet_[at(half.half_edge / 3)] != 0; },
+                      [&](const Meetings::Halves& here) {
+                        for (const MeetingHalf& half : here)
+                          rim.push_back(boundaryEdge(mesh_, half.half_edge, oriented_.turn, edges_.component));
+                      });
+    const std::vector<Closure> closing = closures(mesh_.vertices, std::move(rim), edges_.components, origin, control_);
+    for (std::size_t c = 0; c < result.size(); ++c) result[c] += closing[c].volume;
+    return result;
   }
 
   const TriangleMesh& mesh_;
   const Edges& edges_;
   OrientedPatches& oriented_;
   std::vector<char>& sheet_;
+  const RunControl& control_;
   Looks look_;
   const Meetings meetings_;
 };

@@ -1,6 +1,6 @@
-// A queue of patches by area. One that is left out makes its odd edges even and the others odd. At the latter it may now help to leave out
-// what it met there, which is looked at again. Each step leaves fewer odd edges. O(n log n) in the patches at edges, but for edges where
-// very many meet.
+// A queue of patches by area. One that is left out, or put back, makes its odd edges even and the others odd. At the latter it may now help
+// to do the same with what it meets there, which is looked at again. Each step leaves fewer odd edges. O(n log n) in the patches at edges,
+// but for edges where very many meet.
 #include "mesh/sheets/left_out.h"
 
 #include <cstddef>
@@ -29,12 +29,11 @@ std::vector<char> leftOut(const std::vector<std::vector<int>>& edges, const std:
     std::size_t odd = 0;
     for (const std::size_t e : edges_of[at(patch)]) look(), odd += is_odd[e] ? 1 : 0;
     if (2 * odd <= edges_of[at(patch)].size()) continue;
-    left_out[at(patch)] = 1;
+    left_out[at(patch)] = !left_out[at(patch)];
     for (const std::size_t e : edges_of[at(patch)]) {
       is_odd[e] = !is_odd[e];
       if (!is_odd[e]) continue;
-      for (const int other : edges[e])
-        if (look(); !left_out[at(other)]) waiting.insert({areas[at(other)], other});
+      for (const int other : edges[e]) look(), waiting.insert({areas[at(other)], other});
     }
   }
   return left_out;

@@ -69,8 +69,8 @@ double sheetArea(const RepairedMesh& mesh) {
 }
 
 /// However its triangles are turned and ordered, the mesh is closed without the walls, and encloses the volume.
-void expectSolid(const TriangleMesh& mesh, double volume, double walls) {
-  for (unsigned seed = 0; seed < 5; ++seed) {
+void expectSolid(const TriangleMesh& mesh, double volume, double walls, unsigned orders = 5) {
+  for (unsigned seed = 0; seed < orders; ++seed) {
     const RepairedMesh repaired = repair(seed == 0 ? mesh : shuffled(mesh, seed));
     EXPECT_EQ(repaired.counts.open_edges, 0U) << "seed " << seed;
     EXPECT_EQ(interiorOf(repaired), Interior::kClosed) << "seed " << seed;
@@ -167,6 +167,44 @@ TEST(InnerWalls, ThatCrossTheSkin) {
   append(mesh, top.mesh());
   append(mesh, rectangle({0, 0, 2}, {2, 0, 0}, {0, 2, 0}, 2));
   expectSolid(mesh, 8, 4);
+}
+
+/// A divided box and another one that is turned about an edge of it, into it.
+TriangleMesh boxesThatCrossAtAnEdge() {
+  TriangleMesh turned = faces({2, 2, 2});
+  for (Point& p : turned.vertices) p = Eigen::AngleAxisd(0.5, Point::UnitZ()) * p;
+  return merged({dividedBox(1), turned});
+}
+
+TEST(InnerWalls, BesideABodyThatCrossesItAtAnEdge) {
+  expectSolid(boxesThatCrossAtAnEdge(), 16, 4, 1);  // which winding numbers lie around the edge, only the triangles' turns tell
+}
+
+TEST(InnerWalls, BesideAFinWhereBodiesCross) {
+  TriangleMesh mesh = boxesThatCrossAtAnEdge();
+  append(mesh, rectangle({0, 0, 0}, {0, 0, 2}, {-1, -1, 0}, 2));
+  const RepairedMesh repaired = repair(mesh);
+  EXPECT_EQ(interiorOf(repaired), Interior::kClosed);
+  EXPECT_NEAR(Solid(repaired).volume(), 16, 1e-12);
+  EXPECT_NEAR(sheetArea(repaired), 4 + 2 * std::sqrt(2.0), 1e-12);
+}
+
+TEST(InnerWalls, NoneWhereAFaceOfTwoBodiesWasGivenOnce) {
+  // One leans across the other, so no order of their sides tells the spaces apart, except that in a thin rod along an edge.
+  TriangleMesh leaning = faces({2, 2, 2}), mesh = faces({2, 2, 2});
+  for (Point& p : leaning.vertices) p.x() += 0.4 * p.z();
+  for (const Triangle& t : leaning.triangles) {
+    const bool is_bottom = std::all_of(t.begin(), t.end(), [&](int v) { return leaning.vertices[static_cast<std::size_t>(v)].z() == 0; });
+    if (!is_bottom) append(mesh, TriangleMesh{leaning.vertices, {t}});
+  }
+  append(mesh, moved(faces({0.1, 0.1, 2}), {-0.1, -0.1, 0}));
+  const RepairedMesh repaired = repair(mesh);
+  EXPECT_EQ(sheetArea(repaired), 0);
+  const Solid solid(repaired);
+  EXPECT_TRUE(solid.contains({0.1, 1, 1.9}));
+  EXPECT_TRUE(solid.contains({1, 1, 1}));
+  EXPECT_TRUE(solid.contains({2.6, 1, 1.9}));
+  EXPECT_FALSE(solid.contains({2.6, 1, 0.5}));
 }
 
 TEST(InnerWalls, ABodyThatStandsOnAWallInsideIsInside) {

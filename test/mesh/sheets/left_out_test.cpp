@@ -35,5 +35,10 @@ TEST(LeftOut, ASmallOneThatHelpsOnlyOnceALargerOneIsGone) {
   EXPECT_EQ(leftOut({{0, 1}, {1, 2, 3}, {1, 2, 3}, {2, 3}}, {1, 2, 3, 4}), (std::vector<char>{1, 1, 0, 0}));
 }
 
+TEST(LeftOut, OneIsPutBackOnceALargerOneIsGone) {
+  // 0 and 1 are what 2 covers alone: 0 goes first, as the smallest, then 2, and then 0 is needed.
+  EXPECT_EQ(leftOut({{0, 2, 3}, {0, 2, 3}, {0, 1}, {1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, {1, 5, 3, 9}), (std::vector<char>{0, 0, 1, 0}));
+}
+
 }  // namespace
 }  // namespace collision_hulls

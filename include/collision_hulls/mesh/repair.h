@@ -19,7 +19,7 @@ namespace collision_hulls {
 
 struct RepairOptions {
   /// Vertices closer than this share of the mesh's extent (longest side of the bounding box) are
-  /// welded.
+  /// welded; see repair() for seams.
   double weld_tolerance = 1e-5;
 };
 
@@ -34,7 +34,7 @@ struct RepairCounts {
   std::size_t components = 0;         ///< edge-connected components
   std::size_t open_edges = 0;         ///< edges with one triangle
   std::size_t nonmanifold_edges = 0;  ///< edges with more than two triangles
-  double weld_distance = 0;           ///< [m] furthest that a vertex moved; at most the tolerance
+  double weld_distance = 0;           ///< [m] furthest that a vertex moved
 };
 
 /// How to tell the inside of a component.
@@ -66,8 +66,10 @@ struct RepairedMesh {
 };
 
 /// Repairs a mesh. Welding joins each vertex to the nearest earlier representative within the
-/// tolerance; no vertex moves further than that, however long a chain of close vertices is. A
-/// triangle is degenerate if two of its corners were welded together or if its height over its
+/// tolerance; no vertex moves further than that, however long a chain of close vertices is. Seams
+/// are welded as well if that leaves at most half of the open edges: open edges that run along each
+/// other in opposite directions, both ends within ten times the tolerance; then vertices may move by
+/// up to twenty times the tolerance. A triangle is degenerate if two of its corners were welded together or if its height over its
 /// longest edge is zero in double precision.
 ///
 /// Orientation is made consistent across manifold edges. A component may consist of several patches

@@ -1,0 +1,108 @@
+#include "mesh/seams.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "collision_hulls/measure/measures.h"
+#include "collision_hulls/mesh/repair.h"
+#include "shapes.h"
+
+namespace collision_hulls {
+namespace {
+
+constexpr double kTolerance = 1e-4;
+
+std::optional<Welding> weldSeams(const TriangleMesh& mesh) {
+  const Welding welding = weld(mesh, 0, {});
+  return weldSeams(mesh, mesh.triangles, findEdges(mesh.triangles, mesh.vertices.size(), {}), kTolerance, welding, {});
+}
+
+/// Two triangles with a common side of this length along x, but that the second one's is moved by `gap` in y and `shift` in x.
+TriangleMesh twoTriangles(double length, double gap, double shift = 0) {
+  return {{{0, 0, 0}, {length, 0, 0}, {0, -1, 0}, {length + shift, gap, 0}, {shift, gap, 0}, {0, 1, 0}}, {{1, 0, 2}, {4, 3, 5}}};
+}
+
+TEST(Seams, EndsOfEdgesWithinTheTolerance) {
+  const std::optional<Welding> welding = weldSeams(twoTriangles(1, 0.99 * kTolerance));
+  ASSERT_TRUE(welding);
+  EXPECT_EQ(welding->representative, (std::vector<int>{0, 1, 2, 1, 0, 5}));
+  EXPECT_EQ(welding->joined, 2U);
+  EXPECT_DOUBLE_EQ(welding->distance, 0.99 * kTolerance);
+  EXPECT_FALSE(weldSeams(twoTriangles(1, 1.01 * kTolerance)));
+}
+
+TEST(Seams, NotWhereOneEndHasNoPartner) {
+  TriangleMesh mesh = twoTriangles(1, 0.5 * kTolerance);
+  mesh.vertices[3].y() = 2 * kTolerance;  // the middles are still near
+  EXPECT_FALSE(weldSeams(mesh));
+}
+
+TEST(Seams, NotWhereEdgesRunInTheSameDirection) {
+  TriangleMesh mesh = twoTriangles(1, 0.5 * kTolerance);
+  std::swap(mesh.triangles[1][0], mesh.triangles[1][1]);
+  EXPECT_FALSE(weldSeams(mesh));
+}
+
+TEST(Seams, NotShortEdgesWhoseEndsMayBeTakenForEachOther) {
+  EXPECT_FALSE(weldSeams(twoTriangles(1.9 * kTolerance, 0.5 * kTolerance)));
+  EXPECT_TRUE(weldSeams(twoTriangles(2.1 * kTolerance, 0.5 * kTolerance)));
+}
+
+TEST(Seams, AChainOfEdgesDoesNotCollapse) {
+  const std::vector<double> places{0, 0.95, 1.85, 2.7};  // in tolerances: each has the next as its partner
+  for (const std::size_t count : {3, 4}) {
+    TriangleMesh mesh;
+    for (std::size_t i = 0; i < count; ++i) {
+      const int first = static_cast<int>(mesh.vertices.size());
+      const double y = kTolerance * places[i], side = i % 2 ? 1 : 0;
+      mesh.vertices.insert(mesh.vertices.end(), {{side, y, 0}, {1 - side, y, 0}, {0.5, y, 1.0 + static_cast<double>(i)}});
+      mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    const std::optional<Welding> welding = weldSeams(mesh);
+    ASSERT_EQ(welding.has_value(), count == 3);
+    if (count == 3) {
+      EXPECT_NEAR(welding->distance, 1.85 * kTolerance, 1e-12);
+    }
+  }
+}
+
+/// Gives each triangle three vertices of its own, each moved by up to `jitter` along each axis.
+TriangleMesh soup(const TriangleMesh& mesh, double jitter) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> offset(-jitter, jitter);
+  TriangleMesh result;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    const int first = static_cast<int>(result.vertices.size());
+    for (int k = 0; k < 3; ++k)
+      result.vertices.push_back(mesh.corner(t, k) + Eigen::Vector3d(offset(random), offset(random), offset(random)));
+    result.triangles.push_back({first, first + 1, first + 2});
+  }
+  return result;
+}
+
+TEST(Seams, PiecesOfASurfaceBecomeASolid) {
+  // Welding alone joins all copies of a corner, a part of them, or none.
+  const TriangleMesh ball = test_shapes::sphere(1, 16);
+  for (const double jitter : {1e-6, 4e-6, 8e-6, 1e-5, 2e-5, 4e-5}) {
+    const RepairedMesh repaired = repair(soup(ball, jitter));
+    EXPECT_EQ(repaired.counts.components, 1U) << jitter;
+    EXPECT_EQ(repaired.counts.open_edges, 0U) << jitter;
+    EXPECT_EQ(repaired.mesh.triangles.size(), ball.triangles.size()) << jitter;
+    EXPECT_NEAR(Solid(repaired).volume(), signedVolume(ball), 5 * jitter) << jitter;
+    EXPECT_LE(repaired.counts.weld_distance, 2 * std::sqrt(3.0) * jitter) << jitter;
+    EXPECT_GE(repaired.counts.weld_distance, jitter) << jitter;
+  }
+}
+
+TEST(Seams, NotForAFewOfManyOpenEdges) {
+  // Two plates beside each other. Their outer edges stay open, so nothing is moved.
+  const RepairedMesh repaired =
+      repair(test_shapes::merged({test_shapes::sheet(), test_shapes::moved(test_shapes::sheet(), {1 + 5e-5, 0, 0})}));
+  EXPECT_EQ(repaired.counts.components, 2U);
+  EXPECT_EQ(repaired.counts.weld_distance, 0);
+}
+
+}  // namespace
+}  // namespace collision_hulls

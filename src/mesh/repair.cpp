@@ -135,14 +135,16 @@ Surface surfaceOf(const TriangleMesh& mesh, const Welding& welding, double exten
   return result;
 }
 
-/// Without its seams, if that closes at least half of the open edges: else it would move vertices, which costs tolerance, for little.
+/// Without its seams. Where these close less than half of the open edges, vertices stay: to move them costs tolerance. Ends that have met
+/// may give others partners.
 std::pair<Welding, Surface> weldedSurface(const TriangleMesh& mesh, double tolerance, double extent, const RunControl& control) {
   Welding welding = weld(mesh, tolerance, control);
   Surface surface = surfaceOf(mesh, welding, extent, control);
-  std::optional<Welding> wider = weldSeams(mesh, surface.triangles, surface.edges, kSeamTolerance * tolerance, welding, control);
-  if (wider) {
+  while (std::optional<Welding> wider = weldSeams(mesh, surface.triangles, surface.edges, kSeamTolerance * tolerance, welding, control)) {
     Surface whole = surfaceOf(mesh, *wider, extent, control);
-    if (2 * whole.edges.open <= surface.edges.open) return {std::move(*wider), std::move(whole)};
+    if (2 * whole.edges.open > surface.edges.open) break;
+    welding = std::move(*wider);
+    surface = std::move(whole);
   }
   return {std::move(welding), std::move(surface)};
 }

@@ -27,6 +27,7 @@ struct RimPoint {
 };
 
 constexpr std::size_t kMostTried = 1000;  // points, for each point of a rim
+constexpr std::size_t kMostRims = 1000;   // of more, each single facet may be one: to tell inside from outside would take minutes
 
 class Slits {
  public:
@@ -90,6 +91,7 @@ class Slits {
 std::vector<char> closedButForSlits(const std::vector<Eigen::Vector3d>& vertices, std::vector<BoundaryEdge> boundary,
                                     const std::vector<double>& area, const RunControl& control) {
   const std::vector<BoundaryLoop> loops = boundaryLoops(vertices.size(), std::move(boundary), control);
+  if (loops.size() > kMostRims) return std::vector<char>(area.size(), 0);
   Slits slits(vertices, loops, control);
   DisjointSets joined(area.size());
   std::vector<double> open(area.size(), 0), openings, areas(area.size(), 0);

@@ -96,6 +96,14 @@ TEST(Seams, PiecesOfASurfaceBecomeASolid) {
   }
 }
 
+TEST(Seams, FacetsThatLieFurtherApartHaveAnInsideUnlessTheyAreVeryMany) {
+  const TriangleMesh few = test_shapes::sphere(1, 7), many = test_shapes::sphere(1, 8);
+  EXPECT_LT(few.triangles.size(), 1000U);
+  EXPECT_EQ(interiorOf(repair(soup(few, 5e-4))), Interior::kWinding);
+  EXPECT_GT(many.triangles.size(), 1000U);
+  EXPECT_EQ(interiorOf(repair(soup(many, 5e-4))), Interior::kSurface);
+}
+
 TEST(Seams, NotForAFewOfManyOpenEdges) {
   // Two plates beside each other. Their outer edges stay open, so nothing is moved.
   const RepairedMesh repaired =

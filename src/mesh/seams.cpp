@@ -13,9 +13,9 @@
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kMostTried = 1000;  // open edges, for each
-constexpr double kShortest = 2;           // times the tolerance: the ends of a shorter edge may be taken for each other
-constexpr double kFurthest = 2;           // times the tolerance, that a vertex moves
+constexpr std::size_t kMostPartners = 1000;  // open edges that are tried, for each
+constexpr double kShortest = 2;              // times the tolerance: the ends of a shorter edge may be taken for each other
+constexpr double kFurthest = 2;              // times the tolerance, that a vertex moves
 
 class Seams {
  public:
@@ -72,7 +72,7 @@ class Seams {
     bool any = false;
     for (std::size_t i = 0; i < open_.size(); ++i) {
       const OpenEdge& edge = open_[i];
-      const std::optional<std::size_t> partner = tree.nearest(middles[i], tolerance_, kMostTried, [&](std::size_t j) {
+      const std::optional<std::size_t> partner = tree.nearest(middles[i], tolerance_, kMostPartners, [&](std::size_t j) {
         look_();
         return near(edge.from, open_[j].to) && near(edge.to, open_[j].from);
       });

@@ -393,6 +393,21 @@ TEST(RepairInterior, FinsEncloseNothingAndOpenNothing) {
   }
 }
 
+TEST(RepairInterior, ATubeThatTouchesItselfIsNoFin) {
+  // Of a tube of six sides, open at both ends, two opposite edges meet halfway.
+  test_shapes::MeshBuilder builder;
+  const std::vector<Eigen::Vector2d> hexagon{{2, 0}, {1, 2}, {-1, 2}, {-2, 0}, {-1, -2}, {1, -2}};
+  const auto corner = [&](std::size_t i, int row) -> Eigen::Vector3d {
+    const bool is_pinched = i % 3 == 0 && (row == 1 || row == 2);
+    return is_pinched ? Eigen::Vector3d(0, 0, row) : Eigen::Vector3d(hexagon[i % 6].x(), hexagon[i % 6].y(), row);
+  };
+  for (std::size_t i = 0; i < 6; ++i)
+    for (int row = 0; row < 3; ++row) builder.quad(corner(i, row), corner(i + 1, row), corner(i + 1, row + 1), corner(i, row + 1));
+  const RepairedMesh repaired = repair(builder.mesh());
+  EXPECT_EQ(repaired.counts.nonmanifold_edges, 1u);
+  EXPECT_EQ(interiorOf(repaired), Interior::kSurface);
+}
+
 TEST(RepairInterior, AnOpenBoxAttachedToAClosedOneIsAFin) {
   TriangleMesh open = moved(box(1, 1, 1), {1, 0, 1});  // shares one edge with the box below
   open.triangles.resize(10);

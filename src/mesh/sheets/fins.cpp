@@ -1,6 +1,6 @@
 // Starts from all patches that might be fins (open and hanging at non-manifold edges) or shared walls, and excludes those that other
-// triangles need to be balanced, repeatedly for walls because excluding one may unbalance another. Last, it excludes patches that are
-// closed but for a small opening.
+// triangles need to be balanced, repeatedly for walls because excluding one may unbalance another. Then it excludes patches that are
+// closed but for a small opening, and last those that hang on nothing else.
 #include "mesh/sheets/fins.h"
 
 #include <algorithm>
@@ -19,6 +19,7 @@ class Fins {
   Fins(const TriangleMesh& mesh, const Edges& edges, const OrientedPatches& oriented, const std::vector<int>& surplus,
        const RunControl& control)
       : mesh_(mesh),
+        edges_(edges),
         patch_(oriented.patch),
         control_(control),
         look_(control),
@@ -44,9 +45,9 @@ class Fins {
   std::vector<char> find() {
     excludeThoseThatSurfacesNeed();
     while (excludeWallsThatSurfacesNeed()) continue;
-    excludeWallsOfNothingElse();
     for (std::size_t p = 0; p < is_fin_.size(); ++p) is_fin_[p] = is_fin_[p] || is_wall_[p];
     excludeAlmostClosed();
+    excludeThoseOfNothingElse();
     std::vector<char> fin(patch_.size());
     for (std::size_t t = 0; t < fin.size(); ++t) fin[t] = is_fin_[at(patch_[t])];
     return fin;
@@ -78,23 +79,6 @@ class Fins {
     return any;
   }
 
-  /// Walls that hang only on each other are a surface all of whose triangles face both ways.
-  void excludeWallsOfNothingElse() {
-    std::vector<char> hangs(is_wall_.size(), 0);
-    const auto holds = [&](const MeetingHalf& half) { return !is_wall_[at(half.patch)] || hangs[at(half.patch)]; };
-    for (bool any = true; any;) {
-      any = false;
-      meetings_.forEach([&](const Meetings::Halves& halves) {
-        if (!std::any_of(halves.begin(), halves.end(), holds)) return;
-        for (const MeetingHalf& half : halves) {
-          any = any || !holds(half);
-          hangs[at(half.patch)] = 1;
-        }
-      });
-    }
-    for (std::size_t p = 0; p < is_wall_.size(); ++p) is_wall_[p] = is_wall_[p] && hangs[p];
-  }
-
   void excludeAlmostClosed() {
     std::vector<double> area(is_fin_.size(), 0);
     for (int t = 0; t < static_cast<int>(patch_.size()); ++t) look_(), area[at(patch_[at(t)])] += triangleArea(mesh_, t);
@@ -103,7 +87,18 @@ class Fins {
       if (closing[p].area < kSmallOpening * area[p]) is_fin_[p] = 0;
   }
 
+  /// Fins and walls that hang only on each other, or on themselves, are a surface.
+  void excludeThoseOfNothingElse() {
+    std::vector<char> holds(edges_.components, 0);  // per component: something else
+    const auto component = [&](std::size_t t) { return at(edges_.component[t]); };
+    for (std::size_t t = 0; t < patch_.size(); ++t)
+      if (look_(); !is_fin_[at(patch_[t])]) holds[component(t)] = 1;
+    for (std::size_t t = 0; t < patch_.size(); ++t)
+      if (look_(); !holds[component(t)]) is_fin_[at(patch_[t])] = 0;
+  }
+
   const TriangleMesh& mesh_;
+  const Edges& edges_;
   const std::vector<int>& patch_;  // per triangle
   const RunControl& control_;
   Looks look_;

@@ -14,7 +14,8 @@ namespace collision_hulls {
 /// `oriented.turn` count as flipped.
 ///
 /// A wall shared by two solids is a fin, too: a patch without open edges whose triangles all have `surplus` zero (copies that face the same
-/// way minus copies that face the other) and which hangs in the same manner once all such walls are left out.
+/// way minus copies that face the other) and which hangs in the same manner once all such walls are left out. What hangs only on fins and
+/// walls, or on itself, is neither.
 std::vector<char> findFins(const TriangleMesh& mesh, const Edges& edges, const OrientedPatches& oriented, const std::vector<int>& surplus,
                            const RunControl& control);
 

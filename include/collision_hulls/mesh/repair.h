@@ -68,9 +68,9 @@ struct RepairedMesh {
 /// Repairs a mesh. Welding joins each vertex to the nearest earlier representative within the
 /// tolerance; no vertex moves further than that, however long a chain of close vertices is. Seams
 /// are welded as well if that leaves at most half of the open edges: open edges that run along each
-/// other in opposite directions, both ends within ten times the tolerance; then vertices may move by
-/// up to twenty times the tolerance. A triangle is degenerate if two of its corners were welded together or if its height over its
-/// longest edge is zero in double precision.
+/// other in opposite directions, both ends within ten times the tolerance; then vertices may move
+/// by up to twenty times the tolerance. A triangle is degenerate if two of its corners were welded
+/// together or if its height over its longest edge is zero in double precision.
 ///
 /// Orientation is made consistent across manifold edges. A component may consist of several patches
 /// that meet only at non-manifold edges. (1) Each patch is made consistent by flipping the part of
@@ -92,9 +92,9 @@ struct RepairedMesh {
 /// or do so on both sides. What remains, turned to face the outer space, is closed, and encloses
 /// all that the component separates from the outer space. A wall that crosses the skin makes one
 /// space of both, so the same is tried without patches, smallest first, that leave fewer edges with
-/// an odd number of triangles, and what encloses more counts. Parts of the skin may cross each other
-/// at an edge that they share. A component that so encloses only a negligible volume, or less than
-/// a tenth of what its triangles do as they are, stays as it was.
+/// an odd number of triangles, and what encloses more counts. Parts of the skin may cross each
+/// other at an edge that they share. A component that so encloses only a negligible volume, or less
+/// than a tenth of what its triangles do as they are, stays as it was.
 ///
 /// An open component without its fins is kWinding if the fans that close its boundary loops (each
 /// about the loop's centre) are below a tenth of its area, else kSurface. A mesh with only

@@ -85,7 +85,7 @@ struct RepairedMesh {
 /// use each of those edges equally often in both directions. A fin is part of the surface but plays
 /// no part in telling inside from outside. The same goes for a wall shared by two solids: a patch
 /// whose triangles occur equally often facing either way, if the triangles it hangs on are balanced
-/// without any such wall.
+/// without any such wall. What hangs only on these, or on itself, is none of them.
 ///
 /// Walls inside, such as a partition across a box: if a component has open edges on fins only, but
 /// is not balanced where patches meet, the patches are left out that do not border its outer space,

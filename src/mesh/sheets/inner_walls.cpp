@@ -13,8 +13,8 @@
 // numbers.
 //
 // The skin is closed whatever the mesh is, even where it crosses itself: around each edge, skin lies between a sector of the outer space
-// and one of another space. Such sectors alternate, so the skin, once it faces the outer space, uses the edge equally often in both
-// directions. At an open edge there is no skin.
+// and one of another space. Such sectors alternate in each of these orders, so the skin, once it faces the outer space, uses the edge
+// equally often in both directions. At an open edge there is no skin.
 //
 // A wall that crosses the skin, though, borders the inner space at one of its edges and the outer one at another. That joins the two, and
 // hardly anything is enclosed. So walls are looked for in a second way as well, by what is closed without them (left_out.h), and of the

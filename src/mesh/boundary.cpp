@@ -119,6 +119,11 @@ double triangleArea(const TriangleMesh& mesh, int triangle) {
   return (mesh.corner(triangle, 1) - a).cross(mesh.corner(triangle, 2) - a).norm() / 2;
 }
 
+double volumeBehind(const TriangleMesh& mesh, int triangle, const Eigen::Vector3d& origin) {
+  const Eigen::Vector3d a = mesh.corner(triangle, 0) - origin, b = mesh.corner(triangle, 1) - origin, c = mesh.corner(triangle, 2) - origin;
+  return a.cross(b).dot(c) / 6;
+}
+
 BoundaryEdge boundaryEdge(const TriangleMesh& mesh, int half_edge, const std::vector<char>& turn, const std::vector<int>& surface) {
   const auto triangle = static_cast<std::size_t>(half_edge / 3);
   BoundaryEdge edge{surface[triangle], startOf(mesh.triangles, half_edge), endOf(mesh.triangles, half_edge)};

@@ -11,6 +11,9 @@ namespace collision_hulls {
 
 double triangleArea(const TriangleMesh& mesh, int triangle);  ///< [m^2]
 
+/// Of the tetrahedron from `origin` to a triangle [m^3]; negative if the triangle faces the origin.
+double volumeBehind(const TriangleMesh& mesh, int triangle, const Eigen::Vector3d& origin);
+
 /// A boundary edge of a surface, in its triangle's direction.
 struct BoundaryEdge {
   int surface;  ///< number of the surface it bounds

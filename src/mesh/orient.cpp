@@ -87,8 +87,7 @@ class Orientation {
   void measureVolumes() {
     for (int t = 0; t < static_cast<int>(turned_.size()); ++t) {
       look_();
-      const Eigen::Vector3d a = mesh_.corner(t, 0) - origin_, b = mesh_.corner(t, 1) - origin_, c = mesh_.corner(t, 2) - origin_;
-      patches_[at(patch_of_[at(t)])].volume += (turned_[at(t)] ? -1 : 1) * a.cross(b).dot(c) / 6;
+      patches_[at(patch_of_[at(t)])].volume += (turned_[at(t)] ? -1 : 1) * volumeBehind(mesh_, t, origin_);
     }
     const std::vector<Closure> closing = closures(mesh_.vertices, patchBoundaries(), patches_.size(), origin_, control_);
     for (std::size_t i = 0; i < patches_.size(); ++i) {

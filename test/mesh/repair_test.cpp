@@ -12,6 +12,7 @@
 #include "collision_hulls/error.h"
 #include "mesh/weld.h"
 #include "shapes.h"
+#include "soup.h"
 
 namespace collision_hulls {
 namespace {
@@ -23,20 +24,6 @@ using test_shapes::moved;
 TriangleMesh inward(TriangleMesh mesh) {
   for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
   return mesh;
-}
-
-/// Gives each triangle three vertices of its own, each moved by up to `jitter` along each axis.
-TriangleMesh soup(const TriangleMesh& mesh, double jitter, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> offset(-jitter, jitter);
-  TriangleMesh result;
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    const int first = static_cast<int>(result.vertices.size());
-    for (int k = 0; k < 3; ++k)
-      result.vertices.push_back(mesh.corner(t, k) + Eigen::Vector3d(offset(random), offset(random), offset(random)));
-    result.triangles.push_back({first, first + 1, first + 2});
-  }
-  return result;
 }
 
 /// Flips triangles at random.

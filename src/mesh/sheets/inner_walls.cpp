@@ -44,12 +44,6 @@ namespace {
 constexpr double kMore = 1.01;       // times what the first way encloses: with less, it is the same solid
 constexpr double kLeastShare = 0.1;  // of what a component's triangles enclose as they are: with less, its spaces were told apart wrongly
 
-/// [m^3] Between the back of a triangle, as it is turned, and `origin`.
-double volumeBehind(const TriangleMesh& mesh, const OrientedPatches& oriented, int t, const Eigen::Vector3d& origin) {
-  const Eigen::Vector3d a = mesh.corner(t, 0) - origin, b = mesh.corner(t, 1) - origin, c = mesh.corner(t, 2) - origin;
-  return (oriented.turn[at(t)] ? -1 : 1) * a.cross(b).dot(c) / 6;
-}
-
 /// The spaces on either side of all patches but those that are left out.
 class Division {
  public:
@@ -139,7 +133,7 @@ class Division {
     for (int t = 0; t < count(); ++t) {
       look_();
       if (isLeftOut(t)) continue;
-      const double behind = volumeBehind(mesh_, oriented_, t, origin);
+      const double behind = (oriented_.turn[at(t)] ? -1 : 1) * volumeBehind(mesh_, t, origin);
       volume_[at(spaces_.find(backOf(t)))] += behind;
       volume_[at(spaces_.find(frontOf(t)))] -= behind;
     }
@@ -178,8 +172,9 @@ class InnerWalls {
   void setApart() {
     const std::vector<char> wanted = findWanted();
     if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end()) return;
-    Division all(mesh_, edges_, oriented_, meetings_, fins(), look_);
-    Division others(mesh_, edges_, oriented_, meetings_, leftOutOf(wanted), look_);
+    const std::vector<char> fins = findFinPatches();
+    Division all(mesh_, edges_, oriented_, meetings_, fins, look_);
+    Division others(mesh_, edges_, oriented_, meetings_, leftOutOf(wanted, fins), look_);
     std::vector<Division*> chosen(edges_.components, nullptr);
     for (std::size_t c = 0; c < chosen.size(); ++c)
       if (wanted[c]) chosen[c] = others.enclosed(c) > kMore * all.enclosed(c) ? &others : &all;
@@ -211,16 +206,16 @@ class InnerWalls {
     return wanted;
   }
 
-  /// Per patch, 1 for fins.
-  std::vector<char> fins() {
+  /// Per patch.
+  std::vector<char> findFinPatches() {
     std::vector<char> result(oriented_.patches, 0);
     for (int t = 0; t < count(); ++t)
       if (look_(); sheet_[at(t)]) result[at(oriented_.patch[at(t)])] = 1;
     return result;
   }
 
-  /// Per patch, in the second way.
-  std::vector<char> leftOutOf(const std::vector<char>& wanted) {
+  /// Per patch, in the second way: fins and walls.
+  std::vector<char> leftOutOf(const std::vector<char>& wanted, const std::vector<char>& fins) {
     std::vector<double> areas(oriented_.patches, 0);
     for (int t = 0; t < count(); ++t) look_(), areas[at(oriented_.patch[at(t)])] += triangleArea(mesh_, t);
     std::vector<std::vector<int>> edges;
@@ -234,8 +229,7 @@ class InnerWalls {
                           if (times % 2 == 1) edges.back().push_back(patch);
                       });
     std::vector<char> result = leftOut(edges, areas, look_);
-    const std::vector<char> is_fin = fins();
-    for (std::size_t p = 0; p < result.size(); ++p) result[p] = result[p] || is_fin[p];
+    for (std::size_t p = 0; p < result.size(); ++p) result[p] = result[p] || fins[p];
     return result;
   }
 
@@ -258,7 +252,7 @@ class InnerWalls {
     const Eigen::Vector3d origin = boundingBox(mesh_).center();
     std::vector<double> result(edges_.components, 0);
     for (int t = 0; t < count(); ++t)
-      if (look_(); !sheet_[at(t)]) result[at(component(t))] += volumeBehind(mesh_, oriented_, t, origin);
+      if (look_(); !sheet_[at(t)]) result[at(component(t))] += (oriented_.turn[at(t)] ? -1 : 1) * volumeBehind(mesh_, t, origin);
     std::vector<BoundaryEdge> rim;
     meetings_.forEach([&](const MeetingHalf& half) { return sheet_[at(half.half_edge / 3)] != 0; },
                       [&](const Meetings::Halves& here) {

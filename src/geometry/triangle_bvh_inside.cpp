@@ -4,8 +4,8 @@
 // |r|^3, and G's derivative has norm 2 / |r|^3. Moving all elements of a cluster (area A, within a radius R of its centre, which is at a
 // distance D) to its centre therefore changes the solid angle by at most 2 A R / (D - R)^3, the winding number by 1 / (4 pi) of that.
 // windingNumber() replaces a cluster if that is at most its area's share of kWindingError: the shares of disjoint clusters sum to no more
-// than 1. roughWindingNumber() replaces every cluster that is further away than some of its radii, and adds these errors up: they are small
-// where the triangles are, as the lids of small openings that are spread over a surface.
+// than 1. roughWindingNumber() may err by more, and spends that where it saves most: on whatever cluster comes first, as long as that takes
+// only a share of the error that is left. Clusters that are far, or whose areas are small, then cost hardly anything.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,8 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kAside = 1e-9;  // bound on the offset of the ray from its point, as a share of the extent
+constexpr double kShareOfError = 0.1;  // that one cluster may take of what is left
+constexpr double kAside = 1e-9;        // bound on the offset of the ray from its point, as a share of the extent
 
 /// The sum of many angles, each from -pi to pi. Multiplies complex numbers with these angles and counts full turns, so a single atan2 at
 /// the end suffices.
@@ -139,11 +140,12 @@ double TriangleBvh::windingNumber(const Eigen::Vector3d& p) const {
   return windingNumber(p, [&](const Cluster& cluster, double gap) { return cluster.radius <= allowed * gap * gap * gap; });
 }
 
-TriangleBvh::RoughWinding TriangleBvh::roughWindingNumber(const Eigen::Vector3d& p, double radii) const {
+TriangleBvh::RoughWinding TriangleBvh::roughWindingNumber(const Eigen::Vector3d& p, double allowed) const {
   RoughWinding rough;
   rough.number = windingNumber(p, [&](const Cluster& cluster, double gap) {
-    if (gap < radii * cluster.radius) return false;
-    rough.error += cluster.area * cluster.radius / (2 * kPi * gap * gap * gap);
+    const double error = cluster.area * cluster.radius / (2 * kPi * gap * gap * gap);
+    if (error > kShareOfError * (allowed - rough.error)) return false;
+    rough.error += error;
     return true;
   });
   return rough;

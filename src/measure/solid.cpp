@@ -1,6 +1,6 @@
 // Tells inside from outside by the winding number of the surface. The rim (edges whose triangles are unbalanced) falls into loops: narrow
-// ones are cracks, closed by lids that count as surface; the others are openings, closed by cones. The closed surface's winding number is a
-// count of ray crossings; subtracting that of the cones gives the generalized winding number at little more cost. Near openings, the
+// ones are cracks, closed by lids that count as surface; the others are openings (lids.h). The closed surface's winding number is a count
+// of ray crossings; subtracting that of the openings' lids gives the generalized winding number at little more cost. Near openings, the
 // number's gradient bounds how far the border of the solid can be (Biot-Savart).
 //
 // Points closer to the surface than the trees' blur (1e-9 of the extent) count as outside, which is never wrong by more than that: the
@@ -24,6 +24,7 @@
 #include "geometry/pi.h"
 #include "measure/flat_sheets.h"
 #include "measure/inverted.h"
+#include "measure/lids.h"
 #include "measure/rim.h"
 #include "mesh/edges.h"
 #include "mesh/loose_segments.h"
@@ -31,62 +32,6 @@
 namespace collision_hulls {
 
 namespace {
-
-/// [m] An upper bound on the distance of the loop, and of any surface spanning it, from a segment along which the loop runs there and back.
-double widthOf(const std::vector<Eigen::Vector3d>& vertices, const Loop& loop) {
-  const auto at = [&](int v) -> const Eigen::Vector3d& { return vertices[static_cast<std::size_t>(v)]; };
-  const auto furthestFrom = [&](int v) {
-    return *std::max_element(loop.begin(), loop.end(), [&](int a, int b) { return (at(a) - at(v)).norm() < (at(b) - at(v)).norm(); });
-  };
-  const int end = furthestFrom(loop[0]);
-  const Eigen::Vector3d from = at(end), along = at(furthestFrom(end)) - from;
-  double width = 0;
-  for (const int v : loop) {
-    const double share = std::clamp((at(v) - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    width = std::max(width, (at(v) - from - share * along).norm());
-  }
-  return width;
-}
-
-/// What closes the surface along its rim. A loop no wider than the weld tolerance is a crack, as where one triangle's long side meets two
-/// short ones: its lids lie within it and count as surface wherever inside and outside are told apart. Other loops are openings.
-struct Lids {
-  std::vector<Eigen::Vector3d> vertices;  // those of the surface, and apexes
-  std::vector<Triangle> of_cracks, of_openings;
-  Rim rim_of_openings;
-  double crack_width = 0;  // [m] of the widest crack
-};
-
-constexpr double kApexAside = 0.05;  // as a share of a loop's extent
-
-/// An opening gets a cone of triangles with its apex near the loop's middle, but off the plane that the loop may lie in, where queries are
-/// most frequent.
-Lids lidsOf(const TriangleMesh& mesh, const Rim& rim, const RunControl& control) {
-  Lids lids;
-  if (rim.empty()) return lids;
-  lids.vertices = mesh.vertices;
-  const double widest_crack = RepairOptions{}.weld_tolerance * boundingBox(mesh).sizes().maxCoeff();
-  const Eigen::Vector3d aside = Eigen::Vector3d(0.6180339887, -0.4142135624, 0.7320508076).normalized();
-  Looks look(control);
-  for (const Loop& loop : loopsOf(mesh.vertices, rim, control)) {
-    const double width = widthOf(mesh.vertices, loop);
-    if (width <= widest_crack) {
-      for (std::size_t i = 2; i < loop.size(); ++i) look(), lids.of_cracks.push_back({loop[i], loop[i - 1], loop[0]});
-      lids.crack_width = std::max(lids.crack_width, width);
-      continue;
-    }
-    Eigen::AlignedBox3d box;
-    for (int v : loop) look(), box.extend(mesh.vertices[static_cast<std::size_t>(v)]);
-    const int apex = static_cast<int>(lids.vertices.size());
-    lids.vertices.push_back(box.center() + kApexAside * box.diagonal().norm() * aside);
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const int next = loop[(i + 1) % loop.size()];
-      lids.of_openings.push_back({next, loop[i], apex});
-      lids.rim_of_openings.push_back({loop[i], next});
-    }
-  }
-  return lids;
-}
 
 /// The triangles that are not in sheets.
 TriangleMesh wallsOf(const RepairedMesh& mesh, const RunControl& control) {
@@ -172,11 +117,12 @@ struct Walls {
       return exact() > kSurelyInside;
     }
 
-    /// A lower bound on the length of any path from p to where isInside() changes that does not cross the surface.
-    double wayToBorder() {
-      for (std::size_t i = 0; i < kRough.size(); ++i)
-        if (const double way = wayTo(margin(i) - kReserve); way > 0) return way;
-      return exactWayToBorder();
+    /// A lower bound on the length of any path from p to where isInside() changes that does not cross the surface; if it is more than
+    /// `enough`, it need not be close.
+    double wayToBorder(double enough) {
+      double way = 0;
+      for (std::size_t i = 0; i < kRough.size() && way <= enough; ++i) way = std::max(way, wayTo(margin(i) - kReserve));
+      return way > 0 ? way : exactWayToBorder();
     }
     double exactWayToBorder() { return wayTo(std::abs(exact() - kSurelyInside) - kReserve); }
 
@@ -194,7 +140,7 @@ struct Walls {
     }
 
    private:
-    static constexpr std::array<double, 2> kRough{1, 4};  // radii; see roughWindingNumber()
+    static constexpr std::array<double, 2> kRough{0.3, 0.05};  // errors
 
     /// Differs from the true number by no more than `error`.
     const TriangleBvh::RoughWinding& rough(std::size_t i) {
@@ -351,7 +297,8 @@ double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface) const 
   if (to_surface <= walls.blur) return to_surface;
   Walls::Winding winding(walls, p);
   if (!winding.isInside()) return to_surface;
-  return -std::max(0.0, std::min(walls.toWalls(p, to_surface) - walls.crackSlack(), winding.wayToBorder()) - walls.blur);
+  const double free = walls.toWalls(p, to_surface) - walls.crackSlack();
+  return -std::max(0.0, std::min(free, winding.wayToBorder(free)) - walls.blur);
 }
 double Solid::signedDistance(const Eigen::Vector3d& p, double to_surface, bool inside) const {
   const Walls& walls = impl_->walls;
@@ -369,8 +316,9 @@ bool Solid::isOneSide(const std::array<Eigen::Vector3d, 3>& patch, const std::ar
   if (met) *met = found;
   if (found || !hasOpenings()) return !found;
   const Eigen::Vector3d centre = (patch[0] + patch[1] + patch[2]) / 3;
-  const double way = Walls::Winding(walls, centre).wayToBorder();
-  return std::all_of(patch.begin(), patch.end(), [&](const Eigen::Vector3d& p) { return (p - centre).norm() < way; });
+  double radius = 0;
+  for (const Eigen::Vector3d& p : patch) radius = std::max(radius, (p - centre).norm());
+  return radius < Walls::Winding(walls, centre).wayToBorder(radius);
 }
 
 double Solid::distanceWithin(double radius, double signed_distance, double to_surface) const {

@@ -176,10 +176,10 @@ void noteLooseParts(Report& report) {
   const auto first = std::find_if(report.links.begin(), report.links.end(), is_loose);
   if (first == report.links.end()) return;
   const auto others = static_cast<std::size_t>(std::count_if(first, report.links.end(), is_loose)) - 1;
+  const std::string closing =
+      first->openings > 0 ? "if parts lie in a housing with openings, --close-openings makes it solid, and they take no hulls; or " : "";
   report.notes.push_back("'" + first->uri + "' consists of " + std::to_string(first->repair.components) + " loose parts and took " +
-                         std::to_string(first->hulls) + " hulls" + likeIt(others) +
-                         ": if parts lie in a housing with openings, --close-openings makes it solid, and they take no hulls; or remove "
-                         "parts that nothing can touch");
+                         std::to_string(first->hulls) + " hulls" + likeIt(others) + ": " + closing + "remove parts that nothing can touch");
 }
 
 /// A shell without thickness has no inside, so hulls have to follow its skin; a robot's covers stand for solids all the same. Whether

@@ -62,9 +62,8 @@ class TriangleBvh {
   struct RoughWinding {
     double number = 0, error = 0;  ///< the true winding number differs by no more than `error`
   };
-  /// The same, much faster: a cluster is replaced wherever it is no nearer than so many of its
-  /// radii.
-  RoughWinding roughWindingNumber(const Eigen::Vector3d& p, double radii = 1) const;
+  /// The same, much faster, as it may err by as much as `allowed` (> 0).
+  RoughWinding roughWindingNumber(const Eigen::Vector3d& p, double allowed) const;
 
   /// The winding number of a closed surface at aside(p): the signed crossings of a ray along z.
   /// Exact, and much faster than windingNumber(). It is that of p if p is further than blur() from

@@ -211,6 +211,17 @@ class PanelTest(unittest.TestCase):
     def numbers(self, field):
         return [float(number) for number in self.rviz("get", "region_" + field, "text").split(",")]
 
+    def numbers_at_rest(self, *fields):
+        """Once two looks at all of them agree: what rviz says of a drag may still be under way."""
+        before = None
+        for _ in range(30):
+            now = [self.numbers(field) for field in fields]
+            if now == before:
+                return now
+            before = now
+            time.sleep(1)
+        self.fail("the fields %s do not come to rest" % (fields,))
+
     def enter(self, field, *numbers):
         self.rviz("type", "region_" + field, ", ".join(map(str, numbers)))
 
@@ -234,7 +245,7 @@ class PanelTest(unittest.TestCase):
         self.enter("size", 0.1, 0.2, 0.06)
         self.settle()
         self.drag("gripper_link", (0, 0.1, 0.08), (0, 0.16, 0.08))
-        size, center = self.numbers("size"), self.numbers("center")
+        size, center = self.numbers_at_rest("size", "center")
         self.assertAlmostEqual(0.26, size[1], delta=0.02)
         self.assertAlmostEqual(0.1, size[0], delta=1e-6)
         self.assertAlmostEqual(-0.1, center[1] - size[1] / 2, delta=1e-4, msg="the opposite face has moved")

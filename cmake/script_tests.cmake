@@ -45,6 +45,7 @@ add_script_test(demo test/scripts/demo_test ${PROJECT_BINARY_DIR})
 add_script_test(memory_limits test/scripts/memory_limits ${PROGRAMS_DIR})
 add_script_test(attacks test/scripts/attacks ${PROGRAMS_DIR})
 set_tests_properties(attacks PROPERTIES RUN_SERIAL TRUE)  # its inputs have to be dealt with in limited time
+set_tests_properties(without_ros report_page benchmark PROPERTIES COST 100)  # these take longest, and start first
 add_script_test(fuzz_seeds test/scripts/fuzz_seeds ${PROJECT_BINARY_DIR}/fuzz/fuzz_replay)
 add_script_test(rosrun test/scripts/rosrun_test ${PROJECT_BINARY_DIR})
 add_script_test(demo_meshes test/demo/regenerate_test)

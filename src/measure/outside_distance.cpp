@@ -205,6 +205,7 @@ void OutsideDistance::learn(int id, const OutsideDistance& other, int known_id, 
   if (summit(id) < 0) summit(id) = other.family(known_id).summit[static_cast<std::size_t>(known_id) % 8];
   cell.level = std::min(cell.level, known.level);
   cell.summits = std::min(cell.summits, known.summits);
+  levelled(id) = levelled(id) || other.family(known_id).levelled[static_cast<std::size_t>(known_id) % 8];
   if (known.children < 0 || !canDivide(id)) return;
   const Cube place = cube(id);
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(place.half);
@@ -223,6 +224,7 @@ bool OutsideDistance::mayHoldSummit(int id) {
 /// away than `distance` no such bound can be within it.
 bool OutsideDistance::isLevelWithin(double distance, int id) {
   Cell& cell = at(id);
+  if (levelled(id)) return cell.level <= distance;
   if (cell.to_surface > distance) return false;
   const Eigen::Vector3d centre = cube(id).centre;
   std::array<Eigen::Vector3d, 8> corners;
@@ -234,7 +236,8 @@ bool OutsideDistance::isLevelWithin(double distance, int id) {
     if (child.to_surface > distance) return false;
     bound.add(child.triangle);
   }
-  cell.level = std::min(cell.level, bound.reaches(distance) ? distance : bound.value());
+  levelled(id) = !bound.reaches(distance);
+  cell.level = std::min(cell.level, levelled(id) ? bound.value() : distance);
   return cell.level <= distance;
 }
 

@@ -76,6 +76,7 @@ class OutsideDistance {
     double half = 0;                                   // of a cell's side
     std::array<Cell, 8> cells;
     std::array<signed char, 8> summit{-1, -1, -1, -1, -1, -1, -1, -1};  // whether each may contain a local maximum; -1: not determined yet
+    std::array<bool, 8> levelled{};  // whether each one's level is already what isLevelWithin() can prove
   };
   /// Where a cell is.
   struct Cube {
@@ -116,6 +117,7 @@ class OutsideDistance {
   const Family& family(int id) const { return families_[static_cast<std::size_t>(id) / 8]; }
   Cell& at(int id) { return family(id).cells[static_cast<std::size_t>(id) % 8]; }
   const Cell& at(int id) const { return family(id).cells[static_cast<std::size_t>(id) % 8]; }
+  bool& levelled(int id) { return family(id).levelled[static_cast<std::size_t>(id) % 8]; }
   signed char& summit(int id) { return family(id).summit[static_cast<std::size_t>(id) % 8]; }
   Cube cube(int id) const;
   double radius(int id) const;

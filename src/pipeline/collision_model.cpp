@@ -92,7 +92,8 @@ std::set<std::string> failedLinks(const ModelReport& report) {
 
 using NewCollisions = std::map<std::string, LinkCollisions>;
 
-/// The links that get new <collision> elements, or lose theirs: not those with a failed mesh, which keep what they have.
+/// The links that get new <collision> elements, or lose theirs: not those with a failed mesh, which keep what they have. Those that have
+/// nothing get the hulls of their other meshes.
 NewCollisions newCollisions(const RobotDescription& robot, const LinkDecisions& decisions, const ModelReport& report,
                             const std::vector<ElementResult>& elements, const std::string& prefix, ElementNames& in_place) {
   std::map<std::string, LinkModels> models;
@@ -106,7 +107,7 @@ NewCollisions newCollisions(const RobotDescription& robot, const LinkDecisions& 
   for (const LinkDescription& link : robot.links) {
     const LinkOptions* const options = decisions.of(link.name);
     const CollisionFate fate = collisionFate(link, options);
-    if (fate == CollisionFate::kStay || failed.count(link.name)) continue;
+    if (fate == CollisionFate::kStay || (failed.count(link.name) && !link.collisions.empty())) continue;
     LinkCollisions& collisions = links[link.name];
     if (fate == CollisionFate::kReplaced)
       collisions = linkCollisions(link.name, sourceElements(link, options->source), models[link.name], prefix, names, in_place);
@@ -145,16 +146,26 @@ std::vector<std::string> notesOnCarried(const RobotResult& result) {
           (result.kept_files.size() == 1 ? "was" : "were") + " copied into the output, such as '" + result.kept_files.begin()->first + "'"};
 }
 
-/// On hulls that are written though no element of the description names them.
-std::vector<std::string> notesOnKept(const RobotResult& result) {
+/// On links with a mesh that failed: hulls that are written though no element of the description names them, and links without other
+/// elements to keep.
+std::vector<std::string> notesOnFailed(const RobotDescription& robot, const RobotResult& result) {
+  if (allFailed(result.report)) return {};  // nothing is written
   const std::set<std::string> failed = failedLinks(result.report);
-  std::set<std::string> kept;
+  std::set<std::string> have_others;
   for (const ElementResult& element : result.elements)
-    if (!element.hulls.empty() && failed.count(element.link)) kept.insert(element.link);
+    if (!element.hulls.empty()) have_others.insert(element.link);
   std::vector<std::string> notes;
-  for (const std::string& link : kept)
-    notes.push_back("link '" + link +
-                    "' keeps its collision elements because one of its meshes failed; hulls of its other meshes are written, but not used");
+  for (const LinkDescription& link : robot.links) {
+    if (!failed.count(link.name)) continue;
+    const bool has_others = have_others.count(link.name) > 0;
+    if (link.collisions.empty())
+      notes.push_back("link '" + link.name + "' has no <collision> elements to keep in place of a mesh that failed: " +
+                      (has_others ? "only what its other meshes gave collides" : "nothing collides there"));
+    else if (has_others)
+      notes.push_back(
+          "link '" + link.name +
+          "' keeps its collision elements because one of its meshes failed; hulls of its other meshes are written, but not used");
+  }
   return notes;
 }
 
@@ -293,7 +304,7 @@ void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDec
   for (const auto& more :
        {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options), notesOnBare(robot, decisions.front()),
         notesOnFlat(robot, decisions.front()), notesOnIdle(robot, decisions.front(), options, control), notes,
-        notesOnAgain(robot, result.report, find_package, output, control), notesOnKept(result), notesOnCarried(result),
+        notesOnAgain(robot, result.report, find_package, output, control), notesOnFailed(robot, result), notesOnCarried(result),
         notesOnRewritten(result, output, source.uris, control), notesOnContacts(result)})
     all.insert(all.end(), more.begin(), more.end());
 }

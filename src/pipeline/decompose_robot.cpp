@@ -231,7 +231,7 @@ std::vector<std::string> notesOnContactsOf(const RobotDescription& robot, Run& r
 }
 
 /// On an output without a single hull.
-std::vector<std::string> notesOnPrimitives(const Report& report) {
+std::vector<std::string> notesOnNoHulls(const Report& report) {
   const Totals sums = totals(report);
   if (sums.failed == 0 || sums.failed < sums.meshes || allFailed(report)) return {};
   return {"no mesh could be decomposed: " + counted(report.primitive_links, "link") + " with primitives " +
@@ -261,7 +261,8 @@ RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& f
   };
   runStages({uses, resolverFor(robot, find_package, control), meshesEnd(options), control, step}, result, stages);
   result.report.primitive_links = primitiveLinks(robot, decisions.front());
-  for (const std::string& note : notesOnPrimitives(result.report)) notes.push_back(note);
+  for (const std::string& note : notesOnNoHulls(result.report)) notes.push_back(note);
+  for (const std::string& note : notesOnConvex(robot, result.report.links)) notes.push_back(note);
   rewriteDescription(robot, decisions, find_package, output, notes, result, control);
   result.report.seconds = run.lap();
   return result;

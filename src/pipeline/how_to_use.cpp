@@ -1,5 +1,7 @@
 // What a user does next with an output: the last lines that the programs print.
 #include <filesystem>
+#include <set>
+#include <string_view>
 
 #include "base/counted.h"
 #include "base/shell_word.h"
@@ -33,11 +35,38 @@ bool isWithinPackage(const fs::path& place) {
   return false;
 }
 
-std::string asPackage(const std::string& package, const fs::path& place, const std::string& urdf) {
+/// The packages that the URIs of a description name.
+std::set<std::string> packagesIn(const std::string& urdf) {
+  constexpr std::string_view kScheme = "package://";
+  std::set<std::string> names;
+  for (std::size_t at = urdf.find(kScheme); at != std::string::npos; at = urdf.find(kScheme, at)) {
+    at += kScheme.size();
+    names.insert(urdf.substr(at, urdf.find_first_of("/\"'", at) - at));
+  }
+  return names;
+}
+
+/// Where the packages lie that the output needs beside its own and that ROS does not find, though they were found from the input.
+std::set<std::string> foldersOfOthers(const RobotResult& result, const std::string& own) {
+  const PackageFinder of_ros = defaultPackageFinder(), near = defaultPackageFinder(result.report.input_path);
+  std::set<std::string> folders;
+  for (const std::string& package : packagesIn(result.urdf)) {
+    const auto known = package == own || of_ros.knownPackage(package) ? std::nullopt : near.knownPackage(package);
+    if (known) folders.insert(fs::path(*known).parent_path().string());
+  }
+  return folders;
+}
+
+std::string asPackage(const std::string& package, const fs::path& place, const std::string& urdf, const RobotResult& result) {
   const fs::path folder = isWithinPackage(place) ? place : place.parent_path();
-  const std::string path = isOnRosPath(package, place) ? ""
-                                                       : "export ROS_PACKAGE_PATH=" + shellWord(folder.string()) +
-                                                             ":$ROS_PACKAGE_PATH   # or move the folder into the src of your workspace\n";
+  const bool is_known = isOnRosPath(package, place);
+  std::set<std::string> others = foldersOfOthers(result, package);
+  if (!is_known) others.erase(folder.string());
+  std::string folders = is_known ? "" : shellWord(folder.string());
+  for (const std::string& other : others) folders += (folders.empty() ? "" : ":") + shellWord(other);
+  const std::string path = folders.empty() ? ""
+                                           : "export ROS_PACKAGE_PATH=" + folders + ":$ROS_PACKAGE_PATH" +
+                                                 (is_known ? "\n" : "   # or move the folder into the src of your workspace\n");
   return "To use package '" + package + "':\n  " + (path.empty() ? "" : path + "  ") + loadedBy("$(find " + package + ")/" + urdf);
 }
 
@@ -58,7 +87,7 @@ std::string howToUse(const RobotResult& result, const std::string& output) {
   const Options& options = result.report.options;
   const std::string urdf = urdfFile(result.robot_name), file = (place / urdf).string();
   switch (options.uri) {
-    case UriStyle::kPackage: return written + asPackage(outputPackage(options, output), place, urdf);
+    case UriStyle::kPackage: return written + asPackage(outputPackage(options, output), place, urdf, result);
     case UriStyle::kFile: return written + "To use it, and leave the folder where it is:\n  " + loadedBy(file);
     case UriStyle::kRelative:
       return written + "To use it, load the file itself:\n  " + file +

@@ -40,6 +40,29 @@ std::vector<std::string> notesOnLeftOut(const RobotDescription& robot, const Lin
   return {"links without a visual element keep their collision meshes as they are: " + links + "; --source auto decomposes them"};
 }
 
+/// Whether a link keeps the primitives of its <collision> elements though it has a visual mesh.
+bool keepsPrimitives(const LinkDescription& link, const LinkOptions* options) {
+  return isDecomposed(options) && std::any_of(link.visuals.begin(), link.visuals.end(), isMesh) &&
+         collisionFate(link, options) == CollisionFate::kStay && !sourceElements(link, options->source).visual &&
+         std::any_of(link.collisions.begin(), link.collisions.end(), isSolidPrimitive);
+}
+
+/// On links with primitives beside those with meshes.
+std::vector<std::string> notesOnPrimitives(const RobotDescription& robot, const LinkDecisions& decisions) {
+  constexpr std::size_t kMostNames = 5;
+  std::string names;
+  std::size_t links = 0;
+  for (const LinkDescription& link : robot.links) {
+    if (!keepsPrimitives(link, decisions.of(link.name)) || ++links > kMostNames) continue;
+    names += (names.empty() ? "" : ", ") + shortened(link.name);
+  }
+  if (links == 0) return {};
+  return {counted(links, "link keeps", "links keep") + " the primitives of " + (links == 1 ? "its" : "their") +
+          " <collision> elements, as they are: " + names +
+          (links > kMostNames ? " and " + std::to_string(links - kMostNames) + " more" : "") +
+          "; 'source: visual' in a configuration decomposes " + (links == 1 ? "its" : "their") + " visual meshes"};
+}
+
 bool haveCommon(const std::set<std::string>& a, const std::set<std::string>& b) {
   return std::any_of(a.begin(), a.end(), [&](const std::string& item) { return b.count(item) > 0; });
 }
@@ -146,7 +169,11 @@ std::size_t decomposedUses(const std::vector<MeshUse>& uses) {
 }
 
 std::vector<std::string> notesOnUses(const RobotDescription& robot, const LinkDecisions& decisions, const Options& options) {
-  if (decomposedUses(meshUses(robot, {decisions})) > 0) return notesOnLeftOut(robot, decisions);
+  if (decomposedUses(meshUses(robot, {decisions})) > 0) {
+    std::vector<std::string> notes = notesOnLeftOut(robot, decisions);
+    for (std::string& note : notesOnPrimitives(robot, decisions)) notes.push_back(std::move(note));
+    return notes;
+  }
   std::ptrdiff_t visuals = 0, collisions = 0, chosen = 0;
   std::size_t is_new = 0;  // links whose visual primitives become collision elements
   for (const LinkDescription& link : robot.links) {
@@ -201,6 +228,23 @@ std::size_t primitiveLinks(const RobotDescription& robot, const LinkDecisions& d
   }));
 }
 
+std::vector<std::string> notesOnConvex(const RobotDescription& robot, const std::vector<ElementReport>& rows) {
+  std::set<std::string> uris, links;
+  for (const ElementReport& row : rows) {
+    if (row.status == Status::kKept || row.status == Status::kRemoved) continue;
+    if (row.visual || row.status != Status::kOk || row.hulls != 1) return {};
+    uris.insert(row.uri), links.insert(row.link);
+  }
+  const bool has_others = std::any_of(robot.links.begin(), robot.links.end(), [&](const LinkDescription& link) {
+    const auto is_other = [&](const GeometryElement& element) { return isMesh(element) && uris.count(element.uri) == 0; };
+    return links.count(link.name) > 0 && std::any_of(link.visuals.begin(), link.visuals.end(), is_other);
+  });
+  if (!has_others) return {};
+  return {
+      "each collision mesh became a single hull: all are nearly convex, so the model is about as coarse as the input's. "
+      "'verify INPUT INPUT' tells how far they are from the visual meshes, which --source visual decomposes"};
+}
+
 std::vector<std::string> notesOnBare(const RobotDescription& robot, const LinkDecisions& decisions) {
   std::vector<std::string> links;
   for (const LinkDescription& link : robot.links) {
@@ -244,9 +288,15 @@ std::vector<std::string> notesOnIdle(const RobotDescription& robot, const LinkDe
       control.check();
       return pattern.matches(link);
     };
+    const auto may_use_visual = [&](const LinkDescription& link) {
+      return keepsPrimitives(link, decisions.of(link.name)) &&
+             (pattern.names() ? pattern.names()->count(link.name) > 0 : matches(link.name));
+    };
     if (pattern.names() ? haveCommon(*pattern.names(), links) : std::any_of(links.begin(), links.end(), matches)) return;
-    notes.push_back((place.empty() ? "" : place + ": ") + what + " '" + expression +
-                    "' changes nothing: no link that it matches has a mesh to decompose");
+    notes.push_back(
+        (place.empty() ? "" : place + ": ") + what + " '" + expression +
+        "' changes nothing: no link that it matches has a mesh to decompose" +
+        (std::any_of(robot.links.begin(), robot.links.end(), may_use_visual) ? "; 'source: visual' uses their visual meshes" : ""));
   };
   for (const LinkRule& rule : options.rules)
     if (rule.settings.action.value_or(Action::kDecompose) == Action::kDecompose) look("links", rule.pattern, rule.place);

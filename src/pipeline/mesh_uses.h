@@ -10,6 +10,7 @@
 #include "collision_hulls/control.h"
 #include "collision_hulls/mesh/mesh_io.h"
 #include "collision_hulls/report/options.h"
+#include "collision_hulls/report/report.h"
 #include "collision_hulls/robot/robot_description.h"
 #include "pipeline/mesh_result.h"
 
@@ -46,11 +47,15 @@ enum class CollisionFate {
   kReplaced  ///< the meshes by hulls; primitives stay where the source is the <collision> elements, else the solid ones of the source come
 };
 
-/// Of a link with these options (null: it was not chosen) of which no mesh fails. Where one fails, they stay.
+/// Of a link with these options (null: it was not chosen) of which no mesh fails. Where one fails, they stay; if there are none, the
+/// hulls of the others come.
 CollisionFate collisionFate(const LinkDescription& link, const LinkOptions* options);
 
 /// How many links have primitives that become, or stay, their collision model, and no mesh.
 std::size_t primitiveLinks(const RobotDescription& robot, const LinkDecisions& decisions);
+
+/// On a robot whose collision meshes all became single hulls, though it has other visual meshes. `rows`: of its report.
+std::vector<std::string> notesOnConvex(const RobotDescription& robot, const std::vector<ElementReport>& rows);
 
 /// On links that are kept and have nothing that collides.
 std::vector<std::string> notesOnBare(const RobotDescription& robot, const LinkDecisions& decisions);

@@ -183,10 +183,21 @@ void refuseLosingMeshes(const Report& report, const fs::path& folder, const RunC
                   "'; run again with fewer jobs or a larger tolerance, choose another output, or run 'decompose --replace-complete'");
 }
 
-/// The report says what the folder loses: hulls are made again, what only a fit to a scene makes is not.
-void noteLost(const fs::path& folder, const std::map<std::string, std::string>& files, Report& report, const RunControl& control) {
+/// The report says what the folder loses: hulls are made again, but not those of links that were not chosen, nor what only a fit to a scene
+/// makes. `hulls`: the files written.
+void noteLost(const fs::path& folder, const std::set<std::string>& hulls, const std::map<std::string, std::string>& files, Report& report,
+              const RunControl& control) {
   const std::optional<EarlierOutput> earlier = earlierOutput(folder, control);
   if (!earlier) return;
+  std::set<fs::path> folders;  // of meshes; each link has one
+  for (const std::string& file : hulls) folders.insert(fs::path(file).parent_path());
+  for (const auto& [file, content] : files) folders.insert(fs::path(file).parent_path());
+  const auto lost = std::find_if(earlier->files.begin(), earlier->files.end(),
+                                 [&](const fs::path& file) { return *file.begin() == "meshes" && folders.count(file.parent_path()) == 0; });
+  if (!report.options.links.empty() && lost != earlier->files.end())
+    report.notes.push_back("the earlier output in '" + folder.string() + "' had hulls of links that this run leaves out, such as '" +
+                           lost->string() +
+                           "'; they are gone. To treat some links otherwise and keep the rest, use --config in place of --links");
   for (const fs::path& file : earlier->files) {
     if (file.extension() != ".srdf" || files.count(file.string()) > 0) continue;
     report.notes.push_back("the earlier output in '" + folder.string() + "' had '" + file.string() +
@@ -220,7 +231,7 @@ bool writeOutput(RobotResult& result, const std::string& output, const RunContro
     folders.write(file, text);
     result.report.files.push_back(file);
   }
-  noteLost(folders.earlier, others, result.report, control);
+  noteLost(folders.earlier, written, others, result.report, control);
   if (result.report.options.html) {
     folders.write(kPageFile, pageOf(result, control));
     result.report.files.emplace_back(kPageFile);

@@ -2,6 +2,7 @@
 // tree, JSON takes many times its text's memory.
 #include "report/earlier_report.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -67,9 +68,9 @@ class ReportReader {
 
   bool null() { return take(Kind::kOther); }
   bool boolean(bool) { return take(Kind::kOther); }
-  bool number_integer(json::number_integer_t) { return take(Kind::kOther); }
-  bool number_unsigned(json::number_unsigned_t) { return take(Kind::kOther); }
-  bool number_float(json::number_float_t, const std::string&) { return take(Kind::kOther); }
+  bool number_integer(json::number_integer_t value) { return number(static_cast<double>(value)); }
+  bool number_unsigned(json::number_unsigned_t value) { return number(static_cast<double>(value)); }
+  bool number_float(json::number_float_t value, const std::string&) { return number(value); }
   bool string(const std::string& text) {
     if (!take(Kind::kText)) return false;
     keep(text);
@@ -107,6 +108,12 @@ class ReportReader {
     if (known == wanted().end()) return true;
     ++seen_[known->first];
     return known->second == kind;
+  }
+
+  bool number(double value) {
+    if (!take(Kind::kOther)) return false;
+    if (place_ == "/links//close_openings") source_.close_openings = std::max(source_.close_openings, value);
+    return true;
   }
 
   bool begin(Kind kind) {

@@ -16,7 +16,7 @@ std::optional<MadeFrom> madeFrom(const Description& original, const Description&
   const fs::path folder = fs::absolute(result.robot.path).parent_path().parent_path();
   const std::optional<EarlierSource> earlier = earlierSource(folder);
   if (!earlier || earlier->input_sha256 != sha256(original.robot.text)) return std::nullopt;
-  return MadeFrom{(folder / kReportFile).string(), earlier->source, earlier->of_link};
+  return MadeFrom{(folder / kReportFile).string(), earlier->source, earlier->close_openings, earlier->of_link};
 }
 
 }  // namespace collision_hulls

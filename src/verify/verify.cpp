@@ -228,6 +228,9 @@ class Verifier {
       done.notes.push_back("RESULT is compared with the elements of ORIGINAL that it was made from (--source " +
                            std::string(name(options_.made_from->source)) + " of decompose), as '" + options_.made_from->report +
                            "' says; --source chooses others");
+    if (options_.made_from && options_.made_from->close_openings > options_.close_openings)
+      done.notes.push_back("RESULT was made with --close-openings " + decimal(1000 * options_.made_from->close_openings, 12) +
+                           "mm, as that report says: give it here as well, or what it closed counts as protrusion");
     noteUnits(done.notes);
     noteNames(done.notes);
     if (!elsewhere_.empty())

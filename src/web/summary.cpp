@@ -113,7 +113,8 @@ std::vector<std::string> warnings(const ModelReport& model, const Report& report
   const std::size_t phantom = report.options.validate ? model.validation.phantom : 0;
   const auto of = [&](std::size_t part) { return grouped(part) + " of " + many(sum.meshes, "mesh", "meshes"); };
   std::vector<std::string> sentences;
-  if (sum.failed > 0) sentences.push_back(of(sum.failed) + " failed: no hulls, and the link keeps its collision elements.");
+  if (sum.failed > 0)
+    sentences.push_back(of(sum.failed) + " failed: no hulls, and a link with one keeps the collision elements that it has.");
   if (sum.degraded > 0)
     sentences.push_back(of(sum.degraded) + (sum.degraded == 1 ? " protrudes" : " protrude") + " further than the tolerance.");
   if (missed > 0)

@@ -64,6 +64,16 @@ TEST_F(FailedMeshes, OneBadLinkLosesNoOther) {
   EXPECT_EQ(result.report.validation.missed, 0u);
 }
 
+TEST_F(FailedMeshes, ALinkWithoutCollisionElementsGetsTheHullsOfItsOtherMeshes) {
+  const RobotResult result = run(link("base", visual("box.obj") + visual("rubbish.stl")) + link("tip", visual("rubbish.stl"), "base"));
+  EXPECT_NE(result.urdf.find("meshes/base/0_0.stl"), std::string::npos) << result.urdf;
+  const std::string all = fixtures::joined(result.report.notes);
+  for (const char* part :
+       {"link 'base' has no <collision> elements to keep in place of a mesh that failed: only what its other meshes gave collides",
+        "link 'tip' has no <collision> elements to keep in place of a mesh that failed: nothing collides there"})
+    EXPECT_NE(all.find(part), std::string::npos) << all;
+}
+
 // Each row names its own mesh, though equal ones are worked on once.
 TEST_F(FailedMeshes, AnEqualMeshFailsUnderItsOwnName) {
   fixtures::write(folder_ / "meshes/copy.stl", fixtures::read(folder_ / "meshes/rubbish.stl"));

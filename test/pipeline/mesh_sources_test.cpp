@@ -31,6 +31,33 @@ TEST_F(MeshSources, VisualWithOnlyAMaterialIsIgnored) {
   EXPECT_EQ(count(result.urdf, paint.substr(4, paint.size() - 5)), 2u);
 }
 
+TEST_F(MeshSources, PrimitivesThatStayBesideMeshesAreTold) {
+  const std::string ball = "    <collision><geometry><sphere radius=\"0.1\"/></geometry></collision>\n";
+  const std::string arm = link("base", collision("bracket.obj"));
+  const std::string told =
+      "1 link keeps the primitives of its <collision> elements, as they are: tip; "
+      "'source: visual' in a configuration decomposes its visual meshes";
+  LinkRule rule;
+  rule.pattern = "tip";
+  rule.settings.tolerance = parseLength("2mm");
+  options_.rules = {rule};
+  const RobotResult seen = run(arm + link("tip", visual("box.obj") + ball, "base")), unseen = run(arm + link("tip", ball, "base"));
+  EXPECT_EQ(count(fixtures::joined(seen.report.notes), told), 1u) << fixtures::joined(seen.report.notes);
+  EXPECT_EQ(count(fixtures::joined(seen.report.notes), "has a mesh to decompose; 'source: visual' uses their visual meshes"), 1u);
+  EXPECT_EQ(count(fixtures::joined(unseen.report.notes), "'source: visual'"), 0u) << fixtures::joined(unseen.report.notes);
+}
+
+TEST_F(MeshSources, CollisionMeshesThatAreAllConvexAreToldIfThereIsMoreToSee) {
+  const auto told = [&](const std::string& elements) {
+    return count(fixtures::joined(run(link("base", elements)).report.notes), "each collision mesh became a single hull");
+  };
+  EXPECT_EQ(told(collision("box.obj") + visual("bracket.obj")), 1u);
+  EXPECT_EQ(told(collision("box.obj") + visual("box.obj")), 0u) << "the same mesh";
+  EXPECT_EQ(told(collision("box.obj")), 0u) << "nothing else to see";
+  EXPECT_EQ(told(collision("box.obj") + collision("channel.obj") + visual("bracket.obj")), 0u) << "one has several hulls";
+  EXPECT_EQ(told(visual("box.obj") + visual("bracket.obj")), 0u);
+}
+
 // Some descriptions mark places with them; a collision element without a size is one that simulators refuse.
 TEST_F(MeshSources, VisualPrimitivesWithoutASizeBecomeNoCollisions) {
   options_.source = Source::kVisual;

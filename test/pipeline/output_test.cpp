@@ -196,6 +196,14 @@ TEST(HowToUse, AsTheUrisWantIt) {
   writeOutput(result, folder / "my out/arm");
   EXPECT_NE(howToUse(result, folder / "my out/arm").find("export ROS_PACKAGE_PATH='" + folder.path().string() + "/my out':$"),
             std::string::npos);
+  fixtures::write(folder / "robots/arm_description/package.xml", "<package><name>arm_description</name></package>");
+  result.report.input_path = folder / "robots/arm_description/urdf/arm.urdf";
+  result.urdf =
+      R"(<robot name="My Arm"><link name="l"><visual><geometry><mesh filename="package://arm_description/l.stl"/></geometry></visual></link></robot>)";
+  expect({"export ROS_PACKAGE_PATH=" + folder.path().string() + ":" + folder.path().string() + "/robots:$ROS_PACKAGE_PATH"}, {});
+  setenv("ROS_PACKAGE_PATH", (folder.path().string() + "/robots").c_str(), 1);
+  expect({export_line}, {"/robots"});
+  unsetenv("ROS_PACKAGE_PATH");
   result.report.options.uri = UriStyle::kFile;
   expect({"textfile=\"" + urdf + "\"/>"}, {"ROS_PACKAGE_PATH"});
   result.report.options.uri = UriStyle::kRelative;
@@ -215,6 +223,23 @@ TEST(WriteOutput, ReplacesAnEarlierOutputAsAWhole) {
   writeOutput(result, folder / "out");
   EXPECT_FALSE(fs::exists(folder / "out/meshes/b"));
   EXPECT_TRUE(fs::exists(folder / "out/meshes/a/0_1.stl"));
+}
+
+TEST(WriteOutput, TellsOfHullsOfLinksThatWereNotChosen) {
+  const TempFolder folder;
+  RobotResult result = sample();
+  writeOutput(result, folder / "out");
+  const auto told = [&](const std::string& links, std::size_t rows) {
+    RobotResult some = sample();
+    some.report.options.links = links;
+    some.report.links.resize(rows), some.elements.resize(rows);
+    writeOutput(some, folder / "out");
+    return fixtures::joined(some.report.notes);
+  };
+  EXPECT_EQ(told("a|b", 2), "");
+  EXPECT_NE(told("a", 1).find("had hulls of links that this run leaves out, such as 'meshes/b/0_0.stl'"), std::string::npos);
+  writeOutput(result, folder / "out");
+  EXPECT_EQ(told("", 1), "") << "the description itself has changed";
 }
 
 TEST(WriteOutput, RefusesAnEarlierOutputWithAddedFiles) {

@@ -39,7 +39,7 @@ TEST_F(OutputUris, NotesThoseThatNowResolveElsewhere) {
   const std::string absolute = "    <visual>" + meshTag("file://" + (folder_ / "meshes/box.obj")) + "</visual>\n";
   for (const UriStyle style : {UriStyle::kPackage, UriStyle::kRelative}) {
     options_.uri = style;
-    EXPECT_TRUE(notes(link("base", absolute + collision("box.obj"))).empty()) << "a URI that is replaced needs no note";
+    EXPECT_TRUE(notes(link("base", absolute + collision("bracket.obj"))).empty()) << "a URI that is replaced needs no note";
     const auto kept = notes(link("base", visual("box.obj") + visual("box.obj", "2 2 2") + collision("box.obj")));
     ASSERT_EQ(kept.size(), 1u);
     EXPECT_EQ(kept[0].rfind("1 mesh URI is", 0), 0u) << kept[0];

@@ -43,11 +43,12 @@ TEST_F(EarlierReport, WhatTheModelWasMadeFrom) {
                         std::string("\"links\": [") + rows + "]}");
     return earlierSource(folder_.path());
   };
-  const auto source = written(R"({"link": "a", "source": "collision", "status": "ok", "files": []},)"
+  const auto source = written(R"({"link": "a", "source": "collision", "status": "ok", "files": [], "close_openings": 0.25},)"
                               R"({"link": "b", "source": "visual", "sha256": "34", "status": "ok", "files": []})");
   ASSERT_TRUE(source);
   EXPECT_EQ(source->input_sha256, "12");
   EXPECT_EQ(source->source, Source::kVisual);
+  EXPECT_EQ(source->close_openings, 0.25);
   EXPECT_EQ(source->of_link, (std::map<std::string, Source>{{"a", Source::kCollision}, {"b", Source::kVisual}}));
   EXPECT_FALSE(written(R"({"link": "a"})"));
   EXPECT_FALSE(written("5"));

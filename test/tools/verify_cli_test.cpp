@@ -155,6 +155,19 @@ TEST_F(VerifyProgram, OutputOfDecomposeIsComparedWithWhatItWasMadeFrom) {
   EXPECT_GT(protrusion(measured("out/urdf/r.urdf out/urdf/r.urdf")), 0.1);
 }
 
+TEST_F(VerifyProgram, SaysWhichOpeningsDecomposeClosed) {
+  TriangleMesh cup = test_shapes::box(0.1, 0.1, 0.1);
+  cup.triangles.resize(10);  // without its lid
+  const std::string file = fixtures::write(folder_ / "cup.obj", fixtures::obj(cup));
+  fixtures::write(folder_ / "r.urdf", fixtures::robot("r", fixtures::link("a", "<visual>" + fixtures::meshTag(file) + "</visual>")));
+  const std::string decompose =
+      "cd '" + folder_.path().string() + "' && '" PROGRAMS "/decompose' r.urdf -o out --close-openings 20cm --quiet";
+  ASSERT_EQ(std::system(decompose.c_str()), 0);
+  const std::string said = "RESULT was made with --close-openings 200mm, as that report says";
+  EXPECT_NE(measured("r.urdf out/urdf/r.urdf")["notes"].dump().find(said), std::string::npos);
+  EXPECT_EQ(measured("r.urdf out/urdf/r.urdf --close-openings 20cm")["notes"].dump().find(said), std::string::npos);
+}
+
 /// What decompose says of its own hulls, and what verify says of the files, made by other code.
 TEST_F(VerifyProgram, AgreesWithTheReportOnTheDemoRobot) {
   const std::string urdf = DEMO_ROBOT "/urdf/demo_arm.urdf", in = "'" + urdf + "' ", package_path = " --package-path '" DEMO_ROBOT "'";

@@ -92,7 +92,7 @@ TEST(Warnings, WhatAsksForAttention) {
   sample.report.validation.missed = 2;
   sample.report.validation.phantom = 1;
   EXPECT_EQ(all(warnings(sample.report, sample.report)),
-            "1 of 3 meshes failed: no hulls, and the link keeps its collision elements.|"
+            "1 of 3 meshes failed: no hulls, and a link with one keeps the collision elements that it has.|"
             "1 of 3 meshes protrudes further than the tolerance.|"
             "2 collisions missed in the check: please report this as a fault of collision_hulls.|"
             "1 false collision beyond the protrusion: please report this as a fault of collision_hulls.|");

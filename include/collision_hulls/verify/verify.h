@@ -36,6 +36,7 @@ Description describeMesh(const std::string& file);
 struct MadeFrom {
   std::string report;             ///< the file that says so
   Source source = Source::kAuto;  ///< as decompose has it: kAuto prefers a link's `<collision>`
+  double close_openings = 0;      ///< [m] what was closed before; the largest where links differ
   /// kVisual or kCollision, of the links whose meshes were decomposed
   std::map<std::string, Source> of_link;
 };

@@ -193,15 +193,17 @@ std::size_t phantoms(const FittedModel& model, const std::vector<char>& hit, con
 }  // namespace
 
 double upperBound(std::size_t found) {
-  // The mean at which a Poisson variable is at most `found` with a probability of 5 %.
-  const auto probability = [&](double mean) {
-    double term = std::exp(-mean), sum = term;
-    for (std::size_t i = 1; i <= found; ++i) sum += term *= mean / static_cast<double>(i);
-    return sum;
+  // The mean at which a Poisson variable is at most `found` with a probability of 5 %. The terms are summed from the last one down, as
+  // shares of it: the first, exp(-mean), is no number above a mean of 745.
+  const auto most = static_cast<double>(found);
+  const auto logarithm = [&](double mean) {
+    double term = 1, sum = 1;
+    for (double i = most; i > 0 && term > 1e-17 * sum; --i) sum += term *= i / mean;
+    return std::log(sum) + most * std::log(mean) - mean - std::lgamma(most + 1);
   };
   constexpr double kRisk = 0.05;
-  double low = 0, high = 10 + 3 * static_cast<double>(found);
-  for (int i = 0; i < 60; ++i) (probability((low + high) / 2) > kRisk ? low : high) = (low + high) / 2;
+  double low = 0, high = 10 + 3 * most;
+  for (int i = 0; i < 60; ++i) (logarithm((low + high) / 2) > std::log(kRisk) ? low : high) = (low + high) / 2;
   return high;
 }
 

@@ -31,8 +31,8 @@ Hits countHits(const FittedModel& model, const RunControl& control);
 
 FitReport fitReport(const FittedModel& model, const Hits& hits, const RunControl& control);
 
-/// The pairs that an SRDF should disable, and how that is known. Given configurations or a few samples alone are not enough for a pair to
-/// be among them.
+/// The pairs that an SRDF should disable, and how that is known. For a pair that is not in contact, neither given configurations nor a
+/// few samples are enough.
 std::vector<DisabledPair> disabledPairs(const FittedModel& model, const Hits& hits);
 
 /// Upper bound, with 95 % confidence, on the expected count when `found` were seen: 3 for none. Divided by the number of samples it bounds

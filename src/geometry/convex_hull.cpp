@@ -92,7 +92,8 @@ double leastThickness(double size, const Frame& frame) {
 }
 
 /// Corners of the 2D convex hull, counter-clockwise (Andrew's monotone chain). Drops points that stand out less than `flat` beyond their
-/// neighbours' chord; no dropped point lies further than that beyond the outline.
+/// neighbours' chord, sideways or past its ends; no dropped point lies further than that beyond the outline. (Rounding may order the points
+/// of an edge across the sweep at random; the furthest of them is then the middle one of three.)
 std::vector<Eigen::Vector2d> hull2d(std::vector<Eigen::Vector2d> p, double flat) {
   struct Corner {
     Eigen::Vector2d at;
@@ -105,7 +106,8 @@ std::vector<Eigen::Vector2d> hull2d(std::vector<Eigen::Vector2d> p, double flat)
     while (chain.size() > fixed && chain.size() >= 2) {
       const Eigen::Vector2d u = chain.back().at - chain[chain.size() - 2].at, v = at - chain[chain.size() - 2].at;
       const double height = (u.x() * v.y() - u.y() * v.x()) / v.norm();
-      const double lost = std::max(chain.back().lost, next.lost) + std::max(0.0, height);
+      const double along = u.dot(v) / v.norm(), past = std::max(-along, along - v.norm());
+      const double lost = std::max(chain.back().lost, next.lost) + std::max({0.0, height, past});
       if (height > 0 && lost > flat) break;
       next.lost = lost;
       chain.pop_back();

@@ -13,7 +13,7 @@ namespace {
 Eigen::RowVectorXd chordsOf(const BoxedJoint& at, const PointMatrix& points) {
   if (!at.joint->turns) return Eigen::RowVectorXd::Constant(points.cols(), at.way);
   const double chord = 2 * std::sin(std::min(at.way, kPi) / 2);
-  return chord * (points.colwise().squaredNorm() - (at.joint->axis.transpose() * points).cwiseAbs2()).cwiseMax(0).cwiseSqrt();
+  return chord * points.colwise().cross(at.joint->axis).colwise().norm();
 }
 
 /// How far one joint alone moves points along a direction given in its frame.

@@ -43,7 +43,8 @@ std::vector<Eigen::Affine3d> places(const ChainJoint& joint, const JointRange& r
   const int pieces = std::max(1, static_cast<int>(std::ceil(turn / kArc)));
   const double half = turn / pieces / 2;
   std::vector<Eigen::Affine3d> result;
-  for (int i = 0; i < pieces; ++i) result.push_back(turnedOut(joint, range.lower + (2 * i + 1) * half, 1 / std::cos(half)));
+  const double from = whole ? 0 : range.lower;  // a lower limit far out would swallow the steps
+  for (int i = 0; i < pieces; ++i) result.push_back(turnedOut(joint, from + (2 * i + 1) * half, 1 / std::cos(half)));
   if (!whole) result.insert(result.end(), {turnedOut(joint, range.lower, 1), turnedOut(joint, range.upper, 1)});
   return result;
 }

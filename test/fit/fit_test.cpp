@@ -377,6 +377,9 @@ TEST(UpperBound, OfThePoissonDistribution) {
   EXPECT_NEAR(upperBound(0), 2.9957, 1e-3);
   EXPECT_NEAR(upperBound(1), 4.7439, 1e-3);
   EXPECT_NEAR(upperBound(10), 16.962, 1e-2);
+  EXPECT_NEAR(upperBound(700), 745.111, 1e-2);
+  EXPECT_NEAR(upperBound(1000), 1053.60, 1e-2);
+  EXPECT_NEAR(upperBound(10'000'000), 10'005'203, 1);
 }
 
 }  // namespace

@@ -166,6 +166,19 @@ TEST(ConvexHull, APlaneBecomesAThinPlate) {
   }
 }
 
+// The frame's second axis lies along three of them, which rounding then puts in any order.
+TEST(ConvexHull, AFlatSetKeepsTheCornersOfAnEdgeAcrossItsFrame) {
+  RandomPoints random(8);
+  for (int i = 0; i < 500; ++i) {
+    SCOPED_TRACE(i);
+    const Eigen::Matrix3d turn = random.rotation();
+    Points points;
+    for (const Vector3d& p : {Vector3d(5, 5, 0), {0, 0, 0}, {10, 0, 0}, {-1.5, 3, 0}, {-1.5, 5, 0}, {-1.5, 7, 0}})
+      points.push_back(turn * p / 10 + Vector3d(0.3, 0.2, 0.1) * (i % 2));
+    checkedHull(points);
+  }
+}
+
 TEST(ConvexHull, NearlyFlatSetsAcrossTheThreshold) {
   RandomPoints random(5);
   for (double height : {1e-3, 1e-4, 1e-5, 3e-6, 1.5e-6, 1.01e-6, 9.9e-7, 5e-7, 1e-7, 1e-9, 1e-12, 1e-15}) {

@@ -38,6 +38,13 @@ TEST(BoxMovement, OfOneTurningJointIsTheChord) {
   EXPECT_NEAR(body.movementAlong(Vector3d::UnitZ(), shares), 0, 1e-12);
 }
 
+TEST(BoxMovement, IsAsExactFarAlongTheAxis) {
+  const ChainJoint hinge = joint(true, Vector3d::UnitZ());
+  const BoxedBody body(column({1e-9, 0, 1}), {{&hinge, 0, 0, 0.3}});
+  std::vector<double> shares(1);
+  EXPECT_NEAR(body.movement(shares), 2e-9 * std::sin(0.15), 1e-15);
+}
+
 TEST(BoxMovement, OfOneSlidingJointIsItsWay) {
   const ChainJoint slide = joint(false, Vector3d::UnitX());
   const BoxedBody body(column({1, 2, 3}), {{&slide, 0, 0, 0.25}});

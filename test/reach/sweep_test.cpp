@@ -59,6 +59,14 @@ TEST(Sweep, TurningPointsStayWithinTwoPerCentOfTheirArc) {
   }
 }
 
+TEST(Sweep, AWholeTurnFromALimitFarOut) {
+  ChainJoint joint;
+  joint.axis = Eigen::Vector3d::UnitZ();
+  const ConvexHull body = convexHull(swept({{1, 0, 0}, {1, 0, 1}}, joint, {-1e17, 0}));
+  for (double angle = 0; angle < 2 * kPi; angle += 0.01)
+    EXPECT_LE(planeDistance(body, {std::cos(angle), std::sin(angle), 0.5}), 1e-9) << angle;
+}
+
 TEST(Sweep, EnclosesTheLinkInAllConfigurations) {
   const RobotDescription robot = readRobotDescription(DEMO_ROBOT "/urdf/demo_arm.urdf");
   const Kinematics kinematics(robot);

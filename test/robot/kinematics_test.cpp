@@ -118,6 +118,13 @@ TEST(Kinematics, JointsByName) {
   EXPECT_TRUE(kinematics.variables()[0].continuous);
 }
 
+// Converters write numbers of that size where a joint has no limit, also on one side alone.
+TEST(Kinematics, LimitsFarApartAreNone) {
+  for (const auto& [lower, upper] : {std::pair(-1e16, 0.0), std::pair(0.0, 2e4), std::pair(-1e5, 1e5)})
+    EXPECT_TRUE(Kinematics(robot(links(2) + joint(0, "revolute", limit(lower, upper)))).variables()[0].continuous) << lower;
+  EXPECT_FALSE(Kinematics(robot(links(2) + joint(0, "revolute", limit(-100, 100)))).variables()[0].continuous);
+}
+
 TEST(Kinematics, MimicsOfMimics) {
   const std::vector<NamedJoint> joints =
       Kinematics(robot(links(4) + joint(0, "prismatic", limit(0, 1) + "<mimic joint=\"j1\" multiplier=\"3\" offset=\"1\"/>") +

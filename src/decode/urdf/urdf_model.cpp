@@ -128,8 +128,7 @@ JointDescription toJoint(const urdf::Joint& joint) {
   result.axis = toEigen(joint.axis).stableNormalized();
   constexpr double kNoLimit = 1e4;  // [rad] converters write such numbers where there is none
   const bool turns = result.kind == JointDescription::Kind::kRevolute;
-  if (turns && joint.limits && joint.limits->lower < -kNoLimit && joint.limits->upper > kNoLimit)
-    result.kind = JointDescription::Kind::kContinuous;
+  if (turns && joint.limits && joint.limits->upper - joint.limits->lower > kNoLimit) result.kind = JointDescription::Kind::kContinuous;
   if (result.kind == JointDescription::Kind::kContinuous) {
     result.lower = -kPi;
     result.upper = kPi;

@@ -11,6 +11,7 @@
 #include "collision_hulls/config/link_decisions.h"
 #include "collision_hulls/error.h"
 #include "config/quoted.h"
+#include "geometry/pi.h"
 #include "report/link_pattern.h"
 #include "robot/number_text.h"
 
@@ -18,16 +19,17 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kMostRegions = 1000;
+constexpr const char* kMetres = "a finite number of metres, as in 0.1";
 constexpr char kExample[] = "{link: hand, box: {center: [0, 0, 0.1], size: [0.1, 0.2, 0.05]}, keep_clear: true}";
 
-void readVector(const ConfigItem& item, Eigen::Vector3d& vector) {
+/// `entry`: what one of its entries should be.
+void readVector(const ConfigItem& item, const std::string& entry_expected, Eigen::Vector3d& vector) {
   const std::string expected = "a list of three numbers, as in [0, 0, 0.1]";
   if (!item.value.isSequence()) item.refuse(expected);
   const std::size_t entries = item.value.items().size();
   if (entries != 3) item.value.fail(item.name + " has " + counted(entries, "entry", "entries") + ": use " + expected);
   int i = 0;
-  for (const YamlValue& entry : item.value.items())
-    vector[i++] = ConfigItem{entry, "an entry of " + item.name}.number("a finite number, as in 0.1");
+  for (const YamlValue& entry : item.value.items()) vector[i++] = ConfigItem{entry, "an entry of " + item.name}.number(entry_expected);
 }
 
 /// 0 means clear.
@@ -84,9 +86,16 @@ class RegionReader {
 
   void readBox(const ConfigItem& item) {
     RegionBox box;
-    const auto take = [](Eigen::Vector3d& vector) { return [&vector](const ConfigItem& of) { readVector(of, vector); }; };
-    readMap(item, {{"center", take(box.center)}, {"size", take(box.size)}, {"rpy", take(box.rpy)}},
+    const auto take = [](const char* expected, Eigen::Vector3d& vector) {
+      return [expected, &vector](const ConfigItem& of) { readVector(of, expected, vector); };
+    };
+    readMap(item,
+            {{"center", take(kMetres, box.center)},
+             {"size", take(kMetres, box.size)},
+             {"rpy", take("a number of radians, as in 1.57", box.rpy)}},
             "a map such as {center: [0, 0, 0.1], size: [0.1, 0.2, 0.05]}");
+    if (box.rpy.cwiseAbs().maxCoeff() > 2 * kPi)
+      item.value.fail("rpy of " + item.name + " is " + entriesText(box.rpy) + ", more than a whole turn: give radians, as in [0, 0, 1.57]");
     if (!item.value.has("size")) item.value.fail(item.name + " has no size: add one, as in size: [0.1, 0.2, 0.05]");
     rule_.shape = box;
     ++shapes_;
@@ -95,8 +104,8 @@ class RegionReader {
   void readHalfSpace(const ConfigItem& item) {
     RegionHalfSpace half_space;
     readMap(item,
-            {{"normal", [&](const ConfigItem& of) { readVector(of, half_space.normal); }},
-             {"offset", [&](const ConfigItem& of) { half_space.offset = of.number("a finite number of metres, as in 0.1"); }}},
+            {{"normal", [&](const ConfigItem& of) { readVector(of, "a finite number, as in 0.1", half_space.normal); }},
+             {"offset", [&](const ConfigItem& of) { half_space.offset = of.number(kMetres); }}},
             "a map such as {normal: [0, 0, -1], offset: 0}, which points into the region");
     if (!item.value.has("normal")) item.value.fail(item.name + " has no normal: add one that points into the region, as in [0, 0, -1]");
     rule_.shape = half_space;

@@ -118,6 +118,32 @@ YamlTree onlyDocument(const std::string& text) {
   return result;
 }
 
+/// The line of a text that a mark is in.
+std::string lineAt(const std::string& text, const YAML::Mark& mark) {
+  std::istringstream lines(text);
+  std::string line;
+  for (int i = 0; i <= mark.line && std::getline(lines, line); ++i) continue;
+  return line;
+}
+
+/// yaml-cpp's reason, and what most likely led to it.
+std::string reasonOf(const YAML::Exception& error, const std::string& text) {
+  const auto is = [&](const char* known) { return error.msg.rfind(known, 0) == 0; };
+  const std::string line = lineAt(text, error.mark), indent = line.substr(0, line.find_first_not_of(" \t"));
+  std::string likely;
+  if (indent.find('\t') != std::string::npos)
+    likely = "; the line begins with a tab: indent with spaces";
+  else if (is(YAML::ErrorMsg::UNKNOWN_ANCHOR))
+    likely = "; put text that begins with '*' in quotes";
+  else if (is(YAML::ErrorMsg::END_OF_MAP_FLOW))
+    likely = "; a '{' before is not closed";
+  else if (is(YAML::ErrorMsg::END_OF_SEQ_FLOW))
+    likely = "; a '[' before is not closed";
+  else if (is(YAML::ErrorMsg::END_OF_MAP) || is(YAML::ErrorMsg::END_OF_SEQ))
+    likely = "; indent it as the lines that it belongs to";
+  return "not valid YAML: " + error.msg + likely;
+}
+
 YamlTree treeOf(const YamlText& document, const std::string& file, ErrorCode code) {
   const auto fail = [&](const YAML::Mark& mark, const std::string& reason) {
     const std::uint64_t line = document.first_line + static_cast<std::uint64_t>(std::max(0, mark.line));
@@ -133,7 +159,7 @@ YamlTree treeOf(const YamlText& document, const std::string& file, ErrorCode cod
   } catch (const YamlFault& fault) {
     fail(fault.mark, fault.reason);
   } catch (const YAML::Exception& error) {
-    fail(error.mark, "not valid YAML: " + error.msg);
+    fail(error.mark, reasonOf(error, document.text));
   }
   return {};
 }

@@ -7,6 +7,7 @@
 #include "base/string_parts.h"
 #include "base/uri_text.h"
 #include "collision_hulls/error.h"
+#include "geometry/pi.h"
 #include "geometry/roll_pitch_yaw.h"
 #include "scene/reading.h"
 #include "scene/yaml_node.h"
@@ -37,7 +38,12 @@ Eigen::Isometry3d pose(const YamlValue& value) {
   if (value.has("rpy") && value.has("quaternion")) value.fail("a pose takes rpy or quaternion, not both");
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
   if (value.has("xyz")) result.translation() = vector(value["xyz"]);
-  if (value.has("rpy")) result.linear() = fromRollPitchYaw(vector(value["rpy"])).toRotationMatrix();
+  if (value.has("rpy")) {
+    const Eigen::Vector3d rpy = vector(value["rpy"]);
+    if (rpy.cwiseAbs().maxCoeff() > 2 * kPi)
+      value["rpy"].fail("an angle of rpy is more than a whole turn; give radians, as in [0, 0, 1.57]");
+    result.linear() = fromRollPitchYaw(rpy).toRotationMatrix();
+  }
   if (value.has("quaternion")) {
     const std::vector<double> q = value["quaternion"].numbers(4);
     inContext(value["quaternion"].place(), [&] { result.linear() = checkedQuaternion(q[0], q[1], q[2], q[3]).toRotationMatrix(); });

@@ -73,7 +73,10 @@ TEST(ParseConfig, EveryWayToGetItWrong) {
     std::vector<const char*> parts;  // of the message: line, item, value, remedy
   };
   const std::vector<Wrong> all = {
-      {"default: {tolerance: 5mm\n", {"'f.yaml', line", "not valid YAML"}},
+      {"default: {tolerance: 5mm\n", {"'f.yaml', line", "not valid YAML", "a '{' before is not closed"}},
+      {"only: [a\n", {"not valid YAML", "a '[' before is not closed"}},
+      {"links:\n\tarm: keep", {"line 2", "not valid YAML", "begins with a tab: indent with spaces"}},
+      {"links:\n  arm: keep\n hand: keep", {"line 3", "not valid YAML", "indent it as the lines that it belongs to"}},
       {"- a list", {"line 1", "a configuration is a map", "default:"}},
       {"just words", {"line 1", "a configuration is a map"}},
       {"{}\n---\n{}", {"line 3", "a second document"}},
@@ -129,7 +132,7 @@ TEST(ParseConfig, EveryWayToGetItWrong) {
       {"links: {? [a] : keep}", {"line 1", "a key of links is a list: use a single word"}},
       {"{a: b}: keep", {"line 1", "a key is a map: use a single word"}},
       {"links: {~: keep}", {"line 1", "a key of links is nothing: use a single word"}},
-      {"links: {a: *nowhere}", {"not valid YAML"}},
+      {"links: {a: *nowhere}", {"not valid YAML", "put text that begins with '*' in quotes"}},
       {"links: &a {b: *a}", {"line 1"}},
       {"only: \"*\"", {"only '*' is invalid"}},
       {"only: {a: b}", {"only is a map"}},

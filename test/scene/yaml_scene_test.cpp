@@ -70,6 +70,7 @@ TEST(YamlScene, ErrorsNameTheFaultAndTheLine) {
   expectBad({"line 2", "'a'", "a sphere of 0"}, body("name: a, sphere: 0"));
   expectBad({"only a mesh"}, body("name: a, sphere: 1, scale: [1, 1, 1]"));
   expectBad({"not both"}, body("name: a, sphere: 1, pose: {rpy: [0, 0, 0], quaternion: [0, 0, 0, 1]}"));
+  expectBad({"line 2", "more than a whole turn; give radians"}, body("name: a, sphere: 1, pose: {rpy: [0, 0, 90]}"));
   expectBad({"length 2"}, body("name: a, sphere: 1, pose: {quaternion: [0, 0, 0, 2]}"));
   expectBad({"line 3", "'a'", "twice"}, body("name: a, sphere: 1") + "- {name: a, sphere: 2}");
   expectError(ErrorCode::kBadScale, {"'a'"}, [&] {

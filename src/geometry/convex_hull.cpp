@@ -105,10 +105,10 @@ std::vector<Eigen::Vector2d> hull2d(std::vector<Eigen::Vector2d> p, double flat)
     Corner next{at, 0};
     while (chain.size() > fixed && chain.size() >= 2) {
       const Eigen::Vector2d u = chain.back().at - chain[chain.size() - 2].at, v = at - chain[chain.size() - 2].at;
-      const double height = (u.x() * v.y() - u.y() * v.x()) / v.norm();
-      const double along = u.dot(v) / v.norm(), past = std::max(-along, along - v.norm());
-      const double lost = std::max(chain.back().lost, next.lost) + std::max({0.0, height, past});
-      if (height > 0 && lost > flat) break;
+      const double length = v.norm(), height = (u.x() * v.y() - u.y() * v.x()) / length, along = u.dot(v) / length;
+      const double out = height > 0 ? std::max({height, -along, along - length}) : 0;
+      const double lost = std::max(chain.back().lost, next.lost) + out;
+      if (out > 0 && lost > flat) break;
       next.lost = lost;
       chain.pop_back();
     }

@@ -29,6 +29,7 @@ namespace {
 // Shares of the whole time at which stages end, approximately.
 constexpr double kTreesEnd = 0.4, kFitEnd = 0.8, kCertifyEnd = 0.9;
 constexpr double kFittedGap = 0.01;  // of the tolerance, or of the protrusion that the tree states if that is larger
+constexpr double kOften = 0.01;      // of the samples: if a pair of links collides in more though its meshes do not, there is a note
 constexpr double kMost = 0.5;        // of the samples: if the robot touches the scene in more, there is a note
 
 using FitMeshes = std::vector<std::shared_ptr<const FitMesh>>;  // one per use; null: failed
@@ -288,6 +289,22 @@ std::string noteOnScenePairs(const FitReport& fit) {
          "; check the scene's place unless the robot stands like that";
 }
 
+/// On pairs of links whose hulls meet in many configurations in which their meshes are near, but do not touch; empty: there are none.
+std::string noteOnNearPairs(const FitReport& fit) {
+  const PairHits* worst = nullptr;
+  std::size_t count = 0;
+  for (const PairHits& pair : fit.self) {
+    if (!pair.links || static_cast<double>(pair.after) < kOften * static_cast<double>(fit.samples)) continue;
+    ++count;
+    if (!worst || pair.after > worst->after) worst = &pair;
+  }
+  if (!worst) return "";
+  return "hulls of links '" + worst->first + "' and '" + worst->second + "' collide in " + std::to_string(worst->after) + " of " +
+         std::to_string(fit.samples) + " configurations in which the meshes do not" +
+         (count > 1 ? ", and those of " + counted(count - 1, "more pair") + " in many" : "") +
+         "; if they should work nearer to each other than the clearance, use a smaller one";
+}
+
 /// `unfitted`: links that the options keep or remove.
 std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options, std::size_t unfitted) {
   std::vector<std::string> notes = fit.notes;
@@ -295,6 +312,7 @@ std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options
   if (unfitted > 0)
     notes.push_back(counted(unfitted, "link") + (unfitted == 1 ? " that is" : " that are") + " kept or removed had no part in the fit");
   if (const std::string note = noteOnScenePairs(fit); !note.empty()) notes.push_back(note);
+  if (const std::string note = noteOnNearPairs(fit); !note.empty()) notes.push_back(note);
   if (!fit.scene_contact.empty()) notes.push_back("the original is in contact with the scene at rest: " + fit.scene_contact);
   const std::string touched = "the original touches the scene in " + std::to_string(fit.scene_hits) + " of " + std::to_string(fit.samples);
   if (fit.scene_hits > 0 && fit.given) notes.push_back(touched + " given configurations");

@@ -340,6 +340,25 @@ TEST_F(FitRobotToScene, FitsALinkAsAWholeOrNotAtAll) {
   EXPECT_NE(result.urdf.find("rubbish.stl"), std::string::npos);
 }
 
+// A block that slides out of the bracket's notch, in which it is 3 cm clear of the bracket.
+TEST_F(FitRobotToScene, TellsOfLinksThatMeetWithinTheClearance) {
+  fixtures::write(folder_ / "meshes/block.obj", fixtures::obj(test_shapes::box(0.03, 0.03, 0.03)));
+  const std::string links =
+      fixtures::link("base", bracket()) + "  <link name=\"mid\"/>\n  <link name=\"tip\">" +
+      collision(fixtures::meshTag("../meshes/block.obj")) + "</link>\n" +
+      "<joint name=\"a\" type=\"prismatic\"><parent link=\"base\"/><child link=\"mid\"/><limit upper=\"0.001\" effort=\"1\" "
+      "velocity=\"1\"/></joint>"
+      "<joint name=\"b\" type=\"prismatic\"><parent link=\"mid\"/><child link=\"tip\"/>"
+      "<origin xyz=\"0.06 0.06 0.02\"/><axis xyz=\"0 0 1\"/><limit lower=\"0\" upper=\"1\" effort=\"1\" velocity=\"1\"/></joint>\n";
+  request_.scene.bodies[0].pose = at(5, 5, 5);
+  request_.samples = 1000;
+  const std::string told = "hulls of links 'base' and 'tip' collide in ";
+  request_.clearance = 0.06;
+  EXPECT_TRUE(isNoted(run(links), told));
+  request_.clearance = 0.01;
+  EXPECT_FALSE(isNoted(run(links), told));
+}
+
 TEST_F(FitRobotToScene, IgnoresPrimitivesWithoutASize) {
   const std::string dummy = "    <collision><geometry><box size=\"0 0 0\"/></geometry></collision>\n";
   const RobotResult result = run(fixtures::link("base", bracket()) + fixtures::link("tip", dummy, "base"));

@@ -23,7 +23,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr double kRounding = 1e-12;       // of the coordinates, as in measure/protrusion.cpp
-constexpr double kLeastTolerance = 1e-5;  // of the coordinates: far above single precision, in which spheres are given
+constexpr double kLeastTolerance = 4e-5;  // of the coordinates: spheres hold points by a share of it (sphere_choice.cpp) above kLeastDepth
 constexpr double kMargins = 4;            // the least tolerance, in margins
 constexpr double kRaise = 4;              // factor by which the tolerance is raised until the limit on spheres is enough,
 constexpr double kClose = 1.03;           // and the one within which the least such tolerance is then found,

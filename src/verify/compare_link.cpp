@@ -143,7 +143,9 @@ Largest LinkPair::protrusion(double gap, double gate, const RunControl& control)
     const Protrusion far = meshProtrusion(not_convex, Solid(repair(not_convex, {}, control), control), *solid_, gap, control);
     takeWorse(worst, {far.bound, std::max(0.0, far.found - surface_error_), far.where});
   }
-  worst.bound += margin;
+  double beyond = 0;
+  for (const MeshBody& body : left.meshes) beyond = std::max(beyond, body.parts.beyond);
+  worst.bound += margin + beyond;
   return worst;
 }
 

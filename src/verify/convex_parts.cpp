@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "base/looks.h"
 #include "collision_hulls/geometry/triangle_bvh.h"
@@ -60,8 +61,8 @@ bool isConvex(const TriangleMesh& part, const ConvexHull& hull, const RunControl
   return overhang(compared, control) <= slackOf(hull);
 }
 
-/// Tells whether a segment lies in one of some hulls, up to rounding, and compares it with those alone whose boxes it meets. Keeps
-/// references.
+/// Tells whether a segment lies in one of some hulls, up to what single precision tells apart, and compares it with those alone whose boxes
+/// it meets. Keeps references.
 class HullsByPlace {
  public:
   HullsByPlace(const std::vector<ConvexHull>& hulls, const RunControl& control) : hulls_(hulls), control_(control) {
@@ -69,24 +70,28 @@ class HullsByPlace {
     for (const ConvexHull& hull : hulls) {
       control.check();
       const Eigen::AlignedBox3d box = boundingBox(hull);
-      slack_.push_back(slackOf(hull));
+      slack_.push_back(kWritten * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff());
       addSegment(diagonals, {box.min().array() - slack_.back(), box.max().array() + slack_.back()});
     }
     boxes_ = std::make_unique<TriangleBvh>(diagonals, std::vector<char>(), control);
   }
 
-  bool hold(const Segment& segment) const {
+  /// [m] How far the segment lies beyond the hull that holds it; nullopt: none does.
+  std::optional<double> held(const Segment& segment) const {
     control_.check();
-    const auto near = boxes_->trianglesNear({segment[0].cwiseMin(segment[1]), segment[0].cwiseMax(segment[1])});
-    return std::any_of(near.begin(), near.end(), [&](int hull) { return holds(static_cast<std::size_t>(hull), segment); });
+    for (const int near : boxes_->trianglesNear({segment[0].cwiseMin(segment[1]), segment[0].cwiseMax(segment[1])})) {
+      control_.check();
+      const auto hull = static_cast<std::size_t>(near);
+      double beyond = 0;  // planes first: they are cheap, but at a sharp edge a point may be much further away than from each of them
+      for (const Eigen::Vector3d& end : segment) beyond = std::max(beyond, planeDistance(hulls_[hull], end));
+      if (beyond > slack_[hull]) continue;
+      if (beyond > 0) beyond = std::max(distance(hulls_[hull], segment[0]), distance(hulls_[hull], segment[1]));
+      if (beyond <= slack_[hull]) return beyond;
+    }
+    return std::nullopt;
   }
 
  private:
-  bool holds(std::size_t hull, const Segment& segment) const {
-    control_.check();
-    return planeDistance(hulls_[hull], segment[0]) <= slack_[hull] && planeDistance(hulls_[hull], segment[1]) <= slack_[hull];
-  }
-
   const std::vector<ConvexHull>& hulls_;
   const RunControl& control_;
   std::vector<double> slack_;
@@ -146,8 +151,12 @@ ConvexParts convexParts(const TriangleMesh& mesh, const RunControl& control) {
     if (!run.empty()) addParts(componentOf(mesh, run, control), parts, loose, control);
   if (loose.empty()) return parts;
   const HullsByPlace hulls(parts.hulls, control);
-  for (const Segment& segment : loose)
-    if (!hulls.hold(segment)) addSegment(parts.rest, segment);
+  for (const Segment& segment : loose) {
+    if (const auto beyond = hulls.held(segment))
+      parts.beyond = std::max(parts.beyond, *beyond);
+    else
+      addSegment(parts.rest, segment);
+  }
   return parts;
 }
 

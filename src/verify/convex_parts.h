@@ -13,6 +13,7 @@ struct ConvexParts {
   std::vector<ConvexHull> hulls;  ///< of the closed components that are convex up to some millionths of their size
   TriangleMesh rest;              ///< all other triangles
   std::size_t rest_parts = 0;     ///< components in `rest`
+  double beyond = 0;              ///< [m] how far lines without area that were left out stick out of the hulls
 };
 
 /// Nothing is welded, so that the two sides of a thin plate stay apart.

@@ -15,7 +15,7 @@ namespace {
 using Kind = GeometryElement::Kind;
 
 ConvexParts moved(const ConvexParts& parts, const Eigen::Isometry3d& pose) {
-  ConvexParts result{{}, transformed(parts.rest, pose), parts.rest_parts};
+  ConvexParts result{{}, transformed(parts.rest, pose), parts.rest_parts, parts.beyond};
   for (const ConvexHull& hull : parts.hulls) result.hulls.push_back(transformed(hull, pose));
   return result;
 }

@@ -175,6 +175,15 @@ TEST(CertifiedSpheres, BelowSinglePrecisionTheToleranceIsRaised) {
   EXPECT_TRUE(covers(result.spheres, mesh));
 }
 
+TEST(CertifiedSpheres, FarFromTheOriginTheToleranceIsRaisedToWhatCanBeProved) {
+  const TriangleMesh mesh = test_shapes::moved(test_shapes::box(0.03, 0.02, 0.015), {100, -100, 0});
+  for (const double tolerance : {0.0005, 0.001, 0.0015, 0.0041, 0.006}) {
+    const CertifiedSpheres result = certifiedSpheres(mesh, {tolerance});
+    EXPECT_TRUE(covers(result.spheres, mesh)) << tolerance;
+    EXPECT_EQ(result.within_tolerance, tolerance > 0.004) << tolerance << " " << result.reason;
+  }
+}
+
 TEST(CertifiedSpheres, AreSinglePrecisionNumbersLargestFirst) {
   const CertifiedSpheres result = certifiedSpheres(lBracket(), within(0.1, Effort::kInstant));
   double last = std::numeric_limits<double>::infinity();

@@ -71,6 +71,17 @@ TEST(ConvexParts, ALooseTriangleInAHullIsNoRest) {
   EXPECT_EQ(rest(needles({{0, 0, 0}, {2, 0, 0}}, {1, 1, 1}), false), 0u) << "from corner to corner";
 }
 
+// It is within single precision of each face's plane, but not of the hull.
+TEST(ConvexParts, ALineBesideASharpEdgeIsRest) {
+  const TriangleMesh wedge{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1e-4}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  const Eigen::Vector3d at(0.5, 0.5, 0);
+  EXPECT_EQ(convexParts(merged({wedge, needles({at}, {-0.01, -0.01, 0})})).rest.triangles.size(), 0u);
+  EXPECT_EQ(convexParts(merged({wedge, needles({at}, {0.001, 0.001, 0})})).rest.triangles.size(), 1u);
+  const ConvexParts near = convexParts(merged({wedge, needles({at}, {1e-7, 1e-7, 0})}));
+  EXPECT_EQ(near.rest.triangles.size(), 0u);
+  EXPECT_NEAR(near.beyond, std::sqrt(2) * 1e-7, 1e-12);
+}
+
 TEST(ConvexParts, ALooseTriangleIsComparedWithTheHullsNearIt) {
   constexpr int kCubes = 300;
   TriangleMesh row;

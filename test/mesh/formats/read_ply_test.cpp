@@ -24,7 +24,8 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 /// One value in the bytes of a type.
 template <typename T>
 std::string binary(double value, bool big) {
-  const std::string bytes = raw(static_cast<T>(value));
+  using Whole = std::conditional_t<std::is_integral_v<T>, std::int64_t, T>;  // -1 is no value of an unsigned type, but wraps to one
+  const std::string bytes = raw(static_cast<T>(static_cast<Whole>(value)));
   return big ? std::string(bytes.rbegin(), bytes.rend()) : bytes;
 }
 

@@ -22,7 +22,7 @@ constexpr std::size_t kMostRegions = 1000;
 constexpr const char* kMetres = "a finite number of metres, as in 0.1";
 constexpr char kExample[] = "{link: hand, box: {center: [0, 0, 0.1], size: [0.1, 0.2, 0.05]}, keep_clear: true}";
 
-/// `entry`: what one of its entries should be.
+/// `entry_expected`: what one of its entries should be.
 void readVector(const ConfigItem& item, const std::string& entry_expected, Eigen::Vector3d& vector) {
   const std::string expected = "a list of three numbers, as in [0, 0, 0.1]";
   if (!item.value.isSequence()) item.refuse(expected);

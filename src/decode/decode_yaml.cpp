@@ -122,7 +122,7 @@ YamlTree onlyDocument(const std::string& text) {
 std::string lineAt(const std::string& text, const YAML::Mark& mark) {
   std::istringstream lines(text);
   std::string line;
-  for (int i = 0; i <= mark.line && std::getline(lines, line); ++i) continue;
+  for (int i = 0; i <= mark.line; ++i) std::getline(lines, line);
   return line;
 }
 

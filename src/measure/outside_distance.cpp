@@ -202,10 +202,11 @@ void OutsideDistance::learn(int id, const OutsideDistance& other, int known_id, 
   const Cell& known = other.at(known_id);
   Cell& cell = at(id);
   if (cell.triangle < 0) cell.to_surface = known.to_surface, cell.distance = known.distance, cell.triangle = known.triangle;
-  if (summit(id) < 0) summit(id) = other.family(known_id).summit[static_cast<std::size_t>(known_id) % 8];
+  const auto at_known = static_cast<std::size_t>(known_id) % 8;
+  if (summit(id) < 0) summit(id) = other.family(known_id).summit[at_known];
   cell.level = std::min(cell.level, known.level);
   cell.summits = std::min(cell.summits, known.summits);
-  levelled(id) = levelled(id) || other.family(known_id).levelled[static_cast<std::size_t>(known_id) % 8];
+  levelled(id) = levelled(id) || other.family(known_id).levelled[at_known];
   if (known.children < 0 || !canDivide(id)) return;
   const Cube place = cube(id);
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(place.half);

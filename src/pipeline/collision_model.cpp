@@ -157,10 +157,12 @@ std::vector<std::string> notesOnFailed(const RobotDescription& robot, const Robo
   std::vector<std::string> notes;
   for (const LinkDescription& link : robot.links) {
     if (!failed.count(link.name)) continue;
-    const bool has_others = have_others.count(link.name) > 0;
-    if (link.collisions.empty())
+    const bool is_bare = link.collisions.empty();  // so its visual primitives become collision elements
+    const bool has_others =
+        have_others.count(link.name) > 0 || (is_bare && std::any_of(link.visuals.begin(), link.visuals.end(), isSolidPrimitive));
+    if (is_bare)
       notes.push_back("link '" + link.name + "' has no <collision> elements to keep in place of a mesh that failed: " +
-                      (has_others ? "only what its other meshes gave collides" : "nothing collides there"));
+                      (has_others ? "only its other elements collide" : "nothing collides there"));
     else if (has_others)
       notes.push_back(
           "link '" + link.name +

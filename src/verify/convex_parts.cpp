@@ -45,10 +45,15 @@ TriangleMesh componentOf(const TriangleMesh& mesh, const std::vector<std::size_t
   return part;
 }
 
+/// [m] What single precision may add to coordinates in the box.
+double writtenError(const Eigen::AlignedBox3d& box) {
+  return kWritten * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+}
+
 /// [m] How far from convex a component may be.
 double slackOf(const ConvexHull& hull) {
   const Eigen::AlignedBox3d box = boundingBox(hull);
-  return kConvex * box.sizes().maxCoeff() + kWritten * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+  return kConvex * box.sizes().maxCoeff() + writtenError(box);
 }
 
 /// The faces of the hull, the vertices and triangles of the component: what overhang() compares.
@@ -70,7 +75,7 @@ class HullsByPlace {
     for (const ConvexHull& hull : hulls) {
       control.check();
       const Eigen::AlignedBox3d box = boundingBox(hull);
-      slack_.push_back(kWritten * box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff());
+      slack_.push_back(writtenError(box));
       addSegment(diagonals, {box.min().array() - slack_.back(), box.max().array() + slack_.back()});
     }
     boxes_ = std::make_unique<TriangleBvh>(diagonals, std::vector<char>(), control);

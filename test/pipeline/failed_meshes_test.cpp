@@ -65,11 +65,14 @@ TEST_F(FailedMeshes, OneBadLinkLosesNoOther) {
 }
 
 TEST_F(FailedMeshes, ALinkWithoutCollisionElementsGetsTheHullsOfItsOtherMeshes) {
-  const RobotResult result = run(link("base", visual("box.obj") + visual("rubbish.stl")) + link("tip", visual("rubbish.stl"), "base"));
+  const RobotResult result =
+      run(link("base", visual("box.obj") + visual("rubbish.stl")) + link("tip", visual("rubbish.stl"), "base") +
+          link("ball", visual("rubbish.stl") + "    <visual><geometry><sphere radius=\"1\"/></geometry></visual>\n", "base"));
   EXPECT_NE(result.urdf.find("meshes/base/0_0.stl"), std::string::npos) << result.urdf;
   const std::string all = fixtures::joined(result.report.notes);
   for (const char* part :
-       {"link 'base' has no <collision> elements to keep in place of a mesh that failed: only what its other meshes gave collides",
+       {"link 'base' has no <collision> elements to keep in place of a mesh that failed: only its other elements collide",
+        "link 'ball' has no <collision> elements to keep in place of a mesh that failed: only its other elements collide",
         "link 'tip' has no <collision> elements to keep in place of a mesh that failed: nothing collides there"})
     EXPECT_NE(all.find(part), std::string::npos) << all;
 }

@@ -235,7 +235,13 @@ void listen(Driver& driver) {
 
 }  // namespace
 
+// Of Xlib, for use before a program's first connection: XSynchronize(3), "Debugging".
+extern "C" int _Xdebug;  // NOLINT(bugprone-reserved-identifier): Xlib's name
+
 int main(int argc, char** argv) {
+  // Ogre makes its window through one connection to the X server and draws into it through another, without waiting until the server has
+  // it. Where Mesa draws in software and asks first, it takes an undefined size from the server's error and writes outside its memory.
+  _Xdebug = 1;
   ros::init(argc, argv, "panel_driver", ros::init_options::AnonymousName | ros::init_options::NoSigintHandler);
   const ros::NodeHandle node;
   QApplication app(argc, argv);

@@ -35,6 +35,13 @@ class LaunchTest(unittest.TestCase):
         with open(self.folder.file(name), "w", encoding="utf-8") as file:
             file.write(text)
 
+    def replace_rviz(self, script):
+        """By lines for a shell, which runs them in the test's folder."""
+        os.makedirs(self.folder.file("bin"), exist_ok=True)
+        self.write("bin/rviz", f'#!/bin/sh\ncd "$ROS_HOME" && {script}\n')
+        os.chmod(self.folder.file("bin/rviz"), 0o755)
+        self.environment.update(PATH=self.folder.file("bin") + ":" + os.environ["PATH"], ROS_HOME=self.folder.path)
+
     @contextlib.contextmanager
     def launched(self, file, *arguments):
         command = ["roslaunch", "collision_hulls", file, "robot:=robot.urdf", "output:=results/made", f"output_root:={self.folder.path}", *arguments]
@@ -98,11 +105,8 @@ class LaunchTest(unittest.TestCase):
 
     def test_rviz_sees_the_whole_robot_and_draws_less_without_a_gpu(self):
         """A program in rviz's place writes down its arguments. In a namespace."""
-        os.mkdir(self.folder.file("bin"))
-        self.write("bin/rviz", '#!/bin/sh\ncd "$ROS_HOME" && printf "%s\\n" "$@" > part && mv part arguments\n')
-        os.chmod(self.folder.file("bin/rviz"), 0o755)
-        path = self.folder.file("bin") + ":" + os.environ["PATH"]
-        self.environment.update(PATH=path, ROS_HOME=self.folder.path, ROS_NAMESPACE="left", LIBGL_ALWAYS_SOFTWARE="1")
+        self.replace_rviz('printf "%s\\n" "$@" > part && mv part arguments')
+        self.environment.update(ROS_NAMESPACE="left", LIBGL_ALWAYS_SOFTWARE="1")
         with self.launched("view.launch", "state:=false", "distance:=3"):
             self.assertTrue(robots.wait_until(lambda: os.path.exists(self.folder.file("arguments")), 60), self.log())
             bounds = rospy.get_param("/left" + robots.NODE + "/view")
@@ -114,6 +118,26 @@ class LaunchTest(unittest.TestCase):
             manager = yaml.safe_load(file)["Visualization Manager"]
         self.assertEqual(10, manager["Global Options"]["Frame Rate"])
         self.assertAlmostEqual(3 * bounds["radius"], manager["Views"]["Current"]["Distance"], places=5)
+
+    def test_rviz_that_crashes_as_it_starts_is_started_once_more(self):
+        self.replace_rviz("echo >> starts; kill -SEGV $$")
+        with self.launched("view.launch", "state:=false", "required:=true") as nodes:
+            nodes.wait(60)
+        with open(self.folder.file("starts"), encoding="utf-8") as file:
+            self.assertEqual("\n\n", file.read())
+        self.assertIn("exit code 139", self.log())
+
+    def test_rviz_ends_with_the_launch_and_on_its_own_failure(self):
+        self.replace_rviz("trap 'touch ended; exit' INT; touch started; while :; do sleep 0.1; done")
+        with self.launched("view.launch", "state:=false"):
+            self.assertTrue(robots.wait_until(lambda: os.path.exists(self.folder.file("started")), 60), self.log())
+        self.assertTrue(os.path.exists(self.folder.file("ended")), self.log())
+        self.replace_rviz("echo >> failures; exit 3")
+        with self.launched("view.launch", "state:=false", "required:=true") as nodes:
+            nodes.wait(60)
+        with open(self.folder.file("failures"), encoding="utf-8") as file:
+            self.assertEqual("\n", file.read())
+        self.assertIn("exit code 3", self.log())
 
     def test_what_counts_as_a_machine_without_a_gpu(self):
         path = os.path.join(rospkg.RosPack().get_path("collision_hulls"), "scripts", "rviz_at_root")

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -22,6 +23,7 @@ namespace {
 constexpr std::size_t kManyHulls = 100;  // of a mesh
 constexpr std::size_t kHullsOfShell = 8;
 constexpr std::size_t kManyParts = 20;  // of a mesh, with as many hulls
+constexpr double kFarRegion = 0.1;      // of a mesh's diagonal: a region may well stand beside the mesh, as a table does
 
 /// Names the files of hulls. Where there are several models, equal hulls of an element share a file.
 class HullFiles {
@@ -206,6 +208,38 @@ void noteClosedOpenings(Report& report) {
                          " closed: the hulls cover the lids, too, and protrusion counts from the closed meshes");
 }
 
+/// [m] At most the distance of the mesh's convex hull from the region; below 0 where no side of the region has the whole mesh behind it.
+double gapTo(const Region& region, const TriangleMesh& mesh) {
+  double gap = -std::numeric_limits<double>::infinity();
+  for (const HalfSpace& side : region.sides) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3d& v : mesh.vertices) nearest = std::min(nearest, side.distance(v));
+    gap = std::max(gap, nearest);
+  }
+  return gap;
+}
+
+/// Regions that no hull can reach were probably given in millimetres, or in another frame.
+void noteFarRegions(RobotResult& result) {
+  std::map<std::string, std::pair<double, std::string>> gaps;  // by the region's name: the least, and the link of that mesh
+  for (std::size_t i = 0; i < result.elements.size(); ++i) {
+    const ElementReport& row = result.report.links[i];
+    for (const Region& region : row.regions_given) {
+      const double gap = gapTo(region, result.elements[i].original);
+      const double far = gap > kFarRegion * row.diagonal ? gap : 0;  // also of a failed mesh, of which nothing is known
+      const auto [known, is_new] = gaps.emplace(region.name, std::make_pair(far, row.link));
+      if (!is_new && far < known->second.first) known->second = {far, row.link};
+    }
+  }
+  for (const auto& [name, nearest] : gaps) {
+    const auto& [gap, link] = nearest;
+    if (gap > 0 && std::isfinite(gap))
+      result.report.notes.push_back("region '" + name + "' changes nothing: it is " + decimal(gap, 3) + " m from " +
+                                    (result.single_mesh ? "the mesh" : "link '" + link + "'") +
+                                    ". Regions are in metres, in the frame of " + (result.single_mesh ? "the mesh" : "their link"));
+  }
+}
+
 /// The hulls are what could be found in time.
 void noteTimeLimit(Report& report) {
   const auto is_cut = [](const ElementReport& row) { return !row.untried.empty(); };
@@ -243,6 +277,7 @@ void putTogether(const std::vector<MeshUse>& uses, const MeshResults& results, R
     noteOpenShells(result.report);
   }
   noteClosedOpenings(result.report);
+  noteFarRegions(result);
   noteSmallMeshes(result.report);
   noteTimeLimit(result.report);
 }

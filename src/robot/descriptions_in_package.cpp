@@ -25,6 +25,16 @@ constexpr int kDeepest = 6;                                // folders between a 
 constexpr int kMostIncludes = 50;                          // files that lead from one to the next,
 constexpr std::size_t kMostBytes = std::size_t{32} << 20;  // and what is read of all: more files count as robots unread
 
+bool isUrdf(const fs::path& path) {
+  return lowerExtension(path.string()) == ".urdf";
+}
+
+/// Xacro makes other files than descriptions, too: arm.srdf.xacro and world.sdf.xacro say so.
+bool isXacroOfRobot(const fs::path& path) {
+  const std::string made = lowerExtension(path.stem().string());
+  return lowerExtension(path.string()) == ".xacro" && made != ".srdf" && made != ".sdf";
+}
+
 bool isCondition(const XmlNode& element) {
   return element.name == "xacro:if" || element.name == "xacro:unless";
 }
@@ -146,11 +156,10 @@ void removeVariants(std::vector<std::string>& files) {
 
 std::vector<std::string> robotDescriptionsIn(const std::string& package_folder) {
   std::vector<std::string> found;
-  for (const char* extension : {".urdf", ".xacro"}) {
+  for (const auto is_description : {isUrdf, isXacroOfRobot}) {
     for (const char* folder : {"robots", "urdf"}) {
-      for (const fs::path& entry : sortedEntries(fs::path(package_folder) / folder)) {
-        if (lowerExtension(entry.string()) == extension && isFile(entry)) found.push_back(entry.string());
-      }
+      for (const fs::path& entry : sortedEntries(fs::path(package_folder) / folder))
+        if (is_description(entry) && isFile(entry)) found.push_back(entry.string());
     }
   }
   if (isFile(fs::path(package_folder) / "report.json")) removeVariants(found);
@@ -170,9 +179,8 @@ FoundDescriptions robotDescriptionsBelow(const std::string& folder) {
     }
     const fs::path& path = at->path();
     if (path.filename().string().front() == '.' || at.depth() == kDeepest) at.disable_recursion_pending();
-    const std::string extension = lowerExtension(path.string());
-    if (extension == ".urdf" && isFile(path)) urdf.push_back(path.string());
-    if (extension == ".xacro" && isFile(path)) xacro.push_back(path.string());
+    if (isUrdf(path) && isFile(path)) urdf.push_back(path.string());
+    if (isXacroOfRobot(path) && isFile(path)) xacro.push_back(path.string());
   }
   for (std::vector<std::string>* files : {&urdf, &xacro}) std::sort(files->begin(), files->end());
   urdf.insert(urdf.end(), xacro.begin(), xacro.end());

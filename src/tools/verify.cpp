@@ -156,7 +156,11 @@ int run(Command& command, const std::string& given) {
   const Input result = openInput(command.result, command.package_path, before, control, given);
   checkSameKind(original, result);
   if (!command.quiet) std::cerr << "comparing '" << command.original << "' with '" << command.result << "'\n";
-  const Description of_original = described(original), of_result = described(result);
+  const Description of_original = described(original);
+  Description of_result = described(result);
+  // Hulls of another program often lie outside of the workspace, and still name the robot's package.
+  of_result.find_package =
+      of_result.find_package.askingFirst([&](const std::string& package) { return of_original.find_package.knownPackage(package); });
   if (command.source.empty()) command.options.made_from = madeFrom(of_original, of_result);
   const Verification seen = verify(of_original, of_result, command.options, control);
   print(seen, command, control);

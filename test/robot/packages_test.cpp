@@ -205,7 +205,8 @@ TEST_F(Packages, ADescriptionForAConsumerIsNoOther) {
 }
 
 TEST_F(Packages, DescriptionsInAPackage) {
-  for (const char* name : {"urdf/b.urdf", "urdf/a.urdf.xacro", "urdf/readme.txt", "robots/z.urdf", "robots/c.xacro", "meshes/no.urdf"}) {
+  for (const char* name : {"urdf/b.urdf", "urdf/a.urdf.xacro", "urdf/readme.txt", "robots/z.urdf", "robots/c.xacro", "meshes/no.urdf",
+                           "urdf/a.srdf.xacro", "robots/world.SDF.xacro"}) {
     folder_.write(std::string("arm/") + name);
   }
   std::filesystem::create_directory(folder_.path("arm/urdf/folder.urdf"));
@@ -213,6 +214,7 @@ TEST_F(Packages, DescriptionsInAPackage) {
                                           folder_.path("arm/robots/c.xacro"), folder_.path("arm/urdf/a.urdf.xacro")};
   EXPECT_EQ(robotDescriptionsIn(folder_.path("arm")), expected);
   EXPECT_TRUE(robotDescriptionsIn(folder_.path("nowhere")).empty());
+  folder_.write("loud/config/arm.srdf.xacro");
   const std::string loud = folder_.write("loud/urdf/arm.URDF", "<robot name='loud'><link name='a'/></robot>");
   EXPECT_EQ(robotDescriptionsIn(folder_.path("loud")), std::vector<std::string>{loud});
   EXPECT_EQ(robotDescriptionsBelow(folder_.path("loud")).files.size(), 1u);

@@ -126,6 +126,16 @@ TEST_F(VerifyProgram, ProposesCommandsWithBothDescriptions) {
   expectWrongUse("two/urdf/a.urdf two --quiet", {"\n  verify two/urdf/a.urdf two/urdf/b.urdf --quiet"});
 }
 
+TEST_F(VerifyProgram, RESULTsPackagesAreFoundWhereORIGINALIs) {
+  fixtures::write(folder_ / "ws/arm/package.xml", "<package><name>arm</name></package>");
+  fixtures::write(folder_ / "ws/arm/meshes/cube.obj", fixtures::obj(test_shapes::box(0.1, 0.1, 0.1)));
+  const std::string robot =
+      fixtures::robot("r", fixtures::link("a", "<collision>" + fixtures::meshTag("package://arm/meshes/cube.obj") + "</collision>"));
+  fixtures::write(folder_ / "ws/arm/urdf/r.urdf", robot);
+  fixtures::write(folder_ / "other.urdf", robot);
+  EXPECT_EQ(measured("ws/arm other.urdf --max-uncovered 0 --max-protrusion 0.1mm")["links"][0]["status"], "ok");
+}
+
 /// Its collision box is larger than its visual one, and decompose prefers the former.
 TEST_F(VerifyProgram, OutputOfDecomposeIsComparedWithWhatItWasMadeFrom) {
   const auto cube = [&](const std::string& name, double side) {

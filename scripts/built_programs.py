@@ -12,7 +12,7 @@ def add_option(parser):
 
 
 def folder(parser, arguments, *needed):
-    """The folder of the programs. Ends the script as for wrong use where one of those needed is missing."""
+    """The folder of the programs. Ends the script as for a usage error where one of those needed is missing."""
     for program in needed:
         if not (arguments.programs / program).exists():
             parser.error(f"no program '{program}' in '{arguments.programs}'; build first, or name the folder with --programs")

@@ -136,9 +136,9 @@ std::string reasonOf(const YAML::Exception& error, const std::string& text) {
   else if (is(YAML::ErrorMsg::UNKNOWN_ANCHOR))
     likely = "; put text that begins with '*' in quotes";
   else if (is(YAML::ErrorMsg::END_OF_MAP_FLOW))
-    likely = "; a '{' before is not closed";
+    likely = "; an earlier '{' is not closed";
   else if (is(YAML::ErrorMsg::END_OF_SEQ_FLOW))
-    likely = "; a '[' before is not closed";
+    likely = "; an earlier '[' is not closed";
   else if (is(YAML::ErrorMsg::END_OF_MAP) || is(YAML::ErrorMsg::END_OF_SEQ))
     likely = "; indent it as the lines that it belongs to";
   return "not valid YAML: " + error.msg + likely;

@@ -33,7 +33,7 @@ constexpr std::uint64_t kMemoryPerByte = 40;  // [bytes]
 constexpr double kSecondsPerByte = 1e-6;      // [s] of computing
 constexpr double kClockPerComputing = 10;     // on a machine with much else to do
 
-constexpr const char* kReplace = "the file is damaged, or made to do harm: replace it";
+constexpr const char* kReplace = "the file is damaged or malicious: replace it";
 constexpr const char* kSimplify = "simplify the mesh, or raise reader-memory or reader-time if it is to be trusted";
 
 constexpr std::uint64_t kBytesPerTriangle = sizeof(Triangle) + 3 * sizeof(Eigen::Vector3d), kLongestError = 1 << 16;

@@ -22,7 +22,7 @@ QString adviceOn(const LinkRow& row) {
   const QString obstacle = obstacleOf(row.options);
   if (!obstacle.isEmpty()) return obstacle;
   if (row.options.method != Method::kCertified)
-    return QString("Only certified aims at regions; of %1, the report says what it reaches.").arg(name(row.options.method));
+    return QString("Only certified aims at regions; for %1, the report says how far hulls protrude there.").arg(name(row.options.method));
   return QString("In the frame of %1: metres and radians.").arg(QString::fromStdString(row.link));
 }
 

@@ -121,7 +121,7 @@ void RegionForm::addNumbers() {
   const auto add = [](std::vector<QWidget*>& all, const std::vector<QWidget*>& some) { all.insert(all.end(), some.begin(), some.end()); };
   clear_ = new QCheckBox("&Keep clear");
   clear_->setObjectName("keep_clear");
-  clear_->setToolTip("No hull enters the region, but within 0.1 mm of the solid");
+  clear_->setToolTip("No hull enters the region, except within 0.1 mm of the solid");
   name_ = addLine("Na&me", "region_name", "For the report", readName);
   tolerance_ = addLine("T&olerance", "region_tolerance", "How far hulls may protrude in the region, as 1mm", readTolerance);
   place(name_, 1, 0);

@@ -145,7 +145,7 @@ void SettingsForm::addOpenings(QGridLayout* grid) {
   openings_ = new QLineEdit;
   openings_->setObjectName("close_openings");
   openings_->setToolTip(
-      "Close openings of shells that are no wider than this first, as 5cm; 0: none. Protrusion then counts from the closed meshes");
+      "Close openings of shells that are no wider than this first, as 5cm; 0: none. Protrusion is then measured from the closed meshes");
   text->setBuddy(openings_);
   grid->addWidget(text, 4, 2);
   grid->addWidget(openings_, 4, 3);

@@ -185,7 +185,7 @@ std::vector<std::string> notesOnAgain(const RobotDescription& robot, const Repor
   else if (const std::string folder = outputWithOneOf(uris, robot, output, find_package, control); !folder.empty())
     earlier = "the description has <collision> meshes in '" + folder + "',";
   if (earlier.empty()) return {};
-  return {earlier + " the output of an earlier run: bounds count from its hulls, not from the meshes that these stand for; " +
+  return {earlier + " the output of an earlier run: bounds are measured from its hulls, not from the meshes that these stand for; " +
           "decompose the description that it was made from"};
 }
 

@@ -285,8 +285,8 @@ std::string noteOnScenePairs(const FitReport& fit) {
   const auto count = static_cast<std::size_t>(std::count_if(first, fit.left_out.end(), is_with_scene));
   return counted(count, "pair") + " of a link and a body of the scene " + (count == 1 ? "is" : "are") + " left out (" + first->first +
          " against " + first->second + (count == 1 ? "" : ", for one") +
-         "): the original touches there always, or nearly, so the check in the scene says nothing about " + (count == 1 ? "it" : "them") +
-         "; check the scene's place unless the robot stands like that";
+         "): the original meshes touch there always, or nearly, so the check in the scene says nothing about " +
+         (count == 1 ? "it" : "them") + "; check the scene's pose unless the robot really stands like that";
 }
 
 /// On pairs of links whose hulls meet in many configurations in which their meshes are near, but do not touch; empty: there are none.
@@ -302,7 +302,7 @@ std::string noteOnNearPairs(const FitReport& fit) {
   return "hulls of links '" + worst->first + "' and '" + worst->second + "' collide in " + std::to_string(worst->after) + " of " +
          std::to_string(fit.samples) + " configurations in which the meshes do not" +
          (count > 1 ? ", and those of " + counted(count - 1, "more pair") + " in many" : "") +
-         "; if they should work nearer to each other than the clearance, use a smaller one";
+         "; if they have to work closer together than the clearance, use a smaller clearance";
 }
 
 /// `unfitted`: links that the options keep or remove.
@@ -313,8 +313,9 @@ std::vector<std::string> notesOnFit(const FitReport& fit, const Options& options
     notes.push_back(counted(unfitted, "link") + (unfitted == 1 ? " that is" : " that are") + " kept or removed had no part in the fit");
   if (const std::string note = noteOnScenePairs(fit); !note.empty()) notes.push_back(note);
   if (const std::string note = noteOnNearPairs(fit); !note.empty()) notes.push_back(note);
-  if (!fit.scene_contact.empty()) notes.push_back("the original is in contact with the scene at rest: " + fit.scene_contact);
-  const std::string touched = "the original touches the scene in " + std::to_string(fit.scene_hits) + " of " + std::to_string(fit.samples);
+  if (!fit.scene_contact.empty()) notes.push_back("the original meshes are in contact with the scene at rest: " + fit.scene_contact);
+  const std::string touched =
+      "the original meshes touch the scene in " + std::to_string(fit.scene_hits) + " of " + std::to_string(fit.samples);
   if (fit.scene_hits > 0 && fit.given) notes.push_back(touched + " given configurations");
   if (!fit.given && static_cast<double>(fit.scene_hits) > kMost * static_cast<double>(fit.samples))
     notes.push_back(touched +

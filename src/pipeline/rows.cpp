@@ -147,7 +147,7 @@ void noteSmallMeshes(Report& report) {
   report.notes.push_back("the tolerance of " + millimetres(first->tolerance) + " is larger than '" + first->uri + "', which is " +
                          millimetres(first->diagonal) + " across" +
                          (others > 0 ? ", and than " + counted(others, "other mesh", "other meshes") : "") +
-                         ": one hull covers each; for more detail give a smaller tolerance, or one with a share, as in 1cm,5%");
+                         ": one hull covers each; for more detail give a smaller tolerance, or one with a percentage, as in 1cm,5%");
 }
 
 /// More hulls than planners and simulators like for a whole robot.
@@ -205,7 +205,7 @@ void noteClosedOpenings(Report& report) {
   for (const ElementReport& row : report.links) openings += row.closed_openings, meshes += row.closed_openings > 0;
   if (openings == 0) return;
   report.notes.push_back(counted(openings, "opening") + " of " + counted(meshes, "mesh", "meshes") + (openings == 1 ? " was" : " were") +
-                         " closed: the hulls cover the lids, too, and protrusion counts from the closed meshes");
+                         " closed: the hulls cover the lids, too, and protrusion is measured from the closed meshes");
 }
 
 /// [m] At most the distance of the mesh's convex hull from the region; below 0 where no side of the region has the whole mesh behind it.

@@ -176,10 +176,10 @@ void checkTimeLimit(const Options& options) {
   const auto refuse = [&](const std::string& setting, const std::string& why) {
     throw Error(ErrorCode::kBadOption, "time-limit '" + limit + "' contradicts " + setting + ", which " + why + "; leave one of them out");
   };
-  if (options.method != Method::kCertified) refuse(std::string("method '") + name(options.method) + "'", "takes the time that it takes");
+  if (options.method != Method::kCertified) refuse(std::string("method '") + name(options.method) + "'", "cannot be cut short");
   if (options.tree) refuse("tree '" + toString(*options.tree) + "'", "is cached whole");
   if (options.shapes != Shapes::kHulls && options.shapes != Shapes::kMixed)
-    refuse(std::string("shapes '") + name(options.shapes) + "'", "take the time that they take");
+    refuse(std::string("shapes '") + name(options.shapes) + "'", "cannot be cut short");
 }
 
 template <typename T>

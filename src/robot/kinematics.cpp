@@ -159,8 +159,8 @@ Kinematics::Kinematics(const RobotDescription& robot) : links_(robot.links.size(
     unsettled += unsettled_[joint.child].size();
     if (unsettled > kMostUnsettled)
       throw Error(ErrorCode::kNotARobot,
-                  "so many joints that float or lie in a plane are above so many links that a million pairs do not "
-                  "hold them; fix some of these joints");
+                  "floating and planar joints, counted once for each link below them, are more than a million; "
+                  "fix some of these joints");
     joints_.push_back(std::move(joint));
   }
 }
@@ -249,10 +249,10 @@ std::vector<std::string> Kinematics::notes() const {
     const std::string who = "joint '" + what.name + "' ";
     if (placesRobot(what)) {
       notes.push_back(who + (what.kind == Kind::kFloating ? "floats" : "is planar") +
-                      ": it stays at its origin, and of links on both sides of it nothing is proved");
+                      ": it stays at its origin, and nothing is proved between links on opposite sides of it");
     } else if (joint.paced) {
       notes.push_back(who + "follows the continuous joint '" + variables_[static_cast<std::size_t>(joint.variable)].name +
-                      "' at another pace: one turn of that is looked at, and nothing is proved of what it moves");
+                      "' at another ratio: one turn of that joint is sampled, and nothing is proved about what this one moves");
     } else if (canMove(what) && what.mimic.empty() && what.kind != Kind::kContinuous && !(what.lower < what.upper)) {
       notes.push_back(who + "stays at " + fixedDecimal(what.lower) + ": its limits are missing, equal or crossed");
     }

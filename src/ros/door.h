@@ -46,7 +46,7 @@ Response answered(const std::function<Response()>& job) {
     response.message = cancelled ? "cancelled; nothing was written" : inNodeWords(error.what());
     ROS_LOG(cancelled ? ros::console::levels::Info : ros::console::levels::Error, ROSCONSOLE_DEFAULT_NAME, "%s", response.message.c_str());
   } catch (const std::bad_alloc&) {
-    response.message = "memory ended; nothing was written. Send smaller meshes, or free memory on the node's machine";
+    response.message = "out of memory; nothing was written. Send smaller meshes, or free memory on the node's machine";
     ROS_ERROR("%s", response.message.c_str());
   } catch (const std::exception& error) {
     response.message = error.what();
@@ -120,7 +120,7 @@ class Door {
       try {
         finish(goal, *response, *cancelled);
       } catch (const std::bad_alloc&) {
-        goal.setAborted(Result(), "memory ended while the answer was made; set brief");
+        goal.setAborted(Result(), "out of memory while the answer was made; set brief");
       }
     };
     const std::string refusal = refusalOf({goal.getGoalID().id, work, reply});

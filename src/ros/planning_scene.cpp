@@ -59,7 +59,7 @@ class Frames {
       if (child == frame && parent != frame) return inRoot(parent, steps + 1) * toTransform(known.transform);
       if (parent == frame && child == root_) return toTransform(known.transform).inverse();
     }
-    fail("has poses in the frame '" + frame + "', which it does not tell from the root link's, '" + root_ +
+    fail("has poses in the frame '" + frame + "', which it does not relate to the root link's, '" + root_ +
          "'; add it to fixed_frame_transforms, or give poses in '" + root_ + "'");
   }
 

@@ -23,7 +23,7 @@ std::string askAboutText(const std::string& head, const std::string& text, const
   const double seconds = kSeconds + kSecondsPerByte * static_cast<double>(text.size());
   limits.worker.cpu_seconds = static_cast<std::uint64_t>(seconds);
   limits.clock_seconds = kClockPerComputing * seconds;
-  return fileReader().ask({head, text, -1}, limits, subject, "it is made to do harm, or far larger than any that we know: make it smaller",
+  return fileReader().ask({head, text, -1}, limits, subject, "it is malicious, or far larger than any that we know: make it smaller",
                           control);
 }
 

@@ -31,7 +31,7 @@ std::string millions(std::uint64_t bytes) {
   return std::to_string(bytes / 1'000'000) + " MB";
 }
 
-constexpr const char* kDamaged = "the file is damaged, or made to do harm: replace it";
+constexpr const char* kDamaged = "the file is damaged or malicious: replace it";
 
 /// What stands in a message beside what befell the file.
 struct Circumstances {

@@ -34,7 +34,7 @@ constexpr const char* kFooter = R"(
 Writes benchmark.csv (a row per mesh, method and tolerance), queries.csv (with --queries), cuts.csv (with --cuts), machine.json,
 charts (SVG, PNG) and index.html.
 
-Exit status: 0 done, even if methods failed: a run that hangs, crashes or fails is a row; 2 wrong use.
+Exit status: 0 done, even if methods failed: a run that hangs, crashes or fails is a row; 2 usage error.
 
 Examples:
   benchmark part.stl my_robot_description -t 5%,2%,1% -m certified,hacd -o out --repeat 5

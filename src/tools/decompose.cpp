@@ -6,8 +6,8 @@ namespace {
 
 constexpr const char* kFooter = R"(
 Exit status: 0 all meshes done; 1 some failed (each is named, and all others are written; if all failed, nothing is
-written, unless at least as many links have only primitives);
-2 wrong use, unreadable input, a single mesh that failed, or unwritable output; 130 interrupted: nothing was written.
+written, unless at least as many links have only primitives as have meshes);
+2 usage error, unreadable input, a single mesh that failed, or unwritable output; 130 interrupted.
 "degraded" is no failure: the hulls cover the mesh, but protrude further than the tolerance.
 
 Examples:

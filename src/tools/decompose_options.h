@@ -120,7 +120,7 @@ class DecomposeOptionAdder {
         "Make the hulls hold everything within this distance of the surface; they may then protrude by the padding and the tolerance",
         [](Options& options, const std::string& option, const std::string& text) { options.padding = parsePadding(text, option); });
     add("Accuracy", "--close-openings", "LENGTH", "0",
-        "Close openings of shells that are no wider than this first; protrusion then counts from the closed meshes",
+        "Close openings of shells that are no wider than this first; protrusion is then measured from the closed meshes",
         [](Options& options, const std::string& option, const std::string& text) { options.close_openings = parsePadding(text, option); });
     addChoice("Accuracy", "--shapes", &Options::shapes, shapesNamed, shapesChoices(), name(defaults.shapes),
               "Bodies that the model consists of: a primitive where it does as well as hulls (mixed), primitives or spheres alone, or a "

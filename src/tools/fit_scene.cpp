@@ -37,7 +37,7 @@ configurations in which the model still collides although the original keeps the
 The model is of certified hulls. The options of decompose that this leaves no room for are refused, with a reason each: other methods,
 --padding, --scale, --segments, --shapes, --spheres, --time-limit, --tree and --for curobo.
 
-Exit status: as for decompose; 130 interrupted: nothing was written.
+Exit status: as for decompose.
 
 Examples:
   fit_scene arm.urdf --scene kitchen.scene --clearance 2cm

@@ -43,7 +43,7 @@ inline std::string toObj(const std::vector<TriangleMesh>& parts) {
   return text.str();
 }
 
-/// The program's main. Exit status: 0 done, 1 no result, 2 wrong use or unreadable input.
+/// The program's main. Exit status: 0 done, 1 no result, 2 usage error or unreadable input.
 inline int peerMain(int argc, char** argv, const char* help, const PeerDecompose& decompose) try {
   argv[0] = basename(argv[0]);  // messages end up in tables, where folders do not belong
   if (argc == 2 && std::string(argv[1]) == "--help") {

@@ -29,7 +29,7 @@ Each mesh, scaled to a diagonal of 0.3 m, is dropped on a table in the poses in 
 With --grip, the demo robot's gripper, loaded by DART from the rewritten description, closes on a box. Writes physics.csv, grip.csv,
 charts and index.html.
 
-Exit status: 0 done, whatever happened to the bodies; 2 wrong use.
+Exit status: 0 done, whatever happened to the bodies; 2 usage error.
 
 Example:
   physics urdf/demo_arm.urdf --grip urdf/demo_arm.urdf -m certified,single_hull -o out)";

@@ -35,7 +35,7 @@ collision has lost that query. Each found path is looked at again with the origi
 
 Writes queries.csv, a row for each query and model, and plan.json, a summary. plan_charts runs this for several robots and draws charts.
 
-Exit status: 0 done, however many queries were solved; 2 wrong use or unreadable input.
+Exit status: 0 done, however many queries were solved; 2 usage error or unreadable input.
 
 Example:
   plan_benchmark urdf/demo_arm.urdf --scene urdf/demo_shelf.yaml -o out)";
@@ -52,16 +52,16 @@ void addOptions(CommandLine& app, Command& command) {
       ->check(notEmpty("a folder"));
   add("--queries", command.queries, "N [50]", "Queries a scene")->check(range(1, 1e6));
   add("--joints", options.joints, "REGEX", "Joints that are planned: a regular expression that matches the whole name; default: all");
-  add("--at", command.at, "JOINT=VALUE", "Where a joint stands that is not planned [rad or m]; repeatable; default: at rest");
+  add("--at", command.at, "JOINT=VALUE", "Position of a joint that is not planned [rad or m]; repeatable; default: at rest");
   add("--models", command.models, "LIST",
       "Models, comma-separated, original first: original,single_hull,default,fitted,spheres; default: all");
   add("--checkers", command.checkers, "LIST",
       "Comma-separated: boxes, this package's own; trees, FCL's dynamic trees; moveit, the same with hulls as meshes; default: all");
-  add("--time-limit", options.planner.time_limit, "S [5]", "Of a query, in seconds")->check(range(1e-3, 3600));
-  add("--step", options.planner.step, "SHARE [0.005]", "Of a joint's range, between states at which a motion is checked")
+  add("--time-limit", options.planner.time_limit, "S [5]", "Time per query, in seconds")->check(range(1e-3, 3600));
+  add("--step", options.planner.step, "SHARE [0.005]", "Share of a joint's range between states at which a motion is checked")
       ->check(range(1e-5, 0.5));
-  add("-t,--tolerance", command.tolerance, "LENGTH [1cm,5%]", "Of all models but original and single_hull");
-  add("--clearance", command.clearance, "LENGTH [1cm]", "Of the model that is fitted to the scene");
+  add("-t,--tolerance", command.tolerance, "LENGTH [1cm,5%]", "Tolerance of all models but original and single_hull");
+  add("--clearance", command.clearance, "LENGTH [1cm]", "Clearance of the model that is fitted to the scene");
   add("--samples", command.samples, "N [10000]", "Configurations that verify the fitted model")->check(range(1, 1e9));
   add("--seed", command.seed, "N [1]", "Seed of queries and planner")->check(range(1, 1e9));
   addPackagePath(app, command.package_path);

@@ -50,7 +50,7 @@ inline void addRobotOptions(CommandLine& app, const std::string& input, RobotCom
       ->check(notEmpty("a folder"))
       ->group("Output");
   addPackagePath(app, command.package_path);
-  app.add_option("--root", command.roots, "Read and write below this folder alone, and read packages; repeatable; default: anywhere")
+  app.add_option("--root", command.roots, "Read and write only below this folder (packages may be read too); repeatable; default: anywhere")
       ->type_name("DIR")
       ->check(notEmpty("a folder"))
       ->group("Run");

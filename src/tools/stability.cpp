@@ -34,7 +34,7 @@ Each mesh is perturbed (rotation, jitter, scale, ...) and broken (holes, flipped
 the troubled mesh in a process of its own, and its hulls are scored against that mesh. Without INPUT, only FCL's queries are tested.
 Writes stability.csv, fcl.csv, heat maps (SVG, PNG) and index.html.
 
-Exit status: 0 done, even if methods failed: a run that hangs, crashes or fails is a row; 2 wrong use.
+Exit status: 0 done, even if methods failed: a run that hangs, crashes or fails is a row; 2 usage error.
 
 Examples:
   stability part.stl my_robot_description -m certified,hacd -o out

@@ -19,7 +19,7 @@ Compares <collision> of RESULT with <visual> of ORIGINAL, so that one file can b
 as its report says (--source chooses otherwise). A mesh of RESULT counts as what it is, even if some consumers take its convex hull.
 
 Exit status: 0 every link was measured and is within the gates; 1 some link is not, or a mesh of it cannot be read (each is named), or it
-lacks all geometry on one side while there is a gate on it, or a query contradicts a bound; 2 wrong use or unreadable input; 130
+lacks all geometry on one side while there is a gate on it, or a query contradicts a bound; 2 usage error or unreadable input; 130
 interrupted.
 
 Examples:

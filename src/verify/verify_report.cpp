@@ -111,7 +111,7 @@ std::string toTable(const Verification& verification) {
          counted(verification.hits, "collision") + ", and has " + std::to_string(verification.phantom) + " that ORIGINAL does not have.\n" +
          "Uncovered: the furthest that ORIGINAL's surface is from RESULT. Protrusion: the furthest that RESULT is from ORIGINAL's solid. "
          "Both "
-         "are proved not to be larger; \"found\" is reached.\n" +
+         "are proved upper bounds; \"found\" is the largest seen.\n" +
          pairLines(verification) + reasons(verification);
 }
 

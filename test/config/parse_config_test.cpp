@@ -73,8 +73,8 @@ TEST(ParseConfig, EveryWayToGetItWrong) {
     std::vector<const char*> parts;  // of the message: line, item, value, remedy
   };
   const std::vector<Wrong> all = {
-      {"default: {tolerance: 5mm\n", {"'f.yaml', line", "not valid YAML", "a '{' before is not closed"}},
-      {"only: [a\n", {"not valid YAML", "a '[' before is not closed"}},
+      {"default: {tolerance: 5mm\n", {"'f.yaml', line", "not valid YAML", "an earlier '{' is not closed"}},
+      {"only: [a\n", {"not valid YAML", "an earlier '[' is not closed"}},
       {"links:\n\tarm: keep", {"line 2", "not valid YAML", "begins with a tab: indent with spaces"}},
       {"links:\n  arm: keep\n hand: keep", {"line 3", "not valid YAML", "indent it as the lines that it belongs to"}},
       {"- a list", {"line 1", "a configuration is a map", "default:"}},

@@ -155,7 +155,7 @@ TEST_P(TwoRuns, AnOutputThatIsDecomposedAgainIsNoted) {
   const auto noted = [&](const std::string& urdf, const std::string& path) {
     const auto find_package = [&](const std::string&) { return std::optional<std::string>(folder_ / "first"); };
     const RobotResult result = decomposeRobot(parseRobotDescription(urdf, path), PackageFinder(find_package), options_, folder_ / "second");
-    const std::string table = toTable(result.report), again = "the output of an earlier run: bounds count from its hulls";
+    const std::string table = toTable(result.report), again = "the output of an earlier run: bounds are measured from its hulls";
     return table.find(again) == std::string::npos ? "" : table.substr(table.find("note: "));
   };
   EXPECT_NE(noted(text, file).find("'" + file + "' is the output"), std::string::npos);

@@ -267,7 +267,7 @@ TEST_F(FitRobotToScene, ReportsContactWithTheScene) {
   EXPECT_EQ(result.report.scene->scene_contact, "base against block");
   ASSERT_EQ(result.report.scene->left_out.size(), 1u);
   EXPECT_EQ(result.report.scene->left_out[0].reason, "Fixed");
-  EXPECT_TRUE(isNoted(result, "the original is in contact with the scene at rest: base against block"));
+  EXPECT_TRUE(isNoted(result, "the original meshes are in contact with the scene at rest: base against block"));
   EXPECT_TRUE(isNoted(result, "1 pair of a link and a body of the scene is left out (base against block)"));
   EXPECT_NE(toTable(result.report).find("; 1 pair with the scene left out\n"), std::string::npos);
   request_.scene.bodies.push_back({"shelf", request_.scene.bodies[0].shape, request_.scene.bodies[0].pose});

@@ -189,7 +189,7 @@ TEST(PutTogether, NotesOpeningsThatWereClosed) {
   putTogether({use("a"), use("b")}, {shared(mesh), shared(boxes(1))}, result);
   EXPECT_EQ(result.report.notes,
             (std::vector<std::string>{"3 openings of 1 mesh were closed: the hulls cover the lids, too, and protrusion "
-                                      "counts from the closed meshes"}));
+                                      "is measured from the closed meshes"}));
 }
 
 TEST(PutTogether, TheScaleOfAHugeMeshIsWhereItsInputHasIt) {

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""decompose_client as a user calls it: table, progress, Ctrl-C, and wrong use."""
+"""decompose_client as a user calls it: table, progress, Ctrl-C, and usage errors."""
 import os
 import pty
 import shutil

@@ -157,7 +157,7 @@ class ServiceTest(unittest.TestCase):
 
     # As a launch file's robot_description comes: without its file.
     def test_its_own_output_is_noted(self):
-        config, again = "output: {uri: file}", "the output of an earlier run: bounds count from its hulls"
+        config, again = "output: {uri: file}", "the output of an earlier run: bounds are measured from its hulls"
         first = self.decompose_well(config=config)
         self.assertNotIn(again, first.table)
         second = self.decompose_well(config=config, robot_description=first.robot_description, output=self.folder.output + "_2")

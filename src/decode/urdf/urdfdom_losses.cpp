@@ -39,7 +39,7 @@ class Losses {
 
   void addTo(std::vector<std::string>& notes) const {
     if (note_.empty()) return;
-    const std::string rest = ". So it is in " + counted(more_, "more link") + ": " + others_ + (more_ > kMostNamed ? ", ..." : "");
+    const std::string rest = ". The same holds for " + counted(more_, "more link") + ": " + others_ + (more_ > kMostNamed ? ", ..." : "");
     notes.push_back(note_ + (more_ > 0 ? rest : ""));
   }
 
@@ -103,7 +103,7 @@ std::vector<std::string> notesOnLosses(const XmlSource& subject, const XMLElemen
     };
     unread.add(name, subject.label + ", line " + std::to_string(subject.lineFromRoot(stop->element->GetLineNum())) +
                          ": urdfdom cannot read this <" + stop->element->Name() + "> of link '" + name + "' (" + stop->reason +
-                         "), and nothing behind it there: rviz, MoveIt and others see " +
+                         ") or anything after it there: rviz, MoveIt and others see " +
                          share(seen->second->visuals.size(), visuals, "visual") + " and " +
                          share(seen->second->collisions.size(), collisions, "collision") +
                          " elements, as they will in the output; correct it");

@@ -178,7 +178,7 @@ class GltfReader {
     };
     const std::size_t n = corners.size();
     if (mode == kFirstTriangles && n % 3 != 0)
-      document_.fail(name + " has triangles of " + std::to_string(n) + " corners in all, which are no threes");
+      document_.fail(name + " has triangles of " + std::to_string(n) + " corners in all, which is not a multiple of 3");
     if (mode == kFirstTriangles)
       for (std::size_t i = 0; i < n; i += 3) add(i, i + 1, i + 2);
     for (std::size_t i = 0; mode == kStrip && i + 2 < n; ++i) add(i, i + 1 + i % 2, i + 2 - i % 2);

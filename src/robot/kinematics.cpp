@@ -94,8 +94,9 @@ bool withinLimits(const JointVariable& variable, double value) {
 }
 
 std::string beyondLimits(const JointVariable& variable, double value) {
+  constexpr double kTurn = 2 * M_PI;  // positions above it are more often degrees or millimetres than slips
   return "joint '" + variable.name + "' at " + fixedDecimal(value) + " is beyond its limits, " + fixedDecimal(variable.lower) + " to " +
-         fixedDecimal(variable.upper);
+         fixedDecimal(variable.upper) + (std::abs(value) > kTurn ? "; positions are in radians, or metres" : "");
 }
 
 bool equalJoints(const ChainJoint& a, const ChainJoint& b) {

@@ -169,6 +169,8 @@ TEST(Kinematics, LimitsAllowForDecimalText) {
   EXPECT_TRUE(withinLimits(joint, 2 + 1e-6) && withinLimits(joint, -1 - 1e-6));
   EXPECT_FALSE(withinLimits(joint, 2 + 3e-6) || withinLimits(joint, -1 - 3e-6) || withinLimits(joint, std::nan("")));
   EXPECT_EQ(beyondLimits(joint, 3), "joint 'elbow' at 3.000000 is beyond its limits, -1.000000 to 2.000000");
+  EXPECT_EQ(beyondLimits(joint, -90),
+            "joint 'elbow' at -90.000000 is beyond its limits, -1.000000 to 2.000000; positions are in radians, or metres");
 }
 
 TEST(Kinematics, EqualJointsAgreeInAll) {

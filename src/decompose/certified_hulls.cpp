@@ -218,15 +218,17 @@ std::string excuse(const DecomposeOptions& options, const Attempt& made) {
   return "the surface has details there that no plane divided; raise the tolerance above it, or repair the mesh";
 }
 
-/// The same for the region whose tolerance is exceeded.
-std::string excuseInRegion(const DecomposeOptions& options, const Attempt& made, std::size_t index) {
+std::string overrunInRegion(const DecomposeOptions& options, const Attempt& made, std::size_t index) {
   const Region& region = options.regions[index];
-  const bool may_be_moved = options.method == Method::kCertified && !made.capped;
   return "in " + (region.name.empty() ? "a region" : "region '" + region.name + "'") + " the hulls protrude by up to " +
-         millimetres(made.result.regions[index].bound) + ", more than its tolerance of " + millimetres(region.tolerance) + ": " +
-         (may_be_moved && made.result.untried.empty()
-              ? "the surface there is too rough for it; give the region a larger tolerance, or move it away from the surface"
-              : excuse(options, made));
+         millimetres(made.result.regions[index].bound) + ", more than its tolerance of " + millimetres(region.tolerance);
+}
+
+/// The same as excuse() for a region whose tolerance alone is exceeded.
+std::string excuseInRegion(const DecomposeOptions& options, const Attempt& made) {
+  const bool may_be_moved = options.method == Method::kCertified && !made.capped && made.result.untried.empty();
+  return may_be_moved ? "the surface there is too rough for it; give the region a larger tolerance, or move it away from the surface"
+                      : excuse(options, made);
 }
 
 /// Passes a part of the work on as the shares `from` to `to` of the whole, which never decrease though attempts begin anew.
@@ -290,9 +292,9 @@ CertifiedHulls certifiedHulls(const PreparedMesh& mesh, const DecomposeOptions& 
   if (result.bound > limit(options))
     result.reason = "the hulls protrude by up to " + millimetres(result.bound) + ", more than the tolerance of " +
                     millimetres(options.tolerance) + (options.padding > 0 ? " and the padding of " + millimetres(options.padding) : "") +
-                    ": " + excuse(options, made);
+                    ": " + excuse(options, made) + (region ? "; " + overrunInRegion(options, made, *region) : "");
   else if (region)
-    result.reason = excuseInRegion(options, made, *region);
+    result.reason = overrunInRegion(options, made, *region) + ": " + excuseInRegion(options, made);
   result.seconds.certify += stage.lap();
   control.report(1);
   return std::move(result);

@@ -38,8 +38,12 @@ Input robotInput(const std::string& path, const PackagePath& package_path, const
 Input fileInput(const std::string& path, const PackagePath& package_path, const RunControl& control) {
   if (isRobotFile(path)) return robotInput(path, package_path, control);
   if (!isMeshFile(path)) {
-    throw Error(ErrorCode::kUnsupportedFormat, "'" + path + "' has the extension '" + lowerExtension(path) +
-                                                   "', which is not supported; give a .urdf or .xacro file for a robot, or a mesh (" +
+    const std::string extension = lowerExtension(path);
+    const std::string use = extension == ".srdf"                           ? " (fit_scene takes it as --srdf)"
+                            : extension == ".sdf" || extension == ".world" ? " (fit_scene takes SDF as --scene)"
+                                                                           : "";
+    throw Error(ErrorCode::kUnsupportedFormat, "'" + path + "' has the extension '" + extension + "', which is not supported" + use +
+                                                   "; give a .urdf or .xacro file for a robot, or a mesh (" +
                                                    listed(meshExtensions(), " ") + ")");
   }
   Input input;

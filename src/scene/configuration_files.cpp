@@ -81,7 +81,7 @@ Columns columnsOf(const Cells& header, const std::string& where) {
     if (of_rostopic) {
       if (cell.rfind("field.name", 0) == 0) columns.names.push_back(i);
       if (cell.rfind("field.position", 0) == 0) columns.positions.push_back(i);
-    } else if (cell != "time" && cell != "stamp") {
+    } else if (const std::string name = inLowerCase(std::string(cell)); name != "time" && name != "stamp") {
       columns.positions.push_back(i);
     }
   }

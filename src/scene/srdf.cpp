@@ -34,6 +34,8 @@ class SrdfReader {
 
   DisabledPairs read(const XmlNode& root) {
     if (root.name != "robot") fail(root, "the root element is <" + root.name + ">; an SRDF needs <robot>");
+    if (const XmlNode* const link = root.child("link"); link && !root.child("disable_collisions"))
+      fail(*link, "a <link>: this is the robot's description; give its SRDF");
     for (const XmlNode* element : root.childrenNamed("disable_default_collisions")) {
       disableAllOf(*element);
       if (result_.pairs.size() > kMostPairs)

@@ -77,6 +77,15 @@ TEST_F(RegionsTest, TheReportSaysWhatIsProvedInside) {
   EXPECT_EQ(region["protrusion_found"], 0.0);
 }
 
+TEST_F(RegionsTest, TheReasonNamesARegionBesideTheTolerance) {
+  const ElementReport row = run("links: {hand: {tolerance: 1cm, max_hulls: 1}}\n" + std::string(kClear)).report.links[1];
+  EXPECT_EQ(row.status, Status::kDegraded);
+  EXPECT_NE(row.reason.find("more than the tolerance of 10 mm: the limit (max-hulls 1) made the hulls coarser; raise it, or the tolerance; "
+                            "in region 'mouth' the hulls protrude by up to "),
+            std::string::npos)
+      << row.reason;
+}
+
 TEST_F(RegionsTest, ARegionFarFromTheMeshesIsNoted) {
   const auto notes = [this](const std::string& region) {
     return run("regions: [{link: 'hand|base', name: mouth, keep_clear: true, " + region + "}]").report.notes;

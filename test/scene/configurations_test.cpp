@@ -98,7 +98,7 @@ TEST(Configurations, RejectsUnusableFiles) {
 }
 
 TEST(Configurations, Csv) {
-  const ConfigurationSet set = setOf("a.csv", "\xEF\xBB\xBF# recorded\ntime, \"c\" ,a\r\n0.0,0.25,1\r\n\r\n0.1,0.5,-1\r\n");
+  const ConfigurationSet set = setOf("a.csv", "\xEF\xBB\xBF# recorded\nTime, \"c\" ,a\r\n0.0,0.25,1\r\n\r\n0.1,0.5,-1\r\n");
   ASSERT_EQ(set.configurations.size(), 2u);
   EXPECT_EQ(set.given, 2u);
   EXPECT_EQ(set.configurations[0], (Configuration{1, 0, 0.25}));

@@ -23,6 +23,10 @@ TEST(Srdf, WithoutPairs) {
   EXPECT_TRUE(parse("<group name='arm'><chain base_link='a' tip_link='b'/></group>").pairs.empty());
 }
 
+TEST(Srdf, ADescriptionIsNone) {
+  expectError(ErrorCode::kNotAnSrdf, {"line 1", "<link>", "give its SRDF"}, [] { parse("<link name='a'/>"); });
+}
+
 TEST(Srdf, KeepsTheOrderAndDropsDuplicates) {
   const DisabledPairs read = parse(
       "<disable_collisions link1='b' link2='a' reason='Adjacent'/><disable_collisions link1='c' link2='d' reason='Never'/>"

@@ -18,6 +18,7 @@
 #include "robot/contact_sensors.h"
 #include "storage/names.h"
 #include "storage/replace_folder.h"
+#include "xml/xml_spans.h"
 
 namespace collision_hulls {
 namespace {
@@ -240,6 +241,15 @@ std::vector<std::string> notesOnContacts(const RobotResult& result) {
   return notes;
 }
 
+/// MuJoCo reads URDF, and looks for meshes by their bare names in one folder, where those of hulls are alike.
+std::vector<std::string> notesOnMujoco(const RobotResult& result) {
+  const std::vector<XmlElement> elements = scanXml(result.urdf).elements;
+  if (std::none_of(elements.begin(), elements.end(), [](const XmlElement& element) { return element.name == "mujoco"; })) return {};
+  return {
+      "the description has a <mujoco> element, but MuJoCo does not find the hulls of a URDF: --for mujoco writes a model that it loads, "
+      "without the settings of that element"};
+}
+
 /// The surface of a mesh, for a page: empty where it cannot be read. `base`: the file that its URI is in.
 TriangleMesh surfaceOf(const GeometryElement& mesh, const std::string& base, const PackageFinder& find_package, const Options& options,
                        const RunControl& control) {
@@ -307,7 +317,7 @@ void rewriteDescription(const RobotDescription& robot, const std::vector<LinkDec
        {robot.notes, find_package.notes(), notesOnUses(robot, decisions.front(), options), notesOnBare(robot, decisions.front()),
         notesOnFlat(robot, decisions.front()), notesOnIdle(robot, decisions.front(), options, control), notes,
         notesOnAgain(robot, result.report, find_package, output, control), notesOnFailed(robot, result), notesOnCarried(result),
-        notesOnRewritten(result, output, source.uris, control), notesOnContacts(result)})
+        notesOnRewritten(result, output, source.uris, control), notesOnContacts(result), notesOnMujoco(result)})
     all.insert(all.end(), more.begin(), more.end());
 }
 

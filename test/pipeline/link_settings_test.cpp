@@ -123,6 +123,14 @@ TEST_F(LinkSettingsTest, ContactSensorsThatLoseTheirCollisionAreNoted) {
   EXPECT_EQ(notesWith(with("other"), "names the collision"), 0u);
 }
 
+TEST_F(LinkSettingsTest, SettingsForMuJoCoAreNoted) {
+  const std::string arm = fixtures::read(folder_ / "arm.urdf"), end = "</robot>";
+  EXPECT_EQ(notesWith(run("default: {method: bounding_box}"), "MuJoCo"), 0u);
+  fixtures::write(folder_ / "arm.urdf",
+                  arm.substr(0, arm.rfind(end)) + "<mujoco><compiler meshdir=\"meshes\" balanceinertia=\"true\"/></mujoco>" + end);
+  EXPECT_EQ(notesWith(run("default: {method: bounding_box}"), "MuJoCo does not find the hulls of a URDF: --for mujoco"), 1u);
+}
+
 TEST_F(LinkSettingsTest, EachLinkHasItsOwn) {
   const RobotResult result = run("default: {tolerance: 1cm}\nlinks: {hand: {method: bounding_box}, base: {tolerance: 5cm, max_hulls: 1}}");
   const std::vector<ElementReport>& rows = result.report.links;

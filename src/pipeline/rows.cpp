@@ -23,6 +23,7 @@ namespace {
 constexpr std::size_t kManyHulls = 100;  // of a mesh
 constexpr std::size_t kHullsOfShell = 8;
 constexpr std::size_t kManyParts = 20;  // of a mesh, with as many hulls
+constexpr double kSmallestLink = 1e-3;  // [m] across
 constexpr double kFarRegion = 0.1;      // of a mesh's diagonal: a region may well stand beside the mesh, as a table does
 
 /// Names the files of hulls. Where there are several models, equal hulls of an element share a file.
@@ -110,6 +111,19 @@ void noteHugeMeshes(Report& report) {
                          (others > 0 ? ", and " + counted(others, "other mesh", "other meshes") + " over 20 m" : "") +
                          ": if its numbers are millimetres, scale it by 0.001 " +
                          (report.urdf.empty() ? "(--scale 0.001)" : "(scale=\"0.001 0.001 0.001\" in the description's <mesh>)"));
+}
+
+/// A scale of 0.001 is for meshes in millimetres; one in metres becomes smaller by it than any robot link.
+void noteTinyMeshes(Report& report) {
+  const auto is_tiny = [](const ElementReport& row) {
+    return row.status != Status::kFailed && row.diagonal < kSmallestLink && row.scale.cwiseAbs().maxCoeff() < 1;
+  };
+  const auto first = std::find_if(report.links.begin(), report.links.end(), is_tiny);
+  if (first == report.links.end()) return;
+  const auto others = static_cast<std::size_t>(std::count_if(first, report.links.end(), is_tiny)) - 1;
+  report.notes.push_back("'" + first->uri + "' is " + millimetres(first->diagonal) + " across with its scale" +
+                         (others > 0 ? ", and " + counted(others, "other mesh", "other meshes") + " below 1 mm" : "") +
+                         ": if its numbers are metres, leave the scale out");
 }
 
 /// Whether a row has the hulls that a tolerance asked for.
@@ -226,7 +240,7 @@ void noteFarRegions(RobotResult& result) {
     const ElementReport& row = result.report.links[i];
     for (const Region& region : row.regions_given) {
       const double gap = gapTo(region, result.elements[i].original);
-      const double far = gap > kFarRegion * row.diagonal ? gap : 0;  // also of a failed mesh, of which nothing is known
+      const double far = gap > kFarRegion * row.diagonal ? gap : 0;  // infinite for a failed mesh, which has no hulls
       const auto [known, is_new] = gaps.emplace(region.name, std::make_pair(far, row.link));
       if (!is_new && far < known->second.first) known->second = {far, row.link};
     }
@@ -234,7 +248,7 @@ void noteFarRegions(RobotResult& result) {
   for (const auto& [name, nearest] : gaps) {
     const auto& [gap, link] = nearest;
     if (gap > 0 && std::isfinite(gap))
-      result.report.notes.push_back("region '" + name + "' changes nothing: it is " + decimal(gap, 3) + " m from " +
+      result.report.notes.push_back("region '" + name + "' changes nothing: it is at least " + decimal(gap, 3) + " m from " +
                                     (result.single_mesh ? "the mesh" : "link '" + link + "'") +
                                     ". Regions are in metres, in the frame of " + (result.single_mesh ? "the mesh" : "their link"));
   }
@@ -270,6 +284,7 @@ void putTogether(const std::vector<MeshUse>& uses, const MeshResults& results, R
   }
   addSegmentFiles(result);
   noteHugeMeshes(result.report);
+  noteTinyMeshes(result.report);
   if (!result.report.scene) {  // a fit chooses how fine each link has to be
     noteCoarserThanDefault(result.report);
     noteManyHulls(result.report);

@@ -91,9 +91,10 @@ TEST_F(RegionsTest, ARegionFarFromTheMeshesIsNoted) {
     return run("regions: [{link: 'hand|base', name: mouth, keep_clear: true, " + region + "}]").report.notes;
   };
   // The hand's mesh is [0.3, 0.5] x [-0.1, 0] x [0, 0.2] in its link, the base's [0, 0.2] x [0, 0.2] x [0, 0.1]; their diagonals are 0.3.
-  EXPECT_EQ(notes("box: {center: [400.5, -50, 260], size: [140, 300, 460]}"),
-            std::vector<std::string>{
-                "region 'mouth' changes nothing: it is 330 m from link 'hand'. Regions are in metres, in the frame of their link"});
+  EXPECT_EQ(
+      notes("box: {center: [400.5, -50, 260], size: [140, 300, 460]}"),
+      std::vector<std::string>{
+          "region 'mouth' changes nothing: it is at least 330 m from link 'hand'. Regions are in metres, in the frame of their link"});
   EXPECT_EQ(notes("half_space: {normal: [0, -1, 0], offset: 0.15}").size(), 1u);
   EXPECT_EQ(notes("half_space: {normal: [0, -1, 0], offset: 0.12}"), std::vector<std::string>()) << "a table may stand beside the robot";
 }

@@ -216,6 +216,25 @@ TEST(PutTogether, NotesSuspiciousSizesOfMeshesThatDidNotFail) {
       << result.report.notes[1];
 }
 
+TEST(PutTogether, NotesMeshesThatTheirScaleMakesTiny) {
+  MeshResult tiny = boxes(1), small = boxes(1);
+  tiny.mesh.diagonal = 0.0009;
+  tiny.mesh.tolerance = 1e-5;
+  small.mesh.diagonal = 0.0011;
+  small.mesh.tolerance = 1e-5;
+  const auto notesAt = [&](double scale, const std::vector<MeshResult>& meshes) {
+    RobotResult result;
+    std::vector<MeshUse> uses{use("a"), use("b")};
+    for (MeshUse& each : uses) each.source.scale.setConstant(scale);
+    putTogether(uses, {shared(meshes[0]), shared(meshes[1])}, result);
+    return result.report.notes;
+  };
+  EXPECT_EQ(notesAt(0.001, {small, tiny}),
+            std::vector<std::string>{"'b.stl' is 0.9 mm across with its scale: if its numbers are metres, leave the scale out"});
+  EXPECT_EQ(notesAt(0.001, {tiny, tiny}).at(0).substr(0, 64), "'a.stl' is 0.9 mm across with its scale, and 1 other mesh below ");
+  EXPECT_TRUE(notesAt(1, {tiny, tiny}).empty());
+}
+
 TEST(PutTogether, NotesSizesThatNoWholeNumberHolds) {
   MeshResult huge = boxes(1);
   huge.mesh.diagonal = 3e38;

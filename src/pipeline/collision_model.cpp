@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "base/counted.h"
@@ -241,10 +242,15 @@ std::vector<std::string> notesOnContacts(const RobotResult& result) {
   return notes;
 }
 
-/// MuJoCo reads URDF, and looks for meshes by their bare names in one folder, where those of hulls are alike.
+/// MuJoCo reads URDF, and looks for meshes by their bare names in one folder, where those of hulls are alike, unless it is told not to.
 std::vector<std::string> notesOnMujoco(const RobotResult& result) {
-  const std::vector<XmlElement> elements = scanXml(result.urdf).elements;
-  if (std::none_of(elements.begin(), elements.end(), [](const XmlElement& element) { return element.name == "mujoco"; })) return {};
+  bool is_for_mujoco = false;
+  for (const XmlElement& element : scanXml(result.urdf).elements) {
+    is_for_mujoco = is_for_mujoco || element.name == "mujoco";
+    const auto strips = element.name == "compiler" ? attributeValue(result.urdf, element, "strippath") : std::nullopt;
+    if (strips && result.urdf.compare(strips->begin, strips->end - strips->begin, "false") == 0) return {};
+  }
+  if (!is_for_mujoco) return {};
   return {
       "the description has a <mujoco> element, but MuJoCo does not find the hulls of a URDF: --for mujoco writes a model that it loads, "
       "without the settings of that element"};

@@ -101,12 +101,19 @@ void addSegmentFiles(RobotResult& result) {
   }
 }
 
+/// The first row of which something is true, and how many others it is true of; null if there is none.
+template <typename Predicate>
+std::pair<const ElementReport*, std::size_t> firstAndOthers(const Report& report, const Predicate& is_true) {
+  const auto first = std::find_if(report.links.begin(), report.links.end(), is_true);
+  if (first == report.links.end()) return {nullptr, 0};
+  return {&*first, static_cast<std::size_t>(std::count_if(first + 1, report.links.end(), is_true))};
+}
+
 /// URDF and most mesh formats mean metres; a mesh that is larger than any robot link was probably drawn in millimetres.
 void noteHugeMeshes(Report& report) {
   const auto is_huge = [](const ElementReport& row) { return row.status != Status::kFailed && row.diagonal > kLargestLink; };
-  const auto first = std::find_if(report.links.begin(), report.links.end(), is_huge);
-  if (first == report.links.end()) return;
-  const auto others = static_cast<std::size_t>(std::count_if(first, report.links.end(), is_huge)) - 1;
+  const auto [first, others] = firstAndOthers(report, is_huge);
+  if (!first) return;
   report.notes.push_back("'" + first->uri + "' is " + decimal(first->diagonal, 3) + " m across" +
                          (others > 0 ? ", and " + counted(others, "other mesh", "other meshes") + " over 20 m" : "") +
                          ": if its numbers are millimetres, scale it by 0.001 " +
@@ -118,9 +125,8 @@ void noteTinyMeshes(Report& report) {
   const auto is_tiny = [](const ElementReport& row) {
     return row.status != Status::kFailed && row.diagonal < kSmallestLink && row.scale.cwiseAbs().maxCoeff() < 1;
   };
-  const auto first = std::find_if(report.links.begin(), report.links.end(), is_tiny);
-  if (first == report.links.end()) return;
-  const auto others = static_cast<std::size_t>(std::count_if(first, report.links.end(), is_tiny)) - 1;
+  const auto [first, others] = firstAndOthers(report, is_tiny);
+  if (!first) return;
   report.notes.push_back("'" + first->uri + "' is " + millimetres(first->diagonal) + " across with its scale" +
                          (others > 0 ? ", and " + counted(others, "other mesh", "other meshes") + " below 1 mm" : "") +
                          ": if its numbers are metres, leave the scale out");
@@ -155,9 +161,8 @@ void noteCoarserThanDefault(Report& report) {
 /// One hull is enough for a mesh that is smaller than the tolerance.
 void noteSmallMeshes(Report& report) {
   const auto is_small = [](const ElementReport& row) { return row.status != Status::kFailed && row.tolerance > row.diagonal; };
-  const auto first = std::find_if(report.links.begin(), report.links.end(), is_small);
-  if (first == report.links.end()) return;
-  const auto others = static_cast<std::size_t>(std::count_if(first, report.links.end(), is_small)) - 1;
+  const auto [first, others] = firstAndOthers(report, is_small);
+  if (!first) return;
   report.notes.push_back("the tolerance of " + millimetres(first->tolerance) + " is larger than '" + first->uri + "', which is " +
                          millimetres(first->diagonal) + " across" +
                          (others > 0 ? ", and than " + counted(others, "other mesh", "other meshes") : "") +
@@ -189,9 +194,8 @@ void noteLooseParts(Report& report) {
   const auto is_loose = [](const ElementReport& row) {
     return followsTolerance(row) && row.repair.components >= kManyParts && row.hulls >= kManyParts;
   };
-  const auto first = std::find_if(report.links.begin(), report.links.end(), is_loose);
-  if (first == report.links.end()) return;
-  const auto others = static_cast<std::size_t>(std::count_if(first, report.links.end(), is_loose)) - 1;
+  const auto [first, others] = firstAndOthers(report, is_loose);
+  if (!first) return;
   const std::string closing =
       first->openings > 0 ? "if parts lie in a housing with openings, --close-openings makes it solid, and they take no hulls; or " : "";
   report.notes.push_back("'" + first->uri + "' consists of " + std::to_string(first->repair.components) + " loose parts and took " +
@@ -257,10 +261,10 @@ void noteFarRegions(RobotResult& result) {
 /// The hulls are what could be found in time.
 void noteTimeLimit(Report& report) {
   const auto is_cut = [](const ElementReport& row) { return !row.untried.empty(); };
-  const auto first = std::find_if(report.links.begin(), report.links.end(), is_cut);
-  if (first == report.links.end()) return;
-  const auto cut = std::count_if(first, report.links.end(), is_cut);
-  report.notes.push_back("the time limit ended the search for " + std::to_string(cut) + " of " + std::to_string(report.links.size()) +
+  const auto [first, others] = firstAndOthers(report, is_cut);
+  if (!first) return;
+  report.notes.push_back("the time limit ended the search for " + std::to_string(others + 1) + " of " +
+                         std::to_string(report.links.size()) +
                          " meshes early, so they may have more hulls, or protrude further, than they need: '" + first->uri + "' lacks " +
                          first->untried + "; their hulls cover, and their bounds hold, all the same");
 }

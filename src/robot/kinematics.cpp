@@ -7,6 +7,7 @@
 
 #include "base/decimal.h"
 #include "collision_hulls/error.h"
+#include "geometry/pi.h"
 #include "robot/far_away.h"
 
 namespace collision_hulls {
@@ -94,7 +95,7 @@ bool withinLimits(const JointVariable& variable, double value) {
 }
 
 std::string beyondLimits(const JointVariable& variable, double value) {
-  constexpr double kTurn = 2 * M_PI;  // positions above it are more often degrees or millimetres than slips
+  constexpr double kTurn = 2 * kPi;  // positions above it are more often degrees or millimetres than slips
   return "joint '" + variable.name + "' at " + fixedDecimal(value) + " is beyond its limits, " + fixedDecimal(variable.lower) + " to " +
          fixedDecimal(variable.upper) + (std::abs(value) > kTurn ? "; positions are in radians, or metres" : "");
 }

@@ -125,10 +125,13 @@ TEST_F(LinkSettingsTest, ContactSensorsThatLoseTheirCollisionAreNoted) {
 
 TEST_F(LinkSettingsTest, SettingsForMuJoCoAreNoted) {
   const std::string arm = fixtures::read(folder_ / "arm.urdf"), end = "</robot>";
+  const auto notesWithCompiler = [&](const std::string& attributes) {
+    fixtures::write(folder_ / "arm.urdf", arm.substr(0, arm.rfind(end)) + "<mujoco><compiler " + attributes + "/></mujoco>" + end);
+    return notesWith(run("default: {method: bounding_box}"), "MuJoCo does not find the hulls of a URDF: --for mujoco");
+  };
   EXPECT_EQ(notesWith(run("default: {method: bounding_box}"), "MuJoCo"), 0u);
-  fixtures::write(folder_ / "arm.urdf",
-                  arm.substr(0, arm.rfind(end)) + "<mujoco><compiler meshdir=\"meshes\" balanceinertia=\"true\"/></mujoco>" + end);
-  EXPECT_EQ(notesWith(run("default: {method: bounding_box}"), "MuJoCo does not find the hulls of a URDF: --for mujoco"), 1u);
+  EXPECT_EQ(notesWithCompiler("meshdir=\"meshes\" balanceinertia=\"true\""), 1u);
+  EXPECT_EQ(notesWithCompiler("strippath=\"false\""), 0u) << "it finds relative URIs";
 }
 
 TEST_F(LinkSettingsTest, EachLinkHasItsOwn) {

@@ -128,10 +128,12 @@ class LaunchTest(unittest.TestCase):
         self.assertIn("exit code 139", self.log())
 
     def test_rviz_ends_with_the_launch_and_on_its_own_failure(self):
-        self.replace_rviz("trap 'touch ended; exit' INT; touch started; while :; do sleep 0.1; done")
+        self.replace_rviz("trap 'touch ended; kill -SEGV $$' INT; echo >> started; while :; do sleep 0.1; done")
         with self.launched("view.launch", "state:=false"):
             self.assertTrue(robots.wait_until(lambda: os.path.exists(self.folder.file("started")), 60), self.log())
         self.assertTrue(os.path.exists(self.folder.file("ended")), self.log())
+        with open(self.folder.file("started"), encoding="utf-8") as file:
+            self.assertEqual("\n", file.read())  # a crash as it ends is no reason to start it
         self.replace_rviz("echo >> failures; exit 3")
         with self.launched("view.launch", "state:=false", "required:=true") as nodes:
             nodes.wait(60)

@@ -250,10 +250,10 @@ RobotResult decomposeRobot(const RobotDescription& robot, const PackageFinder& f
   checkForRobot(options);
   Stopwatch run;
   refuseLosingCache(options, output);
-  refuseLosingVisuals(robot, output, find_package, control);
   RobotResult result = emptyResult(robot, options, control);
   const std::vector<LinkDecisions> decisions = modelDecisions(options, robot, control);
   const std::vector<MeshUse> uses = meshUses(robot, decisions);
+  refuseLosingOriginals(robot, uses, output, find_package, control);
   std::vector<std::string> notes;
   const auto stages = [&](Run& run) {
     decomposeAll(run);

@@ -139,9 +139,10 @@ bool liesIn(const fs::path& file, const fs::path& folder) {
   return *file.lexically_relative(folder).begin() != "..";
 }
 
-[[noreturn]] void refuseLosing(const std::string& file, const std::string& use, const std::string& output) {
-  throw Error(ErrorCode::kUnwritableOutput,
-              "output '" + output + "' would be replaced, and with it '" + file + "', " + use + "; choose another output");
+[[noreturn]] void refuseLosing(const std::string& file, const std::string& use, const std::string& output,
+                               const std::string& other_remedy = "") {
+  throw Error(ErrorCode::kUnwritableOutput, "output '" + output + "' would be replaced, and with it '" + file + "', " + use + "; " +
+                                                other_remedy + "choose another output");
 }
 
 }  // namespace
@@ -181,19 +182,22 @@ std::string outputWithOneOf(const std::set<std::string>& uris, const RobotDescri
   return "";
 }
 
-void refuseLosingVisuals(const RobotDescription& robot, const std::string& output, const PackageFinder& find_package,
-                         const RunControl& control) {
+void refuseLosingOriginals(const RobotDescription& robot, const std::vector<MeshUse>& uses, const std::string& output,
+                           const PackageFinder& find_package, const RunControl& control) {
   const fs::path folder = replacedFolder(output);
   std::error_code error;
   if (!fs::exists(folder, error)) return;
   const MeshFiles files(robot, output, find_package, control);
-  for (const LinkDescription& link : robot.links) {
-    for (const GeometryElement& visual : link.visuals) {
-      control.check();
-      const auto file = isUsableMesh(visual) ? files.find(visual.uri) : std::nullopt;
-      if (file && liesIn(*file, folder)) refuseLosing(visual.uri, "which a <visual> of link '" + link.name + "' uses", output);
-    }
-  }
+  const auto refuse = [&](const GeometryElement& element, const std::string& use, const std::string& other_remedy = "") {
+    control.check();
+    const auto file = isUsableMesh(element) ? files.find(element.uri) : std::nullopt;
+    if (file && liesIn(*file, folder)) refuseLosing(element.uri, use, output, other_remedy);
+  };
+  for (const LinkDescription& link : robot.links)
+    for (const GeometryElement& visual : link.visuals) refuse(visual, "which a <visual> of link '" + link.name + "' uses");
+  for (const MeshUse& use : uses)
+    if (use.options.action == Action::kDecompose)
+      refuse(use.source, "which link '" + use.link + "' would be decomposed from", "decompose the description that it was made from, or ");
 }
 
 void refuseLosingCache(const Options& options, const std::string& output) {
@@ -203,7 +207,7 @@ void refuseLosingCache(const Options& options, const std::string& output) {
   if (error || !liesIn(cache, replacedFolder(output))) return;
   throw Error(ErrorCode::kUnwritableOutput, "the cache '" + cache.string() + "' lies in output '" + output +
                                                 "', which is replaced as a whole; set COLLISION_HULLS_CACHE to a folder outside of it, "
-                                                "turn the cache off, or choose another output");
+                                                "turn the cache off (--no-cache), or choose another output");
 }
 
 void refuseLosingInput(const std::string& input, const std::string& output) {

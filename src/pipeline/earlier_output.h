@@ -9,6 +9,7 @@
 #include "collision_hulls/control.h"
 #include "collision_hulls/report/options.h"
 #include "collision_hulls/robot/robot_description.h"
+#include "pipeline/mesh_uses.h"
 
 namespace collision_hulls {
 
@@ -29,16 +30,17 @@ KeptHulls keptHulls(const RobotDescription& robot, const std::set<std::string>& 
 std::string outputWithOneOf(const std::set<std::string>& uris, const RobotDescription& robot, const std::string& output,
                             const PackageFinder& find_package, const RunControl& control = {});
 
-/// Throws kUnwritableOutput if a <visual> element names a mesh in the folder that `output` replaces: visuals stay as they are, so
-/// the mesh would be lost. Throws kCancelled.
-void refuseLosingVisuals(const RobotDescription& robot, const std::string& output, const PackageFinder& find_package,
-                         const RunControl& control = {});
+/// Throws kUnwritableOutput if an element that is used names a mesh in the folder that `output` replaces, so that the mesh would be lost: a
+/// <visual> element, which stays as it is, or one that becomes hulls, which would take the place of what they were made from. Throws
+/// kCancelled.
+void refuseLosingOriginals(const RobotDescription& robot, const std::vector<MeshUse>& uses, const std::string& output,
+                           const PackageFinder& find_package, const RunControl& control = {});
 
 /// Throws kUnwritableOutput if the cache is on and lies in the folder that `output` replaces: it would be lost, and before that each of its
 /// files would keep the next run from replacing the folder.
 void refuseLosingCache(const Options& options, const std::string& output);
 
-/// As refuseLosingVisuals(), for a file that is itself an input.
+/// As refuseLosingOriginals(), for a file that is itself an input.
 void refuseLosingInput(const std::string& input, const std::string& output);
 
 }  // namespace collision_hulls

@@ -425,10 +425,10 @@ RobotResult fitRobotToScene(const RobotDescription& robot, const PackageFinder& 
   const Kinematics joints(robot);
   Stopwatch clock;
   refuseLosingCache(options, output);
-  refuseLosingVisuals(robot, output, find_package, control);
   for (const std::string& file : request.files) refuseLosingInput(file, output);
   RobotResult result = emptyResult(robot, options, control);
   const std::vector<MeshUse> uses = meshUses(robot, decisions);
+  refuseLosingOriginals(robot, uses, output, find_package, control);
   if (decomposedUses(uses) == 0) throw Error(ErrorCode::kBadOption, notesOnUses(robot, decisions.front(), options).front());
   std::vector<std::string> notes = request.notes;
   for (const std::string& note : joints.notes()) notes.push_back(note);

@@ -169,6 +169,13 @@ void noteSmallMeshes(Report& report) {
                          ": one hull covers each; for more detail give a smaller tolerance, or one with a percentage, as in 1cm,5%");
 }
 
+/// Null: the row has none.
+const Region* finestRegion(const ElementReport& row) {
+  const auto finer = [](const Region& a, const Region& b) { return a.tolerance < b.tolerance; };
+  const auto finest = std::min_element(row.regions_given.begin(), row.regions_given.end(), finer);
+  return finest == row.regions_given.end() ? nullptr : &*finest;
+}
+
 /// More hulls than planners and simulators like for a whole robot.
 void noteManyHulls(Report& report) {
   const auto has_many = [](const ElementReport& row) { return followsTolerance(row) && row.hulls > kManyHulls; };
@@ -178,10 +185,14 @@ void noteManyHulls(Report& report) {
   const auto most = std::max_element(report.links.begin(), report.links.end(), fewer);
   if (most == report.links.end() || !has_many(*most)) return;
   const auto others = static_cast<std::size_t>(std::count_if(report.links.begin(), report.links.end(), has_many)) - 1;
+  const Region* const region = finestRegion(*most);
+  const bool is_finer = region && region->tolerance < most->tolerance;
   report.notes.push_back(
       "'" + most->uri + "' took " + std::to_string(most->hulls) + " hulls at a tolerance of " + millimetres(most->tolerance) +
-      (others > 0 ? ", and " + counted(others, "other mesh", "other meshes") + " over " + std::to_string(kManyHulls) : "") +
-      ": a larger tolerance makes fewer; so does a limit, as in --max-hulls 16");
+      (is_finer ? " and, in region '" + region->name + "', of " + millimetres(region->tolerance) : "") +
+      (others > 0 ? ", and " + counted(others, "other mesh", "other meshes") + " over " + std::to_string(kManyHulls) : "") + ": " +
+      (is_finer ? "a smaller region, or a larger tolerance in it, may make fewer" : "a larger tolerance makes fewer") +
+      "; so does a limit, as in --max-hulls 16");
 }
 
 std::string likeIt(std::size_t others) {
@@ -258,6 +269,25 @@ void noteFarRegions(RobotResult& result) {
   }
 }
 
+/// Where the link's own tolerance is as fine, a region changes nothing.
+void noteCoarseRegions(Report& report) {
+  std::map<std::string, const ElementReport*> rows;  // by the region's name: one of its meshes; null: the region is finer than some other's
+  std::map<std::string, double> tolerances;
+  for (const ElementReport& row : report.links) {
+    for (const Region& region : row.regions_given) {
+      if (row.status == Status::kFailed) continue;
+      const ElementReport*& known = rows.emplace(region.name, &row).first->second;
+      if (region.tolerance < row.tolerance) known = nullptr;
+      tolerances[region.name] = region.tolerance;
+    }
+  }
+  for (const auto& [name, row] : rows) {
+    if (row)
+      report.notes.push_back("region '" + name + "' changes nothing: its tolerance of " + millimetres(tolerances[name]) +
+                             " is no finer than that of '" + row->uri + "', " + millimetres(row->tolerance));
+  }
+}
+
 /// The hulls are what could be found in time.
 void noteTimeLimit(Report& report) {
   const auto is_cut = [](const ElementReport& row) { return !row.untried.empty(); };
@@ -297,6 +327,7 @@ void putTogether(const std::vector<MeshUse>& uses, const MeshResults& results, R
   }
   noteClosedOpenings(result.report);
   noteFarRegions(result);
+  noteCoarseRegions(result.report);
   noteSmallMeshes(result.report);
   noteTimeLimit(result.report);
 }

@@ -19,7 +19,7 @@ namespace collision_hulls {
 namespace {
 
 constexpr int kMostLevels = 4;  // folders above the description that may hold a file that its URI places elsewhere
-constexpr std::string_view kPackageScheme = "package://", kModelScheme = "model://", kFileScheme = "file://";
+constexpr std::string_view kPackageScheme = "package://", kModelScheme = "model://", kFileScheme = "file://", kShortFileScheme = "file:/";
 
 bool startsWith(std::string_view text, std::string_view prefix) {
   return text.substr(0, prefix.size()) == prefix;
@@ -41,8 +41,10 @@ std::optional<PackageUri> packageUri(const std::string& uri) {
   return PackageUri{path.substr(0, slash), withoutLeadingSlashes(path.substr(slash))};
 }
 
-// The path of a file:// URI, with or without "localhost". Without a leading slash it is relative: that is what its author meant.
+// The path of a file: URI, with or without a host (RFC 8089), which may be "localhost". "file://a.stl" is relative: that is what its author
+// meant.
 std::string filePath(const std::string& uri) {
+  if (!startsWith(uri, kFileScheme)) return uri.substr(kShortFileScheme.size() - 1);
   const std::string rest = uri.substr(kFileScheme.size());
   return startsWith(rest, "localhost/") ? rest.substr(rest.find('/')) : rest;
 }
@@ -53,7 +55,7 @@ std::optional<fs::path> pathOf(const std::string& uri, const std::string& base, 
     const std::optional<std::string> folder = find_package.knownPackage(in_package->package);
     return folder ? std::optional(fs::path(*folder) / in_package->rest) : std::nullopt;
   }
-  const bool is_file = startsWith(uri, kFileScheme);
+  const bool is_file = startsWith(uri, kShortFileScheme);
   if (!is_file && uri.find("://") != std::string::npos) {
     throw Error(ErrorCode::kFileNotFound, "'" + uri + "' has a scheme that is not supported; use package://, model://, file:// or a path");
   }
@@ -143,6 +145,14 @@ std::optional<std::string> besideDescription(const fs::path& missing, const std:
   return std::nullopt;
 }
 
+// What to do about a URI of a form that means nothing here.
+std::string remedyFor(const std::string& uri) {
+  if (uri.find('\\') != std::string::npos) return "; folders are separated by '/' here, and there are no drives";
+  if (startsWith(uri, "~")) return "; '~' is not replaced by your home folder: give the whole path";
+  if (!packageUri(uri) && (startsWith(uri, "package:") || startsWith(uri, "model:"))) return "; a package's URI is package://NAME/PATH";
+  return "; check the URI or the location of the file";
+}
+
 [[noreturn]] void throwMissing(const std::string& uri, const std::string& base, const PackageFinder& find_package) {
   const std::optional<fs::path> path = pathOf(percentDecoded(uri), base, find_package);
   const std::string remedy = "; rename it, or correct the case of letters in the URI";
@@ -176,7 +186,7 @@ std::optional<std::string> besideDescription(const fs::path& missing, const std:
               "'" + uri + "' resolves to '" + file + "', which does not exist" + nor +
                   (has_no_place ? "; it is relative, and the description came without a file name that it could be relative to "
                                   "(parameter ~base of the node)"
-                                : "; check the URI or the location of the file"));
+                                : remedyFor(uri)));
 }
 
 }  // namespace
@@ -187,7 +197,7 @@ std::optional<std::string> packageOf(const std::string& uri) {
 }
 
 bool isRelativeUri(const std::string& uri) {
-  if (startsWith(uri, kFileScheme)) return fs::path(filePath(uri)).is_relative();
+  if (startsWith(uri, kShortFileScheme)) return fs::path(filePath(uri)).is_relative();
   return uri.find("://") == std::string::npos && fs::path(uri).is_relative();
 }
 

@@ -195,7 +195,7 @@ std::vector<std::string> CacheFolder::notes() const {
   }
   if (!trouble_.empty()) {
     notes.push_back(place + " could not store everything from this run: " + trouble_ +
-                    "; set COLLISION_HULLS_CACHE to a writable folder, or turn the cache off");
+                    "; set COLLISION_HULLS_CACHE to a writable folder, or turn the cache off (--no-cache)");
   }
   return notes;
 }

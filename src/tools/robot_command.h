@@ -155,6 +155,14 @@ inline void configure(RobotCommand& command, const RunControl& control) {
   for (const std::string& model : command.models) command.options.models.push_back(modelOf(model));
 }
 
+/// A folder 'hulls.obj' is hardly what anybody means.
+inline void checkNamesFolder(const std::string& output) {
+  std::error_code error;
+  if (std::filesystem::is_directory(output, error) || !(isMeshFile(output) || lowerExtension(output) == ".urdf")) return;
+  throw Error(ErrorCode::kBadOption, "--output '" + output + "' has a file's extension, but the output is a folder; give one, such as '" +
+                                         std::filesystem::path(output).replace_extension().string() + "'");
+}
+
 /// A configuration in the output folder would be replaced by the one that the run writes there.
 inline void checkConfig(const RobotCommand& command, const Input& input, const std::string& output) {
   if (command.config.empty() || input.kind != Input::Kind::kRobot) return;
@@ -223,6 +231,7 @@ inline MadeRobot make(RobotCommand& command, const RobotWork& work, const RunCon
   configure(command, control);
   checkCommand(command);
   const Input input = opened(command, control);
+  checkNamesFolder(command.output);
   const std::string output = writablePath(command.output.empty() ? defaultOutput(input) : command.output);
   checkOutput(output, control);
   checkConfig(command, input, output);

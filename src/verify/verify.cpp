@@ -260,6 +260,20 @@ void check(const VerifyOptions& options) {
   if (!(options.close_openings >= 0)) refuse("close-openings", options.close_openings);
 }
 
+/// Two robots, given by mistake as one before and after.
+void refuseTwoRobots(const std::vector<LinkVerification>& rows) {
+  const auto first = [&](LinkStatus status) {
+    return std::find_if(rows.begin(), rows.end(), [status](const LinkVerification& row) { return row.status == status; });
+  };
+  const auto missing = first(LinkStatus::kMissing), added = first(LinkStatus::kAdded);
+  const auto is_compared = [](const LinkVerification& row) {
+    return row.status != LinkStatus::kMissing && row.status != LinkStatus::kAdded;
+  };
+  if (missing == rows.end() || added == rows.end() || std::any_of(rows.begin(), rows.end(), is_compared)) return;
+  throw Error(ErrorCode::kBadOption, "there is nothing to compare: ORIGINAL has geometry in links such as '" + missing->link +
+                                         "', RESULT only in others, such as '" + added->link + "'; give two descriptions of one robot");
+}
+
 }  // namespace
 
 const char* name(LinkStatus status) {
@@ -294,6 +308,7 @@ Verification verify(const Description& original, const Description& result, cons
     throw Error(ErrorCode::kBadOption,
                 "there is nothing to compare: neither description has geometry" +
                     (options.links.empty() ? std::string() : " in links that match --links '" + options.links + "'"));
+  refuseTwoRobots(done.links);
   return done;
 }
 

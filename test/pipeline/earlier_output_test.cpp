@@ -46,7 +46,7 @@ class TwoRuns : public ::testing::TestWithParam<UriStyle> {
   /// All links, into `first`.
   void runFirst() {
     run(fixtures::write(folder_ / "urdf/arm.urdf",
-                        fixtures::robot("arm", link("base", element("collision", "bracket.obj")) +
+                        fixtures::robot("arm", link("base", element("visual", "bracket.obj") + element("collision", "bracket.obj")) +
                                                    link("tip", element("visual", "box.obj") + element("collision", "box.obj"), "base"))),
         "first");
   }
@@ -77,6 +77,7 @@ TEST_P(TwoRuns, HullsThatStayComeAlong) {
     const std::vector<std::string> before = meshes("first");
     const std::string text = fixtures::read(folder_ / "first/urdf/arm.urdf");
     options_.links = "base";
+    options_.source = Source::kVisual;
     const RobotResult result = run(folder_ / "first/urdf/arm.urdf", output);
     options_.links.clear();
     if (output != "first") fs::remove_all(folder_ / "first");
@@ -93,6 +94,7 @@ TEST_P(TwoRuns, HullsThatStayComeAlong) {
     run(folder_ / (output + "/urdf/arm.urdf"), "third");
     EXPECT_TRUE(meshes("third").back() == before.back());
     options_.links.clear();
+    options_.source = Source::kAuto;
   }
 }
 
@@ -119,6 +121,7 @@ TEST_P(TwoRuns, ADescriptionThatWasMovedAway) {
   fs::create_directories(folder_ / "elsewhere");
   fs::copy(folder_ / "first/urdf/arm.urdf", folder_ / "elsewhere/arm.urdf");
   options_.links = "base";
+  options_.source = Source::kVisual;
   const RobotDescription robot = readRobotDescription(folder_ / "elsewhere/arm.urdf");
   const RobotResult result = decomposeRobot(robot, PackageFinder(), options_, folder_ / "first");
   EXPECT_EQ(result.kept_files.count("meshes/tip/0_0.stl"), 1u);
@@ -131,9 +134,6 @@ TEST_P(TwoRuns, AnOutputThatWasMoved) {
   fs::rename(folder_ / "first", folder_ / "moved");
   options_.links = "base";
   options_.source = Source::kVisual;
-  std::string urdf = fixtures::read(folder_ / "moved/urdf/arm.urdf");
-  urdf.insert(urdf.find("<collision"), element("visual", "bracket.obj"));
-  fixtures::write(folder_ / "moved/urdf/arm.urdf", urdf);
   run(folder_ / "moved/urdf/arm.urdf", "moved");
   EXPECT_TRUE(meshes("moved").back() == before.back());
 }
@@ -144,6 +144,7 @@ TEST_P(TwoRuns, AHullThatIsALink) {
   fs::rename(hull, folder_ / "kept.stl");
   fs::create_symlink(folder_ / "kept.stl", hull);
   options_.links = "base";
+  options_.source = Source::kVisual;
   run(folder_ / "first/urdf/arm.urdf", "first");
   EXPECT_TRUE(fixtures::read(hull) == content);
 }
@@ -185,6 +186,26 @@ TEST_P(TwoRuns, RefusesToLoseAVisual) {
   }
   EXPECT_TRUE(fs::exists(hull));
   EXPECT_NO_THROW(run(urdf, "second"));
+}
+
+TEST_P(TwoRuns, RefusesToReplaceWhatHullsWouldBeMadeFrom) {
+  runFirst();
+  const std::string hull = folder_ / "first/meshes/base/0_0.stl", content = fixtures::read(hull);
+  const auto refused = [&] {
+    try {
+      run(folder_ / "first/urdf/arm.urdf", "first");
+      return std::string("accepted");
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kUnwritableOutput);
+      return std::string(error.what());
+    }
+  };
+  for (const std::string& part : {folder_ / "first", std::string("meshes/base/0_0.stl"), std::string("'base'"),
+                                  std::string("decompose the description that it was made from, or choose another output")})
+    EXPECT_NE(refused().find(part), std::string::npos) << refused();
+  EXPECT_TRUE(fixtures::read(hull) == content);
+  options_.links = "tip";
+  EXPECT_NE(refused().find("'tip'"), std::string::npos) << refused();
 }
 
 /// A description that names two hulls of an earlier output.
@@ -238,7 +259,7 @@ TEST_F(KeptHullsTest, ACancelIsHeededAtEachElementAndFile) {
                                fs::create_directory(folder_ / "new");
                                RobotDescription robot = robot_;
                                robot.links[0].visuals = robot.links[0].collisions;
-                               refuseLosingVisuals(robot, folder_ / "new", PackageFinder(), control);
+                               refuseLosingOriginals(robot, {}, folder_ / "new", PackageFinder(), control);
                              }),
             1u);
 }

@@ -99,6 +99,19 @@ TEST_F(RegionsTest, ARegionFarFromTheMeshesIsNoted) {
   EXPECT_EQ(notes("half_space: {normal: [0, -1, 0], offset: 0.12}"), std::vector<std::string>()) << "a table may stand beside the robot";
 }
 
+TEST_F(RegionsTest, ARegionThatIsNoFinerIsNoted) {
+  const auto notes = [this](const std::string& links, const std::string& tolerance) {
+    return run("links: {base: {tolerance: 20cm}}\nregions: [{link: '" + links + "', name: mouth, tolerance: " + tolerance +
+               ", box: {center: [0.3, 0, 0.1], size: [0.2, 0.2, 0.2]}}]")
+        .report.notes;
+  };
+  EXPECT_EQ(
+      notes("hand", "10cm"),
+      std::vector<std::string>{"region 'mouth' changes nothing: its tolerance of 100 mm is no finer than that of 'gripper.obj', 100 mm"});
+  EXPECT_EQ(notes("hand", "9cm"), std::vector<std::string>());
+  EXPECT_EQ(notes("hand|base", "15cm"), std::vector<std::string>()) << "finer than the base's";
+}
+
 TEST_F(RegionsTest, AnotherRegionCostsItsLinkAlone) {
   run(kClear);
   const RobotResult again = run(kClear);

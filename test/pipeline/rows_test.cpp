@@ -145,6 +145,16 @@ TEST(PutTogether, NotesMeshesOfVeryManyHulls) {
   EXPECT_NE(notes(101, 102, false).at(0).find("'b.stl' took 102 hulls at a tolerance of 10 mm, and 1 other mesh over 100:"),
             std::string::npos);
   EXPECT_TRUE(notes(101, 100, true).empty()) << "a fit to a scene chose them";
+  MeshUse with_region = use("a");
+  with_region.options.regions = {boxRegion({1, 1, 1}, Eigen::Isometry3d::Identity(), 0.02),
+                                 boxRegion({1, 1, 1}, Eigen::Isometry3d::Identity(), 0.001)};
+  with_region.options.regions[0].name = "coarse";
+  with_region.options.regions[1].name = "fine";
+  RobotResult result;
+  putTogether({with_region}, {shared(boxes(101))}, result);
+  EXPECT_EQ(result.report.notes.at(0),
+            "'a.stl' took 101 hulls at a tolerance of 10 mm and, in region 'fine', of 1 mm: a smaller region, or a larger tolerance in it, "
+            "may make fewer; so does a limit, as in --max-hulls 16");
 }
 
 TEST(PutTogether, NotesMeshesOfManyLooseParts) {

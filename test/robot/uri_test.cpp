@@ -146,6 +146,14 @@ TEST_F(ResolveUri, AHost) {
             folder_.path("arm/urdf/meshes/c.stl"));
 }
 
+TEST_F(ResolveUri, FormsThatMeanNothingHere) {
+  const std::pair<std::string, std::string> forms[] = {{"C:\\arm\\a.stl", "separated by '/'"},
+                                                       {"~/arm/a.stl", "give the whole path"},
+                                                       {"package:/arm/a.stl", "package://NAME/PATH"},
+                                                       {"b.stl", "check the URI"}};
+  for (const auto& [uri, remedy] : forms) expectError(ErrorCode::kFileNotFound, {"'" + uri + "'", remedy}, [&] { resolve(uri); });
+}
+
 TEST_F(ResolveUri, OutsideOfTheRoots) {
   const std::string outside = folder_.write("outside/a.stl");
   std::filesystem::create_directories(folder_.path("arm/urdf"));
@@ -166,6 +174,7 @@ TEST_F(ResolveUri, File) {
   EXPECT_EQ(resolve("file://" + mesh_), mesh_);
   EXPECT_EQ(resolve("file://localhost" + folder_.path("arm/meshes/a%20b.stl")), mesh_);
   EXPECT_EQ(resolve("file://../meshes/a b.stl"), mesh_);
+  EXPECT_EQ(resolve("file:" + mesh_), mesh_);
 }
 
 TEST_F(ResolveUri, Path) {
@@ -184,7 +193,7 @@ TEST_F(ResolveUri, AboveAFolderBehindALink) {
 
 TEST(IsRelativeUri, EachKind) {
   for (const char* uri : {"a.stl", "../meshes/a.stl", "file://a.stl", ""}) EXPECT_TRUE(isRelativeUri(uri)) << uri;
-  for (const char* uri : {"/a.stl", "file:///a.stl", "file://localhost/a.stl", "package://arm/a.stl", "http://host/a.stl"})
+  for (const char* uri : {"/a.stl", "file:///a.stl", "file://localhost/a.stl", "file:/a.stl", "package://arm/a.stl", "http://host/a.stl"})
     EXPECT_FALSE(isRelativeUri(uri)) << uri;
 }
 

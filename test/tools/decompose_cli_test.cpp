@@ -34,6 +34,9 @@ TEST_F(DecomposeProgram, WrongOptionsNameOptionValueAndWhatIsAllowed) {
   expectWrongUse("", {"INPUT", "--help"});
   expectWrongUse("arm/urdf/arm.urdf --fine", {"--fine"});
   expectWrongUse("arm/urdf/arm.urdf another", {"another"});
+  for (const std::string name : {"hulls.obj", "new.urdf"})
+    expectWrongUse("arm/urdf/arm.urdf -o made/" + name,
+                   {"--output 'made/" + name + "'", "a folder", "such as 'made/" + name.substr(0, name.find('.'))});
   expectWrongUse("arm/urdf/arm.urdf -t 5furlongs", {"tolerance", "'5furlongs'", "5mm"});
   expectWrongUse("arm/urdf/arm.urdf -t 0", {"tolerance", "'0'"});
   expectWrongUse("arm/urdf/arm.urdf --close-openings 20", {"--close-openings '20m'", "did you mean 2cm?\n"});

@@ -322,6 +322,14 @@ TEST_F(Verify, NothingToCompareIsAnError) {
   options.max_uncovered = -1;
   const Description full = robot(fixtures::link("a", collision(primitive("box size='1 1 1'"))));
   EXPECT_THROW(verify(full, full, options), Error);
+  try {
+    verify(full, robot(fixtures::link("b", collision(primitive("box size='1 1 1'")))), {});
+    ADD_FAILURE() << "two robots";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadOption);
+    for (const std::string part : {"'a'", "'b'", "one robot"}) EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << part;
+  }
+  EXPECT_NO_THROW(verify(full, empty, {})) << "a model without a link's geometry";
 }
 
 TEST_F(Verify, ThreadsDoNotMatter) {

@@ -301,7 +301,7 @@ def _text(keyword: str, value: Any) -> bytes:
     if not isinstance(plain, bool):
         with contextlib.suppress(TypeError, ValueError, OverflowError):
             return str(plain.__index__() if hasattr(plain, "__index__") else float(plain)).encode()
-    raise Error(f"{keyword} {value!r} is not understood: it takes a number or a text", "BadOption")
+    raise Error(f"{keyword} {value!r} is not understood: it takes a number or a text, or several as a list", "BadOption")
 
 
 def _encoded(keyword: str, value: Path) -> bytes:
@@ -347,11 +347,12 @@ def _vertices(value: Any) -> numpy.ndarray:
 def _faces(value: Any, count: int) -> numpy.ndarray:
     import numpy
 
-    array = _array(value, "faces", "iu", "whole numbers: rows of vertices, such as faces.astype(int)")
+    array = _array(value, "faces", "iu", "whole numbers, the vertices of triangles, such as faces.astype(int)")
     if len(array) == 0:
         raise Error("faces is empty; a mesh needs at least one", "EmptyMesh")
     bad = ((array < 0) | (array >= count)).any(axis=1)
     if bad.any():
         row = int(bad.argmax())
-        raise Error(f"faces[{row}] is {array[row].tolist()}, but there are {count} vertices, counted from 0; correct or remove it", "IndexOutOfRange")
+        remedy = "give faces - 1" if array.min() == 1 and array.max() == count else "correct or remove it"
+        raise Error(f"faces[{row}] is {array[row].tolist()}, but there are {count} vertices, counted from 0; {remedy}", "IndexOutOfRange")
     return array.astype(numpy.int32)

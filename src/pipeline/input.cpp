@@ -35,16 +35,22 @@ Input robotInput(const std::string& path, const PackagePath& package_path, const
   return input;
 }
 
+/// What of fit_scene takes a file that is neither a robot nor a mesh; empty: nothing. Xacro makes such files, too.
+std::string useInFitScene(const std::string& path) {
+  std::string extension = lowerExtension(path);
+  if (extension == ".xacro") extension = lowerExtension(fs::path(path).stem().string());
+  return extension == ".srdf" ? "--srdf" : extension == ".sdf" || extension == ".world" ? "--scene" : "";
+}
+
 Input fileInput(const std::string& path, const PackagePath& package_path, const RunControl& control) {
-  if (isRobotFile(path)) return robotInput(path, package_path, control);
+  const std::string use = useInFitScene(path), extension = lowerExtension(path);
+  if (use.empty() && isRobotFile(path)) return robotInput(path, package_path, control);
   if (!isMeshFile(path)) {
-    const std::string extension = lowerExtension(path);
-    const std::string use = extension == ".srdf"                           ? " (fit_scene takes it as --srdf)"
-                            : extension == ".sdf" || extension == ".world" ? " (fit_scene takes SDF as --scene)"
-                                                                           : "";
-    throw Error(ErrorCode::kUnsupportedFormat, "'" + path + "' has the extension '" + extension + "', which is not supported" + use +
-                                                   "; give a .urdf or .xacro file for a robot, or a mesh (" +
-                                                   listed(meshExtensions(), " ") + ")");
+    const std::string taken = extension == ".xacro" ? "takes such files, once xacro has expanded them, as " : "takes such files as ";
+    throw Error(ErrorCode::kUnsupportedFormat,
+                "'" + path + "' has the extension '" + (extension == ".xacro" ? fs::path(path).stem().extension().string() : "") +
+                    extension + "', which is not supported" + (use.empty() ? "" : " here (fit_scene " + taken + use + ")") +
+                    "; give a .urdf or .xacro file for a robot, or a mesh (" + listed(meshExtensions(), " ") + ")");
   }
   Input input;
   input.kind = Input::Kind::kMesh;

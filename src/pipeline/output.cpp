@@ -43,8 +43,8 @@ void refuseForeign(const fs::path& folder, const RunControl& control) {
   if (!known) {
     throw Error(ErrorCode::kNotOurOutput,
                 "'" + folder.string() +
-                    "' is not an earlier output (it has no report.json of collision_hulls) and is left alone; choose another output, or "
-                    "remove it yourself");
+                    "' is not an earlier output (it has no report.json of collision_hulls) and is left alone; choose another output" +
+                    (fs::exists(folder / "package.xml", error) ? "" : ", or remove it yourself"));
   }
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     control.check();

@@ -136,6 +136,18 @@ std::string degradedLine(const Report& report) {
          (others > 0 ? " (" + counted(others, "more mesh", "more meshes") + ": see report.json)" : "") + "\n";
 }
 
+/// What is proved of each mesh's regions.
+std::string regionLines(const Report& report) {
+  std::string text;
+  for (const ElementReport& row : report.links) {
+    for (std::size_t i = 0; i < std::min(row.regions.size(), row.regions_given.size()); ++i)
+      text += "region '" + row.regions_given[i].name + "': in it, the hulls of " + row.link + ", " + lastPart(row.uri) +
+              " protrude by at most " + figureInMillimetres(row.regions[i].bound) + " mm; its tolerance is " +
+              figureInMillimetres(row.regions_given[i].tolerance) + " mm\n";
+  }
+  return text;
+}
+
 /// FCL's own faults are rare and never ours: a line only if there are some.
 std::string troubleLine(const Validation& v) {
   if (v.exceptions + v.disagreements + v.timeouts + v.nan == 0) return "";
@@ -259,11 +271,12 @@ std::string line(const std::string& package, const Missing& missing) {
 }  // namespace
 
 std::string toTable(const Report& report) {
-  std::string text = modelHeading(report) + meshTable(report) + legend(report) + degradedLine(report) + validationLines(report);
+  std::string text =
+      modelHeading(report) + meshTable(report) + legend(report) + regionLines(report) + degradedLine(report) + validationLines(report);
   for (const ModelReport& model : report.models) {
     Report other = report;
     static_cast<ModelReport&>(other) = model;
-    text += "\n" + modelHeading(other) + meshTable(other) + degradedLine(other) + validationLines(other);
+    text += "\n" + modelHeading(other) + meshTable(other) + regionLines(other) + degradedLine(other) + validationLines(other);
   }
   return text + sceneLines(report) + noteLines(report);
 }

@@ -63,6 +63,8 @@ TEST_F(OpenInput, NothingThereAndNoWorkingFolderEither) {
 
 TEST_F(OpenInput, RejectsUnknownAndInvalidInputs) {
   expectError(fixtures::write(folder_ / "arm.srdf", "<robot/>"), ErrorCode::kUnsupportedFormat, {"'.srdf'", "as --srdf"});
+  expectError(fixtures::write(folder_ / "arm.srdf.xacro", "<robot/>"), ErrorCode::kUnsupportedFormat,
+              {"'.srdf.xacro'", "once xacro has expanded them, as --srdf"});
   expectError(fixtures::write(folder_ / "cell.world", "<sdf/>"), ErrorCode::kUnsupportedFormat, {"'.world'", "as --scene"});
   expectError(fixtures::write(folder_ / "part.step", "ISO-10303-21;"), ErrorCode::kUnsupportedFormat, {"'.step'", ".urdf", ".stl"});
   expectError(fixtures::write(folder_ / "broken.urdf", "no xml"), ErrorCode::kNotXml, {"broken.urdf"});

@@ -71,6 +71,23 @@ TEST(WriteOutput, RefusesFoldersItDidNotWrite) {
   EXPECT_EQ(fixtures::contents(folder.path()), before);
 }
 
+TEST(WriteOutput, NobodyIsToldToRemoveAPackage) {
+  const TempFolder folder;
+  fixtures::write(folder / "notes/notes.txt", "");
+  fixtures::write(folder / "robot/package.xml", "<package/>");
+  const auto refusal = [&](const std::string& name) {
+    try {
+      checkOutput(folder / name);
+      return std::string("accepted");
+    } catch (const Error& e) {
+      return std::string(e.what());
+    }
+  };
+  EXPECT_NE(refusal("notes").find("choose another output, or remove it yourself"), std::string::npos) << refusal("notes");
+  EXPECT_NE(refusal("robot").find("choose another output"), std::string::npos) << refusal("robot");
+  EXPECT_EQ(refusal("robot").find("remove"), std::string::npos) << refusal("robot");
+}
+
 TEST(WriteOutput, UnwritablePlaces) {
   const TempFolder folder;
   fixtures::write(folder / "file", "");

@@ -75,6 +75,11 @@ TEST_F(RegionsTest, TheReportSaysWhatIsProvedInside) {
   EXPECT_EQ(region["tolerance"], kRegionSlack);
   EXPECT_EQ(region["protrusion"], 0.0);
   EXPECT_EQ(region["protrusion_found"], 0.0);
+  EXPECT_NE(toTable(run(kClear).report)
+                .find("\nregion 'mouth': in it, the hulls of hand, gripper.obj protrude by at most 0 mm; its "
+                      "tolerance is 0.100 mm\n"),
+            std::string::npos)
+      << toTable(run(kClear).report);
 }
 
 TEST_F(RegionsTest, TheReasonNamesARegionBesideTheTolerance) {

@@ -46,6 +46,11 @@ class SdfWriter {
     findCarriers();
   }
 
+  /// In SDF, a link without a joint floats.
+  bool floatsInWorld(const JointDescription& joint) const {
+    return joint.kind == JointDescription::Kind::kFloating && carrierOf(joint.parent).empty();
+  }
+
   /// Where a joint has another name here: "'name' is 'other'".
   std::vector<std::string> renamedJoints() const {
     std::vector<std::string> renamed;
@@ -77,7 +82,7 @@ class SdfWriter {
   /// The link that a link is part of here: itself, or the one that it is a frame of. Empty for the world.
   const std::string& carrierOf(const std::string& link) const { return carriers_.at(link); }
   /// A joint between frames of one link is none.
-  bool isWritten(const JointDescription& joint) const { return carrierOf(joint.parent) != carrierOf(joint.child); }
+  bool isWritten(const JointDescription& joint) const { return carrierOf(joint.parent) != carrierOf(joint.child) && !floatsInWorld(joint); }
 
   void findCarriers() {
     using Joint = JointDescription::Kind;
@@ -205,7 +210,7 @@ class SdfWriter {
     return text + "      </axis>\n    </joint>\n";
   }
 
-  /// SDF has no planar joint, and leaves a floating link without one: those are fixed here, as they are in the robot at rest.
+  /// SDF has no planar joint, and no floating one between links: those are fixed here, as they are in the robot at rest.
   static std::string typeOf(JointDescription::Kind kind) {
     switch (kind) {
       case JointDescription::Kind::kRevolute: return "revolute";
@@ -231,8 +236,9 @@ std::vector<std::string> gazeboNotes(const WrittenModel& model) {
   if (!renamed.empty())
     notes.push_back("--for gazebo: SDF lets no joint have the name of a link or of the world, so in model.sdf the joint " +
                     listed(renamed));
-  const std::string fixed = jointsThat(model, [](const auto& joint) {
-    return joint.kind == JointDescription::Kind::kFloating || joint.kind == JointDescription::Kind::kPlanar;
+  const std::string fixed = jointsThat(model, [&](const auto& joint) {
+    return (joint.kind == JointDescription::Kind::kFloating && !writer.floatsInWorld(joint)) ||
+           joint.kind == JointDescription::Kind::kPlanar;
   });
   if (!fixed.empty()) notes.push_back("--for gazebo: floating and planar joints (" + fixed + ") are fixed, as SDF has none");
   noteFollowers(model, "gazebo", "SDF 1.9", notes);

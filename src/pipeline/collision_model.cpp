@@ -24,8 +24,6 @@
 namespace collision_hulls {
 namespace {
 
-constexpr std::size_t kMostNotes = 20;  // of a kind
-
 /// A mesh with new hulls: its files, and the primitives in place of others.
 struct Model {
   const std::vector<std::string>& files;
@@ -227,19 +225,21 @@ std::vector<std::string> notesOnContacts(const RobotResult& result) {
   std::set<std::string> replaced;
   for (const ElementReport& row : result.report.links)
     if (!row.files.empty()) replaced.insert(row.link);
-  std::vector<std::string> notes;
-  std::size_t found = 0;
+  std::string note;
+  std::size_t more = 0;
   for (const std::string& name : unnamedContacts(result.urdf)) {
     const std::vector<std::string> links = linksOfCollision(name);
     const auto link = std::find_if(links.begin(), links.end(), [&](const std::string& one) { return replaced.count(one) > 0; });
-    if (link == links.end() || ++found > kMostNotes) continue;
-    notes.push_back("a <gazebo> element names the collision '" + name +
-                    "', which hulls have replaced, so its contact sensor would find nothing: name the hulls' collisions of link '" + *link +
-                    "' there");
+    if (link == links.end()) continue;
+    if (!note.empty())
+      ++more;
+    else
+      note = "a <gazebo> element names the collision '" + name +
+             "', which hulls have replaced, so its contact sensor would find nothing: name the hulls' collisions of link '" + *link +
+             "' there";
   }
-  if (found > kMostNotes)
-    notes.push_back("<gazebo> elements name " + std::to_string(found - kMostNotes) + " more collisions that hulls have replaced");
-  return notes;
+  if (note.empty()) return {};
+  return {note + (more > 0 ? "; " + counted(more, "other collision is", "other collisions are") + " like it" : "")};
 }
 
 /// MuJoCo reads URDF, and looks for meshes by their bare names in one folder, where those of hulls are alike, unless it is told not to.
@@ -250,7 +250,8 @@ std::vector<std::string> notesOnMujoco(const RobotResult& result) {
     const auto strips = element.name == "compiler" ? attributeValue(result.urdf, element, "strippath") : std::nullopt;
     if (strips && result.urdf.compare(strips->begin, strips->end - strips->begin, "false") == 0) return {};
   }
-  if (!is_for_mujoco) return {};
+  const bool has_hulls = std::any_of(result.report.links.begin(), result.report.links.end(), [](const auto& row) { return row.hulls > 0; });
+  if (!is_for_mujoco || !has_hulls) return {};
   return {
       "the description has a <mujoco> element, but MuJoCo does not find the hulls of a URDF: --for mujoco writes a model that it loads, "
       "without the settings of that element"};

@@ -21,7 +21,9 @@ namespace collision_hulls {
 namespace {
 
 constexpr std::size_t kManyHulls = 100;  // of a mesh
+constexpr std::size_t kManyInAll = 500;  // of a robot
 constexpr std::size_t kHullsOfShell = 8;
+constexpr double kHollow = 0.25;        // of the hulls' volume: shells have less inside
 constexpr std::size_t kManyParts = 20;  // of a mesh, with as many hulls
 constexpr double kSmallestLink = 1e-3;  // [m] across
 constexpr double kFarRegion = 0.1;      // of a mesh's diagonal: a region may well stand beside the mesh, as a table does
@@ -176,14 +178,25 @@ const Region* finestRegion(const ElementReport& row) {
   return finest == row.regions_given.end() ? nullptr : &*finest;
 }
 
-/// More hulls than planners and simulators like for a whole robot.
+/// More hulls than planners and simulators like for a whole robot, of meshes none of which has very many.
+void noteManyInAll(Report& report) {
+  std::size_t hulls = 0, meshes = 0;
+  for (const ElementReport& row : report.links)
+    if (followsTolerance(row)) hulls += row.hulls, ++meshes;
+  if (hulls <= kManyInAll) return;
+  report.notes.push_back(std::to_string(meshes) + " meshes took " + std::to_string(hulls) +
+                         " hulls: a larger tolerance makes fewer, for small parts one with a larger share, as in 1cm,20%; so does a limit "
+                         "for each mesh, as in --max-hulls 4");
+}
+
+/// A mesh of more hulls than planners and simulators like.
 void noteManyHulls(Report& report) {
   const auto has_many = [](const ElementReport& row) { return followsTolerance(row) && row.hulls > kManyHulls; };
   const auto fewer = [&](const ElementReport& a, const ElementReport& b) {
     return (has_many(a) ? a.hulls : 0) < (has_many(b) ? b.hulls : 0);
   };
   const auto most = std::max_element(report.links.begin(), report.links.end(), fewer);
-  if (most == report.links.end() || !has_many(*most)) return;
+  if (most == report.links.end() || !has_many(*most)) return noteManyInAll(report);
   const auto others = static_cast<std::size_t>(std::count_if(report.links.begin(), report.links.end(), has_many)) - 1;
   const Region* const region = finestRegion(*most);
   const bool is_finer = region && region->tolerance < most->tolerance;
@@ -213,10 +226,12 @@ void noteLooseParts(Report& report) {
                          std::to_string(first->hulls) + " hulls" + likeIt(others) + ": " + closing + "remove parts that nothing can touch");
 }
 
-/// A shell without thickness has no inside, so hulls have to follow its skin; a robot's covers stand for solids all the same. Whether
-/// closing helps is not known before it is tried.
+/// A shell without thickness has no inside, so hulls have to follow its skin; a robot's covers stand for solids all the same. Closing a
+/// body that has most of its inside already changes little.
 void noteOpenShells(Report& report) {
-  const auto is_open = [](const ElementReport& row) { return followsTolerance(row) && row.openings > 0 && row.hulls >= kHullsOfShell; };
+  const auto is_open = [](const ElementReport& row) {
+    return followsTolerance(row) && row.openings > 0 && row.hulls >= kHullsOfShell && row.volume < kHollow * row.hull_volume;
+  };
   const auto fewer = [&](const ElementReport& a, const ElementReport& b) {
     return (is_open(a) ? a.hulls : 0) < (is_open(b) ? b.hulls : 0);
   };

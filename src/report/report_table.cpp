@@ -237,8 +237,8 @@ std::vector<std::string> linesFor(const Report& report, const std::vector<const 
   if (rows.size() <= kFew) return lines;
   std::set<std::string> links;
   for (const ElementReport* row : rows) links.insert(row->link);
-  return {lines.front() + " (the same for " + counted(rows.size() - 1, "more mesh", "more meshes") + " of this folder, in all of " +
-          counted(links.size(), "link") + ")"};
+  return {lines.front() + " (the same for " + counted(rows.size() - 1, "more mesh", "more meshes") + " of this folder, of " +
+          counted(links.size(), "link") + " in all)"};
 }
 
 /// A mesh that fails for the same reason in several models is named once.

@@ -18,12 +18,19 @@ using Kind = JointDescription::Kind;
 constexpr double kBeyondLimit = 1e-6;              // of the limits' size: what decimal text may have rounded away
 constexpr std::size_t kMostUnsettled = 1'000'000;  // joints above links, in all
 
+/// Within limits that are those of no mechanism, such as the largest number.
+bool slidesAnywhere(const JointDescription& joint) {
+  const auto is_far = [](double metres) { return !(std::abs(metres) <= kFurthestOrigin); };
+  return joint.kind == Kind::kPrismatic && joint.mimic.empty() && (is_far(joint.lower) || is_far(joint.upper));
+}
+
 bool canMove(const JointDescription& joint) {
-  return joint.kind == Kind::kRevolute || joint.kind == Kind::kContinuous || joint.kind == Kind::kPrismatic;
+  const bool has_kind = joint.kind == Kind::kRevolute || joint.kind == Kind::kContinuous || joint.kind == Kind::kPrismatic;
+  return has_kind && !slidesAnywhere(joint);
 }
 
 bool placesRobot(const JointDescription& joint) {
-  return joint.kind == Kind::kFloating || joint.kind == Kind::kPlanar;
+  return joint.kind == Kind::kFloating || joint.kind == Kind::kPlanar || slidesAnywhere(joint);
 }
 
 /// The joint that moves another one, and how.
@@ -250,8 +257,10 @@ std::vector<std::string> Kinematics::notes() const {
     const JointDescription& what = joint.description;
     const std::string who = "joint '" + what.name + "' ";
     if (placesRobot(what)) {
-      notes.push_back(who + (what.kind == Kind::kFloating ? "floats" : "is planar") +
-                      ": it stays at its origin, and nothing is proved between links on opposite sides of it");
+      const char* const how = what.kind == Kind::kFloating ? "floats"
+                              : what.kind == Kind::kPlanar ? "is planar"
+                                                           : "slides more than 1000 km";
+      notes.push_back(who + how + ": it stays at its origin, and nothing is proved between links on opposite sides of it");
     } else if (joint.paced) {
       notes.push_back(who + "follows the continuous joint '" + variables_[static_cast<std::size_t>(joint.variable)].name +
                       "' at another ratio: one turn of that joint is sampled, and nothing is proved about what this one moves");
@@ -263,12 +272,9 @@ std::vector<std::string> Kinematics::notes() const {
 }
 
 void Kinematics::check(const JointDescription& joint) const {
-  const auto isNear = [](double metres) { return std::abs(metres) <= kFurthestOrigin; };
   const std::string who = "joint '" + joint.name + "' ";
   if (isFarAway(joint.origin.translation()))
     throw Error(ErrorCode::kNotARobot, who + "has an origin more than 1000 km away; correct its <origin>");
-  if (joint.kind == Kind::kPrismatic && joint.mimic.empty() && !(isNear(joint.lower) && isNear(joint.upper)))
-    throw Error(ErrorCode::kNotARobot, who + "slides more than 1000 km; give it limits");
 }
 
 }  // namespace collision_hulls

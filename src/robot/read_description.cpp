@@ -83,12 +83,20 @@ std::string argumentWithoutDefault(const std::string& file, const RunControl& co
   return "NAME";
 }
 
+/// The name of a .urdf file that does not exist, beside a .xacro file: "arm.urdf", or "arm_2.urdf".
+std::string freeUrdfBeside(const fs::path& file) {
+  fs::path stem = fs::path(file).replace_extension();  // "arm" or "arm.urdf"
+  if (lowerExtension(stem.string()) == ".urdf") stem.replace_extension();
+  std::string urdf = stem.string() + ".urdf";
+  std::error_code error;
+  for (int number = 2; fs::exists(fs::symlink_status(urdf, error)); ++number) urdf = stem.string() + "_" + std::to_string(number) + ".urdf";
+  return urdf;
+}
+
 /// What to do about an argument: the command that expands a file with a value for it, beside the file, as relative paths then still lead to
 /// its meshes.
 std::string runWith(const std::string& argument, const fs::path& file) {
-  const fs::path stem = fs::path(file).replace_extension();  // "arm" or "arm.urdf"
-  const std::string urdf = stem.string() + (lowerExtension(stem.string()) == ".urdf" ? "" : ".urdf");
-  return "run\n  xacro " + shellWord(file.string()) + " " + shellWord(argument + ":=VALUE") + " > " + shellWord(urdf) +
+  return "run\n  xacro " + shellWord(file.string()) + " " + shellWord(argument + ":=VALUE") + " > " + shellWord(freeUrdfBeside(file)) +
          "\nand give the .urdf";
 }
 

@@ -177,9 +177,10 @@ std::string remedyFor(const std::string& uri) {
     throw Error(ErrorCode::kFileNotFound,
                 "'" + uri + "'" + (file == uri ? "" : " resolves to '" + file + "', which") + " is a folder; give a file in it");
   const std::string nor = missingFolder(file);
-  const auto beside = isRelativeUri(percentDecoded(uri)) || packageOf(uri) ? std::nullopt : besideDescription(file, base);
+  const auto beside = packageOf(uri) ? std::nullopt : besideDescription(file, base);
   if (beside)
-    throw Error(ErrorCode::kFileNotFound, "'" + uri + "' does not exist" + nor + ", but '" + *beside +
+    throw Error(ErrorCode::kFileNotFound, "'" + uri + "' " + (file == uri ? "" : "resolves to '" + file + "', which ") + "does not exist" +
+                                              nor + ", but '" + *beside +
                                               "' does, from the description's folder; give that path, or a package:// URI");
   if (file == uri) throw Error(ErrorCode::kFileNotFound, "'" + uri + "' does not exist" + nor + "; check the path");
   throw Error(ErrorCode::kFileNotFound,

@@ -279,6 +279,18 @@ TEST_F(Consumers, MujocoHasAGeomForEachHull) {
   EXPECT_NE(xml.find("<joint name=\"bc\" type=\"hinge\" axis=\"0 0 1\" limited=\"true\" range=\"-1 1\"/>"), std::string::npos) << xml;
 }
 
+TEST_F(Consumers, GazeboFixesToTheWorldOnlyWhatIsFixed) {
+  const auto sdf = [this](const std::string& type) {
+    const std::string urdf = "<robot name=\"three\"><link name=\"world\"/><link name=\"body\">" + cube() +
+                             "</link><joint name=\"fly\" type=\"" + type +
+                             "\"><parent link=\"world\"/><child link=\"body\"/><origin xyz=\"0 0 2\"/></joint></robot>";
+    return fileOf(Consumer::kGazebo, urdf, "model.sdf");
+  };
+  EXPECT_EQ(fixtures::count(sdf("fixed"), "<joint "), 1u);
+  EXPECT_EQ(fixtures::count(sdf("floating"), "<joint "), 0u);
+  EXPECT_NE(sdf("floating").find("<pose relative_to=\"__model__\">0 0 2 0 0 0</pose>"), std::string::npos) << sdf("floating");
+}
+
 // "unknown element in equality constraint", and "free joint can only be used on top level", MuJoCo says otherwise.
 TEST_F(Consumers, MujocoHasNoEqualityForALockedJointAndNoFreeJointBelowABody) {
   std::string urdf = threeLinks(cube());

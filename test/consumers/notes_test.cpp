@@ -59,6 +59,9 @@ TEST_F(ConsumerNotes, SayWhichJointsTheyHaveNot) {
   EXPECT_NE(gazebo.find(follows + "SDF 1.9"), std::string::npos) << gazebo;
   EXPECT_NE(dart.find("planar joints ('jd') are fixed"), std::string::npos) << dart;
   EXPECT_NE(dart.find(follows + "a SKEL file"), std::string::npos) << dart;
+  const std::string flying = "<robot name=\"drone\"><link name=\"world\"/><link name=\"body\">" + cube() +
+                             "</link><joint name=\"fly\" type=\"floating\"><parent link=\"world\"/><child link=\"body\"/></joint></robot>";
+  EXPECT_EQ(notesOf(Consumer::kGazebo, flying).find("fixed"), std::string::npos) << "a link without a joint floats in SDF";
   const std::string locked = with(joint("d", "fixed", mimic) + joint("e", "fixed") + joint("f", "fixed"));
   for (const Consumer consumer : {Consumer::kMujoco, Consumer::kGazebo, Consumer::kDart})
     EXPECT_EQ(notesOf(consumer, locked).find("joint"), std::string::npos) << notesOf(consumer, locked);

@@ -168,6 +168,10 @@ TEST(ReadDae, ReferencesAreDecoded) {
       2u);
 }
 
+TEST(ReadDae, AnEmptyIdIsAnId) {
+  EXPECT_EQ(read(replaced(replaced(kGood, "id=\"scene\"", "id=\"\""), "url=\"#scene\"", "url=\"#\"")).mesh.triangles.size(), 2u);
+}
+
 TEST(ReadDae, AnInstancedNodeIsFoundByIdOrElseByName) {
   const std::string scene = R"(<node name="lamp"><instance_geometry url="#shape"/></node><node id="n"><instance_node url="#lamp"/></node>)";
   EXPECT_EQ(read(dae("", kTwoTriangles, scene)).submeshes, 2);

@@ -157,6 +157,20 @@ TEST(PutTogether, NotesMeshesOfVeryManyHulls) {
             "may make fewer; so does a limit, as in --max-hulls 16");
 }
 
+TEST(PutTogether, NotesVeryManyHullsInAll) {
+  const auto notes = [](std::size_t more) {
+    RobotResult result;
+    const MeshResults meshes{shared(boxes(100)), shared(boxes(100)),        shared(boxes(100)),
+                             shared(boxes(100)), shared(boxes(100 - more)), shared(boxes(2 * more))};
+    putTogether({use("a"), use("b"), use("c"), use("d"), use("e"), use("f")}, meshes, result);
+    return result.report.notes;
+  };
+  EXPECT_EQ(notes(1), std::vector<std::string>{
+                          "6 meshes took 501 hulls: a larger tolerance makes fewer, for small parts one with a larger share, as in "
+                          "1cm,20%; so does a limit for each mesh, as in --max-hulls 4"});
+  EXPECT_TRUE(notes(0).empty()) << "500 in all";
+}
+
 TEST(PutTogether, NotesMeshesOfManyLooseParts) {
   const auto notes = [](std::size_t parts, std::size_t hulls, std::size_t uses, std::size_t openings = 0) {
     MeshResult mesh = boxes(hulls);
@@ -177,16 +191,19 @@ TEST(PutTogether, NotesMeshesOfManyLooseParts) {
 }
 
 TEST(PutTogether, NotesShellsThatClosingWouldMakeSolid) {
-  const auto notes = [](std::size_t openings, std::size_t hulls, std::size_t uses) {
+  const auto notes = [](std::size_t openings, std::size_t hulls, std::size_t uses, double volume = 0.24) {
     MeshResult mesh = boxes(hulls);
     mesh.mesh.openings = openings;
     mesh.mesh.widest_opening = 0.1234;
+    mesh.model.hull_volume = 1;
+    mesh.mesh.volume = volume;
     RobotResult result;
     putTogether({use("a"), use("b")}, {shared(mesh), shared(uses > 1 ? mesh : boxes(1))}, result);
     return result.report.notes;
   };
   EXPECT_TRUE(notes(0, 30, 1).empty());
   EXPECT_TRUE(notes(2, 7, 1).empty()) << "they cost little";
+  EXPECT_TRUE(notes(2, 30, 1, 0.26).empty()) << "it has its inside already";
   EXPECT_EQ(notes(2, 8, 1), (std::vector<std::string>{"'a.stl' has 2 openings and took 8 hulls: if it is the skin of a solid, "
                                                       "--close-openings 13cm makes it that solid, which may take far fewer"}));
   EXPECT_NE(notes(2, 8, 2).at(0).find("8 hulls; 1 other mesh is like it: "), std::string::npos);

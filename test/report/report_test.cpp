@@ -272,7 +272,7 @@ TEST(Report, OneLineForTheSameFaultInAFolder) {
   add("tip", "meshes/e.stl", "is empty");
   add("tip", "other/f.stl", "is missing");
   EXPECT_EQ(failures(report),
-            (std::vector<std::string>{"link base: 'meshes/a.stl' is missing (the same for 3 more meshes of this folder, in all of 2 links)",
+            (std::vector<std::string>{"link base: 'meshes/a.stl' is missing (the same for 3 more meshes of this folder, of 2 links in all)",
                                       "link tip: 'meshes/e.stl' is empty", "link tip: 'other/f.stl' is missing"}));
 }
 

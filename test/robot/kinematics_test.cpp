@@ -264,14 +264,17 @@ TEST(Kinematics, SaysWhichJointsHaveNoRoom) {
 
 TEST(Kinematics, NumbersBeyondAllMeasure) {
   const auto load = [](const std::string& content) { return [content] { Kinematics{robot(links(2) + content)}; }; };
-  expectError(ErrorCode::kNotARobot, {"'j0'", "limits"},
-              load(joint(0, "prismatic", "<limit lower='-1e300' upper='1e300' effort='1' velocity='1'/>")));
   expectError(ErrorCode::kNotARobot, {"'j0'", "<origin>"},
               load("<joint name='j0' type='fixed'><parent link='l0'/><child link='l1'/><origin xyz='1e300 0 0'/></joint>"));
   expectError(ErrorCode::kNotARobot, {"'j0'", "axis 0 0 0"},
               load("<joint name='j0' type='continuous'><parent link='l0'/><child link='l1'/><axis xyz='0 0 0'/></joint>"));
   const Kinematics endless(robot(links(2) + joint(0, "revolute", "<limit lower='-1e16' upper='1e16' effort='1' velocity='1'/>")));
   EXPECT_TRUE(endless.variables()[0].continuous) << "what converters write where there is no limit";
+  const Kinematics sliding(robot(links(2) + joint(0, "prismatic", "<limit lower='-1e300' upper='1e300' effort='1' velocity='1'/>")));
+  EXPECT_TRUE(sliding.variables().empty());
+  EXPECT_FALSE(sliding.settled(0, 1));
+  EXPECT_EQ(sliding.notes(), std::vector<std::string>{"joint 'j0' slides more than 1000 km: it stays at its origin, and nothing is proved "
+                                                      "between links on opposite sides of it"});
 }
 
 TEST(Kinematics, MimicsBeyondAllMeasure) {

@@ -94,6 +94,8 @@ TEST(ReadDescription, XacroLacksAnArgument) {
                "\n  xacro '" + file + "' prefix:=VALUE > '" + folder.path("my arm.urdf") + "'\nand give the .urdf"},
               [&] { readRobotDescription(file); });
   expectError(ErrorCode::kNotARobot, {"prefix:=VALUE > " + folder.path("arm.urdf") + "\n"}, [&] { readRobotDescription(short_name); });
+  folder.write("arm.urdf", kUrdf);
+  expectError(ErrorCode::kNotARobot, {"prefix:=VALUE > " + folder.path("arm_2.urdf") + "\n"}, [&] { readRobotDescription(short_name); });
 }
 
 // xacro appends a blank where the argument stands in a property.

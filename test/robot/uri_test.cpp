@@ -98,6 +98,7 @@ TEST_F(ResolveUri, AFileThatAnotherMachineHasIsNamedWhereItLiesHere) {
   expectError(ErrorCode::kFileNotFound, {"nor does the folder '/home/nobody'", here},
               [&] { resolve("file:///home/nobody/ws/src/arm/meshes/" + name); });
   expectError(ErrorCode::kFileNotFound, {"/" + name + "' does not exist", "; check the path"}, [&] { resolve("/home/nobody/" + name); });
+  expectError(ErrorCode::kFileNotFound, {"'meshes/" + name + "' resolves to '", here}, [&] { resolve("meshes/" + name); });
   const Confinement confinement({{folder_.path("arm/urdf")}, {}, {}, {}, "", ""});
   expectError(ErrorCode::kFileNotFound, {"; check the"}, [&] { resolve("/home/nobody/arm/meshes/" + name); });
 }

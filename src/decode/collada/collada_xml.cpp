@@ -82,7 +82,7 @@ std::size_t countOf(const std::string& path, const ColladaElement& element, cons
 
 std::string_view targetOf(const std::string& path, const ColladaElement& element, const char* attribute) {
   const std::string_view url = attributeOf(element, attribute);
-  if (url.size() < 2 || url[0] != '#')
+  if (url.empty() || url[0] != '#')
     failElement(path, element, "refers to " + inQuotes(url) + ", not to something in this file; put everything into one file");
   return url.substr(1);
 }

@@ -73,8 +73,8 @@ constexpr std::size_t kMostToProve = 8;  // hulls; of covers with more, it can h
 // A tree over more hulls than this, times the limit, is a worse cover than one at a larger tolerance, and takes longer.
 constexpr std::size_t kFewForTree = 4;
 // Progress: splitting and merging take up to the first share of the whole, the search up to the second, the tree the rest. Of each way,
-// splitting takes kSplitting.
-constexpr double kCovered = 0.7, kSearched = 0.9, kSplitting = 0.8;
+// splitting takes kSplitting; of Effort::kBest, the search of Effort::kQuick kQuickShare.
+constexpr double kCovered = 0.7, kSearched = 0.9, kSplitting = 0.8, kQuickShare = 0.1;
 
 /// One way to split.
 struct Way {
@@ -248,15 +248,37 @@ class Job {
 
   std::vector<char> mayHoldPockets(const Cover& cover) { return oracle_.mayHoldPockets(cappedHulls(cover)); }
 
+  /// A cover at a larger tolerance. No groups: there is none.
+  struct Coarse {
+    Cover cover;
+    std::unique_ptr<SurfaceGroups> groups;
+  };
+
+  /// By the plan. Another search may be luckier though it is shorter, so Effort::kBest begins with that of Effort::kQuick.
   Cover searched() {
     Coarse coarse;
     if (control_.until() != RunControl::Time::max()) coarse = coarseCover();
+    if (options_.effort != Effort::kBest || !isAtOwnTolerance()) return searchedBy(plan_, std::move(coarse));
+    whole_ = {0, kQuickShare};
+    Cover quick = searchedBy(planFor(Effort::kQuick), std::move(coarse));
+    whole_ = {kQuickShare, 1};
+    if (searching_.late() || isMinimal(quick)) return quick;
+    std::unique_ptr<SurfaceGroups> groups_of_quick = std::move(groups_);
+    divided_ = false;
+    Cover best = searchedBy(plan_, {});
+    if (divided_ && best.size() <= quick.size()) return best;
+    groups_ = std::move(groups_of_quick);
+    return quick;
+  }
+
+  /// `coarse`: for when time ends before there is a cover.
+  Cover searchedBy(const Plan& plan, Coarse coarse) {
     Cover best;
-    const double step = kCovered / static_cast<double>(plan_.ways.size());
+    const double step = kCovered / static_cast<double>(plan.ways.size());
     Stretch stretch{0, step};
-    for (const Way& way : plan_.ways) {
+    for (const Way& way : plan.ways) {
       if (groups_ && (searching_.late() || !isAtOwnTolerance())) break;
-      const bool is_better = best.size() <= way.few && tryWay(way, stretch, best);
+      const bool is_better = best.size() <= way.few && tryWay(plan, way, stretch, best);
       if (is_better && untried_.empty() && isMinimal(best)) return best;
       stretch = {stretch.to, stretch.to + step};
     }
@@ -264,17 +286,13 @@ class Job {
       groups_ = std::move(coarse.groups);
       return coarse.cover;
     }
-    if (plan_.ways.size() > 1) note("other ways to divide it");
-    best = improved(std::move(best), *groups_, {plan_.evaluations, options_.seed}, reporting({kCovered, kSearched}));
-    if (plan_.evaluations > 0) note("the search for fewer hulls");
+    if (plan.ways.size() > 1) note("other ways to divide it");
+    const SearchOptions search{plan.evaluations, options_.seed,
+                               std::max(std::size_t{2}, isAtOwnTolerance() ? least_.known().value_or(0) : 0)};
+    best = improved(std::move(best), *groups_, search, reporting({kCovered, kSearched}));
+    if (plan.evaluations > 0) note("the search for fewer hulls");
     return best;
   }
-
-  /// A cover at a larger tolerance. No groups: there is none.
-  struct Coarse {
-    Cover cover;
-    std::unique_ptr<SurfaceGroups> groups;
-  };
 
   /// For when time ends before there is a cover at the tolerance itself: the finest of some that was made in time.
   Coarse coarseCover() {
@@ -282,7 +300,7 @@ class Job {
     for (const double factor : {kCoarsest, kCoarser}) {
       oracle_.setTolerance(factor * tolerance_);
       Coarse next;
-      tryWay(plan_.ways.front(), {0, 0}, next.cover);
+      tryWay(plan_, plan_.ways.front(), {0, 0}, next.cover);
       next.groups = std::move(groups_);
       if (searching_.late() && finest.groups) break;
       finest = std::move(next);
@@ -293,7 +311,7 @@ class Job {
   }
 
   /// Whether splitting this way gives a cover of fewer hulls than `best`, or the first cover, which then replaces it.
-  bool tryWay(const Way& way, const Stretch& stretch, Cover& best) {
+  bool tryWay(const Plan& plan, const Way& way, const Stretch& stretch, Cover& best) {
     // Parts that finish a largest side first hardly merge, so they have to be few from the start.
     const auto enough = static_cast<double>(way.largest_side_first ? best.size() : leaves_);
     const std::size_t most = groups_ ? 1 + static_cast<std::size_t>(kMoreLeaves * enough) : SplitOptions{}.most_leaves;
@@ -303,11 +321,11 @@ class Job {
     if (groups_ && (parts.size() >= most || searching_.late())) return false;  // what is left whole would pass for few hulls
     divided_ = !searching_.late();
     note("the division of all of the surface within the tolerance");
-    auto groups = std::make_unique<SurfaceGroups>(parts, plan_.elements, oracle_, options_.max_vertices);
+    auto groups = std::make_unique<SurfaceGroups>(parts, plan.elements, oracle_, options_.max_vertices);
     Cover cover = mergedBest(groups->leaves(), *groups);
     note("the merging of hulls");
-    if (plan_.first_evaluations > 0) {
-      const SearchOptions search{plan_.first_evaluations, options_.seed};
+    if (plan.first_evaluations > 0) {
+      const SearchOptions search{plan.first_evaluations, options_.seed};
       cover = improved(std::move(cover), *groups, search, reporting(stretch.part(kSplitting, 1)));
     }
     if (groups_ && cover.size() >= best.size()) return false;
@@ -353,7 +371,7 @@ class Job {
   /// Covers at larger tolerances come when all is done but the tree, and take little time.
   std::function<void(double)> reporting(const Stretch& stretch) const {
     if (!isAtOwnTolerance()) return [](double) {};
-    return [this, stretch](double share) { control_.report(stretch.at(share)); };
+    return [this, within = whole_, stretch](double share) { control_.report(within.at(stretch.at(share))); };
   }
 
   /// After a stage: all that is named after the deadline is untried, be it only in part.
@@ -374,6 +392,7 @@ class Job {
   std::unique_ptr<SurfaceGroups> groups_;  // of the best cover
   std::size_t leaves_ = 0;                 // that it was merged from
   bool divided_ = false;                   // by the last way in time
+  Stretch whole_;                          // of the run, for what is done now
   std::string untried_;
 };
 

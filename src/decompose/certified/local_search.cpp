@@ -159,7 +159,8 @@ namespace {
 
 /// Leaves in `cover` the best proven one at any time.
 void improve(Cover& cover, SurfaceGroups& groups, const SearchOptions& options, const std::function<void(double)>& progress) {
-  if (leastPossible(cover, groups)) return;
+  const auto is_least = [&] { return cover.size() <= options.enough || leastPossible(cover, groups); };
+  if (is_least()) return;
   Search search(groups, options.seed);
   Cover current = cover;  // no more groups than `cover`; only `cover` is proven
   long first = groups.evaluations();
@@ -181,7 +182,7 @@ void improve(Cover& cover, SurfaceGroups& groups, const SearchOptions& options, 
       cover = current = std::move(next);
       idle = 0;
       const long before = groups.evaluations();
-      if (leastPossible(cover, groups)) break;
+      if (is_least()) break;
       first += groups.evaluations() - before;
     } else {
       current = cover;  // some of its merges were refuted

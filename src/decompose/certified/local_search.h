@@ -12,6 +12,7 @@ namespace collision_hulls {
 struct SearchOptions {
   long evaluations = 0;  ///< hulls that may be built and evaluated: counted, not timed, so that the result does not depend on the machine
   std::uint64_t seed = 1;
+  std::size_t enough = 0;  ///< groups, than which no cover is known to have fewer: the search ends with as many
 };
 
 /// A cover with no more groups than `cover`, proven if `cover` is. Deterministic. Calls `progress`

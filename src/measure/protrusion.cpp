@@ -23,9 +23,9 @@ constexpr double kLooseGap = 16;  // gap of the first passes, in gaps of the las
 constexpr int kGlance = 20;       // halvings
 // If the search does not converge on a surface, as in the plane of an opening, it keeps the bound after this many halvings.
 constexpr int kMostHalvings = 2'000'000;
-// A bound of only a few gaps is not worth more halvings than this.
+// A bound of no more gaps is not worth more halvings than this.
 constexpr int kPatience = 100'000;
-constexpr double kFewGaps = 12;
+constexpr double kFewGaps = 100;
 constexpr double kEnough = 2;  // gaps: a search would hardly come closer than a bound that takes none
 // Rounding error of a distance, as a share of the coordinates and of the mesh's extent: a hundred times what sums of a few products err by.
 constexpr double kRounding = 1e-12;
@@ -152,6 +152,7 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
     int halvings;
   };
   std::vector<Protrusion> each(hulls.size());
+  std::vector<double> given_up(hulls.size(), -1);  // floor above which the search of a hull did not converge: another would not, either
   const auto gap = [&] { return std::max(search.gap, search.share * floor); };
   for (const Pass pass : {Pass{kLooseGap, kGlance}, Pass{kLooseGap, kMostHalvings}, Pass{1, kMostHalvings}}) {
     const double wide = gap();
@@ -162,8 +163,9 @@ Protrusion protrusion(const std::vector<ConvexHull>& hulls, const Solid& solid, 
       query.halvings = pass.halvings;
       query.patience = kPatience;
       query.low = kFewGaps * wide;
-      if (each[i].hull >= 0 && each[i].bound <= floor + query.gap) return;
+      if (each[i].hull >= 0 && (each[i].bound <= floor + query.gap || query.floor <= given_up[i])) return;
       Protrusion found = largestOnSurface(hulls[i], solid, query, control);
+      if (pass.halvings == kMostHalvings && found.bound > std::max(found.found, query.floor) + query.gap) given_up[i] = query.floor;
       found.hull = static_cast<int>(i);
       if (found.found < each[i].found) {  // the place has fallen below the floor
         each[i].bound = std::max(found.bound, each[i].found);

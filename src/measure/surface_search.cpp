@@ -203,11 +203,13 @@ class Search {
     const double length = (patch.corner[longest.edge].p - patch.corner[(longest.edge + 1) % 3].p).norm();
     if (!(*high - *low > kSteep * normal.norm() * length)) return std::nullopt;  // nearly level: it would cut off slivers
     const double level = kLevel * threshold() * normal.norm();
+    std::optional<Crossing> result;  // on the longer of the edges that it crosses: cut at the shorter one, patches become slivers
+    double most = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const double from = height[i], to = height[(i + 1) % 3];
-      if (std::min(from, to) < -level && std::max(from, to) > level) return Crossing{i, from / (from - to)};
+      const double from = height[i], to = height[(i + 1) % 3], size = (patch.corner[i].p - patch.corner[(i + 1) % 3].p).squaredNorm();
+      if (std::min(from, to) < -level && std::max(from, to) > level && size > most) most = size, result = Crossing{i, from / (from - to)};
     }
-    return std::nullopt;
+    return result;
   }
 
   Crossing middleOfLongest(const Patch& patch) const {

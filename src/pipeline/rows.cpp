@@ -24,6 +24,7 @@ constexpr std::size_t kManyHulls = 100;  // of a mesh
 constexpr std::size_t kManyInAll = 500;  // of a robot
 constexpr std::size_t kHullsOfShell = 8;
 constexpr double kHollow = 0.25;        // of the hulls' volume: shells have less inside
+constexpr double kWidestClosed = 1;     // [m] that --close-openings takes
 constexpr std::size_t kManyParts = 20;  // of a mesh, with as many hulls
 constexpr double kSmallestLink = 1e-3;  // [m] across
 constexpr double kFarRegion = 0.1;      // of a mesh's diagonal: a region may well stand beside the mesh, as a table does
@@ -230,7 +231,8 @@ void noteLooseParts(Report& report) {
 /// body that has most of its inside already changes little.
 void noteOpenShells(Report& report) {
   const auto is_open = [](const ElementReport& row) {
-    return followsTolerance(row) && row.openings > 0 && row.hulls >= kHullsOfShell && row.volume < kHollow * row.hull_volume;
+    return followsTolerance(row) && row.openings > 0 && row.widest_opening <= kWidestClosed && row.hulls >= kHullsOfShell &&
+           row.volume < kHollow * row.hull_volume;
   };
   const auto fewer = [&](const ElementReport& a, const ElementReport& b) {
     return (is_open(a) ? a.hulls : 0) < (is_open(b) ? b.hulls : 0);

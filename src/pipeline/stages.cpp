@@ -71,9 +71,13 @@ void setTolerance(const MeshTask& task, const LinkOptions& options, MeshResult& 
   if (!std::isfinite(result.mesh.diagonal))
     throw Error(ErrorCode::kTooLarge, name + " is so large that its size is no number, with the scale '" + scale +
                                           "'; correct the scale, or the file's coordinates");
+  constexpr double kMillimetre = 0.001;
   const std::string instead = task.scale == Eigen::Vector3d::Ones() ? "" : " in place of '" + scale + "'";
-  checkSize(name, result.mesh.diagonal, options.tolerance,
-            "scale it by 0.001" + instead + " (--scale 0.001 for a mesh file, scale=\"0.001 0.001 0.001\" in a description's <mesh>)");
+  checkSize(
+      name, result.mesh.diagonal, options.tolerance,
+      task.scale.maxCoeff() <= kMillimetre
+          ? "they are too large for the scale '" + scale + "': give a smaller one"
+          : "scale it by 0.001" + instead + " (--scale 0.001 for a mesh file, scale=\"0.001 0.001 0.001\" in a description's <mesh>)");
   result.mesh.tolerance = toleranceFor(result.original, options.tolerance);
   expectResolvable(result.mesh.tolerance, result.mesh.diagonal, task.uri);
 }

@@ -130,6 +130,15 @@ TEST_F(FailedMeshes, AMeshInMillimetresFailsBeforeTheWorkAndLeavesTheOthers) {
     EXPECT_NE(row.reason.find(part), std::string::npos) << row.reason;
 }
 
+TEST_F(FailedMeshes, AMeshThatIsTooLargeInMillimetresIsNotToldToBeMillimetres) {
+  fixtures::write(folder_ / "meshes/huge.obj", fixtures::obj(test_shapes::box(3e4, 1, 1)));
+  const std::string huge = "    <visual>\n      " + meshTag("../meshes/huge.obj", " scale=\"0.001 0.001 0.001\"") + "\n    </visual>\n";
+  const std::string reason = run(link("base", visual("box.obj")) + link("tip", huge, "base")).report.links[1].reason;
+  EXPECT_NE(reason.find("'../meshes/huge.obj' is 30 m across"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("too large for the scale '0.001 0.001 0.001': give a smaller one; if it really is that large"), std::string::npos)
+      << reason;
+}
+
 TEST_F(FailedMeshes, AScaleBeyondNumbersIsNamed) {
   const std::string huge = "    <visual>\n      " + meshTag("../meshes/bracket.obj", " scale=\"1e300 1e300 1e300\"") + "\n    </visual>\n";
   options_.tolerance = shareOf(0.05);

@@ -82,7 +82,7 @@ TEST_F(MeshTaskTest, ContentKindOfFileAndScaleMakeATask) {
 }
 
 TEST_F(MeshTaskTest, FilesOfBuffersAreContentToo) {
-  const std::string text = R"({"buffers": [{"uri": "part.bin", "byteLength": 4}]})";
+  const std::string text = R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "part.bin", "byteLength": 4}]})";
   for (const char* folder : {"a/", "b/", "c/"}) {
     fixtures::write(folder_ / (std::string(folder) + "part.gltf"), text);
     fixtures::write(folder_ / (std::string(folder) + "part.bin"), *folder == 'c' ? "4321" : "1234");

@@ -105,6 +105,8 @@ struct GltfDocument::Elements {
 
 GltfDocument::GltfDocument(const std::string& bytes, const std::string& path) : path_(path), parts_(gltfParts(bytes, path)) {
   parse(parts_.json);
+  checkVersion();
+  checkExtensions();
 }
 
 void GltfDocument::fail(const std::string& reason) const {
@@ -130,6 +132,26 @@ void GltfDocument::parse(std::string_view text) {
     fail("has a number that is too large for JSON");
   }
   if (!root_.is_object()) fail("is no glTF: its JSON is no object");
+}
+
+/// Before anything else is looked at: other versions have it in other places.
+void GltfDocument::checkVersion() const {
+  const std::string version =
+      root_.contains("asset") && root_["asset"].is_object() ? root_["asset"].value("version", Json("")).dump() : "\"\"";
+  if (version.rfind("\"2.", 0) != 0) fail("is glTF " + version + "; export it as glTF 2");
+}
+
+/// Those about looks change no surface.
+void GltfDocument::checkExtensions() const {
+  if (!root_.contains("extensionsRequired")) return;
+  for (const Json& each : root_["extensionsRequired"]) {
+    const std::string name = each.is_string() ? each.get<std::string>() : each.dump();
+    const auto begins = [&](const char* with) { return name.rfind(with, 0) == 0; };
+    if (begins("KHR_materials_") || begins("KHR_texture_") || begins("KHR_lights_") || begins("EXT_texture_") || begins("MSFT_texture_") ||
+        name == "KHR_mesh_quantization")
+      continue;
+    fail("requires the extension " + inQuotes(name) + ", which is not supported; export the mesh without it");
+  }
 }
 
 const std::string* GltfDocument::bufferUri(std::size_t buffer) const {

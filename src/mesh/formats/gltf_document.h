@@ -50,6 +50,8 @@ class GltfDocument {
   using Contents = std::map<std::string, std::string_view>;  // of files, by their URIs
 
   void parse(std::string_view text);
+  void checkVersion() const;
+  void checkExtensions() const;
   const std::string* bufferUri(std::size_t buffer) const;  // null for a buffer without one
   void readBuffer(std::size_t buffer, const Contents& files);
   std::string_view view(std::size_t index, std::size_t* stride) const;

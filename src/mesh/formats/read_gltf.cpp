@@ -29,34 +29,12 @@ class GltfReader {
       : document_(document), path_(path), most_(limits.max_triangles), polygons_(path, limits.max_triangles, control) {}
 
   LoadedMesh read() {
-    checkVersion();
-    checkExtensions();
     seen_.resize(document_.count("nodes"), false);
     for (const std::size_t node : roots()) visit(node, Eigen::Affine3d::Identity(), 0);
     return polygons_.triangles(Polygons::Vertices::kSeparate);
   }
 
  private:
-  void checkVersion() const {
-    const Json& root = document_.root();
-    const std::string version =
-        root.contains("asset") && root["asset"].is_object() ? root["asset"].value("version", Json("")).dump() : "\"\"";
-    if (version.rfind("\"2.", 0) != 0) document_.fail("is glTF " + version + "; export it as glTF 2");
-  }
-
-  /// Those about looks change no surface.
-  void checkExtensions() const {
-    if (!document_.root().contains("extensionsRequired")) return;
-    for (const Json& each : document_.root()["extensionsRequired"]) {
-      const std::string name = each.is_string() ? each.get<std::string>() : each.dump();
-      const auto begins = [&](const char* with) { return name.rfind(with, 0) == 0; };
-      if (begins("KHR_materials_") || begins("KHR_texture_") || begins("KHR_lights_") || begins("EXT_texture_") ||
-          begins("MSFT_texture_") || name == "KHR_mesh_quantization")
-        continue;
-      document_.fail("requires the extension " + inQuotes(name) + ", which is not supported; export the mesh without it");
-    }
-  }
-
   /// Of the default scene, which is the first if none is named; of a document without scenes, the nodes that are no children.
   std::vector<std::size_t> roots() const {
     const std::size_t scene = document_.index(document_.root(), "scene", "the document").value_or(0);

@@ -52,7 +52,7 @@ void expectProtrusion(double expected, const std::vector<ConvexHull>& hulls, con
 TEST(Protrusion, ARowOfBoxesInOneHull) {
   constexpr double kSide = 0.0189, kPitch = 1.8918 * kSide, kGap = 1e-5;
   std::vector<TriangleMesh> boxes;
-  for (int i = 0; i < 28; ++i) boxes.push_back(test_shapes::moved(test_shapes::box(kSide, kSide, kSide), {0, i * kPitch, 0}));
+  for (int i = 0; i < 32; ++i) boxes.push_back(test_shapes::moved(test_shapes::box(kSide, kSide, kSide), {0, i * kPitch, 0}));
   const TriangleMesh row = test_shapes::merged(boxes);
   const Protrusion p = protrusion({convexHull(row.vertices)}, solidOf(row), kGap);
   EXPECT_NEAR(p.found, (kPitch - kSide) / 2, kGap);

@@ -11,6 +11,7 @@
 //   cover = improved(best cover)             local_search.h
 //   if a hull of the cover may hold a pocket: merge its leaves anew, with a search for pockets in each hull that is tried;
 //     if a leaf may hold one: all this once more, with that search
+//   Effort::kBest does all this after Effort::kQuick has, and the cover of fewer hulls counts
 //   if a limit on hulls asks for fewer: a cut of treeAbove(cover), if it is near                     tree_building.h
 //     or all of this at larger tolerances, whichever protrudes less                                  hull_limit.h
 //

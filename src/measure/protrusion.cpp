@@ -23,7 +23,7 @@ constexpr double kLooseGap = 16;  // gap of the first passes, in gaps of the las
 constexpr int kGlance = 20;       // halvings
 // If the search does not converge on a surface, as in the plane of an opening, it keeps the bound after this many halvings.
 constexpr int kMostHalvings = 2'000'000;
-// A bound of no more gaps is not worth more halvings than this.
+// A bound of no more than kFewGaps gaps is not worth more halvings than this. For certificates, that many are a tenth of the tolerance.
 constexpr int kPatience = 100'000;
 constexpr double kFewGaps = 100;
 constexpr double kEnough = 2;  // gaps: a search would hardly come closer than a bound that takes none

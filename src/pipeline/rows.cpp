@@ -15,6 +15,7 @@
 #include "base/millimetres.h"
 #include "geometry/bytes.h"
 #include "pipeline/run.h"
+#include "report/largest_tolerance.h"
 #include "storage/names.h"
 
 namespace collision_hulls {
@@ -24,7 +25,6 @@ constexpr std::size_t kManyHulls = 100;  // of a mesh
 constexpr std::size_t kManyInAll = 500;  // of a robot
 constexpr std::size_t kHullsOfShell = 8;
 constexpr double kHollow = 0.25;        // of the hulls' volume: shells have less inside
-constexpr double kWidestClosed = 1;     // [m] that --close-openings takes
 constexpr std::size_t kManyParts = 20;  // of a mesh, with as many hulls
 constexpr double kSmallestLink = 1e-3;  // [m] across
 constexpr double kFarRegion = 0.1;      // of a mesh's diagonal: a region may well stand beside the mesh, as a table does
@@ -228,10 +228,10 @@ void noteLooseParts(Report& report) {
 }
 
 /// A shell without thickness has no inside, so hulls have to follow its skin; a robot's covers stand for solids all the same. Closing a
-/// body that has most of its inside already changes little.
+/// body that has most of its inside already changes little, and wider openings than the option takes stay open.
 void noteOpenShells(Report& report) {
   const auto is_open = [](const ElementReport& row) {
-    return followsTolerance(row) && row.openings > 0 && row.widest_opening <= kWidestClosed && row.hulls >= kHullsOfShell &&
+    return followsTolerance(row) && row.openings > 0 && row.widest_opening <= kLargestTolerance && row.hulls >= kHullsOfShell &&
            row.volume < kHollow * row.hull_volume;
   };
   const auto fewer = [&](const ElementReport& a, const ElementReport& b) {

@@ -75,7 +75,7 @@ void setTolerance(const MeshTask& task, const LinkOptions& options, MeshResult& 
   const std::string instead = task.scale == Eigen::Vector3d::Ones() ? "" : " in place of '" + scale + "'";
   checkSize(
       name, result.mesh.diagonal, options.tolerance,
-      task.scale.maxCoeff() <= kMillimetre
+      task.scale.cwiseAbs().maxCoeff() <= kMillimetre
           ? "they are too large for the scale '" + scale + "': give a smaller one"
           : "scale it by 0.001" + instead + " (--scale 0.001 for a mesh file, scale=\"0.001 0.001 0.001\" in a description's <mesh>)");
   result.mesh.tolerance = toleranceFor(result.original, options.tolerance);

@@ -15,6 +15,7 @@
 #include "base/decimal.h"
 #include "collision_hulls/decompose/reduce_vertices.h"
 #include "collision_hulls/error.h"
+#include "report/largest_tolerance.h"
 #include "report/link_pattern.h"
 #include "storage/names.h"
 
@@ -33,7 +34,6 @@ constexpr int kMostVertices = 1'000'000;  // of a hull
 constexpr int kMostJobs = 1024;
 constexpr std::size_t kLongestModelName = 64, kMostModels = 20;
 constexpr int kMostReading = 1'000'000;  // [MiB] or [s]
-constexpr double kLargestTolerance = 1;  // [m] hulls that protrude further no longer resemble a robot
 
 [[noreturn]] void badOption(const std::string& option, const std::string& value, const std::string& allowed) {
   throw Error(ErrorCode::kBadOption, option + " '" + value + "' is invalid: use " + allowed);

@@ -132,6 +132,9 @@ TEST_F(FailedMeshes, AMeshInMillimetresFailsBeforeTheWorkAndLeavesTheOthers) {
 
 TEST_F(FailedMeshes, AMeshThatIsTooLargeInMillimetresIsNotToldToBeMillimetres) {
   fixtures::write(folder_ / "meshes/huge.obj", fixtures::obj(test_shapes::box(3e4, 1, 1)));
+  const std::string mirrored =
+      "    <visual>\n      " + meshTag("../meshes/bracket.obj", " scale=\"-1000 -1000 -1000\"") + "\n    </visual>\n";
+  EXPECT_NE(run(link("base", mirrored)).report.links[0].reason.find("scale it by 0.001 in place of"), std::string::npos);
   const std::string huge = "    <visual>\n      " + meshTag("../meshes/huge.obj", " scale=\"0.001 0.001 0.001\"") + "\n    </visual>\n";
   const std::string reason = run(link("base", visual("box.obj")) + link("tip", huge, "base")).report.links[1].reason;
   EXPECT_NE(reason.find("'../meshes/huge.obj' is 30 m across"), std::string::npos) << reason;

@@ -68,12 +68,13 @@ struct Chain {
 /// The tree of a robot's joints. Revolute, continuous and prismatic joints that mimic no other are
 /// variables; a mimic joint follows multiplier * value + offset of its master, through any number
 /// of masters and without regard to its own limits, as in robot_state_publisher. Floating and
-/// planar joints, which place a robot in the world, stay at their origin. Immutable, thread safe.
+/// planar joints, which place a robot in the world, stay at their origin; so do those that slide to
+/// a limit further than 1e6 m away. Immutable, thread safe.
 class Kinematics {
  public:
   /// Throws kNotARobot for a mimic joint whose master is not there or cannot move, for mimic
-  /// joints that follow one another in a circle, for an origin or a limit of a sliding joint that
-  /// is further than 1e6 m away, and for a mimic joint that slides as far or turns without end.
+  /// joints that follow one another in a circle, for an origin that is further than
+  /// 1e6 m away, and for a mimic joint that slides as far or turns without end.
   explicit Kinematics(const RobotDescription& robot);
 
   const std::vector<JointVariable>& variables() const { return variables_; }

@@ -288,9 +288,7 @@ class Job {
       return coarse.cover;
     }
     if (plan.ways.size() > 1) note("other ways to divide it");
-    const SearchOptions search{plan.evaluations, options_.seed,
-                               std::max(std::size_t{2}, isAtOwnTolerance() ? least_.known().value_or(0) : 0)};
-    best = improved(std::move(best), *groups_, search, reporting({kCovered, kSearched}));
+    best = improved(std::move(best), *groups_, {plan.evaluations, options_.seed, leastKnown()}, reporting({kCovered, kSearched}));
     if (plan.evaluations > 0) note("the search for fewer hulls");
     return best;
   }
@@ -336,9 +334,12 @@ class Job {
     return true;
   }
 
-  /// Whether it is proved that no cover has fewer hulls. Two hulls are what merging leaves where one, that of everything, was refused.
+  /// Hulls, than which no cover has fewer as far as is known. Two are what merging leaves where one, that of everything, was refused.
+  std::size_t leastKnown() const { return std::max(std::size_t{2}, isAtOwnTolerance() ? least_.known().value_or(0) : 0); }
+
+  /// Whether it is proved that no cover has fewer hulls.
   bool isMinimal(const Cover& cover) {
-    return cover.size() <= 2 || (isAtOwnTolerance() && cover.size() <= kMostToProve && cover.size() <= least(cover));
+    return cover.size() <= leastKnown() || (isAtOwnTolerance() && cover.size() <= kMostToProve && cover.size() <= least(cover));
   }
 
   bool isAtOwnTolerance() const { return tolerance_ == options_.tolerance; }

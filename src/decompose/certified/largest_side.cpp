@@ -63,8 +63,9 @@ class Beneath {
       const bool is_low = sum / area_ <= least;
       (is_low ? low : high) = middle;
       const auto is_done = [&](std::size_t t) {
-        if (is_low && highest(t) <= middle) return below += areas_[t], true;
-        return !is_low && lowest(t) >= middle;
+        const bool is_below = is_low && highest(t) <= middle;
+        if (is_below) below += areas_[t];
+        return is_below || (!is_low && lowest(t) >= middle);
       };
       between.erase(std::remove_if(between.begin(), between.end(), is_done), between.end());
     }

@@ -9,6 +9,7 @@
 
 #include "base/parallel.h"
 #include "decompose/certified/certified_cases.h"
+#include "geometry/pi.h"
 
 namespace collision_hulls {
 namespace {
@@ -107,6 +108,23 @@ TEST(Certified, ConvexInputIsOneHull) {
     EXPECT_EQ(count(surface(convexHull(random.cloud(30))), 0.01, effort), 1u);
     EXPECT_EQ(count(test_shapes::sphere(1, 4), 0.05, effort), 1u);
   }
+}
+
+/// A star of eight points.
+TEST(Certified, TwoHullsWhereTheFirstWayLeavesThree) {
+  constexpr int kCorners = 16;
+  const auto at = [](int i, double z) {
+    const double radius = i % 2 == 0 ? 1 : 0.7, turn = 2 * kPi * i / kCorners;
+    return Eigen::Vector3d(radius * std::cos(turn), radius * std::sin(turn), z);
+  };
+  test_shapes::MeshBuilder builder;
+  for (int i = 0; i < kCorners; ++i) {
+    const int j = (i + 1) % kCorners;
+    builder.quad(at(i, 0), at(j, 0), at(j, 0.4), at(i, 0.4));
+    builder.triangle({0, 0, 0}, at(j, 0), at(i, 0));
+    builder.triangle({0, 0, 0.4}, at(i, 0.4), at(j, 0.4));
+  }
+  EXPECT_EQ(count(builder.mesh(), 0.05), 2u);
 }
 
 TEST(Certified, WallsAreOneHullEach) {

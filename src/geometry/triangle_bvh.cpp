@@ -319,14 +319,14 @@ TriangleBvh::Nearest TriangleBvh::nearest(const Eigen::Vector3d& p, double limit
   return best;
 }
 
-std::vector<int> TriangleBvh::trianglesNear(const Eigen::AlignedBox3d& box) const {
+std::vector<int> TriangleBvh::trianglesNear(const Eigen::AlignedBox3d& box, std::size_t most) const {
   std::vector<int> found;
   if (fours_.empty() || box.isEmpty()) return found;
   const Eigen::Vector3f low = inUnits(box.min()), high = inUnits(box.max());
   int stack[kDeepestFours];
   int top = 0;
   stack[top++] = 0;
-  while (top > 0) {
+  while (top > 0 && found.size() <= most) {
     const FourBoxes& four = fours_[static_cast<std::size_t>(stack[--top])];
     Eigen::Array4f away = Eigen::Array4f::Constant(-1);
     for (int axis = 0; axis < 3; ++axis) {
@@ -345,6 +345,7 @@ std::vector<int> TriangleBvh::trianglesNear(const Eigen::AlignedBox3d& box) cons
       if (own.intersects(box)) found.push_back(index_[static_cast<std::size_t>(~child)]);
     }
   }
+  if (found.size() > most) found.resize(most + 1);
   std::sort(found.begin(), found.end());
   return found;
 }

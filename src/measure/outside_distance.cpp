@@ -216,8 +216,14 @@ void OutsideDistance::learn(int id, const OutsideDistance& other, int known_id, 
 }
 
 bool OutsideDistance::mayHoldSummit(int id) {
-  if (summit(id) < 0) summit(id) = solid_.mayHoldSummit(inWorld(cube(id).centre), at(id).to_surface, radius(id));
-  if (summit(id) == 0) at(id).summits = 0;
+  Cell& cell = at(id);
+  if (summit(id) < 0) {
+    const Eigen::Vector3d centre = inWorld(cube(id).centre);
+    summit(id) = solid_.mayHoldSummit(centre, cell.to_surface, radius(id));
+    if (summit(id) != 0 && !isAmongWalls(id))
+      cell.summits = std::min(cell.summits, solid_.summitAmongWalls(centre, cell.to_surface, radius(id)));
+  }
+  if (summit(id) == 0) cell.summits = 0;
   return summit(id) != 0;
 }
 
@@ -240,6 +246,17 @@ bool OutsideDistance::isLevelWithin(double distance, int id) {
   levelled(id) = !bound.reaches(distance);
   cell.level = std::min(cell.level, levelled(id) ? bound.value() : distance);
   return cell.level <= distance;
+}
+
+/// Whether the walls in a cell are known to have the inside on both sides; its bound then is.
+bool OutsideDistance::isAmongWalls(int id) {
+  signed char& known = family(id).among_walls[static_cast<std::size_t>(id) % 8];
+  if (known < 0) {
+    const double bound = solid_.distanceAmongWalls(inWorld(cube(id).centre), at(id).to_surface, radius(id));
+    known = std::isinf(bound) ? 0 : 1;
+    at(id).level = std::min(at(id).level, bound);
+  }
+  return known != 0;
 }
 
 /// What is known about its children may bound a cell more tightly; later queries then need not divide it.
@@ -301,10 +318,12 @@ OutsideDistance::Largest OutsideDistance::largest(const ConvexHull& hull, const 
       }
     }
     if (open.bound <= enough() || (query.summits_only && !mayHoldSummit(open.cell))) continue;
+    if (query.summits_only && summitBound(open.cell) <= enough()) continue;
     if (radius(open.cell) < query.resolution || !canDivide(open.cell)) {
       result.bound = std::max(result.bound, open.bound);
       continue;
     }
+    if (isAmongWalls(open.cell) && knownBound(open.cell) <= enough()) continue;
     const int first = children(open.cell);
     divided.push_back(open.cell);
     if (query.summits_only && isLevelWithin(enough(), open.cell)) continue;
@@ -371,6 +390,7 @@ std::vector<OutsideDistance::Intruder> OutsideDistance::intruders(const ConvexHu
     if (found.size() >= wanted || divided.size() > kMostCells / 8) break;
     level.clear();
     for (const Open& open : divided) {
+      if (isAmongWalls(open.cell) && knownBound(open.cell) <= tolerance) continue;
       const int first = children(open.cell);
       for (int k = first; k < first + 8; ++k) look(k, open.cell, open.view.faces);
     }

@@ -77,6 +77,7 @@ class OutsideDistance {
     std::array<Cell, 8> cells;
     std::array<signed char, 8> summit{-1, -1, -1, -1, -1, -1, -1, -1};  // whether each may contain a local maximum; -1: not determined yet
     std::array<bool, 8> levelled{};  // whether each one's level is already what isLevelWithin() can prove
+    std::array<signed char, 8> among_walls{-1, -1, -1, -1, -1, -1, -1, -1};  // what isAmongWalls() answers; -1: not asked yet
   };
   /// Where a cell is.
   struct Cube {
@@ -108,6 +109,7 @@ class OutsideDistance {
   const Cell& measuredChild(int cell, int parent);
   bool mayHoldSummit(int cell);
   bool isLevelWithin(double distance, int cell);
+  bool isAmongWalls(int cell);
   double summitBound(int cell) const { return std::min(knownBound(cell), at(cell).summits); }
   void boundByChildren(int cell);
   void learn(int cell, const OutsideDistance& other, int known, const Eigen::AlignedBox3d& part);

@@ -41,34 +41,63 @@ double rounding(const std::vector<ConvexHull>& hulls, const Solid& solid, const 
   return hulls.empty() ? 0 : kRounding * size + beyond + solid.sideError();
 }
 
+double depthBelow(const HalfSpace& face, const Eigen::Vector3d& p) {
+  return -face.distance(p);
+}
+
+/// [m] How far a vertex may move, straight away from the faces near it, to be as deep as `depth` below all faces; infinite if that way
+/// leads nearer to some face.
+double wayInto(const ConvexHull& hull, const Eigen::Vector3d& v, double depth) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const auto isNear = [&](const HalfSpace& face) { return depthBelow(face, v) < 2 * depth; };
+  Eigen::Vector3d inward = Eigen::Vector3d::Zero();
+  for (const HalfSpace& face : hull.faces)
+    if (isNear(face)) inward -= face.normal;
+  inward.normalize();
+  double way = 0;
+  for (const HalfSpace& face : hull.faces) {
+    if (!isNear(face)) continue;
+    const double rise = -face.normal.dot(inward);
+    if (!(rise > 0)) return kNone;
+    way = std::max(way, (depth - depthBelow(face, v)) / rise);
+  }
+  const auto isDeep = [&](const HalfSpace& face) { return isNear(face) || depthBelow(face, v + way * inward) >= depth; };
+  return std::all_of(hull.faces.begin(), hull.faces.end(), isDeep) ? way : kNone;
+}
+
 /// [m] An upper bound on the distance to S of all points of a hull that the surface leaves free, and whose middle lies in S; infinite for
 /// other hulls, and if it is more than `most`.
 ///
-/// Why: let no triangle reach deeper than e into the hull, and the middle c be deeper, by r. All that is deeper than e is connected and
-/// free of surface, so it lies in S, as c does. Any other point gets there by e / r of its way to c, since the depth is concave.
+/// Why: let no triangle reach deeper than e into the hull, and the middle c be deeper, by r. All that is as deep as e is convex, and free
+/// of surface but for its border, so it lies in S, as c does. A vertex comes there straight from its faces, or by e / r of its way to c;
+/// any other point of the hull, a mean of vertices, by the mean of their ways.
 double boundInFreeHull(const ConvexHull& hull, const Solid& solid, double most, const RunControl& control) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   if (solid.hasOpenings() || solid.sideError() > 0) return kNone;  // S may end where there is no surface
   const Eigen::AlignedBox3d box = boundingBox(hull);
-  const auto depth = [](const HalfSpace& face, const Eigen::Vector3d& p) { return -face.distance(p); };
   const Eigen::Vector3d c = meanOfVertices(hull);
   double r = kNone, e = kRounding * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  for (const HalfSpace& face : hull.faces) r = std::min(r, depth(face, c));
-  const double way = box.sizes().norm();  // to c at most
+  for (const HalfSpace& face : hull.faces) r = std::min(r, depthBelow(face, c));
   Looks look(control);
   for (const int t : solid.surface().trianglesNear(box)) {
     double reach = kNone;
     for (const HalfSpace& face : hull.faces) {
       look();
       double deepest = -kNone;
-      for (const Eigen::Vector3d& corner : solid.surface().corners(t)) deepest = std::max(deepest, depth(face, corner));
+      for (const Eigen::Vector3d& corner : solid.surface().corners(t)) deepest = std::max(deepest, depthBelow(face, corner));
       reach = std::min(reach, deepest);
       if (reach <= e) break;
     }
     e = std::max(e, reach);
-    if (!(e * way <= most * r) || e >= r) return kNone;
+    if (e > most || e >= r) return kNone;
   }
-  return e < r && solid.contains(c) ? e / r * way : kNone;
+  if (e >= r || !solid.contains(c)) return kNone;
+  double longest = 0;
+  for (const Eigen::Vector3d& v : hull.vertices) {
+    look();
+    longest = std::max(longest, std::min(wayInto(hull, v, e), e / r * (c - v).norm()));
+  }
+  return longest;
 }
 
 /// Searches hulls for summits. Many are searched in parallel, in halves that lie side by side; the halves do not depend on the number of

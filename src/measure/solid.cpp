@@ -23,6 +23,7 @@
 #include "geometry/own_axes.h"
 #include "geometry/pi.h"
 #include "measure/flat_sheets.h"
+#include "measure/flat_walls.h"
 #include "measure/inverted.h"
 #include "measure/lids.h"
 #include "measure/rim.h"
@@ -187,6 +188,12 @@ struct Walls {
   double volume;
 };
 
+/// Whether flat walls may have the inside on both sides: sheets that meet walls, and walls that face each other.
+bool mayTouch(const RepairedMesh& mesh, const Walls& walls, const TriangleMesh& triangles, const RunControl& control) {
+  if (walls.hasOpenings() || (mesh.counts.components < 2 && mesh.counts.nonmanifold_edges == 0)) return false;
+  return (walls.has_sheets && !triangles.triangles.empty()) || someFaceEachOther(triangles, control);
+}
+
 /// The triangles on the rim: an opening or a crack begins there.
 std::vector<char> onRim(const RepairedMesh& mesh, const Rim& rim, const RunControl& control) {
   Looks look(control);
@@ -246,6 +253,7 @@ struct Solid::Impl {
       : surface(std::make_shared<TriangleBvh>(withLoose(mesh), anatomy.two_sided, control, keptOf(anatomy.two_sided))),
         walls(anatomy.walls, anatomy.lids, mesh, surface, control),
         sheets(mesh, anatomy.edges, anatomy.two_sided, control),
+        may_touch(mayTouch(mesh, walls, anatomy.walls, control)),
         interior(interiorOf(mesh)),
         axes(ownAxes(mesh.mesh)),
         weld_distance(mesh.counts.weld_distance),
@@ -253,6 +261,7 @@ struct Solid::Impl {
   std::shared_ptr<const TriangleBvh> surface;
   Walls walls;
   FlatSheets sheets;
+  bool may_touch;  // whether flat walls may have the inside on both sides
   Interior interior;
   Eigen::Matrix3d axes;
   double weld_distance;
@@ -324,6 +333,14 @@ bool Solid::isOneSide(const std::array<Eigen::Vector3d, 3>& patch, const std::ar
 double Solid::distanceWithin(double radius, double signed_distance, double to_surface) const {
   const double bound = std::max(0.0, signed_distance + radius);
   return std::signbit(signed_distance) && bound > 0 && hasOpenings() ? to_surface + radius : bound;  // the ball may be a point: -0
+}
+double Solid::distanceAmongWalls(const Eigen::Vector3d& p, double to_surface, double radius) const {
+  if (!impl_->may_touch || to_surface > radius) return std::numeric_limits<double>::infinity();
+  return amongFlatWalls(*impl_->walls.closed, surface(), p, radius).any;
+}
+double Solid::summitAmongWalls(const Eigen::Vector3d& p, double to_surface, double radius) const {
+  if (!impl_->may_touch) return std::numeric_limits<double>::infinity();
+  return amongFlatWalls(*impl_->walls.closed, surface(), p, impl_->walls.reach(radius, to_surface + radius)).summit;
 }
 double Solid::wayToBorder(const Eigen::Vector3d& p) const {
   return hasOpenings() ? Walls::Winding(impl_->walls, p).exactWayToBorder() : std::numeric_limits<double>::infinity();

@@ -1,4 +1,5 @@
-// Progress on standard error: a bar on a terminal; elsewhere a line at once, and another every few seconds.
+// Progress on standard error: a bar on a terminal; elsewhere a line at once, and another every few seconds. Once it is clear that the run
+// takes minutes, a line says how to wait less.
 #pragma once
 
 #include <sys/ioctl.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "base/standard_files.h"
 #include "collision_hulls/pipeline/progress_text.h"
@@ -16,12 +18,19 @@ namespace collision_hulls {
 
 class ProgressDisplay {
  public:
-  explicit ProgressDisplay(bool quiet) : quiet_(quiet), bar_(!quiet && isatty(STDERR_FILENO)) {}
+  /// `to_wait_less`: a sentence for those who wait long; may be empty.
+  explicit ProgressDisplay(bool quiet, std::string to_wait_less = "")
+      : quiet_(quiet), bar_(!quiet && isatty(STDERR_FILENO)), to_wait_less_(std::move(to_wait_less)) {}
   ~ProgressDisplay() { clear(); }
 
   void step(const Step& step) {
     if (step.total == 0) return;            // no mesh: a note says why
     if (!takesLine(STDERR_FILENO)) return;  // a thread that waited for a reader would hear of no interrupt
+    if (!quiet_ && !to_wait_less_.empty() && step.seconds_left > kLong) {
+      clear();
+      std::fprintf(stderr, "%s\n", to_wait_less_.c_str());
+      to_wait_less_.clear();
+    }
     if (bar_) {
       drawn_ = true;
       draw(step);
@@ -37,6 +46,8 @@ class ProgressDisplay {
   }
 
  private:
+  static constexpr double kLong = 300;  // [s]
+
   static std::size_t columns() {
     winsize size{};
     return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
@@ -54,6 +65,7 @@ class ProgressDisplay {
   }
 
   bool quiet_, bar_, drawn_ = false;
+  std::string to_wait_less_;
   Throttle is_due_;
 };
 

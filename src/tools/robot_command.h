@@ -32,6 +32,7 @@ struct RobotCommand {
   std::string program, input, output, json;
   std::vector<std::string> package_path, roots;
   bool quiet = false;
+  std::string to_wait_less;         // what to tell those who wait long
   std::string config, config_text;  // file, and what it holds
   std::vector<std::string> models;  // NAME=LENGTH
   std::vector<std::string> consumer_names;

@@ -42,7 +42,7 @@ inline bool writeEverything(RobotResult& result, const RobotCommand& command, co
 /// Reads the input, works, writes, and prints the report. Returns the exit status.
 inline int runRobotCommand(RobotCommand& command, const RobotWork& work) {
   static RunControl control;  // a signal may come until the program ends
-  ProgressDisplay display(command.quiet);
+  ProgressDisplay display(command.quiet, command.to_wait_less);
   cancelOnSignals(control);
 
   std::optional<Confinement> confinement;

@@ -200,6 +200,43 @@ TEST(Protrusion, WhatTheSurfaceLeavesFreeIsWithinAShareOfTheWayToTheMiddle) {
   }
 }
 
+/// The points p with n . p <= 1 - `depth` |n| for all n of `planes`: each vertex is the pole of a face of their hull.
+std::vector<Vector3d> behind(const std::vector<Vector3d>& planes, double depth) {
+  std::vector<Vector3d> poles, result;
+  for (const Vector3d& n : planes) poles.push_back(n / (1 - depth * n.norm()));
+  for (const HalfSpace& face : convexHull(poles).faces) result.push_back(face.normal / face.offset);
+  return result;
+}
+
+// What is e deep in a hull is the solid. The hull's triangles are taken away, so that only its faces bound it.
+TEST(Protrusion, WhatTheSurfaceLeavesFreeIsWithinTheLongestWayIntoIt) {
+  RandomPoints random(5);
+  for (int i = 0; i < 300; ++i) {
+    std::vector<Vector3d> planes;
+    const Vector3d shape(random.number(0.2, 3), random.number(0.2, 3), random.number(0.2, 3));
+    for (int k = 0; k < 12; ++k) planes.push_back(random.onSphere().cwiseProduct(shape));
+    if (!holds(convexHull(planes), Vector3d::Zero())) continue;
+    const double e = random.number(0, 0.2);
+    const ConvexHull inner = convexHull(behind(planes, e));
+    ConvexHull hull = convexHull(behind(planes, 0));
+    double furthest = 0;
+    for (const Vector3d& v : hull.vertices) furthest = std::max(furthest, distance(inner, v));
+    hull.triangles.clear();
+    EXPECT_GE(protrusion({hull}, solidOf(surface(inner)), 1e3).bound, furthest * (1 - 1e-9));
+  }
+}
+
+// A share of the way to the middle, which is far, would be 0.4 mm.
+TEST(Protrusion, ALongBoardThatTheSurfaceLeavesFree) {
+  const double e = 3e-6;
+  const Solid solid = solidOf(test_shapes::box(2, 0.4, 0.018));
+  ConvexHull hull = boxHull({-e, -e, -e}, {2 + e, 0.4 + e, 0.018 + e});
+  hull.triangles.clear();
+  const double bound = protrusion({hull}, solid, 4 * e).bound;
+  EXPECT_GE(bound, std::sqrt(3) * e);
+  EXPECT_LE(bound, 1.001 * std::sqrt(3) * e);
+}
+
 // A blade through a crack meets no surface, and its middle is inside; what stands out of it is not. As below, its triangles are taken away.
 TEST(Protrusion, AHullThroughACrackIsNotLeftFree) {
   const Solid solid = solidOf(test_shapes::boxWithSlit(1e-5));

@@ -85,8 +85,10 @@ class TriangleBvh {
   /// rounding hides it; null only if it surely meets none.
   const std::array<Eigen::Vector3d, 3>* metBy(const std::array<Eigen::Vector3d, 3>& patch) const;
 
-  /// The triangles whose boxes meet `box`, in ascending order.
-  std::vector<int> trianglesNear(const Eigen::AlignedBox3d& box) const;
+  /// The triangles whose boxes meet `box`, in ascending order; if they are more than `most`, any
+  /// `most` + 1 of them.
+  std::vector<int> trianglesNear(const Eigen::AlignedBox3d& box,
+                                 std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
   /// The corners of a triangle, by its index in the mesh.
   const std::array<Eigen::Vector3d, 3>& corners(int triangle) const {

@@ -63,6 +63,13 @@ class Solid {
   /// openings, a step out of the ball inside S may cross a border that is not surface; then only
   /// the nearest surface counts.
   double distanceWithin(double radius, double signed_distance, double to_surface) const;
+  /// [m] An upper bound on the distance to S within `radius` of p: a few millionths of the extent
+  /// where the surface lies in three planes at most and nothing is outside, as where parts touch;
+  /// else infinite. `to_surface`: distanceToSurface(p).
+  double distanceAmongWalls(const Eigen::Vector3d& p, double to_surface, double radius) const;
+  /// [m] The same for local maxima of the distance to S. One of the planes may have the outside in
+  /// front.
+  double summitAmongWalls(const Eigen::Vector3d& p, double to_surface, double radius) const;
   /// [m] An upper bound on the distance of a patch's points from the surface. If the patch lies
   /// over one flat part of a sheet, or sticks out sideways by at most `slack` [m], it is the
   /// patch's height above that part plus the slack, else infinite. `near`: the point of the surface

@@ -125,8 +125,6 @@ bool parseNumber(std::string_view word, double* value) {
 }
 
 bool parseInteger(std::string_view word, std::int64_t* value) {
-  const std::string_view digits = word.substr(word.substr(0, 1) == "-" ? 1 : 0);
-  if (digits.empty() || (digits.size() > 1 && digits[0] == '0')) return false;
   const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), *value);
   return failure == std::errc() && end == word.data() + word.size();
 }

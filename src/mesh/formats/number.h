@@ -12,7 +12,7 @@ namespace collision_hulls {
 /// "0x10" or "1.#QNAN". Does not depend on the process's locale.
 bool parseNumber(std::string_view word, double* value);
 
-/// Parses the whole word as a decimal integer without leading zeros or a plus sign; false if it is not one, or too large.
+/// Parses the whole word as a decimal integer without a plus sign; false if it is not one, or too large.
 bool parseInteger(std::string_view word, std::int64_t* value);
 
 /// The nearest number of single precision; infinite beyond its range.

@@ -10,6 +10,13 @@
 namespace collision_hulls {
 namespace {
 
+/// Whether the first line announces binary data.
+bool isBinary(std::string_view bytes) {
+  std::string_view line = bytes.substr(0, bytes.find('\n'));
+  const std::string_view keyword = nextWord(&line);
+  return keyword.size() >= 3 && keyword.substr(keyword.size() - 3) == "OFF" && nextWord(&line) == "BINARY";
+}
+
 class OffReader {
  public:
   OffReader(std::string_view text, const std::string& path, const MeshLimits& limits, const RunControl& control)
@@ -50,7 +57,6 @@ class OffReader {
     if (word.size() >= 3 && word.substr(word.size() - 3) == "OFF") {
       checkVariant(word.substr(0, word.size() - 3));
       word = nextWord(&rest);
-      if (word == "BINARY") failNotAMesh(path_, "binary OFF is not supported; write it as text");
       if (word.empty() && nextLine()) {
         rest = line_;
         word = nextWord(&rest);
@@ -127,6 +133,7 @@ class OffReader {
 }  // namespace
 
 LoadedMesh readOff(const std::string& bytes, const std::string& path, const MeshLimits& limits, const RunControl& control) {
+  if (isBinary(bytes)) failNotAMesh(path, "binary OFF is not supported; write it as text");
   return OffReader(checkedText(bytes, path), path, limits, control).read();
 }
 

@@ -76,6 +76,8 @@ void checkTriangleCount(const std::string& path, std::uint64_t triangles, std::s
 }
 
 std::string_view checkedText(std::string_view bytes, const std::string& path) {
+  for (const std::string_view mark : {"\xFF\xFE", "\xFE\xFF"})
+    if (bytes.substr(0, mark.size()) == mark) failNotAMesh(path, "is text in UTF-16; save it in UTF-8");
   const std::size_t zero = bytes.find('\0');
   if (zero != std::string_view::npos) failNotAMesh(path, "holds a zero byte at offset " + std::to_string(zero) + ", so it is not text");
   if (bytes.substr(0, kByteOrderMark.size()) == kByteOrderMark) bytes.remove_prefix(kByteOrderMark.size());

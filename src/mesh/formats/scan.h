@@ -50,7 +50,7 @@ std::string inQuotes(std::string_view word);
 /// Throws kTooLarge if a file announces more triangles than allowed.
 void checkTriangleCount(const std::string& path, std::uint64_t triangles, std::size_t most);
 
-/// Throws kNotAMesh if a text holds a zero byte. Returns the text without the byte order mark of UTF-8.
+/// Throws kNotAMesh if a text is in UTF-16 or holds a zero byte. Returns the text without the byte order mark of UTF-8.
 std::string_view checkedText(std::string_view bytes, const std::string& path);
 
 /// The number that a word of line `line` spells; throws kNotAMesh if it spells none.

@@ -101,7 +101,9 @@ TEST(ParseInteger, RefusesWhatOthersGuess) {
   EXPECT_EQ(value, -42);
   EXPECT_TRUE(parseInteger("4294967298", &value));
   EXPECT_EQ(value, 4294967298);
-  for (const char* word : {"", "-", "+1", "01", "1.0", "1e3", "0x1", "1/", "99999999999999999999"})
+  EXPECT_TRUE(parseInteger("0010", &value));
+  EXPECT_EQ(value, 10) << "decimal";
+  for (const char* word : {"", "-", "+1", "- 1", "1.0", "1e3", "0x1", "1/", "99999999999999999999"})
     EXPECT_FALSE(parseInteger(word, &value)) << word;
 }
 

@@ -54,9 +54,11 @@ TEST(ReadOff, RefusesNumbersThatOthersGuess) {
 
 TEST(ReadOff, RefusesHeadersThatOthersGuess) {
   for (const char* header :
-       {"OFF\n3\n1\n0\n", "OFF\n3 1 0 7\n", "OFF\n-3 1 0\n", "OFF\n3 1.0 0\n", "OFF\n", "off\n3 1 0\n", "OFF\n03 1 0\n", ""})
+       {"OFF\n3\n1\n0\n", "OFF\n3 1 0 7\n", "OFF\n-3 1 0\n", "OFF\n3 1.0 0\n", "OFF\n", "off\n3 1 0\n", "OFF\n0x3 1 0\n", ""})
     expectRefused("a.off", {{header + std::string("# rest\n"), "does not begin with 'OFF'"}});
-  expectRefused("a.off", {{"OFF BINARY\n", "binary OFF"}, {"4OFF\n3 1 0\n" + kData, "'4OFF' is not supported"}, {"nOFF\n3\n", "'nOFF'"}});
+  expectRefused("a.off", {{std::string("COFF BINARY\n\0\0\0\3", 16), "binary OFF"},
+                          {"4OFF\n3 1 0\n" + kData, "'4OFF' is not supported"},
+                          {"nOFF\n3\n", "'nOFF'"}});
 }
 
 TEST(ReadOff, RefusesCountsThatTheDataDoesNotBack) {

@@ -45,6 +45,12 @@ TEST(Scan, SaysWhatIsWrong) {
   EXPECT_EQ(withoutComment("1 1.#QNAN 2 #3"), "1 1.#QNAN 2 ");
   EXPECT_EQ(checkedText("\xEF\xBB\xBFv 1", "a.obj"), "v 1");
   EXPECT_THROW(checkedText(std::string_view("a\0b", 3), "a.obj"), Error);
+  for (const std::string_view wide : {std::string_view("\xFF\xFEv\0", 4), std::string_view("\xFE\xFF\0v", 4)}) try {
+      checkedText(wide, "a.obj");
+      ADD_FAILURE() << "UTF-16 was read";
+    } catch (const Error& e) {
+      EXPECT_NE(std::string(e.what()).find("UTF-16"), std::string::npos) << e.what();
+    }
   EXPECT_NO_THROW(checkTriangleCount("a.ply", 5, 5));
   EXPECT_THROW(checkTriangleCount("a.ply", 6, 5), Error);
   EXPECT_EQ(numberIn("2.5", "a.off", 3), 2.5);

@@ -19,7 +19,7 @@ namespace collision_hulls {
 
 namespace {
 
-constexpr double kFlat = 1e-6;          // largest deviation from a plane, as a share of the extent
+constexpr double kSlab = 1e-6;          // largest deviation from a plane, as a share of the extent
 constexpr std::size_t kMostPlanes = 3;  // of two walls, and of a third that they end at; with five, nothing was faster
 constexpr std::size_t kMostWalls = 64;  // triangles; more seldom lie in so few planes
 constexpr double kSamePlane = 1e-4;     // step to which normals, and offsets as shares of the extent, are rounded to compare planes
@@ -187,7 +187,7 @@ bool someFaceEachOther(const TriangleMesh& mesh, const RunControl& control) {
 }
 
 AmongFlatWalls amongFlatWalls(const TriangleBvh& closed, const TriangleBvh& surface, const Eigen::Vector3d& p, double radius) {
-  const double blur = closed.blur(), flat = kFlat * closed.extent();
+  const double blur = closed.blur(), flat = kSlab * closed.extent();
   const double inner = radius + kWayUnder * (flat + 2 * blur), outer = inner + 2 * blur;
   const InBall walls(closed, p, outer);
   if (walls.isTooMuch()) return {};

@@ -12,8 +12,9 @@ const std::vector<Eigen::Vector3d> kFirst{{0, 0, 0}, {1, 0, 0}, {1, 2, 0}};
 const std::vector<Triangle> kOne{{0, 1, 2}};
 
 TEST(ReadObj, EveryWayToWriteAFace) {
-  for (const char* face : {"f 1 2 3", "f 1/7 2/8 3/9", "f 1//1 2//1 3//1", "f 1/1/1 2/2/2 3/3/3", "f 1/ 2// 3//", "f -5 -4 -3",
-                           "f\t1  2 3 ", "f 1 2 3 # note", "fo 1 2 3", "f 1 2 \\\n 3", "f \\\r\n1 \\\r\n2 3", "f 1/-1 2/-1/-2 3"})
+  for (const char* face :
+       {"f 1 2 3", "f 1/7 2/8 3/9", "f 1//1 2//1 3//1", "f 1/1/1 2/2/2 3/3/3", "f 1/ 2// 3//", "f -5 -4 -3", "f\t1  2 3 ", "f 1 2 3 # note",
+        "fo 1 2 3", "f 1 2 \\\n 3", "f 01 002 0003", "f \\\r\n1 \\\r\n2 3", "f 1/-1 2/-1/-2 3"})
     expectMesh("a.obj", kCorners + face, kFirst, kOne);
 }
 
@@ -72,7 +73,7 @@ TEST(ReadObj, RefusesVerticesOfOddLength) {
 }
 
 TEST(ReadObj, RefusesCornersThatOthersGuess) {
-  for (const char* word : {"x", "1x", "1/x", "1/2/3/4", "1.5", "+1", "01", "1e0", "0x1", "/1", "1/2.5", "99999999999999999999"})
+  for (const char* word : {"x", "1x", "1/x", "1/2/3/4", "1.5", "+1", "1e0", "0x1", "/1", "1/2.5", "99999999999999999999"})
     expectRefused("a.obj", {{kCorners + "f 1 2 " + word + "\n", "line 6: '" + std::string(word) + "' is not a corner"},
                             {kCorners + "l 1 " + word + "\n", "line 6: '" + std::string(word) + "' is not a corner"}});
 }
